@@ -1,0 +1,336 @@
+//! The light equation: its switches, its terms by name, and their sum.
+
+use crate::brdf::{BrdfKind, BrdfSettings};
+use crate::light::{self, Light};
+use crate::vector;
+use glam::DVec3;
+use std::f64::consts::FRAC_1_PI;
+
+named_enum! {
+    /// What `diff` is, and so what `L_i` measures.
+    pub enum Convention {
+        /// `diff = 1`, as in the lab; `L_i` is a colour.
+        Lab = "lab",
+        /// `diff = 1/pi`; `L_i` is a radiometric quantity (point: intensity in W/sr).
+        Physical = "physical",
+    }
+    default Lab;
+    what "convention";
+}
+
+named_enum! {
+    /// The specular term of the lab's equation.
+    pub enum Specular {
+        /// No specular term.
+        None = "none",
+        /// `<R.V>^shininess`
+        Phong = "phong",
+        /// `<N.H>^shininess`
+        BlinnPhong = "blinn-phong",
+    }
+    default BlinnPhong;
+    what "specular model";
+}
+
+/// Which terms are in the sum. A term that is off counts as 0; a factor that is off counts as 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TermSwitches {
+    /// `A`
+    pub ambient: bool,
+    /// `E`
+    pub emitted: bool,
+    /// `diff k_d <N.L>`
+    pub diffuse: bool,
+    /// `k_s spec`
+    pub specular: bool,
+    /// `att_i` (a factor)
+    pub attenuation: bool,
+    /// `spot_i` (a factor)
+    pub spot: bool,
+}
+
+impl Default for TermSwitches {
+    fn default() -> Self {
+        TermSwitches { ambient: true, emitted: true, diffuse: true, specular: true, attenuation: true, spot: true }
+    }
+}
+
+/// The form of the equation: everything that is the same for all points of a picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Equation {
+    /// Lab or physical.
+    pub convention: Convention,
+    /// The specular term, where no BRDF replaces it.
+    pub specular: Specular,
+    /// A BRDF of Appendix 6 in place of `diff` and `spec`: `L_o = E + sum f L_i att_i spot_i <N.L_i>`.
+    /// There is no ambient term in that form, and `convention` has no part in it.
+    pub brdf: Option<BrdfSettings>,
+    /// The specular term is 0 where `N.L <= 0`. On by default; off in the lab's own solutions.
+    pub gated: bool,
+    /// The specular term is weighted by `<N.L>`: the factor that the lab's equation has lost.
+    pub cosine_weighted: bool,
+    /// Which terms take part.
+    pub terms: TermSwitches,
+}
+
+impl Default for Equation {
+    fn default() -> Self {
+        Equation {
+            convention: Convention::Lab,
+            specular: Specular::BlinnPhong,
+            brdf: None,
+            gated: true,
+            cosine_weighted: false,
+            terms: TermSwitches::default(),
+        }
+    }
+}
+
+/// The material at one point: all colours linear RGB, each >= 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surface {
+    /// `k_a`
+    pub ambient: DVec3,
+    /// `k_d`; the `a` of the BRDFs.
+    pub diffuse: DVec3,
+    /// `k_s`; the `b` of the BRDFs.
+    pub specular: DVec3,
+    /// `E`
+    pub emitted: DVec3,
+    /// `gamma`, at least 1 (smaller values count as 1, so that 0^0 never happens).
+    pub shininess: f64,
+    /// Index of refraction of the material, > 0; the outside has 1.
+    pub refraction_index: f64,
+}
+
+impl Default for Surface {
+    fn default() -> Self {
+        Surface {
+            ambient: DVec3::splat(0.8),
+            diffuse: DVec3::splat(0.8),
+            specular: DVec3::ZERO,
+            emitted: DVec3::ZERO,
+            shininess: 32.0,
+            refraction_index: 1.5,
+        }
+    }
+}
+
+/// Where the equation is evaluated: the geometry of one point. World space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShadingPoint {
+    /// World space, world units.
+    pub position: DVec3,
+    /// `N`: unit shading normal.
+    pub normal: DVec3,
+    /// `V`: unit vector to the eye.
+    pub view: DVec3,
+    /// Unit tangent, for BRDFs with a direction; any vector perpendicular to `normal` will do for the
+    /// others.
+    pub tangent: DVec3,
+}
+
+impl ShadingPoint {
+    /// The point with the normal made usable: `normal` at unit length; where it is degenerate
+    /// (shorter than 1e-12) `geometric_normal`, and failing that the view direction.
+    pub fn new(position: DVec3, normal: DVec3, geometric_normal: DVec3, eye: DVec3) -> Self {
+        let view = vector::unit(eye - position).unwrap_or(DVec3::Y);
+        let normal = vector::unit(normal).or_else(|| vector::unit(geometric_normal)).unwrap_or(view);
+        ShadingPoint { position, normal, view, tangent: normal.any_orthonormal_vector() }
+    }
+}
+
+/// One light's share of the equation at one point, factor by factor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LightTerms {
+    /// Index into the slice of lights that was given.
+    pub light: usize,
+    /// `L`: unit vector to the light.
+    pub l: DVec3,
+    /// `d` in world units; infinite for directional lights.
+    pub distance: f64,
+    /// `att_i` (1 where switched off).
+    pub attenuation: f64,
+    /// `spot_i` (1 where switched off).
+    pub spot: f64,
+    /// `N.L`, signed.
+    pub cos_theta: f64,
+    /// `R = 2 (N.L) N - L`
+    pub r: DVec3,
+    /// `H`
+    pub h: DVec3,
+    /// `R.V`, signed.
+    pub r_dot_v: f64,
+    /// `N.H`, signed.
+    pub n_dot_h: f64,
+    /// `diff`: 1 in the lab's convention, `1/pi` in the physical one and in the BRDFs.
+    pub diff: f64,
+    /// `spec` as it enters the sum: gated and cosine-weighted if the equation is. For a BRDF, its
+    /// specular lobe for `b = 1`, times `<N.L>`.
+    pub spec: f64,
+    /// `L_i att_i spot_i`
+    pub incident: DVec3,
+    /// `diff <N.L> L_i att_i spot_i`: what `k_d` is multiplied with.
+    pub diffuse_light: DVec3,
+    /// `spec L_i att_i spot_i`: what `k_s` is multiplied with.
+    pub specular_light: DVec3,
+    /// `k_d` times `diffuse_light`
+    pub diffuse: DVec3,
+    /// `k_s` times `specular_light`
+    pub specular: DVec3,
+}
+
+/// The sum over the lights without the material's colours: what Gouraud shading interpolates.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LightSums {
+    /// Sum of [`LightTerms::diffuse_light`].
+    pub diffuse: DVec3,
+    /// Sum of [`LightTerms::specular_light`].
+    pub specular: DVec3,
+}
+
+/// Every term of the equation at one point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Terms {
+    /// The point.
+    pub point: ShadingPoint,
+    /// The material there.
+    pub surface: Surface,
+    /// `A = k_a` times the scene's ambient colour (0 where switched off).
+    pub ambient: DVec3,
+    /// `E` (0 where switched off).
+    pub emitted: DVec3,
+    /// The sum over the lights of their diffuse terms.
+    pub diffuse: DVec3,
+    /// The sum over the lights of their specular terms.
+    pub specular: DVec3,
+    /// `L_o`
+    pub total: DVec3,
+    /// Light by light; ambient lights are not among them.
+    pub lights: Vec<LightTerms>,
+}
+
+impl Equation {
+    /// `A` for a surface under the scene's ambient colour.
+    pub fn ambient(&self, surface: &Surface, ambient_color: DVec3) -> DVec3 {
+        if self.terms.ambient && self.brdf.is_none() { surface.ambient * ambient_color } else { DVec3::ZERO }
+    }
+
+    /// `E` of a surface.
+    pub fn emitted(&self, surface: &Surface) -> DVec3 {
+        if self.terms.emitted { surface.emitted } else { DVec3::ZERO }
+    }
+
+    /// One light's terms at one point, or `None` for an ambient light.
+    pub fn light_terms(
+        &self,
+        index: usize,
+        light: &Light,
+        point: &ShadingPoint,
+        surface: &Surface,
+    ) -> Option<LightTerms> {
+        let incident = light.incident(point.position, point.normal)?;
+        let (n, v, l) = (point.normal, point.view, incident.direction);
+        let attenuation = if self.terms.attenuation { incident.attenuation } else { 1.0 };
+        let spot = if self.terms.spot { incident.spot } else { 1.0 };
+        let cos_theta = n.dot(l);
+        let lambert = cos_theta.max(0.0);
+        let r = vector::reflection(n, l);
+        let h = vector::half_vector(l, v, n);
+        let (r_dot_v, n_dot_h) = (r.dot(v), n.dot(h));
+        let shininess = surface.shininess.max(1.0);
+
+        let (diff, spec) = match &self.brdf {
+            Some(brdf) => (FRAC_1_PI, brdf.lobe(point, surface, l) * lambert),
+            None => {
+                let diff = match self.convention {
+                    Convention::Lab => 1.0,
+                    Convention::Physical => FRAC_1_PI,
+                };
+                let spec = match self.specular {
+                    Specular::None => 0.0,
+                    Specular::Phong => r_dot_v.max(0.0).powf(shininess),
+                    Specular::BlinnPhong => n_dot_h.max(0.0).powf(shininess),
+                };
+                let gate = if self.gated && cos_theta <= 0.0 { 0.0 } else { 1.0 };
+                let weight = if self.cosine_weighted { lambert } else { 1.0 };
+                (diff, spec * gate * weight)
+            }
+        };
+        let incident_light = light.color * attenuation * spot;
+        let diffuse_light = if self.terms.diffuse { diff * lambert * incident_light } else { DVec3::ZERO };
+        let specular_light = if self.terms.specular { spec * incident_light } else { DVec3::ZERO };
+        Some(LightTerms {
+            light: index,
+            l,
+            distance: incident.distance,
+            attenuation,
+            spot,
+            cos_theta,
+            r,
+            h,
+            r_dot_v,
+            n_dot_h,
+            diff,
+            spec,
+            incident: incident_light,
+            diffuse_light,
+            specular_light,
+            diffuse: surface.diffuse * diffuse_light,
+            specular: surface.specular * specular_light,
+        })
+    }
+
+    /// The sums over the lights, without the material's colours.
+    pub fn light_sums(&self, point: &ShadingPoint, surface: &Surface, lights: &[Light]) -> LightSums {
+        let mut sums = LightSums::default();
+        for (index, light) in lights.iter().enumerate() {
+            if let Some(terms) = self.light_terms(index, light, point, surface) {
+                sums.diffuse += terms.diffuse_light;
+                sums.specular += terms.specular_light;
+            }
+        }
+        sums
+    }
+
+    /// `L_o` from the sums: what a fragment does with light that was summed at the vertices.
+    pub fn radiance_from_sums(&self, surface: &Surface, ambient_color: DVec3, sums: &LightSums) -> DVec3 {
+        self.ambient(surface, ambient_color)
+            + self.emitted(surface)
+            + surface.diffuse * sums.diffuse
+            + surface.specular * sums.specular
+    }
+
+    /// `L_o` at one point.
+    pub fn radiance(&self, point: &ShadingPoint, surface: &Surface, lights: &[Light]) -> DVec3 {
+        self.radiance_from_sums(surface, light::ambient_color(lights), &self.light_sums(point, surface, lights))
+    }
+
+    /// Every term at one point.
+    pub fn evaluate(&self, point: &ShadingPoint, surface: &Surface, lights: &[Light]) -> Terms {
+        let lights_terms: Vec<LightTerms> = lights
+            .iter()
+            .enumerate()
+            .filter_map(|(index, light)| self.light_terms(index, light, point, surface))
+            .collect();
+        let ambient = self.ambient(surface, light::ambient_color(lights));
+        let emitted = self.emitted(surface);
+        let diffuse = lights_terms.iter().map(|t| t.diffuse).sum();
+        let specular = lights_terms.iter().map(|t| t.specular).sum();
+        Terms {
+            point: *point,
+            surface: *surface,
+            ambient,
+            emitted,
+            diffuse,
+            specular,
+            total: ambient + emitted + diffuse + specular,
+            lights: lights_terms,
+        }
+    }
+
+    /// Which BRDF is in use, if one is.
+    pub fn brdf_kind(&self) -> Option<BrdfKind> {
+        self.brdf.map(|b| b.kind)
+    }
+}

@@ -1,0 +1,1 @@
+//! How much of the light is reflected where two media meet.

@@ -1,0 +1,35 @@
+//! The light equation, as plain functions in `f64`.
+//!
+//! ```text
+//! L_o = A + E + sum_i [ diff * k_d * <N.L_i>  +  k_s * spec_i ] * L_i * att_i * spot_i
+//! ```
+//!
+//! Directions are unit vectors in world space, colours are linear RGB, `<x>` means `max(x, 0)`.
+//! [`equation::Equation::evaluate`] gives every term of one shading point at once, by name; the
+//! probe, the debug views, the checker and the plots all read those values. Nothing here opens a
+//! file or knows OpenGL.
+//!
+//! | room | what |
+//! |---|---|
+//! | [`equation`] | the switches of the equation, its terms, and their sum |
+//! | [`light`] | light kinds, attenuation, the spot's cone |
+//! | [`brdf`] | Lambert, Phong, Blinn, Lafortune, Ward |
+//! | [`vector`] | reflection, refraction, half vector |
+//! | [`fresnel`] | exact dielectric Fresnel and Schlick's approximation |
+//! | [`color`] | sRGB, exposure, tone mapping |
+//! | [`quantity`] | the vectors and scalars of the equation by name |
+
+#[macro_use]
+pub mod names;
+pub mod brdf;
+pub mod color;
+pub mod equation;
+pub mod fresnel;
+pub mod light;
+pub mod quantity;
+pub mod vector;
+
+pub use equation::{Convention, Equation, LightSums, LightTerms, ShadingPoint, Specular, Surface, TermSwitches, Terms};
+pub use glam::{DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
+pub use light::{Attenuation, Incident, Light, LightKind};
+pub use quantity::{Quantity, Value};

@@ -1,0 +1,125 @@
+//! What is said about a file: errors that end the reading, warnings and notes that do not.
+
+use serde::Serialize;
+use std::fmt;
+
+/// How bad it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Severity {
+    /// Understood, and worth knowing.
+    Note,
+    /// Survived, but something of the file is lost or guessed.
+    Warning,
+}
+
+/// One thing worth saying about a file.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Diagnostic {
+    /// How bad.
+    pub severity: Severity,
+    /// One sentence, without position and without final full stop.
+    pub message: String,
+    /// Which file, as the user knows it; filled in by whoever opened it.
+    pub file: Option<String>,
+    /// From 1.
+    pub line: Option<u64>,
+    /// In bytes, from 1.
+    pub column: Option<u64>,
+}
+
+impl Diagnostic {
+    /// A warning without a position.
+    pub fn warning(message: impl Into<String>) -> Self {
+        Diagnostic { severity: Severity::Warning, message: message.into(), file: None, line: None, column: None }
+    }
+
+    /// A note without a position.
+    pub fn note(message: impl Into<String>) -> Self {
+        Diagnostic { severity: Severity::Note, ..Self::warning(message) }
+    }
+
+    /// The same at a line, and perhaps a column.
+    pub fn at(mut self, line: u64, column: Option<u64>) -> Self {
+        self.line = Some(line);
+        self.column = column;
+        self
+    }
+
+    /// The same about a named file, where none is named yet.
+    pub fn in_file(mut self, file: &str) -> Self {
+        self.file.get_or_insert_with(|| file.to_owned());
+        self
+    }
+}
+
+impl fmt::Display for Diagnostic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write_position(f, self.file.as_deref(), self.line, self.column)?;
+        let severity = match self.severity {
+            Severity::Note => "note",
+            Severity::Warning => "warning",
+        };
+        write!(f, "{severity}: {}", self.message)
+    }
+}
+
+/// Why a file could not be read at all.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ReadError {
+    /// One sentence: what is wrong and what to do.
+    pub message: String,
+    /// Which file, as the user knows it; filled in by whoever opened it.
+    pub file: Option<String>,
+    /// From 1.
+    pub line: Option<u64>,
+    /// In bytes, from 1.
+    pub column: Option<u64>,
+}
+
+impl ReadError {
+    /// An error without a position.
+    pub fn new(message: impl Into<String>) -> Self {
+        ReadError { message: message.into(), file: None, line: None, column: None }
+    }
+
+    /// The same at a line, and perhaps a column.
+    pub fn at(mut self, line: u64, column: Option<u64>) -> Self {
+        self.line = Some(line);
+        self.column = column;
+        self
+    }
+
+    /// The same about a named file, where none is named yet.
+    pub fn in_file(mut self, file: &str) -> Self {
+        self.file.get_or_insert_with(|| file.to_owned());
+        self
+    }
+}
+
+impl fmt::Display for ReadError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write_position(f, self.file.as_deref(), self.line, self.column)?;
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for ReadError {}
+
+fn write_position(
+    f: &mut fmt::Formatter<'_>,
+    file: Option<&str>,
+    line: Option<u64>,
+    column: Option<u64>,
+) -> fmt::Result {
+    if let Some(file) = file {
+        write!(f, "{file}:")?;
+    }
+    if let Some(line) = line {
+        write!(f, "{line}:")?;
+    }
+    if let (Some(_), Some(column)) = (line, column) {
+        write!(f, "{column}:")?;
+    }
+    if file.is_some() || line.is_some() { f.write_str(" ") } else { Ok(()) }
+}

@@ -1,0 +1,126 @@
+//! The mesh: indexed triangles, ready for a GPU.
+
+use glam::Vec3;
+
+/// Indexed triangles. All per-vertex arrays are as long as `positions`, or empty where the file has none.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// In the model's own space and unit; finite.
+    pub positions: Vec<[f32; 3]>,
+    /// Unit vectors; empty until the file or [`crate::normals`] gives them.
+    pub normals: Vec<[f32; 3]>,
+    /// u to the right, v **up** (0 is the picture's last row), as in OBJ and OpenGL.
+    pub tex_coords: Vec<[f32; 2]>,
+    /// Unit tangent and handedness (+1 or -1): bitangent = w * cross(normal, tangent).
+    pub tangents: Vec<[f32; 4]>,
+    /// Linear RGBA.
+    pub colors: Vec<[f32; 4]>,
+    /// Three per triangle, counter-clockwise seen from the front.
+    pub indices: Vec<u32>,
+    /// Smoothing group of each triangle, 0 for "off"; empty where the file says nothing.
+    pub smoothing_groups: Vec<u32>,
+    /// Consecutive ranges of triangles that together are all of `indices`.
+    pub parts: Vec<Part>,
+    /// Where `normals` came from.
+    pub normal_source: NormalSource,
+}
+
+/// A run of triangles with one material.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Part {
+    /// The object or group it belongs to, empty where the file names none.
+    pub name: String,
+    /// Index into [`crate::Model::materials`].
+    pub material: usize,
+    /// First triangle.
+    pub first_triangle: usize,
+    /// How many triangles.
+    pub triangle_count: usize,
+}
+
+/// Where a mesh's normals came from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum NormalSource {
+    /// There are none.
+    #[default]
+    None,
+    /// As the file has them.
+    File,
+    /// From the file, and averaged where it had none.
+    FileAndAveraged,
+    /// One per triangle.
+    Flat,
+    /// Angle-weighted mean over adjacent faces.
+    Averaged,
+}
+
+/// An axis-aligned box.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// Smallest coordinates.
+    pub min: Vec3,
+    /// Largest coordinates.
+    pub max: Vec3,
+}
+
+impl Bounds {
+    /// Of some points; `None` of no points.
+    pub fn of_points(points: impl IntoIterator<Item = Vec3>) -> Option<Bounds> {
+        points.into_iter().fold(None, |bounds, p| match bounds {
+            None => Some(Bounds { min: p, max: p }),
+            Some(b) => Some(Bounds { min: b.min.min(p), max: b.max.max(p) }),
+        })
+    }
+
+    /// The middle.
+    pub fn center(&self) -> Vec3 {
+        0.5 * (self.min + self.max)
+    }
+
+    /// The edge lengths.
+    pub fn size(&self) -> Vec3 {
+        self.max - self.min
+    }
+}
+
+impl Mesh {
+    /// How many triangles.
+    pub fn triangle_count(&self) -> usize {
+        self.indices.len() / 3
+    }
+
+    /// The box around all vertices.
+    pub fn bounds(&self) -> Option<Bounds> {
+        Bounds::of_points(self.positions.iter().map(|&p| Vec3::from(p)))
+    }
+
+    /// The vertex indices of triangle `t`.
+    pub fn triangle(&self, t: usize) -> [usize; 3] {
+        let i = 3 * t;
+        [self.indices[i] as usize, self.indices[i + 1] as usize, self.indices[i + 2] as usize]
+    }
+
+    /// The corner positions of triangle `t`.
+    pub fn triangle_positions(&self, t: usize) -> [Vec3; 3] {
+        self.triangle(t).map(|i| Vec3::from(self.positions[i]))
+    }
+
+    /// The mesh with three vertices of its own for each triangle, in the order of the indices.
+    pub fn unshared(&self) -> Mesh {
+        fn gather<T: Copy>(values: &[T], indices: &[u32]) -> Vec<T> {
+            if values.is_empty() { Vec::new() } else { indices.iter().map(|&i| values[i as usize]).collect() }
+        }
+        Mesh {
+            positions: gather(&self.positions, &self.indices),
+            normals: gather(&self.normals, &self.indices),
+            tex_coords: gather(&self.tex_coords, &self.indices),
+            tangents: gather(&self.tangents, &self.indices),
+            colors: gather(&self.colors, &self.indices),
+            indices: (0..self.indices.len() as u32).collect(),
+            smoothing_groups: self.smoothing_groups.clone(),
+            parts: self.parts.clone(),
+            normal_source: self.normal_source,
+        }
+    }
+}

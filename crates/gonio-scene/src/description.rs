@@ -1,0 +1,373 @@
+//! The scene file: what a person writes, and what `gonio scene` prints complete.
+//!
+//! Angles are degrees, lengths world units, colours linear RGB. Whatever is left out gets the
+//! documented default; `gonio scene INPUT` prints the whole, with every default filled in.
+
+use crate::color_value::Color;
+use crate::texture::TextureFilter;
+use gonio_light::brdf::BrdfKind;
+use gonio_light::color::{ColorEncoding, ToneMap};
+use gonio_light::named_enum;
+use gonio_light::{Convention, Specular};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+named_enum! {
+    /// Where the equation is evaluated.
+    pub enum Shading {
+        /// One normal per triangle, the equation at every fragment.
+        Flat = "flat",
+        /// One normal per triangle, the equation once per triangle, at its centroid.
+        FlatPerFace = "flat-per-face",
+        /// The equation at the vertices, the light interpolated.
+        Gouraud = "gouraud",
+        /// The normal interpolated and renormalised, the equation at every fragment.
+        Phong = "phong",
+    }
+    default Phong;
+    what "shading";
+}
+
+named_enum! {
+    /// Which normals a mesh gets.
+    pub enum Normals {
+        /// The file's; averaged where it has none.
+        File = "file",
+        /// One per triangle.
+        Flat = "flat",
+        /// Angle-weighted mean over adjacent faces; the file's are ignored.
+        Averaged = "averaged",
+    }
+    default File;
+    what "source of normals";
+}
+
+named_enum! {
+    /// A kind of light source.
+    pub enum LightSourceKind {
+        /// From everywhere; adds to A.
+        Ambient = "ambient",
+        /// Parallel rays along `direction`.
+        Directional = "directional",
+        /// From `position` in all directions.
+        Point = "point",
+        /// From `position` within a cone about `direction`.
+        Spot = "spot",
+    }
+    default Point;
+    what "kind of light";
+}
+
+named_enum! {
+    /// How a light moves.
+    pub enum MotionKind {
+        /// position + amplitude * sin(2 pi time / period)
+        Oscillate = "oscillate",
+        /// Around `center` about `axis`, starting at the light's position.
+        Circle = "circle",
+        /// Along `points`, linearly, one `period` for the whole path, closed.
+        Path = "path",
+    }
+    default Oscillate;
+    what "kind of motion";
+}
+
+/// A scene.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Scene {
+    /// Size and encoding of the picture.
+    pub picture: PictureSpec,
+    /// The eye. What is left out is chosen so that all objects are in the picture.
+    pub camera: CameraSpec,
+    /// What is seen where there is no object.
+    pub background: BackgroundSpec,
+    /// The form of the light equation.
+    pub equation: EquationSpec,
+    /// The models.
+    #[serde(rename = "object")]
+    pub objects: Vec<ObjectSpec>,
+    /// The lights; without any, a key, a fill and a rim light and a little ambient are added.
+    #[serde(rename = "light")]
+    pub lights: Vec<LightSpec>,
+}
+
+/// Size and encoding of the picture.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct PictureSpec {
+    /// Pixels.
+    pub width: u32,
+    /// Pixels.
+    pub height: u32,
+    /// Samples per pixel: 1, 2, 4, 8 or 16 (OpenGL: at most what the driver has).
+    pub samples: u32,
+    /// sRGB or direct.
+    pub color: ColorEncoding,
+    /// None, Reinhard, ACES or AgX.
+    pub tone_map: ToneMap,
+    /// Stops.
+    pub exposure: f64,
+    /// How textures are sampled.
+    pub texture_filter: TextureFilter,
+}
+
+impl Default for PictureSpec {
+    fn default() -> Self {
+        PictureSpec {
+            width: 1024,
+            height: 768,
+            samples: 4,
+            color: ColorEncoding::Srgb,
+            tone_map: ToneMap::None,
+            exposure: 0.0,
+            texture_filter: TextureFilter::Anisotropic,
+        }
+    }
+}
+
+/// The eye: `position` and either `target`, or `yaw` and `pitch`.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct CameraSpec {
+    /// World space.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub position: Option<[f64; 3]>,
+    /// The point looked at, world space.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub target: Option<[f64; 3]>,
+    /// Degrees; -90 looks along -Z.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub yaw: Option<f64>,
+    /// Degrees; positive looks up.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pitch: Option<f64>,
+    /// Which way is up, [0, 1, 0] by default.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub up: Option<[f64; 3]>,
+    /// Full vertical field of view in degrees, 40 by default.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fov_y: Option<f64>,
+    /// Distance of the near plane.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub near: Option<f64>,
+    /// Distance of the far plane.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub far: Option<f64>,
+}
+
+/// What is seen where there is no object.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct BackgroundSpec {
+    /// At the top edge of the picture.
+    pub top: Color,
+    /// At the bottom edge of the picture; between them linear in light.
+    pub bottom: Color,
+    /// Nothing at all: the picture gets an alpha channel.
+    pub transparent: bool,
+}
+
+impl Default for BackgroundSpec {
+    /// Mid-grey.
+    fn default() -> Self {
+        BackgroundSpec { top: Color::grey(0.2), bottom: Color::grey(0.2), transparent: false }
+    }
+}
+
+/// The form of the light equation.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct EquationSpec {
+    /// Lab or physical.
+    pub convention: Convention,
+    /// None, Phong or Blinn-Phong.
+    pub specular: Specular,
+    /// A BRDF of Appendix 6 in place of both terms.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub brdf: Option<BrdfKind>,
+    /// The BRDF with the factor that keeps its energy in bounds.
+    pub brdf_normalised: bool,
+    /// Diagonal of Lafortune's matrix in (tangent, bitangent, normal).
+    pub lafortune: [f64; 3],
+    /// No specular light where N.L <= 0.
+    pub gated: bool,
+    /// The specular term weighted by <N.L>. Left out: yes in the physical convention, no in the lab's.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cosine_weighted: Option<bool>,
+    /// The normal is turned to the viewer on back faces.
+    pub two_sided: bool,
+    /// `A` takes part.
+    pub ambient: bool,
+    /// `E` takes part.
+    pub emitted: bool,
+    /// The diffuse term takes part.
+    pub diffuse: bool,
+    /// The specular term takes part.
+    pub specular_term: bool,
+    /// `att` takes part (else it is 1).
+    pub attenuation: bool,
+    /// `spot` takes part (else it is 1).
+    pub spot: bool,
+}
+
+impl Default for EquationSpec {
+    fn default() -> Self {
+        EquationSpec {
+            convention: Convention::Lab,
+            specular: Specular::BlinnPhong,
+            brdf: None,
+            brdf_normalised: false,
+            lafortune: [1.0, 1.0, -1.0],
+            gated: true,
+            cosine_weighted: None,
+            two_sided: true,
+            ambient: true,
+            emitted: true,
+            diffuse: true,
+            specular_term: true,
+            attenuation: true,
+            spot: true,
+        }
+    }
+}
+
+/// A model in the scene.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct ObjectSpec {
+    /// A file, relative to the scene file, or `builtin:NAME`.
+    pub model: String,
+    /// For reports and debug groups; the model's file name by default.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub name: String,
+    /// Applied last.
+    pub translate: [f64; 3],
+    /// Degrees about x, then y, then z (the world's axes).
+    pub rotate: [f64; 3],
+    /// Applied first, per axis.
+    pub scale: [f64; 3],
+    /// Where the equation is evaluated.
+    pub shading: Shading,
+    /// Which normals the mesh gets.
+    pub normals: Normals,
+    /// Values that replace those of the model's materials.
+    #[serde(skip_serializing_if = "MaterialOverride::is_empty")]
+    pub material: MaterialOverride,
+}
+
+impl Default for ObjectSpec {
+    fn default() -> Self {
+        ObjectSpec {
+            model: String::new(),
+            name: String::new(),
+            translate: [0.0; 3],
+            rotate: [0.0; 3],
+            scale: [1.0; 3],
+            shading: Shading::Phong,
+            normals: Normals::File,
+            material: MaterialOverride::default(),
+        }
+    }
+}
+
+/// Values that replace those of the model's materials. A colour that is given here is not multiplied
+/// by the model's texture for it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct MaterialOverride {
+    /// `k_a`
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ambient: Option<Color>,
+    /// `k_d`
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub diffuse: Option<Color>,
+    /// `k_s`
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub specular: Option<Color>,
+    /// `E`
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub emitted: Option<Color>,
+    /// `gamma`, at least 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shininess: Option<f64>,
+    /// Greater than 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub refraction_index: Option<f64>,
+    /// 0 to 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub opacity: Option<f64>,
+    /// Whether the model's textures are used at all.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub textures: Option<bool>,
+}
+
+impl MaterialOverride {
+    /// Whether nothing is replaced.
+    pub fn is_empty(&self) -> bool {
+        *self == MaterialOverride::default()
+    }
+}
+
+/// A light. Which keys it takes depends on its kind; one too many is an error, one too few too.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LightSpec {
+    /// Ambient, directional, point or spot.
+    pub kind: LightSourceKind,
+    /// For reports.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub name: String,
+    /// Of points and spots: world space.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub position: Option<[f64; 3]>,
+    /// Of directional lights and spots: the way the light travels. Need not have unit length.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub direction: Option<[f64; 3]>,
+    /// `L_i` is `color` times `intensity`. White by default.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub color: Option<Color>,
+    /// 1 by default.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub intensity: Option<f64>,
+    /// `k_c` of points and spots, 1 by default.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub constant: Option<f64>,
+    /// `k_l` of points and spots, 0 by default.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub linear: Option<f64>,
+    /// `k_q` of points and spots, 0 by default.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub quadratic: Option<f64>,
+    /// Half angle of a spot's fully lit cone, degrees, 20 by default.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inner_angle: Option<f64>,
+    /// Half angle at which a spot ends, degrees, 30 by default.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub outer_angle: Option<f64>,
+    /// How it moves with time.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub motion: Option<MotionSpec>,
+}
+
+/// How a light moves with time.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MotionSpec {
+    /// Oscillate, circle or path.
+    pub kind: MotionKind,
+    /// Seconds, > 0.
+    pub period: f64,
+    /// Of oscillate: how far to each side.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub amplitude: Option<[f64; 3]>,
+    /// Of circle.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub center: Option<[f64; 3]>,
+    /// Of circle, [0, 1, 0] by default.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub axis: Option<[f64; 3]>,
+    /// Of path.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub points: Option<Vec<[f64; 3]>>,
+}

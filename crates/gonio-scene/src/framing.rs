@@ -1,0 +1,1 @@
+//! A scene without camera or lights gets pleasant ones.

@@ -1,0 +1,1 @@
+//! TOML with errors that say where and what was meant.
