@@ -1,11 +1,40 @@
-//! OpenGL through glow.
+//! OpenGL through glow: contexts, GLSL, targets, draws, counters. The only crate with `unsafe` code.
+//!
+//! [`Renderer`] draws a loaded scene into a linear float picture and encodes it; it runs on OpenGL 3.3
+//! core and on OpenGL ES 3 / WebGL2 alike, in a window or without one ([`HeadlessContext`]). The GLSL
+//! stands in `shaders/`: `shaders/light/` are pure functions, the twins of `gonio-light`'s.
+#![allow(unsafe_code)]
 
+#[cfg(all(feature = "headless", any(windows, target_os = "linux")))]
+pub mod capture;
+#[cfg(all(feature = "headless", not(any(windows, target_os = "linux"))))]
+#[path = "capture_unsupported.rs"]
+pub mod capture;
+mod driver;
 mod error;
+mod geometry;
+mod gl;
+pub mod glsl;
 #[cfg(feature = "headless")]
 pub mod headless;
-pub mod renderer;
+mod light_table;
+mod objects;
+mod program;
+mod renderer;
+mod scene_on_gpu;
+mod statistics;
+mod target;
+mod textures;
 
+pub use driver::DriverInfo;
 pub use error::GlError;
+pub use gl::Gl;
 #[cfg(feature = "headless")]
 pub use headless::HeadlessContext;
-pub use renderer::{Drawn, DriverInfo, GpuScene, GpuStatistics, Renderer};
+pub use renderer::{Drawn, Renderer};
+pub use scene_on_gpu::GpuScene;
+pub use statistics::GpuStatistics;
+pub use target::Precision;
+
+#[cfg(test)]
+mod tests;

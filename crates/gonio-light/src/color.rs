@@ -1,13 +1,18 @@
 //! Colour: sRGB, exposure, tone mapping.
+//!
+//! Everything takes and gives linear RGB with the sRGB primaries unless its name says `encoded`.
+//! Whatever is put in, what comes out is finite: NaN and negative light count as 0, infinite light as
+//! [`RADIANCE_CAP`].
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 named_enum! {
     /// How light becomes the picture's numbers.
     pub enum ColorEncoding {
         /// The sRGB transfer function, after exposure and tone mapping.
         Srgb = "srgb",
-        /// The sum unencoded, clamped to [0, 1]: as the lab's programs do.
+        /// The sum unencoded, clamped to [0, 1]: as the lab's programs do. Exposure and tone map still
+        /// apply if they are asked for; only the sRGB curve is left out.
         Direct = "direct",
     }
     default Srgb;
@@ -33,7 +38,7 @@ named_enum! {
 /// The whole way from linear light to the picture: exposure in stops, tone map, encoding.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct OutputTransform {
-    /// Stops: light is multiplied by 2^exposure.
+    /// Stops: light is multiplied by 2^exposure. Held in `[-EXPOSURE_LIMIT, EXPOSURE_LIMIT]`.
     pub exposure: f64,
     /// Applied after exposure.
     pub tone_map: ToneMap,
@@ -42,23 +47,124 @@ pub struct OutputTransform {
 }
 
 impl OutputTransform {
-    /// Linear radiance to the picture's numbers in `[0, 1]`.
+    /// Linear radiance to the picture's numbers in `[0, 1]`: exposure, tone map, clamp, encoding.
     pub fn encode(&self, linear: DVec3) -> DVec3 {
-        let _ = linear;
-        DVec3::ZERO
+        let display = self.tone_map.apply(exposed(linear, self.exposure));
+        match self.encoding {
+            ColorEncoding::Srgb => display.map(srgb_encode),
+            ColorEncoding::Direct => display,
+        }
     }
 }
 
-/// GLSL's `smoothstep`; where both edges are equal, a step (GLSL leaves that undefined).
-pub fn smoothstep(edge0: f64, edge1: f64, x: f64) -> f64 {
-    if edge0 >= edge1 {
-        return if x < edge0 { 0.0 } else { 1.0 };
+impl ToneMap {
+    /// Linear radiance (each channel in `[0, RADIANCE_CAP]`) to linear display light in `[0, 1]`.
+    pub fn apply(self, linear: DVec3) -> DVec3 {
+        let display = match self {
+            ToneMap::None => linear,
+            ToneMap::Reinhard => reinhard(linear),
+            ToneMap::Aces => aces(linear),
+            ToneMap::Agx => agx(linear),
+        };
+        display.map(unit_interval)
     }
-    let t = ((x - edge0) / (edge1 - edge0)).clamp(0.0, 1.0);
-    t * t * (3.0 - 2.0 * t)
 }
 
-/// The sRGB transfer function's inverse: an encoded channel in [0, 1] to linear light (IEC 61966-2-1).
+/// No light and no term of the equation is larger than this, per channel and light. It is far beyond
+/// any display and any star, and `f32` still holds the sum of a hundred million of them.
+pub const RADIANCE_CAP: f64 = 1e30;
+
+/// Exposure is held within this many stops, up or down.
+pub const EXPOSURE_LIMIT: f64 = 64.0;
+
+/// A colour of light with each channel held in `[0, RADIANCE_CAP]`; NaN counts as 0. Colours that are in
+/// their documented range are returned as they are.
+pub fn capped(color: DVec3) -> DVec3 {
+    // Written so that NaN becomes 0.
+    color.map(|x| if x > 0.0 { x.min(RADIANCE_CAP) } else { 0.0 })
+}
+
+/// `linear * 2^stops`, each channel held in `[0, RADIANCE_CAP]`; stops that are NaN count as none.
+pub fn exposed(linear: DVec3, stops: f64) -> DVec3 {
+    let stops = if stops.is_nan() { 0.0 } else { stops.clamp(-EXPOSURE_LIMIT, EXPOSURE_LIMIT) };
+    capped(capped(linear) * stops.exp2())
+}
+
+/// `x / (1 + x)` per channel, in `[0, 1]`.
+///
+/// Source: E. Reinhard et al., *Photographic Tone Reproduction for Digital Images*, SIGGRAPH 2002,
+/// eq. (3), here on the channels instead of the luminance and without the scaling by the key.
+pub fn reinhard(linear: DVec3) -> DVec3 {
+    linear.map(|x| x / (1.0 + x))
+}
+
+/// `x (2.51 x + 0.03) / (x (2.43 x + 0.59) + 0.14)` per channel; reaches 1 at `x = 7.24`, and values
+/// above 1 are for the caller to clamp.
+///
+/// Source: K. Narkowicz, *ACES Filmic Tone Mapping Curve*, 2015: a fit of the ACES reference transform
+/// for sRGB displays (its own exposure is 0.6 times darker; that factor is left to the exposure).
+pub fn aces(linear: DVec3) -> DVec3 {
+    linear.map(|x| {
+        // Far above white already; its square would overflow f32 on the GPU for much more.
+        let x = x.min(100.0);
+        x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14)
+    })
+}
+
+/// AgX's default look: into its working space, log2 over 16.5 stops, a sigmoid, and back.
+///
+/// The sigmoid's output is by AgX's convention encoded for a display of exponent 2.2; it is decoded
+/// here, so that this gives linear light like the other tone maps and the sRGB encoding follows.
+///
+/// Source: T. Sobotka, *AgX*, 2022 (matrices, range); the polynomial of the sigmoid: B. Wrensch,
+/// *Minimal AgX Implementation*, 2023 (6th order, mean squared error 3.7e-6). The polynomial ends at
+/// -0.0023 and 0.9986 instead of 0 and 1: black is clamped, white stays at 0.997 of linear light.
+pub fn agx(linear: DVec3) -> DVec3 {
+    // 0 has no logarithm; everything below 2^AGX_MIN_EV is the same black.
+    let log = (AGX_WORKING_FROM_SRGB * linear).map(|x| x.max(1e-10).log2().clamp(AGX_MIN_EV, AGX_MAX_EV));
+    let display = AGX_SRGB_FROM_WORKING * log.map(|x| agx_contrast((x - AGX_MIN_EV) / (AGX_MAX_EV - AGX_MIN_EV)));
+    display.map(|x| unit_interval(x).powf(2.2))
+}
+
+/// Stops below and above 1 that AgX's logarithm spans.
+const AGX_MIN_EV: f64 = -12.47393;
+const AGX_MAX_EV: f64 = 4.026069;
+
+/// AgX's inset: pulls the primaries inwards, so that bright saturated light turns towards white.
+const AGX_WORKING_FROM_SRGB: DMat3 = DMat3::from_cols(
+    DVec3::new(0.842479062253094, 0.0423282422610123, 0.0423756549057051),
+    DVec3::new(0.0784335999999992, 0.878468636469772, 0.0784336),
+    DVec3::new(0.0792237451477643, 0.0791661274605434, 0.879142973793104),
+);
+
+/// AgX's outset: the inverse of the inset.
+const AGX_SRGB_FROM_WORKING: DMat3 = DMat3::from_cols(
+    DVec3::new(1.19687900512017, -0.0528968517574562, -0.0529716355144438),
+    DVec3::new(-0.0980208811401368, 1.15190312990417, -0.0980434501171241),
+    DVec3::new(-0.0990297440797205, -0.0989611768448433, 1.15107367264116),
+);
+
+/// The polynomial fit of AgX's sigmoid over `[0, 1]`, lowest power last.
+fn agx_contrast(x: f64) -> f64 {
+    [15.5, -40.14, 31.96, -6.868, 0.4298, 0.1191, -0.00232].iter().fold(0.0, |sum, coefficient| sum * x + coefficient)
+}
+
+/// The sRGB transfer function: linear light in `[0, 1]` to an encoded channel in `[0, 1]`
+/// (IEC 61966-2-1). Light outside of that range is clamped; NaN counts as 0.
+pub fn srgb_encode(linear: f64) -> f64 {
+    let linear = unit_interval(linear);
+    if linear <= 0.0031308 { linear * 12.92 } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
+}
+
+/// The sRGB transfer function's inverse: an encoded channel in `[0, 1]` to linear light (IEC 61966-2-1).
+/// Values outside of that range are clamped; NaN counts as 0.
 pub fn srgb_decode(encoded: f64) -> f64 {
+    let encoded = unit_interval(encoded);
     if encoded <= 0.04045 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
+}
+
+/// `x` held in `[0, 1]`; NaN counts as 0.
+pub(crate) fn unit_interval(x: f64) -> f64 {
+    // Written so that NaN becomes 0, which `clamp` would keep.
+    if x > 0.0 { x.min(1.0) } else { 0.0 }
 }

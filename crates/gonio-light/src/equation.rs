@@ -1,6 +1,7 @@
 //! The light equation: its switches, its terms by name, and their sum.
 
-use crate::brdf::{BrdfKind, BrdfSettings};
+use crate::brdf::{self, BrdfKind, BrdfSettings};
+use crate::color::capped;
 use crate::light::{self, Light};
 use crate::vector;
 use glam::DVec3;
@@ -97,7 +98,7 @@ pub struct Surface {
     pub specular: DVec3,
     /// `E`
     pub emitted: DVec3,
-    /// `gamma`, at least 1 (smaller values count as 1, so that 0^0 never happens).
+    /// `gamma`, held in `[1, SHININESS_MAX]` ([`brdf::effective_shininess`]): 0^0 never happens.
     pub shininess: f64,
     /// Index of refraction of the material, > 0; the outside has 1.
     pub refraction_index: f64,
@@ -136,7 +137,7 @@ impl ShadingPoint {
     pub fn new(position: DVec3, normal: DVec3, geometric_normal: DVec3, eye: DVec3) -> Self {
         let view = vector::unit(eye - position).unwrap_or(DVec3::Y);
         let normal = vector::unit(normal).or_else(|| vector::unit(geometric_normal)).unwrap_or(view);
-        ShadingPoint { position, normal, view, tangent: normal.any_orthonormal_vector() }
+        ShadingPoint { position, normal, view, tangent: vector::any_orthonormal_vector(normal) }
     }
 }
 
@@ -213,12 +214,12 @@ pub struct Terms {
 impl Equation {
     /// `A` for a surface under the scene's ambient colour.
     pub fn ambient(&self, surface: &Surface, ambient_color: DVec3) -> DVec3 {
-        if self.terms.ambient && self.brdf.is_none() { surface.ambient * ambient_color } else { DVec3::ZERO }
+        if self.terms.ambient && self.brdf.is_none() { capped(surface.ambient * ambient_color) } else { DVec3::ZERO }
     }
 
     /// `E` of a surface.
     pub fn emitted(&self, surface: &Surface) -> DVec3 {
-        if self.terms.emitted { surface.emitted } else { DVec3::ZERO }
+        if self.terms.emitted { capped(surface.emitted) } else { DVec3::ZERO }
     }
 
     /// One light's terms at one point, or `None` for an ambient light.
@@ -238,7 +239,6 @@ impl Equation {
         let r = vector::reflection(n, l);
         let h = vector::half_vector(l, v, n);
         let (r_dot_v, n_dot_h) = (r.dot(v), n.dot(h));
-        let shininess = surface.shininess.max(1.0);
 
         let (diff, spec) = match &self.brdf {
             Some(brdf) => (FRAC_1_PI, brdf.lobe(point, surface, l) * lambert),
@@ -249,17 +249,17 @@ impl Equation {
                 };
                 let spec = match self.specular {
                     Specular::None => 0.0,
-                    Specular::Phong => r_dot_v.max(0.0).powf(shininess),
-                    Specular::BlinnPhong => n_dot_h.max(0.0).powf(shininess),
+                    Specular::Phong => brdf::cosine_power(r_dot_v, surface.shininess),
+                    Specular::BlinnPhong => brdf::cosine_power(n_dot_h, surface.shininess),
                 };
                 let gate = if self.gated && cos_theta <= 0.0 { 0.0 } else { 1.0 };
                 let weight = if self.cosine_weighted { lambert } else { 1.0 };
                 (diff, spec * gate * weight)
             }
         };
-        let incident_light = light.color * attenuation * spot;
+        let incident_light = capped(capped(light.color) * attenuation * spot);
         let diffuse_light = if self.terms.diffuse { diff * lambert * incident_light } else { DVec3::ZERO };
-        let specular_light = if self.terms.specular { spec * incident_light } else { DVec3::ZERO };
+        let specular_light = if self.terms.specular { capped(spec * incident_light) } else { DVec3::ZERO };
         Some(LightTerms {
             light: index,
             l,
@@ -276,8 +276,8 @@ impl Equation {
             incident: incident_light,
             diffuse_light,
             specular_light,
-            diffuse: surface.diffuse * diffuse_light,
-            specular: surface.specular * specular_light,
+            diffuse: capped(surface.diffuse * diffuse_light),
+            specular: capped(surface.specular * specular_light),
         })
     }
 
@@ -297,8 +297,8 @@ impl Equation {
     pub fn radiance_from_sums(&self, surface: &Surface, ambient_color: DVec3, sums: &LightSums) -> DVec3 {
         self.ambient(surface, ambient_color)
             + self.emitted(surface)
-            + surface.diffuse * sums.diffuse
-            + surface.specular * sums.specular
+            + capped(surface.diffuse * sums.diffuse)
+            + capped(surface.specular * sums.specular)
     }
 
     /// `L_o` at one point.

@@ -1,6 +1,6 @@
 //! Light sources: what reaches a point, from where, and how much weaker.
 
-use crate::color::smoothstep;
+use crate::color::{capped, unit_interval};
 use crate::vector;
 use glam::DVec3;
 
@@ -26,7 +26,10 @@ impl Attenuation {
 
     /// The factor at distance `d` >= 0, in `[0, CAP]`.
     pub fn at(&self, d: f64) -> f64 {
-        let denominator = self.constant + self.linear * d + self.quadratic * d * d;
+        // Horner's form and a finite d: a coefficient of 0 stays 0 however far the light is, where
+        // 0 * d^2 would be 0 * infinity.
+        let d = d.min(f64::MAX);
+        let denominator = self.constant + d * (self.linear + self.quadratic * d);
         // Written so that 0, negative and NaN denominators all give the cap.
         if denominator > 1.0 / Self::CAP { 1.0 / denominator } else { Self::CAP }
     }
@@ -88,17 +91,21 @@ pub struct Incident {
 impl Light {
     /// What reaches `position` (world space), or `None` for an ambient light.
     ///
-    /// A light at the very point has no direction: `fallback` (a unit vector, the normal) stands in.
+    /// A light at the very point (or a directional light whose direction is degenerate) has no
+    /// direction: `fallback` (a unit vector, the normal) stands in.
     pub fn incident(&self, position: DVec3, fallback: DVec3) -> Option<Incident> {
         let from = |light_position: DVec3| {
             let to_light = light_position - position;
-            let distance = to_light.length();
-            (vector::unit(to_light).unwrap_or(fallback), distance, self.attenuation.at(distance))
+            // Two points at opposite ends of f64's range: too far to say how far, but not a
+            // directional light.
+            let distance = vector::safe_length(to_light).min(f64::MAX);
+            (vector::unit_or(to_light, fallback), distance, self.attenuation.at(distance))
         };
         match self.kind {
             LightKind::Ambient => None,
             LightKind::Directional { direction } => {
-                Some(Incident { direction: -direction, distance: f64::INFINITY, attenuation: 1.0, spot: 1.0 })
+                let direction = vector::unit_or(-direction, fallback);
+                Some(Incident { direction, distance: f64::INFINITY, attenuation: 1.0, spot: 1.0 })
             }
             LightKind::Point { position } => {
                 let (direction, distance, attenuation) = from(position);
@@ -106,7 +113,8 @@ impl Light {
             }
             LightKind::Spot { position, axis, inner_rad, outer_rad } => {
                 let (direction, distance, attenuation) = from(position);
-                let spot = smoothstep(outer_rad.cos(), inner_rad.cos(), -direction.dot(axis));
+                let along_axis = -direction.dot(vector::unit_or(axis, DVec3::ZERO));
+                let spot = smoothstep_or_step(outer_rad.cos(), inner_rad.cos(), along_axis);
                 Some(Incident { direction, distance, attenuation, spot })
             }
         }
@@ -115,5 +123,19 @@ impl Light {
 
 /// The scene's ambient colour: the sum of its ambient lights. Never attenuated, never shadowed.
 pub fn ambient_color(lights: &[Light]) -> DVec3 {
-    lights.iter().filter(|l| l.kind == LightKind::Ambient).map(|l| l.color).sum()
+    capped(lights.iter().filter(|l| l.kind == LightKind::Ambient).map(|l| l.color).sum())
+}
+
+/// GLSL's `smoothstep`; where the edges are equal or in the wrong order, a step at `edge0` (GLSL leaves
+/// that undefined). The step is 1 at `x = edge0`.
+pub fn smoothstep_or_step(edge0: f64, edge1: f64, x: f64) -> f64 {
+    let width = edge1 - edge0;
+    if width > 0.0 {
+        let t = unit_interval((x - edge0) / width);
+        t * t * (3.0 - 2.0 * t)
+    } else if x < edge0 {
+        0.0
+    } else {
+        1.0
+    }
 }

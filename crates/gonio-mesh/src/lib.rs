@@ -8,9 +8,15 @@ pub mod material;
 pub mod mesh;
 pub mod mtl;
 pub mod normals;
+mod number;
 pub mod obj;
+mod polygon;
+mod report;
+mod split;
 pub mod tangents;
+mod text;
 pub mod topology;
+mod weld;
 
 pub use diagnostic::{Diagnostic, ReadError, Severity};
 pub use material::{AmbientRule, Material, TextureMap};

@@ -1,19 +1,185 @@
 //! Normals: one per triangle, or averaged over the faces around a corner.
 
-use crate::{Diagnostic, Mesh};
+use crate::weld::{self, Table, mix};
+use crate::{Diagnostic, Mesh, NormalSource, split};
+use glam::{DVec3, Vec3};
 
-/// One normal per triangle: vertices that triangles of different planes shared are split.
+/// A sum of unit vectors is taken for zero where they cancel to this part of their weights.
+const CANCELLED: f64 = 1e-6;
+
+/// One normal per triangle: every triangle gets three vertices of its own.
 /// Degenerate triangles get the normal (0, 0, 0), which the equation replaces by the view direction.
 pub fn make_flat(mesh: &Mesh) -> Mesh {
-    mesh.clone()
+    let mut flat = mesh.unshared();
+    flat.tangents = Vec::new();
+    flat.normals = Vec::with_capacity(flat.indices.len());
+    for t in 0..mesh.triangle_count() {
+        let normal = face_normal(mesh, t).as_vec3().to_array();
+        flat.normals.extend([normal; 3]);
+    }
+    flat.normal_source = NormalSource::Flat;
+    flat
 }
 
 /// The angle-weighted mean over adjacent faces, where smoothing groups allow it.
+///
+/// n = normalize(sum over the corners at the same position of angle * face normal), the weights of G. Thürmer and
+/// C. A. Wüthrich (1998, "Computing vertex normals from polygonal facets"): the result does not depend on how polygons
+/// were cut into triangles.
+///
+/// Faces are adjacent where they share a position (bit by bit), seams of texture coordinates notwithstanding. Where the
+/// mesh has smoothing groups, only faces of the same one are averaged, and faces of group 0 are flat. Where it has none,
+/// or all are 0 (so that averaging could change nothing, and yet it was asked for), all faces are averaged. Vertices are split where needed. Faces without area count for nothing. Where faces cancel
+/// each other (the two sides of a leaf), each keeps its own normal; corners of faces without area that have no other
+/// neighbour get (0, 0, 0), which a diagnostic counts.
 pub fn make_averaged(mesh: &Mesh) -> (Mesh, Vec<Diagnostic>) {
-    (mesh.clone(), Vec::new())
+    let groups = if has_smooth_faces(mesh) { mesh.smoothing_groups.as_slice() } else { &[] };
+    let normals = averaged_corner_normals(mesh, groups);
+    let diagnostics = report_zero(&normals);
+    (with_corner_normals(mesh, &normals, NormalSource::Averaged), diagnostics)
 }
 
-/// Gives normals to a mesh that has none, or that lacks some (their length is 0): averaged.
+fn has_smooth_faces(mesh: &Mesh) -> bool {
+    mesh.smoothing_groups.iter().any(|group| *group != 0)
+}
+
+/// Gives normals to a mesh that has none, or that lacks some (their length is 0): averaged, and flat where the
+/// smoothing groups say so.
 pub fn complete(mesh: Mesh) -> (Mesh, Vec<Diagnostic>) {
-    (mesh, Vec::new())
+    if mesh.normals.is_empty() && !mesh.smoothing_groups.is_empty() && !has_smooth_faces(&mesh) {
+        let note = Diagnostic::note("there are no normals, and smoothing is off: each triangle has its own");
+        return (make_flat(&mesh), vec![note]);
+    }
+    if mesh.normals.is_empty() {
+        let (averaged, mut diagnostics) = make_averaged(&mesh);
+        let how = if mesh.smoothing_groups.is_empty() { "" } else { " within smoothing groups" };
+        diagnostics.insert(0, Diagnostic::note(format!("there are no normals: they are averaged{how}")));
+        return (averaged, diagnostics);
+    }
+    let lacks = |&vertex: &u32| mesh.normals[vertex as usize] == [0.0; 3];
+    let lacking = mesh.indices.iter().filter(|vertex| lacks(vertex)).count();
+    if lacking == 0 {
+        return (mesh, Vec::new());
+    }
+    let mut normals = averaged_corner_normals(&mesh, &mesh.smoothing_groups);
+    for (normal, vertex) in normals.iter_mut().zip(&mesh.indices) {
+        if !lacks(vertex) {
+            *normal = mesh.normals[*vertex as usize];
+        }
+    }
+    let mut diagnostics = report_zero(&normals);
+    let message = format!("{lacking} of {} corners have no normal: it is averaged", mesh.indices.len());
+    diagnostics.insert(0, Diagnostic::note(message));
+    (with_corner_normals(&mesh, &normals, NormalSource::FileAndAveraged), diagnostics)
+}
+
+/// The triangle's unit normal, or 0 where it has no area.
+fn face_normal(mesh: &Mesh, t: usize) -> DVec3 {
+    let [a, b, c] = corner_positions(mesh, t);
+    unit_cross(b - a, c - a)
+}
+
+fn corner_positions(mesh: &Mesh, t: usize) -> [DVec3; 3] {
+    mesh.triangle_positions(t).map(|p: Vec3| p.as_dvec3())
+}
+
+/// The unit vector along `a` x `b`, or 0. The product of `f32` differences neither overflows nor vanishes in `f64`.
+fn unit_cross(a: DVec3, b: DVec3) -> DVec3 {
+    let cross = a.cross(b);
+    // Below this, the product is only what rounding has left of parallel vectors.
+    let is_degenerate = cross.length_squared() <= 1e-28 * a.length_squared() * b.length_squared();
+    if is_degenerate { DVec3::ZERO } else { cross / cross.length() }
+}
+
+/// The angle between two edges of a triangle, from their cross and dot products: exact also near 0 and pi.
+fn angle(a: DVec3, b: DVec3) -> f64 {
+    a.cross(b).length().atan2(a.dot(b))
+}
+
+/// For each corner (index into `indices`) its averaged normal, or 0. Without `groups` all faces are averaged.
+fn averaged_corner_normals(mesh: &Mesh, groups: &[u32]) -> Vec<[f32; 3]> {
+    let (place_of_vertex, place_count) = weld::places(&mesh.positions);
+    let sums_of_corners = sums_of_corners(mesh, groups, &place_of_vertex);
+    let sum_count = sums_of_corners.as_ref().map_or(place_count, |(_, count)| *count);
+    // The weighted normals, and the weights.
+    let mut sums = vec![(DVec3::ZERO, 0.0_f64); sum_count];
+    let sum_of = |corner: usize| match &sums_of_corners {
+        Some((sum_of_corner, _)) => sum_of_corner[corner],
+        None => place_of_vertex[mesh.indices[corner] as usize],
+    };
+    for t in 0..mesh.triangle_count() {
+        let [a, b, c] = corner_positions(mesh, t);
+        let normal = unit_cross(b - a, c - a);
+        if normal == DVec3::ZERO {
+            continue;
+        }
+        // The third angle is what the others leave of pi.
+        let (at_a, at_b) = (angle(b - a, c - a), angle(c - b, a - b));
+        for (k, weight) in [at_a, at_b, std::f64::consts::PI - at_a - at_b].into_iter().enumerate() {
+            if let Some(sum) = sums.get_mut(sum_of(3 * t + k) as usize) {
+                sum.0 += weight * normal;
+                sum.1 += weight;
+            }
+        }
+    }
+    let unit: Vec<[f32; 3]> = sums
+        .into_iter()
+        .map(|(sum, weight)| {
+            let length = sum.length();
+            if length > CANCELLED * weight { (sum / length).as_vec3().to_array() } else { [0.0; 3] }
+        })
+        .collect();
+    (0..mesh.indices.len())
+        .map(|corner| match unit.get(sum_of(corner) as usize) {
+            Some(&normal) if normal != [0.0; 3] => normal,
+            // Flat, or cancelled.
+            _ => face_normal(mesh, corner / 3).as_vec3().to_array(),
+        })
+        .collect()
+}
+
+/// With smoothing groups: for each corner the sum it adds to, one for each pair of place and group, and how many sums
+/// there are. `u32::MAX` is none: group 0.
+fn sums_of_corners(mesh: &Mesh, groups: &[u32], place_of_vertex: &[u32]) -> Option<(Vec<u32>, usize)> {
+    if groups.is_empty() {
+        return None;
+    }
+    let mut table = Table::with_room_for(mesh.indices.len());
+    let mut pairs: Vec<(u32, u32)> = Vec::new();
+    let mut sum_of_corner = Vec::with_capacity(mesh.indices.len());
+    for (corner, &vertex) in mesh.indices.iter().enumerate() {
+        let group = groups.get(corner / 3).copied().unwrap_or(0);
+        if group == 0 {
+            sum_of_corner.push(u32::MAX);
+            continue;
+        }
+        let pair = (place_of_vertex[vertex as usize], group);
+        let hash = mix(u64::from(pair.0) | u64::from(pair.1) << 32);
+        sum_of_corner.push(table.find(hash, |sum| pairs[sum as usize] == pair).unwrap_or_else(|slot| {
+            let sum = pairs.len() as u32;
+            table.fill(slot, sum);
+            pairs.push(pair);
+            sum
+        }));
+    }
+    Some((sum_of_corner, pairs.len()))
+}
+
+fn with_corner_normals(mesh: &Mesh, normals: &[[f32; 3]], source: NormalSource) -> Mesh {
+    let bare = Mesh { normals: Vec::new(), tangents: Vec::new(), ..mesh.clone() };
+    let (mut split, normals) = split::by_corner_values(&bare, normals);
+    split.normals = normals;
+    split.normal_source = source;
+    split
+}
+
+fn report_zero(normals: &[[f32; 3]]) -> Vec<Diagnostic> {
+    let zero = normals.iter().filter(|normal| **normal == [0.0; 3]).count();
+    if zero == 0 {
+        return Vec::new();
+    }
+    vec![Diagnostic::warning(format!(
+        "{zero} of {} corners belong to triangles without area and have no normal",
+        normals.len()
+    ))]
 }

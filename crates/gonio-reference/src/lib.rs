@@ -1,33 +1,94 @@
 //! Pictures of a scene on the CPU, in f64, straight from `gonio-light`: the yardstick of the GPU, and
 //! the stand-in where there is no OpenGL.
+//!
+//! A ray goes from the eye through each sample of each pixel to the nearest triangle; there the light equation is
+//! evaluated as the object's shading says. Nothing is random and no value depends on the number of threads: the same
+//! scene gives the same bytes.
+//!
+//! | room | what |
+//! |---|---|
+//! | `geometry` | triangles in world space, the tree of boxes over them |
+//! | `intersect` | a ray against a triangle, without leaks |
+//! | `visibility` | which triangles the rays of a block of pixels see |
+//! | `fragment` | place, texture coordinates and material where a ray meets a triangle |
+//! | `shade` | the equation there: flat, Gouraud, Phong |
+//! | `render` | samples, transparency, threads |
+//! | [`probe`] | every number of one pixel |
+//!
+//! What is as the GPU does it, and might surprise:
+//! - a hit nearer than the near plane or beyond the far plane is none, as if clipped;
+//! - of equally near triangles the first drawn wins; an edge that a ray meets exactly belongs to one triangle, by the
+//!   top-left rule;
+//! - surfaces that are not opaque are composited from front to back ("over", Porter and Duff 1984), at most
+//!   [`MAX_LAYERS`] of them; below an opacity of [`HOLE`] there is a hole;
+//! - a debug view shows the nearest surface that is no hole, as if it were opaque.
 
+mod fragment;
+mod geometry;
+mod intersect;
+pub mod probe;
+mod render;
+mod report;
+mod samples;
+mod shade;
+mod visibility;
+
+pub use probe::Probe;
+pub use render::{HOLE, MAX_LAYERS};
+pub use samples::sample_positions;
+
+use geometry::WorldGeometry;
+use gonio_light::Quantity;
 use gonio_scene::{Frame, LoadedScene, Picture, ViewSpec};
 
 /// A scene with its acceleration structure built.
 pub struct ReferenceScene<'a> {
     scene: &'a LoadedScene,
+    geometry: WorldGeometry,
 }
 
 /// What was drawn, and what it took.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Rendered {
-    /// Linear.
+    /// Linear, premultiplied, nothing clamped.
     pub picture: Picture,
-    /// How many vertices the equation (or its transformation) was evaluated at.
+    /// How many vertices were carried to world space: those of all objects.
     pub vertices: u64,
-    /// How many fragments were shaded.
+    /// How many fragments were shaded: one per sample and surface that is seen.
     pub fragments: u64,
 }
 
 impl<'a> ReferenceScene<'a> {
-    /// Builds the acceleration structure.
+    /// Carries the geometry to world space and builds the acceleration structure.
+    ///
+    /// Triangles with corners that are not finite, or with indices beyond the mesh, are left out.
     pub fn new(scene: &'a LoadedScene) -> Self {
-        ReferenceScene { scene }
+        ReferenceScene { scene, geometry: WorldGeometry::new(scene) }
     }
 
     /// The picture, or a debug view of it: linear values, nothing clamped. `progress` is called with
     /// the share done, from any thread.
+    ///
+    /// Debug views: alpha 1 where there is a surface; elsewhere zeros with alpha 0, but opaque black for views that are
+    /// colours of light. The view `total` is the picture itself, background included.
     pub fn render(&self, frame: &Frame, view: Option<ViewSpec>, progress: &(dyn Fn(f64) + Sync)) -> Rendered {
-        let _ = (self.scene, view, progress);
-        Rendered { picture: Picture::new(frame.width, frame.height, [0.0; 4]), vertices: 0, fragments: 0 }
+        let view = view.unwrap_or(ViewSpec { quantity: Quantity::Total, light: None });
+        let mut rendered = self.views(frame, &[view], progress);
+        rendered.pop().unwrap_or_else(|| Rendered {
+            picture: Picture::new(frame.width, frame.height, [0.0; 4]),
+            vertices: 0,
+            fragments: 0,
+        })
+    }
+
+    /// Several views at once, in order: the rays are traced once for all. The view `total` is the picture.
+    pub fn views(&self, frame: &Frame, views: &[ViewSpec], progress: &(dyn Fn(f64) + Sync)) -> Vec<Rendered> {
+        render::render(self, frame, views, progress)
+    }
+
+    /// Every number of the pixel in column `x` of row `y` (from the top left), seen through its centre: the value is
+    /// that of the picture with one sample per pixel. `None` where no surface is seen, or outside of the picture.
+    pub fn probe(&self, frame: &Frame, x: u32, y: u32) -> Option<Probe> {
+        probe::probe(self, frame, x, y)
     }
 }

@@ -169,9 +169,9 @@ pub struct BackgroundSpec {
 }
 
 impl Default for BackgroundSpec {
-    /// Mid-grey.
+    /// Mid-grey (sRGB 128 is 0.216), a little darker above than below.
     fn default() -> Self {
-        BackgroundSpec { top: Color::grey(0.2), bottom: Color::grey(0.2), transparent: false }
+        BackgroundSpec { top: Color::grey(0.16), bottom: Color::grey(0.28), transparent: false }
     }
 }
 

@@ -1,10 +1,17 @@
 //! One moment of a scene, as a renderer wants it.
 
 use crate::camera::Camera;
+use crate::description::{EquationSpec, LightSourceKind, LightSpec};
+use crate::framing::DEFAULT_SPOT_ANGLES;
+use crate::load::camera_of;
+use crate::loaded::LoadedScene;
+use crate::motion::position_at;
 use crate::texture::TextureFilter;
-use glam::DVec3;
+use glam::{DQuat, DVec3};
+use gonio_light::brdf::BrdfSettings;
 use gonio_light::color::OutputTransform;
-use gonio_light::{Equation, Light};
+use gonio_light::vector::unit;
+use gonio_light::{Attenuation, Convention, Equation, Light, LightKind, TermSwitches};
 
 /// What is seen where there is no object: linear radiance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,4 +64,104 @@ pub struct Frame {
     pub bounds_min: DVec3,
     /// Box around all objects, world space.
     pub bounds_max: DVec3,
+}
+
+impl LoadedScene {
+    /// The scene at `time`, seconds. The effective scene has every default filled in, so nothing can
+    /// be missing.
+    pub fn frame(&self, time: f64) -> Frame {
+        let scene = &self.scene;
+        let (bounds_min, bounds_max) = self.bounds();
+        Frame {
+            width: scene.picture.width,
+            height: scene.picture.height,
+            samples: scene.picture.samples,
+            time,
+            camera: camera_of(&scene.camera),
+            lights: scene.lights.iter().map(|light| light_at(light, time)).collect(),
+            equation: equation_of(&scene.equation),
+            two_sided: scene.equation.two_sided,
+            background: Background {
+                top: scene.background.top.into(),
+                bottom: scene.background.bottom.into(),
+                transparent: scene.background.transparent,
+            },
+            output: OutputTransform {
+                exposure: scene.picture.exposure,
+                tone_map: scene.picture.tone_map,
+                encoding: scene.picture.color,
+            },
+            texture_filter: scene.picture.texture_filter,
+            bounds_min,
+            bounds_max,
+        }
+    }
+
+    /// `frame` with its camera turned by `angle_rad` about the vertical axis (the scene's `up`)
+    /// through the point it looks at, or through the objects' middle where it looks along angles.
+    /// Positive angles move the eye to the right, as seen from the eye. The lights stay.
+    pub fn orbit(&self, frame: &Frame, angle_rad: f64) -> Frame {
+        let spec = &self.scene.camera;
+        let axis = spec.up.and_then(|up| unit(up.into())).unwrap_or(DVec3::Y);
+        let pivot = spec.target.map_or(0.5 * (frame.bounds_min + frame.bounds_max), DVec3::from);
+        let turn = DQuat::from_axis_angle(axis, angle_rad);
+        let camera = Camera {
+            position: pivot + turn * (frame.camera.position - pivot),
+            front: turn * frame.camera.front,
+            up: turn * frame.camera.up,
+            right: turn * frame.camera.right,
+            ..frame.camera
+        };
+        Frame { camera, ..frame.clone() }
+    }
+}
+
+/// A light of a complete description, where it is at `time`.
+fn light_at(spec: &LightSpec, time: f64) -> Light {
+    let position = DVec3::from(spec.position.unwrap_or_default());
+    let position = spec.motion.as_ref().map_or(position, |motion| position_at(motion, position, time));
+    let direction = spec.direction.and_then(|d| unit(d.into())).unwrap_or(DVec3::NEG_Y);
+    let (inner, outer) = DEFAULT_SPOT_ANGLES;
+    let kind = match spec.kind {
+        LightSourceKind::Ambient => LightKind::Ambient,
+        LightSourceKind::Directional => LightKind::Directional { direction },
+        LightSourceKind::Point => LightKind::Point { position },
+        LightSourceKind::Spot => LightKind::Spot {
+            position,
+            axis: direction,
+            inner_rad: spec.inner_angle.unwrap_or(inner).to_radians(),
+            outer_rad: spec.outer_angle.unwrap_or(outer).to_radians(),
+        },
+    };
+    Light {
+        kind,
+        color: spec.color.map_or(DVec3::ONE, DVec3::from) * spec.intensity.unwrap_or(1.0),
+        attenuation: Attenuation {
+            constant: spec.constant.unwrap_or(1.0),
+            linear: spec.linear.unwrap_or(0.0),
+            quadratic: spec.quadratic.unwrap_or(0.0),
+        },
+    }
+}
+
+fn equation_of(spec: &EquationSpec) -> Equation {
+    Equation {
+        convention: spec.convention,
+        specular: spec.specular,
+        brdf: spec.brdf.map(|kind| BrdfSettings {
+            kind,
+            normalised: spec.brdf_normalised,
+            lafortune: spec.lafortune.into(),
+        }),
+        gated: spec.gated,
+        cosine_weighted: spec.cosine_weighted.unwrap_or(spec.convention == Convention::Physical),
+        terms: TermSwitches {
+            ambient: spec.ambient,
+            emitted: spec.emitted,
+            diffuse: spec.diffuse,
+            specular: spec.specular_term,
+            attenuation: spec.attenuation,
+            spot: spec.spot,
+        },
+    }
 }

@@ -6,16 +6,30 @@
 
 pub mod camera;
 pub mod color_value;
+mod describe;
 pub mod description;
 pub mod display;
+mod document;
 pub mod files;
 pub mod frame;
 pub mod framing;
+mod height_map;
+mod image_file;
 pub mod load;
 pub mod loaded;
+mod material_binding;
+pub mod mip;
+mod model_kind;
+pub mod motion;
+mod option_text;
 pub mod picture;
+mod sampling;
+mod table_reader;
 pub mod texture;
+mod texture_library;
 pub mod toml_reader;
+mod toml_writer;
+pub mod validate;
 
 pub use camera::Camera;
 pub use description::Scene;

@@ -1,30 +1,302 @@
 //! From a scene's description to a loaded scene.
 
-use crate::description::Scene;
-use crate::files::FileSource;
-use crate::frame::Frame;
-use crate::loaded::LoadedScene;
-use gonio_mesh::ReadError;
-use std::path::Path;
+use crate::camera::Camera;
+use crate::description::{CameraSpec, MaterialOverride, Normals, ObjectSpec, Scene};
+use crate::files::{self, Beside, FileSource};
+use crate::framing::{self, Around};
+use crate::loaded::{LoadedScene, Object, ObjectPart, SceneMaterial};
+use crate::material_binding::MaterialBinder;
+use crate::validate;
+use glam::{DMat4, DQuat, DVec3};
+use gonio_light::Convention;
+use gonio_mesh::{Diagnostic, Limits, Material, Mesh, Model, ReadError, normals, obj, tangents, topology};
+use rayon::prelude::*;
+use std::path::{Path, PathBuf};
 
-/// Reads what `input` names: a scene file (`.toml`) or a bare model, which becomes a scene of one
-/// object. Only the description: no model is opened. Several inputs become one scene.
-pub fn describe(inputs: &[&str], files: &dyn FileSource) -> Result<Scene, ReadError> {
-    let _ = (inputs, files);
-    Err(ReadError::new("not written yet"))
+pub use crate::describe::describe;
+
+/// A model file, read.
+struct ReadModel {
+    /// As the user knows it.
+    name: String,
+    path: PathBuf,
+    model: Model,
+    /// The material libraries that were found.
+    libraries: Vec<PathBuf>,
+}
+
+/// A model's mesh with one choice of normals.
+struct PreparedMesh {
+    mesh: Mesh,
+    closed: bool,
 }
 
 /// Reads the files of `scene`, relative to `base`, and fills in every default.
-pub fn load(scene: Scene, base: &Path, files: &dyn FileSource) -> Result<LoadedScene, ReadError> {
-    let _ = (scene, base, files);
-    Err(ReadError::new("not written yet"))
+pub fn load(mut scene: Scene, base: &Path, files: &dyn FileSource) -> Result<LoadedScene, ReadError> {
+    validate::check(&scene).map_err(|p| ReadError::new(p.message))?;
+
+    // Each file once.
+    let mut paths: Vec<(PathBuf, String)> = Vec::new();
+    let mut model_of_object = Vec::with_capacity(scene.objects.len());
+    for object in &scene.objects {
+        let path = files::resolve(base, &object.model);
+        let index = paths.iter().position(|(known, _)| *known == path).unwrap_or(paths.len());
+        if index == paths.len() {
+            let name = if object.model.starts_with(files::BUILTIN) {
+                object.model.clone()
+            } else {
+                path.display().to_string()
+            };
+            paths.push((path, name));
+        }
+        model_of_object.push(index);
+    }
+    let mut models: Vec<ReadModel> =
+        paths.into_par_iter().map(|(path, name)| read_model(path, name, files)).collect::<Result<_, _>>()?;
+
+    let mut diagnostics = Vec::new();
+    let mut binder = MaterialBinder::new(files);
+    let mut first_material = Vec::with_capacity(scene.objects.len());
+    for (object, &m) in scene.objects.iter().zip(&model_of_object) {
+        first_material.push(binder.add(m, &object.material, &asked_model(&models[m])));
+    }
+    for model in &mut models {
+        diagnostics.append(&mut model.model.diagnostics);
+    }
+
+    // The wanted (model, normals), each once.
+    let mut wanted: Vec<(usize, Normals)> = Vec::new();
+    let mut prepared_of_object = Vec::with_capacity(scene.objects.len());
+    for (object, &m) in scene.objects.iter().zip(&model_of_object) {
+        let key = (m, object.normals);
+        let index = wanted.iter().position(|k| *k == key).unwrap_or(wanted.len());
+        if index == wanted.len() {
+            wanted.push(key);
+        }
+        prepared_of_object.push(index);
+    }
+    let ((textures, materials, texture_diagnostics), prepared) = rayon::join(
+        || binder.finish(),
+        || {
+            wanted
+                .par_iter()
+                .map(|&(m, normals)| prepare(&models[m], normals))
+                .collect::<Vec<(PreparedMesh, Vec<Diagnostic>)>>()
+        },
+    );
+    diagnostics.extend(texture_diagnostics);
+    let mut prepared_meshes = Vec::with_capacity(prepared.len());
+    for ((mesh, mut found), (m, _)) in prepared.into_iter().zip(&wanted) {
+        found.iter_mut().for_each(|d| *d = d.clone().in_file(&models[*m].name));
+        diagnostics.append(&mut found);
+        prepared_meshes.push(mesh);
+    }
+
+    let mut loaded = LoadedScene { materials, textures, ..LoadedScene::default() };
+    assemble(&mut loaded, &scene, prepared_meshes, &prepared_of_object, &first_material, &mut diagnostics);
+    for (spec, (object, &m)) in scene.objects.iter_mut().zip(loaded.objects.iter_mut().zip(&model_of_object)) {
+        if spec.name.is_empty() {
+            let stem = models[m].path.file_stem().map(|s| s.to_string_lossy().into_owned());
+            spec.name = stem.unwrap_or_else(|| "object".into());
+        }
+        object.name.clone_from(&spec.name);
+    }
+    fill_in(&mut scene, &loaded);
+    loaded.scene = scene;
+    loaded.diagnostics = diagnostics;
+    Ok(loaded)
 }
 
-impl LoadedScene {
-    /// The scene at `time`, seconds. The effective scene has every default filled in, so nothing can
-    /// be missing.
-    pub fn frame(&self, time: f64) -> Frame {
-        let _ = time;
-        unimplemented!("by the scene's author")
+/// What the material binder wants to know of a model.
+fn asked_model(model: &ReadModel) -> crate::material_binding::BoundModel<'_> {
+    crate::material_binding::BoundModel {
+        name: &model.name,
+        path: &model.path,
+        libraries: &model.libraries,
+        materials: &model.model.materials,
+        mesh: &model.model.mesh,
+    }
+}
+
+fn read_model(path: PathBuf, name: String, files: &dyn FileSource) -> Result<ReadModel, ReadError> {
+    let bytes = files::read(files, &path).map_err(|e| ReadError::new(files::explain(&e)).in_file(&name))?;
+    let mut beside = Beside { files, folder: path.parent().map(Path::to_owned).unwrap_or_default(), found: Vec::new() };
+    let mut model = obj::read(&bytes, &mut beside, &Limits::default()).map_err(|e| e.in_file(&name))?;
+    if model.mesh.triangle_count() == 0 {
+        return Err(ReadError::new("the model has no triangles, so there is nothing to draw").in_file(&name));
+    }
+    if model.materials.is_empty() {
+        model.materials.push(Material::default());
+    }
+    model.diagnostics.iter_mut().for_each(|d| *d = d.clone().in_file(&name));
+    Ok(ReadModel { name, path, model, libraries: beside.found })
+}
+
+/// The mesh with normals of its own, from the file or made.
+fn prepare(model: &ReadModel, choice: Normals) -> (PreparedMesh, Vec<Diagnostic>) {
+    let mesh = &model.model.mesh;
+    let ((mesh, diagnostics), closed) = rayon::join(
+        || match choice {
+            Normals::File => normals::complete(mesh.clone()),
+            Normals::Flat => (normals::make_flat(mesh), Vec::new()),
+            Normals::Averaged => normals::make_averaged(mesh),
+        },
+        || topology::is_closed_outward(mesh),
+    );
+    (PreparedMesh { mesh, closed }, diagnostics)
+}
+
+/// Objects from meshes and materials; tangents where a normal map wants them.
+fn assemble(
+    loaded: &mut LoadedScene,
+    scene: &Scene,
+    prepared: Vec<PreparedMesh>,
+    prepared_of_object: &[usize],
+    first_material: &[usize],
+    diagnostics: &mut Vec<Diagnostic>,
+) {
+    let wants_tangents: Vec<bool> = prepared_of_object
+        .iter()
+        .zip(first_material)
+        .map(|(&p, &first)| {
+            let mesh = &prepared[p].mesh;
+            mesh.parts.iter().any(|part| {
+                let material = loaded.materials.get(first + part.material);
+                part.triangle_count > 0 && material.is_some_and(|m| m.maps.normal.is_some())
+            })
+        })
+        .collect();
+    let mut keys: Vec<(usize, bool)> = Vec::new();
+    let mut mesh_of_object = Vec::with_capacity(scene.objects.len());
+    for key in prepared_of_object.iter().copied().zip(wants_tangents) {
+        let index = keys.iter().position(|k| *k == key).unwrap_or(keys.len());
+        if index == keys.len() {
+            keys.push(key);
+        }
+        mesh_of_object.push(index);
+    }
+    let closed: Vec<bool> = prepared.iter().map(|p| p.closed).collect();
+    let tangent_meshes: Vec<Option<Mesh>> = keys
+        .par_iter()
+        .map(|&(p, tangents)| if tangents { tangents::with_tangents(&prepared[p].mesh) } else { None })
+        .collect();
+    let mut plain: Vec<Option<Mesh>> = prepared.into_iter().map(|p| Some(p.mesh)).collect();
+    for (i, (&(p, tangents), made)) in keys.iter().zip(tangent_meshes).enumerate() {
+        let failed = tangents && made.is_none();
+        let mesh = made.or_else(|| {
+            // The last that wants the plain mesh gets it; others copies.
+            let wanted_again = keys[i + 1..].iter().any(|(other, _)| *other == p);
+            if wanted_again { plain[p].clone() } else { plain[p].take() }
+        });
+        if failed {
+            let object = mesh_of_object.iter().position(|m| *m == i).unwrap_or(0);
+            let name = &scene.objects[object].model;
+            let message =
+                "a normal map is used, but the mesh has no texture coordinates to lay it along; it is not used";
+            diagnostics.push(Diagnostic::warning(message).in_file(name));
+        }
+        loaded.meshes.push(mesh.unwrap_or_default());
+    }
+    for (i, spec) in scene.objects.iter().enumerate() {
+        let mesh = &loaded.meshes[mesh_of_object[i]];
+        let parts: Vec<ObjectPart> = mesh
+            .parts
+            .iter()
+            .map(|part| ObjectPart {
+                name: part.name.clone(),
+                first_triangle: part.first_triangle,
+                triangle_count: part.triangle_count,
+                material: (first_material[i] + part.material).min(loaded.materials.len().saturating_sub(1)),
+            })
+            .collect();
+        let opaque = parts.iter().all(|p| !loaded.materials[p.material].is_transparent());
+        loaded.objects.push(Object {
+            name: spec.name.clone(),
+            mesh: mesh_of_object[i],
+            shading: spec.shading,
+            world_from_model: world_from_model(spec),
+            parts,
+            closed: opaque && closed[prepared_of_object[i]],
+        });
+    }
+}
+
+/// Every default that depends on the objects, and every other.
+fn fill_in(scene: &mut Scene, loaded: &LoadedScene) {
+    let (min, max) = loaded.bounds();
+    let around = Around::new(min, max);
+    let aspect = f64::from(scene.picture.width) / f64::from(scene.picture.height);
+    framing::fill_camera(&mut scene.camera, around, loaded, aspect);
+    if scene.lights.is_empty() {
+        scene.lights = framing::portrait_lights(&camera_of(&scene.camera), around, &scene.equation);
+    }
+    scene.lights.iter_mut().for_each(framing::fill_light);
+    scene.equation.cosine_weighted.get_or_insert(scene.equation.convention == Convention::Physical);
+}
+
+/// `M = T * Rz * Ry * Rx * S`: scaled, then turned about the world's x, y and z axes, then moved.
+pub fn world_from_model(object: &ObjectSpec) -> DMat4 {
+    let [x, y, z] = object.rotate.map(f64::to_radians);
+    let rotation = DQuat::from_rotation_z(z) * DQuat::from_rotation_y(y) * DQuat::from_rotation_x(x);
+    DMat4::from_scale_rotation_translation(object.scale.into(), rotation, object.translate.into())
+}
+
+/// The camera of a complete description; what is missing is taken as by default, unframed.
+pub(crate) fn camera_of(spec: &CameraSpec) -> Camera {
+    let position = DVec3::from(spec.position.unwrap_or_default());
+    let direction = match spec.target {
+        Some(target) => DVec3::from(target) - position,
+        None => Camera::direction_of(spec.yaw.unwrap_or(-90.0), spec.pitch.unwrap_or(0.0)),
+    };
+    Camera::looking_along(
+        position,
+        direction,
+        spec.up.map_or(DVec3::Y, DVec3::from),
+        spec.fov_y.unwrap_or(framing::DEFAULT_FOV_Y).to_radians(),
+        spec.near.unwrap_or(0.1),
+        spec.far.unwrap_or(100.0),
+    )
+}
+
+/// The material of an object: the model's, with what the scene puts in its place.
+pub(crate) fn overridden(mut material: Material, with: &MaterialOverride) -> Material {
+    let rgb = |c: crate::color_value::Color| c.0.map(|v| v as f32);
+    if with.textures == Some(false) {
+        material.diffuse_map = None;
+        material.specular_map = None;
+        material.emitted_map = None;
+        material.shininess_map = None;
+        material.opacity_map = None;
+        material.normal_map = None;
+        material.bump_map = None;
+    }
+    if let Some(c) = with.ambient {
+        material.ambient = gonio_mesh::AmbientRule::Value(rgb(c));
+    }
+    if let Some(c) = with.diffuse {
+        (material.diffuse, material.diffuse_map) = (rgb(c), None);
+    }
+    if let Some(c) = with.specular {
+        (material.specular, material.specular_map) = (rgb(c), None);
+    }
+    if let Some(c) = with.emitted {
+        (material.emitted, material.emitted_map) = (rgb(c), None);
+    }
+    if let Some(v) = with.shininess {
+        (material.shininess, material.shininess_map) = (v as f32, None);
+    }
+    if let Some(v) = with.refraction_index {
+        material.refraction_index = v as f32;
+    }
+    if let Some(v) = with.opacity {
+        (material.opacity, material.opacity_map) = (v as f32, None);
+    }
+    material
+}
+
+/// A material whose textures were all found, for tests and tools that build scenes by hand.
+impl From<Material> for SceneMaterial {
+    fn from(material: Material) -> Self {
+        SceneMaterial { material, maps: crate::loaded::Maps::default() }
     }
 }

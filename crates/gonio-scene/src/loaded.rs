@@ -1,9 +1,15 @@
 //! A scene with its files read.
 
 use crate::description::{Scene, Shading};
+use crate::framing::Extent;
 use crate::texture::Texture;
-use glam::DMat4;
+use glam::{DMat4, DVec3};
 use gonio_mesh::{Diagnostic, Material, Mesh};
+use rayon::prelude::*;
+use std::sync::OnceLock;
+
+/// A surface less opaque than this is a hole: a debug view shows what is behind it.
+pub const HOLE_OPACITY: f64 = 1.0 / 255.0;
 
 /// A scene with its files read: what both renderers draw.
 #[derive(Clone, Debug, Default)]
@@ -20,6 +26,54 @@ pub struct LoadedScene {
     pub objects: Vec<Object>,
     /// Everything odd that was survived.
     pub diagnostics: Vec<Diagnostic>,
+    /// Remembered by [`LoadedScene::bounds`]; leave it empty.
+    pub known_bounds: OnceLock<(DVec3, DVec3)>,
+}
+
+impl LoadedScene {
+    /// The smallest box around all vertices, world space; both corners 0 where there is no vertex.
+    pub fn bounds(&self) -> (DVec3, DVec3) {
+        *self.known_bounds.get_or_init(|| {
+            let [x, y, z] = DVec3::AXES;
+            let reach = self.support(&[x, y, z, -x, -y, -z]);
+            if reach.iter().any(|r| !r.is_finite()) {
+                return (DVec3::ZERO, DVec3::ZERO);
+            }
+            (-DVec3::new(reach[3], reach[4], reach[5]), DVec3::new(reach[0], reach[1], reach[2]))
+        })
+    }
+}
+
+impl Extent for LoadedScene {
+    fn support(&self, directions: &[DVec3]) -> Vec<f64> {
+        let mut reach = vec![f64::NEG_INFINITY; directions.len()];
+        for object in &self.objects {
+            let Some(mesh) = self.meshes.get(object.mesh) else { continue };
+            // d . (A p + t) = (A^T d) . p + d . t: the directions are carried to the model, not the points
+            // to the world.
+            let linear = glam::DMat3::from_mat4(object.world_from_model);
+            let translation = object.world_from_model.w_axis.truncate();
+            let in_model: Vec<DVec3> = directions.iter().map(|&d| linear.transpose() * d).collect();
+            let of_chunk = |points: &[[f32; 3]]| {
+                let mut reach = vec![f64::NEG_INFINITY; directions.len()];
+                for p in points {
+                    let p = DVec3::new(p[0].into(), p[1].into(), p[2].into());
+                    for (r, d) in reach.iter_mut().zip(&in_model) {
+                        *r = r.max(d.dot(p));
+                    }
+                }
+                reach
+            };
+            let most = mesh.positions.par_chunks(65536).map(of_chunk).reduce(
+                || vec![f64::NEG_INFINITY; directions.len()],
+                |a, b| a.iter().zip(b).map(|(a, b)| a.max(b)).collect(),
+            );
+            for ((r, m), d) in reach.iter_mut().zip(most).zip(directions) {
+                *r = r.max(m + d.dot(translation));
+            }
+        }
+        reach
+    }
 }
 
 /// A model in its place.

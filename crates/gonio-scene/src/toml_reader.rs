@@ -1,1 +1,181 @@
-//! TOML with errors that say where and what was meant.
+//! A scene from TOML, with errors that say where and what was meant.
+
+use crate::description::{
+    BackgroundSpec, CameraSpec, EquationSpec, LightSourceKind, LightSpec, MaterialOverride, MotionKind, MotionSpec,
+    ObjectSpec, PictureSpec, Scene,
+};
+use crate::document::{Fault, Item, parse_toml};
+use crate::table_reader::TableReader;
+use crate::validate;
+use gonio_mesh::ReadError;
+
+/// Reads and checks a scene. Errors have line and column; the caller adds the file's name.
+pub fn read(text: &str) -> Result<Scene, ReadError> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    read_document(text).map_err(|fault| fault.in_text(text))
+}
+
+fn read_document(text: &str) -> Result<Scene, Fault> {
+    let root = parse_toml(text)?;
+    let scene = read_scene(&root)?;
+    validate::check(&scene).map_err(|p| Fault::at(&root.locate(&p.path), p.message))?;
+    Ok(scene)
+}
+
+fn read_scene(root: &Item) -> Result<Scene, Fault> {
+    let mut t = TableReader::new("a scene", root)?;
+    let picture = t.table("picture", "[picture]")?;
+    let camera = t.table("camera", "[camera]")?;
+    let background = t.table("background", "[background]")?;
+    let equation = t.table("equation", "[equation]")?;
+    let objects = t.tables("object")?;
+    let lights = t.tables("light")?;
+    t.finish()?;
+    Ok(Scene {
+        picture: picture.map_or(Ok(PictureSpec::default()), read_picture)?,
+        camera: camera.map_or(Ok(CameraSpec::default()), read_camera)?,
+        background: background.map_or(Ok(BackgroundSpec::default()), read_background)?,
+        equation: equation.map_or(Ok(EquationSpec::default()), read_equation)?,
+        objects: objects.into_iter().map(read_object).collect::<Result<_, _>>()?,
+        lights: lights.into_iter().map(read_light).collect::<Result<_, _>>()?,
+    })
+}
+
+fn read_picture(mut t: TableReader<'_>) -> Result<PictureSpec, Fault> {
+    let d = PictureSpec::default();
+    let picture = PictureSpec {
+        width: t.whole("width")?.unwrap_or(d.width),
+        height: t.whole("height")?.unwrap_or(d.height),
+        samples: t.whole("samples")?.unwrap_or(d.samples),
+        color: t.word("color")?.unwrap_or(d.color),
+        tone_map: t.word("tone_map")?.unwrap_or(d.tone_map),
+        exposure: t.number("exposure")?.unwrap_or(d.exposure),
+        texture_filter: t.word("texture_filter")?.unwrap_or(d.texture_filter),
+    };
+    t.finish().map(|()| picture)
+}
+
+fn read_camera(mut t: TableReader<'_>) -> Result<CameraSpec, Fault> {
+    let camera = CameraSpec {
+        position: t.vector("position")?,
+        target: t.vector("target")?,
+        yaw: t.number("yaw")?,
+        pitch: t.number("pitch")?,
+        up: t.vector("up")?,
+        fov_y: t.number("fov_y")?,
+        near: t.number("near")?,
+        far: t.number("far")?,
+    };
+    t.finish().map(|()| camera)
+}
+
+fn read_background(mut t: TableReader<'_>) -> Result<BackgroundSpec, Fault> {
+    let d = BackgroundSpec::default();
+    let (top, bottom) = (t.color("top")?, t.color("bottom")?);
+    let background = BackgroundSpec {
+        // One colour alone is the whole background's.
+        top: top.or(bottom).unwrap_or(d.top),
+        bottom: bottom.or(top).unwrap_or(d.bottom),
+        transparent: t.truth("transparent")?.unwrap_or(d.transparent),
+    };
+    t.finish().map(|()| background)
+}
+
+fn read_equation(mut t: TableReader<'_>) -> Result<EquationSpec, Fault> {
+    let d = EquationSpec::default();
+    let equation = EquationSpec {
+        convention: t.word("convention")?.unwrap_or(d.convention),
+        specular: t.word("specular")?.unwrap_or(d.specular),
+        brdf: t.word("brdf")?,
+        brdf_normalised: t.truth("brdf_normalised")?.unwrap_or(d.brdf_normalised),
+        lafortune: t.vector("lafortune")?.unwrap_or(d.lafortune),
+        gated: t.truth("gated")?.unwrap_or(d.gated),
+        cosine_weighted: t.truth("cosine_weighted")?,
+        two_sided: t.truth("two_sided")?.unwrap_or(d.two_sided),
+        ambient: t.truth("ambient")?.unwrap_or(d.ambient),
+        emitted: t.truth("emitted")?.unwrap_or(d.emitted),
+        diffuse: t.truth("diffuse")?.unwrap_or(d.diffuse),
+        specular_term: t.truth("specular_term")?.unwrap_or(d.specular_term),
+        attenuation: t.truth("attenuation")?.unwrap_or(d.attenuation),
+        spot: t.truth("spot")?.unwrap_or(d.spot),
+    };
+    t.finish().map(|()| equation)
+}
+
+fn read_object(mut t: TableReader<'_>) -> Result<ObjectSpec, Fault> {
+    let d = ObjectSpec::default();
+    let material = t.table("material", "[object.material]")?;
+    let object = ObjectSpec {
+        model: t.text("model")?.unwrap_or_default(),
+        name: t.text("name")?.unwrap_or_default(),
+        translate: t.vector("translate")?.unwrap_or(d.translate),
+        rotate: t.vector("rotate")?.unwrap_or(d.rotate),
+        scale: t.vector("scale")?.unwrap_or(d.scale),
+        shading: t.word("shading")?.unwrap_or(d.shading),
+        normals: t.word("normals")?.unwrap_or(d.normals),
+        material: material.map_or(Ok(d.material), read_material)?,
+    };
+    t.finish().map(|()| object)
+}
+
+pub(crate) fn read_material(mut t: TableReader<'_>) -> Result<MaterialOverride, Fault> {
+    let material = MaterialOverride {
+        ambient: t.color("ambient")?,
+        diffuse: t.color("diffuse")?,
+        specular: t.color("specular")?,
+        emitted: t.color("emitted")?,
+        shininess: t.number("shininess")?,
+        refraction_index: t.number("refraction_index")?,
+        opacity: t.number("opacity")?,
+        textures: t.truth("textures")?,
+    };
+    t.finish().map(|()| material)
+}
+
+/// Also of an option's text, whose `heading` differs.
+pub(crate) fn read_light(mut t: TableReader<'_>) -> Result<LightSpec, Fault> {
+    let kind = t.word("kind")?;
+    let light = LightSpec {
+        kind: kind.unwrap_or_default(),
+        name: t.text("name")?.unwrap_or_default(),
+        position: t.vector("position")?,
+        direction: t.vector("direction")?,
+        color: t.color("color")?,
+        intensity: t.number("intensity")?,
+        constant: t.number("constant")?,
+        linear: t.number("linear")?,
+        quadratic: t.number("quadratic")?,
+        inner_angle: t.number("inner_angle")?,
+        outer_angle: t.number("outer_angle")?,
+        motion: t.table("motion", "[light.motion]")?.map(read_motion).transpose()?,
+    };
+    t.finish()?;
+    if kind.is_none() {
+        return Err(Fault::at(&t.span, format!("this light needs `kind`, one of {}", names(LightSourceKind::ALL))));
+    }
+    Ok(light)
+}
+
+fn read_motion(mut t: TableReader<'_>) -> Result<MotionSpec, Fault> {
+    let (kind, period) = (t.word("kind")?, t.number("period")?);
+    let motion = MotionSpec {
+        kind: kind.unwrap_or_default(),
+        period: period.unwrap_or_default(),
+        amplitude: t.vector("amplitude")?,
+        center: t.vector("center")?,
+        axis: t.vector("axis")?,
+        points: t.vectors("points")?,
+    };
+    t.finish()?;
+    if kind.is_none() {
+        return Err(Fault::at(&t.span, format!("this motion needs `kind`, one of {}", names(MotionKind::ALL))));
+    }
+    if period.is_none() {
+        return Err(Fault::at(&t.span, "this motion needs `period`, in seconds"));
+    }
+    Ok(motion)
+}
+
+fn names<E: ToString>(all: &[E]) -> String {
+    all.iter().map(E::to_string).collect::<Vec<_>>().join(", ")
+}

@@ -1,0 +1,111 @@
+// The light equation over all lights of a scene: the twin of gonio-light's equation.rs.
+// Used by the vertex shader (Gouraud, flat per face) or by the fragment shader (Phong, flat).
+
+// One light is LIGHT_TEXELS vec4: in uniforms where there are few lights; in a float texture,
+// LIGHTS_PER_ROW lights a row, where there are many, so that any number fits one pass.
+#if MANY_LIGHTS
+uniform highp sampler2D light_table;
+#else
+uniform vec4 light_values[LIGHTS_IN_UNIFORMS * LIGHT_TEXELS];
+#endif
+uniform int light_count;
+uniform vec3 eye_in_world;
+uniform float diff_factor;          // 1 in the lab's convention, 1/pi in the physical one and for BRDFs
+uniform float diffuse_switch;       // 0 or 1, like all switches
+uniform float specular_switch;
+uniform float attenuation_switch;
+uniform float spot_switch;
+uniform bool gated;
+uniform bool cosine_weighted;
+uniform bool brdf_normalised;
+uniform vec3 lafortune_diagonal;
+
+struct LightTerms {
+    vec3 l;
+    float distance;
+    float attenuation;
+    float spot;
+    float cos_theta;
+    vec3 r;
+    vec3 h;
+    float spec;
+    vec3 diffuse_light;
+    vec3 specular_light;
+};
+
+struct LightSums {
+    vec3 diffuse;
+    vec3 specular;
+};
+
+vec4 light_texel(int light, int texel) {
+#if !MANY_LIGHTS
+    return light_values[light * LIGHT_TEXELS + texel];
+#else
+    return texelFetch(light_table, ivec2((light % LIGHTS_PER_ROW) * LIGHT_TEXELS + texel, light / LIGHTS_PER_ROW), 0);
+#endif
+}
+
+// `spec` of the lab's equation, or a BRDF's specular lobe times <N.L>, for k_s = 1.
+float specular_factor(vec3 n, vec3 v, vec3 l, vec3 r, vec3 h, float cos_theta, float shininess) {
+#if REFLECTANCE == REFLECTANCE_NONE || REFLECTANCE == REFLECTANCE_LAMBERT
+    return 0.0;
+#elif REFLECTANCE == REFLECTANCE_PHONG || REFLECTANCE == REFLECTANCE_BLINN_PHONG
+#if REFLECTANCE == REFLECTANCE_PHONG
+    float cosine = dot(r, v);
+#else
+    float cosine = dot(n, h);
+#endif
+    float spec = cosine_power(cosine, shininess);
+    if (gated && cos_theta <= 0.0) spec = 0.0;
+    if (cosine_weighted) spec *= max(cos_theta, 0.0);
+    return spec;
+#else
+    vec3 tangent = any_orthonormal_vector(n);
+    return BRDF_LOBE(n, v, l, tangent, shininess, lafortune_diagonal, brdf_normalised) * max(cos_theta, 0.0);
+#endif
+}
+
+LightTerms light_terms(int light, vec3 position, vec3 n, vec3 v, float shininess) {
+    vec4 place_and_kind = light_texel(light, 0);
+    vec3 color = light_texel(light, 1).rgb;
+    LightTerms t;
+    int kind = int(place_and_kind.w);
+    if (kind == LIGHT_DIRECTIONAL) {
+        t.l = unit_or(-place_and_kind.xyz, n);
+        t.distance = 0.0;
+        t.attenuation = 1.0;
+        t.spot = 1.0;
+    } else {
+        vec3 to_light = place_and_kind.xyz - position;
+        t.distance = length(to_light);
+        t.l = has_direction(t.distance) ? to_light / t.distance : n;
+        vec4 attenuation_and_inner = light_texel(light, 3);
+        t.attenuation = attenuation_at(attenuation_and_inner.xyz, t.distance);
+        t.spot = 1.0;
+        if (kind == LIGHT_SPOT) {
+            vec4 axis_and_outer = light_texel(light, 2);
+            t.spot = smoothstep_or_step(axis_and_outer.w, attenuation_and_inner.w, -dot(t.l, axis_and_outer.xyz));
+        }
+    }
+    t.attenuation = mix(1.0, t.attenuation, attenuation_switch);
+    t.spot = mix(1.0, t.spot, spot_switch);
+    t.cos_theta = dot(n, t.l);
+    t.r = reflection(n, t.l);
+    t.h = half_vector(t.l, v, n);
+    t.spec = specular_factor(n, v, t.l, t.r, t.h, t.cos_theta, shininess);
+    vec3 incident = color * (t.attenuation * t.spot);
+    t.diffuse_light = (diffuse_switch * diff_factor * max(t.cos_theta, 0.0)) * incident;
+    t.specular_light = (specular_switch * t.spec) * incident;
+    return t;
+}
+
+LightSums light_sums(vec3 position, vec3 n, vec3 v, float shininess) {
+    LightSums sums = LightSums(vec3(0.0), vec3(0.0));
+    for (int i = 0; i < light_count; ++i) {
+        LightTerms t = light_terms(i, position, n, v, shininess);
+        sums.diffuse += t.diffuse_light;
+        sums.specular += t.specular_light;
+    }
+    return sums;
+}

@@ -1,0 +1,58 @@
+//! The driver: who it is, and what it can do.
+
+use crate::Gl;
+use crate::glsl::Dialect;
+use crate::renderer::dialect_of;
+use glow::HasContext;
+
+/// The driver, in its own words, and its limits.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DriverInfo {
+    /// `GL_RENDERER`
+    pub renderer: String,
+    /// `GL_VERSION`
+    pub version: String,
+    /// `GL_SHADING_LANGUAGE_VERSION`
+    pub glsl: String,
+    /// Most samples per pixel of a float target.
+    pub max_samples: u32,
+    /// Largest picture or texture, pixels along one side.
+    pub max_size: u32,
+    /// Which GLSL it is given.
+    pub dialect: Dialect,
+    /// EXT_texture_filter_anisotropic, or OpenGL 4.6.
+    pub anisotropy: bool,
+    /// ARB_pipeline_statistics_query, or OpenGL 4.6.
+    pub pipeline_statistics: bool,
+}
+
+impl DriverInfo {
+    pub(crate) fn of(gl: &Gl) -> Self {
+        let version = gl.version();
+        let has = |extension: &str| gl.supported_extensions().contains(extension);
+        let at_least_4_6 = !version.is_embedded && (version.major, version.minor) >= (4, 6);
+        // SAFETY: queries of constants of the context.
+        unsafe {
+            let samples = [glow::RGBA32F, glow::DEPTH_COMPONENT24].map(|format| {
+                let mut most = [0];
+                gl.get_internal_format_i32_slice(glow::RENDERBUFFER, format, glow::SAMPLES, &mut most);
+                most[0]
+            });
+            // Multisampled textures have a limit of their own; OpenGL ES 3.0 has none of them.
+            let textures = if version.is_embedded { i32::MAX } else { gl.get_parameter_i32(glow::MAX_COLOR_TEXTURE_SAMPLES) };
+            let sizes = [glow::MAX_TEXTURE_SIZE, glow::MAX_RENDERBUFFER_SIZE].map(|p| gl.get_parameter_i32(p));
+            DriverInfo {
+                renderer: gl.get_parameter_string(glow::RENDERER),
+                version: gl.get_parameter_string(glow::VERSION),
+                glsl: gl.get_parameter_string(glow::SHADING_LANGUAGE_VERSION),
+                max_samples: samples.into_iter().chain([textures]).min().unwrap_or(1).max(1) as u32,
+                max_size: sizes.into_iter().min().unwrap_or(2048).max(1) as u32,
+                dialect: dialect_of(gl),
+                anisotropy: at_least_4_6
+                    || has("GL_EXT_texture_filter_anisotropic")
+                    || has("EXT_texture_filter_anisotropic"),
+                pipeline_statistics: at_least_4_6 || has("GL_ARB_pipeline_statistics_query"),
+            }
+        }
+    }
+}

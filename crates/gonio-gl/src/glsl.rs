@@ -1,0 +1,383 @@
+//! GLSL, composed once: a header for the dialect, constants generated from Rust, then the files.
+
+use gonio_light::brdf::{self, BrdfKind};
+use gonio_light::color::{self, ColorEncoding, ToneMap};
+use gonio_light::light::Attenuation;
+use gonio_light::{Quantity, Specular, vector};
+use gonio_scene::description::Shading;
+use gonio_scene::loaded::HOLE_OPACITY;
+use std::fmt::Write;
+
+/// Which language the driver speaks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Dialect {
+    /// `#version 330 core`
+    Core330,
+    /// `#version 300 es`: WebGL2 and OpenGL ES 3.
+    Es300,
+}
+
+impl Dialect {
+    /// Both.
+    pub const ALL: [Dialect; 2] = [Dialect::Core330, Dialect::Es300];
+
+    pub(crate) fn header(self) -> &'static str {
+        match self {
+            Dialect::Core330 => "#version 330 core\n",
+            // Some drivers take mediump at its word (16 bits), with visible errors.
+            Dialect::Es300 => "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n",
+        }
+    }
+}
+
+/// Texels of one light in the light table.
+pub const LIGHT_TEXELS: usize = 4;
+/// Lights in one row of the light table: 1024 texels, half of what every WebGL2 has.
+pub const LIGHTS_PER_ROW: usize = 256;
+/// Most lights that are handed over in uniforms: 64 of the 224 vectors that every WebGL2 has. Reading a
+/// texture costs a software driver several times as much as reading a uniform.
+pub const LIGHTS_IN_UNIFORMS: usize = 16;
+/// Kinds of light in the light table.
+pub const LIGHT_DIRECTIONAL: i32 = 0;
+/// A point light.
+pub const LIGHT_POINT: i32 = 1;
+/// A spot.
+pub const LIGHT_SPOT: i32 = 2;
+
+/// The texture units, one for each texture of a material and one for the lights.
+pub const TEXTURE_UNITS: [(&str, u32); 7] = [
+    ("diffuse_map", 0),
+    ("specular_map", 1),
+    ("emitted_map", 2),
+    ("shininess_map", 3),
+    ("opacity_map", 4),
+    ("normal_map", 5),
+    ("light_table", 6),
+];
+
+/// The unit of a sampler by its name in GLSL.
+pub fn texture_unit(sampler: &str) -> u32 {
+    TEXTURE_UNITS.iter().find(|(name, _)| *name == sampler).map_or(0, |(_, unit)| *unit)
+}
+
+/// Where vertex attributes are, the same in all programs.
+pub const ATTRIBUTES: [(u32, &str); 6] =
+    [(0, "position"), (1, "normal"), (2, "tex_coord"), (3, "tangent"), (4, "color"), (5, "face_center")];
+
+/// How a surface reflects: the lab's specular terms and the BRDFs in one list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Reflectance {
+    /// The lab's equation.
+    Lab(Specular),
+    /// The form of Appendix 6.
+    Brdf(BrdfKind),
+}
+
+impl Reflectance {
+    /// Every one.
+    pub fn all() -> Vec<Reflectance> {
+        let lab = Specular::ALL.iter().map(|&s| Reflectance::Lab(s));
+        lab.chain(BrdfKind::ALL.iter().map(|&b| Reflectance::Brdf(b))).collect()
+    }
+
+    fn define(self) -> &'static str {
+        match self {
+            Reflectance::Lab(Specular::None) => "REFLECTANCE_NONE",
+            Reflectance::Lab(Specular::Phong) => "REFLECTANCE_PHONG",
+            Reflectance::Lab(Specular::BlinnPhong) => "REFLECTANCE_BLINN_PHONG",
+            Reflectance::Brdf(BrdfKind::Lambert) => "REFLECTANCE_LAMBERT",
+            Reflectance::Brdf(BrdfKind::Lafortune) => "REFLECTANCE_LAFORTUNE",
+            Reflectance::Brdf(BrdfKind::Blinn) => "REFLECTANCE_BLINN",
+            Reflectance::Brdf(BrdfKind::Phong) => "REFLECTANCE_PHONG_BRDF",
+            Reflectance::Brdf(BrdfKind::Ward) => "REFLECTANCE_WARD",
+        }
+    }
+}
+
+impl Reflectance {
+    /// The GLSL function of a BRDF's specular lobe.
+    fn lobe(self) -> &'static str {
+        match self {
+            Reflectance::Lab(_) | Reflectance::Brdf(BrdfKind::Lambert) => "lambert_lobe",
+            Reflectance::Brdf(BrdfKind::Lafortune) => "lafortune_lobe",
+            Reflectance::Brdf(BrdfKind::Blinn) => "blinn_lobe",
+            Reflectance::Brdf(BrdfKind::Phong) => "phong_lobe",
+            Reflectance::Brdf(BrdfKind::Ward) => "ward_lobe",
+        }
+    }
+}
+
+/// Which of a material's textures a program samples.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum MapSet {
+    /// None.
+    None,
+    /// `map_Kd`: by far the most frequent.
+    Diffuse,
+    /// All; those that a material lacks are white.
+    All,
+}
+
+/// What distinguishes one scene program from another. Everything else is a uniform: a branch on a
+/// uniform costs a software driver both of its sides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct SceneKey {
+    /// Where the equation is evaluated.
+    pub shading: Shading,
+    /// How the surface reflects.
+    pub reflectance: Reflectance,
+    /// Which textures.
+    pub maps: MapSet,
+    /// Normals from a texture (Phong shading only).
+    pub normal_map: bool,
+    /// Back faces are lit from behind.
+    pub two_sided: bool,
+    /// Draws a debug view.
+    pub view: bool,
+    /// More lights than uniforms hold.
+    pub many_lights: bool,
+}
+
+impl SceneKey {
+    /// Every key that the renderer can ask for.
+    pub fn all() -> Vec<SceneKey> {
+        let mut keys = Vec::new();
+        for &shading in Shading::ALL {
+            for reflectance in Reflectance::all() {
+                for maps in [MapSet::None, MapSet::Diffuse, MapSet::All] {
+                    for normal_map in [false, true] {
+                        if normal_map && shading != Shading::Phong {
+                            continue;
+                        }
+                        for two_sided in [false, true] {
+                            for (view, many_lights) in [(false, false), (false, true), (true, false), (true, true)] {
+                                keys.push(SceneKey {
+                                    shading,
+                                    reflectance,
+                                    maps,
+                                    normal_map,
+                                    two_sided,
+                                    view,
+                                    many_lights,
+                                });
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        keys
+    }
+
+    /// Whether the light is summed in the vertex shader.
+    pub fn vertex_lit(&self) -> bool {
+        matches!(self.shading, Shading::Gouraud | Shading::FlatPerFace)
+    }
+
+    fn defines(&self) -> String {
+        let mut text = String::new();
+        let flat = |on: bool| if on { "flat" } else { "" };
+        let per_triangle = matches!(self.shading, Shading::Flat | Shading::FlatPerFace);
+        for (name, value) in [
+            ("SHADING", shading_define(self.shading)),
+            ("REFLECTANCE", self.reflectance.define()),
+            ("BRDF_LOBE", self.reflectance.lobe()),
+            ("VERTEX_LIT", bit(self.vertex_lit())),
+            ("DIFFUSE_MAP", bit(self.maps != MapSet::None)),
+            ("OTHER_MAPS", bit(self.maps == MapSet::All)),
+            ("NORMAL_MAP", bit(self.normal_map)),
+            ("TWO_SIDED", bit(self.two_sided)),
+            ("VIEW", bit(self.view)),
+            ("MANY_LIGHTS", bit(self.many_lights)),
+            ("FLAT_IF_PER_TRIANGLE", flat(per_triangle)),
+            ("FLAT_IF_LIT_PER_FACE", flat(self.shading == Shading::FlatPerFace)),
+        ] {
+            define(&mut text, name, value);
+        }
+        text
+    }
+
+    /// Vertex and fragment shader.
+    pub fn sources(&self, dialect: Dialect) -> [String; 2] {
+        let shared = format!("{}{}{}", dialect.header(), constants(), self.defines());
+        let view = if self.view { QUANTITY } else { "" };
+        let lit = [VECTOR, LIGHT, FRESNEL, BRDF, LIGHTING, view].concat();
+        let (vertex_light, fragment_light) = if self.vertex_lit() {
+            (lit.as_str(), "struct LightSums { vec3 diffuse; vec3 specular; };\nuniform vec3 eye_in_world;\n")
+        } else {
+            (VECTOR, lit.as_str())
+        };
+        let fragment_view = if self.vertex_lit() && self.view { "uniform int view_quantity;\n" } else { "" };
+        let fragment_vector = if self.vertex_lit() { VECTOR } else { "" };
+        [
+            [shared.as_str(), vertex_light, SCENE_VERT].concat(),
+            [&shared, fragment_vector, fragment_light, fragment_view, MATERIAL, SCENE_FRAG].concat(),
+        ]
+    }
+
+    /// For labels and messages.
+    pub fn name(&self) -> String {
+        format!(
+            "scene {} {}{}{}{}{}{}",
+            self.shading,
+            self.reflectance.define().trim_start_matches("REFLECTANCE_").to_ascii_lowercase(),
+            match self.maps {
+                MapSet::None => "",
+                MapSet::Diffuse => " diffuse-map",
+                MapSet::All => " all-maps",
+            },
+            if self.normal_map { " normal-map" } else { "" },
+            if self.two_sided { " two-sided" } else { "" },
+            if self.view { " view" } else { "" },
+            if self.many_lights { " many-lights" } else { "" },
+        )
+    }
+}
+
+/// What an output program writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Display {
+    /// The linear picture as it is.
+    Linear,
+    /// A debug view.
+    Affine,
+    /// Light.
+    Light(ToneMap, ColorEncoding),
+}
+
+/// What distinguishes one output program from another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct OutputKey {
+    /// What it writes.
+    pub display: Display,
+    /// It reads a multisampled texture (OpenGL only).
+    pub multisampled: bool,
+}
+
+impl OutputKey {
+    /// Every key that the renderer can ask for in a dialect.
+    pub fn all(dialect: Dialect) -> Vec<OutputKey> {
+        let mut displays = vec![Display::Linear, Display::Affine];
+        for &tone_map in ToneMap::ALL {
+            displays.extend(ColorEncoding::ALL.iter().map(|&encoding| Display::Light(tone_map, encoding)));
+        }
+        let both: &[bool] = if dialect == Dialect::Core330 { &[false, true] } else { &[false] };
+        let key = |&multisampled| displays.iter().map(move |&display| OutputKey { display, multisampled });
+        both.iter().flat_map(key).collect()
+    }
+
+    /// Vertex and fragment shader.
+    pub fn sources(&self, dialect: Dialect) -> [String; 2] {
+        let mut defines = String::new();
+        for (number, name) in ["DISPLAY_LINEAR", "DISPLAY_AFFINE", "DISPLAY_LIGHT"].into_iter().enumerate() {
+            define(&mut defines, name, &number.to_string());
+        }
+        let (display, tone_map, encoding) = match self.display {
+            Display::Linear => ("DISPLAY_LINEAR", "TONE_MAP_NONE", "0"),
+            Display::Affine => ("DISPLAY_AFFINE", "TONE_MAP_NONE", "0"),
+            Display::Light(tone_map, encoding) => {
+                ("DISPLAY_LIGHT", tone_map_define(tone_map), bit(encoding == ColorEncoding::Srgb))
+            }
+        };
+        define(&mut defines, "DISPLAY", display);
+        define(&mut defines, "TONE_MAP", tone_map);
+        define(&mut defines, "ENCODE_SRGB", encoding);
+        define(&mut defines, "MULTISAMPLED", bit(self.multisampled));
+        let shared = format!("{}{}{defines}", dialect.header(), constants());
+        [[&shared, OUTPUT_VERT].concat(), [&shared, COLOR, DISPLAY_LIGHT, OUTPUT_FRAG].concat()]
+    }
+}
+
+const VECTOR: &str = include_str!("../shaders/light/vector.glsl");
+const LIGHT: &str = include_str!("../shaders/light/light.glsl");
+const FRESNEL: &str = include_str!("../shaders/light/fresnel.glsl");
+const BRDF: &str = include_str!("../shaders/light/brdf.glsl");
+const COLOR: &str = include_str!("../shaders/light/color.glsl");
+const LIGHTING: &str = include_str!("../shaders/lighting.glsl");
+const QUANTITY: &str = include_str!("../shaders/quantity.glsl");
+const MATERIAL: &str = include_str!("../shaders/material.glsl");
+const DISPLAY_LIGHT: &str = include_str!("../shaders/display_light.glsl");
+const SCENE_VERT: &str = include_str!("../shaders/scene.vert");
+const SCENE_FRAG: &str = include_str!("../shaders/scene.frag");
+const OUTPUT_VERT: &str = include_str!("../shaders/output.vert");
+const OUTPUT_FRAG: &str = include_str!("../shaders/output.frag");
+
+/// The pure functions of the equation alone, for the test that holds them against their Rust twins.
+pub fn light_functions(dialect: Dialect) -> String {
+    [dialect.header(), &constants(), VECTOR, LIGHT, FRESNEL, BRDF, COLOR].concat()
+}
+
+fn bit(on: bool) -> &'static str {
+    if on { "1" } else { "0" }
+}
+
+fn define(text: &mut String, name: &str, value: &str) {
+    // Writing to a String cannot fail.
+    let _ = writeln!(text, "#define {name} {value}");
+}
+
+fn shading_define(shading: Shading) -> &'static str {
+    match shading {
+        Shading::Flat => "SHADING_FLAT",
+        Shading::FlatPerFace => "SHADING_FLAT_PER_FACE",
+        Shading::Gouraud => "SHADING_GOURAUD",
+        Shading::Phong => "SHADING_PHONG",
+    }
+}
+
+fn tone_map_define(tone_map: ToneMap) -> &'static str {
+    match tone_map {
+        ToneMap::None => "TONE_MAP_NONE",
+        ToneMap::Reinhard => "TONE_MAP_REINHARD",
+        ToneMap::Aces => "TONE_MAP_ACES",
+        ToneMap::Agx => "TONE_MAP_AGX",
+    }
+}
+
+/// Constants, enums and layouts that Rust and GLSL share: generated, never kept equal by hand.
+fn constants() -> String {
+    let mut text = String::new();
+    for (index, &shading) in Shading::ALL.iter().enumerate() {
+        define(&mut text, shading_define(shading), &index.to_string());
+    }
+    for (index, reflectance) in Reflectance::all().into_iter().enumerate() {
+        define(&mut text, reflectance.define(), &index.to_string());
+    }
+    for (index, &tone_map) in ToneMap::ALL.iter().enumerate() {
+        define(&mut text, tone_map_define(tone_map), &index.to_string());
+    }
+    for &quantity in Quantity::ALL {
+        let name = format!("QUANTITY_{}", quantity.name().to_ascii_uppercase().replace('-', "_"));
+        define(&mut text, &name, &quantity_number(quantity).to_string());
+    }
+    for (name, value) in [
+        ("LIGHT_TEXELS", LIGHT_TEXELS as i32),
+        ("LIGHTS_PER_ROW", LIGHTS_PER_ROW as i32),
+        ("LIGHTS_IN_UNIFORMS", LIGHTS_IN_UNIFORMS as i32),
+        ("LIGHT_DIRECTIONAL", LIGHT_DIRECTIONAL),
+        ("LIGHT_POINT", LIGHT_POINT),
+        ("LIGHT_SPOT", LIGHT_SPOT),
+    ] {
+        define(&mut text, name, &value.to_string());
+    }
+    for (name, value) in [
+        ("ATTENUATION_CAP", Attenuation::CAP),
+        ("DEGENERATE_LENGTH", vector::DEGENERATE_LENGTH),
+        ("LOBE_CAP", brdf::LOBE_CAP),
+        ("SHININESS_MAX", brdf::SHININESS_MAX),
+        ("GRAZING_COSINE", brdf::ward::GRAZING_COSINE),
+        ("RADIANCE_CAP", color::RADIANCE_CAP),
+        ("EXPOSURE_LIMIT", color::EXPOSURE_LIMIT),
+        ("HOLE_OPACITY", HOLE_OPACITY),
+        ("PI", std::f64::consts::PI),
+    ] {
+        // `{:e}` writes 1e6; GLSL wants a decimal point or an exponent, so this is a float.
+        define(&mut text, name, &format!("{value:e}"));
+    }
+    text
+}
+
+/// A quantity's number in GLSL.
+pub fn quantity_number(quantity: Quantity) -> i32 {
+    Quantity::ALL.iter().position(|&q| q == quantity).map_or(-1, |i| i as i32)
+}

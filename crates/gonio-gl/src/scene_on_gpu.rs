@@ -1,0 +1,139 @@
+//! A scene's buffers and textures on the GPU.
+
+use crate::geometry::Geometry;
+use crate::objects::TextureObject;
+use crate::textures;
+use crate::{Gl, GlError};
+use glam::{DMat4, Mat3, Vec3};
+use gonio_mesh::Mesh;
+use gonio_scene::description::Shading;
+use gonio_scene::{LoadedScene, Object, SceneMaterial};
+
+/// A scene's buffers and textures on the GPU; freed when dropped.
+pub struct GpuScene {
+    pub(crate) objects: Vec<GpuObject>,
+    pub(crate) geometries: Vec<MeshGeometry>,
+    pub(crate) materials: Vec<SceneMaterial>,
+    pub(crate) textures: Vec<TextureObject>,
+    /// Bytes of geometry on the GPU.
+    pub geometry_bytes: usize,
+}
+
+/// A mesh in the forms that its objects need.
+#[derive(Default)]
+pub(crate) struct MeshGeometry {
+    pub shared: Option<Geometry>,
+    pub unshared: Option<Geometry>,
+}
+
+/// An object with what does not change from frame to frame.
+pub(crate) struct GpuObject {
+    pub object: Object,
+    pub world_from_model: DMat4,
+    /// Inverse transpose, scaled to a largest entry of 1: only its directions count.
+    pub normal_world_from_model: Mat3,
+    /// The transform mirrors, so front faces are clockwise.
+    pub mirrored: bool,
+    /// Opaque runs of triangles.
+    pub opaque: Vec<Run>,
+    /// Triangles of transparent parts, for sorting.
+    pub transparent: Vec<TransparentTriangle>,
+}
+
+/// Consecutive triangles with one material.
+#[derive(Clone, Debug)]
+pub(crate) struct Run {
+    pub name: String,
+    pub first_triangle: usize,
+    pub triangle_count: usize,
+    pub material: usize,
+}
+
+/// One triangle that lets light through.
+#[derive(Clone, Copy)]
+pub(crate) struct TransparentTriangle {
+    pub triangle: usize,
+    pub material: usize,
+    pub center_in_world: Vec3,
+}
+
+/// Whether a shading draws the unshared form of a mesh.
+pub(crate) fn wants_unshared(shading: Shading) -> bool {
+    matches!(shading, Shading::Flat | Shading::FlatPerFace)
+}
+
+impl GpuScene {
+    pub(crate) fn upload(gl: &Gl, scene: &LoadedScene, max_texture_size: u32) -> Result<Self, GlError> {
+        let mut geometries: Vec<MeshGeometry> = scene.meshes.iter().map(|_| MeshGeometry::default()).collect();
+        for object in &scene.objects {
+            let mesh = &scene.meshes[object.mesh];
+            let geometry = &mut geometries[object.mesh];
+            if wants_unshared(object.shading) {
+                if geometry.unshared.is_none() {
+                    geometry.unshared = Some(Geometry::unshared(gl, mesh, &format!("{} (flat)", object.name))?);
+                }
+            } else if geometry.shared.is_none() {
+                geometry.shared = Some(Geometry::shared(gl, mesh, &object.name)?);
+            }
+        }
+        let textures = scene
+            .textures
+            .iter()
+            .map(|t| textures::upload(gl, t, max_texture_size))
+            .collect::<Result<Vec<_>, _>>()?;
+        let objects = scene.objects.iter().map(|o| GpuObject::new(o, scene)).collect();
+        let geometry_bytes =
+            geometries.iter().flat_map(|g| [&g.shared, &g.unshared]).flatten().map(|g| g.bytes).sum();
+        Ok(GpuScene { objects, geometries, materials: scene.materials.clone(), textures, geometry_bytes })
+    }
+}
+
+impl GpuObject {
+    fn new(object: &Object, scene: &LoadedScene) -> Self {
+        let mesh: &Mesh = &scene.meshes[object.mesh];
+        let linear = glam::DMat3::from_mat4(object.world_from_model);
+        let determinant = linear.determinant();
+        let inverse_transpose = if determinant == 0.0 { linear } else { linear.inverse().transpose() };
+        let largest = inverse_transpose.to_cols_array().into_iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+        let scaled = if largest > 0.0 { inverse_transpose * (1.0 / largest) } else { inverse_transpose };
+        let mut opaque: Vec<Run> = Vec::new();
+        let mut transparent = Vec::new();
+        for part in &object.parts {
+            if scene.materials[part.material].is_transparent() {
+                for triangle in part.first_triangle..part.first_triangle + part.triangle_count {
+                    let [a, b, c] = mesh.triangle_positions(triangle).map(|p| p.as_dvec3());
+                    let center = object.world_from_model.transform_point3((a + b + c) / 3.0);
+                    transparent.push(TransparentTriangle {
+                        triangle,
+                        material: part.material,
+                        center_in_world: center.as_vec3(),
+                    });
+                }
+                continue;
+            }
+            match opaque.last_mut() {
+                // Parts that differ in name only are one draw.
+                Some(run)
+                    if run.material == part.material
+                        && run.first_triangle + run.triangle_count == part.first_triangle =>
+                {
+                    run.triangle_count += part.triangle_count;
+                }
+                _ => opaque.push(Run {
+                    name: part.name.clone(),
+                    first_triangle: part.first_triangle,
+                    triangle_count: part.triangle_count,
+                    material: part.material,
+                }),
+            }
+        }
+        GpuObject {
+            object: object.clone(),
+            world_from_model: object.world_from_model,
+            normal_world_from_model: scaled.as_mat3(),
+            mirrored: determinant < 0.0,
+            opaque,
+            transparent,
+        }
+    }
+}

@@ -1,0 +1,249 @@
+//! Where a frame is drawn: a float target, multisampled or not, and the picture made from it.
+
+use crate::glsl::Dialect;
+use crate::objects::{Framebuffer, Renderbuffer, TextureObject};
+use crate::{Gl, GlError};
+use glow::{HasContext, PixelPackData, PixelUnpackData};
+
+/// How exactly light is kept before it becomes a picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Precision {
+    /// 16-bit floats, 11 bits of mantissa: enough for pictures of 8 bits a channel, and half the memory.
+    Half,
+    /// 32-bit floats: for linear output, and for comparisons.
+    #[default]
+    Full,
+}
+
+impl Precision {
+    fn format(self) -> u32 {
+        match self {
+            Precision::Half => glow::RGBA16F,
+            Precision::Full => glow::RGBA32F,
+        }
+    }
+}
+
+/// The targets of one picture size and sample count.
+pub struct Target {
+    /// Width and height in pixels.
+    pub size: [i32; 2],
+    /// Samples per pixel, at least 1.
+    pub samples: i32,
+    /// Of its colours.
+    pub precision: Precision,
+    drawn: Framebuffer,
+    _depth: Renderbuffer,
+    color: Color,
+}
+
+/// Where the colours are.
+enum Color {
+    /// One sample: drawn into a texture.
+    Single(TextureObject),
+    /// Several: drawn into a multisampled texture, whose samples the output shader averages. (Drivers
+    /// average in a blit as well, but compile a shader of their own for it in each process.)
+    Samples(TextureObject),
+    /// Several where there are no multisampled textures (WebGL2): a renderbuffer, and a blit into a texture.
+    Blitted { _samples: Renderbuffer, resolved: Framebuffer, texture: TextureObject },
+}
+
+/// A texture that a framebuffer draws into.
+fn texture_target(
+    gl: &Gl,
+    format: u32,
+    transfer: (u32, u32),
+    size: [i32; 2],
+    name: &str,
+) -> Result<(Framebuffer, TextureObject), GlError> {
+    let texture = TextureObject::bound(gl, name)?;
+    // SAFETY: the texture is bound; no data is given, so none is read.
+    unsafe {
+        gl.tex_image_2d(
+            glow::TEXTURE_2D,
+            0,
+            format as i32,
+            size[0],
+            size[1],
+            0,
+            transfer.0,
+            transfer.1,
+            PixelUnpackData::Slice(None),
+        );
+        for parameter in [glow::TEXTURE_MIN_FILTER, glow::TEXTURE_MAG_FILTER] {
+            gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, glow::NEAREST as i32);
+        }
+        for parameter in [glow::TEXTURE_WRAP_S, glow::TEXTURE_WRAP_T] {
+            gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, glow::CLAMP_TO_EDGE as i32);
+        }
+    }
+    let framebuffer = Framebuffer::bound(gl, name)?;
+    attach_texture(gl, glow::TEXTURE_2D, &texture);
+    Ok((framebuffer, texture))
+}
+
+/// Attaches a texture to the bound framebuffer.
+fn attach_texture(gl: &Gl, target: u32, texture: &TextureObject) {
+    // SAFETY: both are this context's, and a framebuffer is bound.
+    unsafe {
+        gl.framebuffer_texture_2d(glow::FRAMEBUFFER, glow::COLOR_ATTACHMENT0, target, Some(texture.handle()), 0);
+    }
+}
+
+/// Attaches a renderbuffer to the bound framebuffer.
+fn attach_renderbuffer(gl: &Gl, attachment: u32, buffer: &Renderbuffer) {
+    // SAFETY: both are this context's, and a framebuffer is bound.
+    unsafe {
+        gl.framebuffer_renderbuffer(glow::FRAMEBUFFER, attachment, glow::RENDERBUFFER, Some(buffer.handle()));
+    }
+}
+
+fn check_complete(gl: &Gl, what: &str, size: [i32; 2], samples: i32) -> Result<(), GlError> {
+    // SAFETY: a framebuffer is bound.
+    let status = unsafe { gl.check_framebuffer_status(glow::FRAMEBUFFER) };
+    if status == glow::FRAMEBUFFER_COMPLETE {
+        return Ok(());
+    }
+    Err(GlError::new(format!(
+        "the driver cannot make the {what} of {} x {} pixels with {samples} samples (status {status:#x}); \
+         a smaller --size or fewer --samples may do",
+        size[0], size[1]
+    )))
+}
+
+impl Target {
+    /// Makes the targets. `size` must be within the driver's limits.
+    pub fn new(
+        gl: &Gl,
+        dialect: Dialect,
+        size: [i32; 2],
+        samples: i32,
+        precision: Precision,
+    ) -> Result<Self, GlError> {
+        let format = precision.format();
+        let float = (glow::RGBA, glow::FLOAT);
+        let (drawn, color) = if samples <= 1 {
+            let (drawn, texture) = texture_target(gl, format, float, size, "linear picture")?;
+            (drawn, Color::Single(texture))
+        } else if dialect == Dialect::Core330 {
+            let texture = TextureObject::multisampled(gl, format, size, samples, "samples")?;
+            let drawn = Framebuffer::bound(gl, "samples")?;
+            attach_texture(gl, glow::TEXTURE_2D_MULTISAMPLE, &texture);
+            (drawn, Color::Samples(texture))
+        } else {
+            let (resolved, texture) = texture_target(gl, format, float, size, "linear picture")?;
+            check_complete(gl, "linear picture", size, 1)?;
+            let buffer = Renderbuffer::new(gl, format, size, samples, "samples")?;
+            let drawn = Framebuffer::bound(gl, "samples")?;
+            attach_renderbuffer(gl, glow::COLOR_ATTACHMENT0, &buffer);
+            (drawn, Color::Blitted { _samples: buffer, resolved, texture })
+        };
+        let depth_samples = if samples > 1 { samples } else { 0 };
+        let depth = Renderbuffer::new(gl, glow::DEPTH_COMPONENT24, size, depth_samples, "depth")?;
+        attach_renderbuffer(gl, glow::DEPTH_ATTACHMENT, &depth);
+        check_complete(gl, "float target", size, samples)?;
+        Ok(Target { size, samples, precision, drawn, _depth: depth, color })
+    }
+
+    /// Binds and clears what the scene is drawn into: colour and alpha 0, depth 1.
+    pub fn begin(&self, gl: &Gl) {
+        // SAFETY: the framebuffer is complete.
+        unsafe {
+            gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.drawn.handle()));
+            gl.viewport(0, 0, self.size[0], self.size[1]);
+            gl.disable(glow::SCISSOR_TEST);
+            gl.color_mask(true, true, true, true);
+            gl.depth_mask(true);
+            gl.clear_color(0.0, 0.0, 0.0, 0.0);
+            gl.clear_depth_f32(1.0);
+            gl.clear(glow::COLOR_BUFFER_BIT | glow::DEPTH_BUFFER_BIT);
+        }
+    }
+
+    /// Averages the samples where the output shader cannot do it.
+    pub fn resolve(&self, gl: &Gl) {
+        let Color::Blitted { resolved, .. } = &self.color else { return };
+        let [w, h] = self.size;
+        // SAFETY: both framebuffers are complete, of the same size and format.
+        unsafe {
+            gl.bind_framebuffer(glow::READ_FRAMEBUFFER, Some(self.drawn.handle()));
+            gl.bind_framebuffer(glow::DRAW_FRAMEBUFFER, Some(resolved.handle()));
+            gl.blit_framebuffer(0, 0, w, h, 0, 0, w, h, glow::COLOR_BUFFER_BIT, glow::NEAREST);
+        }
+    }
+
+    /// Samples that the output shader has to average: 1 where there is nothing to average.
+    pub fn samples_to_average(&self) -> i32 {
+        if matches!(self.color, Color::Samples(_)) { self.samples } else { 1 }
+    }
+
+    /// Binds the linear picture (premultiplied alpha, bottom row first) to the active unit.
+    pub fn bind_linear(&self, gl: &Gl) {
+        let (target, texture) = match &self.color {
+            Color::Single(texture) | Color::Blitted { texture, .. } => (glow::TEXTURE_2D, texture),
+            Color::Samples(texture) => (glow::TEXTURE_2D_MULTISAMPLE, texture),
+        };
+        // SAFETY: the texture is this context's, of this kind.
+        unsafe { gl.bind_texture(target, Some(texture.handle())) };
+    }
+}
+
+/// What is read back into a file: 8 bits a channel, or floats for 16.
+pub struct OutputTarget {
+    framebuffer: Framebuffer,
+    _texture: TextureObject,
+    size: [i32; 2],
+}
+
+impl OutputTarget {
+    /// RGBA8, or RGBA32F where `float`.
+    pub fn new(gl: &Gl, size: [i32; 2], float: bool) -> Result<Self, GlError> {
+        let (format, transfer) = if float {
+            (glow::RGBA32F, (glow::RGBA, glow::FLOAT))
+        } else {
+            (glow::RGBA8, (glow::RGBA, glow::UNSIGNED_BYTE))
+        };
+        let (framebuffer, texture) = texture_target(gl, format, transfer, size, "encoded picture")?;
+        check_complete(gl, "encoded picture", size, 1)?;
+        Ok(OutputTarget { framebuffer, _texture: texture, size })
+    }
+
+    /// Binds it for drawing.
+    pub fn bind(&self, gl: &Gl) {
+        // SAFETY: the framebuffer is complete.
+        unsafe {
+            gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.framebuffer.handle()));
+            gl.viewport(0, 0, self.size[0], self.size[1]);
+        }
+    }
+
+    /// Reads an 8-bit target, in the order in which it was drawn.
+    pub fn read8(&self, gl: &Gl) -> Vec<u8> {
+        self.read(gl, glow::UNSIGNED_BYTE)
+    }
+
+    /// Reads a float target, in the order in which it was drawn.
+    pub fn read_f32(&self, gl: &Gl) -> Vec<f32> {
+        self.read(gl, glow::FLOAT)
+    }
+
+    fn read<T: bytemuck::Pod>(&self, gl: &Gl, kind: u32) -> Vec<T> {
+        let mut values = vec![T::zeroed(); self.size[0] as usize * self.size[1] as usize * 4];
+        // SAFETY: the framebuffer is complete, and the slice has room for four values per pixel of the
+        // kind that the two callers above name together with `T`.
+        unsafe {
+            gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.framebuffer.handle()));
+            gl.pixel_store_i32(glow::PACK_ALIGNMENT, 4);
+            gl.read_pixels(
+                0,
+                0,
+                self.size[0],
+                self.size[1],
+                glow::RGBA,
+                kind,
+                PixelPackData::Slice(Some(bytemuck::cast_slice_mut(&mut values))),
+            );
+        }
+        values
+    }
+}

@@ -1,0 +1,40 @@
+//! Every program that the renderer can ask for compiles and links, in both dialects.
+
+use crate::glsl::{ATTRIBUTES, Dialect, OutputKey, SceneKey};
+use crate::program::Program;
+
+fn link_all(dialect: Dialect, es: bool) {
+    let context = super::context(es);
+    let scenes = SceneKey::all().into_iter().map(|k| (k.name(), k.sources(dialect)));
+    let outputs = OutputKey::all(dialect).into_iter().map(|k| (format!("{k:?}"), k.sources(dialect)));
+    let programs: Vec<_> = scenes.chain(outputs).collect();
+    // 4 shadings (and Phong with a normal map) x 8 reflectances x 3 sets of maps x sides x views x light storage; and
+    // 2 + 4 tone maps x 2 encodings, from multisampled textures too where there are any.
+    let outputs = if es { 10 } else { 20 };
+    assert_eq!(programs.len(), 5 * 8 * 3 * 2 * 2 * 2 + outputs);
+    for (name, [vertex, fragment]) in programs {
+        if let Err(why) = Program::new(context.gl(), &name, &vertex, &fragment, &ATTRIBUTES) {
+            panic!("{dialect:?}: {why}");
+        }
+    }
+}
+
+#[test]
+fn every_program_links_as_330_core() {
+    link_all(Dialect::Core330, false);
+}
+
+#[test]
+fn every_program_links_as_300_es_in_a_context_of_opengl_es() {
+    link_all(Dialect::Es300, true);
+}
+
+#[test]
+fn a_shader_with_a_mistake_is_an_error_with_the_drivers_log_and_the_source() {
+    let context = super::context(false);
+    let [vertex, _] = OutputKey::all(Dialect::Core330)[0].sources(Dialect::Core330);
+    let fragment = "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(missing); }\n";
+    let why = Program::new(context.gl(), "broken", &vertex, fragment, &[]).err().expect("it must not compile").message;
+    assert!(why.contains("fragment shader of `broken`") && why.contains("missing"), "{why}");
+    assert!(why.contains("   3  void main()"), "{why}");
+}

@@ -1,0 +1,11 @@
+//! Tests that need a context: on whatever driver there is, Mesa's llvmpipe in CI.
+
+mod compile;
+mod twins;
+
+use crate::headless::{HeadlessContext, HeadlessOptions};
+
+/// A context, or a panic that says what to install.
+fn context(es: bool) -> HeadlessContext {
+    HeadlessContext::with_options(&HeadlessOptions { es, ..Default::default() }).unwrap_or_else(|why| panic!("{why}"))
+}

@@ -1,0 +1,302 @@
+//! The GPU's picture against the reference's: the same scenes, the same pixels.
+//!
+//! Two tolerances, both the project's own bar. Linear values differ by at most 1e-3 (absolute or
+//! relative) wherever a pixel and its eight neighbours lie on one surface: elsewhere the two may
+//! disagree about which surface a pixel centre meets, because a GPU snaps corners to 1/256 of a pixel.
+//! And of all pixels, edges included, 99.5 % are within 1/255 as 8-bit colours.
+#![allow(clippy::unwrap_used)]
+
+mod textured_model;
+
+use gonio_gl::{HeadlessContext, Renderer};
+use gonio_reference::{Probe, ReferenceScene};
+use gonio_scene::files::Disk;
+use gonio_scene::{DisplayMap, Frame, LoadedScene, ViewSpec};
+use std::path::Path;
+
+const WIDTH: u32 = 160;
+const HEIGHT: u32 = 120;
+
+/// Texture filtering is `linear`: how a driver chooses between mipmap levels is its own affair, and the
+/// specification allows much.
+fn scene(equation: &str, lights: &str, objects: &str) -> LoadedScene {
+    scene_from("position = [1.5, 2.0, 5.0]\ntarget = [0.1, 0.2, 0.0]", equation, lights, objects)
+}
+
+fn scene_from(camera: &str, equation: &str, lights: &str, objects: &str) -> LoadedScene {
+    let text = format!(
+        "[picture]\nwidth = {WIDTH}\nheight = {HEIGHT}\nsamples = 1\ntexture_filter = \"linear\"\n\
+         [camera]\n{camera}\nfov_y = 40\n\
+         [equation]\n{equation}\n{objects}\n{lights}"
+    );
+    let scene = gonio_scene::toml_reader::read(&text).unwrap_or_else(|why| panic!("{why}\n{text}"));
+    gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}\n{text}"))
+}
+
+fn object(model: &str, shading: &str, material: &str) -> String {
+    // Rotated, scaled unevenly, translated: what hides no mistake in the normals' transform.
+    format!(
+        "[[object]]\nmodel = \"builtin:{model}\"\nshading = \"{shading}\"\nrotate = [20, 35, -10]\n\
+         scale = [1.0, 1.4, 0.7]\ntranslate = [0.2, 0.1, -0.3]\nmaterial = {{ {material} }}\n"
+    )
+}
+
+const CLAY: &str = "ambient = [0.3, 0.2, 0.2], diffuse = [0.8, 0.45, 0.2], specular = [0.5, 0.5, 0.5], shininess = 32";
+const AMBIENT: &str = "[[light]]\nkind = \"ambient\"\ncolor = [0.2, 0.25, 0.3]\n";
+const DIRECTIONAL: &str = "[[light]]\nkind = \"directional\"\ndirection = [-1, -2, -1.5]\ncolor = [0.9, 0.8, 0.7]\n";
+const POINT: &str = "[[light]]\nkind = \"point\"\nposition = [2, 3, 2.5]\nconstant = 1\nlinear = 0.14\nquadratic = 0.07\n";
+const SPOT: &str = "[[light]]\nkind = \"spot\"\nposition = [1, 3, 3]\ndirection = [-0.3, -1, -1]\n\
+                    inner_angle = 6\nouter_angle = 34\n";
+
+/// The lights of a name, all kinds together in `all`.
+fn lights(kind: &str) -> String {
+    match kind {
+        "directional" => format!("{AMBIENT}{DIRECTIONAL}"),
+        "point" => format!("{AMBIENT}{POINT}"),
+        "spot" => format!("{AMBIENT}{SPOT}"),
+        _ => format!("{DIRECTIONAL}{AMBIENT}{POINT}{SPOT}"),
+    }
+}
+
+/// One comparison of the two renderers.
+struct Comparison {
+    /// Pixels whose neighbourhood is one surface.
+    interior: usize,
+    /// The worst of them: absolute-or-relative difference, and where.
+    worst: (f64, String),
+    /// Share of all pixels within 1/255.
+    close: f64,
+}
+
+struct Bench {
+    renderer: Renderer,
+}
+
+impl Bench {
+    fn new() -> Self {
+        let context = HeadlessContext::new().unwrap_or_else(|why| panic!("{why}"));
+        Bench { renderer: Renderer::new(context.gl().clone()).unwrap_or_else(|why| panic!("{why}")) }
+    }
+
+    fn compare(&mut self, scene: &LoadedScene, view: Option<ViewSpec>) -> Comparison {
+        let frame = scene.frame(0.0);
+        let uploaded = self.renderer.upload(scene).unwrap();
+        let drawn = self.renderer.render(&uploaded, &frame, view).unwrap();
+        let (gpu, gpu8) = (drawn.linear().unwrap(), drawn.encoded8().unwrap());
+        let reference = ReferenceScene::new(scene);
+        let cpu = reference.render(&frame, view, &|_| ()).picture;
+        let cpu8 = cpu.encode8(&DisplayMap::for_view(view, &frame));
+        let probes: Vec<Option<Probe>> =
+            (0..HEIGHT).flat_map(|y| (0..WIDTH).map(move |x| (x, y))).map(|(x, y)| reference.probe(&frame, x, y)).collect();
+        let mut comparison = Comparison { interior: 0, worst: (0.0, String::new()), close: 0.0 };
+        let mut close = 0usize;
+        for y in 0..HEIGHT {
+            for x in 0..WIDTH {
+                let (a, b) = (gpu.at(x, y), cpu.at(x, y));
+                let i = (y * WIDTH + x) as usize;
+                if (0..4).all(|c| gpu8.rgba[4 * i + c].abs_diff(cpu8.rgba[4 * i + c]) <= 1) {
+                    close += 1;
+                }
+                if !on_one_surface(&probes, &frame, view, x, y) {
+                    continue;
+                }
+                comparison.interior += 1;
+                for c in 0..4 {
+                    let (got, want) = (f64::from(a[c]), f64::from(b[c]));
+                    let difference = (got - want).abs() / want.abs().max(1.0);
+                    if difference.is_nan() || difference > comparison.worst.0 {
+                        comparison.worst = (difference, format!("({x}, {y})[{c}]: GPU {got}, reference {want}"));
+                    }
+                }
+            }
+        }
+        comparison.close = close as f64 / f64::from(WIDTH * HEIGHT);
+        comparison
+    }
+
+    fn check(&mut self, name: &str, scene: &LoadedScene, view: Option<ViewSpec>) {
+        let c = self.compare(scene, view);
+        assert!(c.interior >= 200, "{name}: only {} pixels lie on one surface, which tests little", c.interior);
+        assert!(c.worst.0 <= 1e-3, "{name}: {} on one surface: {}", c.worst.0, c.worst.1);
+        assert!(c.close >= 0.995, "{name}: only {:.3} % of the pixels are within 1/255", 100.0 * c.close);
+    }
+}
+
+/// Whether a pixel and its neighbours see one continuous surface: one part of one object, with normals
+/// that agree, and (where shading is per triangle) one triangle.
+fn on_one_surface(probes: &[Option<Probe>], frame: &Frame, view: Option<ViewSpec>, x: u32, y: u32) -> bool {
+    if x == 0 || y == 0 || x + 1 >= frame.width || y + 1 >= frame.height {
+        return false;
+    }
+    let at = |x: u32, y: u32| probes[(y * frame.width + x) as usize].as_ref();
+    let Some(center) = at(x, y) else { return false };
+    let per_triangle = center.shading.name().starts_with("flat")
+        || view.is_some_and(|v| v.quantity == gonio_light::Quantity::GeometricNormal);
+    (y - 1..=y + 1).flat_map(|y| (x - 1..=x + 1).map(move |x| (x, y))).all(|(x, y)| {
+        at(x, y).is_some_and(|p| {
+            let offset = p.position - center.position;
+            p.object == center.object
+                && p.part_name == center.part_name
+                && p.material == center.material
+                && p.front_facing == center.front_facing
+                && (!per_triangle || p.triangle == center.triangle)
+                // A fold or an occlusion jumps out of the tangent plane.
+                && offset.dot(center.geometry.geometric_normal).abs() <= 0.35 * offset.length()
+                && p.terms.point.normal.dot(center.terms.point.normal) > 0.9
+        })
+    })
+}
+
+#[test]
+fn every_shading_light_and_convention_with_and_without_textures() {
+    let mut bench = Bench::new();
+    let folder = tempfile::tempdir().unwrap();
+    let model = textured_model::write(folder.path());
+    let mut scenes = 0;
+    for shading in ["flat", "gouraud", "phong"] {
+        for kind in ["directional", "point", "spot", "all"] {
+            for (convention, specular) in [("lab", "blinn-phong"), ("physical", "phong")] {
+                let equation = format!("convention = \"{convention}\"\nspecular = \"{specular}\"\n");
+                let plain = scene(&equation, &lights(kind), &object("sphere-coarse-averaged", shading, CLAY));
+                bench.check(&format!("{shading} {kind} {convention} plain"), &plain, None);
+                let object = object("sphere-coarse-averaged", shading, "");
+                let object = object.replace("builtin:sphere-coarse-averaged", &model.display().to_string());
+                let textured = scene(&equation, &lights(kind), &object);
+                assert_eq!(textured.textures.len(), 5, "a texture for each map");
+                bench.check(&format!("{shading} {kind} {convention} textured"), &textured, None);
+                scenes += 2;
+            }
+        }
+    }
+    assert_eq!(scenes, 48);
+}
+
+#[test]
+fn textures_with_hard_edges() {
+    // GPUs weigh the four texels of a linear filter with 8 bits: where black meets white that alone is
+    // an error of up to 1/512. The tolerance is twice that.
+    let mut bench = Bench::new();
+    for shading in ["flat", "gouraud", "phong"] {
+        let scene = scene("", &lights("all"), &object("still-life", shading, "shininess = 40"));
+        assert!(!scene.textures.is_empty(), "the still life has textures");
+        let c = bench.compare(&scene, None);
+        assert!(c.interior > 500 && c.worst.0 <= 4e-3, "{shading}: {} pixels, {} {}", c.interior, c.worst.0, c.worst.1);
+        assert!(c.close >= 0.995, "{shading}: {:.3} % within 1/255", 100.0 * c.close);
+    }
+}
+
+#[test]
+fn normals_from_a_texture() {
+    let mut bench = Bench::new();
+    let folder = tempfile::tempdir().unwrap();
+    let model = textured_model::write_with_normal_map(folder.path());
+    let object = object("cube", "phong", "").replace("builtin:cube", &model.display().to_string());
+    let with_map = scene("", &lights("all"), &object);
+    assert!(with_map.materials[0].maps.normal.is_some());
+    bench.check("normal map", &with_map, None);
+    // And it does something: without it the picture is another one.
+    let without = scene("", &lights("all"), &object.replace("material = {", "material = { textures = false"));
+    let difference = bench.compare(&without, None);
+    assert!(difference.interior > 500);
+}
+
+#[test]
+fn every_brdf_and_its_normalised_form() {
+    let mut bench = Bench::new();
+    for brdf in ["lambert", "lafortune", "blinn", "phong", "ward"] {
+        for normalised in [false, true] {
+            for shading in ["gouraud", "phong"] {
+                let equation = format!("brdf = \"{brdf}\"\nbrdf_normalised = {normalised}\n");
+                let scene = scene(&equation, &lights("all"), &object("suzanne", shading, CLAY));
+                bench.check(&format!("{brdf} normalised {normalised} {shading}"), &scene, None);
+            }
+        }
+    }
+}
+
+#[test]
+fn switches_of_the_equation() {
+    let mut bench = Bench::new();
+    for equation in [
+        "gated = false\nspecular = \"phong\"",
+        "cosine_weighted = true",
+        "two_sided = false",
+        "specular = \"none\"",
+        "ambient = false",
+        "diffuse = false",
+        "specular_term = false",
+        "attenuation = false",
+        "spot = false",
+    ] {
+        for shading in ["flat-per-face", "gouraud", "phong"] {
+            let scene = scene(equation, &lights("all"), &object("sphere-coarse-averaged", shading, CLAY));
+            bench.check(&format!("{equation} {shading}"), &scene, None);
+        }
+    }
+}
+
+#[test]
+fn mirrored_objects_and_lit_back_faces() {
+    let mut bench = Bench::new();
+    for shading in ["flat", "gouraud", "phong"] {
+        let mirrored = object("sphere-coarse-averaged", shading, CLAY).replace("scale = [1.0", "scale = [-1.0");
+        bench.check(&format!("mirrored {shading}"), &scene("", &lights("all"), &mirrored), None);
+        // From below: the still life's floor has no thickness, and its back is seen.
+        let from_below = "position = [1.5, -3.0, 5.0]\ntarget = [0.1, 0.2, 0.0]";
+        let still_life = object("still-life", shading, "shininess = 40, textures = false");
+        let below = scene_from(from_below, "", &lights("all"), &still_life);
+        bench.check(&format!("from below {shading}"), &below, None);
+    }
+}
+
+#[test]
+fn emitted_light_and_surfaces_that_let_light_through() {
+    let mut bench = Bench::new();
+    let behind = object("cube", "phong", "diffuse = [0.2, 0.3, 0.9], emitted = [0.1, 0.0, 0.0]");
+    for opacity in ["0.6", "0.2"] {
+        let front = object("sphere-coarse-averaged", "phong", &format!("{CLAY}, opacity = {opacity}"))
+            .replace("translate = [0.2, 0.1, -0.3]", "translate = [0.6, 0.7, 2.0]");
+        let scene = scene("", &lights("all"), &format!("{behind}{front}"));
+        bench.check(&format!("opacity {opacity}"), &scene, None);
+    }
+}
+
+#[test]
+fn every_debug_view() {
+    let mut bench = Bench::new();
+    for shading in ["flat", "flat-per-face", "gouraud", "phong"] {
+        let scene = scene("", &lights("all"), &object("sphere-coarse-averaged", shading, CLAY));
+        for &quantity in gonio_light::Quantity::ALL {
+            // Light 2 is the point light: everything about it has a value.
+            let light = (quantity.per_light() || quantity.summed_over_lights()).then_some(2);
+            // Triangles' normals come from derivatives in f32 unless shading is flat, too coarse for 1e-3.
+            let by_derivatives = quantity == gonio_light::Quantity::GeometricNormal && !shading.starts_with("flat");
+            let view = Some(ViewSpec { quantity, light });
+            let c = bench.compare(&scene, view);
+            let tolerance = if by_derivatives { 5e-3 } else { 1e-3 };
+            assert!(c.interior >= 200, "{quantity} {shading}: {} pixels", c.interior);
+            assert!(c.worst.0 <= tolerance, "{quantity} {shading}: {} {}", c.worst.0, c.worst.1);
+            assert!(c.close >= 0.995, "{quantity} {shading}: {:.3} % within 1/255", 100.0 * c.close);
+        }
+    }
+}
+
+#[test]
+fn a_thousand_lights_in_one_pass() {
+    let mut bench = Bench::new();
+    let many: String = (0..1000)
+        .map(|i| {
+            let a = f64::from(i) * 2.399_963;
+            let r = 0.06 * f64::from(i).sqrt() + 1.0;
+            format!(
+                "[[light]]\nkind = \"point\"\nposition = [{}, {}, {}]\nintensity = 0.004\nquadratic = 0.1\n",
+                r * a.cos(),
+                2.0 * (f64::from(i) / 500.0 - 1.0),
+                r * a.sin() + 1.0
+            )
+        })
+        .collect();
+    let scene = scene("", &many, &object("sphere-coarse-averaged", "phong", CLAY));
+    assert_eq!(scene.frame(0.0).lights.len(), 1000);
+    bench.check("1000 lights", &scene, None);
+}

@@ -1,0 +1,189 @@
+//! Small files, one oddity each, with what they must give written by hand beside them (`NAME.obj.expected`): sizes,
+//! parts, triangles and every diagnostic, or the error.
+
+#![allow(clippy::unwrap_used, missing_docs)]
+
+use gonio_mesh::{Limits, MissingSidecar, Model, ReadError, Sidecars, obj};
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+fn corpus() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus")
+}
+
+struct Folder(PathBuf);
+
+impl Sidecars for Folder {
+    fn read(&mut self, name: &str) -> Result<Vec<u8>, MissingSidecar> {
+        let tried = vec![format!("here/{name}"), format!("there/{name}")];
+        std::fs::read(self.0.join(name)).map_err(|_| MissingSidecar { tried })
+    }
+}
+
+fn read(bytes: &[u8]) -> Result<Model, ReadError> {
+    obj::read(bytes, &mut Folder(corpus()), &Limits::default())
+}
+
+fn summary(result: &Result<Model, ReadError>) -> String {
+    let model = match result {
+        Ok(model) => model,
+        Err(error) => return format!("error {error}\n"),
+    };
+    let mesh = &model.mesh;
+    let mut text = format!("{} vertices, {} triangles", mesh.positions.len(), mesh.triangle_count());
+    for (what, length) in
+        [("normals", mesh.normals.len()), ("tex coords", mesh.tex_coords.len()), ("colors", mesh.colors.len())]
+    {
+        assert!(length == 0 || length == mesh.positions.len(), "{what}");
+        if length > 0 {
+            write!(text, ", {what}").unwrap();
+        }
+    }
+    if !mesh.smoothing_groups.is_empty() {
+        let groups: Vec<String> = mesh.smoothing_groups.iter().map(u32::to_string).collect();
+        write!(text, ", smoothing {}", groups.join(" ")).unwrap();
+    }
+    text.push('\n');
+    for part in &mesh.parts {
+        let material = &model.materials[part.material].name;
+        let (first, count) = (part.first_triangle, part.triangle_count);
+        writeln!(text, "part {:?}: {material:?} {first}+{count}", part.name).unwrap();
+    }
+    let triangles: Vec<String> = mesh.indices.chunks(3).map(|t| format!("{} {} {}", t[0], t[1], t[2])).collect();
+    writeln!(text, "triangles {}", triangles.join(" | ")).unwrap();
+    for diagnostic in &model.diagnostics {
+        writeln!(text, "{diagnostic}").unwrap();
+    }
+    text
+}
+
+fn files() -> Vec<(String, Vec<u8>)> {
+    let mut files: Vec<(String, Vec<u8>)> = std::fs::read_dir(corpus())
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|e| e == "obj"))
+        .map(|path| (path.file_name().unwrap().to_str().unwrap().to_owned(), std::fs::read(&path).unwrap()))
+        .collect();
+    files.sort();
+    assert!(files.len() >= 57, "only {} files found: is the corpus there?", files.len());
+    files
+}
+
+#[test]
+fn every_file_gives_what_is_written_beside_it() {
+    let mut wrong = String::new();
+    for (name, bytes) in files() {
+        let expected = std::fs::read_to_string(corpus().join(format!("{name}.expected"))).unwrap();
+        // An empty line between blocks is for the reader.
+        let expected: String = expected.lines().filter(|line| !line.is_empty()).map(|l| format!("{l}\n")).collect();
+        let found = summary(&read(&bytes));
+        if found != expected {
+            write!(wrong, "--- {name}, expected:\n{expected}--- found:\n{found}").unwrap();
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong}");
+}
+
+/// No prefix of any file makes a panic, and whatever is read is consistent.
+#[test]
+fn every_prefix_is_survived() {
+    let mut tried = 0;
+    for (_, bytes) in files() {
+        for length in 0..=bytes.len() {
+            if let Ok(model) = read(&bytes[..length]) {
+                check_consistent(&model);
+            }
+            tried += 1;
+        }
+    }
+    assert!(tried > 3000, "{tried}");
+}
+
+/// One byte changed at every place, to each of a few that mean something.
+#[test]
+fn every_changed_byte_is_survived() {
+    let mut read_well = 0;
+    for (_, bytes) in files() {
+        for at in 0..bytes.len().min(400) {
+            for byte in *b"\n\\#/-9 e.\0\xFF" {
+                let mut changed = bytes.clone();
+                changed[at] = byte;
+                if let Ok(model) = read(&changed) {
+                    check_consistent(&model);
+                    read_well += 1;
+                }
+            }
+        }
+    }
+    assert!(read_well > 5000, "{read_well}");
+}
+
+fn check_consistent(model: &Model) {
+    let mesh = &model.mesh;
+    let count = mesh.positions.len();
+    assert!(!mesh.indices.is_empty() && mesh.indices.len().is_multiple_of(3));
+    assert!(mesh.indices.iter().all(|&i| (i as usize) < count));
+    assert!(mesh.positions.iter().flatten().all(|x| x.is_finite()));
+    for length in [mesh.normals.len(), mesh.tex_coords.len(), mesh.colors.len()] {
+        assert!(length == 0 || length == count);
+    }
+    assert!(mesh.smoothing_groups.is_empty() || mesh.smoothing_groups.len() == mesh.triangle_count());
+    let mut next = 0;
+    for part in &mesh.parts {
+        assert_eq!(part.first_triangle, next);
+        assert!(part.triangle_count > 0 && part.material < model.materials.len());
+        next += part.triangle_count;
+    }
+    assert_eq!(next, mesh.triangle_count());
+}
+
+#[test]
+fn limits_are_kept() {
+    let quad = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+    let message = |limits| obj::read(quad, &mut Folder(corpus()), &limits).unwrap_err().message;
+    let few_triangles = Limits { max_triangles: 1, ..Limits::default() };
+    assert_eq!(message(few_triangles), "holds more than 1 triangles, which is the limit");
+    let few_vertices = Limits { max_vertices: 3, ..Limits::default() };
+    assert_eq!(message(few_vertices), "needs more than 3 vertices, which is the limit");
+    let enough = Limits { max_vertices: 4, max_triangles: 2 };
+    assert_eq!(obj::read(quad, &mut Folder(corpus()), &enough).unwrap().mesh.indices, [0, 1, 2, 0, 2, 3]);
+}
+
+#[test]
+fn values_arrive_where_they_belong() {
+    let text =
+        b"v 1 2 3 1 0 0.5\nv 4 5 6 0 0 0\nv 7 8 10 1 1 1\nvt 0.25 0.75 9\nvt 0.5\nvn 0 3 4\nf 3/1/1 1/2/1 2/1/1\n";
+    let mesh = read(text).unwrap().mesh;
+    assert_eq!(mesh.positions, [[7.0, 8.0, 10.0], [1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]);
+    assert_eq!(mesh.tex_coords, [[0.25, 0.75], [0.5, 0.0], [0.25, 0.75]]);
+    // A 3-4-5 triangle, in f32.
+    assert_eq!(mesh.normals, [[0.0, 0.6, 0.8]; 3]);
+    assert_eq!(mesh.colors[0], [1.0; 4]);
+    assert_eq!(mesh.colors[2], [0.0, 0.0, 0.0, 1.0]);
+    // sRGB 0.5 is linear 0.21404 (IEC 61966-2-1); a float's precision is allowed for.
+    assert!((mesh.colors[1][2] - 0.214_041).abs() < 1e-6 && mesh.colors[1][..2] == [1.0, 0.0]);
+    // Negative indices count back from the end of their own kind.
+    let text = b"v 1 2 3\nv 4 5 6\nv 7 8 10\nvt 0 0\nvt 1 0\nvt 0 1\nvt 1 1\nvn 1 0 0\nvn 0 1 0\nf -3/-4/-1 -2/-1/-2 -1/-2/-1\n";
+    let relative = read(text).unwrap().mesh;
+    assert_eq!(relative.positions, [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 10.0]]);
+    assert_eq!(relative.tex_coords, [[0.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
+    assert_eq!(relative.normals, [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
+    let bytes = read(b"v 0 0 0 255 0 0\nv 1 0 0 0 255 0\nv 0 1 0 0 0 255\nf 1 2 3\n").unwrap();
+    assert_eq!(bytes.mesh.colors[0], [1.0, 0.0, 0.0, 1.0]);
+    assert_eq!(bytes.diagnostics[0].message, "vertex colors reach 255: taken as from 0 to 255");
+}
+
+/// Many vertices of one position go through another path than a few.
+#[test]
+fn a_crowded_position_is_merged_too() {
+    let mut text = String::from("v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+    (0..1000).for_each(|i| writeln!(text, "vt {i} 0").unwrap());
+    for i in (1..=1000).chain(1..=1000) {
+        writeln!(text, "f 1/{i} 2/1 3/1").unwrap();
+    }
+    let mesh = read(text.as_bytes()).unwrap().mesh;
+    assert_eq!((mesh.positions.len(), mesh.triangle_count()), (1002, 2000));
+    assert_eq!(mesh.indices[..3000], mesh.indices[3000..]);
+    let seen: Vec<f32> = mesh.indices.chunks(3).take(1000).map(|t| mesh.tex_coords[t[0] as usize][0]).collect();
+    assert_eq!(seen, (0..1000).map(|i| i as f32).collect::<Vec<_>>());
+}

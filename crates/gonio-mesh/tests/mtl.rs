@@ -1,0 +1,250 @@
+//! Material libraries: what each statement gives, what is taken where one is absent, and what is said about it.
+
+#![allow(clippy::unwrap_used, missing_docs)]
+
+use gonio_mesh::{AmbientRule, Material, TextureMap, mtl};
+
+fn read(text: &str) -> (Vec<Material>, Vec<String>) {
+    let (materials, diagnostics) = mtl::read(text.as_bytes());
+    (materials, diagnostics.iter().map(ToString::to_string).collect())
+}
+
+/// The only material, of which nothing odd is said.
+fn quiet(statements: &str) -> Material {
+    let (mut materials, diagnostics) = read(&format!("newmtl m\n{statements}"));
+    assert_eq!((materials.len(), diagnostics.as_slice()), (1, &[] as &[String]), "{statements}");
+    materials.remove(0)
+}
+
+/// The only material, and what is said.
+fn odd(statements: &str) -> (Material, Vec<String>) {
+    let (mut materials, diagnostics) = read(&format!("newmtl m\n{statements}"));
+    assert_eq!(materials.len(), 1);
+    assert!(!diagnostics.is_empty(), "{statements}");
+    (materials.remove(0), diagnostics)
+}
+
+#[test]
+fn every_number_arrives() {
+    let material = quiet("Ka 0.1 0.2 0.3\nKd 0.4 0.5 0.6\nKs .7 8e-1 0.9\nKe 1 2 3\nNs 50\nNi 1.33\nd 0.25\nillum 2\n");
+    let expected = Material {
+        name: "m".to_owned(),
+        ambient: AmbientRule::Value([0.1, 0.2, 0.3]),
+        diffuse: [0.4, 0.5, 0.6],
+        specular: [0.7, 0.8, 0.9],
+        emitted: [1.0, 2.0, 3.0],
+        shininess: 50.0,
+        refraction_index: 1.33,
+        opacity: 0.25,
+        illumination_model: Some(2),
+        ..Material::default()
+    };
+    assert_eq!(material, expected);
+}
+
+#[test]
+fn what_is_absent_is_documented() {
+    let material = quiet("");
+    assert_eq!((material.ambient, material.diffuse), (AmbientRule::FollowsDiffuse, [0.8; 3]));
+    assert_eq!((material.specular, material.emitted, material.shininess), ([0.0; 3], [0.0; 3], 32.0));
+    assert_eq!((material.refraction_index, material.opacity, material.illumination_model), (1.5, 1.0, None));
+    let mapped = quiet("map_Kd a\nmap_Ks b\nmap_Ke c\nmap_Ns d\n");
+    assert_eq!((mapped.diffuse, mapped.specular, mapped.emitted), ([1.0; 3], [1.0; 3], [1.0; 3]));
+    assert_eq!(mapped.shininess, 1000.0);
+}
+
+#[test]
+fn ambient_follows_diffuse_where_blender_says_nothing() {
+    assert_eq!(quiet("Ka 1 1 1\nKd 1 0 0\n").ambient, AmbientRule::FollowsDiffuse);
+    assert_eq!(quiet("Ka 0 0 0\n").ambient, AmbientRule::Value([0.0; 3]));
+    assert_eq!(quiet("Ka 0.5\n").ambient, AmbientRule::Value([0.5; 3]));
+}
+
+#[test]
+fn black_beside_a_map_is_white() {
+    let (material, said) = odd("Kd 0 0 0\nmap_Kd a.png\nKs 0 0 0\nmap_Ks b.png\nKe 0 0 0\nmap_Ke c.png\n");
+    assert_eq!((material.diffuse, material.specular, material.emitted), ([1.0; 3], [1.0; 3], [1.0; 3]));
+    let expected = ["3: note: Kd", "5: note: Ks", "7: note: Ke"];
+    assert_eq!(said.len(), 3);
+    for (said, (start, map)) in said.iter().zip(expected.iter().zip(["map_Kd", "map_Ks", "map_Ke"])) {
+        assert_eq!(*said, format!("{start} of \"m\" is black beside {map}: taken as 1 1 1"));
+    }
+    assert_eq!(quiet("Kd 0 0 0\n").diffuse, [0.0; 3]);
+}
+
+#[test]
+fn illumination_models_without_highlight() {
+    for model in [0, 1] {
+        let (material, said) = odd(&format!("Ks 1 1 1\nmap_Ks s.png\nillum {model}\n"));
+        assert_eq!((material.specular, material.specular_map), ([0.0; 3], None));
+        assert_eq!(said, [format!("1: note: the material \"m\" has illum {model}, which switches its Ks off")]);
+        assert_eq!(quiet(&format!("Ks 0 0 0\nillum {model}\n")).specular, [0.0; 3]);
+    }
+    assert_eq!(quiet("Ks 1 1 1\nillum 2\n").specular, [1.0; 3]);
+    let (material, said) = odd("illum 11\n");
+    assert_eq!(material.illumination_model, None);
+    assert_eq!(said, ["2: warning: illum 11 is no illumination model (0 to 10): it is ignored"]);
+}
+
+#[test]
+fn shininess_is_at_least_one() {
+    assert_eq!(quiet("Ns 0\nKs 0 0 0\n").shininess, 1.0);
+    let (material, said) = odd("Ns 0\nKs 1 1 1\n");
+    assert_eq!(material.shininess, 1.0);
+    assert_eq!(said, ["1: note: the material \"m\" has Ns 0: 1 is taken, the smallest"]);
+}
+
+#[test]
+fn opacity_from_d_and_tr() {
+    assert_eq!(quiet("Tr 0.25\n").opacity, 0.75);
+    assert_eq!(quiet("d 0.75\nTr 0.25\n").opacity, 0.75);
+    assert_eq!(quiet("d 3\n").opacity, 1.0);
+    for order in ["d 0.75\nTr 0.5\n", "Tr 0.5\nd 0.75\n"] {
+        let (material, said) = odd(order);
+        assert_eq!((material.opacity, said.len()), (0.75, 1));
+        assert!(
+            said[0].ends_with("note: d (0.75) and Tr (0.5) of \"m\" contradict each other: d is taken"),
+            "{said:?}"
+        );
+    }
+    let (material, said) = odd("Tr 1\n");
+    assert_eq!(
+        (material.opacity, said),
+        (0.0, vec!["1: note: the material \"m\" is invisible (d 0 or Tr 1)".to_owned()])
+    );
+    let (material, said) = odd("d -halo 0.5\n");
+    assert_eq!((material.opacity, said.len()), (0.5, 1));
+}
+
+#[test]
+fn numbers_that_are_no_use_leave_the_default() {
+    let cases = [
+        ("Kd -1 0 0\n", "2:4: warning: Kd is negative (\"-1\"): it is ignored"),
+        ("Kd 0 nan 0\n", "2:6: warning: Kd has \"nan\", which is not finite: it is ignored"),
+        ("Kd 0 1e99 0\n", "2:6: warning: Kd has \"1e99\", which is not finite: it is ignored"),
+        ("Kd red\n", "2:4: warning: Kd has \"red\" where a number should be: it is ignored"),
+        ("Kd\n", "2:3: warning: Kd ends before its number: it is ignored"),
+        ("Kd 1 0\n", "2: warning: Kd has 2 numbers where a color has 1 or 3: it is ignored"),
+        ("Kd spectral file.rfl 1\n", "2:4: warning: Kd has \"spectral\" where a number should be: it is ignored"),
+    ];
+    for (statement, expected) in cases {
+        let (material, said) = odd(statement);
+        assert_eq!((material.diffuse, said.as_slice()), ([0.8; 3], &[expected.to_owned()][..]), "{statement}");
+    }
+    assert_eq!(quiet("Ni 0\n").refraction_index, 1.5);
+    assert!(quiet("Kd -0 0 0\n").diffuse[0].is_sign_positive());
+}
+
+#[test]
+fn maps_go_where_they_belong() {
+    let text = "map_Kd 1.png\nmap_Ks 2.png\nmap_Ke 3.png\nmap_Ns 4.png\nmap_d 5.png\nmap_Bump 6.png\nnorm 7.png\n";
+    let material = quiet(text);
+    let maps = [
+        material.diffuse_map,
+        material.specular_map,
+        material.emitted_map,
+        material.shininess_map,
+        material.opacity_map,
+        material.bump_map,
+        material.normal_map,
+    ];
+    for (i, map) in maps.into_iter().enumerate() {
+        let expected = TextureMap { line: Some(i as u64 + 2), ..TextureMap::new(format!("{}.png", i + 1)) };
+        assert_eq!(map, Some(expected));
+    }
+    for bump in ["map_bump", "bump", "map_Bump", "MAP_BUMP"] {
+        assert_eq!(quiet(&format!("{bump} b.png\n")).bump_map.unwrap().path, "b.png");
+    }
+}
+
+#[test]
+fn options_of_maps() {
+    let map = |text: &str| quiet(&format!("map_Bump {text}\n")).bump_map.unwrap();
+    let path = |text: &str| map(text).path;
+    assert_eq!(path("two words.png"), "two words.png");
+    assert_eq!(path("-1.png"), "-1.png");
+    assert_eq!(path("a -b.png"), "a -b.png");
+    assert_eq!(path("\"quoted name.png\""), "quoted name.png");
+    assert_eq!(path("C:\\tex\\a.png"), "C:\\tex\\a.png");
+    assert_eq!(path("a.png # bumpy"), "a.png");
+    assert_eq!(path("-s 2 3 4 -o 0.5 0.25 0 a b.png"), "a b.png");
+    assert_eq!(path("-s 1 1 1 01.png"), "01.png");
+    assert_eq!(path("-blendu on -blendv off -cc off -mm 0 1 -texres 512 -imfchan r -t 0 0 0 a.png"), "a.png");
+    let full = map("-s 2 3 4 -o 0.5 -0.25 -clamp on -bm 1.5 a.png");
+    let expected = TextureMap {
+        path: "a.png".to_owned(),
+        scale: [2.0, 3.0],
+        offset: [0.5, -0.25],
+        clamp: true,
+        bump_multiplier: 1.5,
+        line: Some(2),
+    };
+    assert_eq!(full, expected);
+    assert_eq!(map("-s 2 a.png").scale, [2.0, 1.0]);
+    // Options behind the name.
+    let last = map("my bumps.jpg -bm 1.5 -s 2 2");
+    assert_eq!((last.path.as_str(), last.bump_multiplier, last.scale), ("my bumps.jpg", 1.5, [2.0, 2.0]));
+
+    let (material, said) = odd("map_Kd -mm 0.1 0.9 a.png\n");
+    assert_eq!(material.diffuse_map.unwrap().path, "a.png");
+    assert_eq!(said, ["2: note: map_Kd has -mm, which is understood but not done"]);
+    let (material, said) = odd("map_Kd -type sphere a.png\n");
+    assert_eq!((material.diffuse_map.unwrap().path.as_str(), said.len()), ("a.png", 1));
+    let (material, said) = odd("map_Kd -fancy a.png\n");
+    assert_eq!(material.diffuse_map.unwrap().path, "a.png");
+    assert_eq!(said, ["2: warning: map_Kd has the unknown option \"-fancy\": it is skipped"]);
+    let (material, said) = odd("map_Kd -clamp on\n");
+    assert_eq!(material.diffuse_map, None);
+    assert_eq!(said, ["2: warning: map_Kd names no file: it is ignored"]);
+}
+
+#[test]
+fn several_materials_and_names() {
+    let (materials, said) =
+        read("\u{feff}newmtl  first one \r\nKd 1 0 0\r\n\r\n\tnewmtl second # two\r\n\tKd 0 \\\r\n 1 0");
+    assert_eq!(materials.iter().map(|m| m.name.as_str()).collect::<Vec<_>>(), ["first one", "second"]);
+    assert_eq!((materials[0].diffuse, materials[1].diffuse), ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]));
+    assert!(said.is_empty(), "{said:?}");
+}
+
+#[test]
+fn the_last_of_two_counts() {
+    let (materials, said) = read("newmtl a\nKd 1 0 0\nnewmtl b\nnewmtl a\nKd 0 0 1\n");
+    assert_eq!(materials.iter().map(|m| m.name.as_str()).collect::<Vec<_>>(), ["a", "b"]);
+    assert_eq!(materials[0].diffuse, [0.0, 0.0, 1.0]);
+    assert_eq!(said, ["4: warning: the material \"a\" is already on line 1: this one is taken"]);
+}
+
+#[test]
+fn what_is_not_used_is_told_once() {
+    let (_, said) = odd("Pr 0.5\nPm 1\nmap_Pr rough.png\nTf 1 1 1\nPr 0.4\nrefl -type sphere sky.png\n");
+    assert_eq!(said, ["2: note: 6 statements without a term in the light equation: Pr, Pm, map_Pr, Tf, refl"]);
+    let (_, said) = odd("shiny yes\n");
+    assert_eq!(said, ["2:1: warning: \"shiny\" is no known statement of a material"]);
+}
+
+#[test]
+fn a_library_without_materials() {
+    assert_eq!(read("# Blender\n").1, ["note: holds no material (newmtl)"]);
+    assert_eq!(read("").1, ["note: the material library is empty"]);
+    let (materials, said) = read("Kd 1 1 1\nKs 1 1 1\n");
+    assert_eq!(
+        (materials.len(), said),
+        (0, vec!["1: warning: \"Kd\" stands before the first newmtl and is ignored".to_owned()])
+    );
+}
+
+#[test]
+fn every_prefix_is_survived() {
+    let text = b"newmtl a b\\\n c\nKa 1 1 1\nKd 0.5 -0 1e0\nd -halo 0.5\nTr 1\nillum 2\nmap_Kd -s 1 2 -o 0 0 0 -clamp on -bm 2 a b.png -bm 1\nnorm \"x\"\n";
+    let mut found = 0;
+    for length in 0..=text.len() {
+        found += mtl::read(&text[..length]).0.len();
+        let mut changed = text.to_vec();
+        if let Some(byte) = changed.get_mut(length) {
+            *byte = 0xFF;
+            mtl::read(&changed);
+        }
+    }
+    assert!(found > text.len() / 2);
+}

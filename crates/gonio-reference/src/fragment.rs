@@ -1,0 +1,203 @@
+//! What a ray finds where it meets a triangle: the place, the texture coordinates, the material there.
+
+use crate::geometry::{Triangle, WorldGeometry};
+use crate::intersect::{Crossing, EyeSpace, plane_barycentrics};
+use glam::{DVec2, DVec3, DVec4};
+use gonio_light::Surface;
+use gonio_mesh::{AmbientRule, Mesh};
+use gonio_scene::{BoundTexture, LoadedScene, SceneMaterial, TextureFilter};
+
+/// The three corners' weights, applied to anything that corners have.
+#[inline]
+pub(crate) fn interpolate<T: std::ops::Mul<f64, Output = T> + std::ops::Add<Output = T>>(w: DVec3, v: [T; 3]) -> T {
+    let [a, b, c] = v;
+    a * w.x + b * w.y + c * w.z
+}
+
+/// A place on a triangle, seen through one point of the picture.
+pub(crate) struct Fragment<'a> {
+    pub scene: &'a LoadedScene,
+    pub mesh: &'a Mesh,
+    pub triangle: &'a Triangle,
+    pub crossing: Crossing,
+    /// World space.
+    pub position: DVec3,
+    /// The front is seen.
+    pub front_facing: bool,
+    /// -1 where the normal is turned to the viewer, else 1.
+    pub turn: f64,
+    /// Unit, towards the front (not turned); zero for a triangle without area.
+    pub geometric_normal: DVec3,
+    /// v up; (0, 0) where the mesh has none.
+    pub uv: DVec2,
+    /// Change of `uv` to the next pixel on the right, and to the one below.
+    pub uv_steps: [DVec2; 2],
+    filter: TextureFilter,
+}
+
+/// One texture's part in a fragment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Texel {
+    /// Which map of the material.
+    pub map: &'static str,
+    /// Index into the scene's textures.
+    pub texture: usize,
+    /// Where it was read.
+    pub uv: DVec2,
+    /// RGBA, colours linear.
+    pub value: DVec4,
+}
+
+impl<'a> Fragment<'a> {
+    /// Where the ray of `pixel` (pixels, y down) meets a triangle, as `crossing` says.
+    pub fn new(
+        scene: &'a LoadedScene,
+        geometry: &'a WorldGeometry,
+        eye: &EyeSpace,
+        two_sided: bool,
+        filter: TextureFilter,
+        (triangle, crossing): (&'a Triangle, Crossing),
+        ray: DVec2,
+    ) -> Self {
+        let mesh = &scene.meshes[scene.objects[triangle.object as usize].mesh];
+        let front_facing = crossing.counter_clockwise != triangle.mirrored;
+        let weights = crossing.barycentrics;
+        let mut fragment = Fragment {
+            scene,
+            mesh,
+            triangle,
+            crossing,
+            position: interpolate(weights, geometry.corners(triangle)),
+            front_facing,
+            turn: if two_sided && !front_facing { -1.0 } else { 1.0 },
+            geometric_normal: geometry.geometric_normal(triangle),
+            uv: DVec2::ZERO,
+            uv_steps: [DVec2::ZERO; 2],
+            filter,
+        };
+        if !mesh.tex_coords.is_empty() {
+            let corner_uvs = fragment.mesh_corners().map(|v| corner(&mesh.tex_coords, v).map_or(DVec2::ZERO, uv_of));
+            fragment.uv = interpolate(weights, corner_uvs);
+            if fragment.has_maps() {
+                // The neighbouring pixels' rays, met with the triangle's plane.
+                let step = 2.0 * eye.half_extent / eye.size;
+                let corners = eye.corners(triangle.vertices);
+                let uv = fragment.uv;
+                fragment.uv_steps = [DVec2::new(step.x, 0.0), DVec2::new(0.0, -step.y)].map(|step| {
+                    let at = |ray| plane_barycentrics(&corners, ray, crossing.counter_clockwise);
+                    // Across the plane's horizon there is nothing: then backwards.
+                    at(ray + step)
+                        .map(|w| interpolate(w, corner_uvs) - uv)
+                        .or_else(|| at(ray - step).map(|w| uv - interpolate(w, corner_uvs)))
+                        .unwrap_or(DVec2::ZERO)
+                });
+            }
+        }
+        fragment
+    }
+
+    /// The corners as the mesh numbers them.
+    pub fn mesh_corners(&self) -> [usize; 3] {
+        self.mesh.triangle(self.triangle.in_mesh as usize)
+    }
+
+    /// The material.
+    pub fn material(&self) -> &'a SceneMaterial {
+        &self.scene.materials[self.triangle.material as usize]
+    }
+
+    fn has_maps(&self) -> bool {
+        let maps = &self.material().maps;
+        [&maps.diffuse, &maps.specular, &maps.emitted, &maps.shininess, &maps.opacity, &maps.normal]
+            .iter()
+            .any(|m| m.is_some())
+    }
+
+    /// The colour of the mesh at the fragment; white where it has none.
+    fn vertex_color(&self) -> DVec3 {
+        if self.mesh.colors.is_empty() {
+            return DVec3::ONE;
+        }
+        let colors = self.mesh_corners().map(|v| {
+            corner(&self.mesh.colors, v).map_or(DVec3::ONE, |c| DVec3::new(c[0].into(), c[1].into(), c[2].into()))
+        });
+        interpolate(self.crossing.barycentrics, colors)
+    }
+
+    /// A texture of the material at the fragment.
+    pub fn texel(&self, map: &'static str, bound: &Option<BoundTexture>) -> Option<Texel> {
+        let bound = bound.as_ref()?;
+        let texture = self.scene.textures.get(bound.texture)?;
+        let scale = uv_of(bound.scale);
+        let uv = self.uv * scale + uv_of(bound.offset);
+        let [dx, dy] = self.uv_steps.map(|step| step * scale);
+        let value = texture.sample(uv, dx, dy, self.filter, bound.clamp);
+        Some(Texel { map, texture: bound.texture, uv, value })
+    }
+
+    /// `d` times the red of `map_d`.
+    pub fn opacity(&self) -> f64 {
+        let material = self.material();
+        let map = self.texel("opacity", &material.maps.opacity).map_or(1.0, |t| t.value.x);
+        f64::from(material.material.opacity) * map
+    }
+
+    /// The material at the fragment.
+    pub fn surface(&self) -> Surface {
+        let SceneMaterial { material, maps } = self.material();
+        let color = |map, bound| self.texel(map, bound).map_or(DVec3::ONE, |t| t.value.truncate());
+        let base = base_surface(self.material());
+        let tint = self.vertex_color() * color("diffuse", &maps.diffuse);
+        Surface {
+            ambient: match material.ambient {
+                AmbientRule::FollowsDiffuse => base.diffuse * tint,
+                AmbientRule::Value(_) => base.ambient,
+            },
+            diffuse: base.diffuse * tint,
+            specular: base.specular * color("specular", &maps.specular),
+            emitted: base.emitted * color("emitted", &maps.emitted),
+            shininess: base.shininess * self.texel("shininess", &maps.shininess).map_or(1.0, |t| t.value.x),
+            refraction_index: base.refraction_index,
+        }
+    }
+
+    /// All textures that the fragment reads; for reports.
+    pub fn texels(&self, with_normal_map: bool) -> Vec<Texel> {
+        let maps = &self.material().maps;
+        let named = [
+            ("diffuse", &maps.diffuse),
+            ("specular", &maps.specular),
+            ("emitted", &maps.emitted),
+            ("shininess", &maps.shininess),
+            ("opacity", &maps.opacity),
+            ("normal", if with_normal_map { &maps.normal } else { &None }),
+        ];
+        named.iter().filter_map(|(name, bound)| self.texel(name, bound)).collect()
+    }
+}
+
+/// A vertex attribute, if the mesh has it.
+pub(crate) fn corner<T: Copy>(values: &[T], vertex: usize) -> Option<T> {
+    values.get(vertex).copied()
+}
+
+fn uv_of(v: [f32; 2]) -> DVec2 {
+    DVec2::new(v[0].into(), v[1].into())
+}
+
+/// The material's numbers without textures and vertex colours: what is known at a vertex.
+pub(crate) fn base_surface(material: &SceneMaterial) -> Surface {
+    let m = &material.material;
+    let color = |c: [f32; 3]| DVec3::from(c.map(f64::from));
+    Surface {
+        ambient: match m.ambient {
+            AmbientRule::FollowsDiffuse => color(m.diffuse),
+            AmbientRule::Value(v) => color(v),
+        },
+        diffuse: color(m.diffuse),
+        specular: color(m.specular),
+        emitted: color(m.emitted),
+        shininess: m.shininess.into(),
+        refraction_index: m.refraction_index.into(),
+    }
+}

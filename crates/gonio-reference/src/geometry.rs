@@ -1,0 +1,217 @@
+//! All triangles of all objects in world space, and the tree of boxes over them.
+
+use glam::{DMat3, DMat4, DVec3, Vec3A};
+use gonio_light::vector;
+use gonio_scene::LoadedScene;
+use obvhs::BvhBuildParams;
+use obvhs::aabb::Aabb;
+use obvhs::bvh2::Bvh2;
+use obvhs::bvh2::builder::build_bvh2;
+use rayon::prelude::*;
+
+/// One triangle of one object, in the order in which a GPU would draw them.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Triangle {
+    /// Indices into [`WorldGeometry::positions`]; bit-identical corners of neighbours keep edges tight.
+    pub vertices: [u32; 3],
+    /// Index into the scene's objects.
+    pub object: u32,
+    /// Index into the object's parts.
+    pub part: u32,
+    /// Index into the scene's materials.
+    pub material: u32,
+    /// Index of the triangle in its mesh.
+    pub in_mesh: u32,
+    /// What is behind may show through.
+    pub transparent: bool,
+    /// Back faces are never hit.
+    pub closed: bool,
+    /// `M` mirrors: the front is the side that is clockwise.
+    pub mirrored: bool,
+}
+
+/// How an object's vectors are carried to world space.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Placement {
+    /// For directions along the surface.
+    pub world_from_model: DMat3,
+    /// -1 where `M` mirrors, else 1.
+    pub handedness: f64,
+}
+
+/// Geometry in world space.
+pub(crate) struct WorldGeometry {
+    /// Of all objects, one after the other.
+    pub positions: Vec<DVec3>,
+    /// Unit, or zero where the mesh's normal is degenerate; by the inverse transpose of `M`.
+    pub normals: Vec<DVec3>,
+    /// What is drawn.
+    pub triangles: Vec<Triangle>,
+    /// By object.
+    pub placements: Vec<Placement>,
+    /// `None` where there is no triangle.
+    pub tree: Option<Tree>,
+}
+
+/// A tree of boxes. Box space is world space moved and scaled uniformly so that everything lies in
+/// `[-1/2, 1/2]`: there f32 is fine enough for boxes, wherever the scene is and however large.
+pub(crate) struct Tree {
+    /// Its nodes; the boxes are rounded outwards.
+    pub bvh: Bvh2,
+    /// World position of box space's origin.
+    pub center: DVec3,
+    /// Box units per world unit.
+    pub scale: f64,
+}
+
+/// The matrix for normals: `M^-T` up to a positive factor, and so defined for singular matrices too.
+pub(crate) fn normal_matrix(m: &DMat3) -> DMat3 {
+    let sign = handedness(m);
+    DMat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis)) * sign
+}
+
+/// -1 where `m` mirrors, else 1.
+pub(crate) fn handedness(m: &DMat3) -> f64 {
+    if m.determinant() < 0.0 { -1.0 } else { 1.0 }
+}
+
+/// `v` at unit length however small it is (a small triangle has a short cross product); zero stays zero.
+pub(crate) fn unit_of_any_size(v: DVec3) -> DVec3 {
+    let largest = v.abs().max_element();
+    if largest > 0.0 && largest.is_finite() { vector::unit(v / largest).unwrap_or(DVec3::ZERO) } else { DVec3::ZERO }
+}
+
+impl WorldGeometry {
+    /// Carries everything to world space. Parts, materials, indices or positions that do not fit are left out, as a
+    /// GPU would read nothing sensible from them either.
+    pub fn new(scene: &LoadedScene) -> Self {
+        let mut geometry = WorldGeometry {
+            positions: Vec::new(),
+            normals: Vec::new(),
+            triangles: Vec::new(),
+            placements: Vec::new(),
+            tree: None,
+        };
+        for object_index in 0..scene.objects.len() {
+            geometry.add_object(scene, object_index);
+        }
+        geometry.tree = Tree::new(&geometry.positions, &geometry.triangles);
+        geometry
+    }
+
+    fn add_object(&mut self, scene: &LoadedScene, object_index: usize) {
+        let object = &scene.objects[object_index];
+        let m: DMat4 = object.world_from_model;
+        let directions = DMat3::from_mat4(m);
+        let first_vertex = self.positions.len() as u32;
+        self.placements.push(Placement { world_from_model: directions, handedness: handedness(&directions) });
+        let Some(mesh) = scene.meshes.get(object.mesh) else { return };
+        let normals_to_world = normal_matrix(&directions);
+        let vertex_count = mesh.positions.len();
+        self.positions.par_extend(mesh.positions.par_iter().map(|&p| m.transform_point3(p.map(f64::from).into())));
+        self.normals.par_extend((0..vertex_count).into_par_iter().map(|i| {
+            let normal = mesh.normals.get(i).map_or(DVec3::ZERO, |&n| n.map(f64::from).into());
+            unit_of_any_size(normals_to_world * normal)
+        }));
+
+        for (part_index, part) in object.parts.iter().enumerate() {
+            let Some(material) = scene.materials.get(part.material) else { continue };
+            let transparent = material.is_transparent();
+            let end = part.first_triangle.saturating_add(part.triangle_count).min(mesh.triangle_count());
+            for in_mesh in part.first_triangle..end {
+                let local = mesh.triangle(in_mesh);
+                if local.iter().any(|&v| v >= vertex_count) {
+                    continue;
+                }
+                let vertices = local.map(|v| first_vertex + v as u32);
+                if vertices.iter().any(|&v| !self.positions[v as usize].is_finite()) {
+                    continue;
+                }
+                self.triangles.push(Triangle {
+                    vertices,
+                    object: object_index as u32,
+                    part: part_index as u32,
+                    material: part.material as u32,
+                    in_mesh: in_mesh as u32,
+                    transparent,
+                    closed: object.closed,
+                    mirrored: handedness(&directions) < 0.0,
+                });
+            }
+        }
+    }
+
+    /// The corners of a triangle.
+    pub fn corners(&self, triangle: &Triangle) -> [DVec3; 3] {
+        triangle.vertices.map(|v| self.positions[v as usize])
+    }
+
+    /// `normalize(M^-T n)`, `n` the triangle's own normal in the model; zero for a triangle without area.
+    pub fn geometric_normal(&self, triangle: &Triangle) -> DVec3 {
+        let [a, b, c] = self.corners(triangle);
+        let sign = if triangle.mirrored { -1.0 } else { 1.0 };
+        // At unit length first: the cross product of two tiny edges may be too small a number.
+        unit_of_any_size(unit_of_any_size(b - a).cross(unit_of_any_size(c - a))) * sign
+    }
+}
+
+impl Tree {
+    fn new(positions: &[DVec3], triangles: &[Triangle]) -> Option<Tree> {
+        let used = || triangles.iter().flat_map(|t| t.vertices).map(|v| positions[v as usize]);
+        let first = used().next()?;
+        let (low, high) = used().fold((first, first), |(low, high), p| (low.min(p), high.max(p)));
+        let center = 0.5 * low + 0.5 * high;
+        let extent = (high - low).max_element();
+        let scale = if extent > 0.0 && (1.0 / extent).is_finite() { 1.0 / extent } else { 1.0 };
+        let boxes: Vec<Aabb> = triangles
+            .par_iter()
+            .map(|t| {
+                let [a, b, c] = t.vertices.map(|v| (positions[v as usize] - center) * scale);
+                Aabb::new(rounded_down(a.min(b).min(c)), -rounded_down(-a.max(b).max(c)))
+            })
+            .collect();
+        // Quality pays off over a million samples, but building is on one thread.
+        let parameters =
+            if triangles.len() < 200_000 { BvhBuildParams::medium_build() } else { BvhBuildParams::very_fast_build() };
+        let bvh = build_bvh2(&boxes, parameters, &mut std::time::Duration::default());
+        Some(Tree { bvh, center, scale })
+    }
+}
+
+/// To f32, never upwards.
+fn rounded_down(v: DVec3) -> Vec3A {
+    let down = |x: f64| {
+        let nearest = x as f32;
+        if f64::from(nearest) > x { nearest.next_down() } else { nearest }
+    };
+    Vec3A::new(down(v.x), down(v.y), down(v.z))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_normal_matrix_is_the_inverse_transpose() {
+        let m = DMat3::from_cols(DVec3::new(2.0, 0.3, 0.0), DVec3::new(-0.4, 0.5, 1.0), DVec3::new(0.1, 0.0, -3.0));
+        let expected = m.inverse().transpose();
+        for v in [DVec3::X, DVec3::Y, DVec3::new(0.3, -0.2, 0.7)] {
+            // Exact but for rounding.
+            assert!((normal_matrix(&m) * v).normalize().distance((expected * v).normalize()) < 1e-14);
+        }
+    }
+
+    #[test]
+    fn boxes_are_rounded_outwards() {
+        for x in [0.1, -0.1, 1.0 / 3.0, -1.0 / 3.0, 0.0, 0.5] {
+            let low = f64::from(rounded_down(DVec3::splat(x)).x);
+            assert!(low <= x && x - low < 1e-7, "{x} {low}");
+        }
+    }
+
+    #[test]
+    fn tiny_vectors_have_a_direction() {
+        assert_eq!(unit_of_any_size(DVec3::new(0.0, 3e-200, 0.0)), DVec3::Y);
+        assert_eq!(unit_of_any_size(DVec3::ZERO), DVec3::ZERO);
+    }
+}

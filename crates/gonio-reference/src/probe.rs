@@ -1,0 +1,148 @@
+//! Every number of one pixel: the surface that is seen there, and the equation term by term.
+
+use crate::ReferenceScene;
+use crate::render::FrameContext;
+use crate::report;
+use crate::shade::{CornerCache, Shader};
+use crate::visibility::{Block, Visible};
+use glam::{DVec2, DVec4};
+use gonio_light::quantity::Geometry;
+use gonio_light::{DVec3, LightSums, Surface, Terms};
+use gonio_scene::Frame;
+use gonio_scene::description::Shading;
+use serde::Serialize;
+
+/// What is seen through the centre of one pixel.
+///
+/// Numbers that are not finite (the distance of a directional light) are `null` in JSON.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Probe {
+    /// Column, from the left.
+    pub x: u32,
+    /// Row, from the top.
+    pub y: u32,
+    /// Index into the scene's objects.
+    pub object: usize,
+    /// The object's name.
+    pub object_name: String,
+    /// The part's name in the file.
+    pub part_name: String,
+    /// Index into the scene's materials.
+    pub material: usize,
+    /// The material's name.
+    pub material_name: String,
+    /// Index of the triangle in its mesh.
+    pub triangle: usize,
+    /// Indices of its corners in the mesh.
+    pub vertices: [usize; 3],
+    /// Weights of the corners, their sum is 1.
+    pub barycentrics: DVec3,
+    /// Distance from the eye along the viewing direction, world units.
+    pub depth: f64,
+    /// World space.
+    pub position: DVec3,
+    /// Geometric normal (towards the triangle's front), the mesh's tangent (zero where it has none), texture coordinates.
+    #[serde(with = "report::GeometryReport")]
+    pub geometry: Geometry,
+    /// The triangle's front is seen.
+    pub front_facing: bool,
+    /// The normals were turned to the viewer, as the frame is two-sided and the back is seen.
+    pub normal_turned: bool,
+    /// Where the equation is evaluated.
+    pub shading: Shading,
+    /// The material at the pixel, textures and vertex colours included.
+    #[serde(with = "report::SurfaceReport")]
+    pub surface: Surface,
+    /// 1 opaque.
+    pub opacity: f64,
+    /// The textures that were read.
+    pub texels: Vec<TexelReport>,
+    /// The equation at the pixel itself. Flat and Phong shading draw its total; Gouraud and flat per face do not, and
+    /// it stands here for comparison.
+    #[serde(with = "report::TermsReport")]
+    pub terms: Terms,
+    /// The equation where the shading evaluates it, if that is not at the pixel: at the three corners (Gouraud) or at
+    /// the centroid (flat per face), with the material's bare numbers. Else empty.
+    #[serde(serialize_with = "report::terms")]
+    pub at_vertices: Vec<Terms>,
+    /// The light of `at_vertices` interpolated, which is then multiplied by `surface`.
+    #[serde(serialize_with = "report::sums")]
+    pub interpolated: Option<LightSums>,
+    /// What the surface sends to the eye: `L_o` as the shading has it.
+    pub radiance: DVec3,
+    /// How many surfaces show through from behind.
+    pub surfaces_behind: usize,
+    /// The pixel: linear RGBA, premultiplied, with what is behind.
+    pub total: DVec4,
+}
+
+/// One texture's part.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TexelReport {
+    /// Which map: `diffuse`, `specular`, `emitted`, `shininess`, `opacity` or `normal`.
+    pub map: &'static str,
+    /// The texture's file.
+    pub texture: String,
+    /// Where it was read: scale and offset applied, v up.
+    pub uv: DVec2,
+    /// RGBA as filtered, colours linear.
+    pub value: DVec4,
+}
+
+pub(crate) fn probe(reference: &ReferenceScene, frame: &Frame, x: u32, y: u32) -> Option<Probe> {
+    if x >= frame.width || y >= frame.height {
+        return None;
+    }
+    let context = FrameContext::new(reference, frame);
+    let mut visible = Visible::default();
+    visible.trace(&reference.geometry, &context.eye, &[[0.5, 0.5]], Block { x0: x, y0: y, x1: x + 1, y1: y + 1 });
+
+    let background = frame.background.at((f64::from(y) + 0.5) / f64::from(frame.height));
+    let mut cache = CornerCache::default();
+    let surfaces = || context.surfaces(&visible, 0, &visible.layers);
+    let (total, shaded) = context.radiance(surfaces(), background, &mut cache);
+    let nearest = surfaces().next()?;
+
+    let fragment = &nearest.fragment;
+    let scene = reference.scene;
+    let (triangle, shader) = (fragment.triangle, &context.shader);
+    let object = &scene.objects[triangle.object as usize];
+    let shading = Shader::shading(fragment);
+    let point = shader.fragment_point(fragment);
+    let surface = fragment.surface();
+    let (at_vertices, interpolated) = shader.corner_terms(fragment, nearest.id).unzip();
+    let texel = |t: crate::fragment::Texel| TexelReport {
+        map: t.map,
+        texture: scene.textures[t.texture].name.clone(),
+        uv: t.uv,
+        value: t.value,
+    };
+    let with_normal_map = shading == Shading::Phong && !fragment.mesh.tangents.is_empty();
+    Some(Probe {
+        x,
+        y,
+        object: triangle.object as usize,
+        object_name: object.name.clone(),
+        part_name: object.parts[triangle.part as usize].name.clone(),
+        material: triangle.material as usize,
+        material_name: fragment.material().material.name.clone(),
+        triangle: triangle.in_mesh as usize,
+        vertices: fragment.mesh_corners(),
+        barycentrics: fragment.crossing.barycentrics,
+        depth: fragment.crossing.depth,
+        position: fragment.position,
+        geometry: shader.geometry_of(fragment, &point),
+        front_facing: fragment.front_facing,
+        normal_turned: fragment.turn < 0.0,
+        shading,
+        surface,
+        opacity: nearest.opacity,
+        texels: fragment.texels(with_normal_map).into_iter().map(texel).collect(),
+        terms: frame.equation.evaluate(&point, &surface, &frame.lights),
+        at_vertices: at_vertices.unwrap_or_default(),
+        interpolated,
+        radiance: shader.radiance(fragment, nearest.id, &surface, &mut cache),
+        surfaces_behind: shaded.saturating_sub(1) as usize,
+        total,
+    })
+}

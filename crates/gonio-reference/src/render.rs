@@ -1,0 +1,220 @@
+//! From rays to pictures: blocks of pixels on all threads, samples averaged in linear premultiplied values.
+
+use crate::fragment::Fragment;
+use crate::intersect::{EyeSpace, cross};
+use crate::sample_positions;
+use crate::shade::{CornerCache, Shader};
+use crate::visibility::{Block, Layer, NOTHING, Visible};
+use crate::{ReferenceScene, Rendered};
+use glam::{DVec3, DVec4};
+use gonio_light::Quantity;
+use gonio_light::quantity::Encoding;
+use gonio_scene::{Frame, Picture, ViewSpec};
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
+
+/// Transparent surfaces one behind the other: what is behind this many is not seen through them any more.
+pub const MAX_LAYERS: usize = 64;
+
+/// A surface with less opacity than this is a hole: nothing is drawn there, in debug views neither.
+pub const HOLE: f64 = gonio_scene::loaded::HOLE_OPACITY;
+
+/// Edge length of the blocks of pixels whose rays are traced together.
+const BLOCK: u32 = 8;
+
+/// All that is the same for all pixels of a frame.
+pub(crate) struct FrameContext<'a> {
+    pub reference: &'a ReferenceScene<'a>,
+    pub frame: &'a Frame,
+    pub eye: EyeSpace,
+    pub shader: Shader<'a>,
+}
+
+/// A surface that a ray meets.
+pub(crate) struct Surfaced<'a> {
+    /// Index into the triangles.
+    pub id: u32,
+    pub fragment: Fragment<'a>,
+    /// In `[HOLE, 1]`.
+    pub opacity: f64,
+}
+
+/// What a thread keeps from block to block.
+#[derive(Default)]
+struct Workspace {
+    visible: Visible,
+    corners: CornerCache,
+}
+
+impl<'a> FrameContext<'a> {
+    pub fn new(reference: &'a ReferenceScene<'a>, frame: &'a Frame) -> Self {
+        let geometry = &reference.geometry;
+        FrameContext { reference, frame, eye: EyeSpace::new(geometry, frame), shader: Shader { geometry, frame } }
+    }
+
+    /// The surfaces that a ray meets, from front to back, holes left out, down to the first opaque one.
+    pub fn surfaces<'v>(
+        &'v self,
+        visible: &'v Visible,
+        ray: usize,
+        layers: &'v [Layer],
+    ) -> impl Iterator<Item = Surfaced<'v>> + 'v {
+        let opaque = visible.opaque[ray];
+        let ids = layers.iter().map(|l| l.triangle).chain((opaque != NOTHING).then_some(opaque));
+        ids.filter_map(move |id| {
+            let geometry = &self.reference.geometry;
+            let triangle = &geometry.triangles[id as usize];
+            let crossing = cross(&self.eye.corners(triangle.vertices), visible.rays[ray])?;
+            let fragment = Fragment::new(
+                self.reference.scene,
+                geometry,
+                &self.eye,
+                self.frame.two_sided,
+                self.frame.texture_filter,
+                (triangle, crossing),
+                visible.rays[ray],
+            );
+            let opacity = if triangle.transparent { fragment.opacity().min(1.0) } else { 1.0 };
+            // Written so that an opacity that is not a number is a hole.
+            (opacity >= HOLE).then_some(Surfaced { id, fragment, opacity })
+        })
+        .take(MAX_LAYERS)
+    }
+
+    /// The picture's premultiplied linear RGBA along one ray, and how many fragments were shaded for it.
+    pub fn radiance<'v>(
+        &'v self,
+        surfaces: impl Iterator<Item = Surfaced<'v>>,
+        background: [f64; 4],
+        corners: &mut CornerCache,
+    ) -> (DVec4, u64) {
+        let mut sum = DVec4::ZERO;
+        let mut shaded = 0;
+        for Surfaced { id, fragment, opacity } in surfaces {
+            let light = self.shader.radiance(&fragment, id, &fragment.surface(), corners);
+            sum += (1.0 - sum.w) * (opacity * light).extend(opacity);
+            shaded += 1;
+            if opacity >= 1.0 {
+                break;
+            }
+        }
+        (sum + (1.0 - sum.w) * DVec4::from(background), shaded)
+    }
+
+    /// The values of some views along one ray.
+    fn values<'v>(
+        &'v self,
+        surfaces: impl Iterator<Item = Surfaced<'v>> + 'v,
+        views: &[ViewSpec],
+        background: [f64; 4],
+        corners: &mut CornerCache,
+        sums: &mut [DVec4],
+    ) -> u64 {
+        let mut surfaces = surfaces.peekable();
+        let mut shaded = u64::from(surfaces.peek().is_some());
+        // The nearest surface; the picture itself comes last, as it goes on to the surfaces behind.
+        if views.iter().any(|v| v.quantity != Quantity::Total) {
+            let nearest = surfaces.peek().map(|s| (s, s.fragment.surface()));
+            for (sum, &view) in sums.iter_mut().zip(views) {
+                *sum += match (&nearest, view.quantity.encoding()) {
+                    (_, Encoding::Color) if view.quantity == Quantity::Total => DVec4::ZERO,
+                    (Some((s, surface)), _) => {
+                        self.shader.quantity(&s.fragment, s.id, surface, view, corners).extend(1.0)
+                    }
+                    (None, Encoding::Color) => DVec3::ZERO.extend(1.0),
+                    (None, _) => DVec4::ZERO,
+                };
+            }
+        }
+        if views.iter().any(|v| v.quantity == Quantity::Total) {
+            let (color, count) = self.radiance(surfaces, background, corners);
+            shaded = count;
+            for (sum, _) in sums.iter_mut().zip(views).filter(|(_, v)| v.quantity == Quantity::Total) {
+                *sum += color;
+            }
+        }
+        shaded
+    }
+}
+
+/// The layers of one ray: a range of the sorted list, which starts at `start`.
+pub(crate) fn layers_of(layers: &[Layer], ray: usize, start: &mut usize) -> std::ops::Range<usize> {
+    let first = *start;
+    while layers.get(*start).is_some_and(|l| l.ray as usize == ray) {
+        *start += 1;
+    }
+    first..*start
+}
+
+/// Draws several views at once: one picture each, in order.
+pub(crate) fn render(
+    reference: &ReferenceScene,
+    frame: &Frame,
+    views: &[ViewSpec],
+    progress: &(dyn Fn(f64) + Sync),
+) -> Vec<Rendered> {
+    let context = FrameContext::new(reference, frame);
+    let positions = sample_positions(frame.samples);
+    let mut pictures: Vec<Picture> = views.iter().map(|_| Picture::new(frame.width, frame.height, [0.0; 4])).collect();
+    let fragments = AtomicU64::new(0);
+
+    // Bands of one block's height: each thread writes rows of its own.
+    let band_length = frame.width as usize * BLOCK as usize;
+    let mut bands: Vec<Vec<&mut [[f32; 4]]>> = Vec::new();
+    bands.resize_with(frame.height.div_ceil(BLOCK) as usize, Vec::new);
+    for picture in &mut pictures {
+        for (band, rows) in bands.iter_mut().zip(picture.pixels.chunks_mut(band_length.max(1))) {
+            band.push(rows);
+        }
+    }
+    let (count, done) = (bands.len(), AtomicUsize::new(0));
+    bands.into_par_iter().enumerate().for_each_init(Workspace::default, |workspace, (index, mut rows)| {
+        let y0 = index as u32 * BLOCK;
+        let y1 = (y0 + BLOCK).min(frame.height);
+        for x0 in (0..frame.width).step_by(BLOCK as usize) {
+            let block = Block { x0, y0, x1: (x0 + BLOCK).min(frame.width), y1 };
+            let shaded = draw_block(&context, views, &positions, block, workspace, &mut rows);
+            fragments.fetch_add(shaded, Ordering::Relaxed);
+        }
+        progress((done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / count as f64);
+    });
+
+    let vertices = reference.geometry.positions.len() as u64;
+    let fragments = fragments.into_inner();
+    pictures.into_iter().map(|picture| Rendered { picture, vertices, fragments }).collect()
+}
+
+/// Draws one block into the rows of its band, of each view; how many fragments were shaded.
+fn draw_block(
+    context: &FrameContext,
+    views: &[ViewSpec],
+    positions: &[[f64; 2]],
+    block: Block,
+    workspace: &mut Workspace,
+    rows: &mut [&mut [[f32; 4]]],
+) -> u64 {
+    let frame = context.frame;
+    let Workspace { visible, corners } = workspace;
+    corners.clear();
+    visible.trace(&context.reference.geometry, &context.eye, positions, block);
+    let mut sums = vec![DVec4::ZERO; views.len()];
+    let (mut ray, mut next_layer, mut shaded) = (0, 0, 0);
+    for y in block.y0..block.y1 {
+        for x in block.x0..block.x1 {
+            sums.fill(DVec4::ZERO);
+            for position in positions {
+                let layers = &visible.layers[layers_of(&visible.layers, ray, &mut next_layer)];
+                let background = frame.background.at((f64::from(y) + position[1]) / f64::from(frame.height));
+                let surfaces = context.surfaces(visible, ray, layers);
+                shaded += context.values(surfaces, views, background, corners, &mut sums);
+                ray += 1;
+            }
+            let pixel = ((y - block.y0) * frame.width + x) as usize;
+            for (rows, sum) in rows.iter_mut().zip(&sums) {
+                let mean = *sum / positions.len() as f64;
+                rows[pixel] = mean.to_array().map(|v| v as f32);
+            }
+        }
+    }
+    shaded
+}

@@ -1,0 +1,64 @@
+//! From what the user names to a scene's description.
+
+use crate::description::{ObjectSpec, Scene};
+use crate::document::line_and_column;
+use crate::files::{self, FileSource};
+use crate::model_kind::{self, InputKind};
+use crate::toml_reader;
+use gonio_mesh::ReadError;
+use std::path::Path;
+
+/// Reads what `inputs` name: scene files (`.toml`), bare models, or `builtin:NAME` of either. The
+/// models of a scene file are relative to its folder; in the result they are relative to the current
+/// one, so that [`crate::load::load`] is given an empty base.
+///
+/// Several inputs become one scene, models in the coordinates of their files; the first scene file
+/// among them gives picture, camera, background and equation. No model is opened further than its
+/// first few kilobytes.
+pub fn describe(inputs: &[&str], files: &dyn FileSource) -> Result<Scene, ReadError> {
+    if inputs.is_empty() {
+        return Err(ReadError::new("nothing to read: name a model, a scene file or builtin:suzanne"));
+    }
+    let mut whole = Scene::default();
+    let mut has_settings = false;
+    for &input in inputs {
+        let (mut scene, is_scene_file) = describe_one(input, files).map_err(|e| e.in_file(input))?;
+        whole.objects.append(&mut scene.objects);
+        whole.lights.append(&mut scene.lights);
+        if is_scene_file && !has_settings {
+            has_settings = true;
+            whole = Scene { objects: whole.objects, lights: whole.lights, ..scene };
+        }
+    }
+    Ok(whole)
+}
+
+/// The description, and whether it came from a scene file.
+fn describe_one(input: &str, files: &dyn FileSource) -> Result<(Scene, bool), ReadError> {
+    let path = files::resolve(Path::new(""), input);
+    let explain = |e: std::io::Error| ReadError::new(files::explain(&e));
+    let start = files::read_start(files, &path, model_kind::LOOKED_AT).map_err(explain)?;
+    match model_kind::tell(&start, &path).map_err(ReadError::new)? {
+        InputKind::Obj => {
+            let object = ObjectSpec { model: input.to_owned(), ..ObjectSpec::default() };
+            Ok((Scene { objects: vec![object], ..Scene::default() }, false))
+        }
+        InputKind::Scene => {
+            let bytes = files::read(files, &path).map_err(explain)?;
+            let text = std::str::from_utf8(&bytes).map_err(|e| not_utf8(&bytes, e.valid_up_to()))?;
+            let mut scene = toml_reader::read(text)?;
+            let base = path.parent().unwrap_or(Path::new(""));
+            for object in &mut scene.objects {
+                if !object.model.starts_with(files::BUILTIN) {
+                    object.model = files::resolve(base, &object.model).to_string_lossy().into_owned();
+                }
+            }
+            Ok((scene, true))
+        }
+    }
+}
+
+fn not_utf8(bytes: &[u8], valid: usize) -> ReadError {
+    let (line, column) = line_and_column(&String::from_utf8_lossy(&bytes[..valid]), valid);
+    ReadError::new("a scene file must be UTF-8 text, and here it is not").at(line, Some(column))
+}

@@ -1,0 +1,62 @@
+//! Pictures of the disk, decoded to RGBA bytes.
+
+use image::{DynamicImage, ImageDecoder, ImageReader, Limits};
+use std::io::Cursor;
+
+/// Most texels along one side of a texture: what OpenGL drivers commonly have.
+pub const MAX_TEXTURE_SIDE: u32 = 16384;
+/// Most bytes that decoding one picture may take.
+const MAX_DECODED_BYTES: u64 = 1 << 30;
+
+/// A decoded picture, first row the top one.
+#[derive(Debug)]
+pub(crate) struct Decoded {
+    pub width: u32,
+    pub height: u32,
+    pub rgba: Vec<u8>,
+    /// Whether the file has an alpha channel (and not only 255 in it).
+    pub has_alpha: bool,
+}
+
+/// Decodes by content; where the content does not tell (TGA), by the name's ending.
+pub(crate) fn decode(bytes: &[u8], name: &str) -> Result<Decoded, String> {
+    if bytes.is_empty() {
+        return Err("the file is empty".into());
+    }
+    let mut reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|e| e.to_string())?;
+    if reader.format().is_none()
+        && let Ok(format) = image::ImageFormat::from_path(name)
+    {
+        reader.set_format(format);
+    }
+    if reader.format().is_none() {
+        return Err("this is no picture that gonio knows; PNG, JPEG, BMP, TGA and GIF can be read".into());
+    }
+    let mut limits = Limits::default();
+    limits.max_image_width = Some(MAX_TEXTURE_SIDE);
+    limits.max_image_height = Some(MAX_TEXTURE_SIDE);
+    limits.max_alloc = Some(MAX_DECODED_BYTES);
+    reader.limits(limits);
+    let decoder = reader.into_decoder().map_err(sentence)?;
+    let color = decoder.color_type();
+    let picture = DynamicImage::from_decoder(decoder).map_err(sentence)?;
+    let (width, height) = (picture.width(), picture.height());
+    if width == 0 || height == 0 {
+        return Err("the picture has no texels".into());
+    }
+    let rgba = picture.into_rgba8().into_raw();
+    let has_alpha = color.has_alpha() && rgba.as_chunks::<4>().0.iter().any(|t| t[3] != 255);
+    Ok(Decoded { width, height, rgba, has_alpha })
+}
+
+fn sentence(error: image::ImageError) -> String {
+    match error {
+        image::ImageError::Limits(_) => format!(
+            "the picture is too large; at most {MAX_TEXTURE_SIDE} x {MAX_TEXTURE_SIDE} texels and \
+             {} MiB are read",
+            MAX_DECODED_BYTES >> 20
+        ),
+        image::ImageError::Unsupported(e) => format!("this picture cannot be read: {e}"),
+        other => format!("the picture is damaged: {other}"),
+    }
+}

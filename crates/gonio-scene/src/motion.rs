@@ -1,0 +1,39 @@
+//! Where a moving light is.
+
+use crate::description::{MotionKind, MotionSpec};
+use glam::{DQuat, DVec3};
+use gonio_light::vector::unit;
+use std::f64::consts::TAU;
+
+/// The place at `time`, seconds, of a light that stands at `position` where it does not move.
+///
+/// All motions repeat after `period` and start, at time 0, at `position` (a path: at its first point).
+pub fn position_at(motion: &MotionSpec, position: DVec3, time: f64) -> DVec3 {
+    let turns = time / motion.period;
+    if !turns.is_finite() {
+        return position;
+    }
+    match motion.kind {
+        MotionKind::Oscillate => position + DVec3::from(motion.amplitude.unwrap_or_default()) * (TAU * turns).sin(),
+        MotionKind::Circle => {
+            let center = DVec3::from(motion.center.unwrap_or_default());
+            let axis = unit(DVec3::from(motion.axis.unwrap_or([0.0, 1.0, 0.0]))).unwrap_or(DVec3::Y);
+            center + DQuat::from_axis_angle(axis, TAU * turns) * (position - center)
+        }
+        MotionKind::Path => along(motion.points.as_deref().unwrap_or_default(), turns - turns.floor(), position),
+    }
+}
+
+/// The point at `share` in [0, 1) of the closed path's length: constant speed.
+fn along(points: &[[f64; 3]], share: f64, position: DVec3) -> DVec3 {
+    let point = |i: usize| DVec3::from(points[i % points.len()]);
+    let lengths: Vec<f64> = (0..points.len()).map(|i| point(i).distance(point(i + 1))).collect();
+    let mut left = share * lengths.iter().sum::<f64>();
+    for (i, &length) in lengths.iter().enumerate() {
+        if left < length {
+            return point(i).lerp(point(i + 1), left / length);
+        }
+        left -= length;
+    }
+    points.first().map_or(position, |&p| p.into())
+}

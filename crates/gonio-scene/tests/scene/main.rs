@@ -1,0 +1,16 @@
+//! What a scene promises: messages, round trips, framing, motion, textures.
+
+#![allow(clippy::unwrap_used)]
+
+mod bad_input;
+mod camera;
+mod framing;
+mod memory;
+mod messages;
+mod motion;
+mod options;
+mod picture;
+mod round_trip;
+mod sampling;
+mod schema;
+mod textures;

@@ -1,0 +1,345 @@
+//! Who draws: OpenGL or the CPU reference, behind one face.
+
+use crate::cli::BackendOptions;
+use crate::output::atomic;
+use crate::report::{CliError, Reporter, Times};
+use gonio_gl::capture::Capture;
+use gonio_gl::{Drawn, DriverInfo, GpuScene, HeadlessContext, Renderer};
+use gonio_reference::{ReferenceScene, Rendered};
+use gonio_scene::picture::EncodedPicture;
+use gonio_scene::{DisplayMap, Frame, LoadedScene, Picture, ViewSpec};
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+
+/// `--backend`
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum BackendChoice {
+    /// OpenGL where it can be had, else the CPU reference.
+    #[default]
+    Auto,
+    /// OpenGL, or an error.
+    Gl,
+    /// The reference, in f64 on all cores.
+    Cpu,
+}
+
+impl BackendChoice {
+    /// All.
+    pub const ALL: &'static [Self] = &[Self::Auto, Self::Gl, Self::Cpu];
+
+    /// As written.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Auto => "auto",
+            Self::Gl => "gl",
+            Self::Cpu => "cpu",
+        }
+    }
+}
+
+/// A backend before it has a scene: made while the scene is being read.
+pub enum Opened {
+    /// A context and a renderer.
+    Gl(Box<OpenGl>),
+    /// The CPU, and why not OpenGL where that was wanted.
+    Cpu {
+        /// One sentence.
+        reason: Option<String>,
+    },
+}
+
+/// A context and the renderer in it.
+pub struct OpenGl {
+    // In this order: the renderer frees its objects while the context is there.
+    renderer: Renderer,
+    _context: HeadlessContext,
+    recorder: Option<Recorder>,
+}
+
+/// A RenderDoc capture that is to be made of the first picture.
+struct Recorder {
+    capture: Capture,
+    target: PathBuf,
+}
+
+impl Recorder {
+    fn new(target: &Path) -> Result<Self, CliError> {
+        if !target.extension().is_some_and(|e| e.eq_ignore_ascii_case("rdc")) {
+            return Err(CliError::new(format!("`{}`: a capture is a .rdc file", target.display())));
+        }
+        atomic::check_writable(target)?;
+        Ok(Recorder { capture: Capture::load(target)?, target: target.to_owned() })
+    }
+
+    /// RenderDoc chooses the name; ours replaces it.
+    fn finish(mut self) -> Result<(), CliError> {
+        let written = self.capture.end()?;
+        std::fs::rename(&written, &self.target)
+            .map_err(|e| CliError::io(format_args!("`{}` cannot be written", self.target.display()), &e))
+    }
+}
+
+impl Opened {
+    /// Makes what the options ask for; `auto` falls back on the CPU.
+    ///
+    /// A RenderDoc `capture` has to be announced before OpenGL is loaded, and needs OpenGL.
+    pub fn new(options: &BackendOptions, capture: Option<&Path>, times: &Times) -> Result<Opened, CliError> {
+        if let Some(threads) = options.threads {
+            // Fails only where the pool exists already, and nothing has used it yet.
+            let _ = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
+        }
+        if options.backend == BackendChoice::Cpu {
+            return match capture {
+                None => Ok(Opened::Cpu { reason: None }),
+                Some(_) => Err(CliError::new("--capture needs OpenGL; leave --backend cpu out")),
+            };
+        }
+        let recorder = capture.map(Recorder::new).transpose()?;
+        match times.measure("context", || open_gl(options)) {
+            Ok((renderer, context)) => Ok(Opened::Gl(Box::new(OpenGl { renderer, _context: context, recorder }))),
+            Err(error) if options.backend == BackendChoice::Auto && capture.is_none() => {
+                Ok(Opened::Cpu { reason: Some(error.message) })
+            }
+            Err(error) => Err(error.into()),
+        }
+    }
+
+    /// Gives the scene to the backend.
+    pub fn take_scene<'a>(
+        self,
+        scene: &'a LoadedScene,
+        options: &BackendOptions,
+        reporter: &Reporter,
+        times: &Times,
+    ) -> Result<Backend<'a>, CliError> {
+        let picture = &scene.scene.picture;
+        let opened = match self {
+            Opened::Gl(gl) if picture.width.max(picture.height) > gl.renderer.info().max_size => {
+                let why = format!(
+                    "{}x{} is more than the {} pixels along a side that this driver can draw",
+                    picture.width,
+                    picture.height,
+                    gl.renderer.info().max_size
+                );
+                if options.backend == BackendChoice::Gl {
+                    return Err(CliError::new(format!("{why}; `--backend cpu` can")));
+                }
+                Opened::Cpu { reason: Some(why) }
+            }
+            other => other,
+        };
+        match opened {
+            Opened::Gl(mut gl) => {
+                let _busy = reporter.busy("copying the scene to the GPU");
+                let gpu = times.measure("upload", || gl.renderer.upload(scene))?;
+                Ok(Backend::Gl { gl, gpu })
+            }
+            Opened::Cpu { reason } => {
+                let _busy = reporter.busy("sorting the triangles");
+                Ok(Backend::Cpu { scene: times.measure("upload", || ReferenceScene::new(scene)), reason })
+            }
+        }
+    }
+}
+
+fn open_gl(options: &BackendOptions) -> Result<(Renderer, HeadlessContext), gonio_gl::GlError> {
+    let context = open_context(options)?;
+    Ok((Renderer::new(context.gl().clone())?, context))
+}
+
+fn open_context(options: &BackendOptions) -> Result<HeadlessContext, gonio_gl::GlError> {
+    HeadlessContext::with_options(&gonio_gl::headless::HeadlessOptions {
+        egl_library: options.egl_library.as_ref().map(Into::into),
+        ..Default::default()
+    })
+}
+
+/// A backend with its scene.
+pub enum Backend<'a> {
+    /// OpenGL.
+    Gl {
+        /// Context and renderer.
+        gl: Box<OpenGl>,
+        /// The scene on the GPU.
+        gpu: GpuScene,
+    },
+    /// The reference.
+    Cpu {
+        /// The scene with its acceleration structure.
+        scene: ReferenceScene<'a>,
+        /// Why not OpenGL, where that was wanted.
+        reason: Option<String>,
+    },
+}
+
+/// The backend in a report.
+#[derive(Clone, Debug, Serialize)]
+pub struct BackendReport {
+    /// `gl` or `cpu`
+    pub name: &'static str,
+    /// `GL_RENDERER`
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub renderer: Option<String>,
+    /// `GL_VERSION`
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub version: Option<String>,
+    /// `GL_SHADING_LANGUAGE_VERSION`
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub glsl: Option<String>,
+    /// Why the CPU draws where OpenGL was wanted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reason: Option<String>,
+}
+
+impl Backend<'_> {
+    /// Draws the picture (`None`) and debug views of one frame, and hands each to `each` with its
+    /// place in `views`. The CPU traces its rays once for all; a picture leaves the GPU before the next
+    /// is drawn.
+    pub fn draw(
+        &mut self,
+        frame: &Frame,
+        views: &[Option<ViewSpec>],
+        reporter: &Reporter,
+        times: &Times,
+        mut each: impl FnMut(usize, Shot) -> Result<(), CliError>,
+    ) -> Result<(), CliError> {
+        match self {
+            Backend::Gl { gl, gpu } => {
+                // The first picture of the run is captured, as far as it is drawn and read back.
+                let mut recorder = gl.recorder.take();
+                for (index, &view) in views.iter().enumerate() {
+                    if let Some(recorder) = &mut recorder {
+                        recorder.capture.start();
+                    }
+                    let drawn = {
+                        let _busy = reporter.busy("drawing");
+                        times.measure("draw", || gl.renderer.render(gpu, frame, view))?
+                    };
+                    each(index, Shot::Gl(drawn))?;
+                    if let Some(recorder) = recorder.take() {
+                        recorder.finish()?;
+                    }
+                }
+            }
+            Backend::Cpu { scene, .. } => {
+                let picture = ViewSpec { quantity: gonio_light::Quantity::Total, light: None };
+                let quantities: Vec<ViewSpec> = views.iter().map(|v| v.unwrap_or(picture)).collect();
+                let rendered = {
+                    let progress = reporter.progress("drawing");
+                    times.measure("draw", || scene.views(frame, &quantities, &|share| progress.set(share)))
+                };
+                for (index, rendered) in rendered.into_iter().enumerate() {
+                    each(index, Shot::Cpu(rendered, DisplayMap::for_view(views[index], frame)))?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Only pictures of 8 bits a channel will be asked for: OpenGL may keep light in 16-bit floats.
+    pub fn for_eight_bits(&mut self) {
+        if let Backend::Gl { gl, .. } = self {
+            gl.renderer.set_precision(gonio_gl::Precision::Half);
+        }
+    }
+
+    /// The driver, where there is one.
+    pub fn driver(&self) -> Option<&DriverInfo> {
+        match self {
+            Backend::Gl { gl, .. } => Some(gl.renderer.info()),
+            Backend::Cpu { .. } => None,
+        }
+    }
+
+    /// For `--json`.
+    pub fn report(&self) -> BackendReport {
+        let driver = self.driver();
+        BackendReport {
+            name: if driver.is_some() { "gl" } else { "cpu" },
+            renderer: driver.map(|d| d.renderer.clone()),
+            version: driver.map(|d| d.version.clone()),
+            glsl: driver.map(|d| d.glsl.clone()),
+            reason: match self {
+                Backend::Cpu { reason, .. } => reason.clone(),
+                Backend::Gl { .. } => None,
+            },
+        }
+    }
+
+    /// Which backend, and why.
+    pub fn sentence(&self) -> String {
+        match self {
+            Backend::Gl { gl, .. } => format!("drawn by OpenGL ({})", gl.renderer.info().renderer),
+            Backend::Cpu { reason: Some(reason), .. } => format!("drawn by the CPU reference: {reason}"),
+            Backend::Cpu { reason: None, .. } => "drawn by the CPU reference".into(),
+        }
+    }
+}
+
+/// A finished frame.
+pub enum Shot {
+    /// Still on the GPU.
+    Gl(Drawn),
+    /// With the map that shows it.
+    Cpu(Rendered, DisplayMap),
+}
+
+/// What was counted while drawing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Counts {
+    /// Vertices lit or transformed.
+    pub vertices: Option<u64>,
+    /// Fragments lit.
+    pub fragments: Option<u64>,
+    /// Draw calls of OpenGL.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub draw_calls: Option<u32>,
+}
+
+impl Shot {
+    /// The values themselves, premultiplied.
+    pub fn linear(&self) -> Result<Picture, CliError> {
+        match self {
+            Shot::Gl(drawn) => Ok(drawn.linear()?),
+            Shot::Cpu(rendered, _) => Ok(rendered.picture.clone()),
+        }
+    }
+
+    /// As displayed, 8 bits.
+    pub fn encoded8(&self) -> Result<EncodedPicture<u8>, CliError> {
+        match self {
+            Shot::Gl(drawn) => Ok(drawn.encoded8()?),
+            Shot::Cpu(rendered, map) => Ok(rendered.picture.encode8(map)),
+        }
+    }
+
+    /// As displayed, 16 bits.
+    pub fn encoded16(&self) -> Result<EncodedPicture<u16>, CliError> {
+        match self {
+            Shot::Gl(drawn) => Ok(drawn.encoded16()?),
+            Shot::Cpu(rendered, map) => Ok(rendered.picture.encode16(map)),
+        }
+    }
+
+    /// What was counted.
+    pub fn counts(&self) -> Counts {
+        match self {
+            Shot::Gl(drawn) => Counts {
+                vertices: drawn.statistics.vertices,
+                fragments: drawn.statistics.fragments,
+                draw_calls: Some(drawn.statistics.draw_calls),
+            },
+            Shot::Cpu(rendered, _) => {
+                Counts { vertices: Some(rendered.vertices), fragments: Some(rendered.fragments), draw_calls: None }
+            }
+        }
+    }
+
+    /// What could not be done as asked.
+    pub fn notes(&self) -> &[String] {
+        match self {
+            Shot::Gl(drawn) => &drawn.notes,
+            Shot::Cpu(..) => &[],
+        }
+    }
+}

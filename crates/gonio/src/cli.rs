@@ -1,0 +1,242 @@
+//! The options, as a person sees them.
+
+use crate::backend::BackendChoice;
+use crate::commands;
+use crate::values::{self, BackgroundValue};
+use clap::{ArgAction, Args, Parser, Subcommand};
+use gonio_light::brdf::BrdfKind;
+use gonio_light::color::{ColorEncoding, ToneMap};
+use gonio_light::{Convention, Specular};
+use gonio_scene::TextureFilter;
+use gonio_scene::ViewSpec;
+use gonio_scene::description::{LightSpec, MaterialOverride, Normals, Shading};
+
+/// The light lab: loads a model, lights it with the light equation, shows every term at every pixel.
+#[derive(Parser, Debug)]
+#[command(name = "gonio", version, propagate_version = true, max_term_width = 110)]
+#[command(subcommand_required = true, arg_required_else_help = true, disable_help_subcommand = true)]
+#[command(help_template = "{about-with-newline}\n{usage-heading} {usage}{after-help}\n\nOptions:\n{options}")]
+#[command(after_help = "\
+Pictures:
+  render   Draw a model or a scene: one picture, debug views, or an animation
+  tour     Draw every technique on several models: a contact sheet and a web page
+
+Understanding:
+  probe    The light equation at one pixel, term by term and light by light
+  diff     Compare two pictures: numbers, difference map, side by side, wipe
+  scene    Print the complete effective scene of an input, or the JSON Schema of scene files
+
+Examples:
+  gonio tour -o tour
+  gonio render model.obj -o model.png
+  gonio probe model.obj --at 512,384
+  gonio diff a.png b.png -o map.png
+
+`gonio COMMAND --help` tells more. Exit codes: 0 done, 1 a check failed, 2 error.")]
+pub struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// What to do.
+#[derive(Subcommand, Debug)]
+pub enum Command {
+    /// Draw a model or a scene: one picture, debug views, or an animation.
+    Render(Box<commands::render::RenderArgs>),
+    /// The light equation at one pixel, term by term and light by light.
+    Probe(Box<commands::probe::ProbeArgs>),
+    /// Compare two pictures: numbers, difference map, side by side, wipe.
+    Diff(commands::diff::DiffArgs),
+    /// Print the complete effective scene of an input, or the JSON Schema of scene files.
+    Scene(Box<commands::scene::SceneArgs>),
+    /// Draw every technique on several models: a contact sheet and a web page.
+    Tour(commands::tour::TourArgs),
+}
+
+impl Command {
+    /// As written.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Command::Render(_) => "render",
+            Command::Probe(_) => "probe",
+            Command::Diff(_) => "diff",
+            Command::Scene(_) => "scene",
+            Command::Tour(_) => "tour",
+        }
+    }
+
+    /// `--quiet`
+    pub fn quiet(&self) -> bool {
+        self.words().quiet
+    }
+
+    /// `--json`
+    pub fn json(&self) -> bool {
+        self.words().json
+    }
+
+    fn words(&self) -> &WordOptions {
+        match self {
+            Command::Render(args) => &args.words,
+            Command::Probe(args) => &args.words,
+            Command::Diff(args) => &args.words,
+            Command::Scene(args) => &args.words,
+            Command::Tour(args) => &args.words,
+        }
+    }
+}
+
+/// What is said.
+#[derive(Args, Debug, Clone, Default)]
+#[command(next_help_heading = "Words")]
+pub struct WordOptions {
+    /// Print one JSON object on stdout.
+    #[arg(long)]
+    pub json: bool,
+    /// Say nothing but errors.
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+/// Who draws.
+#[derive(Args, Debug, Clone, Default)]
+#[command(next_help_heading = "Drawing")]
+pub struct BackendOptions {
+    /// Who draws: OpenGL, the CPU reference, or OpenGL where it can be had.
+    #[arg(long, value_parser = values::named(BackendChoice::ALL, BackendChoice::name), default_value = "auto")]
+    pub backend: BackendChoice,
+    /// Threads of the CPU reference; all cores by default.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    /// Load OpenGL's EGL from this library instead of the system's (for tests).
+    #[arg(long, value_name = "FILE", hide = true)]
+    pub egl_library: Option<String>,
+}
+
+/// Everything of a scene that an option can replace. The same for `render`, `probe` and `scene`.
+#[derive(Args, Debug, Clone, Default)]
+pub struct SceneOptions {
+    /// Where the equation is evaluated.
+    #[arg(long, help_heading = "Shading", value_parser = values::named(Shading::ALL, Shading::name))]
+    pub shading: Option<Shading>,
+    /// Which normals the meshes get.
+    #[arg(long, help_heading = "Shading", value_parser = values::named(Normals::ALL, Normals::name))]
+    pub normals: Option<Normals>,
+    /// Replace values of all materials: ambient, diffuse, specular, emitted (colours), shininess,
+    /// refraction-index, opacity, textures (true or false).
+    #[arg(long, help_heading = "Shading", value_name = "KEY=VALUE,...", value_parser = values::material)]
+    pub material: Option<MaterialOverride>,
+    /// How textures are sampled.
+    #[arg(long, help_heading = "Shading", value_parser = values::named(TextureFilter::ALL, TextureFilter::name))]
+    pub texture_filter: Option<TextureFilter>,
+
+    /// The specular term.
+    #[arg(long, help_heading = "Equation", value_parser = values::named(Specular::ALL, Specular::name))]
+    pub specular: Option<Specular>,
+    /// A BRDF in place of the diffuse and the specular term.
+    #[arg(long, help_heading = "Equation", value_parser = values::named(BrdfKind::ALL, BrdfKind::name))]
+    pub brdf: Option<BrdfKind>,
+    /// The BRDF with the factor that keeps its energy in bounds.
+    #[arg(long, help_heading = "Equation")]
+    pub brdf_normalised: bool,
+    /// Diffuse factor 1, or 1/pi and radiometric lights.
+    #[arg(long, help_heading = "Equation", value_parser = values::named(Convention::ALL, Convention::name))]
+    pub convention: Option<Convention>,
+    /// Weight the specular term by <N.L>, or (=false) do not.
+    #[arg(long, help_heading = "Equation", value_name = "BOOL", num_args = 0..=1, require_equals = true,
+          default_missing_value = "true")]
+    pub cosine_weighted: Option<bool>,
+    /// Specular light also where N.L <= 0, as in the lab's own solutions.
+    #[arg(long, help_heading = "Equation")]
+    pub ungated: bool,
+    /// Leave terms out of the sum (attenuation and spot then count as 1).
+    #[arg(long, help_heading = "Equation", value_name = "TERM,...", value_delimiter = ',',
+          value_parser = ["ambient", "emitted", "diffuse", "specular", "attenuation", "spot"])]
+    pub without: Vec<String>,
+    /// Turn the normal to the viewer on back faces.
+    #[arg(long, help_heading = "Equation", conflicts_with = "one_sided")]
+    pub two_sided: bool,
+    /// Light back faces with the normal as it is.
+    #[arg(long, help_heading = "Equation")]
+    pub one_sided: bool,
+
+    /// A light in place of the scene's; repeat it for several. KIND is ambient, directional, point or
+    /// spot; keys: position, direction, color, intensity, constant, linear, quadratic, inner-angle,
+    /// outer-angle, name; motion=oscillate|circle|path with period, amplitude, center, axis, points.
+    #[arg(long, help_heading = "Lights", value_name = "KIND KEY=VALUE ...", action = ArgAction::Append,
+          value_parser = values::light)]
+    pub light: Vec<LightSpec>,
+
+    /// The eye, world space.
+    #[arg(long, help_heading = "Camera", value_name = "X,Y,Z", value_parser = values::vector,
+          allow_hyphen_values = true)]
+    pub camera_position: Option<[f64; 3]>,
+    /// The point looked at, world space.
+    #[arg(long, help_heading = "Camera", value_name = "X,Y,Z", value_parser = values::vector,
+          allow_hyphen_values = true, conflicts_with_all = ["yaw", "pitch"])]
+    pub camera_target: Option<[f64; 3]>,
+    /// Viewing direction in degrees: -90 looks along -Z.
+    #[arg(long, help_heading = "Camera", value_name = "DEG", value_parser = values::number,
+          allow_negative_numbers = true)]
+    pub yaw: Option<f64>,
+    /// Viewing direction in degrees: positive looks up.
+    #[arg(long, help_heading = "Camera", value_name = "DEG", value_parser = values::number,
+          allow_negative_numbers = true)]
+    pub pitch: Option<f64>,
+    /// Full vertical field of view in degrees.
+    #[arg(long, help_heading = "Camera", value_name = "DEG", value_parser = values::field_of_view,
+          allow_negative_numbers = true)]
+    pub fov_y: Option<f64>,
+
+    /// Size in pixels.
+    #[arg(long, help_heading = "Picture", value_name = "WxH", value_parser = values::size,
+          allow_hyphen_values = true)]
+    pub size: Option<(u32, u32)>,
+    /// Samples per pixel: 1, 2, 4, 8 or 16.
+    #[arg(long, help_heading = "Picture", value_name = "N", value_parser = values::samples)]
+    pub samples: Option<u32>,
+    /// sRGB encoding, or the sum as it is (as the lab's programs write it).
+    #[arg(long, help_heading = "Picture", value_parser = values::named(ColorEncoding::ALL, ColorEncoding::name))]
+    pub color: Option<ColorEncoding>,
+    /// How light above 1 is brought into range.
+    #[arg(long, help_heading = "Picture", value_parser = values::named(ToneMap::ALL, ToneMap::name))]
+    pub tone_map: Option<ToneMap>,
+    /// Exposure in stops.
+    #[arg(long, help_heading = "Picture", value_name = "STOPS", value_parser = values::number,
+          allow_negative_numbers = true)]
+    pub exposure: Option<f64>,
+    /// Behind the objects: COLOR, TOP:BOTTOM or transparent. A colour is #rrggbb (sRGB), r,g,b or one
+    /// number (linear).
+    #[arg(long, help_heading = "Picture", value_name = "COLOR", value_parser = values::background)]
+    pub background: Option<BackgroundValue>,
+}
+
+/// A debug view in a list.
+pub fn view_list() -> clap::builder::ValueParser {
+    clap::builder::ValueParser::from(values::view as fn(&str) -> Result<ViewSpec, String>)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_options_are_consistent() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn every_command_has_examples_and_stands_in_the_overview() {
+        let overview = Cli::command().render_long_help().to_string();
+        for command in Cli::command().get_subcommands() {
+            assert!(overview.contains(&format!("\n  {}", command.get_name())), "{}", command.get_name());
+            let after = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+            assert!(
+                after.contains("Examples:") && after.contains(&format!("gonio {}", command.get_name())),
+                "{command}"
+            );
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! The difference map: the largest difference of a pixel's channels as a heat colour.
+
+use super::digits;
+use super::read::Pixels;
+use gonio_scene::picture::EncodedPicture;
+
+/// Black, violet, red, orange, yellow, white: brighter is more, also for eyes that see no colours.
+const HEAT: [[f64; 3]; 7] = [
+    [0.0, 0.0, 0.0],
+    [48.0, 10.0, 92.0],
+    [125.0, 24.0, 110.0],
+    [196.0, 52.0, 72.0],
+    [240.0, 112.0, 32.0],
+    [250.0, 194.0, 44.0],
+    [255.0, 255.0, 235.0],
+];
+
+/// Height of the scale below a map.
+const LEGEND: usize = 32;
+/// Where its labels begin.
+const LABELS: usize = 18;
+const _: () = assert!(LABELS + digits::HEIGHT <= LEGEND);
+
+/// The colour of a share in [0, 1] of the full scale.
+fn heat(share: f64) -> [u8; 3] {
+    let place = share.clamp(0.0, 1.0) * (HEAT.len() - 1) as f64;
+    let low = (place as usize).min(HEAT.len() - 2);
+    let t = place - low as f64;
+    [0, 1, 2].map(|c| (HEAT[low][c] * (1.0 - t) + HEAT[low + 1][c] * t).round() as u8)
+}
+
+/// The map; `full_scale` in 8-bit steps, > 0, gets the brightest colour.
+pub fn map(a: &Pixels, b: &Pixels, full_scale: f64) -> EncodedPicture<u8> {
+    let rgba = (0..a.len())
+        .flat_map(|i| {
+            let (ea, eb) = (a.encoded(i), b.encoded(i));
+            let largest = (0..4).map(|c| 255.0 * (ea[c] - eb[c]).abs()).fold(0.0, f64::max);
+            let finite = |p: [f64; 4]| p.iter().all(|v| v.is_finite());
+            // What is no number in one of the two is all the difference there is.
+            let share = if finite(a.linear(i)) == finite(b.linear(i)) { largest / full_scale } else { 1.0 };
+            let [r, g, b] = heat(share);
+            [r, g, b, 255]
+        })
+        .collect();
+    EncodedPicture { width: a.width, height: a.height, rgba }
+}
+
+/// The map with its scale below it: 0, the half and the full scale, of 255.
+pub fn with_legend(map: &EncodedPicture<u8>, full_scale: f64) -> EncodedPicture<u8> {
+    let (width, height) = (map.width as usize, map.height as usize);
+    let margin = 8;
+    if width < 96 {
+        return map.clone();
+    }
+    let mut rgba = map.rgba.clone();
+    rgba.extend(std::iter::repeat_n([24, 24, 24, 255], width * LEGEND).flatten());
+    let mut put = |x: usize, y: usize, color: [u8; 3]| {
+        if x < width && y < LEGEND {
+            let at = 4 * ((height + y) * width + x);
+            rgba[at..at + 3].copy_from_slice(&color);
+        }
+    };
+    let bar = width - 2 * margin;
+    for x in 0..bar {
+        for y in 6..14 {
+            put(margin + x, y, heat(x as f64 / (bar - 1) as f64));
+        }
+    }
+    let label = |steps: f64| {
+        let text = if full_scale < 10.0 { format!("{steps:.2}") } else { format!("{steps:.0}") };
+        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    };
+    let labels = ["0".to_owned(), label(0.5 * full_scale), format!("{}/255", label(full_scale))];
+    for (text, place) in labels.iter().zip([0.0, 0.5, 1.0]) {
+        // The label's own place under the bar: its start, its middle, its end.
+        let left = margin as f64 + place * bar as f64 - place * digits::width(text) as f64;
+        digits::draw(text, |x, y| put(left as usize + x, LABELS + y, [220, 220, 220]));
+    }
+    EncodedPicture { width: map.width, height: map.height + LEGEND as u32, rgba }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn heat_grows_brighter_from_black_to_nearly_white() {
+        assert_eq!(heat(0.0), [0, 0, 0]);
+        assert_eq!(heat(1.0), [255, 255, 235]);
+        assert_eq!(heat(7.0), heat(1.0));
+        let luma = |s: f64| {
+            let [r, g, b] = heat(s).map(f64::from);
+            0.2126 * r + 0.7152 * g + 0.0722 * b
+        };
+        assert!((0..100).all(|i| luma(f64::from(i + 1) / 100.0) > luma(f64::from(i) / 100.0)));
+    }
+
+    #[test]
+    fn the_legend_stands_below_and_leaves_the_map_alone() {
+        let map = EncodedPicture { width: 128, height: 4, rgba: vec![9; 128 * 4 * 4] };
+        let with = with_legend(&map, 24.0);
+        assert_eq!((with.width, with.height), (128, 4 + LEGEND as u32));
+        assert_eq!(with.rgba.len(), 4 * 128 * (4 + LEGEND));
+        assert_eq!(with.rgba[..map.rgba.len()], map.rgba[..]);
+        assert!(with.rgba[map.rgba.len()..].chunks_exact(4).any(|p| p == [220, 220, 220, 255]));
+    }
+}

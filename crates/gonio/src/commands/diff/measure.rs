@@ -1,0 +1,192 @@
+//! The numbers of a comparison.
+
+use super::read::Pixels;
+use crate::report::CliError;
+use image_compare::Algorithm;
+use rayon::prelude::*;
+use serde::Serialize;
+
+/// Mean, root of the mean square, largest: over all pixels and channels.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Spread {
+    /// Mean of the absolute differences.
+    pub mean: f64,
+    /// Root of the mean of the squares.
+    pub rms: f64,
+    /// The largest.
+    pub max: f64,
+}
+
+/// All numbers of a comparison.
+#[derive(Clone, Debug, Serialize)]
+pub struct Numbers {
+    /// Pixels.
+    pub width: u32,
+    /// Pixels.
+    pub height: u32,
+    /// How many pixels there are.
+    pub pixels: u64,
+    /// 3, or 4 where alpha counts.
+    pub channels: usize,
+    /// Encoded values times 255.
+    pub steps: Spread,
+    /// Linear light.
+    pub linear: Spread,
+    /// The largest `|a - b| / max(1, |a|, |b|)` of linear light.
+    pub linear_absolute_or_relative: f64,
+    /// 8-bit steps.
+    pub tolerance: f64,
+    /// Pixels with a channel that differs by more than the tolerance.
+    pub differing_pixels: u64,
+    /// Their share.
+    pub differing_percent: f64,
+    /// Structural similarity (Wang et al. 2004) in windows of 8x8 pixels, the least of R, G, B; 1 where
+    /// the pictures are equal.
+    pub ssim: f64,
+    /// Where `steps.max` is, if it is not 0.
+    pub worst: Option<Worst>,
+    /// Pixels that are NaN or infinite in one picture and not so in the other. They count as differing and
+    /// are in none of the sums.
+    pub not_finite: u64,
+}
+
+/// A pixel with the largest difference.
+#[derive(Clone, Debug, Serialize)]
+pub struct Worst {
+    /// Column.
+    pub x: u32,
+    /// Row.
+    pub y: u32,
+    /// As displayed, `#rrggbb`.
+    pub a: String,
+    /// As displayed, `#rrggbb`.
+    pub b: String,
+}
+
+/// What one row adds.
+#[derive(Clone, Copy, Default)]
+struct Row {
+    steps_sum: f64,
+    steps_squares: f64,
+    steps_max: f64,
+    worst: usize,
+    linear_sum: f64,
+    linear_squares: f64,
+    linear_max: f64,
+    relative_max: f64,
+    differing: u64,
+    not_finite: u64,
+}
+
+/// Whether a value is at most its limit. 1e-12 of it more is rounding: 102 / 255 - 100 / 255 is not
+/// exactly two steps.
+pub fn within(value: f64, limit: f64) -> bool {
+    value <= limit * (1.0 + 1e-12)
+}
+
+/// Compares pictures of one size.
+pub fn measure(a: &Pixels, b: &Pixels, tolerance: f64) -> Result<Numbers, CliError> {
+    let channels = if a.has_alpha() || b.has_alpha() { 4 } else { 3 };
+    let width = a.width as usize;
+    let rows: Vec<Row> = (0..a.height as usize)
+        .into_par_iter()
+        .map(|y| {
+            let mut row = Row::default();
+            (y * width..(y + 1) * width).for_each(|i| row.add(a, b, i, channels, tolerance));
+            row
+        })
+        .collect();
+    // In the order of the rows, so that the sums do not depend on the threads.
+    let total = rows.into_iter().fold(Row::default(), Row::with);
+    let pixels = a.len() as u64;
+    let values = ((pixels - total.not_finite) * channels as u64).max(1) as f64;
+    let hex = |p: [u8; 3]| format!("#{:02x}{:02x}{:02x}", p[0], p[1], p[2]);
+    let worst = (total.steps_max > 0.0).then(|| Worst {
+        x: (total.worst % width) as u32,
+        y: (total.worst / width) as u32,
+        a: hex(a.displayed(total.worst)),
+        b: hex(b.displayed(total.worst)),
+    });
+    Ok(Numbers {
+        width: a.width,
+        height: a.height,
+        pixels,
+        channels,
+        steps: Spread {
+            mean: total.steps_sum / values,
+            rms: (total.steps_squares / values).sqrt(),
+            max: total.steps_max,
+        },
+        linear: Spread {
+            mean: total.linear_sum / values,
+            rms: (total.linear_squares / values).sqrt(),
+            max: total.linear_max,
+        },
+        linear_absolute_or_relative: total.relative_max,
+        tolerance,
+        differing_pixels: total.differing,
+        differing_percent: 100.0 * total.differing as f64 / pixels.max(1) as f64,
+        ssim: ssim(a, b)?,
+        worst,
+        not_finite: total.not_finite,
+    })
+}
+
+impl Row {
+    fn add(&mut self, a: &Pixels, b: &Pixels, i: usize, channels: usize, tolerance: f64) {
+        let (la, lb) = (a.linear(i), b.linear(i));
+        let finite = |p: &[f64; 4]| p.iter().all(|v| v.is_finite());
+        if !finite(&la) || !finite(&lb) {
+            let same = |(x, y): (&f64, &f64)| x == y || (x.is_nan() && y.is_nan());
+            if !la.iter().zip(&lb).all(same) {
+                self.not_finite += 1;
+                self.differing += 1;
+            }
+            return;
+        }
+        let (ea, eb) = (a.encoded(i), b.encoded(i));
+        let mut largest = 0.0f64;
+        for c in 0..channels {
+            let step = 255.0 * (ea[c] - eb[c]).abs();
+            self.steps_sum += step;
+            self.steps_squares += step * step;
+            largest = largest.max(step);
+            let linear = (la[c] - lb[c]).abs();
+            self.linear_sum += linear;
+            self.linear_squares += linear * linear;
+            self.linear_max = self.linear_max.max(linear);
+            self.relative_max = self.relative_max.max(linear / la[c].abs().max(lb[c].abs()).max(1.0));
+        }
+        if largest > self.steps_max {
+            (self.steps_max, self.worst) = (largest, i);
+        }
+        if !within(largest, tolerance) {
+            self.differing += 1;
+        }
+    }
+
+    fn with(self, next: Row) -> Row {
+        Row {
+            steps_sum: self.steps_sum + next.steps_sum,
+            steps_squares: self.steps_squares + next.steps_squares,
+            steps_max: self.steps_max.max(next.steps_max),
+            worst: if next.steps_max > self.steps_max { next.worst } else { self.worst },
+            linear_sum: self.linear_sum + next.linear_sum,
+            linear_squares: self.linear_squares + next.linear_squares,
+            linear_max: self.linear_max.max(next.linear_max),
+            relative_max: self.relative_max.max(next.relative_max),
+            differing: self.differing + next.differing,
+            not_finite: self.not_finite + next.not_finite,
+        }
+    }
+}
+
+fn ssim(a: &Pixels, b: &Pixels) -> Result<f64, CliError> {
+    let image = |p: &Pixels| {
+        let bytes = (0..p.len()).flat_map(|i| p.displayed(i)).collect();
+        image::RgbImage::from_raw(p.width, p.height, bytes)
+    };
+    let failed = || CliError::new("the structural similarity could not be computed");
+    let (a, b) = (image(a).ok_or_else(failed)?, image(b).ok_or_else(failed)?);
+    image_compare::rgb_similarity_structure(&Algorithm::MSSIMSimple, &a, &b).map(|s| s.score).map_err(|_| failed())
+}

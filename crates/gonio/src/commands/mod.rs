@@ -1,0 +1,21 @@
+//! What each subcommand does.
+
+pub mod diff;
+pub mod probe;
+pub mod render;
+pub mod scene;
+pub mod tour;
+
+use crate::cli::Command;
+use crate::report::{CliError, Outcome, Reporter};
+
+/// Does it.
+pub fn run(command: &Command, reporter: &Reporter) -> Result<Outcome, CliError> {
+    match command {
+        Command::Render(args) => render::run(args, reporter),
+        Command::Probe(args) => probe::run(args, reporter),
+        Command::Diff(args) => diff::run(args, reporter),
+        Command::Scene(args) => scene::run(args, reporter),
+        Command::Tour(args) => tour::run(args, reporter),
+    }
+}

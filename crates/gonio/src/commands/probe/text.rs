@@ -1,0 +1,320 @@
+//! A probe as a page of text: aligned numbers, and the equation with the numbers in it.
+
+use super::{GpuValue, Report};
+use anstyle::Style;
+use glam::DVec3;
+use gonio_light::{Convention, LightKind, LightTerms, Specular, Terms};
+use gonio_reference::Probe;
+use gonio_scene::{Frame, LoadedScene};
+use std::fmt::Write;
+
+const HEADING: Style = Style::new().bold();
+
+/// Width of the names on the left.
+const NAME: usize = 18;
+
+/// A page about one pixel of a scene.
+pub struct Page<'a> {
+    scene: &'a LoadedScene,
+    frame: &'a Frame,
+    text: String,
+}
+
+impl<'a> Page<'a> {
+    /// An empty page.
+    pub fn new(scene: &'a LoadedScene, frame: &'a Frame) -> Self {
+        Page { scene, frame, text: String::new() }
+    }
+
+    /// Everything.
+    pub(super) fn write(mut self, report: &Report<'_>) -> String {
+        let size = format!("pixel {},{} of {}x{}", report.x, report.y, report.width, report.height);
+        self.heading(&size);
+        match report.probe {
+            None => self.line("object", "none is seen there: the background"),
+            Some(probe) => {
+                self.place(probe);
+                self.material(probe);
+                match &probe.interpolated {
+                    Some(_) => self.corners(probe),
+                    None => probe.terms.lights.iter().for_each(|light| self.light(light, probe)),
+                }
+                self.sum(probe);
+            }
+        }
+        self.result(report);
+        self.text
+    }
+
+    fn heading(&mut self, text: &str) {
+        let gap = if self.text.is_empty() { "" } else { "\n" };
+        let _ = writeln!(self.text, "{gap}{HEADING}{text}{HEADING:#}");
+    }
+
+    fn line(&mut self, name: &str, value: &str) {
+        let padding = NAME.saturating_sub(name.chars().count());
+        let _ = writeln!(self.text, "  {name}{:padding$}{value}", "");
+    }
+
+    fn vector(&mut self, name: &str, v: DVec3, remark: &str) {
+        let remark = if remark.is_empty() { String::new() } else { format!("   {remark}") };
+        self.line(name, &format!("{}{}{}{remark}", number(v.x), number(v.y), number(v.z)));
+    }
+
+    fn scalar(&mut self, name: &str, v: f64, remark: &str) {
+        self.line(name, format!("{}   {remark}", number(v)).trim_end());
+    }
+
+    fn place(&mut self, probe: &Probe) {
+        let part = if probe.part_name.is_empty() { String::new() } else { format!(", part `{}`", probe.part_name) };
+        self.line("object", &format!("`{}`{part}", probe.object_name));
+        let [a, b, c] = probe.vertices;
+        let w = probe.barycentrics;
+        self.line(
+            "triangle",
+            &format!("{} (vertices {a}, {b}, {c}, weights {:.4}, {:.4}, {:.4})", probe.triangle, w.x, w.y, w.z),
+        );
+        let side = match (probe.front_facing, probe.normal_turned) {
+            (true, _) => "front",
+            (false, true) => "back, N turned to the viewer",
+            (false, false) => "back",
+        };
+        self.line("side", side);
+        self.line("shading", probe.shading.name());
+        self.vector("position", probe.position, "world space");
+        self.scalar("depth", probe.depth, "from the eye, along the viewing direction");
+        self.vector("N", probe.terms.point.normal, "shading normal");
+        self.vector("N geometric", probe.geometry.geometric_normal, "the triangle's own");
+        self.vector("V", probe.terms.point.view, "to the eye");
+        let uv = probe.geometry.uv;
+        self.line("uv", &format!("{}{}", number(uv.x), number(uv.y)));
+    }
+
+    fn material(&mut self, probe: &Probe) {
+        self.heading(&format!("material `{}`", probe.material_name));
+        let surface = &probe.surface;
+        self.vector("k_a", surface.ambient, "ambient");
+        self.vector("k_d", surface.diffuse, "diffuse");
+        self.vector("k_s", surface.specular, "specular");
+        self.vector("E", surface.emitted, "emitted");
+        self.line("shininess", &format!("{:>11}", short(surface.shininess)));
+        self.line("refraction index", &format!("{:>11}", short(surface.refraction_index)));
+        if probe.opacity < 1.0 || probe.surfaces_behind > 0 {
+            let behind = match probe.surfaces_behind {
+                1 => "1 surface shows through".to_owned(),
+                n => format!("{n} surfaces show through"),
+            };
+            self.scalar("opacity", probe.opacity, &behind);
+        }
+        for texel in &probe.texels {
+            let v = texel.value;
+            self.line(
+                &format!("map {}", texel.map),
+                &format!(
+                    "{}{}{}{}   {} at {:.4}, {:.4}",
+                    number(v.x),
+                    number(v.y),
+                    number(v.z),
+                    number(v.w),
+                    texel.texture,
+                    texel.uv.x,
+                    texel.uv.y
+                ),
+            );
+        }
+    }
+
+    /// `light 2, point "key"`
+    fn light_name(&self, index: usize) -> String {
+        let kind = match self.frame.lights.get(index).map(|l| l.kind) {
+            Some(LightKind::Ambient) => "ambient",
+            Some(LightKind::Directional { .. }) => "directional",
+            Some(LightKind::Point { .. }) => "point",
+            Some(LightKind::Spot { .. }) => "spot",
+            None => "",
+        };
+        match self.scene.scene.lights.get(index).map(|l| l.name.as_str()) {
+            Some(name) if !name.is_empty() => format!("light {index}, {kind} `{name}`"),
+            _ => format!("light {index}, {kind}"),
+        }
+    }
+
+    fn light(&mut self, light: &LightTerms, probe: &Probe) {
+        let name = self.light_name(light.light);
+        self.heading(&name);
+        self.vector("L", light.l, "to the light");
+        self.vector("R", light.r, "L mirrored about N");
+        self.vector("H", light.h, "half of L and V");
+        if light.distance.is_finite() {
+            self.scalar("d", light.distance, "to the light");
+            self.scalar("att", light.attenuation, "");
+        }
+        if matches!(self.frame.lights.get(light.light).map(|l| l.kind), Some(LightKind::Spot { .. })) {
+            self.scalar("spot", light.spot, "");
+        }
+        self.scalar(
+            "N.L",
+            light.cos_theta,
+            if light.cos_theta <= 0.0 { "the light is behind the surface" } else { "" },
+        );
+        self.scalar("R.V", light.r_dot_v, "");
+        self.scalar("N.H", light.n_dot_h, "");
+        self.vector("L_i att spot", light.incident, "");
+        self.scalar("diff", light.diff, self.diff_remark());
+        let shininess = probe.surface.shininess.max(1.0);
+        self.scalar("spec", light.spec, &self.spec_remark(light, shininess));
+        self.vector("diffuse", light.diffuse, "= diff k_d <N.L> L_i att spot");
+        self.vector("specular", light.specular, "= k_s spec L_i att spot");
+    }
+
+    fn diff_remark(&self) -> &'static str {
+        match (self.frame.equation.brdf.is_some(), self.frame.equation.convention) {
+            (true, _) => "1/pi, of the BRDF",
+            (false, Convention::Physical) => "1/pi, physical convention",
+            (false, Convention::Lab) => "lab's convention",
+        }
+    }
+
+    fn spec_remark(&self, light: &LightTerms, shininess: f64) -> String {
+        let equation = &self.frame.equation;
+        if let Some(brdf) = &equation.brdf {
+            return format!("{} lobe times <N.L>", brdf.kind);
+        }
+        let shininess = short(shininess);
+        let (symbol, cosine) = match equation.specular {
+            Specular::None => return "no specular model".into(),
+            Specular::Phong => ("R.V", light.r_dot_v),
+            Specular::BlinnPhong => ("N.H", light.n_dot_h),
+        };
+        let mut remark = format!("<{symbol}>^shininess = {}^{shininess}", short(cosine.max(0.0)));
+        if equation.cosine_weighted {
+            remark += ", times <N.L>";
+        }
+        if equation.gated && light.cos_theta <= 0.0 {
+            remark += ", but N.L <= 0: 0";
+        }
+        remark
+    }
+
+    /// Gouraud and flat per face: the equation is evaluated elsewhere.
+    fn corners(&mut self, probe: &Probe) {
+        let at_corners = probe.at_vertices.len() == 3;
+        for (k, terms) in probe.at_vertices.iter().enumerate() {
+            if at_corners {
+                self.heading(&format!("corner {k}, vertex {}, weight {:.4}", probe.vertices[k], probe.barycentrics[k]));
+            } else {
+                self.heading("centroid of the triangle");
+            }
+            self.corner(terms);
+        }
+        if let Some(sums) = &probe.interpolated {
+            self.heading(if at_corners { "light, interpolated" } else { "light" });
+            self.vector("diffuse light", sums.diffuse, "sum of diff <N.L> L_i att spot");
+            self.vector("specular light", sums.specular, "sum of spec L_i att spot");
+        }
+    }
+
+    fn corner(&mut self, terms: &Terms) {
+        self.vector("position", terms.point.position, "");
+        self.vector("N", terms.point.normal, "");
+        self.vector("V", terms.point.view, "");
+        for light in &terms.lights {
+            let name = self.light_name(light.light);
+            let cosines = format!(
+                "N.L{}  R.V{}  N.H{}  att{}  spot{}",
+                number(light.cos_theta),
+                number(light.r_dot_v),
+                number(light.n_dot_h),
+                number(light.attenuation),
+                number(light.spot)
+            );
+            self.line(&name, "");
+            self.line("", &cosines);
+            self.vector("  diffuse light", light.diffuse_light, "");
+            self.vector("  specular light", light.specular_light, "");
+        }
+    }
+
+    fn sum(&mut self, probe: &Probe) {
+        self.heading("sum");
+        let terms = &probe.terms;
+        self.vector("A", terms.ambient, "= k_a times the ambient lights");
+        self.vector("E", terms.emitted, "");
+        match &probe.interpolated {
+            Some(sums) => {
+                self.vector("diffuse", probe.surface.diffuse * sums.diffuse, "= k_d times the diffuse light");
+                self.vector("specular", probe.surface.specular * sums.specular, "= k_s times the specular light");
+            }
+            None => {
+                for light in &terms.lights {
+                    self.vector(&format!("light {} diffuse", light.light), light.diffuse, "");
+                    self.vector(&format!("light {} specular", light.light), light.specular, "");
+                }
+            }
+        }
+        self.vector("L_o", probe.radiance, "");
+        self.equation(probe);
+    }
+
+    /// The equation in symbols, and once per channel in numbers, a light a line.
+    fn equation(&mut self, probe: &Probe) {
+        let symbols = match probe.interpolated {
+            Some(_) => "L_o = A + E + k_d diffuse light + k_s specular light",
+            None => "L_o = A + E + sum of [ diff k_d <N.L> + k_s spec ] L_i att spot",
+        };
+        let _ = writeln!(self.text, "\n  {symbols}");
+        let (terms, surface) = (&probe.terms, &probe.surface);
+        for (c, channel) in ["red", "green", "blue"].into_iter().enumerate() {
+            let (a, e, total) = (short(terms.ambient[c]), short(terms.emitted[c]), short(probe.radiance[c]));
+            let (k_d, k_s) = (short(surface.diffuse[c]), short(surface.specular[c]));
+            let _ = write!(self.text, "  {channel:6}{total:>9} = {a} + {e}");
+            if let Some(sums) = &probe.interpolated {
+                let (diffuse, specular) = (short(sums.diffuse[c]), short(sums.specular[c]));
+                let _ = write!(self.text, " + {k_d} * {diffuse} + {k_s} * {specular}");
+            } else {
+                for light in &terms.lights {
+                    let cosine = short(light.cos_theta.max(0.0));
+                    let (diff, spec, incident) = (short(light.diff), short(light.spec), short(light.incident[c]));
+                    let product = format!("+ [{diff} * {k_d} * {cosine} + {k_s} * {spec}] * {incident}");
+                    let _ = write!(self.text, "\n{:18}{product:60}light {}", "", light.light);
+                }
+            }
+            self.text.push('\n');
+        }
+        if self.has_switches() {
+            let _ = writeln!(self.text, "  (terms that are switched off count as 0, attenuation and spot as 1)");
+        }
+    }
+
+    fn has_switches(&self) -> bool {
+        self.frame.equation.terms != gonio_light::TermSwitches::default()
+    }
+
+    fn result(&mut self, report: &Report<'_>) {
+        self.heading("value");
+        let rgba = |v: [f64; 4]| v.map(number).concat();
+        self.line(
+            "CPU reference",
+            &format!("{}   linear RGBA, {} as displayed", rgba(report.reference), report.displayed),
+        );
+        if let Some(GpuValue { renderer, value, difference }) = &report.gpu {
+            self.line("OpenGL", &format!("{}   {renderer}", rgba(value.map(f64::from))));
+            self.line("difference", &format!("{:>11.2e}   the largest of the four", difference));
+        }
+    }
+}
+
+/// [`number`] without padding and trailing zeros.
+fn short(v: f64) -> String {
+    let text = number(v).trim().to_owned();
+    let plain = text.contains('.') && !text.contains('e');
+    if plain { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
+/// Eleven columns: five decimals, or an exponent where that would hide the number.
+fn number(v: f64) -> String {
+    if v == 0.0 {
+        return format!("{:>11}", "0");
+    }
+    if (1e-4..1e5).contains(&v.abs()) { format!("{v:>11.5}") } else { format!("{v:>11.3e}") }
+}

@@ -1,0 +1,89 @@
+//! `gonio render --json`.
+
+use super::{Done, RenderArgs};
+use crate::backend::{Backend, BackendReport, Counts};
+use crate::report::Times;
+use gonio_mesh::Diagnostic;
+use gonio_scene::LoadedScene;
+use gonio_scene::description::Shading;
+use serde::Serialize;
+use std::collections::BTreeSet;
+
+/// The whole report. Times are milliseconds, sizes pixels.
+#[derive(Serialize)]
+pub struct Report<'a> {
+    command: &'static str,
+    inputs: &'a [String],
+    outputs: Vec<String>,
+    backend: BackendReport,
+    width: u32,
+    height: u32,
+    samples: u32,
+    frames: u32,
+    shading: Vec<Shading>,
+    debug: Option<String>,
+    views: Vec<String>,
+    scene: SceneCounts,
+    drawn: Counts,
+    times_ms: serde_json::Value,
+    warnings: &'a [Diagnostic],
+    notes: &'a [String],
+}
+
+/// How much there is.
+#[derive(Serialize)]
+pub struct SceneCounts {
+    objects: usize,
+    triangles: usize,
+    vertices: usize,
+    materials: usize,
+    textures: usize,
+    lights: usize,
+}
+
+impl SceneCounts {
+    /// A mesh that stands in several places counts several times.
+    pub fn of(scene: &LoadedScene) -> Self {
+        let meshes = || scene.objects.iter().filter_map(|o| scene.meshes.get(o.mesh));
+        SceneCounts {
+            objects: scene.objects.len(),
+            triangles: meshes().map(|m| m.triangle_count()).sum(),
+            vertices: meshes().map(|m| m.positions.len()).sum(),
+            materials: scene.materials.len(),
+            textures: scene.textures.len(),
+            lights: scene.scene.lights.len(),
+        }
+    }
+}
+
+impl<'a> Report<'a> {
+    /// Of a finished run.
+    pub fn new(
+        args: &'a RenderArgs,
+        scene: &'a LoadedScene,
+        backend: &Backend<'_>,
+        times: &Times,
+        done: &'a Done,
+    ) -> Self {
+        let picture = &scene.scene.picture;
+        let shading: BTreeSet<Shading> = scene.objects.iter().map(|o| o.shading).collect();
+        Report {
+            command: "render",
+            inputs: &args.inputs,
+            outputs: done.files.iter().map(|p| p.display().to_string()).collect(),
+            backend: backend.report(),
+            width: picture.width,
+            height: picture.height,
+            samples: picture.samples,
+            frames: args.frames.unwrap_or(1),
+            shading: shading.into_iter().collect(),
+            debug: args.debug.map(|v| v.to_string()),
+            views: args.views.iter().map(ToString::to_string).collect(),
+            scene: SceneCounts::of(scene),
+            drawn: done.counts,
+            times_ms: times.to_json(),
+            warnings: &scene.diagnostics,
+            notes: &done.notes,
+        }
+    }
+}

@@ -1,0 +1,284 @@
+//! A small markup for formulas in captions and equations, and what becomes of it: MathML and HTML on the
+//! page, pieces of text on the sheet.
+//!
+//! `_x`, `_{..}` below; `^x`, `^{..}` above; `\f{a}{b}` a fraction; `!{..}` stressed; `~{..}` faded;
+//! `{..}` belongs together. All else is itself; nothing is an error.
+
+/// How something stands out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Style {
+    /// Not at all.
+    #[default]
+    Plain,
+    /// In play.
+    Stressed,
+    /// Not in play.
+    Faded,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum Node {
+    Text(String),
+    Group(Style, Vec<Node>),
+    Below(Vec<Node>),
+    Above(Vec<Node>),
+    Fraction(Vec<Node>, Vec<Node>),
+}
+
+/// A piece of text on one line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// What stands there.
+    pub text: String,
+    /// Relative to the line's size.
+    pub size: f32,
+    /// Upwards, relative to the line's size.
+    pub rise: f32,
+    /// How it stands out.
+    pub style: Style,
+}
+
+/// For the sheet: runs of text.
+pub fn runs(markup: &str) -> Vec<Run> {
+    fn walk(nodes: &[Node], size: f32, rise: f32, style: Style, to: &mut Vec<Run>) {
+        for node in nodes {
+            match node {
+                Node::Text(text) => to.push(Run { text: text.clone(), size, rise, style }),
+                Node::Group(own, inner) => walk(inner, size, rise, if *own == Style::Plain { style } else { *own }, to),
+                Node::Below(inner) => walk(inner, 0.7 * size, rise - 0.16 * size, style, to),
+                Node::Above(inner) => walk(inner, 0.7 * size, rise + 0.32 * size, style, to),
+                Node::Fraction(over, under) => {
+                    walk(over, size, rise, style, to);
+                    to.push(Run { text: " / ".into(), size, rise, style });
+                    walk(under, size, rise, style, to);
+                }
+            }
+        }
+    }
+    let mut to = Vec::new();
+    walk(&parse(markup), 1.0, 0.0, Style::Plain, &mut to);
+    to
+}
+
+/// For a sentence of the page.
+pub fn html(markup: &str) -> String {
+    fn walk(nodes: &[Node], to: &mut String) {
+        for node in nodes {
+            let (open, inner, close) = match node {
+                Node::Text(text) => {
+                    to.push_str(&escape(text));
+                    continue;
+                }
+                Node::Fraction(over, under) => {
+                    walk(over, to);
+                    to.push('/');
+                    walk(under, to);
+                    continue;
+                }
+                Node::Group(Style::Plain, inner) => ("", inner, ""),
+                Node::Group(Style::Stressed, inner) => ("<b>", inner, "</b>"),
+                Node::Group(Style::Faded, inner) => ("<span class=\"off\">", inner, "</span>"),
+                Node::Below(inner) => ("<sub>", inner, "</sub>"),
+                Node::Above(inner) => ("<sup>", inner, "</sup>"),
+            };
+            to.push_str(open);
+            walk(inner, to);
+            to.push_str(close);
+        }
+    }
+    let mut to = String::new();
+    walk(&parse(markup), &mut to);
+    to
+}
+
+/// A formula of the page.
+pub fn mathml(markup: &str) -> String {
+    format!("<math>{}</math>", row(&parse(markup)))
+}
+
+/// Text in HTML.
+pub fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// Something that may have an index and an exponent.
+#[derive(Default)]
+struct Atom {
+    base: String,
+    below: Option<String>,
+    above: Option<String>,
+}
+
+fn row(nodes: &[Node]) -> String {
+    let mut atoms: Vec<Atom> = Vec::new();
+    for node in nodes {
+        match node {
+            Node::Text(text) => tokens(text, &mut atoms),
+            Node::Group(style, inner) => {
+                let class = match style {
+                    Style::Plain => "",
+                    Style::Stressed => " class=\"on\"",
+                    Style::Faded => " class=\"off\"",
+                };
+                atoms.push(Atom { base: format!("<mrow{class}>{}</mrow>", row(inner)), ..Atom::default() });
+            }
+            Node::Fraction(over, under) => {
+                let base = format!("<mfrac><mrow>{}</mrow><mrow>{}</mrow></mfrac>", row(over), row(under));
+                atoms.push(Atom { base, ..Atom::default() });
+            }
+            Node::Below(inner) | Node::Above(inner) => {
+                if atoms.is_empty() {
+                    atoms.push(Atom { base: "<mrow></mrow>".into(), ..Atom::default() });
+                }
+                if let Some(last) = atoms.last_mut() {
+                    let script = Some(format!("<mrow>{}</mrow>", row(inner)));
+                    match node {
+                        Node::Below(_) => last.below = script,
+                        _ => last.above = script,
+                    }
+                }
+            }
+        }
+    }
+    atoms
+        .into_iter()
+        .map(|Atom { base, below, above }| match (below, above) {
+            (None, None) => base,
+            (Some(below), None) => format!("<msub>{base}{below}</msub>"),
+            (None, Some(above)) => format!("<msup>{base}{above}</msup>"),
+            (Some(below), Some(above)) => format!("<msubsup>{base}{below}{above}</msubsup>"),
+        })
+        .collect()
+}
+
+/// Identifiers, numbers and operators; blanks between words and wide blanks are kept.
+fn tokens(text: &str, atoms: &mut Vec<Atom>) {
+    let mut rest = text;
+    let mut blanks = 0;
+    while let Some(first) = rest.chars().next() {
+        let run = |belongs: fn(char) -> bool| rest.find(|c| !belongs(c)).unwrap_or(rest.len());
+        let is_digit = |c: char| c.is_ascii_digit() || c == '.';
+        let (length, tag) = if first.is_whitespace() {
+            blanks += 1;
+            rest = &rest[first.len_utf8()..];
+            continue;
+        } else if first.is_alphabetic() && !"Σ∂".contains(first) {
+            (run(|c| c.is_alphabetic() && !"Σ∂".contains(c)), "mi")
+        } else if is_digit(first) {
+            (run(|c| c.is_ascii_digit() || c == '.'), "mn")
+        } else {
+            (first.len_utf8(), "mo")
+        };
+        let after_word = atoms.last().is_some_and(|a| a.base.starts_with("<mi>"));
+        if blanks > 1 || (blanks == 1 && tag == "mi" && after_word) {
+            let width = if blanks > 1 { "1em" } else { "0.3em" };
+            atoms.push(Atom { base: format!("<mspace width=\"{width}\"/>"), ..Atom::default() });
+        }
+        blanks = 0;
+        let fixed = if tag == "mo" && "⟨⟩|()[]".contains(first) { " stretchy=\"false\"" } else { "" };
+        let base = format!("<{tag}{fixed}>{}</{tag}>", escape(&rest[..length]));
+        atoms.push(Atom { base, ..Atom::default() });
+        rest = &rest[length..];
+    }
+}
+
+fn parse(markup: &str) -> Vec<Node> {
+    let mut rest = markup;
+    nodes(&mut rest, 0)
+}
+
+/// Deeper than any formula; braces beyond are taken as they are.
+const DEEPEST: usize = 16;
+
+fn nodes(rest: &mut &str, depth: usize) -> Vec<Node> {
+    let mut nodes_here: Vec<Node> = Vec::new();
+    let text = |here: &mut Vec<Node>, c: char| match here.last_mut() {
+        Some(Node::Text(text)) => text.push(c),
+        _ => here.push(Node::Text(c.into())),
+    };
+    while let Some(c) = rest.chars().next() {
+        if c == '}' && depth > 0 {
+            break;
+        }
+        let node = if depth >= DEEPEST {
+            None
+        } else if rest.starts_with("!{") {
+            *rest = &rest[1..];
+            Some(Node::Group(Style::Stressed, argument(rest, depth)))
+        } else if rest.starts_with("~{") {
+            *rest = &rest[1..];
+            Some(Node::Group(Style::Faded, argument(rest, depth)))
+        } else if rest.starts_with("\\f{") {
+            *rest = &rest[2..];
+            let over = argument(rest, depth);
+            Some(Node::Fraction(over, argument(rest, depth)))
+        } else if c == '{' {
+            Some(Node::Group(Style::Plain, argument(rest, depth)))
+        } else if (c == '_' || c == '^') && rest.len() > 1 {
+            *rest = &rest[1..];
+            let inner = argument(rest, depth);
+            Some(if c == '_' { Node::Below(inner) } else { Node::Above(inner) })
+        } else {
+            None
+        };
+        match node {
+            Some(node) => nodes_here.push(node),
+            None => {
+                text(&mut nodes_here, c);
+                *rest = &rest[c.len_utf8()..];
+            }
+        }
+    }
+    nodes_here
+}
+
+/// `{..}` or one character.
+fn argument(rest: &mut &str, depth: usize) -> Vec<Node> {
+    if let Some(inside) = rest.strip_prefix('{') {
+        *rest = inside;
+        let inner = nodes(rest, depth + 1);
+        *rest = rest.strip_prefix('}').unwrap_or(rest);
+        return inner;
+    }
+    match rest.chars().next() {
+        Some(c) => {
+            *rest = &rest[c.len_utf8()..];
+            vec![Node::Text(c.into())]
+        }
+        None => Vec::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_formula_becomes_mathml() {
+        assert_eq!(
+            mathml("k_d^2 + \\f{1}{π}"),
+            "<math><msubsup><mi>k</mi><mrow><mi>d</mi></mrow><mrow><mn>2</mn></mrow></msubsup><mo>+</mo>\
+             <mfrac><mrow><mn>1</mn></mrow><mrow><mi>π</mi></mrow></mfrac></math>"
+        );
+        assert!(mathml("!{N·L}").contains("<mrow class=\"on\"><mi>N</mi><mo>·</mo><mi>L</mi></mrow>"));
+        assert!(mathml("a < b").contains("<mo>&lt;</mo>"));
+        assert!(mathml("cos θ").contains("<mspace"));
+    }
+
+    #[test]
+    fn a_caption_becomes_html_and_runs() {
+        assert_eq!(html("att = 1 / (1 + d^2)"), "att = 1 / (1 + d<sup>2</sup>)");
+        let runs = runs("k_d ~{x}");
+        let texts: Vec<&str> = runs.iter().map(|r| r.text.as_str()).collect();
+        assert_eq!(texts, ["k", "d", " ", "x"]);
+        assert!(runs[1].rise < 0.0 && runs[1].size < 1.0 && runs[3].style == Style::Faded);
+    }
+
+    #[test]
+    fn unfinished_markup_is_no_trouble() {
+        for text in ["{", "}", "_", "a_", "^", "\\f{", "\\f{a", "!{", "a}b", &"{".repeat(1000), &"^".repeat(1000)] {
+            let _ = (mathml(text), html(text), runs(text));
+        }
+        assert_eq!(html("a}b"), "a}b");
+    }
+}

@@ -1,0 +1,129 @@
+//! `gonio tour`: every technique on several models.
+//!
+//! [`sections`] says what is shown, [`draw`] draws it, [`sheet`] and [`page`] put it together. A new
+//! technique adds itself by a file in [`sections`].
+
+mod canvas;
+mod draw;
+mod exhibit;
+mod layout;
+mod maths;
+mod page;
+mod report;
+mod sections;
+mod sheet;
+
+use crate::cli::{BackendOptions, WordOptions};
+use crate::output::{atomic, png};
+use crate::report::{CliError, Outcome, Reporter, Times};
+use crate::values;
+use clap::Args;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// Draw every technique on several models: a contact sheet and a web page.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  gonio tour -o tour
+      Then open tour/index.html; tour/sheet.png has all pictures on one sheet.
+  gonio tour -o tour --backend cpu
+      The same without OpenGL.
+  gonio render tour/scenes/suzanne.toml -o suzanne.png
+      One of the pictures again, from its scene.
+
+The tour needs no files and no network: its models are built in.")]
+pub struct TourArgs {
+    /// The folder to write to; made where it is missing, updated where it is there.
+    #[arg(long, short, value_name = "DIR", default_value = "tour")]
+    pub output: PathBuf,
+    /// Size of everything, 1 by default (for tests).
+    #[arg(long, hide = true, value_name = "FACTOR", value_parser = scale, default_value = "1")]
+    pub scale: f64,
+    /// Who draws.
+    #[command(flatten)]
+    pub backend: BackendOptions,
+    /// What is said.
+    #[command(flatten)]
+    pub words: WordOptions,
+}
+
+fn scale(text: &str) -> Result<f64, String> {
+    match values::number(text)? {
+        factor if (0.05..=2.0).contains(&factor) => Ok(factor),
+        _ => Err(format!("`{text}` is no scale of the tour; 0.05 to 2 is wanted")),
+    }
+}
+
+/// Where the tour's files are.
+pub struct Folder(PathBuf);
+
+impl Folder {
+    /// Makes what is missing, and finds out whether files can be written.
+    fn new(path: &Path) -> Result<Self, CliError> {
+        let folder = Folder(path.to_owned());
+        for inner in [path.to_owned(), path.join("pictures"), path.join("scenes")] {
+            if inner.exists() && !inner.is_dir() {
+                return Err(CliError::new(format!(
+                    "`{}` is a file; the tour needs a folder of its own there, name another one with -o",
+                    inner.display()
+                )));
+            }
+            std::fs::create_dir_all(&inner)
+                .map_err(|e| CliError::io(format_args!("the folder `{}` cannot be made", inner.display()), &e))?;
+        }
+        atomic::check_writable(&folder.sheet())?;
+        atomic::check_writable(&folder.page())?;
+        Ok(folder)
+    }
+
+    /// A picture's file.
+    pub fn picture(&self, name: &str) -> PathBuf {
+        self.0.join("pictures").join(format!("{name}.png"))
+    }
+
+    /// A scene's file.
+    pub fn scene(&self, name: &str) -> PathBuf {
+        self.0.join("scenes").join(format!("{name}.toml"))
+    }
+
+    /// The contact sheet.
+    pub fn sheet(&self) -> PathBuf {
+        self.0.join("sheet.png")
+    }
+
+    /// The web page.
+    pub fn page(&self) -> PathBuf {
+        self.0.join("index.html")
+    }
+}
+
+/// Draws the tour.
+pub fn run(args: &TourArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
+    let start = Instant::now();
+    let times = Times::default();
+    let sections = sections::all()?;
+    let layout = layout::Layout::new(&sections, args.scale);
+    let folder = Folder::new(&args.output)?;
+    let drawn = draw::all(args, &folder, &sections, &layout, reporter, &times)?;
+    let foot = format!("{} pictures, {}", drawn.shown.len(), drawn.sentence);
+    let sheet = times.measure("sheet", || sheet::compose(&sections, &layout, &drawn.shown, &foot))?;
+    times.measure("write", || -> Result<(), CliError> {
+        atomic::write(&folder.sheet(), &png::encode8(&sheet.encoded(), png::Meaning::Srgb)?)?;
+        // The page last: whatever it names is there.
+        atomic::write(&folder.page(), page::write(&sections, &drawn).as_bytes())
+    })?;
+    times.add("total", start.elapsed());
+    if reporter.json() {
+        let size = (sheet.width, sheet.height);
+        reporter.report(&report::Report::new(args, &folder, &sections, &drawn, size, &times))?;
+    } else {
+        reporter.note(format!(
+            "{} pictures in {:.1} s; open {}",
+            drawn.shown.len(),
+            start.elapsed().as_secs_f64(),
+            folder.page().display()
+        ));
+    }
+    Ok(Outcome::Done)
+}

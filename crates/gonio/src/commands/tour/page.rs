@@ -1,0 +1,97 @@
+//! `index.html`: one file with its style in it, no scripts, no network.
+
+use super::draw::{Result, Shown, grouped};
+use super::exhibit::Section;
+use super::maths::{escape, html, mathml};
+
+const STYLE: &str = include_str!("page.css");
+
+/// The page. Pictures and scenes are named relative to it.
+pub fn write(sections: &[Section], drawn: &Result<'_>) -> String {
+    let mut page = String::with_capacity(64 * 1024);
+    let whole = sections.first().map_or("", |s| s.equation);
+    page += &format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <title>gonio: a tour of the light equation</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<header>\n\
+         <h1>gonio</h1>\n<p>The light lab: every technique on several models.</p>\n\
+         <div class=\"formula\">{}</div>\n\
+         <p>{} pictures, {}. Under each: the equation with the terms in play, what to look at, and the command that \
+         makes it again. All on <a href=\"sheet.png\">one sheet</a>.</p>\n<nav>\n",
+        mathml(whole),
+        drawn.shown.len(),
+        escape(&drawn.sentence),
+    );
+    for section in sections.iter().filter(|s| !s.title.is_empty()) {
+        page += &format!("<a href=\"#{}\">{}</a>\n", section.id, html(section.title));
+    }
+    page += "</nav>\n</header>\n<main>\n";
+    let mut shown = drawn.shown.iter();
+    for (index, section) in sections.iter().enumerate() {
+        let class = if index == 0 { " class=\"first\"" } else { "" };
+        page += &format!("<section id=\"{}\"{class}>\n", section.id);
+        if !section.title.is_empty() {
+            page += &format!(
+                "<h2>{}</h2>\n<div class=\"formula\">{}</div>\n<p>{}</p>\n",
+                html(section.title),
+                mathml(section.equation),
+                html(section.introduction)
+            );
+        }
+        for row in &section.rows {
+            let class = if row.len() <= 2 { "row large" } else { "row" };
+            page += &format!("<div class=\"{class}\">\n");
+            for shown in shown.by_ref().take(row.len()) {
+                page += &figure(shown);
+            }
+            page += "</div>\n";
+        }
+        page += "</section>\n";
+    }
+    page += &format!(
+        "</main>\n<footer>Made by <code>gonio tour</code> {}. Differences are those of a small picture with one sample \
+         for each pixel, in steps of 1/255; filters of textures are the driver's own, so mipmapped and anisotropic \
+         pictures differ most. Milliseconds are from the first draw call to the picture in memory.</footer>\n\
+         </body>\n</html>\n",
+        env!("CARGO_PKG_VERSION")
+    );
+    page
+}
+
+fn figure(shown: &Shown<'_>) -> String {
+    let exhibit = shown.exhibit;
+    let name = escape(&exhibit.name);
+    let difference = match &shown.difference {
+        Some(d) => format!(
+            "max {}, mean {:.3}; {:.2} % of pixels within 1",
+            d.max,
+            d.mean,
+            // Rounded down: 100 is said only where it is all of them.
+            (d.within_one * 1e4).floor() / 100.0
+        ),
+        None => "n/a: drawn by the CPU".to_owned(),
+    };
+    let count = |n: Option<u64>| n.map_or_else(|| "not counted by this driver".to_owned(), grouped);
+    let alt: String = super::maths::runs(&exhibit.caption).into_iter().map(|r| r.text).collect();
+    format!(
+        "<figure id=\"{name}\">\n<a href=\"pictures/{name}.png\"><img src=\"pictures/{name}.png\" width=\"{}\" \
+         height=\"{}\" alt=\"{}\" loading=\"lazy\"></a>\n<figcaption>\n<h3>{}</h3>\n<p>{}</p>\n\
+         <div class=\"formula\">{}</div>\n<p>{}</p>\n<dl>\n<dt>GPU against CPU</dt><dd>{difference}</dd>\n\
+         <dt>drawn in</dt><dd>{:.1} ms at {} × {}</dd>\n<dt>vertices lit</dt><dd>{}</dd>\n\
+         <dt>fragments lit</dt><dd>{}</dd>\n<dt>scene</dt><dd><a href=\"scenes/{name}.toml\">{name}.toml</a></dd>\n</dl>\n\
+         <code>{}</code>\n</figcaption>\n</figure>\n",
+        shown.width,
+        shown.height,
+        escape(&alt),
+        html(&exhibit.caption),
+        html(&shown.remark()),
+        mathml(&exhibit.equation),
+        html(&exhibit.look),
+        shown.ms,
+        shown.width,
+        shown.height,
+        count(shown.counts.vertices),
+        count(shown.counts.fragments),
+        escape(&shown.command),
+    )
+}

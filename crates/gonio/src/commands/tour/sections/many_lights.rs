@@ -1,0 +1,107 @@
+//! Hundreds of small lights in one pass.
+
+use super::super::exhibit::{Exhibit, Section, Stage};
+use crate::report::CliError;
+use gonio_scene::color_value::Color;
+use gonio_scene::description::{LightSourceKind, LightSpec};
+use std::f64::consts::{PI, TAU};
+
+/// On the floor; a thousand work as well, and take as much longer.
+const CARPET: usize = 200;
+/// Around Suzanne.
+const RING: usize = 24;
+
+/// A carpet and a ring of lights.
+pub fn section() -> Result<Section, CliError> {
+    Ok(Section {
+        id: "many-lights",
+        title: "Many lights",
+        equation: "Σ_i,  i = 1 … 200",
+        introduction: "The sum has no limit of eight: the lights lie in a table that the shader walks through.",
+        rows: vec![vec![carpet()?, ring()?]],
+    })
+}
+
+fn carpet() -> Result<Exhibit, CliError> {
+    let scene = Stage::StillLife.with(|s| {
+        s.lights.truncate(1);
+        s.lights[0].intensity = Some(0.05);
+        s.lights.extend((0..CARPET).map(carpet_light));
+        s.picture.exposure = 0.1;
+        s.camera.position = Some([2.7, 3.6, 8.4]);
+        s.camera.target = Some([0.1, 0.42, -0.1]);
+        s.camera.fov_y = Some(25.0);
+    })?;
+    Ok(Exhibit::new("many-lights", format!("{CARPET} point lights in one pass"), scene)
+        .aspect(1.9)
+        .exact()
+        .remark("a sunflower of lamps a hand above the floor, each fading with 1 / (0.35 + 14 d^2)")
+        .tells(
+            "L_o = A + E + !{Σ_{i=1}^{200}} [ k_d ⟨N·L_i⟩ + k_s spec_i ] L_i !{att_i}",
+            "Every fragment sums all lights. Each pool of light on the floor is one of them; in the dark squares and on \
+             the crate each has its own small mirror image.",
+        ))
+}
+
+fn ring() -> Result<Exhibit, CliError> {
+    let pearl = Some(Color::grey(0.3));
+    let scene = Stage::Suzanne.with(|s| {
+        s.lights.truncate(1);
+        s.lights[0].intensity = Some(0.04);
+        s.lights.extend((0..RING).map(|i| {
+            let share = i as f64 / RING as f64;
+            let (x, y) = (2.3 * (TAU * share).cos(), 2.3 * (TAU * share).sin());
+            LightSpec {
+                kind: LightSourceKind::Point,
+                position: Some([x + 0.1, y, 1.6].map(tidy)),
+                color: Some(Color(rainbow(share, 0.85))),
+                intensity: Some(0.34),
+                constant: Some(1.0),
+                quadratic: Some(0.25),
+                ..LightSpec::default()
+            }
+        }));
+        let material = &mut s.objects[0].material;
+        (material.ambient, material.diffuse) = (pearl, pearl);
+        (material.specular, material.shininess) = (Some(Color::grey(0.7)), Some(60.0));
+    })?;
+    Ok(Exhibit::new("ring-of-lights", format!("{RING} lights in a ring"), scene)
+        .exact()
+        .remark("grey all over: every colour here is a light's")
+        .tells(
+            "L_o = A + !{Σ_{i=1}^{24}} [ k_d ⟨N·L_i⟩ + k_s spec_i ] !{L_i} att_i",
+            "A colour wheel of lamps around a grey head: what faces a lamp takes its colour, and where lamps mix the \
+             grey returns.",
+        ))
+}
+
+/// Light `i` of a sunflower's seeds: the golden angle apart, evenly spread over the floor.
+fn carpet_light(i: usize) -> LightSpec {
+    let golden_angle = PI * (3.0 - 5f64.sqrt());
+    let (radius, angle) = (4.0 * ((i as f64 + 0.5) / CARPET as f64).sqrt(), i as f64 * golden_angle);
+    let (x, z) = (radius * angle.cos(), radius * angle.sin());
+    let hue = z.atan2(x) / TAU + 0.58 + 0.06 * (i as f64 * 12.99).sin();
+    LightSpec {
+        kind: LightSourceKind::Point,
+        position: Some([x, 0.18, z].map(tidy)),
+        color: Some(Color(rainbow(hue, 0.82))),
+        intensity: Some(0.6),
+        constant: Some(0.35),
+        quadratic: Some(14.0),
+        ..LightSpec::default()
+    }
+}
+
+/// A soft colour wheel, linear RGB: three cosines a third of a turn apart, deepened, with white mixed in.
+fn rainbow(hue: f64, saturation: f64) -> [f64; 3] {
+    [0.0, 1.0 / 3.0, 2.0 / 3.0].map(|shift| {
+        let wave = 0.5 + 0.5 * (TAU * (hue - shift)).cos();
+        tidy(wave.powf(1.5) * saturation + 1.0 - saturation)
+    })
+}
+
+/// To three decimals: a scene file that a person likes to read.
+fn tidy(v: f64) -> f64 {
+    // A zero without sign prints better.
+    (v * 1e3).round() / 1e3 + 0.0
+}

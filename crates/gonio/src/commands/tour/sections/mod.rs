@@ -1,0 +1,75 @@
+//! The registry of the tour: a new capability writes a section in a file of its own and adds a line
+//! here.
+
+mod brdfs;
+mod hero;
+mod lights;
+mod many_lights;
+mod shading;
+mod specular;
+mod terms;
+mod textures;
+mod triangles;
+mod views;
+
+use super::exhibit::Section;
+use crate::report::CliError;
+
+/// Makes a section.
+type Maker = fn() -> Result<Section, CliError>;
+
+/// In the order of the sheet.
+const SECTIONS: [Maker; 10] = [
+    hero::section,
+    shading::section,
+    terms::section,
+    lights::section,
+    specular::section,
+    brdfs::section,
+    views::section,
+    triangles::section,
+    textures::section,
+    many_lights::section,
+];
+
+/// Every section.
+pub fn all() -> Result<Vec<Section>, CliError> {
+    SECTIONS.iter().map(|make| make()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::super::exhibit::Stage;
+    use super::*;
+    use std::collections::HashSet;
+    use std::path::Path;
+
+    #[test]
+    fn every_exhibit_is_complete_and_its_scene_loads() {
+        let sections = all().unwrap();
+        let mut names = HashSet::new();
+        let mut count = 0;
+        for exhibit in sections.iter().flat_map(|s| s.rows.iter().flatten()) {
+            let name = &exhibit.name;
+            count += 1;
+            assert!(names.insert(name.clone()), "{name} twice");
+            assert!(name.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-'), "{name}");
+            assert!(!exhibit.caption.is_empty() && !exhibit.equation.is_empty(), "{name}");
+            assert!(exhibit.look.ends_with('.'), "{name}: {}", exhibit.look);
+            assert_eq!(exhibit.remark.is_empty(), exhibit.counts_as_remark, "{name}");
+            // Works in any folder: nothing but built-in files.
+            let files = gonio_scene::files::BuiltinOnly;
+            let loaded = gonio_scene::load::load(exhibit.scene.clone(), Path::new(""), &files).unwrap();
+            assert!(loaded.diagnostics.is_empty(), "{name}: {:?}", loaded.diagnostics);
+        }
+        assert!(count >= 50, "{count}");
+    }
+
+    #[test]
+    fn every_stage_reads() {
+        for stage in Stage::ALL {
+            assert!(!stage.scene().unwrap().lights.is_empty(), "{stage:?}");
+        }
+    }
+}

@@ -1,0 +1,82 @@
+//! Where the equation is evaluated.
+
+use super::super::exhibit::{Exhibit, Section, Stage};
+use crate::report::CliError;
+use gonio_scene::description::{Normals, Shading};
+
+/// Flat, flat per face, Gouraud, Phong on a sphere of 224 triangles, and on Suzanne.
+pub fn section() -> Result<Section, CliError> {
+    let sphere = |name: &str, caption: &str, remark: &str, shading, equation: &str, look: &str| {
+        let scene = Stage::Sphere.with(|s| s.objects[0].shading = shading)?;
+        Ok::<_, CliError>(Exhibit::new(name, caption, scene).remark(remark).tells(equation, look))
+    };
+    let suzanne = |name: &str, caption: &str, remark: &str, shading, normals, look: &str| {
+        let scene = Stage::Suzanne.with(|s| {
+            s.objects[0].shading = shading;
+            s.objects[0].normals = normals;
+            s.camera.fov_y = Some(21.0);
+            s.camera.target = Some([-0.04, 0.1, 0.3]);
+        })?;
+        Ok::<_, CliError>(Exhibit::new(name, caption, scene).remark(remark).tells("L_o = A + E + Σ_i … !{N}", look))
+    };
+    let spheres = vec![
+        sphere(
+            "flat",
+            "flat",
+            "N of the triangle",
+            Shading::Flat,
+            "!{N} = {(p_1 − p_0) × (p_2 − p_0)} / |…|",
+            "One normal for each triangle, L and V at every fragment: facets, and in them a little of the highlight.",
+        )?,
+        sphere(
+            "flat-per-face",
+            "flat, per face",
+            "once for each triangle",
+            Shading::FlatPerFace,
+            "L_o ( !{\\f{p_0 + p_1 + p_2}{3}} )",
+            "The whole equation once for each triangle, at its centroid: every facet has one colour.",
+        )?,
+        sphere(
+            "gouraud",
+            "Gouraud",
+            "at the vertices",
+            Shading::Gouraud,
+            "L_o = α !{L_o(p_0)} + β !{L_o(p_1)} + γ !{L_o(p_2)}",
+            "Light at the vertices, interpolated. Where a highlight falls between vertices it is dim and has corners.",
+        )?,
+        sphere(
+            "phong",
+            "Phong",
+            "at every fragment",
+            Shading::Phong,
+            "!{N} = \\f{α N_0 + β N_1 + γ N_2}{|α N_0 + β N_1 + γ N_2|}",
+            "The normal is interpolated and made unit again, the equation holds at the fragment: a round highlight on \
+             the same 224 triangles. Only the outline betrays them.",
+        )?,
+    ];
+    let mut row = spheres;
+    row.push(suzanne(
+        "suzanne-flat",
+        "Suzanne, flat",
+        "15 744 triangles",
+        Shading::Flat,
+        Normals::Flat,
+        "With many triangles flat shading comes near the truth in the diffuse term; the highlights still tell.",
+    )?);
+    row.push(suzanne(
+        "suzanne-phong",
+        "Suzanne, Phong",
+        "the same mesh",
+        Shading::Phong,
+        Normals::File,
+        "The same triangles, the normals of the file.",
+    )?);
+    Ok(Section {
+        id: "shading",
+        title: "Where the equation is evaluated",
+        equation: "once for each triangle,  at the vertices,  at every fragment",
+        introduction: "The equation is the same in all six pictures. What differs is where N comes from, and where the \
+                       sum is made.",
+        rows: vec![row],
+    })
+}

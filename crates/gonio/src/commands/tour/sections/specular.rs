@@ -1,0 +1,118 @@
+//! The specular term: which one, which convention, how shiny.
+
+use super::super::exhibit::{Exhibit, Section, Stage};
+use crate::report::CliError;
+use gonio_light::{Convention, Specular};
+use gonio_scene::description::{EquationSpec, Scene};
+use std::f64::consts::PI;
+
+/// Two rows: the choices on Suzanne, the exponents on a sphere.
+pub fn section() -> Result<Section, CliError> {
+    let mut exponents = Vec::new();
+    for (specular, word, equation) in [
+        (Specular::Phong, "Phong", "spec = ⟨R·V⟩^{!{γ}},  R = 2 (N·L) N − L"),
+        (Specular::BlinnPhong, "Blinn–Phong", "spec = ⟨N·H⟩^{!{γ}},  H = \\f{L + V}{|L + V|}"),
+    ] {
+        for gamma in [4.0, 32.0, 256.0] {
+            exponents.push(exponent(specular, word, gamma, equation)?);
+        }
+    }
+    Ok(Section {
+        id: "specular",
+        title: "The specular term",
+        equation: "Phong ⟨R·V⟩^γ,   Blinn–Phong ⟨N·H⟩^γ",
+        introduction: "Phong compares the mirrored light with the eye, Blinn and Phong the half vector with the normal. \
+                       At the same exponent Blinn–Phong's highlight is about twice as wide.",
+        rows: vec![choices()?, exponents],
+    })
+}
+
+fn choices() -> Result<Vec<Exhibit>, CliError> {
+    let exhibit =
+        |name: &str, caption: &str, remark: &str, change: fn(&mut EquationSpec), equation: &str, look: &str| {
+            let scene = Stage::Suzanne.with(|s| {
+                closer(s);
+                change(&mut s.equation);
+            })?;
+            Ok::<_, CliError>(Exhibit::new(name, caption, scene).remark(remark).aspect(1.25).tells(equation, look))
+        };
+    let mut row = vec![
+        exhibit(
+            "specular-none",
+            "none",
+            "only k_d ⟨N·L⟩",
+            |e| e.specular = Specular::None,
+            "L_o = A + Σ_i [ k_d ⟨N·L_i⟩ ~{+ k_s spec_i} ] L_i",
+            "Clay. The form is there, the material is not.",
+        )?,
+        exhibit(
+            "specular-phong",
+            "Phong",
+            "⟨R·V⟩^γ",
+            |e| e.specular = Specular::Phong,
+            "spec_i = !{⟨R_i·V⟩^γ}",
+            "Tight highlights; compare the forehead with the next picture at the same γ.",
+        )?,
+        exhibit(
+            "specular-blinn-phong",
+            "Blinn–Phong",
+            "⟨N·H⟩^γ",
+            |e| e.specular = Specular::BlinnPhong,
+            "spec_i = !{⟨N·H_i⟩^γ}",
+            "Wider highlights, and long ones where light grazes: the cold rim reaches further around the head.",
+        )?,
+        exhibit(
+            "specular-cosine",
+            "cosine-weighted",
+            "⟨N·H⟩^γ ⟨N·L⟩",
+            |e| e.cosine_weighted = Some(true),
+            "k_s spec_i !{⟨N·L_i⟩}",
+            "The factor cos θ that the lab's specular term has lost: grazing highlights fade out instead of ending.",
+        )?,
+    ];
+    let scene = Stage::Suzanne.with(|s| {
+        closer(s);
+        s.equation.convention = Convention::Physical;
+        radiometric(s);
+    })?;
+    row.push(Exhibit::new("specular-physical", "physical", scene).remark("k_d / π, cosine-weighted").aspect(1.25).tells(
+        "L_o = A + Σ_i [ !{\\f{k_d}{π}} + k_s spec_i ] L_i !{⟨N·L_i⟩}",
+        "The equation's own form: the albedo over π, every term times cos θ, the lights π times as strong so that the \
+         diffuse part stays the same. Its highlights are stronger against it.",
+    ));
+    Ok(row)
+}
+
+fn exponent(specular: Specular, word: &str, gamma: f64, equation: &str) -> Result<Exhibit, CliError> {
+    let scene = Stage::Sphere.with(|s| {
+        s.objects[0].model = "builtin:sphere-smooth".into();
+        s.objects[0].material.shininess = Some(gamma);
+        s.equation.specular = specular;
+    })?;
+    Ok(Exhibit::new(format!("{specular}-{gamma}"), format!("{word}, γ = {gamma}"), scene)
+        .aspect(1.3)
+        .remark(match gamma {
+            4.0 => "satin",
+            32.0 => "the lab's",
+            _ => "polished",
+        })
+        .tells(
+            equation,
+            "The exponent narrows the highlight and leaves its height: a polished sphere sends back less light in all.",
+        ))
+}
+
+/// The face alone.
+fn closer(scene: &mut Scene) {
+    scene.camera.fov_y = Some(22.0);
+    scene.camera.target = Some([0.08, 0.09, 0.2]);
+}
+
+/// Lights as bright as before where the diffuse term has `1/pi`.
+pub fn radiometric(scene: &mut Scene) {
+    for light in &mut scene.lights {
+        if light.kind != gonio_scene::description::LightSourceKind::Ambient {
+            light.intensity = Some(light.intensity.unwrap_or(1.0) * PI);
+        }
+    }
+}

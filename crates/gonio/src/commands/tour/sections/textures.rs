@@ -1,0 +1,121 @@
+//! Textures and their filters; tone maps.
+
+use super::super::exhibit::{Exhibit, Section, Stage};
+use crate::report::CliError;
+use gonio_light::color::ToneMap;
+use gonio_scene::TextureFilter;
+use gonio_scene::color_value::Color;
+use gonio_scene::description::Scene;
+
+/// Two rows.
+pub fn section() -> Result<Section, CliError> {
+    Ok(Section {
+        id: "textures",
+        title: "Textures and tone",
+        equation: "k_d(u, v),   from L_o to the screen",
+        introduction: "Colour textures are decoded before light is summed. On the way out come exposure, a tone map and \
+                       the sRGB curve: the second row shows the same light, two and a half stops too bright.",
+        rows: vec![filters()?, tones()?],
+    })
+}
+
+fn filters() -> Result<Vec<Exhibit>, CliError> {
+    let close = |s: &mut Scene| {
+        s.camera.position = Some([-3.2, 0.16, 1.45]);
+        s.camera.target = Some([-1.0, 0.3, -0.25]);
+        s.camera.fov_y = Some(36.0);
+    };
+    let exhibit = |name: &str, caption: &str, remark: &str, filter, look: &str| {
+        let scene = Stage::StillLife.with(|s| {
+            close(s);
+            s.picture.texture_filter = filter;
+        })?;
+        Ok::<_, CliError>(
+            Exhibit::new(name, caption, scene)
+                .exact()
+                .remark(remark)
+                .aspect(1.75)
+                .tells("k_d = !{texture(u, v)}", look),
+        )
+    };
+    let without = Stage::StillLife.with(|s| {
+        close(s);
+        s.objects[0].material.textures = Some(false);
+    })?;
+    Ok(vec![
+        Exhibit::new("texture-none", "without", without)
+            .exact()
+            .remark("k_d of the material alone")
+            .aspect(1.75)
+            .tells(
+                "k_d ~{texture(u, v)}",
+                "The floor and the crate have no colour of their own: their k_d is the texture's.",
+            ),
+        exhibit(
+            "texture-nearest",
+            "nearest",
+            "one texel for each sample",
+            TextureFilter::Nearest,
+            "Staircases along the squares near the eye, and noise that would crawl in the distance.",
+        )?,
+        exhibit(
+            "texture-mipmap",
+            "mipmaps",
+            "smaller copies far away",
+            TextureFilter::Mipmap,
+            "Calm in the distance, but too soft where the floor is seen at a low angle.",
+        )?,
+        exhibit(
+            "texture-anisotropic",
+            "anisotropic",
+            "several along the slope",
+            TextureFilter::Anisotropic,
+            "Sharp along the line of sight and calm across it.",
+        )?,
+    ])
+}
+
+fn tones() -> Result<Vec<Exhibit>, CliError> {
+    let exhibit = |tone_map: ToneMap, caption: &str, remark: &str, equation: &str, look: &str| {
+        let scene = Stage::StillLife.with(|s| {
+            s.picture.tone_map = tone_map;
+            s.picture.exposure = 2.5;
+            // The background is light too: so much over-exposed it would no longer be dark.
+            s.background.top = Color([0.001, 0.0013, 0.0022]);
+            s.background.bottom = Color([0.003, 0.0035, 0.005]);
+        })?;
+        Ok::<_, CliError>(
+            Exhibit::new(format!("tone-{tone_map}"), caption, scene).remark(remark).aspect(1.75).tells(equation, look),
+        )
+    };
+    Ok(vec![
+        exhibit(
+            ToneMap::None,
+            "none",
+            "clamped",
+            "min(x, 1)",
+            "Whatever is above 1 is lost, channel by channel: the lit floor is a white hole.",
+        )?,
+        exhibit(
+            ToneMap::Reinhard,
+            "Reinhard",
+            "x / (1 + x)",
+            "\\f{x}{1 + x}",
+            "Nothing is clipped, and nothing is quite white: low contrast.",
+        )?,
+        exhibit(
+            ToneMap::Aces,
+            "ACES",
+            "a filmic curve",
+            "\\f{x (2.51 x + 0.03)}{x (2.43 x + 0.59) + 0.14}",
+            "A shoulder for the highlights and a toe for the shadows; strong colours go to their primaries.",
+        )?,
+        exhibit(
+            ToneMap::Agx,
+            "AgX",
+            "a gentler one",
+            "sigmoid(log_2 x)",
+            "Bright colours turn towards white, as on film: the ember glows instead of being yellow.",
+        )?,
+    ])
+}

@@ -1,0 +1,118 @@
+//! Debug views: the vectors and scalars of the equation as colours.
+
+use super::super::exhibit::{Exhibit, Section, Stage};
+use crate::report::CliError;
+use gonio_light::Quantity;
+use gonio_scene::{Scene, ViewSpec};
+
+/// Two rows of six.
+pub fn section() -> Result<Section, CliError> {
+    let vectors: [(Quantity, &str, &str, &str, &str); 6] = [
+        (
+            Quantity::Normal,
+            "N",
+            "normal",
+            "N",
+            "Red to the right, green up, blue towards +z: what faces the eye is light blue.",
+        ),
+        (
+            Quantity::Light,
+            "L",
+            "to the light",
+            "L = \\f{p_i − x}{|p_i − x|}",
+            "Nearly one colour: the key is far away. Across the face the direction turns a little.",
+        ),
+        (
+            Quantity::View,
+            "V",
+            "to the eye",
+            "V = \\f{e − x}{|e − x|}",
+            "Nearly constant too; it would be exactly so in an orthographic picture.",
+        ),
+        (
+            Quantity::Reflection,
+            "R",
+            "L mirrored",
+            "R = 2 (N·L) N − L",
+            "Turns twice as fast as N. Where it has the colour of V stands Phong's highlight.",
+        ),
+        (
+            Quantity::Half,
+            "H",
+            "between L and V",
+            "H = \\f{L + V}{|L + V|}",
+            "Hardly changes: Blinn–Phong's highlight stands where N has this colour.",
+        ),
+        (
+            Quantity::Refraction,
+            "T",
+            "V refracted",
+            "T = (n N·V − √(1 − n^2 (1 − (N·V)^2))) N − n V",
+            "The view direction inside the material, index 1.45: an environment would be looked up along it.",
+        ),
+    ];
+    let scalars: [(Quantity, &str, &str, &str, &str); 6] = [
+        (
+            Quantity::Uv,
+            "UV",
+            "texture coordinates",
+            "(u, v)",
+            "u in red, v in green. The floor has one square for all of the texture.",
+        ),
+        (
+            Quantity::GeometricNormal,
+            "N of the triangle",
+            "geometric normal",
+            "N_g = \\f{(p_1 − p_0) × (p_2 − p_0)}{|…|}",
+            "What flat shading sees; the donut shows its triangles.",
+        ),
+        (Quantity::Position, "position", "world space", "x", "The box around the scene is the colour cube."),
+        (Quantity::Depth, "depth", "along the view", "(x − e) · front", "Dark is near."),
+        (
+            Quantity::Attenuation,
+            "att",
+            "of the key",
+            "att_i = \\f{1}{k_c + k_l d + k_q d^2}",
+            "The key fades from the left to the right; 1 and more is white.",
+        ),
+        (
+            Quantity::CosTheta,
+            "cos θ",
+            "⟨N·L⟩",
+            "⟨N·L_i⟩",
+            "What the diffuse term is made of. Black is what the key does not reach.",
+        ),
+    ];
+    let row = |stage: Stage, table: [(Quantity, &str, &str, &str, &str); 6], aspect: f64, change: fn(&mut Scene)| {
+        table
+            .iter()
+            .map(|&(quantity, caption, remark, equation, look)| {
+                let scene = stage.with(change)?;
+                Ok(Exhibit::new(format!("view-{quantity}"), caption, scene)
+                    .remark(remark)
+                    .aspect(aspect)
+                    .view(ViewSpec { quantity, light: None })
+                    .tells(equation, look))
+            })
+            .collect::<Result<Vec<Exhibit>, CliError>>()
+    };
+    Ok(Section {
+        id: "views",
+        title: "What the equation sees",
+        equation: "N,  L,  V,  R,  H,  T,  uv,  N_g,  x,  d,  att,  cos θ",
+        introduction: "Every quantity can be looked at alone (gonio render --debug), and read as numbers at any pixel \
+                       (gonio probe). Directions are shown as (x + 1) / 2.",
+        rows: vec![
+            row(Stage::Suzanne, vectors, 1.2, |scene| scene.camera.fov_y = Some(27.0))?,
+            row(Stage::StillLife, scalars, 1.35, |scene| {
+                scene.camera.fov_y = Some(31.5);
+                // A law whose factor stays within [0, 1].
+                for light in &mut scene.lights {
+                    if light.name == "key" {
+                        (light.constant, light.quadratic) = (Some(0.0), Some(0.045));
+                    }
+                }
+            })?,
+        ],
+    })
+}

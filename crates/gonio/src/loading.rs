@@ -1,0 +1,54 @@
+//! From the inputs and options of a command to a loaded scene.
+
+use crate::cli::SceneOptions;
+use crate::report::{CliError, Reporter, Times};
+use gonio_scene::files::Disk;
+use gonio_scene::{LoadedScene, ViewSpec, load};
+use std::path::Path;
+
+/// The scene of `inputs` with the options laid over it, all files read.
+pub fn load_scene(inputs: &[String], options: &SceneOptions) -> Result<LoadedScene, CliError> {
+    let inputs: Vec<&str> = inputs.iter().map(String::as_str).collect();
+    let mut scene = load::describe(&inputs, &Disk)?;
+    options.apply(&mut scene);
+    // Paths in it are relative to the current folder.
+    Ok(load::load(scene, Path::new(""), &Disk)?)
+}
+
+/// Loads the scene on a second thread while `meanwhile` runs on this one (making an OpenGL context
+/// takes longer than reading most models, and has to stay on its thread).
+pub fn load_scene_while<T>(
+    inputs: &[String],
+    options: &SceneOptions,
+    reporter: &Reporter,
+    times: &Times,
+    meanwhile: impl FnOnce() -> T,
+) -> (Result<LoadedScene, CliError>, T) {
+    let _busy = reporter.busy("reading the scene");
+    std::thread::scope(|scope| {
+        let loader = scope.spawn(|| times.measure("load", || load_scene(inputs, options)));
+        let other = meanwhile();
+        let scene = loader.join().unwrap_or_else(|_| {
+            Err(CliError::new("reading the scene ended unexpectedly; this is a fault of gonio, please report it"))
+        });
+        (scene, other)
+    })
+}
+
+/// Whether every view's light exists.
+pub fn check_views(views: impl IntoIterator<Item = ViewSpec>, scene: &LoadedScene) -> Result<(), CliError> {
+    let count = scene.scene.lights.len();
+    for view in views {
+        if let Some(light) = view.light
+            && light >= count
+        {
+            let lights = match count {
+                0 => "no light".to_owned(),
+                1 => "one light, number 0".to_owned(),
+                _ => format!("{count} lights, numbers 0 to {}", count - 1),
+            };
+            return Err(CliError::new(format!("`{view}`: there is no light {light}; the scene has {lights}")));
+        }
+    }
+    Ok(())
+}

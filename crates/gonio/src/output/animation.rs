@@ -1,0 +1,101 @@
+//! Frames into one file: animated PNG or GIF.
+
+use crate::output::Format;
+use crate::output::png::{self, Meaning};
+use crate::report::CliError;
+use gonio_scene::picture::EncodedPicture;
+
+/// Frames per second as a fraction of seconds per frame, at most 16 bits each.
+fn delay(fps: f64) -> (u16, u16) {
+    // Whole rates are exact; others to a thousandth of a second.
+    if fps.fract() == 0.0 && fps <= f64::from(u16::MAX) {
+        (1, fps as u16)
+    } else {
+        ((1000.0 / fps).round().clamp(1.0, 65535.0) as u16, 1000)
+    }
+}
+
+/// An animation being written.
+pub enum Animation {
+    /// Exact.
+    Png(png::Animation),
+    /// 256 colours a frame.
+    Gif(Box<Gif>),
+}
+
+/// A GIF being written.
+pub struct Gif {
+    encoder: Option<gif::Encoder<Vec<u8>>>,
+    hundredths: u16,
+}
+
+impl Animation {
+    /// `frames` frames at `fps`, repeated for ever.
+    pub fn new(format: Format, frames: u32, fps: f64) -> Self {
+        match format {
+            Format::Gif => {
+                let hundredths = (100.0 / fps).round().clamp(1.0, 65535.0) as u16;
+                Animation::Gif(Box::new(Gif { encoder: None, hundredths }))
+            }
+            _ => Animation::Png(png::Animation::new(frames, delay(fps))),
+        }
+    }
+
+    /// The next frame; all have the size of the first.
+    pub fn add(&mut self, picture: EncodedPicture<u8>, meaning: Meaning) -> Result<(), CliError> {
+        match self {
+            Animation::Png(animation) => animation.add(&picture, meaning),
+            Animation::Gif(gif) => gif.add(picture).map_err(gif_failed),
+        }
+    }
+
+    /// The file.
+    pub fn finish(self) -> Result<Vec<u8>, CliError> {
+        match self {
+            Animation::Png(animation) => animation.finish(),
+            Animation::Gif(gif) => match gif.encoder {
+                Some(encoder) => encoder.into_inner().map_err(gif_failed),
+                None => Err(CliError::new("an animation needs at least one frame")),
+            },
+        }
+    }
+}
+
+fn gif_failed(error: impl std::fmt::Display) -> CliError {
+    CliError::new(format!("the picture could not be encoded as GIF: {error}"))
+}
+
+impl Gif {
+    fn add(&mut self, mut picture: EncodedPicture<u8>) -> Result<(), gif::EncodingError> {
+        // Both fit: a picture has at most 16384 pixels along a side.
+        let (width, height) = (picture.width as u16, picture.height as u16);
+        let encoder = match &mut self.encoder {
+            Some(encoder) => encoder,
+            None => {
+                let mut encoder = gif::Encoder::new(Vec::new(), width, height, &[])?;
+                encoder.set_repeat(gif::Repeat::Infinite)?;
+                self.encoder.insert(encoder)
+            }
+        };
+        // GIF knows no half transparency.
+        for pixel in picture.rgba.chunks_exact_mut(4) {
+            pixel[3] = if pixel[3] < 128 { 0 } else { 255 };
+        }
+        let mut frame = gif::Frame::from_rgba_speed(width, height, &mut picture.rgba, 10);
+        frame.delay = self.hundredths;
+        frame.dispose = gif::DisposalMethod::Background;
+        encoder.write_frame(&frame)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn delays() {
+        assert_eq!(delay(25.0), (1, 25));
+        assert_eq!(delay(0.5), (2000, 1000));
+        assert_eq!(delay(29.97), (33, 1000));
+    }
+}

@@ -1,0 +1,9 @@
+//! Pictures into files: which files, in which formats, and never half of one.
+
+pub mod animation;
+pub mod atomic;
+pub mod exr;
+pub mod plan;
+pub mod png;
+
+pub use plan::{Format, Plan, PlanRequest, Target};

@@ -1,0 +1,155 @@
+//! The options of the command line, laid over a scene.
+
+use crate::cli::SceneOptions;
+use crate::values::BackgroundValue;
+use gonio_scene::Scene;
+use gonio_scene::description::MaterialOverride;
+
+impl SceneOptions {
+    /// Replaces in `scene` what the options say. What belongs to objects is set on all of them.
+    pub fn apply(&self, scene: &mut Scene) {
+        self.apply_to_objects(scene);
+        self.apply_to_equation(scene);
+        self.apply_to_camera(scene);
+        self.apply_to_picture(scene);
+        if !self.light.is_empty() {
+            scene.lights.clone_from(&self.light);
+        }
+    }
+
+    fn apply_to_objects(&self, scene: &mut Scene) {
+        for object in &mut scene.objects {
+            set(&mut object.shading, self.shading);
+            set(&mut object.normals, self.normals);
+            if let Some(material) = &self.material {
+                merge_material(&mut object.material, material);
+            }
+        }
+    }
+
+    fn apply_to_equation(&self, scene: &mut Scene) {
+        let equation = &mut scene.equation;
+        set(&mut equation.convention, self.convention);
+        set(&mut equation.specular, self.specular);
+        equation.brdf = self.brdf.or(equation.brdf);
+        equation.brdf_normalised |= self.brdf_normalised;
+        equation.cosine_weighted = self.cosine_weighted.or(equation.cosine_weighted);
+        equation.gated &= !self.ungated;
+        equation.two_sided = (equation.two_sided || self.two_sided) && !self.one_sided;
+        for term in &self.without {
+            let switch = match term.as_str() {
+                "ambient" => &mut equation.ambient,
+                "emitted" => &mut equation.emitted,
+                "diffuse" => &mut equation.diffuse,
+                "specular" => &mut equation.specular_term,
+                "attenuation" => &mut equation.attenuation,
+                "spot" => &mut equation.spot,
+                // The parser of the option lets nothing else through.
+                _ => continue,
+            };
+            *switch = false;
+        }
+    }
+
+    fn apply_to_camera(&self, scene: &mut Scene) {
+        let camera = &mut scene.camera;
+        camera.position = self.camera_position.or(camera.position);
+        camera.fov_y = self.fov_y.or(camera.fov_y);
+        // A direction is either a target or two angles: the option's way replaces the file's.
+        if self.camera_target.is_some() {
+            camera.target = self.camera_target;
+            (camera.yaw, camera.pitch) = (None, None);
+        }
+        if self.yaw.is_some() || self.pitch.is_some() {
+            camera.target = None;
+            camera.yaw = self.yaw.or(camera.yaw);
+            camera.pitch = self.pitch.or(camera.pitch);
+        }
+    }
+
+    fn apply_to_picture(&self, scene: &mut Scene) {
+        let picture = &mut scene.picture;
+        if let Some((width, height)) = self.size {
+            (picture.width, picture.height) = (width, height);
+        }
+        set(&mut picture.samples, self.samples);
+        set(&mut picture.color, self.color);
+        set(&mut picture.tone_map, self.tone_map);
+        set(&mut picture.exposure, self.exposure);
+        set(&mut picture.texture_filter, self.texture_filter);
+        match self.background {
+            None => {}
+            Some(BackgroundValue::Transparent) => scene.background.transparent = true,
+            Some(BackgroundValue::Colors(top, bottom)) => {
+                scene.background.transparent = false;
+                (scene.background.top, scene.background.bottom) = (top, bottom);
+            }
+        }
+    }
+}
+
+fn set<T>(place: &mut T, value: Option<T>) {
+    if let Some(value) = value {
+        *place = value;
+    }
+}
+
+fn merge_material(place: &mut MaterialOverride, given: &MaterialOverride) {
+    place.ambient = given.ambient.or(place.ambient);
+    place.diffuse = given.diffuse.or(place.diffuse);
+    place.specular = given.specular.or(place.specular);
+    place.emitted = given.emitted.or(place.emitted);
+    place.shininess = given.shininess.or(place.shininess);
+    place.refraction_index = given.refraction_index.or(place.refraction_index);
+    place.opacity = given.opacity.or(place.opacity);
+    place.textures = given.textures.or(place.textures);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use gonio_scene::description::{ObjectSpec, Shading};
+
+    #[test]
+    fn nothing_given_changes_nothing() {
+        let mut scene = Scene { objects: vec![ObjectSpec::default()], ..Scene::default() };
+        scene.camera.yaw = Some(3.0);
+        scene.equation.two_sided = false;
+        let before = scene.clone();
+        SceneOptions::default().apply(&mut scene);
+        assert_eq!(scene, before);
+    }
+
+    #[test]
+    fn a_direction_replaces_the_other_way_of_giving_one() {
+        let mut scene = Scene::default();
+        scene.camera.target = Some([1.0, 2.0, 3.0]);
+        SceneOptions { yaw: Some(10.0), ..SceneOptions::default() }.apply(&mut scene);
+        assert_eq!((scene.camera.target, scene.camera.yaw), (None, Some(10.0)));
+        SceneOptions { camera_target: Some([0.0; 3]), ..SceneOptions::default() }.apply(&mut scene);
+        assert_eq!((scene.camera.target, scene.camera.yaw), (Some([0.0; 3]), None));
+    }
+
+    #[test]
+    fn every_term_can_be_left_out() {
+        let mut scene = Scene::default();
+        let without = ["ambient", "emitted", "diffuse", "specular", "attenuation", "spot"].map(String::from).to_vec();
+        SceneOptions { without, ..SceneOptions::default() }.apply(&mut scene);
+        let e = &scene.equation;
+        assert!(![e.ambient, e.emitted, e.diffuse, e.specular_term, e.attenuation, e.spot].contains(&true));
+    }
+
+    #[test]
+    fn all_objects_are_meant() {
+        let mut scene = Scene { objects: vec![ObjectSpec::default(); 2], ..Scene::default() };
+        scene.objects[1].material.opacity = Some(0.5);
+        SceneOptions {
+            shading: Some(Shading::Flat),
+            material: Some(MaterialOverride { shininess: Some(9.0), ..MaterialOverride::default() }),
+            ..SceneOptions::default()
+        }
+        .apply(&mut scene);
+        assert!(scene.objects.iter().all(|o| o.shading == Shading::Flat && o.material.shininess == Some(9.0)));
+        assert_eq!(scene.objects[1].material.opacity, Some(0.5));
+    }
+}

@@ -1,0 +1,275 @@
+//! `gonio render`, `scene` and `probe` on good input, drawn by the CPU.
+#![allow(clippy::unwrap_used)]
+
+mod common;
+use common::{Lab, asset};
+
+#[test]
+fn a_png_has_the_size_and_depth_that_were_asked_for() {
+    let lab = Lab::new();
+    lab.render(&[&asset("cube.obj"), "-o", "a.png", "--size", "60x20"]).good();
+    let picture = lab.picture("a.png");
+    assert_eq!((picture.width(), picture.height()), (60, 20));
+    assert!(matches!(picture, image::DynamicImage::ImageRgb8(_)));
+    let colors: std::collections::BTreeSet<[u8; 3]> = picture.to_rgb8().pixels().map(|p| p.0).collect();
+    assert!(colors.len() > 5, "only {} colours", colors.len());
+
+    lab.render(&[&asset("cube.obj"), "-o", "b.png", "--bits", "16", "--background", "transparent"]).good();
+    assert!(matches!(lab.picture("b.png"), image::DynamicImage::ImageRgba16(_)));
+    assert_eq!(lab.picture("b.png").to_rgba16().get_pixel(0, 0).0[3], 0);
+    assert_eq!(lab.names(), ["a.png", "b.png"]);
+}
+
+#[test]
+fn stdout_gets_the_same_bytes_as_a_file() {
+    let lab = Lab::new();
+    let run = lab.render(&[&asset("cube.obj"), "-o", "-"]).good();
+    lab.render(&[&asset("cube.obj"), "-o", "a.png"]).good();
+    assert_eq!(run.stdout, lab.read("a.png"));
+    let run = lab.render(&[&asset("cube.obj"), "-o", "-", "--format", "exr"]).good();
+    assert_eq!(run.stdout[..4], [0x76, 0x2f, 0x31, 0x01]);
+}
+
+/// Layers of an EXR: name, size, and RGBA of a pixel.
+fn exr_layers(bytes: &[u8], x: usize, y: usize) -> Vec<(String, [f32; 4])> {
+    use exr::prelude::*;
+    let image = read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .all_channels()
+        .all_layers()
+        .all_attributes()
+        .from_buffered(std::io::Cursor::new(bytes))
+        .unwrap();
+    let layer = |l: &Layer<AnyChannels<FlatSamples>>| {
+        let value = |name: &str| {
+            let channel = l.channel_data.list.iter().find(|c| c.name.to_string() == name).unwrap();
+            channel.sample_data.values_as_f32().nth(y * l.size.width() + x).unwrap()
+        };
+        let name = l.attributes.layer_name.as_ref().map(Text::to_string).unwrap_or_default();
+        (name, ["R", "G", "B", "A"].map(value))
+    };
+    image.layer_data.iter().map(layer).collect()
+}
+
+#[test]
+fn an_exr_has_the_numbers_of_the_probe() {
+    let lab = Lab::new();
+    let model = asset("still_life.obj");
+    lab.render(&[&model, "-o", "a.exr", "--views", "N,diffuse:0"]).good();
+    let at = "24,16";
+    let json = lab.run(&["probe", &model, "--at", at, "--size", "48x32", "--backend", "cpu", "--json"]).good().json();
+    assert_eq!(json["hit"], true);
+    let numbers =
+        |v: &serde_json::Value| -> Vec<f64> { v.as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect() };
+    let layers = exr_layers(&lab.read("a.exr"), 24, 16);
+    let names: Vec<&str> = layers.iter().map(|(name, _)| name.as_str()).collect();
+    assert_eq!(names, ["picture", "normal", "diffuse-0"]);
+    for ((name, value), expected) in layers.iter().zip([
+        numbers(&json["reference"]),
+        numbers(&json["probe"]["terms"]["point"]["normal"]),
+        numbers(&json["probe"]["terms"]["lights"][0]["diffuse"]),
+    ]) {
+        for c in 0..expected.len().min(3) {
+            // 1e-6: the file has f32, the probe f64.
+            assert!((f64::from(value[c]) - expected[c]).abs() < 1e-6, "{name}: {value:?} and {expected:?}");
+        }
+    }
+}
+
+#[test]
+fn views_are_files_beside_a_png() {
+    let lab = Lab::new();
+    let run = lab.render(&[&asset("cube.obj"), "-o", "a.png", "--views", "N,diffuse:0,depth", "--json"]).good();
+    assert_eq!(lab.names(), ["a-depth.png", "a-diffuse-0.png", "a-normal.png", "a.png"]);
+    assert_eq!(run.json()["outputs"].as_array().unwrap().len(), 4);
+    lab.render(&[&asset("cube.obj"), "-o", "n.png", "--debug", "normal"]).good();
+    assert_eq!(lab.read("n.png"), lab.read("a-normal.png"));
+    assert_ne!(lab.read("n.png"), lab.read("a.png"));
+}
+
+#[test]
+fn several_formats_in_one_run() {
+    let lab = Lab::new();
+    lab.render(&[&asset("cube.obj"), "-o", "a.png", "-o", "a.exr"]).good();
+    assert_eq!(lab.names(), ["a.exr", "a.png"]);
+}
+
+#[test]
+fn frames_are_numbered_and_the_orbit_turns() {
+    let lab = Lab::new();
+    let cube = asset("cube.obj");
+    lab.render(&[&cube, "-o", "turn.png", "--frames", "3", "--orbit", "360"]).good();
+    assert_eq!(lab.names(), ["turn-0001.png", "turn-0002.png", "turn-0003.png"]);
+    assert_ne!(lab.read("turn-0001.png"), lab.read("turn-0002.png"));
+    lab.render(&[&cube, "-o", "still.png"]).good();
+    assert_eq!(lab.read("still.png"), lab.read("turn-0001.png"));
+
+    lab.render(&[&cube, "-o", "f%02d.png", "--frames", "2"]).good();
+    assert_eq!(lab.read("f01.png"), lab.read("still.png"));
+    assert_eq!(lab.read("f02.png"), lab.read("still.png"));
+}
+
+#[test]
+fn animations_hold_all_frames() {
+    let lab = Lab::new();
+    let cube = asset("cube.obj");
+    for name in ["a.gif", "a.apng"] {
+        lab.render(&[&cube, "-o", name, "--frames", "4", "--orbit", "90", "--fps", "10"]).good();
+    }
+    lab.render(&[&cube, "-o", "b.png", "--frames", "4", "--animated", "--orbit", "90", "--fps", "10"]).good();
+    assert_eq!(lab.read("a.apng"), lab.read("b.png"));
+
+    let bytes = lab.read("a.apng");
+    let mut reader = png::Decoder::new(std::io::Cursor::new(&bytes)).read_info().unwrap();
+    assert_eq!(reader.info().animation_control().unwrap().num_frames, 4);
+    let mut frames = Vec::new();
+    for _ in 0..4 {
+        let mut frame = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut frame).unwrap();
+        let control = reader.info().frame_control().unwrap();
+        assert_eq!((control.delay_num, control.delay_den), (1, 10));
+        frames.push(frame);
+    }
+    assert!(frames.windows(2).all(|w| w[0] != w[1]));
+
+    let bytes = lab.read("a.gif");
+    let mut reader = gif::DecodeOptions::new().read_info(&bytes[..]).unwrap();
+    let mut count = 0;
+    while let Some(frame) = reader.read_next_frame().unwrap() {
+        assert_eq!((frame.width, frame.height, frame.delay), (48, 32, 10));
+        count += 1;
+    }
+    assert_eq!(count, 4);
+}
+
+#[test]
+fn lights_move_with_the_frames() {
+    let lab = Lab::new();
+    let light = "point position=3,3,3 motion=circle center=0,0,0 period=2";
+    let args = [&asset("cube.obj"), "--light", light];
+    lab.render(&[&args[..], &["-o", "a.png", "--frames", "2", "--fps", "2"]].concat()).good();
+    lab.render(&[&args[..], &["-o", "b.png", "--time", "0.5"]].concat()).good();
+    assert_ne!(lab.read("a-0001.png"), lab.read("a-0002.png"));
+    assert_eq!(lab.read("a-0002.png"), lab.read("b.png"));
+}
+
+#[test]
+fn a_printed_scene_gives_the_same_picture() {
+    let lab = Lab::new();
+    let options = [
+        "--shading",
+        "flat",
+        "--exposure",
+        "0.5",
+        "--light",
+        "spot position=2,4,3 direction=-2,-4,-3",
+        "--background",
+        "#204060:0.1",
+    ];
+    let model = asset("still_life.obj");
+    lab.render(&[&[model.as_str(), "-o", "a.png"], &options[..]].concat()).good();
+    let scene = lab.run(&[&["scene", &model, "--size", "48x32", "--samples", "1"], &options[..]].concat()).good();
+    lab.write("scene.toml", &scene.stdout);
+    lab.run(&["render", "scene.toml", "-o", "b.png", "--backend", "cpu"]).good();
+    assert_eq!(lab.read("a.png"), lab.read("b.png"));
+    // Printed again, nothing changes but the line that names the input.
+    let again = lab.run(&["scene", "scene.toml"]).good();
+    let body = |text: &str| text.split_once("[picture]").unwrap().1.to_owned();
+    assert_eq!(body(again.text()), body(scene.text()));
+}
+
+#[test]
+fn a_scene_written_elsewhere_still_finds_its_models() {
+    let lab = Lab::new();
+    std::fs::create_dir_all(lab.path("models")).unwrap();
+    std::fs::create_dir_all(lab.path("scenes/new")).unwrap();
+    lab.write("models/t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    // The size takes part in the framing.
+    lab.run(&["scene", "models/t.obj", "--size", "48x32", "-o", "scenes/new/s.toml"]).good();
+    let text = String::from_utf8(lab.read("scenes/new/s.toml")).unwrap();
+    assert!(text.contains("model = \"../../models/t.obj\""), "{text}");
+    lab.render(&["scenes/new/s.toml", "-o", "a.png"]).good();
+    lab.render(&["models/t.obj", "-o", "b.png"]).good();
+    assert_eq!(lab.read("a.png"), lab.read("b.png"));
+}
+
+#[test]
+fn the_schema_knows_the_keys_of_a_scene() {
+    let json = Lab::new().run(&["scene", "--schema"]).good().json();
+    for key in ["picture", "camera", "background", "equation", "object", "light"] {
+        assert!(json["properties"][key].is_object(), "{key}");
+    }
+}
+
+#[test]
+fn several_inputs_are_one_scene() {
+    let lab = Lab::new();
+    let json = lab.render(&[&asset("cube.obj"), &asset("suzanne.obj"), "-o", "a.png", "--json"]).good().json();
+    assert_eq!(json["scene"]["objects"], 2);
+    let one = lab.render(&[&asset("cube.obj"), "-o", "a.png", "--json"]).good().json();
+    assert!(json["scene"]["triangles"].as_u64() > one["scene"]["triangles"].as_u64());
+}
+
+#[test]
+fn the_report_says_what_was_done() {
+    let lab = Lab::new();
+    let json = lab.render(&[&asset("cube.obj"), "-o", "a.png", "--shading", "gouraud", "--json"]).good().json();
+    assert_eq!(json["command"], "render");
+    assert_eq!(json["outputs"][0], "a.png");
+    assert_eq!(json["backend"]["name"], "cpu");
+    assert_eq!(
+        (json["width"].as_u64(), json["height"].as_u64(), json["samples"].as_u64()),
+        (Some(48), Some(32), Some(1))
+    );
+    assert_eq!(json["shading"][0], "gouraud");
+    assert_eq!(json["scene"]["triangles"], 12);
+    assert!(json["drawn"]["fragments"].as_u64().unwrap() > 100);
+    for step in ["load", "upload", "draw", "read_back", "encode", "write", "total"] {
+        assert!(json["times_ms"][step].is_number(), "{step}");
+    }
+}
+
+#[test]
+fn a_probe_says_everything_about_a_pixel() {
+    let lab = Lab::new();
+    let suzanne = asset("suzanne.obj");
+    let run = lab.run(&["probe", &suzanne, "--at", "500,400", "--backend", "cpu"]).good();
+    for word in ["triangle", "material", "k_d", "N.L", "R.V", "N.H", "att", "L_o = A + E", "CPU reference"] {
+        assert!(run.text().contains(word), "{word} is not in {}", run.text());
+    }
+    let json = lab.run(&["probe", &suzanne, "--at", "500,400", "--backend", "cpu", "--json"]).good().json();
+    let sum = |key: &str, c: usize| -> f64 {
+        json["probe"]["terms"]["lights"].as_array().unwrap().iter().map(|l| l[key][c].as_f64().unwrap()).sum()
+    };
+    for c in 0..3 {
+        let terms = &json["probe"]["terms"];
+        let whole = terms["ambient"][c].as_f64().unwrap()
+            + terms["emitted"][c].as_f64().unwrap()
+            + sum("diffuse", c)
+            + sum("specular", c);
+        // 1e-12: the same sum in another order.
+        assert!((whole - json["reference"][c].as_f64().unwrap()).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn a_probe_beside_all_objects_shows_the_background() {
+    let lab = Lab::new();
+    let cube = asset("cube.obj");
+    let args = ["probe", &cube, "--at", "0,0", "--backend", "cpu", "--background", "0.25,0.5,0.75"];
+    let run = lab.run(&args).good();
+    assert!(run.text().contains("background"), "{}", run.text());
+    let json = lab.run(&[&args[..], &["--json"]].concat()).good().json();
+    assert_eq!(json["hit"], false);
+    assert_eq!(json["reference"], serde_json::json!([0.25, 0.5, 0.75, 1.0]));
+}
+
+#[test]
+fn a_probe_outside_of_the_picture_is_an_error() {
+    let lab = Lab::new();
+    let cube = asset("cube.obj");
+    lab.run(&["probe", &cube, "--at", "48,0", "--size", "48x32", "--backend", "cpu"])
+        .refused(&["48,0", "columns 0 to 47"]);
+    lab.run(&["probe", &cube, "--at", "-1,0", "--backend", "cpu"]).refused(&["--at"]);
+}

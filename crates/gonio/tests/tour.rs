@@ -1,0 +1,78 @@
+//! `gonio tour`, small and by the CPU: every file that the page names is there, and every picture can be
+//! made again.
+#![allow(clippy::unwrap_used, missing_docs)]
+
+mod common;
+
+use common::Lab;
+use std::collections::HashSet;
+
+/// What stands between `before` and the next `"`, each time it occurs.
+fn attributes<'a>(page: &'a str, before: &str) -> Vec<&'a str> {
+    page.split(before).skip(1).map(|rest| rest.split('"').next().unwrap()).collect()
+}
+
+#[test]
+fn a_small_tour_is_complete_and_can_be_made_again() {
+    let lab = Lab::new();
+    let run = lab.run(&["tour", "-o", "out tour", "--scale", "0.1", "--backend", "cpu", "--json"]).good();
+    let report = run.json();
+    let pictures = report["pictures"].as_array().unwrap();
+    assert!(pictures.len() >= 50, "{}", pictures.len());
+
+    // The sheet: a tenth of 1920 wide, as high as the report says.
+    let sheet = lab.picture("out tour/sheet.png");
+    assert_eq!(sheet.width(), 192);
+    assert_eq!(u64::from(sheet.height()), report["sheet"]["height"].as_u64().unwrap());
+    // Not a grey wall: the hero's place has many colours.
+    let colors: HashSet<[u8; 3]> = sheet.to_rgb8().pixels().map(|p| p.0).collect();
+    assert!(colors.len() > 1000, "{}", colors.len());
+
+    // The page: works from disk, and all that it names is there.
+    let page = String::from_utf8(lab.read("out tour/index.html")).unwrap();
+    assert!(!page.contains("<script") && !page.contains("http://") && !page.contains("https://"));
+    let images = attributes(&page, "<img src=\"");
+    assert_eq!(images.len(), pictures.len());
+    for href in attributes(&page, "href=\"") {
+        match href.strip_prefix('#') {
+            Some(id) => assert!(page.contains(&format!("id=\"{id}\"")), "{href}"),
+            None => assert!(lab.path("out tour").join(href).is_file(), "{href}"),
+        }
+    }
+    assert_eq!(page.matches("n/a: drawn by the CPU").count(), pictures.len());
+    for (tag, close) in [("<figure", "</figure>"), ("<section", "</section>"), ("<mrow", "</mrow>"), ("<div", "</div>")]
+    {
+        assert_eq!(page.matches(tag).count(), page.matches(close).count(), "{tag}");
+    }
+
+    for picture in pictures {
+        let name = picture["name"].as_str().unwrap();
+        assert!(images.contains(&format!("pictures/{name}.png").as_str()), "{name}");
+        assert!(picture["drawn"]["fragments"].as_u64().unwrap() > 0, "{name}");
+        // The command as printed, its one quoted path taken as one word.
+        let command = picture["command"].as_str().unwrap();
+        let parts: Vec<&str> = command.split('"').collect();
+        let mut words: Vec<&str> = parts[0].split_whitespace().collect();
+        words.push(parts[1]);
+        words.extend(parts[2].split_whitespace());
+        assert_eq!(words[0], "gonio");
+        lab.run(&words[1..]).good();
+        let (again, first) = (lab.read(&format!("{name}.png")), lab.read(&format!("out tour/pictures/{name}.png")));
+        assert!(again == first, "{name} differs from its second drawing");
+    }
+
+    // A tour into a folder that is there already updates it, and leaves nothing beside.
+    let before: Vec<_> = std::fs::read_dir(lab.path("out tour")).unwrap().map(|e| e.unwrap().file_name()).collect();
+    assert_eq!(before.len(), 4, "{before:?}");
+}
+
+#[test]
+fn a_file_in_the_way_is_named() {
+    let lab = Lab::new();
+    lab.write("tour", "a file");
+    lab.run(&["tour", "--backend", "cpu"]).refused(&["`tour` is a file", "-o"]);
+    lab.run(&["tour", "-o", "tour/inside", "--backend", "cpu"]).refused(&["tour/inside", "not a folder"]);
+    lab.run(&["tour", "--scale", "0"]);
+    assert_eq!(lab.read("tour"), b"a file");
+    assert_eq!(lab.names(), ["tour"]);
+}

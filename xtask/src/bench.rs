@@ -1,0 +1,28 @@
+//! `cargo xtask bench`: builds what is measured, then lets `gonio-bench` measure.
+
+use crate::{process, root};
+use std::path::PathBuf;
+use std::process::{Command, ExitCode};
+
+/// Builds the command line and the benchmarks for release, and runs the named ones, or all.
+pub fn run(names: &[&str]) -> ExitCode {
+    let root = root();
+    println!("building for release");
+    let arguments = ["build", "--release", "--locked", "--package", "gonio", "--package", "gonio-bench"];
+    let built = process::run(process::cargo(&root).args(arguments));
+    if !built.success {
+        eprint!("{}", built.text);
+        return ExitCode::from(2);
+    }
+    // Its words go straight to the terminal, as they come.
+    // Not `cargo run`: for one package alone it would choose other features and build again.
+    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
+    let program = target.join("release").join(format!("gonio-bench{}", std::env::consts::EXE_SUFFIX));
+    match Command::new(&program).args(names).status() {
+        Ok(status) => ExitCode::from(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(2)),
+        Err(error) => {
+            eprintln!("xtask: cannot run {}: {error}", program.display());
+            ExitCode::from(2)
+        }
+    }
+}

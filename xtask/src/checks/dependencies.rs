@@ -1,0 +1,186 @@
+//! Who may know whom: dependencies between crates point one way.
+//!
+//! ```text
+//! light <- mesh, environment <- scene <- reference, gl <- lab <- app, gonio (the command line)
+//! ```
+
+use serde_json::Value;
+use std::collections::BTreeSet;
+
+/// A crate of this workspace, and which others it may know.
+pub struct Rule {
+    /// The crate.
+    pub krate: &'static str,
+    /// What it may depend on. Not more than it does depend on, or may with good reason.
+    pub may_know: &'static [&'static str],
+    /// What its tests may know besides.
+    pub tests_may_know: &'static [&'static str],
+}
+
+/// The one place that says it. A new crate adds itself here.
+pub const RULES: &[Rule] = &[
+    Rule { krate: "gonio-light", may_know: &[], tests_may_know: &[] },
+    Rule { krate: "gonio-mesh", may_know: &["gonio-light"], tests_may_know: &[] },
+    Rule { krate: "gonio-environment", may_know: &["gonio-light"], tests_may_know: &[] },
+    Rule { krate: "gonio-scene", may_know: &["gonio-light", "gonio-mesh", "gonio-environment"], tests_may_know: &[] },
+    Rule { krate: "gonio-reference", may_know: BELOW_PICTURES, tests_may_know: &[] },
+    // The GPU's pictures are held against the reference's.
+    Rule { krate: "gonio-gl", may_know: BELOW_PICTURES, tests_may_know: &["gonio-reference"] },
+    Rule { krate: "gonio-lab", may_know: BELOW_LAB, tests_may_know: &[] },
+    Rule { krate: "gonio-app", may_know: BELOW_SHELLS, tests_may_know: &[] },
+    Rule { krate: "gonio", may_know: BELOW_SHELLS, tests_may_know: &[] },
+    Rule { krate: "gonio-bench", may_know: BELOW_SHELLS, tests_may_know: &[] },
+    Rule { krate: "xtask", may_know: &[], tests_may_know: &[] },
+];
+
+const BELOW_PICTURES: &[&str] = &["gonio-light", "gonio-mesh", "gonio-environment", "gonio-scene"];
+const BELOW_LAB: &[&str] =
+    &["gonio-light", "gonio-mesh", "gonio-environment", "gonio-scene", "gonio-reference", "gonio-gl"];
+const BELOW_SHELLS: &[&str] =
+    &["gonio-light", "gonio-mesh", "gonio-environment", "gonio-scene", "gonio-reference", "gonio-gl", "gonio-lab"];
+
+/// Crates from outside that only some of ours may know directly: (crate, who may).
+pub const GUARDED: &[(&str, &[&str])] = &[
+    ("glow", &["gonio-gl", "gonio-app"]),
+    ("khronos-egl", &["gonio-gl"]),
+    ("glutin", &["gonio-gl"]),
+    ("renderdoc", &["gonio-gl"]),
+    ("clap", &["gonio"]),
+    ("indicatif", &["gonio"]),
+];
+
+/// One dependency, as a manifest declares it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Edge {
+    /// The crate that knows.
+    pub from: String,
+    /// The crate that is known.
+    pub to: String,
+    /// Whether only its tests do.
+    pub for_tests: bool,
+}
+
+/// The workspace's crates and all their direct dependencies, from what `cargo metadata --no-deps` prints.
+pub fn read_metadata(json: &str) -> Result<(BTreeSet<String>, Vec<Edge>), String> {
+    let metadata: Value = serde_json::from_str(json).map_err(|e| format!("cargo metadata: {e}"))?;
+    let packages = metadata["packages"].as_array().ok_or("cargo metadata: no `packages`")?;
+    let (mut crates, mut edges) = (BTreeSet::new(), Vec::new());
+    for package in packages {
+        let from = package["name"].as_str().ok_or("cargo metadata: a package without a name")?;
+        crates.insert(from.to_owned());
+        for dependency in package["dependencies"].as_array().into_iter().flatten() {
+            let to = dependency["name"].as_str().ok_or("cargo metadata: a dependency without a name")?;
+            let for_tests = dependency["kind"].as_str() == Some("dev");
+            edges.push(Edge { from: from.to_owned(), to: to.to_owned(), for_tests });
+        }
+    }
+    if crates.is_empty() {
+        return Err("cargo metadata: no packages".into());
+    }
+    Ok((crates, edges))
+}
+
+/// Complaints about crates without a rule and about dependencies that the rules do not allow.
+pub fn check(crates: &BTreeSet<String>, edges: &[Edge], rules: &[Rule], guarded: &[(&str, &[&str])]) -> Vec<String> {
+    let mut complaints = rules_that_point_back(rules);
+    let rule_of = |name: &str| rules.iter().find(|r| r.krate == name);
+    for name in crates.iter().filter(|name| rule_of(name).is_none()) {
+        complaints.push(format!("{name}: no rule says whom it may know (xtask/src/checks/dependencies.rs)"));
+    }
+    for Edge { from, to, for_tests } in edges {
+        if crates.contains(to) {
+            let allowed = rule_of(from).is_none_or(|rule| {
+                rule.may_know.contains(&to.as_str()) || (*for_tests && rule.tests_may_know.contains(&to.as_str()))
+            });
+            if !allowed {
+                let tests = if *for_tests { " (its tests)" } else { "" };
+                complaints.push(format!("{from}{tests} may not know {to}"));
+            }
+        } else if let Some((_, who)) = guarded.iter().find(|(name, _)| name == to)
+            && !who.contains(&from.as_str())
+        {
+            complaints.push(format!("{from} may not know {to}; only {} may", who.join(" and ")));
+        }
+    }
+    complaints
+}
+
+/// The rules themselves: whoever may be known stands above in the table, so no circle can be allowed.
+fn rules_that_point_back(rules: &[Rule]) -> Vec<String> {
+    let position = |name: &str| rules.iter().position(|r| r.krate == name);
+    let mut complaints = Vec::new();
+    for (index, rule) in rules.iter().enumerate() {
+        for known in rule.may_know {
+            if position(known).is_none_or(|at| at >= index) {
+                complaints.push(format!("the rules let {} know {known}, which does not stand above it", rule.krate));
+            }
+        }
+    }
+    complaints
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+
+    const LITTLE: &[Rule] = &[
+        Rule { krate: "light", may_know: &[], tests_may_know: &[] },
+        Rule { krate: "mesh", may_know: &["light"], tests_may_know: &["scene"] },
+        Rule { krate: "scene", may_know: &["light", "mesh"], tests_may_know: &[] },
+    ];
+
+    fn edge(from: &str, to: &str, for_tests: bool) -> Edge {
+        Edge { from: from.into(), to: to.into(), for_tests }
+    }
+
+    fn complaints(edges: &[Edge]) -> Vec<String> {
+        let crates = ["light", "mesh", "scene"].map(String::from).into();
+        check(&crates, edges, LITTLE, &[("glow", &["scene"])])
+    }
+
+    #[test]
+    fn dependencies_that_point_back_are_found() {
+        assert!(
+            complaints(&[edge("scene", "mesh", false), edge("mesh", "light", false), edge("mesh", "serde", false)])
+                .is_empty()
+        );
+        assert_eq!(complaints(&[edge("light", "mesh", false)]), ["light may not know mesh"]);
+        assert_eq!(complaints(&[edge("light", "mesh", true)]), ["light (its tests) may not know mesh"]);
+    }
+
+    #[test]
+    fn tests_may_know_what_is_declared_for_them() {
+        assert!(complaints(&[edge("mesh", "scene", true)]).is_empty());
+        assert_eq!(complaints(&[edge("mesh", "scene", false)]).len(), 1);
+    }
+
+    #[test]
+    fn guarded_crates_and_crates_without_a_rule_are_found() {
+        assert!(complaints(&[edge("scene", "glow", false)]).is_empty());
+        assert_eq!(complaints(&[edge("mesh", "glow", false)]), ["mesh may not know glow; only scene may"]);
+        let crates = ["light", "stranger"].map(String::from).into();
+        assert_eq!(check(&crates, &[], LITTLE, &[]).len(), 1);
+    }
+
+    #[test]
+    fn the_rules_allow_no_circle() {
+        assert!(rules_that_point_back(RULES).is_empty());
+        let circle = [
+            Rule { krate: "a", may_know: &["b"], tests_may_know: &[] },
+            Rule { krate: "b", may_know: &["a"], tests_may_know: &[] },
+        ];
+        assert_eq!(rules_that_point_back(&circle).len(), 1);
+    }
+
+    #[test]
+    fn metadata_is_read() {
+        let json = r#"{"packages": [{"name": "a", "dependencies": [
+            {"name": "b", "kind": null}, {"name": "c", "kind": "dev"}, {"name": "d", "kind": "build"}]}]}"#;
+        let (crates, edges) = read_metadata(json).unwrap();
+        assert!(crates.contains("a"));
+        assert_eq!(edges, [edge("a", "b", false), edge("a", "c", true), edge("a", "d", false)]);
+        assert!(read_metadata("{}").is_err());
+        assert!(read_metadata(r#"{"packages": []}"#).is_err());
+    }
+}

@@ -1,0 +1,99 @@
+//! What a fresh machine lacks: system packages, the toolchain's components and its other targets.
+
+use crate::process;
+use crate::report::Findings;
+use std::path::Path;
+use std::process::Command;
+
+/// What the tests run besides cargo, as Debian calls it: OpenGL on the CPU; RenderDoc, its Python
+/// module, and the X server that opening a capture wants.
+const PACKAGES: &[&str] =
+    &["libegl1", "libgl1-mesa-dri", "renderdoccmd", "librenderdoc", "python3-renderdoc", "xvfb", "xauth"];
+
+/// The platforms that are checked and not run, and the browser's.
+pub const TARGETS: &[&str] = &["x86_64-pc-windows-msvc", "aarch64-apple-darwin", "wasm32-unknown-unknown"];
+
+const COMPONENTS: &[&str] = &["rustfmt", "clippy"];
+
+/// Installs the missing packages where that is ours to do (root on Debian), else says how.
+pub fn packages() -> Findings {
+    if !cfg!(target_os = "linux") {
+        return Findings::default().remarking("Linux only; the tests look for OpenGL themselves");
+    }
+    if !Path::new("/etc/debian_version").exists() {
+        return Findings::default().remarking("no Debian: OpenGL (EGL) and RenderDoc are yours to install");
+    }
+    let missing: Vec<&str> = PACKAGES.iter().copied().filter(|package| !is_installed(package)).collect();
+    if missing.is_empty() {
+        return Findings::pass();
+    }
+    let by_hand = format!("apt-get update && apt-get install -y --no-install-recommends {}", missing.join(" "));
+    if !is_root() {
+        return Findings::fail(format!("missing packages; type: sudo sh -c '{by_hand}'"));
+    }
+    for arguments in [vec!["update"], [vec!["install", "-y", "--no-install-recommends"], missing.clone()].concat()] {
+        let outcome = process::run(
+            Command::new("apt-get").args(["-q"]).args(&arguments).env("DEBIAN_FRONTEND", "noninteractive"),
+        );
+        // An update that could not reach every mirror may be good enough; the installation will tell.
+        if !outcome.success && arguments[0] == "install" {
+            return Findings::fail(format!("{}\ntype: {by_hand}", outcome.text));
+        }
+    }
+    Findings::pass().remarking(format!("installed {}", missing.join(" ")))
+}
+
+fn is_installed(package: &str) -> bool {
+    process::stdout_of(Command::new("dpkg-query").args(["-W", "-f", "${db:Status-Status}", package]))
+        .is_ok_and(|status| status == "installed")
+}
+
+fn is_root() -> bool {
+    process::stdout_of(Command::new("id").arg("-u")).is_ok_and(|id| id.trim() == "0")
+}
+
+/// Adds what the pinned toolchain lacks. rustup reads `rust-toolchain.toml` by itself.
+pub fn toolchain(root: &Path, targets: &[&str]) -> Findings {
+    let rustup = |arguments: &[&str]| {
+        let mut command = Command::new("rustup");
+        command.current_dir(root).args(arguments);
+        command
+    };
+    let mut added = Vec::new();
+    for (kind, wanted) in [("component", COMPONENTS), ("target", targets)] {
+        let installed = match process::stdout_of(&mut rustup(&[kind, "list", "--installed"])) {
+            Ok(list) => list,
+            Err(error) => return Findings::fail(error),
+        };
+        let missing = missing_from(&installed, wanted);
+        if missing.is_empty() {
+            continue;
+        }
+        let outcome = process::run(&mut rustup(&[&[kind, "add"], missing.as_slice()].concat()));
+        if !outcome.success {
+            return Findings::fail(format!("{}\ntype: rustup {kind} add {}", outcome.text, missing.join(" ")));
+        }
+        added.extend(missing);
+    }
+    if added.is_empty() { Findings::pass() } else { Findings::pass().remarking(format!("added {}", added.join(" "))) }
+}
+
+/// `rustup component list` appends the host's name to a component's: `clippy-x86_64-unknown-linux-gnu`.
+fn missing_from<'a>(installed: &str, wanted: &[&'a str]) -> Vec<&'a str> {
+    let has = |name: &str| {
+        installed.lines().any(|line| line == name || line.strip_prefix(name).is_some_and(|rest| rest.starts_with('-')))
+    };
+    wanted.iter().copied().filter(|name| !has(name)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_missing_is_named() {
+        let installed = "clippy-x86_64-unknown-linux-gnu\nrustc-x86_64-unknown-linux-gnu\nwasm32-unknown-unknown\n";
+        assert_eq!(missing_from(installed, &["rustfmt", "clippy"]), ["rustfmt"]);
+        assert_eq!(missing_from(installed, TARGETS), ["x86_64-pc-windows-msvc", "aarch64-apple-darwin"]);
+    }
+}

@@ -1,0 +1,117 @@
+//! What `cargo test` printed, counted.
+
+use crate::report::Findings;
+
+/// The counts of one or more test programs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Programs that printed their totals.
+    pub programs: usize,
+    /// Tests.
+    pub passed: usize,
+    /// Tests.
+    pub failed: usize,
+    /// Tests marked `#[ignore]`: not run.
+    pub ignored: usize,
+}
+
+/// Adds up the lines `test result: ok. 3 passed; 0 failed; 1 ignored; ...`.
+pub fn count(text: &str) -> Counts {
+    let mut counts = Counts::default();
+    for line in text.lines() {
+        let Some((_, rest)) = line.split_once("test result: ") else { continue };
+        counts.programs += 1;
+        let number = |what: &str| {
+            let words: Vec<&str> = rest.split([' ', ';', '.']).filter(|w| !w.is_empty()).collect();
+            words.windows(2).find(|w| w[1] == what).and_then(|w| w[0].parse::<usize>().ok()).unwrap_or(0)
+        };
+        counts.passed += number("passed");
+        counts.failed += number("failed");
+        counts.ignored += number("ignored");
+    }
+    counts
+}
+
+/// What a run of `cargo test` found. `at_least_one`: a run without any test is a failure, for then
+/// something looked at nothing.
+pub fn findings(success: bool, text: &str, at_least_one: bool) -> Findings {
+    let counts = count(text);
+    let mut findings = Findings { passed: counts.passed, failed: counts.failed, ..Findings::default() };
+    if counts.ignored > 0 {
+        findings.remark = format!("{} ignored", counts.ignored);
+    }
+    if !success && counts.failed == 0 {
+        // It did not build, or a test program was ended before it could print its totals.
+        findings.failed = 1;
+    }
+    if success && at_least_one && counts.passed == 0 {
+        findings.failed = 1;
+        findings.details = "no test ran\n".into();
+    }
+    if findings.failed > 0 {
+        findings.details += &without_noise(text);
+    }
+    findings
+}
+
+/// The text without the lines of tests that passed and of packages that were built.
+pub fn without_noise(text: &str) -> String {
+    let noise = |line: &str| {
+        let trimmed = line.trim_start();
+        (trimmed.starts_with("test ") && trimmed.ends_with("... ok"))
+            || [
+                "Compiling ",
+                "Checking ",
+                "Downloaded ",
+                "Downloading ",
+                "Documenting ",
+                "Blocking ",
+                "Fresh ",
+                "Locking ",
+            ]
+            .iter()
+            .any(|start| trimmed.starts_with(start) && line.starts_with(' '))
+    };
+    text.lines().filter(|line| !noise(line)).map(|line| format!("{line}\n")).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const GOOD: &str = "   Compiling a v0.1.0\nrunning 2 tests\ntest a ... ok\ntest b ... ignored\n\n\
+        test result: ok. 1 passed; 0 failed; 1 ignored; 0 measured; 0 filtered out; finished in 0.00s\n\n\
+        running 4 tests\ntest result: ok. 4 passed; 0 failed; 0 ignored; 0 measured; 0 filtered out\n";
+    const BAD: &str = "running 2 tests\ntest a ... ok\ntest b ... FAILED\n\n---- b stdout ----\nleft: 1\n\n\
+        test result: FAILED. 1 passed; 1 failed; 0 ignored; 0 measured; 0 filtered out; finished in 0.00s\n";
+
+    #[test]
+    fn totals_are_added_up() {
+        assert_eq!(count(GOOD), Counts { programs: 2, passed: 5, failed: 0, ignored: 1 });
+        let found = findings(true, GOOD, true);
+        assert_eq!((found.passed, found.failed, found.remark.as_str()), (5, 0, "1 ignored"));
+        assert!(found.details.is_empty());
+    }
+
+    #[test]
+    fn failures_are_shown_without_what_passed() {
+        let found = findings(false, &format!("{GOOD}{BAD}"), true);
+        assert_eq!((found.passed, found.failed), (6, 1));
+        assert!(found.details.contains("left: 1") && found.details.contains("test b ... FAILED"));
+        assert!(!found.details.contains("test a ... ok") && !found.details.contains("Compiling"));
+    }
+
+    #[test]
+    fn what_ends_without_totals_has_failed() {
+        let found = findings(false, "error: could not compile\n", true);
+        assert_eq!((found.passed, found.failed, found.details.as_str()), (0, 1, "error: could not compile\n"));
+        // A program that crashed beside one that passed.
+        assert_eq!(findings(false, GOOD, true).failed, 1);
+    }
+
+    #[test]
+    fn a_run_without_tests_has_failed() {
+        assert_eq!(findings(true, "", true).failed, 1);
+        assert_eq!(findings(true, "", false).failed, 0);
+    }
+}

@@ -1,0 +1,146 @@
+//! `cargo xtask test`: the steps, in an order in which later ones find earlier ones' work built.
+
+mod cargo_output;
+
+use crate::checks::{dependencies, length, output, paths, tree, unsafe_code};
+use crate::report::{Findings, Report};
+use crate::{process, root, setup};
+use std::path::Path;
+use std::process::ExitCode;
+
+/// How much is tested.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Extent {
+    /// What CI runs.
+    Everything,
+    /// Without other platforms, and nothing is installed.
+    Fast,
+    /// Only the rules that no compiler knows.
+    House,
+}
+
+/// Desktop platforms that are checked and not run. No linker is needed for that.
+const DESKTOPS: &[&str] = &["x86_64-pc-windows-msvc", "aarch64-apple-darwin"];
+/// What people get: all but the tools of this repository.
+const NOT_SHIPPED: &[&str] = &["xtask", "gonio-bench"];
+/// What the web page will be made of, and whether it is built without its default features there.
+const WEB: &[(&str, bool)] =
+    &[("gonio-light", false), ("gonio-mesh", false), ("gonio-scene", false), ("gonio-gl", true)];
+
+/// Runs every step; a failing one does not keep the next from being tried.
+pub fn run(extent: Extent) -> ExitCode {
+    let root = root();
+    let mut report = Report::default();
+    if extent == Extent::Everything {
+        report.step("system packages", setup::packages);
+        report.step("toolchain", || setup::toolchain(&root, setup::TARGETS));
+    }
+    house(&mut report, &root);
+    if extent != Extent::House {
+        cargo_steps(&mut report, &root, extent);
+    }
+    print!("\n{}", report.summary());
+    if report.failed > 0 { ExitCode::from(1) } else { ExitCode::SUCCESS }
+}
+
+/// Everything that cargo does.
+fn cargo_steps(report: &mut Report, root: &Path, extent: Extent) {
+    report.step("rustfmt", || cargo_check(root, &["fmt", "--all", "--check"], &[]));
+    report.step("clippy", || {
+        let arguments = ["clippy", "--locked", "--workspace", "--all-targets", "--", "-D", "warnings"];
+        cargo_check(root, &arguments, &[])
+    });
+    report.step("rustdoc", || {
+        cargo_check(root, &["doc", "--locked", "--workspace", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")])
+    });
+    let built = report.step("build of the tests", || {
+        cargo_check(root, &["test", "--locked", "--workspace", "--all-targets", "--no-run"], &[])
+    });
+    if built {
+        // Whatever was built is run; what of it is documentation, rustdoc builds as it goes.
+        report.step("tests", || cargo_test(root, "--all-targets", true));
+        report.step("doc tests", || cargo_test(root, "--doc", false));
+    } else {
+        report.step("tests", || Findings::fail("they were not run, for they did not build"));
+    }
+    if extent == Extent::Everything {
+        for target in DESKTOPS {
+            report.step(target, || check_desktop(root, target));
+        }
+        for (krate, bare) in WEB {
+            report.step(&format!("wasm32 {krate}"), || check_web(root, krate, *bare));
+        }
+    }
+}
+
+/// The rules that no compiler knows.
+fn house(report: &mut Report, root: &Path) {
+    report.step("dependencies point one way", || {
+        let metadata = process::stdout_of(process::cargo(root).args([
+            "metadata",
+            "--locked",
+            "--no-deps",
+            "--format-version",
+            "1",
+        ]));
+        match metadata.and_then(|json| dependencies::read_metadata(&json)) {
+            Ok((crates, edges)) => Findings::of_complaints(&dependencies::check(
+                &crates,
+                &edges,
+                dependencies::RULES,
+                dependencies::GUARDED,
+            )),
+            Err(error) => Findings::fail(error),
+        }
+    });
+    let files = match tree::text_files(root) {
+        Ok(files) => files,
+        Err(error) => {
+            report.step("files of the repository", || Findings::fail(error));
+            return;
+        }
+    };
+    report.step("unsafe where declared", || {
+        let mut complaints = unsafe_code::check(&files, unsafe_code::DECLARED);
+        complaints.extend(unsafe_code::check_manifests(&files));
+        Findings::of_complaints(&complaints)
+    });
+    report.step("libraries keep quiet", || Findings::of_complaints(&output::check(&files)));
+    report.step("length of files", || {
+        let (long, too_long) = length::check(&files);
+        let mut findings = Findings::of_complaints(&too_long);
+        if !long.is_empty() {
+            findings.remark = format!("{} long", long.len());
+            findings.details = [findings.details, long.join("\n")].join("\n").trim_start().to_owned();
+        }
+        findings
+    });
+    report.step("no machine's paths", || Findings::of_complaints(&paths::check(&files)));
+}
+
+/// A cargo command that either passes or fails, with what it said where it failed.
+fn cargo_check(root: &Path, arguments: &[&str], variables: &[(&str, &str)]) -> Findings {
+    let outcome = process::run(process::cargo(root).args(arguments).envs(variables.iter().copied()));
+    if outcome.success { Findings::pass() } else { Findings::fail(cargo_output::without_noise(&outcome.text)) }
+}
+
+fn cargo_test(root: &Path, which: &str, at_least_one: bool) -> Findings {
+    let outcome = process::run(process::cargo(root).args(["test", "--locked", "--workspace", "--no-fail-fast", which]));
+    cargo_output::findings(outcome.success, &outcome.text, at_least_one)
+}
+
+fn check_desktop(root: &Path, target: &str) -> Findings {
+    let mut arguments = vec!["check", "--locked", "--workspace", "--target", target];
+    for krate in NOT_SHIPPED {
+        arguments.extend(["--exclude", krate]);
+    }
+    cargo_check(root, &arguments, &[])
+}
+
+fn check_web(root: &Path, krate: &str, bare: bool) -> Findings {
+    let mut arguments = vec!["check", "--locked", "--target", "wasm32-unknown-unknown", "--package", krate];
+    if bare {
+        arguments.push("--no-default-features");
+    }
+    cargo_check(root, &arguments, &[])
+}
