@@ -7,8 +7,7 @@ use std::process::Command;
 
 /// What the tests run besides cargo, as Debian calls it: OpenGL on the CPU; RenderDoc, its Python
 /// module, and the X server that opening a capture wants.
-const PACKAGES: &[&str] =
-    &["libegl1", "libgl1-mesa-dri", "renderdoccmd", "librenderdoc", "python3-renderdoc", "xvfb", "xauth"];
+const PACKAGES: &[&str] = &["libegl1", "libgl1-mesa-dri", "librenderdoc", "python3-renderdoc", "xvfb", "xauth"];
 
 /// The platforms that are checked and not run, and the browser's.
 pub const TARGETS: &[&str] = &["x86_64-pc-windows-msvc", "aarch64-apple-darwin", "wasm32-unknown-unknown"];

@@ -3,12 +3,22 @@
 
 // One light is LIGHT_TEXELS vec4: in uniforms where there are few lights; in a float texture,
 // LIGHTS_PER_ROW lights a row, where there are many, so that any number fits one pass.
-#if MANY_LIGHTS
+#if LIGHTS_IN_TEXTURE
 uniform highp sampler2D light_table;
 #else
 uniform vec4 light_values[LIGHTS_IN_UNIFORMS * LIGHT_TEXELS];
 #endif
-uniform int light_count;
+// Lights are sorted by kind, so that each loop knows what it reads. Where there are very few, the ends
+// are constants, and compilers unroll the loops: half the cost on a software driver.
+#if LIGHTS_UNROLLED
+const int directional_end = DIRECTIONAL_END;
+const int point_end = POINT_END;
+const int spot_end = SPOT_END;
+#else
+uniform int directional_end;
+uniform int point_end;
+uniform int spot_end;
+#endif
 uniform vec3 eye_in_world;
 uniform float diff_factor;          // 1 in the lab's convention, 1/pi in the physical one and for BRDFs
 uniform float diffuse_switch;       // 0 or 1, like all switches
@@ -39,7 +49,7 @@ struct LightSums {
 };
 
 vec4 light_texel(int light, int texel) {
-#if !MANY_LIGHTS
+#if !LIGHTS_IN_TEXTURE
     return light_values[light * LIGHT_TEXELS + texel];
 #else
     return texelFetch(light_table, ivec2((light % LIGHTS_PER_ROW) * LIGHT_TEXELS + texel, light / LIGHTS_PER_ROW), 0);
@@ -66,18 +76,19 @@ float specular_factor(vec3 n, vec3 v, vec3 l, vec3 r, vec3 h, float cos_theta, f
 #endif
 }
 
-LightTerms light_terms(int light, vec3 position, vec3 n, vec3 v, float shininess) {
-    vec4 place_and_kind = light_texel(light, 0);
+// `kind` is a constant wherever many lights are summed, so that compilers drop what does not apply: a
+// software driver runs both sides of a branch.
+LightTerms light_terms(int kind, int light, vec3 position, vec3 n, vec3 v, float shininess) {
+    vec3 place = light_texel(light, 0).xyz;
     vec3 color = light_texel(light, 1).rgb;
     LightTerms t;
-    int kind = int(place_and_kind.w);
     if (kind == LIGHT_DIRECTIONAL) {
-        t.l = unit_or(-place_and_kind.xyz, n);
+        t.l = unit_or(-place, n);
         t.distance = 0.0;
         t.attenuation = 1.0;
         t.spot = 1.0;
     } else {
-        vec3 to_light = place_and_kind.xyz - position;
+        vec3 to_light = place - position;
         t.distance = length(to_light);
         t.l = has_direction(t.distance) ? to_light / t.distance : n;
         vec4 attenuation_and_inner = light_texel(light, 3);
@@ -100,12 +111,21 @@ LightTerms light_terms(int light, vec3 position, vec3 n, vec3 v, float shininess
     return t;
 }
 
+int kind_of_light(int light) {
+    return light < directional_end ? LIGHT_DIRECTIONAL : light < point_end ? LIGHT_POINT : LIGHT_SPOT;
+}
+
+void add_light(inout LightSums sums, int kind, int light, vec3 position, vec3 n, vec3 v, float shininess) {
+    LightTerms t = light_terms(kind, light, position, n, v, shininess);
+    sums.diffuse += t.diffuse_light;
+    sums.specular += t.specular_light;
+}
+
 LightSums light_sums(vec3 position, vec3 n, vec3 v, float shininess) {
     LightSums sums = LightSums(vec3(0.0), vec3(0.0));
-    for (int i = 0; i < light_count; ++i) {
-        LightTerms t = light_terms(i, position, n, v, shininess);
-        sums.diffuse += t.diffuse_light;
-        sums.specular += t.specular_light;
-    }
+    int i = 0;
+    for (; i < directional_end; ++i) add_light(sums, LIGHT_DIRECTIONAL, i, position, n, v, shininess);
+    for (; i < point_end; ++i) add_light(sums, LIGHT_POINT, i, position, n, v, shininess);
+    for (; i < spot_end; ++i) add_light(sums, LIGHT_SPOT, i, position, n, v, shininess);
     return sums;
 }

@@ -17,7 +17,7 @@ vec3 quantity_of_point(vec3 position, vec3 n, vec3 v, float shininess) {
         return reflection(towards, v);
     }
     if (view_light < 0) return vec3(0.0);
-    LightTerms t = light_terms(view_light, position, n, v, shininess);
+    LightTerms t = light_terms(kind_of_light(view_light), view_light, position, n, v, shininess);
     if (view_quantity == QUANTITY_LIGHT) return t.l;
     if (view_quantity == QUANTITY_REFLECTION) return t.r;
     if (view_quantity == QUANTITY_HALF) return t.h;
@@ -33,6 +33,6 @@ vec3 quantity_of_point(vec3 position, vec3 n, vec3 v, float shininess) {
 LightSums light_sums_of_view(vec3 position, vec3 n, vec3 v, float shininess) {
     if (!view_of_one_light) return light_sums(position, n, v, shininess);
     if (view_light < 0) return LightSums(vec3(0.0), vec3(0.0));
-    LightTerms t = light_terms(view_light, position, n, v, shininess);
+    LightTerms t = light_terms(kind_of_light(view_light), view_light, position, n, v, shininess);
     return LightSums(t.diffuse_light, t.specular_light);
 }

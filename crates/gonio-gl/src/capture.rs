@@ -1,42 +1,97 @@
 //! RenderDoc captures of a frame, through its in-application interface.
+//!
+//! RenderDoc sees only what is called after it has put itself between a program and OpenGL. On Linux it
+//! does so by standing before `dlopen` and EGL in the dynamic linker's order, and that order is settled
+//! when the program starts: a library that is loaded later, even before EGL, sees no context (tried with
+//! RenderDoc 1.24). So it has to be in `LD_PRELOAD` ([`PRELOAD`]), and who wants a capture starts the
+//! program anew where [`is_loaded`] says no. On Windows it patches what is loaded already, so there
+//! [`load`] is enough when it comes before OpenGL.
 
-use crate::GlError;
+use crate::{Gl, GlError};
+use glow::HasContext;
 use renderdoc::{RenderDoc, V112};
 use std::path::{Path, PathBuf};
 
-/// RenderDoc, loaded into this process.
+/// The environment variable that brings RenderDoc into a program, and what has to be in it, where
+/// RenderDoc cannot be loaded when the program runs.
+pub const PRELOAD: Option<(&str, &str)> =
+    if cfg!(target_os = "linux") { Some(("LD_PRELOAD", "librenderdoc.so")) } else { None };
+
+/// Whether RenderDoc is in this process.
+pub fn is_loaded() -> bool {
+    RenderDoc::<V112>::new().is_ok()
+}
+
+/// Loads RenderDoc into this process; an error that says how to install it where there is none. Where
+/// [`PRELOAD`] is something, this is always an error.
+pub fn load() -> Result<(), GlError> {
+    #[cfg(windows)]
+    // SAFETY: loading a library runs its initialisers; RenderDoc is made to be loaded into any program.
+    if let Ok(library) = unsafe { libloading::Library::new("renderdoc.dll") } {
+        // It has patched other libraries by now, so it stays.
+        std::mem::forget(library);
+        return Ok(());
+    }
+    Err(missing())
+}
+
+/// RenderDoc cannot be loaded, and what to do.
+pub fn missing() -> GlError {
+    GlError::new(if cfg!(windows) {
+        "a capture needs RenderDoc, and renderdoc.dll could not be loaded; install RenderDoc and put its folder into PATH"
+    } else {
+        "a capture needs RenderDoc, and librenderdoc.so could not be loaded; on Debian: apt-get install librenderdoc"
+    })
+}
+
+/// RenderDoc in this process, with a place to write to.
 pub struct Capture {
     renderdoc: RenderDoc<V112>,
     captures_before: u32,
 }
 
 impl Capture {
-    /// Loads RenderDoc. Its hooks only see contexts that are made afterwards, so this comes before
-    /// [`crate::HeadlessContext::new`]. Captures are written beside `target`.
-    pub fn load(target: &Path) -> Result<Self, GlError> {
+    /// Takes hold of the loaded RenderDoc; before [`crate::HeadlessContext::new`], so that an error comes
+    /// early. Captures become files in `folder`, under names that RenderDoc chooses.
+    pub fn new(folder: &Path) -> Result<Self, GlError> {
+        // The crate would panic over others.
+        if folder.to_str().is_none() {
+            return Err(GlError::new(format!(
+                "RenderDoc only writes to folders whose names are UTF-8, not to `{}`",
+                folder.display()
+            )));
+        }
         let mut renderdoc = RenderDoc::<V112>::new().map_err(|why| {
-            GlError::new(format!(
-                "a capture needs RenderDoc, and librenderdoc.so could not be loaded ({why}); on Debian: \
-                 apt-get install librenderdoc"
-            ))
+            GlError::new(format!("RenderDoc does not answer in this process ({why}), so no capture can be taken"))
         })?;
-        renderdoc.set_capture_file_path_template(target.with_extension(""));
+        renderdoc.set_capture_file_path_template(folder.join("capture"));
         let captures_before = renderdoc.get_num_captures();
         Ok(Capture { renderdoc, captures_before })
     }
 
-    /// Begins the capture: everything that the context does from here on is in it.
+    /// Begins the capture: everything that the context does from here on is in it; what its objects hold
+    /// by now is kept as well.
     pub fn start(&mut self) {
         self.renderdoc.start_frame_capture(std::ptr::null::<std::ffi::c_void>(), std::ptr::null());
     }
 
-    /// Ends the capture and tells which file it is in.
-    pub fn end(&mut self) -> Result<PathBuf, GlError> {
+    /// Ends the capture of what this context did and tells which file it is in. Errors of OpenGL are to be
+    /// asked for before: its error flag is clear afterwards.
+    pub fn end(&mut self, gl: &Gl) -> Result<PathBuf, GlError> {
         self.renderdoc.end_frame_capture(std::ptr::null::<std::ffi::c_void>(), std::ptr::null());
+        // For a preview RenderDoc reads a window's picture, and where there is no window that raises an
+        // error (GL_INVALID_FRAMEBUFFER_OPERATION, RenderDoc 1.24), which is none of ours. A driver has one
+        // flag, or one for each of its parts.
+        for _ in 0..8 {
+            // SAFETY: reads and clears a flag.
+            if unsafe { gl.get_error() } == glow::NO_ERROR {
+                break;
+            }
+        }
         let count = self.renderdoc.get_num_captures();
         if count <= self.captures_before {
             return Err(GlError::new(
-                "RenderDoc wrote no capture: it has not seen this process's OpenGL context",
+                "RenderDoc wrote no capture: either it has not seen this process's OpenGL context, or its folder is full",
             ));
         }
         let (path, _) = self

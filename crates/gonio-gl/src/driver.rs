@@ -39,7 +39,8 @@ impl DriverInfo {
                 most[0]
             });
             // Multisampled textures have a limit of their own; OpenGL ES 3.0 has none of them.
-            let textures = if version.is_embedded { i32::MAX } else { gl.get_parameter_i32(glow::MAX_COLOR_TEXTURE_SAMPLES) };
+            let textures =
+                if version.is_embedded { i32::MAX } else { gl.get_parameter_i32(glow::MAX_COLOR_TEXTURE_SAMPLES) };
             let sizes = [glow::MAX_TEXTURE_SIZE, glow::MAX_RENDERBUFFER_SIZE].map(|p| gl.get_parameter_i32(p));
             DriverInfo {
                 renderer: gl.get_parameter_string(glow::RENDERER),

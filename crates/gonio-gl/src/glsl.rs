@@ -25,7 +25,9 @@ impl Dialect {
         match self {
             Dialect::Core330 => "#version 330 core\n",
             // Some drivers take mediump at its word (16 bits), with visible errors.
-            Dialect::Es300 => "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n",
+            Dialect::Es300 => {
+                "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
+            }
         }
     }
 }
@@ -37,6 +39,8 @@ pub const LIGHTS_PER_ROW: usize = 256;
 /// Most lights that are handed over in uniforms: 64 of the 224 vectors that every WebGL2 has. Reading a
 /// texture costs a software driver several times as much as reading a uniform.
 pub const LIGHTS_IN_UNIFORMS: usize = 16;
+/// Most lights whose loops are unrolled.
+pub const LIGHTS_UNROLLED: usize = 4;
 /// Kinds of light in the light table.
 pub const LIGHT_DIRECTIONAL: i32 = 0;
 /// A point light.
@@ -134,13 +138,51 @@ pub struct SceneKey {
     pub two_sided: bool,
     /// Draws a debug view.
     pub view: bool,
-    /// More lights than uniforms hold.
-    pub many_lights: bool,
+    /// Where the lights are, and how the loops over them end.
+    pub lights: LightLoops,
+}
+
+/// Where the lights are, and how the loops over them end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum LightLoops {
+    /// Very few: in uniforms, and the ends of the directional lights, points and spots are constants.
+    Unrolled([u8; 3]),
+    /// Few: in uniforms.
+    Uniforms,
+    /// Many: in a texture.
+    Texture,
+}
+
+impl LightLoops {
+    /// For lights whose kinds end at `ends`.
+    pub fn for_ends(ends: [usize; 3]) -> Self {
+        let count = ends[2];
+        if count <= LIGHTS_UNROLLED {
+            LightLoops::Unrolled(ends.map(|end| end as u8))
+        } else if count <= LIGHTS_IN_UNIFORMS {
+            LightLoops::Uniforms
+        } else {
+            LightLoops::Texture
+        }
+    }
+
+    /// Every way to end the loops over very few lights.
+    pub fn all_unrolled() -> Vec<LightLoops> {
+        let most = LIGHTS_UNROLLED as u8;
+        let mut all = Vec::new();
+        for directional in 0..=most {
+            for point in directional..=most {
+                all.extend((point..=most).map(|spot| LightLoops::Unrolled([directional, point, spot])));
+            }
+        }
+        all
+    }
 }
 
 impl SceneKey {
-    /// Every key that the renderer can ask for.
+    /// Every key that the renderer can ask for, with one of the ways to unroll the loops over the lights.
     pub fn all() -> Vec<SceneKey> {
+        let loops = [LightLoops::Unrolled([1, 2, 3]), LightLoops::Uniforms, LightLoops::Texture];
         let mut keys = Vec::new();
         for &shading in Shading::ALL {
             for reflectance in Reflectance::all() {
@@ -150,16 +192,16 @@ impl SceneKey {
                             continue;
                         }
                         for two_sided in [false, true] {
-                            for (view, many_lights) in [(false, false), (false, true), (true, false), (true, true)] {
-                                keys.push(SceneKey {
+                            for view in [false, true] {
+                                keys.extend(loops.map(|lights| SceneKey {
                                     shading,
                                     reflectance,
                                     maps,
                                     normal_map,
                                     two_sided,
                                     view,
-                                    many_lights,
-                                });
+                                    lights,
+                                }));
                             }
                         }
                     }
@@ -188,11 +230,17 @@ impl SceneKey {
             ("NORMAL_MAP", bit(self.normal_map)),
             ("TWO_SIDED", bit(self.two_sided)),
             ("VIEW", bit(self.view)),
-            ("MANY_LIGHTS", bit(self.many_lights)),
+            ("LIGHTS_IN_TEXTURE", bit(self.lights == LightLoops::Texture)),
+            ("LIGHTS_UNROLLED", bit(matches!(self.lights, LightLoops::Unrolled(_)))),
             ("FLAT_IF_PER_TRIANGLE", flat(per_triangle)),
             ("FLAT_IF_LIT_PER_FACE", flat(self.shading == Shading::FlatPerFace)),
         ] {
             define(&mut text, name, value);
+        }
+        if let LightLoops::Unrolled(ends) = self.lights {
+            for (name, end) in ["DIRECTIONAL_END", "POINT_END", "SPOT_END"].into_iter().zip(ends) {
+                define(&mut text, name, &end.to_string());
+            }
         }
         text
     }
@@ -229,7 +277,11 @@ impl SceneKey {
             if self.normal_map { " normal-map" } else { "" },
             if self.two_sided { " two-sided" } else { "" },
             if self.view { " view" } else { "" },
-            if self.many_lights { " many-lights" } else { "" },
+            match self.lights {
+                LightLoops::Unrolled([d, p, s]) => format!(" lights {d} {} {}", p - d, s - p),
+                LightLoops::Uniforms => " few-lights".to_owned(),
+                LightLoops::Texture => " many-lights".to_owned(),
+            },
         )
     }
 }

@@ -13,8 +13,8 @@ type Row = [[f32; 4]; LIGHT_TEXELS];
 /// The lights of a frame: few are handed over as uniforms, many in a texture.
 pub struct LightTable {
     texture: TextureObject,
-    /// Lights in it: ambient ones are not.
-    pub count: usize,
+    /// Where the directional lights, the points and the spots end; ambient lights are not in it.
+    pub ends: [usize; 3],
     /// Where they are few.
     few: Vec<Row>,
 }
@@ -32,12 +32,17 @@ impl LightTable {
                 gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, glow::CLAMP_TO_EDGE as i32);
             }
         }
-        Ok(LightTable { texture, count: 0, few: Vec::new() })
+        Ok(LightTable { texture, ends: [0; 3], few: Vec::new() })
+    }
+
+    /// How many lights.
+    pub fn count(&self) -> usize {
+        self.ends[2]
     }
 
     /// Whether there are so many that they are in the texture.
     pub fn is_in_texture(&self) -> bool {
-        self.count > LIGHTS_IN_UNIFORMS
+        self.count() > LIGHTS_IN_UNIFORMS
     }
 
     /// The values of few lights, as `light_values` in lighting.glsl.
@@ -47,8 +52,12 @@ impl LightTable {
 
     /// Fills it; the texture stays bound to the active unit.
     pub fn fill(&mut self, gl: &Gl, lights: &[Light]) {
-        let mut rows: Vec<Row> = lights.iter().filter_map(row_of).collect();
-        self.count = rows.len();
+        let kinds = [LIGHT_DIRECTIONAL, LIGHT_POINT, LIGHT_SPOT];
+        let mut rows = Vec::with_capacity(lights.len());
+        for (kind, end) in kinds.into_iter().zip(&mut self.ends) {
+            rows.extend(lights.iter().filter(|l| kind_of(l) == Some(kind)).map(row_of));
+            *end = rows.len();
+        }
         if !self.is_in_texture() {
             self.few = rows;
             return;
@@ -78,34 +87,40 @@ impl LightTable {
 
     /// The table's row of the scene's light `index`; `None` for ambient lights and beyond the end.
     pub fn row_of_light(lights: &[Light], index: usize) -> Option<usize> {
-        let light = lights.get(index)?;
-        (light.kind != LightKind::Ambient)
-            .then(|| lights[..index].iter().filter(|l| l.kind != LightKind::Ambient).count())
+        let kind = kind_of(lights.get(index)?)?;
+        let before = lights
+            .iter()
+            .enumerate()
+            .filter(|(i, light)| kind_of(light).is_some_and(|other| other < kind || (other == kind && *i < index)));
+        Some(before.count())
     }
 }
 
-/// Place or direction and kind; colour; axis and cosine of the outer angle; attenuation and cosine of
-/// the inner angle. `light_terms` in lighting.glsl reads this.
-fn row_of(light: &Light) -> Option<Row> {
+/// The kind's number in GLSL; lights are sorted by it.
+fn kind_of(light: &Light) -> Option<i32> {
+    match light.kind {
+        LightKind::Ambient => None,
+        LightKind::Directional { .. } => Some(LIGHT_DIRECTIONAL),
+        LightKind::Point { .. } => Some(LIGHT_POINT),
+        LightKind::Spot { .. } => Some(LIGHT_SPOT),
+    }
+}
+
+/// Place or direction; colour; axis and cosine of the outer angle; attenuation and cosine of the inner
+/// angle. `light_terms` in lighting.glsl reads this.
+fn row_of(light: &Light) -> Row {
     let texel = |v: DVec3, w: f64| [v.x as f32, v.y as f32, v.z as f32, w as f32];
     let a = light.attenuation;
     let attenuation = DVec3::new(a.constant, a.linear, a.quadratic);
-    let color = texel(light.color, 0.0);
-    match light.kind {
-        LightKind::Ambient => None,
-        LightKind::Directional { direction } => {
-            Some([texel(direction_of(direction), f64::from(LIGHT_DIRECTIONAL)), color, [0.0; 4], texel(attenuation, 0.0)])
+    let (place, axis, cosines) = match light.kind {
+        LightKind::Ambient => (DVec3::ZERO, DVec3::ZERO, [0.0; 2]),
+        LightKind::Directional { direction } => (direction_of(direction), DVec3::ZERO, [0.0; 2]),
+        LightKind::Point { position } => (position, DVec3::ZERO, [0.0; 2]),
+        LightKind::Spot { position, axis, inner_rad, outer_rad } => {
+            (position, direction_of(axis), [outer_rad.cos(), inner_rad.cos()])
         }
-        LightKind::Point { position } => {
-            Some([texel(position, f64::from(LIGHT_POINT)), color, [0.0; 4], texel(attenuation, 0.0)])
-        }
-        LightKind::Spot { position, axis, inner_rad, outer_rad } => Some([
-            texel(position, f64::from(LIGHT_SPOT)),
-            color,
-            texel(direction_of(axis), outer_rad.cos()),
-            texel(attenuation, inner_rad.cos()),
-        ]),
-    }
+    };
+    [texel(place, 0.0), texel(light.color, 0.0), texel(axis, cosines[0]), texel(attenuation, cosines[1])]
 }
 
 /// At unit length, as the reference has it; zero where there is no direction.

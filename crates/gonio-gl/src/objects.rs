@@ -153,14 +153,7 @@ impl TextureObject {
         // SAFETY: as for renderbuffers: sizes are checked by the caller, memory by the framebuffer.
         unsafe {
             gl.bind_texture(glow::TEXTURE_2D_MULTISAMPLE, Some(texture.handle));
-            gl.tex_image_2d_multisample(
-                glow::TEXTURE_2D_MULTISAMPLE,
-                samples,
-                format as i32,
-                size[0],
-                size[1],
-                true,
-            );
+            gl.tex_image_2d_multisample(glow::TEXTURE_2D_MULTISAMPLE, samples, format as i32, size[0], size[1], true);
         }
         label(gl, glow::TEXTURE, native_name!(texture.handle), name);
         Ok(texture)

@@ -47,8 +47,7 @@ impl Program {
             if failed.is_none() {
                 gl.link_program(handle);
                 if !gl.get_program_link_status(handle) {
-                    failed =
-                        Some(format!("`{name}` does not link:\n{}", gl.get_program_info_log(handle).trim_end()));
+                    failed = Some(format!("`{name}` does not link:\n{}", gl.get_program_info_log(handle).trim_end()));
                 }
             }
             for shader in shaders {

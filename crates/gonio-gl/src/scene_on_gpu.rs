@@ -76,15 +76,12 @@ impl GpuScene {
                 geometry.shared = Some(Geometry::shared(gl, mesh, &object.name)?);
             }
         }
-        let textures = scene
-            .textures
-            .iter()
-            .map(|t| textures::upload(gl, t, max_texture_size))
-            .collect::<Result<Vec<_>, _>>()?;
+        let textures =
+            scene.textures.iter().map(|t| textures::upload(gl, t, max_texture_size)).collect::<Result<Vec<_>, _>>()?;
         let objects = scene.objects.iter().map(|o| GpuObject::new(o, scene)).collect();
-        let geometry_bytes =
-            geometries.iter().flat_map(|g| [&g.shared, &g.unshared]).flatten().map(|g| g.bytes).sum();
-        Ok(GpuScene { objects, geometries, materials: scene.materials.clone(), textures, geometry_bytes })
+        let geometry_bytes = geometries.iter().flat_map(|g| [&g.shared, &g.unshared]).flatten().map(|g| g.bytes).sum();
+        let materials = scene.materials.clone();
+        Ok(GpuScene { objects, geometries, materials, textures, geometry_bytes })
     }
 }
 

@@ -113,13 +113,7 @@ fn check_complete(gl: &Gl, what: &str, size: [i32; 2], samples: i32) -> Result<(
 
 impl Target {
     /// Makes the targets. `size` must be within the driver's limits.
-    pub fn new(
-        gl: &Gl,
-        dialect: Dialect,
-        size: [i32; 2],
-        samples: i32,
-        precision: Precision,
-    ) -> Result<Self, GlError> {
+    pub fn new(gl: &Gl, dialect: Dialect, size: [i32; 2], samples: i32, precision: Precision) -> Result<Self, GlError> {
         let format = precision.format();
         let float = (glow::RGBA, glow::FLOAT);
         let (drawn, color) = if samples <= 1 {

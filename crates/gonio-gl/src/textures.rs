@@ -20,35 +20,42 @@ pub fn upload(gl: &Gl, texture: &Texture, max_size: u32) -> Result<TextureObject
             texture.name, texture.width, texture.height
         )));
     }
-    let row = texture.width as usize * 4;
-    let flipped = texture.rgba.chunks_exact(row).rev().flatten();
     let object = TextureObject::bound(gl, &texture.name)?;
+    upload_level(gl, texture.color_space, 0, [texture.width, texture.height], &texture.rgba);
+    // The reference's own mipmaps: drivers round theirs differently, and some do not average in linear light.
+    for (level, mip) in texture.mip_levels().iter().enumerate() {
+        upload_level(gl, texture.color_space, level as i32 + 1, [mip.width, mip.height], &mip.rgba);
+    }
+    Ok(object)
+}
+
+/// Fills one level of the bound texture from rows that begin at the top.
+fn upload_level(gl: &Gl, color_space: ColorSpace, level: i32, size: [u32; 2], rgba: &[u8]) {
+    let flipped = rgba.chunks_exact(size[0] as usize * 4).rev().flatten();
     let fill = |format: u32, kind: u32, bytes: &[u8]| {
         // SAFETY: the texture is bound, and the slice holds width * height RGBA texels of this kind.
         unsafe {
             gl.pixel_store_i32(glow::UNPACK_ALIGNMENT, 4);
             gl.tex_image_2d(
                 glow::TEXTURE_2D,
-                0,
+                level,
                 format as i32,
-                texture.width as i32,
-                texture.height as i32,
+                size[0] as i32,
+                size[1] as i32,
                 0,
                 glow::RGBA,
                 kind,
                 PixelUnpackData::Slice(Some(bytes)),
             );
-            gl.generate_mipmap(glow::TEXTURE_2D);
         }
     };
-    match texture.color_space {
+    match color_space {
         ColorSpace::Srgb => fill(glow::SRGB8_ALPHA8, glow::UNSIGNED_BYTE, &flipped.copied().collect::<Vec<u8>>()),
         ColorSpace::Data => {
             let signed: Vec<f32> = flipped.map(|&t| f32::from(t) / 127.5 - 1.0).collect();
             fill(glow::RGBA16F, glow::FLOAT, bytemuck::cast_slice(&signed));
         }
     }
-    Ok(object)
 }
 
 /// A 1x1 white texture for the units of the textures that a material lacks.

@@ -44,7 +44,8 @@ fn object(model: &str, shading: &str, material: &str) -> String {
 const CLAY: &str = "ambient = [0.3, 0.2, 0.2], diffuse = [0.8, 0.45, 0.2], specular = [0.5, 0.5, 0.5], shininess = 32";
 const AMBIENT: &str = "[[light]]\nkind = \"ambient\"\ncolor = [0.2, 0.25, 0.3]\n";
 const DIRECTIONAL: &str = "[[light]]\nkind = \"directional\"\ndirection = [-1, -2, -1.5]\ncolor = [0.9, 0.8, 0.7]\n";
-const POINT: &str = "[[light]]\nkind = \"point\"\nposition = [2, 3, 2.5]\nconstant = 1\nlinear = 0.14\nquadratic = 0.07\n";
+const POINT: &str =
+    "[[light]]\nkind = \"point\"\nposition = [2, 3, 2.5]\nconstant = 1\nlinear = 0.14\nquadratic = 0.07\n";
 const SPOT: &str = "[[light]]\nkind = \"spot\"\nposition = [1, 3, 3]\ndirection = [-0.3, -1, -1]\n\
                     inner_angle = 6\nouter_angle = 34\n";
 
@@ -86,8 +87,10 @@ impl Bench {
         let reference = ReferenceScene::new(scene);
         let cpu = reference.render(&frame, view, &|_| ()).picture;
         let cpu8 = cpu.encode8(&DisplayMap::for_view(view, &frame));
-        let probes: Vec<Option<Probe>> =
-            (0..HEIGHT).flat_map(|y| (0..WIDTH).map(move |x| (x, y))).map(|(x, y)| reference.probe(&frame, x, y)).collect();
+        let probes: Vec<Option<Probe>> = (0..HEIGHT)
+            .flat_map(|y| (0..WIDTH).map(move |x| (x, y)))
+            .map(|(x, y)| reference.probe(&frame, x, y))
+            .collect();
         let mut comparison = Comparison { interior: 0, worst: (0.0, String::new()), close: 0.0 };
         let mut close = 0usize;
         for y in 0..HEIGHT {

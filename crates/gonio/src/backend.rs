@@ -1,15 +1,14 @@
 //! Who draws: OpenGL or the CPU reference, behind one face.
 
+use crate::capture::Recorder;
 use crate::cli::BackendOptions;
-use crate::output::atomic;
 use crate::report::{CliError, Reporter, Times};
-use gonio_gl::capture::Capture;
 use gonio_gl::{Drawn, DriverInfo, GpuScene, HeadlessContext, Renderer};
 use gonio_reference::{ReferenceScene, Rendered};
 use gonio_scene::picture::EncodedPicture;
 use gonio_scene::{DisplayMap, Frame, LoadedScene, Picture, ViewSpec};
 use serde::Serialize;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// `--backend`
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -52,51 +51,43 @@ pub enum Opened {
 pub struct OpenGl {
     // In this order: the renderer frees its objects while the context is there.
     renderer: Renderer,
-    _context: HeadlessContext,
+    context: HeadlessContext,
+    /// Of the first picture.
     recorder: Option<Recorder>,
 }
 
-/// A RenderDoc capture that is to be made of the first picture.
-struct Recorder {
-    capture: Capture,
-    target: PathBuf,
-}
-
-impl Recorder {
-    fn new(target: &Path) -> Result<Self, CliError> {
-        if !target.extension().is_some_and(|e| e.eq_ignore_ascii_case("rdc")) {
-            return Err(CliError::new(format!("`{}`: a capture is a .rdc file", target.display())));
-        }
-        atomic::check_writable(target)?;
-        Ok(Recorder { capture: Capture::load(target)?, target: target.to_owned() })
-    }
-
-    /// RenderDoc chooses the name; ours replaces it.
-    fn finish(mut self) -> Result<(), CliError> {
-        let written = self.capture.end()?;
-        std::fs::rename(&written, &self.target)
-            .map_err(|e| CliError::io(format_args!("`{}` cannot be written", self.target.display()), &e))
+impl OpenGl {
+    /// Draws one picture for RenderDoc: in one piece, so that each part is drawn once, and encoded. What is
+    /// written as a picture is drawn afterwards, as without a capture.
+    fn record(
+        &mut self,
+        mut recorder: Recorder,
+        scene: &GpuScene,
+        frame: &Frame,
+        view: Option<ViewSpec>,
+    ) -> Result<(), CliError> {
+        recorder.start();
+        self.renderer.render(scene, frame, view)?.encoded8()?;
+        recorder.finish(self.context.gl())
     }
 }
 
 impl Opened {
     /// Makes what the options ask for; `auto` falls back on the CPU.
     ///
-    /// A RenderDoc `capture` has to be announced before OpenGL is loaded, and needs OpenGL.
+    /// A RenderDoc `capture`, which [`crate::capture::prepare`] has made possible, has to be announced
+    /// before OpenGL is loaded.
     pub fn new(options: &BackendOptions, capture: Option<&Path>, times: &Times) -> Result<Opened, CliError> {
         if let Some(threads) = options.threads {
             // Fails only where the pool exists already, and nothing has used it yet.
             let _ = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
         }
         if options.backend == BackendChoice::Cpu {
-            return match capture {
-                None => Ok(Opened::Cpu { reason: None }),
-                Some(_) => Err(CliError::new("--capture needs OpenGL; leave --backend cpu out")),
-            };
+            return Ok(Opened::Cpu { reason: None });
         }
         let recorder = capture.map(Recorder::new).transpose()?;
         match times.measure("context", || open_gl(options)) {
-            Ok((renderer, context)) => Ok(Opened::Gl(Box::new(OpenGl { renderer, _context: context, recorder }))),
+            Ok((renderer, context)) => Ok(Opened::Gl(Box::new(OpenGl { renderer, context, recorder }))),
             Err(error) if options.backend == BackendChoice::Auto && capture.is_none() => {
                 Ok(Opened::Cpu { reason: Some(error.message) })
             }
@@ -123,6 +114,9 @@ impl Opened {
                 );
                 if options.backend == BackendChoice::Gl {
                     return Err(CliError::new(format!("{why}; `--backend cpu` can")));
+                }
+                if gl.recorder.is_some() {
+                    return Err(CliError::new(format!("{why}, so there is nothing to capture; take a smaller --size")));
                 }
                 Opened::Cpu { reason: Some(why) }
             }
@@ -205,20 +199,16 @@ impl Backend<'_> {
     ) -> Result<(), CliError> {
         match self {
             Backend::Gl { gl, gpu } => {
-                // The first picture of the run is captured, as far as it is drawn and read back.
-                let mut recorder = gl.recorder.take();
+                if let (Some(recorder), Some(&first)) = (gl.recorder.take(), views.first()) {
+                    let _busy = reporter.busy("capturing");
+                    times.measure("capture", || gl.record(recorder, gpu, frame, first))?;
+                }
                 for (index, &view) in views.iter().enumerate() {
-                    if let Some(recorder) = &mut recorder {
-                        recorder.capture.start();
-                    }
-                    let drawn = {
+                    let shot = {
                         let _busy = reporter.busy("drawing");
-                        times.measure("draw", || gl.renderer.render(gpu, frame, view))?
+                        times.measure("draw", || gl.renderer.render(gpu, frame, view)).map(Shot::Gl)?
                     };
-                    each(index, Shot::Gl(drawn))?;
-                    if let Some(recorder) = recorder.take() {
-                        recorder.finish()?;
-                    }
+                    each(index, shot)?;
                 }
             }
             Backend::Cpu { scene, .. } => {
@@ -236,7 +226,8 @@ impl Backend<'_> {
         Ok(())
     }
 
-    /// Only pictures of 8 bits a channel will be asked for: OpenGL may keep light in 16-bit floats.
+    /// Only pictures of 8 bits a channel will be asked for, for which OpenGL may keep light in
+    /// 16-bit floats.
     pub fn for_eight_bits(&mut self) {
         if let Backend::Gl { gl, .. } = self {
             gl.renderer.set_precision(gonio_gl::Precision::Half);

@@ -125,7 +125,7 @@ pub struct SceneOptions {
     pub normals: Option<Normals>,
     /// Replace values of all materials: ambient, diffuse, specular, emitted (colours), shininess,
     /// refraction-index, opacity, textures (true or false).
-    #[arg(long, help_heading = "Shading", value_name = "KEY=VALUE,...", value_parser = values::material)]
+    #[arg(long, help_heading = "Shading", value_name = "KEY=VALUE,...", value_parser = MaterialOverride::from_option_text)]
     pub material: Option<MaterialOverride>,
     /// How textures are sampled.
     #[arg(long, help_heading = "Shading", value_parser = values::named(TextureFilter::ALL, TextureFilter::name))]
@@ -165,7 +165,7 @@ pub struct SceneOptions {
     /// spot; keys: position, direction, color, intensity, constant, linear, quadratic, inner-angle,
     /// outer-angle, name; motion=oscillate|circle|path with period, amplitude, center, axis, points.
     #[arg(long, help_heading = "Lights", value_name = "KIND KEY=VALUE ...", action = ArgAction::Append,
-          value_parser = values::light)]
+          value_parser = LightSpec::from_option_text)]
     pub light: Vec<LightSpec>,
 
     /// The eye, world space.

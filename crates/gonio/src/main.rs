@@ -5,6 +5,7 @@
 //! silently).
 
 mod backend;
+mod capture;
 mod cli;
 mod commands;
 mod limits;

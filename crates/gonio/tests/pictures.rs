@@ -173,10 +173,8 @@ fn a_printed_scene_gives_the_same_picture() {
     lab.write("scene.toml", &scene.stdout);
     lab.run(&["render", "scene.toml", "-o", "b.png", "--backend", "cpu"]).good();
     assert_eq!(lab.read("a.png"), lab.read("b.png"));
-    // Printed again, nothing changes but the line that names the input.
-    let again = lab.run(&["scene", "scene.toml"]).good();
-    let body = |text: &str| text.split_once("[picture]").unwrap().1.to_owned();
-    assert_eq!(body(again.text()), body(scene.text()));
+    // Printed again, nothing changes.
+    assert_eq!(lab.run(&["scene", "scene.toml"]).good().text(), scene.text());
 }
 
 #[test]
@@ -195,11 +193,33 @@ fn a_scene_written_elsewhere_still_finds_its_models() {
 }
 
 #[test]
-fn the_schema_knows_the_keys_of_a_scene() {
-    let json = Lab::new().run(&["scene", "--schema"]).good().json();
+fn the_schema_is_the_one_that_is_shipped() {
+    let lab = Lab::new();
+    let run = lab.run(&["scene", "--schema"]).good();
+    let shipped = include_str!("../../../assets/scene.schema.json");
+    assert!(run.text() == shipped, "type: cargo run -p gonio -- scene --schema -o assets/scene.schema.json");
+    lab.run(&["scene", "--schema", "-o", "schema.json"]).good();
+    assert_eq!(lab.read("schema.json"), shipped.as_bytes());
+    let json = run.json();
+    assert!(json["$schema"].as_str().unwrap().contains("draft-07"), "{}", json["$schema"]);
     for key in ["picture", "camera", "background", "equation", "object", "light"] {
         assert!(json["properties"][key].is_object(), "{key}");
     }
+}
+
+#[test]
+fn a_model_without_materials_is_nothing_to_talk_about() {
+    // Blender wrote a library for it that holds none.
+    let lab = Lab::new();
+    assert_eq!(lab.render(&["builtin:cube", "-o", "a.png"]).good().stderr, "");
+    lab.write("cube.mtl", "# nothing\n");
+    lab.write("cube.obj", "mtllib cube.mtl\nusemtl gold\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    let run = lab.render(&["cube.obj", "-o", "a.png"]).good();
+    assert!(
+        run.stderr.contains("cube.obj:2: the material \"gold\" is in none of the material libraries"),
+        "{}",
+        run.stderr
+    );
 }
 
 #[test]

@@ -49,21 +49,43 @@ fn a_small_tour_is_complete_and_can_be_made_again() {
         let name = picture["name"].as_str().unwrap();
         assert!(images.contains(&format!("pictures/{name}.png").as_str()), "{name}");
         assert!(picture["drawn"]["fragments"].as_u64().unwrap() > 0, "{name}");
-        // The command as printed, its one quoted path taken as one word.
-        let command = picture["command"].as_str().unwrap();
-        let parts: Vec<&str> = command.split('"').collect();
-        let mut words: Vec<&str> = parts[0].split_whitespace().collect();
-        words.push(parts[1]);
-        words.extend(parts[2].split_whitespace());
-        assert_eq!(words[0], "gonio");
-        lab.run(&words[1..]).good();
-        let (again, first) = (lab.read(&format!("{name}.png")), lab.read(&format!("out tour/pictures/{name}.png")));
-        assert!(again == first, "{name} differs from its second drawing");
+        draw_again(&lab, picture);
     }
 
     // A tour into a folder that is there already updates it, and leaves nothing beside.
     let before: Vec<_> = std::fs::read_dir(lab.path("out tour")).unwrap().map(|e| e.unwrap().file_name()).collect();
     assert_eq!(before.len(), 4, "{before:?}");
+}
+
+/// Runs a picture's command as it is printed, and compares the bytes.
+#[track_caller]
+fn draw_again(lab: &Lab, picture: &serde_json::Value) {
+    let name = picture["name"].as_str().unwrap();
+    // Its one quoted path is one word.
+    let parts: Vec<&str> = picture["command"].as_str().unwrap().split('"').collect();
+    let mut words: Vec<&str> = parts[0].split_whitespace().collect();
+    words.push(parts[1]);
+    words.extend(parts[2].split_whitespace());
+    assert_eq!(words[0], "gonio");
+    lab.run(&words[1..]).good();
+    let (again, first) = (lab.read(&format!("{name}.png")), lab.read(&format!("out tour/pictures/{name}.png")));
+    assert!(again == first, "{name} differs from its second drawing");
+}
+
+/// By OpenGL where there is OpenGL, else by the CPU: the commands say nothing of who draws.
+#[test]
+fn whoever_draws_the_tour_draws_it_again() {
+    let lab = Lab::new();
+    let report = lab.run(&["tour", "-o", "out tour", "--scale", "0.1", "--json"]).good().json();
+    let pictures = report["pictures"].as_array().unwrap();
+    pictures.iter().step_by(12).for_each(|picture| draw_again(&lab, picture));
+    let by_gl = report["backend"]["name"] == "gl";
+    for picture in pictures {
+        let difference = &picture["gpu_against_cpu"];
+        assert_eq!(difference.is_object(), by_gl, "{picture}");
+        // Set by llvmpipe (Mesa 22.3), whose anisotropic filter on pictures of this size is the worst case.
+        assert!(!by_gl || difference["mean"].as_f64().unwrap() < 6.0, "{picture}");
+    }
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::HeadlessOptions;
 use crate::GlError;
 use khronos_egl as egl;
-use std::ffi::{c_char, c_void, CStr, OsStr};
+use std::ffi::{CStr, OsStr, c_char, c_void};
 
 type Instance = egl::DynamicInstance<egl::EGL1_5>;
 
@@ -14,7 +14,8 @@ const PLATFORM_DEVICE: egl::Enum = 0x313F;
 /// The packages that bring EGL and Mesa's software driver to a Debian.
 const PACKAGES: &str = "apt-get install libegl1 libgl1-mesa-dri";
 
-/// A current context. Everything is given back when it is dropped.
+/// A current context, destroyed when this is dropped. The display stays initialised: EGL has one for
+/// the whole process, and terminating it would end the contexts of other threads.
 pub struct Platform {
     egl: Instance,
     display: egl::Display,
@@ -25,13 +26,8 @@ impl Platform {
     pub fn new(options: &HeadlessOptions) -> Result<Self, GlError> {
         let egl = load(options)?;
         let display = open_display(&egl)?;
-        match create_context(&egl, display, options) {
-            Ok(context) => Ok(Platform { egl, display, context }),
-            Err(error) => {
-                let _ = egl.terminate(display);
-                Err(error)
-            }
-        }
+        let context = create_context(&egl, display, options)?;
+        Ok(Platform { egl, display, context })
     }
 
     pub fn proc_address(&self, name: &str) -> *const c_void {
@@ -44,7 +40,6 @@ impl Drop for Platform {
         // What cannot be given back at the end is the driver's to clean up.
         let _ = self.egl.make_current(self.display, None, None, None);
         let _ = self.egl.destroy_context(self.display, self.context);
-        let _ = self.egl.terminate(self.display);
     }
 }
 
@@ -157,15 +152,15 @@ fn create_context(egl: &Instance, display: egl::Display, options: &HeadlessOptio
         attributes.extend([egl::CONTEXT_OPENGL_DEBUG, egl::TRUE as egl::Int]);
     }
     attributes.push(egl::NONE);
-    let context = egl.create_context(display, config, None, &attributes).map_err(|error| {
+    let context = egl.create_context(display, config, None, &attributes).map_err(|_| {
         GlError::new(format!(
-            "the driver refused a context of {name} {major}.{minor} ({error}): it is too old; a newer driver \
-             (or Mesa's software one) would do, and `--backend cpu` needs none"
+            "the driver is too old for gonio, which needs {name} {major}.{minor}; a newer driver (or Mesa's \
+             software one) would do, and `--backend cpu` needs none"
         ))
     })?;
-    if let Err(error) = egl.make_current(display, None, None, Some(context)) {
+    if egl.make_current(display, None, None, Some(context)).is_err() {
         let _ = egl.destroy_context(display, context);
-        return Err(GlError::new(format!("the driver cannot draw without a window ({error})")));
+        return Err(GlError::new("the driver cannot draw without a window; `--backend cpu` needs none"));
     }
     Ok(context)
 }

@@ -50,8 +50,7 @@ impl Platform {
         // SAFETY: as above.
         let surface = unsafe { display.create_window_surface(&config, &surface_attributes) }
             .map_err(|e| failed("the hidden window cannot be drawn to", &e))?;
-        let context =
-            context.make_current(&surface).map_err(|e| failed("the context cannot be made current", &e))?;
+        let context = context.make_current(&surface).map_err(|e| failed("the context cannot be made current", &e))?;
         Ok(Platform { context, _surface: surface, _window: window, _event_loop: event_loop })
     }
 

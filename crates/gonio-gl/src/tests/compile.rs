@@ -1,17 +1,19 @@
 //! Every program that the renderer can ask for compiles and links, in both dialects.
 
-use crate::glsl::{ATTRIBUTES, Dialect, OutputKey, SceneKey};
+use crate::glsl::{ATTRIBUTES, Dialect, LightLoops, MapSet, OutputKey, Reflectance, SceneKey};
 use crate::program::Program;
+use gonio_light::Specular;
+use gonio_scene::description::Shading;
 
 fn link_all(dialect: Dialect, es: bool) {
     let context = super::context(es);
     let scenes = SceneKey::all().into_iter().map(|k| (k.name(), k.sources(dialect)));
     let outputs = OutputKey::all(dialect).into_iter().map(|k| (format!("{k:?}"), k.sources(dialect)));
     let programs: Vec<_> = scenes.chain(outputs).collect();
-    // 4 shadings (and Phong with a normal map) x 8 reflectances x 3 sets of maps x sides x views x light storage; and
+    // 4 shadings (and Phong with a normal map) x 8 reflectances x 3 sets of maps x sides x views x 3 kinds of loops; and
     // 2 + 4 tone maps x 2 encodings, from multisampled textures too where there are any.
     let outputs = if es { 10 } else { 20 };
-    assert_eq!(programs.len(), 5 * 8 * 3 * 2 * 2 * 2 + outputs);
+    assert_eq!(programs.len(), 5 * 8 * 3 * 2 * 2 * 3 + outputs);
     for (name, [vertex, fragment]) in programs {
         if let Err(why) = Program::new(context.gl(), &name, &vertex, &fragment, &ATTRIBUTES) {
             panic!("{dialect:?}: {why}");
@@ -27,6 +29,25 @@ fn every_program_links_as_330_core() {
 #[test]
 fn every_program_links_as_300_es_in_a_context_of_opengl_es() {
     link_all(Dialect::Es300, true);
+}
+
+#[test]
+fn every_number_of_very_few_lights_links() {
+    let context = super::context(false);
+    let loops = LightLoops::all_unrolled();
+    // Triples 0 <= d <= p <= s <= 4.
+    assert_eq!(loops.len(), 35);
+    for lights in loops {
+        for shading in [Shading::Gouraud, Shading::Phong] {
+            let reflectance = Reflectance::Lab(Specular::Phong);
+            let (maps, normal_map, two_sided, view) = (MapSet::None, false, true, true);
+            let key = SceneKey { shading, reflectance, maps, normal_map, two_sided, view, lights };
+            let [vertex, fragment] = key.sources(Dialect::Core330);
+            if let Err(why) = Program::new(context.gl(), &key.name(), &vertex, &fragment, &ATTRIBUTES) {
+                panic!("{why}");
+            }
+        }
+    }
 }
 
 #[test]

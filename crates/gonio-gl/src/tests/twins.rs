@@ -178,11 +178,9 @@ fn refraction() {
         let near_critical = (1.0 - f64::from(eta * eta) * (1.0 - cos * cos)).abs() < 1e-3;
         [texel(n, 0.0), [0.0; 4], texel(l, 0.0), [if near_critical { 0.5 } else { eta }, 0.0, 0.0, 0.0]]
     });
-    compare("refraction", body, &some, 2e-5, |c| {
-        match vector::refraction(vec(c[0]), vec(c[2]), c[3][0].into()) {
-            Some(t) => [t.x, t.y, t.z, 1.0],
-            None => [0.0; 4],
-        }
+    compare("refraction", body, &some, 2e-5, |c| match vector::refraction(vec(c[0]), vec(c[2]), c[3][0].into()) {
+        Some(t) => [t.x, t.y, t.z, 1.0],
+        None => [0.0; 4],
     });
 }
 
@@ -228,8 +226,12 @@ fn brdf_lobes() {
                 .collect();
             compare(&format!("{kind}_lobe, normalised {normalised}"), &body, &clear, 5e-4, |c| {
                 let (n, v, l) = (vec(c[0]), vec(c[1]), vec(c[2]));
-                let point =
-                    ShadingPoint { position: DVec3::ZERO, normal: n, view: v, tangent: vector::any_orthonormal_vector(n) };
+                let point = ShadingPoint {
+                    position: DVec3::ZERO,
+                    normal: n,
+                    view: v,
+                    tangent: vector::any_orthonormal_vector(n),
+                };
                 let surface = Surface { shininess: c[3][0].into(), ..Surface::default() };
                 let lafortune = DVec3::new(c[3][1].into(), c[3][2].into(), c[3][3].into());
                 [BrdfSettings { kind, normalised, lafortune }.lobe(&point, &surface, l), 0.0, 0.0, 0.0]

@@ -21,7 +21,7 @@ pub fn write(folder: &Path) -> PathBuf {
         RgbImage::from_fn(SIZE, SIZE, |x, y| {
             let wave = |k: f64| {
                 let (u, v) = (f64::from(x) / f64::from(SIZE), f64::from(y) / f64::from(SIZE));
-                let w = 0.5 + 0.12 * (TAU * u + phase + k).sin() + 0.12 * (TAU * v - phase + 2.0 * k).cos();
+                let w = 0.5 + 0.06 * (TAU * u + phase + k).sin() + 0.06 * (TAU * v - phase + 2.0 * k).cos();
                 (255.0 * (low + (high - low) * w)).round() as u8
             };
             Rgb([wave(0.0), wave(1.0), wave(2.0)])
@@ -69,8 +69,8 @@ fn write_sphere(folder: &Path, material: &str) -> PathBuf {
     // Without its caps: towards the poles u changes ever faster, and 1/256 of a pixel is much of it.
     for row in 3..rows - 3 {
         for column in 0..columns {
-            let [a, b, c, d] = [(row, column), (row + 1, column), (row + 1, column + 1), (row, column + 1)]
-                .map(|(r, c)| corner(r, c));
+            let [a, b, c, d] =
+                [(row, column), (row + 1, column), (row + 1, column + 1), (row, column + 1)].map(|(r, c)| corner(r, c));
             writeln!(text, "f {a} {b} {c} {d}").unwrap();
         }
     }

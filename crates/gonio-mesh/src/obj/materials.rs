@@ -25,7 +25,13 @@ impl MaterialTable {
         for (line, names) in libraries {
             for (name, bytes) in find(names, *line, sidecars, &mut seen, reports) {
                 let (materials, diagnostics) = mtl::read(&bytes);
+                // Blender writes a library without materials for a model without: nothing is missing there. Where a
+                // face names a material all the same, that is said.
+                let is_hollow = materials.is_empty() && !bytes.is_empty();
                 for diagnostic in diagnostics {
+                    if is_hollow && diagnostic.severity == crate::Severity::Note {
+                        continue;
+                    }
                     reports.push(*line, diagnostic.in_file(&name));
                 }
                 table.add(materials, &name, *line, reports);

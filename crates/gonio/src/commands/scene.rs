@@ -54,7 +54,7 @@ pub fn run(args: &SceneArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
 }
 
 fn schema() -> Result<String, CliError> {
-    json_text(&schemars::schema_for!(Scene))
+    json_text(&Scene::json_schema())
 }
 
 fn effective(args: &SceneArgs, reporter: &Reporter) -> Result<String, CliError> {
@@ -77,9 +77,7 @@ fn effective(args: &SceneArgs, reporter: &Reporter) -> Result<String, CliError> 
         });
         return json_text(&report);
     }
-    let text = toml::to_string(&loaded.scene)
-        .map_err(|e| CliError::new(format!("the scene could not be written as TOML: {e}")))?;
-    Ok(format!("# The complete scene of `{}`.\n\n{text}", args.inputs.join("` and `")))
+    Ok(loaded.scene.to_toml_string())
 }
 
 fn json_text(value: &impl serde::Serialize) -> Result<String, CliError> {

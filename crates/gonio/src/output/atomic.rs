@@ -8,7 +8,7 @@ use crate::report::{CliError, io_reason};
 use std::fs::OpenOptions;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use tempfile::NamedTempFile;
+use tempfile::{NamedTempFile, TempDir};
 
 /// Replaces the file at `path` by these bytes, or makes it.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), CliError> {
@@ -27,6 +27,26 @@ pub fn check_writable(path: &Path) -> Result<(), CliError> {
         }
     };
     check().map_err(|e| refused(path, &e))
+}
+
+/// Replaces the file at `path` by the one at `finished`, or makes it; `finished` is in the same folder or
+/// in one from [`folder_beside`].
+pub fn replace(path: &Path, finished: &Path) -> Result<(), CliError> {
+    let replace = || match destination(path)? {
+        Destination::Device => std::fs::read(finished).and_then(|bytes| write_to_device(path, &bytes)),
+        Destination::File(target) => std::fs::rename(finished, target),
+    };
+    replace().map_err(|e| refused(path, &e))
+}
+
+/// A folder for files that will [`replace`] the one at `path`; it and what is left in it go when it is
+/// dropped.
+pub fn folder_beside(path: &Path) -> Result<TempDir, CliError> {
+    let make = || match destination(path)? {
+        Destination::Device => tempfile::tempdir(),
+        Destination::File(target) => tempfile::Builder::new().prefix(".gonio-").tempdir_in(folder_of(&target)),
+    };
+    make().map_err(|e| refused(path, &e))
 }
 
 fn refused(path: &Path, error: &io::Error) -> CliError {
@@ -63,10 +83,7 @@ fn destination(path: &Path) -> io::Result<Destination> {
 }
 
 fn temporary_beside(path: &Path) -> io::Result<NamedTempFile> {
-    let folder = match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
+    let folder = folder_of(path);
     let mut builder = tempfile::Builder::new();
     builder.prefix(".gonio-").suffix(".tmp");
     #[cfg(unix)]
@@ -78,13 +95,22 @@ fn temporary_beside(path: &Path) -> io::Result<NamedTempFile> {
     builder.tempfile_in(folder)
 }
 
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    }
+}
+
+fn write_to_device(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut device = OpenOptions::new().write(true).open(path)?;
+    device.write_all(bytes)?;
+    device.flush()
+}
+
 fn write_inner(path: &Path, bytes: &[u8]) -> io::Result<()> {
     match destination(path)? {
-        Destination::Device => {
-            let mut device = OpenOptions::new().write(true).open(path)?;
-            device.write_all(bytes)?;
-            device.flush()
-        }
+        Destination::Device => write_to_device(path, bytes),
         Destination::File(target) => {
             let mut temporary = temporary_beside(&target)?;
             temporary.write_all(bytes)?;

@@ -4,6 +4,7 @@ mod frames;
 mod report;
 
 use crate::backend::{Backend, BackendChoice, Counts, Opened, Shot};
+use crate::capture;
 use crate::cli::{self, BackendOptions, SceneOptions, WordOptions};
 use crate::loading;
 use crate::output::animation::Animation;
@@ -35,6 +36,8 @@ Examples:
       Around the model; turn.png would give turn-0001.png and so on, --animated one animated PNG.
   gonio render model.obj -o - | imv -
       To stdout.
+  gonio render model.obj -o model.png --capture model.rdc
+      Every draw, texture and uniform of the frame, for RenderDoc (Debian: apt-get install librenderdoc).
 
 Debug views: normal (N), geometric-normal, tangent, position, depth, uv, view (V), light (L), reflection (R),
 half (H), refraction (T), distance (d), attenuation (att), spot, cos-theta, spec, albedo, ambient (A),
@@ -88,7 +91,7 @@ pub struct RenderArgs {
     /// Who draws.
     #[command(flatten)]
     pub backend: BackendOptions,
-    /// Also write a RenderDoc capture of the first frame (OpenGL only).
+    /// Also write a RenderDoc capture of the first frame (OpenGL only), for RenderDoc's own window.
     #[arg(long, help_heading = "Drawing", value_name = "FILE.rdc")]
     pub capture: Option<PathBuf>,
     /// What is said.
@@ -121,6 +124,12 @@ struct Done {
 
 /// Draws and writes.
 pub fn run(args: &RenderArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
+    if let Some(target) = &args.capture {
+        if args.backend.backend == BackendChoice::Cpu {
+            return Err(CliError::new("--capture needs OpenGL; leave --backend cpu out"));
+        }
+        capture::prepare(target)?;
+    }
     let start = Instant::now();
     let times = Times::default();
     let plans = PlanRequest {

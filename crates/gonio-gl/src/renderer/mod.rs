@@ -1,0 +1,267 @@
+//! Draws a scene: lights into the light table, opaque parts, transparent triangles from back to front,
+//! samples resolved, and on demand the picture's numbers.
+
+#[cfg(feature = "bench")]
+mod bare;
+mod output;
+mod pass;
+
+pub use output::Drawn;
+
+use crate::driver::DriverInfo;
+use crate::glsl::{ATTRIBUTES, Dialect, OutputKey, SceneKey, texture_unit};
+use crate::light_table::LightTable;
+use crate::objects::{DebugGroup, TextureObject, VertexArray};
+use crate::program::Program;
+use crate::scene_on_gpu::{GpuObject, GpuScene, Run};
+use crate::statistics::StatisticsQueries;
+use crate::target::{Precision, Target};
+use crate::{Gl, GlError, textures};
+use glow::HasContext;
+use gonio_scene::{Frame, LoadedScene, ViewSpec};
+use output::Look;
+use pass::{Draw, Pass};
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::rc::Rc;
+
+/// Draws scenes with one OpenGL context.
+pub struct Renderer {
+    shared: Rc<Shared>,
+    light_table: LightTable,
+    white: TextureObject,
+    target: Option<Rc<Target>>,
+    precision: Precision,
+}
+
+/// What a finished frame needs as well.
+struct Shared {
+    gl: Gl,
+    info: DriverInfo,
+    scene_programs: RefCell<HashMap<SceneKey, Rc<Program>>>,
+    output_programs: RefCell<HashMap<OutputKey, Rc<Program>>>,
+    /// Core profiles draw nothing without a vertex array, even where no attribute is read.
+    no_attributes: VertexArray,
+}
+
+impl Renderer {
+    /// For a current context.
+    pub fn new(gl: Gl) -> Result<Self, GlError> {
+        let info = DriverInfo::of(&gl);
+        let light_table = LightTable::new(&gl)?;
+        let white = textures::white(&gl)?;
+        let no_attributes = VertexArray::bound(&gl, "no attributes")?;
+        let shared = Rc::new(Shared {
+            gl,
+            info,
+            scene_programs: RefCell::default(),
+            output_programs: RefCell::default(),
+            no_attributes,
+        });
+        Ok(Renderer { shared, light_table, white, target: None, precision: Precision::Full })
+    }
+
+    /// The driver.
+    pub fn info(&self) -> &DriverInfo {
+        &self.shared.info
+    }
+
+    /// How exactly the next frames keep light; [`Precision::Full`] to begin with.
+    pub fn set_precision(&mut self, precision: Precision) {
+        self.precision = precision;
+    }
+
+    /// Uploads geometry and textures.
+    pub fn upload(&mut self, scene: &LoadedScene) -> Result<GpuScene, GlError> {
+        let _group = DebugGroup::new(&self.shared.gl, "upload");
+        let uploaded = GpuScene::upload(&self.shared.gl, scene, self.shared.info.max_size)?;
+        self.shared.check_error("uploading the scene")?;
+        Ok(uploaded)
+    }
+
+    /// Draws the picture, or a debug view, and waits for it.
+    pub fn render(&mut self, scene: &GpuScene, frame: &Frame, view: Option<ViewSpec>) -> Result<Drawn, GlError> {
+        let shared = self.shared.clone();
+        let gl = &shared.gl;
+        let mut notes = Vec::new();
+        let target = self.target_for(frame, &mut notes)?;
+        let queries = StatisticsQueries::begin(gl, &shared.info)?;
+        let draw_calls = {
+            let _group = DebugGroup::new(gl, "scene");
+            self.draw_scene(scene, frame, view, &target)?
+        };
+        let statistics = queries.end(gl, draw_calls);
+        target.resolve(gl);
+        // SAFETY: waits for the commands above; no precondition.
+        unsafe { gl.finish() };
+        shared.check_error("drawing the scene")?;
+        let look = Look::new(view, frame);
+        Ok(Drawn { shared, target, look, statistics: statistics.read(), notes })
+    }
+
+    fn target_for(&mut self, frame: &Frame, notes: &mut Vec<String>) -> Result<Rc<Target>, GlError> {
+        let info = &self.shared.info;
+        if frame.width > info.max_size || frame.height > info.max_size {
+            return Err(GlError::new(format!(
+                "a picture of {} x {} pixels is more than this driver's {} along a side; a smaller --size or \
+                 `--backend cpu` will do",
+                frame.width, frame.height, info.max_size
+            )));
+        }
+        let samples = frame.samples.min(info.max_samples).max(1);
+        if samples < frame.samples {
+            notes.push(format!("{} samples per pixel instead of {}: this driver has no more", samples, frame.samples));
+        }
+        let size = [frame.width as i32, frame.height as i32];
+        if let Some(target) = &self.target {
+            // A target that a finished frame still holds must not be drawn over.
+            if target.size == size
+                && target.samples == samples as i32
+                && target.precision == self.precision
+                && Rc::strong_count(target) == 1
+            {
+                return Ok(target.clone());
+            }
+        }
+        self.target = None;
+        let shared = &self.shared;
+        let target = Target::new(&shared.gl, shared.info.dialect, size, samples as i32, self.precision)?;
+        let target = Rc::new(target);
+        self.shared.check_error("making the picture's memory")?;
+        self.target = Some(target.clone());
+        Ok(target)
+    }
+
+    fn draw_scene(
+        &mut self,
+        scene: &GpuScene,
+        frame: &Frame,
+        view: Option<ViewSpec>,
+        target: &Target,
+    ) -> Result<u32, GlError> {
+        let shared = self.shared.clone();
+        let gl = &shared.gl;
+        // SAFETY: plain state; the unit exists (16 are guaranteed).
+        unsafe { gl.active_texture(glow::TEXTURE0 + texture_unit("light_table")) };
+        self.light_table.fill(gl, &frame.lights);
+        target.begin(gl);
+        // SAFETY: plain state.
+        unsafe {
+            gl.enable(glow::DEPTH_TEST);
+            gl.depth_func(glow::LESS);
+            gl.disable(glow::BLEND);
+        }
+        let mut pass = Pass {
+            shared: &shared,
+            scene,
+            frame,
+            view,
+            white: self.white.handle(),
+            lights: &self.light_table,
+            prepared: HashMap::new(),
+        };
+        let mut draw_calls = 0;
+        for object in &scene.objects {
+            for run in &object.opaque {
+                pass.draw(&Draw { object, run: run.clone() })?;
+                draw_calls += 1;
+            }
+        }
+        let transparent = sorted_transparent(scene, frame);
+        if !transparent.is_empty() {
+            let _group = DebugGroup::new(gl, "transparent, back to front");
+            // SAFETY: plain state; colours are premultiplied.
+            unsafe {
+                // A debug view shows the nearest surface as if it were opaque.
+                if !pass.is_view() {
+                    gl.enable(glow::BLEND);
+                    gl.blend_func(glow::ONE, glow::ONE_MINUS_SRC_ALPHA);
+                    gl.depth_mask(false);
+                }
+            }
+            for draw in &transparent {
+                pass.draw(draw)?;
+                draw_calls += 1;
+            }
+            // SAFETY: plain state, put back.
+            unsafe {
+                gl.disable(glow::BLEND);
+                gl.depth_mask(true);
+            }
+        }
+        // SAFETY: plain state, put back.
+        unsafe {
+            gl.disable(glow::CULL_FACE);
+            gl.front_face(glow::CCW);
+            gl.bind_vertex_array(None);
+        }
+        Ok(draw_calls)
+    }
+}
+
+/// Transparent triangles of all objects, farthest first, neighbours of one material in one draw.
+fn sorted_transparent<'a>(scene: &'a GpuScene, frame: &Frame) -> Vec<Draw<'a>> {
+    let front = frame.camera.front.as_vec3();
+    let mut triangles: Vec<(f32, &GpuObject, usize, usize)> = scene
+        .objects
+        .iter()
+        .flat_map(|o| o.transparent.iter().map(move |t| (t.center_in_world.dot(front), o, t.triangle, t.material)))
+        .collect();
+    triangles.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut draws: Vec<Draw<'a>> = Vec::new();
+    for (_, object, triangle, material) in triangles {
+        match draws.last_mut() {
+            Some(draw)
+                if std::ptr::eq(draw.object, object)
+                    && draw.run.material == material
+                    && draw.run.first_triangle + draw.run.triangle_count == triangle =>
+            {
+                draw.run.triangle_count += 1;
+            }
+            _ => draws.push(Draw {
+                object,
+                run: Run { name: String::new(), first_triangle: triangle, triangle_count: 1, material },
+            }),
+        }
+    }
+    draws
+}
+
+impl Shared {
+    fn scene_program(&self, key: SceneKey) -> Result<Rc<Program>, GlError> {
+        if let Some(program) = self.scene_programs.borrow().get(&key) {
+            return Ok(program.clone());
+        }
+        let [vertex, fragment] = key.sources(self.info.dialect);
+        let program = Rc::new(Program::new(&self.gl, &key.name(), &vertex, &fragment, &ATTRIBUTES)?);
+        self.scene_programs.borrow_mut().insert(key, program.clone());
+        Ok(program)
+    }
+
+    fn output_program(&self, key: OutputKey) -> Result<Rc<Program>, GlError> {
+        if let Some(program) = self.output_programs.borrow().get(&key) {
+            return Ok(program.clone());
+        }
+        let [vertex, fragment] = key.sources(self.info.dialect);
+        let program = Rc::new(Program::new(&self.gl, &format!("output {key:?}"), &vertex, &fragment, &[])?);
+        self.output_programs.borrow_mut().insert(key, program.clone());
+        Ok(program)
+    }
+
+    /// Turns OpenGL's error flag into an error; `doing` completes "... while".
+    fn check_error(&self, doing: &str) -> Result<(), GlError> {
+        // SAFETY: reads a flag.
+        match unsafe { self.gl.get_error() } {
+            glow::NO_ERROR => Ok(()),
+            glow::OUT_OF_MEMORY => Err(GlError::new(format!(
+                "the driver ran out of memory while {doing}; a smaller picture or model may do"
+            ))),
+            code => Err(GlError::new(format!("OpenGL reported error {code:#06x} while {doing}"))),
+        }
+    }
+}
+
+/// The dialect that a context speaks.
+pub(crate) fn dialect_of(gl: &Gl) -> Dialect {
+    if gl.version().is_embedded { Dialect::Es300 } else { Dialect::Core330 }
+}

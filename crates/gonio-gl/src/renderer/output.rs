@@ -1,0 +1,149 @@
+//! From the linear picture on the GPU to a picture in memory.
+
+use super::Shared;
+use crate::GlError;
+use crate::glsl::{Display, OutputKey};
+use crate::objects::DebugGroup;
+use crate::statistics::GpuStatistics;
+use crate::target::{OutputTarget, Target};
+use glam::{DVec3, Vec2};
+use glow::HasContext;
+use gonio_light::Quantity;
+use gonio_scene::picture::EncodedPicture;
+use gonio_scene::{DisplayMap, Frame, Picture, ViewSpec};
+use std::rc::Rc;
+
+/// How a frame is shown.
+#[derive(Clone, Copy)]
+pub(super) struct Look {
+    display: DisplayMap,
+    background_top: DVec3,
+    background_bottom: DVec3,
+    background_alpha: f64,
+}
+
+impl Look {
+    /// Of the picture (`None`) or of a debug view.
+    pub fn new(view: Option<ViewSpec>, frame: &Frame) -> Self {
+        let display = DisplayMap::for_view(view, frame);
+        // Debug views are black where nothing is.
+        let is_picture = view.is_none_or(|v| v.quantity == Quantity::Total);
+        let (top, bottom) =
+            if is_picture { (frame.background.top, frame.background.bottom) } else { (DVec3::ZERO, DVec3::ZERO) };
+        let alpha = if is_picture && frame.background.transparent { 0.0 } else { 1.0 };
+        Look { display, background_top: top, background_bottom: bottom, background_alpha: alpha }
+    }
+
+    /// What a picture file of the frame holds.
+    pub fn encoded(&self) -> Display {
+        match self.display {
+            DisplayMap::Affine { .. } => Display::Affine,
+            DisplayMap::Light(transform) => Display::Light(transform.tone_map, transform.encoding),
+        }
+    }
+}
+
+impl Shared {
+    /// Draws a target's pixels as they are displayed into `output`, top row first.
+    pub(super) fn output_into(
+        &self,
+        output: &OutputTarget,
+        target: &Target,
+        look: &Look,
+        display: Display,
+    ) -> Result<(), GlError> {
+        let gl = &self.gl;
+        let _group = DebugGroup::new(gl, "output");
+        let samples = target.samples_to_average();
+        let program = self.output_program(OutputKey { display, multisampled: samples > 1 })?;
+        program.bind();
+        program.set_i32("linear_picture", 0);
+        program.set_i32("sample_count", samples);
+        program.set_i32("top_row_first", 1);
+        program.set_vec2("picture_size", Vec2::new(target.size[0] as f32, target.size[1] as f32));
+        program.set_dvec3("background_top", look.background_top);
+        program.set_dvec3("background_bottom", look.background_bottom);
+        program.set_f32("background_alpha", look.background_alpha as f32);
+        match look.display {
+            DisplayMap::Affine { scale, bias } => {
+                program.set_dvec3("display_scale", scale);
+                program.set_dvec3("display_bias", bias);
+            }
+            DisplayMap::Light(transform) => program.set_f32("exposure", transform.exposure as f32),
+        }
+        output.bind(gl);
+        // SAFETY: the triangle's vertices come from gl_VertexID alone; the texture is the target's.
+        unsafe {
+            gl.disable(glow::DEPTH_TEST);
+            gl.disable(glow::BLEND);
+            gl.disable(glow::CULL_FACE);
+            gl.active_texture(glow::TEXTURE0);
+            target.bind_linear(gl);
+            gl.bind_vertex_array(Some(self.no_attributes.handle()));
+            gl.draw_arrays(glow::TRIANGLES, 0, 3);
+            gl.bind_vertex_array(None);
+        }
+        self.check_error("encoding the picture")
+    }
+}
+
+/// A frame on the GPU, finished. Reading it back is a separate step.
+pub struct Drawn {
+    pub(super) shared: Rc<Shared>,
+    pub(super) target: Rc<Target>,
+    pub(super) look: Look,
+    /// What the GPU counted.
+    pub statistics: GpuStatistics,
+    /// Notes on what the driver could not do as asked, for example fewer samples.
+    pub notes: Vec<String>,
+}
+
+impl Drawn {
+    /// The linear values (for debug views: the raw vectors and scalars), premultiplied alpha.
+    pub fn linear(&self) -> Result<Picture, GlError> {
+        let [width, height] = self.target.size;
+        let output = OutputTarget::new(&self.shared.gl, self.target.size, true)?;
+        self.output_into(&output, Display::Linear)?;
+        let values = output.read_f32(&self.shared.gl);
+        self.shared.check_error("reading the picture")?;
+        let top_first: &[[f32; 4]] = bytemuck::cast_slice(&values);
+        let mut pixels = Vec::with_capacity(top_first.len());
+        let affine = self.look.display.is_affine();
+        for (row, line) in top_first.chunks_exact(width as usize).enumerate() {
+            let y = (row as f64 + 0.5) / f64::from(height);
+            let b = self.look.background_top.lerp(self.look.background_bottom, y);
+            let b = [b.x, b.y, b.z, 1.0].map(|v| (v * self.look.background_alpha) as f32);
+            pixels.extend(line.iter().map(|p| {
+                if affine {
+                    return *p;
+                }
+                let behind = 1.0 - p[3];
+                [0, 1, 2, 3].map(|i| p[i] + behind * b[i])
+            }));
+        }
+        Ok(Picture { width: width as u32, height: height as u32, pixels })
+    }
+
+    /// As displayed, 8 bits, encoded by the GPU.
+    pub fn encoded8(&self) -> Result<EncodedPicture<u8>, GlError> {
+        let output = OutputTarget::new(&self.shared.gl, self.target.size, false)?;
+        self.output_into(&output, self.look.encoded())?;
+        let rgba = output.read8(&self.shared.gl);
+        self.shared.check_error("reading the picture")?;
+        Ok(EncodedPicture { width: self.target.size[0] as u32, height: self.target.size[1] as u32, rgba })
+    }
+
+    /// As displayed, 16 bits, encoded by the GPU.
+    pub fn encoded16(&self) -> Result<EncodedPicture<u16>, GlError> {
+        let output = OutputTarget::new(&self.shared.gl, self.target.size, true)?;
+        self.output_into(&output, self.look.encoded())?;
+        let rgba = output.read_f32(&self.shared.gl);
+        self.shared.check_error("reading the picture")?;
+        let rgba = rgba.into_iter().map(|v| (v.clamp(0.0, 1.0) * 65535.0 + 0.5) as u16).collect();
+        Ok(EncodedPicture { width: self.target.size[0] as u32, height: self.target.size[1] as u32, rgba })
+    }
+
+    fn output_into(&self, output: &OutputTarget, display: Display) -> Result<(), GlError> {
+        self.shared.output_into(output, &self.target, &self.look, display)
+    }
+}
