@@ -15,7 +15,7 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), CliError> {
     write_inner(path, bytes).map_err(|e| refused(path, &e))
 }
 
-/// Finds out whether [`write`] has a chance, before a picture is drawn for it.
+/// Finds out whether [`write()`] has a chance, before a picture is drawn for it.
 pub fn check_writable(path: &Path) -> Result<(), CliError> {
     let check = || -> io::Result<()> {
         if path.file_name().is_none() {
