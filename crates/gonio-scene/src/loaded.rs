@@ -31,6 +31,16 @@ pub struct LoadedScene {
 }
 
 impl LoadedScene {
+    /// Gives every mesh with texture coordinates its tangents, for a view that shows them: loading makes
+    /// only those that a normal map wants, since they take longer than everything else.
+    pub fn add_tangents(&mut self) {
+        for mesh in self.meshes.iter_mut().filter(|mesh| mesh.tangents.is_empty()) {
+            if let Some(with_tangents) = gonio_mesh::tangents::with_tangents(mesh) {
+                *mesh = with_tangents;
+            }
+        }
+    }
+
     /// The smallest box around all vertices, world space; both corners 0 where there is no vertex.
     pub fn bounds(&self) -> (DVec3, DVec3) {
         *self.known_bounds.get_or_init(|| {

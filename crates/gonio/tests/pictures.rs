@@ -78,6 +78,20 @@ fn an_exr_has_the_numbers_of_the_probe() {
 }
 
 #[test]
+fn tangents_are_made_for_a_view_that_shows_them() {
+    let lab = Lab::new();
+    // The floor alone: u runs along x, v along -z, so its tangent is (1, 0, 0), shown as (1, 0.5, 0.5).
+    let floor = "v -1 0 1\nv 1 0 1\nv 1 0 -1\nv -1 0 -1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 1 0\n\
+                 f 1/1/1 2/2/1 3/3/1 4/4/1\n";
+    lab.write("floor.obj", floor);
+    let options = ["--debug", "tangent", "--camera-position", "0,2,0.1", "--camera-target", "0,0,0"];
+    lab.render(&[&["floor.obj", "-o", "a.png"], &options[..]].concat()).good();
+    let picture = lab.picture("a.png").to_rgb8();
+    let center = picture.get_pixel(picture.width() / 2, picture.height() / 2).0;
+    assert_eq!(center, [255, 128, 128]);
+}
+
+#[test]
 fn views_are_files_beside_a_png() {
     let lab = Lab::new();
     let run = lab.render(&[&asset("cube.obj"), "-o", "a.png", "--views", "N,diffuse:0,depth", "--json"]).good();

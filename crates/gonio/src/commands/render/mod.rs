@@ -144,9 +144,13 @@ pub fn run(args: &RenderArgs, reporter: &Reporter) -> Result<Outcome, CliError> 
     let (scene, opened) = loading::load_scene_while(&args.inputs, &args.scene, reporter, &times, || {
         Opened::new(&args.backend, args.capture.as_deref(), &times)
     });
-    let scene = scene?;
+    let mut scene = scene?;
     reporter.diagnostics(&scene.diagnostics);
-    loading::check_views(args.views.iter().copied().chain(args.debug), &scene)?;
+    let views = || args.views.iter().copied().chain(args.debug);
+    loading::check_views(views(), &scene)?;
+    if views().any(|view| view.quantity == gonio_light::Quantity::Tangent) {
+        scene.add_tangents();
+    }
     let mut backend = opened?.take_scene(&scene, &args.backend, reporter, &times)?;
     if args.backend.backend == BackendChoice::Auto {
         reporter.note(backend.sentence());
