@@ -9,6 +9,7 @@ uniform highp sampler2D linear_picture;   // premultiplied alpha
 #endif
 uniform vec2 picture_size;                // pixels
 uniform bool top_row_first;               // for reading back into files
+uniform int first_row;                    // of the picture, from its bottom, that linear_picture holds
 uniform vec3 background_top;
 uniform vec3 background_bottom;
 uniform float background_alpha;           // 0 for a transparent background
@@ -35,7 +36,7 @@ vec4 linear_at(ivec2 pixel) {
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     if (top_row_first) pixel.y = int(picture_size.y) - 1 - pixel.y;
-    vec4 texel = linear_at(pixel);
+    vec4 texel = linear_at(ivec2(pixel.x, pixel.y - first_row));
 #if DISPLAY == DISPLAY_LINEAR
     frag_color = texel;
 #elif DISPLAY == DISPLAY_AFFINE

@@ -31,7 +31,7 @@ pub use error::GlError;
 pub use gl::Gl;
 #[cfg(feature = "headless")]
 pub use headless::HeadlessContext;
-pub use renderer::{Drawn, Renderer};
+pub use renderer::{Drawn, Drawn8, Renderer};
 pub use scene_on_gpu::GpuScene;
 pub use statistics::GpuStatistics;
 pub use target::Precision;

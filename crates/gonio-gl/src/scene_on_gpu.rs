@@ -17,6 +17,8 @@ pub struct GpuScene {
     pub(crate) textures: Vec<TextureObject>,
     /// Bytes of geometry on the GPU.
     pub geometry_bytes: usize,
+    /// Triangles of all objects.
+    pub triangle_count: usize,
 }
 
 /// A mesh in the forms that its objects need.
@@ -80,8 +82,9 @@ impl GpuScene {
             scene.textures.iter().map(|t| textures::upload(gl, t, max_texture_size)).collect::<Result<Vec<_>, _>>()?;
         let objects = scene.objects.iter().map(|o| GpuObject::new(o, scene)).collect();
         let geometry_bytes = geometries.iter().flat_map(|g| [&g.shared, &g.unshared]).flatten().map(|g| g.bytes).sum();
+        let triangle_count = scene.objects.iter().map(|o| scene.meshes[o.mesh].triangle_count()).sum();
         let materials = scene.materials.clone();
-        Ok(GpuScene { objects, geometries, materials, textures, geometry_bytes })
+        Ok(GpuScene { objects, geometries, materials, textures, geometry_bytes, triangle_count })
     }
 }
 

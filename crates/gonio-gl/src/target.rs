@@ -139,12 +139,13 @@ impl Target {
         Ok(Target { size, samples, precision, drawn, _depth: depth, color })
     }
 
-    /// Binds and clears what the scene is drawn into: colour and alpha 0, depth 1.
-    pub fn begin(&self, gl: &Gl) {
+    /// Binds and clears what the scene is drawn into: colour and alpha 0, depth 1. What is drawn lands
+    /// where the target holds the rows from `first_row` of a picture of `picture_height`.
+    pub fn begin(&self, gl: &Gl, first_row: i32, picture_height: i32) {
         // SAFETY: the framebuffer is complete.
         unsafe {
             gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.drawn.handle()));
-            gl.viewport(0, 0, self.size[0], self.size[1]);
+            gl.viewport(0, -first_row, self.size[0], picture_height);
             gl.disable(glow::SCISSOR_TEST);
             gl.color_mask(true, true, true, true);
             gl.depth_mask(true);

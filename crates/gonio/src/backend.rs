@@ -3,11 +3,12 @@
 use crate::capture::Recorder;
 use crate::cli::BackendOptions;
 use crate::report::{CliError, Reporter, Times};
-use gonio_gl::{Drawn, DriverInfo, GpuScene, HeadlessContext, Renderer};
+use gonio_gl::{Drawn, Drawn8, DriverInfo, GpuScene, GpuStatistics, HeadlessContext, Renderer};
 use gonio_reference::{ReferenceScene, Rendered};
 use gonio_scene::picture::EncodedPicture;
 use gonio_scene::{DisplayMap, Frame, LoadedScene, Picture, ViewSpec};
 use serde::Serialize;
+use std::borrow::Cow;
 use std::path::Path;
 
 /// `--backend`
@@ -54,6 +55,8 @@ pub struct OpenGl {
     context: HeadlessContext,
     /// Of the first picture.
     recorder: Option<Recorder>,
+    /// Nothing but pictures of 8 bits a channel is wanted.
+    eight_bits: bool,
 }
 
 impl OpenGl {
@@ -87,7 +90,9 @@ impl Opened {
         }
         let recorder = capture.map(Recorder::new).transpose()?;
         match times.measure("context", || open_gl(options)) {
-            Ok((renderer, context)) => Ok(Opened::Gl(Box::new(OpenGl { renderer, context, recorder }))),
+            Ok((renderer, context)) => {
+                Ok(Opened::Gl(Box::new(OpenGl { renderer, context, recorder, eight_bits: false })))
+            }
             Err(error) if options.backend == BackendChoice::Auto && capture.is_none() => {
                 Ok(Opened::Cpu { reason: Some(error.message) })
             }
@@ -206,7 +211,10 @@ impl Backend<'_> {
                 for (index, &view) in views.iter().enumerate() {
                     let shot = {
                         let _busy = reporter.busy("drawing");
-                        times.measure("draw", || gl.renderer.render(gpu, frame, view)).map(Shot::Gl)?
+                        times.measure("draw", || match gl.eight_bits {
+                            true => gl.renderer.render8(gpu, frame, view).map(Shot::Gl8),
+                            false => gl.renderer.render(gpu, frame, view).map(Shot::Gl),
+                        })?
                     };
                     each(index, shot)?;
                 }
@@ -226,11 +234,10 @@ impl Backend<'_> {
         Ok(())
     }
 
-    /// Only pictures of 8 bits a channel will be asked for, for which OpenGL may keep light in
-    /// 16-bit floats.
+    /// Only pictures of 8 bits a channel will be asked for, which OpenGL draws faster.
     pub fn for_eight_bits(&mut self) {
         if let Backend::Gl { gl, .. } = self {
-            gl.renderer.set_precision(gonio_gl::Precision::Half);
+            gl.eight_bits = true;
         }
     }
 
@@ -271,6 +278,8 @@ impl Backend<'_> {
 pub enum Shot {
     /// Still on the GPU.
     Gl(Drawn),
+    /// Of 8 bits a channel and nothing else.
+    Gl8(Drawn8),
     /// With the map that shows it.
     Cpu(Rendered, DisplayMap),
 }
@@ -292,15 +301,17 @@ impl Shot {
     pub fn linear(&self) -> Result<Picture, CliError> {
         match self {
             Shot::Gl(drawn) => Ok(drawn.linear()?),
+            Shot::Gl8(_) => Err(only_eight_bits()),
             Shot::Cpu(rendered, _) => Ok(rendered.picture.clone()),
         }
     }
 
     /// As displayed, 8 bits.
-    pub fn encoded8(&self) -> Result<EncodedPicture<u8>, CliError> {
+    pub fn encoded8(&self) -> Result<Cow<'_, EncodedPicture<u8>>, CliError> {
         match self {
-            Shot::Gl(drawn) => Ok(drawn.encoded8()?),
-            Shot::Cpu(rendered, map) => Ok(rendered.picture.encode8(map)),
+            Shot::Gl(drawn) => Ok(Cow::Owned(drawn.encoded8()?)),
+            Shot::Gl8(drawn) => Ok(Cow::Borrowed(&drawn.picture)),
+            Shot::Cpu(rendered, map) => Ok(Cow::Owned(rendered.picture.encode8(map))),
         }
     }
 
@@ -308,18 +319,21 @@ impl Shot {
     pub fn encoded16(&self) -> Result<EncodedPicture<u16>, CliError> {
         match self {
             Shot::Gl(drawn) => Ok(drawn.encoded16()?),
+            Shot::Gl8(_) => Err(only_eight_bits()),
             Shot::Cpu(rendered, map) => Ok(rendered.picture.encode16(map)),
         }
     }
 
     /// What was counted.
     pub fn counts(&self) -> Counts {
+        let of_gpu = |statistics: &GpuStatistics| Counts {
+            vertices: statistics.vertices,
+            fragments: statistics.fragments,
+            draw_calls: Some(statistics.draw_calls),
+        };
         match self {
-            Shot::Gl(drawn) => Counts {
-                vertices: drawn.statistics.vertices,
-                fragments: drawn.statistics.fragments,
-                draw_calls: Some(drawn.statistics.draw_calls),
-            },
+            Shot::Gl(drawn) => of_gpu(&drawn.statistics),
+            Shot::Gl8(drawn) => of_gpu(&drawn.statistics),
             Shot::Cpu(rendered, _) => {
                 Counts { vertices: Some(rendered.vertices), fragments: Some(rendered.fragments), draw_calls: None }
             }
@@ -330,7 +344,13 @@ impl Shot {
     pub fn notes(&self) -> &[String] {
         match self {
             Shot::Gl(drawn) => &drawn.notes,
+            Shot::Gl8(drawn) => &drawn.notes,
             Shot::Cpu(..) => &[],
         }
     }
+}
+
+/// A frame that was drawn for 8 bits has no more; whoever asks has not said so beforehand.
+fn only_eight_bits() -> CliError {
+    CliError::new("this frame was drawn for 8 bits a channel and has no finer values; please report this")
 }

@@ -35,7 +35,7 @@ impl Renderer {
             gl.front_face(if object.mirrored { glow::CW } else { glow::CCW });
         }
         for _ in 0..frames {
-            target.begin(gl);
+            target.begin(gl, 0, target.size[1]);
             // SAFETY: as in `render`: the run lies within the buffers that are bound.
             unsafe { gl.draw_elements(glow::TRIANGLES, count as i32, glow::UNSIGNED_INT, first as i32) };
             target.resolve(gl);

@@ -1,11 +1,13 @@
 //! Draws a scene: lights into the light table, opaque parts, transparent triangles from back to front,
 //! samples resolved, and on demand the picture's numbers.
 
+mod bands;
 #[cfg(feature = "bench")]
 mod bare;
 mod output;
 mod pass;
 
+pub use bands::Drawn8;
 pub use output::Drawn;
 
 use crate::driver::DriverInfo;
@@ -84,11 +86,11 @@ impl Renderer {
         let shared = self.shared.clone();
         let gl = &shared.gl;
         let mut notes = Vec::new();
-        let target = self.target_for(frame, &mut notes)?;
+        let target = self.target_for(frame, frame.height as i32, self.precision, &mut notes)?;
         let queries = StatisticsQueries::begin(gl, &shared.info)?;
         let draw_calls = {
             let _group = DebugGroup::new(gl, "scene");
-            self.draw_scene(scene, frame, view, &target)?
+            self.draw_scene(scene, frame, view, &target, 0)?
         };
         let statistics = queries.end(gl, draw_calls);
         target.resolve(gl);
@@ -99,7 +101,14 @@ impl Renderer {
         Ok(Drawn { shared, target, look, statistics: statistics.read(), notes })
     }
 
-    fn target_for(&mut self, frame: &Frame, notes: &mut Vec<String>) -> Result<Rc<Target>, GlError> {
+    /// Targets for `rows` rows of the frame.
+    fn target_for(
+        &mut self,
+        frame: &Frame,
+        rows: i32,
+        precision: Precision,
+        notes: &mut Vec<String>,
+    ) -> Result<Rc<Target>, GlError> {
         let info = &self.shared.info;
         if frame.width > info.max_size || frame.height > info.max_size {
             return Err(GlError::new(format!(
@@ -112,12 +121,12 @@ impl Renderer {
         if samples < frame.samples {
             notes.push(format!("{} samples per pixel instead of {}: this driver has no more", samples, frame.samples));
         }
-        let size = [frame.width as i32, frame.height as i32];
+        let size = [frame.width as i32, rows];
         if let Some(target) = &self.target {
             // A target that a finished frame still holds must not be drawn over.
             if target.size == size
                 && target.samples == samples as i32
-                && target.precision == self.precision
+                && target.precision == precision
                 && Rc::strong_count(target) == 1
             {
                 return Ok(target.clone());
@@ -125,26 +134,28 @@ impl Renderer {
         }
         self.target = None;
         let shared = &self.shared;
-        let target = Target::new(&shared.gl, shared.info.dialect, size, samples as i32, self.precision)?;
+        let target = Target::new(&shared.gl, shared.info.dialect, size, samples as i32, precision)?;
         let target = Rc::new(target);
         self.shared.check_error("making the picture's memory")?;
         self.target = Some(target.clone());
         Ok(target)
     }
 
+    /// Draws the rows from `first_row` (from the picture's bottom) that `target` has room for.
     fn draw_scene(
         &mut self,
         scene: &GpuScene,
         frame: &Frame,
         view: Option<ViewSpec>,
         target: &Target,
+        first_row: i32,
     ) -> Result<u32, GlError> {
         let shared = self.shared.clone();
         let gl = &shared.gl;
         // SAFETY: plain state; the unit exists (16 are guaranteed).
         unsafe { gl.active_texture(glow::TEXTURE0 + texture_unit("light_table")) };
         self.light_table.fill(gl, &frame.lights);
-        target.begin(gl);
+        target.begin(gl, first_row, frame.height as i32);
         // SAFETY: plain state.
         unsafe {
             gl.enable(glow::DEPTH_TEST);

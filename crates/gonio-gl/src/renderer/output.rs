@@ -43,12 +43,24 @@ impl Look {
     }
 }
 
+/// A horizontal band of a picture: all of it, where it is drawn at once.
+#[derive(Clone, Copy)]
+pub(super) struct Band {
+    /// Of the whole picture, pixels.
+    pub picture_height: i32,
+    /// The band's lowest row, from the picture's bottom.
+    pub first_row: i32,
+    /// How many rows.
+    pub rows: i32,
+}
+
 impl Shared {
     /// Draws a target's pixels as they are displayed into `output`, top row first.
     pub(super) fn output_into(
         &self,
         output: &OutputTarget,
         target: &Target,
+        band: Band,
         look: &Look,
         display: Display,
     ) -> Result<(), GlError> {
@@ -60,7 +72,8 @@ impl Shared {
         program.set_i32("linear_picture", 0);
         program.set_i32("sample_count", samples);
         program.set_i32("top_row_first", 1);
-        program.set_vec2("picture_size", Vec2::new(target.size[0] as f32, target.size[1] as f32));
+        program.set_i32("first_row", band.first_row);
+        program.set_vec2("picture_size", Vec2::new(target.size[0] as f32, band.picture_height as f32));
         program.set_dvec3("background_top", look.background_top);
         program.set_dvec3("background_bottom", look.background_bottom);
         program.set_f32("background_alpha", look.background_alpha as f32);
@@ -72,8 +85,10 @@ impl Shared {
             DisplayMap::Light(transform) => program.set_f32("exposure", transform.exposure as f32),
         }
         output.bind(gl);
-        // SAFETY: the triangle's vertices come from gl_VertexID alone; the texture is the target's.
+        // SAFETY: the triangle's vertices come from gl_VertexID alone; the texture is the target's. The
+        // viewport keeps the triangle within the band.
         unsafe {
+            gl.viewport(0, band.picture_height - band.first_row - band.rows, target.size[0], band.rows);
             gl.disable(glow::DEPTH_TEST);
             gl.disable(glow::BLEND);
             gl.disable(glow::CULL_FACE);
@@ -144,6 +159,8 @@ impl Drawn {
     }
 
     fn output_into(&self, output: &OutputTarget, display: Display) -> Result<(), GlError> {
-        self.shared.output_into(output, &self.target, &self.look, display)
+        let rows = self.target.size[1];
+        let whole = Band { picture_height: rows, first_row: 0, rows };
+        self.shared.output_into(output, &self.target, whole, &self.look, display)
     }
 }

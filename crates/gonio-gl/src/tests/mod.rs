@@ -6,6 +6,6 @@ mod twins;
 use crate::headless::{HeadlessContext, HeadlessOptions};
 
 /// A context, or a panic that says what to install.
-fn context(es: bool) -> HeadlessContext {
+pub(crate) fn context(es: bool) -> HeadlessContext {
     HeadlessContext::with_options(&HeadlessOptions { es, ..Default::default() }).unwrap_or_else(|why| panic!("{why}"))
 }

@@ -261,7 +261,7 @@ impl Work<'_> {
                 (Format::Exr, _) => continue,
                 (_, Some(animation)) => {
                     let picture = times.measure("read_back", || shot.encoded8())?;
-                    times.measure("encode", || animation.add(picture, meaning))?;
+                    times.measure("encode", || animation.add(picture.into_owned(), meaning))?;
                     continue;
                 }
                 _ if plan.bits == 16 => {

@@ -184,7 +184,7 @@ fn one<'a>(
     let start = Instant::now();
     let mut drawn = None;
     backend.draw(&frame, &[exhibit.view], &silent, times, |_, shot| {
-        drawn = Some((shot.encoded8()?, shot.counts()));
+        drawn = Some((shot.encoded8()?.into_owned(), shot.counts()));
         for note in shot.notes() {
             if !notes.contains(note) {
                 notes.push(note.clone());
@@ -237,7 +237,7 @@ fn compare(
     let frame = Frame { width, height, samples: 1, ..frame.clone() };
     let mut by_gpu = None;
     backend.draw(&frame, &[exhibit.view], silent, &Times::default(), |_, shot| {
-        by_gpu = Some(shot.encoded8()?);
+        by_gpu = Some(shot.encoded8()?.into_owned());
         Ok(())
     })?;
     let by_gpu = by_gpu.ok_or_else(|| CliError::new(format!("`{}` was not drawn", exhibit.name)))?;
