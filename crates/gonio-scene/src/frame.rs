@@ -2,7 +2,7 @@
 
 use crate::camera::Camera;
 use crate::description::{EquationSpec, LightSourceKind, LightSpec};
-use crate::framing::DEFAULT_SPOT_ANGLES;
+use crate::framing::{DEFAULT_SPOT_ANGLES, Extent};
 use crate::load::camera_of;
 use crate::loaded::LoadedScene;
 use crate::motion::position_at;
@@ -97,13 +97,52 @@ impl LoadedScene {
         }
     }
 
+    /// `frame` for an orbit to start from: a camera that was chosen to frame the objects from one side
+    /// steps back until they are in the picture from every side. A camera that was asked for stays.
+    pub fn orbit_start(&self, frame: &Frame) -> Frame {
+        if !self.camera_was_framed {
+            return frame.clone();
+        }
+        let camera = frame.camera;
+        let pivot = self.orbit_pivot(frame);
+        // Directions all around (a Fibonacci lattice); between two of them a corner may reach a little
+        // farther, which the margin covers.
+        let golden = std::f64::consts::PI * (3.0 - 5.0_f64.sqrt());
+        let directions: Vec<DVec3> = (0..200)
+            .map(|i| {
+                let y = (2.0 * f64::from(i) + 1.0) / 200.0 - 1.0;
+                let (sin, cos) = (golden * f64::from(i)).sin_cos();
+                let r = (1.0 - y * y).sqrt();
+                DVec3::new(r * cos, y, r * sin)
+            })
+            .collect();
+        let reach = self.support(&directions);
+        let radius = reach.iter().zip(&directions).map(|(r, d)| r - pivot.dot(*d)).fold(0.0, f64::max);
+        if !radius.is_finite() {
+            return frame.clone();
+        }
+        let half_y = 0.5 * camera.fov_y_rad;
+        let half_x = (half_y.tan() * f64::from(frame.width) / f64::from(frame.height)).atan();
+        let distance = 1.05 * radius / half_y.min(half_x).sin();
+        let position = pivot - camera.front * distance;
+        let near = camera.near.min(0.5 * (distance - radius)).max(1e-4 * (distance + radius));
+        let far = camera.far.max(distance + 2.0 * radius);
+        Frame { camera: Camera { position, near, far, ..camera }, ..frame.clone() }
+    }
+
+    /// What an orbit goes around: the point looked at, or the objects' middle where the camera looks
+    /// along angles.
+    fn orbit_pivot(&self, frame: &Frame) -> DVec3 {
+        self.scene.camera.target.map_or(0.5 * (frame.bounds_min + frame.bounds_max), DVec3::from)
+    }
+
     /// `frame` with its camera turned by `angle_rad` about the vertical axis (the scene's `up`)
     /// through the point it looks at, or through the objects' middle where it looks along angles.
     /// Positive angles move the eye to the right, as seen from the eye. The lights stay.
     pub fn orbit(&self, frame: &Frame, angle_rad: f64) -> Frame {
         let spec = &self.scene.camera;
         let axis = spec.up.and_then(|up| unit(up.into())).unwrap_or(DVec3::Y);
-        let pivot = spec.target.map_or(0.5 * (frame.bounds_min + frame.bounds_max), DVec3::from);
+        let pivot = self.orbit_pivot(frame);
         let turn = DQuat::from_axis_angle(axis, angle_rad);
         let camera = Camera {
             position: pivot + turn * (frame.camera.position - pivot),

@@ -101,6 +101,7 @@ pub fn load(mut scene: Scene, base: &Path, files: &dyn FileSource) -> Result<Loa
         }
         object.name.clone_from(&spec.name);
     }
+    loaded.camera_was_framed = scene.camera.position.is_none();
     fill_in(&mut scene, &loaded);
     loaded.scene = scene;
     loaded.diagnostics = diagnostics;

@@ -26,6 +26,8 @@ pub struct LoadedScene {
     pub objects: Vec<Object>,
     /// Everything odd that was survived.
     pub diagnostics: Vec<Diagnostic>,
+    /// The description had no camera position: one was chosen that frames the objects.
+    pub camera_was_framed: bool,
     /// Remembered by [`LoadedScene::bounds`]; leave it empty.
     pub known_bounds: OnceLock<(DVec3, DVec3)>,
 }

@@ -113,15 +113,23 @@ fn several_formats_in_one_run() {
 fn frames_are_numbered_and_the_orbit_turns() {
     let lab = Lab::new();
     let cube = asset("cube.obj");
-    lab.render(&[&cube, "-o", "turn.png", "--frames", "3", "--orbit", "360"]).good();
+    // With a camera that was asked for: one that gonio chose would step back, see below.
+    let eye = ["--camera-position", "2,2,4", "--camera-target", "0,0,0"];
+    let from_eye = |args: &[&str]| lab.render(&[&[cube.as_str()], args, &eye[..]].concat()).good();
+    from_eye(&["-o", "turn.png", "--frames", "3", "--orbit", "360"]);
     assert_eq!(lab.names(), ["turn-0001.png", "turn-0002.png", "turn-0003.png"]);
     assert_ne!(lab.read("turn-0001.png"), lab.read("turn-0002.png"));
-    lab.render(&[&cube, "-o", "still.png"]).good();
+    from_eye(&["-o", "still.png"]);
     assert_eq!(lab.read("still.png"), lab.read("turn-0001.png"));
 
-    lab.render(&[&cube, "-o", "f%02d.png", "--frames", "2"]).good();
+    from_eye(&["-o", "f%02d.png", "--frames", "2"]);
     assert_eq!(lab.read("f01.png"), lab.read("still.png"));
     assert_eq!(lab.read("f02.png"), lab.read("still.png"));
+
+    // A camera that was chosen to frame the model from one side makes room for the turn.
+    lab.render(&[&cube, "-o", "framed.png"]).good();
+    lab.render(&[&cube, "-o", "framed-turn.png", "--frames", "3", "--orbit", "360"]).good();
+    assert_ne!(lab.read("framed.png"), lab.read("framed-turn-0001.png"));
 }
 
 #[test]

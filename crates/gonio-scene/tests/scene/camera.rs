@@ -76,3 +76,34 @@ fn an_orbit_keeps_the_distance_and_the_target() {
     assert!(turned.camera.front.cross(target - turned.camera.position).length() < 1e-9);
     assert!(loaded.orbit(&frame, std::f64::consts::TAU).camera.position.abs_diff_eq(frame.camera.position, 1e-9));
 }
+
+/// Whether every corner of every mesh lies in the picture, between near and far.
+fn all_in_picture(loaded: &gonio_scene::LoadedScene, frame: &gonio_scene::Frame) -> bool {
+    let aspect = f64::from(frame.width) / f64::from(frame.height);
+    let clip = frame.camera.clip_from_view(aspect) * frame.camera.view_from_world();
+    loaded.objects.iter().all(|object| {
+        loaded.meshes[object.mesh].positions.iter().all(|&p| {
+            let world = object.world_from_model.transform_point3(DVec3::from(p.map(f64::from)));
+            let c: DVec4 = clip * world.extend(1.0);
+            c.w > 0.0 && c.x.abs() <= c.w && c.y.abs() <= c.w && c.z.abs() <= c.w
+        })
+    })
+}
+
+#[test]
+fn a_framed_orbit_has_everything_in_the_picture_from_every_side() {
+    for name in ["builtin:suzanne", "builtin:still-life"] {
+        let loaded = load(describe(&[name], &BuiltinOnly).unwrap(), Path::new(""), &BuiltinOnly).unwrap();
+        let frame = loaded.frame(0.0);
+        let around = |start: &gonio_scene::Frame| {
+            (0..24).all(|i| all_in_picture(&loaded, &loaded.orbit(start, std::f64::consts::TAU * f64::from(i) / 24.0)))
+        };
+        assert!(!around(&frame), "{name}: the plain frame is tight, or this tests nothing");
+        assert!(around(&loaded.orbit_start(&frame)), "{name}");
+    }
+    // A camera that was asked for stays.
+    let mut scene = describe(&["builtin:cube"], &BuiltinOnly).unwrap();
+    scene.camera.position = Some([0.0, 0.0, 3.0]);
+    let loaded = load(scene, Path::new(""), &BuiltinOnly).unwrap();
+    assert_eq!(loaded.orbit_start(&loaded.frame(0.0)), loaded.frame(0.0));
+}
