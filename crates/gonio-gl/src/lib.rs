@@ -34,7 +34,6 @@ pub use headless::HeadlessContext;
 pub use renderer::{Drawn, Drawn8, Renderer};
 pub use scene_on_gpu::GpuScene;
 pub use statistics::GpuStatistics;
-pub use target::Precision;
 
 #[cfg(test)]
 mod tests;

@@ -6,12 +6,11 @@ use crate::{Gl, GlError};
 use glow::{HasContext, PixelPackData, PixelUnpackData};
 
 /// How exactly light is kept before it becomes a picture.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Precision {
     /// 16-bit floats, 11 bits of mantissa: enough for pictures of 8 bits a channel, and half the memory.
     Half,
     /// 32-bit floats: for linear output, and for comparisons.
-    #[default]
     Full,
 }
 

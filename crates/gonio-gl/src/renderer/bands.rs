@@ -80,7 +80,8 @@ fn rows_of_a_band(triangles: usize, frame: &Frame) -> i32 {
 
 #[cfg(test)]
 mod tests {
-    use crate::{Precision, Renderer};
+    use crate::Renderer;
+    use crate::target::Precision;
     use gonio_scene::files::Disk;
     use std::path::Path;
 
@@ -96,8 +97,7 @@ mod tests {
         let uploaded = renderer.upload(&scene).unwrap_or_else(|why| panic!("{why}"));
         let rows = super::rows_of_a_band(uploaded.triangle_count, &frame);
         assert!(rows < 621 && 621 % rows != 0, "bands of {rows} rows would test little");
-        renderer.set_precision(Precision::Half);
-        let whole = renderer.render(&uploaded, &frame, None).unwrap_or_else(|why| panic!("{why}"));
+        let whole = renderer.render_at(&uploaded, &frame, None, Precision::Half).unwrap_or_else(|why| panic!("{why}"));
         let banded = renderer.render8(&uploaded, &frame, None).unwrap_or_else(|why| panic!("{why}"));
         let whole8 = whole.encoded8().unwrap_or_else(|why| panic!("{why}"));
         assert_eq!(whole8.rgba.len(), banded.picture.rgba.len());

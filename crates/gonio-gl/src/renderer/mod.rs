@@ -33,7 +33,6 @@ pub struct Renderer {
     light_table: LightTable,
     white: TextureObject,
     target: Option<Rc<Target>>,
-    precision: Precision,
 }
 
 /// What a finished frame needs as well.
@@ -60,17 +59,12 @@ impl Renderer {
             output_programs: RefCell::default(),
             no_attributes,
         });
-        Ok(Renderer { shared, light_table, white, target: None, precision: Precision::Full })
+        Ok(Renderer { shared, light_table, white, target: None })
     }
 
     /// The driver.
     pub fn info(&self) -> &DriverInfo {
         &self.shared.info
-    }
-
-    /// How exactly the next frames keep light; [`Precision::Full`] to begin with.
-    pub fn set_precision(&mut self, precision: Precision) {
-        self.precision = precision;
     }
 
     /// Uploads geometry and textures.
@@ -83,10 +77,20 @@ impl Renderer {
 
     /// Draws the picture, or a debug view, and waits for it.
     pub fn render(&mut self, scene: &GpuScene, frame: &Frame, view: Option<ViewSpec>) -> Result<Drawn, GlError> {
+        self.render_at(scene, frame, view, Precision::Full)
+    }
+
+    fn render_at(
+        &mut self,
+        scene: &GpuScene,
+        frame: &Frame,
+        view: Option<ViewSpec>,
+        precision: Precision,
+    ) -> Result<Drawn, GlError> {
         let shared = self.shared.clone();
         let gl = &shared.gl;
         let mut notes = Vec::new();
-        let target = self.target_for(frame, frame.height as i32, self.precision, &mut notes)?;
+        let target = self.target_for(frame, frame.height as i32, precision, &mut notes)?;
         let queries = StatisticsQueries::begin(gl, &shared.info)?;
         let draw_calls = {
             let _group = DebugGroup::new(gl, "scene");
