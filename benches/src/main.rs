@@ -1,4 +1,4 @@
-//! Measures gonio: `gonio-bench render|frame|lights`, best through `cargo xtask bench`, which builds
+//! Measures gonio: `gonio-bench render|render-large|frame|lights|obj`, best through `cargo xtask bench`, which builds
 //! everything first. Each prints a table and writes `target/bench/NAME.json`.
 //!
 //! Times are medians of alternating runs, so that a busy minute of the machine hits all sides alike.
@@ -7,6 +7,9 @@ mod frame;
 mod lights;
 mod measure;
 mod models;
+mod obj;
+mod obj_models;
+mod obj_readers;
 mod peers;
 mod render;
 mod table;
@@ -25,10 +28,22 @@ pub struct Places {
 /// A benchmark: whether its bars were held, or why it could not be run.
 type Bench = fn(&Places) -> Result<bool, String>;
 
-const BENCHES: &[(&str, Bench)] = &[("render", render::run), ("frame", frame::run), ("lights", lights::run)];
+const BENCHES: &[(&str, Bench)] = &[
+    ("render", render::run),
+    ("render-large", render::run_large),
+    ("frame", frame::run),
+    ("lights", lights::run),
+    ("obj", obj::run),
+];
 
 fn main() -> ExitCode {
     let names: Vec<String> = std::env::args().skip(1).collect();
+    // Parts of a benchmark that need a process of their own.
+    match names.as_slice() {
+        [first, rest @ ..] if first == obj_readers::READ => return ended(obj_readers::child(rest)),
+        [first, file] if first == obj_readers::MAKE => return ended(places().and_then(|p| obj::make(&p, file))),
+        _ => {}
+    }
     if let Some(unknown) = names.iter().find(|name| !BENCHES.iter().any(|(known, _)| known == name)) {
         let known: Vec<&str> = BENCHES.iter().map(|(name, _)| *name).collect();
         eprintln!("bench: `{unknown}` is none of {}", known.join(", "));
@@ -55,6 +70,17 @@ fn main() -> ExitCode {
         println!();
     }
     ExitCode::from(code)
+}
+
+/// The last line that such a process says is its error.
+fn ended(result: Result<(), String>) -> ExitCode {
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            println!("{error}");
+            ExitCode::FAILURE
+        }
+    }
 }
 
 fn places() -> Result<Places, String> {

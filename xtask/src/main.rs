@@ -2,6 +2,7 @@
 
 mod bench;
 mod checks;
+mod fuzz;
 mod process;
 mod report;
 mod setup;
@@ -16,8 +17,12 @@ cargo xtask test --fast      the same without the other platforms and without in
 cargo xtask test --house     only the rules of the house that no compiler knows: a second
 cargo xtask bench [NAME...]  measures; all of them without a name
     render                   a 5,000-triangle model to a PNG, whole process, against f3d and a VTK script
+    render-large             the same of 1 million triangles
     frame                    a frame of 1 million triangles against the barest OpenGL loop
     lights                   the cost of a light, from 1 to 1,000 of them
+    obj                      reading OBJ files of 1 and 5 million triangles, against tobj and others
+cargo xtask fuzz [TARGET...] [--minutes N]
+                             made-up files for every reader, 20 minutes each; wants cargo-fuzz and nightly
 cargo xtask schema           brings assets/scene.schema.json up to date with the code
 cargo xtask help             this text
 
@@ -32,6 +37,7 @@ fn main() -> ExitCode {
         ["test", "--fast"] => test::run(test::Extent::Fast),
         ["test", "--house"] => test::run(test::Extent::House),
         ["bench", names @ ..] => bench::run(names),
+        ["fuzz", words @ ..] => fuzz::run(words),
         ["schema"] => schema(),
         [] | ["help" | "--help" | "-h"] => {
             print!("{HELP}");

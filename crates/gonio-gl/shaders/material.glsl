@@ -9,24 +9,25 @@ uniform float shininess;
 #endif
 uniform float opacity;
 
-// Each texture on its own unit; scale in xy, offset in zw.
+// Each texture on its own unit, and where in its picture the texture coordinates lie.
 #if DIFFUSE_MAP
 uniform sampler2D diffuse_map;
-uniform vec4 diffuse_map_transform;
+uniform mat3x2 diffuse_map_transform;
 #endif
 #if OTHER_MAPS
 uniform sampler2D specular_map;
-uniform vec4 specular_map_transform;
+uniform mat3x2 specular_map_transform;
 uniform sampler2D emitted_map;
-uniform vec4 emitted_map_transform;
+uniform mat3x2 emitted_map_transform;
+uniform float roughness;   // not negative: shininess_map holds factors of it
 uniform sampler2D shininess_map;
-uniform vec4 shininess_map_transform;
+uniform mat3x2 shininess_map_transform;
 uniform sampler2D opacity_map;
-uniform vec4 opacity_map_transform;
+uniform mat3x2 opacity_map_transform;
 #endif
 #if NORMAL_MAP
 uniform sampler2D normal_map;
-uniform vec4 normal_map_transform;
+uniform mat3x2 normal_map_transform;
 #endif
 
 struct Surface {
@@ -43,8 +44,8 @@ float data_texel(vec4 stored) {
     return 0.5 * stored.r + 0.5;
 }
 
-vec4 map_texel(sampler2D map, vec4 transform, vec2 uv) {
-    return texture(map, uv * transform.xy + transform.zw);
+vec4 map_texel(sampler2D map, mat3x2 transform, vec2 uv) {
+    return texture(map, transform * vec3(uv, 1.0));
 }
 
 Surface surface_at(vec2 uv, vec3 vertex_color) {
@@ -65,7 +66,10 @@ Surface surface_at(vec2 uv, vec3 vertex_color) {
 #if OTHER_MAPS
     s.specular *= map_texel(specular_map, specular_map_transform, uv).rgb;
     s.emitted *= map_texel(emitted_map, emitted_map_transform, uv).rgb;
-    s.shininess = max(s.shininess * data_texel(map_texel(shininess_map, shininess_map_transform, uv)), 1.0);
+#if !VERTEX_LIT
+    float factor = data_texel(map_texel(shininess_map, shininess_map_transform, uv));
+    s.shininess = roughness < 0.0 ? max(s.shininess * factor, 1.0) : shininess_of_roughness(roughness * factor);
+#endif
     s.opacity *= data_texel(map_texel(opacity_map, opacity_map_transform, uv));
 #endif
     return s;

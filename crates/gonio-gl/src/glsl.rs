@@ -3,7 +3,7 @@
 use gonio_light::brdf::{self, BrdfKind};
 use gonio_light::color::{self, ColorEncoding, ToneMap};
 use gonio_light::light::Attenuation;
-use gonio_light::{Quantity, Specular, vector};
+use gonio_light::{Quantity, Specular, roughness, vector};
 use gonio_scene::description::Shading;
 use gonio_scene::loaded::HOLE_OPACITY;
 use std::fmt::Write;
@@ -417,6 +417,7 @@ fn constants() -> String {
         ("DEGENERATE_LENGTH", vector::DEGENERATE_LENGTH),
         ("LOBE_CAP", brdf::LOBE_CAP),
         ("SHININESS_MAX", brdf::SHININESS_MAX),
+        ("SHININESS_OF_ROUGHNESS_MAX", roughness::SHININESS_OF_ROUGHNESS_MAX),
         ("GRAZING_COSINE", brdf::ward::GRAZING_COSINE),
         ("RADIANCE_CAP", color::RADIANCE_CAP),
         ("EXPOSURE_LIMIT", color::EXPOSURE_LIMIT),

@@ -122,6 +122,12 @@ impl Program {
         unsafe { self.gl.uniform_4_f32_slice(self.location(name).as_ref(), values.as_flattened()) };
     }
 
+    /// Sets a `mat3x2` (three columns of two) of the current program.
+    pub fn set_mat3x2(&self, name: &'static str, columns: &[[f32; 2]; 3]) {
+        // SAFETY: as in `set_i32`.
+        unsafe { self.gl.uniform_matrix_3x2_f32_slice(self.location(name).as_ref(), false, columns.as_flattened()) };
+    }
+
     /// Sets a `mat3` of the current program.
     pub fn set_mat3(&self, name: &'static str, m: &Mat3) {
         // SAFETY: as in `set_i32`.

@@ -3,6 +3,7 @@
 use crate::objects::TextureObject;
 use crate::{Gl, GlError};
 use glow::{HasContext, PixelUnpackData};
+use gonio_mesh::Wrap;
 use gonio_scene::{ColorSpace, Texture, TextureFilter};
 
 /// Most samples along the longer axis of a footprint.
@@ -65,20 +66,24 @@ pub fn white(gl: &Gl) -> Result<TextureObject, GlError> {
 }
 
 /// Sets how the texture that is bound to the active unit is sampled.
-pub fn set_sampling(gl: &Gl, filter: TextureFilter, clamp: bool, anisotropy: bool) {
+pub fn set_sampling(gl: &Gl, filter: TextureFilter, wraps: [Wrap; 2], anisotropy: bool) {
     let (minify, magnify) = match filter {
         TextureFilter::Nearest => (glow::NEAREST, glow::NEAREST),
         TextureFilter::Linear => (glow::LINEAR, glow::LINEAR),
         TextureFilter::Mipmap | TextureFilter::Anisotropic => (glow::LINEAR_MIPMAP_LINEAR, glow::LINEAR),
     };
-    let wrap = if clamp { glow::CLAMP_TO_EDGE } else { glow::REPEAT };
+    let [wrap_s, wrap_t] = wraps.map(|wrap| match wrap {
+        Wrap::Repeat => glow::REPEAT,
+        Wrap::Clamp => glow::CLAMP_TO_EDGE,
+        Wrap::Mirror => glow::MIRRORED_REPEAT,
+    });
     // SAFETY: a 2-D texture is bound to the active unit; the enums are valid for these parameters.
     unsafe {
         for (parameter, value) in [
             (glow::TEXTURE_MIN_FILTER, minify),
             (glow::TEXTURE_MAG_FILTER, magnify),
-            (glow::TEXTURE_WRAP_S, wrap),
-            (glow::TEXTURE_WRAP_T, wrap),
+            (glow::TEXTURE_WRAP_S, wrap_s),
+            (glow::TEXTURE_WRAP_T, wrap_t),
         ] {
             gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, value as i32);
         }

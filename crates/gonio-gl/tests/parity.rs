@@ -9,6 +9,7 @@
 mod textured_model;
 
 use gonio_gl::{HeadlessContext, Renderer};
+use gonio_mesh::Wrap;
 use gonio_reference::{Probe, ReferenceScene};
 use gonio_scene::files::Disk;
 use gonio_scene::{DisplayMap, Frame, LoadedScene, ViewSpec};
@@ -172,6 +173,49 @@ fn every_shading_light_and_convention_with_and_without_textures() {
         }
     }
     assert_eq!(scenes, 48);
+}
+
+/// Scaled, turned, moved, mirrored and clamped: what glTF can ask of a texture; and a texture of roughness.
+#[test]
+fn textures_laid_on_in_every_way() {
+    let mut bench = Bench::new();
+    let folder = tempfile::tempdir().unwrap();
+    let model = textured_model::write(folder.path());
+    let object = object("cube", "phong", "").replace("builtin:cube", &model.display().to_string());
+    let plain = scene("", &lights("all"), &object);
+    let frame = plain.frame(0.0);
+    let mut seen = vec![ReferenceScene::new(&plain).render(&frame, None, &|_| ()).picture];
+    for wrap in [[Wrap::Repeat; 2], [Wrap::Mirror; 2], [Wrap::Clamp, Wrap::Mirror], [Wrap::Mirror, Wrap::Repeat]] {
+        let mut scene = plain.clone();
+        for maps in scene.materials.iter_mut().map(|m| &mut m.maps) {
+            for map in [&mut maps.diffuse, &mut maps.specular, &mut maps.emitted, &mut maps.shininess] {
+                let map = map.as_mut().unwrap();
+                (map.scale, map.rotation, map.offset, map.wrap) = ([1.7, 0.6], 0.7, [0.3, -0.4], wrap);
+            }
+        }
+        bench.check(&format!("{wrap:?}"), &scene, None);
+        let picture = ReferenceScene::new(&scene).render(&frame, None, &|_| ()).picture;
+        assert!(seen.iter().all(|other| *other != picture), "{wrap:?} shows");
+        seen.push(picture);
+    }
+}
+
+#[test]
+fn a_texture_of_roughness() {
+    let mut bench = Bench::new();
+    let folder = tempfile::tempdir().unwrap();
+    let model = textured_model::write(folder.path());
+    let object = object("cube", "phong", "").replace("builtin:cube", &model.display().to_string());
+    let exponents = scene("", &lights("all"), &object);
+    let mut scene = exponents.clone();
+    scene.materials.iter_mut().for_each(|material| material.maps.roughness = Some(0.9));
+    let c = bench.compare(&scene, None);
+    // The exponent is the roughness to the power of -4: what 8 bits of filter weights leave open counts four times.
+    assert!(c.interior > 500 && c.worst.0 <= 4e-3, "{} pixels, {} {}", c.interior, c.worst.0, c.worst.1);
+    assert!(c.close >= 0.995, "{:.3} % within 1/255", 100.0 * c.close);
+    let frame = scene.frame(0.0);
+    let picture = |scene| ReferenceScene::new(scene).render(&frame, None, &|_| ()).picture;
+    assert!(picture(&scene) != picture(&exponents), "it shows");
 }
 
 #[test]

@@ -14,6 +14,7 @@
 //! | [`equation`] | the switches of the equation, its terms, and their sum |
 //! | [`light`] | light kinds, attenuation, the spot's cone |
 //! | [`brdf`] | Lambert, Phong, Blinn, Lafortune, Ward |
+//! | [`roughness`] | exponents of roughnesses |
 //! | [`vector`] | reflection, refraction, half vector |
 //! | [`fresnel`] | exact dielectric Fresnel and Schlick's approximation |
 //! | [`color`] | sRGB, exposure, tone mapping |
@@ -27,6 +28,7 @@ pub mod equation;
 pub mod fresnel;
 pub mod light;
 pub mod quantity;
+pub mod roughness;
 pub mod vector;
 
 pub use equation::{Convention, Equation, LightSums, LightTerms, ShadingPoint, Specular, Surface, TermSwitches, Terms};

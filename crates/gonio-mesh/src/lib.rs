@@ -3,24 +3,43 @@
 //! Readers open no files: what a model refers to (a material library, a buffer) is asked of a
 //! [`Sidecars`], which the caller implements over a disk, an archive or a web page.
 
+pub mod collada;
+pub mod compression;
 pub mod diagnostic;
+pub mod explain;
+pub mod format;
+pub mod gltf;
+mod join;
+mod line_index;
 pub mod material;
+pub mod medit;
 pub mod mesh;
+pub mod model_scene;
 pub mod mtl;
 pub mod normals;
 mod number;
 pub mod obj;
+pub mod ply;
 mod polygon;
 mod report;
+pub mod sidecar;
 mod split;
+pub mod stl;
+mod tally;
 pub mod tangents;
 mod text;
+pub mod texture_map;
 pub mod topology;
 mod weld;
+pub mod write;
 
 pub use diagnostic::{Diagnostic, ReadError, Severity};
-pub use material::{AmbientRule, Material, TextureMap};
+pub use format::Format;
+pub use material::{AmbientRule, Material, MetallicRoughness, Source};
 pub use mesh::{Bounds, Mesh, NormalSource, Part};
+pub use model_scene::{EmbeddedImage, ModelCamera, ModelLight, ModelLightKind};
+pub use sidecar::{MissingSidecar, NoSidecars, Sidecar, SidecarUse, Sidecars};
+pub use texture_map::{Channel, TexelRule, TextureMap, Wrap};
 
 /// A model as a reader gives it.
 #[derive(Clone, Debug, Default)]
@@ -29,31 +48,19 @@ pub struct Model {
     pub mesh: Mesh,
     /// What [`Part::material`] indexes; never empty where the mesh has parts.
     pub materials: Vec<Material>,
+    /// Pictures inside the file.
+    pub images: Vec<EmbeddedImage>,
+    /// Lights of the file.
+    pub lights: Vec<ModelLight>,
+    /// Cameras of the file.
+    pub cameras: Vec<ModelCamera>,
+    /// What the file holds, counted in its own words (`v`, `faces of 4 corners`, `nodes`), in an order of the
+    /// reader's.
+    pub contents: Vec<(String, u64)>,
+    /// The files that the model named (textures apart), and what became of them.
+    pub sidecars: Vec<SidecarUse>,
     /// Everything odd that was survived, in file order.
     pub diagnostics: Vec<Diagnostic>,
-}
-
-/// Where a reader gets the files that a model file names.
-pub trait Sidecars {
-    /// The bytes of the file that a model calls `name` (as written there: relative, perhaps with
-    /// backslashes or in the wrong case), or the places that were looked at in vain.
-    fn read(&mut self, name: &str) -> Result<Vec<u8>, MissingSidecar>;
-}
-
-/// No such file; where it was sought.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct MissingSidecar {
-    /// Every place looked at, in order.
-    pub tried: Vec<String>,
-}
-
-/// For models that stand alone, and for tests: nothing is found.
-pub struct NoSidecars;
-
-impl Sidecars for NoSidecars {
-    fn read(&mut self, _name: &str) -> Result<Vec<u8>, MissingSidecar> {
-        Err(MissingSidecar { tried: Vec::new() })
-    }
 }
 
 /// How much a file may make a reader allocate.
@@ -63,10 +70,13 @@ pub struct Limits {
     pub max_vertices: u64,
     /// Most triangles.
     pub max_triangles: u64,
+    /// Most bytes that a compressed file may unpack to, and that arrays may take which the file asks for without
+    /// holding them itself.
+    pub max_bytes: u64,
 }
 
 impl Default for Limits {
     fn default() -> Self {
-        Limits { max_vertices: u32::MAX as u64, max_triangles: u32::MAX as u64 / 3 }
+        Limits { max_vertices: u32::MAX as u64, max_triangles: u32::MAX as u64 / 3, max_bytes: 8 << 30 }
     }
 }

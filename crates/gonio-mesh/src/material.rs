@@ -1,35 +1,7 @@
-//! A material as a model file describes it.
+//! A material as a model file describes it, and where each of its values came from.
 
-/// A texture that a material names.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TextureMap {
-    /// As written in the file.
-    pub path: String,
-    /// `-s`: texture coordinates are multiplied by this, ...
-    pub scale: [f32; 2],
-    /// `-o`: ... then this is added.
-    pub offset: [f32; 2],
-    /// `-clamp on`: clamped to the edge instead of repeated.
-    pub clamp: bool,
-    /// `-bm`: strength of a normal or bump map.
-    pub bump_multiplier: f32,
-    /// The line in the material file that names it, from 1.
-    pub line: Option<u64>,
-}
-
-impl TextureMap {
-    /// A texture without options.
-    pub fn new(path: impl Into<String>) -> Self {
-        TextureMap {
-            path: path.into(),
-            scale: [1.0, 1.0],
-            offset: [0.0, 0.0],
-            clamp: false,
-            bump_multiplier: 1.0,
-            line: None,
-        }
-    }
-}
+use crate::TextureMap;
+use serde::Serialize;
 
 /// What `k_a` is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,6 +48,106 @@ pub struct Material {
     pub normal_map: Option<TextureMap>,
     /// `map_Bump`/`bump` with heights: data; told from a normal map by its colours when it is loaded.
     pub bump_map: Option<TextureMap>,
+    /// The other parametrisation of the same surface, where the file uses it: `diffuse`, `specular` and `shininess`
+    /// above are already made of its numbers; its textures are still to be applied.
+    pub metallic_roughness: Option<MetallicRoughness>,
+    /// Values of the file that no term of the light equation takes: sheen, clearcoat, anisotropy.
+    pub unused: Vec<Source>,
+    /// Where the values above came from, in the order of the fields.
+    pub sources: Vec<Source>,
+    /// The file that describes it, as the user knows it, where that is not the model's own.
+    pub file: Option<String>,
+}
+
+/// A surface as physically based renderers describe it.
+///
+/// In terms of the light equation: `k_d = base_color * (1 - metallic)`, `k_s = mix(0.04, base_color, metallic)` (glTF
+/// 2.0, appendix B), and gamma as [`gonio_light::roughness`] says: `2 / roughness^4 - 2`, from 1 to 10,000.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MetallicRoughness {
+    /// Linear RGB.
+    pub base_color: [f32; 3],
+    /// 0 to 1.
+    pub metallic: f32,
+    /// 0 to 1.
+    pub roughness: f32,
+    /// Data: times `metallic`.
+    pub metallic_map: Option<TextureMap>,
+    /// Data: times `roughness`.
+    pub roughness_map: Option<TextureMap>,
+}
+
+impl MetallicRoughness {
+    /// Reflectance at normal incidence of what is no metal: that of a refraction index of 1.5.
+    pub const DIELECTRIC_SPECULAR: f32 = 0.04;
+
+    /// `k_d` of a base colour and a metalness.
+    pub fn diffuse(base_color: [f32; 3], metallic: f32) -> [f32; 3] {
+        base_color.map(|c| c * (1.0 - metallic))
+    }
+
+    /// `k_s` of a base colour and a metalness.
+    pub fn specular(base_color: [f32; 3], metallic: f32) -> [f32; 3] {
+        base_color.map(|c| Self::DIELECTRIC_SPECULAR + (c - Self::DIELECTRIC_SPECULAR) * metallic)
+    }
+
+    /// `gamma` of a roughness.
+    pub fn shininess(roughness: f32) -> f32 {
+        gonio_light::roughness::shininess_of_roughness(roughness.into()) as f32
+    }
+
+    /// The roughness of an exponent: the inverse of [`Self::shininess`].
+    pub fn roughness(shininess: f32) -> f32 {
+        gonio_light::roughness::roughness_of_shininess(shininess.into()) as f32
+    }
+}
+
+/// Where a value of a material came from.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Source {
+    /// The field's name: `diffuse`, `shininess`, `diffuse_map`.
+    pub property: &'static str,
+    /// The line that says it, from 1; `None` where no line does, or where the format has no lines.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line: Option<u64>,
+    /// What the file says there: `Kd 0 0 0`, `materials[1].emissiveFactor = [0, 0, 0]`. Empty where it says nothing.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub written: String,
+    /// The rule by which the value differs from what is written: `black beside map_Kd: taken as 1 1 1`.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub rule: String,
+}
+
+impl Material {
+    /// All textures that it names.
+    pub fn textures(&self) -> impl Iterator<Item = &TextureMap> {
+        let physical = self.metallic_roughness.as_ref().map(|m| [&m.metallic_map, &m.roughness_map]);
+        let maps = [
+            &self.diffuse_map,
+            &self.specular_map,
+            &self.emitted_map,
+            &self.shininess_map,
+            &self.opacity_map,
+            &self.normal_map,
+            &self.bump_map,
+        ];
+        maps.into_iter().chain(physical.into_iter().flatten()).flatten()
+    }
+
+    /// The same, to be changed.
+    pub fn textures_mut(&mut self) -> impl Iterator<Item = &mut TextureMap> {
+        let physical = self.metallic_roughness.as_mut().map(|m| [&mut m.metallic_map, &mut m.roughness_map]);
+        let maps = [
+            &mut self.diffuse_map,
+            &mut self.specular_map,
+            &mut self.emitted_map,
+            &mut self.shininess_map,
+            &mut self.opacity_map,
+            &mut self.normal_map,
+            &mut self.bump_map,
+        ];
+        maps.into_iter().chain(physical.into_iter().flatten()).flatten()
+    }
 }
 
 impl Default for Material {
@@ -98,6 +170,10 @@ impl Default for Material {
             opacity_map: None,
             normal_map: None,
             bump_map: None,
+            metallic_roughness: None,
+            unused: Vec::new(),
+            sources: Vec::new(),
+            file: None,
         }
     }
 }

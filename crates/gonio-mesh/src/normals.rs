@@ -1,11 +1,33 @@
 //! Normals: one per triangle, or averaged over the faces around a corner.
 
+mod crease;
+
 use crate::weld::{self, Table, mix};
 use crate::{Diagnostic, Mesh, NormalSource, split};
 use glam::{DVec3, Vec3};
 
 /// A sum of unit vectors is taken for zero where they cancel to this part of their weights.
 const CANCELLED: f64 = 1e-6;
+
+/// Which faces are averaged.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Averaging {
+    /// The crease angle, in radians from 0 to pi: a corner's normal is the mean over those faces around it whose
+    /// normals differ by at most this from the normal of **the corner's own face**. Corners of one position and one
+    /// smoothing group may so have different normals, and their vertex is split. A face that a third one leads
+    /// over to does not count by it: each face is held against the corner's own.
+    ///
+    /// 0 averages only what is flat (to 0.06 degrees); at a cube's edges 90 degrees average and less does not.
+    /// `None`, or pi and more: all faces.
+    pub crease_angle_rad: Option<f64>,
+}
+
+impl Averaging {
+    /// The angle, where it parts anything.
+    fn crease(&self) -> Option<f64> {
+        self.crease_angle_rad.filter(|angle| *angle < std::f64::consts::PI)
+    }
+}
 
 /// One normal per triangle: every triangle gets three vertices of its own.
 /// Degenerate triangles get the normal (0, 0, 0), which the equation replaces by the view direction.
@@ -28,13 +50,19 @@ pub fn make_flat(mesh: &Mesh) -> Mesh {
 /// were cut into triangles.
 ///
 /// Faces are adjacent where they share a position (bit by bit), seams of texture coordinates notwithstanding. Where the
-/// mesh has smoothing groups, only faces of the same one are averaged, and faces of group 0 are flat. Where it has none,
-/// or all are 0 (so that averaging could change nothing, and yet it was asked for), all faces are averaged. Vertices are split where needed. Faces without area count for nothing. Where faces cancel
-/// each other (the two sides of a leaf), each keeps its own normal; corners of faces without area that have no other
-/// neighbour get (0, 0, 0), which a diagnostic counts.
+/// mesh has smoothing groups, only faces of the same one are averaged, and faces of group 0 are flat. Where it has
+/// none, or all are 0 (so that averaging could change nothing, and yet it was asked for), all faces are averaged.
+/// Vertices are split where needed. Faces without area count for nothing. Where faces cancel each other (the two sides
+/// of a leaf), each keeps its own normal; corners of faces without area that have no other neighbour get (0, 0, 0),
+/// which a diagnostic counts.
 pub fn make_averaged(mesh: &Mesh) -> (Mesh, Vec<Diagnostic>) {
+    make_averaged_with(mesh, &Averaging::default())
+}
+
+/// As [`make_averaged`], with creases where `averaging` says so.
+pub fn make_averaged_with(mesh: &Mesh, averaging: &Averaging) -> (Mesh, Vec<Diagnostic>) {
     let groups = if has_smooth_faces(mesh) { mesh.smoothing_groups.as_slice() } else { &[] };
-    let normals = averaged_corner_normals(mesh, groups);
+    let normals = averaged_corner_normals(mesh, groups, averaging);
     let diagnostics = report_zero(&normals);
     (with_corner_normals(mesh, &normals, NormalSource::Averaged), diagnostics)
 }
@@ -46,12 +74,17 @@ fn has_smooth_faces(mesh: &Mesh) -> bool {
 /// Gives normals to a mesh that has none, or that lacks some (their length is 0): averaged, and flat where the
 /// smoothing groups say so.
 pub fn complete(mesh: Mesh) -> (Mesh, Vec<Diagnostic>) {
+    complete_with(mesh, &Averaging::default())
+}
+
+/// As [`complete`], with creases where `averaging` says so.
+pub fn complete_with(mesh: Mesh, averaging: &Averaging) -> (Mesh, Vec<Diagnostic>) {
     if mesh.normals.is_empty() && !mesh.smoothing_groups.is_empty() && !has_smooth_faces(&mesh) {
         let note = Diagnostic::note("there are no normals, and smoothing is off: each triangle has its own");
         return (make_flat(&mesh), vec![note]);
     }
     if mesh.normals.is_empty() {
-        let (averaged, mut diagnostics) = make_averaged(&mesh);
+        let (averaged, mut diagnostics) = make_averaged_with(&mesh, averaging);
         let how = if mesh.smoothing_groups.is_empty() { "" } else { " within smoothing groups" };
         diagnostics.insert(0, Diagnostic::note(format!("there are no normals: they are averaged{how}")));
         return (averaged, diagnostics);
@@ -61,7 +94,7 @@ pub fn complete(mesh: Mesh) -> (Mesh, Vec<Diagnostic>) {
     if lacking == 0 {
         return (mesh, Vec::new());
     }
-    let mut normals = averaged_corner_normals(&mesh, &mesh.smoothing_groups);
+    let mut normals = averaged_corner_normals(&mesh, &mesh.smoothing_groups, averaging);
     for (normal, vertex) in normals.iter_mut().zip(&mesh.indices) {
         if !lacks(vertex) {
             *normal = mesh.normals[*vertex as usize];
@@ -97,45 +130,69 @@ fn angle(a: DVec3, b: DVec3) -> f64 {
 }
 
 /// For each corner (index into `indices`) its averaged normal, or 0. Without `groups` all faces are averaged.
-fn averaged_corner_normals(mesh: &Mesh, groups: &[u32]) -> Vec<[f32; 3]> {
+fn averaged_corner_normals(mesh: &Mesh, groups: &[u32], averaging: &Averaging) -> Vec<[f32; 3]> {
     let (place_of_vertex, place_count) = weld::places(&mesh.positions);
     let sums_of_corners = sums_of_corners(mesh, groups, &place_of_vertex);
     let sum_count = sums_of_corners.as_ref().map_or(place_count, |(_, count)| *count);
-    // The weighted normals, and the weights.
-    let mut sums = vec![(DVec3::ZERO, 0.0_f64); sum_count];
     let sum_of = |corner: usize| match &sums_of_corners {
         Some((sum_of_corner, _)) => sum_of_corner[corner],
         None => place_of_vertex[mesh.indices[corner] as usize],
     };
+    let own = |corner: usize| face_normal(mesh, corner / 3).as_vec3().to_array();
+    // Where the sum is nothing, the corner is flat, or its neighbours cancel each other.
+    let or_own = |corner: usize, mean: [f32; 3]| if mean == [0.0; 3] { own(corner) } else { mean };
+    if let Some(angle) = averaging.crease() {
+        let triangles = mesh.triangle_count();
+        let (mut face_normals, mut weights) = (Vec::with_capacity(triangles), Vec::with_capacity(3 * triangles));
+        for t in 0..triangles {
+            let (normal, angles) = normal_and_angles(mesh, t);
+            face_normals.push(normal);
+            weights.extend(angles);
+        }
+        let corners = crease::Corners {
+            set_of_corner: &sum_of,
+            set_count: sum_count,
+            face_normals: &face_normals,
+            weights: &weights,
+        };
+        let sums = crease::sums(&corners, angle);
+        return sums.into_iter().enumerate().map(|(corner, sum)| or_own(corner, mean(sum))).collect();
+    }
+    // The weighted normals, and the weights.
+    let mut sums = vec![(DVec3::ZERO, 0.0_f64); sum_count];
     for t in 0..mesh.triangle_count() {
-        let [a, b, c] = corner_positions(mesh, t);
-        let normal = unit_cross(b - a, c - a);
+        let (normal, angles) = normal_and_angles(mesh, t);
         if normal == DVec3::ZERO {
             continue;
         }
-        // The third angle is what the others leave of pi.
-        let (at_a, at_b) = (angle(b - a, c - a), angle(c - b, a - b));
-        for (k, weight) in [at_a, at_b, std::f64::consts::PI - at_a - at_b].into_iter().enumerate() {
+        for (k, weight) in angles.into_iter().enumerate() {
             if let Some(sum) = sums.get_mut(sum_of(3 * t + k) as usize) {
                 sum.0 += weight * normal;
                 sum.1 += weight;
             }
         }
     }
-    let unit: Vec<[f32; 3]> = sums
-        .into_iter()
-        .map(|(sum, weight)| {
-            let length = sum.length();
-            if length > CANCELLED * weight { (sum / length).as_vec3().to_array() } else { [0.0; 3] }
-        })
-        .collect();
-    (0..mesh.indices.len())
-        .map(|corner| match unit.get(sum_of(corner) as usize) {
-            Some(&normal) if normal != [0.0; 3] => normal,
-            // Flat, or cancelled.
-            _ => face_normal(mesh, corner / 3).as_vec3().to_array(),
-        })
-        .collect()
+    let means: Vec<[f32; 3]> = sums.into_iter().map(mean).collect();
+    let mean_of = |corner: usize| means.get(sum_of(corner) as usize).copied().unwrap_or_default();
+    (0..mesh.indices.len()).map(|corner| or_own(corner, mean_of(corner))).collect()
+}
+
+/// The unit vector along a weighted sum, or 0 where it cancels.
+fn mean((sum, weight): (DVec3, f64)) -> [f32; 3] {
+    let length = sum.length();
+    if length > CANCELLED * weight { (sum / length).as_vec3().to_array() } else { [0.0; 3] }
+}
+
+/// A triangle's unit normal and its three angles; 0 where it has no area.
+fn normal_and_angles(mesh: &Mesh, t: usize) -> (DVec3, [f64; 3]) {
+    let [a, b, c] = corner_positions(mesh, t);
+    let normal = unit_cross(b - a, c - a);
+    if normal == DVec3::ZERO {
+        return (normal, [0.0; 3]);
+    }
+    // The third angle is what the others leave of pi.
+    let (at_a, at_b) = (angle(b - a, c - a), angle(c - b, a - b));
+    (normal, [at_a, at_b, std::f64::consts::PI - at_a - at_b])
 }
 
 /// With smoothing groups: for each corner the sum it adds to, one for each pair of place and group, and how many sums

@@ -113,7 +113,7 @@ mod tests {
     #[test]
     fn rounds_as_the_standard_library_does() {
         let mut random = SplitMix(1);
-        for _ in 0..150_000 {
+        for _ in 0..400_000 {
             let bits = random.next();
             // What exporters write: six places; a handful of digits with an exponent; whole f32s and halves between.
             check(&format!("{:.6}", (bits as i64 >> 30) as f64 / 65_536.0));

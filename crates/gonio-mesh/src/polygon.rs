@@ -1,8 +1,10 @@
 //! Polygons into triangles: a fan where that is right, ears cut off where it is not.
 
+mod grid;
+
 use glam::{DVec2, DVec3};
 
-/// Corners up to which ears are sought: the search is quadratic.
+/// Corners up to which ears are sought one by one, which takes time that grows with the square of their number.
 pub(crate) const MOST_CORNERS_FOR_EARS: usize = 4000;
 
 /// How a polygon was cut.
@@ -15,7 +17,7 @@ pub(crate) enum Cut {
     /// It crosses or touches itself, so that some triangles overlap or are turned over. (One that winds around twice
     /// without any such triangle is cut as [`Cut::Ears`].)
     NotSimple,
-    /// Concave with more corners than [`MOST_CORNERS_FOR_EARS`]: fanned nevertheless.
+    /// Concave, and so large and winding that the search for ears was given up: fanned, at least in part.
     TooLarge,
 }
 
@@ -39,10 +41,27 @@ impl Triangulator {
         }
         let cut = if n == 3 { Cut::Fan } else { self.choose(corners) };
         match cut {
-            Cut::Fan | Cut::TooLarge => (1..n - 1).for_each(|i| emit([0, i, i + 1])),
-            Cut::Ears | Cut::NotSimple => return self.cut_ears(emit),
+            Cut::Fan => (1..n - 1).for_each(|i| emit([0, i, i + 1])),
+            _ if n > MOST_CORNERS_FOR_EARS => return grid::cut_ears(&self.points, emit),
+            _ => return self.cut_ears(emit),
         }
         cut
+    }
+
+    /// Whether a quadrilateral is cut from its first corner to its third: most are, and this is quicker than
+    /// [`Self::triangulate`], which says the same.
+    #[inline]
+    pub(crate) fn is_fan_of_two(corners: [[f32; 3]; 4]) -> bool {
+        let [origin, b, c, d] = corners.map(|corner| DVec3::from(corner.map(f64::from)));
+        let corners = [DVec3::ZERO, b - origin, c - origin, d - origin];
+        let normal = corners[1].cross(corners[2]) + corners[2].cross(corners[3]);
+        if normal == DVec3::ZERO {
+            return true;
+        }
+        let axes = Axes::across(normal);
+        let [a, b, c, d] = corners.map(|corner| axes.project(corner));
+        // Four turns to the left are one round: each is less than half of one.
+        turn(d, a, b) > 0.0 && turn(a, b, c) > 0.0 && turn(b, c, d) > 0.0 && turn(c, d, a) > 0.0
     }
 
     /// Projects the polygon along the largest component of its normal, and looks whether it is convex.
@@ -58,26 +77,10 @@ impl Triangulator {
         if normal == DVec3::ZERO {
             return Cut::Fan;
         }
-        let size = normal.abs();
-        let project = |p: DVec3| {
-            let (a, b, along) = if size.x >= size.y && size.x >= size.z {
-                (p.y, p.z, normal.x)
-            } else if size.y >= size.z {
-                (p.z, p.x, normal.y)
-            } else {
-                (p.x, p.y, normal.z)
-            };
-            if along > 0.0 { DVec2::new(a, b) } else { DVec2::new(b, a) }
-        };
+        let axes = Axes::across(normal);
         self.points.clear();
-        self.points.extend((0..n).map(|i| project(at(i))));
-        if self.is_strictly_convex() {
-            Cut::Fan
-        } else if n > MOST_CORNERS_FOR_EARS {
-            Cut::TooLarge
-        } else {
-            Cut::Ears
-        }
+        self.points.extend((0..n).map(|i| axes.project(at(i))));
+        if self.is_strictly_convex() { Cut::Fan } else { Cut::Ears }
     }
 
     /// Every corner turns left, and all turns together make one round: the way in x turns back twice.
@@ -193,6 +196,40 @@ impl Triangulator {
             here = self.next[here];
         }
         best.1
+    }
+}
+
+/// The plane of two coordinate axes that a polygon is projected to, so that it turns left.
+struct Axes {
+    /// Which axis is left out.
+    along: usize,
+    /// Whether the other two change places.
+    is_swapped: bool,
+}
+
+impl Axes {
+    /// Across the largest component of a normal.
+    #[inline]
+    fn across(normal: DVec3) -> Self {
+        let size = normal.abs();
+        let along = if size.x >= size.y && size.x >= size.z {
+            0
+        } else if size.y >= size.z {
+            1
+        } else {
+            2
+        };
+        Axes { along, is_swapped: normal[along] <= 0.0 }
+    }
+
+    #[inline]
+    fn project(&self, p: DVec3) -> DVec2 {
+        let (a, b) = match self.along {
+            0 => (p.y, p.z),
+            1 => (p.z, p.x),
+            _ => (p.x, p.y),
+        };
+        if self.is_swapped { DVec2::new(b, a) } else { DVec2::new(a, b) }
     }
 }
 
@@ -327,7 +364,7 @@ mod tests {
 
     #[test]
     fn what_is_no_polygon_still_gives_triangles() {
-        // A bow tie, a pentagram, all corners in one point, all on a line, and a polygon too large to search.
+        // A bow tie, a pentagram, all corners in one point, all on a line.
         let bow_tie = flat(&[[0.0, 0.0], [2.0, 2.0], [2.0, 0.0], [0.0, 3.0]]);
         let (how, triangles) = cut(&bow_tie);
         assert_eq!((how, triangles.len()), (Cut::NotSimple, 2));
@@ -336,13 +373,32 @@ mod tests {
         assert_eq!(cut(&pentagram).1.len(), 3);
         assert_eq!(cut(&[[1.0; 3]; 6]).1.len(), 4);
         assert_eq!(cut(&flat(&[[0.0, 0.0], [1.0, 1.0], [2.0, 2.0], [3.0, 3.0]])).1.len(), 2);
-        let n = MOST_CORNERS_FOR_EARS + 2;
-        let saw: Vec<_> = (0..n)
-            .map(|i| (std::f32::consts::TAU * i as f32 / n as f32, if i % 2 == 0 { 1.0 } else { 0.9 }))
-            .map(|(a, r)| [r * a.cos(), r * a.sin(), 0.0])
-            .collect();
-        let (how, triangles) = cut(&saw);
-        assert_eq!((how, triangles.len()), (Cut::TooLarge, n - 2));
+    }
+
+    #[test]
+    fn one_corner_more_than_a_few_is_cut_as_well() {
+        for n in [MOST_CORNERS_FOR_EARS, MOST_CORNERS_FOR_EARS + 2] {
+            let saw: Vec<_> = (0..n)
+                .map(|i| (std::f32::consts::TAU * i as f32 / n as f32, if i % 2 == 0 { 1.0 } else { 0.9 }))
+                .map(|(a, r)| [r * a.cos(), r * a.sin(), 0.0])
+                .collect();
+            check_covers(&saw, Cut::Ears);
+        }
+    }
+
+    /// The quick answer for quadrilaterals is the general one.
+    #[test]
+    fn quadrilaterals_are_known_at_once() {
+        let mut triangulator = Triangulator::default();
+        let (mut fans, mut others) = (0, 0);
+        for seed in 0..20_000 {
+            let digit = |i: u32| ((crate::weld::mix(seed) >> (5 * i)) % 4) as f32;
+            let corners: [[f32; 3]; 4] = std::array::from_fn(|c| std::array::from_fn(|i| digit((3 * c + i) as u32)));
+            let is_fan = triangulator.choose(&corners) == Cut::Fan;
+            assert_eq!(Triangulator::is_fan_of_two(corners), is_fan, "{corners:?}");
+            if is_fan { fans += 1 } else { others += 1 }
+        }
+        assert!(fans > 1000 && others > 1000, "{fans} {others}");
     }
 
     /// A square with a square hole, made one polygon by a bridge: the usual way of writing holes.

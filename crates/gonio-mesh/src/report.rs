@@ -8,8 +8,8 @@ const MOST_OF_A_KIND: u64 = 20;
 /// Diagnostics of one file on their way into a model.
 #[derive(Default)]
 pub(crate) struct Reports {
-    /// With the line to sort by.
-    list: Vec<(u64, Diagnostic)>,
+    /// With the line to sort by, and the kind where it has one.
+    list: Vec<(u64, Option<&'static str>, Diagnostic)>,
     /// The first by line that cost a face.
     first_loss: Option<Diagnostic>,
     /// Kind, how many, the severity.
@@ -26,19 +26,68 @@ impl Reports {
         column: Option<u64>,
         message: impl FnOnce() -> String,
     ) {
+        if self.count(kind, 1, severity) <= MOST_OF_A_KIND {
+            let diagnostic = Diagnostic { severity, ..Diagnostic::warning(message()) }.at(line, column);
+            self.list.push((line, Some(kind), diagnostic));
+        }
+    }
+
+    /// Counts more of a kind; how many there are then.
+    fn count(&mut self, kind: &'static str, more: u64, severity: Severity) -> u64 {
         let index = self.kinds.iter().position(|k| k.0 == kind).unwrap_or_else(|| {
             self.kinds.push((kind, 0, severity));
             self.kinds.len() - 1
         });
-        self.kinds[index].1 += 1;
-        if self.kinds[index].1 <= MOST_OF_A_KIND {
-            self.list.push((line, Diagnostic { severity, ..Diagnostic::warning(message()) }.at(line, column)));
+        self.kinds[index].1 += more;
+        self.kinds[index].1
+    }
+
+    /// Adds those of the part of the file that follows, whose lines were counted from its start: `lines` lie before
+    /// it. The result is as if both parts had been reported here one by one.
+    pub(crate) fn append(&mut self, other: Reports, lines: u64) {
+        let moved = |diagnostic: Diagnostic| match diagnostic.file {
+            // Its line is that of another file.
+            Some(_) => diagnostic,
+            None => Diagnostic { line: diagnostic.line.map(|line| line + lines), ..diagnostic },
+        };
+        let mut room: Vec<(&str, u64)> = Vec::with_capacity(other.kinds.len());
+        for (kind, count, severity) in other.kinds {
+            let before = self.count(kind, count, severity) - count;
+            room.push((kind, MOST_OF_A_KIND.saturating_sub(before)));
+        }
+        for (line, kind, diagnostic) in other.list {
+            if let Some((_, room)) = room.iter_mut().find(|(k, _)| Some(*k) == kind) {
+                if *room == 0 {
+                    continue;
+                }
+                *room -= 1;
+            }
+            self.list.push((line.saturating_add(lines), kind, moved(diagnostic)));
+        }
+        if let Some(loss) = other.first_loss.map(moved)
+            && self.first_loss.as_ref().is_none_or(|first| first.line > loss.line)
+        {
+            self.first_loss = Some(loss);
+        }
+    }
+
+    /// As [`Self::add`], in formats that have no lines: in the order in which it is said.
+    pub(crate) fn add_without_line(
+        &mut self,
+        kind: &'static str,
+        severity: Severity,
+        message: impl FnOnce() -> String,
+    ) {
+        let said = self.list.len();
+        self.add(kind, severity, 0, None, message);
+        for (_, _, diagnostic) in &mut self.list[said..] {
+            diagnostic.line = None;
         }
     }
 
     /// A diagnostic as it stands, to be listed where `line` would be.
     pub(crate) fn push(&mut self, line: u64, diagnostic: Diagnostic) {
-        self.list.push((line, diagnostic));
+        self.list.push((line, None, diagnostic));
     }
 
     /// A warning at a line.
@@ -59,24 +108,30 @@ impl Reports {
         column: Option<u64>,
         message: impl FnOnce() -> String,
     ) {
-        let message = message();
-        if self.first_loss.as_ref().is_none_or(|first| first.line > Some(line)) {
-            self.first_loss = Some(Diagnostic::warning(message.clone()).at(line, column));
+        if self.first_loss.as_ref().is_some_and(|first| first.line <= Some(line)) {
+            return self.add(kind, Severity::Warning, line, column, message);
         }
+        let message = message();
+        self.first_loss = Some(Diagnostic::warning(message.clone()).at(line, column));
         self.add(kind, Severity::Warning, line, column, || message);
+    }
+
+    /// Whether so many of a kind were told that more are only counted.
+    pub(crate) fn is_told(&self, kind: &'static str) -> bool {
+        self.kinds.iter().any(|(known, count, _)| *known == kind && *count >= MOST_OF_A_KIND)
     }
 
     /// What most likely explains that nothing is left: the first face lost, or the first diagnostic.
     pub(crate) fn first(&self) -> Option<&Diagnostic> {
-        let first = self.list.iter().min_by_key(|(line, d)| (*line, d.column)).map(|(_, d)| d);
+        let first = self.list.iter().min_by_key(|(line, _, d)| (*line, d.column)).map(|(_, _, d)| d);
         self.first_loss.as_ref().or(first)
     }
 
     /// All of them, in the order of the file.
     pub(crate) fn finish(mut self) -> Vec<Diagnostic> {
         // Those of another file, listed where it is named, stay in their order.
-        self.list.sort_by_key(|(line, d)| (*line, d.column.filter(|_| d.file.is_none())));
-        let mut list: Vec<Diagnostic> = self.list.into_iter().map(|(_, d)| d).collect();
+        self.list.sort_by_key(|(line, _, d)| (*line, d.column.filter(|_| d.file.is_none())));
+        let mut list: Vec<Diagnostic> = self.list.into_iter().map(|(_, _, d)| d).collect();
         for (kind, count, severity) in self.kinds {
             if count > MOST_OF_A_KIND {
                 let message = format!("and {} more: {kind}", count - MOST_OF_A_KIND);

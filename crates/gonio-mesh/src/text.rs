@@ -29,6 +29,17 @@ impl<'a> Cursor<'a> {
         Cursor { bytes, at, line: 1, line_start: 0 }
     }
 
+    /// At the start of a line, whose number is known.
+    pub(crate) fn at_line(bytes: &'a [u8], at: usize, line: u64) -> Self {
+        let byte_order_mark = if at == 0 { Self::new(bytes).at } else { 0 };
+        Cursor { bytes, at: at + byte_order_mark, line, line_start: at }
+    }
+
+    /// How many bytes are behind.
+    pub(crate) fn position(&self) -> usize {
+        self.at
+    }
+
     /// The line, from 1.
     pub(crate) fn line(&self) -> u64 {
         self.line
@@ -42,6 +53,11 @@ impl<'a> Cursor<'a> {
     /// Whether nothing is left.
     pub(crate) fn at_end(&self) -> bool {
         self.at >= self.bytes.len()
+    }
+
+    /// All bytes from here on.
+    pub(crate) fn rest(&self) -> &'a [u8] {
+        &self.bytes[self.at.min(self.bytes.len())..]
     }
 
     /// The byte here.

@@ -2,7 +2,9 @@
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
-use gonio_mesh::{AmbientRule, Limits, MissingSidecar, Model, NormalSource, Severity, Sidecars, obj, topology};
+use gonio_mesh::{
+    AmbientRule, Limits, MissingSidecar, Model, NormalSource, Severity, Sidecar, Sidecars, obj, topology,
+};
 use std::path::{Path, PathBuf};
 
 fn folder() -> PathBuf {
@@ -12,8 +14,10 @@ fn folder() -> PathBuf {
 struct Folder;
 
 impl Sidecars for Folder {
-    fn read(&mut self, name: &str) -> Result<Vec<u8>, MissingSidecar> {
-        std::fs::read(folder().join(name)).map_err(|_| MissingSidecar { tried: vec![name.to_owned()] })
+    fn read(&mut self, name: &str) -> Result<Sidecar, MissingSidecar> {
+        let missing = |_| MissingSidecar { tried: vec![name.to_owned()] };
+        let bytes = std::fs::read(folder().join(name)).map_err(missing)?;
+        Ok(Sidecar { path: name.to_owned(), bytes })
     }
 }
 

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
-use gonio_mesh::{AmbientRule, Material, TextureMap, mtl};
+use gonio_mesh::{AmbientRule, Material, TextureMap, Wrap, mtl};
 
 fn read(text: &str) -> (Vec<Material>, Vec<String>) {
     let (materials, diagnostics) = mtl::read(text.as_bytes());
@@ -13,7 +13,13 @@ fn read(text: &str) -> (Vec<Material>, Vec<String>) {
 fn quiet(statements: &str) -> Material {
     let (mut materials, diagnostics) = read(&format!("newmtl m\n{statements}"));
     assert_eq!((materials.len(), diagnostics.as_slice()), (1, &[] as &[String]), "{statements}");
-    materials.remove(0)
+    without_sources(materials.remove(0))
+}
+
+/// Sources and what is not used are held against files of their own.
+fn without_sources(material: Material) -> Material {
+    assert!(material.sources.len() >= 7);
+    Material { sources: Vec::new(), unused: Vec::new(), ..material }
 }
 
 /// The only material, and what is said.
@@ -64,7 +70,7 @@ fn ambient_follows_diffuse_where_blender_says_nothing() {
 fn black_beside_a_map_is_white() {
     let (material, said) = odd("Kd 0 0 0\nmap_Kd a.png\nKs 0 0 0\nmap_Ks b.png\nKe 0 0 0\nmap_Ke c.png\n");
     assert_eq!((material.diffuse, material.specular, material.emitted), ([1.0; 3], [1.0; 3], [1.0; 3]));
-    let expected = ["3: note: Kd", "5: note: Ks", "7: note: Ke"];
+    let expected = ["2:1: note: Kd", "4:1: note: Ks", "6:1: note: Ke"];
     assert_eq!(said.len(), 3);
     for (said, (start, map)) in said.iter().zip(expected.iter().zip(["map_Kd", "map_Ks", "map_Ke"])) {
         assert_eq!(*said, format!("{start} of \"m\" is black beside {map}: taken as 1 1 1"));
@@ -77,13 +83,13 @@ fn illumination_models_without_highlight() {
     for model in [0, 1] {
         let (material, said) = odd(&format!("Ks 1 1 1\nmap_Ks s.png\nillum {model}\n"));
         assert_eq!((material.specular, material.specular_map), ([0.0; 3], None));
-        assert_eq!(said, [format!("1: note: the material \"m\" has illum {model}, which switches its Ks off")]);
-        assert_eq!(quiet(&format!("Ks 0 0 0\nillum {model}\n")).specular, [0.0; 3]);
+        let said = said.last().unwrap();
+        assert_eq!(*said, format!("4:1: note: the material \"m\" has illum {model}, which switches its Ks off"));
     }
     assert_eq!(quiet("Ks 1 1 1\nillum 2\n").specular, [1.0; 3]);
     let (material, said) = odd("illum 11\n");
     assert_eq!(material.illumination_model, None);
-    assert_eq!(said, ["2: warning: illum 11 is no illumination model (0 to 10): it is ignored"]);
+    assert_eq!(said, ["2:7: warning: illum 11 is no illumination model (0 to 10): it is ignored"]);
 }
 
 #[test]
@@ -91,7 +97,7 @@ fn shininess_is_at_least_one() {
     assert_eq!(quiet("Ns 0\nKs 0 0 0\n").shininess, 1.0);
     let (material, said) = odd("Ns 0\nKs 1 1 1\n");
     assert_eq!(material.shininess, 1.0);
-    assert_eq!(said, ["1: note: the material \"m\" has Ns 0: 1 is taken, the smallest"]);
+    assert_eq!(said, ["2:1: note: the material \"m\" has Ns 0: 1 is taken, the smallest"]);
 }
 
 #[test]
@@ -110,7 +116,7 @@ fn opacity_from_d_and_tr() {
     let (material, said) = odd("Tr 1\n");
     assert_eq!(
         (material.opacity, said),
-        (0.0, vec!["1: note: the material \"m\" is invisible (d 0 or Tr 1)".to_owned()])
+        (0.0, vec!["2: note: the material \"m\" is invisible (d 0 or Tr 1)".to_owned()])
     );
     let (material, said) = odd("d -halo 0.5\n");
     assert_eq!((material.opacity, said.len()), (0.5, 1));
@@ -124,8 +130,11 @@ fn numbers_that_are_no_use_leave_the_default() {
         ("Kd 0 1e99 0\n", "2:6: warning: Kd has \"1e99\", which is not finite: it is ignored"),
         ("Kd red\n", "2:4: warning: Kd has \"red\" where a number should be: it is ignored"),
         ("Kd\n", "2:3: warning: Kd ends before its number: it is ignored"),
-        ("Kd 1 0\n", "2: warning: Kd has 2 numbers where a color has 1 or 3: it is ignored"),
-        ("Kd spectral file.rfl 1\n", "2:4: warning: Kd has \"spectral\" where a number should be: it is ignored"),
+        ("Kd 1 0\n", "2:7: warning: Kd has 2 numbers where a color has 1 or 3: it is ignored"),
+        (
+            "Kd spectral file.rfl 1\n",
+            "2:4: warning: Kd names the spectrum \"file.rfl 1\", which is not read: it is ignored",
+        ),
     ];
     for (statement, expected) in cases {
         let (material, said) = odd(statement);
@@ -169,15 +178,15 @@ fn options_of_maps() {
     assert_eq!(path("a.png # bumpy"), "a.png");
     assert_eq!(path("-s 2 3 4 -o 0.5 0.25 0 a b.png"), "a b.png");
     assert_eq!(path("-s 1 1 1 01.png"), "01.png");
-    assert_eq!(path("-blendu on -blendv off -cc off -mm 0 1 -texres 512 -imfchan r -t 0 0 0 a.png"), "a.png");
+    assert_eq!(path("-blendu on -blendv on -cc off -mm 0 1 -t 0 0 0 a.png"), "a.png");
     let full = map("-s 2 3 4 -o 0.5 -0.25 -clamp on -bm 1.5 a.png");
     let expected = TextureMap {
-        path: "a.png".to_owned(),
         scale: [2.0, 3.0],
         offset: [0.5, -0.25],
-        clamp: true,
+        wrap: [Wrap::Clamp; 2],
         bump_multiplier: 1.5,
         line: Some(2),
+        ..TextureMap::new("a.png")
     };
     assert_eq!(full, expected);
     assert_eq!(map("-s 2 a.png").scale, [2.0, 1.0]);
@@ -185,17 +194,17 @@ fn options_of_maps() {
     let last = map("my bumps.jpg -bm 1.5 -s 2 2");
     assert_eq!((last.path.as_str(), last.bump_multiplier, last.scale), ("my bumps.jpg", 1.5, [2.0, 2.0]));
 
-    let (material, said) = odd("map_Kd -mm 0.1 0.9 a.png\n");
+    let (material, said) = odd("map_Kd -t 0.1 0.9 a.png\n");
     assert_eq!(material.diffuse_map.unwrap().path, "a.png");
-    assert_eq!(said, ["2: note: map_Kd has -mm, which is understood but not done"]);
+    assert_eq!(said, ["2:8: note: the option -t of textures (once) is understood and not done"]);
     let (material, said) = odd("map_Kd -type sphere a.png\n");
     assert_eq!((material.diffuse_map.unwrap().path.as_str(), said.len()), ("a.png", 1));
     let (material, said) = odd("map_Kd -fancy a.png\n");
     assert_eq!(material.diffuse_map.unwrap().path, "a.png");
-    assert_eq!(said, ["2: warning: map_Kd has the unknown option \"-fancy\": it is skipped"]);
+    assert_eq!(said, ["2:8: warning: map_Kd has the unknown option \"-fancy\": it is skipped"]);
     let (material, said) = odd("map_Kd -clamp on\n");
     assert_eq!(material.diffuse_map, None);
-    assert_eq!(said, ["2: warning: map_Kd names no file: it is ignored"]);
+    assert_eq!(said, ["2:17: warning: map_Kd names no file: it is ignored"]);
 }
 
 #[test]
@@ -217,8 +226,8 @@ fn the_last_of_two_counts() {
 
 #[test]
 fn what_is_not_used_is_told_once() {
-    let (_, said) = odd("Pr 0.5\nPm 1\nmap_Pr rough.png\nTf 1 1 1\nPr 0.4\nrefl -type sphere sky.png\n");
-    assert_eq!(said, ["2: note: 6 statements without a term in the light equation: Pr, Pm, map_Pr, Tf, refl"]);
+    let (_, said) = odd("Ps 0.5\nPc 1\nmap_Ps velvet.png\nTf 0 1 1\nPs 0.4\n");
+    assert_eq!(said, ["3: note: 4 statements without a term in the light equation: Pc, map_Ps, Tf, Ps"]);
     let (_, said) = odd("shiny yes\n");
     assert_eq!(said, ["2:1: warning: \"shiny\" is no known statement of a material"]);
 }
@@ -230,8 +239,26 @@ fn a_library_without_materials() {
     let (materials, said) = read("Kd 1 1 1\nKs 1 1 1\n");
     assert_eq!(
         (materials.len(), said),
-        (0, vec!["1: warning: \"Kd\" stands before the first newmtl and is ignored".to_owned()])
+        (0, vec!["1:1: warning: \"Kd\" stands before the first newmtl and is ignored".to_owned()])
     );
+}
+
+#[test]
+fn an_exponent_that_gives_the_roughness_stays_as_written() {
+    let material = quiet("Ns 250\nPm 0\n");
+    assert_eq!(material.shininess, 250.0);
+    // (2 / 252)^(1/4)
+    let roughness = material.metallic_roughness.unwrap().roughness;
+    assert!((roughness - 0.298_475).abs() < 1e-6, "{roughness}");
+}
+
+#[test]
+fn no_number_of_materials_fills_the_memory() {
+    let text: String = (0..70_000).map(|i| format!("newmtl {i}\n")).collect();
+    let (materials, said) = read(&text);
+    assert_eq!((materials.len(), said.len()), (65_536, 21));
+    assert_eq!(said[0], "65537: warning: the library has more than 65536 materials: this one is ignored");
+    assert_eq!(said[20], "warning: and 4444 more: materials beyond the limit");
 }
 
 #[test]

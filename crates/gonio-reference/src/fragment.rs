@@ -2,8 +2,9 @@
 
 use crate::geometry::{Triangle, WorldGeometry};
 use crate::intersect::{Crossing, EyeSpace, plane_barycentrics};
-use glam::{DVec2, DVec3, DVec4};
+use glam::{DMat2, DVec2, DVec3, DVec4};
 use gonio_light::Surface;
+use gonio_light::roughness::shininess_of_roughness;
 use gonio_mesh::{AmbientRule, Mesh};
 use gonio_scene::{BoundTexture, LoadedScene, SceneMaterial, TextureFilter};
 
@@ -128,10 +129,11 @@ impl<'a> Fragment<'a> {
     pub fn texel(&self, map: &'static str, bound: &Option<BoundTexture>) -> Option<Texel> {
         let bound = bound.as_ref()?;
         let texture = self.scene.textures.get(bound.texture)?;
-        let scale = uv_of(bound.scale);
-        let uv = self.uv * scale + uv_of(bound.offset);
-        let [dx, dy] = self.uv_steps.map(|step| step * scale);
-        let value = texture.sample(uv, dx, dy, self.filter, bound.clamp);
+        let [u_axis, v_axis, offset] = bound.uv_matrix().map(uv_of);
+        let linear = DMat2::from_cols(u_axis, v_axis);
+        let uv = linear * self.uv + offset;
+        let [dx, dy] = self.uv_steps.map(|step| linear * step);
+        let value = texture.sample(uv, dx, dy, self.filter, bound.wrap);
         Some(Texel { map, texture: bound.texture, uv, value })
     }
 
@@ -156,7 +158,10 @@ impl<'a> Fragment<'a> {
             diffuse: base.diffuse * tint,
             specular: base.specular * color("specular", &maps.specular),
             emitted: base.emitted * color("emitted", &maps.emitted),
-            shininess: base.shininess * self.texel("shininess", &maps.shininess).map_or(1.0, |t| t.value.x),
+            shininess: match (self.texel("shininess", &maps.shininess), maps.roughness) {
+                (Some(texel), Some(roughness)) => shininess_of_roughness(f64::from(roughness) * texel.value.x),
+                (texel, _) => base.shininess * texel.map_or(1.0, |t| t.value.x),
+            },
             refraction_index: base.refraction_index,
         }
     }

@@ -25,6 +25,7 @@ const GREY: [u8; 4] = [51, 102, 204, 255];
 #[test]
 fn maps_multiply_the_numbers_of_the_same_name() {
     let maps = Maps {
+        roughness: None,
         diffuse: bound(0),
         specular: bound(0),
         emitted: bound(0),

@@ -13,7 +13,7 @@ use std::path::Path;
 /// one, so that [`crate::load::load`] is given an empty base.
 ///
 /// Several inputs become one scene, models in the coordinates of their files; the first scene file
-/// among them gives picture, camera, background and equation. No model is opened further than its
+/// among them gives picture, camera, background and equation. Of a model no more is looked at than its
 /// first few kilobytes.
 pub fn describe(inputs: &[&str], files: &dyn FileSource) -> Result<Scene, ReadError> {
     if inputs.is_empty() {
@@ -37,14 +37,13 @@ pub fn describe(inputs: &[&str], files: &dyn FileSource) -> Result<Scene, ReadEr
 fn describe_one(input: &str, files: &dyn FileSource) -> Result<(Scene, bool), ReadError> {
     let path = files::resolve(Path::new(""), input);
     let explain = |e: std::io::Error| ReadError::new(files::explain(&e));
-    let start = files::read_start(files, &path, model_kind::LOOKED_AT).map_err(explain)?;
-    match model_kind::tell(&start, &path).map_err(ReadError::new)? {
-        InputKind::Obj => {
+    let bytes = files::read(files, &path).map_err(explain)?;
+    match model_kind::tell(&bytes, &path).map_err(ReadError::new)? {
+        InputKind::Model => {
             let object = ObjectSpec { model: input.to_owned(), ..ObjectSpec::default() };
             Ok((Scene { objects: vec![object], ..Scene::default() }, false))
         }
         InputKind::Scene => {
-            let bytes = files::read(files, &path).map_err(explain)?;
             let text = std::str::from_utf8(&bytes).map_err(|e| not_utf8(&bytes, e.valid_up_to()))?;
             let mut scene = toml_reader::read(text)?;
             let base = path.parent().unwrap_or(Path::new(""));

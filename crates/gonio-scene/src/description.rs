@@ -87,7 +87,8 @@ pub struct Scene {
     /// The models.
     #[serde(rename = "object")]
     pub objects: Vec<ObjectSpec>,
-    /// The lights; without any, a key, a fill and a rim light and a little ambient are added.
+    /// The lights; without any, those of the models' files; where these have none either, a key, a fill and a rim
+    /// light and a little ambient.
     #[serde(rename = "light")]
     pub lights: Vec<LightSpec>,
 }
@@ -130,6 +131,9 @@ impl Default for PictureSpec {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct CameraSpec {
+    /// A camera of a model's file, by its name or (from 1) its number; what else is given here replaces its values.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub from_model: Option<String>,
     /// World space.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub position: Option<[f64; 3]>,
@@ -251,6 +255,10 @@ pub struct ObjectSpec {
     pub shading: Shading,
     /// Which normals the mesh gets.
     pub normals: Normals,
+    /// Of averaged normals: faces that differ by more than this many degrees are not averaged; 180, as without it,
+    /// averages all.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub crease_angle: Option<f64>,
     /// Values that replace those of the model's materials.
     #[serde(skip_serializing_if = "MaterialOverride::is_empty")]
     pub material: MaterialOverride,
@@ -266,6 +274,7 @@ impl Default for ObjectSpec {
             scale: [1.0; 3],
             shading: Shading::Phong,
             normals: Normals::File,
+            crease_angle: None,
             material: MaterialOverride::default(),
         }
     }

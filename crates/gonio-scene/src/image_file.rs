@@ -9,7 +9,7 @@ pub const MAX_TEXTURE_SIDE: u32 = 16384;
 const MAX_DECODED_BYTES: u64 = 1 << 30;
 
 /// A decoded picture, first row the top one.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Decoded {
     pub width: u32,
     pub height: u32,
@@ -18,17 +18,29 @@ pub(crate) struct Decoded {
     pub has_alpha: bool,
 }
 
-/// Decodes by content; where the content does not tell (TGA), by the name's ending.
-pub(crate) fn decode(bytes: &[u8], name: &str) -> Result<Decoded, String> {
-    if bytes.is_empty() {
-        return Err("the file is empty".into());
-    }
+/// A reader for the format that the content shows; where it does not (TGA), the name's ending does.
+fn reader<'a>(bytes: &'a [u8], name: &str) -> Result<ImageReader<Cursor<&'a [u8]>>, String> {
     let mut reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|e| e.to_string())?;
     if reader.format().is_none()
         && let Ok(format) = image::ImageFormat::from_path(name)
     {
         reader.set_format(format);
     }
+    Ok(reader)
+}
+
+/// Width and height as the file's header says, without decoding it; `None` where it cannot be read.
+pub(crate) fn size(bytes: &[u8], name: &str) -> Option<[u32; 2]> {
+    let (width, height) = reader(bytes, name).ok()?.into_dimensions().ok()?;
+    Some([width, height])
+}
+
+/// Decodes by content; where the content does not tell (TGA), by the name's ending.
+pub(crate) fn decode(bytes: &[u8], name: &str) -> Result<Decoded, String> {
+    if bytes.is_empty() {
+        return Err("the file is empty".into());
+    }
+    let mut reader = reader(bytes, name)?;
     if reader.format().is_none() {
         return Err("this is no picture that gonio knows; PNG, JPEG, BMP, TGA and GIF can be read".into());
     }

@@ -2,28 +2,21 @@
 
 use crate::camera::Camera;
 use crate::description::{CameraSpec, MaterialOverride, Normals, ObjectSpec, Scene};
-use crate::files::{self, Beside, FileSource};
+use crate::files::{self, FileSource};
 use crate::framing::{self, Around};
 use crate::loaded::{LoadedScene, Object, ObjectPart, SceneMaterial};
 use crate::material_binding::MaterialBinder;
+use crate::model_file::{self, ModelFile};
+use crate::model_scene;
 use crate::validate;
 use glam::{DMat4, DQuat, DVec3};
 use gonio_light::Convention;
-use gonio_mesh::{Diagnostic, Limits, Material, Mesh, Model, ReadError, normals, obj, tangents, topology};
+use gonio_mesh::normals::Averaging;
+use gonio_mesh::{Diagnostic, Limits, Material, Mesh, ReadError, normals, tangents, topology};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 
 pub use crate::describe::describe;
-
-/// A model file, read.
-struct ReadModel {
-    /// As the user knows it.
-    name: String,
-    path: PathBuf,
-    model: Model,
-    /// The material libraries that were found.
-    libraries: Vec<PathBuf>,
-}
 
 /// A model's mesh with one choice of normals.
 struct PreparedMesh {
@@ -32,7 +25,19 @@ struct PreparedMesh {
 }
 
 /// Reads the files of `scene`, relative to `base`, and fills in every default.
-pub fn load(mut scene: Scene, base: &Path, files: &dyn FileSource) -> Result<LoadedScene, ReadError> {
+///
+/// A scene without lights has those of its models' files; without any there either, pleasant ones.
+pub fn load(scene: Scene, base: &Path, files: &dyn FileSource) -> Result<LoadedScene, ReadError> {
+    load_within(scene, base, files, &Limits::default())
+}
+
+/// [`load`], with other limits on what the files may make it allocate.
+pub fn load_within(
+    mut scene: Scene,
+    base: &Path,
+    files: &dyn FileSource,
+    limits: &Limits,
+) -> Result<LoadedScene, ReadError> {
     validate::check(&scene).map_err(|p| ReadError::new(p.message))?;
 
     // Each file once.
@@ -51,11 +56,13 @@ pub fn load(mut scene: Scene, base: &Path, files: &dyn FileSource) -> Result<Loa
         }
         model_of_object.push(index);
     }
-    let mut models: Vec<ReadModel> =
-        paths.into_par_iter().map(|(path, name)| read_model(path, name, files)).collect::<Result<_, _>>()?;
+    let mut models: Vec<ModelFile> = paths
+        .into_par_iter()
+        .map(|(path, name)| model_file::read(&path, &name, files, limits))
+        .collect::<Result<_, _>>()?;
 
     let mut diagnostics = Vec::new();
-    let mut binder = MaterialBinder::new(files);
+    let mut binder = MaterialBinder::new(files, limits.max_bytes);
     let mut first_material = Vec::with_capacity(scene.objects.len());
     for (object, &m) in scene.objects.iter().zip(&model_of_object) {
         first_material.push(binder.add(m, &object.material, &asked_model(&models[m])));
@@ -65,26 +72,34 @@ pub fn load(mut scene: Scene, base: &Path, files: &dyn FileSource) -> Result<Loa
     }
 
     // The wanted (model, normals), each once.
-    let mut wanted: Vec<(usize, Normals)> = Vec::new();
+    let mut wanted: Vec<(usize, NormalChoice)> = Vec::new();
     let mut prepared_of_object = Vec::with_capacity(scene.objects.len());
     for (object, &m) in scene.objects.iter().zip(&model_of_object) {
-        let key = (m, object.normals);
+        let key = (m, NormalChoice::of(object));
         let index = wanted.iter().position(|k| *k == key).unwrap_or(wanted.len());
         if index == wanted.len() {
             wanted.push(key);
         }
         prepared_of_object.push(index);
     }
-    let ((textures, materials, texture_diagnostics), prepared) = rayon::join(
+    // The last that wants a model's mesh gets it; others copies.
+    let mut meshes = Vec::with_capacity(wanted.len());
+    for (i, (m, _)) in wanted.iter().enumerate() {
+        let mesh = &mut models[*m].model.mesh;
+        let wanted_again = wanted[i + 1..].iter().any(|(other, _)| other == m);
+        meshes.push(if wanted_again { mesh.clone() } else { std::mem::take(mesh) });
+    }
+    let (bound, prepared) = rayon::join(
         || binder.finish(),
         || {
-            wanted
-                .par_iter()
-                .map(|&(m, normals)| prepare(&models[m], normals))
+            meshes
+                .into_par_iter()
+                .zip(&wanted)
+                .map(|(mesh, &(_, normals))| prepare(mesh, normals))
                 .collect::<Vec<(PreparedMesh, Vec<Diagnostic>)>>()
         },
     );
-    diagnostics.extend(texture_diagnostics);
+    diagnostics.extend(bound.diagnostics);
     let mut prepared_meshes = Vec::with_capacity(prepared.len());
     for ((mesh, mut found), (m, _)) in prepared.into_iter().zip(&wanted) {
         found.iter_mut().for_each(|d| *d = d.clone().in_file(&models[*m].name));
@@ -92,7 +107,7 @@ pub fn load(mut scene: Scene, base: &Path, files: &dyn FileSource) -> Result<Loa
         prepared_meshes.push(mesh);
     }
 
-    let mut loaded = LoadedScene { materials, textures, ..LoadedScene::default() };
+    let mut loaded = LoadedScene { materials: bound.materials, textures: bound.textures, ..LoadedScene::default() };
     assemble(&mut loaded, &scene, prepared_meshes, &prepared_of_object, &first_material, &mut diagnostics);
     for (spec, (object, &m)) in scene.objects.iter_mut().zip(loaded.objects.iter_mut().zip(&model_of_object)) {
         if spec.name.is_empty() {
@@ -101,6 +116,8 @@ pub fn load(mut scene: Scene, base: &Path, files: &dyn FileSource) -> Result<Loa
         }
         object.name.clone_from(&spec.name);
     }
+    model_scene::take_camera(&mut scene, &models, &model_of_object)?;
+    model_scene::take_lights(&mut scene, &models, &model_of_object, loaded.bounds(), &mut diagnostics);
     loaded.camera_was_framed = scene.camera.position.is_none();
     fill_in(&mut scene, &loaded);
     loaded.scene = scene;
@@ -109,42 +126,48 @@ pub fn load(mut scene: Scene, base: &Path, files: &dyn FileSource) -> Result<Loa
 }
 
 /// What the material binder wants to know of a model.
-fn asked_model(model: &ReadModel) -> crate::material_binding::BoundModel<'_> {
+pub(crate) fn asked_model(model: &ModelFile) -> crate::material_binding::BoundModel<'_> {
     crate::material_binding::BoundModel {
         name: &model.name,
         path: &model.path,
+        format: model.format,
         libraries: &model.libraries,
         materials: &model.model.materials,
+        images: &model.model.images,
         mesh: &model.model.mesh,
     }
 }
 
-fn read_model(path: PathBuf, name: String, files: &dyn FileSource) -> Result<ReadModel, ReadError> {
-    let bytes = files::read(files, &path).map_err(|e| ReadError::new(files::explain(&e)).in_file(&name))?;
-    let mut beside = Beside { files, folder: path.parent().map(Path::to_owned).unwrap_or_default(), found: Vec::new() };
-    let mut model = obj::read(&bytes, &mut beside, &Limits::default()).map_err(|e| e.in_file(&name))?;
-    if model.mesh.triangle_count() == 0 {
-        return Err(ReadError::new("the model has no triangles, so there is nothing to draw").in_file(&name));
+/// The mesh with normals of its own, from the file or made; and whether it is closed.
+fn prepare(mesh: Mesh, choice: NormalChoice) -> (PreparedMesh, Vec<Diagnostic>) {
+    let closed = topology::is_closed_outward(&mesh);
+    let (mesh, diagnostics) = with_normals(mesh, choice);
+    (PreparedMesh { mesh, closed }, diagnostics)
+}
+
+/// Which normals a mesh gets.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct NormalChoice {
+    normals: Normals,
+    crease_angle_rad: Option<f64>,
+}
+
+impl NormalChoice {
+    fn of(object: &ObjectSpec) -> Self {
+        // Flat normals have no creases to speak of.
+        let crease_angle = object.crease_angle.filter(|_| object.normals != Normals::Flat);
+        NormalChoice { normals: object.normals, crease_angle_rad: crease_angle.map(f64::to_radians) }
     }
-    if model.materials.is_empty() {
-        model.materials.push(Material::default());
-    }
-    model.diagnostics.iter_mut().for_each(|d| *d = d.clone().in_file(&name));
-    Ok(ReadModel { name, path, model, libraries: beside.found })
 }
 
 /// The mesh with normals of its own, from the file or made.
-fn prepare(model: &ReadModel, choice: Normals) -> (PreparedMesh, Vec<Diagnostic>) {
-    let mesh = &model.model.mesh;
-    let ((mesh, diagnostics), closed) = rayon::join(
-        || match choice {
-            Normals::File => normals::complete(mesh.clone()),
-            Normals::Flat => (normals::make_flat(mesh), Vec::new()),
-            Normals::Averaged => normals::make_averaged(mesh),
-        },
-        || topology::is_closed_outward(mesh),
-    );
-    (PreparedMesh { mesh, closed }, diagnostics)
+pub(crate) fn with_normals(mesh: Mesh, choice: NormalChoice) -> (Mesh, Vec<Diagnostic>) {
+    let averaging = Averaging { crease_angle_rad: choice.crease_angle_rad };
+    match choice.normals {
+        Normals::File => normals::complete_with(mesh, &averaging),
+        Normals::Flat => (normals::make_flat(&mesh), Vec::new()),
+        Normals::Averaged => normals::make_averaged_with(&mesh, &averaging),
+    }
 }
 
 /// Objects from meshes and materials; tangents where a normal map wants them.
@@ -270,6 +293,7 @@ pub(crate) fn overridden(mut material: Material, with: &MaterialOverride) -> Mat
         material.opacity_map = None;
         material.normal_map = None;
         material.bump_map = None;
+        material.metallic_roughness = None;
     }
     if let Some(c) = with.ambient {
         material.ambient = gonio_mesh::AmbientRule::Value(rgb(c));

@@ -4,7 +4,7 @@ use crate::description::{Scene, Shading};
 use crate::framing::Extent;
 use crate::texture::Texture;
 use glam::{DMat4, DVec3};
-use gonio_mesh::{Diagnostic, Material, Mesh};
+use gonio_mesh::{Diagnostic, Material, Mesh, Wrap};
 use rayon::prelude::*;
 use std::sync::OnceLock;
 
@@ -138,6 +138,9 @@ pub struct Maps {
     pub emitted: Option<BoundTexture>,
     /// Data, red channel.
     pub shininess: Option<BoundTexture>,
+    /// Where it is there, `shininess` is a texture of roughness: the exponent is that of this number times the texel
+    /// ([`gonio_mesh::MetallicRoughness::shininess`]).
+    pub roughness: Option<f32>,
     /// Data, red channel (alpha was moved there where the file has one).
     pub opacity: Option<BoundTexture>,
     /// Tangent-space normal map, data, green up. Heights were turned into normals when loaded.
@@ -151,10 +154,26 @@ pub struct BoundTexture {
     pub texture: usize,
     /// Texture coordinates are multiplied by this, ...
     pub scale: [f32; 2],
+    /// ... turned by this (radians, counter-clockwise, v up), ...
+    pub rotation: f32,
     /// ... then this is added.
     pub offset: [f32; 2],
-    /// Clamped to the edge instead of repeated.
-    pub clamp: bool,
+    /// What is beyond the picture's edges, along u and along v.
+    pub wrap: [Wrap; 2],
+}
+
+impl BoundTexture {
+    /// A texture laid on as the texture coordinates say.
+    pub fn plain(texture: usize) -> Self {
+        BoundTexture { texture, scale: [1.0; 2], rotation: 0.0, offset: [0.0; 2], wrap: [Wrap::Repeat; 2] }
+    }
+
+    /// Where in the picture the texture coordinates (u, v) lie is `M * (u, v, 1)`: the columns of M.
+    pub fn uv_matrix(&self) -> [[f32; 2]; 3] {
+        let (sin, cos) = self.rotation.sin_cos();
+        let [su, sv] = self.scale;
+        [[cos * su, sin * su], [-sin * sv, cos * sv], self.offset]
+    }
 }
 
 impl SceneMaterial {

@@ -4,21 +4,23 @@ use crate::description::MaterialOverride;
 use crate::files::FileSource;
 use crate::load::overridden;
 use crate::loaded::{BoundTexture, Maps, SceneMaterial};
-use crate::texture::Texture;
-use crate::texture_library::{Asker, Purpose, TextureLibrary};
-use gonio_mesh::{Diagnostic, Material, Mesh, TextureMap};
+use crate::texture_library::{Asker, TextureLibrary, TextureUse};
+use crate::texture_recipe::{Metal, Purpose, Rule};
+use gonio_mesh::{Diagnostic, EmbeddedImage, Format, Material, Mesh, TextureMap};
 use std::path::{Path, PathBuf};
 
 /// A model whose materials are wanted.
 pub(crate) struct BoundModel<'a> {
     pub name: &'a str,
     pub path: &'a Path,
+    pub format: Format,
     pub libraries: &'a [PathBuf],
     pub materials: &'a [Material],
+    pub images: &'a [EmbeddedImage],
     pub mesh: &'a Mesh,
 }
 
-/// A texture that was asked for: the job, and the map that asks.
+/// A texture that was asked for: the job, and the map that says how it lies.
 type Request = Option<(usize, TextureMap)>;
 
 struct PendingMaterial {
@@ -27,8 +29,18 @@ struct PendingMaterial {
     specular: Request,
     emitted: Request,
     shininess: Request,
+    roughness: Option<f32>,
     opacity: Request,
     normal: Request,
+}
+
+/// Textures and materials, ready to draw.
+#[derive(Default)]
+pub(crate) struct Bound {
+    pub textures: Vec<crate::texture::Texture>,
+    pub materials: Vec<SceneMaterial>,
+    pub uses: Vec<TextureUse>,
+    pub diagnostics: Vec<Diagnostic>,
 }
 
 /// Collects materials and textures of all objects, then decodes the textures at once.
@@ -40,8 +52,9 @@ pub(crate) struct MaterialBinder<'a> {
 }
 
 impl<'a> MaterialBinder<'a> {
-    pub fn new(files: &'a dyn FileSource) -> Self {
-        MaterialBinder { library: TextureLibrary::new(files), pending: Vec::new(), known: Vec::new() }
+    /// Decoded textures may take `max_bytes` together.
+    pub fn new(files: &'a dyn FileSource, max_bytes: u64) -> Self {
+        MaterialBinder { library: TextureLibrary::new(files, max_bytes), pending: Vec::new(), known: Vec::new() }
     }
 
     /// All materials of the model numbered `index`, with the override; gives the index of the first.
@@ -58,29 +71,25 @@ impl<'a> MaterialBinder<'a> {
                 folders.push(folder);
             }
         }
-        let library_name = match model.libraries {
-            [one] => one.display().to_string(),
-            _ => model.name.to_owned(),
-        };
-        for (i, material) in model.materials.iter().enumerate() {
-            let used = model.mesh.parts.iter().any(|p| p.material == i && p.triangle_count > 0);
-            let material = overridden(material.clone(), with);
-            let asker = Asker { file: &library_name, material: &material.name, folders: &folders };
-            let mut request = |map: &Option<TextureMap>, purpose: fn(&TextureMap) -> Purpose, key: &str| -> Request {
-                let map = map.as_ref().filter(|_| used)?;
-                Some((self.library.request(map, purpose(map), key, &asker)?, map.clone()))
+        let mut used = vec![false; model.materials.len()];
+        for part in model.mesh.parts.iter().filter(|part| part.triangle_count > 0) {
+            if let Some(used) = used.get_mut(part.material) {
+                *used = true;
+            }
+        }
+        for (material, used) in model.materials.iter().zip(used) {
+            let asker = Asker {
+                model: model.name,
+                file: material.file.as_deref().unwrap_or(model.name),
+                material: &material.name,
+                folders: &folders,
+                images: model.images,
             };
-            let normal_of = |m: &TextureMap| Purpose::Normal(m.bump_multiplier.to_bits());
-            let bump_of = |m: &TextureMap| Purpose::Bump(m.bump_multiplier.to_bits());
-            let pending = PendingMaterial {
-                diffuse: request(&material.diffuse_map, |_| Purpose::Color, "map_Kd"),
-                specular: request(&material.specular_map, |_| Purpose::Color, "map_Ks"),
-                emitted: request(&material.emitted_map, |_| Purpose::Color, "map_Ke"),
-                shininess: request(&material.shininess_map, |_| Purpose::Data, "map_Ns"),
-                opacity: request(&material.opacity_map, |_| Purpose::Opacity, "map_d"),
-                normal: request(&material.normal_map, normal_of, "norm")
-                    .or_else(|| request(&material.bump_map, bump_of, "map_Bump")),
-                material,
+            let material = overridden(material.clone(), with);
+            let pending = if used {
+                Requests { library: &mut self.library, asker, format: model.format }.of(material, with)
+            } else {
+                PendingMaterial::without_textures(material)
             };
             self.pending.push(pending);
         }
@@ -88,12 +97,12 @@ impl<'a> MaterialBinder<'a> {
     }
 
     /// Decodes the textures: these, the materials, and what is to be said.
-    pub fn finish(self) -> (Vec<Texture>, Vec<SceneMaterial>, Vec<Diagnostic>) {
-        let (textures, texture_of_job, diagnostics) = self.library.decode();
+    pub fn finish(self) -> Bound {
+        let library = self.library.decode();
         let bind = |request: &Request| -> Option<BoundTexture> {
             let (job, map) = request.as_ref()?;
-            let texture = (*texture_of_job.get(*job)?)?;
-            Some(BoundTexture { texture, scale: map.scale, offset: map.offset, clamp: map.clamp })
+            let texture = (*library.texture_of_job.get(*job)?)?;
+            Some(BoundTexture { texture, scale: map.scale, rotation: map.rotation, offset: map.offset, wrap: map.wrap })
         };
         let materials = self
             .pending
@@ -105,11 +114,121 @@ impl<'a> MaterialBinder<'a> {
                     specular: bind(&p.specular),
                     emitted: bind(&p.emitted),
                     shininess: bind(&p.shininess),
+                    roughness: p.roughness,
                     opacity: bind(&p.opacity),
                     normal: bind(&p.normal),
                 },
             })
             .collect();
-        (textures, materials, diagnostics)
+        Bound { textures: library.textures, materials, uses: library.uses, diagnostics: library.diagnostics }
+    }
+}
+
+impl PendingMaterial {
+    fn without_textures(material: Material) -> Self {
+        PendingMaterial {
+            material,
+            diffuse: None,
+            specular: None,
+            emitted: None,
+            shininess: None,
+            roughness: None,
+            opacity: None,
+            normal: None,
+        }
+    }
+}
+
+/// The textures of one material.
+struct Requests<'r, 'a> {
+    library: &'r mut TextureLibrary<'a>,
+    asker: Asker<'r>,
+    format: Format,
+}
+
+impl Requests<'_, '_> {
+    fn of(mut self, material: Material, with: &MaterialOverride) -> PendingMaterial {
+        let color = |m: &TextureMap| Purpose::Color(Rule::new(m.texel));
+        let data = |m: &TextureMap| Purpose::Data(Rule::new(m.texel));
+        let opacity = |m: &TextureMap| Purpose::Opacity(Rule::new(m.texel));
+        let normal = |m: &TextureMap| Purpose::Normal(m.bump_multiplier.to_bits());
+        let bump = |m: &TextureMap| Purpose::Bump(m.bump_multiplier.to_bits());
+        let mut pending = PendingMaterial {
+            diffuse: self.one(&material.diffuse_map, color, "map_Kd", "diffuse texture"),
+            specular: self.one(&material.specular_map, color, "map_Ks", "specular texture"),
+            emitted: self.one(&material.emitted_map, color, "map_Ke", "emission texture"),
+            shininess: self.one(&material.shininess_map, data, "map_Ns", "shininess texture"),
+            roughness: None,
+            opacity: self.one(&material.opacity_map, opacity, "map_d", "opacity texture"),
+            normal: self
+                .one(&material.normal_map, normal, "norm", "normal map")
+                .or_else(|| self.one(&material.bump_map, bump, "map_Bump", "bump map")),
+            material,
+        };
+        self.metal(&mut pending, with);
+        self.roughness(&mut pending, with);
+        pending
+    }
+
+    fn one(
+        &mut self,
+        map: &Option<TextureMap>,
+        purpose: impl Fn(&TextureMap) -> Purpose,
+        statement: &str,
+        name: &str,
+    ) -> Request {
+        let map = map.as_ref()?;
+        let key = self.key(statement, name);
+        Some((self.library.request(map, purpose(map), key, &self.asker)?, map.clone()))
+    }
+
+    /// As the user's file calls it.
+    fn key<'k>(&self, statement: &'k str, name: &'k str) -> &'k str {
+        if self.format == Format::Obj { statement } else { name }
+    }
+
+    /// A texture of metalness turns the base colour into a diffuse and a specular one; so does, as to the specular
+    /// one, a number that is neither 0 nor 1.
+    fn metal(&mut self, pending: &mut PendingMaterial, with: &MaterialOverride) {
+        let Some(from) = pending.material.metallic_roughness.clone() else { return };
+        let base = pending.material.diffuse_map.clone();
+        let is_mixed = from.metallic > 0.0 && from.metallic < 1.0;
+        let (first, other) = match (&from.metallic_map, &base) {
+            (Some(metalness), base) => (metalness, base.as_ref()),
+            (None, Some(base)) if is_mixed && pending.specular.is_none() => (base, None),
+            _ => return,
+        };
+        // Both lie as the base colour does.
+        let lies = base.as_ref().unwrap_or(first).clone();
+        let key = self.key("map_Pm", "metalness texture");
+        let metal = Metal::new(&from);
+        let mut made = |purpose| {
+            let job = self.library.request_of_two(first, other, purpose, key, &self.asker)?;
+            Some((job, lies.clone()))
+        };
+        if with.diffuse.is_none()
+            && from.metallic_map.is_some()
+            && let Some(request) = made(Purpose::MetalDiffuse(metal))
+        {
+            pending.diffuse = Some(request);
+            pending.material.diffuse = from.base_color;
+        }
+        if with.specular.is_none()
+            && let Some(request) = made(Purpose::MetalSpecular(metal))
+        {
+            pending.specular = Some(request);
+            pending.material.specular = [1.0; 3];
+        }
+    }
+
+    /// A texture of roughness takes the place of one of exponents.
+    fn roughness(&mut self, pending: &mut PendingMaterial, with: &MaterialOverride) {
+        let Some(from) = &pending.material.metallic_roughness else { return };
+        if with.shininess.is_some() || pending.shininess.is_some() {
+            return;
+        }
+        let data = |m: &TextureMap| Purpose::Data(Rule::new(m.texel));
+        pending.shininess = self.one(&from.roughness_map, data, "map_Pr", "roughness texture");
+        pending.roughness = pending.shininess.is_some().then_some(from.roughness);
     }
 }

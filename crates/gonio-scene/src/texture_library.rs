@@ -1,112 +1,212 @@
-//! All textures of a scene: each file is sought, read and decoded once for each use.
+//! All textures of a scene: each file is sought, read and decoded once, and made into a texture once for each use.
 
-use crate::files::{self, FileSource};
-use crate::height_map;
-use crate::image_file::{self, Decoded};
+use crate::files::{self, FileBytes, FileSource};
+use crate::image_file::{self, Decoded, MAX_TEXTURE_SIDE};
 use crate::texture::{ColorSpace, Texture};
-use gonio_mesh::{Diagnostic, TextureMap};
+use crate::texture_recipe::{self, Purpose};
+use gonio_mesh::{Diagnostic, EmbeddedImage, TextureMap};
 use rayon::prelude::*;
+use serde::Serialize;
 use std::collections::HashMap;
 use std::path::PathBuf;
-use std::sync::Arc;
-
-/// What a texture is for, which decides what is done to its numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Purpose {
-    /// sRGB.
-    Color,
-    /// As it is.
-    Data,
-    /// Alpha is moved to red where the file has one.
-    Opacity,
-    /// A normal map with its strength (as bits, so that it can be compared).
-    Normal(u32),
-    /// Heights, or a normal map after all; with its strength.
-    Bump(u32),
-}
 
 /// Who asks for a texture: for messages, and where to look.
 pub(crate) struct Asker<'a> {
+    /// The model, as the user knows it.
+    pub model: &'a str,
     /// The file whose line names the texture.
     pub file: &'a str,
     pub material: &'a str,
     /// Where textures are sought, in order.
     pub folders: &'a [PathBuf],
+    /// Pictures inside the model's file.
+    pub images: &'a [EmbeddedImage],
 }
 
-struct Job {
+/// A texture that a material names, and what became of it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct TextureUse {
+    /// The material that names it.
+    pub material: String,
+    /// For what: `map_Kd`.
+    pub key: String,
+    /// As written.
+    pub name: String,
+    /// The line that names it, from 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line: Option<u64>,
+    /// Where it was found; of embedded pictures the model's file and the picture's name.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub found: Option<String>,
+    /// Where it was sought in vain.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub tried: Vec<String>,
+    /// Width and height in texels, where it could be decoded.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub size: Option<[u32; 2]>,
+}
+
+/// A picture file, found.
+struct Picture {
     path: PathBuf,
-    bytes: Arc<Vec<u8>>,
+    bytes: FileBytes,
+}
+
+/// A texture to make: of which pictures, how, and who asked first.
+struct Job {
+    pictures: Vec<usize>,
     purpose: Purpose,
     first_asked_by: Diagnostic,
 }
 
-/// A file's path and bytes; `None` where it is not to be found.
-type Found = Option<(PathBuf, Arc<Vec<u8>>)>;
+/// Where a name was found, or where it was sought in vain.
+type Found = Result<usize, Vec<String>>;
 
 /// The textures that were asked for.
 pub(crate) struct TextureLibrary<'a> {
     files: &'a dyn FileSource,
+    max_bytes: u64,
+    pictures: Vec<Picture>,
     jobs: Vec<Job>,
-    by_use: HashMap<(PathBuf, Purpose), usize>,
+    by_use: HashMap<(Vec<usize>, Purpose), usize>,
     /// By name and folders: what was sought once is not sought again.
     found: HashMap<(String, Vec<PathBuf>), Found>,
+    uses: Vec<(TextureUse, Option<usize>)>,
+    diagnostics: Vec<Diagnostic>,
+}
+
+/// What [`TextureLibrary::decode`] gives.
+pub(crate) struct DecodedLibrary {
+    pub textures: Vec<Texture>,
+    /// For each job which texture it became.
+    pub texture_of_job: Vec<Option<usize>>,
+    pub uses: Vec<TextureUse>,
     pub diagnostics: Vec<Diagnostic>,
 }
 
 impl<'a> TextureLibrary<'a> {
-    pub fn new(files: &'a dyn FileSource) -> Self {
+    /// Decoded pictures may take `max_bytes` together.
+    pub fn new(files: &'a dyn FileSource, max_bytes: u64) -> Self {
         TextureLibrary {
             files,
+            max_bytes,
+            pictures: Vec::new(),
             jobs: Vec::new(),
             by_use: HashMap::new(),
             found: HashMap::new(),
+            uses: Vec::new(),
             diagnostics: Vec::new(),
         }
     }
 
     /// The job's number for a map, or `None` with a warning where the file is not to be found.
     pub fn request(&mut self, map: &TextureMap, purpose: Purpose, key: &str, asker: &Asker<'_>) -> Option<usize> {
-        let say = |message: String| Diagnostic {
-            line: map.line,
-            ..Diagnostic::warning(format!("{key} of material `{}`: {message}", asker.material)).in_file(asker.file)
-        };
-        let sought = (map.path.clone(), asker.folders.to_vec());
-        let found = match self.found.get(&sought) {
-            Some(found) => found.clone(),
-            None => match files::find(self.files, &map.path, asker.folders) {
-                Ok((path, bytes)) => {
-                    let found = Some((path, Arc::new(bytes)));
-                    self.found.insert(sought, found.clone());
-                    found
-                }
-                Err(tried) => {
-                    let message = format!(
-                        "the texture `{}` is not to be found; looked at {} (letters in any case). The material \
-                         goes without it",
-                        map.path,
-                        tried.join(", ")
-                    );
-                    self.diagnostics.push(say(message));
-                    self.found.insert(sought, None);
-                    None
-                }
-            },
-        };
-        let (path, bytes) = found?;
-        let jobs = &mut self.jobs;
-        let index = *self.by_use.entry((path.clone(), purpose)).or_insert_with(|| {
-            jobs.push(Job { path, bytes, purpose, first_asked_by: say(String::new()) });
-            jobs.len() - 1
-        });
-        Some(index)
+        let picture = self.find(map, key, asker)?;
+        Some(self.job(vec![picture], purpose, about(map, key, asker)))
     }
 
-    /// Decodes everything, in parallel: the textures, and for each job which one it became.
-    pub fn decode(mut self) -> (Vec<Texture>, Vec<Option<usize>>, Vec<Diagnostic>) {
-        let results: Vec<_> = self.jobs.par_iter().map(decode_job).collect();
+    /// The job's number for a texture made of two pictures, where both are found; the second may be left out, and
+    /// then stands for white.
+    pub fn request_of_two(
+        &mut self,
+        map: &TextureMap,
+        other: Option<&TextureMap>,
+        purpose: Purpose,
+        key: &str,
+        asker: &Asker<'_>,
+    ) -> Option<usize> {
+        let mut pictures = vec![self.find(map, key, asker)?];
+        if let Some(other) = other {
+            pictures.push(self.find(other, key, asker)?);
+        }
+        Some(self.job(pictures, purpose, about(map, key, asker)))
+    }
+
+    fn job(&mut self, pictures: Vec<usize>, purpose: Purpose, first_asked_by: Diagnostic) -> usize {
+        let jobs = &mut self.jobs;
+        *self.by_use.entry((pictures.clone(), purpose)).or_insert_with(|| {
+            jobs.push(Job { pictures, purpose, first_asked_by });
+            jobs.len() - 1
+        })
+    }
+
+    /// The picture of a map.
+    fn find(&mut self, map: &TextureMap, key: &str, asker: &Asker<'_>) -> Option<usize> {
+        let found = match map.embedded {
+            Some(index) => self.find_embedded(index, asker),
+            None => self.find_file(&map.path, asker.folders),
+        };
+        let (tried, path) = match &found {
+            Ok(picture) => (Vec::new(), Some(self.pictures[*picture].path.display().to_string())),
+            Err(tried) => (tried.clone(), None),
+        };
+        let known = |u: &&(TextureUse, Option<usize>)| u.0.material == asker.material && u.0.name == map.path;
+        let is_new = !self.uses.iter().filter(known).any(|u| u.0.key == key && u.0.line == map.line);
+        if is_new {
+            if path.is_none() {
+                let message = format!(
+                    "the texture `{}` is not to be found; looked at {} (letters in any case). The material goes \
+                     without it",
+                    map.path,
+                    tried.join(", ")
+                );
+                let mut diagnostic = about(map, key, asker);
+                diagnostic.message.push_str(&message);
+                self.diagnostics.push(diagnostic);
+            }
+            let asked = TextureUse {
+                material: asker.material.to_owned(),
+                key: key.to_owned(),
+                name: map.path.clone(),
+                line: map.line,
+                found: path,
+                tried,
+                size: None,
+            };
+            self.uses.push((asked, found.as_ref().ok().copied()));
+        }
+        found.ok()
+    }
+
+    fn find_file(&mut self, name: &str, folders: &[PathBuf]) -> Found {
+        let sought = (name.to_owned(), folders.to_vec());
+        if let Some(found) = self.found.get(&sought) {
+            return found.clone();
+        }
+        let found = files::find(self.files, name, folders).map(|(path, bytes)| self.picture(path, bytes));
+        self.found.insert(sought, found.clone());
+        found
+    }
+
+    fn find_embedded(&mut self, index: usize, asker: &Asker<'_>) -> Found {
+        let path = format!("{}#{index}", asker.model);
+        let sought = (path, Vec::new());
+        if let Some(found) = self.found.get(&sought) {
+            return found.clone();
+        }
+        let image = asker.images.get(index);
+        let found = image.map_or_else(
+            || Err(vec![sought.0.clone()]),
+            |image| Ok(self.picture(format!("{}#{}", asker.model, image.name).into(), image.bytes.clone().into())),
+        );
+        self.found.insert(sought, found.clone());
+        found
+    }
+
+    fn picture(&mut self, path: PathBuf, bytes: FileBytes) -> usize {
+        // The same file may have been found by two names.
+        self.pictures.iter().position(|p| p.path == path && *p.bytes == *bytes).unwrap_or_else(|| {
+            self.pictures.push(Picture { path, bytes });
+            self.pictures.len() - 1
+        })
+    }
+
+    /// Decodes everything, in parallel.
+    pub fn decode(mut self) -> DecodedLibrary {
+        let pictures = self.decode_pictures();
+        let results: Vec<_> = self.jobs.par_iter().map(|job| self.make(job, &pictures)).collect();
         let mut textures = Vec::new();
-        let mut index_of_job = Vec::new();
+        let mut texture_of_job = Vec::new();
         for (job, result) in self.jobs.iter().zip(results) {
             let about = |d: Diagnostic, message: String| Diagnostic {
                 message: format!("{}{message}", job.first_asked_by.message),
@@ -119,54 +219,72 @@ impl<'a> TextureLibrary<'a> {
                     if let Some(note) = note {
                         self.diagnostics.push(about(Diagnostic::note(""), note));
                     }
-                    index_of_job.push(Some(textures.len()));
+                    texture_of_job.push(Some(textures.len()));
                     textures.push(texture);
                 }
                 Err(why) => {
-                    let message = format!("{}: {why}; the material goes without it", job.path.display());
+                    let message = format!("{why}; the material goes without it");
                     self.diagnostics.push(about(Diagnostic::warning(""), message));
-                    index_of_job.push(None);
+                    texture_of_job.push(None);
                 }
             }
         }
-        (textures, index_of_job, self.diagnostics)
+        let size_of = |picture: usize| pictures[picture].as_ref().ok().map(|p| [p.width, p.height]);
+        let uses = self
+            .uses
+            .into_iter()
+            .map(|(asked, picture)| TextureUse { size: picture.and_then(size_of), ..asked })
+            .collect();
+        DecodedLibrary { textures, texture_of_job, uses, diagnostics: self.diagnostics }
+    }
+
+    /// Each picture, in parallel; those that would take more than is left of `max_bytes` are refused by their sizes,
+    /// before anything is decoded.
+    fn decode_pictures(&self) -> Vec<Result<Decoded, String>> {
+        let mut left = self.max_bytes;
+        let allowed: Vec<bool> = self
+            .pictures
+            .iter()
+            .map(|p| {
+                // One that is too large by itself is refused by the decoder, with its own reason.
+                let size = image_file::size(&p.bytes, &p.path.to_string_lossy())
+                    .filter(|size| size.iter().all(|side| *side <= MAX_TEXTURE_SIDE));
+                let bytes = size.map_or(0, |[width, height]| 4 * u64::from(width) * u64::from(height));
+                let fits = bytes <= left;
+                left -= if fits { bytes } else { 0 };
+                fits
+            })
+            .collect();
+        self.pictures
+            .par_iter()
+            .zip(allowed)
+            .map(|(p, allowed)| {
+                let name = p.path.display().to_string();
+                if !allowed {
+                    let most = self.max_bytes >> 20;
+                    return Err(format!("{name}: the textures together would take more than {most} MiB, the limit"));
+                }
+                image_file::decode(&p.bytes, &name).map_err(|why| format!("{name}: {why}"))
+            })
+            .collect()
+    }
+
+    fn make(&self, job: &Job, pictures: &[Result<Decoded, String>]) -> Result<(Texture, Option<String>), String> {
+        let name = self.pictures[job.pictures[0]].path.display().to_string();
+        let sources: Vec<&Decoded> = job
+            .pictures
+            .iter()
+            .map(|&picture| pictures[picture].as_ref().map_err(Clone::clone))
+            .collect::<Result<_, _>>()?;
+        let (picture, note) = texture_recipe::cook(job.purpose, &sources);
+        let color_space = if job.purpose.is_color() { ColorSpace::Srgb } else { ColorSpace::Data };
+        let note = note.map(|note| format!("{name} {note}"));
+        Ok((Texture::new(name, picture.width, picture.height, picture.rgba, color_space), note))
     }
 }
 
-fn decode_job(job: &Job) -> Result<(Texture, Option<String>), String> {
-    let name = job.path.display().to_string();
-    let mut picture = image_file::decode(&job.bytes, &name)?;
-    let mut note = None;
-    let color_space = if job.purpose == Purpose::Color { ColorSpace::Srgb } else { ColorSpace::Data };
-    match job.purpose {
-        Purpose::Color | Purpose::Data => {}
-        Purpose::Opacity => {
-            if picture.has_alpha {
-                alpha_to_red(&mut picture);
-            }
-        }
-        Purpose::Normal(bits) => strengthen(&mut picture, bits),
-        Purpose::Bump(bits) if height_map::is_heights(&picture) => {
-            height_map::normals_of_heights(&mut picture, f32::from_bits(bits).into());
-            note = Some(format!("{name} is grey, so it holds heights; normals were made of them"));
-        }
-        Purpose::Bump(bits) => {
-            strengthen(&mut picture, bits);
-            note = Some(format!("{name} is coloured, so it is taken as a tangent-space normal map"));
-        }
-    }
-    Ok((Texture::new(name, picture.width, picture.height, picture.rgba, color_space), note))
-}
-
-fn strengthen(picture: &mut Decoded, bits: u32) {
-    let strength = f64::from(f32::from_bits(bits));
-    if strength != 1.0 {
-        height_map::strengthen(picture, strength);
-    }
-}
-
-fn alpha_to_red(picture: &mut Decoded) {
-    for texel in picture.rgba.as_chunks_mut::<4>().0 {
-        texel[0] = texel[3];
-    }
+/// A warning that begins with who asks, to be completed.
+fn about(map: &TextureMap, key: &str, asker: &Asker<'_>) -> Diagnostic {
+    let message = format!("{key} of material `{}`: ", asker.material);
+    Diagnostic { line: map.line, ..Diagnostic::warning(message).in_file(asker.file) }
 }

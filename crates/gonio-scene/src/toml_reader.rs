@@ -62,6 +62,7 @@ fn read_camera(mut t: TableReader<'_>) -> Result<CameraSpec, Fault> {
         yaw: t.number("yaw")?,
         pitch: t.number("pitch")?,
         up: t.vector("up")?,
+        from_model: t.text("from_model")?,
         fov_y: t.number("fov_y")?,
         near: t.number("near")?,
         far: t.number("far")?,
@@ -113,6 +114,7 @@ fn read_object(mut t: TableReader<'_>) -> Result<ObjectSpec, Fault> {
         scale: t.vector("scale")?.unwrap_or(d.scale),
         shading: t.word("shading")?.unwrap_or(d.shading),
         normals: t.word("normals")?.unwrap_or(d.normals),
+        crease_angle: t.number("crease_angle")?,
         material: material.map_or(Ok(d.material), read_material)?,
     };
     t.finish().map(|()| object)

@@ -125,6 +125,7 @@ fn check_object(at: &str, o: &ObjectSpec) -> Check {
     if o.scale.contains(&0.0) {
         return fail(at, "scale", "`scale` must not be 0 along any axis; a flat model has no inside to light");
     }
+    check_number(at, "crease_angle", o.crease_angle, |v| (0.0..=180.0).contains(&v), "must be 0 to 180 degrees")?;
     check_material(&format!("{at}.material"), &o.material)
 }
 

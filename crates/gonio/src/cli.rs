@@ -7,6 +7,7 @@ use clap::{ArgAction, Args, Parser, Subcommand};
 use gonio_light::brdf::BrdfKind;
 use gonio_light::color::{ColorEncoding, ToneMap};
 use gonio_light::{Convention, Specular};
+use gonio_mesh::Limits;
 use gonio_scene::TextureFilter;
 use gonio_scene::ViewSpec;
 use gonio_scene::description::{LightSpec, MaterialOverride, Normals, Shading};
@@ -21,7 +22,11 @@ Pictures:
   render   Draw a model or a scene: one picture, debug views, or an animation
   tour     Draw every technique on several models: a contact sheet and a web page
 
+Models:
+  convert  Write a model as OBJ with MTL, as PLY or as GLB
+
 Understanding:
+  inspect  What a model file holds, how each part and line was understood, what is odd
   probe    The light equation at one pixel, term by term and light by light
   diff     Compare two pictures: numbers, difference map, side by side, wipe
   scene    Print the complete effective scene of an input, or the JSON Schema of scene files
@@ -29,6 +34,7 @@ Understanding:
 Examples:
   gonio tour -o tour
   gonio render model.obj -o model.png
+  gonio inspect model.obj
   gonio probe model.obj --at 512,384
   gonio diff a.png b.png -o map.png
 
@@ -46,8 +52,12 @@ pub enum Command {
     Render(Box<commands::render::RenderArgs>),
     /// The light equation at one pixel, term by term and light by light.
     Probe(Box<commands::probe::ProbeArgs>),
+    /// Write a model as OBJ with MTL, as PLY or as GLB.
+    Convert(commands::convert::ConvertArgs),
     /// Compare two pictures: numbers, difference map, side by side, wipe.
     Diff(commands::diff::DiffArgs),
+    /// Say what a model file holds and how each part of it was understood.
+    Inspect(commands::inspect::InspectArgs),
     /// Print the complete effective scene of an input, or the JSON Schema of scene files.
     Scene(Box<commands::scene::SceneArgs>),
     /// Draw every technique on several models: a contact sheet and a web page.
@@ -60,7 +70,9 @@ impl Command {
         match self {
             Command::Render(_) => "render",
             Command::Probe(_) => "probe",
+            Command::Convert(_) => "convert",
             Command::Diff(_) => "diff",
+            Command::Inspect(_) => "inspect",
             Command::Scene(_) => "scene",
             Command::Tour(_) => "tour",
         }
@@ -80,7 +92,9 @@ impl Command {
         match self {
             Command::Render(args) => &args.words,
             Command::Probe(args) => &args.words,
+            Command::Convert(args) => &args.words,
             Command::Diff(args) => &args.words,
+            Command::Inspect(args) => &args.words,
             Command::Scene(args) => &args.words,
             Command::Tour(args) => &args.words,
         }
@@ -123,6 +137,9 @@ pub struct SceneOptions {
     /// Which normals the meshes get.
     #[arg(long, help_heading = "Shading", value_parser = values::named(Normals::ALL, Normals::name))]
     pub normals: Option<Normals>,
+    /// Of averaged normals: do not average faces that differ by more degrees than this.
+    #[arg(long, help_heading = "Shading", value_name = "DEG", value_parser = values::crease_angle)]
+    pub crease_angle: Option<f64>,
     /// Replace values of all materials: ambient, diffuse, specular, emitted (colours), shininess,
     /// refraction-index, opacity, textures (true or false).
     #[arg(long, help_heading = "Shading", value_name = "KEY=VALUE,...", value_parser = MaterialOverride::from_option_text)]
@@ -168,6 +185,9 @@ pub struct SceneOptions {
           value_parser = LightSpec::from_option_text)]
     pub light: Vec<LightSpec>,
 
+    /// A camera of the model's file, by its name or its number (from 1).
+    #[arg(long, help_heading = "Camera", value_name = "NAME")]
+    pub camera: Option<String>,
     /// The eye, world space.
     #[arg(long, help_heading = "Camera", value_name = "X,Y,Z", value_parser = values::vector,
           allow_hyphen_values = true)]
@@ -184,6 +204,9 @@ pub struct SceneOptions {
     #[arg(long, help_heading = "Camera", value_name = "DEG", value_parser = values::number,
           allow_negative_numbers = true)]
     pub pitch: Option<f64>,
+    /// Which way is up: +Y (as by default), +Z, -X, ... or a vector.
+    #[arg(long, help_heading = "Camera", value_name = "AXIS", value_parser = values::up, allow_hyphen_values = true)]
+    pub up: Option<[f64; 3]>,
     /// Full vertical field of view in degrees.
     #[arg(long, help_heading = "Camera", value_name = "DEG", value_parser = values::field_of_view,
           allow_negative_numbers = true)]
@@ -206,10 +229,38 @@ pub struct SceneOptions {
     #[arg(long, help_heading = "Picture", value_name = "STOPS", value_parser = values::number,
           allow_negative_numbers = true)]
     pub exposure: Option<f64>,
+    /// What a file may make us allocate.
+    #[command(flatten)]
+    pub limits: LimitOptions,
+
     /// Behind the objects: COLOR, TOP:BOTTOM or transparent. A colour is #rrggbb (sRGB), r,g,b or one
     /// number (linear).
     #[arg(long, help_heading = "Picture", value_name = "COLOR", value_parser = values::background)]
     pub background: Option<BackgroundValue>,
+}
+
+/// What a file may make us allocate.
+#[derive(Args, Debug, Clone, Default)]
+#[command(next_help_heading = "Limits")]
+pub struct LimitOptions {
+    /// Refuse models with more triangles.
+    #[arg(long, value_name = "N")]
+    pub max_triangles: Option<u64>,
+    /// Refuse files that want more memory than this when they are unpacked or decoded: 512MiB, 16GiB.
+    #[arg(long, value_name = "SIZE", value_parser = values::bytes)]
+    pub max_memory: Option<u64>,
+}
+
+impl LimitOptions {
+    /// The usual limits, with what the options say in their place.
+    pub fn limits(&self) -> Limits {
+        let usual = Limits::default();
+        Limits {
+            max_triangles: self.max_triangles.map_or(usual.max_triangles, |most| most.min(usual.max_triangles)),
+            max_bytes: self.max_memory.unwrap_or(usual.max_bytes),
+            ..usual
+        }
+    }
 }
 
 /// A debug view in a list.

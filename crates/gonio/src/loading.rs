@@ -2,17 +2,18 @@
 
 use crate::cli::SceneOptions;
 use crate::report::{CliError, Reporter, Times};
-use gonio_scene::files::Disk;
+use gonio_scene::files::DiskAndInput;
 use gonio_scene::{LoadedScene, ViewSpec, load};
 use std::path::Path;
 
 /// The scene of `inputs` with the options laid over it, all files read.
 pub fn load_scene(inputs: &[String], options: &SceneOptions) -> Result<LoadedScene, CliError> {
     let inputs: Vec<&str> = inputs.iter().map(String::as_str).collect();
-    let mut scene = load::describe(&inputs, &Disk)?;
+    let files = DiskAndInput::default();
+    let mut scene = load::describe(&inputs, &files)?;
     options.apply(&mut scene);
     // Paths in it are relative to the current folder.
-    Ok(load::load(scene, Path::new(""), &Disk)?)
+    Ok(load::load_within(scene, Path::new(""), &files, &options.limits.limits())?)
 }
 
 /// Loads the scene on a second thread while `meanwhile` runs on this one (making an OpenGL context

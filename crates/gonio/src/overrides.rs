@@ -3,7 +3,7 @@
 use crate::cli::SceneOptions;
 use crate::values::BackgroundValue;
 use gonio_scene::Scene;
-use gonio_scene::description::MaterialOverride;
+use gonio_scene::description::{CameraSpec, MaterialOverride};
 
 impl SceneOptions {
     /// Replaces in `scene` what the options say. What belongs to objects is set on all of them.
@@ -21,6 +21,7 @@ impl SceneOptions {
         for object in &mut scene.objects {
             set(&mut object.shading, self.shading);
             set(&mut object.normals, self.normals);
+            object.crease_angle = self.crease_angle.or(object.crease_angle);
             if let Some(material) = &self.material {
                 merge_material(&mut object.material, material);
             }
@@ -54,6 +55,12 @@ impl SceneOptions {
     fn apply_to_camera(&self, scene: &mut Scene) {
         let camera = &mut scene.camera;
         camera.position = self.camera_position.or(camera.position);
+        if self.camera.is_some() {
+            // The file's camera takes the place of the scene's.
+            *camera = CameraSpec { from_model: self.camera.clone(), ..CameraSpec::default() };
+            camera.position = self.camera_position;
+        }
+        camera.up = self.up.or(camera.up);
         camera.fov_y = self.fov_y.or(camera.fov_y);
         // A direction is either a target or two angles: the option's way replaces the file's.
         if self.camera_target.is_some() {

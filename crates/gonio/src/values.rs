@@ -62,10 +62,52 @@ pub fn field_of_view(text: &str) -> Result<f64, String> {
     })
 }
 
+/// An angle between the normals of two faces, in degrees.
+pub fn crease_angle(text: &str) -> Result<f64, String> {
+    number(text)
+        .and_then(|v| if (0.0..=180.0).contains(&v) { Ok(v) } else { Err(format!("`{text}` must be from 0 to 180")) })
+}
+
+/// A number of bytes, perhaps with KiB, MiB or GiB (also K, M, G, KB, MB, GB, which mean the same).
+pub fn bytes(text: &str) -> Result<u64, String> {
+    let wrong = || format!("`{text}` is no size; a number of bytes is wanted, 512MiB for example");
+    let trimmed = text.trim();
+    let digits = trimmed.len() - trimmed.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+    let (number, unit) = trimmed.split_at(digits);
+    let shift = match unit.trim().to_ascii_lowercase().as_str() {
+        "" | "b" => 0,
+        "k" | "kb" | "kib" => 10,
+        "m" | "mb" | "mib" => 20,
+        "g" | "gb" | "gib" => 30,
+        _ => return Err(wrong()),
+    };
+    let number: u64 = number.parse().map_err(|_| wrong())?;
+    number.checked_mul(1 << shift).ok_or_else(wrong)
+}
+
 /// `x,y,z`.
 pub fn vector(text: &str) -> Result<[f64; 3], String> {
     let numbers: Vec<f64> = text.split(',').map(number).collect::<Result<_, _>>()?;
     numbers.try_into().map_err(|_| format!("`{text}` is no vector; three numbers x,y,z are wanted"))
+}
+
+/// `+Z`, `-x`, `y`, or a vector that is not 0.
+pub fn up(text: &str) -> Result<[f64; 3], String> {
+    let lower = text.trim().to_ascii_lowercase();
+    let (sign, axis) = match lower.strip_prefix('-') {
+        Some(axis) => (-1.0, axis),
+        None => (1.0, lower.strip_prefix('+').unwrap_or(&lower)),
+    };
+    match axis {
+        "x" => Ok([sign, 0.0, 0.0]),
+        "y" => Ok([0.0, sign, 0.0]),
+        "z" => Ok([0.0, 0.0, sign]),
+        _ => match vector(text) {
+            Ok([0.0, 0.0, 0.0]) => Err(format!("`{text}` is no direction")),
+            Ok(v) => Ok(v),
+            Err(_) => Err(format!("`{text}` is no axis; +X, -Z or a vector x,y,z is wanted")),
+        },
+    }
 }
 
 /// `X,Y` of a pixel, from the top left.
@@ -146,6 +188,21 @@ mod tests {
         assert!(size("-1x5").unwrap_err().contains("WIDTHxHEIGHT"));
         assert!(size("99999999999999999999x2").unwrap_err().contains("16384"));
         assert!(size("0x5").unwrap_err().contains("no pixels"));
+    }
+
+    #[test]
+    fn axes() {
+        assert_eq!((up("+Z"), up("-x"), up("y")), (Ok([0.0, 0.0, 1.0]), Ok([-1.0, 0.0, 0.0]), Ok([0.0, 1.0, 0.0])));
+        assert_eq!(up("0,1,1"), Ok([0.0, 1.0, 1.0]));
+        assert!(["", "w", "0,0,0", "1,2"].iter().all(|wrong| up(wrong).is_err()));
+    }
+
+    #[test]
+    fn sizes_in_bytes() {
+        assert_eq!((bytes("7"), bytes("512MiB"), bytes("2 G")), (Ok(7), Ok(512 << 20), Ok(2 << 30)));
+        for wrong in ["", "GiB", "-1", "1.5G", "1 parsec", "99999999999999999999", "99999999999999999G"] {
+            assert!(bytes(wrong).is_err(), "{wrong}");
+        }
     }
 
     #[test]

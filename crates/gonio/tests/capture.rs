@@ -207,7 +207,7 @@ fn renderdoc_finds_the_draws_the_textures_and_the_uniforms() {
         assert_eq!(texture["samples"], if label == "encoded picture" { 1 } else { frame.samples }, "{label}");
     }
     let buffers: Vec<&str> = capture.facts["buffers"].as_array().unwrap().iter().map(|b| b.as_str().unwrap()).collect();
-    assert!(buffers.contains(&"still_life: vertices") && buffers.contains(&"still_life: indices"), "{buffers:?}");
+    assert!(buffers.contains(&"still_life: position") && buffers.contains(&"still_life: indices"), "{buffers:?}");
 
     // The samplers.
     for draw in drawn {

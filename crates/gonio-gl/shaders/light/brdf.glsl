@@ -1,10 +1,16 @@
 // The specular lobes of Appendix 6 for b = 1, in 1/sr: twins of gonio-light's brdf/, in f32. Sources and
 // limits stand there. Each is 0 where N.L <= 0 or N.V <= 0 and at most LOBE_CAP. All take the same
 // parameters, so that a program can choose one by name; most ignore some.
-// From Rust: PI, DEGENERATE_LENGTH, LOBE_CAP, SHININESS_MAX, GRAZING_COSINE.
+// From Rust: PI, DEGENERATE_LENGTH, LOBE_CAP, SHININESS_MAX, SHININESS_OF_ROUGHNESS_MAX, GRAZING_COSINE.
 
 float effective_shininess(float shininess) {
     return clamp(shininess, 1.0, SHININESS_MAX);
+}
+
+// The exponent of a roughness in [0, 1]: twin of gonio-light's roughness.rs.
+float shininess_of_roughness(float roughness) {
+    float alpha = roughness * roughness;
+    return clamp(2.0 / max(alpha * alpha, 1e-12) - 2.0, 1.0, SHININESS_OF_ROUGHNESS_MAX);
 }
 
 // <cosine>^shininess in [0, 1]. pow is undefined for negative bases, and rounding may put the cosine

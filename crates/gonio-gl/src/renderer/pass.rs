@@ -184,6 +184,7 @@ impl Pass<'_> {
         if key.maps == MapSet::All {
             self.bind_map(program, "specular_map", "specular_map_transform", maps.specular.as_ref());
             self.bind_map(program, "emitted_map", "emitted_map_transform", maps.emitted.as_ref());
+            program.set_f32("roughness", maps.roughness.unwrap_or(-1.0));
             self.bind_map(program, "shininess_map", "shininess_map_transform", maps.shininess.as_ref());
             self.bind_map(program, "opacity_map", "opacity_map_transform", maps.opacity.as_ref());
         }
@@ -200,9 +201,9 @@ impl Pass<'_> {
             gl.active_texture(glow::TEXTURE0 + texture_unit(sampler));
             gl.bind_texture(glow::TEXTURE_2D, Some(texture));
         }
-        let (scale, offset, clamp) = map.map_or(([1.0; 2], [0.0; 2], false), |m| (m.scale, m.offset, m.clamp));
+        let map = map.copied().unwrap_or(BoundTexture::plain(0));
         // Sampling is the texture's state, and a texture may serve two materials: set at each use.
-        textures::set_sampling(gl, self.frame.texture_filter, clamp, self.shared.info.anisotropy);
-        program.set_vec4(transform, [scale[0], scale[1], offset[0], offset[1]]);
+        textures::set_sampling(gl, self.frame.texture_filter, map.wrap, self.shared.info.anisotropy);
+        program.set_mat3x2(transform, &map.uv_matrix());
     }
 }

@@ -9,7 +9,7 @@ use glam::{DVec3, Vec2};
 use glow::{HasContext, PixelUnpackData};
 use gonio_light::brdf::{BrdfKind, BrdfSettings};
 use gonio_light::color::{ColorEncoding, OutputTransform, ToneMap, srgb_decode, srgb_encode};
-use gonio_light::{Attenuation, ShadingPoint, Surface, fresnel, light, vector};
+use gonio_light::{Attenuation, ShadingPoint, Surface, fresnel, light, roughness, vector};
 
 /// Parameters of one call: four texels.
 type Case = [[f32; 4]; 4];
@@ -200,6 +200,16 @@ fn lights() {
         let attenuation = Attenuation { constant: k[0], linear: k[1], quadratic: k[2] };
         let e = c[1].map(f64::from);
         [attenuation.at(k[3]), light::smoothstep_or_step(e[0], e[1], e[2]), 0.0, 0.0]
+    });
+}
+
+#[test]
+fn exponents_of_roughnesses() {
+    let body = "vec4 run(vec4 a, vec4 b, vec4 c, vec4 d) { return vec4(shininess_of_roughness(a.x), 0.0, 0.0, 0.0); }";
+    let some = cases(|r| [[1.2 * r.unit(), 0.0, 0.0, 0.0], [0.0; 4], [0.0; 4], [0.0; 4]]);
+    // Up to 10,000; a fourth power and a quotient in f32, relative to values above 1.
+    compare("shininess_of_roughness", body, &some, 1e-5, |c| {
+        [roughness::shininess_of_roughness(c[0][0].into()), 0.0, 0.0, 0.0]
     });
 }
 

@@ -1,178 +1,226 @@
-//! A material while its statements are read, and the rules for what they leave out.
+//! A material while its statements are read: what was written, and nothing else.
 
-use super::scalar;
+use super::map::{self, NotDone, Use};
+use super::values::{Place, Said, color, only_scalar, put};
 use crate::report::Reports;
 use crate::text::{Cursor, quote};
-use crate::{AmbientRule, Material, Severity, TextureMap};
+use crate::{Channel, Severity, Source, TextureMap};
 
-/// `Kd` where neither it nor `map_Kd` is written: a new material of Blender's.
-const DIFFUSE: f32 = 0.8;
-/// `Ns` where it is not written: the lab's exponent.
-const SHININESS: f32 = 32.0;
-/// `Ns` where only `map_Ns` is: the largest that Blender writes.
-const SHININESS_OF_MAP: f32 = 1000.0;
-/// `Ni` where it is not written: glass, plastics.
-const REFRACTION_INDEX: f32 = 1.5;
-
-/// What was written, and nothing else.
+/// The statements of one material.
+#[derive(Default)]
 pub(super) struct Draft {
-    name: String,
+    pub(super) name: String,
     pub(super) line: u64,
-    pub(super) ambient: Option<[f32; 3]>,
-    pub(super) diffuse: Option<[f32; 3]>,
-    pub(super) specular: Option<[f32; 3]>,
-    pub(super) emitted: Option<[f32; 3]>,
-    pub(super) shininess: Option<f32>,
-    pub(super) refraction_index: Option<f32>,
-    pub(super) opacity: Option<f32>,
-    /// With its line.
-    pub(super) transparency: Option<(f32, u64)>,
-    pub(super) illumination_model: Option<u8>,
-    pub(super) diffuse_map: Option<TextureMap>,
-    pub(super) specular_map: Option<TextureMap>,
-    pub(super) emitted_map: Option<TextureMap>,
-    pub(super) shininess_map: Option<TextureMap>,
-    pub(super) opacity_map: Option<TextureMap>,
-    pub(super) normal_map: Option<TextureMap>,
-    pub(super) bump_map: Option<TextureMap>,
+    pub(super) ambient: Option<Said<[f32; 3]>>,
+    pub(super) diffuse: Option<Said<[f32; 3]>>,
+    pub(super) specular: Option<Said<[f32; 3]>>,
+    pub(super) emitted: Option<Said<[f32; 3]>>,
+    pub(super) shininess: Option<Said<f32>>,
+    pub(super) refraction_index: Option<Said<f32>>,
+    pub(super) opacity: Option<Said<f32>>,
+    pub(super) transparency: Option<Said<f32>>,
+    pub(super) illumination_model: Option<Said<u8>>,
+    pub(super) ambient_map: Option<Said<TextureMap>>,
+    pub(super) diffuse_map: Option<Said<TextureMap>>,
+    pub(super) specular_map: Option<Said<TextureMap>>,
+    pub(super) emitted_map: Option<Said<TextureMap>>,
+    pub(super) shininess_map: Option<Said<TextureMap>>,
+    pub(super) opacity_map: Option<Said<TextureMap>>,
+    pub(super) transparency_map: Option<Said<TextureMap>>,
+    pub(super) normal_map: Option<Said<TextureMap>>,
+    pub(super) bump_map: Option<Said<TextureMap>>,
+    pub(super) metallic: Option<Said<f32>>,
+    pub(super) roughness: Option<Said<f32>>,
+    pub(super) metallic_map: Option<Said<TextureMap>>,
+    pub(super) roughness_map: Option<Said<TextureMap>>,
+    /// Statements without a term in the light equation, the last of each keyword.
+    pub(super) unused: Vec<Source>,
 }
+
+/// Statements of the format, and of its physically based extension, that the light equation has no term for.
+pub(super) const UNUSED: [&str; 15] = [
+    "map_Ps",
+    "map_Pc",
+    "map_Pcr",
+    "map_aniso",
+    "map_aat",
+    "Tf",
+    "Kt",
+    "Km",
+    "Ps",
+    "Pc",
+    "Pcr",
+    "aniso",
+    "anisor",
+    "sharpness",
+    "decal",
+];
 
 impl Draft {
     pub(super) fn new(name: String, line: u64) -> Self {
-        Draft {
-            name,
-            line,
-            ambient: None,
-            diffuse: None,
-            specular: None,
-            emitted: None,
-            shininess: None,
-            refraction_index: None,
-            opacity: None,
-            transparency: None,
-            illumination_model: None,
-            diffuse_map: None,
-            specular_map: None,
-            emitted_map: None,
-            shininess_map: None,
-            opacity_map: None,
-            normal_map: None,
-            bump_map: None,
-        }
+        Draft { name, line, ..Draft::default() }
     }
 
-    /// `d 0.5` or `d -halo 0.5`.
-    pub(super) fn read_opacity(&mut self, cursor: &mut Cursor<'_>, reports: &mut Reports) {
-        let line = cursor.line();
-        if cursor.next_word() && cursor.peek() == Some(b'-') && cursor.offending_word() == b"-halo" {
-            cursor.word();
-            reports.add("halos", Severity::Note, line, None, || {
-                "d -halo is read as d: its change with the angle is not done".to_owned()
-            });
-        }
-        self.opacity = scalar(cursor, "d", reports).or(self.opacity);
-    }
-
-    /// `illum 2`.
-    pub(super) fn read_illumination_model(&mut self, cursor: &mut Cursor<'_>, reports: &mut Reports) {
-        let line = cursor.line();
-        let Some(value) = scalar(cursor, "illum", reports) else { return };
-        if value.fract() == 0.0 && value <= 10.0 {
-            self.illumination_model = Some(value as u8);
-        } else {
-            reports.add("unknown illumination models", Severity::Warning, line, None, || {
-                format!("illum {value} is no illumination model (0 to 10): it is ignored")
-            });
-        }
-    }
-
-    pub(super) fn into_material(mut self, reports: &mut Reports) -> Material {
-        let opacity = self.opacity_of_both(reports);
-        let ambient = match self.ambient {
-            None | Some([1.0, 1.0, 1.0]) => AmbientRule::FollowsDiffuse,
-            Some(value) => AmbientRule::Value(value),
-        };
-        let diffuse = self.with_map(self.diffuse, &self.diffuse_map, "Kd", DIFFUSE, reports);
-        let mut specular = self.with_map(self.specular, &self.specular_map, "Ks", 0.0, reports);
-        let emitted = self.with_map(self.emitted, &self.emitted_map, "Ke", 0.0, reports);
-        if let Some(model @ (0 | 1)) = self.illumination_model
-            && (specular != [0.0; 3] || self.specular_map.is_some())
-        {
-            let name = quote(self.name.as_bytes());
-            reports.note(self.line, format!("the material {name} has illum {model}, which switches its Ks off"));
-            specular = [0.0; 3];
-            self.specular_map = None;
-        }
-        let mut shininess =
-            self.shininess.unwrap_or(if self.shininess_map.is_some() { SHININESS_OF_MAP } else { SHININESS });
-        if shininess < 1.0 {
-            if specular != [0.0; 3] {
-                let name = quote(self.name.as_bytes());
-                reports.note(self.line, format!("the material {name} has Ns {shininess}: 1 is taken, the smallest"));
-            }
-            shininess = 1.0;
-        }
-        Material {
-            name: self.name,
-            ambient,
-            diffuse,
-            specular,
-            emitted,
-            shininess,
-            refraction_index: self.refraction_index.filter(|ni| *ni > 0.0).unwrap_or(REFRACTION_INDEX),
-            opacity,
-            illumination_model: self.illumination_model,
-            diffuse_map: self.diffuse_map,
-            specular_map: self.specular_map,
-            emitted_map: self.emitted_map,
-            shininess_map: self.shininess_map,
-            opacity_map: self.opacity_map,
-            normal_map: self.normal_map,
-            bump_map: self.bump_map,
-        }
-    }
-
-    /// The color that a map is multiplied by: black would hide the map, which no one can have meant.
-    fn with_map(
-        &self,
-        written: Option<[f32; 3]>,
-        map: &Option<TextureMap>,
-        keyword: &str,
-        absent: f32,
+    /// Reads a statement. Returns whether it is one of the format or its extensions.
+    pub(super) fn statement(
+        &mut self,
+        keyword: &[u8],
+        place: Place,
+        cursor: &mut Cursor<'_>,
+        not_done: &mut NotDone,
         reports: &mut Reports,
-    ) -> [f32; 3] {
-        match (written, map) {
-            (Some([0.0, 0.0, 0.0]), Some(map)) => {
-                let line = map.line.unwrap_or(self.line);
-                let name = quote(self.name.as_bytes());
-                reports.note(line, format!("{keyword} of {name} is black beside map_{keyword}: taken as 1 1 1"));
-                [1.0; 3]
-            }
-            (Some(written), _) => written,
-            (None, Some(_)) => [1.0; 3],
-            (None, None) => [absent; 3],
-        }
+    ) -> bool {
+        // Programs disagree about the case of letters, and no two statements differ only in it.
+        let lower = keyword.to_ascii_lowercase();
+        let (slot, name): (&mut Option<Said<[f32; 3]>>, _) = match lower.as_slice() {
+            b"ka" => (&mut self.ambient, "Ka"),
+            b"kd" => (&mut self.diffuse, "Kd"),
+            b"ks" => (&mut self.specular, "Ks"),
+            b"ke" => (&mut self.emitted, "Ke"),
+            _ => return self.scalar_or_map(&lower, place, cursor, not_done, reports),
+        };
+        put(slot, color(cursor, name, reports), &place, name, reports);
+        true
     }
 
-    /// `d`, or 1 - `Tr`; at most 1.
-    fn opacity_of_both(&self, reports: &mut Reports) -> f32 {
-        let from_tr = self.transparency.map(|(tr, _)| 1.0 - tr);
-        let opacity = match (self.opacity, from_tr) {
-            (Some(d), Some(other)) if (d - other).abs() > 1e-4 => {
-                let line = self.transparency.map_or(self.line, |(_, line)| line);
-                let name = quote(self.name.as_bytes());
-                let message = format!("d ({d}) and Tr ({}) of {name} contradict each other: d is taken", 1.0 - other);
-                reports.note(line, message);
-                d
+    fn scalar_or_map(
+        &mut self,
+        lower: &[u8],
+        place: Place,
+        cursor: &mut Cursor<'_>,
+        not_done: &mut NotDone,
+        reports: &mut Reports,
+    ) -> bool {
+        let (slot, name): (&mut Option<Said<f32>>, _) = match lower {
+            b"ns" => (&mut self.shininess, "Ns"),
+            b"ni" => (&mut self.refraction_index, "Ni"),
+            b"tr" => (&mut self.transparency, "Tr"),
+            b"pr" => (&mut self.roughness, "Pr"),
+            b"pm" => (&mut self.metallic, "Pm"),
+            b"d" => {
+                skip_halo(cursor, reports);
+                (&mut self.opacity, "d")
             }
-            (Some(d), _) => d,
-            (None, Some(other)) => other,
-            (None, None) => 1.0,
+            b"illum" => {
+                put(&mut self.illumination_model, illumination_model(cursor, reports), &place, "illum", reports);
+                return true;
+            }
+            _ => return self.map_or_unused(lower, place, cursor, not_done, reports),
         };
-        if opacity <= 0.0 {
-            let name = quote(self.name.as_bytes());
-            reports.note(self.line, format!("the material {name} is invisible (d 0 or Tr 1)"));
-        }
-        opacity.clamp(0.0, 1.0)
+        put(slot, only_scalar(cursor, name, reports), &place, name, reports);
+        true
     }
+
+    fn map_or_unused(
+        &mut self,
+        lower: &[u8],
+        place: Place,
+        cursor: &mut Cursor<'_>,
+        not_done: &mut NotDone,
+        reports: &mut Reports,
+    ) -> bool {
+        let (slot, name, purpose) = match lower {
+            b"map_ka" => (&mut self.ambient_map, "map_Ka", Use::Color),
+            b"map_kd" => (&mut self.diffuse_map, "map_Kd", Use::Color),
+            b"map_ks" => (&mut self.specular_map, "map_Ks", Use::Color),
+            b"map_ke" | b"map_emissive" => (&mut self.emitted_map, "map_Ke", Use::Color),
+            b"map_ns" => (&mut self.shininess_map, "map_Ns", Use::Scalar),
+            b"map_d" | b"map_opacity" => (&mut self.opacity_map, "map_d", Use::Scalar),
+            b"map_tr" => (&mut self.transparency_map, "map_Tr", Use::Scalar),
+            b"map_bump" | b"bump" => (&mut self.bump_map, "map_Bump", Use::Bump),
+            b"norm" | b"map_kn" | b"map_norm" => (&mut self.normal_map, "norm", Use::Bump),
+            b"map_pr" => (&mut self.roughness_map, "map_Pr", Use::Scalar),
+            b"map_pm" => (&mut self.metallic_map, "map_Pm", Use::Scalar),
+            b"map_rma" | b"map_orm" => {
+                self.packed_map(lower == b"map_orm", &place, cursor, not_done, reports);
+                return true;
+            }
+            b"refl" | b"map_refl" => {
+                self.surroundings(&place, cursor, not_done, reports);
+                return true;
+            }
+            // Heights for displacement: no part of a material's light.
+            b"disp" | b"map_disp" => {
+                map::read(cursor, "disp", Use::Bump, not_done, reports);
+                self.keep_unused("disp", &place, "a displacement: the surface stays where it is");
+                return true;
+            }
+            _ => return self.unused(lower, &place),
+        };
+        let map = map::read(cursor, name, purpose, not_done, reports).map(|statement| statement.texture);
+        put(slot, map, &place, name, reports);
+        true
+    }
+
+    /// `map_RMA`: roughness, metalness, occlusion in red, green, blue; `map_ORM`: occlusion, roughness, metalness.
+    fn packed_map(
+        &mut self,
+        is_orm: bool,
+        place: &Place,
+        cursor: &mut Cursor<'_>,
+        not_done: &mut NotDone,
+        reports: &mut Reports,
+    ) {
+        let (name, roughness, metallic) =
+            if is_orm { ("map_ORM", Channel::Green, Channel::Blue) } else { ("map_RMA", Channel::Red, Channel::Green) };
+        let map = map::read(cursor, name, Use::Scalar, not_done, reports).map(|statement| statement.texture);
+        let of_channel = |channel| {
+            map.clone().map(|mut map| {
+                map.texel.channel = Some(channel);
+                map
+            })
+        };
+        put(&mut self.roughness_map, of_channel(roughness), place, name, reports);
+        put(&mut self.metallic_map, of_channel(metallic), place, name, reports);
+    }
+
+    /// `refl -type sphere sky.png`. Blender writes its picture of metalness as `map_refl`.
+    fn surroundings(&mut self, place: &Place, cursor: &mut Cursor<'_>, not_done: &mut NotDone, reports: &mut Reports) {
+        let Some(read) = map::read(cursor, "refl", Use::Surroundings, not_done, reports) else { return };
+        let path = quote(read.texture.path.as_bytes());
+        reports.add("reflection maps", Severity::Note, place.line, Some(place.column), || {
+            let how = read.projection.map(|word| format!(" ({word})")).unwrap_or_default();
+            format!("refl{how} names the surroundings {path}, which are not reflected")
+        });
+        self.keep_unused("refl", place, "surroundings are not reflected (Blender writes its map of metalness so)");
+    }
+
+    fn unused(&mut self, lower: &[u8], place: &Place) -> bool {
+        let Some(keyword) = UNUSED.into_iter().find(|known| known.as_bytes().eq_ignore_ascii_case(lower)) else {
+            return false;
+        };
+        self.keep_unused(keyword, place, "no term of the light equation");
+        true
+    }
+
+    fn keep_unused(&mut self, property: &'static str, place: &Place, rule: &str) {
+        self.unused.retain(|source| source.property != property);
+        let (line, written) = (Some(place.line), place.written.clone());
+        self.unused.push(Source { property, line, written, rule: rule.to_owned() });
+    }
+}
+
+/// `d -halo 0.5` is as `d 0.5`.
+fn skip_halo(cursor: &mut Cursor<'_>, reports: &mut Reports) {
+    if cursor.next_word() && cursor.offending_word().eq_ignore_ascii_case(b"-halo") {
+        let (line, column) = (cursor.line(), Some(cursor.column()));
+        cursor.word();
+        reports.add("halos", Severity::Note, line, column, || {
+            "d -halo is read as d: its change with the angle is not done".to_owned()
+        });
+    }
+}
+
+/// `illum 2`.
+fn illumination_model(cursor: &mut Cursor<'_>, reports: &mut Reports) -> Option<u8> {
+    cursor.next_word();
+    let (line, column) = (cursor.line(), Some(cursor.column()));
+    let value = only_scalar(cursor, "illum", reports)?;
+    if value.fract() == 0.0 && value <= 10.0 {
+        return Some(value as u8);
+    }
+    reports.add("unknown illumination models", Severity::Warning, line, column, || {
+        format!("illum {value} is no illumination model (0 to 10): it is ignored")
+    });
+    None
 }

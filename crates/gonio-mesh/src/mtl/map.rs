@@ -2,7 +2,20 @@
 
 use crate::report::Reports;
 use crate::text::{Cursor, quote};
-use crate::{Severity, TextureMap};
+use crate::{Channel, Severity, TextureMap, Wrap};
+
+/// What a texture is for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Use {
+    /// Three numbers, encoded as sRGB.
+    Color,
+    /// One number.
+    Scalar,
+    /// Heights or normals.
+    Bump,
+    /// Surroundings, `refl`: `-type` says how they are projected.
+    Surroundings,
+}
 
 /// What follows an option.
 enum Values {
@@ -33,152 +46,235 @@ const OPTIONS: [(&str, Values); 15] = [
     ("-lod", Values::Word),
 ];
 
-/// Reads the rest of a texture statement into `map`. `-t`, `-mm`, `-boost`, `-cc`, `-imfchan`, `-texres`, `-type` and
-/// the like are stepped over: what they ask for is not done, which is noted where it would show.
+/// Projections of `refl -type`.
+const PROJECTIONS: [&str; 7] =
+    ["sphere", "cube_top", "cube_bottom", "cube_front", "cube_back", "cube_left", "cube_right"];
+
+/// Options that are understood and not done, to be told once each.
+#[derive(Default)]
+pub(super) struct NotDone {
+    /// Option, how often, the first one's line and column.
+    options: Vec<(&'static str, u64, u64, Option<u64>)>,
+}
+
+impl NotDone {
+    fn add(&mut self, option: &'static str, line: u64, column: Option<u64>) {
+        match self.options.iter_mut().find(|known| known.0 == option) {
+            Some(known) => known.1 += 1,
+            None => self.options.push((option, 1, line, column)),
+        }
+    }
+
+    pub(super) fn report(self, reports: &mut Reports) {
+        for (option, count, line, column) in self.options {
+            let times = if count == 1 { "once".to_owned() } else { format!("{count} times") };
+            let message = format!("the option {option} of textures ({times}) is understood and not done");
+            reports.push(line, crate::Diagnostic::note(message).at(line, column));
+        }
+    }
+}
+
+/// What a texture statement says: the texture, and the word of `-type`.
+pub(super) struct Statement {
+    pub(super) texture: TextureMap,
+    pub(super) projection: Option<&'static str>,
+}
+
+/// Reads the rest of a texture statement. `None` where it names no file.
 pub(super) fn read(
-    map: &mut Option<TextureMap>,
     cursor: &mut Cursor<'_>,
     keyword: &'static str,
+    purpose: Use,
+    not_done: &mut NotDone,
     reports: &mut Reports,
-) {
+) -> Option<Statement> {
     let line = cursor.line();
-    let text = cursor.name();
-    let mut texture = TextureMap { line: Some(line), ..TextureMap::new("") };
-    let mut rest = options(&text, &mut texture, keyword, line, reports);
+    let texture = TextureMap { line: Some(line), ..TextureMap::new("") };
+    let mut reader = Reader { statement: Statement { texture, projection: None }, keyword, purpose, not_done, reports };
+    let mut name = reader.options(cursor, Some(line));
     // Some programs write the options last (`bump.jpg -bm 1.5`).
-    let mut name = rest.to_owned();
-    while let Some(at) = trailing_option(rest) {
-        let after = options(&rest[at..], &mut texture, keyword, line, reports);
-        if !after.is_empty() {
+    while let Some(at) = trailing_option(&name) {
+        // Behind the options nothing is left: else it was the name's own ` -s`.
+        if !is_only_options(&name[at..]) {
             break;
         }
-        rest = rest[..at].trim_end();
-        name = rest.to_owned();
+        reader.options(&mut Cursor::new(&name.as_bytes()[at..]), None);
+        name.truncate(name[..at].trim_end().len());
     }
     let unquoted = name.strip_prefix('"').and_then(|n| n.strip_suffix('"')).unwrap_or(&name);
     if unquoted.is_empty() {
-        reports.add("textures without a file name", Severity::Warning, line, None, || {
+        let column = Some(cursor.column());
+        reader.reports.add("textures without a file name", Severity::Warning, line, column, || {
             format!("{keyword} names no file: it is ignored")
         });
-        return;
+        return None;
     }
-    texture.path = unquoted.to_owned();
-    *map = Some(texture);
+    let mut statement = reader.statement;
+    statement.texture.path = unquoted.to_owned();
+    Some(statement)
 }
 
 /// Where the last ` -option` of a name with options behind it starts.
 fn trailing_option(text: &str) -> Option<usize> {
-    let (at, _) = text.rmatch_indices(" -").find(|(at, _)| {
-        let word = text[at + 1..].split_whitespace().next().unwrap_or_default();
-        option(word).is_some()
+    let (at, _) = text.rmatch_indices([' ', '\t']).find(|(at, _)| {
+        let rest = &text[at + 1..];
+        rest.starts_with('-') && rest.split_whitespace().next().is_some_and(|word| option(word.as_bytes()).is_some())
     })?;
     Some(at + 1)
 }
 
-fn option(word: &str) -> Option<&'static (&'static str, Values)> {
-    OPTIONS.iter().find(|(name, _)| name.eq_ignore_ascii_case(word))
-}
-
-/// Steps over leading options, applying those that matter; returns what follows them.
-fn options<'a>(
-    text: &'a str,
-    texture: &mut TextureMap,
-    keyword: &'static str,
-    line: u64,
-    reports: &mut Reports,
-) -> &'a str {
-    let mut rest = text.trim_start();
-    while rest.starts_with('-') {
-        let (word, after) = first_word(rest);
-        let Some((name, values)) = option(word) else {
-            // A file may be called `-1.png`; an option without a file behind it would have no effect anyway.
-            if !after.is_empty() && word.parse::<f32>().is_err() && !word.contains('.') {
-                reports.add("unknown options of textures", Severity::Warning, line, None, || {
-                    format!("{keyword} has the unknown option {}: it is skipped", quote(word.as_bytes()))
-                });
-                rest = after;
-                continue;
-            }
-            return rest;
-        };
-        rest = after;
-        let mut numbers = [0.0; 3];
-        let count = match values {
-            Values::UpToThree => take_numbers(&mut rest, &mut numbers),
-            Values::Numbers(n) => take_numbers(&mut rest, &mut numbers[..*n]),
-            Values::Word => {
-                let (value, after) = first_word(rest);
-                rest = after;
-                apply_word(texture, name, value, keyword, line, reports);
-                continue;
-            }
-        };
-        apply_numbers(texture, name, &numbers[..count], keyword, line, reports);
-    }
-    rest
-}
-
-fn first_word(text: &str) -> (&str, &str) {
-    let end = text.find(char::is_whitespace).unwrap_or(text.len());
-    (&text[..end], text[end..].trim_start())
-}
-
-/// Takes numbers for as long as something is left that can be the file's name.
-fn take_numbers(rest: &mut &str, numbers: &mut [f32]) -> usize {
+/// Whether `text`, which begins with an option, is that option and its values.
+fn is_only_options(text: &str) -> bool {
+    let mut words = text.split_whitespace();
+    let most = match words.next().and_then(|word| option(word.as_bytes())) {
+        Some((_, Values::Word)) => return words.count() == 1,
+        Some((_, Values::Numbers(n))) => *n,
+        Some((_, Values::UpToThree)) => 3,
+        None => return false,
+    };
     let mut count = 0;
-    while count < numbers.len() {
-        let (word, after) = first_word(rest);
-        let Some(value) = word.parse::<f32>().ok().filter(|value| value.is_finite()) else { break };
-        numbers[count] = value;
+    words.all(|word| {
         count += 1;
-        *rest = after;
-    }
-    count
+        count <= most && word.parse::<f32>().is_ok_and(f32::is_finite)
+    })
 }
 
-fn apply_numbers(
-    texture: &mut TextureMap,
-    option: &str,
-    numbers: &[f32],
+fn option(word: &[u8]) -> Option<&'static (&'static str, Values)> {
+    OPTIONS.iter().find(|(name, _)| name.as_bytes().eq_ignore_ascii_case(word))
+}
+
+struct Reader<'a> {
+    statement: Statement,
     keyword: &'static str,
+    purpose: Use,
+    not_done: &'a mut NotDone,
+    reports: &'a mut Reports,
+}
+
+/// A value of an option and where the option stands: its line, and its column where that is known.
+#[derive(Clone, Copy)]
+struct At {
+    option: &'static str,
     line: u64,
-    reports: &mut Reports,
-) {
-    match (option, numbers) {
-        (_, []) => reports.add("options of textures without a number", Severity::Warning, line, None, || {
-            format!("{keyword} has {option} without a number: it is skipped")
-        }),
-        // What is not written is 1 for a scale and 0 for an offset (the format's defaults).
-        ("-s", numbers) => texture.scale = [numbers[0], numbers.get(1).copied().unwrap_or(1.0)],
-        ("-o", numbers) => texture.offset = [numbers[0], numbers.get(1).copied().unwrap_or(0.0)],
-        ("-bm", numbers) => texture.bump_multiplier = numbers[0],
-        ("-mm", [base, gain]) if (*base, *gain) == (0.0, 1.0) => {}
-        ("-t", numbers) if numbers.iter().all(|n| *n == 0.0) => {}
-        _ => report_not_done(option, keyword, line, reports),
+    column: Option<u64>,
+}
+
+impl Reader<'_> {
+    /// Reads leading options; returns what follows them. `line` is `None` where the cursor walks over a copy, whose
+    /// lines and columns are not the file's.
+    fn options(&mut self, cursor: &mut Cursor<'_>, line: Option<u64>) -> String {
+        while cursor.next_word() && cursor.peek() == Some(b'-') {
+            let column = line.map(|_| cursor.column());
+            let own_line = line.map_or(self.statement.texture.line.unwrap_or(0), |_| cursor.line());
+            let Some((name, values)) = option(cursor.offending_word()) else {
+                let word = cursor.offending_word();
+                // A file may be called `-1.png`.
+                let is_name = word.contains(&b'.') || word[1..].iter().all(u8::is_ascii_digit);
+                if is_name {
+                    break;
+                }
+                let word = cursor.word();
+                if !cursor.next_word() {
+                    return crate::text::decode(word);
+                }
+                let keyword = self.keyword;
+                self.reports.add("unknown options of textures", Severity::Warning, own_line, column, || {
+                    format!("{keyword} has the unknown option {}: it is skipped", quote(word))
+                });
+                continue;
+            };
+            cursor.word();
+            let at = At { option: name, line: own_line, column };
+            let mut numbers = [0.0; 3];
+            match values {
+                Values::UpToThree => self.numbers(cursor, &mut numbers, at),
+                Values::Numbers(n) => self.numbers(cursor, &mut numbers[..*n], at),
+                Values::Word => {
+                    cursor.next_word();
+                    let value = String::from_utf8_lossy(cursor.word()).into_owned();
+                    self.word(&value, at);
+                }
+            }
+        }
+        cursor.name()
+    }
+
+    fn numbers(&mut self, cursor: &mut Cursor<'_>, numbers: &mut [f32], at: At) {
+        let mut count = 0;
+        while count < numbers.len() && cursor.next_word() {
+            let Ok(value) = cursor.number() else { break };
+            numbers[count] = value;
+            count += 1;
+        }
+        let numbers = &numbers[..count];
+        let texture = &mut self.statement.texture;
+        match (at.option, numbers) {
+            (_, []) => {
+                let keyword = self.keyword;
+                self.reports.add("options of textures without a number", Severity::Warning, at.line, at.column, || {
+                    format!("{keyword} has {} without a number: it is skipped", at.option)
+                });
+            }
+            // What is not written is 1 for a scale and 0 for an offset (the format's defaults).
+            ("-s", numbers) => texture.scale = [numbers[0], numbers.get(1).copied().unwrap_or(1.0)],
+            ("-o", numbers) => texture.offset = [numbers[0], numbers.get(1).copied().unwrap_or(0.0)],
+            ("-mm", numbers) => {
+                (texture.texel.base, texture.texel.gain) = (numbers[0], numbers.get(1).copied().unwrap_or(1.0));
+            }
+            ("-bm", numbers) if self.purpose == Use::Bump => texture.bump_multiplier = numbers[0],
+            ("-bm", [1.0]) => {}
+            ("-t" | "-boost", numbers) if numbers.iter().all(|n| *n == 0.0) => {}
+            _ => self.not_done.add(at.option, at.line, at.column),
+        }
+    }
+
+    fn word(&mut self, value: &str, at: At) {
+        let is = |word: &str| value.eq_ignore_ascii_case(word);
+        let is_colors = self.purpose == Use::Color;
+        match at.option {
+            "-clamp" if is("on") => self.statement.texture.wrap = [Wrap::Clamp; 2],
+            "-clamp" if is("off") => self.statement.texture.wrap = [Wrap::Repeat; 2],
+            // Blending is filtering, which is always done.
+            "-blendu" | "-blendv" if is("on") => {}
+            "-cc" if is("off") => {}
+            "-clamp" | "-blendu" | "-blendv" | "-cc" if !is("on") && !is("off") => {
+                self.bad_word(value, "on or off", at);
+            }
+            "-imfchan" => match channel(value) {
+                Some(Some(_)) if is_colors => self.not_done.add(at.option, at.line, at.column),
+                Some(Some(channel)) => self.statement.texture.texel.channel = Some(channel),
+                Some(None) => self.not_done.add(at.option, at.line, at.column),
+                None => self.bad_word(value, "r, g, b, m, l or z", at),
+            },
+            "-colorspace" if if is_colors { is("sRGB") } else { is("linear") || is("raw") || is("non-color") } => {}
+            "-type" if self.purpose == Use::Surroundings => {
+                let known = PROJECTIONS.into_iter().find(|known| is(known));
+                if known.is_none() {
+                    self.bad_word(value, "sphere or cube_top, cube_bottom, cube_front and so on", at);
+                }
+                self.statement.projection = known;
+            }
+            option => self.not_done.add(option, at.line, at.column),
+        }
+    }
+
+    fn bad_word(&mut self, value: &str, expected: &str, at: At) {
+        let keyword = self.keyword;
+        self.reports.add("options of textures not understood", Severity::Warning, at.line, at.column, || {
+            format!("{keyword} has {} {} instead of {expected}: it is skipped", at.option, quote(value.as_bytes()))
+        });
     }
 }
 
-fn apply_word(
-    texture: &mut TextureMap,
-    option: &str,
-    value: &str,
-    keyword: &'static str,
-    line: u64,
-    reports: &mut Reports,
-) {
-    match option {
-        "-clamp" => texture.clamp = value.eq_ignore_ascii_case("on"),
-        // Blending is filtering, which is always done; the rest changes nothing for a picture file.
-        "-blendu" | "-blendv" | "-texres" | "-lod" | "-boost" | "-colorspace" => {}
-        "-cc" if value.eq_ignore_ascii_case("off") => {}
-        // `-imfchan r`, `l` or `m` is what data textures are read from anyway.
-        "-imfchan" if matches!(value, "r" | "l" | "m") => {}
-        _ => report_not_done(option, keyword, line, reports),
+/// A word of `-imfchan`; the depth of a picture, `z`, is none of its channels.
+fn channel(word: &str) -> Option<Option<Channel>> {
+    match word.to_ascii_lowercase().as_str() {
+        "r" => Some(Some(Channel::Red)),
+        "g" => Some(Some(Channel::Green)),
+        "b" => Some(Some(Channel::Blue)),
+        "m" => Some(Some(Channel::Alpha)),
+        "l" => Some(Some(Channel::Luminance)),
+        "z" => Some(None),
+        _ => None,
     }
-}
-
-fn report_not_done(option: &str, keyword: &'static str, line: u64, reports: &mut Reports) {
-    reports.add("options of textures that are not done", Severity::Note, line, None, || {
-        format!("{keyword} has {option}, which is understood but not done")
-    });
 }

@@ -1,12 +1,20 @@
-//! Wavefront MTL, as the "MTL material format" (Alias|Wavefront, 1995) and the exporters define it.
+//! Wavefront MTL, as the "MTL material format" (Alias|Wavefront, 1995), its physically based extension (Exocortex,
+//! 2015) and the exporters define it.
 
 mod draft;
 mod map;
+mod physical;
+mod rules;
+mod values;
 
 use crate::report::Reports;
-use crate::text::{BadNumber, Cursor, quote};
-use crate::{Diagnostic, Material, Severity};
+use crate::text::{Cursor, quote};
+use crate::{Diagnostic, Material, Severity, Source};
 use draft::Draft;
+use map::NotDone;
+use rules::Rules;
+use std::collections::HashMap;
+use values::Place;
 
 /// Reads a material library. Nothing in one is fatal: what cannot be understood is a warning.
 ///
@@ -14,16 +22,35 @@ use draft::Draft;
 ///
 /// | statement | absent | with a map of its own |
 /// |---|---|---|
-/// | `Ka` | follows the diffuse colour; so does `Ka 1 1 1`, which Blender writes into every file | the same |
-/// | `Kd` | 0.8 0.8 0.8 (a new material of Blender's) | 1 1 1 (Blender leaves `Kd` out beside `map_Kd`); so is `Kd 0 0 0` |
+/// | `Ka` | follows the diffuse colour; so does `Ka 1 1 1`, which Blender always writes | the same where it is `map_Kd` |
+/// | `Kd` | 0.8 0.8 0.8 (a new material of Blender's) | 1 1 1 (Blender leaves out `Kd` then); so is `Kd 0 0 0` |
 /// | `Ks`, `Ke` | 0 0 0 | 1 1 1; so is 0 0 0 |
-/// | `Ns` | 32 | 1000, the largest that Blender writes |
+/// | `Ns` | 32 | 1000, the largest that Blender writes; so is 0 |
 /// | `Ni` | 1.5 | |
-/// | `d`, `Tr` | 1, 0 | the same |
-/// | `illum` | nothing; 0 and 1 switch `Ks` off | |
+/// | `d`, `Tr` | 1, 0 | the same; `d 0` beside `map_d` is 1. `map_Tr` is `map_d` inverted |
+/// | `illum` | nothing; 0 and 1 switch the highlight off; what 3 to 10 ask for beyond 2 is noted | |
+/// | `Pm` | 0 | 1; so is 0 |
+/// | `Pr` | that of `Ns`, else 0.5 (a new material of Blender's) | 1; so is 0 |
 ///
-/// A file without any `newmtl` has no materials. Where a name comes twice, the last one counts, at the first one's
-/// place.
+/// A `map_Ka` that is another picture than `map_Kd` is not used.
+///
+/// Where `Pr`, `Pm` or a map of theirs is written, they win over `Ks` and `Ns`: the material is
+/// [`crate::MetallicRoughness`], with `Kd` as its base colour, and `Ks`, `map_Ks`, `Ns`, `map_Ns` go to
+/// [`Material::unused`]. Blender, asked for these extensions, writes `Ks 0.5` for a reflectance of 0.04, and no `Ns`; `Pr`
+/// and `Pm` are what it draws with itself.
+///
+/// Colours are linear RGB, as the numbers stand; `xyz` is converted (values beyond sRGB are cut at 0), `spectral` is
+/// not read.
+///
+/// Options of maps: `-s` and `-o` place the picture, `-mm` and `-imfchan` are [`crate::TexelRule`], `-clamp` is
+/// [`crate::Wrap`], `-bm` the strength of a bump or normal map; `-t`, `-boost`, `-blendu off`, `-cc on`, `-texres`,
+/// `-type`, `-colorspace` other than the usual one and `-lod` are not done, which is noted once each.
+///
+/// [`Material::sources`] has an entry for each value up to `opacity`, and for the others where the file gives them;
+/// [`Material::unused`] has what is understood and not used, in the order of its lines.
+///
+/// A file without any `newmtl` has no materials; of more than 65,536 the rest is ignored. Where a name comes twice, the
+/// last one counts, at the first one's place.
 pub fn read(bytes: &[u8]) -> (Vec<Material>, Vec<Diagnostic>) {
     let mut reader = Reader::default();
     let mut cursor = Cursor::new(bytes);
@@ -36,33 +63,128 @@ pub fn read(bytes: &[u8]) -> (Vec<Material>, Vec<Diagnostic>) {
     reader.finish(bytes)
 }
 
+/// Materials of one library: the rest is ignored, so that a file of empty ones cannot fill the memory.
+const MOST_MATERIALS: usize = 1 << 16;
+
 #[derive(Default)]
 struct Reader {
-    drafts: Vec<Draft>,
+    /// The material whose statements are read.
+    draft: Option<Draft>,
+    materials: Vec<Material>,
+    /// Where a name is in `materials`, and its line.
+    by_name: HashMap<String, (usize, u64)>,
     reports: Reports,
+    not_done: NotDone,
+    unused: Unused,
+    has_told_physical: bool,
     /// Statements before the first `newmtl` have no one to go to.
     has_homeless: bool,
-    unused: Unused,
+}
+
+impl Reader {
+    fn statement(&mut self, cursor: &mut Cursor<'_>) {
+        let (line, column) = (cursor.line(), cursor.column());
+        let keyword = cursor.word();
+        if keyword.eq_ignore_ascii_case(b"newmtl") {
+            let name = cursor.name();
+            if name.is_empty() {
+                let column = Some(cursor.column());
+                self.reports.add("materials without a name", Severity::Warning, line, column, || {
+                    "newmtl has no name".to_owned()
+                });
+            }
+            self.finish_material();
+            self.draft = Some(Draft::new(name, line));
+            return;
+        }
+        let Some(draft) = &mut self.draft else {
+            if !std::mem::replace(&mut self.has_homeless, true) {
+                let message = format!("{} stands before the first newmtl and is ignored", quote(keyword));
+                self.reports.push(line, Diagnostic::warning(message).at(line, Some(column)));
+            }
+            return;
+        };
+        let place = Place::of(line, column, keyword, cursor);
+        if !draft.statement(keyword, place, cursor, &mut self.not_done, &mut self.reports) {
+            self.reports.add("unknown statements", Severity::Warning, line, Some(column), || {
+                format!("{} is no known statement of a material", quote(keyword))
+            });
+        }
+    }
+
+    /// The material's last statement has been read.
+    fn finish_material(&mut self) {
+        let Some(draft) = self.draft.take() else { return };
+        let line = draft.line;
+        let earlier = self.by_name.get(&draft.name).copied();
+        if earlier.is_none() && self.materials.len() >= MOST_MATERIALS {
+            self.reports.add("materials beyond the limit", Severity::Warning, line, None, || {
+                format!("the library has more than {MOST_MATERIALS} materials: this one is ignored")
+            });
+            return;
+        }
+        self.unused.count(&draft.unused);
+        let mut rules = Rules {
+            name: rules::quoted_name(&draft),
+            reports: &mut self.reports,
+            sources: Vec::new(),
+            unused: Vec::new(),
+            has_told_physical: &mut self.has_told_physical,
+        };
+        let material = rules.material(draft);
+        match earlier {
+            Some((index, earlier)) => {
+                let name = quote(material.name.as_bytes());
+                self.reports.add("materials with the name of another", Severity::Warning, line, None, || {
+                    format!("the material {name} is already on line {earlier}: this one is taken")
+                });
+                self.materials[index] = material;
+            }
+            None => {
+                self.by_name.insert(material.name.clone(), (self.materials.len(), line));
+                self.materials.push(material);
+            }
+        }
+    }
+
+    fn finish(mut self, bytes: &[u8]) -> (Vec<Material>, Vec<Diagnostic>) {
+        self.finish_material();
+        if self.materials.is_empty() && !self.has_homeless {
+            // Blender writes such a library for a model without materials.
+            let message = if bytes.is_empty() { "the material library is empty" } else { "holds no material (newmtl)" };
+            self.reports.push(0, Diagnostic::note(message));
+        }
+        self.not_done.report(&mut self.reports);
+        self.unused.report(&mut self.reports);
+        (self.materials, self.reports.finish())
+    }
 }
 
 /// Statements that are understood and not used, to be told once.
 #[derive(Default)]
 struct Unused {
-    keywords: Vec<String>,
+    keywords: Vec<&'static str>,
     count: u64,
     first_line: u64,
 }
 
 impl Unused {
-    fn add(&mut self, keyword: &[u8], line: u64) {
-        let keyword = String::from_utf8_lossy(keyword);
-        if self.count == 0 {
-            self.first_line = line;
-        }
-        self.count += 1;
-        // No more than a few spellings of each, whatever is in the file.
-        if self.keywords.len() < UNUSED.len() && !self.keywords.iter().any(|known| *known == keyword) {
-            self.keywords.push(keyword.into_owned());
+    /// Those of a material that would change its picture.
+    fn count(&mut self, sources: &[Source]) {
+        let has_coat = sources.iter().any(|source| source.property == "Pc" && !is_idle(source));
+        for source in sources {
+            // Blender writes `Pcr 0.03` without a coat; refl is told of by itself.
+            let is_of_no_coat = source.property == "Pcr" && !has_coat;
+            if source.property == "refl" || is_of_no_coat || is_idle(source) {
+                continue;
+            }
+            if self.count == 0 {
+                self.first_line = source.line.unwrap_or(0);
+            }
+            self.count += 1;
+            if !self.keywords.contains(&source.property) {
+                self.keywords.push(source.property);
+            }
         }
     }
 
@@ -76,145 +198,10 @@ impl Unused {
     }
 }
 
-/// Statements of the format, and of its physically based extension, that the light equation has no term for.
-const UNUSED: [&[u8]; 26] = [
-    b"map_Ka",
-    b"map_Tr",
-    b"map_Pr",
-    b"map_Pm",
-    b"map_Ps",
-    b"map_Pc",
-    b"map_Pcr",
-    b"map_RMA",
-    b"map_ORM",
-    b"map_aniso",
-    b"map_refl",
-    b"map_aat",
-    b"Tf",
-    b"Kt",
-    b"Km",
-    b"Pr",
-    b"Pm",
-    b"Ps",
-    b"Pc",
-    b"Pcr",
-    b"aniso",
-    b"anisor",
-    b"sharpness",
-    b"refl",
-    b"decal",
-    b"disp",
-];
-
-impl Reader {
-    fn statement(&mut self, cursor: &mut Cursor<'_>) {
-        let (line, column) = (cursor.line(), cursor.column());
-        let keyword = cursor.word();
-        if keyword.eq_ignore_ascii_case(b"newmtl") {
-            let name = cursor.name();
-            if name.is_empty() {
-                self.reports.warning(line, "newmtl has no name");
-            }
-            self.drafts.push(Draft::new(name, line));
-            return;
-        }
-        let Some(draft) = self.drafts.last_mut() else {
-            if !std::mem::replace(&mut self.has_homeless, true) {
-                let what = quote(keyword);
-                self.reports.warning(line, format!("{what} stands before the first newmtl and is ignored"));
-            }
-            return;
-        };
-        let reports = &mut self.reports;
-        // Programs disagree about the case of letters, and no two statements differ only in it.
-        match keyword.to_ascii_lowercase().as_slice() {
-            b"ka" => draft.ambient = color(cursor, "Ka", reports).or(draft.ambient),
-            b"kd" => draft.diffuse = color(cursor, "Kd", reports).or(draft.diffuse),
-            b"ks" => draft.specular = color(cursor, "Ks", reports).or(draft.specular),
-            b"ke" => draft.emitted = color(cursor, "Ke", reports).or(draft.emitted),
-            b"ns" => draft.shininess = scalar(cursor, "Ns", reports).or(draft.shininess),
-            b"ni" => draft.refraction_index = scalar(cursor, "Ni", reports).or(draft.refraction_index),
-            b"d" => draft.read_opacity(cursor, reports),
-            b"tr" => {
-                draft.transparency = scalar(cursor, "Tr", reports).map(|value| (value, line)).or(draft.transparency)
-            }
-            b"illum" => draft.read_illumination_model(cursor, reports),
-            b"map_kd" => map::read(&mut draft.diffuse_map, cursor, "map_Kd", reports),
-            b"map_ks" => map::read(&mut draft.specular_map, cursor, "map_Ks", reports),
-            b"map_ke" => map::read(&mut draft.emitted_map, cursor, "map_Ke", reports),
-            b"map_ns" => map::read(&mut draft.shininess_map, cursor, "map_Ns", reports),
-            b"map_d" | b"map_opacity" => map::read(&mut draft.opacity_map, cursor, "map_d", reports),
-            b"map_bump" | b"bump" => map::read(&mut draft.bump_map, cursor, "map_Bump", reports),
-            b"norm" | b"map_kn" | b"map_norm" => map::read(&mut draft.normal_map, cursor, "norm", reports),
-            lower if UNUSED.iter().any(|unused| unused.eq_ignore_ascii_case(lower)) => {
-                self.unused.add(keyword, line);
-            }
-            _ => reports.add("unknown statements", Severity::Warning, line, Some(column), || {
-                format!("{} is no known statement of a material", quote(keyword))
-            }),
-        }
-    }
-
-    fn finish(mut self, bytes: &[u8]) -> (Vec<Material>, Vec<Diagnostic>) {
-        if self.drafts.is_empty() && !self.has_homeless {
-            // Blender writes such a library for a model without materials.
-            let message = if bytes.is_empty() { "the material library is empty" } else { "holds no material (newmtl)" };
-            self.reports.push(0, Diagnostic::note(message));
-        }
-        self.unused.report(&mut self.reports);
-        let mut materials: Vec<Material> = Vec::new();
-        let mut by_name = std::collections::HashMap::new();
-        for draft in self.drafts {
-            let line = draft.line;
-            let material = draft.into_material(&mut self.reports);
-            match by_name.get(&material.name) {
-                Some(&(index, earlier)) => {
-                    let name = quote(material.name.as_bytes());
-                    let message = format!("the material {name} is already on line {earlier}: this one is taken");
-                    self.reports.warning(line, message);
-                    materials[index] = material;
-                }
-                None => {
-                    by_name.insert(material.name.clone(), (materials.len(), line));
-                    materials.push(material);
-                }
-            }
-        }
-        (materials, self.reports.finish())
-    }
-}
-
-/// One number (grey) or three, as colours are written; `spectral` and `xyz` are not understood.
-fn color(cursor: &mut Cursor<'_>, keyword: &'static str, reports: &mut Reports) -> Option<[f32; 3]> {
-    let first = scalar(cursor, keyword, reports)?;
-    if !cursor.next_word() {
-        return Some([first; 3]);
-    }
-    let second = scalar(cursor, keyword, reports)?;
-    if !cursor.next_word() {
-        let line = cursor.line();
-        reports.add("colors with two numbers", Severity::Warning, line, None, || {
-            format!("{keyword} has 2 numbers where a color has 1 or 3: it is ignored")
-        });
-        return None;
-    }
-    Some([first, second, scalar(cursor, keyword, reports)?])
-}
-
-/// A number that is finite and not negative.
-fn scalar(cursor: &mut Cursor<'_>, keyword: &'static str, reports: &mut Reports) -> Option<f32> {
-    let (line, has_word) = (cursor.line(), cursor.next_word());
-    let column = Some(cursor.column());
-    let what = quote(cursor.offending_word());
-    let problem = match cursor.number() {
-        _ if !has_word => "ends before its number".to_owned(),
-        Ok(value) if value >= 0.0 => return Some(value.abs()),
-        Ok(_) => format!("is negative ({what})"),
-        Err(BadNumber::NotFinite) => format!("has {what}, which is not finite"),
-        Err(BadNumber::Unreadable) => format!("has {what} where a number should be"),
-    };
-    reports.add("numbers of materials that are no use", Severity::Warning, line, column, || {
-        format!("{keyword} {problem}: it is ignored")
-    });
-    None
+/// Whether a statement says what is so without it: no sheen, no coat, a filter that lets all through.
+fn is_idle(source: &Source) -> bool {
+    let neutral = if source.property == "Tf" { 1.0 } else { 0.0 };
+    let mut numbers = source.written.split_whitespace().skip(1).map(|word| word.parse::<f32>());
+    let has_numbers = source.written.split_whitespace().count() > 1;
+    has_numbers && numbers.all(|number| number == Ok(neutral))
 }

@@ -1,171 +1,457 @@
-//! Faces as they are read: corners, and which part, material and smoothing group they belong to.
+//! The second pass: faces into triangles of vertices, and everything else that is said between them.
 
+use super::attributes::{Attributes, Segment};
+use super::quick::{Line, REACH};
+use super::runs::Runs;
+use super::scan;
+use super::tallies::Tallies;
+use super::triangles::Triangles;
+use super::vertices::{Corner, Kind, Vertices};
+use crate::polygon::{Cut, Triangulator};
 use crate::report::Reports;
 use crate::text::{Cursor, quote};
 use crate::{ReadError, Severity};
+use std::mem;
 
-/// No such index.
-pub(super) const NONE: u32 = u32::MAX;
+/// No vertex.
+const NONE: u32 = u32::MAX;
 
-/// Position, texture coordinate, normal: indices from 0, the last two perhaps [`NONE`].
-pub(super) type Corner = [u32; 3];
+/// Corners up to which a polygon is looked at as a whole: that takes a hundred bytes for each.
+const MOST_CORNERS_TO_CUT: usize = 1 << 22;
 
-/// All faces of a file.
+/// What a stretch of a file makes of its faces.
+pub(super) struct Faces<'a> {
+    bytes: &'a [u8],
+    positions: &'a [[f32; 3]],
+    /// Positions, texture coordinates, normals: of the whole file, ...
+    totals: [u64; 3],
+    /// ... and before the statement that is read.
+    counts: [u64; 3],
+    line: u64,
+    pub(super) vertices: Vertices,
+    pub(super) triangles: Triangles<'a>,
+    pub(super) runs: Runs,
+    /// Each `mtllib`, with its line.
+    pub(super) libraries: Vec<(u64, String)>,
+    pub(super) said: Said,
+    pub(super) reports: Reports,
+    /// Indices of the face that is read which lie beyond the end.
+    beyond: Vec<Beyond>,
+    corners: Vec<Corner>,
+    polygon: Vec<Corner>,
+    polygon_points: Vec<[f32; 3]>,
+    polygon_triangles: Vec<[usize; 3]>,
+    polygon_vertices: Vec<u32>,
+    triangulator: Triangulator,
+}
+
+/// Numbers of things in a stretch of a file.
 #[derive(Default)]
-pub(super) struct Faces {
-    pub(super) corners: Vec<Corner>,
-    /// Where each face's corners end.
-    pub(super) ends: Vec<usize>,
-    /// Faces with the same name and material.
-    pub(super) runs: Vec<Run>,
-    /// Where each smoothing group begins (a face), and its number; empty where the file says nothing.
-    pub(super) smoothing: Vec<(usize, u32)>,
-    /// Indices beyond what was there when their face was read; it may have come later.
-    pub(super) suspects: Vec<Suspect>,
+pub(super) struct Said {
+    /// Statements that were understood, faces apart.
+    understood: u64,
+    /// Faces by number of corners, the last for all larger ones; those left out are not in it.
+    pub(super) faces: [u64; MOST_COUNTED + 2],
+    /// Faces left out.
+    pub(super) lost: u64,
+    /// Corners of faces with more than three.
+    polygon_corners: u64,
     /// Corners without texture coordinate, or normal; and the first line with one.
     pub(super) without: [(u64, u64); 2],
-    /// How many `f` there were, dropped ones included.
-    pub(super) count: u64,
-    current: Names,
-    is_current_run: bool,
+    /// The first line with an index of a texture coordinate, or normal, where there is none at all.
+    pub(super) without_any: [Option<u64>; 2],
+    /// Polygons that cross or touch themselves, and those too large or winding to be cut well.
+    pub(super) cuts: [u64; 2],
+    /// How often `o`, `g`, `s`, `usemtl`, `mtllib`.
+    pub(super) names: [u64; 5],
+    pub(super) tallies: Tallies,
 }
 
-/// A run of faces with one name and material.
-pub(super) struct Run {
-    pub(super) first_face: usize,
-    pub(super) names: Names,
-}
-
-/// What the statements before a face named.
-#[derive(Clone, Default, PartialEq)]
-pub(super) struct Names {
-    /// The latest of `o` and `g`.
-    pub(super) part: String,
-    /// `usemtl`, and its line.
-    pub(super) material: Option<(String, u64)>,
-}
-
-/// An index that was too large when it was read.
-pub(super) struct Suspect {
-    pub(super) face: usize,
-    pub(super) corner: usize,
-    /// 0 position, 1 texture coordinate, 2 normal.
-    pub(super) kind: usize,
-    /// As written.
-    pub(super) index: i64,
-    pub(super) line: u64,
-    pub(super) column: u64,
-}
-
-impl Faces {
-    /// Room for so many triangles.
-    pub(super) fn reserve(&mut self, triangles: usize) {
-        self.corners.reserve(3 * triangles);
-        self.ends.reserve(triangles);
+impl Said {
+    /// Statements that were understood, attributes apart.
+    pub(super) fn understood(&self) -> u64 {
+        self.understood + self.face_count()
     }
 
-    /// `o` or `g`.
-    pub(super) fn name_part(&mut self, name: String) {
-        self.is_current_run &= self.current.part == name;
-        self.current.part = name;
+    /// Faces, those left out too.
+    pub(super) fn face_count(&self) -> u64 {
+        self.faces.iter().sum::<u64>() + self.lost
     }
 
-    /// `usemtl`; an empty name is no material.
-    pub(super) fn use_material(&mut self, name: String, line: u64) {
-        let is_same = match &self.current.material {
-            Some((current, _)) => *current == name,
-            None => name.is_empty(),
-        };
-        if !is_same {
-            self.is_current_run = false;
-            self.current.material = (!name.is_empty()).then_some((name, line));
+    /// Corners of faces that are drawn.
+    pub(super) fn corners(&self) -> u64 {
+        3 * self.faces[3] + self.polygon_corners
+    }
+
+    /// With those of the stretch that follows.
+    pub(super) fn append(&mut self, other: Said) {
+        fn add<const N: usize>(sums: &mut [u64; N], more: [u64; N]) {
+            sums.iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
         }
-    }
-
-    /// `s`.
-    pub(super) fn smooth(&mut self, group: u32) {
-        if self.smoothing.is_empty() && !self.ends.is_empty() {
-            self.smoothing.push((0, 0));
+        self.understood += other.understood;
+        self.lost += other.lost;
+        self.polygon_corners += other.polygon_corners;
+        add(&mut self.faces, other.faces);
+        add(&mut self.cuts, other.cuts);
+        add(&mut self.names, other.names);
+        for (mine, theirs) in self.without.iter_mut().zip(other.without) {
+            let first_line = if mine.0 == 0 { theirs.1 } else { mine.1 };
+            *mine = (mine.0 + theirs.0, first_line);
         }
-        self.smoothing.push((self.ends.len(), group));
+        for (mine, theirs) in self.without_any.iter_mut().zip(other.without_any) {
+            *mine = mine.or(theirs);
+        }
+        self.tallies.append(other.tallies);
     }
+}
 
-    /// Reads the corners of an `f`. `counts` are those of the positions, texture coordinates and normals so far.
+/// Corners up to which faces are counted apart.
+pub(super) const MOST_COUNTED: usize = 8;
+
+/// The statements counted in [`Said::names`].
+pub(super) const NAMES: [&str; 5] = ["o", "g", "s", "usemtl", "mtllib"];
+
+impl<'a> Faces<'a> {
+    /// Reads stretches that follow one another. `attributes` are those of the whole file.
     pub(super) fn read(
-        &mut self,
-        cursor: &mut Cursor<'_>,
-        counts: [usize; 3],
-        reports: &mut Reports,
-    ) -> Result<(), ReadError> {
-        let first = self.corners.len();
-        let first_suspect = self.suspects.len();
-        let line = cursor.line();
-        self.count += 1;
-        while cursor.next_word() {
-            match self.corner(cursor, counts, reports)? {
-                Some(corner) => self.corners.push(corner),
-                None => {
-                    self.forget_face(first, first_suspect);
-                    return Ok(());
+        bytes: &'a [u8],
+        attributes: &'a Attributes,
+        segments: &[Segment],
+        triangles: Triangles<'a>,
+        quick: bool,
+    ) -> Result<Self, ReadError> {
+        let mut faces = Faces {
+            bytes,
+            positions: &attributes.positions,
+            totals: attributes.counts(),
+            counts: [0; 3],
+            line: 1,
+            vertices: Vertices::new(attributes.positions.len()),
+            triangles,
+            runs: Runs::default(),
+            libraries: Vec::new(),
+            said: Said::default(),
+            reports: Reports::default(),
+            beyond: Vec::new(),
+            corners: Vec::new(),
+            polygon: Vec::new(),
+            polygon_points: Vec::new(),
+            polygon_triangles: Vec::new(),
+            polygon_vertices: Vec::new(),
+            triangulator: Triangulator::default(),
+        };
+        for segment in segments {
+            faces.counts = segment.counts;
+            faces.line = segment.line;
+            faces.segment(segment.bytes.start, segment.bytes.end, quick)?;
+        }
+        faces.runs.finish(faces.triangles.count());
+        Ok(faces)
+    }
+
+    fn segment(&mut self, start: usize, end: usize, quick: bool) -> Result<(), ReadError> {
+        let mut at = start;
+        while at < end {
+            if quick && self.bytes[at] == b'f' && self.bytes.get(at + 1) == Some(&b' ') {
+                let blanks = usize::from(self.bytes.get(at + 2) == Some(&b' '));
+                if let Some(next) = self.plain_face(at + 2 + blanks)? {
+                    self.line += 1;
+                    at = next;
+                    continue;
                 }
+            } else if quick && self.bytes[at] == b'v' && self.step_over_attribute(&mut at) {
+                continue;
             }
+            at = self.statement(at)?;
         }
-        let corners = self.corners.len() - first;
-        if corners < 3 {
-            reports.add_loss("faces with fewer than 3 corners", line, None, || {
-                let corners = if corners == 1 { "1 corner".to_owned() } else { format!("{corners} corners") };
-                format!("f has {corners}, too few for a triangle: it is left out")
-            });
-            self.forget_face(first, first_suspect);
-            return Ok(());
-        }
-        for (kind, (count, first_line)) in self.without.iter_mut().enumerate() {
-            let lacking = self.corners[first..].iter().filter(|corner| corner[kind + 1] == NONE).count() as u64;
-            if *count == 0 && lacking > 0 {
-                *first_line = line;
-            }
-            *count += lacking;
-        }
-        if !self.is_current_run {
-            self.runs.push(Run { first_face: self.ends.len(), names: self.current.clone() });
-            self.is_current_run = true;
-        }
-        self.ends.push(self.corners.len());
         Ok(())
     }
 
-    fn forget_face(&mut self, first_corner: usize, first_suspect: usize) {
-        self.corners.truncate(first_corner);
-        self.suspects.truncate(first_suspect);
+    /// Steps over an attribute, which the first pass took and found to be on one line.
+    fn step_over_attribute(&mut self, at: &mut usize) -> bool {
+        let kind = match (self.bytes.get(*at + 1), self.bytes.get(*at + 2)) {
+            (Some(b' '), _) => 0,
+            (Some(b't'), Some(b' ')) => 1,
+            (Some(b'n'), Some(b' ')) => 2,
+            _ => return false,
+        };
+        let rest = &self.bytes[*at..];
+        let Some(length) = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r')) else { return false };
+        self.counts[kind] += 1;
+        self.line += 1;
+        let is_pair = rest[length..].starts_with(b"\r\n");
+        *at += length + if is_pair { 2 } else { 1 };
+        true
+    }
+
+    /// Takes a face in its plain form, from behind its keyword on; where the next line starts. `None`: it is not
+    /// plain, or something is wrong with it.
+    #[inline(always)]
+    fn plain_face(&mut self, start: usize) -> Result<Option<usize>, ReadError> {
+        let mut line = PlainFace { bytes: self.bytes, start, line: None, end: 0 };
+        let (Some(a), Some(b), Some(c)) = (line.corner(self), line.corner(self), line.corner(self)) else {
+            return Ok(None);
+        };
+        if let Some(next) = line.line_end() {
+            self.triangle([a, b, c])?;
+            return Ok(Some(next));
+        }
+        let mut corners = mem::take(&mut self.corners);
+        corners.clear();
+        corners.extend([a, b, c]);
+        let next = loop {
+            let Some(corner) = line.corner(self) else { break None };
+            corners.push(corner);
+            if let Some(next) = line.line_end() {
+                break Some(next);
+            }
+        };
+        let result = if next.is_some() { self.face(&corners) } else { Ok(()) };
+        self.corners = corners;
+        result.map(|()| next)
+    }
+
+    /// A face of three corners.
+    #[inline(always)]
+    fn triangle(&mut self, corners: [Corner; 3]) -> Result<(), ReadError> {
+        self.begin_face(&corners);
+        let [a, b, c] = corners;
+        let triangle = [self.vertices.of_corner(a)?, self.vertices.of_corner(b)?, self.vertices.of_corner(c)?];
+        self.triangles.push(triangle);
+        Ok(())
+    }
+
+    /// Counts a face that will be drawn.
+    #[inline(always)]
+    fn begin_face(&mut self, corners: &[Corner]) {
+        self.said.faces[corners.len().min(MOST_COUNTED + 1)] += 1;
+        self.runs.begin_face(&self.triangles);
+        if corners.iter().fold(false, |lacks, corner| lacks | corner.1.lacks_something()) {
+            self.count_lacking(corners);
+        }
+    }
+
+    /// Counts corners without texture coordinate, or normal.
+    fn count_lacking(&mut self, corners: &[Corner]) {
+        let count = |lacks: fn(Kind) -> bool| corners.iter().filter(|corner| lacks(corner.1)).count() as u64;
+        let lacking = [count(|kind| kind.tex_coord() == 0), count(|kind| kind.normal() == 0)];
+        for (kind, (without, lacking)) in self.said.without.iter_mut().zip(lacking).enumerate() {
+            if without.0 == 0 {
+                without.1 = self.line;
+            }
+            // Of the others something else is said.
+            without.0 += lacking - self.beyond.iter().filter(|beyond| beyond.kind == kind + 1).count() as u64;
+        }
+    }
+
+    /// A face of any number of corners from three on.
+    fn face(&mut self, corners: &[Corner]) -> Result<(), ReadError> {
+        if let &[a, b, c] = corners {
+            return self.triangle([a, b, c]);
+        }
+        self.find_polygon(corners);
+        if self.polygon.len() < 3 {
+            self.said.lost += 1;
+            self.reports.add_loss("faces with fewer than 3 different corners", self.line, None, || {
+                "f has fewer than 3 different corners: it is left out".to_owned()
+            });
+            return Ok(());
+        }
+        self.begin_face(corners);
+        self.said.polygon_corners += corners.len() as u64;
+        if let &[a, b, c, d] = self.polygon.as_slice()
+            && Triangulator::is_fan_of_two([a, b, c, d].map(|corner| self.positions[corner.0 as usize]))
+        {
+            let mut vertex = |corner| self.vertices.of_corner(corner);
+            let [a, b, c, d] = [vertex(a)?, vertex(b)?, vertex(c)?, vertex(d)?];
+            self.triangles.push([a, b, c]);
+            self.triangles.push([a, c, d]);
+            return Ok(());
+        }
+        if self.polygon.len() > MOST_CORNERS_TO_CUT {
+            return self.fan();
+        }
+        self.polygon_points.clear();
+        self.polygon_points.extend(self.polygon.iter().map(|corner| self.positions[corner.0 as usize]));
+        self.polygon_triangles.clear();
+        let triangles = &mut self.polygon_triangles;
+        let cut = self.triangulator.triangulate(&self.polygon_points, |triangle| triangles.push(triangle));
+        // Vertices come in the order of the triangles, which alone is known where pieces are joined.
+        self.polygon_vertices.clear();
+        self.polygon_vertices.resize(self.polygon.len(), NONE);
+        for &triangle in &self.polygon_triangles {
+            for corner in triangle {
+                if self.polygon_vertices[corner] == NONE {
+                    self.polygon_vertices[corner] = self.vertices.of_corner(self.polygon[corner])?;
+                }
+            }
+            self.triangles.push(triangle.map(|corner| self.polygon_vertices[corner]));
+        }
+        match cut {
+            Cut::Fan | Cut::Ears => {}
+            Cut::NotSimple => self.said.cuts[0] += 1,
+            Cut::TooLarge => self.said.cuts[1] += 1,
+        }
+        Ok(())
+    }
+
+    /// A polygon as if it were convex.
+    fn fan(&mut self) -> Result<(), ReadError> {
+        self.said.cuts[1] += 1;
+        let polygon = mem::take(&mut self.polygon);
+        if let [first, second, rest @ ..] = polygon.as_slice() {
+            let first = self.vertices.of_corner(*first)?;
+            let mut before = self.vertices.of_corner(*second)?;
+            for &corner in rest {
+                let here = self.vertices.of_corner(corner)?;
+                self.triangles.push([first, before, here]);
+                before = here;
+            }
+        }
+        Ok(())
+    }
+
+    /// The corners of a polygon that differ from the one before.
+    fn find_polygon(&mut self, corners: &[Corner]) {
+        self.polygon.clear();
+        let mut previous = corners.last().map(|corner| corner.0);
+        for &corner in corners {
+            // A corner written twice in a row is one: `f 1 2 3 3` is how some programs write triangles.
+            if previous != Some(corner.0) {
+                self.polygon.push(corner);
+            }
+            previous = Some(corner.0);
+        }
+    }
+
+    /// Any statement, byte by byte; where the next one starts.
+    fn statement(&mut self, at: usize) -> Result<usize, ReadError> {
+        let mut cursor = Cursor::at_line(self.bytes, at, self.line);
+        if cursor.next_word() {
+            let line = cursor.line();
+            self.line = line;
+            let keyword = cursor.word();
+            let is_understood = match keyword {
+                b"v" => self.count(0),
+                b"vt" => self.count(1),
+                b"vn" => self.count(2),
+                b"f" | b"fo" => self.any_face(&mut cursor)?,
+                b"o" | b"g" => {
+                    self.said.names[usize::from(keyword == b"g")] += 1;
+                    self.runs.name_part(cursor.name());
+                    true
+                }
+                b"s" => self.smoothing_group(&mut cursor),
+                b"usemtl" => {
+                    self.said.names[3] += 1;
+                    self.runs.use_material(cursor.name(), line);
+                    true
+                }
+                b"mtllib" => self.library(&mut cursor),
+                _ => self.said.tallies.count(keyword, line),
+            };
+            self.said.understood += u64::from(is_understood);
+        }
+        cursor.next_line();
+        self.line = cursor.line();
+        Ok(cursor.position().min(self.bytes.len()))
+    }
+
+    /// An attribute, which the first pass took.
+    fn count(&mut self, kind: usize) -> bool {
+        self.counts[kind] += 1;
+        false
+    }
+
+    fn library(&mut self, cursor: &mut Cursor<'_>) -> bool {
+        self.said.names[4] += 1;
+        let line = cursor.line();
+        let name = cursor.name();
+        if name.is_empty() {
+            self.reports.add("mtllib without a name", Severity::Warning, line, None, || {
+                "mtllib names no material library".to_owned()
+            });
+        } else {
+            self.libraries.push((line, name));
+        }
+        true
+    }
+
+    fn smoothing_group(&mut self, cursor: &mut Cursor<'_>) -> bool {
+        self.said.names[2] += 1;
+        let has_word = cursor.next_word();
+        let (line, column) = (cursor.line(), cursor.column());
+        let word = if has_word { cursor.word() } else { b"" };
+        let group = match word {
+            b"off" => Some(0),
+            b"on" => Some(1),
+            _ => std::str::from_utf8(word).ok().and_then(|text| text.parse::<u32>().ok()),
+        };
+        if group.is_none() {
+            let what = quote(word);
+            self.reports.add("smoothing groups not understood", Severity::Warning, line, Some(column), || {
+                format!("s is followed by {what} instead of a number or off: taken as off")
+            });
+        }
+        self.runs.smooth(self.triangles.count(), group.unwrap_or(0));
+        true
+    }
+
+    /// An `f` in any form. It counts itself.
+    fn any_face(&mut self, cursor: &mut Cursor<'_>) -> Result<bool, ReadError> {
+        let mut corners = mem::take(&mut self.corners);
+        corners.clear();
+        self.beyond.clear();
+        let mut is_lost = false;
+        while !is_lost && cursor.next_word() {
+            match self.corner(cursor)? {
+                Some(corner) => corners.push(corner),
+                None => is_lost = true,
+            }
+        }
+        if !is_lost && corners.len() < 3 {
+            is_lost = true;
+            self.reports.add_loss("faces with fewer than 3 corners", self.line, None, || {
+                let s = if corners.len() == 1 { "" } else { "s" };
+                format!("f has {} corner{s}, too few for a triangle: it is left out", corners.len())
+            });
+        }
+        if !is_lost {
+            is_lost = self.report_beyond();
+        }
+        let result = if is_lost { Ok(()) } else { self.face(&corners) };
+        self.beyond.clear();
+        self.said.lost += u64::from(is_lost);
+        self.corners = corners;
+        result.map(|()| false)
+    }
+
+    /// Tells of a face's indices beyond the end. Returns whether it is lost by them.
+    fn report_beyond(&mut self) -> bool {
+        let beyond = mem::take(&mut self.beyond);
+        for &Beyond { kind, index, line, column } in &beyond {
+            self.report_index(kind, index, line, column);
+        }
+        self.beyond = beyond;
+        self.beyond.iter().any(|beyond| beyond.kind == 0)
     }
 
     /// `v`, `v/vt`, `v//vn` or `v/vt/vn`. `None` drops the face.
-    #[inline]
-    fn corner(
-        &mut self,
-        cursor: &mut Cursor<'_>,
-        counts: [usize; 3],
-        reports: &mut Reports,
-    ) -> Result<Option<Corner>, ReadError> {
-        let mut corner = [NONE; 3];
-        for kind in 0..3 {
+    fn corner(&mut self, cursor: &mut Cursor<'_>) -> Result<Option<Corner>, ReadError> {
+        let mut corner = [1, 0, 0];
+        for (kind, place) in corner.iter_mut().enumerate() {
             let column = cursor.column();
             match cursor.integer() {
-                Some(index) if index > 0 && index <= counts[kind] as i64 => corner[kind] = (index - 1) as u32,
-                Some(index) if index < 0 && index >= -(counts[kind] as i64) => {
-                    corner[kind] = (counts[kind] as i64 + index) as u32;
-                }
-                Some(index) if index > 0 && index < i64::from(NONE) => {
-                    corner[kind] = (index - 1) as u32;
-                    let (face, line) = (self.ends.len(), cursor.line());
-                    self.suspects.push(Suspect { face, corner: self.corners.len(), kind, index, line, column });
-                }
-                Some(index) => {
-                    report_index(reports, kind, index, counts[kind], cursor.line(), column);
-                    if kind == 0 {
-                        return Ok(None);
+                Some(index) => match self.resolve(index, kind) {
+                    Some(index) => *place = index,
+                    None if index > 0 => self.beyond.push(Beyond { kind, index, line: cursor.line(), column }),
+                    None => {
+                        self.report_index(kind, index, cursor.line(), column);
+                        if kind == 0 {
+                            return Ok(None);
+                        }
                     }
-                }
+                },
                 None if kind > 0 && (cursor.at_word_end() || cursor.peek() == Some(b'/')) => {}
                 None => return Err(not_a_corner(cursor)),
             }
@@ -174,8 +460,62 @@ impl Faces {
             }
             cursor.advance();
         }
-        if cursor.at_word_end() { Ok(Some(corner)) } else { Err(not_a_corner(cursor)) }
+        if !cursor.at_word_end() {
+            return Err(not_a_corner(cursor));
+        }
+        Ok(Some(((corner[0] - 1) as u32, Kind::new(corner[1], corner[2]))))
     }
+
+    /// An index as written, from 1 or negative; `None` where it points at nothing.
+    #[inline(always)]
+    fn resolve(&self, index: i64, kind: usize) -> Option<u64> {
+        let index = if index < 0 { self.counts[kind].checked_add_signed(index)? + 1 } else { index as u64 };
+        (1..=self.totals[kind]).contains(&index).then_some(index)
+    }
+
+    /// Says that an index points at nothing: without a position the face is lost, the rest can be done without.
+    #[cold]
+    fn report_index(&mut self, kind: usize, index: i64, line: u64, column: u64) {
+        let total = self.totals[kind];
+        if kind > 0 && index > 0 && total == 0 {
+            self.said.without_any[kind - 1].get_or_insert(line);
+            return;
+        }
+        const MORE: [&str; 3] = [
+            "indices of vertices that point at nothing",
+            "indices of texture coordinates that point at nothing",
+            "indices of normals that point at nothing",
+        ];
+        let (keyword, one, many, consequence) = match kind {
+            0 => ("v", "vertex", "vertices", "the face is left out"),
+            1 => ("vt", "texture coordinate", "texture coordinates", "(0, 0) is taken"),
+            _ => ("vn", "normal", "normals", "it is averaged"),
+        };
+        let count = if index < 0 { self.counts[kind] } else { total };
+        let message = || {
+            let exist = if count == 1 { format!("is 1 {one}") } else { format!("are {count} {many}") };
+            let problem = match index {
+                0 => "but indices count from 1".to_owned(),
+                _ if index < 0 => format!("but there {exist} before it"),
+                _ => format!("but there {exist}"),
+            };
+            format!("f has the {keyword} index {index}, {problem}: {consequence}")
+        };
+        if kind == 0 {
+            self.reports.add_loss(MORE[kind], line, Some(column), message);
+        } else {
+            self.reports.add(MORE[kind], Severity::Warning, line, Some(column), message);
+        }
+    }
+}
+
+/// An index beyond the end.
+struct Beyond {
+    /// 0 position, 1 texture coordinate, 2 normal.
+    kind: usize,
+    index: i64,
+    line: u64,
+    column: u64,
 }
 
 #[cold]
@@ -185,31 +525,100 @@ fn not_a_corner(cursor: &Cursor<'_>) -> ReadError {
         .at(cursor.line(), Some(cursor.column()))
 }
 
-/// Says that an index points at nothing: without a position the face is lost, the rest can be done without.
-#[cold]
-pub(super) fn report_index(reports: &mut Reports, kind: usize, index: i64, count: usize, line: u64, column: u64) {
-    const MORE: [&str; 3] = [
-        "indices of vertices that point at nothing",
-        "indices of texture coordinates that point at nothing",
-        "indices of normals that point at nothing",
-    ];
-    let (keyword, one, many, consequence) = match kind {
-        0 => ("v", "vertex", "vertices", "the face is left out"),
-        1 => ("vt", "texture coordinate", "texture coordinates", "(0, 0) is taken"),
-        _ => ("vn", "normal", "normals", "it is averaged"),
-    };
-    let message = || {
-        let exist = if count == 1 { format!("is 1 {one}") } else { format!("are {count} {many}") };
-        let problem = match index {
-            0 => "but indices count from 1".to_owned(),
-            _ if index < 0 => format!("but there {exist} before it"),
-            _ => format!("but there {exist}"),
-        };
-        format!("f has the {keyword} index {index}, {problem}: {consequence}")
-    };
-    if kind == 0 {
-        reports.add_loss(MORE[kind], line, Some(column), message);
-    } else {
-        reports.add(MORE[kind], Severity::Warning, line, Some(column), message);
+/// A face as exporters write it, being read.
+struct PlainFace<'a> {
+    bytes: &'a [u8],
+    /// Where `line` starts.
+    start: usize,
+    line: Option<Line<'a>>,
+    /// The byte behind the last corner.
+    end: u8,
+}
+
+impl<'a> PlainFace<'a> {
+    /// The next corner, if it is plain and points at something.
+    #[inline(always)]
+    fn corner(&mut self, faces: &Faces<'_>) -> Option<Corner> {
+        if let Some(line) = &mut self.line {
+            if self.end != b' ' {
+                return None;
+            }
+            let at = line.at();
+            let mut ahead = *line;
+            if let Some((corner, end)) = plain_corner(&mut ahead, faces) {
+                *line = ahead;
+                self.end = end;
+                return Some(corner);
+            }
+            // Perhaps it only lies beyond what has been looked at.
+            if at == 0 {
+                return None;
+            }
+            self.start += at;
+        }
+        let mut line = Line::new(self.bytes.get(self.start..)?.first_chunk::<REACH>()?)?;
+        let (corner, end) = plain_corner(&mut line, faces)?;
+        self.line = Some(line);
+        self.end = end;
+        Some(corner)
     }
+
+    /// Where the next line starts, if this one ends here.
+    #[inline(always)]
+    fn line_end(&self) -> Option<usize> {
+        Some(self.start + self.line.as_ref()?.end(self.end)?)
+    }
+}
+
+#[inline(always)]
+fn plain_corner(line: &mut Line<'_>, faces: &Faces<'_>) -> Option<(Corner, u8)> {
+    let (position, mut end) = plain_index(line, faces, 0, Index::NONE)?;
+    let (mut tex_coord, mut normal) = (Index::NONE, Index::NONE);
+    if end == b'/' {
+        if line.peek()? == b'/' {
+            line.step();
+            (normal, end) = plain_index(line, faces, 2, position)?;
+        } else {
+            (tex_coord, end) = plain_index(line, faces, 1, position)?;
+            if end == b'/' {
+                (normal, end) = plain_index(line, faces, 2, tex_coord)?;
+            }
+        }
+    }
+    Some((((position.value - 1) as u32, Kind::new(tex_coord.value, normal.value)), end))
+}
+
+/// An index that points at something, from 1, and its digits.
+#[derive(Clone, Copy)]
+struct Index {
+    value: u64,
+    /// As [`Line::index`] gives them.
+    digits: u64,
+}
+
+impl Index {
+    /// None, or none that can be written again: these are no digits.
+    const NONE: Index = Index { value: 0, digits: u64::MAX };
+}
+
+/// `before` is the index before it, which many programs write again and again.
+#[inline(always)]
+fn plain_index(line: &mut Line<'_>, faces: &Faces<'_>, kind: usize, before: Index) -> Option<(Index, u8)> {
+    let mut ahead = *line;
+    let Some((digits, end)) = ahead.index() else { return negative_index(line, faces, kind) };
+    *line = ahead;
+    let value = if digits == before.digits { before.value } else { scan::aligned_digits(digits) };
+    if value.wrapping_sub(1) < faces.totals[kind] { Some((Index { value, digits }, end)) } else { None }
+}
+
+#[inline(always)]
+fn negative_index(line: &mut Line<'_>, faces: &Faces<'_>, kind: usize) -> Option<(Index, u8)> {
+    if line.peek()? != b'-' {
+        return None;
+    }
+    line.step();
+    let (digits, end) = line.index()?;
+    let value = (faces.counts[kind] + 1).checked_sub(scan::aligned_digits(digits))?;
+    // Its digits are not remembered: what they mean depends on the kind.
+    if (1..=faces.counts[kind]).contains(&value) { Some((Index { value, ..Index::NONE }, end)) } else { None }
 }

@@ -2,7 +2,7 @@
 
 use crate::report::Reports;
 use crate::text::quote;
-use crate::{Diagnostic, Material, Sidecars, mtl};
+use crate::{Diagnostic, Material, Severity, SidecarUse, Sidecars, mtl};
 use std::collections::HashMap;
 
 /// All materials of all libraries, and those that faces use.
@@ -12,9 +12,12 @@ pub(super) struct MaterialTable {
     by_name: HashMap<String, usize>,
     /// What names stood for, unknown ones included.
     resolved: HashMap<String, Option<usize>>,
+    /// Names that are in no library, with the line, in the order of the file.
+    unknown: Vec<(String, u64)>,
     /// Whether some face has no material of any library.
     needs_default: bool,
     has_libraries: bool,
+    sidecars: Vec<SidecarUse>,
 }
 
 impl MaterialTable {
@@ -23,17 +26,20 @@ impl MaterialTable {
         let mut table = MaterialTable { has_libraries: !libraries.is_empty(), ..Self::default() };
         let mut seen: Vec<String> = Vec::new();
         for (line, names) in libraries {
-            for (name, bytes) in find(names, *line, sidecars, &mut seen, reports) {
-                let (materials, diagnostics) = mtl::read(&bytes);
+            let (uses, found) = find(names, *line, sidecars, &mut seen, reports);
+            table.sidecars.extend(uses);
+            for (name, bytes) in found {
+                let (mut materials, diagnostics) = mtl::read(&bytes);
                 // Blender writes a library without materials for a model without: nothing is missing there. Where a
                 // face names a material all the same, that is said.
                 let is_hollow = materials.is_empty() && !bytes.is_empty();
                 for diagnostic in diagnostics {
-                    if is_hollow && diagnostic.severity == crate::Severity::Note {
+                    if is_hollow && diagnostic.severity == Severity::Note {
                         continue;
                     }
                     reports.push(*line, diagnostic.in_file(&name));
                 }
+                materials.iter_mut().for_each(|material| material.file = Some(name.clone()));
                 table.add(materials, &name, *line, reports);
             }
         }
@@ -54,15 +60,15 @@ impl MaterialTable {
     }
 
     /// The index, in a list that begins with the default material, of what `usemtl` named at a line.
-    pub(super) fn index_of(&mut self, named: Option<&(String, u64)>, reports: &mut Reports) -> usize {
-        let found = named.and_then(|(name, line)| match self.resolved.get(name) {
+    pub(super) fn index_of(&mut self, named: Option<(String, u64)>) -> usize {
+        let found = named.and_then(|(name, line)| match self.resolved.get(&name) {
             Some(found) => *found,
             None => {
-                let found = self.look_up(name);
+                let found = self.look_up(&name);
                 if found.is_none() {
-                    self.report_unknown(name, *line, reports);
+                    self.unknown.push((name.clone(), line));
                 }
-                self.resolved.insert(name.clone(), found);
+                self.resolved.insert(name, found);
                 found
             }
         });
@@ -76,13 +82,37 @@ impl MaterialTable {
         whole.or_else(|| self.by_name.get(name.split_once(" #")?.0.trim_end())).copied()
     }
 
-    fn report_unknown(&self, name: &str, line: u64, reports: &mut Reports) {
-        let name = quote(name.as_bytes());
-        let has_libraries = self.has_libraries;
-        reports.add("materials not found", crate::Severity::Warning, line, None, || {
-            let why = if has_libraries { "is in none of the material libraries" } else { "is named, but no mtllib" };
-            format!("the material {name} {why}: the default material is taken")
-        });
+    /// Tells which materials were sought in vain: one by one where there are others, else all at once.
+    pub(super) fn report_unknown(&mut self, reports: &mut Reports) {
+        let unknown = std::mem::take(&mut self.unknown);
+        let is_lone = unknown.len() == 1;
+        let why = match (self.has_libraries, is_lone) {
+            (true, true) => "is in none of the material libraries",
+            (true, false) => "are in none of the material libraries",
+            (false, true) => "is named, but no mtllib",
+            (false, false) => "are named, but no mtllib",
+        };
+        if is_lone || !self.materials.is_empty() {
+            let why = if self.has_libraries { "is in none of the material libraries" } else { why };
+            for (name, line) in unknown {
+                let name = quote(name.as_bytes());
+                reports.add("materials not found", Severity::Warning, line, None, || {
+                    format!("the material {name} {why}: the default material is taken")
+                });
+            }
+        } else if let Some((_, line)) = unknown.first() {
+            const MOST_NAMED: usize = 3;
+            let count = unknown.len();
+            let names: Vec<String> = unknown.iter().take(MOST_NAMED).map(|(name, _)| quote(name.as_bytes())).collect();
+            let more = if count > MOST_NAMED { format!(" and {} more", count - MOST_NAMED) } else { String::new() };
+            let names = names.join(", ") + &more;
+            reports.warning(*line, format!("{count} materials ({names}) {why}: the default material is taken"));
+        }
+    }
+
+    /// The libraries that were sought.
+    pub(super) fn take_sidecars(&mut self) -> Vec<SidecarUse> {
+        std::mem::take(&mut self.sidecars)
     }
 
     /// The materials, and how much smaller every index of [`Self::index_of`] is in them: the default material is
@@ -98,39 +128,41 @@ impl MaterialTable {
     }
 }
 
-/// The files behind the rest of an `mtllib` line: one name, perhaps with spaces, or several names.
+/// The files behind the rest of an `mtllib` line, one name, perhaps with spaces, or several names: all that were
+/// sought, and path and bytes of those that were found.
 fn find(
     names: &str,
     line: u64,
     sidecars: &mut dyn Sidecars,
     seen: &mut Vec<String>,
     reports: &mut Reports,
-) -> Vec<(String, Vec<u8>)> {
-    let mut found = Vec::new();
+) -> (Vec<SidecarUse>, Vec<(String, Vec<u8>)>) {
+    let (mut uses, mut found) = (Vec::new(), Vec::new());
     let whole = unquote(names);
-    let parts = split(names);
-    let mut candidates = parts;
+    let mut candidates = split(names);
     if candidates.len() > 1 {
-        match sidecars.read(&whole) {
-            Ok(bytes) => {
-                if !seen.contains(&whole) {
-                    seen.push(whole.clone());
-                    found.push((whole, bytes));
-                }
-                return found;
+        // Before `a b.mtl c.mtl` is two files it may be one.
+        let (asked, bytes) = SidecarUse::ask(sidecars, &whole, Some(line));
+        if let Some(bytes) = bytes {
+            if !seen.contains(&whole) {
+                seen.push(whole.clone());
+                found.push((asked.found.clone().unwrap_or(whole), bytes));
+                uses.push(asked);
             }
-            Err(_) => candidates.retain(|name| !name.is_empty()),
+            return (uses, found);
         }
+        candidates.retain(|name| !name.is_empty());
     }
     for name in candidates {
         if seen.contains(&name) {
             continue;
         }
         seen.push(name.clone());
-        match sidecars.read(&name) {
-            Ok(bytes) => found.push((name, bytes)),
-            Err(missing) => {
-                let places = match missing.tried.as_slice() {
+        let (asked, bytes) = SidecarUse::ask(sidecars, &name, Some(line));
+        match bytes {
+            Some(bytes) => found.push((asked.found.clone().unwrap_or(name), bytes)),
+            None => {
+                let places = match asked.tried.as_slice() {
                     [] => String::new(),
                     tried => format!("; looked for at {}", tried.join(", ")),
                 };
@@ -138,8 +170,9 @@ fn find(
                 reports.push(line, Diagnostic::warning(message).at(line, None));
             }
         }
+        uses.push(asked);
     }
-    found
+    (uses, found)
 }
 
 /// Names end at blanks after `.mtl`; where there is no such end, at any blank that no `\` precedes.

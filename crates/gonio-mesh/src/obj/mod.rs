@@ -1,17 +1,43 @@
 //! Wavefront OBJ, as its appendix B1 ("Object Files", Alias|Wavefront Advanced Visualizer manual) and two decades of
 //! exporters define it.
 //!
-//! One pass over the bytes turns statements into arrays (`parse`); a second one over the faces merges equal corners
-//! into vertices and cuts polygons into triangles (`build`).
+//! A file is read in two passes over its bytes. The first one takes what vertices are made of (`attributes`) and
+//! remembers where the rest is. The second one reads that rest, merges equal corners into vertices and cuts polygons
+//! into triangles at once (`faces`, `vertices`); it knows all of the file's vertices, so that indices may point
+//! forward. Both work on pieces of the file at the same time (`pieces`); what they give is put together in the file's
+//! order (`join`) and made a mesh (`assemble`): the same one, whatever the number of pieces.
+//!
+//! Lines in plain form take a quick way (`quick`, `scan`) to the same result that reading byte by byte has.
 
-mod build;
+mod assemble;
+mod attributes;
+mod contents;
 mod faces;
+mod join;
 mod materials;
-mod parse;
+mod parts;
+mod pieces;
+mod quick;
+mod runs;
+mod scan;
+mod tallies;
+#[cfg(test)]
+mod tests;
+mod triangles;
+mod vertices;
 
-use crate::{Limits, Model, ReadError, Sidecars};
+use crate::report::Reports;
+use crate::{Diagnostic, Limits, Model, ReadError, Sidecars};
+use attributes::{Attributes, Segment};
+use faces::{Faces, Said};
 use materials::MaterialTable;
-use parse::Statements;
+use parts::Parts;
+use pieces::Plan;
+use rayon::prelude::*;
+use std::mem;
+use std::ops::Range;
+use triangles::Triangles;
+use vertices::{Kind, Vertices};
 
 /// Reads an OBJ file; its material libraries are asked of `sidecars`.
 ///
@@ -19,28 +45,126 @@ use parse::Statements;
 /// coordinate or normal that points at nothing counts as missing. Errors are: a number that cannot be read, a
 /// coordinate that is not finite, no triangle at all, a file that is none of this format, more than `limits` allow.
 ///
+/// - Vertices come in the order of the positions (`v`) that faces use; where a position has several texture coordinates
+///   or normals, all but the first used come at the end, in the order of their first use.
 /// - Parts are runs of faces with one name (the latest `o` or `g`) and material. Materials are those of all libraries;
 ///   the default material comes first where a face needs it.
 /// - Normals are of unit length, or zero where the file has none for a corner ([`crate::normals::complete`] mends it).
 ///   A normal's or texture coordinate's number that is not finite counts as 0.
 /// - Vertex colours are taken for sRGB from 0 to 1, as Blender and MeshLab write them (beyond 1: from 0 to 255).
+///
+/// Large files are read on as many threads as rayon's current pool has; how many does not change the result.
 pub fn read(bytes: &[u8], sidecars: &mut dyn Sidecars, limits: &Limits) -> Result<Model, ReadError> {
+    read_with(bytes, sidecars, limits, Plan::for_size(bytes.len()))
+}
+
+fn read_with(bytes: &[u8], sidecars: &mut dyn Sidecars, limits: &Limits, plan: Plan) -> Result<Model, ReadError> {
     refuse_other_formats(bytes)?;
-    let mut statements = Statements::parse(bytes)?;
-    if statements.understood == 0 {
-        return Err(nothing_understood(&statements));
+    let mut attributes = read_attributes(bytes, plan);
+    let Rest { mut reports, said, mut parts, libraries, vertices, indices } = read_rest(bytes, &mut attributes, plan)?;
+    let contents = contents::list(&attributes, &said);
+    let vertex_count = attributes.positions.len() as u64;
+    contents::report(&attributes, &said, &mut reports);
+    if said.understood() + attributes.counts().iter().sum::<u64>() == 0 {
+        return Err(nothing_understood(&reports));
     }
-    decode_colors(&mut statements);
-    let mut materials = MaterialTable::read(&statements.libraries, sidecars, &mut statements.reports);
-    let mut mesh = build::mesh(&mut statements, &mut materials, limits)?;
-    if mesh.indices.is_empty() {
-        return Err(nothing_to_draw(&statements));
+    decode_colors(&mut attributes.colors, &mut reports);
+    let mut materials = MaterialTable::read(&libraries, sidecars, &mut reports);
+    parts.find_materials(&mut materials, &mut reports);
+    if indices.is_empty() {
+        return Err(nothing_to_draw(vertex_count, said.face_count(), &reports));
     }
+    let mut mesh = assemble::mesh(attributes, vertices, indices, limits)?;
+    let sidecars = materials.take_sidecars();
     let (materials, offset) = materials.finish();
-    for part in &mut mesh.parts {
-        part.material -= offset;
+    parts.finish(&mut mesh, offset);
+    Ok(Model { mesh, materials, contents, sidecars, diagnostics: reports.finish(), ..Model::default() })
+}
+
+/// The first pass.
+fn read_attributes(bytes: &[u8], plan: Plan) -> Attributes {
+    let pieces = pieces::split(bytes, plan.pieces);
+    let parse = |piece: Range<usize>| Attributes::parse(bytes, piece, plan.quick);
+    join::attributes(match pieces.as_slice() {
+        [all] => vec![parse(all.clone())],
+        _ => pieces.into_par_iter().map(parse).collect(),
+    })
+}
+
+/// What the second pass gives, in the order of the file.
+struct Rest {
+    reports: Reports,
+    said: Said,
+    parts: Parts,
+    libraries: Vec<(u64, String)>,
+    vertices: Vertices,
+    indices: Vec<u32>,
+}
+
+/// The second pass. Where both have an error, the first one in the file is returned.
+fn read_rest(bytes: &[u8], attributes: &mut Attributes, plan: Plan) -> Result<Rest, ReadError> {
+    let reports = mem::take(&mut attributes.reports);
+    let segments = mem::take(&mut attributes.segments);
+    let first_error = attributes.error.take().or_else(|| too_many(attributes));
+    let stretches = pieces::stretches(&segments, plan.stretches);
+    let parse = |stretch: &[Segment], room| Faces::read(bytes, attributes, stretch, room, plan.quick);
+    let mut indices = Vec::new();
+    let read: Result<Vec<Faces<'_>>, ReadError> = match stretches.as_slice() {
+        [all] => parse(all, Triangles::of_all(triangles::likely_count(all))).map(|faces| vec![faces]),
+        _ => {
+            indices = vec![0; 3 * triangles::likely_count(&segments)];
+            let rooms = triangles::rooms(&mut indices, &stretches);
+            let read: Vec<_> = stretches.par_iter().zip(rooms).map(|(stretch, room)| parse(stretch, room)).collect();
+            read.into_iter().collect()
+        }
+    };
+    let faces = match (read, first_error) {
+        // The second pass saw no more than what lies before the first one's error.
+        (Err(error), _) if error.line.is_some() => return Err(error),
+        (_, Some(error)) | (Err(error), None) => return Err(error),
+        // Too many kinds of rubbish to be counted in pieces.
+        (Ok(faces), None) if faces.len() > 1 && faces.iter().any(|faces| faces.said.tallies.is_full) => {
+            drop(faces);
+            vec![parse(&segments, Triangles::of_all(0))?]
+        }
+        (Ok(faces), None) => faces,
+    };
+    let is_one = faces.len() == 1;
+    let (rest, parts) = Rest::join(reports, faces)?;
+    let indices = triangles::join(if is_one { Vec::new() } else { indices }, &stretches, parts);
+    Ok(Rest { indices, ..rest })
+}
+
+/// For each stretch how much of its room for indices is used, and the indices that found none.
+type Leftovers = Vec<(usize, Vec<u32>)>;
+
+impl Rest {
+    /// All but the triangles, which are not yet in one place.
+    fn join(reports: Reports, stretches: Vec<Faces<'_>>) -> Result<(Self, Leftovers), ReadError> {
+        let (mut said, mut parts, mut libraries, mut all_reports) =
+            (Said::default(), Parts::default(), Vec::new(), reports);
+        let mut pieces = Vec::with_capacity(stretches.len());
+        for stretch in stretches {
+            let Faces { vertices, triangles, runs, libraries: more, said: more_said, reports, .. } = stretch;
+            parts.append(runs, triangles.count());
+            libraries.extend(more);
+            said.append(more_said);
+            all_reports.append(reports, 0);
+            pieces.push((vertices, triangles));
+        }
+        let vertices = join::vertices(&mut pieces)?;
+        let triangles = pieces.into_iter().map(|(_, triangles)| triangles.finish()).collect();
+        let rest = Rest { reports: all_reports, said, parts, libraries, vertices, indices: Vec::new() };
+        Ok((rest, triangles))
     }
-    Ok(Model { mesh, materials, diagnostics: statements.reports.finish() })
+}
+
+/// More of something than there are numbers for it.
+fn too_many(attributes: &Attributes) -> Option<ReadError> {
+    let limits = [("v", u64::from(u32::MAX) - 1), ("vt", Kind::MOST_TEX_COORDS), ("vn", Kind::MOST_NORMALS)];
+    let counts = attributes.counts();
+    let ((keyword, most), _) = limits.into_iter().zip(counts).find(|((_, most), count)| count > most)?;
+    Some(ReadError::new(format!("holds more than {most} statements {keyword}, which is the limit")))
 }
 
 /// Says at once what a file is that is certainly no OBJ.
@@ -73,8 +197,8 @@ fn refuse_other_formats(bytes: &[u8]) -> Result<(), ReadError> {
 }
 
 #[cold]
-fn nothing_understood(statements: &Statements) -> ReadError {
-    let found = match statements.reports.first() {
+fn nothing_understood(reports: &Reports) -> ReadError {
+    let found = match reports.first() {
         Some(first) => format!("the first thing in it: {}", first.message),
         None => "it holds nothing but comments".to_owned(),
     };
@@ -82,29 +206,27 @@ fn nothing_understood(statements: &Statements) -> ReadError {
 }
 
 #[cold]
-fn nothing_to_draw(statements: &Statements) -> ReadError {
-    let (vertices, faces) = (statements.positions.len(), statements.faces.count);
+fn nothing_to_draw(vertices: u64, faces: u64, reports: &Reports) -> ReadError {
     let plural = |count: u64, one: &str, many: &str| format!("{count} {}", if count == 1 { one } else { many });
-    let counts = format!("{}, {}", plural(vertices as u64, "vertex", "vertices"), plural(faces, "face", "faces"));
-    let why = match statements.reports.first() {
-        Some(first) => match first.line {
-            Some(line) if first.file.is_none() => format!("; line {line}: {}", first.message),
-            _ => format!("; {}", first.message),
-        },
+    let counts = format!("{}, {}", plural(vertices, "vertex", "vertices"), plural(faces, "face", "faces"));
+    // What is said of its libraries does not explain it.
+    let why = match reports.first().filter(|first| first.file.is_none()) {
+        Some(Diagnostic { line: Some(line), message, .. }) => format!("; line {line}: {message}"),
+        Some(first) => format!("; {}", first.message),
         None => String::new(),
     };
     ReadError::new(format!("holds no triangles ({counts}): nothing to draw{why}"))
 }
 
 /// From sRGB to linear, in place.
-fn decode_colors(statements: &mut Statements) {
-    let largest = statements.colors.iter().flatten().fold(0.0, |a: f32, &b| a.max(b));
+fn decode_colors(colors: &mut [[f32; 3]], reports: &mut Reports) {
+    let largest = colors.iter().flatten().fold(0.0, |a: f32, &b| a.max(b));
     let scale = if largest > 1.0 && largest <= 255.0 { 1.0 / 255.0 } else { 1.0 };
     if scale != 1.0 {
         let message = format!("vertex colors reach {largest}: taken as from 0 to 255");
-        statements.reports.push(u64::MAX, crate::Diagnostic::note(message));
+        reports.push(u64::MAX, Diagnostic::note(message));
     }
-    for value in statements.colors.iter_mut().flatten() {
+    for value in colors.iter_mut().flatten() {
         *value = linear_from_srgb((*value * scale).clamp(0.0, 1.0));
     }
 }

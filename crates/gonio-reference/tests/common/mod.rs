@@ -149,7 +149,7 @@ impl Lab {
 
 /// A material's texture without options.
 pub fn bound(texture: usize) -> Option<BoundTexture> {
-    Some(BoundTexture { texture, scale: [1.0, 1.0], offset: [0.0, 0.0], clamp: false })
+    Some(BoundTexture::plain(texture))
 }
 
 /// A mesh of triangles with one normal each vertex.

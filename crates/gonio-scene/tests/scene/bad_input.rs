@@ -12,22 +12,53 @@ fn describe_says(name: &str, bytes: &[u8], expected: &str) {
     assert_eq!(error, expected);
 }
 
-const READABLE: &str = "Wavefront models (.obj) and scene files (.toml) can be read now";
+const READABLE: &str = "models (.obj .gltf .glb .dae .ply .stl .mesh .meshb, also .gz and .zst) and scene files (.toml) \
+                        can be read";
 
 #[test]
-fn what_a_file_is_is_told_by_its_content_first() {
+fn what_cannot_be_read_is_named() {
     describe_says("a.obj", b"", &format!("a.obj: the file is empty; {READABLE}"));
-    describe_says("a.obj", b"glTF\x02\0\0\0", &format!("a.obj: this is a binary glTF model; {READABLE}"));
-    describe_says("a.ply", b"ply\nformat ascii 1.0\n", &format!("a.ply: this is a PLY model; {READABLE}"));
-    describe_says("a.obj", b"\x7fELF\0\0\0", &format!("a.obj: this is binary data; {READABLE}"));
-    describe_says("a.png", b"\x89PNG\r\n", &format!("a.png: this is a PNG picture, not a model; {READABLE}"));
     describe_says("a.txt", b"hello\n", &format!("a.txt: this .txt file is of no known kind; {READABLE}"));
-    describe_says("a", b"{\"asset\": {}}", &format!("a: this is a JSON file (glTF, perhaps); {READABLE}"));
-    describe_says("a.mesh", b"MeshVersionFormatted 1\n", &format!("a.mesh: this is a Medit mesh; {READABLE}"));
-    let files =
-        Memory::default().with("model.txt", TRIANGLE).with("scene.txt", "[[object]]\nmodel = \"builtin:cube\"\n");
-    assert_eq!(describe(&["model.txt"], &files).unwrap().objects[0].model, "model.txt");
-    assert_eq!(describe(&["scene.txt"], &files).unwrap().objects[0].model, "builtin:cube");
+    describe_says("a.dat", b"\x01\x02\0\0\0", &format!("a.dat: this is binary data of no known kind; {READABLE}"));
+    describe_says("a.obj", b"\x7fELF\0\0\0", &format!("a.obj: this is a program; {READABLE}"));
+    describe_says("a.obj", b"\x89PNG\r\n", &format!("a.obj: this is a PNG picture; {READABLE}"));
+    describe_says("a.glb", b"{\"a\": {}}", &format!("a.glb: this is a JSON file that is no glTF; {READABLE}"));
+    describe_says("a.dae", b"<html>", &format!("a.dae: this is an XML or HTML file; {READABLE}"));
+}
+
+/// A model's format is told by its content, whatever its name says.
+#[test]
+fn what_a_file_is_is_told_by_its_content_first() {
+    let model = |name: &str, content: &[u8]| {
+        let files = Memory::default().with(name, content);
+        describe(&[name], &files).unwrap().objects[0].model == name
+    };
+    let mut stl = vec![b' '; 80];
+    stl.extend(1_u32.to_le_bytes());
+    stl.extend([0; 50]);
+    let contents: [&[u8]; 11] = [
+        TRIANGLE.as_bytes(),
+        b"glTF\x02\0\0\0",
+        b"{\"asset\": {\"version\": \"2.0\"}}",
+        b"<?xml version=\"1.0\"?><COLLADA>",
+        b"ply\nformat ascii 1.0\n",
+        b"solid a\n facet normal 0 0 1\n",
+        &stl,
+        b"# mine\n\nMeshVersionFormatted 1\n",
+        &[1, 0, 0, 0, 2, 0, 0, 0],
+        b"\x1F\x8B\x08\0",
+        b"\x28\xB5\x2F\xFD",
+    ];
+    for content in contents {
+        for name in ["a.obj", "a.txt", "a", "a.stl"] {
+            assert!(model(name, content), "{name}: {:?}", String::from_utf8_lossy(content));
+        }
+    }
+    let scene = "[[object]]\nmodel = \"builtin:cube\"\n";
+    for name in ["scene.txt", "scene.toml", "scene"] {
+        let files = Memory::default().with(name, scene);
+        assert_eq!(describe(&[name], &files).unwrap().objects[0].model, "builtin:cube");
+    }
 }
 
 #[test]

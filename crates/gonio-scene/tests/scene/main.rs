@@ -5,6 +5,7 @@
 mod bad_input;
 mod camera;
 mod framing;
+mod from_models;
 mod memory;
 mod messages;
 mod motion;

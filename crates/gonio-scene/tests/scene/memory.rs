@@ -1,6 +1,6 @@
 //! Files that exist only in a test.
 
-use gonio_scene::files::FileSource;
+use gonio_scene::files::{FileBytes, FileSource};
 use std::collections::BTreeMap;
 use std::io::{Cursor, Error, ErrorKind};
 use std::path::{Path, PathBuf};
@@ -17,8 +17,8 @@ impl Memory {
 }
 
 impl FileSource for Memory {
-    fn read(&self, path: &Path) -> Result<Vec<u8>, Error> {
-        self.0.get(path).cloned().ok_or_else(|| Error::from(ErrorKind::NotFound))
+    fn read(&self, path: &Path) -> Result<FileBytes, Error> {
+        self.0.get(path).cloned().map(FileBytes::from).ok_or_else(|| Error::from(ErrorKind::NotFound))
     }
     fn list(&self, folder: &Path) -> Vec<PathBuf> {
         let below =

@@ -1,6 +1,8 @@
 //! What each subcommand does.
 
+pub mod convert;
 pub mod diff;
+pub mod inspect;
 pub mod probe;
 pub mod render;
 pub mod scene;
@@ -14,7 +16,9 @@ pub fn run(command: &Command, reporter: &Reporter) -> Result<Outcome, CliError> 
     match command {
         Command::Render(args) => render::run(args, reporter),
         Command::Probe(args) => probe::run(args, reporter),
+        Command::Convert(args) => convert::run(args, reporter),
         Command::Diff(args) => diff::run(args, reporter),
+        Command::Inspect(args) => inspect::run(args, reporter),
         Command::Scene(args) => scene::run(args, reporter),
         Command::Tour(args) => tour::run(args, reporter),
     }

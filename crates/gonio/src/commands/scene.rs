@@ -87,7 +87,7 @@ fn json_text(value: &impl serde::Serialize) -> Result<String, CliError> {
 }
 
 /// A model's path, relative to this folder until now, as seen from `folder`.
-fn seen_from(folder: &Path, model: &str) -> String {
+pub(super) fn seen_from(folder: &Path, model: &str) -> String {
     if model.starts_with("builtin:") || Path::new(model).is_absolute() || folder.as_os_str().is_empty() {
         return model.to_owned();
     }

@@ -1,0 +1,258 @@
+//! Readers of OBJ files, each in a process of its own: this program again, or another one.
+
+use crate::measure;
+use gonio_mesh::{Limits, NoSidecars, obj};
+use gonio_scene::files::{Disk, FileSource};
+use serde_json::{Value, json};
+use std::fs::File;
+use std::io::BufReader;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use wait4::Wait4;
+
+/// What makes this program write one of the files: `gonio-bench --make FILE`. What it had in memory shall not count as
+/// its readers'.
+pub const MAKE: &str = "--make";
+
+/// What makes this program read one file and tell what it took: `gonio-bench --read READER FILE`.
+pub const READ: &str = "--read";
+
+/// A way to read a file.
+#[derive(Clone)]
+pub struct Reader {
+    /// For tables.
+    pub name: String,
+    /// Whether it is so slow that a few runs must do.
+    pub is_slow: bool,
+    run: Run,
+}
+
+#[derive(Clone)]
+enum Run {
+    /// This program with so many threads.
+    Itself {
+        reader: &'static str,
+        threads: usize,
+    },
+    Assimp,
+    /// Node, and where `three` is installed.
+    Three(PathBuf),
+}
+
+/// What reading a file took.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Reading {
+    /// From start to end, seconds.
+    pub wall_s: f64,
+    /// On all cores, seconds.
+    pub cpu_s: f64,
+    /// The most memory at any time, beyond pages of mapped files where that can be told.
+    pub peak_bytes: u64,
+    /// What came of it, where it is told.
+    pub vertices: u64,
+    /// Likewise.
+    pub triangles: u64,
+}
+
+/// Gonio's own reader.
+pub fn gonio(threads: usize) -> Reader {
+    itself(&format!("gonio, {threads} thread{}", if threads == 1 { "" } else { "s" }), "gonio", threads, false)
+}
+
+/// Finding each line's end, one after the other, as a reader of lines must: the floor.
+pub fn newlines() -> Reader {
+    itself("newlines, one by one (memchr)", "newlines", 1, false)
+}
+
+/// Only counting line ends, many at a time: what memory gives.
+pub fn newlines_at_once() -> Reader {
+    itself("newlines, at once (memchr)", "newlines-at-once", 1, false)
+}
+
+/// The crate that the bars are set against.
+pub fn tobj() -> Reader {
+    itself("tobj", "tobj", 1, false)
+}
+
+fn itself(name: &str, reader: &'static str, threads: usize, is_slow: bool) -> Reader {
+    Reader { name: name.to_owned(), is_slow, run: Run::Itself { reader, threads } }
+}
+
+/// Other programs, and what to do about those that are not here.
+pub fn others(folder: &Path) -> (Vec<Reader>, Vec<String>) {
+    let mut readers = vec![itself("obj-rs", "obj-rs", 1, true)];
+    let mut absent = Vec::new();
+    match Command::new("assimp").arg("version").stdout(Stdio::null()).stderr(Stdio::null()).status() {
+        Ok(status) if status.success() => {
+            readers.push(Reader { name: "assimp (whole process)".into(), is_slow: true, run: Run::Assimp });
+        }
+        _ => {
+            absent.push("assimp is not installed: apt install assimp-utils, or https://github.com/assimp/assimp".into())
+        }
+    }
+    match three(folder) {
+        Ok(place) => readers.push(Reader { name: "three.js (Node)".into(), is_slow: true, run: Run::Three(place) }),
+        Err(error) => absent.push(error),
+    }
+    (readers, absent)
+}
+
+/// Pinned, so that ratios of different days can be compared.
+const THREE: &str = "three@0.180.0";
+
+/// Installs three.js on first use.
+fn three(folder: &Path) -> Result<PathBuf, String> {
+    let place = folder.join("node_modules/three/examples/jsm/loaders/OBJLoader.js");
+    if !place.exists() {
+        println!("installing {THREE} into {}", folder.display());
+        let mut npm = Command::new("npm");
+        npm.args(["install", "--silent", "--no-save", "--prefix"]).arg(folder).arg(THREE);
+        let output = npm.output().map_err(|_| "three.js wants Node: install nodejs and npm".to_owned())?;
+        if !place.exists() {
+            let said = String::from_utf8_lossy(&output.stderr).trim().to_owned();
+            return Err(format!("three.js could not be installed (npm install {THREE}): {said}"));
+        }
+    }
+    Ok(place)
+}
+
+impl Reader {
+    /// Reads a file once.
+    pub fn read(&self, file: &Path) -> Result<Reading, String> {
+        let failed = |why: String| format!("{}: {why}", self.name);
+        let mut command = match &self.run {
+            Run::Itself { reader, threads } => {
+                let program = std::env::current_exe().map_err(|e| failed(e.to_string()))?;
+                let mut command = Command::new(program);
+                command.args([READ, reader]).arg(file).env("RAYON_NUM_THREADS", threads.to_string());
+                command
+            }
+            Run::Assimp => {
+                let mut command = Command::new("assimp");
+                command.arg("info").arg(file).arg("--raw").arg("--silent");
+                command
+            }
+            Run::Three(loader) => {
+                let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("peers/three_read.mjs");
+                let mut command = Command::new("node");
+                command.arg("--max-old-space-size=16384").arg(script).arg(loader).arg(file);
+                command
+            }
+        };
+        command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::null());
+        let start = std::time::Instant::now();
+        let mut child = command.spawn().map_err(|e| failed(e.to_string()))?;
+        let said = child.stdout.take().map(std::io::read_to_string);
+        let used = child.wait4().map_err(|e| failed(e.to_string()))?;
+        let wall_s = start.elapsed().as_secs_f64();
+        let said = said.and_then(Result::ok).unwrap_or_default();
+        if !used.status.success() {
+            return Err(failed(format!(
+                "refuses {}: {}",
+                file.display(),
+                said.lines().last().unwrap_or("without a word")
+            )));
+        }
+        let cpu_s = (used.rusage.utime + used.rusage.stime).as_secs_f64();
+        let whole = Reading { wall_s, cpu_s, peak_bytes: used.rusage.maxrss, ..Reading::default() };
+        Ok(match self.run {
+            Run::Assimp => Reading { vertices: told(&said, "Vertices:"), triangles: told(&said, "Faces:"), ..whole },
+            _ => from_json(&said, whole.peak_bytes).ok_or_else(|| failed(format!("said {said:?}")))?,
+        })
+    }
+}
+
+/// The number behind a word.
+fn told(text: &str, word: &str) -> u64 {
+    text.split_once(word).and_then(|(_, rest)| rest.split_whitespace().next()?.parse().ok()).unwrap_or(0)
+}
+
+fn from_json(said: &str, peak_of_process: u64) -> Option<Reading> {
+    let said: Value = serde_json::from_str(said.trim()).ok()?;
+    Some(Reading {
+        wall_s: said["wall_s"].as_f64()?,
+        cpu_s: said["cpu_s"].as_f64()?,
+        peak_bytes: said["peak_bytes"].as_u64().unwrap_or(peak_of_process),
+        vertices: said["vertices"].as_u64()?,
+        triangles: said["triangles"].as_u64()?,
+    })
+}
+
+/// What `--read READER FILE` does: reads, and prints what it took as JSON.
+pub fn child(arguments: &[String]) -> Result<(), String> {
+    let [reader, file] = arguments else { return Err(format!("{READ} READER FILE")) };
+    let file = Path::new(file);
+    let (sizes, cost) = measure::here(|| match reader.as_str() {
+        "gonio" => read_gonio(file),
+        "newlines" => {
+            let bytes = Disk.read(file).map_err(|e| e.to_string())?;
+            let mut count = 0;
+            memchr::memchr_iter(b'\n', &bytes).for_each(|place| count += u64::from(std::hint::black_box(place) > 0));
+            std::mem::forget(bytes);
+            Ok((count, 0))
+        }
+        "newlines-at-once" => {
+            let bytes = Disk.read(file).map_err(|e| e.to_string())?;
+            let count = memchr::memchr_iter(b'\n', &bytes).count();
+            std::mem::forget(bytes);
+            Ok((count as u64, 0))
+        }
+        "tobj" => read_tobj(file),
+        "obj-rs" => read_obj_rs(file),
+        unknown => Err(format!("no reader is called {unknown}")),
+    });
+    let (vertices, triangles) = sizes?;
+    println!(
+        "{}",
+        json!({"wall_s": cost.wall_s, "cpu_s": cost.cpu_s, "vertices": vertices, "triangles": triangles,
+               "peak_bytes": peak_memory()})
+    );
+    Ok(())
+}
+
+/// The most that this process had in memory, less what the system can read from files again: the mapped model and the
+/// program itself. 0 where the system does not tell.
+///
+/// Not what the system tells of ended processes: there a child has at least what its parent had.
+fn peak_memory() -> u64 {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let kilobytes = |name: &str| told(&status, name);
+    1024 * kilobytes("VmHWM:").saturating_sub(kilobytes("RssFile:"))
+}
+
+// What each reader makes is kept until the process ends: giving it back is not reading.
+
+fn read_gonio(file: &Path) -> Result<(u64, u64), String> {
+    let bytes = Disk.read(file).map_err(|e| e.to_string())?;
+    let model = obj::read(&bytes, &mut NoSidecars, &Limits::default()).map_err(|e| e.to_string())?;
+    let sizes = (model.mesh.positions.len() as u64, model.mesh.triangle_count() as u64);
+    std::mem::forget((model, bytes));
+    Ok(sizes)
+}
+
+fn read_tobj(file: &Path) -> Result<(u64, u64), String> {
+    let (models, _) = tobj::load_obj(file, &tobj::GPU_LOAD_OPTIONS).map_err(|e| e.to_string())?;
+    let sum = |length: fn(&tobj::Mesh) -> usize| models.iter().map(|model| length(&model.mesh) as u64 / 3).sum();
+    let sizes = (sum(|mesh| mesh.positions.len()), sum(|mesh| mesh.indices.len()));
+    std::mem::forget(models);
+    Ok(sizes)
+}
+
+fn read_obj_rs(file: &Path) -> Result<(u64, u64), String> {
+    let input = BufReader::new(File::open(file).map_err(|e| e.to_string())?);
+    let model: ::obj::Obj<::obj::TexturedVertex, u32> = ::obj::load_obj(input).map_err(|e| e.to_string())?;
+    let sizes = (model.vertices.len() as u64, model.indices.len() as u64 / 3);
+    std::mem::forget(model);
+    Ok(sizes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_found_behind_words() {
+        assert_eq!(told("Meshes:  1\nFaces:      1001112\n", "Faces:"), 1_001_112);
+        assert_eq!(told("nothing", "Faces:"), 0);
+    }
+}

@@ -1,0 +1,253 @@
+//! A document with what is needed to find one's way in it: addresses, places, reports, numbers.
+
+use super::xml::{Element, Tree};
+use crate::line_index::LineIndex;
+use crate::report::Reports;
+use crate::text::quote;
+use crate::{Diagnostic, Limits, ReadError, Severity, number};
+use std::borrow::Cow;
+use std::cell::RefCell;
+use std::collections::HashMap;
+
+/// A document.
+pub(super) struct Document<'t> {
+    pub(super) tree: &'t Tree<'t>,
+    pub(super) limits: &'t Limits,
+    /// Whether Blender wrote it.
+    pub(super) is_from_blender: bool,
+    lines: &'t LineIndex<'t>,
+    /// By kind of element and `id`: programs give the same `id` to elements of different kinds.
+    ids: HashMap<(&'t str, Cow<'t, str>), Element<'t>>,
+    reports: RefCell<Reports>,
+}
+
+impl<'t> Document<'t> {
+    /// Finds what has an `id`.
+    pub(super) fn new(tree: &'t Tree<'t>, lines: &'t LineIndex<'t>, limits: &'t Limits) -> Self {
+        let tool = tree.root().path(&["asset", "contributor", "authoring_tool"]);
+        let is_from_blender = tool.is_some_and(|tool| tool.text().contains("Blender"));
+        let mut document = Document {
+            tree,
+            limits,
+            is_from_blender,
+            lines,
+            ids: HashMap::new(),
+            reports: RefCell::new(Reports::default()),
+        };
+        for element in tree.elements() {
+            let Some(id) = element.attribute("id") else { continue };
+            let earlier = *document.ids.entry((element.name(), id)).or_insert(element);
+            if earlier.index != element.index {
+                document.add("elements with an id that another one has", Severity::Warning, element.at(), || {
+                    let id = quote(element.attribute("id").unwrap_or_default().as_bytes());
+                    let line = document.line(earlier);
+                    format!("the id {id} is already that of a <{}> of line {line}, which is taken", element.name())
+                });
+            }
+        }
+        document
+    }
+
+    /// The line where an element begins, from 1.
+    pub(super) fn line(&self, element: Element<'_>) -> u64 {
+        self.lines.place(element.at()).0
+    }
+
+    /// An error at a byte.
+    #[cold]
+    pub(super) fn error(&self, at: usize, message: impl Into<String>) -> ReadError {
+        let (line, column) = self.lines.place(at);
+        ReadError::new(message).at(line, Some(column))
+    }
+
+    /// A warning at a byte.
+    pub(super) fn warn(&self, at: usize, message: impl Into<String>) {
+        self.say(Severity::Warning, at, message);
+    }
+
+    /// A note at a byte.
+    pub(super) fn note(&self, at: usize, message: impl Into<String>) {
+        self.say(Severity::Note, at, message);
+    }
+
+    fn say(&self, severity: Severity, at: usize, message: impl Into<String>) {
+        let (line, column) = self.lines.place(at);
+        let diagnostic = Diagnostic { severity, ..Diagnostic::warning(message) }.at(line, Some(column));
+        self.reports.borrow_mut().push(line, diagnostic);
+    }
+
+    /// A diagnostic without a place, after all others.
+    pub(super) fn say_at_end(&self, diagnostic: Diagnostic) {
+        self.reports.borrow_mut().push(u64::MAX, diagnostic);
+    }
+
+    /// Something that may be odd at many places. `kind` is a phrase for "and 5 more: KIND".
+    pub(super) fn add(&self, kind: &'static str, severity: Severity, at: usize, message: impl FnOnce() -> String) {
+        let (line, column) = self.lines.place(at);
+        let message = message();
+        self.reports.borrow_mut().add(kind, severity, line, Some(column), || message);
+    }
+
+    /// As [`Self::add`] a warning, about a face that is lost by it.
+    pub(super) fn add_loss(&self, kind: &'static str, at: usize, message: impl FnOnce() -> String) {
+        let (line, column) = self.lines.place(at);
+        self.reports.borrow_mut().add_loss(kind, line, Some(column), message);
+    }
+
+    /// Whether so much of a kind was told that more is only counted.
+    pub(super) fn is_told(&self, kind: &'static str) -> bool {
+        self.reports.borrow().is_told(kind)
+    }
+
+    /// What most likely explains that nothing is left, as an end of a sentence.
+    pub(super) fn why_nothing(&self) -> String {
+        match self.reports.borrow().first() {
+            Some(Diagnostic { message, line: Some(line), .. }) => format!("; line {line}: {message}"),
+            _ => String::new(),
+        }
+    }
+
+    /// Everything that was said.
+    pub(super) fn finish(self) -> Vec<Diagnostic> {
+        self.reports.into_inner().finish()
+    }
+
+    /// The element of one of these kinds with this `id`.
+    pub(super) fn by_id(&self, kinds: &[&'t str], id: &str) -> Option<Element<'t>> {
+        kinds.iter().find_map(|kind| self.ids.get(&(*kind, Cow::Borrowed(id)))).copied()
+    }
+
+    /// The element that an address (`#id`) in the attribute `name` of an element means; what is missing is told.
+    pub(super) fn target(&self, from: Element<'_>, name: &str, kinds: &[&'t str]) -> Option<Element<'t>> {
+        let Some(address) = from.attribute(name) else {
+            self.add(MISSING, Severity::Warning, from.at(), || format!("<{}> has no {name}", from.name()));
+            return None;
+        };
+        self.resolve(from, &address, kinds)
+    }
+
+    /// The element that an address means; what is missing is told.
+    pub(super) fn resolve(&self, from: Element<'_>, address: &str, kinds: &[&'t str]) -> Option<Element<'t>> {
+        let address = address.trim();
+        let found = match address.split_once('#') {
+            Some(("", id)) => self.by_id(kinds, id).or_else(|| self.by_id(kinds, &percent_decode(id))),
+            Some(_) => None,
+            // Some programs leave the # out.
+            None => self.by_id(kinds, address),
+        };
+        if found.is_none() {
+            self.add(MISSING, Severity::Warning, from.at(), || {
+                let what = kinds.first().copied().unwrap_or_default();
+                let quoted = quote(address.as_bytes());
+                if address.split_once('#').is_some_and(|(file, _)| !file.is_empty()) {
+                    format!("<{}> names the {what} {quoted} of another file, which is not read", from.name())
+                } else {
+                    format!("<{}> names the {what} {quoted}, which does not exist", from.name())
+                }
+            });
+        }
+        found
+    }
+
+    /// The numbers in an element.
+    pub(super) fn numbers(&self, element: Element<'_>) -> Result<Vec<f64>, ReadError> {
+        element.words().map(|(at, word)| word.parse().map_err(|_| self.no_number(element, at, word))).collect()
+    }
+
+    /// The one number in an element; finite.
+    pub(super) fn number(&self, element: Element<'_>) -> Result<f64, ReadError> {
+        match self.finite(element)?.as_slice() {
+            [value, ..] => Ok(*value),
+            [] => Err(self.error(element.at(), format!("<{}> holds no number", element.name()))),
+        }
+    }
+
+    /// `N` finite numbers in an element, no fewer.
+    pub(super) fn exactly<const N: usize>(&self, element: Element<'_>) -> Result<[f64; N], ReadError> {
+        let numbers = self.finite(element)?;
+        numbers.get(..N).and_then(|first| first.try_into().ok()).ok_or_else(|| {
+            let message = format!("<{}> holds {} numbers instead of {N}", element.name(), numbers.len());
+            self.error(element.at(), message)
+        })
+    }
+
+    /// The numbers in an element, all of them finite.
+    pub(super) fn finite(&self, element: Element<'_>) -> Result<Vec<f64>, ReadError> {
+        let numbers = self.numbers(element)?;
+        if let Some(bad) = numbers.iter().position(|value| !value.is_finite()) {
+            let (at, word) = element.words().nth(bad).unwrap_or((element.at(), ""));
+            let message = format!("{} of <{}> is not a finite number", quote(word.as_bytes()), element.name());
+            return Err(self.error(at, message));
+        }
+        Ok(numbers)
+    }
+
+    /// The numbers of an array, and the byte of the first one that is not finite.
+    pub(super) fn array(&self, element: Element<'_>) -> Result<FloatArray, ReadError> {
+        let mut array = FloatArray::default();
+        for (at, word) in element.words() {
+            let value = match number::f32_prefix(word.as_bytes()) {
+                Some((value, length)) if length == word.len() => value,
+                _ => word.parse().map_err(|_| self.no_number(element, at, word))?,
+            };
+            if !value.is_finite() && array.not_finite.is_none() {
+                array.not_finite = Some(at);
+            }
+            array.values.push(value);
+        }
+        Ok(array)
+    }
+
+    /// Indices, none of them negative; those beyond 32 bits are as if at their edge.
+    pub(super) fn indices(&self, element: Element<'_>, into: &mut Vec<u32>) -> Result<(), ReadError> {
+        for (at, word) in element.words() {
+            let (value, length) = number::integer_prefix(word.as_bytes()).unwrap_or((0, 0));
+            if length == 0 || length != word.len() {
+                return Err(self.no_number(element, at, word));
+            }
+            // -1 stood for "none" in some old files; it is beyond every array.
+            into.push(u32::try_from(value).unwrap_or(u32::MAX));
+        }
+        Ok(())
+    }
+
+    #[cold]
+    fn no_number(&self, element: Element<'_>, at: usize, word: &str) -> ReadError {
+        self.error(at, format!("{} stands in <{}>, where a number should be", quote(word.as_bytes()), element.name()))
+    }
+
+    /// What an attribute counts, where it does.
+    pub(super) fn count(&self, element: Element<'_>, name: &str) -> Option<u64> {
+        element.attribute(name)?.trim().parse().ok()
+    }
+}
+
+/// Addresses that lead nowhere.
+const MISSING: &str = "addresses that lead nowhere";
+
+/// The numbers of a `float_array`.
+#[derive(Default)]
+pub(super) struct FloatArray {
+    pub(super) values: Vec<f32>,
+    /// The byte of the first that is not finite.
+    pub(super) not_finite: Option<usize>,
+}
+
+/// `%20` and the like as what they stand for, where that is UTF-8.
+pub(super) fn percent_decode(text: &str) -> String {
+    let bytes = text.as_bytes();
+    let mut decoded = Vec::with_capacity(bytes.len());
+    let mut at = 0;
+    while let Some(&byte) = bytes.get(at) {
+        let code = text.get(at + 1..at + 3).filter(|_| byte == b'%').and_then(|hex| u8::from_str_radix(hex, 16).ok());
+        decoded.push(code.unwrap_or(byte));
+        at += if code.is_some() { 3 } else { 1 };
+    }
+    String::from_utf8(decoded).unwrap_or_else(|_| text.to_owned())
+}
+
+/// The name of an element for people: its `name`, or else its `id`.
+pub(super) fn name_of(element: Element<'_>) -> String {
+    let name = element.attribute("name").filter(|name| !name.is_empty());
+    name.or_else(|| element.attribute("id")).unwrap_or_default().into_owned()
+}

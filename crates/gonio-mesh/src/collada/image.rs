@@ -1,0 +1,224 @@
+//! Textures: from what an effect names to a picture.
+
+use super::document::{Document, percent_decode};
+use super::xml::Element;
+use crate::text::quote;
+use crate::{EmbeddedImage, ReadError, Severity, TextureMap, Wrap};
+use std::collections::HashMap;
+
+/// Pictures that were sought, and those inside the file.
+#[derive(Default)]
+pub(super) struct Images {
+    pub(super) embedded: Vec<EmbeddedImage>,
+    /// By their elements.
+    embedded_of: HashMap<u32, usize>,
+}
+
+/// `newparam`s of an effect: of its profile first, then its own.
+pub(super) struct Parameters<'t> {
+    by_sid: HashMap<String, Element<'t>>,
+}
+
+impl<'t> Parameters<'t> {
+    pub(super) fn of(scopes: &[Option<Element<'t>>]) -> Self {
+        let mut by_sid = HashMap::new();
+        for parameter in scopes.iter().flatten().flat_map(|scope| scope.all("newparam")) {
+            if let Some(sid) = parameter.attribute("sid") {
+                by_sid.entry(sid.into_owned()).or_insert(parameter);
+            }
+        }
+        Parameters { by_sid }
+    }
+
+    pub(super) fn get(&self, sid: &str) -> Option<Element<'t>> {
+        self.by_sid.get(sid).copied()
+    }
+}
+
+/// What a `texture` element means: the map, and what its texture coordinates are called.
+pub(super) fn texture<'t>(
+    document: &Document<'t>,
+    images: &mut Images,
+    parameters: &Parameters<'t>,
+    element: Element<'t>,
+) -> Result<Option<TextureMap>, ReadError> {
+    let Some(name) = element.attribute("texture") else {
+        document.warn(element.at(), "this <texture> names no sampler: it is ignored");
+        return Ok(None);
+    };
+    let sampler = parameters.get(&name).and_then(|p| p.child("sampler2D").or_else(|| p.child("samplerCUBE")));
+    // Some programs name the picture itself.
+    let image = match sampler {
+        Some(sampler) => image_of(document, parameters, sampler),
+        None => document.by_id(&["image"], &name),
+    };
+    let Some(image) = image else {
+        document.add("textures without a picture", Severity::Warning, element.at(), || {
+            let missing = if sampler.is_some() {
+                "whose sampler leads to no picture"
+            } else {
+                "which is neither a sampler nor a picture"
+            };
+            format!("this texture is {}, {missing}: it is ignored", quote(name.as_bytes()))
+        });
+        return Ok(None);
+    };
+    let Some(mut map) = picture(document, images, image)? else { return Ok(None) };
+    map.line = Some(document.line(element));
+    if let Some(sampler) = sampler {
+        map.wrap = ["wrap_s", "wrap_t"].map(|axis| wrap(document, sampler.child(axis)));
+    }
+    placement(document, element, &mut map)?;
+    Ok(Some(map))
+}
+
+/// COLLADA 1.4: the sampler names a surface, which names a picture; 1.5: the sampler names the picture.
+fn image_of<'t>(document: &Document<'t>, parameters: &Parameters<'t>, sampler: Element<'t>) -> Option<Element<'t>> {
+    if let Some(instance) = sampler.child("instance_image") {
+        return document.target(instance, "url", &["image"]);
+    }
+    let source = sampler.child("source")?.text();
+    let Some(surface) = parameters.get(&source).and_then(|p| p.child("surface")) else {
+        return document.by_id(&["image"], &source);
+    };
+    let init = surface.child("init_from")?;
+    document.by_id(&["image"], &init.text()).or_else(|| document.by_id(&["image"], init.text().trim_start_matches('#')))
+}
+
+fn wrap(document: &Document<'_>, element: Option<Element<'_>>) -> Wrap {
+    let Some(element) = element else { return Wrap::Repeat };
+    match element.text().as_ref() {
+        "WRAP" => Wrap::Repeat,
+        "MIRROR" => Wrap::Mirror,
+        "CLAMP" => Wrap::Clamp,
+        other => {
+            document.add("unusual wrap modes", Severity::Note, element.at(), || {
+                format!("<{}> is {}: CLAMP is taken", element.name(), quote(other.as_bytes()))
+            });
+            Wrap::Clamp
+        }
+    }
+}
+
+/// The picture of an `image` element: a file, or bytes in the document.
+fn picture(document: &Document<'_>, images: &mut Images, image: Element<'_>) -> Result<Option<TextureMap>, ReadError> {
+    let init = image.child("init_from");
+    let name = super::document::name_of(image);
+    if let Some(bytes) = image.child("data").or_else(|| init?.child("hex")) {
+        let index = match images.embedded_of.get(&image.index) {
+            Some(&known) => known,
+            None => {
+                let Some(bytes) = hexadecimal(document, bytes) else { return Ok(None) };
+                images.embedded.push(EmbeddedImage { name: name.clone(), bytes });
+                images.embedded_of.insert(image.index, images.embedded.len() - 1);
+                images.embedded.len() - 1
+            }
+        };
+        return Ok(Some(TextureMap { embedded: Some(index), ..TextureMap::new(name) }));
+    }
+    let address = init.and_then(|init| init.child("ref").or(Some(init))).map(|element| element.text());
+    match address.as_deref() {
+        Some(address) if !address.is_empty() => Ok(Some(TextureMap::new(path_of(address)))),
+        _ => {
+            document.add("pictures without a file", Severity::Warning, image.at(), || {
+                format!("the image {} names no file", quote(name.as_bytes()))
+            });
+            Ok(None)
+        }
+    }
+}
+
+fn hexadecimal(document: &Document<'_>, element: Element<'_>) -> Option<Vec<u8>> {
+    let digits: Vec<u8> = element.words().flat_map(|(_, word)| word.bytes()).collect();
+    let value = |digit: u8| (digit as char).to_digit(16).map(|value| value as u8);
+    let bytes: Option<Vec<u8>> =
+        digits.chunks(2).map(|pair| Some(value(*pair.first()?)? << 4 | value(*pair.get(1)?)?)).collect();
+    if bytes.is_none() {
+        document.warn(element.at(), "the bytes of this picture are not written in hexadecimal: it is ignored");
+    }
+    bytes
+}
+
+/// The path that an address (RFC 3986, RFC 8089) or a path written in place of one means.
+pub(super) fn path_of(address: &str) -> String {
+    let decoded = percent_decode(address.trim());
+    let Some(rest) = decoded.get(..5).filter(|start| start.eq_ignore_ascii_case("file:")).map(|_| &decoded[5..]) else {
+        return decoded;
+    };
+    // file:///C:/a.png and file:///home/a.png; file://server/a.png; file:a.png.
+    let path = match rest.strip_prefix("//") {
+        Some(rest) => match rest.strip_prefix("localhost/") {
+            Some(path) => format!("/{path}"),
+            None if rest.starts_with(['/', '\\', '.']) || is_drive(rest) => rest.to_owned(),
+            None => format!("//{rest}"),
+        },
+        None => rest.to_owned(),
+    };
+    match path.strip_prefix(['/', '\\']) {
+        Some(windows) if is_drive(windows) => windows.to_owned(),
+        _ => path,
+    }
+}
+
+/// `C:/`, or `C|/` as old addresses have it.
+fn is_drive(path: &str) -> bool {
+    matches!(path.as_bytes(), [letter, b':' | b'|', b'/' | b'\\', ..] if letter.is_ascii_alphabetic())
+}
+
+/// What programs say beyond the format in an `extra` of a texture: repetition, offset, mirroring (Maya, 3ds Max).
+fn placement(document: &Document<'_>, texture: Element<'_>, map: &mut TextureMap) -> Result<(), ReadError> {
+    for technique in texture.all("extra").flat_map(|extra| extra.all("technique")) {
+        let number = |name: &str| technique.child(name).map(|element| document.number(element)).transpose();
+        for (axis, [repeat, offset, wrap, mirror]) in
+            [["repeatU", "offsetU", "wrapU", "mirrorU"], ["repeatV", "offsetV", "wrapV", "mirrorV"]].iter().enumerate()
+        {
+            if let Some(value) = number(repeat)? {
+                map.scale[axis] = value as f32;
+            }
+            if let Some(value) = number(offset)? {
+                map.offset[axis] = value as f32;
+            }
+            let is_on = |name: &str| technique.child(name).map(|e| matches!(e.text().as_ref(), "1" | "true" | "TRUE"));
+            match (is_on(mirror), is_on(wrap)) {
+                (Some(true), _) => map.wrap[axis] = Wrap::Mirror,
+                (_, Some(false)) => map.wrap[axis] = Wrap::Clamp,
+                _ => {}
+            }
+        }
+        if let Some(element) = technique.child("rotateUV")
+            && number("rotateUV")? != Some(0.0)
+        {
+            document.add("turned textures", Severity::Warning, element.at(), || {
+                "rotateUV is not done: this texture is not turned".to_owned()
+            });
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::path_of;
+
+    #[test]
+    fn addresses_become_paths() {
+        let cases = [
+            ("wood.png", "wood.png"),
+            ("./a%20b/wood%2Epng", "./a b/wood.png"),
+            ("file:///home/me/wood.png", "/home/me/wood.png"),
+            ("file:///C:/My%20Files/wood.png", "C:/My Files/wood.png"),
+            ("file://C:/wood.png", "C:/wood.png"),
+            ("FILE:/C:\\wood.png", "C:\\wood.png"),
+            ("file://localhost/wood.png", "/wood.png"),
+            ("file://server/share/wood.png", "//server/share/wood.png"),
+            ("C:\\textures\\wood.png", "C:\\textures\\wood.png"),
+            ("100%.png", "100%.png"),
+            ("caf%C3%A9.png", "caf\u{e9}.png"),
+            ("caf%E9.png", "caf%E9.png"),
+            ("file:wood.png", "wood.png"),
+        ];
+        for (address, path) in cases {
+            assert_eq!(path_of(address), path, "{address}");
+        }
+    }
+}

@@ -1,0 +1,248 @@
+//! A geometry as an indexed mesh in its own space.
+
+use super::document::Document;
+use super::geometry::{Geometry, Primitive};
+use super::source::{Input, Semantic};
+use crate::join::Joiner;
+use crate::polygon::{Cut, Triangulator};
+use crate::{ReadError, Severity};
+
+/// No index.
+const NONE: u32 = u32::MAX;
+
+/// A geometry, ready to be placed. Per-vertex arrays are as long as `positions`, or empty.
+#[derive(Default)]
+pub(super) struct LocalMesh {
+    pub(super) positions: Vec<[f32; 3]>,
+    /// Unit vectors, or zero.
+    pub(super) normals: Vec<[f32; 3]>,
+    pub(super) tex_coords: Vec<[f32; 2]>,
+    pub(super) colors: Vec<[f32; 4]>,
+    pub(super) indices: Vec<u32>,
+    pub(super) parts: Vec<LocalPart>,
+}
+
+/// Triangles of one primitive.
+pub(super) struct LocalPart {
+    /// Which primitive of the geometry.
+    pub(super) primitive: usize,
+    /// Which of the indices.
+    pub(super) first: usize,
+    pub(super) end: usize,
+}
+
+/// How polygons were cut, as far as it is odd.
+#[derive(Default)]
+pub(super) struct Cuts {
+    pub(super) not_simple: u64,
+    pub(super) too_large: u64,
+}
+
+/// Makes the mesh of a geometry; `sets` has the set of texture coordinates that each primitive's material wants.
+pub(super) fn build(
+    document: &Document<'_>,
+    geometry: &Geometry,
+    sets: &[Option<u32>],
+    cuts: &mut Cuts,
+) -> Result<LocalMesh, ReadError> {
+    let mut mesh = LocalMesh::default();
+    let mut joiner: Option<(Layout, Joiner<3>, u32)> = None;
+    let mut triangulator = Triangulator::default();
+    for (index, primitive) in geometry.primitives.iter().enumerate() {
+        let Some(inputs) = Inputs::of(primitive, sets.get(index).copied().flatten()) else { continue };
+        let layout = inputs.layout();
+        // Vertices are shared by primitives that have the same sources.
+        let (_, joined, base) = match joiner.take() {
+            Some(known) if known.0 == layout => joiner.insert(known),
+            _ => joiner.insert((layout, Joiner::new(inputs.position.source.rows), mesh.positions.len() as u32)),
+        };
+        let first = mesh.indices.len();
+        let mut assembler = Assembler { document, primitive, inputs, joiner: joined, base: *base, mesh: &mut mesh };
+        assembler.polygons(&mut triangulator, cuts)?;
+        let end = mesh.indices.len();
+        if end > first {
+            mesh.parts.push(LocalPart { primitive: index, first, end });
+        }
+    }
+    Ok(mesh)
+}
+
+/// Which sources make a vertex.
+type Layout = [Option<u32>; 4];
+
+/// The inputs that are drawn.
+struct Inputs<'a> {
+    position: &'a Input,
+    normal: Option<&'a Input>,
+    tex_coord: Option<&'a Input>,
+    color: Option<&'a Input>,
+}
+
+impl<'a> Inputs<'a> {
+    fn of(primitive: &'a Primitive, set: Option<u32>) -> Option<Self> {
+        Some(Inputs {
+            position: primitive.input(Semantic::Position, None)?,
+            normal: primitive.input(Semantic::Normal, None),
+            tex_coord: primitive.input(Semantic::TexCoord, set),
+            color: primitive.input(Semantic::Color, None),
+        })
+    }
+
+    fn layout(&self) -> Layout {
+        [Some(self.position), self.normal, self.tex_coord, self.color].map(|input| Some(input?.element))
+    }
+}
+
+struct Assembler<'a, 't> {
+    document: &'a Document<'t>,
+    primitive: &'a Primitive,
+    inputs: Inputs<'a>,
+    joiner: &'a mut Joiner<3>,
+    /// The vertex of the mesh that is the joiner's first.
+    base: u32,
+    mesh: &'a mut LocalMesh,
+}
+
+impl Assembler<'_, '_> {
+    fn polygons(&mut self, triangulator: &mut Triangulator, cuts: &mut Cuts) -> Result<(), ReadError> {
+        let width = self.primitive.width;
+        let all = &self.primitive.indices;
+        let mut vertices: Vec<u32> = Vec::new();
+        let mut points: Vec<[f32; 3]> = Vec::new();
+        let triangles = all.len() / width / 3;
+        let sizes = self.primitive.sizes.as_deref();
+        let mut first: usize = 0;
+        let mut degenerate = 0;
+        for polygon in 0..sizes.map_or(triangles, <[u32]>::len) {
+            let size = sizes.map_or(3, |sizes| sizes[polygon] as usize);
+            let end = first.saturating_add(size.saturating_mul(width));
+            let Some(corners) = all.get(first..end) else { break };
+            if size < 3 {
+                degenerate += 1;
+            } else if self.are_positions_there(corners, first) {
+                vertices.clear();
+                for corner in corners.chunks_exact(width) {
+                    vertices.push(self.vertex(corner, first)?);
+                }
+                let positions = &self.mesh.positions;
+                points.clear();
+                points.extend(vertices.iter().map(|&v| positions[v as usize]));
+                let indices = &mut self.mesh.indices;
+                match triangulator.triangulate(&points, |t| indices.extend(t.map(|i| vertices[i]))) {
+                    Cut::Fan | Cut::Ears => {}
+                    Cut::NotSimple => cuts.not_simple += 1,
+                    Cut::TooLarge => cuts.too_large += 1,
+                }
+            }
+            first = end;
+        }
+        if degenerate > 0 {
+            let message = format!("{degenerate} polygons have fewer than three corners: they are left out");
+            self.document.add_loss("polygons without area", self.primitive.at, || message);
+        }
+        Ok(())
+    }
+
+    /// Whether all corners have a position; the first that has none is told.
+    fn are_positions_there(&self, corners: &[u32], first: usize) -> bool {
+        let Input { offset, source, .. } = self.inputs.position;
+        let rows = source.rows;
+        let index = |corner: &[u32]| corner.get(*offset).map_or(usize::MAX, |index| *index as usize);
+        let Some(bad) = corners.chunks_exact(self.primitive.width).position(|corner| index(corner) >= rows) else {
+            return true;
+        };
+        let number = bad * self.primitive.width + offset;
+        let written = corners.get(number).copied().unwrap_or(NONE);
+        self.report_index("polygons left out for their indices", first + number, || {
+            format!("a polygon has {}, but there are {rows}, from 0: it is left out", shown("position", written))
+        });
+        false
+    }
+
+    fn report_index(&self, kind: &'static str, number: usize, message: impl FnOnce() -> String) {
+        // Only the first few are looked for: it takes time in proportion to the file.
+        let at =
+            if self.document.is_told(kind) { self.primitive.at } else { self.primitive.place(self.document, number) };
+        self.document.add_loss(kind, at, message);
+    }
+
+    /// The vertex of a corner whose position is there.
+    fn vertex(&mut self, corner: &[u32], first: usize) -> Result<u32, ReadError> {
+        let position = corner.get(self.inputs.position.offset).copied().unwrap_or(0);
+        let attributes = [
+            (self.inputs.normal, "normal"),
+            (self.inputs.tex_coord, "texture coordinate"),
+            (self.inputs.color, "color"),
+        ];
+        let rest = attributes.map(|(input, what)| {
+            let Some(input) = input else { return NONE };
+            let index = corner.get(input.offset).copied().unwrap_or(NONE);
+            if (index as usize) < input.source.rows {
+                return index;
+            }
+            self.document.add("indices that point at nothing", Severity::Warning, self.primitive.at, || {
+                let rows = input.source.rows;
+                format!("a corner has {}, but there are {rows}, from 0: it has none", shown(what, index))
+            });
+            NONE
+        });
+        let (vertex, is_new) = self.joiner.vertex(position, rest);
+        let vertex = self.base + vertex;
+        if is_new {
+            if vertex >= NONE - 1 || u64::from(vertex) >= self.document.limits.max_vertices {
+                return Err(super::build::too_many_vertices(self.document.limits));
+            }
+            self.new_vertex(position, rest, first)?;
+        }
+        Ok(vertex)
+    }
+
+    fn new_vertex(
+        &mut self,
+        position: u32,
+        [normal, tex_coord, color]: [u32; 3],
+        first: usize,
+    ) -> Result<(), ReadError> {
+        let source = &self.inputs.position.source;
+        let [x, y, z, _] = source.row(position as usize);
+        if !(x.is_finite() && y.is_finite() && z.is_finite()) {
+            let at = source.not_finite().unwrap_or_else(|| self.primitive.place(self.document, first));
+            return Err(self.document.error(at, format!("the position {position} is not finite: {x} {y} {z}")));
+        }
+        let made = self.mesh.positions.len();
+        self.mesh.positions.push([x, y, z]);
+        let finite = |value: f32| if value.is_finite() { value } else { 0.0 };
+        let row = |input: Option<&Input>, index: u32| {
+            let input = input.filter(|_| index != NONE)?;
+            Some(input.source.row(index as usize).map(finite))
+        };
+        if self.inputs.normal.is_some() || !self.mesh.normals.is_empty() {
+            let [x, y, z, _] = row(self.inputs.normal, normal).unwrap_or_default();
+            let normal = glam::DVec3::new(x.into(), y.into(), z.into()).normalize_or_zero().as_vec3();
+            self.mesh.normals.resize(made, [0.0; 3]);
+            self.mesh.normals.push(normal.to_array());
+        }
+        if self.inputs.tex_coord.is_some() || !self.mesh.tex_coords.is_empty() {
+            let [u, v, ..] = row(self.inputs.tex_coord, tex_coord).unwrap_or_default();
+            self.mesh.tex_coords.resize(made, [0.0; 2]);
+            self.mesh.tex_coords.push([u, v]);
+        }
+        if self.inputs.color.is_some() || !self.mesh.colors.is_empty() {
+            let color = row(self.inputs.color, color).unwrap_or([1.0; 4]).map(|value| value.clamp(0.0, 1.0));
+            self.mesh.colors.resize(made, [1.0; 4]);
+            self.mesh.colors.push(if self.document.is_from_blender { linear(color) } else { color });
+        }
+        Ok(())
+    }
+}
+
+/// An index as the file may have written it: those that it could not have are no index of 32 bits.
+fn shown(what: &str, index: u32) -> String {
+    if index == NONE { format!("a {what} that is negative or beyond 32 bits") } else { format!("the {what} {index}") }
+}
+
+/// IEC 61966-2-1, from the encoded values; opacity stays.
+fn linear([r, g, b, a]: [f32; 4]) -> [f32; 4] {
+    let decode = |v: f32| if v <= 0.04045 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) };
+    [decode(r), decode(g), decode(b), a]
+}

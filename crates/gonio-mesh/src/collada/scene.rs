@@ -1,0 +1,284 @@
+//! The scene: nodes, and what they place.
+
+use super::build::{Builder, lacks_tex_coords};
+use super::document::{Document, name_of};
+use super::geometry::{self, Geometry};
+use super::local::{self, Cuts, LocalMesh};
+use super::materials::{Binding, Materials, part_name};
+use super::source::Sources;
+use super::xml::Element;
+use super::{light, transform};
+use crate::text::quote;
+use crate::{ModelCamera, ModelLight, ReadError, Severity};
+use glam::DMat4;
+use std::collections::{BTreeMap, HashMap, HashSet};
+use std::rc::Rc;
+
+/// Elements that are looked at, each as often as it is placed: nodes that place nodes that place nodes could keep a
+/// reader busy for ever.
+const MOST_STEPS: u64 = 2_000_000;
+
+/// Controllers that deform what controllers deform.
+const MOST_CONTROLLERS: usize = 8;
+
+/// A walk through the nodes.
+pub(super) struct Scene<'d, 't> {
+    document: &'d Document<'t>,
+    model_from_file: DMat4,
+    meter: f64,
+    sources: Sources,
+    pub(super) materials: Materials,
+    pub(super) builder: Builder<'t>,
+    pub(super) lights: Vec<ModelLight>,
+    pub(super) cameras: Vec<ModelCamera>,
+    /// Primitives that geometries hold, and what was placed.
+    pub(super) counts: BTreeMap<&'static str, u64>,
+    pub(super) placed: u64,
+    pub(super) cuts: Cuts,
+    steps: u64,
+    // What was read, by elements.
+    matrices: HashMap<u32, DMat4>,
+    bindings: HashMap<u32, Rc<Binding>>,
+    geometries: HashMap<u32, Rc<Geometry>>,
+    meshes: HashMap<(u32, Vec<Option<u32>>), Rc<LocalMesh>>,
+}
+
+/// What is to be done next.
+enum Step<'t> {
+    /// A node, at `model_from_parent`.
+    Enter(Element<'t>, DMat4),
+    /// All of a node is done.
+    Leave(u32),
+}
+
+impl<'d, 't> Scene<'d, 't> {
+    pub(super) fn new(document: &'d Document<'t>) -> Result<Self, ReadError> {
+        let (model_from_file, meter) = transform::model_from_file(document)?;
+        Ok(Scene {
+            document,
+            model_from_file,
+            meter,
+            sources: Sources::default(),
+            materials: Materials::read(document)?,
+            builder: Builder::new(document.limits),
+            lights: Vec::new(),
+            cameras: Vec::new(),
+            counts: BTreeMap::new(),
+            placed: 0,
+            cuts: Cuts::default(),
+            steps: 0,
+            matrices: HashMap::new(),
+            bindings: HashMap::new(),
+            geometries: HashMap::new(),
+            meshes: HashMap::new(),
+        })
+    }
+
+    /// Walks through the scene that the document names, or the first one, or else places every geometry once.
+    pub(super) fn walk(&mut self) -> Result<(), ReadError> {
+        let root = self.document.tree.root();
+        let instance = root.path(&["scene", "instance_visual_scene"]);
+        let named = instance.and_then(|instance| self.document.target(instance, "url", &["visual_scene"]));
+        let first = || root.all("library_visual_scenes").find_map(|library| library.child("visual_scene"));
+        let scene = named.or_else(first);
+        match (scene, named) {
+            (Some(scene), None) => {
+                let name = quote(name_of(scene).as_bytes());
+                self.document
+                    .warn(scene.at(), format!("the document names no scene that is in it: {name} is drawn, the first"));
+            }
+            (None, _) => {
+                self.document.warn(root.at(), "there is no scene: every geometry is drawn where it is");
+                for library in root.all("library_geometries") {
+                    for geometry in library.all("geometry") {
+                        self.place(geometry, geometry, None, self.model_from_file)?;
+                    }
+                }
+            }
+            _ => {}
+        }
+        let Some(scene) = scene else { return Ok(()) };
+        let mut steps: Vec<Step<'t>> = Vec::new();
+        let nodes: Vec<Element<'t>> = scene.all("node").collect();
+        steps.extend(nodes.into_iter().rev().map(|node| Step::Enter(node, self.model_from_file)));
+        let mut inside: HashSet<u32> = HashSet::new();
+        while let Some(step) = steps.pop() {
+            match step {
+                Step::Leave(index) => drop(inside.remove(&index)),
+                Step::Enter(node, model_from_parent) => {
+                    if !inside.insert(node.index) {
+                        let name = quote(name_of(node).as_bytes());
+                        return Err(self.document.error(
+                            node.at(),
+                            format!("the node {name} holds itself: instance_node leads back to it"),
+                        ));
+                    }
+                    steps.push(Step::Leave(node.index));
+                    self.node(node, model_from_parent, &mut steps)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn spend(&mut self, steps: usize, at: usize) -> Result<(), ReadError> {
+        self.steps = self.steps.saturating_add(steps as u64);
+        if self.steps <= MOST_STEPS {
+            return Ok(());
+        }
+        let message = format!(
+            "nodes are placed so often that more than {MOST_STEPS} elements are to be looked at, which is the limit"
+        );
+        Err(self.document.error(at, message))
+    }
+
+    fn node(
+        &mut self,
+        node: Element<'t>,
+        model_from_parent: DMat4,
+        steps: &mut Vec<Step<'t>>,
+    ) -> Result<(), ReadError> {
+        let parent_from_node = match self.matrices.get(&node.index) {
+            Some(known) => *known,
+            None => {
+                let matrix = transform::parent_from_node(self.document, node)?;
+                self.matrices.insert(node.index, matrix);
+                matrix
+            }
+        };
+        let model_from_node = model_from_parent * parent_from_node;
+        let first = steps.len();
+        let mut children = 1;
+        for child in node.children() {
+            children += 1;
+            match child.name() {
+                "node" => steps.push(Step::Enter(child, model_from_node)),
+                "instance_node" => {
+                    if let Some(target) = self.document.target(child, "url", &["node"]) {
+                        steps.push(Step::Enter(target, model_from_node));
+                    }
+                }
+                "instance_geometry" => {
+                    if let Some(geometry) = self.document.target(child, "url", &["geometry"]) {
+                        self.place(geometry, child, Some(node), model_from_node)?;
+                    }
+                }
+                "instance_controller" => self.controller(child, node, model_from_node)?,
+                "instance_light" => {
+                    if let Some(element) = self.document.target(child, "url", &["light"]) {
+                        self.lights.extend(light::light(self.document, element, model_from_node, self.meter)?);
+                    }
+                }
+                "instance_camera" => {
+                    if let Some(element) = self.document.target(child, "url", &["camera"]) {
+                        self.cameras.extend(light::camera(self.document, element, model_from_node, self.meter)?);
+                    }
+                }
+                _ => {}
+            }
+        }
+        // The first child comes off the stack first.
+        steps[first..].reverse();
+        self.spend(children, node.at())
+    }
+
+    /// A deformed geometry, as it was bound: a skin stands where its bind_shape_matrix puts it, in the space of the
+    /// scene; a morph is its base.
+    fn controller(
+        &mut self,
+        instance: Element<'t>,
+        node: Element<'t>,
+        model_from_node: DMat4,
+    ) -> Result<(), ReadError> {
+        let Some(mut here) = self.document.target(instance, "url", &["controller"]) else { return Ok(()) };
+        let mut model_from_local = model_from_node;
+        let mut bind_shape = None;
+        for _ in 0..MOST_CONTROLLERS {
+            if here.name() == "geometry" {
+                if let Some(matrix) = bind_shape {
+                    model_from_local = self.model_from_file * matrix;
+                }
+                return self.place(here, instance, Some(node), model_from_local);
+            }
+            let kind = here.child("skin").or_else(|| here.child("morph"));
+            let Some(kind) = kind else {
+                self.document.warn(here.at(), "this controller is neither a skin nor a morph: it is left out");
+                return Ok(());
+            };
+            self.document.add("geometries drawn undeformed", Severity::Warning, here.at(), || {
+                let name = quote(name_of(here).as_bytes());
+                match kind.name() {
+                    "skin" => format!("{name} is a skin, drawn in the pose in which it was bound"),
+                    _ => format!("{name} is a morph, drawn as its base"),
+                }
+            });
+            if let Some(matrix) = kind.child("bind_shape_matrix")
+                && bind_shape.is_none()
+            {
+                bind_shape = Some(DMat4::from_cols_array(&self.document.exactly::<16>(matrix)?).transpose());
+            }
+            match self.document.target(kind, "source", &["geometry", "controller"]) {
+                Some(next) => here = next,
+                None => return Ok(()),
+            }
+        }
+        let message = format!("controllers deform each other more than {MOST_CONTROLLERS} times, perhaps in a circle");
+        Err(self.document.error(instance.at(), message))
+    }
+
+    /// Draws a geometry; `instance` says with which materials.
+    fn place(
+        &mut self,
+        element: Element<'t>,
+        instance: Element<'t>,
+        node: Option<Element<'t>>,
+        model_from_local: DMat4,
+    ) -> Result<(), ReadError> {
+        let geometry = match self.geometries.get(&element.index) {
+            Some(known) => known.clone(),
+            None => {
+                let read = geometry::read(self.document, &mut self.sources, element, &mut self.counts)?;
+                let read = Rc::new(read);
+                self.geometries.insert(element.index, read.clone());
+                read
+            }
+        };
+        self.placed += 1;
+        self.spend(1 + geometry.primitives.len(), instance.at())?;
+        let binding = match self.bindings.get(&instance.index) {
+            Some(known) => known.clone(),
+            None => {
+                let binding = Rc::new(self.materials.bind(self.document, instance));
+                self.bindings.insert(instance.index, binding.clone());
+                binding
+            }
+        };
+        let set = |primitive: &geometry::Primitive| self.materials.set(&binding, primitive.symbol.as_deref());
+        let key = (element.index, geometry.primitives.iter().map(set).collect::<Vec<_>>());
+        let mesh = match self.meshes.get(&key) {
+            Some(known) => known.clone(),
+            None => {
+                let mesh = Rc::new(local::build(self.document, &geometry, &key.1, &mut self.cuts)?);
+                self.meshes.insert(key, mesh.clone());
+                mesh
+            }
+        };
+        let name = part_name(node, &geometry.name);
+        let (document, materials) = (self.document, &mut self.materials);
+        let mut material_of = |index: usize| {
+            let primitive = geometry.primitives.get(index);
+            let (symbol, at) = primitive.map_or((None, element.at()), |p| (p.symbol.as_deref(), p.at));
+            let material = materials.index(document, &binding, symbol, at, instance);
+            if materials.has_textures(material) && lacks_tex_coords(&geometry, index) {
+                document.add("polygons that lack texture coordinates", Severity::Warning, at, || {
+                    format!(
+                        "polygons of {} have no texture coordinates, but their material has a texture",
+                        quote(name.as_bytes())
+                    )
+                });
+            }
+            material
+        };
+        self.builder.place(document, &mesh, model_from_local, &name, instance.at(), &mut material_of)
+    }
+}

@@ -1,0 +1,215 @@
+//! Sources: arrays of numbers, and accessors that say which of them make a point, a direction, a colour.
+
+use super::document::{Document, FloatArray};
+use super::xml::Element;
+use crate::{ReadError, Severity};
+use std::collections::HashMap;
+use std::rc::Rc;
+
+/// Rows of a `source`.
+#[derive(Clone)]
+pub(super) struct Source {
+    array: Rc<FloatArray>,
+    /// The number of the array where each wanted parameter of row 0 stands.
+    columns: [Option<usize>; 4],
+    stride: usize,
+    /// How many rows there are.
+    pub(super) rows: usize,
+}
+
+impl Source {
+    /// Row `row`; 0 for parameters that are missing (1 for the fourth, which is an opacity).
+    pub(super) fn row(&self, row: usize) -> [f32; 4] {
+        let mut values = [0.0, 0.0, 0.0, 1.0];
+        for (value, column) in values.iter_mut().zip(self.columns) {
+            // Within the array, or `rows` would be smaller: nothing overflows.
+            let number = column.and_then(|column| self.array.values.get(column + row * self.stride));
+            *value = number.copied().unwrap_or(*value);
+        }
+        values
+    }
+
+    /// How many parameters there are.
+    fn width(&self) -> usize {
+        self.columns.iter().flatten().count()
+    }
+
+    /// The byte of the array's first number that is not finite.
+    pub(super) fn not_finite(&self) -> Option<usize> {
+        self.array.not_finite
+    }
+}
+
+/// Arrays and sources that were read, by their elements.
+#[derive(Default)]
+pub(super) struct Sources {
+    arrays: HashMap<u32, Rc<FloatArray>>,
+    sources: HashMap<u32, Option<Source>>,
+}
+
+impl Sources {
+    /// The source of this element, with the parameters of a point, direction or colour; `None`, which is told, where
+    /// it has none that can be read.
+    pub(super) fn get(&mut self, document: &Document<'_>, element: Element<'_>) -> Result<Option<Source>, ReadError> {
+        if let Some(known) = self.sources.get(&element.index) {
+            return Ok(known.clone());
+        }
+        let source = self.read(document, element)?;
+        self.sources.insert(element.index, source.clone());
+        Ok(source)
+    }
+
+    fn read(&mut self, document: &Document<'_>, element: Element<'_>) -> Result<Option<Source>, ReadError> {
+        let accessor = element.path(&["technique_common", "accessor"]);
+        let array = match accessor {
+            Some(accessor) => document.target(accessor, "source", &["float_array", "int_array"]),
+            None => element.child("float_array"),
+        };
+        let Some(array) = array else {
+            document.add(UNREADABLE, Severity::Warning, element.at(), || {
+                "this source has no array of numbers that could be read".to_owned()
+            });
+            return Ok(None);
+        };
+        let array = self.array(document, array)?;
+        let offset = accessor.and_then(|a| document.count(a, "offset")).unwrap_or(0);
+        let parameters: Vec<String> = accessor
+            .iter()
+            .flat_map(|a| a.all("param"))
+            .map(|param| param.attribute("name").unwrap_or_default().into_owned())
+            .collect();
+        let stride = accessor.and_then(|a| document.count(a, "stride"));
+        let stride = stride.unwrap_or(1).max(parameters.len() as u64).max(1);
+        let columns = columns(&parameters, stride);
+        let length = array.values.len() as u64;
+        let last = columns.iter().flatten().max().copied().unwrap_or(0) as u64;
+        let available =
+            length.checked_sub(offset).and_then(|rest| rest.checked_sub(last + 1)).map_or(0, |r| r / stride + 1);
+        let said = accessor.and_then(|a| document.count(a, "count")).unwrap_or(available);
+        if said > available {
+            document.add(TOO_SHORT, Severity::Warning, accessor.unwrap_or(element).at(), || {
+                format!("the accessor counts {said} rows, but the array holds only {available}")
+            });
+        }
+        // `available` is 0 where any of these is too large for the array, and then no row is looked at.
+        let small = |value: u64| usize::try_from(value).unwrap_or(0);
+        let columns = columns.map(|column| column.map(|c| c.saturating_add(small(offset))));
+        Ok(Some(Source { array, columns, stride: small(stride), rows: small(said.min(available)) }))
+    }
+
+    fn array(&mut self, document: &Document<'_>, element: Element<'_>) -> Result<Rc<FloatArray>, ReadError> {
+        if let Some(known) = self.arrays.get(&element.index) {
+            return Ok(known.clone());
+        }
+        let array = Rc::new(document.array(element)?);
+        let held = array.values.len() as u64;
+        if let Some(said) = document.count(element, "count")
+            && said != held
+        {
+            document.add(TOO_SHORT, Severity::Warning, element.at(), || {
+                format!("<{}> counts {said} numbers, but holds {held}", element.name())
+            });
+        }
+        self.arrays.insert(element.index, array.clone());
+        Ok(array)
+    }
+}
+
+const UNREADABLE: &str = "sources that cannot be read";
+const TOO_SHORT: &str = "counts that are not those of what is there";
+
+/// Where the wanted parameters stand within a row. Those without a name are to be skipped, unless none has one. Known
+/// names may come in any order.
+fn columns(parameters: &[String], stride: u64) -> [Option<usize>; 4] {
+    const KNOWN: [[&str; 4]; 4] = [["X", "Y", "Z", ""], ["S", "T", "P", ""], ["U", "V", "W", ""], ["R", "G", "B", "A"]];
+    let mut columns = [None; 4];
+    let is_named = parameters.iter().any(|name| !name.is_empty());
+    if !is_named {
+        let width = if parameters.is_empty() { usize::try_from(stride).unwrap_or(4) } else { parameters.len() };
+        columns.iter_mut().take(width).enumerate().for_each(|(i, column)| *column = Some(i));
+        return columns;
+    }
+    let named = || parameters.iter().enumerate().filter(|(_, name)| !name.is_empty());
+    let is_known = |names: &[&str; 4]| {
+        let place = |name: &str| names.iter().position(|known| !known.is_empty() && *known == name);
+        named().map(|(i, name)| place(name).map(|p| (i, p))).collect::<Option<Vec<_>>>()
+    };
+    match KNOWN.iter().find_map(is_known) {
+        Some(places) => places.into_iter().for_each(|(i, place)| columns[place] = Some(i)),
+        None => columns.iter_mut().zip(named()).for_each(|(column, (i, _))| *column = Some(i)),
+    }
+    columns
+}
+
+/// An input of a primitive: what it means, and which number of a corner is its index.
+pub(super) struct Input {
+    pub(super) semantic: Semantic,
+    /// Of several of the same meaning.
+    pub(super) set: u32,
+    pub(super) offset: usize,
+    pub(super) source: Source,
+    /// The element of the source: equal ones are the same source.
+    pub(super) element: u32,
+}
+
+/// What an input means; others are not drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Semantic {
+    Position,
+    Normal,
+    TexCoord,
+    Color,
+}
+
+/// The inputs of a primitive, those of its `vertices` included, and how many numbers a corner has.
+pub(super) fn inputs(
+    document: &Document<'_>,
+    sources: &mut Sources,
+    primitive: Element<'_>,
+) -> Result<(Vec<Input>, usize), ReadError> {
+    let mut inputs = Vec::new();
+    let mut width = 0;
+    for (index, input) in primitive.all("input").enumerate() {
+        let offset = document.count(input, "offset").or_else(|| document.count(input, "idx")).unwrap_or(index as u64);
+        let offset = usize::try_from(offset).unwrap_or(usize::MAX - 1).min(usize::MAX - 1);
+        width = width.max(offset + 1);
+        if input.attribute("semantic").as_deref() == Some("VERTEX") {
+            let Some(vertices) = document.target(input, "source", &["vertices"]) else { continue };
+            for shared in vertices.all("input") {
+                add(document, sources, shared, offset, &mut inputs)?;
+            }
+        } else {
+            add(document, sources, input, offset, &mut inputs)?;
+        }
+    }
+    Ok((inputs, width))
+}
+
+fn add(
+    document: &Document<'_>,
+    sources: &mut Sources,
+    input: Element<'_>,
+    offset: usize,
+    inputs: &mut Vec<Input>,
+) -> Result<(), ReadError> {
+    let semantic = match input.attribute("semantic").as_deref() {
+        Some("POSITION") => Semantic::Position,
+        Some("NORMAL") => Semantic::Normal,
+        Some("TEXCOORD" | "UV") => Semantic::TexCoord,
+        Some("COLOR") => Semantic::Color,
+        // Tangents are made anew; the rest is for shaders and curves.
+        _ => return Ok(()),
+    };
+    let Some(element) = document.target(input, "source", &["source"]) else { return Ok(()) };
+    let Some(source) = sources.get(document, element)? else { return Ok(()) };
+    let least = if semantic == Semantic::TexCoord { 2 } else { 3 };
+    if source.width() < least {
+        document.add("sources with too few parameters", Severity::Warning, input.at(), || {
+            format!("the source of {semantic:?} has {} parameters instead of {least}: it is ignored", source.width())
+        });
+        return Ok(());
+    }
+    let set = document.count(input, "set").and_then(|set| u32::try_from(set).ok()).unwrap_or(0);
+    inputs.push(Input { semantic, set, offset, source, element: element.index });
+    Ok(())
+}

@@ -1,0 +1,141 @@
+//! Files that were compressed: `.gz` (RFC 1952), `.zst` (RFC 8878).
+
+use crate::{Limits, ReadError};
+use flate2::bufread::GzDecoder;
+use ruzstd::decoding::StreamingDecoder;
+use ruzstd::decoding::errors::FrameDecoderError;
+use std::error::Error;
+use std::io::{self, Read};
+
+/// What a member of a gzip file begins with, deflate being the only method there is.
+const GZIP: &[u8] = &[0x1F, 0x8B];
+/// What a frame of a zstd file begins with.
+const ZSTD: &[u8] = &[0x28, 0xB5, 0x2F, 0xFD];
+/// What follows the first byte (0x50 to 0x5F) of a frame that decoders of zstd step over.
+const ZSTD_SKIPPABLE: &[u8] = &[0x2A, 0x4D, 0x18];
+
+/// Whether a file that begins with `start` (four bytes are enough) is one that [`unpack`] unpacks.
+pub fn is_compressed(start: &[u8]) -> bool {
+    start.starts_with(GZIP) || start.starts_with(ZSTD) || is_skippable(start)
+}
+
+/// What a compressed file holds; `None` where it is not compressed.
+///
+/// Several members (gzip) or frames (zstd), one after the other, are one file, as for `gzip` and `zstd`; zeros after
+/// the last one are padding. Checksums are compared.
+///
+/// # Errors
+///
+/// More than `limits.max_bytes` when unpacked (which is found out while unpacking, not after), data that ends early,
+/// damaged data, and something else behind it.
+pub fn unpack(bytes: &[u8], limits: &Limits) -> Result<Option<Vec<u8>>, ReadError> {
+    if !is_compressed(bytes) {
+        return Ok(None);
+    }
+    let mut unpacked = Unpacked { bytes: Vec::new(), most: limits.max_bytes };
+    let mut rest = bytes;
+    while !rest.is_empty() {
+        let at = bytes.len() - rest.len();
+        rest = if rest.starts_with(GZIP) {
+            unpacked.gzip_member(rest)?
+        } else if rest.starts_with(ZSTD) {
+            unpacked.zstd_frame(rest)?
+        } else if is_skippable(rest) {
+            step_over(rest)?
+        } else if rest.iter().all(|&byte| byte == 0) {
+            break;
+        } else {
+            let count = rest.len();
+            let message = format!("compressed data ends at byte {at}, and {count} bytes of something else follow");
+            return Err(ReadError::new(message + ": the file is damaged"));
+        };
+    }
+    Ok(Some(unpacked.bytes))
+}
+
+fn is_skippable(start: &[u8]) -> bool {
+    matches!(start, [0x50..=0x5F, rest @ ..] if rest.starts_with(ZSTD_SKIPPABLE))
+}
+
+/// What follows a frame that is to be stepped over: four bytes, its length, and so many bytes.
+fn step_over(frame: &[u8]) -> Result<&[u8], ReadError> {
+    let length = frame.get(4..8).and_then(|b| b.try_into().ok()).map(u32::from_le_bytes);
+    let rest = length.and_then(|length| frame.get(8..)?.get(length as usize..));
+    rest.ok_or_else(|| cut_off("zstd", 0))
+}
+
+/// What has been unpacked so far.
+struct Unpacked {
+    bytes: Vec<u8>,
+    most: u64,
+}
+
+impl Unpacked {
+    /// Unpacks one member; returns what follows it.
+    fn gzip_member<'a>(&mut self, packed: &'a [u8]) -> Result<&'a [u8], ReadError> {
+        let mut decoder = GzDecoder::new(packed);
+        self.take(&mut decoder).map_err(|error| self.explain("gzip", &error))?;
+        self.check_size()?;
+        Ok(decoder.into_inner())
+    }
+
+    /// Unpacks one frame; returns what follows it.
+    fn zstd_frame<'a>(&mut self, packed: &'a [u8]) -> Result<&'a [u8], ReadError> {
+        let mut decoder = StreamingDecoder::new(packed).map_err(|error| match error {
+            FrameDecoderError::DictNotProvided { .. } => {
+                ReadError::new("the zstd data was made with a dictionary: unpack it with the program that made it")
+            }
+            FrameDecoderError::WindowSizeTooBig { requested, max } => ReadError::new(format!(
+                "the zstd data needs a window of {requested} bytes, more than {max}: compress it without --long"
+            )),
+            error => self.explain("zstd", &error),
+        })?;
+        self.take(&mut decoder).map_err(|error| self.explain("zstd", &error))?;
+        self.check_size()?;
+        let (rest, decoder) = decoder.into_parts();
+        if let Some(written) = decoder.get_checksum_from_data()
+            && decoder.get_calculated_checksum() != Some(written)
+        {
+            return Err(ReadError::new("the zstd data is damaged (its checksum is wrong): get the file again"));
+        }
+        Ok(rest)
+    }
+
+    /// Takes all, but at most one byte more than allowed: enough to know.
+    fn take(&mut self, decoder: &mut impl Read) -> io::Result<()> {
+        let allowed = self.most.saturating_sub(self.bytes.len() as u64).saturating_add(1);
+        decoder.by_ref().take(allowed).read_to_end(&mut self.bytes).map(drop)
+    }
+
+    fn check_size(&self) -> Result<(), ReadError> {
+        if self.bytes.len() as u64 <= self.most {
+            return Ok(());
+        }
+        Err(ReadError::new(format!("unpacks to more than {} bytes, which is the limit", self.most)))
+    }
+
+    fn explain(&self, method: &str, error: &(dyn Error + 'static)) -> ReadError {
+        if is_end_of_data(error) {
+            return cut_off(method, self.bytes.len());
+        }
+        ReadError::new(format!("the {method} data is damaged ({error}): get the file again"))
+    }
+}
+
+fn cut_off(method: &str, unpacked: usize) -> ReadError {
+    let message = format!("the {method} data ends early, after {unpacked} bytes were unpacked");
+    ReadError::new(message + ": the file is cut off, get it again")
+}
+
+/// Whether the reason behind an error, and behind its reasons, is that the data ended.
+fn is_end_of_data(error: &(dyn Error + 'static)) -> bool {
+    let mut reason = Some(error);
+    while let Some(error) = reason {
+        reason = match error.downcast_ref::<io::Error>() {
+            Some(io_error) if io_error.kind() == io::ErrorKind::UnexpectedEof => return true,
+            Some(io_error) => io_error.get_ref().map(|inner| inner as &(dyn Error + 'static)),
+            None => error.source(),
+        };
+    }
+    false
+}

@@ -1,0 +1,294 @@
+//! Faces, lines and points: their corners, what the indices point at, and the triangles.
+
+use super::file::{Extent, count, note, numbers, warning};
+use super::walk::{self, Attribute, State};
+use super::{LineExplanation, LineValue};
+use crate::polygon::{Cut, Triangulator};
+use crate::text::{Cursor, decode, quote};
+use serde::Serialize;
+
+/// Corners that are looked at; as many as ears are sought of.
+const MOST_CORNERS: usize = crate::polygon::MOST_CORNERS_FOR_EARS;
+/// Corners that are told one by one.
+const MOST_TOLD: usize = 64;
+/// Triangles that are told one by one.
+const MOST_TRIANGLES: usize = 20;
+/// Problems that are told.
+const MOST_PROBLEMS: usize = 20;
+
+/// A corner of a face, line or list of points.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FaceCorner {
+    /// As in the file.
+    pub written: String,
+    /// Where it stands.
+    pub line: u64,
+    /// In bytes, from 1.
+    pub column: u64,
+    /// What its first index points at; `None` where it points at nothing.
+    pub vertex: Option<Target>,
+    /// What its second index points at.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tex_coord: Option<Target>,
+    /// What its third index points at.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub normal: Option<Target>,
+}
+
+/// What an index points at.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Target {
+    /// The index as written: from 1, or negative, counted back from the line.
+    pub written: i64,
+    /// The same counted from the start of the file, from 1.
+    pub number: u64,
+    /// The line of its `v`, `vt` or `vn`.
+    pub line: u64,
+    /// Its numbers; fewer where they cannot be read.
+    pub value: Vec<f32>,
+}
+
+/// A corner as it is read: the indices that are written, and the columns of each.
+struct Corner {
+    written: String,
+    line: u64,
+    columns: [u64; 3],
+    indices: [Option<i64>; 3],
+    /// From 1; what negative ones point at before the file, and 0, is `None`.
+    numbers: [Option<u64>; 3],
+}
+
+/// What an element is called, and how many corners it must have.
+#[derive(Clone, Copy)]
+pub(super) struct Element {
+    pub(super) keyword: &'static str,
+    pub(super) least: u64,
+}
+
+/// Fills in what a `f`, `l` or `p` says; the cursor stands behind its keyword.
+pub(super) fn explain(
+    element: Element,
+    bytes: &[u8],
+    cursor: &mut Cursor<'_>,
+    state: &State,
+    extent: Extent,
+    explanation: &mut LineExplanation,
+) {
+    let (corners, corner_count) = read_corners(element, cursor, state, explanation);
+    let mut wanted: [Vec<u64>; 3] = Default::default();
+    for corner in &corners {
+        for (wanted, number) in wanted.iter_mut().zip(corner.numbers) {
+            wanted.extend(number);
+        }
+    }
+    for wanted in &mut wanted {
+        wanted.sort_unstable();
+        wanted.dedup();
+    }
+    let (found, totals) = walk::attributes(bytes, &wanted);
+    let is_lost = report_missing(&corners, &found, totals, state, explanation);
+    let targets: Vec<FaceCorner> = corners.iter().take(MOST_TOLD).map(|corner| target_of(corner, &found)).collect();
+    let is_face = element.keyword == "f";
+    if corner_count < element.least && explanation.problems.is_empty() {
+        let what = count(corner_count, "corner", "corners");
+        let message = match element.keyword {
+            "f" => format!("f has {what}, too few for a triangle: it is left out"),
+            _ => format!("{} has {what}, too few", element.keyword),
+        };
+        explanation.problems.push(crate::Diagnostic::warning(message).at(extent.first_line, None));
+    }
+    let mut triangles = Vec::new();
+    if is_face && !is_lost && corner_count >= 3 && corner_count as usize == corners.len() {
+        triangles = cut(&corners, &found[0], extent.first_line, explanation);
+    }
+    explanation.meaning = match element.keyword {
+        "f" => meaning_of_face(state.faces + 1, corner_count, &triangles),
+        "l" => format!("a line through {}, which is not drawn", count(corner_count, "vertex", "vertices")),
+        _ => format!("{}, which are not drawn", count(corner_count, "point", "points")),
+    };
+    explanation.details.extend(targets.iter().enumerate().map(|(i, corner)| words_of_corner(i + 1, corner)));
+    if corner_count > targets.len() as u64 {
+        explanation.details.push(format!("and {} more corners", corner_count - targets.len() as u64));
+    }
+    if corner_count > corners.len() as u64 && explanation.problems.is_empty() {
+        explanation.details.push(format!("only the first {} corners were looked at", corners.len()));
+    }
+    let number = if is_face { state.faces + 1 } else { 0 };
+    explanation.value = Some(LineValue::Element { number, corner_count, corners: targets, triangles });
+}
+
+/// The first corners, and how many there are. Stops where one cannot be read.
+fn read_corners(
+    element: Element,
+    cursor: &mut Cursor<'_>,
+    state: &State,
+    explanation: &mut LineExplanation,
+) -> (Vec<Corner>, u64) {
+    let (mut corners, mut corner_count) = (Vec::new(), 0);
+    while cursor.next_word() {
+        let (line, column) = (cursor.line(), cursor.column());
+        let word = cursor.offending_word();
+        let Some(mut corner) = read_corner(cursor, state) else {
+            // The cursor stands where it went wrong, as the reader's does.
+            let what = quote(cursor.offending_word());
+            let keyword = element.keyword;
+            let message = format!("{keyword} has {what} where an index should be (v, v/vt, v//vn or v/vt/vn)");
+            explanation.problems.push(warning(message, cursor.line(), cursor.column()));
+            break;
+        };
+        corner_count += 1;
+        if corners.len() < MOST_CORNERS {
+            corner.written = decode(&word[..word.len().min(80)]);
+            (corner.line, corner.columns[0]) = (line, column);
+            corners.push(corner);
+        }
+    }
+    (corners, corner_count)
+}
+
+fn read_corner(cursor: &mut Cursor<'_>, state: &State) -> Option<Corner> {
+    let mut corner =
+        Corner { written: String::new(), line: 0, columns: [0; 3], indices: [None; 3], numbers: [None; 3] };
+    for kind in 0..3 {
+        corner.columns[kind] = cursor.column();
+        match cursor.integer() {
+            Some(index) => {
+                corner.indices[kind] = Some(index);
+                let number = if index < 0 {
+                    state.counts[kind].checked_add_signed(index).map(|n| n + 1)
+                } else {
+                    Some(index as u64)
+                };
+                corner.numbers[kind] = number.filter(|number| *number > 0);
+            }
+            None if kind > 0 && (cursor.at_word_end() || cursor.peek() == Some(b'/')) => {}
+            None => return None,
+        }
+        if kind == 2 || cursor.peek() != Some(b'/') {
+            break;
+        }
+        cursor.advance();
+    }
+    cursor.at_word_end().then_some(corner)
+}
+
+fn find(found: &[Attribute], number: u64) -> Option<&Attribute> {
+    found.binary_search_by_key(&number, |attribute| attribute.number).ok().and_then(|at| found.get(at))
+}
+
+fn target_of(corner: &Corner, found: &[Vec<Attribute>; 3]) -> FaceCorner {
+    let target = |kind: usize| {
+        let attribute = find(&found[kind], corner.numbers[kind]?)?;
+        let (written, number, line) = (corner.indices[kind]?, attribute.number, attribute.line);
+        Some(Target { written, number, line, value: attribute.values.clone() })
+    };
+    FaceCorner {
+        written: corner.written.clone(),
+        line: corner.line,
+        column: corner.columns[0],
+        vertex: target(0),
+        tex_coord: target(1),
+        normal: target(2),
+    }
+}
+
+/// Says which indices point at nothing. Returns whether the element cannot be drawn by it.
+fn report_missing(
+    corners: &[Corner],
+    found: &[Vec<Attribute>; 3],
+    totals: [u64; 3],
+    state: &State,
+    explanation: &mut LineExplanation,
+) -> bool {
+    const WORDS: [(&str, &str, &str, &str); 3] = [
+        ("v", "vertex", "vertices", "the face is left out"),
+        ("vt", "texture coordinate", "texture coordinates", "(0, 0) is taken"),
+        ("vn", "normal", "normals", "it is averaged"),
+    ];
+    let mut is_lost = false;
+    for corner in corners {
+        for (kind, (keyword, one, many, consequence)) in WORDS.into_iter().enumerate() {
+            let Some(index) = corner.indices[kind] else { continue };
+            if corner.numbers[kind].is_some_and(|number| find(&found[kind], number).is_some()) {
+                continue;
+            }
+            is_lost |= kind == 0;
+            let (total, before) = (totals[kind].max(state.counts[kind]), state.counts[kind]);
+            let exist = |n: u64| if n == 1 { format!("is 1 {one}") } else { format!("are {n} {many}") };
+            let problem = match index {
+                0 => "but indices count from 1".to_owned(),
+                _ if index < 0 => format!("but there {} before it", exist(before)),
+                _ => format!("but there {}", exist(total)),
+            };
+            if explanation.problems.len() < MOST_PROBLEMS {
+                let message = format!("f has the {keyword} index {index}, {problem}: {consequence}");
+                explanation.problems.push(warning(message, corner.line, corner.columns[kind]));
+            }
+        }
+    }
+    is_lost
+}
+
+/// The triangles, as corners counted from 1.
+fn cut(corners: &[Corner], vertices: &[Attribute], line: u64, explanation: &mut LineExplanation) -> Vec<[usize; 3]> {
+    let mut kept: Vec<usize> = Vec::new();
+    let mut points: Vec<[f32; 3]> = Vec::new();
+    let mut previous = corners.last().and_then(|corner| corner.numbers[0]);
+    for (i, corner) in corners.iter().enumerate() {
+        let is_again = corners.len() > 3 && corner.numbers[0] == previous;
+        previous = corner.numbers[0];
+        let position = previous.and_then(|number| find(vertices, number)).map(|v| v.values.as_slice());
+        match position {
+            Some(&[x, y, z]) if !is_again => {
+                kept.push(i + 1);
+                points.push([x, y, z]);
+            }
+            Some(&[_, _, _]) => {
+                let message = "a corner is the one before it again: it counts once";
+                explanation.problems.push(note(message, corner.line, corner.columns[0]));
+            }
+            _ => {
+                let message = "the numbers of one of its vertices cannot be read: no triangle can be made";
+                explanation.problems.push(crate::Diagnostic::warning(message).at(line, None));
+                return Vec::new();
+            }
+        }
+    }
+    let mut triangles = Vec::new();
+    let how = Triangulator::default().triangulate(&points, |triangle| triangles.push(triangle.map(|i| kept[i])));
+    if how == Cut::NotSimple {
+        let message = "the polygon crosses or touches itself: its triangles are guessed";
+        explanation.problems.push(crate::Diagnostic::warning(message).at(line, None));
+    }
+    explanation.problems.truncate(MOST_PROBLEMS);
+    triangles
+}
+
+fn meaning_of_face(number: u64, corners: u64, triangles: &[[usize; 3]]) -> String {
+    let what = match (corners, triangles) {
+        (3, [_]) => return format!("face {number} of this file, a triangle"),
+        (_, []) => return format!("face {number} of this file, with {}", count(corners, "corner", "corners")),
+        (_, [_]) => "makes one triangle",
+        _ => "is cut into",
+    };
+    let list: Vec<String> = triangles.iter().take(MOST_TRIANGLES).map(|[a, b, c]| format!("({a} {b} {c})")).collect();
+    let more = if triangles.len() > MOST_TRIANGLES { " and so on" } else { "" };
+    let into = if triangles.len() == 1 { String::new() } else { format!(" {} triangles", triangles.len()) };
+    format!("face {number} of this file, with {corners} corners, {what}{into}: {}{more}", list.join(", "))
+}
+
+/// `corner 2 is `-3/-1`: vertex 6 (line 9): 0.5 0 1; texture coordinate 4 (line 15): 0 1`
+fn words_of_corner(number: usize, corner: &FaceCorner) -> String {
+    let words = |what: &str, target: &Target| {
+        format!("{what} {} (line {}): {}", target.number, target.line, numbers(&target.value))
+    };
+    let vertex = corner.vertex.as_ref().map_or("no vertex".to_owned(), |target| words("vertex", target));
+    let mut text = format!("corner {number} is {}: {vertex}", super::file::named(&corner.written));
+    for (what, target) in [("texture coordinate", &corner.tex_coord), ("normal", &corner.normal)] {
+        if let Some(target) = target {
+            text.push_str("; ");
+            text.push_str(&words(what, target));
+        }
+    }
+    text
+}

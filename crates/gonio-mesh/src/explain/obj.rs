@@ -1,0 +1,272 @@
+//! Statements of an OBJ in words.
+
+use super::face::{self, Element};
+use super::file::{Extent, blank, count, named, note, numbers, say_extent, warning};
+use super::walk::{self, Keyword, State};
+use super::{LineExplanation, LineValue};
+use crate::text::{BadNumber, Cursor, quote};
+use crate::{Diagnostic, ReadError};
+use glam::DVec3;
+
+/// Statements that are understood and not used, and what they are about.
+const OTHERS: [(&str, &str); 29] = [
+    ("vp", "a point of a free-form curve's or surface's parameters: free-form geometry is skipped"),
+    ("cstype", "the kind of free-form curves and surfaces: skipped"),
+    ("deg", "the degree of free-form curves and surfaces: skipped"),
+    ("bmat", "the basis matrix of free-form curves and surfaces: skipped"),
+    ("step", "the step size of free-form curves and surfaces: skipped"),
+    ("curv", "a free-form curve: skipped"),
+    ("curv2", "a free-form curve on a surface: skipped"),
+    ("surf", "a free-form surface: skipped"),
+    ("parm", "parameter values of a free-form curve or surface: skipped"),
+    ("trim", "an outer trimming loop of a free-form surface: skipped"),
+    ("hole", "an inner trimming loop of a free-form surface: skipped"),
+    ("scrv", "a special curve of a free-form surface: skipped"),
+    ("sp", "a special point of a free-form curve or surface: skipped"),
+    ("end", "the end of a free-form curve or surface: skipped"),
+    ("con", "how free-form surfaces are connected: skipped"),
+    ("lod", "a level of detail: ignored"),
+    ("bevel", "bevel interpolation: ignored"),
+    ("c_interp", "interpolation of colors: ignored"),
+    ("d_interp", "interpolation of opacity: ignored"),
+    ("mg", "a merging group of free-form surfaces: ignored"),
+    ("shadow_obj", "a stand-in that casts the shadow: ignored"),
+    ("trace_obj", "a stand-in for ray tracing: ignored"),
+    ("maplib", "a library of texture maps: ignored"),
+    ("usemap", "a texture map of a library: ignored"),
+    ("ctech", "how curves are approximated: ignored"),
+    ("stech", "how surfaces are approximated: ignored"),
+    ("vw", "a vertex weight: ignored"),
+    ("csh", "a command of the shell: never run, ignored"),
+    ("bsp", "a B-spline patch of the format before 1995: ignored"),
+];
+
+pub(super) fn explain(bytes: &[u8], line: u64) -> Result<LineExplanation, ReadError> {
+    let (extent, state) = walk::find(bytes, line)?;
+    let mut explanation = blank(bytes, line, extent);
+    explanation.in_force = state.in_force();
+    let mut cursor = Cursor::at_line(bytes, extent.start, extent.first_line);
+    if cursor.next_word() {
+        statement(bytes, &mut cursor, &state, extent, &mut explanation);
+        say_extent(&mut explanation);
+    } else {
+        let is_comment = cursor.peek() == Some(b'#');
+        explanation.meaning = if is_comment { "a comment" } else { "an empty line" }.to_owned();
+    }
+    Ok(explanation)
+}
+
+fn statement(bytes: &[u8], cursor: &mut Cursor<'_>, state: &State, extent: Extent, explanation: &mut LineExplanation) {
+    let (line, column) = (cursor.line(), cursor.column());
+    match cursor.word() {
+        b"v" => vertex(cursor, state.counts[0] + 1, explanation),
+        b"vt" => tex_coord(cursor, state.counts[1] + 1, explanation),
+        b"vn" => normal(cursor, state.counts[2] + 1, explanation),
+        b"f" | b"fo" => {
+            face::explain(Element { keyword: "f", least: 3 }, bytes, cursor, state, extent, explanation);
+        }
+        b"l" => face::explain(Element { keyword: "l", least: 2 }, bytes, cursor, state, extent, explanation),
+        b"p" => face::explain(Element { keyword: "p", least: 1 }, bytes, cursor, state, extent, explanation),
+        b"o" => part(bytes, cursor, "object", extent, explanation),
+        b"g" => part(bytes, cursor, "group", extent, explanation),
+        b"usemtl" => material(bytes, cursor, state, extent, explanation),
+        b"s" => smoothing(bytes, cursor, extent, explanation),
+        b"mtllib" => library(cursor, explanation),
+        keyword => {
+            let known = OTHERS.iter().find(|(known, _)| known.as_bytes() == keyword);
+            explanation.meaning = match known {
+                Some((_, meaning)) => (*meaning).to_owned(),
+                None => "no statement that is known: skipped".to_owned(),
+            };
+            if known.is_none() {
+                let message = format!("{} is no known statement", quote(keyword));
+                explanation.problems.push(warning(message, line, column));
+            }
+        }
+    }
+}
+
+/// The numbers of a statement, as long as they can be read, and at most `most`. What the reader refuses is a problem.
+fn read(
+    cursor: &mut Cursor<'_>,
+    keyword: &str,
+    [least, most]: [usize; 2],
+    explanation: &mut LineExplanation,
+) -> Vec<f32> {
+    let mut values = Vec::new();
+    while values.len() < most && cursor.next_word() {
+        let (line, column, what) = (cursor.line(), cursor.column(), quote(cursor.offending_word()));
+        let message = match cursor.number() {
+            Ok(value) => {
+                values.push(value);
+                continue;
+            }
+            Err(BadNumber::NotFinite) if keyword == "v" => {
+                format!("v has the coordinate {what}, which is not a finite number: export the model again")
+            }
+            Err(BadNumber::NotFinite) => {
+                let message = format!("{keyword} has {what}, which is not a finite number: 0 is taken instead");
+                explanation.problems.push(warning(message, line, column));
+                values.push(0.0);
+                while !cursor.at_word_end() || cursor.peek() == Some(b'#') && what.contains('#') {
+                    cursor.advance();
+                }
+                continue;
+            }
+            Err(BadNumber::Unreadable) => format!("{keyword} has {what} where a number should be"),
+        };
+        explanation.problems.push(warning(message, line, column));
+        return values;
+    }
+    if values.len() < least {
+        let needed = count(least as u64, "number", "numbers");
+        let message = format!("{keyword} ends early: it needs at least {needed}; is the file cut off?");
+        explanation.problems.push(warning(message, cursor.line(), cursor.column()));
+    }
+    values
+}
+
+fn vertex(cursor: &mut Cursor<'_>, number: u64, explanation: &mut LineExplanation) {
+    let values = read(cursor, "v", [3, 7], explanation);
+    let &[x, y, z, ref more @ ..] = values.as_slice() else {
+        explanation.meaning = format!("vertex {number} of this file, which cannot be read");
+        return;
+    };
+    explanation.meaning = format!("vertex {number} of this file: x = {x}, y = {y}, z = {z}");
+    let (mut weight, mut color) = (None, None);
+    match *more {
+        [] => {}
+        [w] => {
+            weight = Some(w);
+            explanation.details.push(format!("its weight w = {w} only matters to free-form curves: it is ignored"));
+        }
+        [_, _] => {
+            let message = "v has 5 numbers, which means nothing: the last two are ignored".to_owned();
+            explanation.problems.push(Diagnostic::warning(message).at(explanation.first_line, None));
+        }
+        [r, g, b, ..] => {
+            color = Some([r, g, b]);
+            explanation.details.push(format!("its color is red {r}, green {g}, blue {b}, encoded as sRGB"));
+        }
+    }
+    explanation.value = Some(LineValue::Vertex { number, position: [x, y, z], weight, color });
+}
+
+fn tex_coord(cursor: &mut Cursor<'_>, number: u64, explanation: &mut LineExplanation) {
+    let values = read(cursor, "vt", [1, 2], explanation);
+    let (u, v) = match *values.as_slice() {
+        [u, v, ..] => (u, v),
+        [u] => {
+            explanation.details.push("v is not written: 0".to_owned());
+            (u, 0.0)
+        }
+        [] => {
+            explanation.meaning = format!("texture coordinate {number} of this file, which cannot be read");
+            return;
+        }
+    };
+    explanation.meaning = format!("texture coordinate {number} of this file: u = {u}, v = {v}");
+    if cursor.next_word() {
+        explanation.details.push("what stands behind v only matters to pictures in space: it is ignored".to_owned());
+    }
+    explanation.value = Some(LineValue::TexCoord { number, value: [u, v] });
+}
+
+fn normal(cursor: &mut Cursor<'_>, number: u64, explanation: &mut LineExplanation) {
+    let values = read(cursor, "vn", [3, 3], explanation);
+    let &[x, y, z] = values.as_slice() else {
+        explanation.meaning = format!("normal {number} of this file, which cannot be read");
+        return;
+    };
+    let written = [x, y, z];
+    explanation.meaning = format!("normal {number} of this file: x = {x}, y = {y}, z = {z}");
+    let long = DVec3::from(written.map(f64::from));
+    let unit = long.normalize_or_zero().as_vec3().to_array();
+    if unit == [0.0; 3] {
+        let message = "it has no length: an averaged normal takes its place";
+        explanation.problems.push(note(message, explanation.first_line, 1));
+    } else if (long.length() - 1.0).abs() > 1e-3 {
+        explanation.details.push(format!("its length is {:.4}: it is taken as {}", long.length(), numbers(&unit)));
+    }
+    explanation.value = Some(LineValue::Normal { number, written, unit });
+}
+
+/// `the 12 faces after it, up to line 40,`
+fn faces_after(bytes: &[u8], extent: Extent, until: &[Keyword]) -> String {
+    let (faces, line) = walk::faces_after(bytes, extent, until);
+    let until = line.map_or("to the end of the file".to_owned(), |line| format!("up to line {line}"));
+    match faces {
+        0 => format!("no face after it, {until},"),
+        1 => format!("the one face after it, {until},"),
+        faces => format!("the {faces} faces after it, {until},"),
+    }
+}
+
+fn part(bytes: &[u8], cursor: &mut Cursor<'_>, what: &str, extent: Extent, explanation: &mut LineExplanation) {
+    let name = cursor.name();
+    let faces = faces_after(bytes, extent, &[Keyword::Object, Keyword::Group]);
+    let verb = if faces.starts_with("the ") && !faces.starts_with("the one") { "belong" } else { "belongs" };
+    explanation.meaning = match name.is_empty() {
+        true => format!("a {what} without a name begins: {faces} {verb} to it"),
+        false => format!("the {what} {} begins: {faces} {verb} to it", named(&name)),
+    };
+    explanation.value = Some(LineValue::Name { name });
+}
+
+fn material(bytes: &[u8], cursor: &mut Cursor<'_>, state: &State, extent: Extent, explanation: &mut LineExplanation) {
+    let name = cursor.name();
+    let faces = faces_after(bytes, extent, &[Keyword::Material]);
+    let verb = if faces.starts_with("the ") && !faces.starts_with("the one") { "have" } else { "has" };
+    explanation.meaning = match name.is_empty() {
+        true => format!("{faces} {verb} the default material"),
+        false => format!("{faces} {verb} the material {}", named(&name)),
+    };
+    if !name.is_empty() {
+        let libraries: Vec<String> =
+            state.libraries.iter().map(|(library, line)| format!("{} (line {line})", named(library))).collect();
+        explanation.details.push(match libraries.as_slice() {
+            [] => "no mtllib stands before it".to_owned(),
+            some => format!("it is sought in {}", some.join(", ")),
+        });
+    }
+    explanation.value = Some(LineValue::Name { name });
+}
+
+fn smoothing(bytes: &[u8], cursor: &mut Cursor<'_>, extent: Extent, explanation: &mut LineExplanation) {
+    let has_word = cursor.next_word();
+    let (line, column) = (cursor.line(), cursor.column());
+    let word = if has_word { cursor.word() } else { b"" };
+    let group = match word {
+        b"off" => Some(0),
+        b"on" => Some(1),
+        _ => std::str::from_utf8(word).ok().and_then(|text| text.parse::<u32>().ok()),
+    };
+    if group.is_none() {
+        let message = format!("s is followed by {} instead of a number or off: taken as off", quote(word));
+        explanation.problems.push(warning(message, line, column));
+    }
+    let group = group.unwrap_or(0);
+    let faces = faces_after(bytes, extent, &[Keyword::Smoothing]);
+    let is_many = faces.starts_with("the ") && !faces.starts_with("the one");
+    explanation.meaning = match group {
+        0 => format!("smoothing is off: {faces} {} flat", if is_many { "are" } else { "is" }),
+        group => format!("{faces} {} in the smoothing group {group}", if is_many { "are" } else { "is" }),
+    };
+    explanation.details.push("it only matters where there are no normals (vn)".to_owned());
+    explanation.value = Some(LineValue::SmoothingGroup { group });
+}
+
+fn library(cursor: &mut Cursor<'_>, explanation: &mut LineExplanation) {
+    let (line, name) = (cursor.line(), cursor.name());
+    if name.is_empty() {
+        let message = "mtllib names no material library";
+        explanation.problems.push(Diagnostic::warning(message).at(line, None));
+        explanation.meaning = "a material library without a name".to_owned();
+        return;
+    }
+    explanation.meaning = format!("materials are sought in the library {}", named(&name));
+    if name.split_whitespace().nth(1).is_some() {
+        explanation.details.push("it is one file with blanks in its name, or else several files".to_owned());
+    }
+    explanation.value = Some(LineValue::Name { name });
+}

@@ -1,0 +1,117 @@
+//! Buffers, and the views into them. A buffer is fetched when the first of its bytes is wanted.
+
+use super::json::At;
+use super::uri::Uri;
+use crate::{ReadError, SidecarUse, Sidecars};
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::ops::Range;
+use std::rc::Rc;
+
+/// A buffer's bytes.
+type Bytes<'v> = Rc<Cow<'v, [u8]>>;
+
+/// The buffers of a file.
+pub(super) struct Buffers<'v, 's> {
+    root: At<'v>,
+    /// The chunk of a `.glb`.
+    binary: Option<&'v [u8]>,
+    sidecars: &'s mut dyn Sidecars,
+    fetched: HashMap<usize, Bytes<'v>>,
+    /// Files, by their `uri`.
+    files: HashMap<&'v str, Bytes<'v>>,
+    /// What was asked of `sidecars`.
+    pub uses: Vec<SidecarUse>,
+}
+
+/// Some bytes of a buffer.
+#[derive(Clone)]
+pub(super) struct View<'v> {
+    bytes: Bytes<'v>,
+    range: Range<usize>,
+    /// Bytes from one element to the next, where the file says.
+    pub stride: Option<usize>,
+}
+
+impl View<'_> {
+    pub fn bytes(&self) -> &[u8] {
+        self.bytes.get(self.range.clone()).unwrap_or_default()
+    }
+}
+
+impl<'v, 's> Buffers<'v, 's> {
+    pub fn new(root: At<'v>, binary: Option<&'v [u8]>, sidecars: &'s mut dyn Sidecars) -> Self {
+        Buffers { root, binary, sidecars, fetched: HashMap::new(), files: HashMap::new(), uses: Vec::new() }
+    }
+
+    /// The view that the number `key` of `from` names.
+    pub fn view(&mut self, from: At<'v>, key: &'v str) -> Result<Option<View<'v>>, ReadError> {
+        let Some((_, at)) = from.target(self.root, key, "bufferViews")? else { return Ok(None) };
+        let Some((index, buffer)) = at.target(self.root, "buffer", "buffers")? else { return Err(at.lacks("buffer")) };
+        let bytes = self.bytes(index, buffer)?;
+        let first = at.unsigned("byteOffset")?.unwrap_or(0);
+        let length = at.unsigned("byteLength")?.ok_or_else(|| at.lacks("byteLength"))?;
+        let range = range(first, length).filter(|range| range.end <= bytes.len());
+        let range = range.ok_or_else(|| {
+            let (path, size) = (at.path(), bytes.len());
+            ReadError::new(format!("{path} is {length} bytes from byte {first}, but its buffer has {size}"))
+        })?;
+        let stride = at.index("byteStride")?.filter(|stride| *stride > 0);
+        Ok(Some(View { bytes, range, stride }))
+    }
+
+    fn bytes(&mut self, index: usize, at: At<'v>) -> Result<Bytes<'v>, ReadError> {
+        if let Some(bytes) = self.fetched.get(&index) {
+            return Ok(bytes.clone());
+        }
+        let length = at.unsigned("byteLength")?.ok_or_else(|| at.lacks("byteLength"))?;
+        let bytes = match (at.text("uri")?, self.binary) {
+            (Some(uri), _) => self.fetch(uri, at)?,
+            (None, Some(binary)) if index == 0 => Rc::new(Cow::Borrowed(binary)),
+            (None, _) => {
+                let what = "has no uri, and there is no binary chunk for it: the file is damaged";
+                return Err(ReadError::new(format!("{} {what}", at.path())));
+            }
+        };
+        if (bytes.len() as u64) < length {
+            let (path, there) = (at.path(), bytes.len());
+            return Err(ReadError::new(format!("{path} is cut off: it says {length} bytes, and there are {there}")));
+        }
+        self.fetched.insert(index, bytes.clone());
+        Ok(bytes)
+    }
+
+    fn fetch(&mut self, uri: &'v str, at: At<'v>) -> Result<Bytes<'v>, ReadError> {
+        if let Some(bytes) = self.files.get(uri) {
+            return Ok(bytes.clone());
+        }
+        let path = at.path();
+        let bytes = match Uri::parse(uri) {
+            Uri::Data(data) => data.map_err(|why| ReadError::new(format!("{path}.uri holds data, but {why}")))?,
+            Uri::Elsewhere => {
+                let what = "is not fetched: put the file beside the model and its name into the uri";
+                return Err(ReadError::new(format!("{} {what}", at.written("uri"))));
+            }
+            Uri::File(name) => {
+                let (used, bytes) = SidecarUse::ask(self.sidecars, &name, None);
+                let tried = used.tried.join(", ");
+                self.uses.push(used);
+                bytes.ok_or_else(|| {
+                    let sought = if tried.is_empty() { String::new() } else { format!("; sought: {tried}") };
+                    ReadError::new(format!(
+                        "{name:?}, which {path} names, was not found: put it beside the model{sought}"
+                    ))
+                })?
+            }
+        };
+        let bytes: Bytes<'v> = Rc::new(Cow::Owned(bytes));
+        self.files.insert(uri, bytes.clone());
+        Ok(bytes)
+    }
+}
+
+/// From an offset and a length, where they are no more than memory can hold.
+pub(super) fn range(first: u64, length: u64) -> Option<Range<usize>> {
+    let end = usize::try_from(first.checked_add(length)?).ok()?;
+    Some(usize::try_from(first).ok()?..end)
+}

@@ -1,0 +1,79 @@
+//! Extensions: which are understood, and what to say of the others.
+
+use super::json::At;
+use crate::report::Reports;
+use crate::{Diagnostic, ReadError};
+
+/// Understood, or without meaning for a model at rest.
+const UNDERSTOOD: &[&str] = &[
+    "KHR_lights_punctual",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_specular",
+    "KHR_materials_unlit",
+    "KHR_mesh_quantization",
+    "KHR_texture_transform",
+    "KHR_xmp",
+    "KHR_xmp_json_ld",
+];
+
+/// Not understood, and without them the shape is right, if not the look. What is lost.
+const SURVIVED: &[(&str, &str)] = &[
+    ("KHR_animation_pointer", "animations are not played"),
+    ("KHR_materials_variants", "each part has its first material"),
+    ("KHR_texture_basisu", "KTX2 pictures cannot be read"),
+    ("EXT_texture_webp", "a picture in another format beside it is taken, if there is one"),
+    ("EXT_texture_avif", "a picture in another format beside it is taken, if there is one"),
+    ("MSFT_texture_dds", "a picture in another format beside it is taken, if there is one"),
+    ("KHR_node_visibility", "hidden nodes are shown"),
+    ("EXT_lights_image_based", "its environment is not used"),
+];
+
+/// Not understood, and without them nothing right can be shown: what to do.
+const REFUSED: &[(&str, &str)] = &[
+    ("KHR_draco_mesh_compression", "export it without Draco compression"),
+    ("EXT_meshopt_compression", "export it without meshopt compression, or unpack it with gltf-transform"),
+    ("KHR_meshopt_compression", "export it without meshopt compression, or unpack it with gltf-transform"),
+    ("EXT_mesh_gpu_instancing", "export the copies as nodes of their own"),
+];
+
+/// Refuses a file that cannot be shown without an extension; warns of others.
+pub(super) fn check(root: At<'_>, reports: &mut Reports) -> Result<(), ReadError> {
+    for at in root.list("extensionsRequired")? {
+        let name = at.value.as_str().unwrap_or_default();
+        if UNDERSTOOD.contains(&name) || lost_without(name).is_some() {
+            continue;
+        }
+        let advice = find(REFUSED, name).unwrap_or("export it without that extension");
+        return Err(ReadError::new(format!("needs the extension {name:?}, which is not supported: {advice}")));
+    }
+    let mut said: Vec<&str> = Vec::new();
+    for at in root.list("extensionsUsed")? {
+        let name = at.value.as_str().unwrap_or_default();
+        // Those of materials are reported where they are used.
+        if UNDERSTOOD.contains(&name) || name.starts_with("KHR_materials_") && find(SURVIVED, name).is_none() {
+            continue;
+        }
+        if said.contains(&name) || said.len() > 50 {
+            continue;
+        }
+        said.push(name);
+        let lost = match (find(SURVIVED, name), find(REFUSED, name)) {
+            (Some(lost), _) => lost,
+            (None, Some(_)) => "what the file holds beside it is shown",
+            (None, None) => "what it says is left out",
+        };
+        reports.push(0, Diagnostic::warning(format!("uses the extension {name:?}, which is not supported: {lost}")));
+    }
+    Ok(())
+}
+
+fn lost_without(name: &str) -> Option<&'static str> {
+    let of_material = name.starts_with("KHR_materials_").then_some("the material is shown without it");
+    find(SURVIVED, name).or(of_material)
+}
+
+fn find(list: &[(&str, &'static str)], name: &str) -> Option<&'static str> {
+    list.iter().find(|(known, _)| *known == name).map(|(_, what)| *what)
+}

@@ -1,0 +1,142 @@
+//! Lights (`KHR_lights_punctual`) and cameras: they stand at their node and look along its -z, with +y up.
+
+use super::json::At;
+use crate::report::Reports;
+use crate::{Diagnostic, ModelCamera, ModelLight, ModelLightKind, ReadError, Severity};
+use glam::{DMat4, DVec3};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+
+const EXTENSION: &str = "KHR_lights_punctual";
+
+/// The file's lights.
+pub(super) fn count(root: At<'_>) -> usize {
+    root.extension(EXTENSION).map_or(0, |extension| extension.count("lights"))
+}
+
+/// The light at a node, if there is one; a broken one is a warning.
+pub(super) fn at_node(
+    root: At<'_>,
+    node: At<'_>,
+    model_from_node: &DMat4,
+    reports: &mut Reports,
+) -> Option<ModelLight> {
+    let user = node.extension(EXTENSION)?;
+    let light = light(root, user, node, model_from_node, reports);
+    survived(light, "the light is left out", reports)
+}
+
+/// The camera at a node, if there is one; a broken one is a warning.
+pub(super) fn camera_at_node(
+    root: At<'_>,
+    node: At<'_>,
+    model_from_node: &DMat4,
+    reports: &mut Reports,
+) -> Option<ModelCamera> {
+    node.get("camera")?;
+    let camera = camera(root, node, model_from_node, reports);
+    survived(camera, "the camera is left out", reports)
+}
+
+fn survived<T>(read: Result<Option<T>, ReadError>, lost: &str, reports: &mut Reports) -> Option<T> {
+    read.unwrap_or_else(|error| {
+        let message = || format!("{}: {lost}", error.message);
+        reports.add_without_line("lights and cameras that are left out", Severity::Warning, message);
+        None
+    })
+}
+
+fn light(
+    root: At<'_>,
+    user: At<'_>,
+    node: At<'_>,
+    model_from_node: &DMat4,
+    reports: &mut Reports,
+) -> Result<Option<ModelLight>, ReadError> {
+    let index = user.index("light")?.ok_or_else(|| user.lacks("light"))?;
+    let lights = root.extension(EXTENSION).and_then(|extension| extension.get("lights"));
+    let Some(at) = lights.and_then(|lights| lights.item(index)) else {
+        return Err(ReadError::new(format!("{}, but the file has {} lights", user.written("light"), count(root))));
+    };
+    let kind = match at.text("type")?.ok_or_else(|| at.lacks("type"))? {
+        "directional" => ModelLightKind::Directional,
+        "point" => ModelLightKind::Point,
+        "spot" => spot(at)?,
+        other => return Err(ReadError::new(format!("{} has the unknown type {other:?}", at.title()))),
+    };
+    if let Some(range) = at.number("range")? {
+        let message =
+            || format!("{} ends at a distance of {range} (range): here it fades with the square only", at.title());
+        reports.add_without_line("lights with a range", Severity::Note, message);
+    }
+    let color = at.numbers("color")?.unwrap_or([1.0; 3]).map(|c| c.max(0.0) as f32);
+    let intensity = at.number("intensity")?.unwrap_or(1.0).max(0.0) as f32;
+    let (position, direction, _) = pose(node, model_from_node)?;
+    let name = [node.name(), at.name()].into_iter().find(|name| !name.is_empty()).unwrap_or("").to_owned();
+    Ok(Some(ModelLight {
+        name,
+        kind,
+        position: position.to_array(),
+        direction: direction.to_array(),
+        color,
+        intensity,
+        // Candela: illuminance falls with the square of the distance.
+        attenuation: [0.0, 0.0, 1.0],
+    }))
+}
+
+fn spot(at: At<'_>) -> Result<ModelLightKind, ReadError> {
+    let cone = at.get("spot");
+    let angle = |key, default| -> Result<f64, ReadError> {
+        Ok(cone.map_or(Ok(None), |cone| cone.number(key))?.unwrap_or(default))
+    };
+    let outer = angle("outerConeAngle", FRAC_PI_4)?.clamp(0.0, FRAC_PI_2);
+    let inner = angle("innerConeAngle", 0.0)?.clamp(0.0, outer);
+    Ok(ModelLightKind::Spot { inner_angle_rad: inner as f32, outer_angle_rad: outer as f32 })
+}
+
+fn camera(
+    root: At<'_>,
+    node: At<'_>,
+    model_from_node: &DMat4,
+    reports: &mut Reports,
+) -> Result<Option<ModelCamera>, ReadError> {
+    let Some((_, at)) = node.target(root, "camera", "cameras")? else { return Ok(None) };
+    let kind = at.text("type")?.ok_or_else(|| at.lacks("type"))?;
+    let lens = match kind {
+        "perspective" | "orthographic" => at.get(kind).ok_or_else(|| at.lacks(kind))?,
+        other => return Err(ReadError::new(format!("{} has the unknown type {other:?}", at.title()))),
+    };
+    let fov_y_rad = if kind == "perspective" {
+        let fov = lens.number("yfov")?.ok_or_else(|| lens.lacks("yfov"))?;
+        if !(fov > 0.0 && fov < std::f64::consts::PI) {
+            return Err(ReadError::new(format!("{}, which is no angle of a picture", lens.written("yfov"))));
+        }
+        Some(fov)
+    } else {
+        let what = "a parallel projection: the height of what it shows (ymag) is not taken";
+        reports.push(0, Diagnostic::note(format!("{} is {what}", at.title())));
+        None
+    };
+    let clip = [lens.number("znear")?, lens.number("zfar")?];
+    let (position, direction, up) = pose(node, model_from_node)?;
+    let name = [node.name(), at.name()].into_iter().find(|name| !name.is_empty()).unwrap_or("").to_owned();
+    Ok(Some(ModelCamera {
+        name,
+        position: position.to_array(),
+        direction: direction.to_array(),
+        up: up.to_array(),
+        fov_y_rad,
+        clip,
+    }))
+}
+
+/// Where a node stands, where its -z points, and where its +y points, as far as it is at right angles to that.
+fn pose(node: At<'_>, model_from_node: &DMat4) -> Result<(DVec3, DVec3, DVec3), ReadError> {
+    let position = model_from_node.w_axis.truncate();
+    let direction = (-model_from_node.z_axis.truncate()).try_normalize();
+    let up = direction.and_then(|d| model_from_node.y_axis.truncate().reject_from_normalized(d).try_normalize());
+    match (position.is_finite(), direction, up) {
+        (true, Some(direction), Some(up)) => Ok((position, direction, up)),
+        _ => Err(ReadError::new(format!("{} has a transform that leaves no direction", node.title()))),
+    }
+}

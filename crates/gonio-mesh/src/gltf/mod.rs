@@ -1,0 +1,263 @@
+//! glTF 2.0, `.gltf` and `.glb`, as Khronos defines it (2021, "glTF 2.0 Specification", ISO/IEC 12113:2022).
+//!
+//! - Every mesh stands in the model once for each node of the scene that shows it, in the scene's space; a part is a
+//!   primitive, named after its node (else after its mesh). Mirrored nodes keep their fronts in front.
+//! - Materials follow the rule of [`crate::MetallicRoughness`]. A primitive without a material is of the
+//!   [default one](crate::Material), light clay: what glTF asks for, a white metal without any gloss, shows no shape.
+//! - An unlit material (`KHR_materials_unlit`) emits its base colour and reflects nothing.
+//! - Alpha counts as `alphaMode` says: not at all, all or nothing, or as opacity.
+//! - A mesh has one set of texture coordinates: that of the material's first texture (base colour, then
+//!   metalness and roughness, emission, normals). Textures on another set are left out with a warning.
+//! - Skins, morph targets and animations: the model stands as it was bound, with a warning.
+//! - Points and lines are counted, not drawn.
+//!
+//! Extensions: `KHR_lights_punctual`, `KHR_materials_emissive_strength`, `_ior`, `_pbrSpecularGlossiness`,
+//! `_specular`, `_unlit`, `KHR_mesh_quantization`, `KHR_texture_transform`. Compressed geometry
+//! (`KHR_draco_mesh_compression`, `EXT_meshopt_compression`) cannot be read.
+//!
+//! The JSON is read by hand rather than by the `gltf` crate: that one refuses a whole file for one wrong value in a
+//! material, says the line but not the place in the JSON, passes over extensions that it does not know, and its readers
+//! of accessors panic where one leaves its buffer. Tests compare with it.
+
+mod accessor;
+mod buffer;
+mod container;
+mod extension;
+mod json;
+mod light;
+mod material;
+mod node;
+mod primitive;
+mod skin;
+mod texture;
+mod triangles;
+mod uri;
+
+use crate::report::Reports;
+use crate::{Diagnostic, Limits, Material, Model, ReadError, Severity, Sidecars};
+use buffer::Buffers;
+use glam::DMat4;
+use json::At;
+use material::ReadMaterial;
+use node::Places;
+use primitive::{Geometry, MaterialUse, Placement};
+use serde_json::Value;
+use texture::Textures;
+
+/// Reads a glTF file, JSON or binary; its external buffers are asked of `sidecars`.
+///
+/// Errors, each with its place in the JSON or its byte: what is no glTF 2.0; an extension that is required and not
+/// supported; a buffer that is not there or too short; an accessor that leaves its buffer; nodes that have more than
+/// one place; a coordinate that is not finite; no triangle at all; more than `limits` allow. What is wrong with
+/// materials, textures, lights and cameras is a warning.
+pub fn read(bytes: &[u8], sidecars: &mut dyn Sidecars, limits: &Limits) -> Result<Model, ReadError> {
+    let mut reports = Reports::default();
+    let container = container::open(bytes, &mut reports)?;
+    let value: Value = serde_json::from_slice(container.json).map_err(|e| no_json(&e, container.is_binary))?;
+    let root = At::root(&value);
+    check_version(root)?;
+    extension::check(root, &mut reports)?;
+    let mut buffers = Buffers::new(root, container.binary, sidecars);
+    let mut textures = Textures::new(root, limits.max_bytes);
+    let materials = materials(root, &mut textures, &mut buffers, &mut reports, limits)?;
+    let places = node::place(root, &mut reports)?;
+    let nodes = places.placed.len();
+    let mut reader =
+        Reader { root, buffers, reports, materials, places, default_material: None, model: Model::default() };
+    let mut geometry = Geometry::new(limits);
+    for place in 0..nodes {
+        reader.node(place, &mut geometry)?;
+    }
+    if root.count("nodes") == 0 {
+        reader.meshes_without_nodes(&mut geometry)?;
+    }
+    reader.report_motion();
+    let Reader { buffers, mut reports, materials, mut model, .. } = reader;
+    model.contents = contents(root, &geometry);
+    let out_of_range = geometry.counts.out_of_range;
+    model.mesh = geometry.finish(&mut reports);
+    if model.mesh.indices.is_empty() {
+        return Err(nothing_to_draw(root, nodes, out_of_range));
+    }
+    model.materials = materials.into_iter().map(|read| read.material).collect();
+    model.images = textures.images;
+    model.sidecars = buffers.uses;
+    model.diagnostics = reports.finish();
+    Ok(model)
+}
+
+#[cold]
+fn no_json(error: &serde_json::Error, is_binary: bool) -> ReadError {
+    let text = error.to_string();
+    let what = text.split(" at line ").next().unwrap_or(&text);
+    let whose = if is_binary { "the JSON in this binary glTF" } else { "this" };
+    let hint = if error.is_eof() { ": the file is cut off" } else { "" };
+    let message = format!("{whose} is no valid JSON: {what}{hint}");
+    ReadError::new(message).at(error.line() as u64, Some(error.column() as u64))
+}
+
+fn version_1() -> ReadError {
+    ReadError::new("this is glTF 1.0, which is not read: convert it to glTF 2.0 (gltf-pipeline does)")
+}
+
+fn check_version(root: At<'_>) -> Result<(), ReadError> {
+    let asset = root.get("asset");
+    let Some(version) = asset.map_or(Ok(None), |asset| asset.text("version"))? else {
+        return Err(ReadError::new("this is no glTF 2.0 file: its JSON has no asset.version"));
+    };
+    let newest_needed = asset.map_or(Ok(None), |asset| asset.text("minVersion"))?;
+    let major = |version: &str| version.split('.').next().and_then(|major| major.parse::<u64>().ok());
+    match (major(version), newest_needed) {
+        (Some(1), _) => Err(version_1()),
+        (Some(2), None | Some("2.0")) => Ok(()),
+        _ => {
+            let needed = newest_needed.unwrap_or(version);
+            Err(ReadError::new(format!("this file needs glTF {needed:?}, and 2.0 is read: export it as glTF 2.0")))
+        }
+    }
+}
+
+/// All materials of the file, used or not.
+fn materials<'v>(
+    root: At<'v>,
+    textures: &mut Textures<'v>,
+    buffers: &mut Buffers<'v, '_>,
+    reports: &mut Reports,
+    limits: &Limits,
+) -> Result<Vec<ReadMaterial>, ReadError> {
+    // Two bytes of JSON are a material, and what is said of it takes about as much as it takes itself.
+    let bytes = 2 * (root.count("materials") as u64).saturating_mul(size_of::<ReadMaterial>() as u64);
+    if bytes > limits.max_bytes {
+        let (count, most) = (root.count("materials"), limits.max_bytes);
+        return Err(ReadError::new(format!("its {count} materials take more than {most} bytes, which is the limit")));
+    }
+    Ok(root.list("materials")?.map(|at| material::read(at, textures, buffers, reports)).collect())
+}
+
+/// What nodes become.
+struct Reader<'v, 's> {
+    root: At<'v>,
+    buffers: Buffers<'v, 's>,
+    reports: Reports,
+    materials: Vec<ReadMaterial>,
+    places: Places,
+    default_material: Option<usize>,
+    model: Model,
+}
+
+impl<'v> Reader<'v, '_> {
+    fn node(&mut self, place: usize, geometry: &mut Geometry<'_>) -> Result<(), ReadError> {
+        let root = self.root;
+        let placed = &self.places.placed[place];
+        let Some(at) = root.get("nodes").and_then(|nodes| nodes.item(placed.node)) else { return Ok(()) };
+        self.model.lights.extend(light::at_node(root, at, &placed.model_from_node, &mut self.reports));
+        self.model.cameras.extend(light::camera_at_node(root, at, &placed.model_from_node, &mut self.reports));
+        let Some((_, mesh)) = at.target(root, "mesh", "meshes")? else { return Ok(()) };
+        let model_from_mesh = match at.target(root, "skin", "skins")? {
+            Some((_, skin)) => {
+                skin::model_from_mesh(root, skin, &self.places, &mut self.buffers)?.unwrap_or(placed.model_from_node)
+            }
+            None => placed.model_from_node,
+        };
+        if model_from_mesh.determinant() == 0.0 {
+            let message = || format!("{} flattens its mesh: a scale is 0", at.title());
+            self.reports.add_without_line("nodes that flatten their mesh", Severity::Warning, message);
+        }
+        let name = if at.name().is_empty() { mesh.name() } else { at.name() };
+        self.mesh(mesh, name, model_from_mesh, geometry)
+    }
+
+    fn meshes_without_nodes(&mut self, geometry: &mut Geometry<'_>) -> Result<(), ReadError> {
+        if self.root.count("meshes") > 0 {
+            self.reports.push(0, Diagnostic::warning("has meshes but no nodes: each mesh is shown where it is"));
+        }
+        for mesh in self.root.list("meshes")? {
+            self.mesh(mesh, mesh.name(), DMat4::IDENTITY, geometry)?;
+        }
+        Ok(())
+    }
+
+    fn mesh(
+        &mut self,
+        mesh: At<'v>,
+        name: &str,
+        model_from_mesh: DMat4,
+        geometry: &mut Geometry<'_>,
+    ) -> Result<(), ReadError> {
+        for primitive in mesh.list("primitives")? {
+            let user = self.material_use(primitive)?;
+            let placement = Placement { name, model_from_mesh, user };
+            geometry.add(primitive, &placement, self.root, &mut self.buffers, &mut self.reports)?;
+            if primitive.count("targets") > 0 {
+                let message = || format!("{} has morph targets: its shape without them is shown", mesh.title());
+                self.reports.add_without_line("primitives with morph targets", Severity::Warning, message);
+            }
+        }
+        Ok(())
+    }
+
+    fn material_use(&mut self, primitive: At<'v>) -> Result<MaterialUse, ReadError> {
+        if let Some((index, _)) = primitive.target(self.root, "material", "materials")? {
+            return Ok(self.materials[index].use_as(index));
+        }
+        let material = match self.default_material {
+            Some(material) => material,
+            None => {
+                self.materials.push(ReadMaterial { material: Material::default(), tex_coord_set: None });
+                let note =
+                    format!("{} has no material: light clay is taken (as for all others without)", primitive.path());
+                self.reports.push(0, Diagnostic::note(note));
+                *self.default_material.insert(self.materials.len() - 1)
+            }
+        };
+        Ok(MaterialUse { material, tex_coord_set: None })
+    }
+
+    fn report_motion(&mut self) {
+        for (list, one, many) in [("skins", "skin", "skins"), ("animations", "animation", "animations")] {
+            let count = self.root.count(list);
+            if count > 0 {
+                let what = if count == 1 { one } else { many };
+                let message = format!("holds {count} {what}: the model is shown at rest, as it was bound");
+                self.reports.push(0, Diagnostic::warning(message));
+            }
+        }
+    }
+}
+
+/// Counts in the file's own words.
+fn contents(root: At<'_>, geometry: &Geometry<'_>) -> Vec<(String, u64)> {
+    const LISTS: [&str; 14] = [
+        "scenes",
+        "nodes",
+        "meshes",
+        "materials",
+        "textures",
+        "images",
+        "samplers",
+        "accessors",
+        "bufferViews",
+        "buffers",
+        "cameras",
+        "skins",
+        "animations",
+        "extensionsUsed",
+    ];
+    let primitives = root.list("meshes").ok().into_iter().flatten().map(|mesh| mesh.count("primitives") as u64).sum();
+    let mut contents: Vec<(String, u64)> =
+        LISTS.iter().map(|list| ((*list).to_owned(), root.count(list) as u64)).collect();
+    contents.insert(3, ("primitives".to_owned(), primitives));
+    contents.push(("lights".to_owned(), light::count(root) as u64));
+    contents.push(("primitives of points in the scene".to_owned(), geometry.counts.points));
+    contents.push(("primitives of lines in the scene".to_owned(), geometry.counts.lines));
+    contents.retain(|(_, count)| *count > 0);
+    contents
+}
+
+#[cold]
+fn nothing_to_draw(root: At<'_>, nodes: usize, out_of_range: u64) -> ReadError {
+    let meshes = root.count("meshes");
+    let why =
+        if out_of_range > 0 { format!("; {out_of_range} triangles have an index of no vertex") } else { String::new() };
+    ReadError::new(format!("holds no triangles (nodes in the scene: {nodes}, meshes: {meshes}): nothing to draw{why}"))
+}

@@ -1,0 +1,192 @@
+//! The scene: which nodes are in it, and where they stand.
+
+use super::json::At;
+use crate::report::Reports;
+use crate::{Diagnostic, ReadError, Severity};
+use glam::{DMat4, DQuat, DVec3};
+
+/// A node of the scene.
+pub(super) struct Placed {
+    pub node: usize,
+    pub model_from_node: DMat4,
+}
+
+/// The nodes of the scene.
+pub(super) struct Places {
+    /// Parents before children, children in order.
+    pub placed: Vec<Placed>,
+    /// Of each node of the file its index among these.
+    place_of_node: Vec<usize>,
+}
+
+impl Places {
+    /// A node, if it is in the scene.
+    pub fn of_node(&self, node: u64) -> Option<&Placed> {
+        let place = self.place_of_node.get(usize::try_from(node).ok()?)?;
+        self.placed.get(*place)
+    }
+}
+
+/// Not yet below another node, and below none.
+const NOT_SEEN: usize = usize::MAX;
+const ROOT: usize = usize::MAX - 1;
+
+/// The nodes of the default scene (else of the first, else all).
+///
+/// Every node has one parent (glTF 2.0, section 3.5.2); where it has more, or stands below itself, that is an error.
+pub(super) fn place(root: At<'_>, reports: &mut Reports) -> Result<Places, ReadError> {
+    let nodes = root.count("nodes");
+    let mut walk = Walk { root, parent: vec![NOT_SEEN; nodes], stack: Vec::new() };
+    match scene(root, reports)? {
+        Some(scene) => walk.push_children(scene, "nodes", ROOT, DMat4::IDENTITY)?,
+        None => walk.push_roots()?,
+    }
+    let mut placed = Vec::new();
+    let mut place_of_node = vec![usize::MAX; nodes];
+    while let Some((node, model_from_parent)) = walk.stack.pop() {
+        let Some(at) = root.get("nodes").and_then(|nodes| nodes.item(node)) else { continue };
+        let model_from_node = model_from_parent * parent_from_node(at, reports)?;
+        walk.push_children(at, "children", node, model_from_node)?;
+        place_of_node[node] = placed.len();
+        placed.push(Placed { node, model_from_node });
+    }
+    let outside = nodes - placed.len();
+    if outside > 0 {
+        reports.push(0, Diagnostic::note(format!("{outside} of {nodes} nodes are not in the scene: left out")));
+    }
+    Ok(Places { placed, place_of_node })
+}
+
+/// The scene that is shown.
+fn scene<'v>(root: At<'v>, reports: &mut Reports) -> Result<Option<At<'v>>, ReadError> {
+    let chosen = match root.target(root, "scene", "scenes")? {
+        Some((_, scene)) => Some(scene),
+        None => root.get("scenes").and_then(|scenes| scenes.item(0)),
+    };
+    let count = root.count("scenes");
+    if let Some(scene) = chosen
+        && count > 1
+    {
+        reports.push(0, Diagnostic::note(format!("holds {count} scenes: {} is shown", scene.title())));
+    }
+    Ok(chosen)
+}
+
+struct Walk<'v> {
+    root: At<'v>,
+    /// Of each node.
+    parent: Vec<usize>,
+    /// Nodes to be visited, with their parent's transform.
+    stack: Vec<(usize, DMat4)>,
+}
+
+impl<'v> Walk<'v> {
+    fn push_children(
+        &mut self,
+        at: At<'v>,
+        key: &'v str,
+        above: usize,
+        model_from_parent: DMat4,
+    ) -> Result<(), ReadError> {
+        let first = self.stack.len();
+        let Some(list) = at.get(key) else { return Ok(()) };
+        for child in at.list(key)? {
+            let index = child.value.as_u64().and_then(|i| usize::try_from(i).ok());
+            let parent = index.and_then(|i| self.parent.get_mut(i));
+            let (Some(index), Some(parent)) = (index, parent) else {
+                let nodes = self.parent.len();
+                return Err(ReadError::new(format!(
+                    "{} = {}, but the file has {nodes} nodes",
+                    child.path(),
+                    child.quoted()
+                )));
+            };
+            if *parent != NOT_SEEN {
+                return Err(self.second_parent(index, above, &list.path()));
+            }
+            *parent = above;
+            self.stack.push((index, model_from_parent));
+        }
+        // The last one in is visited first.
+        self.stack[first..].reverse();
+        Ok(())
+    }
+
+    /// Without a scene: all nodes that are nobody's children.
+    fn push_roots(&mut self) -> Result<(), ReadError> {
+        let mut is_child = vec![false; self.parent.len()];
+        for node in self.root.list("nodes")? {
+            for child in node.list("children")? {
+                if let Some(child) = child.value.as_u64().and_then(|i| is_child.get_mut(usize::try_from(i).ok()?)) {
+                    *child = true;
+                }
+            }
+        }
+        for (node, _) in is_child.iter().enumerate().rev().filter(|(_, is_child)| !**is_child) {
+            self.parent[node] = ROOT;
+            self.stack.push((node, DMat4::IDENTITY));
+        }
+        if self.stack.is_empty() && !is_child.is_empty() {
+            let what = "every node is a child of another, so they stand below themselves";
+            return Err(ReadError::new(format!("nodes: {what}: the file is damaged")));
+        }
+        Ok(())
+    }
+
+    #[cold]
+    fn second_parent(&self, node: usize, above: usize, list: &str) -> ReadError {
+        let is_above = |mut at: usize| loop {
+            match self.parent.get(at) {
+                _ if at == node => return true,
+                Some(&parent) => at = parent,
+                None => return false,
+            }
+        };
+        if is_above(above) {
+            return ReadError::new(format!("{list} names node {node}, which it stands below: the nodes form a circle"));
+        }
+        let other = match self.parent.get(node) {
+            Some(&ROOT) => "a root of the scene".to_owned(),
+            Some(parent) => format!("a child of nodes[{parent}]"),
+            None => "elsewhere".to_owned(),
+        };
+        ReadError::new(format!("{list} names node {node}, which already is {other}: a node has one place"))
+    }
+}
+
+/// The node's own transform: its matrix, or scale, then rotation, then translation.
+fn parent_from_node(at: At<'_>, reports: &mut Reports) -> Result<DMat4, ReadError> {
+    let translation = at.numbers("translation")?;
+    let rotation = at.numbers::<4>("rotation")?;
+    let scale = at.numbers("scale")?;
+    if let Some(columns) = at.numbers::<16>("matrix")? {
+        if translation.is_some() || rotation.is_some() || scale.is_some() {
+            let message = || format!("{} has a matrix and other transforms beside it: the matrix is taken", at.title());
+            reports.add_without_line("nodes with two transforms", Severity::Warning, message);
+        }
+        let matrix = DMat4::from_cols_array(&columns);
+        if matrix.row(3) != glam::DVec4::W {
+            let message = || format!("{}.matrix has a last row other than 0 0 0 1: it is ignored", at.path());
+            reports.add_without_line("matrices that are no affine maps", Severity::Warning, message);
+        }
+        return Ok(DMat4::from_cols(
+            matrix.x_axis.truncate().extend(0.0),
+            matrix.y_axis.truncate().extend(0.0),
+            matrix.z_axis.truncate().extend(0.0),
+            matrix.w_axis.truncate().extend(1.0),
+        ));
+    }
+    let rotation = DQuat::from_array(rotation.unwrap_or([0.0, 0.0, 0.0, 1.0]));
+    let length = rotation.length();
+    // f32s as exporters write them are of unit length to six digits.
+    if (length - 1.0).abs() > 1e-3 {
+        let message = || format!("{}.rotation is a quaternion of length {length:.4} instead of 1", at.path());
+        reports.add_without_line("rotations that are not of unit length", Severity::Warning, message);
+    }
+    let rotation = if length > 0.0 && length.is_finite() { rotation / length } else { DQuat::IDENTITY };
+    Ok(DMat4::from_scale_rotation_translation(
+        DVec3::from(scale.unwrap_or([1.0; 3])),
+        rotation,
+        DVec3::from(translation.unwrap_or([0.0; 3])),
+    ))
+}

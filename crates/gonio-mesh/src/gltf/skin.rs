@@ -1,0 +1,29 @@
+//! Skins: where a mesh stood when it was bound to its skeleton.
+
+use super::accessor::Accessor;
+use super::buffer::Buffers;
+use super::json::At;
+use super::node::Places;
+use crate::ReadError;
+use glam::DMat4;
+
+/// From a bound mesh's own space to the model's, by its first joint: `model_from_joint * joint_from_mesh`, the same of
+/// every joint as long as none was moved. The transform of the mesh's node counts for nothing (glTF 2.0, section
+/// 3.7.3.3). `None` where the skin does not say.
+pub(super) fn model_from_mesh<'v>(
+    root: At<'v>,
+    skin: At<'v>,
+    places: &Places,
+    buffers: &mut Buffers<'v, '_>,
+) -> Result<Option<DMat4>, ReadError> {
+    let joint = skin.get("joints").and_then(|joints| joints.item(0)?.value.as_u64());
+    let Some(joint) = joint.and_then(|joint| places.of_node(joint)) else { return Ok(None) };
+    let joint_from_mesh = match Accessor::open(buffers, root, skin, "inverseBindMatrices", &[16])? {
+        Some(matrices) if matrices.count > 0 => {
+            let columns = matrices.vectors::<16>(0..1, 0.0);
+            columns.first().map_or(DMat4::IDENTITY, |columns| DMat4::from_cols_array(&columns.map(f64::from)))
+        }
+        _ => DMat4::IDENTITY,
+    };
+    Ok(Some(joint.model_from_node * joint_from_mesh))
+}

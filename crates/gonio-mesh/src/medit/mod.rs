@@ -1,0 +1,67 @@
+//! Medit `.mesh` and `.meshb`: meshes of simulations (P. Frey, 2001, "MEDIT: an interactive mesh visualization
+//! software", INRIA RT-0253; L. Maréchal, "The libMeshb library version 7", INRIA).
+
+mod ascii;
+mod binary;
+mod build;
+mod content;
+mod keywords;
+mod surface;
+
+use crate::report::Reports;
+use crate::{Diagnostic, Limits, Model, ReadError, Severity, Sidecars};
+use content::{Content, Places};
+
+/// Reads a Medit file, a text or a binary file of version 1 to 4 in either byte order; it names no other files.
+///
+/// - Drawn are surface elements (`Triangles`, `Quadrilaterals`; curved ones by their corners). Only where a file has
+///   none of them, bodies (`Tetrahedra`, `Prisms`, `Hexahedra`, `Pyramids`) are drawn by their boundary: the faces that
+///   only one of them has, fronts outward.
+/// - References become parts in ascending order, each with a material `ref N`. Reference 0 is clay; the hue of another
+///   one is N times the golden section of the circle of hues. Beyond 1,024 different ones all are one part.
+/// - Two dimensions lie at z = 0.
+/// - Normals come from `NormalAtTriangleVertices` and `NormalAtQuadrilateralVertices` (one row of normals for each
+///   element), then from `NormalAtVertices`; they are zero where neither gives one ([`crate::normals::complete`] mends
+///   it).
+/// - What else is known is counted in [`Model::contents`]. Unknown keywords are skipped.
+///
+/// An element that points at no vertex is left out with a warning. Errors are: what is no number where one should be, a
+/// coordinate that is not finite, a count beyond the end of the file, sections that do not follow one another, no face
+/// at all, more than `limits` allow. Places in binary files are told as bytes from 1.
+pub fn read(bytes: &[u8], _sidecars: &mut dyn Sidecars, limits: &Limits) -> Result<Model, ReadError> {
+    let mut reports = Reports::default();
+    let (content, places) = if binary::is_binary(bytes) {
+        binary::read(bytes, limits, &mut reports)?
+    } else {
+        ascii::read(bytes, limits, &mut reports)?
+    };
+    report_not_drawn(&content, &places, &mut reports);
+    let faces = surface::faces(&content, &places, &mut reports);
+    if faces.is_empty() {
+        return Err(nothing_to_draw(&content, &reports));
+    }
+    let (mesh, materials) = build::build(&content, faces, &places, limits, &mut reports)?;
+    let contents = content.counts.iter().map(|(keyword, count, _)| (keyword.name.to_owned(), *count)).collect();
+    Ok(Model { mesh, materials, contents, diagnostics: reports.finish(), ..Model::default() })
+}
+
+fn report_not_drawn(content: &Content, places: &Places<'_>, reports: &mut Reports) {
+    let ignored = || content.counts.iter().filter(|(k, count, _)| k.rows == keywords::Rows::Counted && *count > 0);
+    let names: Vec<&str> = ignored().map(|(keyword, ..)| keyword.name).collect();
+    if let Some((.., at)) = ignored().next() {
+        places.say(Severity::Note, *at, reports, format!("{} are counted and not drawn", names.join(", ")));
+    }
+}
+
+#[cold]
+fn nothing_to_draw(content: &Content, reports: &Reports) -> ReadError {
+    let counts: Vec<String> =
+        content.counts.iter().map(|(keyword, count, _)| format!("{count} {}", keyword.name)).collect();
+    let counts = if counts.is_empty() { "no keyword that is known".to_owned() } else { counts.join(", ") };
+    let why = match reports.first() {
+        Some(Diagnostic { message, line: Some(line), .. }) => format!("; line {line}: {message}"),
+        Some(Diagnostic { message, .. }) => format!("; {message}"),
+        None => String::new(),
+    };
+    ReadError::new(format!("holds no faces ({counts}): nothing to draw{why}"))
+}

@@ -1,0 +1,346 @@
+//! From what is written to a material: what is taken where a statement is absent or contradicts another, and where
+//! each value came from.
+
+use super::draft::Draft;
+use super::physical::Physical;
+use super::values::{Said, source};
+use crate::report::Reports;
+use crate::text::quote;
+use crate::{AmbientRule, Material, Severity, Source, TextureMap};
+
+/// `Kd` where neither it nor `map_Kd` is written: a new material of Blender's.
+const DIFFUSE: f32 = 0.8;
+/// `Ns` where it is not written: the lab's exponent.
+const SHININESS: f32 = 32.0;
+/// `Ns` where only `map_Ns` is: the largest that Blender writes.
+const SHININESS_OF_MAP: f32 = 1000.0;
+/// `Ni` where it is not written: glass, plastics.
+const REFRACTION_INDEX: f32 = 1.5;
+
+/// A material in the making, of the values that are settled so far.
+pub(super) struct Rules<'a> {
+    /// The material's, as a message shows it.
+    pub(super) name: String,
+    /// Where diagnostics go.
+    pub(super) reports: &'a mut Reports,
+    /// Of the values that are settled.
+    pub(super) sources: Vec<Source>,
+    /// What is not taken.
+    pub(super) unused: Vec<Source>,
+    /// Whether it was said that `Pr` and `Pm` win.
+    pub(super) has_told_physical: &'a mut bool,
+}
+
+/// A value, and where it came from.
+pub(super) type Sourced<T> = (T, Source);
+
+impl Rules<'_> {
+    /// The material.
+    pub(super) fn material(&mut self, mut draft: Draft) -> Material {
+        let (diffuse, diffuse_source) = self.color(
+            "diffuse",
+            "Kd",
+            &draft.diffuse,
+            &draft.diffuse_map,
+            (DIFFUSE, "0.8, a new material of Blender's"),
+        );
+        let ambient = self.ambient(&mut draft);
+        let (specular, specular_source) =
+            self.color("specular", "Ks", &draft.specular, &draft.specular_map, (0.0, "0"));
+        let (emitted, emitted_source) = self.color("emitted", "Ke", &draft.emitted, &draft.emitted_map, (0.0, "0"));
+        let physical = Physical::of(&mut draft, diffuse, self);
+        let is_matte = self.illumination_model(&draft, &physical, specular);
+
+        let mut surface = Surface {
+            diffuse: (diffuse, diffuse_source),
+            specular: (specular, specular_source),
+            shininess: (1.0, source::<f32>("shininess", None, "")),
+        };
+        let mut metallic_roughness = None;
+        match physical {
+            Some(physical) => metallic_roughness = physical.apply(&mut draft, &mut surface, is_matte, self),
+            None => {
+                if let Some(rule) = &is_matte {
+                    surface.specular.0 = [0.0; 3];
+                    surface.specular.1.rule.clone_from(rule);
+                    self.discard("specular_map", draft.specular_map.take(), rule);
+                }
+                surface.shininess = self.shininess(&draft, surface.specular.0 != [0.0; 3]);
+            }
+        }
+        let refraction_index = self.refraction_index(&draft);
+        let (opacity, opacity_source) = self.opacity(&mut draft);
+
+        let sources = vec![surface.diffuse.1, surface.specular.1, emitted_source, surface.shininess.1];
+        let physical_sources = std::mem::take(&mut self.sources);
+        self.sources.push(ambient.1);
+        self.sources.extend(sources);
+        self.sources.extend([refraction_index.1, opacity_source]);
+        if let Some(said) = &draft.illumination_model {
+            self.sources.push(said.source("illumination_model", illumination_rule(said.value)));
+        }
+        let mut material = Material {
+            ambient: ambient.0,
+            diffuse: surface.diffuse.0,
+            specular: surface.specular.0,
+            emitted,
+            shininess: surface.shininess.0,
+            refraction_index: refraction_index.0,
+            opacity,
+            illumination_model: draft.illumination_model.map(|said| said.value),
+            diffuse_map: self.map("diffuse_map", draft.diffuse_map, ""),
+            specular_map: self.map("specular_map", draft.specular_map, ""),
+            emitted_map: self.map("emitted_map", draft.emitted_map, ""),
+            shininess_map: self.map(
+                "shininess_map",
+                draft.shininess_map,
+                "times shininess (Blender writes its map of roughness so, which reads the other way round)",
+            ),
+            opacity_map: self.opacity_map(draft.opacity_map, draft.transparency_map),
+            normal_map: self.map("normal_map", draft.normal_map, ""),
+            bump_map: self.map("bump_map", draft.bump_map, "heights or normals: its colors decide"),
+            metallic_roughness,
+            ..Material { name: draft.name, ..Material::default() }
+        };
+        self.sources.extend(physical_sources);
+        material.sources = std::mem::take(&mut self.sources);
+        material.unused = draft.unused;
+        material.unused.append(&mut self.unused);
+        material.unused.sort_by_key(|source| source.line);
+        material
+    }
+
+    fn map(&mut self, property: &'static str, said: Option<Said<TextureMap>>, rule: &str) -> Option<TextureMap> {
+        let said = said?;
+        self.sources.push(said.source(property, rule));
+        Some(said.value)
+    }
+
+    /// Says, once for a library, that `Pr` and `Pm` win.
+    pub(super) fn tell_physical(&mut self, line: u64) {
+        if !std::mem::replace(self.has_told_physical, true) {
+            self.reports.note(line, "where Pr or Pm is written, they are used, and Ks and Ns are not");
+        }
+    }
+
+    /// A statement that is not taken, by a rule.
+    pub(super) fn discard<T>(&mut self, property: &'static str, said: Option<Said<T>>, rule: &str) {
+        self.unused.extend(said.map(|said| said.source(property, rule)));
+    }
+
+    /// The color that a map is multiplied by: black would hide the map, which no one can have meant.
+    fn color(
+        &mut self,
+        property: &'static str,
+        keyword: &str,
+        said: &Option<Said<[f32; 3]>>,
+        map: &Option<Said<TextureMap>>,
+        (absent, absent_text): (f32, &str),
+    ) -> Sourced<[f32; 3]> {
+        match (said, map) {
+            (Some(said), Some(_)) if said.value == [0.0; 3] => {
+                let (line, column, name) = (said.place.line, Some(said.place.column), &self.name);
+                self.reports.add("colors that are black beside their maps", Severity::Note, line, column, || {
+                    format!("{keyword} of {name} is black beside map_{keyword}: taken as 1 1 1")
+                });
+                ([1.0; 3], said.source(property, format!("black beside map_{keyword}: taken as 1 1 1")))
+            }
+            (Some(said), _) => {
+                let is_xyz = said.place.written.to_ascii_lowercase().contains(" xyz ");
+                (said.value, said.source(property, if is_xyz { "from CIE XYZ to linear sRGB" } else { "" }))
+            }
+            (None, Some(_)) => {
+                let rule = format!("not written beside map_{keyword}: 1 1 1");
+                ([1.0; 3], source::<()>(property, None, rule))
+            }
+            (None, None) => ([absent; 3], source::<()>(property, None, format!("not written: {absent_text}"))),
+        }
+    }
+
+    /// `k_a` is what is written, or follows the diffuse color.
+    fn ambient(&mut self, draft: &mut Draft) -> Sourced<AmbientRule> {
+        const FOLLOWS: AmbientRule = AmbientRule::FollowsDiffuse;
+        if let Some(map) = draft.ambient_map.take() {
+            if draft.diffuse_map.as_ref().is_some_and(|diffuse| diffuse.value.path == map.value.path) {
+                return (FOLLOWS, map.source("ambient", "the picture of map_Kd: follows the diffuse color"));
+            }
+            let (line, column, name) = (map.place.line, Some(map.place.column), &self.name);
+            self.reports.add("maps of the ambient color", Severity::Note, line, column, || {
+                format!("map_Ka of {name} is another picture than map_Kd: it is not used")
+            });
+            self.discard("map_Ka", Some(map), "the ambient color has no picture of its own");
+        }
+        match &draft.ambient {
+            None => (FOLLOWS, source::<()>("ambient", None, "not written: follows the diffuse color")),
+            Some(said) if said.value == [1.0; 3] => {
+                (FOLLOWS, said.source("ambient", "1 1 1, as Blender writes always: follows the diffuse color"))
+            }
+            Some(said) => (AmbientRule::Value(said.value), said.source("ambient", "")),
+        }
+    }
+
+    /// Says what a model asks for that is not done. Returns the rule by which it switches the highlight off, if so.
+    fn illumination_model(&mut self, draft: &Draft, physical: &Option<Physical>, specular: [f32; 3]) -> Option<String> {
+        let said = draft.illumination_model.as_ref()?;
+        let (model, line, column) = (said.value, said.place.line, Some(said.place.column));
+        let name = &self.name;
+        if let Some(wish) = wish_of_model(model) {
+            self.reports.add("illumination models that are not done", Severity::Note, line, column, || {
+                format!("illum {model} of {name} asks for {wish}")
+            });
+        }
+        // What is metal shines whatever the model says: Blender writes illum 1 for `Ks 0`, which metal does not heed.
+        if model > 1 || physical.as_ref().is_some_and(Physical::is_metal) {
+            return None;
+        }
+        if physical.is_some() || specular != [0.0; 3] || draft.specular_map.is_some() {
+            let what = if physical.is_some() { "highlight" } else { "Ks" };
+            self.reports.add("highlights switched off", Severity::Note, line, column, || {
+                format!("the material {name} has illum {model}, which switches its {what} off")
+            });
+        }
+        Some(format!("illum {model} switches the highlight off"))
+    }
+
+    fn shininess(&mut self, draft: &Draft, is_seen: bool) -> Sourced<f32> {
+        let Some(said) = &draft.shininess else {
+            return match draft.shininess_map {
+                Some(_) => (
+                    SHININESS_OF_MAP,
+                    source::<()>("shininess", None, "not written beside map_Ns: 1000, Blender's largest"),
+                ),
+                None => (SHININESS, source::<()>("shininess", None, "not written: 32")),
+            };
+        };
+        let (line, column, name) = (said.place.line, Some(said.place.column), &self.name);
+        match (said.value, &draft.shininess_map) {
+            (0.0, Some(_)) => {
+                self.reports.add("exponents of 0 beside their maps", Severity::Note, line, column, || {
+                    format!("Ns of {name} is 0 beside map_Ns: taken as 1000")
+                });
+                (SHININESS_OF_MAP, said.source("shininess", "0 beside map_Ns: taken as 1000"))
+            }
+            (value, _) if value < 1.0 => {
+                if is_seen {
+                    self.reports.add("exponents below 1", Severity::Note, line, column, || {
+                        format!("the material {name} has Ns {value}: 1 is taken, the smallest")
+                    });
+                }
+                (1.0, said.source("shininess", "at least 1"))
+            }
+            (value, _) => (value, said.source("shininess", "")),
+        }
+    }
+
+    fn refraction_index(&mut self, draft: &Draft) -> Sourced<f32> {
+        match &draft.refraction_index {
+            Some(said) if said.value > 0.0 => (said.value, said.source("refraction_index", "")),
+            Some(said) => (REFRACTION_INDEX, said.source("refraction_index", "0 is no refraction index: 1.5")),
+            None => (REFRACTION_INDEX, source::<()>("refraction_index", None, "not written: 1.5")),
+        }
+    }
+
+    /// `d`, or 1 - `Tr`; from 0 to 1. Beside a picture 0 would hide it.
+    fn opacity(&mut self, draft: &mut Draft) -> Sourced<f32> {
+        const PROPERTY: &str = "opacity";
+        if draft.opacity_map.is_none()
+            && draft.opacity.is_none()
+            && let (Some(map), Some(said)) = (&mut draft.transparency_map, &draft.transparency)
+        {
+            // map_Tr is multiplied by Tr, and the product is what light goes through.
+            let gain = if said.value == 0.0 { 1.0 } else { said.value.min(1.0) };
+            (map.value.texel.base, map.value.texel.gain) = (map.value.texel.base * gain, map.value.texel.gain * gain);
+            let rule = if said.value == 0.0 { "0 beside map_Tr: taken as 1" } else { "1 - Tr * map_Tr" };
+            return (1.0, said.source(PROPERTY, rule));
+        }
+        let (value, from) = match (&draft.opacity, &draft.transparency) {
+            (Some(d), Some(tr)) if (d.value - (1.0 - tr.value)).abs() > 1e-4 => {
+                let (line, column, name) = (tr.place.line, Some(tr.place.column), &self.name);
+                let (opacity, transparency) = (d.value, tr.value);
+                self.reports.add("contradictions of d and Tr", Severity::Note, line, column, || {
+                    format!("d ({opacity}) and Tr ({transparency}) of {name} contradict each other: d is taken")
+                });
+                (d.value, d.source(PROPERTY, format!("Tr (line {line}) contradicts it: d is taken")))
+            }
+            (Some(d), _) => (d.value, d.source(PROPERTY, if d.value > 1.0 { "at most 1" } else { "" })),
+            (None, Some(tr)) => (1.0 - tr.value, tr.source(PROPERTY, "1 - Tr")),
+            (None, None) => (1.0, source::<()>(PROPERTY, None, "not written: 1")),
+        };
+        let (line, name) = (from.line.unwrap_or(draft.line), &self.name);
+        let has_map = draft.opacity_map.is_some() || draft.transparency_map.is_some();
+        if value <= 0.0 && has_map {
+            self.reports.add("opacities of 0 beside their maps", Severity::Note, line, None, || {
+                format!("the opacity of {name} is 0 beside its map: taken as 1")
+            });
+            return (1.0, Source { rule: "0 beside its map: taken as 1".to_owned(), ..from });
+        }
+        if value <= 0.0 {
+            self.reports.add("invisible materials", Severity::Note, line, None, || {
+                format!("the material {name} is invisible (d 0 or Tr 1)")
+            });
+        }
+        (value.clamp(0.0, 1.0), from)
+    }
+
+    /// `map_d`, or `map_Tr` the other way round.
+    fn opacity_map(
+        &mut self,
+        opacity: Option<Said<TextureMap>>,
+        transparency: Option<Said<TextureMap>>,
+    ) -> Option<TextureMap> {
+        let Some(mut map) = transparency else { return self.map("opacity_map", opacity, "") };
+        if opacity.is_some() {
+            let (line, column, name) = (map.place.line, Some(map.place.column), &self.name);
+            self.reports.add("map_Tr beside map_d", Severity::Note, line, column, || {
+                format!("{name} has map_d and map_Tr: map_d is taken")
+            });
+            self.discard("map_Tr", Some(map), "map_d is taken");
+            return self.map("opacity_map", opacity, "");
+        }
+        let texel = &mut map.value.texel;
+        (texel.base, texel.gain) = (1.0 - texel.base, -texel.gain);
+        self.map("opacity_map", Some(map), "inverted: what is white lets light through")
+    }
+}
+
+/// The three values that the physically based extension gives too.
+pub(super) struct Surface {
+    pub(super) diffuse: Sourced<[f32; 3]>,
+    pub(super) specular: Sourced<[f32; 3]>,
+    pub(super) shininess: Sourced<f32>,
+}
+
+/// What a model asks for beyond the light equation, and what is done instead.
+fn wish_of_model(model: u8) -> Option<&'static str> {
+    Some(match model {
+        0 => "a constant color without lights: it is lit as with illum 1",
+        3 => "reflections by ray tracing, which need surroundings: it is lit as with illum 2",
+        4 => "glass and reflections by ray tracing, which need surroundings: it is lit as with illum 2",
+        5 => "reflections by Fresnel's law, which need surroundings: it is lit as with illum 2",
+        6 => "refraction and reflections by ray tracing, which need surroundings: it is lit as with illum 2",
+        7 => "refraction and reflections by Fresnel's law, which need surroundings: it is lit as with illum 2",
+        8 => "reflections of a map, which need surroundings: it is lit as with illum 2",
+        9 => "glass and reflections of a map, which need surroundings: it is lit as with illum 2",
+        10 => "shadows cast on what is invisible, which are not done: it is lit as with illum 2",
+        _ => return None,
+    })
+}
+
+/// What a model switches on and off.
+fn illumination_rule(model: u8) -> &'static str {
+    match model {
+        0 => "constant color: highlight off; lights are not switched off",
+        1 => "diffuse on, highlight off",
+        2 => "diffuse and highlight on",
+        3 => "highlight on; reflections are not done",
+        4 | 9 => "highlight on; glass and reflections are not done",
+        5 | 8 => "highlight on; reflections are not done",
+        6 | 7 => "highlight on; refraction and reflections are not done",
+        _ => "highlight on; shadows on what is invisible are not done",
+    }
+}
+
+/// A material's name as a message shows it.
+pub(super) fn quoted_name(draft: &Draft) -> String {
+    quote(draft.name.as_bytes())
+}

@@ -1,0 +1,162 @@
+//! Numbers and colours of a material's statements, and what a statement leaves behind: a value and where it stands.
+
+use crate::report::Reports;
+use crate::text::{BadNumber, Cursor, quote};
+use crate::{Severity, Source};
+
+/// The longest text of a statement that is kept, in characters.
+const LONGEST: usize = 80;
+
+/// Where a statement stands, and its words.
+#[derive(Clone, Default)]
+pub(super) struct Place {
+    pub(super) line: u64,
+    pub(super) column: u64,
+    /// As in the file, without the comment and with single blanks for joined lines; shortened.
+    pub(super) written: String,
+}
+
+impl Place {
+    /// Of the statement whose keyword was just read.
+    pub(super) fn of(line: u64, column: u64, keyword: &[u8], cursor: &Cursor<'_>) -> Self {
+        let rest = cursor.rest();
+        // More than is kept, so that a name of some gigabytes is not copied.
+        let rest = Cursor::new(&rest[..rest.len().min(8 * LONGEST)]).name();
+        let keyword = String::from_utf8_lossy(&keyword[..keyword.len().min(4 * LONGEST)]);
+        let whole = if rest.is_empty() { keyword.into_owned() } else { format!("{keyword} {rest}") };
+        let mut written: String = whole.chars().take(LONGEST).collect();
+        if whole.chars().nth(LONGEST).is_some() {
+            written.push_str("...");
+        }
+        Place { line, column, written }
+    }
+}
+
+/// What a statement says.
+#[derive(Clone)]
+pub(super) struct Said<T> {
+    pub(super) value: T,
+    pub(super) place: Place,
+}
+
+impl<T> Said<T> {
+    /// Where a material's property came from.
+    pub(super) fn source(&self, property: &'static str, rule: impl Into<String>) -> Source {
+        Source { property, line: Some(self.place.line), written: self.place.written.clone(), rule: rule.into() }
+    }
+}
+
+/// The source of a property that a statement may have given, else of one by a rule.
+pub(super) fn source<T>(property: &'static str, said: Option<&Said<T>>, rule: impl Into<String>) -> Source {
+    match said {
+        Some(said) => said.source(property, rule),
+        None => Source { property, line: None, written: String::new(), rule: rule.into() },
+    }
+}
+
+/// Keeps what a statement says, if it says something. The last of two statements counts, which is noted.
+pub(super) fn put<T>(
+    slot: &mut Option<Said<T>>,
+    value: Option<T>,
+    place: &Place,
+    keyword: &'static str,
+    reports: &mut Reports,
+) {
+    let Some(value) = value else { return };
+    if let Some(earlier) = slot {
+        let line = earlier.place.line;
+        reports.add("statements that stand twice", Severity::Note, place.line, Some(place.column), || {
+            format!("{keyword} is already on line {line}: this one is taken")
+        });
+    }
+    *slot = Some(Said { value, place: place.clone() });
+}
+
+/// `r g b`, one number for grey, or `xyz x y z`: linear RGB. A file of a spectrum is not read.
+pub(super) fn color(cursor: &mut Cursor<'_>, keyword: &'static str, reports: &mut Reports) -> Option<[f32; 3]> {
+    let (line, has_word) = (cursor.line(), cursor.next_word());
+    let column = Some(cursor.column());
+    if has_word && cursor.offending_word().eq_ignore_ascii_case(b"spectral") {
+        cursor.word();
+        let file = cursor.name();
+        reports.add("colors given by spectra", Severity::Warning, line, column, || {
+            format!("{keyword} names the spectrum {}, which is not read: it is ignored", quote(file.as_bytes()))
+        });
+        return None;
+    }
+    if has_word && cursor.offending_word().eq_ignore_ascii_case(b"xyz") {
+        cursor.word();
+        let rgb = linear_rgb_from_xyz(three(cursor, keyword, reports)?);
+        if rgb.iter().any(|c| *c < 0.0) {
+            reports.add("colors beyond sRGB", Severity::Note, line, column, || {
+                format!("{keyword} xyz is more saturated than sRGB can be: what is negative is taken as 0")
+            });
+        }
+        return Some(rgb.map(|c| c.max(0.0)));
+    }
+    three(cursor, keyword, reports)
+}
+
+/// IEC 61966-2-1: 1999 with amendment 1, the matrix for a white of D65 with Y = 1.
+fn linear_rgb_from_xyz([x, y, z]: [f32; 3]) -> [f32; 3] {
+    const ROWS: [[f64; 3]; 3] = [
+        [3.240_625_5, -1.537_208, -0.498_628_6],
+        [-0.968_930_7, 1.875_756_1, 0.041_517_5],
+        [0.055_710_1, -0.204_021_1, 1.056_995_9],
+    ];
+    let [x, y, z] = [x, y, z].map(f64::from);
+    ROWS.map(|[a, b, c]| (a * x + b * y + c * z) as f32)
+}
+
+/// Three numbers, or one for all three.
+fn three(cursor: &mut Cursor<'_>, keyword: &'static str, reports: &mut Reports) -> Option<[f32; 3]> {
+    let first = scalar(cursor, keyword, reports)?;
+    if !cursor.next_word() {
+        return Some([first; 3]);
+    }
+    let second = scalar(cursor, keyword, reports)?;
+    if !cursor.next_word() {
+        let (line, column) = (cursor.line(), Some(cursor.column()));
+        reports.add("colors with two numbers", Severity::Warning, line, column, || {
+            format!("{keyword} has 2 numbers where a color has 1 or 3: it is ignored")
+        });
+        return None;
+    }
+    let color = [first, second, scalar(cursor, keyword, reports)?];
+    nothing_left(cursor, keyword, reports);
+    Some(color)
+}
+
+/// One number that is finite and not negative, and nothing behind it.
+pub(super) fn only_scalar(cursor: &mut Cursor<'_>, keyword: &'static str, reports: &mut Reports) -> Option<f32> {
+    let value = scalar(cursor, keyword, reports)?;
+    nothing_left(cursor, keyword, reports);
+    Some(value)
+}
+
+fn nothing_left(cursor: &mut Cursor<'_>, keyword: &'static str, reports: &mut Reports) {
+    if cursor.next_word() {
+        let (line, column, what) = (cursor.line(), Some(cursor.column()), quote(cursor.offending_word()));
+        reports.add("words behind the numbers of materials", Severity::Warning, line, column, || {
+            format!("{keyword} goes on with {what} after its last number: that is ignored")
+        });
+    }
+}
+
+/// A number that is finite and not negative.
+fn scalar(cursor: &mut Cursor<'_>, keyword: &'static str, reports: &mut Reports) -> Option<f32> {
+    let has_word = cursor.next_word();
+    let (line, column) = (cursor.line(), Some(cursor.column()));
+    let what = quote(cursor.offending_word());
+    let problem = match cursor.number() {
+        _ if !has_word => "ends before its number".to_owned(),
+        Ok(value) if value >= 0.0 => return Some(value.abs()),
+        Ok(_) => format!("is negative ({what})"),
+        Err(BadNumber::NotFinite) => format!("has {what}, which is not finite"),
+        Err(BadNumber::Unreadable) => format!("has {what} where a number should be"),
+    };
+    reports.add("numbers of materials that are no use", Severity::Warning, line, column, || {
+        format!("{keyword} {problem}: it is ignored")
+    });
+    None
+}

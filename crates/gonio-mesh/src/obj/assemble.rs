@@ -1,0 +1,145 @@
+//! The mesh out of attributes, vertices and triangles.
+
+use super::attributes::Attributes;
+use super::vertices::{Corner, Kind, Vertices, too_many_vertices};
+use crate::{Limits, Mesh, NormalSource, ReadError};
+use rayon::prelude::*;
+use std::mem;
+
+/// Indices below which several threads are not worth it.
+const MANY_INDICES: usize = 1 << 17;
+
+/// Makes the mesh, without parts. `indices` are those of `vertices`, three for each triangle.
+///
+/// Where the memory goes is most of what this is about: what is not needed any more is given back at once, and what
+/// can stay where it is stays.
+pub(super) fn mesh(
+    attributes: Attributes,
+    vertices: Vertices,
+    mut indices: Vec<u32>,
+    limits: &Limits,
+) -> Result<Mesh, ReadError> {
+    let position_count = vertices.position_count();
+    let first_kinds = Used::new(vertices);
+    let vertex_count = (first_kinds.count + first_kinds.extras.len()) as u64;
+    let most = limits.max_vertices.min(u64::from(u32::MAX));
+    if vertex_count > most {
+        return Err(too_many_vertices(most));
+    }
+    if indices.len() as u64 / 3 > limits.max_triangles {
+        let message = format!("holds more than {} triangles, which is the limit", limits.max_triangles);
+        return Err(ReadError::new(message));
+    }
+    let normals = gather(attributes.normals, &first_kinds, Kind::normal);
+    let tex_coords = gather(attributes.tex_coords, &first_kinds, Kind::tex_coord);
+    let colors = gather_colors(attributes.colors, &first_kinds);
+    let positions = gather_positions(attributes.positions, &first_kinds);
+    first_kinds.renumber(position_count, &mut indices);
+    Ok(Mesh {
+        normal_source: if normals.is_empty() { NormalSource::None } else { NormalSource::File },
+        positions,
+        normals,
+        tex_coords,
+        colors,
+        indices,
+        ..Mesh::default()
+    })
+}
+
+/// The vertices that there are: the used positions with their first kinds of corners, then the extras.
+struct Used {
+    vertices: Vertices,
+    extras: Vec<Corner>,
+    /// How many positions are used.
+    count: usize,
+}
+
+impl Used {
+    fn new(mut vertices: Vertices) -> Self {
+        let count = vertices.used_count();
+        let extras = mem::take(&mut vertices.extras).into_corners();
+        Used { vertices, extras, count }
+    }
+
+    /// Leaves out the numbers of unused positions.
+    fn renumber(mut self, position_count: usize, indices: &mut [u32]) {
+        let unused = (position_count - self.count) as u32;
+        if unused == 0 {
+            return;
+        }
+        self.vertices.number_used();
+        let vertices = &self.vertices;
+        let renumber = |index: &mut u32| {
+            *index = match vertices.number(*index as usize) {
+                Some(number) => number,
+                None => *index - unused,
+            };
+        };
+        if indices.len() < MANY_INDICES {
+            indices.iter_mut().for_each(renumber);
+        } else {
+            indices.par_chunks_mut(MANY_INDICES).for_each(|chunk| chunk.iter_mut().for_each(renumber));
+        }
+    }
+}
+
+/// One attribute of all vertices; none where no vertex has it. `index` gives it from 1, or 0.
+fn gather<const N: usize>(mut values: Vec<[f32; N]>, used: &Used, index: impl Fn(Kind) -> usize) -> Vec<[f32; N]> {
+    let value = |values: &[[f32; N]], kind: Kind| match index(kind).checked_sub(1) {
+        Some(place) => values[place],
+        None => [0.0; N],
+    };
+    // Each vertex's value lies at its place or behind it: they can move forward one by one.
+    let (mut has_any, mut is_in_order) = (false, true);
+    for (vertex, (_, kind)) in used.vertices.firsts().enumerate() {
+        let place = index(kind);
+        has_any |= place > 0;
+        is_in_order &= place == 0 || place > vertex;
+    }
+    has_any |= used.extras.iter().any(|(_, kind)| index(*kind) > 0);
+    if !has_any {
+        return Vec::new();
+    }
+    if is_in_order && used.count <= values.len() {
+        let extras: Vec<[f32; N]> = used.extras.iter().map(|(_, kind)| value(&values, *kind)).collect();
+        for (vertex, (_, kind)) in used.vertices.firsts().enumerate() {
+            values[vertex] = value(&values, kind);
+        }
+        return end(values, used.count, extras);
+    }
+    let mut gathered = Vec::with_capacity(used.count + used.extras.len());
+    gathered.extend(used.vertices.firsts().map(|(_, kind)| value(&values, kind)));
+    gathered.extend(used.extras.iter().map(|(_, kind)| value(&values, *kind)));
+    gathered
+}
+
+fn gather_positions(mut values: Vec<[f32; 3]>, used: &Used) -> Vec<[f32; 3]> {
+    let extras = used.extras.iter().map(|(position, _)| values[*position as usize]).collect();
+    if used.count < values.len() {
+        for (vertex, (position, _)) in used.vertices.firsts().enumerate() {
+            values[vertex] = values[position];
+        }
+    }
+    end(values, used.count, extras)
+}
+
+/// White where there is no colour.
+fn gather_colors(values: Vec<[f32; 3]>, used: &Used) -> Vec<[f32; 4]> {
+    if values.is_empty() {
+        return Vec::new();
+    }
+    let color = |position: usize| {
+        let [r, g, b] = values.get(position).copied().unwrap_or([1.0; 3]);
+        [r, g, b, 1.0]
+    };
+    let firsts = used.vertices.firsts().map(|(position, _)| color(position));
+    firsts.chain(used.extras.iter().map(|(position, _)| color(*position as usize))).collect()
+}
+
+fn end<const N: usize>(mut values: Vec<[f32; N]>, count: usize, extras: Vec<[f32; N]>) -> Vec<[f32; N]> {
+    values.truncate(count);
+    values.reserve_exact(extras.len());
+    values.extend_from_slice(&extras);
+    values.shrink_to_fit();
+    values
+}

@@ -1,0 +1,405 @@
+//! The first pass: what vertices are made of (`v`, `vt`, `vn`). All other statements are stepped over, and where they
+//! lie is remembered for the second pass, which then knows all vertices, those behind a face too.
+
+use super::quick::{Line, REACH, small_numbers};
+use super::scan::{self, Blanks, WINDOW};
+use crate::report::Reports;
+use crate::text::{BadNumber, Cursor, quote};
+use crate::{ReadError, Severity};
+use glam::DVec3;
+use std::ops::Range;
+
+/// Attributes of a piece of a file, or of all of it. Line numbers count from the piece's start.
+#[derive(Default)]
+pub(super) struct Attributes {
+    pub(super) positions: Vec<[f32; 3]>,
+    /// Of as many positions as had a colour when the last one had one; white in between.
+    pub(super) colors: Vec<[f32; 3]>,
+    pub(super) tex_coords: Vec<[f32; 2]>,
+    /// Unit vectors, or zero where the file's has no length.
+    pub(super) normals: Vec<[f32; 3]>,
+    /// Where the other statements are.
+    pub(super) segments: Vec<Segment>,
+    pub(super) reports: Reports,
+    /// How many positions have a colour.
+    pub(super) colored: u64,
+    /// The first line with a weight that is not 1.
+    pub(super) weighted: Option<u64>,
+    /// How many lines there are.
+    pub(super) lines: u64,
+    /// Where it ended, before the end of the piece.
+    pub(super) error: Option<ReadError>,
+    /// Whether the last segment may be made longer.
+    is_open: bool,
+}
+
+/// A stretch of a file with statements that are no attributes, and perhaps few and plain ones that are.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Segment {
+    pub(super) bytes: Range<usize>,
+    /// The number of its first line.
+    pub(super) line: u64,
+    /// How many positions, texture coordinates and normals there are before it.
+    pub(super) counts: [u64; 3],
+    /// How many triangles its faces are likely to make: rather too many than too few.
+    pub(super) triangles: usize,
+}
+
+/// Segments with less than this between them are one: there are never more of them than the file has kilobytes.
+const SMALLEST_GAP: usize = 1024;
+
+impl Attributes {
+    /// Of a piece of a file, which begins and ends between two statements. `quick` allows the quick way, which
+    /// changes nothing but the time.
+    pub(super) fn parse(bytes: &[u8], piece: Range<usize>, quick: bool) -> Self {
+        let mut attributes = Attributes { lines: 1, ..Attributes::default() };
+        let mut at = piece.start;
+        while at < piece.end {
+            if quick && let Some(next) = attributes.quick(bytes, at, piece.end) {
+                at = next;
+                continue;
+            }
+            match attributes.slow(bytes, at) {
+                Ok(next) => at = next,
+                Err(error) => {
+                    attributes.error = Some(error);
+                    break;
+                }
+            }
+        }
+        attributes.lines -= 1;
+        attributes
+    }
+
+    pub(super) fn counts(&self) -> [u64; 3] {
+        [self.positions.len() as u64, self.tex_coords.len() as u64, self.normals.len() as u64]
+    }
+
+    /// One plain attribute, or any number of plain other lines; where the next line starts.
+    #[inline(always)]
+    fn quick(&mut self, bytes: &[u8], at: usize, end: usize) -> Option<usize> {
+        match bytes.get(at)? {
+            b'v' => {
+                let length = self.plain_attribute(bytes.get(at..)?.first_chunk()?)?;
+                self.lines += 1;
+                Some(at + length)
+            }
+            b'\n' => {
+                self.lines += 1;
+                Some(at + 1)
+            }
+            b' ' | b'\t' | 0x0B | 0x0C | b'\\' => None,
+            // A byte order mark may stand before a vertex.
+            _ if at == 0 => None,
+            _ => {
+                let others = other_lines(bytes, at, end);
+                if others.lines == 0 {
+                    return None;
+                }
+                self.others(at..others.end, others.triangles);
+                self.lines += others.lines;
+                Some(others.end)
+            }
+        }
+    }
+
+    /// Takes a `v`, `vt` or `vn` in its plain form; its length.
+    #[inline(always)]
+    fn plain_attribute(&mut self, bytes: &[u8; REACH]) -> Option<usize> {
+        match (bytes[1], bytes[2]) {
+            (b' ', _) => match small_numbers(bytes, 2) {
+                Some((position, length)) => {
+                    self.positions.push(position);
+                    Some(length)
+                }
+                None => self.plain_vertex(Line::new(bytes)?.after_keyword(2)?),
+            },
+            (b't', b' ') => match small_numbers(bytes, 3) {
+                Some((tex_coord, length)) => {
+                    self.tex_coords.push(tex_coord);
+                    Some(length)
+                }
+                None => self.plain_tex_coord(Line::new(bytes)?.after_keyword(3)?),
+            },
+            (b'n', b' ') => {
+                let (normal, length) = match small_numbers(bytes, 3) {
+                    Some(small) => small,
+                    None => {
+                        let mut line = Line::new(bytes)?.after_keyword(3)?;
+                        let (normal, end) = three(&mut line)?;
+                        (normal, line.end(end)?)
+                    }
+                };
+                self.normals.push(unit(normal));
+                Some(length)
+            }
+            _ => None,
+        }
+    }
+
+    /// One, two or three numbers, of which the third means nothing.
+    #[inline]
+    fn plain_tex_coord(&mut self, mut line: Line<'_>) -> Option<usize> {
+        let (u, end) = line.number()?;
+        if let Some(length) = line.end(end) {
+            self.tex_coords.push([u, 0.0]);
+            return Some(length);
+        }
+        let (v, next_end) = line.number().filter(|_| end == b' ')?;
+        let length = match line.end(next_end) {
+            Some(length) => length,
+            None => {
+                let (_, last_end) = line.number().filter(|_| next_end == b' ')?;
+                line.end(last_end)?
+            }
+        };
+        self.tex_coords.push([u, v]);
+        Some(length)
+    }
+
+    /// Three numbers, or a weight behind them, or a colour.
+    #[inline]
+    fn plain_vertex(&mut self, mut line: Line<'_>) -> Option<usize> {
+        let (position, end) = three(&mut line)?;
+        if let Some(length) = line.end(end) {
+            self.positions.push(position);
+            return Some(length);
+        }
+        let (fourth, end) = line.number().filter(|_| end == b' ')?;
+        if let Some(length) = line.end(end) {
+            if fourth != 1.0 && self.weighted.is_none() {
+                self.weighted = Some(self.lines);
+            }
+            self.positions.push(position);
+            return Some(length);
+        }
+        let (fifth, next_end) = line.number().filter(|_| end == b' ')?;
+        let (sixth, last_end) = line.number().filter(|_| next_end == b' ')?;
+        let length = line.end(last_end)?;
+        self.color([fourth, fifth, sixth]);
+        self.positions.push(position);
+        Some(length)
+    }
+
+    /// Notes the colour of the position that comes next.
+    fn color(&mut self, color: [f32; 3]) {
+        self.colors.resize(self.positions.len(), [1.0; 3]);
+        self.colors.push(color);
+        self.colored += 1;
+    }
+
+    /// Remembers a stretch of other statements, which starts at the line that is next.
+    #[inline]
+    fn others(&mut self, bytes: Range<usize>, triangles: usize) {
+        let counts = self.counts();
+        match self.segments.last_mut() {
+            Some(last) if self.is_open && bytes.start - last.bytes.end < SMALLEST_GAP => {
+                last.bytes.end = bytes.end;
+                last.triangles += triangles;
+            }
+            _ => self.segments.push(Segment { bytes, line: self.lines, counts, triangles }),
+        }
+        self.is_open = true;
+    }
+
+    /// Any statement, byte by byte; where the next one starts.
+    fn slow(&mut self, bytes: &[u8], at: usize) -> Result<usize, ReadError> {
+        let mut cursor = Cursor::at_line(bytes, at, self.lines);
+        let mut is_attribute = true;
+        if cursor.next_word() {
+            match cursor.word() {
+                b"v" => self.vertex(&mut cursor)?,
+                b"vt" => self.tex_coord(&mut cursor)?,
+                b"vn" => self.normal(&mut cursor)?,
+                keyword => {
+                    is_attribute = false;
+                    // Names have comments of their own kind: a line ends where their reader says.
+                    if matches!(keyword, b"o" | b"g" | b"usemtl" | b"mtllib") {
+                        cursor.name();
+                    }
+                }
+            }
+        }
+        cursor.next_line();
+        let next = cursor.position().min(bytes.len());
+        if is_attribute {
+            // The second pass steps over attributes of one line only.
+            self.is_open &= cursor.line() == self.lines + 1;
+        } else {
+            let blanks = bytes[at..next].iter().filter(|byte| **byte <= b' ').count();
+            self.others(at..next, likely_triangles(blanks, 1));
+        }
+        self.lines = cursor.line();
+        Ok(next)
+    }
+
+    fn vertex(&mut self, cursor: &mut Cursor<'_>) -> Result<(), ReadError> {
+        let mut position = [0.0; 3];
+        for value in &mut position {
+            *value = coordinate(cursor, "v", 3)?;
+        }
+        if cursor.next_word() {
+            self.more_of_vertex(cursor)?;
+        }
+        self.positions.push(position);
+        Ok(())
+    }
+
+    /// After x y z: w, or r g b, or r g b a (whose a is ignored).
+    fn more_of_vertex(&mut self, cursor: &mut Cursor<'_>) -> Result<(), ReadError> {
+        let line = cursor.line();
+        let mut more = [0.0; 4];
+        let mut count = 0;
+        while count < 4 && cursor.next_word() {
+            more[count] = coordinate(cursor, "v", 3)?;
+            count += 1;
+        }
+        match count {
+            1 => {
+                if more[0] != 1.0 && self.weighted.is_none() {
+                    self.weighted = Some(line);
+                }
+            }
+            3 | 4 => self.color([more[0], more[1], more[2]]),
+            _ => self.reports.add("vertices with five numbers", Severity::Warning, line, None, || {
+                "v has 5 numbers, which means nothing: the last two are ignored".to_owned()
+            }),
+        }
+        Ok(())
+    }
+
+    fn tex_coord(&mut self, cursor: &mut Cursor<'_>) -> Result<(), ReadError> {
+        let u = self.finite(cursor, "vt")?;
+        let v = if cursor.next_word() { self.finite(cursor, "vt")? } else { 0.0 };
+        self.tex_coords.push([u, v]);
+        Ok(())
+    }
+
+    fn normal(&mut self, cursor: &mut Cursor<'_>) -> Result<(), ReadError> {
+        let mut normal = [0.0; 3];
+        for value in &mut normal {
+            *value = self.finite(cursor, "vn")?;
+        }
+        self.normals.push(unit(normal));
+        Ok(())
+    }
+
+    /// A number of a statement that a picture can do without: what is not finite becomes 0.
+    fn finite(&mut self, cursor: &mut Cursor<'_>, keyword: &'static str) -> Result<f32, ReadError> {
+        if !cursor.next_word() {
+            return Err(too_short(cursor, keyword, if keyword == "vt" { 1 } else { 3 }));
+        }
+        match cursor.number() {
+            Ok(value) => Ok(value),
+            Err(BadNumber::Unreadable) => Err(unreadable(cursor, keyword)),
+            Err(BadNumber::NotFinite) => {
+                let what = quote(cursor.offending_word());
+                let (line, column) = (cursor.line(), Some(cursor.column()));
+                let kind = if keyword == "vt" { "numbers of vt not finite" } else { "numbers of vn not finite" };
+                self.reports.add(kind, Severity::Warning, line, column, || {
+                    format!("{keyword} has {what}, which is not a finite number: 0 is taken instead")
+                });
+                while !cursor.at_word_end() || cursor.peek() == Some(b'#') && what.contains('#') {
+                    cursor.advance();
+                }
+                Ok(0.0)
+            }
+        }
+    }
+}
+
+/// Three numbers between blanks, and the byte behind them.
+#[inline(always)]
+fn three(line: &mut Line<'_>) -> Option<([f32; 3], u8)> {
+    let (x, end) = line.number()?;
+    let (y, next_end) = line.number().filter(|_| end == b' ')?;
+    let (z, last_end) = line.number().filter(|_| next_end == b' ')?;
+    Some(([x, y, z], last_end))
+}
+
+/// Of length 1, or zero.
+#[inline(always)]
+fn unit(normal: [f32; 3]) -> [f32; 3] {
+    DVec3::from(normal.map(f64::from)).normalize_or_zero().as_vec3().to_array()
+}
+
+/// Triangles of so many faces on lines of their own with so many blanks, line ends among them: before each corner is
+/// one, and a polygon has two more corners than triangles.
+fn likely_triangles(blanks: usize, faces: usize) -> usize {
+    blanks.saturating_sub(3 * faces)
+}
+
+/// Lines that were stepped over.
+struct Others {
+    /// Where the next line starts.
+    end: usize,
+    lines: u64,
+    /// About how many triangles their faces make.
+    triangles: usize,
+}
+
+/// Steps over lines, the first of which is no attribute, up to one that may be an attribute, or is not plain, or lies
+/// at `end` or behind.
+#[inline]
+fn other_lines(bytes: &[u8], start: usize, end: usize) -> Others {
+    let (mut line_start, mut lines, mut faces, mut blanks) = (start, 0, 0, Blanks::new());
+    let mut is_face = bytes[start] == b'f';
+    let mut at = start;
+    'windows: while let Some(window) = bytes.get(at..).and_then(|rest| rest.first_chunk::<WINDOW>()) {
+        blanks.count(window);
+        let mut ends = scan::line_ends(window);
+        while ends != 0 {
+            let place = at + ends.trailing_zeros() as usize;
+            ends &= ends - 1;
+            let next = bytes.get(place + 1);
+            match bytes[place] {
+                b'\n' => {
+                    lines += 1;
+                    faces += usize::from(is_face);
+                    is_face = next == Some(&b'f');
+                    line_start = place + 1;
+                    let is_plain = !matches!(next, None | Some(b'v' | b' ' | b'\t' | b'\r' | 0x0B | 0x0C | b'\\'));
+                    if !is_plain || line_start >= end {
+                        break 'windows;
+                    }
+                }
+                b'\r' if next == Some(&b'\n') => {}
+                _ => break 'windows,
+            }
+        }
+        at += WINDOW;
+    }
+    Others { end: line_start, lines, triangles: likely_triangles(blanks.sum(), faces) }
+}
+
+/// A number without which nothing can be drawn.
+fn coordinate(cursor: &mut Cursor<'_>, keyword: &str, needed: usize) -> Result<f32, ReadError> {
+    if !cursor.next_word() {
+        return Err(too_short(cursor, keyword, needed));
+    }
+    match cursor.number() {
+        Ok(value) => Ok(value),
+        Err(BadNumber::Unreadable) => Err(unreadable(cursor, keyword)),
+        Err(BadNumber::NotFinite) => Err(not_finite(cursor, keyword)),
+    }
+}
+
+#[cold]
+fn too_short(cursor: &Cursor<'_>, keyword: &str, needed: usize) -> ReadError {
+    let numbers = if needed == 1 { "number" } else { "numbers" };
+    ReadError::new(format!("{keyword} ends early: it needs at least {needed} {numbers}; is the file cut off?"))
+        .at(cursor.line(), Some(cursor.column()))
+}
+
+#[cold]
+fn unreadable(cursor: &Cursor<'_>, keyword: &str) -> ReadError {
+    ReadError::new(format!("{keyword} has {} where a number should be", quote(cursor.offending_word())))
+        .at(cursor.line(), Some(cursor.column()))
+}
+
+#[cold]
+fn not_finite(cursor: &Cursor<'_>, keyword: &str) -> ReadError {
+    let what = quote(cursor.offending_word());
+    ReadError::new(format!("{keyword} has the coordinate {what}, which is not a finite number: export the model again"))
+        .at(cursor.line(), Some(cursor.column()))
+}

@@ -1,0 +1,68 @@
+//! What is worth telling about all of a file: what it holds, and what is odd about it as a whole.
+
+use super::attributes::Attributes;
+use super::faces::{MOST_COUNTED, NAMES, Said};
+use crate::Diagnostic;
+use crate::report::Reports;
+
+/// What the file holds, in its own words: what there is none of is left out.
+pub(super) fn list(attributes: &Attributes, said: &Said) -> Vec<(String, u64)> {
+    let mut contents: Vec<(String, u64)> = Vec::new();
+    let mut add = |name: String, count: u64| {
+        if count > 0 {
+            contents.push((name, count));
+        }
+    };
+    for (name, count) in ["v", "vt", "vn"].iter().zip(attributes.counts()) {
+        add((*name).to_owned(), count);
+    }
+    add("v with a color".to_owned(), attributes.colored);
+    for (corners, count) in said.faces.iter().enumerate() {
+        let or_more = if corners > MOST_COUNTED { " or more" } else { "" };
+        add(format!("f of {corners}{or_more} corners"), *count);
+    }
+    add("f left out".to_owned(), said.lost);
+    for keyword in ["l", "p"] {
+        add(keyword.to_owned(), said.tallies.count_of(keyword.as_bytes()));
+    }
+    for (name, count) in NAMES.iter().zip(said.names) {
+        add((*name).to_owned(), count);
+    }
+    contents
+}
+
+/// Says what is odd.
+pub(super) fn report(attributes: &Attributes, said: &Said, reports: &mut Reports) {
+    said.tallies.report(reports);
+    if let Some(line) = attributes.weighted {
+        reports.note(line, "the weights (w) of vertices are ignored: they only matter to free-form curves");
+    }
+    let total = attributes.positions.len() as u64;
+    let lacking = total - attributes.colored;
+    if attributes.colored > 0 && lacking > 0 {
+        at_end(reports, format!("{lacking} of {total} vertices have no color: white is taken"));
+    }
+    for (line, what) in said.without_any.iter().zip(["texture coordinates (vt)", "normals (vn)"]) {
+        if let Some(line) = *line {
+            reports.warning(line, format!("faces have indices of {what}, but the file has none of them"));
+        }
+    }
+    let (total, consequences) = (said.corners(), ["texture coordinate: (0, 0) is taken", "normal: they are averaged"]);
+    for ((lacking, line), consequence) in said.without.into_iter().zip(consequences) {
+        // Where only some lack it the picture shows it.
+        if lacking > 0 && lacking < total {
+            reports.warning(line, format!("{lacking} of {total} corners of faces have no {consequence}"));
+        }
+    }
+    let [not_simple, too_large] = said.cuts;
+    if not_simple > 0 {
+        at_end(reports, format!("{not_simple} polygons cross or touch themselves: their triangles are guessed"));
+    }
+    if too_large > 0 {
+        at_end(reports, format!("{too_large} polygons are too large or winding to be cut well: cut as if convex"));
+    }
+}
+
+fn at_end(reports: &mut Reports, message: String) {
+    reports.push(u64::MAX, Diagnostic::warning(message));
+}

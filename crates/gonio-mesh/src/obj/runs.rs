@@ -1,0 +1,75 @@
+//! What the statements before a face say of it: its part, its material, its smoothing group.
+
+use super::triangles::Triangles;
+use std::mem;
+
+/// Runs of triangles in a stretch of a file.
+#[derive(Default)]
+pub(super) struct Runs {
+    pub(super) runs: Vec<Run>,
+    /// Where each smoothing group begins (a triangle), and its number.
+    pub(super) smoothing: Vec<(usize, u32)>,
+    /// What has been said since the last run.
+    next: Option<Run>,
+    /// What was said last, perhaps in this stretch.
+    last: Run,
+}
+
+/// A run of triangles with one name and material.
+#[derive(Clone, Default)]
+pub(super) struct Run {
+    pub(super) first_triangle: usize,
+    /// The latest of `o` and `g`; `None` where it is that of the run before.
+    pub(super) part: Option<String>,
+    /// `usemtl` (an empty name is no material) and its line; `None` where it is that of the run before.
+    pub(super) material: Option<(String, u64)>,
+}
+
+impl Runs {
+    /// `o` or `g`.
+    pub(super) fn name_part(&mut self, name: String) {
+        if self.last.part.as_ref() != Some(&name) {
+            self.last.part = Some(name.clone());
+            self.next.get_or_insert_default().part = Some(name);
+        }
+    }
+
+    /// `usemtl`.
+    pub(super) fn use_material(&mut self, name: String, line: u64) {
+        if self.last.material.as_ref().is_none_or(|(last, _)| *last != name) {
+            self.last.material = Some((name.clone(), line));
+            self.next.get_or_insert_default().material = Some((name, line));
+        }
+    }
+
+    /// `s`.
+    pub(super) fn smooth(&mut self, first_triangle: usize, group: u32) {
+        match self.smoothing.last_mut() {
+            // Nothing came of the one before.
+            Some(last) if last.0 == first_triangle => last.1 = group,
+            Some(last) if last.1 == group => {}
+            _ => self.smoothing.push((first_triangle, group)),
+        }
+    }
+
+    /// Before a face is taken, behind these triangles: what has been said begins to count.
+    #[inline(always)]
+    pub(super) fn begin_face(&mut self, before: &Triangles<'_>) {
+        if self.next.is_some() {
+            self.begin_run(before.count());
+        }
+    }
+
+    #[cold]
+    fn begin_run(&mut self, first_triangle: usize) {
+        let run = mem::take(&mut self.next).unwrap_or_default();
+        self.runs.push(Run { first_triangle, ..run });
+    }
+
+    /// The stretch is over: what was said after its last face is for the one after it.
+    pub(super) fn finish(&mut self, first_triangle: usize) {
+        if self.next.is_some() {
+            self.begin_run(first_triangle);
+        }
+    }
+}

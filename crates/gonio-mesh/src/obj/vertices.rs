@@ -1,0 +1,230 @@
+//! Corners of faces into vertices: equal ones become one.
+//!
+//! The first kind of corner that a position has is vertex number `position`, so that vertices come in the order of
+//! the file and their positions need not be moved. Further kinds are extras: `position_count` and on, in the order
+//! of their first use.
+
+use crate::ReadError;
+use std::collections::HashMap;
+
+/// Texture coordinate and normal of a corner, as one number: their indices from 1, 0 for none.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub(super) struct Kind(u64);
+
+impl Kind {
+    /// Set in every kind, so that it differs from no kind at all.
+    const IS_USED: u64 = 1 << 63;
+    /// The largest index of a normal.
+    pub(super) const MOST_NORMALS: u64 = (1 << 31) - 1;
+    /// The largest index of a texture coordinate.
+    pub(super) const MOST_TEX_COORDS: u64 = u32::MAX as u64;
+
+    /// Of indices within the limits above.
+    #[inline(always)]
+    pub(super) fn new(tex_coord: u64, normal: u64) -> Self {
+        Kind(Self::IS_USED | normal << 32 | tex_coord)
+    }
+
+    /// Whether there is one at all.
+    pub(super) fn is_used(self) -> bool {
+        self.0 & Self::IS_USED != 0
+    }
+
+    /// The index of the texture coordinate, from 1, or 0.
+    #[inline(always)]
+    pub(super) fn tex_coord(self) -> usize {
+        (self.0 & Self::MOST_TEX_COORDS) as usize
+    }
+
+    /// The index of the normal, from 1, or 0.
+    #[inline(always)]
+    pub(super) fn normal(self) -> usize {
+        (self.0 >> 32 & Self::MOST_NORMALS) as usize
+    }
+
+    /// Whether there is no texture coordinate or no normal.
+    #[inline(always)]
+    pub(super) fn lacks_something(self) -> bool {
+        (self.0 as u32 == 0) | (self.0 << 1 < 1 << 33)
+    }
+
+    /// A number in place of a kind, which is none.
+    pub(super) fn number(number: u32) -> Self {
+        Kind(u64::from(number))
+    }
+
+    /// The number, where this is one.
+    pub(super) fn as_number(self) -> Option<u32> {
+        (!self.is_used()).then_some(self.0 as u32)
+    }
+}
+
+/// A corner: its position, from 0, and what else it has.
+pub(super) type Corner = (u32, Kind);
+
+/// Vertices of some faces.
+#[derive(Default)]
+pub(super) struct Vertices {
+    /// For each position its first kind of corner. Untouched memory costs nothing.
+    first: Vec<u64>,
+    /// For each [`BLOCK`] of positions whether one of them is used.
+    touched: Vec<bool>,
+    pub(super) extras: Extras,
+}
+
+/// Positions that are known together to be unused or perhaps not.
+const BLOCK: usize = 1024;
+
+/// No entry.
+const NONE: u32 = u32::MAX;
+
+/// How many extras of one position are looked through one by one.
+const MOST_IN_A_CHAIN: u32 = 16;
+
+/// Corners whose position has other corners before them.
+#[derive(Default)]
+pub(super) struct Extras {
+    /// In the order of their first use.
+    pub(super) corners: Vec<Corner>,
+    /// For each position the number of its latest extra plus 1, or 0; ...
+    latest: Vec<u32>,
+    /// ... for each extra the same of the one before it.
+    before: Vec<u32>,
+    /// For positions with many.
+    crowded: HashMap<Corner, u32>,
+}
+
+impl Vertices {
+    /// None yet.
+    pub(super) fn new(position_count: usize) -> Self {
+        Vertices {
+            first: vec![0; position_count],
+            touched: vec![false; position_count / BLOCK + 1],
+            extras: Extras::default(),
+        }
+    }
+
+    /// The vertex of a corner, whose position must exist.
+    #[inline(always)]
+    pub(super) fn of_corner(&mut self, (position, kind): Corner) -> Result<u32, ReadError> {
+        let place = position as usize;
+        let known = self.first[place];
+        // One question, not two: which of them is true is hard to foresee.
+        if (known == kind.0) | (known == 0) {
+            self.first[place] = kind.0;
+            self.touched[place / BLOCK] = true;
+            return Ok(position);
+        }
+        self.extra((position, kind))
+    }
+
+    #[inline(never)]
+    fn extra(&mut self, corner: Corner) -> Result<u32, ReadError> {
+        let extra = self.extras.number_of(corner, self.first.len());
+        let vertex = self.first.len() as u64 + u64::from(extra);
+        if vertex >= u64::from(NONE) { Err(too_many_vertices(u64::from(NONE))) } else { Ok(vertex as u32) }
+    }
+
+    /// The first kind of corner of a position.
+    #[inline(always)]
+    pub(super) fn first(&self, position: usize) -> Kind {
+        Kind(self.first[position])
+    }
+
+    /// Puts something in place of the first kind of a position.
+    #[inline(always)]
+    pub(super) fn set_first(&mut self, position: usize, kind: Kind) {
+        self.first[position] = kind.0;
+        self.touched[position / BLOCK] = true;
+    }
+
+    /// Numbers the used positions, each number in place of its first kind.
+    pub(super) fn number_used(&mut self) {
+        for (number, first) in (0..).zip(self.first.iter_mut().filter(|first| **first != 0)) {
+            *first = number;
+        }
+    }
+
+    /// The number of a position, after that; `None` behind the last one.
+    #[inline(always)]
+    pub(super) fn number(&self, position: usize) -> Option<u32> {
+        self.first.get(position).map(|number| *number as u32)
+    }
+
+    /// Used positions and their first kinds, in order.
+    #[inline(always)]
+    pub(super) fn firsts(&self) -> impl Iterator<Item = (usize, Kind)> {
+        self.first
+            .iter()
+            .enumerate()
+            .filter(|(_, first)| **first != 0)
+            .map(|(position, first)| (position, Kind(*first)))
+    }
+
+    /// How many positions are used.
+    pub(super) fn used_count(&self) -> usize {
+        self.first.iter().map(|first| usize::from(*first != 0)).sum()
+    }
+
+    /// How many positions there are, used or not.
+    pub(super) fn position_count(&self) -> usize {
+        self.first.len()
+    }
+
+    /// Positions that may be used, in order.
+    pub(super) fn touched(&self) -> impl Iterator<Item = usize> {
+        let blocks = self.touched.iter().enumerate().filter(|(_, touched)| **touched);
+        blocks.flat_map(|(block, _)| block * BLOCK..((block + 1) * BLOCK).min(self.first.len()))
+    }
+}
+
+#[cold]
+pub(super) fn too_many_vertices(most: u64) -> ReadError {
+    ReadError::new(format!("needs more than {most} vertices, which is the limit"))
+}
+
+impl Extras {
+    /// The number of a corner, from 0: an earlier one's, or a new one.
+    pub(super) fn number_of(&mut self, corner: Corner, position_count: usize) -> u32 {
+        if self.latest.is_empty() {
+            self.latest = vec![0; position_count];
+        }
+        let position = corner.0 as usize;
+        let latest = self.latest[position];
+        let (mut extra, mut steps) = (latest, 0);
+        while extra != 0 && steps < MOST_IN_A_CHAIN {
+            let number = extra - 1;
+            if self.corners[number as usize] == corner {
+                return number;
+            }
+            extra = self.before[number as usize];
+            steps += 1;
+        }
+        let is_crowded = steps == MOST_IN_A_CHAIN;
+        if is_crowded && let Some(&number) = self.crowded.get(&corner) {
+            return number;
+        }
+        let number = self.corners.len() as u32;
+        self.corners.push(corner);
+        if is_crowded {
+            self.crowded.insert(corner, number);
+            self.before.push(0);
+        } else {
+            self.before.push(latest);
+            self.latest[position] = number + 1;
+        }
+        number
+    }
+
+    /// A corner that is known to be new, and that nobody will ask for again.
+    pub(super) fn push(&mut self, corner: Corner) -> u32 {
+        self.corners.push(corner);
+        self.before.push(0);
+        self.corners.len() as u32 - 1
+    }
+
+    /// The corners alone.
+    pub(super) fn into_corners(self) -> Vec<Corner> {
+        self.corners
+    }
+}

@@ -1,0 +1,257 @@
+//! The element `vertex`.
+
+use super::header::Element;
+use super::source::{ListProblem, Source, explain, skip_property};
+use crate::report::Reports;
+use crate::tally::Tally;
+use crate::{Diagnostic, Limits, ReadError, Severity};
+use glam::DVec3;
+use gonio_light::color::srgb_decode;
+
+/// What a number of a vertex is: its place among twelve.
+const NORMAL: usize = 3;
+const TEX_COORD: usize = 6;
+const COLOR: usize = 8;
+const ALPHA: usize = 11;
+const SLOTS: usize = 12;
+
+/// By which names the numbers go.
+fn slot(name: &str) -> Option<usize> {
+    Some(match name {
+        "x" => 0,
+        "y" => 1,
+        "z" => 2,
+        "nx" | "normal_x" => NORMAL,
+        "ny" | "normal_y" => NORMAL + 1,
+        "nz" | "normal_z" => NORMAL + 2,
+        "s" | "u" | "texture_u" | "texture_s" => TEX_COORD,
+        "t" | "v" | "texture_v" | "texture_t" => TEX_COORD + 1,
+        _ => return color_slot(name).map(|channel| COLOR + channel),
+    })
+}
+
+/// Which channel a name stands for.
+pub(super) fn color_slot(name: &str) -> Option<usize> {
+    Some(match name {
+        "red" | "r" | "diffuse_red" => 0,
+        "green" | "g" | "diffuse_green" => 1,
+        "blue" | "b" | "diffuse_blue" => 2,
+        "alpha" | "a" | "diffuse_alpha" => 3,
+        _ => return None,
+    })
+}
+
+/// The vertices of a file, in its order; arrays are empty where it has no such thing.
+#[derive(Default)]
+pub(super) struct Vertices {
+    pub(super) positions: Vec<[f32; 3]>,
+    /// Unit vectors, or zero.
+    pub(super) normals: Vec<[f32; 3]>,
+    pub(super) tex_coords: Vec<[f32; 2]>,
+    /// Linear, once all are read.
+    pub(super) colors: Vec<[f32; 4]>,
+    /// Vertices whose position is not finite.
+    pub(super) not_finite: u64,
+}
+
+/// Which property goes where.
+pub(super) struct Plan {
+    slots: Vec<Option<usize>>,
+    /// What each property of a colour is divided by.
+    whites: Vec<f32>,
+    has_normals: bool,
+    has_tex_coords: bool,
+    has_colors: bool,
+}
+
+impl Plan {
+    /// The first property of a name counts; a list is none of these.
+    pub(super) fn of(element: &Element) -> Plan {
+        let mut taken = [false; SLOTS];
+        let mut slots: Vec<Option<usize>> = Vec::with_capacity(element.properties.len());
+        for property in &element.properties {
+            let free = slot(&property.name).filter(|&slot| property.count.is_none() && !taken[slot]);
+            free.iter().for_each(|&slot| taken[slot] = true);
+            slots.push(free);
+        }
+        let has = |range: std::ops::Range<usize>| taken[range].iter().all(|&taken| taken);
+        let plan = Plan {
+            slots,
+            whites: element.properties.iter().map(|p| p.value.white() as f32).collect(),
+            has_normals: has(NORMAL..TEX_COORD),
+            has_tex_coords: has(TEX_COORD..COLOR),
+            has_colors: has(COLOR..ALPHA),
+        };
+        plan.without_halves()
+    }
+
+    /// Two of three coordinates of a normal are none: they are stepped over.
+    fn without_halves(mut self) -> Plan {
+        let keeps = |slot: usize| match slot {
+            0..NORMAL => true,
+            NORMAL..TEX_COORD => self.has_normals,
+            TEX_COORD..COLOR => self.has_tex_coords,
+            _ => self.has_colors,
+        };
+        self.slots = self.slots.iter().map(|slot| slot.filter(|&slot| keeps(slot))).collect();
+        self
+    }
+
+    /// Whether property `index` is read.
+    pub(super) fn reads(&self, index: usize) -> bool {
+        self.slots[index].is_some()
+    }
+
+    fn check(&self) -> Result<(), ReadError> {
+        let missing: Vec<&str> = ["x", "y", "z"]
+            .into_iter()
+            .enumerate()
+            .filter(|(i, _)| !self.slots.contains(&Some(*i)))
+            .map(|m| m.1)
+            .collect();
+        if missing.is_empty() {
+            return Ok(());
+        }
+        Err(ReadError::new(format!("the vertices have no {}: nothing to draw", missing.join(", no "))))
+    }
+}
+
+/// Reads all of them.
+pub(super) fn read(
+    source: &mut impl Source,
+    element: &Element,
+    plan: &Plan,
+    limits: &Limits,
+    reports: &mut Reports,
+) -> Result<Vertices, ReadError> {
+    plan.check()?;
+    if element.count > limits.max_vertices.min(u64::from(u32::MAX)) {
+        let most = limits.max_vertices.min(u64::from(u32::MAX));
+        return Err(ReadError::new(format!("holds {} vertices, more than {most}, which is the limit", element.count)));
+    }
+    // The caller has seen that so many can be there.
+    let count = element.count as usize;
+    let mut vertices = Vertices::default();
+    vertices.positions.reserve_exact(count);
+    vertices.normals.reserve_exact(if plan.has_normals { count } else { 0 });
+    vertices.tex_coords.reserve_exact(if plan.has_tex_coords { count } else { 0 });
+    vertices.colors.reserve_exact(if plan.has_colors { count } else { 0 });
+    let mut odd = Odd::default();
+    for index in 0..element.count {
+        let mut values = [0.0_f32; SLOTS];
+        values[ALPHA] = 1.0;
+        source.begin();
+        for (i, property) in element.properties.iter().enumerate() {
+            match plan.slots[i] {
+                Some(slot) => match source.coordinate(property.value) {
+                    Ok(value) if slot >= COLOR => values[slot] = value / plan.whites[i],
+                    Ok(value) => values[slot] = value,
+                    Err(problem) => {
+                        return Err(explain(ListProblem::Number(problem), source, element, index, property));
+                    }
+                },
+                None => skip_property(source, property).map_err(|e| explain(e, source, element, index, property))?,
+            }
+        }
+        source.end();
+        odd.line = source.line();
+        vertices.push(&values, plan, index, &mut odd);
+    }
+    vertices.decode_colors(&mut odd, reports);
+    odd.report(reports);
+    Ok(vertices)
+}
+
+impl Vertices {
+    fn push(&mut self, values: &[f32; SLOTS], plan: &Plan, index: u64, odd: &mut Odd) {
+        let &[x, y, z, nx, ny, nz, u, v, r, g, b, a] = values;
+        self.positions.push([x, y, z]);
+        if ![x, y, z].iter().all(|c| c.is_finite()) {
+            self.not_finite += 1;
+        }
+        if plan.has_normals {
+            let unit = DVec3::new(nx.into(), ny.into(), nz.into()).normalize_or_zero();
+            self.normals.push(unit.as_vec3().to_array());
+        }
+        if plan.has_tex_coords {
+            let finite = u.is_finite() && v.is_finite();
+            if !finite {
+                odd.tex_coords.add(odd.line, || format!("vertex {index}"));
+            }
+            self.tex_coords.push(if finite { [u, v] } else { [0.0; 2] });
+        }
+        if plan.has_colors {
+            self.colors.push([r, g, b, a]);
+        }
+    }
+
+    /// From sRGB to linear, in place.
+    fn decode_colors(&mut self, odd: &mut Odd, reports: &mut Reports) {
+        let largest = self.colors.iter().flat_map(|c| &c[..3]).fold(0.0, |a: f32, &b| a.max(b));
+        let is_in_bytes = largest > 1.0 && largest <= 255.0;
+        if is_in_bytes {
+            let message = format!("vertex colors reach {largest}: taken as from 0 to 255");
+            reports.push(u64::MAX, Diagnostic::note(message));
+        }
+        let linear = LinearFromSrgb::new();
+        for (index, color) in self.colors.iter_mut().enumerate() {
+            if is_in_bytes {
+                let [r, g, b, a] = *color;
+                *color = [r / 255.0, g / 255.0, b / 255.0, if a > 1.0 { a / 255.0 } else { a }];
+            }
+            if !color.iter().all(|c| (0.0..=1.0).contains(c)) {
+                odd.colors.add(None, || format!("vertex {index}"));
+            }
+            *color = linear.rgba(*color);
+        }
+    }
+}
+
+/// What may be odd about any vertex.
+#[derive(Default)]
+struct Odd {
+    line: Option<u64>,
+    tex_coords: Tally,
+    colors: Tally,
+}
+
+impl Odd {
+    fn report(&self, reports: &mut Reports) {
+        self.tex_coords.report(Severity::Warning, reports, |tally| {
+            let vertices = tally.counted("vertex has", "vertices have");
+            format!(
+                "{vertices} texture coordinates that are not finite ({} is the first): (0, 0) is taken",
+                tally.first
+            )
+        });
+        self.colors.report(Severity::Warning, reports, |tally| {
+            let vertices = tally.counted("vertex has", "vertices have");
+            format!("{vertices} a colour beyond 0 to 1 ({} is the first): the nearest is taken", tally.first)
+        });
+    }
+}
+
+/// IEC 61966-2-1, with a table for bytes.
+pub(super) struct LinearFromSrgb {
+    of_byte: [f32; 256],
+}
+
+impl LinearFromSrgb {
+    pub(super) fn new() -> Self {
+        LinearFromSrgb { of_byte: std::array::from_fn(|byte| linear_from_srgb(byte as f32 / 255.0)) }
+    }
+
+    /// Of values from 0 to 1; alpha is not encoded. What is no number counts as 0.
+    pub(super) fn rgba(&self, encoded: [f32; 4]) -> [f32; 4] {
+        let [r, g, b, a] = encoded.map(|c| if c.is_nan() { 0.0 } else { c.clamp(0.0, 1.0) });
+        let linear = |c: f32| {
+            let byte = (c * 255.0).round();
+            if byte / 255.0 == c { self.of_byte[byte as usize] } else { linear_from_srgb(c) }
+        };
+        [linear(r), linear(g), linear(b), a]
+    }
+}
+
+fn linear_from_srgb(encoded: f32) -> f32 {
+    srgb_decode(encoded.into()) as f32
+}

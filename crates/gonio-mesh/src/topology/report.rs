@@ -1,0 +1,390 @@
+//! What is odd about how a mesh's triangles hang together, counted, with the first places.
+
+use super::Pieces;
+use crate::Mesh;
+use crate::weld::{self, Table, mix};
+use glam::{DVec3, Vec3};
+use serde::Serialize;
+
+/// How many places of a kind are listed.
+const MOST_PLACES: usize = 5;
+
+/// How a mesh's triangles hang together. Vertices at the same position (bit by bit) are one here, so that seams of
+/// texture coordinates or normals do not matter.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct TopologyReport {
+    /// All triangles of the mesh.
+    pub triangles: u64,
+    /// Different positions that triangles use.
+    pub positions: u64,
+    /// Different edges, of triangles with three different positions.
+    pub edges: u64,
+    /// Triangles without area: two corners at one position, or all on a line. They are left out of all that follows
+    /// where two corners are at one position.
+    pub degenerate_triangles: Findings,
+    /// Triangles with the same three corners, the same way round, as an earlier one.
+    pub duplicate_triangles: Findings,
+    /// Triangles with the same three corners as an earlier one, the other way round: the back of a leaf.
+    pub back_to_back_triangles: Findings,
+    /// Edges of one triangle.
+    pub boundary_edges: Findings,
+    /// Edges of more than two triangles.
+    pub non_manifold_edges: Findings,
+    /// Edges that two triangles pass in the same direction: one shows its front where the other shows its back.
+    pub inconsistent_edges: Findings,
+    /// Positions around which the triangles are more than one fan: cones tip to tip, or boundaries that touch.
+    pub non_manifold_positions: Findings,
+    /// The fewest triangles to be turned over for both sides of every edge of two triangles to agree; where the
+    /// surface is not orientable, what a walk over it finds.
+    pub triangles_to_turn: u64,
+    /// Whether both sides can be made to agree: not so on a Moebius strip.
+    pub orientable: bool,
+    /// Pieces that hang together by at least a position.
+    pub pieces: u64,
+    /// Whether every edge is passed as often one way as the other: no hole is left, and the winding agrees.
+    pub closed: bool,
+    /// Whether it is closed and every piece encloses a positive volume: fronts are outside.
+    pub outward: bool,
+    /// Positions - edges + triangles: 2 for a ball, 0 for a ring, the sum over the pieces.
+    pub euler_characteristic: i64,
+    /// The number of handles, over all pieces, where the surface is closed, orientable and manifold.
+    pub genus: Option<u64>,
+    /// The sum of all triangles, in squared units of the model.
+    pub area: f64,
+    /// What it encloses, in cubed units, where it is closed: negative inside out.
+    pub volume: Option<f64>,
+}
+
+/// A number of oddities, and the first of them.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Findings {
+    /// How many.
+    pub count: u64,
+    /// At most five, in the order of their triangles or, of edges and positions, of the mesh's positions.
+    pub first: Vec<Finding>,
+}
+
+/// Where something is odd.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Finding {
+    /// Triangles (from 0, in the order of the mesh's indices) that meet there, at most five.
+    pub triangles: Vec<usize>,
+    /// One position, the two ends of an edge, or the three corners of a triangle.
+    pub positions: Vec<[f32; 3]>,
+}
+
+impl Findings {
+    fn add(&mut self, finding: impl FnOnce() -> Finding) {
+        self.count += 1;
+        if self.first.len() < MOST_PLACES {
+            self.first.push(finding());
+        }
+    }
+}
+
+/// Looks at all triangles, edges and positions; linear in their number but for sorting around each position.
+pub fn report(mesh: &Mesh) -> TopologyReport {
+    let (place_of_vertex, place_count) = weld::places(&mesh.positions);
+    let surface = Surface { mesh, place_of_vertex, place_count };
+    let mut report = TopologyReport { triangles: mesh.triangle_count() as u64, ..TopologyReport::default() };
+    let is_point_or_edge = surface.degenerate(&mut report);
+    surface.duplicates(&is_point_or_edge, &mut report);
+    let edges = Edges::of(&surface, &is_point_or_edge);
+    let mut fans = Pieces::new(mesh.indices.len());
+    let mut sides = Sides::new(mesh.triangle_count());
+    let mut pieces = Pieces::new(place_count);
+    let mut is_balanced = true;
+    edges.visit(|low, high, uses| {
+        report.edges += 1;
+        pieces.join(low, high);
+        is_balanced &= uses.iter().map(|edge| if edge.is_upward() { 1 } else { -1 }).sum::<i64>() == 0;
+        for edge in &uses[1..] {
+            surface.join_fans(&mut fans, [low, high], uses[0].triangle(), edge.triangle());
+        }
+        let finding = || surface.edge_finding(low, high, uses);
+        match uses {
+            [_] => report.boundary_edges.add(finding),
+            [a, b] => {
+                let agree = a.is_upward() != b.is_upward();
+                if !agree {
+                    report.inconsistent_edges.add(finding);
+                }
+                sides.join(a.triangle(), b.triangle(), agree);
+            }
+            _ => report.non_manifold_edges.add(finding),
+        }
+    });
+    surface.positions(&is_point_or_edge, &mut fans, &mut pieces, &mut report);
+    let solid = is_point_or_edge.iter().filter(|is| !**is).count();
+    (report.triangles_to_turn, report.orientable) = sides.finish(&is_point_or_edge);
+    report.closed = is_balanced && solid > 0;
+    report.euler_characteristic = report.positions as i64 - report.edges as i64 + solid as i64;
+    surface.measure(&mut pieces, &mut report);
+    let is_manifold = report.non_manifold_edges.count == 0 && report.non_manifold_positions.count == 0;
+    let has_boundary = report.boundary_edges.count > 0;
+    if solid > 0 && is_manifold && !has_boundary && report.orientable {
+        // Each closed piece has 2 - 2 g.
+        report.genus = u64::try_from((2 * report.pieces as i64 - report.euler_characteristic) / 2).ok();
+    }
+    report
+}
+
+/// A mesh whose vertices know their places.
+struct Surface<'a> {
+    mesh: &'a Mesh,
+    place_of_vertex: Vec<u32>,
+    place_count: usize,
+}
+
+impl Surface<'_> {
+    fn places(&self, t: usize) -> [u32; 3] {
+        self.mesh.triangle(t).map(|vertex| self.place_of_vertex[vertex])
+    }
+
+    fn triangle_finding(&self, t: usize, with: &[usize]) -> Finding {
+        let positions = self.mesh.triangle(t).map(|vertex| self.mesh.positions[vertex]).to_vec();
+        Finding { triangles: with.iter().copied().chain([t]).collect(), positions }
+    }
+
+    fn edge_finding(&self, low: u32, high: u32, uses: &[Use]) -> Finding {
+        let triangles: Vec<usize> = uses.iter().take(MOST_PLACES).map(|edge| edge.triangle()).collect();
+        let position = |place: u32| {
+            let corner = triangles.first().map(|&t| self.mesh.triangle(t)).unwrap_or_default();
+            let vertex = corner.into_iter().find(|&vertex| self.place_of_vertex[vertex] == place);
+            vertex.map(|vertex| self.mesh.positions[vertex]).unwrap_or_default()
+        };
+        let positions = vec![position(low), position(high)];
+        Finding { triangles, positions }
+    }
+
+    /// Counts triangles without area; returns which of them are a point or an edge, used twice.
+    fn degenerate(&self, report: &mut TopologyReport) -> Vec<bool> {
+        (0..self.mesh.triangle_count())
+            .map(|t| {
+                let [a, b, c] = self.places(t);
+                let is_point_or_edge = a == b || b == c || c == a;
+                if is_point_or_edge || has_no_area(self.mesh, t) {
+                    report.degenerate_triangles.add(|| self.triangle_finding(t, &[]));
+                }
+                is_point_or_edge
+            })
+            .collect()
+    }
+
+    /// Counts triangles with the corners of an earlier one.
+    fn duplicates(&self, left_out: &[bool], report: &mut TopologyReport) {
+        let count = self.mesh.triangle_count();
+        let mut table = Table::with_room_for(count);
+        let key = |t: usize| {
+            let mut places = self.places(t);
+            places.sort_unstable();
+            places
+        };
+        for t in (0..count).filter(|&t| !left_out[t]) {
+            let sorted = key(t);
+            let hash = mix(mix(u64::from(sorted[0]) | u64::from(sorted[1]) << 32) ^ u64::from(sorted[2]));
+            match table.find(hash, |earlier| key(earlier as usize) == sorted) {
+                Err(slot) => table.fill(slot, t as u32),
+                Ok(earlier) => {
+                    let earlier = earlier as usize;
+                    let is_same_way = is_rotation(self.places(earlier), self.places(t));
+                    let kind =
+                        if is_same_way { &mut report.duplicate_triangles } else { &mut report.back_to_back_triangles };
+                    kind.add(|| self.triangle_finding(t, &[earlier]));
+                }
+            }
+        }
+    }
+
+    /// Joins the corners of two triangles at both ends of an edge that they share.
+    fn join_fans(&self, fans: &mut Pieces, ends: [u32; 2], a: usize, b: usize) {
+        for end in ends {
+            let corner = |t: usize| self.places(t).iter().position(|&place| place == end).map(|k| (3 * t + k) as u32);
+            if let (Some(a), Some(b)) = (corner(a), corner(b)) {
+                fans.join(a, b);
+            }
+        }
+    }
+
+    /// Counts positions, those with more than one fan, and the pieces.
+    fn positions(&self, left_out: &[bool], fans: &mut Pieces, pieces: &mut Pieces, report: &mut TopologyReport) {
+        const NONE: u32 = u32::MAX;
+        let mut fan_of_place = vec![NONE; self.place_count];
+        let mut is_odd = vec![false; self.place_count];
+        let mut has_piece = vec![false; self.place_count];
+        for t in (0..self.mesh.triangle_count()).filter(|&t| !left_out[t]) {
+            for (k, place) in self.places(t).into_iter().enumerate() {
+                let fan = fans.root((3 * t + k) as u32);
+                let known = &mut fan_of_place[place as usize];
+                if *known == NONE {
+                    *known = fan;
+                    report.positions += 1;
+                    let root = pieces.root(place) as usize;
+                    report.pieces += u64::from(!std::mem::replace(&mut has_piece[root], true));
+                } else if *known != fan && !std::mem::replace(&mut is_odd[place as usize], true) {
+                    let positions = vec![self.mesh.positions[self.mesh.triangle(t)[k]]];
+                    let triangles = vec![*known as usize / 3, t];
+                    report.non_manifold_positions.add(|| Finding { triangles, positions });
+                }
+            }
+        }
+    }
+
+    /// Area, volume, and whether every piece is the right way out.
+    fn measure(&self, pieces: &mut Pieces, report: &mut TopologyReport) {
+        let origin = self.mesh.bounds().map_or(DVec3::ZERO, |bounds| bounds.center().as_dvec3());
+        let mut volumes = vec![0.0_f64; if report.closed { self.place_count } else { 0 }];
+        let mut volume = 0.0;
+        for t in 0..self.mesh.triangle_count() {
+            let [a, b, c] = self.mesh.triangle_positions(t).map(|p: Vec3| p.as_dvec3() - origin);
+            report.area += 0.5 * (b - a).cross(c - a).length();
+            if report.closed {
+                let part = a.dot(b.cross(c)) / 6.0;
+                volume += part;
+                volumes[pieces.root(self.places(t)[0]) as usize] += part;
+            }
+        }
+        if report.closed {
+            report.volume = Some(volume);
+            let mut used = self.mesh.indices.iter().map(|&vertex| self.place_of_vertex[vertex as usize]);
+            report.outward = used.all(|place| volumes[pieces.root(place) as usize] > 0.0);
+        }
+    }
+}
+
+/// The product of `f32` differences neither overflows nor vanishes in `f64`.
+fn has_no_area(mesh: &Mesh, t: usize) -> bool {
+    let [a, b, c] = mesh.triangle_positions(t).map(|p: Vec3| p.as_dvec3());
+    let (ab, ac) = (b - a, c - a);
+    // Below this, the product is only what rounding has left of parallel vectors.
+    ab.cross(ac).length_squared() <= 1e-28 * ab.length_squared() * ac.length_squared()
+}
+
+/// Whether the second triangle is the first one from another corner on.
+fn is_rotation([a, b, c]: [u32; 3], other: [u32; 3]) -> bool {
+    other == [a, b, c] || other == [b, c, a] || other == [c, a, b]
+}
+
+/// A triangle's side along an edge: the triangle, and which way it goes.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Use {
+    /// The place at the other end.
+    high: u32,
+    /// The corner it begins at, and, in the lowest bit, whether it goes from the lower place to the higher.
+    corner: u64,
+}
+
+impl Use {
+    fn triangle(self) -> usize {
+        (self.corner >> 1) as usize / 3
+    }
+
+    fn is_upward(self) -> bool {
+        self.corner & 1 == 1
+    }
+}
+
+/// All sides of all triangles, by the lower of their places.
+struct Edges {
+    uses: Vec<Use>,
+    /// Where those of each place end.
+    ends: Vec<usize>,
+}
+
+impl Edges {
+    fn of(surface: &Surface<'_>, left_out: &[bool]) -> Self {
+        let triangles = || (0..surface.mesh.triangle_count()).filter(|&t| !left_out[t]);
+        let sides = |t: usize| {
+            let [a, b, c] = surface.places(t);
+            [(a, b), (b, c), (c, a)]
+        };
+        let mut ends = vec![0_usize; surface.place_count];
+        for (from, to) in triangles().flat_map(sides) {
+            ends[from.min(to) as usize] += 1;
+        }
+        let mut total = 0;
+        for end in &mut ends {
+            // For now, where the place's begin.
+            total += std::mem::replace(end, total);
+        }
+        let mut uses = vec![Use { high: 0, corner: 0 }; total];
+        for t in triangles() {
+            for (k, (from, to)) in sides(t).into_iter().enumerate() {
+                let at = &mut ends[from.min(to) as usize];
+                let corner = ((3 * t + k) as u64) << 1 | u64::from(from < to);
+                uses[*at] = Use { high: from.max(to), corner };
+                *at += 1;
+            }
+        }
+        Edges { uses, ends }
+    }
+
+    /// Calls `visit` with the two places of each edge and its uses, in the order of the places.
+    fn visit(mut self, mut visit: impl FnMut(u32, u32, &[Use])) {
+        let mut first = 0;
+        for (low, end) in self.ends.into_iter().enumerate() {
+            let uses = &mut self.uses[first..end];
+            first = end;
+            uses.sort_unstable();
+            for same in uses.chunk_by(|a, b| a.high == b.high) {
+                visit(low as u32, same[0].high, same);
+            }
+        }
+    }
+}
+
+/// Triangles joined with or without turning one over: sets that remember, for each, whether it is turned against the
+/// set's root (union-find with parity).
+struct Sides {
+    parents: Vec<u32>,
+    is_turned: Vec<bool>,
+    is_orientable: bool,
+}
+
+impl Sides {
+    fn new(count: usize) -> Self {
+        Sides { parents: (0..count as u32).collect(), is_turned: vec![false; count], is_orientable: true }
+    }
+
+    /// The root, and whether the triangle is turned against it.
+    fn root(&mut self, triangle: usize) -> (usize, bool) {
+        let (mut at, mut is_turned) = (triangle, false);
+        loop {
+            let parent = self.parents[at] as usize;
+            if parent == at {
+                return (at, is_turned);
+            }
+            let grandparent = self.parents[parent];
+            // Path halving: the entry skips its parent.
+            let skipped = self.is_turned[at] ^ self.is_turned[parent];
+            if grandparent as usize != parent {
+                self.parents[at] = grandparent;
+                self.is_turned[at] = skipped;
+            }
+            is_turned ^= self.is_turned[at];
+            at = self.parents[at] as usize;
+        }
+    }
+
+    fn join(&mut self, a: usize, b: usize, agree: bool) {
+        let ((a, a_turned), (b, b_turned)) = (self.root(a), self.root(b));
+        let is_turned = a_turned ^ b_turned ^ !agree;
+        if a == b {
+            self.is_orientable &= !is_turned;
+        } else {
+            let (low, high) = (a.min(b), a.max(b));
+            self.parents[high] = low as u32;
+            self.is_turned[high] = is_turned;
+        }
+    }
+
+    /// How many must be turned, the smaller part of each set; and whether that is enough.
+    fn finish(mut self, left_out: &[bool]) -> (u64, bool) {
+        let mut parts = vec![[0_u64; 2]; self.parents.len()];
+        for triangle in (0..self.parents.len()).filter(|&t| !left_out[t]) {
+            let (root, is_turned) = self.root(triangle);
+            parts[root][usize::from(is_turned)] += 1;
+        }
+        (parts.iter().map(|[a, b]| a.min(b)).sum(), self.is_orientable)
+    }
+}

@@ -1,0 +1,228 @@
+//! A model as binary glTF 2.0 (`.glb`) that needs no other file.
+//!
+//! Read again, it is the same model: [`crate::gltf`] documents the rule between the two kinds of material, and here it
+//! is turned round. Parts are primitives, those of one name together a mesh and its node. Lights and cameras are not
+//! written.
+
+mod buffer;
+mod material;
+mod texture;
+
+use crate::report::Reports;
+use crate::{Diagnostic, Mesh, Model, Part, TextureMap};
+use buffer::Buffer;
+use material::MaterialWriter;
+use serde_json::{Map, Value, json};
+use std::fmt;
+use std::ops::Range;
+use texture::TextureWriter;
+
+/// Indices up to this are written in 16 bits; 65535 itself would end a strip.
+const MOST_IN_16_BITS: usize = 65_535;
+
+/// A written model.
+#[derive(Clone, Debug)]
+pub struct Glb {
+    /// The file.
+    pub bytes: Vec<u8>,
+    /// What of the model has no place in it.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// A `.glb` counts its bytes in 32 bits, and this model needs more.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TooLarge {
+    /// How many it needs.
+    pub bytes: u64,
+}
+
+impl fmt::Display for TooLarge {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the model takes {} bytes, and a .glb can hold {}: write another format", self.bytes, u32::MAX)
+    }
+}
+
+impl std::error::Error for TooLarge {}
+
+/// Writes `model`. `images` gives the bytes of a picture that is not inside the model (PNG or JPEG); a texture without
+/// bytes is left out with a warning.
+pub fn write(model: &Model, images: &mut dyn FnMut(&TextureMap) -> Option<Vec<u8>>) -> Result<Glb, TooLarge> {
+    let mut reports = Reports::default();
+    let mut buffer = Buffer::default();
+    let (meshes, nodes) = meshes(&model.mesh, model.materials.len(), &mut buffer, &mut reports);
+    let textures = TextureWriter::new(&model.images, images);
+    let mut writer = MaterialWriter { textures, buffer: &mut buffer, reports: &mut reports };
+    let materials: Vec<Value> = model.materials.iter().map(|material| writer.material(material)).collect();
+    let textures = writer.textures.finish();
+    if !(model.lights.is_empty() && model.cameras.is_empty()) {
+        let (lights, cameras) = (model.lights.len(), model.cameras.len());
+        reports.push(0, Diagnostic::warning(format!("lights ({lights}) and cameras ({cameras}) are not written")));
+    }
+    let mut root = json!({ "asset": { "version": "2.0", "generator": "gonio" } });
+    if !nodes.is_empty() {
+        root["scene"] = 0.into();
+        root["scenes"] = json!([{ "nodes": (0..nodes.len()).collect::<Vec<_>>() }]);
+    }
+    let (binary, views, accessors) = buffer.finish();
+    let lists = [
+        ("nodes", nodes),
+        ("meshes", meshes),
+        ("materials", materials),
+        ("bufferViews", views),
+        ("accessors", accessors),
+        ("textures", textures.textures),
+        ("samplers", textures.samplers),
+        ("images", textures.images),
+    ];
+    // An empty list is not allowed.
+    for (key, list) in lists.into_iter().filter(|(_, list)| !list.is_empty()) {
+        root[key] = list.into();
+    }
+    if !binary.is_empty() {
+        root["buffers"] = json!([{ "byteLength": binary.len() }]);
+    }
+    let used = extensions_used(&root);
+    if !used.is_empty() {
+        root["extensionsUsed"] = used.into();
+    }
+    Ok(Glb { bytes: container(&root, &binary)?, diagnostics: reports.finish() })
+}
+
+/// The names of all extensions in the materials.
+fn extensions_used(root: &Value) -> Vec<Value> {
+    const NAMES: [&str; 4] =
+        ["KHR_materials_emissive_strength", "KHR_materials_ior", "KHR_materials_specular", "KHR_texture_transform"];
+    fn holds(value: &Value, name: &str) -> bool {
+        match value {
+            Value::Object(map) => map.contains_key(name) || map.values().any(|value| holds(value, name)),
+            Value::Array(list) => list.iter().any(|value| holds(value, name)),
+            _ => false,
+        }
+    }
+    let materials = root.get("materials").unwrap_or(&Value::Null);
+    NAMES.into_iter().filter(|name| holds(materials, name)).map(Value::from).collect()
+}
+
+/// Header, JSON and binary chunk; each chunk a multiple of 4 bytes long.
+fn container(root: &Value, binary: &[u8]) -> Result<Vec<u8>, TooLarge> {
+    let mut json = root.to_string().into_bytes();
+    json.resize(json.len().next_multiple_of(4), b' ');
+    let binary_length = binary.len().next_multiple_of(4);
+    let binary_chunk = if binary.is_empty() { 0 } else { 8 + binary_length };
+    let total = 12 + 8 + json.len() + binary_chunk;
+    let length = |length: usize| u32::try_from(length).map(u32::to_le_bytes);
+    let too_large = |_| TooLarge { bytes: total as u64 };
+    let mut bytes = Vec::with_capacity(total);
+    bytes.extend(b"glTF\x02\0\0\0");
+    bytes.extend(length(total).map_err(too_large)?);
+    bytes.extend(length(json.len()).map_err(too_large)?);
+    bytes.extend(b"JSON");
+    bytes.extend(json);
+    if !binary.is_empty() {
+        bytes.extend(length(binary_length).map_err(too_large)?);
+        bytes.extend(b"BIN\0");
+        bytes.extend(binary);
+        bytes.resize(total, 0);
+    }
+    Ok(bytes)
+}
+
+/// A mesh and a node for each run of parts of one name.
+fn meshes(mesh: &Mesh, materials: usize, buffer: &mut Buffer, reports: &mut Reports) -> (Vec<Value>, Vec<Value>) {
+    let whole = [Part { triangle_count: mesh.triangle_count(), material: usize::MAX, ..Part::default() }];
+    let parts = if mesh.parts.is_empty() { &whole[..] } else { &mesh.parts };
+    let arrays = Arrays::write(mesh, buffer);
+    let (mut meshes, mut nodes) = (Vec::new(), Vec::new());
+    for run in parts.chunk_by(|a, b| a.name == b.name) {
+        let primitives: Vec<Value> =
+            run.iter().filter_map(|part| primitive(mesh, part, materials, &arrays, buffer, reports)).collect();
+        if primitives.is_empty() {
+            continue;
+        }
+        let mut named = Map::new();
+        if !run[0].name.is_empty() {
+            named.insert("name".to_owned(), run[0].name.as_str().into());
+        }
+        let mut node = named.clone();
+        node.insert("mesh".to_owned(), meshes.len().into());
+        named.insert("primitives".to_owned(), primitives.into());
+        meshes.push(Value::Object(named));
+        nodes.push(Value::Object(node));
+    }
+    (meshes, nodes)
+}
+
+/// Views of the whole mesh's arrays, of which each primitive uses a stretch.
+struct Arrays {
+    positions: usize,
+    normals: Option<usize>,
+    tangents: Option<usize>,
+    tex_coords: Option<usize>,
+    colors: Option<usize>,
+}
+
+impl Arrays {
+    fn write(mesh: &Mesh, buffer: &mut Buffer) -> Self {
+        let count = mesh.positions.len();
+        let fits = |length: usize| length == count && count > 0;
+        let flipped = |[u, v]: &[f32; 2]| [*u, 1.0 - v];
+        Arrays {
+            positions: if count == 0 { 0 } else { buffer.vertices(mesh.positions.iter().copied()) },
+            normals: fits(mesh.normals.len()).then(|| buffer.vertices(mesh.normals.iter().copied())),
+            // Tangents mean nothing without normals.
+            tangents: (fits(mesh.tangents.len()) && fits(mesh.normals.len()))
+                .then(|| buffer.vertices(mesh.tangents.iter().copied())),
+            tex_coords: fits(mesh.tex_coords.len()).then(|| buffer.vertices(mesh.tex_coords.iter().map(flipped))),
+            colors: fits(mesh.colors.len()).then(|| buffer.vertices(mesh.colors.iter().copied())),
+        }
+    }
+}
+
+/// A part's triangles; none where it has none.
+fn primitive(
+    mesh: &Mesh,
+    part: &Part,
+    materials: usize,
+    arrays: &Arrays,
+    buffer: &mut Buffer,
+    reports: &mut Reports,
+) -> Option<Value> {
+    let first = part.first_triangle.checked_mul(3)?;
+    let indices = mesh.indices.get(first..part.triangle_count.checked_mul(3)?.checked_add(first)?)?;
+    let (least, most) = (*indices.iter().min()? as usize, *indices.iter().max()? as usize);
+    let range = least..most + 1;
+    let positions = mesh.positions.get(range.clone())?;
+    let count = range.len();
+    let index_list = indices.iter().map(|&index| index - least as u32);
+    let indices = if count <= MOST_IN_16_BITS { buffer.short_indices(index_list) } else { buffer.indices(index_list) };
+    let mut attributes = Map::new();
+    attributes.insert("POSITION".to_owned(), buffer.positions(arrays.positions, &range, positions).into());
+    let normals = arrays.normals.filter(|_| has_normals(mesh, &range, part, reports));
+    let vectors = [
+        ("NORMAL", normals, "VEC3", 12),
+        ("TANGENT", arrays.tangents.filter(|_| normals.is_some()), "VEC4", 16),
+        ("TEXCOORD_0", arrays.tex_coords, "VEC2", 8),
+        ("COLOR_0", arrays.colors, "VEC4", 16),
+    ];
+    for (name, view, kind, size) in vectors {
+        if let Some(view) = view {
+            attributes.insert(name.to_owned(), buffer.stretch(view, &range, kind, size).into());
+        }
+    }
+    let mut primitive = json!({ "attributes": attributes, "indices": indices });
+    if part.material < materials {
+        primitive["material"] = part.material.into();
+    }
+    Some(primitive)
+}
+
+/// Whether all normals of a part are of unit length, as glTF asks for.
+fn has_normals(mesh: &Mesh, range: &Range<usize>, part: &Part, reports: &mut Reports) -> bool {
+    let is_unit = |n: &[f32; 3]| (n.iter().map(|c| c * c).sum::<f32>() - 1.0).abs() < 1e-3;
+    let all = mesh.normals.get(range.clone()).is_some_and(|normals| normals.iter().all(is_unit));
+    if !all {
+        let message = || format!("the part {:?} lacks some normals: none of them is written", part.name);
+        reports.add_without_line("parts without all normals", crate::Severity::Warning, message);
+    }
+    all
+}

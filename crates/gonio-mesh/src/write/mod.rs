@@ -1,0 +1,78 @@
+//! Writers: a model as OBJ with MTL, as PLY, as GLB.
+//!
+//! Models in, bytes out: no file is opened here. Numbers are written with as many digits as it takes to read the same
+//! `f32` again. What a format cannot hold is told in diagnostics.
+
+mod distinct;
+pub mod glb;
+mod mtl;
+pub mod obj;
+pub mod ply;
+mod text;
+
+use crate::{Material, Model, TextureMap};
+
+/// A picture to write into a file beside the model.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ImageFile {
+    /// As the written model calls it.
+    pub name: String,
+    /// Index into [`crate::Model::images`].
+    pub image: usize,
+}
+
+/// Names for the pictures inside the model that its textures use: `STEM_NAME.png`, each another one.
+fn image_files(model: &Model, stem: &str) -> Vec<ImageFile> {
+    let is_used = |image: usize| textures(model).any(|texture| texture.embedded == Some(image));
+    let mut files: Vec<ImageFile> = Vec::new();
+    for (image, embedded) in model.images.iter().enumerate().filter(|(image, _)| is_used(*image)) {
+        let extension = picture_extension(&embedded.bytes);
+        let base = embedded.name.rsplit(['/', '\\']).next().unwrap_or_default();
+        let base = base.strip_suffix(extension).and_then(|b| b.strip_suffix('.')).unwrap_or(base);
+        let base: String = base.chars().map(|c| if is_plain(c) { c } else { '_' }).take(80).collect();
+        let base = if base.is_empty() { image.to_string() } else { base };
+        let mut name = format!("{stem}_{base}.{extension}");
+        let mut number = 1;
+        while files.iter().any(|file| file.name.eq_ignore_ascii_case(&name)) {
+            number += 1;
+            name = format!("{stem}_{base}_{number}.{extension}");
+        }
+        files.push(ImageFile { name, image });
+    }
+    files
+}
+
+fn is_plain(c: char) -> bool {
+    c.is_alphanumeric() || matches!(c, '-' | '_' | '.')
+}
+
+/// What a picture's bytes say it is.
+fn picture_extension(bytes: &[u8]) -> &'static str {
+    const SIGNATURES: [(&[u8], &str); 6] = [
+        (b"\x89PNG", "png"),
+        (b"\xFF\xD8\xFF", "jpg"),
+        (b"GIF8", "gif"),
+        (b"BM", "bmp"),
+        (b"\xABKTX", "ktx2"),
+        (b"\x76\x2F\x31\x01", "exr"),
+    ];
+    let is_webp = bytes.starts_with(b"RIFF") && bytes.get(8..12) == Some(b"WEBP");
+    let known = SIGNATURES.iter().find(|(signature, _)| bytes.starts_with(signature)).map(|(_, extension)| *extension);
+    known.unwrap_or(if is_webp { "webp" } else { "img" })
+}
+
+/// All textures of all materials.
+fn textures(model: &Model) -> impl Iterator<Item = &TextureMap> {
+    model.materials.iter().flat_map(Material::textures)
+}
+
+/// How a texture is called in a written file.
+fn texture_path<'a>(texture: &'a TextureMap, images: &'a [ImageFile]) -> &'a str {
+    let file = texture.embedded.and_then(|index| images.iter().find(|file| file.image == index));
+    file.map_or(texture.path.as_str(), |file| file.name.as_str())
+}
+
+/// `1 light`, `2 lights`.
+fn counted(count: usize, one: &str) -> String {
+    format!("{count} {one}{}", if count == 1 { "" } else { "s" })
+}

@@ -1,0 +1,393 @@
+//! One line in words: what is said of each kind of statement, written by hand; and that it agrees with the readers.
+
+#![allow(clippy::unwrap_used, missing_docs)]
+
+use gonio_mesh::explain::{LineExplanation, LineValue, line, mtl_line};
+use gonio_mesh::{Limits, NoSidecars, Severity, obj};
+use std::path::Path;
+
+const FILE: &str = "# two faces
+mtllib a.mtl
+o box
+v 0 0 0
+v 1 0 0
+v 1 1 0 0.5
+v 0 1 0
+vt 0 0
+vt 1 0.5 7
+vn 0 0 2
+g lid
+usemtl red
+s 2
+f 1/1 2/2/1 3//1 \\
+  -1
+l 1 2
+f 1 2 9
+
+vp 0.5
+curv 0 1 1 2
+foo bar
+s off
+usemtl
+f 2 3 4
+";
+
+fn of(number: u64) -> LineExplanation {
+    line(FILE.as_bytes(), number).unwrap()
+}
+
+/// What is said, and what is wrong, of the first statement of a text.
+fn said(text: &str) -> (String, Vec<String>) {
+    let explanation = line(text.as_bytes(), 1).unwrap();
+    (explanation.meaning, explanation.problems.iter().map(ToString::to_string).collect())
+}
+
+#[test]
+fn each_statement_has_its_words() {
+    let expected = [
+        (1, "a comment"),
+        (2, "materials are sought in the library `a.mtl`"),
+        (3, "the object `box` begins: no face after it, up to line 11, belongs to it"),
+        (4, "vertex 1 of this file: x = 0, y = 0, z = 0"),
+        (6, "vertex 3 of this file: x = 1, y = 1, z = 0"),
+        (8, "texture coordinate 1 of this file: u = 0, v = 0"),
+        (9, "texture coordinate 2 of this file: u = 1, v = 0.5"),
+        (10, "normal 1 of this file: x = 0, y = 0, z = 2"),
+        (11, "the group `lid` begins: the 3 faces after it, to the end of the file, belong to it"),
+        (12, "the 2 faces after it, up to line 23, have the material `red`"),
+        (13, "the 2 faces after it, up to line 22, are in the smoothing group 2"),
+        (14, "face 1 of this file, with 4 corners, is cut into 2 triangles: (1 2 3), (1 3 4)"),
+        (15, "continues line 14: face 1 of this file, with 4 corners, is cut into 2 triangles: (1 2 3), (1 3 4)"),
+        (16, "a line through 2 vertices, which is not drawn"),
+        (17, "face 2 of this file, with 3 corners"),
+        (18, "an empty line"),
+        (19, "a point of a free-form curve's or surface's parameters: free-form geometry is skipped"),
+        (20, "a free-form curve: skipped"),
+        (21, "no statement that is known: skipped"),
+        (22, "smoothing is off: the one face after it, to the end of the file, is flat"),
+        (23, "the one face after it, to the end of the file, has the default material"),
+        (24, "face 3 of this file, a triangle"),
+    ];
+    for (number, meaning) in expected {
+        assert_eq!(of(number).meaning, meaning, "line {number}");
+    }
+}
+
+#[test]
+fn details_and_problems() {
+    let details = |number: u64| of(number).details;
+    assert_eq!(details(6), ["its weight w = 0.5 only matters to free-form curves: it is ignored"]);
+    assert_eq!(details(9), ["what stands behind v only matters to pictures in space: it is ignored"]);
+    assert_eq!(details(10), ["its length is 2.0000: it is taken as 0 0 1"]);
+    assert_eq!(details(12), ["it is sought in `a.mtl` (line 2)"]);
+    let corners = [
+        "the statement goes from line 14 to line 15, joined by \\",
+        "corner 1 is `1/1`: vertex 1 (line 4): 0 0 0; texture coordinate 1 (line 8): 0 0",
+        "corner 2 is `2/2/1`: vertex 2 (line 5): 1 0 0; texture coordinate 2 (line 9): 1 0.5; normal 1 (line 10): 0 0 2",
+        "corner 3 is `3//1`: vertex 3 (line 6): 1 1 0; normal 1 (line 10): 0 0 2",
+        "corner 4 is `-1`: vertex 4 (line 7): 0 1 0",
+    ];
+    assert_eq!(details(14), corners);
+    assert_eq!(details(15), corners);
+    let broken = of(17);
+    assert_eq!(broken.details[2], "corner 3 is `9`: no vertex");
+    let problems: Vec<String> = broken.problems.iter().map(ToString::to_string).collect();
+    assert_eq!(problems, ["17:7: warning: f has the v index 9, but there are 4 vertices: the face is left out"]);
+    assert_eq!(of(21).problems[0].to_string(), "21:1: warning: \"foo\" is no known statement");
+    let quiet = (1..=24).filter(|n| of(*n).problems.is_empty()).count();
+    assert_eq!(quiet, 22);
+}
+
+#[test]
+fn what_holds_on_a_line() {
+    let holds = |number: u64| {
+        let explanation = of(number);
+        explanation.in_force.iter().map(|f| format!("{} {} {}", f.what, f.name, f.line)).collect::<Vec<_>>()
+    };
+    assert!(holds(2).is_empty());
+    assert_eq!(holds(4), ["object box 3", "material library a.mtl 2"]);
+    assert_eq!(holds(12), ["object box 3", "group lid 11", "material library a.mtl 2"]);
+    let all = ["object box 3", "group lid 11", "material red 12", "smoothing group 2 13", "material library a.mtl 2"];
+    assert_eq!(holds(15), all);
+    // A name that is empty is no material.
+    assert_eq!(holds(24), ["object box 3", "group lid 11", "smoothing group off 22", "material library a.mtl 2"]);
+}
+
+#[test]
+fn the_same_in_numbers() {
+    let expected = LineValue::Vertex { number: 3, position: [1.0, 1.0, 0.0], weight: Some(0.5), color: None };
+    assert_eq!(of(6).value, Some(expected));
+    assert_eq!(of(9).value, Some(LineValue::TexCoord { number: 2, value: [1.0, 0.5] }));
+    assert_eq!(of(10).value, Some(LineValue::Normal { number: 1, written: [0.0, 0.0, 2.0], unit: [0.0, 0.0, 1.0] }));
+    assert_eq!(of(12).value, Some(LineValue::Name { name: "red".to_owned() }));
+    assert_eq!(of(22).value, Some(LineValue::SmoothingGroup { group: 0 }));
+    let Some(LineValue::Element { number, corner_count, corners, triangles }) = of(15).value else { panic!() };
+    assert_eq!((number, corner_count, triangles), (1, 4, vec![[1, 2, 3], [1, 3, 4]]));
+    let last = &corners[3];
+    assert_eq!((last.line, last.column, last.written.as_str()), (15, 3, "-1"));
+    let vertex = last.vertex.as_ref().unwrap();
+    assert_eq!((vertex.written, vertex.number, vertex.line), (-1, 4, 7));
+    assert_eq!(vertex.value, [0.0, 1.0, 0.0]);
+    assert!(last.tex_coord.is_none() && last.normal.is_none());
+}
+
+#[test]
+fn what_is_odd_is_said() {
+    let cases = [
+        (
+            "v 1 2",
+            "vertex 1 of this file, which cannot be read",
+            "1:6: warning: v ends early: it needs at least 3 numbers; is the file cut off?",
+        ),
+        (
+            "v 1 two 3",
+            "vertex 1 of this file, which cannot be read",
+            "1:5: warning: v has \"two\" where a number should be",
+        ),
+        (
+            "v 1 2 nan",
+            "vertex 1 of this file, which cannot be read",
+            "1:7: warning: v has the coordinate \"nan\", which is not a finite number: export the model again",
+        ),
+        (
+            "v 1 2 3 4 5",
+            "vertex 1 of this file: x = 1, y = 2, z = 3",
+            "1: warning: v has 5 numbers, which means nothing: the last two are ignored",
+        ),
+        (
+            "vn 0 inf 1",
+            "normal 1 of this file: x = 0, y = 0, z = 1",
+            "1:6: warning: vn has \"inf\", which is not a finite number: 0 is taken instead",
+        ),
+        (
+            "vn 0 0 0",
+            "normal 1 of this file: x = 0, y = 0, z = 0",
+            "1:1: note: it has no length: an averaged normal takes its place",
+        ),
+        (
+            "vt",
+            "texture coordinate 1 of this file, which cannot be read",
+            "1:3: warning: vt ends early: it needs at least 1 number; is the file cut off?",
+        ),
+        (
+            "f 1 2",
+            "face 1 of this file, with 2 corners",
+            "1:3: warning: f has the v index 1, but there are 0 vertices: the face is left out",
+        ),
+        (
+            "f 1 x 2\nv 0 0 0",
+            "face 1 of this file, with 1 corner",
+            "1:5: warning: f has \"x\" where an index should be (v, v/vt, v//vn or v/vt/vn)",
+        ),
+        (
+            "f 1 1\nv 0 0 0",
+            "face 1 of this file, with 2 corners",
+            "1: warning: f has 2 corners, too few for a triangle: it is left out",
+        ),
+        (
+            "f 0 1 1\nv 0 0 0",
+            "face 1 of this file, with 3 corners",
+            "1:3: warning: f has the v index 0, but indices count from 1: the face is left out",
+        ),
+        (
+            "f 1 -1 1\nv 0 0 0",
+            "face 1 of this file, with 3 corners",
+            "1:5: warning: f has the v index -1, but there are 0 vertices before it: the face is left out",
+        ),
+        (
+            "s smooth",
+            "smoothing is off: no face after it, to the end of the file, is flat",
+            "1:3: warning: s is followed by \"smooth\" instead of a number or off: taken as off",
+        ),
+        ("mtllib", "a material library without a name", "1: warning: mtllib names no material library"),
+    ];
+    for (text, meaning, problem) in cases {
+        let (found, problems) = said(text);
+        assert_eq!((found.as_str(), problems.first().map(String::as_str)), (meaning, Some(problem)), "{text}");
+    }
+}
+
+#[test]
+fn polygons_are_cut_as_the_reader_cuts_them() {
+    let points = "\nv 0 0 0\nv 4 0 0\nv 4 4 0\nv 1 1 0\n";
+    // Concave at the second corner: both triangles meet there, and not at the first one as in a fan.
+    let arrow = line(format!("f 2 4 3 1{points}").as_bytes(), 1).unwrap();
+    let Some(LineValue::Element { triangles, .. }) = arrow.value else { panic!() };
+    let mut sorted = triangles.clone();
+    sorted.iter_mut().for_each(|t| t.sort_unstable());
+    sorted.sort_unstable();
+    assert_eq!(sorted, [[1, 2, 4], [2, 3, 4]]);
+    let list = triangles.iter().map(|[a, b, c]| format!("({a} {b} {c})")).collect::<Vec<_>>().join(", ");
+    assert_eq!(arrow.meaning, format!("face 1 of this file, with 4 corners, is cut into 2 triangles: {list}"));
+    let (twice, problems) = said(&format!("f 1 2 3 3{points}"));
+    assert_eq!(twice, "face 1 of this file, with 4 corners, makes one triangle: (1 2 3)");
+    assert_eq!(problems, ["1:9: note: a corner is the one before it again: it counts once"]);
+    let (_, problems) = said("f 1 2 3 4\nv 0 0 0\nv 3 3 0\nv 3 0 0\nv 0 1 0\n");
+    assert_eq!(problems, ["1: warning: the polygon crosses or touches itself: its triangles are guessed"]);
+    let (_, problems) = said("f 1 2 3\nv 0 0 0\nv 1 x 0\nv 1 0 0\n");
+    let unreadable = "1: warning: the numbers of one of its vertices cannot be read: no triangle can be made";
+    assert_eq!(problems, [unreadable]);
+}
+
+#[test]
+fn lines_that_are_not_there() {
+    let error = |bytes: &[u8], number: u64| line(bytes, number).unwrap_err().to_string();
+    assert_eq!(error(b"", 1), "the file has 0 lines: there is no line 1");
+    assert_eq!(error(b"v 0 0 0", 2), "the file has 1 line: there is no line 2");
+    assert_eq!(error(b"v 0 0 0\n", 2), "the file has 1 line: there is no line 2");
+    assert_eq!(error(b"f 1 2 \\", 2), "the file has 1 line: there is no line 2");
+    assert_eq!(error(b"f 1 2 \\\n", 2), "the file has 1 line: there is no line 2");
+    assert_eq!(error(b"a\rb\r\nc\nd \\\r\n e", 6), "the file has 5 lines: there is no line 6");
+    assert_eq!(error(b"v 0 0 0\n", 0), "lines count from 1: there is no line 0");
+    assert_eq!(mtl_line(b"newmtl a\n", 9).unwrap_err().to_string(), "the file has 1 line: there is no line 9");
+    let text = |number: u64| line(b"\xef\xbb\xbfa\rb\r\nc\nd \\\r\n e\x1b[2J", number).unwrap().text;
+    assert_eq!([1, 2, 3, 4, 5].map(text), ["a", "b", "c", "d \\", " e\\u{1b}[2J"]);
+}
+
+#[test]
+fn large_faces_are_told_in_part() {
+    let mut text = String::from("f");
+    (0..5000).for_each(|_| text.push_str(" 1 2 3"));
+    text.push_str("\nv 0 0 0\nv 1 0 0\nv 0 1 0\n");
+    let explanation = line(text.as_bytes(), 1).unwrap();
+    assert_eq!(explanation.meaning, "face 1 of this file, with 15000 corners");
+    assert_eq!(explanation.details.len(), 66);
+    assert_eq!(explanation.details[64..], ["and 14936 more corners", "only the first 4000 corners were looked at"]);
+    assert_eq!(explanation.text.len(), 503);
+}
+
+const LIBRARY: &str = "Kd 1 1 1
+newmtl red
+Kd 0 0 0
+map_Kd -s 2 2 a.png
+  Ns 10 \\
+ 20
+Ps 0.5
+# hm
+foo
+";
+
+#[test]
+fn lines_of_a_material_library() {
+    let of = |number: u64| {
+        let explanation = mtl_line(LIBRARY.as_bytes(), number).unwrap();
+        let problems: Vec<String> = explanation.problems.iter().map(ToString::to_string).collect();
+        (explanation.meaning, explanation.details, problems)
+    };
+    let owned = |texts: &[&str]| texts.iter().map(|t| (*t).to_owned()).collect::<Vec<_>>();
+    let expected: [(u64, &str, &[&str], &[&str]); 9] = [
+        (
+            1,
+            "the diffuse color, of no material: no newmtl stands before it",
+            &[],
+            &["1:1: warning: \"Kd\" stands before the first newmtl and is ignored"],
+        ),
+        (2, "the material `red` begins", &[], &[]),
+        (
+            3,
+            "the diffuse color, of the material `red`",
+            &["diffuse = 1 1 1 (black beside map_Kd: taken as 1 1 1)"],
+            &["3:1: note: Kd of \"red\" is black beside map_Kd: taken as 1 1 1"],
+        ),
+        (4, "a picture of the diffuse color, of the material `red`", &["diffuse_map = `a.png`, scaled by 2 2"], &[]),
+        (
+            5,
+            "the exponent of the highlight: the larger, the smaller and sharper it is, of the material `red`",
+            &["the statement goes from line 5 to line 6, joined by \\", "shininess = 10"],
+            &["6:2: warning: Ns goes on with \"20\" after its last number: that is ignored"],
+        ),
+        (
+            6,
+            "continues line 5: the exponent of the highlight: the larger, the smaller and sharper it is, of the \
+            material `red`",
+            &["the statement goes from line 5 to line 6, joined by \\", "shininess = 10"],
+            &["6:2: warning: Ns goes on with \"20\" after its last number: that is ignored"],
+        ),
+        (
+            7,
+            "its sheen, as of velvet (physically based), of the material `red`",
+            &["not used: no term of the light equation"],
+            &["7: note: 1 statement without a term in the light equation: Ps"],
+        ),
+        (8, "a comment", &[], &[]),
+        (9, "no statement that is known: skipped", &[], &["9:1: warning: \"foo\" is no known statement of a material"]),
+    ];
+    for (number, meaning, details, problems) in expected {
+        assert_eq!(of(number), (meaning.to_owned(), owned(details), owned(problems)), "line {number}");
+    }
+    let explanation = mtl_line(LIBRARY.as_bytes(), 5).unwrap();
+    let value = LineValue::Property { property: "shininess".to_owned(), value: "10".to_owned() };
+    assert_eq!(explanation.value, Some(value));
+    assert_eq!((explanation.in_force[0].name.as_str(), explanation.in_force[0].line), ("red", 2));
+}
+
+fn corpus(folder: &str, extension: &str) -> Vec<(String, Vec<u8>)> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join(folder);
+    let mut files: Vec<(String, Vec<u8>)> = std::fs::read_dir(path)
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|e| e == extension))
+        .map(|path| (path.file_name().unwrap().to_str().unwrap().to_owned(), std::fs::read(&path).unwrap()))
+        .collect();
+    files.sort();
+    assert!(files.len() > 50, "only {} files in {folder}", files.len());
+    files
+}
+
+/// What the reader finds wrong at a place, the explanation of that line says in the same words at the same place; and
+/// it finds no other fault in a corner or a number.
+#[test]
+fn the_reader_and_the_explanation_agree() {
+    let mut agreed = 0;
+    for (name, bytes) in corpus("corpus", "obj") {
+        let (error, diagnostics) = match obj::read(&bytes, &mut NoSidecars, &Limits::default()) {
+            Ok(model) => (None, model.diagnostics),
+            Err(error) => (Some(error), Vec::new()),
+        };
+        let of_reader = diagnostics.iter().filter(|d| d.file.is_none()).map(|d| (d.line, d.column, &d.message));
+        let of_error = error.iter().map(|e| (e.line, e.column, &e.message));
+        for (line_number, column, message) in of_reader.chain(of_error) {
+            let (Some(number), Some(_)) = (line_number, column) else { continue };
+            let explanation = line(&bytes, number).unwrap();
+            let same = explanation.problems.iter().any(|p| (p.column, &p.message) == (column, message));
+            assert!(same, "{name}:{number}: {message}\n{:?}", explanation.problems);
+            agreed += 1;
+        }
+        // A file that says no such thing has no line that does.
+        let is_silent = error.is_none() && diagnostics.iter().all(|d| d.severity == Severity::Note);
+        let lines = (1..).map_while(|number| line(&bytes, number).ok());
+        for explanation in lines.filter(|_| is_silent) {
+            let warnings = explanation.problems.iter().filter(|p| p.severity > Severity::Note);
+            assert_eq!(warnings.count(), 0, "{name}: {:?}", explanation.problems);
+        }
+    }
+    assert!(agreed > 20, "{agreed}");
+}
+
+/// Every line of every file, cut off anywhere and with bytes changed, is explained; none beyond the last is.
+#[test]
+fn every_line_of_every_prefix_is_explained() {
+    type Explain = fn(&[u8], u64) -> Result<LineExplanation, gonio_mesh::ReadError>;
+    let check = |explain: Explain, bytes: &[u8]| {
+        let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
+        let explained = (1..).map_while(|number| explain(bytes, number).ok()).count();
+        let ends =
+            bytes.iter().enumerate().filter(|(i, b)| **b == b'\n' || **b == b'\r' && bytes.get(i + 1) != Some(&b'\n'));
+        let is_open = bytes.last().is_some_and(|b| !matches!(b, b'\n' | b'\r'));
+        assert_eq!(explained, ends.count() + usize::from(is_open), "{:?}", String::from_utf8_lossy(bytes));
+    };
+    let mut tried = 0;
+    for (folder, extension, explain) in [("corpus", "obj", line as Explain), ("mtl", "mtl", mtl_line as Explain)] {
+        for (_, bytes) in corpus(folder, extension) {
+            let bytes = &bytes[..bytes.len().min(150)];
+            for at in 0..bytes.len() {
+                check(explain, &bytes[..at]);
+                let mut changed = bytes.to_vec();
+                changed[at] = b"\\\n#-/\r"[at % 6];
+                check(explain, &changed);
+                tried += 1;
+            }
+        }
+    }
+    assert!(tried > 5000, "{tried}");
+}

@@ -1,0 +1,264 @@
+//! What cannot be read, and what is said then.
+
+use crate::builder::{File, Files, U8, glb};
+use gonio_mesh::{Limits, NoSidecars, gltf};
+use serde_json::{Value, json};
+
+fn error(bytes: &[u8]) -> String {
+    gltf::read(bytes, &mut NoSidecars, &Limits::default()).unwrap_err().to_string()
+}
+
+#[test]
+fn what_is_no_gltf() {
+    let cases: [(&[u8], &str); 8] = [
+        (b"", "the file is empty"),
+        (b" \n", "the file is empty"),
+        (b"{\n  \"asset\": }", "2:12: this is no valid JSON: expected value"),
+        (b"{\n  \"asset\": {", "2:12: this is no valid JSON: EOF while parsing an object: the file is cut off"),
+        (b"[]", "this is no glTF 2.0 file: its JSON has no asset.version"),
+        (b"{\"asset\": {}}", "this is no glTF 2.0 file: its JSON has no asset.version"),
+        (
+            b"{\"asset\": {\"version\": \"1.0\"}}",
+            "this is glTF 1.0, which is not read: convert it to glTF 2.0 (gltf-pipeline does)",
+        ),
+        (
+            b"{\"asset\": {\"version\": \"3.1\"}}",
+            "this file needs glTF \"3.1\", and 2.0 is read: export it as glTF 2.0",
+        ),
+    ];
+    for (bytes, expected) in cases {
+        assert_eq!(error(bytes), expected);
+    }
+    let newer = File::triangle().with("/asset/minVersion", json!("2.1")).error();
+    assert_eq!(newer, "this file needs glTF \"2.1\", and 2.0 is read: export it as glTF 2.0");
+    assert_eq!(
+        File::triangle().with("/asset/version", json!(2.0)).error(),
+        "asset.version is 2.0, where a text belongs"
+    );
+    // A later 2.x that asks for no more than 2.0 is read.
+    File::triangle().with("/asset/version", json!("2.1")).with("/asset/minVersion", json!("2.0")).quiet();
+}
+
+#[test]
+fn broken_containers() {
+    let good = File::triangle().glb();
+    let change = |at: usize, bytes: &[u8]| {
+        let mut changed = good.clone();
+        changed[at..at + bytes.len()].copy_from_slice(bytes);
+        error(&changed)
+    };
+    let size = good.len();
+    assert_eq!(error(&good[..7]), "is cut off after 7 bytes, within its header of 12");
+    assert_eq!(error(&good[..20]), format!("is cut off: its header says {size} bytes, and there are 20"));
+    assert_eq!(change(4, &[9, 0, 0, 0]), "byte 4: the container's version is 9, which is unknown (2 is read)");
+    assert!(change(4, &[1, 0, 0, 0]).starts_with("this is glTF 1.0"));
+    assert_eq!(change(16, b"NOSJ"), "byte 12: the first chunk is not the JSON");
+    let left = size - 20;
+    let most = format!("byte 12: a chunk says 4294967295 bytes, and {left} are left in the file");
+    assert_eq!(change(12, &[255; 4]), most);
+    assert_eq!(change(20, b"}"), "1:1: the JSON in this binary glTF is no valid JSON: expected value");
+    assert_eq!(change(8, &[12, 0, 0, 0]), "holds no JSON: the file is cut off or empty");
+    assert_eq!(change(8, &[15, 0, 0, 0]), "byte 12: a chunk's header is cut off");
+}
+
+#[test]
+fn extensions_that_are_required() {
+    let needs = |name: &str| File::triangle().with("/extensionsRequired", json!([name])).error();
+    assert_eq!(
+        needs("KHR_draco_mesh_compression"),
+        "needs the extension \"KHR_draco_mesh_compression\", which is not supported: export it without Draco compression"
+    );
+    let advice = "export it without meshopt compression, or unpack it with gltf-transform";
+    let meshopt = needs("EXT_meshopt_compression");
+    assert_eq!(meshopt, format!("needs the extension \"EXT_meshopt_compression\", which is not supported: {advice}"));
+    assert_eq!(
+        needs("ACME_geometry"),
+        "needs the extension \"ACME_geometry\", which is not supported: export it without that extension"
+    );
+    File::triangle().with("/extensionsRequired", json!(["KHR_mesh_quantization", "KHR_texture_transform"])).quiet();
+}
+
+/// One change each to a file that can be read.
+#[test]
+fn broken_places_are_named() {
+    let nested = |file: &mut File| {
+        file.push("nodes", json!({ "children": [2] }));
+        file.push("nodes", json!({ "children": [1] }));
+        file.json["scenes"][0]["nodes"] = json!([0, 1]);
+    };
+    type Change = fn(&mut File);
+    let set: [(&str, Value, &str); 20] = [
+        ("/accessors/0/count", json!(-1), "accessors[0].count is -1, where a whole number from 0 belongs"),
+        ("/accessors/0/count", json!(2.5), "accessors[0].count is 2.5, where a whole number from 0 belongs"),
+        (
+            "/accessors/0/count",
+            json!(4),
+            "accessors[0] reaches beyond its buffer view: 4 elements of 12 bytes, 12 apart, from byte 0 of 36",
+        ),
+        (
+            "/accessors/0/count",
+            json!(u64::MAX),
+            "accessors[0] reaches beyond its buffer view: 18446744073709551615 elements of 12 bytes, 12 apart, from byte 0 of 36",
+        ),
+        (
+            "/accessors/0/byteOffset",
+            json!(4),
+            "accessors[0] reaches beyond its buffer view: 3 elements of 12 bytes, 12 apart, from byte 4 of 36",
+        ),
+        (
+            "/accessors/0/componentType",
+            json!(5124),
+            "accessors[0].componentType = 5124 is not one of 5120 (i8), 5121 (u8), 5122 (i16), 5123 (u16), 5125 (u32), 5126 (f32)",
+        ),
+        (
+            "/accessors/0/type",
+            json!("VEC2"),
+            "accessors[0] has the type \"VEC2\", which meshes[0].primitives[0].attributes.POSITION cannot have",
+        ),
+        (
+            "/meshes/0/primitives/0/attributes/POSITION",
+            json!(1),
+            "meshes[0].primitives[0].attributes.POSITION = 1, but the file has 1 accessors",
+        ),
+        (
+            "/meshes/0/primitives/0/mode",
+            json!(7),
+            "meshes[0].primitives[0].mode = 7, which is no mode of primitives (0 to 6)",
+        ),
+        (
+            "/meshes/0/primitives/0/material",
+            json!(0),
+            "meshes[0].primitives[0].material = 0, but the file has 0 materials",
+        ),
+        ("/meshes/0/primitives", json!(3), "meshes[0].primitives is 3, where an array belongs"),
+        ("/bufferViews/0/byteLength", json!(37), "bufferViews[0] is 37 bytes from byte 0, but its buffer has 36"),
+        (
+            "/bufferViews/0/byteOffset",
+            json!(u64::MAX),
+            "bufferViews[0] is 36 bytes from byte 18446744073709551615, but its buffer has 36",
+        ),
+        (
+            "/bufferViews/0/byteStride",
+            json!(8),
+            "accessors[0] has elements of 12 bytes, but its view's byteStride is 8",
+        ),
+        ("/bufferViews/0/buffer", json!(1), "bufferViews[0].buffer = 1, but the file has 1 buffers"),
+        ("/nodes/0/mesh", json!(1), "nodes[0].mesh = 1, but the file has 1 meshes"),
+        ("/nodes/0/scale", json!([1, 1]), "nodes[0].scale is [1, 1], where 3 numbers belong"),
+        ("/scenes/0/nodes", json!([4]), "scenes[0].nodes[0] = 4, but the file has 1 nodes"),
+        ("/scene", json!(1), "scene = 1, but the file has 1 scenes"),
+        (
+            "/nodes/0/translation",
+            json!([1e39, 0, 0]),
+            "meshes[0].primitives[0] has a coordinate that is not finite: the file is damaged",
+        ),
+    ];
+    for (pointer, value, expected) in set {
+        assert_eq!(File::triangle().with(pointer, value).error(), expected, "{pointer}");
+    }
+    let change: [(Change, &str); 8] = [
+        (
+            |file| drop(file.json["accessors"][0].as_object_mut().unwrap().remove("count")),
+            "accessors[0] has no count: the file is damaged or of another version",
+        ),
+        (
+            |file| drop(file.json["bufferViews"][0].as_object_mut().unwrap().remove("byteLength")),
+            "bufferViews[0] has no byteLength: the file is damaged or of another version",
+        ),
+        (
+            |file| file.json["nodes"][0]["children"] = json!([0]),
+            "nodes[0].children names node 0, which it stands below: the nodes form a circle",
+        ),
+        (
+            |file| file.json["scenes"][0]["nodes"] = json!([0, 0]),
+            "scenes[0].nodes names node 0, which already is a root of the scene: a node has one place",
+        ),
+        (
+            |file| {
+                file.root_node(json!({ "children": [2] }));
+                file.push("nodes", json!({}));
+                file.root_node(json!({ "children": [2] }));
+            },
+            "nodes[3].children names node 2, which already is a child of nodes[1]: a node has one place",
+        ),
+        (
+            |file| {
+                file.json.as_object_mut().unwrap().remove("scenes");
+                file.json.as_object_mut().unwrap().remove("scene");
+                file.json["nodes"][0]["children"] = json!([0]);
+            },
+            "nodes: every node is a child of another, so they stand below themselves: the file is damaged",
+        ),
+        (
+            |file| file.json["nodes"][0] = json!({}),
+            "holds no triangles (nodes in the scene: 1, meshes: 1): nothing to draw",
+        ),
+        (
+            |file| {
+                let (indices, values) = (file.view(&[3]), file.view(&[0; 12]));
+                file.json["accessors"][0]["sparse"] = json!({
+                    "count": 1, "indices": { "bufferView": indices, "componentType": U8 }, "values": { "bufferView": values },
+                });
+            },
+            "accessors[0].sparse replaces the element 3 of only 3",
+        ),
+    ];
+    for (change, expected) in change {
+        let mut file = File::triangle();
+        change(&mut file);
+        assert_eq!(file.error(), expected);
+    }
+    let mut file = File::triangle();
+    nested(&mut file);
+    assert_eq!(file.error(), "nodes[2].children names node 1, which it stands below: the nodes form a circle");
+    let mut file = File::triangle();
+    file.bytes[3] = 0x7F;
+    file.bytes[2] = 0x80;
+    assert_eq!(file.error(), "meshes[0].primitives[0] has a coordinate that is not finite: the file is damaged");
+}
+
+#[test]
+fn buffers_that_cannot_be_had() {
+    let with = |buffer: Value| {
+        let mut json = File::triangle().json;
+        json["buffers"] = json!([buffer]);
+        json.to_string()
+    };
+    let read = |json: &str| {
+        let mut files = Files(vec![("short.bin", vec![0; 20])]);
+        gltf::read(json.as_bytes(), &mut files, &Limits::default()).unwrap_err().to_string()
+    };
+    let missing = "\"gone.bin\", which buffers[0] names, was not found: put it beside the model";
+    assert_eq!(
+        read(&with(json!({ "uri": "gone.bin", "byteLength": 36 }))),
+        format!("{missing}; sought: models/gone.bin, textures/gone.bin")
+    );
+    assert_eq!(
+        read(&with(json!({ "uri": "short.bin", "byteLength": 36 }))),
+        "buffers[0] is cut off: it says 36 bytes, and there are 20"
+    );
+    assert_eq!(
+        read(&with(json!({ "uri": "data:x;base64,AAA=!", "byteLength": 36 }))),
+        "buffers[0].uri holds data, but its letter 4 is no base64"
+    );
+    assert_eq!(
+        read(&with(json!({ "uri": "https://example.org/a.bin", "byteLength": 36 }))),
+        "buffers[0].uri = \"https://example.org/a.bin\" is not fetched: put the file beside the model and its name into the uri"
+    );
+    assert_eq!(
+        read(&with(json!({ "byteLength": 36 }))),
+        "buffers[0] has no uri, and there is no binary chunk for it: the file is damaged"
+    );
+    let longer = with(json!({ "byteLength": 40 }));
+    assert_eq!(error(&glb(&longer, &[0; 36])), "buffers[0] is cut off: it says 40 bytes, and there are 36");
+}
+
+#[test]
+fn draco_that_is_not_required_but_all_there_is() {
+    let mut file = File::triangle();
+    file.json["accessors"][0].as_object_mut().unwrap().remove("bufferView");
+    let draco = json!({ "KHR_draco_mesh_compression": { "bufferView": 0, "attributes": { "POSITION": 0 } } });
+    file.json["meshes"][0]["primitives"][0]["extensions"] = draco;
+    let holds = "holds its geometry in Draco compression, which is not supported: export it without";
+    assert_eq!(file.error(), format!("meshes[0].primitives[0] {holds}"));
+}

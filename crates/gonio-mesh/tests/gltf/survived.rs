@@ -1,0 +1,94 @@
+//! What is odd and read all the same.
+
+use crate::builder::{File, glb, says};
+use gonio_mesh::{Limits, NoSidecars, gltf};
+use serde_json::json;
+
+#[test]
+fn odd_containers() {
+    let file = File::triangle();
+    let said = |bytes: &[u8]| {
+        let model = gltf::read(bytes, &mut NoSidecars, &Limits::default()).unwrap();
+        assert_eq!(model.mesh.triangle_count(), 1);
+        model.diagnostics.iter().map(ToString::to_string).collect::<Vec<_>>()
+    };
+    let mut trailing = file.glb();
+    trailing.extend(b"more");
+    says(&said(&trailing), "warning: 4 bytes stand behind the end that the header names: ignored");
+    let mut chunk = file.glb();
+    let at = chunk.len();
+    chunk.extend(b"\x04\0\0\0ACMEabcd");
+    let total = (chunk.len() as u32).to_le_bytes();
+    chunk[8..12].copy_from_slice(&total);
+    says(&said(&chunk), &format!("note: byte {at}: a chunk of the unknown kind \"ACME\" is skipped"));
+    let mut mark = b"\xEF\xBB\xBF".to_vec();
+    mark.extend(file.gltf());
+    says(&said(&mark), "note: begins with a byte order mark, which JSON does not allow: skipped");
+    // A binary chunk may be up to three bytes longer than its buffer.
+    let mut json = file.json.clone();
+    json["buffers"] = json!([{ "byteLength": 36 }]);
+    let mut longer = file.bytes.clone();
+    longer.extend([1, 2, 3]);
+    assert_eq!(said(&glb(&json.to_string(), &longer)).len(), 2);
+}
+
+#[test]
+fn extensions_that_are_used() {
+    let mut file = File::triangle();
+    file.json["extensionsUsed"] = json!([
+        "KHR_materials_variants",
+        "KHR_texture_basisu",
+        "KHR_draco_mesh_compression",
+        "ACME_smell",
+        "KHR_materials_sheen",
+        "KHR_lights_punctual",
+        "ACME_smell",
+    ]);
+    file.json["extensionsRequired"] = json!(["KHR_texture_basisu", "KHR_materials_sheen"]);
+    let (_, said) = file.said();
+    let warnings: Vec<&String> = said.iter().filter(|s| s.starts_with("warning")).collect();
+    let expected = [
+        "warning: uses the extension \"KHR_materials_variants\", which is not supported: each part has its first material",
+        "warning: uses the extension \"KHR_texture_basisu\", which is not supported: KTX2 pictures cannot be read",
+        "warning: uses the extension \"KHR_draco_mesh_compression\", which is not supported: what the file holds beside it is shown",
+        "warning: uses the extension \"ACME_smell\", which is not supported: what it says is left out",
+    ];
+    assert_eq!(warnings, expected);
+}
+
+#[test]
+fn odd_primitives() {
+    let mut file = File::triangle();
+    file.of_primitive(json!({ "attributes": {} }));
+    file.of_primitive(json!({ "attributes": { "POSITION": 0, "_TEMPERATURE": 0, "WARMTH": 0, "COLOR_1": 0 } }));
+    let two = file.floats(&[0.0; 6], "VEC3");
+    file.of_primitive(json!({ "attributes": { "POSITION": 0, "NORMAL": two } }));
+    file.of_primitive(json!({ "attributes": { "POSITION": two } }));
+    let (model, said) = file.said();
+    assert_eq!(model.mesh.triangle_count(), 3);
+    says(&said, "warning: meshes[1].primitives[0] has no POSITION: it is not drawn");
+    says(&said, "note: meshes[2].primitives[0].attributes.WARMTH is not known: not used");
+    says(&said, "note: meshes[2].primitives[0].attributes.COLOR_1 is a further set of colors: not used");
+    assert!(!said.iter().any(|s| s.contains("_TEMPERATURE")));
+    says(&said, "warning: meshes[3].primitives[0]: NORMAL has 2 elements, POSITION 3: ignored");
+    says(&said, "warning: meshes[4].primitives[0] has no triangles");
+    let mut file = File::triangle();
+    let normals = file.floats(&[f32::NAN, 0.0, 1.0, 0.0, f32::INFINITY, 1.0, 0.0, 0.0, 1.0], "VEC3");
+    file.set("/meshes/0/primitives/0/attributes/NORMAL", normals.into());
+    let (model, said) = file.said();
+    assert_eq!(model.mesh.normals, [[0.0, 0.0, 1.0]; 3]);
+    let what = "2 numbers of normals, tangents, texture coordinates or colors are not finite: 0 is taken";
+    says(&said, &format!("warning: {what}"));
+}
+
+/// The same oddity at a thousand places is told twenty times.
+#[test]
+fn many_of_a_kind_are_counted() {
+    let mut file = File::triangle();
+    for _ in 0..1000 {
+        file.of_primitive(json!({ "attributes": { "POSITION": 0 }, "mode": 0 }));
+    }
+    let (_, said) = file.said();
+    assert_eq!(said.iter().filter(|s| s.ends_with("is points, not triangles: not drawn")).count(), 20);
+    says(&said, "warning: and 980 more: primitives of points or lines");
+}

@@ -1,0 +1,233 @@
+//! What a model file holds, and how it was understood.
+
+mod differences;
+mod materials;
+
+pub use differences::Difference;
+pub use materials::{MaterialReport, ValueReport};
+
+use crate::description::MaterialOverride;
+use crate::files::{self, FileSource};
+use crate::load;
+use crate::material_binding::MaterialBinder;
+use crate::model_file::{self, ModelFile};
+use crate::texture_library::TextureUse;
+use gonio_mesh::topology::{self, TopologyReport};
+use gonio_mesh::{
+    Diagnostic, Format, Limits, Mesh, ModelCamera, ModelLight, NormalSource, ReadError, SidecarUse, compression,
+    explain,
+};
+use serde::Serialize;
+use std::path::Path;
+
+/// What a model file holds, and how it was understood.
+#[derive(Debug, Serialize)]
+pub struct Inspection {
+    /// The file, as the user knows it.
+    pub file: String,
+    /// What it was read as.
+    pub format: Format,
+    /// Its size.
+    pub bytes: u64,
+    /// The size of what is in it, where it is compressed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unpacked_bytes: Option<u64>,
+    /// What it holds, counted in its own words.
+    pub contents: Vec<Count>,
+    /// What became of it: triangles.
+    pub geometry: GeometryReport,
+    /// How the triangles hang together.
+    pub surface: TopologyReport,
+    /// Where the normals come from that a picture is drawn with.
+    pub normals: NormalReport,
+    /// Each material, value by value.
+    pub materials: Vec<MaterialReport>,
+    /// The files that it names (textures apart), and where they were sought.
+    pub files: Vec<SidecarUse>,
+    /// The textures that its materials name, and where they were sought.
+    pub textures: Vec<TextureUse>,
+    /// Pictures inside it.
+    pub images: Vec<ImageReport>,
+    /// Its lights.
+    pub lights: Vec<ModelLight>,
+    /// Its cameras.
+    pub cameras: Vec<ModelCamera>,
+    /// What other programs are known to make of it.
+    pub differences: Vec<Difference>,
+    /// Everything odd, with line and column where there are such.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// So many of something.
+#[derive(Debug, Serialize)]
+pub struct Count {
+    /// As the format calls it.
+    pub what: String,
+    /// How many.
+    pub count: u64,
+}
+
+/// The mesh in numbers.
+#[derive(Debug, Serialize)]
+pub struct GeometryReport {
+    /// After polygons were cut.
+    pub triangles: usize,
+    /// After equal corners were merged.
+    pub vertices: usize,
+    /// Runs of triangles with one name and material.
+    pub parts: Vec<PartReport>,
+    /// Smallest coordinates.
+    pub min: [f32; 3],
+    /// Largest coordinates.
+    pub max: [f32; 3],
+    /// Smallest and largest texture coordinates, where there are any.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tex_coords: Option<[[f32; 2]; 2]>,
+    /// Whether vertices have colours.
+    pub colors: bool,
+    /// How many smoothing groups there are, 0 ("off") not counted; `None` where the file says nothing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub smoothing_groups: Option<usize>,
+    /// Bytes of each array in memory, as a GPU gets it.
+    pub memory: Vec<Count>,
+}
+
+/// A run of triangles.
+#[derive(Debug, Serialize)]
+pub struct PartReport {
+    /// Of the object or group.
+    pub name: String,
+    /// The material's name.
+    pub material: String,
+    /// How many.
+    pub triangles: usize,
+}
+
+/// Where normals come from.
+#[derive(Debug, Serialize)]
+pub struct NormalReport {
+    /// Of the mesh that is drawn.
+    pub source: NormalSource,
+    /// What had to be made.
+    pub notes: Vec<String>,
+}
+
+/// A picture inside the file.
+#[derive(Debug, Serialize)]
+pub struct ImageReport {
+    /// In the file.
+    pub name: String,
+    /// As it is stored there.
+    pub bytes: usize,
+}
+
+/// Reads the model called `input` (a path, `builtin:NAME`) and tells all about it.
+pub fn inspect(input: &str, files: &dyn FileSource, limits: &Limits) -> Result<Inspection, ReadError> {
+    let path = files::resolve(Path::new(""), input);
+    let mut file = model_file::read(&path, input, files, limits)?;
+    let mut binder = MaterialBinder::new(files, limits.max_bytes);
+    binder.add(0, &MaterialOverride::default(), &load::asked_model(&file));
+    let bound = binder.finish();
+    let geometry = geometry(&file);
+    let surface = topology::report(&file.model.mesh);
+    let materials = materials::reports(&file);
+    let differences = differences::of(&file, &bound.uses);
+    let mut diagnostics = std::mem::take(&mut file.model.diagnostics);
+    diagnostics.extend(bound.diagnostics);
+    let model = file.model;
+    let images = model.images.iter().map(|i| ImageReport { name: i.name.clone(), bytes: i.bytes.len() }).collect();
+    Ok(Inspection {
+        file: file.name,
+        format: file.format,
+        bytes: file.size,
+        unpacked_bytes: file.unpacked_size,
+        contents: model.contents.into_iter().map(|(what, count)| Count { what, count }).collect(),
+        geometry,
+        surface,
+        materials,
+        files: model.sidecars,
+        textures: bound.uses,
+        images,
+        lights: model.lights,
+        cameras: model.cameras,
+        differences,
+        diagnostics,
+        normals: normals(model.mesh),
+    })
+}
+
+/// What line `line` (from 1) of the OBJ or MTL file called `input` says.
+pub fn explain_line(
+    input: &str,
+    line: u64,
+    files: &dyn FileSource,
+    limits: &Limits,
+) -> Result<explain::LineExplanation, ReadError> {
+    let path = files::resolve(Path::new(""), input);
+    let in_file = |e: ReadError| e.in_file(input);
+    let bytes = files::read(files, &path).map_err(|e| in_file(ReadError::new(files::explain(&e))))?;
+    let unpacked = compression::unpack(&bytes, limits).map_err(in_file)?;
+    let content = unpacked.as_deref().unwrap_or(&bytes);
+    let is_library = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("mtl"));
+    if is_library {
+        return explain::mtl_line(content, line).map_err(in_file);
+    }
+    match crate::model_kind::format_of(content, &path.to_string_lossy()).map_err(|e| in_file(ReadError::new(e)))? {
+        Format::Obj => explain::line(content, line).map_err(in_file),
+        other => {
+            let message = format!("lines are explained of OBJ and MTL files, and this is {}", other.name());
+            Err(in_file(ReadError::new(message)))
+        }
+    }
+}
+
+fn geometry(file: &ModelFile) -> GeometryReport {
+    let mesh = &file.model.mesh;
+    let bounds = mesh.bounds();
+    let part = |part: &gonio_mesh::Part| PartReport {
+        name: part.name.clone(),
+        material: file.model.materials.get(part.material).map(|m| m.name.clone()).unwrap_or_default(),
+        triangles: part.triangle_count,
+    };
+    let mut groups = mesh.smoothing_groups.clone();
+    groups.retain(|group| *group != 0);
+    groups.sort_unstable();
+    groups.dedup();
+    GeometryReport {
+        triangles: mesh.triangle_count(),
+        vertices: mesh.positions.len(),
+        parts: mesh.parts.iter().map(part).collect(),
+        min: bounds.map_or([0.0; 3], |b| b.min.to_array()),
+        max: bounds.map_or([0.0; 3], |b| b.max.to_array()),
+        tex_coords: range(&mesh.tex_coords),
+        colors: !mesh.colors.is_empty(),
+        smoothing_groups: (!mesh.smoothing_groups.is_empty()).then_some(groups.len()),
+        memory: memory(mesh),
+    }
+}
+
+fn range(values: &[[f32; 2]]) -> Option<[[f32; 2]; 2]> {
+    values.iter().fold(None, |range, &[u, v]| {
+        let [[u0, v0], [u1, v1]] = range.unwrap_or([[u, v]; 2]);
+        Some([[u0.min(u), v0.min(v)], [u1.max(u), v1.max(v)]])
+    })
+}
+
+fn memory(mesh: &Mesh) -> Vec<Count> {
+    let arrays = [
+        ("positions", size_of_val(mesh.positions.as_slice())),
+        ("normals", size_of_val(mesh.normals.as_slice())),
+        ("texture coordinates", size_of_val(mesh.tex_coords.as_slice())),
+        ("tangents", size_of_val(mesh.tangents.as_slice())),
+        ("colors", size_of_val(mesh.colors.as_slice())),
+        ("indices", size_of_val(mesh.indices.as_slice())),
+    ];
+    let there = arrays.into_iter().filter(|(_, bytes)| *bytes > 0);
+    there.map(|(what, bytes)| Count { what: what.to_owned(), count: bytes as u64 }).collect()
+}
+
+/// As [`crate::load`] makes them for a picture, by default.
+fn normals(mesh: Mesh) -> NormalReport {
+    let (mesh, diagnostics) = load::with_normals(mesh, load::NormalChoice::default());
+    NormalReport { source: mesh.normal_source, notes: diagnostics.into_iter().map(|d| d.message).collect() }
+}

@@ -1,0 +1,66 @@
+//! The textures of a model that is written somewhere else: found, and named anew.
+
+use crate::commands::scene::seen_from;
+use gonio_mesh::{Diagnostic, EmbeddedImage, Model};
+use gonio_scene::files::FileSource;
+use gonio_scene::model_file::ModelFile;
+use gonio_scene::model_textures::TextureFile;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// The files of all textures that are not inside the model, by the names that the model has for them.
+pub struct Textures {
+    files: BTreeMap<String, TextureFile>,
+}
+
+impl Textures {
+    /// Seeks them all. What is not found is told and keeps its name.
+    pub fn find(file: &ModelFile, files: &dyn FileSource, diagnostics: &mut Vec<Diagnostic>) -> Self {
+        let mut textures = Textures { files: BTreeMap::new() };
+        let mut missing: Vec<&str> = Vec::new();
+        let maps = file.model.materials.iter().flat_map(|material| {
+            material.textures().filter(|map| map.embedded.is_none()).map(move |map| (material, map))
+        });
+        for (material, map) in maps {
+            if textures.files.contains_key(&map.path) || missing.contains(&map.path.as_str()) {
+                continue;
+            }
+            match file.texture(&map.path, files) {
+                Ok(found) => drop(textures.files.insert(map.path.clone(), found)),
+                Err(tried) => {
+                    missing.push(&map.path);
+                    let message =
+                        format!("the texture {:?} was not found; looked for at {}", map.path, tried.join(", "));
+                    let diagnostic = Diagnostic { line: map.line, ..Diagnostic::warning(message) };
+                    diagnostics.push(diagnostic.in_file(material.file.as_deref().unwrap_or(&file.name)));
+                }
+            }
+        }
+        textures
+    }
+
+    /// The bytes of the texture that the model calls `name`.
+    pub fn bytes(&self, name: &str) -> Option<Vec<u8>> {
+        self.files.get(name).map(|file| file.bytes.to_vec())
+    }
+
+    /// Names them as they are seen from the folder of `output`; those that are no files become pictures inside the
+    /// model.
+    pub fn name_for(self, model: &mut Model, output: &Path) {
+        let folder = output.parent().unwrap_or(Path::new(""));
+        let mut image_of: BTreeMap<String, usize> = BTreeMap::new();
+        for map in model.materials.iter_mut().flat_map(|material| material.textures_mut()) {
+            let Some(file) = self.files.get(&map.path).filter(|_| map.embedded.is_none()) else { continue };
+            if let Some(path) = &file.path {
+                map.path = seen_from(folder, &path.to_string_lossy());
+                continue;
+            }
+            let images = &mut model.images;
+            let image = *image_of.entry(map.path.clone()).or_insert_with(|| {
+                images.push(EmbeddedImage { name: map.path.clone(), bytes: file.bytes.to_vec() });
+                images.len() - 1
+            });
+            map.embedded = Some(image);
+        }
+    }
+}

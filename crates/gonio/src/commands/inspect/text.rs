@@ -1,0 +1,334 @@
+//! An inspection as a page of text.
+
+use anstyle::{AnsiColor, Style};
+use gonio_mesh::explain::LineExplanation;
+use gonio_mesh::{Diagnostic, ModelLightKind, NormalSource, Severity};
+use gonio_scene::inspect::{Inspection, MaterialReport};
+use std::fmt::Write;
+
+const HEADING: Style = Style::new().bold();
+const FAINT: Style = Style::new().dimmed();
+const WARNING: Style = AnsiColor::Yellow.on_default().bold();
+
+/// Width of the names on the left.
+const NAME: usize = 20;
+/// Lists beyond this are cut: `--json` has all of them.
+const MOST_ROWS: usize = 40;
+
+/// Everything.
+pub fn inspection(i: &Inspection) -> String {
+    let mut page = Page::default();
+    let unpacked = i.unpacked_bytes.map_or(String::new(), |b| format!(", {} unpacked", bytes(b)));
+    page.heading(&format!("{}: {}, {}{unpacked}", i.file, i.format.name(), bytes(i.bytes)));
+    page.contents(i);
+    page.geometry(i);
+    page.surface(i);
+    page.normals(i);
+    page.parts(i);
+    page.files(i);
+    i.materials.iter().for_each(|m| page.material(m));
+    page.lights_and_cameras(i);
+    page.differences(i);
+    page.diagnostics(&i.diagnostics);
+    page.0
+}
+
+/// One line of a file.
+pub fn line(e: &LineExplanation) -> String {
+    let mut page = Page::default();
+    let lines = if e.first_line == e.last_line {
+        format!("line {}", e.line)
+    } else {
+        format!("line {} (its statement: lines {} to {})", e.line, e.first_line, e.last_line)
+    };
+    page.heading(&format!("{lines}: {}", e.text));
+    let _ = writeln!(page.0, "  {}", e.meaning);
+    for detail in &e.details {
+        let _ = writeln!(page.0, "    {detail}");
+    }
+    if !e.in_force.is_empty() {
+        page.heading("In force");
+        page.rows(&e.in_force, |page, f| page.line(f.what, &format!("{}   {FAINT}line {}{FAINT:#}", f.name, f.line)));
+    }
+    page.diagnostics(&e.problems);
+    page.0
+}
+
+#[derive(Default)]
+struct Page(String);
+
+impl Page {
+    fn heading(&mut self, text: &str) {
+        let gap = if self.0.is_empty() { "" } else { "\n" };
+        let _ = writeln!(self.0, "{gap}{HEADING}{text}{HEADING:#}");
+    }
+
+    fn line(&mut self, name: &str, value: &str) {
+        let padding = NAME.saturating_sub(name.chars().count()).max(1);
+        let _ = writeln!(self.0, "  {name}{:padding$}{value}", "");
+    }
+
+    /// Items, at most so many of them.
+    fn rows<T>(&mut self, items: &[T], mut row: impl FnMut(&mut Self, &T)) {
+        for item in items.iter().take(MOST_ROWS) {
+            row(self, item);
+        }
+        if items.len() > MOST_ROWS {
+            let _ = writeln!(self.0, "  {FAINT}and {} more (--json has all){FAINT:#}", items.len() - MOST_ROWS);
+        }
+    }
+
+    fn contents(&mut self, i: &Inspection) {
+        let counts: Vec<String> = i.contents.iter().map(|c| format!("{} {}", grouped(c.count), c.what)).collect();
+        if !counts.is_empty() {
+            self.wrapped("holds", &counts.join(", "));
+        }
+    }
+
+    fn geometry(&mut self, i: &Inspection) {
+        let g = &i.geometry;
+        self.line("triangles", &grouped(g.triangles as u64));
+        self.line("vertices", &format!("{} (equal corners merged)", grouped(g.vertices as u64)));
+        for (axis, name) in ["x", "y", "z"].iter().enumerate() {
+            let (low, high) = (g.min[axis], g.max[axis]);
+            let title = if axis == 0 { "bounds" } else { "" };
+            self.line(
+                title,
+                &format!("{name} {:>12} to {:<12} size {}", number(low), number(high), number(high - low)),
+            );
+        }
+        if let Some([low, high]) = g.tex_coords {
+            let range = |k: usize| format!("{} to {}", number(low[k]), number(high[k]));
+            self.line("texture coordinates", &format!("u {}, v {}", range(0), range(1)));
+        }
+        if g.colors {
+            self.line("vertex colors", "yes");
+        }
+        if let Some(groups) = g.smoothing_groups {
+            self.line("smoothing groups", &if groups == 0 { "off everywhere".to_owned() } else { groups.to_string() });
+        }
+        let whole: u64 = g.memory.iter().map(|m| m.count).sum();
+        let arrays: Vec<String> = g.memory.iter().map(|m| format!("{} {}", m.what, bytes(m.count))).collect();
+        self.line("memory", &format!("{} ({})", bytes(whole), arrays.join(", ")));
+    }
+
+    fn surface(&mut self, i: &Inspection) {
+        let s = &i.surface;
+        let state = match (s.closed, s.outward) {
+            (true, true) => "closed, fronts outside",
+            (true, false) => "closed, but not every piece has its fronts outside",
+            (false, _) => "open",
+        };
+        let pieces = if s.pieces == 1 { "1 piece".to_owned() } else { format!("{} pieces", grouped(s.pieces)) };
+        let genus = s.genus.map_or(String::new(), |genus| format!(", genus {genus}"));
+        self.line("surface", &format!("{state}; {pieces}{genus}"));
+        self.line("area", &number(s.area as f32));
+        if let Some(volume) = s.volume {
+            self.line("volume", &number(volume as f32));
+        }
+        if !s.orientable {
+            self.line("", "one-sided: no choice of fronts agrees everywhere");
+        } else if s.triangles_to_turn > 0 {
+            let turn = grouped(s.triangles_to_turn);
+            self.line("", &format!("to make all fronts agree, {turn} triangles would have to be turned over"));
+        }
+        let findings = [
+            ("triangles without area", &s.degenerate_triangles),
+            ("triangles twice", &s.duplicate_triangles),
+            ("triangles back to back with another", &s.back_to_back_triangles),
+            ("edges of one triangle only", &s.boundary_edges),
+            ("edges of more than two triangles", &s.non_manifold_edges),
+            ("edges where front meets back", &s.inconsistent_edges),
+            ("points where surfaces only touch", &s.non_manifold_positions),
+        ];
+        for (what, found) in findings.into_iter().filter(|(_, found)| found.count > 0) {
+            let first = found.first.first().map_or(String::new(), |first| {
+                let at: Vec<String> = first.positions.iter().map(|p| p.map(number).join(",")).collect();
+                format!("   {FAINT}the first at {}{FAINT:#}", at.join(" - "))
+            });
+            self.line("", &format!("{} {what}{first}", grouped(found.count)));
+        }
+    }
+
+    fn normals(&mut self, i: &Inspection) {
+        let source = match i.normals.source {
+            NormalSource::None => "none",
+            NormalSource::File => "from the file",
+            NormalSource::FileAndAveraged => "from the file, averaged where it has none",
+            NormalSource::Flat => "one per triangle",
+            NormalSource::Averaged => "averaged over adjacent faces, weighted by angle",
+        };
+        self.line("normals", source);
+        i.normals.notes.iter().for_each(|note| self.line("", note));
+    }
+
+    fn parts(&mut self, i: &Inspection) {
+        self.heading("Parts");
+        self.rows(&i.geometry.parts, |page, part| {
+            let name = if part.name.is_empty() { "(no name)" } else { &part.name };
+            let material = if part.material.is_empty() { "the default material" } else { &part.material };
+            page.line(name, &format!("{:>10} triangles   {material}", grouped(part.triangles as u64)));
+        });
+    }
+
+    fn files(&mut self, i: &Inspection) {
+        if i.files.is_empty() && i.textures.is_empty() && i.images.is_empty() {
+            return;
+        }
+        self.heading("Files");
+        self.rows(&i.files, |page, file| {
+            let line = file.line.map_or(String::new(), |line| format!(" (line {line})"));
+            page.found(&format!("{}{line}", file.name), file.found.as_deref(), &file.tried, "");
+        });
+        self.rows(&i.textures, |page, t| {
+            let size = t.size.map_or(String::new(), |[w, h]| format!(", {w} x {h}"));
+            page.found(&t.name, t.found.as_deref(), &t.tried, &format!("{size}, {} of {}", t.key, t.material));
+        });
+        self.rows(&i.images, |page, image| {
+            page.line(&image.name, &format!("inside the file, {}", bytes(image.bytes as u64)));
+        });
+    }
+
+    fn found(&mut self, name: &str, found: Option<&str>, tried: &[String], remark: &str) {
+        match found {
+            Some(path) => self.line(name, &format!("found: {path}{remark}")),
+            None => {
+                let tried = if tried.is_empty() { "nowhere to look".to_owned() } else { tried.join(", ") };
+                self.line(name, &format!("{WARNING}not found{WARNING:#}{remark}; looked at {tried}"));
+            }
+        }
+    }
+
+    fn material(&mut self, m: &MaterialReport) {
+        let file = m.file.as_ref().map_or(String::new(), |file| format!(", {file}"));
+        let name = if m.name.is_empty() { "the default material".to_owned() } else { format!("material {}", m.name) };
+        self.heading(&format!("{name}{file}, {} triangles", grouped(m.triangles as u64)));
+        for v in &m.values {
+            let place = v.line.map_or(String::new(), |line| format!("line {line}"));
+            let said = [place, v.written.clone()].into_iter().filter(|t| !t.is_empty()).collect::<Vec<_>>().join(": ");
+            let from = [said, v.rule.clone()].into_iter().filter(|t| !t.is_empty()).collect::<Vec<_>>().join("; ");
+            let from = if from.is_empty() { from } else { format!("   {FAINT}{from}{FAINT:#}") };
+            self.line(&v.property.replace('_', " "), &format!("{:<22}{from}", v.value));
+        }
+        for u in &m.unused {
+            let place = u.line.map_or(String::new(), |line| format!("line {line}: "));
+            self.line("not used", &format!("{FAINT}{place}{}{FAINT:#}", u.written));
+        }
+    }
+
+    fn lights_and_cameras(&mut self, i: &Inspection) {
+        if i.lights.is_empty() && i.cameras.is_empty() {
+            return;
+        }
+        self.heading("Lights and cameras");
+        self.rows(&i.lights, |page, light| {
+            let kind = match light.kind {
+                ModelLightKind::Ambient => "ambient".to_owned(),
+                ModelLightKind::Directional => format!("directional, along {}", vector(light.direction)),
+                ModelLightKind::Point => format!("point at {}", vector(light.position)),
+                ModelLightKind::Spot { outer_angle_rad, .. } => {
+                    let angle = number(outer_angle_rad.to_degrees());
+                    format!("spot at {}, along {}, {angle} degrees", vector(light.position), vector(light.direction))
+                }
+            };
+            let color = light.color.map(number).join(" ");
+            page.line(&light.name, &format!("{kind}; color {color}, intensity {}", number(light.intensity)));
+        });
+        self.rows(&i.cameras, |page, camera| {
+            let lens = match camera.fov_y_rad {
+                Some(fov) => format!("{} degrees high", number(fov.to_degrees() as f32)),
+                None => "parallel projection".to_owned(),
+            };
+            let (position, direction) = (vector(camera.position), vector(camera.direction));
+            page.line(&camera.name, &format!("camera at {position}, along {direction}, {lens}"));
+        });
+    }
+
+    fn differences(&mut self, i: &Inspection) {
+        if i.differences.is_empty() {
+            return;
+        }
+        self.heading("Read differently by others");
+        for d in &i.differences {
+            let _ = writeln!(self.0, "  {}: {}; here: {}", d.feature, d.others, d.here);
+        }
+    }
+
+    fn diagnostics(&mut self, diagnostics: &[Diagnostic]) {
+        if diagnostics.is_empty() {
+            return;
+        }
+        self.heading("Warnings and notes");
+        self.rows(diagnostics, |page, d| {
+            let style = if d.severity == Severity::Warning { WARNING } else { FAINT };
+            let _ = writeln!(page.0, "  {style}{d}{style:#}");
+        });
+    }
+
+    /// A long value, on several lines.
+    fn wrapped(&mut self, name: &str, value: &str) {
+        const WIDTH: usize = 90;
+        let mut line = String::new();
+        let mut name = name;
+        for word in value.split_inclusive(", ") {
+            if !line.is_empty() && line.len() + word.trim_end().len() > WIDTH {
+                self.line(name, line.trim_end());
+                (line, name) = (String::new(), "");
+            }
+            line += word;
+        }
+        self.line(name, &line);
+    }
+}
+
+fn vector(v: [f64; 3]) -> String {
+    v.map(|c| number(c as f32)).join(",")
+}
+
+/// Short, and exact where that is short.
+fn number(value: f32) -> String {
+    let text = (value + 0.0).to_string();
+    if text.len() <= 9 {
+        return text;
+    }
+    let rounded = format!("{value:.4}");
+    // Next to nothing is no minus nothing.
+    if rounded == "-0.0000" { "0.0000".to_owned() } else { rounded }
+}
+
+/// Digits in groups of three.
+fn grouped(count: u64) -> String {
+    let digits = count.to_string();
+    let mut text = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// In the unit that a person would say it in.
+fn bytes(count: u64) -> String {
+    let value = count as f64;
+    match count {
+        0..10_000 => format!("{} bytes", grouped(count)),
+        10_000..1_048_576 => format!("{:.1} KiB", value / 1024.0),
+        1_048_576..1_073_741_824 => format!("{:.1} MiB", value / 1_048_576.0),
+        _ => format!("{:.2} GiB", value / 1_073_741_824.0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short() {
+        assert_eq!((grouped(0), grouped(999), grouped(1_001_112)), ("0".into(), "999".into(), "1,001,112".into()));
+        assert_eq!((bytes(9_999), bytes(10_240)), ("9,999 bytes".into(), "10.0 KiB".into()));
+        assert_eq!((bytes(3 << 20), bytes(3 << 30)), ("3.0 MiB".into(), "3.00 GiB".into()));
+        assert_eq!((number(0.1), number(-0.0), number(1.0 / 3.0)), ("0.1".into(), "0".into(), "0.3333".into()));
+    }
+}

@@ -1,0 +1,121 @@
+//! `cargo xtask fuzz`: changed and made-up files for every reader, for as long as one likes.
+
+use crate::{process, root};
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode};
+
+/// The targets in `fuzz/`, and where files lie that each begins with.
+const TARGETS: &[(&str, &[&str])] = &[
+    ("obj", &["crates/gonio-mesh/tests/corpus", "assets/models"]),
+    ("mtl", &["crates/gonio-mesh/tests/mtl", "crates/gonio-mesh/tests/corpus", "assets/models"]),
+    ("gltf", &["crates/gonio-mesh/tests/gltf"]),
+    ("collada", &["crates/gonio-mesh/tests/collada"]),
+    ("ply", &["assets/models"]),
+    ("stl", &["assets/models"]),
+    ("medit", &["crates/gonio-mesh/tests/medit"]),
+    ("any", &["crates/gonio-mesh/tests"]),
+    ("explain", &["crates/gonio-mesh/tests/corpus", "crates/gonio-mesh/tests/mtl"]),
+];
+
+const USUAL_MINUTES: u64 = 20;
+
+/// Runs the named targets, or all, one after the other, `--minutes N` each.
+pub fn run(words: &[&str]) -> ExitCode {
+    let (targets, minutes) = match arguments(words) {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            eprintln!("xtask: {error}");
+            return ExitCode::from(2);
+        }
+    };
+    let root = root();
+    let fuzz = process::run(Command::new("cargo").args(["+nightly", "fuzz", "--version"]).current_dir(&root));
+    if !fuzz.success {
+        eprintln!(
+            "xtask: cargo-fuzz or a nightly compiler is missing; type: rustup toolchain install nightly && cargo install cargo-fuzz"
+        );
+        return ExitCode::from(2);
+    }
+    let mut code = 0;
+    for (name, seeds) in targets {
+        println!("fuzz {name}: {minutes} minutes");
+        match fuzz_one(&root, name, seeds, minutes) {
+            Ok(true) => println!("fuzz {name}: nothing found"),
+            Ok(false) => {
+                println!(
+                    "fuzz {name}: FOUND something; the file is in fuzz/artifacts/{name}: mend it and keep the file in \
+                     crates/gonio-mesh/tests/found/{name}"
+                );
+                code = 1;
+            }
+            Err(error) => {
+                eprintln!("xtask: {error}");
+                return ExitCode::from(2);
+            }
+        }
+    }
+    ExitCode::from(code)
+}
+
+type Target = (&'static str, &'static [&'static str]);
+
+fn arguments(words: &[&str]) -> Result<(Vec<Target>, u64), String> {
+    let mut targets = Vec::new();
+    let mut minutes = USUAL_MINUTES;
+    let mut words = words.iter();
+    while let Some(&word) = words.next() {
+        if word == "--minutes" {
+            let number = words.next().and_then(|n| n.parse().ok()).filter(|n| *n > 0);
+            minutes = number.ok_or("--minutes wants a number of minutes")?;
+        } else {
+            let known: Vec<&str> = TARGETS.iter().map(|(name, _)| *name).collect();
+            let target = TARGETS.iter().find(|(name, _)| *name == word);
+            targets.push(*target.ok_or_else(|| format!("`{word}` is no fuzz target; there are {}", known.join(", ")))?);
+        }
+    }
+    if targets.is_empty() {
+        targets = TARGETS.to_vec();
+    }
+    Ok((targets, minutes))
+}
+
+/// Whether the target survived.
+fn fuzz_one(root: &Path, name: &str, seeds: &[&str], minutes: u64) -> Result<bool, String> {
+    // What earlier runs found interesting stays there; new files are written to the first folder only.
+    let corpus = root.join("fuzz/corpus").join(name);
+    std::fs::create_dir_all(&corpus).map_err(|e| format!("cannot make {}: {e}", corpus.display()))?;
+    let found = root.join("crates/gonio-mesh/tests/found").join(name);
+    let seeds: Vec<PathBuf> =
+        seeds.iter().map(|seed| root.join(seed)).chain([found]).filter(|seed| seed.exists()).collect();
+    let mut command = Command::new("cargo");
+    command.args(["+nightly", "fuzz", "run", name]).arg(&corpus).args(seeds).current_dir(root);
+    // 64 KiB are enough for every structure; 2 GiB and 10 seconds are far more than any such file may take.
+    command.args(["--", "-max_len=65536", "-rss_limit_mb=2048", "-timeout=10", "-print_final_stats=1"]);
+    command.arg(format!("-max_total_time={}", 60 * minutes));
+    command.status().map(|status| status.success()).map_err(|e| format!("cannot run cargo fuzz: {e}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_target_has_a_file_and_seeds() {
+        let root = root();
+        for (name, seeds) in TARGETS {
+            assert!(root.join(format!("fuzz/targets/{name}.rs")).exists(), "{name}");
+            assert!(seeds.iter().all(|seed| root.join(seed).is_dir()), "{name}: {seeds:?}");
+        }
+        let bins = std::fs::read_to_string(root.join("fuzz/Cargo.toml")).unwrap_or_default();
+        assert_eq!(bins.matches("[[bin]]").count(), TARGETS.len());
+    }
+
+    #[test]
+    fn words() {
+        assert_eq!(arguments(&[]).map(|(targets, minutes)| (targets.len(), minutes)), Ok((TARGETS.len(), 20)));
+        let one =
+            arguments(&["ply", "--minutes", "3"]).map(|(targets, minutes)| (targets[0].0, targets.len(), minutes));
+        assert_eq!(one, Ok(("ply", 1, 3)));
+        assert!(arguments(&["plu"]).is_err() && arguments(&["--minutes", "0"]).is_err());
+    }
+}
