@@ -1,7 +1,7 @@
 //! What is worth telling about all of a file: what it holds, and what is odd about it as a whole.
 
 use super::attributes::Attributes;
-use super::faces::{MOST_COUNTED, NAMES, Said};
+use super::said::{MOST_COUNTED, NAMES, Said};
 use crate::Diagnostic;
 use crate::report::Reports;
 

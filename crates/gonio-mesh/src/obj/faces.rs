@@ -1,10 +1,9 @@
 //! The second pass: faces into triangles of vertices, and everything else that is said between them.
 
 use super::attributes::{Attributes, Segment};
-use super::quick::{Line, REACH};
+use super::plain_face::PlainFace;
 use super::runs::Runs;
-use super::scan;
-use super::tallies::Tallies;
+use super::said::{MOST_COUNTED, Said};
 use super::triangles::Triangles;
 use super::vertices::{Corner, Kind, Vertices};
 use crate::polygon::{Cut, Triangulator};
@@ -24,9 +23,9 @@ pub(super) struct Faces<'a> {
     bytes: &'a [u8],
     positions: &'a [[f32; 3]],
     /// Positions, texture coordinates, normals: of the whole file, ...
-    totals: [u64; 3],
+    pub(super) totals: [u64; 3],
     /// ... and before the statement that is read.
-    counts: [u64; 3],
+    pub(super) counts: [u64; 3],
     line: u64,
     pub(super) vertices: Vertices,
     pub(super) triangles: Triangles<'a>,
@@ -44,72 +43,6 @@ pub(super) struct Faces<'a> {
     polygon_vertices: Vec<u32>,
     triangulator: Triangulator,
 }
-
-/// Numbers of things in a stretch of a file.
-#[derive(Default)]
-pub(super) struct Said {
-    /// Statements that were understood, faces apart.
-    understood: u64,
-    /// Faces by number of corners, the last for all larger ones; those left out are not in it.
-    pub(super) faces: [u64; MOST_COUNTED + 2],
-    /// Faces left out.
-    pub(super) lost: u64,
-    /// Corners of faces with more than three.
-    polygon_corners: u64,
-    /// Corners without texture coordinate, or normal; and the first line with one.
-    pub(super) without: [(u64, u64); 2],
-    /// The first line with an index of a texture coordinate, or normal, where there is none at all.
-    pub(super) without_any: [Option<u64>; 2],
-    /// Polygons that cross or touch themselves, and those too large or winding to be cut well.
-    pub(super) cuts: [u64; 2],
-    /// How often `o`, `g`, `s`, `usemtl`, `mtllib`.
-    pub(super) names: [u64; 5],
-    pub(super) tallies: Tallies,
-}
-
-impl Said {
-    /// Statements that were understood, attributes apart.
-    pub(super) fn understood(&self) -> u64 {
-        self.understood + self.face_count()
-    }
-
-    /// Faces, those left out too.
-    pub(super) fn face_count(&self) -> u64 {
-        self.faces.iter().sum::<u64>() + self.lost
-    }
-
-    /// Corners of faces that are drawn.
-    pub(super) fn corners(&self) -> u64 {
-        3 * self.faces[3] + self.polygon_corners
-    }
-
-    /// With those of the stretch that follows.
-    pub(super) fn append(&mut self, other: Said) {
-        fn add<const N: usize>(sums: &mut [u64; N], more: [u64; N]) {
-            sums.iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
-        }
-        self.understood += other.understood;
-        self.lost += other.lost;
-        self.polygon_corners += other.polygon_corners;
-        add(&mut self.faces, other.faces);
-        add(&mut self.cuts, other.cuts);
-        add(&mut self.names, other.names);
-        for (mine, theirs) in self.without.iter_mut().zip(other.without) {
-            let first_line = if mine.0 == 0 { theirs.1 } else { mine.1 };
-            *mine = (mine.0 + theirs.0, first_line);
-        }
-        for (mine, theirs) in self.without_any.iter_mut().zip(other.without_any) {
-            *mine = mine.or(theirs);
-        }
-        self.tallies.append(other.tallies);
-    }
-}
-
-/// Corners up to which faces are counted apart.
-pub(super) const MOST_COUNTED: usize = 8;
-
-/// The statements counted in [`Said::names`].
-pub(super) const NAMES: [&str; 5] = ["o", "g", "s", "usemtl", "mtllib"];
 
 impl<'a> Faces<'a> {
     /// Reads stretches that follow one another. `attributes` are those of the whole file.
@@ -188,7 +121,7 @@ impl<'a> Faces<'a> {
     /// plain, or something is wrong with it.
     #[inline(always)]
     fn plain_face(&mut self, start: usize) -> Result<Option<usize>, ReadError> {
-        let mut line = PlainFace { bytes: self.bytes, start, line: None, end: 0 };
+        let mut line = PlainFace::new(self.bytes, start);
         let (Some(a), Some(b), Some(c)) = (line.corner(self), line.corner(self), line.corner(self)) else {
             return Ok(None);
         };
@@ -350,7 +283,7 @@ impl<'a> Faces<'a> {
                 b"mtllib" => self.library(&mut cursor),
                 _ => self.said.tallies.count(keyword, line),
             };
-            self.said.understood += u64::from(is_understood);
+            self.said.statements += u64::from(is_understood);
         }
         cursor.next_line();
         self.line = cursor.line();
@@ -523,102 +456,4 @@ fn not_a_corner(cursor: &Cursor<'_>) -> ReadError {
     let what = quote(cursor.offending_word());
     ReadError::new(format!("f has {what} where an index should be (v, v/vt, v//vn or v/vt/vn)"))
         .at(cursor.line(), Some(cursor.column()))
-}
-
-/// A face as exporters write it, being read.
-struct PlainFace<'a> {
-    bytes: &'a [u8],
-    /// Where `line` starts.
-    start: usize,
-    line: Option<Line<'a>>,
-    /// The byte behind the last corner.
-    end: u8,
-}
-
-impl<'a> PlainFace<'a> {
-    /// The next corner, if it is plain and points at something.
-    #[inline(always)]
-    fn corner(&mut self, faces: &Faces<'_>) -> Option<Corner> {
-        if let Some(line) = &mut self.line {
-            if self.end != b' ' {
-                return None;
-            }
-            let at = line.at();
-            let mut ahead = *line;
-            if let Some((corner, end)) = plain_corner(&mut ahead, faces) {
-                *line = ahead;
-                self.end = end;
-                return Some(corner);
-            }
-            // Perhaps it only lies beyond what has been looked at.
-            if at == 0 {
-                return None;
-            }
-            self.start += at;
-        }
-        let mut line = Line::new(self.bytes.get(self.start..)?.first_chunk::<REACH>()?)?;
-        let (corner, end) = plain_corner(&mut line, faces)?;
-        self.line = Some(line);
-        self.end = end;
-        Some(corner)
-    }
-
-    /// Where the next line starts, if this one ends here.
-    #[inline(always)]
-    fn line_end(&self) -> Option<usize> {
-        Some(self.start + self.line.as_ref()?.end(self.end)?)
-    }
-}
-
-#[inline(always)]
-fn plain_corner(line: &mut Line<'_>, faces: &Faces<'_>) -> Option<(Corner, u8)> {
-    let (position, mut end) = plain_index(line, faces, 0, Index::NONE)?;
-    let (mut tex_coord, mut normal) = (Index::NONE, Index::NONE);
-    if end == b'/' {
-        if line.peek()? == b'/' {
-            line.step();
-            (normal, end) = plain_index(line, faces, 2, position)?;
-        } else {
-            (tex_coord, end) = plain_index(line, faces, 1, position)?;
-            if end == b'/' {
-                (normal, end) = plain_index(line, faces, 2, tex_coord)?;
-            }
-        }
-    }
-    Some((((position.value - 1) as u32, Kind::new(tex_coord.value, normal.value)), end))
-}
-
-/// An index that points at something, from 1, and its digits.
-#[derive(Clone, Copy)]
-struct Index {
-    value: u64,
-    /// As [`Line::index`] gives them.
-    digits: u64,
-}
-
-impl Index {
-    /// None, or none that can be written again: these are no digits.
-    const NONE: Index = Index { value: 0, digits: u64::MAX };
-}
-
-/// `before` is the index before it, which many programs write again and again.
-#[inline(always)]
-fn plain_index(line: &mut Line<'_>, faces: &Faces<'_>, kind: usize, before: Index) -> Option<(Index, u8)> {
-    let mut ahead = *line;
-    let Some((digits, end)) = ahead.index() else { return negative_index(line, faces, kind) };
-    *line = ahead;
-    let value = if digits == before.digits { before.value } else { scan::aligned_digits(digits) };
-    if value.wrapping_sub(1) < faces.totals[kind] { Some((Index { value, digits }, end)) } else { None }
-}
-
-#[inline(always)]
-fn negative_index(line: &mut Line<'_>, faces: &Faces<'_>, kind: usize) -> Option<(Index, u8)> {
-    if line.peek()? != b'-' {
-        return None;
-    }
-    line.step();
-    let (digits, end) = line.index()?;
-    let value = (faces.counts[kind] + 1).checked_sub(scan::aligned_digits(digits))?;
-    // Its digits are not remembered: what they mean depends on the kind.
-    if (1..=faces.counts[kind]).contains(&value) { Some((Index { value, ..Index::NONE }, end)) } else { None }
 }

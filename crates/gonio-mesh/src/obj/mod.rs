@@ -7,7 +7,7 @@
 //! forward. Both work on pieces of the file at the same time (`pieces`); what they give is put together in the file's
 //! order (`join`) and made a mesh (`assemble`): the same one, whatever the number of pieces.
 //!
-//! Lines in plain form take a quick way (`quick`, `scan`) to the same result that reading byte by byte has.
+//! Lines in plain form take a quick way (`quick`, `plain_face`, `scan`) to the same result that reading byte by byte has.
 
 mod assemble;
 mod attributes;
@@ -17,8 +17,10 @@ mod join;
 mod materials;
 mod parts;
 mod pieces;
+mod plain_face;
 mod quick;
 mod runs;
+mod said;
 mod scan;
 mod tallies;
 #[cfg(test)]
@@ -29,11 +31,12 @@ mod vertices;
 use crate::report::Reports;
 use crate::{Diagnostic, Limits, Model, ReadError, Sidecars};
 use attributes::{Attributes, Segment};
-use faces::{Faces, Said};
+use faces::Faces;
 use materials::MaterialTable;
 use parts::Parts;
 use pieces::Plan;
 use rayon::prelude::*;
+use said::Said;
 use std::mem;
 use std::ops::Range;
 use triangles::Triangles;

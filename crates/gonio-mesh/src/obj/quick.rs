@@ -292,6 +292,30 @@ mod tests {
         assert!(read > 1_900_000, "{read}");
     }
 
+    /// Above the middle between 0.5 and the next `f32`, by less than an `f64` can tell: rounded twice, it would be 0.5.
+    #[test]
+    fn nothing_is_rounded_twice() {
+        let text = "0.5000000298023224";
+        assert_eq!(text.parse::<f32>().unwrap(), 0.500_000_06);
+        assert_eq!(numbers(&format!("v 1 1 {text}\n")), None);
+        assert_eq!(numbers("v 1 1 0.5000000298023225\n").unwrap()[2], 0.500_000_06);
+    }
+
+    #[test]
+    fn every_wrong_byte_is_seen() {
+        let line = *b"v 1.234567 0.987654\n";
+        assert_eq!(small_numbers(&padded(std::str::from_utf8(&line).unwrap()), 2), Some(([1.234567, 0.987654], 20)));
+        for at in 2..line.len() {
+            for byte in 0..=255_u8 {
+                let is_alike = byte == line[at] || byte.is_ascii_digit() && line[at].is_ascii_digit();
+                let mut bytes = [b'9'; REACH];
+                bytes[..line.len()].copy_from_slice(&line);
+                bytes[at] = byte;
+                assert_eq!(small_numbers::<2>(&bytes, 2).is_some(), is_alike, "{byte} at {at}");
+            }
+        }
+    }
+
     #[test]
     fn what_is_not_plain_is_left_alone() {
         for line in [

@@ -212,6 +212,15 @@ fn shared_positions_keep_their_first_kind() {
     assert_eq!(first, [0.0, 0.0, 0.0, 1.0, 1.0, 2.0, 2.0, 1.0, 2.0]);
 }
 
+/// A name that is said again is as if it had not been: the warning names the first line.
+#[test]
+fn a_name_said_again_changes_nothing() {
+    let again = "# the same again, and no face between\nusemtl red\n".repeat(100);
+    let text = format!("v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\n{again}f 1 2 3\n{again}f 1 2 3\n");
+    let model = same_in_every_way(text.as_bytes(), "again").unwrap();
+    assert_eq!((model.mesh.parts.len(), model.diagnostics.len(), model.diagnostics[0].line), (1, 1, Some(4)));
+}
+
 /// More kinds of rubbish than are counted apart: still the same counts.
 #[test]
 fn rubbish_is_counted_alike() {
