@@ -65,7 +65,7 @@ pub fn load_within(
     let mut binder = MaterialBinder::new(files, limits.max_bytes);
     let mut first_material = Vec::with_capacity(scene.objects.len());
     for (object, &m) in scene.objects.iter().zip(&model_of_object) {
-        first_material.push(binder.add(m, &object.material, &asked_model(&models[m])));
+        first_material.push(binder.add(m, &object.material, &models[m]));
     }
     for model in &mut models {
         diagnostics.append(&mut model.model.diagnostics);
@@ -123,19 +123,6 @@ pub fn load_within(
     loaded.scene = scene;
     loaded.diagnostics = diagnostics;
     Ok(loaded)
-}
-
-/// What the material binder wants to know of a model.
-pub(crate) fn asked_model(model: &ModelFile) -> crate::material_binding::BoundModel<'_> {
-    crate::material_binding::BoundModel {
-        name: &model.name,
-        path: &model.path,
-        format: model.format,
-        libraries: &model.libraries,
-        materials: &model.model.materials,
-        images: &model.model.images,
-        mesh: &model.model.mesh,
-    }
 }
 
 /// The mesh with normals of its own, from the file or made; and whether it is closed.

@@ -4,21 +4,10 @@ use crate::description::MaterialOverride;
 use crate::files::FileSource;
 use crate::load::overridden;
 use crate::loaded::{BoundTexture, Maps, SceneMaterial};
+use crate::model_file::ModelFile;
 use crate::texture_library::{Asker, TextureLibrary, TextureUse};
 use crate::texture_recipe::{Metal, Purpose, Rule};
-use gonio_mesh::{Diagnostic, EmbeddedImage, Format, Material, Mesh, TextureMap};
-use std::path::{Path, PathBuf};
-
-/// A model whose materials are wanted.
-pub(crate) struct BoundModel<'a> {
-    pub name: &'a str,
-    pub path: &'a Path,
-    pub format: Format,
-    pub libraries: &'a [PathBuf],
-    pub materials: &'a [Material],
-    pub images: &'a [EmbeddedImage],
-    pub mesh: &'a Mesh,
-}
+use gonio_mesh::{Diagnostic, Format, Material, TextureMap};
 
 /// A texture that was asked for: the job, and the map that says how it lies.
 type Request = Option<(usize, TextureMap)>;
@@ -57,20 +46,15 @@ impl<'a> MaterialBinder<'a> {
         MaterialBinder { library: TextureLibrary::new(files, max_bytes), pending: Vec::new(), known: Vec::new() }
     }
 
-    /// All materials of the model numbered `index`, with the override; gives the index of the first.
-    pub fn add(&mut self, index: usize, with: &MaterialOverride, model: &BoundModel<'_>) -> usize {
+    /// All materials of the model `file`, numbered `index`, with the override; gives the index of the first.
+    pub fn add(&mut self, index: usize, with: &MaterialOverride, file: &ModelFile) -> usize {
         if let Some((.., first)) = self.known.iter().find(|(m, w, _)| *m == index && w == with) {
             return *first;
         }
         let first = self.pending.len();
         self.known.push((index, with.clone(), first));
-        let mut folders: Vec<PathBuf> = Vec::new();
-        for file in [model.path].into_iter().chain(model.libraries.iter().map(PathBuf::as_path)) {
-            let folder = file.parent().map(Path::to_owned).unwrap_or_default();
-            if !folders.contains(&folder) {
-                folders.push(folder);
-            }
-        }
+        let folders = file.texture_folders();
+        let model = &file.model;
         let mut used = vec![false; model.materials.len()];
         for part in model.mesh.parts.iter().filter(|part| part.triangle_count > 0) {
             if let Some(used) = used.get_mut(part.material) {
@@ -79,15 +63,15 @@ impl<'a> MaterialBinder<'a> {
         }
         for (material, used) in model.materials.iter().zip(used) {
             let asker = Asker {
-                model: model.name,
-                file: material.file.as_deref().unwrap_or(model.name),
+                model: &file.name,
+                file: material.file.as_deref().unwrap_or(&file.name),
                 material: &material.name,
                 folders: &folders,
-                images: model.images,
+                images: &model.images,
             };
             let material = overridden(material.clone(), with);
             let pending = if used {
-                Requests { library: &mut self.library, asker, format: model.format }.of(material, with)
+                Requests { library: &mut self.library, asker, format: file.format }.of(material, with)
             } else {
                 PendingMaterial::without_textures(material)
             };

@@ -27,7 +27,8 @@ impl ModelFile {
         Ok(TextureFile { path: Some(path).filter(|_| !is_builtin), bytes })
     }
 
-    fn texture_folders(&self) -> Vec<PathBuf> {
+    /// Where its textures are sought, in order.
+    pub(crate) fn texture_folders(&self) -> Vec<PathBuf> {
         let mut folders: Vec<PathBuf> = Vec::new();
         for file in [&self.path].into_iter().chain(&self.libraries) {
             let folder = file.parent().map(PathBuf::from).unwrap_or_default();

@@ -10,7 +10,7 @@ use crate::description::MaterialOverride;
 use crate::files::{self, FileSource};
 use crate::load;
 use crate::material_binding::MaterialBinder;
-use crate::model_file::{self, ModelFile};
+use crate::model_file::ModelFile;
 use crate::texture_library::TextureUse;
 use gonio_mesh::topology::{self, TopologyReport};
 use gonio_mesh::{
@@ -123,10 +123,9 @@ pub struct ImageReport {
 
 /// Reads the model called `input` (a path, `builtin:NAME`) and tells all about it.
 pub fn inspect(input: &str, files: &dyn FileSource, limits: &Limits) -> Result<Inspection, ReadError> {
-    let path = files::resolve(Path::new(""), input);
-    let mut file = model_file::read(&path, input, files, limits)?;
+    let mut file = ModelFile::open(input, files, limits)?;
     let mut binder = MaterialBinder::new(files, limits.max_bytes);
-    binder.add(0, &MaterialOverride::default(), &load::asked_model(&file));
+    binder.add(0, &MaterialOverride::default(), &file);
     let bound = binder.finish();
     let geometry = geometry(&file);
     let surface = topology::report(&file.model.mesh);
