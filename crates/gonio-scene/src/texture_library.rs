@@ -7,7 +7,7 @@ use crate::texture_recipe::{self, Purpose};
 use gonio_mesh::{Diagnostic, EmbeddedImage, TextureMap};
 use rayon::prelude::*;
 use serde::Serialize;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
 
 /// Who asks for a texture: for messages, and where to look.
@@ -72,6 +72,8 @@ pub(crate) struct TextureLibrary<'a> {
     /// By name and folders: what was sought once is not sought again.
     found: HashMap<(String, Vec<PathBuf>), Found>,
     uses: Vec<(TextureUse, Option<usize>)>,
+    /// Model, material, key, name and line of each of `uses`.
+    asked: HashSet<([String; 4], Option<u64>)>,
     diagnostics: Vec<Diagnostic>,
 }
 
@@ -95,6 +97,7 @@ impl<'a> TextureLibrary<'a> {
             by_use: HashMap::new(),
             found: HashMap::new(),
             uses: Vec::new(),
+            asked: HashSet::new(),
             diagnostics: Vec::new(),
         }
     }
@@ -140,9 +143,9 @@ impl<'a> TextureLibrary<'a> {
             Ok(picture) => (Vec::new(), Some(self.pictures[*picture].path.display().to_string())),
             Err(tried) => (tried.clone(), None),
         };
-        let known = |u: &&(TextureUse, Option<usize>)| u.0.material == asker.material && u.0.name == map.path;
-        let is_new = !self.uses.iter().filter(known).any(|u| u.0.key == key && u.0.line == map.line);
-        if is_new {
+        // One material of one model may be asked for several times: with overrides, for a derived texture.
+        let asked = [asker.model, asker.material, key, &map.path].map(str::to_owned);
+        if self.asked.insert((asked, map.line)) {
             if path.is_none() {
                 let message = format!(
                     "the texture `{}` is not to be found; looked at {} (letters in any case). The material goes \

@@ -30,6 +30,22 @@ fn a_missing_texture_is_a_warning_that_names_every_place() {
     assert_eq!(scene.objects.len(), 1);
 }
 
+/// Materials of the same name in two models are two: each is told of what it lacks.
+#[test]
+fn what_two_models_lack_is_said_of_both() {
+    let mtl = "newmtl m\nmap_Kd wood.png\n";
+    let files = Memory::default()
+        .with("a/t.obj", TRIANGLE)
+        .with("a/t.mtl", mtl)
+        .with("a/wood.png", png(1, 1, |_, _| [255; 4]))
+        .with("b/t.obj", TRIANGLE)
+        .with("b/t.mtl", mtl);
+    let scene = load(describe(&["a/t.obj", "b/t.obj"], &files).unwrap(), Path::new(""), &files).unwrap();
+    let found = warnings(&scene);
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert!(found[0].starts_with("b/t.mtl:2: warning: map_Kd of material `m`: the texture `wood.png`"), "{found:?}");
+}
+
 #[test]
 fn textures_are_found_in_any_case_with_backslashes_and_by_bare_name() {
     let white = || png(1, 1, |_, _| [255; 4]);
