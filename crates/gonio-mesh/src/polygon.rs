@@ -1,11 +1,17 @@
 //! Polygons into triangles: a fan where that is right, ears cut off where it is not.
 
+mod ears;
 mod grid;
+mod ring;
 
 use glam::{DVec2, DVec3};
+use ring::Ring;
 
 /// Corners up to which ears are sought one by one, which takes time that grows with the square of their number.
 pub(crate) const MOST_CORNERS_FOR_EARS: usize = 4000;
+
+/// Corners of a polygon that is cut without memory of its own.
+const FEW: usize = 8;
 
 /// How a polygon was cut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,10 +31,8 @@ pub(crate) enum Cut {
 #[derive(Default)]
 pub(crate) struct Triangulator {
     points: Vec<DVec2>,
-    previous: Vec<usize>,
-    next: Vec<usize>,
-    /// Corners that may lie in an ear: those that are not strictly convex.
-    blocking: Vec<usize>,
+    links: Vec<[u32; 2]>,
+    blocking: Vec<u64>,
 }
 
 impl Triangulator {
@@ -39,164 +43,91 @@ impl Triangulator {
         if n < 3 {
             return Cut::Fan;
         }
-        let cut = if n == 3 { Cut::Fan } else { self.choose(corners) };
-        match cut {
-            Cut::Fan => (1..n - 1).for_each(|i| emit([0, i, i + 1])),
-            _ if n > MOST_CORNERS_FOR_EARS => return grid::cut_ears(&self.points, emit),
-            _ => return self.cut_ears(emit),
-        }
-        cut
-    }
-
-    /// Whether a quadrilateral is cut from its first corner to its third: most are, and this is quicker than
-    /// [`Self::triangulate`], which says the same.
-    #[inline]
-    pub(crate) fn is_fan_of_two(corners: [[f32; 3]; 4]) -> bool {
-        let [origin, b, c, d] = corners.map(|corner| DVec3::from(corner.map(f64::from)));
-        let corners = [DVec3::ZERO, b - origin, c - origin, d - origin];
-        let normal = corners[1].cross(corners[2]) + corners[2].cross(corners[3]);
-        if normal == DVec3::ZERO {
-            return true;
-        }
-        let axes = Axes::across(normal);
-        let [a, b, c, d] = corners.map(|corner| axes.project(corner));
-        // Four turns to the left are one round: each is less than half of one.
-        turn(d, a, b) > 0.0 && turn(a, b, c) > 0.0 && turn(b, c, d) > 0.0 && turn(c, d, a) > 0.0
-    }
-
-    /// Projects the polygon along the largest component of its normal, and looks whether it is convex.
-    fn choose(&mut self, corners: &[[f32; 3]]) -> Cut {
-        let n = corners.len();
-        let origin = DVec3::from(corners[0].map(f64::from));
-        let at = |i: usize| DVec3::from(corners[i].map(f64::from)) - origin;
-        // Newell's normal: twice the vector area, also of a polygon that is not quite flat.
-        let mut normal = DVec3::ZERO;
-        for i in 1..n - 1 {
-            normal += at(i).cross(at(i + 1));
-        }
-        if normal == DVec3::ZERO {
+        let mut few = ([DVec2::ZERO; FEW], [[0; 2]; FEW], [0; FEW.div_ceil(64)]);
+        let (points, links, blocking) = if n <= FEW {
+            (&mut few.0[..n], &mut few.1[..n], &mut few.2[..])
+        } else {
+            self.points.resize(n, DVec2::ZERO);
+            self.links.resize(n, [0; 2]);
+            self.blocking.resize(n.div_ceil(64), 0);
+            (&mut self.points[..], &mut self.links[..], &mut self.blocking[..])
+        };
+        if n == 3 || !project(corners, points) || is_strictly_convex(points) {
+            (1..n - 1).for_each(|i| emit([0, i, i + 1]));
             return Cut::Fan;
         }
+        let ring = Ring::new(points, links);
+        if n > MOST_CORNERS_FOR_EARS { grid::cut_ears(ring, emit) } else { ears::cut(ring, blocking, emit) }
+    }
+
+    /// Whether a quadrilateral has an area and is convex, and so cut from its first corner to its third: most are, and
+    /// this is quicker than [`Self::triangulate`], which says the same.
+    #[inline(always)]
+    pub(crate) fn is_convex_quadrilateral(corners: [[f32; 3]; 4]) -> bool {
+        let [a, b, c, d] = corners;
+        let [a, b, c, d] = [widened(a), widened(b), widened(c), widened(d)];
+        // Of the diagonals: the sum of the two triangles'.
+        let normal = (c - a).cross(d - b);
+        if normal == DVec3::ZERO {
+            return false;
+        }
         let axes = Axes::across(normal);
-        self.points.clear();
-        self.points.extend((0..n).map(|i| axes.project(at(i))));
-        if self.is_strictly_convex() { Cut::Fan } else { Cut::Ears }
+        let [a, b, c, d] = [axes.project(a), axes.project(b), axes.project(c), axes.project(d)];
+        let [ab, bc, cd, da] = [b - a, c - b, d - c, a - d];
+        // Four turns to the left are one round: each is less than half of one.
+        let turns = [ab.perp_dot(bc), bc.perp_dot(cd), cd.perp_dot(da), da.perp_dot(ab)];
+        turns.iter().fold(true, |all, turn| all & (*turn > 0.0))
     }
+}
 
-    /// Every corner turns left, and all turns together make one round: the way in x turns back twice.
-    fn is_strictly_convex(&self) -> bool {
-        let points = &self.points;
-        let n = points.len();
-        let mut previous = points[n - 2];
-        let mut here = points[n - 1];
-        let mut heading = 0.0;
-        let mut first_heading = 0.0;
-        let mut turns_back = 0;
-        for &next in points {
-            if turn(previous, here, next) <= 0.0 {
-                return false;
-            }
-            let step = next.x - here.x;
-            if step != 0.0 {
-                if heading == 0.0 {
-                    first_heading = step;
-                } else if heading * step < 0.0 {
-                    turns_back += 1;
-                }
-                heading = step;
-            }
-            (previous, here) = (here, next);
+#[inline(always)]
+fn widened([x, y, z]: [f32; 3]) -> DVec3 {
+    DVec3::new(x.into(), y.into(), z.into())
+}
+
+/// Projects a polygon along the largest component of its normal, its first corner to the origin. False where it has
+/// no area.
+fn project(corners: &[[f32; 3]], points: &mut [DVec2]) -> bool {
+    let origin = widened(corners[0]);
+    // Newell's normal: twice the vector area, also of a polygon that is not quite flat.
+    let (mut normal, mut before) = (DVec3::ZERO, DVec3::ZERO);
+    for corner in &corners[1..] {
+        let here = widened(*corner) - origin;
+        normal += before.cross(here);
+        before = here;
+    }
+    let axes = Axes::across(normal);
+    let origin = axes.project(origin);
+    for (point, corner) in points.iter_mut().zip(corners) {
+        *point = axes.project(widened(*corner)) - origin;
+    }
+    normal != DVec3::ZERO
+}
+
+/// Every corner turns left, and all turns together make one round: the way in x turns back twice.
+fn is_strictly_convex(points: &[DVec2]) -> bool {
+    let n = points.len();
+    let mut previous = points[n - 2];
+    let mut here = points[n - 1];
+    let mut heading = 0.0;
+    let mut first_heading = 0.0;
+    let mut turns_back = 0;
+    for &next in points {
+        if turn(previous, here, next) <= 0.0 {
+            return false;
         }
-        turns_back + i32::from(heading * first_heading < 0.0) <= 2
-    }
-
-    /// Cuts ears (G. H. Meisters, 1975, "Polygons have ears") off the projected polygon until a triangle is left.
-    fn cut_ears(&mut self, mut emit: impl FnMut([usize; 3])) -> Cut {
-        let n = self.points.len();
-        self.previous.clear();
-        self.previous.extend((0..n).map(|i| (i + n - 1) % n));
-        self.next.clear();
-        self.next.extend((0..n).map(|i| (i + 1) % n));
-        self.blocking.clear();
-        for i in 0..n {
-            if self.turn_at(i) <= 0.0 {
-                self.blocking.push(i);
+        let step = next.x - here.x;
+        if step != 0.0 {
+            if heading == 0.0 {
+                first_heading = step;
+            } else if heading * step < 0.0 {
+                turns_back += 1;
             }
+            heading = step;
         }
-        let mut cut = Cut::Ears;
-        let mut left = n;
-        let mut here = 0;
-        let mut fruitless = 0;
-        while left > 3 {
-            if self.is_ear(here) {
-                fruitless = 0;
-            } else if fruitless < left {
-                fruitless += 1;
-                here = self.next[here];
-                continue;
-            } else {
-                // No ear: the polygon crosses or touches itself. The corner nearest to an ear goes.
-                cut = Cut::NotSimple;
-                fruitless = 0;
-                here = self.least_bad(here, left);
-            }
-            let (before, after) = (self.previous[here], self.next[here]);
-            emit([before, here, after]);
-            self.next[before] = after;
-            self.previous[after] = before;
-            left -= 1;
-            // Only the neighbours' angles changed.
-            self.blocking.retain(|&i| i != here);
-            for i in [before, after] {
-                let blocks = self.turn_at(i) <= 0.0;
-                match self.blocking.iter().position(|&b| b == i) {
-                    Some(place) if !blocks => drop(self.blocking.swap_remove(place)),
-                    None if blocks => self.blocking.push(i),
-                    _ => {}
-                }
-            }
-            here = after;
-        }
-        emit([self.previous[here], here, self.next[here]]);
-        if self.turn_at(here) < 0.0 { Cut::NotSimple } else { cut }
+        (previous, here) = (here, next);
     }
-
-    fn turn_at(&self, i: usize) -> f64 {
-        turn(self.points[self.previous[i]], self.points[i], self.points[self.next[i]])
-    }
-
-    /// A corner that turns left and whose triangle holds no other corner, its border included.
-    fn is_ear(&self, here: usize) -> bool {
-        let (before, after) = (self.previous[here], self.next[here]);
-        let [a, b, c] = [before, here, after].map(|i| self.points[i]);
-        turn(a, b, c) > 0.0
-            && !self.blocking.iter().any(|&i| {
-                let p = self.points[i];
-                i != before
-                    && i != after
-                    && p != a
-                    && p != b
-                    && p != c
-                    && turn(a, b, p) >= 0.0
-                    && turn(b, c, p) >= 0.0
-                    && turn(c, a, p) >= 0.0
-            })
-    }
-
-    /// A corner without area, or else the smallest that turns left.
-    fn least_bad(&self, start: usize, left: usize) -> usize {
-        let mut best = (f64::INFINITY, start);
-        let mut here = start;
-        for _ in 0..left {
-            let area = self.turn_at(here);
-            let badness = if area < 0.0 { f64::MAX } else { area };
-            if badness < best.0 {
-                best = (badness, here);
-            }
-            here = self.next[here];
-        }
-        best.1
-    }
+    turns_back + i32::from(heading * first_heading < 0.0) <= 2
 }
 
 /// The plane of two coordinate axes that a polygon is projected to, so that it turns left.
@@ -209,7 +140,7 @@ struct Axes {
 
 impl Axes {
     /// Across the largest component of a normal.
-    #[inline]
+    #[inline(always)]
     fn across(normal: DVec3) -> Self {
         let size = normal.abs();
         let along = if size.x >= size.y && size.x >= size.z {
@@ -222,7 +153,7 @@ impl Axes {
         Axes { along, is_swapped: normal[along] <= 0.0 }
     }
 
-    #[inline]
+    #[inline(always)]
     fn project(&self, p: DVec3) -> DVec2 {
         let (a, b) = match self.along {
             0 => (p.y, p.z),
@@ -234,6 +165,7 @@ impl Axes {
 }
 
 /// Twice the area of the triangle: positive where it turns left.
+#[inline(always)]
 fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     (b - a).perp_dot(c - b)
 }
@@ -386,19 +318,35 @@ mod tests {
         }
     }
 
-    /// The quick answer for quadrilaterals is the general one.
+    /// The quick answer for quadrilaterals is the general one, but for those without area.
     #[test]
     fn quadrilaterals_are_known_at_once() {
-        let mut triangulator = Triangulator::default();
-        let (mut fans, mut others) = (0, 0);
+        let (mut convex, mut others) = (0, 0);
         for seed in 0..20_000 {
             let digit = |i: u32| ((crate::weld::mix(seed) >> (5 * i)) % 4) as f32;
             let corners: [[f32; 3]; 4] = std::array::from_fn(|c| std::array::from_fn(|i| digit((3 * c + i) as u32)));
-            let is_fan = triangulator.choose(&corners) == Cut::Fan;
-            assert_eq!(Triangulator::is_fan_of_two(corners), is_fan, "{corners:?}");
-            if is_fan { fans += 1 } else { others += 1 }
+            let has_area = project(&corners, &mut [DVec2::ZERO; 4]);
+            let is_convex = has_area && cut(&corners).0 == Cut::Fan;
+            assert_eq!(Triangulator::is_convex_quadrilateral(corners), is_convex, "{corners:?}");
+            if is_convex { convex += 1 } else { others += 1 }
         }
-        assert!(fans > 1000 && others > 1000, "{fans} {others}");
+        assert!(convex > 1000 && others > 1000, "{convex} {others}");
+    }
+
+    /// What is kept from one polygon does not matter to the next.
+    #[test]
+    fn memory_is_used_again() {
+        // Crossing themselves, they leave corners that are not convex.
+        let tangle = |n: usize| -> Vec<[f32; 3]> {
+            let digit = |i: usize| (crate::weld::mix((n + i) as u64) % 1000) as f32;
+            (0..n).map(|i| [digit(2 * i), digit(2 * i + 1), 0.0]).collect()
+        };
+        let mut triangulator = Triangulator::default();
+        for n in (9..64).rev() {
+            let mut triangles = Vec::new();
+            let how = triangulator.triangulate(&tangle(n), |triangle| triangles.push(triangle));
+            assert_eq!((how, triangles), cut(&tangle(n)), "{n}");
+        }
     }
 
     /// A square with a square hole, made one polygon by a bridge: the usual way of writing holes.

@@ -15,6 +15,9 @@ use std::mem;
 /// No vertex.
 const NONE: u32 = u32::MAX;
 
+/// Corners of a polygon that is cut without memory of its own.
+const FEW: usize = 8;
+
 /// Corners up to which a polygon is looked at as a whole: that takes a hundred bytes for each.
 const MOST_CORNERS_TO_CUT: usize = 1 << 22;
 
@@ -39,7 +42,6 @@ pub(super) struct Faces<'a> {
     corners: Vec<Corner>,
     polygon: Vec<Corner>,
     polygon_points: Vec<[f32; 3]>,
-    polygon_triangles: Vec<[usize; 3]>,
     polygon_vertices: Vec<u32>,
     triangulator: Triangulator,
 }
@@ -69,7 +71,6 @@ impl<'a> Faces<'a> {
             corners: Vec::new(),
             polygon: Vec::new(),
             polygon_points: Vec::new(),
-            polygon_triangles: Vec::new(),
             polygon_vertices: Vec::new(),
             triangulator: Triangulator::default(),
         };
@@ -87,7 +88,10 @@ impl<'a> Faces<'a> {
         while at < end {
             if quick && self.bytes[at] == b'f' && self.bytes.get(at + 1) == Some(&b' ') {
                 let blanks = usize::from(self.bytes.get(at + 2) == Some(&b' '));
-                if let Some(next) = self.plain_face(at + 2 + blanks)? {
+                let start = at + 2 + blanks;
+                let is_negative = self.bytes.get(start) == Some(&b'-');
+                let next = if is_negative { self.plain_face::<true>(start)? } else { self.plain_face::<false>(start)? };
+                if let Some(next) = next {
                     self.line += 1;
                     at = next;
                     continue;
@@ -120,20 +124,24 @@ impl<'a> Faces<'a> {
     /// Takes a face in its plain form, from behind its keyword on; where the next line starts. `None`: it is not
     /// plain, or something is wrong with it.
     #[inline(always)]
-    fn plain_face(&mut self, start: usize) -> Result<Option<usize>, ReadError> {
+    fn plain_face<const NEGATIVE: bool>(&mut self, start: usize) -> Result<Option<usize>, ReadError> {
         let mut line = PlainFace::new(self.bytes, start);
-        let (Some(a), Some(b), Some(c)) = (line.corner(self), line.corner(self), line.corner(self)) else {
-            return Ok(None);
-        };
+        let mut corner = |faces: &Self| line.corner::<NEGATIVE>(faces);
+        let (Some(a), Some(b), Some(c)) = (corner(self), corner(self), corner(self)) else { return Ok(None) };
         if let Some(next) = line.line_end() {
             self.triangle([a, b, c])?;
             return Ok(Some(next));
         }
+        let Some(d) = line.corner::<NEGATIVE>(self) else { return Ok(None) };
+        if let Some(next) = line.line_end() {
+            self.quadrilateral([a, b, c, d])?;
+            return Ok(Some(next));
+        }
         let mut corners = mem::take(&mut self.corners);
         corners.clear();
-        corners.extend([a, b, c]);
+        corners.extend([a, b, c, d]);
         let next = loop {
-            let Some(corner) = line.corner(self) else { break None };
+            let Some(corner) = line.corner::<NEGATIVE>(self) else { break None };
             corners.push(corner);
             if let Some(next) = line.line_end() {
                 break Some(next);
@@ -179,9 +187,33 @@ impl<'a> Faces<'a> {
 
     /// A face of any number of corners from three on.
     fn face(&mut self, corners: &[Corner]) -> Result<(), ReadError> {
-        if let &[a, b, c] = corners {
-            return self.triangle([a, b, c]);
+        match *corners {
+            [a, b, c] => self.triangle([a, b, c]),
+            [a, b, c, d] => self.quadrilateral([a, b, c, d]),
+            _ => self.polygon(corners),
         }
+    }
+
+    /// A face of four corners.
+    #[inline(never)]
+    fn quadrilateral(&mut self, corners: [Corner; 4]) -> Result<(), ReadError> {
+        let [a, b, c, d] = corners;
+        let point = |corner: Corner| self.positions[corner.0 as usize];
+        if !Triangulator::is_convex_quadrilateral([point(a), point(b), point(c), point(d)]) {
+            return self.polygon(&corners);
+        }
+        self.begin_face(&corners);
+        self.said.polygon_corners += 4;
+        let mut vertex = |corner| self.vertices.of_corner(corner);
+        let [a, b, c, d] = [vertex(a)?, vertex(b)?, vertex(c)?, vertex(d)?];
+        self.triangles.push([a, b, c]);
+        self.triangles.push([a, c, d]);
+        Ok(())
+    }
+
+    /// A face of any number of corners.
+    #[inline(never)]
+    fn polygon(&mut self, corners: &[Corner]) -> Result<(), ReadError> {
         self.find_polygon(corners);
         if self.polygon.len() < 3 {
             self.said.lost += 1;
@@ -192,40 +224,48 @@ impl<'a> Faces<'a> {
         }
         self.begin_face(corners);
         self.said.polygon_corners += corners.len() as u64;
-        if let &[a, b, c, d] = self.polygon.as_slice()
-            && Triangulator::is_fan_of_two([a, b, c, d].map(|corner| self.positions[corner.0 as usize]))
-        {
-            let mut vertex = |corner| self.vertices.of_corner(corner);
-            let [a, b, c, d] = [vertex(a)?, vertex(b)?, vertex(c)?, vertex(d)?];
-            self.triangles.push([a, b, c]);
-            self.triangles.push([a, c, d]);
-            return Ok(());
-        }
         if self.polygon.len() > MOST_CORNERS_TO_CUT {
             return self.fan();
         }
-        self.polygon_points.clear();
-        self.polygon_points.extend(self.polygon.iter().map(|corner| self.positions[corner.0 as usize]));
-        self.polygon_triangles.clear();
-        let triangles = &mut self.polygon_triangles;
-        let cut = self.triangulator.triangulate(&self.polygon_points, |triangle| triangles.push(triangle));
-        // Vertices come in the order of the triangles, which alone is known where pieces are joined.
-        self.polygon_vertices.clear();
-        self.polygon_vertices.resize(self.polygon.len(), NONE);
-        for &triangle in &self.polygon_triangles {
-            for corner in triangle {
-                if self.polygon_vertices[corner] == NONE {
-                    self.polygon_vertices[corner] = self.vertices.of_corner(self.polygon[corner])?;
-                }
-            }
-            self.triangles.push(triangle.map(|corner| self.polygon_vertices[corner]));
-        }
+        let cut = self.cut()?;
         match cut {
             Cut::Fan | Cut::Ears => {}
             Cut::NotSimple => self.said.cuts[0] += 1,
             Cut::TooLarge => self.said.cuts[1] += 1,
         }
         Ok(())
+    }
+
+    /// Cuts the polygon into triangles.
+    fn cut(&mut self) -> Result<Cut, ReadError> {
+        let n = self.polygon.len();
+        let mut few = ([[0.0; 3]; FEW], [NONE; FEW]);
+        let (points, known) = if n <= FEW {
+            (&mut few.0[..n], &mut few.1[..n])
+        } else {
+            self.polygon_points.resize(n, [0.0; 3]);
+            self.polygon_vertices.clear();
+            self.polygon_vertices.resize(n, NONE);
+            (&mut self.polygon_points[..], &mut self.polygon_vertices[..])
+        };
+        for (point, corner) in points.iter_mut().zip(&self.polygon) {
+            *point = self.positions[corner.0 as usize];
+        }
+        let mut error = None;
+        // Vertices come in the order of the triangles, which alone is known where pieces are joined.
+        let cut = self.triangulator.triangulate(points, |triangle| {
+            for corner in triangle {
+                if known[corner] == NONE {
+                    match self.vertices.of_corner(self.polygon[corner]) {
+                        Ok(vertex) => known[corner] = vertex,
+                        Err(found) => error = Some(found),
+                    }
+                }
+            }
+            let [a, b, c] = triangle;
+            self.triangles.push([known[a], known[b], known[c]]);
+        });
+        error.map_or(Ok(cut), Err)
     }
 
     /// A polygon as if it were convex.

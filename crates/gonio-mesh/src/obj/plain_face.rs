@@ -21,16 +21,16 @@ impl<'a> PlainFace<'a> {
         PlainFace { bytes, start, line: None, end: 0 }
     }
 
-    /// The next corner, if it is plain and points at something.
+    /// The next corner, if it is plain and points at something, and all of its indices are negative or none is.
     #[inline(always)]
-    pub(super) fn corner(&mut self, faces: &Faces<'_>) -> Option<Corner> {
+    pub(super) fn corner<const NEGATIVE: bool>(&mut self, faces: &Faces<'_>) -> Option<Corner> {
         if let Some(line) = &mut self.line {
             if self.end != b' ' {
                 return None;
             }
             let at = line.at();
             let mut ahead = *line;
-            if let Some((corner, end)) = plain_corner(&mut ahead, faces) {
+            if let Some((corner, end)) = plain_corner::<NEGATIVE>(&mut ahead, faces) {
                 *line = ahead;
                 self.end = end;
                 return Some(corner);
@@ -42,7 +42,7 @@ impl<'a> PlainFace<'a> {
             self.start += at;
         }
         let mut line = Line::new(self.bytes.get(self.start..)?.first_chunk::<REACH>()?)?;
-        let (corner, end) = plain_corner(&mut line, faces)?;
+        let (corner, end) = plain_corner::<NEGATIVE>(&mut line, faces)?;
         self.line = Some(line);
         self.end = end;
         Some(corner)
@@ -56,54 +56,59 @@ impl<'a> PlainFace<'a> {
 }
 
 #[inline(always)]
-fn plain_corner(line: &mut Line<'_>, faces: &Faces<'_>) -> Option<(Corner, u8)> {
-    let (position, mut end) = plain_index(line, faces, 0, Index::NONE)?;
+fn plain_corner<const NEGATIVE: bool>(line: &mut Line<'_>, faces: &Faces<'_>) -> Option<(Corner, u8)> {
+    let (position, mut end) = plain_index::<NEGATIVE>(line, faces, 0, Index::NONE)?;
     let (mut tex_coord, mut normal) = (Index::NONE, Index::NONE);
     if end == b'/' {
         if line.peek()? == b'/' {
             line.step();
-            (normal, end) = plain_index(line, faces, 2, position)?;
+            (normal, end) = plain_index::<NEGATIVE>(line, faces, 2, position)?;
         } else {
-            (tex_coord, end) = plain_index(line, faces, 1, position)?;
+            (tex_coord, end) = plain_index::<NEGATIVE>(line, faces, 1, position)?;
             if end == b'/' {
-                (normal, end) = plain_index(line, faces, 2, tex_coord)?;
+                (normal, end) = plain_index::<NEGATIVE>(line, faces, 2, tex_coord)?;
             }
         }
     }
     Some((((position.value - 1) as u32, Kind::new(tex_coord.value, normal.value)), end))
 }
 
-/// An index that points at something, from 1, and its digits.
+/// An index that points at something, from 1, and how it is written.
 #[derive(Clone, Copy)]
 struct Index {
     value: u64,
     /// As [`Line::index`] gives them.
     digits: u64,
+    /// What they say.
+    number: u64,
 }
 
 impl Index {
     /// None, or none that can be written again: these are no digits.
-    const NONE: Index = Index { value: 0, digits: u64::MAX };
+    const NONE: Index = Index { value: 0, digits: u64::MAX, number: 0 };
 }
 
 /// `before` is the index before it, which many programs write again and again.
 #[inline(always)]
-fn plain_index(line: &mut Line<'_>, faces: &Faces<'_>, kind: usize, before: Index) -> Option<(Index, u8)> {
-    let mut ahead = *line;
-    let Some((digits, end)) = ahead.index() else { return negative_index(line, faces, kind) };
-    *line = ahead;
-    let value = if digits == before.digits { before.value } else { scan::aligned_digits(digits) };
-    if value.wrapping_sub(1) < faces.totals[kind] { Some((Index { value, digits }, end)) } else { None }
-}
-
-#[inline(always)]
-fn negative_index(line: &mut Line<'_>, faces: &Faces<'_>, kind: usize) -> Option<(Index, u8)> {
-    if line.peek()? != b'-' {
-        return None;
+fn plain_index<const NEGATIVE: bool>(
+    line: &mut Line<'_>,
+    faces: &Faces<'_>,
+    kind: usize,
+    before: Index,
+) -> Option<(Index, u8)> {
+    if NEGATIVE {
+        if line.peek()? != b'-' {
+            return None;
+        }
+        line.step();
     }
-    line.step();
     let (digits, end) = line.index()?;
-    let value = (faces.counts[kind] + 1).checked_sub(scan::aligned_digits(digits))?;
-    // Its digits are not remembered: what they mean depends on the kind.
-    if (1..=faces.counts[kind]).contains(&value) { Some((Index { value, ..Index::NONE }, end)) } else { None }
+    let number = if digits == before.digits { before.number } else { scan::aligned_digits(digits) };
+    // What lies behind the statement can be named from the front only.
+    let (value, most) = if NEGATIVE {
+        ((faces.counts[kind] + 1).wrapping_sub(number), faces.counts[kind])
+    } else {
+        (number, faces.totals[kind])
+    };
+    if value.wrapping_sub(1) < most { Some((Index { value, digits, number }, end)) } else { None }
 }

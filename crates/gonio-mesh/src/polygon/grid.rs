@@ -1,20 +1,16 @@
 //! Ears of large polygons: corners that may lie in one are found by their place, in a grid of cells.
 
-use super::{Cut, turn};
+use super::Cut;
+use super::ring::Ring;
 use glam::DVec2;
 
 /// Work that a corner may cause on average before the search is given up: the worst polygons would take time that grows
 /// with the square of their size.
 const MOST_WORK_PER_CORNER: usize = 400;
 
-/// In place of the corner after one that is cut off.
-const REMOVED: u32 = u32::MAX;
-
 /// A polygon whose ears are being cut off.
 struct Polygon<'a> {
-    points: &'a [DVec2],
-    previous: Vec<u32>,
-    next: Vec<u32>,
+    ring: Ring<'a>,
     /// Corners that are left and not strictly convex.
     blocks: Vec<bool>,
     blocking: usize,
@@ -33,92 +29,73 @@ struct Grid {
     corners: Vec<u32>,
 }
 
-/// Cuts ears off as [`super::Triangulator`] does, in another order. Gives up in time, and fans what is left.
+/// Cuts ears off as [`super::ears`] does, in another order. Gives up in time, and fans what is left.
 ///
 /// Neighbours of an ear wait for the next round: cut one after the other they would make a fan of ever longer triangles.
-pub(super) fn cut_ears(points: &[DVec2], mut emit: impl FnMut([usize; 3])) -> Cut {
-    let mut polygon = Polygon::new(points);
-    let most_work = MOST_WORK_PER_CORNER.saturating_mul(points.len());
+pub(super) fn cut_ears(ring: Ring<'_>, mut emit: impl FnMut([usize; 3])) -> Cut {
+    let count = ring.left();
+    let mut polygon = Polygon::new(ring);
+    let most_work = MOST_WORK_PER_CORNER.saturating_mul(count);
     let mut cut = Cut::Ears;
-    let (mut here, mut left) = (0, points.len());
-    let mut candidates: Vec<u32> = (0..points.len() as u32).collect();
-    let (mut waiting, mut waits) = (Vec::new(), vec![false; points.len()]);
+    let mut here = 0;
+    let mut candidates: Vec<u32> = (0..count as u32).collect();
+    let (mut waiting, mut waits) = (Vec::new(), vec![false; count]);
     let mut is_everyone = true;
-    while left > 3 {
-        let left_before = left;
+    while polygon.ring.left() > 3 {
+        let left_before = polygon.ring.left();
         for &candidate in &candidates {
             let candidate = candidate as usize;
             if polygon.work > most_work {
                 break;
             }
-            if left == 3 || waits[candidate] || !polygon.is_left(candidate) || !polygon.is_ear(candidate) {
+            let is_over = polygon.ring.left() == 3;
+            if is_over || waits[candidate] || !polygon.ring.has(candidate) || !polygon.is_ear(candidate) {
                 continue;
             }
             here = polygon.cut(candidate, &mut emit, &mut waiting, &mut waits);
-            left -= 1;
         }
-        if polygon.work > most_work && left > 3 {
-            polygon.fan(here, left, emit);
+        if polygon.work > most_work && polygon.ring.left() > 3 {
+            polygon.fan(here, emit);
             return Cut::TooLarge;
         }
         candidates.clear();
         candidates.append(&mut waiting);
         candidates.iter().for_each(|&waited| waits[waited as usize] = false);
-        if left == left_before && is_everyone {
+        if polygon.ring.left() == left_before && is_everyone {
             // No ear: it crosses or touches itself.
             cut = Cut::NotSimple;
-            let victim = polygon.least_bad(here, left);
+            polygon.work += left_before;
+            let victim = polygon.ring.least_bad(here);
             here = polygon.cut(victim, &mut emit, &mut waiting, &mut waits);
-            left -= 1;
             candidates.append(&mut waiting);
             candidates.iter().for_each(|&waited| waits[waited as usize] = false);
         }
         is_everyone = candidates.is_empty();
         if is_everyone {
             // Others may have become ears when what lay in them went away.
-            candidates.extend((0..points.len() as u32).filter(|&corner| polygon.is_left(corner as usize)));
-            polygon.work += points.len();
+            candidates.extend((0..count as u32).filter(|&corner| polygon.ring.has(corner as usize)));
+            polygon.work += count;
         }
     }
-    let (before, after) = polygon.neighbours(here);
+    let (before, after) = polygon.ring.neighbours(here);
     emit([before, here, after]);
-    if polygon.turn_at(here) < 0.0 { Cut::NotSimple } else { cut }
+    if polygon.ring.turn_at(here) < 0.0 { Cut::NotSimple } else { cut }
 }
 
 impl<'a> Polygon<'a> {
-    fn new(points: &'a [DVec2]) -> Self {
-        let n = points.len();
-        let mut polygon = Polygon {
-            points,
-            previous: (0..n).map(|i| ((i + n - 1) % n) as u32).collect(),
-            next: (0..n).map(|i| ((i + 1) % n) as u32).collect(),
-            blocks: vec![false; n],
-            blocking: 0,
-            grid: Grid::new(points),
-            work: 0,
-        };
+    fn new(ring: Ring<'a>) -> Self {
+        let n = ring.left();
+        let mut polygon =
+            Polygon { grid: Grid::new(ring.points()), ring, blocks: vec![false; n], blocking: 0, work: 0 };
         (0..n).for_each(|corner| polygon.look_at(corner));
         polygon
     }
 
-    fn neighbours(&self, corner: usize) -> (usize, usize) {
-        (self.previous[corner] as usize, self.next[corner] as usize)
-    }
-
-    fn turn_at(&self, corner: usize) -> f64 {
-        let (before, after) = self.neighbours(corner);
-        turn(self.points[before], self.points[corner], self.points[after])
-    }
-
     /// Notes whether a corner may lie in an ear.
     fn look_at(&mut self, corner: usize) {
-        let blocks = self.turn_at(corner) <= 0.0;
+        let blocks = self.ring.turn_at(corner) <= 0.0;
         self.blocking = self.blocking + usize::from(blocks) - usize::from(self.blocks[corner]);
         self.blocks[corner] = blocks;
-    }
-
-    fn is_left(&self, corner: usize) -> bool {
-        self.next[corner] != REMOVED
     }
 
     /// Cuts a corner off. Its neighbours are to wait. Returns the one behind.
@@ -129,13 +106,10 @@ impl<'a> Polygon<'a> {
         waiting: &mut Vec<u32>,
         waits: &mut [bool],
     ) -> usize {
-        let (before, after) = self.neighbours(corner);
+        let (before, after) = self.ring.cut_off(corner);
         emit([before, corner, after]);
         self.blocking -= usize::from(self.blocks[corner]);
         self.blocks[corner] = false;
-        self.next[before] = after as u32;
-        self.previous[after] = before as u32;
-        self.next[corner] = REMOVED;
         for neighbour in [before, after] {
             self.look_at(neighbour);
             if !std::mem::replace(&mut waits[neighbour], true) {
@@ -147,10 +121,9 @@ impl<'a> Polygon<'a> {
 
     /// A corner that turns left and whose triangle holds no other corner, its border included.
     fn is_ear(&mut self, corner: usize) -> bool {
-        let (before, after) = self.neighbours(corner);
-        let [a, b, c] = [before, corner, after].map(|i| self.points[i]);
+        let [a, b, c] = self.ring.triangle(corner);
         self.work += 1;
-        if turn(a, b, c) <= 0.0 {
+        if self.ring.turn_at(corner) <= 0.0 {
             return false;
         }
         if self.blocking == 0 {
@@ -162,45 +135,18 @@ impl<'a> Polygon<'a> {
             let row = row * self.grid.side;
             let range = self.grid.starts[row + low[0]] as usize..self.grid.starts[row + high[0] + 1] as usize;
             self.work += 1 + range.len();
-            for &other in &self.grid.corners[range] {
-                let p = self.points[other as usize];
-                let lies_in_it = self.blocks[other as usize]
-                    && other as usize != before
-                    && other as usize != after
-                    && p != a
-                    && p != b
-                    && p != c
-                    && turn(a, b, p) >= 0.0
-                    && turn(b, c, p) >= 0.0
-                    && turn(c, a, p) >= 0.0;
-                if lies_in_it {
-                    return false;
-                }
+            let blocks = |other| self.blocks[other] && self.ring.lies_in_triangle_at(other, corner);
+            if self.grid.corners[range].iter().any(|&other| blocks(other as usize)) {
+                return false;
             }
         }
         true
     }
 
-    /// A corner without area, or else the smallest that turns left.
-    fn least_bad(&mut self, start: usize, left: usize) -> usize {
-        self.work += left;
-        let mut best = (f64::INFINITY, start);
-        let mut here = start;
-        for _ in 0..left {
-            let area = self.turn_at(here);
-            let badness = if area < 0.0 { f64::MAX } else { area };
-            if badness < best.0 {
-                best = (badness, here);
-            }
-            here = self.next[here] as usize;
-        }
-        best.1
-    }
-
-    fn fan(&self, first: usize, left: usize, mut emit: impl FnMut([usize; 3])) {
-        let mut here = self.next[first] as usize;
-        for _ in 2..left {
-            let after = self.next[here] as usize;
+    fn fan(&self, first: usize, mut emit: impl FnMut([usize; 3])) {
+        let mut here = self.ring.after(first);
+        for _ in 2..self.ring.left() {
+            let after = self.ring.after(here);
             emit([first, here, after]);
             here = after;
         }
@@ -245,12 +191,15 @@ impl Grid {
 
 #[cfg(test)]
 mod tests {
+    use super::super::turn;
     use super::*;
 
     /// Twice the areas of the triangles, and how many there are.
     fn cut(points: &[DVec2]) -> (Cut, Vec<f64>) {
         let mut areas = Vec::new();
-        let cut = cut_ears(points, |[a, b, c]| areas.push(turn(points[a], points[b], points[c])));
+        let mut links = vec![[0; 2]; points.len()];
+        let ring = Ring::new(points, &mut links);
+        let cut = cut_ears(ring, |[a, b, c]| areas.push(turn(points[a], points[b], points[c])));
         (cut, areas)
     }
 
