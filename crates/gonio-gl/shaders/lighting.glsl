@@ -83,7 +83,8 @@ LightTerms light_terms(int kind, int light, vec3 position, vec3 n, vec3 v, float
     vec3 color = light_texel(light, 1).rgb;
     LightTerms t;
     if (kind == LIGHT_DIRECTIONAL) {
-        t.l = unit_or(-place, n);
+        // Of length 1, or zero.
+        t.l = dot(place, place) > 0.5 ? -place : n;
         t.distance = 0.0;
         t.attenuation = 1.0;
         t.spot = 1.0;

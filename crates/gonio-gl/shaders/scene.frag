@@ -4,7 +4,9 @@
 in vec3 v_position_in_world;
 FLAT_IF_PER_TRIANGLE in vec3 v_normal_in_world;
 in vec2 v_tex_coord;
+#if VERTEX_COLORS
 in vec4 v_color;
+#endif
 #if NORMAL_MAP || VIEW
 in vec4 v_tangent_in_world;
 #endif
@@ -65,7 +67,11 @@ vec3 shading_normal(vec3 v) {
 #endif
 
 void main() {
+#if VERTEX_COLORS
     Surface s = surface_at(v_tex_coord, v_color.rgb);
+#else
+    Surface s = surface_at(v_tex_coord, vec3(1.0));
+#endif
     vec3 v = unit_or(eye_in_world - v_position_in_world, vec3(0.0, 1.0, 0.0));
 #if VERTEX_LIT
     LightSums sums = LightSums(v_diffuse_light, v_specular_light);

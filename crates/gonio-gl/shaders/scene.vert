@@ -4,7 +4,9 @@ in vec3 position;
 in vec3 normal;
 in vec2 tex_coord;
 in vec4 tangent;
+#if VERTEX_COLORS
 in vec4 color;
+#endif
 #if SHADING == SHADING_FLAT_PER_FACE
 in vec3 face_center;
 #endif
@@ -19,7 +21,9 @@ uniform float handedness;               // -1 where world_from_model mirrors
 out vec3 v_position_in_world;
 FLAT_IF_PER_TRIANGLE out vec3 v_normal_in_world;
 out vec2 v_tex_coord;
+#if VERTEX_COLORS
 out vec4 v_color;
+#endif
 #if NORMAL_MAP || VIEW
 out vec4 v_tangent_in_world;
 #endif
@@ -55,7 +59,9 @@ void main() {
     vec3 n = unit_or(normal_world_from_model * normal, vec3(0.0));
     v_normal_in_world = n;
     v_tex_coord = tex_coord;
+#if VERTEX_COLORS
     v_color = color;
+#endif
 #if NORMAL_MAP || VIEW
     // A mirroring transform turns the bitangent's side round.
     v_tangent_in_world = vec4(mat3(world_from_model) * tangent.xyz, handedness * tangent.w);

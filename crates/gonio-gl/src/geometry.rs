@@ -13,6 +13,8 @@ pub struct Geometry {
     _buffers: Vec<Buffer>,
     /// Bytes on the GPU.
     pub bytes: usize,
+    /// Whether vertices have colours.
+    pub has_colors: bool,
 }
 
 impl Geometry {
@@ -62,7 +64,7 @@ impl Geometry {
         fill(bytemuck::cast_slice(&mesh.indices), glow::ELEMENT_ARRAY_BUFFER, "indices")?;
         // SAFETY: unbinding has no precondition; later bindings cannot change this array any more.
         unsafe { gl.bind_vertex_array(None) };
-        Ok(Geometry { array, _buffers: buffers, bytes })
+        Ok(Geometry { array, _buffers: buffers, bytes, has_colors: !mesh.colors.is_empty() })
     }
 
     /// Makes it what the next draws read. Attributes that the mesh lacks get their constants, which
@@ -73,7 +75,6 @@ impl Geometry {
         constant(gl, "normal", [0.0; 4]);
         constant(gl, "tex_coord", [0.0; 4]);
         constant(gl, "tangent", [0.0, 0.0, 0.0, 1.0]);
-        constant(gl, "color", [1.0; 4]);
     }
 }
 

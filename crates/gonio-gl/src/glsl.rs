@@ -134,6 +134,8 @@ pub struct SceneKey {
     pub maps: MapSet,
     /// Normals from a texture (Phong shading only).
     pub normal_map: bool,
+    /// The vertices have colours.
+    pub vertex_colors: bool,
     /// Back faces are lit from behind.
     pub two_sided: bool,
     /// Draws a debug view.
@@ -180,7 +182,8 @@ impl LightLoops {
 }
 
 impl SceneKey {
-    /// Every key that the renderer can ask for, with one of the ways to unroll the loops over the lights.
+    /// Every key that the renderer can ask for, with one of the ways to unroll the loops over the lights; and colours
+    /// of vertices, which are multiplied in one place, with one kind of loops only.
     pub fn all() -> Vec<SceneKey> {
         let loops = [LightLoops::Unrolled([1, 2, 3]), LightLoops::Uniforms, LightLoops::Texture];
         let mut keys = Vec::new();
@@ -193,15 +196,18 @@ impl SceneKey {
                         }
                         for two_sided in [false, true] {
                             for view in [false, true] {
-                                keys.extend(loops.map(|lights| SceneKey {
+                                let key = |lights, vertex_colors| SceneKey {
                                     shading,
                                     reflectance,
                                     maps,
                                     normal_map,
+                                    vertex_colors,
                                     two_sided,
                                     view,
                                     lights,
-                                }));
+                                };
+                                keys.extend(loops.map(|lights| key(lights, false)));
+                                keys.push(key(LightLoops::Uniforms, true));
                             }
                         }
                     }
@@ -228,6 +234,7 @@ impl SceneKey {
             ("DIFFUSE_MAP", bit(self.maps != MapSet::None)),
             ("OTHER_MAPS", bit(self.maps == MapSet::All)),
             ("NORMAL_MAP", bit(self.normal_map)),
+            ("VERTEX_COLORS", bit(self.vertex_colors)),
             ("TWO_SIDED", bit(self.two_sided)),
             ("VIEW", bit(self.view)),
             ("LIGHTS_IN_TEXTURE", bit(self.lights == LightLoops::Texture)),
@@ -266,7 +273,7 @@ impl SceneKey {
     /// For labels and messages.
     pub fn name(&self) -> String {
         format!(
-            "scene {} {}{}{}{}{}{}",
+            "scene {} {}{}{}{}{}{}{}",
             self.shading,
             self.reflectance.define().trim_start_matches("REFLECTANCE_").to_ascii_lowercase(),
             match self.maps {
@@ -275,6 +282,7 @@ impl SceneKey {
                 MapSet::All => " all-maps",
             },
             if self.normal_map { " normal-map" } else { "" },
+            if self.vertex_colors { " vertex-colors" } else { "" },
             if self.two_sided { " two-sided" } else { "" },
             if self.view { " view" } else { "" },
             match self.lights {

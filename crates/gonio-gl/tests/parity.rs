@@ -219,6 +219,24 @@ fn a_texture_of_roughness() {
 }
 
 #[test]
+fn colors_of_vertices() {
+    let mut bench = Bench::new();
+    for shading in ["flat-per-face", "flat", "gouraud", "phong"] {
+        let plain = scene("", &lights("all"), &object("cube", shading, CLAY));
+        let mut scene = plain.clone();
+        for mesh in &mut scene.meshes {
+            // Another one at each corner, none of them black.
+            let color = |p: &[f32; 3]| [0.5 + 0.3 * p[0], 0.5 + 0.3 * p[1], 0.5 + 0.3 * p[2], 1.0];
+            mesh.colors = mesh.positions.iter().map(color).collect();
+        }
+        bench.check(shading, &scene, None);
+        let frame = scene.frame(0.0);
+        let picture = |scene| ReferenceScene::new(scene).render(&frame, None, &|_| ()).picture;
+        assert!(picture(&scene) != picture(&plain), "it shows");
+    }
+}
+
+#[test]
 fn textures_with_hard_edges() {
     // GPUs weigh the four texels of a linear filter with 8 bits: where black meets white that alone is
     // an error of up to 1/512. The tolerance is twice that.

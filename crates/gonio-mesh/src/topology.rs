@@ -7,6 +7,7 @@ pub use report::{Finding, Findings, TopologyReport, report};
 use crate::Mesh;
 use crate::weld::{self, mix};
 use glam::{DVec3, Vec3};
+use std::collections::HashMap;
 
 /// Whether the surface is closed (every edge, by position, is passed as often one way as the other)
 /// and its outside is the front (the enclosed volume is positive): then back faces are never seen
@@ -86,15 +87,25 @@ fn all_volumes_positive(mesh: &Mesh, place_of_vertex: &[u32]) -> bool {
         pieces.join(a, b);
         pieces.join(b, c);
     }
+    let roots = pieces.into_roots();
     // Six times the volume of the tetrahedra from one point to each triangle; the point is near, for precision.
     let origin = mesh.bounds().map_or(DVec3::ZERO, |bounds| bounds.center().as_dvec3());
-    let mut volumes = vec![0.0_f64; place_of_vertex.len()];
+    // Most meshes are one piece, and most of a mesh's triangles are of the piece before: one sum at hand, not one each.
+    let (mut piece, mut volume) = (u32::MAX, 0.0);
+    let mut volumes: HashMap<u32, f64> = HashMap::new();
     for triangle in mesh.indices.as_chunks::<3>().0 {
+        let root = roots[place_of_vertex[triangle[0] as usize] as usize];
+        if root != piece {
+            if piece != u32::MAX {
+                *volumes.entry(piece).or_default() += volume;
+            }
+            (piece, volume) = (root, 0.0);
+        }
         let [a, b, c] = triangle.map(|vertex| Vec3::from(mesh.positions[vertex as usize]).as_dvec3() - origin);
-        volumes[pieces.root(place_of_vertex[triangle[0] as usize]) as usize] += a.dot(b.cross(c));
+        volume += a.dot(b.cross(c));
     }
-    let mut used = mesh.indices.iter().map(|&vertex| place_of_vertex[vertex as usize]);
-    used.all(|place| volumes[pieces.root(place) as usize] > 0.0)
+    *volumes.entry(piece).or_default() += volume;
+    volumes.values().all(|volume| *volume > 0.0)
 }
 
 /// Sets that can be joined (union-find, with path halving: R. E. Tarjan and J. van Leeuwen, 1984).
@@ -121,9 +132,21 @@ impl Pieces {
 
     /// The smaller root stays: no ranks are needed for meshes, whose places are numbered along the surface.
     fn join(&mut self, a: u32, b: u32) {
+        if self.parents[a as usize] == self.parents[b as usize] {
+            return;
+        }
         let (a, b) = (self.root(a), self.root(b));
         let (low, high) = (a.min(b), a.max(b));
         self.parents[high as usize] = low;
+    }
+
+    /// The root of each.
+    fn into_roots(mut self) -> Vec<u32> {
+        for place in 0..self.parents.len() {
+            // Parents come before their children, so this one's is its root already.
+            self.parents[place] = self.parents[self.parents[place] as usize];
+        }
+        self.parents
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::Shared;
 use crate::GlError;
+use crate::geometry::Geometry;
 use crate::glsl::{LightLoops, MapSet, Reflectance, SceneKey, TEXTURE_UNITS, quantity_number, texture_unit};
 use crate::light_table::LightTable;
 use crate::objects::DebugGroup;
@@ -43,9 +44,6 @@ impl Pass<'_> {
         let material = &self.scene.materials[draw.run.material];
         let _group =
             DebugGroup::new(gl, &format!("{} {} [{}]", object.object.name, draw.run.name, material.material.name));
-        let key = self.key(object, material);
-        let program = self.prepared(key)?;
-        program.bind();
         let geometries = &self.scene.geometries[object.object.mesh];
         let geometry = if wants_unshared(object.object.shading) { &geometries.unshared } else { &geometries.shared };
         let Some(geometry) = geometry else {
@@ -54,6 +52,9 @@ impl Pass<'_> {
                 object.object.name, object.object.shading
             )));
         };
+        let key = self.key(object, geometry, material);
+        let program = self.prepared(key)?;
+        program.bind();
         geometry.bind(gl);
         self.set_object(&program, object);
         self.set_material(&program, key, material);
@@ -74,7 +75,7 @@ impl Pass<'_> {
         Ok(())
     }
 
-    fn key(&self, object: &GpuObject, material: &SceneMaterial) -> SceneKey {
+    fn key(&self, object: &GpuObject, geometry: &Geometry, material: &SceneMaterial) -> SceneKey {
         let equation = &self.frame.equation;
         let maps = &material.maps;
         let others = [&maps.specular, &maps.emitted, &maps.shininess, &maps.opacity];
@@ -89,6 +90,7 @@ impl Pass<'_> {
                 MapSet::None
             },
             normal_map: maps.normal.is_some() && object.object.shading == Shading::Phong,
+            vertex_colors: geometry.has_colors,
             // Closed objects never show their back faces.
             two_sided: self.frame.two_sided && !object.object.closed,
             view: self.is_view(),

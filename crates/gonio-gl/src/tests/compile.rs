@@ -10,10 +10,10 @@ fn link_all(dialect: Dialect, es: bool) {
     let scenes = SceneKey::all().into_iter().map(|k| (k.name(), k.sources(dialect)));
     let outputs = OutputKey::all(dialect).into_iter().map(|k| (format!("{k:?}"), k.sources(dialect)));
     let programs: Vec<_> = scenes.chain(outputs).collect();
-    // 4 shadings (and Phong with a normal map) x 8 reflectances x 3 sets of maps x sides x views x 3 kinds of loops; and
-    // 2 + 4 tone maps x 2 encodings, from multisampled textures too where there are any.
+    // 4 shadings (and Phong with a normal map) x 8 reflectances x 3 sets of maps x sides x views x 3 kinds of loops
+    // and one with colours of vertices; and 2 + 4 tone maps x 2 encodings, from multisampled textures too where there are any.
     let outputs = if es { 10 } else { 20 };
-    assert_eq!(programs.len(), 5 * 8 * 3 * 2 * 2 * 3 + outputs);
+    assert_eq!(programs.len(), 5 * 8 * 3 * 2 * 2 * (3 + 1) + outputs);
     for (name, [vertex, fragment]) in programs {
         if let Err(why) = Program::new(context.gl(), &name, &vertex, &fragment, &ATTRIBUTES) {
             panic!("{dialect:?}: {why}");
@@ -40,8 +40,9 @@ fn every_number_of_very_few_lights_links() {
     for lights in loops {
         for shading in [Shading::Gouraud, Shading::Phong] {
             let reflectance = Reflectance::Lab(Specular::Phong);
-            let (maps, normal_map, two_sided, view) = (MapSet::None, false, true, true);
-            let key = SceneKey { shading, reflectance, maps, normal_map, two_sided, view, lights };
+            let (maps, normal_map, vertex_colors) = (MapSet::None, false, false);
+            let (two_sided, view) = (true, true);
+            let key = SceneKey { shading, reflectance, maps, normal_map, vertex_colors, two_sided, view, lights };
             let [vertex, fragment] = key.sources(Dialect::Core330);
             if let Err(why) = Program::new(context.gl(), &key.name(), &vertex, &fragment, &ATTRIBUTES) {
                 panic!("{why}");

@@ -4,7 +4,7 @@
 #![allow(unsafe_code)]
 
 use super::{FileBytes, FileSource};
-use std::fs::File;
+use std::fs::{File, Metadata};
 use std::io::{Error, Read};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
@@ -17,11 +17,15 @@ pub struct Disk;
 
 impl FileSource for Disk {
     fn read(&self, path: &Path) -> Result<FileBytes, Error> {
-        let mut file = File::open(path)?;
-        let metadata = file.metadata()?;
+        let metadata = std::fs::metadata(path)?;
         if metadata.is_dir() {
             return Err(std::io::ErrorKind::IsADirectory.into());
         }
+        // Before it is opened, which may wait or do something.
+        if is_device(&metadata) {
+            return Err(Error::other("it is a device, not a file"));
+        }
+        let mut file = File::open(path)?;
         if metadata.is_file() && metadata.len() >= WORTH_MAPPING {
             // SAFETY: the map is only read, and lives as long as its bytes are used. That no other program shortens or
             // rewrites the file meanwhile cannot be had from an operating system (as with any program that maps files):
@@ -42,6 +46,18 @@ impl FileSource for Disk {
             .map(|entries| entries.filter_map(|e| e.ok().map(|e| e.file_name().into())).collect())
             .unwrap_or_default()
     }
+}
+
+/// What a model names as its texture may be a device that has no end. (Pipes are allowed: shells make them.)
+#[cfg(unix)]
+fn is_device(metadata: &Metadata) -> bool {
+    use std::os::unix::fs::FileTypeExt;
+    metadata.file_type().is_char_device() || metadata.file_type().is_block_device()
+}
+
+#[cfg(not(unix))]
+fn is_device(_: &Metadata) -> bool {
+    false
 }
 
 /// What an input is called that comes from standard input.

@@ -121,3 +121,19 @@ fn several_inputs_are_one_scene() {
     assert_eq!(models, ["builtin:suzanne", "builtin:cube", "builtin:sphere-smooth"]);
     assert_eq!((scene.picture.width, scene.lights.len()), (77, 1));
 }
+
+/// A file may name as its texture what never ends.
+#[cfg(unix)]
+#[test]
+fn devices_are_not_read() {
+    let error = describe(&["/dev/zero"], &Disk).unwrap_err().to_string();
+    assert_eq!(error, "/dev/zero: the file cannot be read: it is a device, not a file");
+    let folder = tempfile::tempdir().unwrap();
+    let model = folder.path().join("m.obj");
+    std::fs::write(&model, "mtllib m.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    std::fs::write(folder.path().join("m.mtl"), "newmtl m\nmap_Kd /dev/zero\n").unwrap();
+    let scene = describe(&[&model.display().to_string()], &Disk).unwrap();
+    let scene = gonio_scene::load::load(scene, std::path::Path::new(""), &Disk).unwrap();
+    let said: Vec<String> = scene.diagnostics.iter().map(ToString::to_string).collect();
+    assert!(said.iter().any(|said| said.contains("/dev/zero")), "{said:?}");
+}
