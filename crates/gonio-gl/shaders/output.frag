@@ -6,6 +6,9 @@ uniform highp sampler2DMS linear_picture; // premultiplied alpha
 uniform int sample_count;
 #else
 uniform highp sampler2D linear_picture;   // premultiplied alpha
+#if GRID
+uniform int grid_side;                    // texels along a pixel's side
+#endif
 #endif
 uniform vec2 picture_size;                // pixels
 uniform bool top_row_first;               // for reading back into files
@@ -28,6 +31,12 @@ vec4 linear_at(ivec2 pixel) {
     vec4 sum = vec4(0.0);
     for (int i = 0; i < sample_count; ++i) sum += texelFetch(linear_picture, pixel, i);
     return sum / float(sample_count);
+#elif GRID
+    vec4 sum = vec4(0.0);
+    for (int y = 0; y < grid_side; ++y) {
+        for (int x = 0; x < grid_side; ++x) sum += texelFetch(linear_picture, pixel * grid_side + ivec2(x, y), 0);
+    }
+    return sum / float(grid_side * grid_side);
 #else
     return texelFetch(linear_picture, pixel, 0);
 #endif

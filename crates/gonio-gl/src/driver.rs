@@ -27,6 +27,11 @@ pub struct DriverInfo {
 }
 
 impl DriverInfo {
+    /// Whether it draws on the CPU.
+    pub fn is_software(&self) -> bool {
+        ["llvmpipe", "softpipe", "SwiftShader"].iter().any(|name| self.renderer.contains(name))
+    }
+
     pub(crate) fn of(gl: &Gl) -> Self {
         let version = gl.version();
         let has = |extension: &str| gl.supported_extensions().contains(extension);

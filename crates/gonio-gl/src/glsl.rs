@@ -1,5 +1,6 @@
 //! GLSL, composed once: a header for the dialect, constants generated from Rust, then the files.
 
+use crate::target::SamplesOf;
 use gonio_light::brdf::{self, BrdfKind};
 use gonio_light::color::{self, ColorEncoding, ToneMap};
 use gonio_light::light::Attenuation;
@@ -310,8 +311,8 @@ pub enum Display {
 pub struct OutputKey {
     /// What it writes.
     pub display: Display,
-    /// It reads a multisampled texture (OpenGL only).
-    pub multisampled: bool,
+    /// What it averages.
+    pub samples: SamplesOf,
 }
 
 impl OutputKey {
@@ -321,9 +322,12 @@ impl OutputKey {
         for &tone_map in ToneMap::ALL {
             displays.extend(ColorEncoding::ALL.iter().map(|&encoding| Display::Light(tone_map, encoding)));
         }
-        let both: &[bool] = if dialect == Dialect::Core330 { &[false, true] } else { &[false] };
-        let key = |&multisampled| displays.iter().map(move |&display| OutputKey { display, multisampled });
-        both.iter().flat_map(key).collect()
+        let mut samples = vec![SamplesOf::One, SamplesOf::Grid];
+        if dialect == Dialect::Core330 {
+            samples.push(SamplesOf::Texel);
+        }
+        let keys = |samples| displays.iter().map(move |&display| OutputKey { display, samples });
+        samples.into_iter().flat_map(keys).collect()
     }
 
     /// Vertex and fragment shader.
@@ -342,7 +346,8 @@ impl OutputKey {
         define(&mut defines, "DISPLAY", display);
         define(&mut defines, "TONE_MAP", tone_map);
         define(&mut defines, "ENCODE_SRGB", encoding);
-        define(&mut defines, "MULTISAMPLED", bit(self.multisampled));
+        define(&mut defines, "MULTISAMPLED", bit(self.samples == SamplesOf::Texel));
+        define(&mut defines, "GRID", bit(self.samples == SamplesOf::Grid));
         let shared = format!("{}{}{defines}", dialect.header(), constants());
         [[&shared, OUTPUT_VERT].concat(), [&shared, COLOR, DISPLAY_LIGHT, OUTPUT_FRAG].concat()]
     }

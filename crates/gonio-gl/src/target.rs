@@ -23,12 +23,42 @@ impl Precision {
     }
 }
 
+/// How a pixel gets its samples.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sampling {
+    /// By the driver, so many, at least 1: each triangle is shaded once a pixel.
+    Multi(i32),
+    /// As texels of their own, so many along each side of a pixel, at least 2: each sample is shaded.
+    Grid(i32),
+}
+
+impl Sampling {
+    /// Texels along a pixel's side.
+    fn grid(self) -> i32 {
+        match self {
+            Sampling::Multi(_) => 1,
+            Sampling::Grid(side) => side,
+        }
+    }
+}
+
+/// What the output shader has to average.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum SamplesOf {
+    /// Nothing: a texel is a pixel.
+    One,
+    /// The samples of a multisampled texture (OpenGL only).
+    Texel,
+    /// The texels of a grid.
+    Grid,
+}
+
 /// The targets of one picture size and sample count.
 pub struct Target {
     /// Width and height in pixels.
     pub size: [i32; 2],
-    /// Samples per pixel, at least 1.
-    pub samples: i32,
+    /// Of each pixel.
+    pub sampling: Sampling,
     /// Of its colours.
     pub precision: Precision,
     drawn: Framebuffer,
@@ -38,7 +68,7 @@ pub struct Target {
 
 /// Where the colours are.
 enum Color {
-    /// One sample: drawn into a texture.
+    /// One sample a texel: drawn into a texture.
     Single(TextureObject),
     /// Several: drawn into a multisampled texture, whose samples the output shader averages. (Drivers
     /// average in a blit as well, but compile a shader of their own for it in each process.)
@@ -111,40 +141,49 @@ fn check_complete(gl: &Gl, what: &str, size: [i32; 2], samples: i32) -> Result<(
 }
 
 impl Target {
-    /// Makes the targets. `size` must be within the driver's limits.
-    pub fn new(gl: &Gl, dialect: Dialect, size: [i32; 2], samples: i32, precision: Precision) -> Result<Self, GlError> {
+    /// Makes the targets. `size`, times the side of a grid, must be within the driver's limits.
+    pub fn new(
+        gl: &Gl,
+        dialect: Dialect,
+        size: [i32; 2],
+        sampling: Sampling,
+        precision: Precision,
+    ) -> Result<Self, GlError> {
         let format = precision.format();
         let float = (glow::RGBA, glow::FLOAT);
+        let texels = size.map(|side| side * sampling.grid());
+        let samples = if let Sampling::Multi(samples) = sampling { samples } else { 1 };
         let (drawn, color) = if samples <= 1 {
-            let (drawn, texture) = texture_target(gl, format, float, size, "linear picture")?;
+            let (drawn, texture) = texture_target(gl, format, float, texels, "linear picture")?;
             (drawn, Color::Single(texture))
         } else if dialect == Dialect::Core330 {
-            let texture = TextureObject::multisampled(gl, format, size, samples, "samples")?;
+            let texture = TextureObject::multisampled(gl, format, texels, samples, "samples")?;
             let drawn = Framebuffer::bound(gl, "samples")?;
             attach_texture(gl, glow::TEXTURE_2D_MULTISAMPLE, &texture);
             (drawn, Color::Samples(texture))
         } else {
-            let (resolved, texture) = texture_target(gl, format, float, size, "linear picture")?;
-            check_complete(gl, "linear picture", size, 1)?;
-            let buffer = Renderbuffer::new(gl, format, size, samples, "samples")?;
+            let (resolved, texture) = texture_target(gl, format, float, texels, "linear picture")?;
+            check_complete(gl, "linear picture", texels, 1)?;
+            let buffer = Renderbuffer::new(gl, format, texels, samples, "samples")?;
             let drawn = Framebuffer::bound(gl, "samples")?;
             attach_renderbuffer(gl, glow::COLOR_ATTACHMENT0, &buffer);
             (drawn, Color::Blitted { _samples: buffer, resolved, texture })
         };
         let depth_samples = if samples > 1 { samples } else { 0 };
-        let depth = Renderbuffer::new(gl, glow::DEPTH_COMPONENT24, size, depth_samples, "depth")?;
+        let depth = Renderbuffer::new(gl, glow::DEPTH_COMPONENT24, texels, depth_samples, "depth")?;
         attach_renderbuffer(gl, glow::DEPTH_ATTACHMENT, &depth);
-        check_complete(gl, "float target", size, samples)?;
-        Ok(Target { size, samples, precision, drawn, _depth: depth, color })
+        check_complete(gl, "float target", texels, samples)?;
+        Ok(Target { size, sampling, precision, drawn, _depth: depth, color })
     }
 
     /// Binds and clears what the scene is drawn into: colour and alpha 0, depth 1. What is drawn lands
     /// where the target holds the rows from `first_row` of a picture of `picture_height`.
     pub fn begin(&self, gl: &Gl, first_row: i32, picture_height: i32) {
+        let grid = self.sampling.grid();
         // SAFETY: the framebuffer is complete.
         unsafe {
             gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.drawn.handle()));
-            gl.viewport(0, -first_row, self.size[0], picture_height);
+            gl.viewport(0, -first_row * grid, self.size[0] * grid, picture_height * grid);
             gl.disable(glow::SCISSOR_TEST);
             gl.color_mask(true, true, true, true);
             gl.depth_mask(true);
@@ -166,9 +205,13 @@ impl Target {
         }
     }
 
-    /// Samples that the output shader has to average: 1 where there is nothing to average.
-    pub fn samples_to_average(&self) -> i32 {
-        if matches!(self.color, Color::Samples(_)) { self.samples } else { 1 }
+    /// What the output shader has to average, and how many of it: samples, or texels along a side.
+    pub fn to_average(&self) -> (SamplesOf, i32) {
+        match (&self.color, self.sampling) {
+            (Color::Samples(_), Sampling::Multi(samples)) => (SamplesOf::Texel, samples),
+            (_, Sampling::Grid(side)) => (SamplesOf::Grid, side),
+            _ => (SamplesOf::One, 1),
+        }
     }
 
     /// Binds the linear picture (premultiplied alpha, bottom row first) to the active unit.

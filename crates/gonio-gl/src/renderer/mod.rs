@@ -6,6 +6,7 @@ mod bands;
 mod bare;
 mod output;
 mod pass;
+mod sampling;
 
 pub use bands::Drawn8;
 pub use output::Drawn;
@@ -90,7 +91,7 @@ impl Renderer {
         let shared = self.shared.clone();
         let gl = &shared.gl;
         let mut notes = Vec::new();
-        let target = self.target_for(frame, frame.height as i32, precision, &mut notes)?;
+        let target = self.target_for(scene, frame, frame.height as i32, precision, &mut notes)?;
         let queries = StatisticsQueries::begin(gl, &shared.info)?;
         let draw_calls = {
             let _group = DebugGroup::new(gl, "scene");
@@ -108,6 +109,7 @@ impl Renderer {
     /// Targets for `rows` rows of the frame.
     fn target_for(
         &mut self,
+        scene: &GpuScene,
         frame: &Frame,
         rows: i32,
         precision: Precision,
@@ -125,11 +127,12 @@ impl Renderer {
         if samples < frame.samples {
             notes.push(format!("{} samples per pixel instead of {}: this driver has no more", samples, frame.samples));
         }
+        let sampling = sampling::of(info, scene.triangle_count, frame, samples as i32);
         let size = [frame.width as i32, rows];
         if let Some(target) = &self.target {
             // A target that a finished frame still holds must not be drawn over.
             if target.size == size
-                && target.samples == samples as i32
+                && target.sampling == sampling
                 && target.precision == precision
                 && Rc::strong_count(target) == 1
             {
@@ -138,7 +141,7 @@ impl Renderer {
         }
         self.target = None;
         let shared = &self.shared;
-        let target = Target::new(&shared.gl, shared.info.dialect, size, samples as i32, precision)?;
+        let target = Target::new(&shared.gl, shared.info.dialect, size, sampling, precision)?;
         let target = Rc::new(target);
         self.shared.check_error("making the picture's memory")?;
         self.target = Some(target.clone());

@@ -66,11 +66,12 @@ impl Shared {
     ) -> Result<(), GlError> {
         let gl = &self.gl;
         let _group = DebugGroup::new(gl, "output");
-        let samples = target.samples_to_average();
-        let program = self.output_program(OutputKey { display, multisampled: samples > 1 })?;
+        let (samples, count) = target.to_average();
+        let program = self.output_program(OutputKey { display, samples })?;
         program.bind();
         program.set_i32("linear_picture", 0);
-        program.set_i32("sample_count", samples);
+        program.set_i32("sample_count", count);
+        program.set_i32("grid_side", count);
         program.set_i32("top_row_first", 1);
         program.set_i32("first_row", band.first_row);
         program.set_vec2("picture_size", Vec2::new(target.size[0] as f32, band.picture_height as f32));

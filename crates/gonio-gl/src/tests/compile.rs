@@ -11,8 +11,9 @@ fn link_all(dialect: Dialect, es: bool) {
     let outputs = OutputKey::all(dialect).into_iter().map(|k| (format!("{k:?}"), k.sources(dialect)));
     let programs: Vec<_> = scenes.chain(outputs).collect();
     // 4 shadings (and Phong with a normal map) x 8 reflectances x 3 sets of maps x sides x views x 3 kinds of loops
-    // and one with colours of vertices; and 2 + 4 tone maps x 2 encodings, from multisampled textures too where there are any.
-    let outputs = if es { 10 } else { 20 };
+    // and one with colours of vertices; and 2 + 4 tone maps x 2 encodings, of one sample, of grids, and of multisampled
+    // textures where there are any.
+    let outputs = if es { 20 } else { 30 };
     assert_eq!(programs.len(), 5 * 8 * 3 * 2 * 2 * (3 + 1) + outputs);
     for (name, [vertex, fragment]) in programs {
         if let Err(why) = Program::new(context.gl(), &name, &vertex, &fragment, &ATTRIBUTES) {
