@@ -118,7 +118,31 @@ pub struct Source {
     pub rule: String,
 }
 
+/// The fields of a [`Material`] that [`Source`]s name, in its order.
+const PROPERTIES: [&str; 15] = [
+    "ambient",
+    "diffuse",
+    "specular",
+    "emitted",
+    "shininess",
+    "refraction_index",
+    "opacity",
+    "diffuse_map",
+    "specular_map",
+    "emitted_map",
+    "shininess_map",
+    "opacity_map",
+    "normal_map",
+    "bump_map",
+    "metallic_roughness",
+];
+
 impl Material {
+    /// Puts the sources in the order of the fields.
+    pub(crate) fn sort_sources(&mut self) {
+        self.sources.sort_by_key(|source| PROPERTIES.iter().position(|property| *property == source.property));
+    }
+
     /// All textures that it names.
     pub fn textures(&self) -> impl Iterator<Item = &TextureMap> {
         let physical = self.metallic_roughness.as_ref().map(|m| [&m.metallic_map, &m.roughness_map]);

@@ -61,28 +61,11 @@ pub(super) fn material<'t>(
     }
     material.name = name;
     material.sources = std::mem::take(&mut reader.sources);
-    material.sources.sort_by_key(|source| FIELDS.iter().position(|field| *field == source.property));
+    material.sort_sources();
     material.unused = std::mem::take(&mut reader.unused);
     let tex_coord = reader.one_tex_coord();
     Ok(Made { material, tex_coord })
 }
-
-/// The fields of a material in their order.
-const FIELDS: [&str; 13] = [
-    "ambient",
-    "diffuse",
-    "specular",
-    "emitted",
-    "shininess",
-    "refraction_index",
-    "opacity",
-    "diffuse_map",
-    "specular_map",
-    "emitted_map",
-    "opacity_map",
-    "normal_map",
-    "bump_map",
-];
 
 const SHADERS: [&str; 4] = ["phong", "blinn", "lambert", "constant"];
 

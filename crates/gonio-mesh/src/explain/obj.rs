@@ -4,6 +4,7 @@ use super::face::{self, Element};
 use super::file::{Extent, blank, count, named, note, numbers, say_extent, warning};
 use super::walk::{self, Keyword, State};
 use super::{LineExplanation, LineValue};
+use crate::obj::SmoothingGroup;
 use crate::text::{BadNumber, Cursor, quote};
 use crate::{Diagnostic, ReadError};
 use glam::DVec3;
@@ -233,19 +234,8 @@ fn material(bytes: &[u8], cursor: &mut Cursor<'_>, state: &State, extent: Extent
 }
 
 fn smoothing(bytes: &[u8], cursor: &mut Cursor<'_>, extent: Extent, explanation: &mut LineExplanation) {
-    let has_word = cursor.next_word();
-    let (line, column) = (cursor.line(), cursor.column());
-    let word = if has_word { cursor.word() } else { b"" };
-    let group = match word {
-        b"off" => Some(0),
-        b"on" => Some(1),
-        _ => std::str::from_utf8(word).ok().and_then(|text| text.parse::<u32>().ok()),
-    };
-    if group.is_none() {
-        let message = format!("s is followed by {} instead of a number or off: taken as off", quote(word));
-        explanation.problems.push(warning(message, line, column));
-    }
-    let group = group.unwrap_or(0);
+    let SmoothingGroup { number: group, problem } = SmoothingGroup::read(cursor);
+    explanation.problems.extend(problem.map(|(line, column, message)| warning(message, line, column)));
     let faces = faces_after(bytes, extent, &[Keyword::Smoothing]);
     let is_many = faces.starts_with("the ") && !faces.starts_with("the one");
     explanation.meaning = match group {

@@ -27,22 +27,6 @@ const UNDERSTOOD: [&str; 5] = [
     "KHR_materials_unlit",
 ];
 
-/// Properties in the order of the fields of [`Material`].
-const ORDER: [&str; 12] = [
-    "diffuse",
-    "specular",
-    "emitted",
-    "shininess",
-    "refraction_index",
-    "opacity",
-    "diffuse_map",
-    "specular_map",
-    "emitted_map",
-    "opacity_map",
-    "normal_map",
-    "metallic_roughness",
-];
-
 /// A material, and which texture coordinates it wants.
 pub(super) struct ReadMaterial {
     pub material: Material,
@@ -79,8 +63,7 @@ pub(super) fn read<'v>(
     }
     draft.normal_map();
     draft.not_used();
-    let place = |source: &Source| ORDER.iter().position(|property| *property == source.property);
-    draft.material.sources.sort_by_key(place);
+    draft.material.sort_sources();
     ReadMaterial { material: draft.material, tex_coord_set: draft.tex_coord_set }
 }
 

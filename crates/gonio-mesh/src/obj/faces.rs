@@ -2,7 +2,7 @@
 
 use super::attributes::{Attributes, Segment};
 use super::plain_face::PlainFace;
-use super::runs::Runs;
+use super::runs::{Runs, SmoothingGroup};
 use super::said::{MOST_COUNTED, Said};
 use super::triangles::Triangles;
 use super::vertices::{Corner, Kind, Vertices};
@@ -352,21 +352,12 @@ impl<'a> Faces<'a> {
 
     fn smoothing_group(&mut self, cursor: &mut Cursor<'_>) -> bool {
         self.said.names[2] += 1;
-        let has_word = cursor.next_word();
-        let (line, column) = (cursor.line(), cursor.column());
-        let word = if has_word { cursor.word() } else { b"" };
-        let group = match word {
-            b"off" => Some(0),
-            b"on" => Some(1),
-            _ => std::str::from_utf8(word).ok().and_then(|text| text.parse::<u32>().ok()),
-        };
-        if group.is_none() {
-            let what = quote(word);
-            self.reports.add("smoothing groups not understood", Severity::Warning, line, Some(column), || {
-                format!("s is followed by {what} instead of a number or off: taken as off")
-            });
+        let group = SmoothingGroup::read(cursor);
+        if let Some((line, column, message)) = group.problem {
+            let kind = "smoothing groups not understood";
+            self.reports.add(kind, Severity::Warning, line, Some(column), || message);
         }
-        self.runs.smooth(self.triangles.count(), group.unwrap_or(0));
+        self.runs.smooth(self.triangles.count(), group.number);
         true
     }
 

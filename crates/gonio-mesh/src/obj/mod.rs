@@ -36,6 +36,7 @@ use materials::MaterialTable;
 use parts::Parts;
 use pieces::Plan;
 use rayon::prelude::*;
+pub(crate) use runs::SmoothingGroup;
 use said::Said;
 use std::mem;
 use std::ops::Range;

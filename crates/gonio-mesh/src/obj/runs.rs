@@ -1,6 +1,7 @@
 //! What the statements before a face say of it: its part, its material, its smoothing group.
 
 use super::triangles::Triangles;
+use crate::text::{Cursor, quote};
 use std::mem;
 
 /// Runs of triangles in a stretch of a file.
@@ -23,6 +24,33 @@ pub(super) struct Run {
     pub(super) part: Option<String>,
     /// `usemtl` (an empty name is no material) and its line; `None` where it is that of the run before.
     pub(super) material: Option<(String, u64)>,
+}
+
+/// What an `s` says.
+pub(crate) struct SmoothingGroup {
+    /// 0 is off.
+    pub(crate) number: u32,
+    /// Line, column and what is wrong, where it cannot be read.
+    pub(crate) problem: Option<(u64, u64, String)>,
+}
+
+impl SmoothingGroup {
+    /// From behind the keyword on.
+    pub(crate) fn read(cursor: &mut Cursor<'_>) -> Self {
+        let has_word = cursor.next_word();
+        let (line, column) = (cursor.line(), cursor.column());
+        let word = if has_word { cursor.word() } else { b"" };
+        let number = match word {
+            b"off" => Some(0),
+            b"on" => Some(1),
+            _ => std::str::from_utf8(word).ok().and_then(|text| text.parse::<u32>().ok()),
+        };
+        let problem = number.is_none().then(|| {
+            let what = quote(word);
+            (line, column, format!("s is followed by {what} instead of a number or off: taken as off"))
+        });
+        SmoothingGroup { number: number.unwrap_or(0), problem }
+    }
 }
 
 impl Runs {
