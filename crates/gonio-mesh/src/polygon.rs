@@ -4,11 +4,22 @@ mod ears;
 mod grid;
 mod ring;
 
+use crate::ReadError;
 use glam::{DVec2, DVec3};
 use ring::Ring;
 
 /// Corners up to which ears are sought one by one, which takes time that grows with the square of their number.
 pub(crate) const MOST_CORNERS_FOR_EARS: usize = 4000;
+
+/// Most corners that a polygon may have. A polygon is looked at as a whole, which takes a hundred bytes a corner: a file
+/// of one polygon, of two bytes a corner, would take fifty times its own size.
+pub(crate) const MOST_CORNERS: usize = 1 << 22;
+
+/// Of a polygon.
+#[cold]
+pub(crate) fn too_many_corners(polygon: &str) -> ReadError {
+    ReadError::new(format!("{polygon} has more than {MOST_CORNERS} corners, which is the limit"))
+}
 
 /// Corners of a polygon that is cut without memory of its own.
 const FEW: usize = 8;

@@ -423,6 +423,19 @@ fn limits_are_kept() {
     assert!(said.starts_with("holds more than ") && said.ends_with(" elements, which is the limit"), "{said}");
 }
 
+/// A polygon is looked at as a whole.
+#[test]
+fn a_polygon_has_a_most_of_corners() {
+    let text = scene("<node><instance_geometry url=\"#g\"/></node>");
+    let with = |corners: usize| {
+        let p = format!("<vcount>{corners}</vcount><p>{}</p>", "0 ".repeat(corners));
+        text.replace("<p>0 1 2</p>", &p).replace("<triangles", "<polylist").replace("</triangles", "</polylist")
+    };
+    let said = read(with(4_194_305).as_bytes()).unwrap_err().to_string();
+    assert!(said.contains("polygon 0 has more than 4194304 corners, which is the limit"), "{said}");
+    assert_eq!(read(with(5).as_bytes()).unwrap().mesh.triangle_count(), 3);
+}
+
 /// Neither the parser nor anything after it calls itself once for each level.
 #[test]
 fn deep_nesting_is_refused() {

@@ -150,6 +150,26 @@ fn limits_are_kept() {
     assert_eq!(obj::read(quad, &mut Folder(corpus()), &enough).unwrap().mesh.indices, [0, 1, 2, 0, 2, 3]);
 }
 
+/// A line without end is no reason to take memory without end.
+#[test]
+fn a_polygon_has_a_most_of_corners_and_is_an_error_where_it_stands() {
+    const MOST: usize = 4_194_304;
+    let said = |face: &str, limits| {
+        let text = format!("v 0 0 0\nv 1 0 0\nv 1 1 0\n{face}\n");
+        obj::read(text.as_bytes(), &mut Folder(corpus()), &limits).unwrap_err().to_string()
+    };
+    // As exporters write it, and with tabs.
+    let at = 2 * MOST + 3;
+    for blank in [" ", "\t"] {
+        let face = format!("f{}", format!("{blank}1").repeat(MOST + 1));
+        let expected = format!("4:{}: f has more than 4194304 corners, which is the limit", at + 1);
+        assert_eq!(said(&face, Limits::default()), expected);
+    }
+    let few = Limits { max_triangles: 3, ..Limits::default() };
+    let rest = "f 1 2 3\n".repeat(1000);
+    assert_eq!(said(&format!("f 1 2 3 1 2 3\n{rest}"), few), "4: holds more than 3 triangles, which is the limit");
+}
+
 #[test]
 fn values_arrive_where_they_belong() {
     let text =

@@ -403,10 +403,7 @@ fn errors_say_what_and_where() {
             with("4 0 1 2 3", "5 0 1 2 3"),
             "the file ends early: of 1 elements face that its header tells of, 0 are there; get it again",
         ),
-        (
-            with("4 0 1 2 3", "1e18 0 1 2 3"),
-            "the file ends early: of 1 elements face that its header tells of, 0 are there; get it again",
-        ),
+        (with("4 0 1 2 3", "1e18 0 1 2 3"), "14: face 0 has more than 4194304 corners, which is the limit"),
         (
             with("vertex 4", "vertex 18446744073709551615"),
             "the file ends early: its header tells of 18446744073709551615 elements vertex, and the bytes that follow \
@@ -445,6 +442,10 @@ fn limits_are_honoured() {
     assert_eq!(with(few_vertices).unwrap_err(), "holds 4 vertices, more than 3, which is the limit");
     let few_triangles = Limits { max_triangles: 1, ..limits };
     assert_eq!(with(few_triangles).unwrap_err(), "holds more than 1 triangles, which is the limit");
+    // Before it is read.
+    let polygon = ascii_square().replace("list uchar", "list uint").replace("\n4 0 1 2 3", "\n4194305 0 1 2 3");
+    let said = ply::read(polygon.as_bytes(), &mut NoSidecars, &limits).unwrap_err().to_string();
+    assert!(said.ends_with(": face 0 has more than 4194304 corners, which is the limit"), "{said}");
 }
 
 fn check_consistent(model: &Model) {

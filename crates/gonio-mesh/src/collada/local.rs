@@ -4,7 +4,7 @@ use super::document::Document;
 use super::geometry::{Geometry, Primitive};
 use super::source::{Input, Semantic};
 use crate::join::Joiner;
-use crate::polygon::{Cut, Triangulator};
+use crate::polygon::{Cut, MOST_CORNERS, Triangulator, too_many_corners};
 use crate::{ReadError, Severity};
 
 /// No index.
@@ -117,6 +117,9 @@ impl Assembler<'_, '_> {
             let size = sizes.map_or(3, |sizes| sizes[polygon] as usize);
             let end = first.saturating_add(size.saturating_mul(width));
             let Some(corners) = all.get(first..end) else { break };
+            if size > MOST_CORNERS {
+                return Err(too_many_corners(&format!("polygon {polygon}")));
+            }
             if size < 3 {
                 degenerate += 1;
             } else if self.are_positions_there(corners, first) {

@@ -1,6 +1,7 @@
 //! The mesh out of attributes, vertices and triangles.
 
 use super::attributes::Attributes;
+use super::triangles::too_many_triangles;
 use super::vertices::{Corner, Kind, Vertices, too_many_vertices};
 use crate::{Limits, Mesh, NormalSource, ReadError};
 use rayon::prelude::*;
@@ -27,8 +28,7 @@ pub(super) fn mesh(
         return Err(too_many_vertices(most));
     }
     if indices.len() as u64 / 3 > limits.max_triangles {
-        let message = format!("holds more than {} triangles, which is the limit", limits.max_triangles);
-        return Err(ReadError::new(message));
+        return Err(too_many_triangles(limits.max_triangles));
     }
     let normals = gather(attributes.normals, &first_kinds, Kind::normal);
     let tex_coords = gather(attributes.tex_coords, &first_kinds, Kind::tex_coord);

@@ -4,9 +4,9 @@ use super::attributes::{Attributes, Segment};
 use super::plain_face::PlainFace;
 use super::runs::{Runs, SmoothingGroup};
 use super::said::{MOST_COUNTED, Said};
-use super::triangles::Triangles;
+use super::triangles::{Triangles, too_many_triangles};
 use super::vertices::{Corner, Kind, Vertices};
-use crate::polygon::{Cut, Triangulator};
+use crate::polygon::{Cut, MOST_CORNERS, Triangulator, too_many_corners};
 use crate::report::Reports;
 use crate::text::{Cursor, quote};
 use crate::{ReadError, Severity};
@@ -17,9 +17,6 @@ const NONE: u32 = u32::MAX;
 
 /// Corners of a polygon that is cut without memory of its own.
 const FEW: usize = 8;
-
-/// Corners up to which a polygon is looked at as a whole: that takes a hundred bytes for each.
-const MOST_CORNERS_TO_CUT: usize = 1 << 22;
 
 /// What a stretch of a file makes of its faces.
 pub(super) struct Faces<'a> {
@@ -32,6 +29,7 @@ pub(super) struct Faces<'a> {
     line: u64,
     pub(super) vertices: Vertices,
     pub(super) triangles: Triangles<'a>,
+    most_triangles: u64,
     pub(super) runs: Runs,
     /// Each `mtllib`, with its line.
     pub(super) libraries: Vec<(u64, String)>,
@@ -53,6 +51,7 @@ impl<'a> Faces<'a> {
         attributes: &'a Attributes,
         segments: &[Segment],
         triangles: Triangles<'a>,
+        most_triangles: u64,
         quick: bool,
     ) -> Result<Self, ReadError> {
         let mut faces = Faces {
@@ -63,6 +62,7 @@ impl<'a> Faces<'a> {
             line: 1,
             vertices: Vertices::new(attributes.positions.len()),
             triangles,
+            most_triangles,
             runs: Runs::default(),
             libraries: Vec::new(),
             said: Said::default(),
@@ -142,6 +142,9 @@ impl<'a> Faces<'a> {
         corners.extend([a, b, c, d]);
         let next = loop {
             let Some(corner) = line.corner::<NEGATIVE>(self) else { break None };
+            if corners.len() == MOST_CORNERS {
+                break None;
+            }
             corners.push(corner);
             if let Some(next) = line.line_end() {
                 break Some(next);
@@ -224,14 +227,15 @@ impl<'a> Faces<'a> {
         }
         self.begin_face(corners);
         self.said.polygon_corners += corners.len() as u64;
-        if self.polygon.len() > MOST_CORNERS_TO_CUT {
-            return self.fan();
-        }
         let cut = self.cut()?;
         match cut {
             Cut::Fan | Cut::Ears => {}
             Cut::NotSimple => self.said.cuts[0] += 1,
             Cut::TooLarge => self.said.cuts[1] += 1,
+        }
+        // Of all faces only polygons take much more memory than their text.
+        if self.triangles.count() as u64 > self.most_triangles {
+            return Err(too_many_triangles(self.most_triangles).at(self.line, None));
         }
         Ok(())
     }
@@ -266,22 +270,6 @@ impl<'a> Faces<'a> {
             self.triangles.push([known[a], known[b], known[c]]);
         });
         error.map_or(Ok(cut), Err)
-    }
-
-    /// A polygon as if it were convex.
-    fn fan(&mut self) -> Result<(), ReadError> {
-        self.said.cuts[1] += 1;
-        let polygon = mem::take(&mut self.polygon);
-        if let [first, second, rest @ ..] = polygon.as_slice() {
-            let first = self.vertices.of_corner(*first)?;
-            let mut before = self.vertices.of_corner(*second)?;
-            for &corner in rest {
-                let here = self.vertices.of_corner(corner)?;
-                self.triangles.push([first, before, here]);
-                before = here;
-            }
-        }
-        Ok(())
     }
 
     /// The corners of a polygon that differ from the one before.
@@ -369,6 +357,9 @@ impl<'a> Faces<'a> {
         let mut is_lost = false;
         while !is_lost && cursor.next_word() {
             match self.corner(cursor)? {
+                Some(_) if corners.len() == MOST_CORNERS => {
+                    return Err(too_many_corners("f").at(cursor.line(), Some(cursor.column())));
+                }
                 Some(corner) => corners.push(corner),
                 None => is_lost = true,
             }

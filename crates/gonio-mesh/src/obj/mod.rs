@@ -65,7 +65,8 @@ pub fn read(bytes: &[u8], sidecars: &mut dyn Sidecars, limits: &Limits) -> Resul
 fn read_with(bytes: &[u8], sidecars: &mut dyn Sidecars, limits: &Limits, plan: Plan) -> Result<Model, ReadError> {
     refuse_other_formats(bytes)?;
     let mut attributes = read_attributes(bytes, plan);
-    let Rest { mut reports, said, mut parts, libraries, vertices, indices } = read_rest(bytes, &mut attributes, plan)?;
+    let Rest { mut reports, said, mut parts, libraries, vertices, indices } =
+        read_rest(bytes, &mut attributes, limits, plan)?;
     let contents = contents::list(&attributes, &said);
     let vertex_count = attributes.positions.len() as u64;
     contents::report(&attributes, &said, &mut reports);
@@ -106,12 +107,13 @@ struct Rest {
 }
 
 /// The second pass. Where both have an error, the first one in the file is returned.
-fn read_rest(bytes: &[u8], attributes: &mut Attributes, plan: Plan) -> Result<Rest, ReadError> {
+fn read_rest(bytes: &[u8], attributes: &mut Attributes, limits: &Limits, plan: Plan) -> Result<Rest, ReadError> {
     let reports = mem::take(&mut attributes.reports);
     let segments = mem::take(&mut attributes.segments);
     let first_error = attributes.error.take().or_else(|| too_many(attributes));
     let stretches = pieces::stretches(&segments, plan.stretches);
-    let parse = |stretch: &[Segment], room| Faces::read(bytes, attributes, stretch, room, plan.quick);
+    let most = limits.max_triangles;
+    let parse = |stretch: &[Segment], room| Faces::read(bytes, attributes, stretch, room, most, plan.quick);
     let mut indices = Vec::new();
     let read: Result<Vec<Faces<'_>>, ReadError> = match stretches.as_slice() {
         [all] => parse(all, Triangles::of_all(triangles::likely_count(all))).map(|faces| vec![faces]),

@@ -4,6 +4,7 @@ use super::header::{Element, Property};
 use super::scalar::Scalar;
 use super::source::{ListProblem, Source, explain, list_length, skip_property};
 use super::vertices::{LinearFromSrgb, color_slot};
+use crate::polygon::MOST_CORNERS;
 use crate::report::Reports;
 use crate::tally::Tally;
 use crate::{ReadError, Severity};
@@ -116,7 +117,7 @@ impl Face {
     #[inline]
     fn property(&mut self, source: &mut impl Source, property: &Property, role: Role) -> Result<(), ListProblem> {
         match (role, property.count) {
-            (Role::Corners, Some(count)) => numbers(source, property, count, &mut self.corners),
+            (Role::Corners, Some(count)) => numbers(source, property, count, MOST_CORNERS as u64, &mut self.corners),
             (Role::TexCoords, Some(count)) => {
                 self.tex_coords.clear();
                 for _ in 0..list_length(source, count)? {
@@ -142,10 +143,15 @@ fn numbers(
     source: &mut impl Source,
     property: &Property,
     count: Scalar,
+    most: u64,
     numbers: &mut Vec<f64>,
 ) -> Result<(), ListProblem> {
     numbers.clear();
-    for _ in 0..list_length(source, count)? {
+    let length = list_length(source, count)?;
+    if length > most {
+        return Err(ListProblem::TooManyCorners);
+    }
+    for _ in 0..length {
         numbers.push(source.number(property.value)?);
     }
     Ok(())
@@ -206,7 +212,7 @@ pub(super) fn read_strips(source: &mut impl Source, element: &Element, vertex_co
         source.begin();
         for (property, &role) in element.properties.iter().zip(&roles) {
             let done = match (role, property.count) {
-                (Role::Corners, Some(count)) => numbers(source, property, count, &mut strip),
+                (Role::Corners, Some(count)) => numbers(source, property, count, u64::MAX, &mut strip),
                 _ => skip_property(source, property),
             };
             done.map_err(|e| explain(e, source, element, index, property))?;

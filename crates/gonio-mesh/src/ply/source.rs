@@ -5,6 +5,7 @@ use super::scalar::Scalar;
 use crate::ReadError;
 use crate::Severity;
 use crate::number;
+use crate::polygon::too_many_corners;
 use crate::report::Reports;
 use crate::tally::Tally;
 use crate::text::quote;
@@ -264,6 +265,7 @@ pub(super) fn list_length(source: &mut impl Source, count: Scalar) -> Result<u64
 pub(super) enum ListProblem {
     Number(Problem),
     BadLength(f64),
+    TooManyCorners,
 }
 
 impl From<Problem> for ListProblem {
@@ -304,6 +306,7 @@ pub(super) fn explain(
         ListProblem::BadLength(length) => at_line(ReadError::new(format!(
             "{what} {index} has a list {name} of {length} numbers: the file is damaged"
         ))),
+        ListProblem::TooManyCorners => at_line(too_many_corners(&format!("{what} {index}"))),
     }
 }
 
