@@ -10,6 +10,7 @@ pub mod explain;
 pub mod format;
 pub mod gltf;
 mod join;
+pub mod limits;
 mod line_index;
 pub mod material;
 pub mod medit;
@@ -35,6 +36,7 @@ pub mod write;
 
 pub use diagnostic::{Diagnostic, ReadError, Severity};
 pub use format::Format;
+pub use limits::Limits;
 pub use material::{AmbientRule, Material, MetallicRoughness, Source};
 pub use mesh::{Bounds, Mesh, NormalSource, Part};
 pub use model_scene::{EmbeddedImage, ModelCamera, ModelLight, ModelLightKind};
@@ -61,22 +63,4 @@ pub struct Model {
     pub sidecars: Vec<SidecarUse>,
     /// Everything odd that was survived, in file order.
     pub diagnostics: Vec<Diagnostic>,
-}
-
-/// How much a file may make a reader allocate.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Limits {
-    /// Most vertices after splitting (`u32` indices set the default).
-    pub max_vertices: u64,
-    /// Most triangles.
-    pub max_triangles: u64,
-    /// Most bytes that a compressed file may unpack to, and that arrays may take which the file asks for without
-    /// holding them itself.
-    pub max_bytes: u64,
-}
-
-impl Default for Limits {
-    fn default() -> Self {
-        Limits { max_vertices: u32::MAX as u64, max_triangles: u32::MAX as u64 / 3, max_bytes: 8 << 30 }
-    }
 }

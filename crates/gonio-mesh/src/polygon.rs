@@ -21,8 +21,8 @@ pub(crate) fn too_many_corners(polygon: &str) -> ReadError {
     ReadError::new(format!("{polygon} has more than {MOST_CORNERS} corners, which is the limit"))
 }
 
-/// Corners of a polygon that is cut without memory of its own.
-const FEW: usize = 8;
+/// Corners of a polygon that is cut without memory of its own: most have no more.
+pub(crate) const FEW: usize = 8;
 
 /// How a polygon was cut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -90,21 +90,16 @@ fn all_volumes_positive(mesh: &Mesh, place_of_vertex: &[u32]) -> bool {
     let roots = pieces.into_roots();
     // Six times the volume of the tetrahedra from one point to each triangle; the point is near, for precision.
     let origin = mesh.bounds().map_or(DVec3::ZERO, |bounds| bounds.center().as_dvec3());
-    // Most meshes are one piece, and most of a mesh's triangles are of the piece before: one sum at hand, not one each.
-    let (mut piece, mut volume) = (u32::MAX, 0.0);
-    let mut volumes: HashMap<u32, f64> = HashMap::new();
-    for triangle in mesh.indices.as_chunks::<3>().0 {
-        let root = roots[place_of_vertex[triangle[0] as usize] as usize];
-        if root != piece {
-            if piece != u32::MAX {
-                *volumes.entry(piece).or_default() += volume;
-            }
-            (piece, volume) = (root, 0.0);
-        }
+    let root_of = |triangle: &[u32; 3]| roots[place_of_vertex[triangle[0] as usize] as usize];
+    let volume_of = |triangle: &[u32; 3]| {
         let [a, b, c] = triangle.map(|vertex| Vec3::from(mesh.positions[vertex as usize]).as_dvec3() - origin);
-        volume += a.dot(b.cross(c));
+        a.dot(b.cross(c))
+    };
+    // Triangles of one piece mostly follow one another: they are looked up once.
+    let mut volumes: HashMap<u32, f64> = HashMap::new();
+    for run in mesh.indices.as_chunks::<3>().0.chunk_by(|a, b| root_of(a) == root_of(b)) {
+        *volumes.entry(root_of(&run[0])).or_default() += run.iter().map(volume_of).sum::<f64>();
     }
-    *volumes.entry(piece).or_default() += volume;
     volumes.values().all(|volume| *volume > 0.0)
 }
 
@@ -205,6 +200,18 @@ mod tests {
         let mut torn = tetrahedron([1.0; 3]).unshared();
         torn.positions[0][0] = torn.positions[0][0].next_up();
         assert!(!is_closed_outward(&torn));
+        // Triangles of two pieces in turn: each volume is summed, though others come in between.
+        let mixed = |a: Mesh, b: Mesh| {
+            let mut both = both(a, b);
+            let (first, second) = both.indices.split_at(12);
+            let in_turn = first.as_chunks::<3>().0.iter().zip(second.as_chunks::<3>().0);
+            both.indices = in_turn.flat_map(|(a, b)| [*a, *b]).flatten().collect();
+            both
+        };
+        let (here, there) = (|| tetrahedron([0.0; 3]), || tetrahedron([-3.0, 2.0, 5.0]));
+        assert!(is_closed_outward(&mixed(here(), there())) && is_closed_outward(&mixed(there(), here())));
+        assert!(!is_closed_outward(&mixed(inside_out(here()), there())));
+        assert!(!is_closed_outward(&mixed(here(), inside_out(there()))));
         // One piece inside out, though the other is larger.
         let mut large = tetrahedron([10.0, 0.0, 0.0]);
         large.positions.iter_mut().flatten().for_each(|x| *x *= 3.0);

@@ -3,6 +3,7 @@
 use super::document::Document;
 use super::geometry::Geometry;
 use super::local::LocalMesh;
+use crate::limits::{too_many_triangles, too_many_vertices};
 use crate::{Limits, Mesh, NormalSource, Part, ReadError};
 use glam::{DMat3, DMat4, DVec3};
 
@@ -14,14 +15,6 @@ pub(super) struct Builder<'a> {
 
 /// Says which material a part has: by the number of its primitive.
 pub(super) type MaterialOf<'a> = &'a mut dyn FnMut(usize) -> usize;
-
-#[cold]
-pub(super) fn too_many_vertices(limits: &Limits) -> ReadError {
-    ReadError::new(format!(
-        "needs more than {} vertices, which is the limit",
-        limits.max_vertices.min(u64::from(u32::MAX))
-    ))
-}
 
 impl<'a> Builder<'a> {
     pub(super) fn new(limits: &'a Limits) -> Self {
@@ -86,12 +79,12 @@ impl<'a> Builder<'a> {
     fn check_room(&self, document: &Document<'_>, local: &LocalMesh, at: usize) -> Result<(), ReadError> {
         let vertices = (self.mesh.positions.len() + local.positions.len()) as u64;
         let triangles = (self.mesh.indices.len() + local.indices.len()) as u64 / 3;
-        if vertices > self.limits.max_vertices.min(u64::from(u32::MAX)) {
-            return Err(too_many_vertices(self.limits));
+        let most = self.limits.max_vertices.min(u64::from(u32::MAX));
+        if vertices > most {
+            return Err(too_many_vertices(most));
         }
         if triangles > self.limits.max_triangles {
-            let most = self.limits.max_triangles;
-            return Err(ReadError::new(format!("holds more than {most} triangles, which is the limit")));
+            return Err(too_many_triangles(self.limits.max_triangles));
         }
         // Position, normal, texture coordinate, colour; three indices.
         if vertices.saturating_mul(48).saturating_add(triangles.saturating_mul(12)) > self.limits.max_bytes {

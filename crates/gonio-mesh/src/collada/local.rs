@@ -4,6 +4,7 @@ use super::document::Document;
 use super::geometry::{Geometry, Primitive};
 use super::source::{Input, Semantic};
 use crate::join::Joiner;
+use crate::limits::too_many_vertices;
 use crate::polygon::{Cut, MOST_CORNERS, Triangulator, too_many_corners};
 use crate::{ReadError, Severity};
 
@@ -193,7 +194,7 @@ impl Assembler<'_, '_> {
         let vertex = self.base + vertex;
         if is_new {
             if vertex >= NONE - 1 || u64::from(vertex) >= self.document.limits.max_vertices {
-                return Err(super::build::too_many_vertices(self.document.limits));
+                return Err(too_many_vertices(self.document.limits.max_vertices.min(u64::from(u32::MAX))));
             }
             self.new_vertex(position, rest, first)?;
         }

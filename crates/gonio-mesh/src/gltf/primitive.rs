@@ -4,6 +4,7 @@ use super::accessor::Accessor;
 use super::buffer::Buffers;
 use super::json::At;
 use super::triangles::{self, Topology};
+use crate::limits::{too_many_triangles, too_many_vertices};
 use crate::report::Reports;
 use crate::{Diagnostic, Limits, Mesh, NormalSource, Part, ReadError, Severity};
 use glam::{DMat4, DVec3};
@@ -227,7 +228,7 @@ impl<'l> Geometry<'l> {
         if (self.mesh.triangle_count() as u64).saturating_add(more) <= most {
             return Ok(());
         }
-        Err(ReadError::new(format!("holds more than {most} triangles, which is the limit")))
+        Err(too_many_triangles(most))
     }
 
     fn check_bytes(&self, more: u64, at: At<'_>) -> Result<(), ReadError> {
@@ -251,8 +252,7 @@ impl<'l> Geometry<'l> {
 
     #[cold]
     fn too_many_vertices(&self) -> ReadError {
-        let most = self.limits.max_vertices.min(u64::from(u32::MAX));
-        ReadError::new(format!("needs more than {most} vertices, which is the limit"))
+        too_many_vertices(self.limits.max_vertices.min(u64::from(u32::MAX)))
     }
 
     /// Appends what was checked.

@@ -3,6 +3,7 @@
 use super::content::{Content, Places};
 use super::surface::Face;
 use crate::join::Joiner;
+use crate::limits::{too_many_triangles, too_many_vertices};
 use crate::polygon::{Cut, Triangulator};
 use crate::report::Reports;
 use crate::{Diagnostic, Limits, Material, Mesh, NormalSource, Part, ReadError, Severity};
@@ -20,8 +21,7 @@ pub(super) fn build(
 ) -> Result<(Mesh, Vec<Material>), ReadError> {
     let triangles: u64 = faces.iter().map(|face| face.vertices().len() as u64 - 2).sum();
     if triangles > limits.max_triangles {
-        let most = limits.max_triangles;
-        return Err(ReadError::new(format!("holds more than {most} triangles, which is the limit")));
+        return Err(too_many_triangles(limits.max_triangles));
     }
     faces.sort_by_key(|face| face.reference);
     let distinct = 1 + faces.windows(2).filter(|pair| pair[0].reference != pair[1].reference).count();
@@ -178,7 +178,7 @@ impl<'a> Builder<'a> {
         if is_new {
             let most = self.limits.max_vertices.min(u64::from(u32::MAX) - 1);
             if u64::from(made) >= most {
-                return Err(ReadError::new(format!("needs more than {most} vertices, which is the limit")));
+                return Err(too_many_vertices(most));
             }
             self.mesh.positions.push(self.content.vertices[vertex as usize]);
             if self.has_normals {

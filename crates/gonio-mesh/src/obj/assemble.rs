@@ -1,8 +1,8 @@
 //! The mesh out of attributes, vertices and triangles.
 
 use super::attributes::Attributes;
-use super::triangles::too_many_triangles;
-use super::vertices::{Corner, Kind, Vertices, too_many_vertices};
+use super::vertices::{Corner, Kind, Vertices};
+use crate::limits::{too_many_triangles, too_many_vertices};
 use crate::{Limits, Mesh, NormalSource, ReadError};
 use rayon::prelude::*;
 use std::mem;

@@ -415,3 +415,24 @@ fn not_finite(cursor: &Cursor<'_>, keyword: &str) -> ReadError {
     ReadError::new(format!("{keyword} has the coordinate {what}, which is not a finite number: export the model again"))
         .at(cursor.line(), Some(cursor.column()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Lengths around those that are divided by and those that are not: always what division gives, but for the last
+    /// bit, which two ways of rounding may see differently.
+    #[test]
+    fn normals_are_of_unit_length_however_it_is_reached() {
+        for step in -2000..=2000_i32 {
+            let length = 1.0 + f64::from(step) * 5e-6;
+            let normal = [0.36, -0.48, 0.8].map(|x| (x * length) as f32);
+            let divided = DVec3::from(normal.map(f64::from)).normalize().as_vec3().to_array();
+            for (found, expected) in unit(normal).into_iter().zip(divided) {
+                assert!((found - expected).abs() <= f32::EPSILON / 2.0, "{length}: {found} is not {expected}");
+            }
+        }
+        assert_eq!(unit([0.0; 3]), [0.0; 3]);
+        assert_eq!(unit([0.0, 3e-30, 4e-30]), [0.0, 0.6, 0.8]);
+    }
+}

@@ -4,9 +4,10 @@ use super::attributes::{Attributes, Segment};
 use super::plain_face::PlainFace;
 use super::runs::{Runs, SmoothingGroup};
 use super::said::{MOST_COUNTED, Said};
-use super::triangles::{Triangles, too_many_triangles};
+use super::triangles::Triangles;
 use super::vertices::{Corner, Kind, Vertices};
-use crate::polygon::{Cut, MOST_CORNERS, Triangulator, too_many_corners};
+use crate::limits::too_many_triangles;
+use crate::polygon::{Cut, FEW, MOST_CORNERS, Triangulator, too_many_corners};
 use crate::report::Reports;
 use crate::text::{Cursor, quote};
 use crate::{ReadError, Severity};
@@ -14,9 +15,6 @@ use std::mem;
 
 /// No vertex.
 const NONE: u32 = u32::MAX;
-
-/// Corners of a polygon that is cut without memory of its own.
-const FEW: usize = 8;
 
 /// What a stretch of a file makes of its faces.
 pub(super) struct Faces<'a> {

@@ -79,7 +79,7 @@ pub(super) fn vertices(stretches: &mut [(Vertices, Triangles<'_>)]) -> Result<Ve
         vertices_of_extras.push(numbers.map(|number| position_count as u64 + u64::from(number)).collect::<Vec<u64>>());
     }
     if (position_count + all.extras.corners.len()) as u64 >= u64::from(u32::MAX) {
-        return Err(super::vertices::too_many_vertices(u64::from(u32::MAX)));
+        return Err(crate::limits::too_many_vertices(u64::from(u32::MAX)));
     }
     rest.par_iter_mut().zip(&vertices_of_extras).for_each(|(stretch, vertices)| stretch.renumber(vertices));
     Ok(all)

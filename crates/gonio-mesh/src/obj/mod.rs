@@ -47,7 +47,8 @@ use vertices::{Kind, Vertices};
 ///
 /// What can be drawn is drawn: a face that points at no vertex is left out with a warning, an index of a texture
 /// coordinate or normal that points at nothing counts as missing. Errors are: a number that cannot be read, a
-/// coordinate that is not finite, no triangle at all, a file that is none of this format, more than `limits` allow.
+/// coordinate that is not finite, no triangle at all, a file that is none of this format, more than `limits` allow, a
+/// face of more than 4,194,304 corners.
 ///
 /// - Vertices come in the order of the positions (`v`) that faces use; where a position has several texture coordinates
 ///   or normals, all but the first used come at the end, in the order of their first use.

@@ -1,7 +1,6 @@
 //! Triangles as they are made: where they will stay, as far as there is room.
 
 use super::attributes::Segment;
-use crate::ReadError;
 
 /// Triangles of a stretch of a file.
 pub(super) struct Triangles<'a> {
@@ -50,11 +49,6 @@ impl<'a> Triangles<'a> {
     pub(super) fn finish(self) -> (usize, Vec<u32>) {
         (self.used, self.more)
     }
-}
-
-#[cold]
-pub(super) fn too_many_triangles(most: u64) -> ReadError {
-    ReadError::new(format!("holds more than {most} triangles, which is the limit"))
 }
 
 /// How many triangles a stretch will probably have.

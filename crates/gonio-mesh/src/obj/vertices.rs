@@ -5,6 +5,7 @@
 //! of their first use.
 
 use crate::ReadError;
+use crate::limits::too_many_vertices;
 use std::collections::HashMap;
 
 /// Texture coordinate and normal of a corner, as one number: their indices from 1, 0 for none.
@@ -176,11 +177,6 @@ impl Vertices {
         let blocks = self.touched.iter().enumerate().filter(|(_, touched)| **touched);
         blocks.flat_map(|(block, _)| block * BLOCK..((block + 1) * BLOCK).min(self.first.len()))
     }
-}
-
-#[cold]
-pub(super) fn too_many_vertices(most: u64) -> ReadError {
-    ReadError::new(format!("needs more than {most} vertices, which is the limit"))
 }
 
 impl Extras {

@@ -3,6 +3,7 @@
 use super::faces::{Faces, NO_TEXTURE};
 use super::vertices::Vertices;
 use crate::join::Joiner;
+use crate::limits::{too_many_triangles, too_many_vertices};
 use crate::polygon::{Cut, MOST_CORNERS_FOR_EARS, Triangulator};
 use crate::report::Reports;
 use crate::tally::Tally;
@@ -85,8 +86,7 @@ fn cut(
         odd.count(how);
         let after = triangles.indices.len() / 3;
         if after as u64 > limits.max_triangles {
-            let most = limits.max_triangles;
-            return Err(ReadError::new(format!("holds more than {most} triangles, which is the limit")));
+            return Err(too_many_triangles(limits.max_triangles));
         }
         let material = odd.material(faces.textures.get(face).copied().unwrap_or(0), texture_count, face);
         extend_parts(&mut triangles.parts, material, before, after - before);
@@ -179,8 +179,7 @@ fn split(
             mesh.tex_coords.extend(tex_coord.or(whole.tex_coords.get(old).copied()));
             mesh.colors.extend(color.or(whole.colors.get(old).copied()));
             if mesh.positions.len() as u64 > limits.max_vertices {
-                let most = limits.max_vertices;
-                return Err(ReadError::new(format!("needs more than {most} vertices, which is the limit")));
+                return Err(too_many_vertices(limits.max_vertices));
             }
         }
         mesh.indices.push(index);

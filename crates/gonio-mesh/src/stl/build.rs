@@ -2,6 +2,7 @@
 
 use super::Facets;
 use crate::join::Joiner;
+use crate::limits::too_many_vertices;
 use crate::report::Reports;
 use crate::tally::Tally;
 use crate::{Limits, Mesh, Model, NormalSource, Part, ReadError, Severity, weld};
@@ -29,7 +30,7 @@ pub(super) fn model(mut facets: Facets, limits: &Limits, mut reports: Reports) -
             mesh.colors.extend(color);
             if mesh.positions.len() as u64 > limits.max_vertices.min(u64::from(u32::MAX)) {
                 let most = limits.max_vertices.min(u64::from(u32::MAX));
-                return Err(ReadError::new(format!("needs more than {most} vertices, which is the limit")));
+                return Err(too_many_vertices(most));
             }
         }
         mesh.indices.push(vertex);
