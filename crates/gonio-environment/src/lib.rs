@@ -1,0 +1,27 @@
+//! Environments: light that comes from everywhere, as cubemaps and as panoramas.
+//!
+//! An environment is a function from a direction in the world to linear radiance, seen unmirrored. The world is
+//! right-handed, Y is up, and straight ahead is -Z. In memory a cubemap's faces always lie as OpenGL samples them
+//! ([`Layout::OpenGl`]); the other layout exists in files only. Bytes in, environments out: nothing here opens a file.
+//!
+//! | room | what |
+//! |---|---|
+//! | [`face`] | the six faces, the two layouts, which direction each point of a face is |
+//! | [`image`] | a picture of linear light |
+//! | [`cubemap`] | six square pictures, looked up without seams |
+//! | [`panorama`] | an equirectangular picture |
+//! | [`mip`] | smaller and smaller copies of a cubemap |
+
+pub mod cubemap;
+pub mod error;
+pub mod face;
+pub mod image;
+pub mod mip;
+pub mod panorama;
+
+pub use cubemap::Cubemap;
+pub use error::EnvironmentError;
+pub use face::{Face, Layout};
+pub use image::{Image, Pixel};
+pub use mip::CubeMips;
+pub use panorama::Panorama;

@@ -1,0 +1,143 @@
+//! Equirectangular pictures.
+//!
+//! ```text
+//! u = 1/2 + atan2(x, -z) / 2 pi      from the left edge to the right one
+//! v = acos(y) / pi                   from the top edge to the bottom one
+//! ```
+//!
+//! The centre column is the direction -Z, the right half turns towards +X, the top row is +Y.
+
+use crate::image::{Image, Pixel};
+use crate::{EnvironmentError, cubemap::mean};
+use glam::DVec3;
+use std::f64::consts::PI;
+
+/// An equirectangular picture of the whole sphere. Its width need not be twice its height: 360 degrees then lie across
+/// the width all the same, and 180 degrees along the height.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Panorama {
+    /// The picture; at least one pixel.
+    pub image: Image,
+}
+
+impl Panorama {
+    /// A picture as a panorama; an empty one is an error.
+    pub fn new(image: Image) -> Result<Self, EnvironmentError> {
+        if image.width == 0 || image.height == 0 {
+            return Err(EnvironmentError::new("a panorama without pixels shows nothing; give one with at least one"));
+        }
+        Ok(Panorama { image })
+    }
+
+    /// The function of a direction as a panorama of this size: each pixel is its value at the pixel's middle.
+    pub fn from_function(width: u32, height: u32, radiance: impl Fn(DVec3) -> DVec3) -> Self {
+        let (width, height) = (width.max(1), height.max(1));
+        let mut image = Image::new(width, height, [0.0; 4]);
+        for y in 0..height {
+            for x in 0..width {
+                let u = (f64::from(x) + 0.5) / f64::from(width);
+                let v = (f64::from(y) + 0.5) / f64::from(height);
+                let [r, g, b] = radiance(direction(u, v)).to_array();
+                image.pixels[y as usize * width as usize + x as usize] = [r as f32, g as f32, b as f32, 1.0];
+            }
+        }
+        Panorama { image }
+    }
+
+    /// Linear radiance from a direction, bilinear: across the +-180 degree meridian, and over the poles.
+    pub fn sample(&self, direction: DVec3) -> DVec3 {
+        let (u, v) = place(direction);
+        let (width, height) = (i64::from(self.image.width), i64::from(self.image.height));
+        let (x, y) = (u * width as f64 - 0.5, v * height as f64 - 0.5);
+        let (left, top) = (x.floor(), y.floor());
+        let (right_share, lower_share) = (x - left, y - top);
+        let texel = |dx: i64, dy: i64| self.texel(left as i64 + dx, top as i64 + dy);
+        let upper = texel(0, 0).lerp(texel(1, 0), right_share);
+        let lower = texel(0, 1).lerp(texel(1, 1), right_share);
+        upper.lerp(lower, lower_share)
+    }
+
+    /// The pixel in column `x` of row `y`, where columns go round and what is beyond a pole is the same row half a turn
+    /// further.
+    pub fn texel(&self, x: i64, y: i64) -> DVec3 {
+        let (width, height) = (i64::from(self.image.width), i64::from(self.image.height));
+        let (x, y) = match y {
+            y if y < 0 => (x + width / 2, (-1 - y).min(height - 1)),
+            y if y >= height => (x + width / 2, (2 * height - 1 - y).max(0)),
+            y => (x, y),
+        };
+        color(self.image.at(x.rem_euclid(width) as u32, y as u32))
+    }
+
+    /// The mean radiance over the sphere: rows count by the solid angle that they cover.
+    pub fn mean_radiance(&self) -> DVec3 {
+        let height = f64::from(self.image.height);
+        let rows = (0..self.image.height).map(|y| {
+            // The share of the sphere between two latitudes is half the difference of their sines.
+            let edge = |y: f64| (PI * y / height).cos();
+            let share = 0.5 * (edge(f64::from(y)) - edge(f64::from(y) + 1.0));
+            share * mean(self.image.row(y))
+        });
+        rows.sum()
+    }
+}
+
+/// The unit direction of a place in the picture: `u` from 0 at the left edge to 1 at the right one, `v` from 0 at the
+/// top edge to 1 at the bottom one.
+pub fn direction(u: f64, v: f64) -> DVec3 {
+    let (sin_lon, cos_lon) = ((u - 0.5) * 2.0 * PI).sin_cos();
+    let (sin_polar, cos_polar) = (v * PI).sin_cos();
+    DVec3::new(sin_polar * sin_lon, cos_polar, -sin_polar * cos_lon)
+}
+
+/// The place (u, v) of a direction, the inverse of [`direction`]; any length, (0.5, 0.5) for one that has none.
+pub fn place(direction: DVec3) -> (f64, f64) {
+    let across = direction.x.hypot(direction.z);
+    if !(across > 0.0 || direction.y != 0.0) {
+        return (0.5, 0.5);
+    }
+    // By two legs: acos(y) loses half of its digits near the poles.
+    (0.5 + direction.x.atan2(-direction.z) / (2.0 * PI), across.atan2(direction.y) / PI)
+}
+
+/// A pixel's radiance.
+pub(crate) fn color([r, g, b, _]: Pixel) -> DVec3 {
+    DVec3::new(r.into(), g.into(), b.into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_picture_lies_as_defined() {
+        let near = |d: DVec3, wanted: DVec3| assert!(d.abs_diff_eq(wanted, 1e-15), "{d} is not {wanted}");
+        near(direction(0.5, 0.5), DVec3::NEG_Z);
+        near(direction(0.75, 0.5), DVec3::X);
+        near(direction(0.25, 0.5), DVec3::NEG_X);
+        near(direction(0.3, 0.0), DVec3::Y);
+        near(direction(0.3, 1.0), DVec3::NEG_Y);
+        for (u, v) in [(0.1, 0.2), (0.9, 0.7), (0.5, 0.5), (0.123, 1e-9)] {
+            let (there_u, there_v) = place(7.0 * direction(u, v));
+            // Rounding of pi and of two functions; near a pole only the place across it.
+            assert!((there_u - u).abs() < 1e-12 && (there_v - v).abs() < 1e-15, "{u} {v}: {there_u} {there_v}");
+        }
+        assert_eq!(place(DVec3::ZERO), (0.5, 0.5));
+    }
+
+    #[test]
+    fn lookups_go_round_and_over_the_poles() {
+        // Radiance grows along x and z only by the direction: smooth everywhere, so a lookup anywhere is near it.
+        let truth = |d: DVec3| DVec3::new(1.0 + d.x, 1.0 + d.y, 1.0 + d.z);
+        let panorama = Panorama::from_function(64, 32, truth);
+        for d in
+            [DVec3::Z, DVec3::new(1e-3, 0.0, 1.0), DVec3::new(-1e-3, 0.1, 1.0), DVec3::Y, DVec3::new(0.02, -1.0, 0.01)]
+        {
+            let d = d.normalize();
+            let got = panorama.sample(d);
+            // A step of the grid is 0.1 rad: bilinear interpolation of sines errs by step^2 / 8 along each axis.
+            assert!(got.abs_diff_eq(truth(d), 3e-3), "{d}: {got} is not {}", truth(d));
+        }
+        assert!(panorama.mean_radiance().abs_diff_eq(DVec3::ONE, 1e-6), "{}", panorama.mean_radiance());
+    }
+}
