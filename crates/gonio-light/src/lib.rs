@@ -16,6 +16,7 @@
 //! | [`brdf`] | Lambert, Phong, Blinn, Lafortune, Ward |
 //! | [`roughness`] | exponents of roughnesses |
 //! | [`vector`] | reflection, refraction, half vector |
+//! | [`optics`] | mirrors and glass: how a surface shows its surroundings |
 //! | [`fresnel`] | exact dielectric Fresnel and Schlick's approximation |
 //! | [`color`] | sRGB, exposure, tone mapping |
 //! | [`quantity`] | the vectors and scalars of the equation by name |
@@ -27,6 +28,7 @@ pub mod color;
 pub mod equation;
 pub mod fresnel;
 pub mod light;
+pub mod optics;
 pub mod quantity;
 pub mod roughness;
 pub mod vector;
@@ -34,4 +36,5 @@ pub mod vector;
 pub use equation::{Convention, Equation, LightSums, LightTerms, ShadingPoint, Specular, Surface, TermSwitches, Terms};
 pub use glam::{DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
 pub use light::{Attenuation, Incident, Light, LightKind};
+pub use optics::{Fresnel, Optics, Sight, Surfaces};
 pub use quantity::{Quantity, Value};

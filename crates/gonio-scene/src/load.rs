@@ -10,7 +10,7 @@ use crate::model_file::{self, ModelFile};
 use crate::model_scene;
 use crate::validate;
 use glam::{DMat4, DQuat, DVec3};
-use gonio_light::Convention;
+use gonio_light::{Convention, Fresnel, Optics};
 use gonio_mesh::normals::Averaging;
 use gonio_mesh::{Diagnostic, Limits, Material, Mesh, ReadError, normals, tangents, topology};
 use rayon::prelude::*;
@@ -39,6 +39,9 @@ pub fn load_within(
     limits: &Limits,
 ) -> Result<LoadedScene, ReadError> {
     validate::check(&scene).map_err(|p| ReadError::new(p.message))?;
+    if scene.environment.is_some() {
+        return Err(ReadError::new("scenes with an environment cannot be loaded yet; take [environment] out"));
+    }
 
     // Each file once.
     let mut paths: Vec<(PathBuf, String)> = Vec::new();
@@ -297,6 +300,9 @@ pub(crate) fn overridden(mut material: Material, with: &MaterialOverride) -> Mat
     if let Some(v) = with.shininess {
         (material.shininess, material.shininess_map) = (v as f32, None);
     }
+    if let Some(medium) = with.medium {
+        material.refraction_index = medium.refraction_index() as f32;
+    }
     if let Some(v) = with.refraction_index {
         material.refraction_index = v as f32;
     }
@@ -306,9 +312,24 @@ pub(crate) fn overridden(mut material: Material, with: &MaterialOverride) -> Mat
     material
 }
 
+/// How an object of a material shows its surroundings: as the scene says, for model files have no word for it.
+pub(crate) fn optics_of(with: &MaterialOverride) -> Optics {
+    let usual = Optics::default();
+    let clear = with.medium.is_some();
+    Optics {
+        reflectivity: with.reflectivity.unwrap_or(usual.reflectivity),
+        transmission: with.transmission.unwrap_or(if clear { 1.0 } else { usual.transmission }),
+        fresnel: with.fresnel.unwrap_or(if clear { Fresnel::Exact } else { usual.fresnel }),
+        tint: with.tint.map_or(usual.tint, DVec3::from),
+        absorption: with.absorption.map_or(usual.absorption, DVec3::from),
+        dispersion: with.dispersion.unwrap_or(usual.dispersion),
+        surfaces: with.surfaces.unwrap_or(usual.surfaces),
+    }
+}
+
 /// A material whose textures were all found, for tests and tools that build scenes by hand.
 impl From<Material> for SceneMaterial {
     fn from(material: Material) -> Self {
-        SceneMaterial { material, maps: crate::loaded::Maps::default() }
+        SceneMaterial { material, maps: crate::loaded::Maps::default(), optics: Optics::default() }
     }
 }
