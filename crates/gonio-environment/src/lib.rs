@@ -10,8 +10,10 @@
 //! | [`image`] | a picture of linear light |
 //! | [`cubemap`] | six square pictures, looked up without seams |
 //! | [`panorama`] | an equirectangular picture |
+//! | [`convert`] | from one to the other, filtered, turned |
 //! | [`mip`] | smaller and smaller copies of a cubemap |
 
+pub mod convert;
 pub mod cubemap;
 pub mod error;
 pub mod face;
@@ -19,6 +21,7 @@ pub mod image;
 pub mod mip;
 pub mod panorama;
 
+pub use convert::{Conversion, Filter};
 pub use cubemap::Cubemap;
 pub use error::EnvironmentError;
 pub use face::{Face, Layout};
