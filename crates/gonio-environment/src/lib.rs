@@ -11,17 +11,27 @@
 //! | [`cubemap`] | six square pictures, looked up without seams |
 //! | [`panorama`] | an equirectangular picture |
 //! | [`mip`] | smaller and smaller copies of a cubemap |
+//! | [`decode`] | files to pictures of linear light |
+//! | [`arrange`] | crosses and strips: six faces in one picture |
+//! | [`limits`] | how much memory a file may ask for |
+//! | [`srgb`] | the sRGB curve by table |
 
+pub mod arrange;
 pub mod cubemap;
+pub mod decode;
 pub mod error;
 pub mod face;
 pub mod image;
+pub mod limits;
 pub mod mip;
 pub mod panorama;
+pub mod srgb;
 
+pub use arrange::Arrangement;
 pub use cubemap::Cubemap;
 pub use error::EnvironmentError;
 pub use face::{Face, Layout};
 pub use image::{Image, Pixel};
+pub use limits::Limits;
 pub use mip::CubeMips;
 pub use panorama::Panorama;
