@@ -12,6 +12,8 @@
 //! | [`panorama`] | an equirectangular picture |
 //! | [`mip`] | smaller and smaller copies of a cubemap |
 //! | [`decode`] | files to pictures of linear light |
+//! | [`encode`] | pictures and cubemaps to files |
+//! | [`names`] | which of six files is which face |
 //! | [`arrange`] | crosses and strips: six faces in one picture |
 //! | [`limits`] | how much memory a file may ask for |
 //! | [`srgb`] | the sRGB curve by table |
@@ -19,11 +21,13 @@
 pub mod arrange;
 pub mod cubemap;
 pub mod decode;
+pub mod encode;
 pub mod error;
 pub mod face;
 pub mod image;
 pub mod limits;
 pub mod mip;
+pub mod names;
 pub mod panorama;
 pub mod srgb;
 

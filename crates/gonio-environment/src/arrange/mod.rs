@@ -151,7 +151,7 @@ pub fn to_cubemap(image: &Image, arrangement: Arrangement, layout: Layout) -> Re
 }
 
 const CELLS_NOT_EMPTY: &str =
-    "the cells of the cross that should be empty hold a picture; if it is no cross, say what it is"; if it is none, say --arrangement equirectangular";
+    "the cells of the cross that should be empty hold a picture; if it is no cross, say what it is";
 
 /// The six faces, in a layout, in one picture; empty cells are black.
 ///

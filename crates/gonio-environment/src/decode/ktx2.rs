@@ -14,7 +14,7 @@ use std::borrow::Cow;
 use std::io::Read;
 
 /// What KTX2 begins with.
-pub(super) const MAGIC: &[u8] = b"\xABKTX 20\xBB\r\n\x1a\n";
+pub(crate) const MAGIC: &[u8] = b"\xABKTX 20\xBB\r\n\x1a\n";
 
 /// Formats of Vulkan (registry `VkFormat`): number, how it is stored, what integers mean. `None`: the file says.
 const FORMATS: &[(u32, Texel, Option<Transfer>)] = &[

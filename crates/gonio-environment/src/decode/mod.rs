@@ -23,6 +23,7 @@ mod texel;
 mod tidy;
 
 use crate::{EnvironmentError, Image, Limits};
+pub(crate) use ktx2::MAGIC as KTX2_MAGIC;
 pub use tidy::INFINITE_LIGHT;
 
 /// Said of every file with alpha.
