@@ -11,17 +11,21 @@
 //! | [`cubemap`] | six square pictures, looked up without seams |
 //! | [`panorama`] | an equirectangular picture |
 //! | [`mip`] | smaller and smaller copies of a cubemap |
+//! | [`harmonics`] | diffuse light by nine spherical harmonics |
 
 pub mod cubemap;
 pub mod error;
 pub mod face;
+pub mod harmonics;
 pub mod image;
 pub mod mip;
 pub mod panorama;
+mod solid_angle;
 
 pub use cubemap::Cubemap;
 pub use error::EnvironmentError;
 pub use face::{Face, Layout};
+pub use harmonics::Harmonics;
 pub use image::{Image, Pixel};
 pub use mip::CubeMips;
 pub use panorama::Panorama;
