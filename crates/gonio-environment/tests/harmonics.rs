@@ -61,6 +61,12 @@ fn single_lobes_are_scaled_by_the_cosine_lobe() {
     // Radiance a + b x (and y, z): irradiance pi a + (2 pi / 3) b x, on paper.
     let map = Cubemap::from_function(64, |d| DVec3::ONE + 0.5 * d);
     let harmonics = Harmonics::from_cubemap(&map);
+    // In the documented order: 1, y, z, x.
+    let slope = PI / 3.0;
+    let wanted = [PI * DVec3::ONE, slope * DVec3::Y, slope * DVec3::Z, slope * DVec3::X];
+    for (got, wanted) in harmonics.polynomial().into_iter().zip(wanted) {
+        assert!(got.abs_diff_eq(wanted, 1e-3), "{got} is not {wanted}");
+    }
     // Of second degree: x y keeps pi / 4.
     let second = Harmonics::from_cubemap(&Cubemap::from_function(64, |d| {
         DVec3::new(1.0 + d.x * d.y, 1.0 + d.y * d.z, 1.0 + (3.0 * d.z * d.z - 1.0))

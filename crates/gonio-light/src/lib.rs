@@ -14,6 +14,7 @@
 //! | [`equation`] | the switches of the equation, its terms, and their sum |
 //! | [`light`] | light kinds, attenuation, the spot's cone |
 //! | [`brdf`] | Lambert, Phong, Blinn, Lafortune, Ward |
+//! | [`microfacet`] | rough mirrors (GGX) and their integral over an environment |
 //! | [`roughness`] | exponents of roughnesses |
 //! | [`vector`] | reflection, refraction, half vector |
 //! | [`fresnel`] | exact dielectric Fresnel and Schlick's approximation |
@@ -27,6 +28,7 @@ pub mod color;
 pub mod equation;
 pub mod fresnel;
 pub mod light;
+pub mod microfacet;
 pub mod quantity;
 pub mod roughness;
 pub mod vector;
