@@ -12,16 +12,22 @@
 //! | [`panorama`] | an equirectangular picture |
 //! | [`mip`] | smaller and smaller copies of a cubemap |
 //! | [`harmonics`] | diffuse light by nine spherical harmonics |
+//! | [`prefilter`] | glossy light: an environment blurred for each roughness |
+//! | [`brdf_table`] | what a rough mirror makes of uniform light, as a texture |
 
+pub mod brdf_table;
 pub mod cubemap;
 pub mod error;
 pub mod face;
 pub mod harmonics;
 pub mod image;
 pub mod mip;
+mod padded;
 pub mod panorama;
+pub mod prefilter;
 mod solid_angle;
 
+pub use brdf_table::BrdfTable;
 pub use cubemap::Cubemap;
 pub use error::EnvironmentError;
 pub use face::{Face, Layout};
@@ -29,3 +35,4 @@ pub use harmonics::Harmonics;
 pub use image::{Image, Pixel};
 pub use mip::CubeMips;
 pub use panorama::Panorama;
+pub use prefilter::GlossyMips;
