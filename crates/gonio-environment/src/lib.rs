@@ -13,10 +13,16 @@
 //! | [`mip`] | smaller and smaller copies of a cubemap |
 //! | [`harmonics`] | diffuse light by nine spherical harmonics |
 //! | [`prefilter`] | glossy light: an environment blurred for each roughness |
+//! | [`builtin`] | environments by name, which need no file |
+//! | [`debug`] | a cubemap of which every face says which one it is |
+//! | [`sky`] | a clear sky with its sun |
 //! | [`brdf_table`] | what a rough mirror makes of uniform light, as a texture |
 
 pub mod brdf_table;
+pub mod builtin;
+mod canvas;
 pub mod cubemap;
+pub mod debug;
 pub mod error;
 pub mod face;
 pub mod harmonics;
@@ -25,9 +31,12 @@ pub mod mip;
 mod padded;
 pub mod panorama;
 pub mod prefilter;
+pub mod sky;
 mod solid_angle;
+mod stroke_font;
 
 pub use brdf_table::BrdfTable;
+pub use builtin::Builtin;
 pub use cubemap::Cubemap;
 pub use error::EnvironmentError;
 pub use face::{Face, Layout};
