@@ -4,7 +4,7 @@ use crate::image::Image;
 use crate::srgb::ENCODER;
 use crate::{EnvironmentError, Pixel};
 use glam::DVec3;
-use gonio_light::color::{ColorEncoding, srgb_encode};
+use gonio_light::color::ColorEncoding;
 use gonio_light::color::{EXPOSURE_LIMIT, OutputTransform, ToneMap};
 use png::{BitDepth, ColorType, Compression, Filter, SrgbRenderingIntent};
 use rayon::prelude::*;
@@ -103,6 +103,7 @@ fn encoded([r, g, b, _]: &Pixel, transform: &OutputTransform) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use gonio_light::color::srgb_encode;
 
     #[test]
     fn the_short_way_is_the_definition_rounded() {
