@@ -1,10 +1,10 @@
 //! Environments that gonio brings along, by name.
 
+use crate::convert::{Conversion, From};
 use crate::debug::debug;
+use crate::decode::{self, Shape};
 use crate::face::Layout;
 use crate::sky::Sky;
-use crate::convert::{Conversion, From};
-use crate::decode::{self, Shape};
 use crate::{Cubemap, EnvironmentError, Limits, Panorama};
 use gonio_light::named_enum;
 

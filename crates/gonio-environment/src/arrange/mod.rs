@@ -199,7 +199,7 @@ fn cell(image: &Image, size: u32, column: u32, row: u32, turned: bool) -> Image 
 fn cell_size(image: &Image, arrangement: Arrangement) -> Result<u32, EnvironmentError> {
     let (across, down) = arrangement.grid().ok_or_else(|| no_grid(arrangement))?;
     let size = image.width / across;
-    if size == 0 || u64::from(size) * u64::from(across) != image.width.into() || size * down != image.height {
+    if size == 0 || u64::from(size) * u64::from(across) != u64::from(image.width) || size * down != image.height {
         return Err(EnvironmentError::new(format!(
             "a {arrangement} is {across} by {down} square faces, and {} x {} pixels are not; cut the picture to such a \
              size",
