@@ -13,14 +13,18 @@
 //! | [`mip`] | smaller and smaller copies of a cubemap |
 //! | [`harmonics`] | diffuse light by nine spherical harmonics |
 //! | [`prefilter`] | glossy light: an environment blurred for each roughness |
+//! | [`check`] | whether the edges of six faces meet, and what is wrong if they do not |
+//! | [`repair`] | mirroring, turning and swapping faces back |
 //! | [`builtin`] | environments by name, which need no file |
 //! | [`debug`] | a cubemap of which every face says which one it is |
 //! | [`sky`] | a clear sky with its sun |
 //! | [`brdf_table`] | what a rough mirror makes of uniform light, as a texture |
 
+mod arrangement;
 pub mod brdf_table;
 pub mod builtin;
 mod canvas;
+pub mod check;
 pub mod cubemap;
 pub mod debug;
 pub mod error;
@@ -31,12 +35,15 @@ pub mod mip;
 mod padded;
 pub mod panorama;
 pub mod prefilter;
+pub mod repair;
+mod seams;
 pub mod sky;
 mod solid_angle;
 mod stroke_font;
 
 pub use brdf_table::BrdfTable;
 pub use builtin::Builtin;
+pub use check::{Certificate, check};
 pub use cubemap::Cubemap;
 pub use error::EnvironmentError;
 pub use face::{Face, Layout};
@@ -45,3 +52,4 @@ pub use image::{Image, Pixel};
 pub use mip::CubeMips;
 pub use panorama::Panorama;
 pub use prefilter::GlossyMips;
+pub use repair::Repair;
