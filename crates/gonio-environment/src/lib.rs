@@ -14,6 +14,7 @@
 //! | [`harmonics`] | diffuse light by nine spherical harmonics |
 //! | [`prefilter`] | glossy light: an environment blurred for each roughness |
 //! | [`check`] | whether the edges of six faces meet, and what is wrong if they do not |
+//! | [`check_panorama`] | whether a panorama closes at its sides and poles |
 //! | [`repair`] | mirroring, turning and swapping faces back |
 //! | [`builtin`] | environments by name, which need no file |
 //! | [`debug`] | a cubemap of which every face says which one it is |
@@ -25,6 +26,7 @@ pub mod brdf_table;
 pub mod builtin;
 mod canvas;
 pub mod check;
+pub mod check_panorama;
 pub mod cubemap;
 pub mod debug;
 pub mod error;
@@ -44,6 +46,7 @@ mod stroke_font;
 pub use brdf_table::BrdfTable;
 pub use builtin::Builtin;
 pub use check::{Certificate, check};
+pub use check_panorama::{PanoramaCertificate, check_panorama};
 pub use cubemap::Cubemap;
 pub use error::EnvironmentError;
 pub use face::{Face, Layout};
