@@ -18,11 +18,23 @@
 //! | [`arrange`] | crosses and strips: six faces in one picture |
 //! | [`limits`] | how much memory a file may ask for |
 //! | [`srgb`] | the sRGB curve by table |
+//! | [`harmonics`] | diffuse light by nine spherical harmonics |
+//! | [`prefilter`] | glossy light: an environment blurred for each roughness |
+//! | [`check`] | whether the edges of six faces meet, and what is wrong if they do not |
+//! | [`check_panorama`] | whether a panorama closes at its sides and poles |
+//! | [`repair`] | mirroring, turning and swapping faces back |
+//! | [`builtin`] | environments by name, which need no file |
+//! | [`debug`] | a cubemap of which every face says which one it is |
+//! | [`sky`] | a clear sky with its sun |
+//! | [`brdf_table`] | what a rough mirror makes of uniform light, as a texture |
 
 pub mod arrange;
+mod arrangement;
 pub mod brdf_table;
 pub mod builtin;
 mod canvas;
+pub mod check;
+pub mod check_panorama;
 pub mod convert;
 pub mod cubemap;
 pub mod debug;
@@ -38,6 +50,8 @@ pub mod names;
 mod padded;
 pub mod panorama;
 pub mod prefilter;
+pub mod repair;
+mod seams;
 pub mod sky;
 mod solid_angle;
 pub mod srgb;
@@ -46,6 +60,8 @@ mod stroke_font;
 pub use arrange::Arrangement;
 pub use brdf_table::BrdfTable;
 pub use builtin::Builtin;
+pub use check::{Certificate, check};
+pub use check_panorama::{PanoramaCertificate, check_panorama};
 pub use convert::{Conversion, Filter};
 pub use cubemap::Cubemap;
 pub use error::EnvironmentError;
@@ -56,3 +72,4 @@ pub use limits::Limits;
 pub use mip::CubeMips;
 pub use panorama::Panorama;
 pub use prefilter::GlossyMips;
+pub use repair::Repair;
