@@ -84,7 +84,7 @@ fn radiance(context: &FrameContext, ray: &Ray, beside: [DVec3; 2], workspace: &m
     let ids = layers.iter().map(|layer| layer.1).chain((opaque.1 != NOTHING).then_some(opaque.1));
 
     let steps = beside.map(|direction| {
-        let there = ray.from_world(direction);
+        let there = ray.of_world(direction);
         // A picture of a few pixels has neighbours that are behind.
         if there.z > 0.0 { there.truncate() / there.z } else { DVec2::ZERO }
     });

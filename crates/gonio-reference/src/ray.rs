@@ -29,13 +29,13 @@ impl Ray {
     }
 
     /// A direction in the ray's space: to the right, upwards, along the ray.
-    pub fn from_world(&self, v: DVec3) -> DVec3 {
+    pub fn of_world(&self, v: DVec3) -> DVec3 {
         DVec3::new(v.dot(self.right), v.dot(self.up), v.dot(self.direction))
     }
 
     /// Three corners in the ray's space.
     pub fn corners(&self, geometry: &WorldGeometry, vertices: [u32; 3]) -> [DVec3; 3] {
-        vertices.map(|v| self.from_world(geometry.positions[v as usize] - self.origin))
+        vertices.map(|v| self.of_world(geometry.positions[v as usize] - self.origin))
     }
 
     /// Hands every triangle that the ray meets in front of its origin to `meet`, in no certain order; the crossing's
