@@ -71,7 +71,7 @@ impl Renderer {
     /// Uploads geometry and textures.
     pub fn upload(&mut self, scene: &LoadedScene) -> Result<GpuScene, GlError> {
         let _group = DebugGroup::new(&self.shared.gl, "upload");
-        let uploaded = GpuScene::upload(&self.shared.gl, scene, self.shared.info.max_size)?;
+        let uploaded = GpuScene::upload(&self.shared.gl, scene, &self.shared.info)?;
         self.shared.check_error("uploading the scene")?;
         Ok(uploaded)
     }
@@ -115,6 +115,9 @@ impl Renderer {
         precision: Precision,
         notes: &mut Vec<String>,
     ) -> Result<Rc<Target>, GlError> {
+        if frame.surroundings.is_some() {
+            notes.extend(scene.environment.iter().flat_map(|e| e.notes.iter().cloned()));
+        }
         let info = &self.shared.info;
         if frame.width > info.max_size || frame.height > info.max_size {
             return Err(GlError::new(format!(
