@@ -3,6 +3,7 @@
 mod compile;
 mod environment;
 mod twins;
+mod twins_optics;
 
 use crate::headless::{HeadlessContext, HeadlessOptions};
 
