@@ -68,7 +68,7 @@ impl Cubemap {
     }
 
     /// Puts a picture of this cubemap's size onto the face of a layout.
-    fn lay(&mut self, face: Face, layout: Layout, pixels: &[Pixel]) {
+    pub(crate) fn lay(&mut self, face: Face, layout: Layout, pixels: &[Pixel]) {
         let size = self.size as usize;
         let (to, flips_columns, flips_rows) = face.in_open_gl(layout);
         let there = self.face_mut(to);

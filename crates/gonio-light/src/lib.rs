@@ -14,6 +14,7 @@
 //! | [`equation`] | the switches of the equation, its terms, and their sum |
 //! | [`light`] | light kinds, attenuation, the spot's cone |
 //! | [`brdf`] | Lambert, Phong, Blinn, Lafortune, Ward |
+//! | [`microfacet`] | rough mirrors (GGX) and their integral over an environment |
 //! | [`roughness`] | exponents of roughnesses |
 //! | [`vector`] | reflection, refraction, half vector |
 //! | [`optics`] | mirrors and glass: how a surface shows its surroundings |
@@ -28,6 +29,7 @@ pub mod color;
 pub mod equation;
 pub mod fresnel;
 pub mod light;
+pub mod microfacet;
 pub mod optics;
 pub mod quantity;
 pub mod roughness;

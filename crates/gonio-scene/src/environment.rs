@@ -2,7 +2,8 @@
 
 use crate::loaded::LoadedScene;
 use glam::{DMat3, DQuat, DVec3};
-use gonio_environment::{CubeMips, Cubemap};
+use gonio_environment::{CubeMips, Cubemap, GlossyMips, Harmonics};
+use std::sync::OnceLock;
 
 /// An environment with its files read.
 #[derive(Clone, Debug)]
@@ -13,17 +14,53 @@ pub struct LoadedEnvironment {
     pub mips: CubeMips,
     /// What is seen behind the objects, where that is another one.
     pub background: Option<CubeMips>,
+    /// Made when they are first asked for: seconds of work that a mirror does without.
+    harmonics: OnceLock<Harmonics>,
+    glossy: OnceLock<GlossyMips>,
+    seen_glossy: OnceLock<GlossyMips>,
 }
 
 impl LoadedEnvironment {
     /// One environment for everything.
     pub fn new(name: impl Into<String>, map: Cubemap) -> Self {
-        LoadedEnvironment { name: name.into(), mips: CubeMips::new(map), background: None }
+        LoadedEnvironment {
+            name: name.into(),
+            mips: CubeMips::new(map),
+            background: None,
+            harmonics: OnceLock::new(),
+            glossy: OnceLock::new(),
+            seen_glossy: OnceLock::new(),
+        }
+    }
+
+    /// The same with another one to be seen behind the objects.
+    pub fn with_background(mut self, map: Cubemap) -> Self {
+        self.background = Some(CubeMips::new(map));
+        self.seen_glossy = OnceLock::new();
+        self
     }
 
     /// What is seen behind the objects.
     pub fn seen(&self) -> &CubeMips {
         self.background.as_ref().unwrap_or(&self.mips)
+    }
+
+    /// The diffuse light of [`Self::mips`].
+    pub fn harmonics(&self) -> &Harmonics {
+        self.harmonics.get_or_init(|| Harmonics::from_cubemap(self.mips.full()))
+    }
+
+    /// [`Self::mips`] as rough mirrors show it.
+    pub fn glossy(&self) -> &GlossyMips {
+        self.glossy.get_or_init(|| GlossyMips::new(&self.mips, GlossyMips::SIZE))
+    }
+
+    /// [`Self::seen`], blurred.
+    pub fn seen_glossy(&self) -> &GlossyMips {
+        match &self.background {
+            Some(background) => self.seen_glossy.get_or_init(|| GlossyMips::new(background, GlossyMips::SIZE)),
+            None => self.glossy(),
+        }
     }
 }
 
@@ -63,7 +100,7 @@ pub fn world_from_environment([yaw, pitch, roll]: [f64; 3]) -> DMat3 {
 
 impl LoadedScene {
     /// How the environment takes part; `None` where there is none.
-    pub(crate) fn surroundings(&self) -> Option<Surroundings> {
+    pub fn surroundings(&self) -> Option<Surroundings> {
         self.environment.as_ref()?;
         let spec = self.scene.environment.clone().unwrap_or_default();
         Some(Surroundings {

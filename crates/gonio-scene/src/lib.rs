@@ -11,6 +11,7 @@ pub mod description;
 pub mod display;
 mod document;
 pub mod environment;
+pub mod environment_file;
 pub mod files;
 pub mod frame;
 pub mod framing;

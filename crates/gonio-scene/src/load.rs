@@ -2,6 +2,7 @@
 
 use crate::camera::Camera;
 use crate::description::{CameraSpec, MaterialOverride, Normals, ObjectSpec, Scene};
+use crate::environment_file;
 use crate::files::{self, FileSource};
 use crate::framing::{self, Around};
 use crate::loaded::{LoadedScene, Object, ObjectPart, SceneMaterial};
@@ -15,6 +16,7 @@ use gonio_mesh::normals::Averaging;
 use gonio_mesh::{Diagnostic, Limits, Material, Mesh, ReadError, normals, tangents, topology};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 pub use crate::describe::describe;
 
@@ -39,9 +41,6 @@ pub fn load_within(
     limits: &Limits,
 ) -> Result<LoadedScene, ReadError> {
     validate::check(&scene).map_err(|p| ReadError::new(p.message))?;
-    if scene.environment.is_some() {
-        return Err(ReadError::new("scenes with an environment cannot be loaded yet; take [environment] out"));
-    }
 
     // Each file once.
     let mut paths: Vec<(PathBuf, String)> = Vec::new();
@@ -59,10 +58,13 @@ pub fn load_within(
         }
         model_of_object.push(index);
     }
-    let mut models: Vec<ModelFile> = paths
-        .into_par_iter()
-        .map(|(path, name)| model_file::read(&path, &name, files, limits))
-        .collect::<Result<_, _>>()?;
+    let (models, environment) = rayon::join(
+        || -> Result<Vec<ModelFile>, ReadError> {
+            paths.into_par_iter().map(|(path, name)| model_file::read(&path, &name, files, limits)).collect()
+        },
+        || scene.environment.as_ref().map(|spec| environment_file::load(spec, base, files, limits)).transpose(),
+    );
+    let (mut models, environment) = (models?, environment?);
 
     let mut diagnostics = Vec::new();
     let mut binder = MaterialBinder::new(files, limits.max_bytes);
@@ -121,6 +123,19 @@ pub fn load_within(
     }
     model_scene::take_camera(&mut scene, &models, &model_of_object)?;
     model_scene::take_lights(&mut scene, &models, &model_of_object, loaded.bounds(), &mut diagnostics);
+    if let Some(mut read) = environment {
+        diagnostics.append(&mut read.diagnostics);
+        if let Some(spec) = &mut scene.environment {
+            (spec.layout, spec.size) = (read.layout, Some(read.environment.mips.full().size()));
+            spec.light.get_or_insert(scene.lights.is_empty());
+        }
+        loaded.environment = Some(Arc::new(read.environment));
+    } else if loaded.materials.iter().any(|m| !m.optics.is_plain()) {
+        diagnostics.push(Diagnostic::warning(
+            "mirrors and glass show their surroundings, and the scene has none: they look like any surface; give \
+             --environment, or [environment] in the scene file",
+        ));
+    }
     loaded.camera_was_framed = scene.camera.position.is_none();
     fill_in(&mut scene, &loaded);
     loaded.scene = scene;
@@ -241,7 +256,8 @@ fn fill_in(scene: &mut Scene, loaded: &LoadedScene) {
     let around = Around::new(min, max);
     let aspect = f64::from(scene.picture.width) / f64::from(scene.picture.height);
     framing::fill_camera(&mut scene.camera, around, loaded, aspect);
-    if scene.lights.is_empty() {
+    let lit_by_environment = scene.environment.as_ref().is_some_and(|e| e.light == Some(true));
+    if scene.lights.is_empty() && !lit_by_environment {
         scene.lights = framing::portrait_lights(&camera_of(&scene.camera), around, &scene.equation);
     }
     scene.lights.iter_mut().for_each(framing::fill_light);

@@ -1,0 +1,88 @@
+//! Environments that gonio brings along, by name.
+
+use crate::convert::{Conversion, From};
+use crate::debug::debug;
+use crate::decode::{self, Shape};
+use crate::face::Layout;
+use crate::sky::Sky;
+use crate::{Cubemap, EnvironmentError, Limits, Panorama};
+use gonio_light::named_enum;
+
+named_enum! {
+    /// An environment that needs no file.
+    pub enum Builtin {
+        /// Each face its colour, its names written on it, arrows of the axes.
+        Debug = "debug",
+        /// A clear late-morning sky with its sun over plain ground.
+        Sky = "sky",
+        /// A small furnished room (a panorama of 512 x 256, rendered for this project).
+        Room = "room",
+    }
+    default Sky;
+    what "built-in environment";
+}
+
+/// The room, Radiance HDR. Made for gonio with Blender, half of the original's size.
+const ROOM: &[u8] = include_bytes!("../../../assets/environments/room.hdr");
+
+impl Builtin {
+    /// The environment as a cubemap of `size` texels an edge (0 counts as 1). The debug cubemap has the file names of a
+    /// layout written on it; the others do not depend on it.
+    ///
+    /// Of the room there are 128 pixels to 90 degrees: larger sizes show no more of it. An error only where the room's
+    /// file, which is part of the program, cannot be read.
+    pub fn cubemap(self, size: u32, layout: Layout) -> Result<Cubemap, EnvironmentError> {
+        match self {
+            Builtin::Debug => Ok(debug(size, layout)),
+            Builtin::Sky => Ok(Sky::default().cubemap(size)),
+            Builtin::Room => Ok(Conversion::default().cubemap(From::Panorama(&room()?), size)),
+        }
+    }
+}
+
+/// The room as a panorama.
+pub fn room() -> Result<Panorama, EnvironmentError> {
+    let decoded = decode::decode("room.hdr", ROOM, &Limits::default())?;
+    match decoded.shape {
+        Shape::Picture(image) => Panorama::new(image),
+        Shape::Faces(_) => Err(EnvironmentError::new("the built-in room is no panorama")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    #[test]
+    fn all_are_there_at_any_size() {
+        for &kind in Builtin::ALL {
+            for size in [0, 1, 20, 64] {
+                let map = kind.cubemap(size, Layout::OpenGl).unwrap_or_else(|e| panic!("{kind}: {e}"));
+                assert_eq!(map.size(), size.max(1));
+                let finite = map.pixels().iter().flatten().all(|v| v.is_finite() && *v >= 0.0 && *v < 65504.0);
+                assert!(finite && map.mean_radiance().min_element() > 0.05, "{kind} {size}: {}", map.mean_radiance());
+            }
+        }
+    }
+
+    #[test]
+    fn the_room_is_upright_and_keeps_its_light() {
+        let room = room().unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!((room.image.width, room.image.height), (512, 256));
+        let mean = room.mean_radiance();
+        for size in [1, 8, 128, 200] {
+            let map = Builtin::Room.cubemap(size, Layout::OpenGl).unwrap_or_else(|e| panic!("{e}"));
+            let error = (map.mean_radiance() / mean - 1.0).abs().max_element();
+            // Bilinear samples of a picture with small bright lamps.
+            assert!(error < 0.01, "{size}: {} is not {mean}", map.mean_radiance());
+            // As the panorama has it, not mirrored and not turned.
+            if size == 200 {
+                for d in [DVec3::new(1.0, 0.2, 0.3), DVec3::new(-0.4, -0.3, -1.0), DVec3::new(0.2, -1.0, 0.1)] {
+                    let (got, wanted) = (map.sample(d), room.sample(d));
+                    assert!(got.abs_diff_eq(wanted, 0.1 * wanted.max_element()), "{d}: {got} is not {wanted}");
+                }
+            }
+        }
+    }
+}
