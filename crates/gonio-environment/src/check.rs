@@ -80,7 +80,8 @@ pub struct Certificate {
 
 /// Checks six pictures, in the order of [`Face::ALL`] by their names, in the layout that they are said to be in.
 ///
-/// An error where they are not square or not of one size. Takes some 20 ms.
+/// An error where they are not square or not of one size. Takes a few milliseconds, up to a tenth of a second where nothing
+/// fits.
 pub fn check(faces: &[Image; 6], layout: Layout) -> Result<Certificate, EnvironmentError> {
     check_sizes(faces)?;
     let (seams, cube) = (Seams::new(faces), Cube::new());
@@ -217,8 +218,9 @@ impl Certificate {
             if !self.undecided.is_empty() {
                 let names: Vec<String> = self.undecided.iter().map(|f| format!("`{}`", f.name())).collect();
                 let names = names.join(", ");
-                sentences
-                    .push(format!("too little changes along the edges of {names} to tell which way up it belongs"));
+                sentences.push(format!(
+                    "too little changes along the edges of {names} to tell which way round the picture belongs"
+                ));
             }
             sentences.push(format!(
                 "edges cannot tell whether the layout is `{}`, nor whether the whole world is mirrored or turned",
