@@ -10,6 +10,7 @@
 //! | [`image`] | a picture of linear light |
 //! | [`cubemap`] | six square pictures, looked up without seams |
 //! | [`panorama`] | an equirectangular picture |
+//! | [`convert`] | from one to the other, filtered, turned |
 //! | [`mip`] | smaller and smaller copies of a cubemap |
 //! | [`harmonics`] | diffuse light by nine spherical harmonics |
 //! | [`prefilter`] | glossy light: an environment blurred for each roughness |
@@ -20,38 +21,54 @@
 //! | [`debug`] | a cubemap of which every face says which one it is |
 //! | [`sky`] | a clear sky with its sun |
 //! | [`brdf_table`] | what a rough mirror makes of uniform light, as a texture |
+//! | [`decode`] | files to pictures of linear light |
+//! | [`encode`] | pictures and cubemaps to files |
+//! | [`names`] | which of six files is which face |
+//! | [`arrange`] | crosses and strips: six faces in one picture |
+//! | [`limits`] | how much memory a file may ask for |
+//! | [`srgb`] | the sRGB curve by table |
 
-mod arrangement;
+pub mod arrange;
 pub mod brdf_table;
 pub mod builtin;
 mod canvas;
 pub mod check;
 pub mod check_panorama;
+pub mod convert;
 pub mod cubemap;
 pub mod debug;
+pub mod decode;
+pub mod encode;
 pub mod error;
 pub mod face;
 pub mod harmonics;
 pub mod image;
+pub mod limits;
 pub mod mip;
+pub mod names;
 mod padded;
 pub mod panorama;
+mod placement;
 pub mod prefilter;
 pub mod repair;
 mod seams;
 pub mod sky;
 mod solid_angle;
+pub mod srgb;
 mod stroke_font;
 
+pub use arrange::Arrangement;
 pub use brdf_table::BrdfTable;
 pub use builtin::Builtin;
 pub use check::{Certificate, check};
 pub use check_panorama::{PanoramaCertificate, check_panorama};
+pub use convert::{Conversion, Filter};
 pub use cubemap::Cubemap;
 pub use error::EnvironmentError;
 pub use face::{Face, Layout};
 pub use harmonics::Harmonics;
 pub use image::{Image, Pixel};
+pub use limits::Limits;
 pub use mip::CubeMips;
 pub use panorama::Panorama;
 pub use prefilter::GlossyMips;

@@ -10,6 +10,7 @@
 use crate::image::{Image, Pixel};
 use crate::{EnvironmentError, cubemap::mean};
 use glam::DVec3;
+use rayon::prelude::*;
 use std::f64::consts::PI;
 
 /// An equirectangular picture of the whole sphere. Its width need not be twice its height: 360 degrees then lie across
@@ -60,13 +61,8 @@ impl Panorama {
     /// The pixel in column `x` of row `y`, where columns go round and what is beyond a pole is the same row half a turn
     /// further.
     pub fn texel(&self, x: i64, y: i64) -> DVec3 {
-        let (width, height) = (i64::from(self.image.width), i64::from(self.image.height));
-        let (x, y) = match y {
-            y if y < 0 => (x + width / 2, (-1 - y).min(height - 1)),
-            y if y >= height => (x + width / 2, (2 * height - 1 - y).max(0)),
-            y => (x, y),
-        };
-        color(self.image.at(x.rem_euclid(width) as u32, y as u32))
+        let (x, y) = over_the_pole(x, y, i64::from(self.image.width), i64::from(self.image.height));
+        color(self.image.at(x as u32, y as u32))
     }
 
     /// The mean radiance over the sphere: rows count by the solid angle that they cover.
@@ -79,6 +75,61 @@ impl Panorama {
             share * mean(self.image.row(y))
         });
         rows.sum()
+    }
+}
+
+/// The texel at (`x`, `y`), which may be outside: columns go round, and what is beyond a pole is the same row half a turn
+/// further. In [0, `width`) and [0, `height`).
+pub(crate) fn over_the_pole(x: i64, y: i64, width: i64, height: i64) -> (i64, i64) {
+    let (x, y) = match y {
+        y if y < 0 => (x + width / 2, (-1 - y).min(height - 1)),
+        y if y >= height => (x + width / 2, (2 * height - 1 - y).max(0)),
+        y => (x, y),
+    };
+    (x.rem_euclid(width), y)
+}
+
+/// How many texels of a row that crowds are together as wide as one is high.
+pub(crate) const CROWDED: f64 = 2.0;
+
+/// The first and the last rows of a panorama, those where texels crowd along the row by [`CROWDED`] or more, each averaged along
+/// itself over as many texels as are together as wide as one is high. About a third of the picture.
+pub(crate) fn reduced_rows(panorama: &Panorama) -> (Vec<Pixel>, Vec<Pixel>) {
+    let (width, height) = (panorama.image.width as usize, panorama.image.height as usize);
+    let aspect = width as f64 / (2.0 * height as f64);
+    // How many texels, going along row y, are together as wide as one is high on the sphere.
+    let crowd = |y: usize| aspect / (PI * (y as f64 + 0.5) / height as f64).sin();
+    let crowded = (0..height / 2).take_while(|y| crowd(*y) >= CROWDED).count();
+    let mut caps = [0..crowded, height - crowded..height].map(|rows| {
+        let mut cap = vec![[0.0; 4]; rows.len() * width];
+        cap.par_chunks_exact_mut(width).zip(rows).for_each(|(to, y)| {
+            average_along(panorama.image.row(y as u32), crowd(y).min(width as f64), to);
+        });
+        cap
+    });
+    (std::mem::take(&mut caps[0]), std::mem::take(&mut caps[1]))
+}
+
+/// Each texel becomes the mean of `reach` texels about it, parts of texels included, going round.
+fn average_along(from: &[Pixel], reach: f64, to: &mut [Pixel]) {
+    let width = from.len();
+    // Sums from the row's begin, in f64: differences of f32 sums would lose what is dark beside the sun.
+    let mut sums = vec![[0.0; 4]; width + 1];
+    for (x, texel) in from.iter().enumerate() {
+        sums[x + 1] = std::array::from_fn(|c| sums[x][c] + f64::from(texel[c]));
+    }
+    let whole = sums[width];
+    // The sum up to any place, before the begin and after the end too.
+    let up_to = |x: f64| -> [f64; 4] {
+        let rounds = (x / width as f64).floor();
+        let x = x - rounds * width as f64;
+        let (texel, part) = ((x as usize).min(width - 1), x.fract());
+        std::array::from_fn(|c| rounds * whole[c] + sums[texel][c] + part * f64::from(from[texel][c]))
+    };
+    for (x, to) in to.iter_mut().enumerate() {
+        let middle = x as f64 + 0.5;
+        let (first, end) = (up_to(middle - 0.5 * reach), up_to(middle + 0.5 * reach));
+        *to = std::array::from_fn(|c| ((end[c] - first[c]) / reach) as f32);
     }
 }
 

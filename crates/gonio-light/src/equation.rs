@@ -3,6 +3,7 @@
 use crate::brdf::{self, BrdfKind, BrdfSettings};
 use crate::color::capped;
 use crate::light::{self, Light};
+use crate::optics::{EnvironmentTerms, Optics};
 use crate::vector;
 use glam::DVec3;
 use std::f64::consts::FRAC_1_PI;
@@ -205,10 +206,21 @@ pub struct Terms {
     pub diffuse: DVec3,
     /// The sum over the lights of their specular terms.
     pub specular: DVec3,
-    /// `L_o`
+    /// What the environment adds; zero without one.
+    pub environment: EnvironmentTerms,
+    /// `L_o`, as the surface's optics let it be seen.
     pub total: DVec3,
     /// Light by light; ambient lights are not among them.
     pub lights: Vec<LightTerms>,
+}
+
+impl Terms {
+    /// The same in an environment: its light is added to the surface's, and the surface shown as its optics let it be.
+    pub fn with_environment(mut self, environment: EnvironmentTerms, optics: &Optics) -> Terms {
+        self.environment = environment;
+        self.total = optics.compose(self.total + environment.diffuse + environment.specular, &environment.sight);
+        self
+    }
 }
 
 impl Equation {
@@ -324,6 +336,7 @@ impl Equation {
             emitted,
             diffuse,
             specular,
+            environment: EnvironmentTerms::default(),
             total: ambient + emitted + diffuse + specular,
             lights: lights_terms,
         }

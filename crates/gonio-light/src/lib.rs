@@ -17,6 +17,7 @@
 //! | [`microfacet`] | rough mirrors (GGX) and their integral over an environment |
 //! | [`roughness`] | exponents of roughnesses |
 //! | [`vector`] | reflection, refraction, half vector |
+//! | [`optics`] | mirrors and glass: how a surface shows its surroundings |
 //! | [`fresnel`] | exact dielectric Fresnel and Schlick's approximation |
 //! | [`color`] | sRGB, exposure, tone mapping |
 //! | [`quantity`] | the vectors and scalars of the equation by name |
@@ -29,6 +30,7 @@ pub mod equation;
 pub mod fresnel;
 pub mod light;
 pub mod microfacet;
+pub mod optics;
 pub mod quantity;
 pub mod roughness;
 pub mod vector;
@@ -36,4 +38,5 @@ pub mod vector;
 pub use equation::{Convention, Equation, LightSums, LightTerms, ShadingPoint, Specular, Surface, TermSwitches, Terms};
 pub use glam::{DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
 pub use light::{Attenuation, Incident, Light, LightKind};
+pub use optics::{Fresnel, Optics, Sight, Surfaces};
 pub use quantity::{Quantity, Value};

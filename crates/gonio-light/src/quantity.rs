@@ -29,6 +29,8 @@ named_enum! {
         Half = "half",
         /// `T`, the view direction refracted into the material (R' = 2 (N.V) N - V where reflection is total).
         Refraction = "refraction",
+        /// `2 (N.V) N - V`: where a mirror looks.
+        ViewReflection = "view-reflection",
         /// `d`, distance to the light, world units (0 for directional lights).
         Distance = "distance",
         /// `att`.
@@ -39,6 +41,8 @@ named_enum! {
         CosTheta = "cos-theta",
         /// `spec`.
         Spec = "spec",
+        /// `F` of the view, without a Fresnel factor 0; 1 where reflection is total.
+        Fresnel = "fresnel",
         /// `k_d`, the material's diffuse colour with its texture.
         Albedo = "albedo",
         /// `A`.
@@ -49,6 +53,14 @@ named_enum! {
         Diffuse = "diffuse",
         /// The specular term: summed over the lights, or one light's.
         Specular = "specular",
+        /// Diffuse light of the environment, times `k_d`.
+        EnvironmentDiffuse = "environment-diffuse",
+        /// Glossy reflection of the environment, times `k_s`.
+        EnvironmentSpecular = "environment-specular",
+        /// `E(R)`, what a mirror would show.
+        Reflected = "reflected",
+        /// `(1 - F) tint E(T)`, what clear glass would show through.
+        Transmitted = "transmitted",
         /// `L_o`, before exposure and tone mapping.
         Total = "total",
     }
@@ -76,11 +88,14 @@ impl Quantity {
     pub const fn encoding(self) -> Encoding {
         use Quantity::*;
         match self {
-            Normal | GeometricNormal | Tangent | View | Light | Reflection | Half | Refraction => Encoding::Direction,
+            Normal | GeometricNormal | Tangent | View | Light | Reflection | ViewReflection | Half | Refraction => {
+                Encoding::Direction
+            }
             Position => Encoding::Position,
             Depth | Distance => Encoding::Distance,
-            Uv | Attenuation | Spot | CosTheta | Spec => Encoding::Factor,
-            Albedo | Ambient | Emitted | Diffuse | Specular | Total => Encoding::Color,
+            Uv | Attenuation | Spot | CosTheta | Spec | Fresnel => Encoding::Factor,
+            Albedo | Ambient | Emitted | Diffuse | Specular | EnvironmentDiffuse | EnvironmentSpecular | Reflected
+            | Transmitted | Total => Encoding::Color,
         }
     }
 
@@ -105,6 +120,7 @@ impl Quantity {
             Reflection => Some("R"),
             Half => Some("H"),
             Refraction => Some("T"),
+            Fresnel => Some("F"),
             Attenuation => Some("att"),
             Distance => Some("d"),
             Ambient => Some("A"),
@@ -163,6 +179,12 @@ impl Terms {
                 };
                 vector::refraction(n, v, eta).unwrap_or_else(|| vector::reflection(n, v))
             }
+            Quantity::ViewReflection => vector::reflection(self.point.normal, self.point.view),
+            Quantity::Fresnel => self.environment.sight.fresnel,
+            Quantity::EnvironmentDiffuse => self.environment.diffuse,
+            Quantity::EnvironmentSpecular => self.environment.specular,
+            Quantity::Reflected => self.environment.sight.reflected,
+            Quantity::Transmitted => self.environment.sight.transmitted,
             Quantity::Distance => scalar_of(|t| if t.distance.is_finite() { t.distance } else { 0.0 }),
             Quantity::Attenuation => scalar_of(|t| t.attenuation),
             Quantity::Spot => scalar_of(|t| t.spot),

@@ -146,7 +146,7 @@ impl<'a> Fragment<'a> {
 
     /// The material at the fragment.
     pub fn surface(&self) -> Surface {
-        let SceneMaterial { material, maps } = self.material();
+        let SceneMaterial { material, maps, .. } = self.material();
         let color = |map, bound| self.texel(map, bound).map_or(DVec3::ONE, |t| t.value.truncate());
         let base = base_surface(self.material());
         let tint = self.vertex_color() * color("diffuse", &maps.diffuse);

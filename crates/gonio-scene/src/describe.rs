@@ -2,6 +2,7 @@
 
 use crate::description::{ObjectSpec, Scene};
 use crate::document::line_and_column;
+use crate::environment_file;
 use crate::files::{self, FileSource};
 use crate::model_kind::{self, InputKind};
 use crate::toml_reader;
@@ -50,6 +51,11 @@ fn describe_one(input: &str, files: &dyn FileSource) -> Result<(Scene, bool), Re
             for object in &mut scene.objects {
                 if !object.model.starts_with(files::BUILTIN) {
                     object.model = files::resolve(base, &object.model).to_string_lossy().into_owned();
+                }
+            }
+            if let Some(environment) = &mut scene.environment {
+                for image in std::iter::once(&mut environment.image).chain(&mut environment.background) {
+                    *image = environment_file::rebased(base, image);
                 }
             }
             Ok((scene, true))

@@ -5,10 +5,12 @@
 
 use crate::color_value::Color;
 use crate::texture::TextureFilter;
+use gonio_environment::Layout;
 use gonio_light::brdf::BrdfKind;
 use gonio_light::color::{ColorEncoding, ToneMap};
+use gonio_light::fresnel::Medium;
 use gonio_light::named_enum;
-use gonio_light::{Convention, Specular};
+use gonio_light::{Convention, Fresnel, Specular, Surfaces};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -82,6 +84,9 @@ pub struct Scene {
     pub camera: CameraSpec,
     /// What is seen where there is no object.
     pub background: BackgroundSpec,
+    /// Light that comes from everywhere: what is seen behind the objects, in mirrors and through glass.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub environment: Option<EnvironmentSpec>,
     /// The form of the light equation.
     pub equation: EquationSpec,
     /// The models.
@@ -176,6 +181,55 @@ impl Default for BackgroundSpec {
     /// Mid-grey (sRGB 128 is 0.216), a little darker above than below.
     fn default() -> Self {
         BackgroundSpec { top: Color::grey(0.16), bottom: Color::grey(0.28), transparent: false }
+    }
+}
+
+/// Light that comes from everywhere.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct EnvironmentSpec {
+    /// `debug`, `sky`, `room`; or a panorama, a cross, a strip, a KTX2 or DDS cubemap, a folder of six faces, one of six
+    /// faces, or a pattern such as `sky_*.png`: relative to the scene file.
+    pub image: String,
+    /// How faces lie in the picture: left out, photographic where six files, a cross or a strip are read, and OpenGL's
+    /// in KTX2 and DDS.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub layout: Option<Layout>,
+    /// Texels along an edge of the cubemap that a panorama is made into; left out, about as fine as the panorama is, and
+    /// at most 1024.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub size: Option<u32>,
+    /// Yaw, pitch and roll in degrees: turned about Z (roll), then X (pitch), then Y (yaw). A positive yaw turns what is
+    /// straight ahead to the left, a positive pitch upwards.
+    pub rotate: [f64; 3],
+    /// All of its light is multiplied by this.
+    pub intensity: f64,
+    /// Whether it lights the objects: diffuse light and glossy reflection. Left out, it does where the scene has no
+    /// lights of its own.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub light: Option<bool>,
+    /// Whether it is seen behind the objects.
+    pub visible: bool,
+    /// How blurred it is there, 0 to 1.
+    pub blur: f64,
+    /// Another environment to be seen there; turned alike.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub background: Option<String>,
+}
+
+impl Default for EnvironmentSpec {
+    fn default() -> Self {
+        EnvironmentSpec {
+            image: String::new(),
+            layout: None,
+            size: None,
+            rotate: [0.0; 3],
+            intensity: 1.0,
+            light: None,
+            visible: true,
+            blur: 0.0,
+            background: None,
+        }
     }
 }
 
@@ -309,6 +363,31 @@ pub struct MaterialOverride {
     /// Whether the model's textures are used at all.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub textures: Option<bool>,
+    /// A clear body of this medium: its index of refraction, transmission 1 and exact Fresnel factors, unless they are
+    /// given here too.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub medium: Option<Medium>,
+    /// From the lit surface (0) to a mirror (1) of the environment.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reflectivity: Option<f64>,
+    /// From an opaque surface (0) to a clear one (1), through which the environment is seen.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub transmission: Option<f64>,
+    /// How much is reflected by the angle: none, exact or Schlick's.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fresnel: Option<Fresnel>,
+    /// Colour of what is let through.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tint: Option<Color>,
+    /// Of a body with two refracting surfaces, per world unit and channel.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub absorption: Option<Color>,
+    /// Index of refraction for blue less that for red.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dispersion: Option<f64>,
+    /// Where light is refracted: one surface, as in the lab, or two.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub surfaces: Option<Surfaces>,
 }
 
 impl MaterialOverride {

@@ -2,6 +2,7 @@
 
 use crate::camera::Camera;
 use crate::description::{EquationSpec, LightSourceKind, LightSpec};
+use crate::environment::Surroundings;
 use crate::framing::{DEFAULT_SPOT_ANGLES, Extent};
 use crate::load::camera_of;
 use crate::loaded::LoadedScene;
@@ -56,6 +57,8 @@ pub struct Frame {
     pub two_sided: bool,
     /// Behind everything.
     pub background: Background,
+    /// How the scene's environment takes part; `None` where it has none.
+    pub surroundings: Option<Surroundings>,
     /// From light to the picture's numbers.
     pub output: OutputTransform,
     /// How textures are sampled.
@@ -86,6 +89,7 @@ impl LoadedScene {
                 bottom: scene.background.bottom.into(),
                 transparent: scene.background.transparent,
             },
+            surroundings: self.surroundings(),
             output: OutputTransform {
                 exposure: scene.picture.exposure,
                 tone_map: scene.picture.tone_map,

@@ -2,6 +2,7 @@
 
 use crate::camera::Camera;
 use crate::description::{CameraSpec, MaterialOverride, Normals, ObjectSpec, Scene};
+use crate::environment_file;
 use crate::files::{self, FileSource};
 use crate::framing::{self, Around};
 use crate::loaded::{LoadedScene, Object, ObjectPart, SceneMaterial};
@@ -10,11 +11,12 @@ use crate::model_file::{self, ModelFile};
 use crate::model_scene;
 use crate::validate;
 use glam::{DMat4, DQuat, DVec3};
-use gonio_light::Convention;
+use gonio_light::{Convention, Fresnel, Optics};
 use gonio_mesh::normals::Averaging;
 use gonio_mesh::{Diagnostic, Limits, Material, Mesh, ReadError, normals, tangents, topology};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 pub use crate::describe::describe;
 
@@ -56,10 +58,13 @@ pub fn load_within(
         }
         model_of_object.push(index);
     }
-    let mut models: Vec<ModelFile> = paths
-        .into_par_iter()
-        .map(|(path, name)| model_file::read(&path, &name, files, limits))
-        .collect::<Result<_, _>>()?;
+    let (models, environment) = rayon::join(
+        || -> Result<Vec<ModelFile>, ReadError> {
+            paths.into_par_iter().map(|(path, name)| model_file::read(&path, &name, files, limits)).collect()
+        },
+        || scene.environment.as_ref().map(|spec| environment_file::load(spec, base, files, limits)).transpose(),
+    );
+    let (mut models, environment) = (models?, environment?);
 
     let mut diagnostics = Vec::new();
     let mut binder = MaterialBinder::new(files, limits.max_bytes);
@@ -118,6 +123,19 @@ pub fn load_within(
     }
     model_scene::take_camera(&mut scene, &models, &model_of_object)?;
     model_scene::take_lights(&mut scene, &models, &model_of_object, loaded.bounds(), &mut diagnostics);
+    if let Some(mut read) = environment {
+        diagnostics.append(&mut read.diagnostics);
+        if let Some(spec) = &mut scene.environment {
+            (spec.layout, spec.size) = (read.layout, Some(read.environment.mips.full().size()));
+            spec.light.get_or_insert(scene.lights.is_empty());
+        }
+        loaded.environment = Some(Arc::new(read.environment));
+    } else if loaded.materials.iter().any(|m| !m.optics.is_plain()) {
+        diagnostics.push(Diagnostic::warning(
+            "mirrors and glass show their surroundings, and the scene has none: they look like any surface; give \
+             --environment, or [environment] in the scene file",
+        ));
+    }
     loaded.camera_was_framed = scene.camera.position.is_none();
     fill_in(&mut scene, &loaded);
     loaded.scene = scene;
@@ -238,7 +256,8 @@ fn fill_in(scene: &mut Scene, loaded: &LoadedScene) {
     let around = Around::new(min, max);
     let aspect = f64::from(scene.picture.width) / f64::from(scene.picture.height);
     framing::fill_camera(&mut scene.camera, around, loaded, aspect);
-    if scene.lights.is_empty() {
+    let lit_by_environment = scene.environment.as_ref().is_some_and(|e| e.light == Some(true));
+    if scene.lights.is_empty() && !lit_by_environment {
         scene.lights = framing::portrait_lights(&camera_of(&scene.camera), around, &scene.equation);
     }
     scene.lights.iter_mut().for_each(framing::fill_light);
@@ -297,6 +316,9 @@ pub(crate) fn overridden(mut material: Material, with: &MaterialOverride) -> Mat
     if let Some(v) = with.shininess {
         (material.shininess, material.shininess_map) = (v as f32, None);
     }
+    if let Some(medium) = with.medium {
+        material.refraction_index = medium.refraction_index() as f32;
+    }
     if let Some(v) = with.refraction_index {
         material.refraction_index = v as f32;
     }
@@ -306,9 +328,24 @@ pub(crate) fn overridden(mut material: Material, with: &MaterialOverride) -> Mat
     material
 }
 
+/// How an object of a material shows its surroundings: as the scene says, for model files have no word for it.
+pub(crate) fn optics_of(with: &MaterialOverride) -> Optics {
+    let usual = Optics::default();
+    let clear = with.medium.is_some();
+    Optics {
+        reflectivity: with.reflectivity.unwrap_or(usual.reflectivity),
+        transmission: with.transmission.unwrap_or(if clear { 1.0 } else { usual.transmission }),
+        fresnel: with.fresnel.unwrap_or(if clear { Fresnel::Exact } else { usual.fresnel }),
+        tint: with.tint.map_or(usual.tint, DVec3::from),
+        absorption: with.absorption.map_or(usual.absorption, DVec3::from),
+        dispersion: with.dispersion.unwrap_or(usual.dispersion),
+        surfaces: with.surfaces.unwrap_or(usual.surfaces),
+    }
+}
+
 /// A material whose textures were all found, for tests and tools that build scenes by hand.
 impl From<Material> for SceneMaterial {
     fn from(material: Material) -> Self {
-        SceneMaterial { material, maps: crate::loaded::Maps::default() }
+        SceneMaterial { material, maps: crate::loaded::Maps::default(), optics: Optics::default() }
     }
 }

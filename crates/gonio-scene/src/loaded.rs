@@ -1,12 +1,14 @@
 //! A scene with its files read.
 
 use crate::description::{Scene, Shading};
+use crate::environment::LoadedEnvironment;
 use crate::framing::Extent;
 use crate::texture::Texture;
 use glam::{DMat4, DVec3};
+use gonio_light::Optics;
 use gonio_mesh::{Diagnostic, Material, Mesh, Wrap};
 use rayon::prelude::*;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// A surface less opaque than this is a hole: a debug view shows what is behind it.
 pub const HOLE_OPACITY: f64 = 1.0 / 255.0;
@@ -22,6 +24,8 @@ pub struct LoadedScene {
     pub materials: Vec<SceneMaterial>,
     /// Each file once per color space.
     pub textures: Vec<Texture>,
+    /// What the scene is surrounded by.
+    pub environment: Option<Arc<LoadedEnvironment>>,
     /// In the order of the scene.
     pub objects: Vec<Object>,
     /// Everything odd that was survived.
@@ -125,6 +129,8 @@ pub struct SceneMaterial {
     pub material: Material,
     /// The textures that were found.
     pub maps: Maps,
+    /// How it shows the environment. Without one it shows nothing of it.
+    pub optics: Optics,
 }
 
 /// A material's textures. Each multiplies the number of the same name, except `normal`.

@@ -2,11 +2,12 @@
 
 use crate::description::MaterialOverride;
 use crate::files::FileSource;
-use crate::load::overridden;
+use crate::load::{optics_of, overridden};
 use crate::loaded::{BoundTexture, Maps, SceneMaterial};
 use crate::model_file::ModelFile;
 use crate::texture_library::{Asker, TextureLibrary, TextureUse};
 use crate::texture_recipe::{Metal, Purpose, Rule};
+use gonio_light::Optics;
 use gonio_mesh::{Diagnostic, Format, Material, TextureMap};
 
 /// A texture that was asked for: the job, and the map that says how it lies.
@@ -14,6 +15,7 @@ type Request = Option<(usize, TextureMap)>;
 
 struct PendingMaterial {
     material: Material,
+    optics: Optics,
     diffuse: Request,
     specular: Request,
     emitted: Request,
@@ -70,11 +72,12 @@ impl<'a> MaterialBinder<'a> {
                 images: &model.images,
             };
             let material = overridden(material.clone(), with);
-            let pending = if used {
+            let mut pending = if used {
                 Requests { library: &mut self.library, asker, format: file.format }.of(material, with)
             } else {
                 PendingMaterial::without_textures(material)
             };
+            pending.optics = optics_of(with);
             self.pending.push(pending);
         }
         first
@@ -93,6 +96,7 @@ impl<'a> MaterialBinder<'a> {
             .iter()
             .map(|p| SceneMaterial {
                 material: p.material.clone(),
+                optics: p.optics,
                 maps: Maps {
                     diffuse: bind(&p.diffuse),
                     specular: bind(&p.specular),
@@ -112,6 +116,7 @@ impl PendingMaterial {
     fn without_textures(material: Material) -> Self {
         PendingMaterial {
             material,
+            optics: Optics::default(),
             diffuse: None,
             specular: None,
             emitted: None,
@@ -147,6 +152,7 @@ impl Requests<'_, '_> {
             normal: self
                 .one(&material.normal_map, normal, "norm", "normal map")
                 .or_else(|| self.one(&material.bump_map, bump, "map_Bump", "bump map")),
+            optics: Optics::default(),
             material,
         };
         self.metal(&mut pending, with);

@@ -5,6 +5,7 @@ use crate::document::{Entry, Fault, Item, Value};
 use crate::table_reader::{TableReader, unknown_key};
 use crate::toml_reader;
 use crate::validate;
+use gonio_light::fresnel::Medium;
 use std::ops::Range;
 
 /// The keys that belong to a light's motion; `motion` itself names its kind.
@@ -27,7 +28,7 @@ const OF_LIGHT: [&str; 16] = [
     "axis",
     "points",
 ];
-const COLORS: [&str; 5] = ["color", "ambient", "diffuse", "specular", "emitted"];
+const COLORS: [&str; 7] = ["color", "ambient", "diffuse", "specular", "emitted", "tint", "absorption"];
 
 impl LightSpec {
     /// `KIND key=value ...`, for example `point position=1,2,3 color=#ff8800 intensity=2`: the keys of
@@ -42,7 +43,8 @@ impl LightSpec {
 
 impl MaterialOverride {
     /// `key=value ...`, for example `diffuse=#ff8800 shininess=32`: the keys of an object's
-    /// `material` in a scene file. Commas between the pairs are allowed too.
+    /// `material` in a scene file. Commas between the pairs are allowed too. A medium's name alone (`glass`) stands for
+    /// `medium=glass`, `mirror` for `reflectivity=1`.
     pub fn from_option_text(text: &str) -> Result<MaterialOverride, String> {
         read_material(text).map_err(|fault| in_option(text, fault))
     }
@@ -94,11 +96,38 @@ fn read_light(text: &str) -> Result<LightSpec, Fault> {
 
 fn read_material(text: &str) -> Result<MaterialOverride, Fault> {
     let words = words(text, |c| c.is_whitespace() || c == ',');
-    let item = Item { value: Value::Table(pairs(&words)?), span: 0..text.len() };
+    // Names stand first: a later word without `=` goes on with the value before it.
+    let named = words.iter().take_while(|(_, word)| !word.contains('=')).count();
+    let mut entries = Vec::new();
+    for (span, word) in &words[..named] {
+        entries.push(preset(span, word)?);
+    }
+    entries.extend(pairs(&words[named..])?);
+    if let Some(twice) = entries.iter().enumerate().find_map(|(i, e)| {
+        let known = entries[..i].iter().any(|earlier| earlier.key == e.key);
+        known.then_some(e)
+    }) {
+        return Err(Fault::at(&twice.key_span, format!("`{}` is given twice", twice.key)));
+    }
+    let item = Item { value: Value::Table(entries), span: 0..text.len() };
     let spec = toml_reader::read_material(TableReader::new("a material", &item)?)?;
     validate::check_material("", &spec)
         .map_err(|p| Fault::at(&item.locate(p.path.trim_start_matches('.')), p.message))?;
     Ok(spec)
+}
+
+/// What a bare word stands for.
+fn preset(span: &Range<usize>, word: &str) -> Result<Entry, Fault> {
+    if word.eq_ignore_ascii_case("mirror") {
+        return Ok(entry("reflectivity", span, Value::Number(1.0), span));
+    }
+    match word.parse::<Medium>() {
+        Ok(medium) => Ok(entry("medium", span, Value::Text(medium.name().to_owned()), span)),
+        Err(_) => {
+            let names = Medium::ALL.iter().map(|m| m.name()).collect::<Vec<_>>().join(", ");
+            Err(Fault::at(span, format!("`{word}` has no value; key=value is wanted, or one of mirror, {names}")))
+        }
+    }
 }
 
 fn entry(key: &str, key_span: &Range<usize>, value: Value, span: &Range<usize>) -> Entry {

@@ -1,8 +1,8 @@
 //! A scene from TOML, with errors that say where and what was meant.
 
 use crate::description::{
-    BackgroundSpec, CameraSpec, EquationSpec, LightSourceKind, LightSpec, MaterialOverride, MotionKind, MotionSpec,
-    ObjectSpec, PictureSpec, Scene,
+    BackgroundSpec, CameraSpec, EnvironmentSpec, EquationSpec, LightSourceKind, LightSpec, MaterialOverride,
+    MotionKind, MotionSpec, ObjectSpec, PictureSpec, Scene,
 };
 use crate::document::{Fault, Item, parse_toml};
 use crate::table_reader::TableReader;
@@ -27,6 +27,7 @@ fn read_scene(root: &Item) -> Result<Scene, Fault> {
     let picture = t.table("picture", "[picture]")?;
     let camera = t.table("camera", "[camera]")?;
     let background = t.table("background", "[background]")?;
+    let environment = t.table("environment", "[environment]")?;
     let equation = t.table("equation", "[equation]")?;
     let objects = t.tables("object")?;
     let lights = t.tables("light")?;
@@ -35,6 +36,7 @@ fn read_scene(root: &Item) -> Result<Scene, Fault> {
         picture: picture.map_or(Ok(PictureSpec::default()), read_picture)?,
         camera: camera.map_or(Ok(CameraSpec::default()), read_camera)?,
         background: background.map_or(Ok(BackgroundSpec::default()), read_background)?,
+        environment: environment.map(read_environment).transpose()?,
         equation: equation.map_or(Ok(EquationSpec::default()), read_equation)?,
         objects: objects.into_iter().map(read_object).collect::<Result<_, _>>()?,
         lights: lights.into_iter().map(read_light).collect::<Result<_, _>>()?,
@@ -80,6 +82,22 @@ fn read_background(mut t: TableReader<'_>) -> Result<BackgroundSpec, Fault> {
         transparent: t.truth("transparent")?.unwrap_or(d.transparent),
     };
     t.finish().map(|()| background)
+}
+
+fn read_environment(mut t: TableReader<'_>) -> Result<EnvironmentSpec, Fault> {
+    let d = EnvironmentSpec::default();
+    let environment = EnvironmentSpec {
+        image: t.text("image")?.unwrap_or_default(),
+        layout: t.word("layout")?,
+        size: t.whole("size")?,
+        rotate: t.vector("rotate")?.unwrap_or(d.rotate),
+        intensity: t.number("intensity")?.unwrap_or(d.intensity),
+        light: t.truth("light")?,
+        visible: t.truth("visible")?.unwrap_or(d.visible),
+        blur: t.number("blur")?.unwrap_or(d.blur),
+        background: t.text("background")?,
+    };
+    t.finish().map(|()| environment)
 }
 
 fn read_equation(mut t: TableReader<'_>) -> Result<EquationSpec, Fault> {
@@ -130,6 +148,14 @@ pub(crate) fn read_material(mut t: TableReader<'_>) -> Result<MaterialOverride, 
         refraction_index: t.number("refraction_index")?,
         opacity: t.number("opacity")?,
         textures: t.truth("textures")?,
+        medium: t.word("medium")?,
+        reflectivity: t.number("reflectivity")?,
+        transmission: t.number("transmission")?,
+        fresnel: t.word("fresnel")?,
+        tint: t.color("tint")?,
+        absorption: t.color("absorption")?,
+        dispersion: t.number("dispersion")?,
+        surfaces: t.word("surfaces")?,
     };
     t.finish().map(|()| material)
 }

@@ -2,8 +2,8 @@
 //! line has changed pass the same checks.
 
 use crate::description::{
-    CameraSpec, EquationSpec, LightSourceKind, LightSpec, MaterialOverride, MotionKind, MotionSpec, ObjectSpec,
-    PictureSpec, Scene,
+    CameraSpec, EnvironmentSpec, EquationSpec, LightSourceKind, LightSpec, MaterialOverride, MotionKind, MotionSpec,
+    ObjectSpec, PictureSpec, Scene,
 };
 use glam::DVec3;
 use gonio_light::vector::unit;
@@ -39,6 +39,9 @@ pub fn check(scene: &Scene) -> Check {
     check_picture(&scene.picture)?;
     check_camera(&scene.camera)?;
     check_equation(&scene.equation)?;
+    if let Some(environment) = &scene.environment {
+        check_environment(environment)?;
+    }
     for (key, color) in [("top", scene.background.top), ("bottom", scene.background.bottom)] {
         check_color("background", key, Some(color.0))?;
     }
@@ -129,6 +132,24 @@ fn check_object(at: &str, o: &ObjectSpec) -> Check {
     check_material(&format!("{at}.material"), &o.material)
 }
 
+/// Most texels along an edge of a cubemap.
+pub const MAX_CUBEMAP_SIZE: u32 = 8192;
+
+fn check_environment(e: &EnvironmentSpec) -> Check {
+    let at = "environment";
+    if e.image.trim().is_empty() {
+        let wants = "the environment needs `image`: debug, sky, room, a picture or a folder of six";
+        return fail(at, "", wants);
+    }
+    if let Some(size) = e.size.filter(|size| !(1..=MAX_CUBEMAP_SIZE).contains(size)) {
+        return fail(at, "size", format!("`size` must be 1 to {MAX_CUBEMAP_SIZE} texels, not {size}"));
+    }
+    check_point(at, "rotate", Some(e.rotate))?;
+    let intensity = "must be 0 to 1000000";
+    check_number(at, "intensity", Some(e.intensity), |v| (0.0..=1e6).contains(&v), intensity)?;
+    check_number(at, "blur", Some(e.blur), |v| (0.0..=1.0).contains(&v), "must be 0 to 1")
+}
+
 pub(crate) fn check_material(at: &str, m: &MaterialOverride) -> Check {
     for (key, color) in
         [("ambient", m.ambient), ("diffuse", m.diffuse), ("specular", m.specular), ("emitted", m.emitted)]
@@ -138,7 +159,16 @@ pub(crate) fn check_material(at: &str, m: &MaterialOverride) -> Check {
     check_number(at, "shininess", m.shininess, |v| (1.0..=1e6).contains(&v), "must be 1 to 1000000")?;
     let index = "must be greater than 0 and at most 100";
     check_number(at, "refraction_index", m.refraction_index, |v| v > 0.0 && v <= 100.0, index)?;
-    check_number(at, "opacity", m.opacity, |v| (0.0..=1.0).contains(&v), "must be 0 to 1")
+    for (key, share) in [("opacity", m.opacity), ("reflectivity", m.reflectivity), ("transmission", m.transmission)] {
+        check_number(at, key, share, |v| (0.0..=1.0).contains(&v), "must be 0 to 1")?;
+    }
+    for (key, color) in [("tint", m.tint), ("absorption", m.absorption)] {
+        check_color(at, key, color.map(|c| c.0))?;
+    }
+    if m.tint.is_some_and(|t| t.0.iter().any(|v| *v > 1.0)) {
+        return fail(at, "tint", "`tint` must be 0 to 1 in each channel: a body lets no more light through than comes");
+    }
+    check_number(at, "dispersion", m.dispersion, |v| (-1.0..=1.0).contains(&v), "must be -1 to 1")
 }
 
 /// One light, as it stands at `at` (for example `light[0]`).

@@ -2,7 +2,7 @@
 #![allow(dead_code, clippy::unwrap_used, missing_docs)]
 
 use glam::{DMat4, DVec3};
-use gonio_light::{Attenuation, Convention, Equation, Light, LightKind, Quantity, Specular};
+use gonio_light::{Attenuation, Convention, Equation, Light, LightKind, Optics, Quantity, Specular};
 use gonio_mesh::{AmbientRule, Material, Mesh};
 use gonio_reference::{ReferenceScene, Rendered};
 use gonio_scene::description::{Scene, Shading};
@@ -64,6 +64,7 @@ impl Lab {
                 equation: Equation { specular: Specular::None, convention: Convention::Lab, ..Equation::default() },
                 two_sided: true,
                 background: Background { top: DVec3::ZERO, bottom: DVec3::ZERO, transparent: false },
+                surroundings: None,
                 output: Default::default(),
                 texture_filter: TextureFilter::Nearest,
                 bounds_min: DVec3::NEG_ONE,
@@ -117,7 +118,7 @@ impl Lab {
             closed: false,
         });
         scene.meshes.push(mesh);
-        scene.materials.push(SceneMaterial { material, maps });
+        scene.materials.push(SceneMaterial { material, maps, optics: Optics::default() });
         self
     }
 

@@ -61,7 +61,7 @@ pub(crate) fn explain(error: &Error) -> String {
     }
 }
 
-fn list(files: &dyn FileSource, folder: &Path) -> Vec<PathBuf> {
+pub(crate) fn list(files: &dyn FileSource, folder: &Path) -> Vec<PathBuf> {
     match builtin_of(folder) {
         Some(name) => list_builtin(&name),
         None => files.list(folder),

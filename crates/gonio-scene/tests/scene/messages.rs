@@ -24,7 +24,7 @@ fn unknown_keys_get_the_nearest_known_one() {
     says(
         "[lights]\n",
         "3:2: unknown key `lights` in a scene; did you mean `light`? Known keys: picture, camera, background, \
-         equation, object, light",
+         environment, equation, object, light",
     );
     says(
         "[picture]\n  xyzzy = 3\n",
@@ -34,7 +34,8 @@ fn unknown_keys_get_the_nearest_known_one() {
     says(
         "[object.material]\nshinyness = 3\n",
         "4:1: unknown key `shinyness` in [object.material]; did you mean `shininess`? Known keys: ambient, diffuse, \
-         specular, emitted, shininess, refraction_index, opacity, textures",
+         specular, emitted, shininess, refraction_index, opacity, textures, medium, reflectivity, \
+         transmission, fresnel, tint, absorption, dispersion, surfaces",
     );
 }
 

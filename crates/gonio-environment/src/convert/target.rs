@@ -1,0 +1,116 @@
+//! Where the pixels of a target look.
+
+use super::lanes::Directions;
+use crate::face::{Face, Layout};
+use std::f64::consts::PI;
+use wide::f32x8;
+
+/// A picture to be filled, row by row.
+pub(super) trait Target: Sync {
+    /// What all pixels of a row share.
+    type Row: Copy;
+
+    /// Pixels in a row.
+    fn row_length(&self) -> usize;
+
+    /// How many radians a pixel in the middle is high.
+    fn pixel_angle(&self) -> f64;
+
+    /// A row; of a cubemap they go on from face to face.
+    fn row(&self, row: usize) -> Self::Row;
+
+    /// The directions, of any length, of eight places in a row: at the columns `first` + `across`, where 0 is the middle
+    /// of the first pixel, and `down` pixels below the row's middle.
+    fn directions(&self, row: &Self::Row, first: f32, across: f32x8, down: f32) -> Directions;
+}
+
+/// The six faces of a cubemap, OpenGL's layout.
+pub(super) struct CubeTarget {
+    size: usize,
+    /// Of a texel, where the face is from -1 to 1.
+    step: f32,
+}
+
+/// A row of a face.
+#[derive(Clone, Copy)]
+pub(super) struct CubeRow {
+    middle: [f32; 3],
+    along_s: [f32; 3],
+    along_t: [f32; 3],
+    t: f32,
+}
+
+impl CubeTarget {
+    pub fn new(size: u32) -> Self {
+        CubeTarget { size: size as usize, step: 2.0 / size as f32 }
+    }
+}
+
+impl Target for CubeTarget {
+    type Row = CubeRow;
+
+    fn row_length(&self) -> usize {
+        self.size
+    }
+
+    fn pixel_angle(&self) -> f64 {
+        2.0 / self.size as f64
+    }
+
+    fn row(&self, row: usize) -> CubeRow {
+        let face = Face::ALL[(row / self.size).min(5)];
+        let axis = |d: glam::DVec3| d.as_vec3().to_array();
+        CubeRow {
+            middle: axis(face.direction(0.0, 0.0, Layout::OpenGl)),
+            along_s: axis(face.along_s()),
+            along_t: axis(face.along_t()),
+            t: (row % self.size) as f32,
+        }
+    }
+
+    #[inline]
+    fn directions(&self, row: &CubeRow, first: f32, across: f32x8, down: f32) -> Directions {
+        let s = (across + (first + 0.5)) * self.step - 1.0;
+        let t = (row.t + down + 0.5) * self.step - 1.0;
+        std::array::from_fn(|i| s * row.along_s[i] + (row.middle[i] + t * row.along_t[i]))
+    }
+}
+
+/// An equirectangular picture.
+pub(super) struct PanoramaTarget {
+    width: usize,
+    height: usize,
+}
+
+impl PanoramaTarget {
+    pub fn new(width: u32, height: u32) -> Self {
+        PanoramaTarget { width: width as usize, height: height as usize }
+    }
+}
+
+impl Target for PanoramaTarget {
+    /// From the top, in rows.
+    type Row = f32;
+
+    fn row_length(&self) -> usize {
+        self.width
+    }
+
+    fn pixel_angle(&self) -> f64 {
+        PI / self.height as f64
+    }
+
+    fn row(&self, row: usize) -> f32 {
+        row as f32
+    }
+
+    #[inline]
+    fn directions(&self, row: &f32, first: f32, across: f32x8, down: f32) -> Directions {
+        // From the middle column: angles near 0 keep their digits where most pictures have their motif.
+        let from_middle = across + (first + 0.5 - 0.5 * self.width as f32);
+        let (sin_lon, cos_lon) = (from_middle * (2.0 * PI / self.width as f64) as f32).sin_cos();
+        let polar = f64::from(row + down + 0.5) * PI / self.height as f64;
+        let (sin_polar, cos_polar) = (polar.sin() as f32, polar.cos() as f32);
+        [sin_lon * sin_polar, f32x8::splat(cos_polar), -cos_lon * sin_polar]
+    }
+}

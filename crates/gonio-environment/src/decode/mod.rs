@@ -1,0 +1,150 @@
+//! Files to pictures of linear light.
+//!
+//! The kind of a file is told by its content, never by its name. 8- and 16-bit colours are sRGB and are decoded; light
+//! in floats is taken as it is, after NaN and negative numbers became 0 and infinite ones 65504. Alpha is ignored.
+//!
+//! | kind | what is read |
+//! |---|---|
+//! | PNG, JPEG | everything that the formats hold, as sRGB |
+//! | Radiance `.hdr` | RGBE in all packings and all eight orders of pixels; exposure and colour correction taken back |
+//! | OpenEXR | half, float and integer; scan lines and tiles, the largest level; R G B, a layer's, or Y |
+//! | KTX2 | cubemaps and 2-D; 8 and 16 bits, half, float, R11G11B10, RGB9E5, BC1 to BC4, BC6H, BC7; zlib, Zstandard |
+//! | DDS | cubemaps and 2-D, old and DX10 headers; the same, and colours by masks |
+
+mod block;
+mod bytes;
+mod dds;
+mod exr;
+mod hdr;
+mod jpeg;
+mod ktx2;
+mod png;
+mod texel;
+mod tidy;
+
+use crate::{EnvironmentError, Image, Limits};
+pub(crate) use ktx2::MAGIC as KTX2_MAGIC;
+pub use tidy::INFINITE_LIGHT;
+
+/// Said of every file with alpha.
+const ALPHA_IGNORED: &str = "alpha is ignored";
+
+/// What a file holds.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape {
+    /// One picture: a face, a panorama, a cross, a strip.
+    Picture(Image),
+    /// Six faces in the order of [`crate::Face::ALL`]: square, of one size, and by the formats' specifications in
+    /// OpenGL's layout.
+    Faces(Box<[Image; 6]>),
+}
+
+/// What kind of file it was.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FileFormat {
+    /// PNG.
+    Png,
+    /// JPEG.
+    Jpeg,
+    /// Radiance's `.hdr`.
+    Hdr,
+    /// OpenEXR.
+    Exr,
+    /// Khronos's KTX, version 2.
+    Ktx2,
+    /// Microsoft's DirectDraw surface.
+    Dds,
+}
+
+impl FileFormat {
+    /// As reports call it.
+    pub fn name(self) -> &'static str {
+        match self {
+            FileFormat::Png => "PNG",
+            FileFormat::Jpeg => "JPEG",
+            FileFormat::Hdr => "Radiance HDR",
+            FileFormat::Exr => "OpenEXR",
+            FileFormat::Ktx2 => "KTX2",
+            FileFormat::Dds => "DDS",
+        }
+    }
+
+    /// The kind that a file's first bytes show; `None` for kinds that are not read.
+    pub fn detect(bytes: &[u8]) -> Option<FileFormat> {
+        let kinds = [
+            (png::MAGIC, FileFormat::Png),
+            (jpeg::MAGIC, FileFormat::Jpeg),
+            (hdr::MAGIC, FileFormat::Hdr),
+            (exr::MAGIC, FileFormat::Exr),
+            (ktx2::MAGIC, FileFormat::Ktx2),
+            (dds::MAGIC, FileFormat::Dds),
+        ];
+        kinds.into_iter().find(|(magic, _)| bytes.starts_with(magic)).map(|(_, format)| format)
+    }
+}
+
+/// A file, read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Decoded {
+    /// Linear light; every number is finite and at least 0, and the fourth of every pixel is 1.
+    pub shape: Shape,
+    /// Whether the file can hold light beyond 1: floats, half floats, RGBE.
+    pub high_dynamic_range: bool,
+    /// What kind of file it was.
+    pub format: FileFormat,
+    /// What is good to know and changes nothing: what was chosen or left aside. Sentences without final full stop.
+    pub notes: Vec<String>,
+    /// What may make the light another one than was meant.
+    pub warnings: Vec<String>,
+}
+
+/// Reads a file. `name` is what it is called in errors; its kind is told by its content.
+///
+/// # Errors
+///
+/// A kind or a variant that is not read (the message says what to convert it to); a file that is cut off or damaged; a
+/// size beyond `limits`, before anything is allocated.
+pub fn decode(name: &str, bytes: &[u8], limits: &Limits) -> Result<Decoded, EnvironmentError> {
+    let decode = match FileFormat::detect(bytes) {
+        Some(FileFormat::Png) => png::decode,
+        Some(FileFormat::Jpeg) => jpeg::decode,
+        Some(FileFormat::Hdr) => hdr::decode,
+        Some(FileFormat::Exr) => exr::decode,
+        Some(FileFormat::Ktx2) => ktx2::decode,
+        Some(FileFormat::Dds) => dds::decode,
+        None => return Err(unknown(bytes).in_file(name)),
+    };
+    decode(bytes, limits).map_err(|e| e.in_file(name))
+}
+
+/// What to say of a kind that is not read.
+fn unknown(bytes: &[u8]) -> EnvironmentError {
+    const READ: &str = "PNG, JPEG, Radiance .hdr, OpenEXR, KTX2 and DDS are read";
+    if bytes.is_empty() {
+        return EnvironmentError::new("the file is empty; get it again");
+    }
+    // (where it stands, what stands there, what it is)
+    const OTHERS: &[(usize, &[u8], &str)] = &[
+        (0, b"\xABKTX 11\xBB", "a KTX file of version 1"),
+        (8, b"WEBP", "a WebP picture"),
+        (0, b"GIF8", "a GIF"),
+        (0, b"BM", "a Windows bitmap"),
+        (0, b"II*\0", "a TIFF picture"),
+        (0, b"MM\0*", "a TIFF picture"),
+        (4, b"ftypavif", "an AVIF picture"),
+        (4, b"ftyphei", "a HEIF picture"),
+        (4, b"JXL ", "a JPEG XL picture"),
+        (0, b"\xFF\x0A", "a JPEG XL picture"),
+        (4, b"jP  ", "a JPEG 2000 picture"),
+        (0, b"8BPS", "a Photoshop document"),
+        (0, b"PF\n", "a portable float map"),
+        (0, b"Pf\n", "a portable float map"),
+        (0, b"P6", "a portable pixmap"),
+        (0, b"version https://git-lfs", "a pointer of Git LFS and not the file itself (type: git lfs pull)"),
+    ];
+    let what = OTHERS.iter().find(|(at, magic, _)| bytes.get(*at..).is_some_and(|b| b.starts_with(magic)));
+    match what {
+        Some((_, _, what)) => EnvironmentError::new(format!("this is {what}; {READ}")),
+        None => EnvironmentError::new(format!("this is no kind of picture that is known; {READ}")),
+    }
+}

@@ -1,0 +1,159 @@
+//! PNG: grey, palette and RGB of 1 to 16 bits, taken as sRGB.
+
+use super::{Decoded, FileFormat, Shape};
+use crate::srgb::{LINEAR_FROM_8, LINEAR_FROM_16};
+use crate::{EnvironmentError, Limits, Pixel};
+use png::{BitDepth, DecodingError, Transformations};
+use rayon::prelude::*;
+use std::io::Cursor;
+
+/// What PNG begins with.
+pub(super) const MAGIC: &[u8] = b"\x89PNG\r\n\x1a\n";
+
+/// Rows that are decoded before they are converted: few enough to stay in a cache, enough for all threads.
+const BATCH: usize = 64;
+
+pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, EnvironmentError> {
+    // What the codec itself needs is a few rows and the metadata; the pixels are ours.
+    let codec_limit = png::Limits { bytes: usize::try_from(limits.max_bytes).unwrap_or(usize::MAX) };
+    let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), codec_limit);
+    // Palettes and small depths become 8 bits, transparent colours alpha.
+    decoder.set_transformations(Transformations::EXPAND);
+    decoder.set_ignore_text_chunk(true);
+    let mut reader = decoder.read_info().map_err(failed)?;
+    let (width, height) = reader.info().size();
+    let mut image = limits.unfilled(width, height)?;
+    let (color, depth) = reader.output_color_type();
+    let (notes, warnings) = remarks(reader.info(), color.samples() > 3 || color.samples() == 2);
+    let convert = Converter { samples: color.samples(), wide: depth == BitDepth::Sixteen };
+
+    let row_bytes = reader.output_line_size(width).ok_or_else(|| EnvironmentError::new("its rows are too long"))?;
+    if reader.info().interlaced {
+        // The rows of a pass are no rows of the picture: all of it first.
+        let size = row_bytes.checked_mul(height as usize).ok_or_else(|| EnvironmentError::new("it is too large"))?;
+        let mut all = vec![0; size];
+        reader.next_frame(&mut all).map_err(failed)?;
+        convert.rows(&all, row_bytes, width, &mut image.pixels);
+    } else {
+        let mut batch = vec![0; row_bytes * BATCH.min(height as usize)];
+        let mut left = height as usize;
+        while left > 0 {
+            let rows = left.min(BATCH);
+            for row in batch.chunks_exact_mut(row_bytes).take(rows) {
+                if reader.read_row(row).map_err(failed)?.is_none() {
+                    return Err(cut_off());
+                }
+            }
+            convert.rows(&batch[..rows * row_bytes], row_bytes, width, &mut image.pixels);
+            left -= rows;
+        }
+    }
+    // To the end: a file that lacks only its last chunk is a file cut off.
+    reader.finish().map_err(failed)?;
+    Ok(Decoded { shape: Shape::Picture(image), high_dynamic_range: false, format: FileFormat::Png, notes, warnings })
+}
+
+/// What the file says that is not honoured.
+fn remarks(info: &png::Info<'_>, has_alpha: bool) -> (Vec<String>, Vec<String>) {
+    let (mut notes, mut warnings) = (Vec::new(), Vec::new());
+    if has_alpha {
+        notes.push(super::ALPHA_IGNORED.to_owned());
+    }
+    if info.animation_control.is_some() {
+        notes.push("the file is animated; its first picture is read".to_owned());
+    }
+    if let Some(points) = info.coding_independent_code_points
+        && !matches!(points.transfer_function, 1 | 6 | 13..=15)
+    {
+        let which = match points.transfer_function {
+            8 => "linear light".to_owned(),
+            16 => "PQ".to_owned(),
+            18 => "HLG".to_owned(),
+            other => format!("transfer function {other}"),
+        };
+        warnings
+            .push(format!("the file says that it is encoded as {which}; it is read as sRGB, so its light is wrong"));
+    } else if info.srgb.is_none() && info.icc_profile.is_some() {
+        notes.push("the colour profile in the file is ignored; colours are read as sRGB".to_owned());
+    } else if let (None, Some(gamma)) = (info.srgb, info.gama_chunk) {
+        // Writers say 1/2.2 for sRGB; a few percent beside it is the same intent.
+        let gamma = gamma.into_value();
+        if (gamma - 0.45455).abs() > 0.02 {
+            warnings.push(format!("the file says gamma {gamma:.3}; it is read as sRGB, so its light is wrong"));
+        }
+    }
+    (notes, warnings)
+}
+
+struct Converter {
+    /// 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA.
+    samples: usize,
+    /// 16 bits a sample, the high byte first.
+    wide: bool,
+}
+
+impl Converter {
+    /// Appends rows as linear pixels.
+    fn rows(&self, bytes: &[u8], row_bytes: usize, width: u32, pixels: &mut Vec<Pixel>) {
+        let rows = bytes.par_chunks_exact(row_bytes).with_min_len(8);
+        let width = width as usize;
+        match (self.wide, self.samples) {
+            (false, samples) => {
+                let table = &*LINEAR_FROM_8;
+                let light = |b: u8| table[usize::from(b)];
+                match samples {
+                    1 => rgb_rows::<1>(rows, width, pixels, |[v]| [light(v), light(v), light(v)]),
+                    2 => rgb_rows::<2>(rows, width, pixels, |[v, _]| [light(v), light(v), light(v)]),
+                    3 => rgb_rows::<3>(rows, width, pixels, |[r, g, b]| [light(r), light(g), light(b)]),
+                    _ => rgb_rows::<4>(rows, width, pixels, |[r, g, b, _]| [light(r), light(g), light(b)]),
+                }
+            }
+            (true, samples) => {
+                let table = &**LINEAR_FROM_16;
+                let light = |high: u8, low: u8| table[usize::from(u16::from_be_bytes([high, low]))];
+                match samples {
+                    1 => rgb_rows::<2>(rows, width, pixels, |[a, b]| [light(a, b); 3]),
+                    2 => rgb_rows::<4>(rows, width, pixels, |[a, b, ..]| [light(a, b); 3]),
+                    3 => {
+                        rgb_rows::<6>(rows, width, pixels, |[a, b, c, d, e, f]| [light(a, b), light(c, d), light(e, f)])
+                    }
+                    _ => rgb_rows::<8>(rows, width, pixels, |[a, b, c, d, e, f, ..]| {
+                        [light(a, b), light(c, d), light(e, f)]
+                    }),
+                }
+            }
+        }
+    }
+}
+
+/// Appends rows of `N` bytes a pixel.
+fn rgb_rows<'a, const N: usize>(
+    rows: impl IndexedParallelIterator<Item = &'a [u8]>,
+    width: usize,
+    pixels: &mut Vec<Pixel>,
+    convert: impl Fn([u8; N]) -> [f32; 3] + Sync,
+) {
+    let start = pixels.len();
+    pixels.resize(start + rows.len() * width, [0.0; 4]);
+    pixels[start..].par_chunks_exact_mut(width).zip(rows).for_each(|(to, from)| {
+        for (to, from) in to.iter_mut().zip(from.as_chunks::<N>().0) {
+            let [r, g, b] = convert(*from);
+            *to = [r, g, b, 1.0];
+        }
+    });
+}
+
+fn failed(error: DecodingError) -> EnvironmentError {
+    match error {
+        DecodingError::IoError(e) if e.kind() == std::io::ErrorKind::UnexpectedEof => cut_off(),
+        DecodingError::LimitsExceeded => {
+            EnvironmentError::new("decoding this PNG takes more memory than the limit; make the picture smaller")
+        }
+        DecodingError::Format(e) if e.to_string().contains("nexpected end") => cut_off(),
+        error => EnvironmentError::new(format!("this PNG is damaged ({error}); get it again")),
+    }
+}
+
+fn cut_off() -> EnvironmentError {
+    EnvironmentError::new("this PNG ends before the picture is whole; get it again")
+}

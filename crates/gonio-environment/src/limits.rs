@@ -1,0 +1,82 @@
+//! How much a file may ask for.
+
+use crate::image::Image;
+use crate::{EnvironmentError, Pixel};
+
+/// How much memory a file may ask for before it is refused. Sizes are checked as the header names them, before anything
+/// is allocated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// Bytes of all decoded pixels together, 16 each.
+    pub max_bytes: u64,
+}
+
+impl Default for Limits {
+    /// 8 GiB: just enough for a panorama of 32768 x 16384. On 32 bits, where no more can be addressed than 4, 1 GiB.
+    fn default() -> Self {
+        Limits { max_bytes: if usize::BITS >= 64 { 8 << 30 } else { 1 << 30 } }
+    }
+}
+
+impl Limits {
+    /// How many pixels `pictures` pictures of a size have together, or why they are refused: no pixels, or too many.
+    pub fn pixels(&self, width: u64, height: u64, pictures: u64) -> Result<usize, EnvironmentError> {
+        if width == 0 || height == 0 {
+            return Err(EnvironmentError::new(format!(
+                "the picture is {width} x {height} pixels; an environment needs at least one"
+            )));
+        }
+        let pixels = width.checked_mul(height).and_then(|n| n.checked_mul(pictures));
+        let bytes = pixels.and_then(|n| n.checked_mul(size_of::<Pixel>() as u64));
+        match (bytes, pixels.and_then(|n| usize::try_from(n).ok())) {
+            (Some(bytes), Some(pixels)) if bytes <= self.max_bytes => Ok(pixels),
+            _ => {
+                let many = if pictures == 1 { String::new() } else { format!("{pictures} times ") };
+                let needed = bytes.map_or_else(|| "more than can be counted".to_owned(), gibibytes);
+                Err(EnvironmentError::new(format!(
+                    "{many}{width} x {height} pixels are {needed} when decoded, and the limit is {}; make the picture \
+                     smaller",
+                    gibibytes(self.max_bytes)
+                )))
+            }
+        }
+    }
+
+    /// A picture of a size with room for its pixels, but none yet: what a reader fills row by row, so that a header
+    /// that lies costs no memory.
+    pub(crate) fn unfilled(&self, width: u32, height: u32) -> Result<Image, EnvironmentError> {
+        let count = self.pixels(width.into(), height.into(), 1)?;
+        let mut pixels = Vec::new();
+        pixels.try_reserve_exact(count).map_err(|_| {
+            let size = gibibytes(count as u64 * size_of::<Pixel>() as u64);
+            EnvironmentError::new(format!("there is no memory for {width} x {height} pixels ({size}); make it smaller"))
+        })?;
+        Ok(Image { width, height, pixels })
+    }
+}
+
+fn gibibytes(bytes: u64) -> String {
+    const UNITS: [&str; 4] = ["bytes", "KiB", "MiB", "GiB"];
+    let unit = (0..3).find(|i| bytes < 1 << (10 * (i + 1))).unwrap_or(3);
+    if unit == 0 {
+        return format!("{bytes} bytes");
+    }
+    format!("{:.1} {}", bytes as f64 / (1_u64 << (10 * unit)) as f64, UNITS[unit])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_largest_panorama_fits_and_one_row_more_does_not() {
+        let limits = Limits { max_bytes: 8 << 30 };
+        assert_eq!(limits.pixels(32768, 16384, 1), Ok(1 << 29));
+        let refused = limits.pixels(32768, 16385, 1).map_err(|e| e.message);
+        let wanted =
+            "32768 x 16385 pixels are 8.0 GiB when decoded, and the limit is 8.0 GiB; make the picture smaller";
+        assert_eq!(refused, Err(wanted.to_owned()));
+        assert!(limits.pixels(u64::MAX, 3, 6).is_err());
+        assert!(limits.pixels(0, 3, 1).is_err());
+    }
+}

@@ -1,0 +1,268 @@
+//! How a surface shows its surroundings: mirrors, glass, and everything between them and the lit surface.
+//!
+//! ```text
+//! L = (1 - t) [(1 - w) L_o + w E(R)]  +  t [F E(R) + (1 - F) tint E(T)]
+//! ```
+//!
+//! | symbol | what | range | default |
+//! |---|---|---|---|
+//! | `L_o` | the light equation | | |
+//! | `E(D)` | the environment's radiance from the direction D | | |
+//! | `R`, `T` | [`vector::reflection`] and [`vector::refraction`] of `V` | unit | |
+//! | `t` | [`Optics::transmission`] | 0 to 1 | 0 |
+//! | `w` | [`Optics::reflectivity`], times `F` where there is a Fresnel factor | 0 to 1 | 0 |
+//! | `F` | [`reflectance`]: exact, Schlick's, or none (then 0); 1 where reflection is total | 0 to 1 | none |
+//! | `tint` | colour of what is let through, once | 0 to 1 | white |
+//!
+//! Where two surfaces count ([`Surfaces::Two`]), `E(T)` is what is seen through the body: [`through_body`].
+
+use crate::equation::ShadingPoint;
+use crate::{fresnel, vector};
+use glam::DVec3;
+
+named_enum! {
+    /// How much of the light a boundary reflects, by the angle.
+    pub enum Fresnel {
+        /// The angle does not count, as in the lab; reflection is total where there is no refraction.
+        None = "none",
+        /// Fresnel's equations for unpolarised light and a dielectric.
+        Exact = "exact",
+        /// Schlick's approximation.
+        Schlick = "schlick",
+    }
+    default None;
+    what "Fresnel factor";
+}
+
+named_enum! {
+    /// How many surfaces of a body the ray of sight is refracted at.
+    pub enum Surfaces {
+        /// The first one only, as in the lab.
+        One = "one",
+        /// Where it goes in and where it comes out, with total reflections between: needs a closed body.
+        Two = "two",
+    }
+    default One;
+    what "number of refracting surfaces";
+}
+
+/// The most surfaces that the ray of sight meets inside of a body before it is let go where it then points. Each
+/// partial reflection inside carries a few per cent on; total ones may be many, and look alike after some.
+pub const MOST_MEETINGS: usize = 4;
+
+/// How a surface shows its surroundings. See the head of the module.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Optics {
+    /// Of the part that is not transmitting: from the lit surface (0) to a mirror (1).
+    pub reflectivity: f64,
+    /// From an opaque surface (0) to a clear one (1), which shows nothing of its own light.
+    pub transmission: f64,
+    /// How the angle counts.
+    pub fresnel: Fresnel,
+    /// Multiplies what is let through, once however many surfaces count. Linear RGB, 0 to 1.
+    pub tint: DVec3,
+    /// Of the body, per world unit: light is weakened by `exp(-absorption d)` over the distance `d`. Counts between two
+    /// surfaces. Linear RGB, not negative.
+    pub absorption: DVec3,
+    /// The index of blue light (486 nm, the green channel has the index itself) less that of red light (656 nm).
+    pub dispersion: f64,
+    /// Where refraction happens.
+    pub surfaces: Surfaces,
+}
+
+impl Default for Optics {
+    fn default() -> Self {
+        Optics {
+            reflectivity: 0.0,
+            transmission: 0.0,
+            fresnel: Fresnel::None,
+            tint: DVec3::ONE,
+            absorption: DVec3::ZERO,
+            dispersion: 0.0,
+            surfaces: Surfaces::One,
+        }
+    }
+}
+
+impl Optics {
+    /// Whether the surface shows nothing of its surroundings.
+    pub fn is_plain(&self) -> bool {
+        self.reflectivity <= 0.0 && self.transmission <= 0.0
+    }
+
+    /// The indices of refraction for red, green and blue about that of the material, each at least
+    /// [`SMALLEST_INDEX`].
+    pub fn indices(&self, index: f64) -> [f64; 3] {
+        [index - 0.5 * self.dispersion, index, index + 0.5 * self.dispersion].map(|n| n.max(SMALLEST_INDEX))
+    }
+
+    /// `w`: how much of the environment's reflection stands in the place of the lit surface, where the boundary has the
+    /// Fresnel factor `f`.
+    pub fn mirror_share(&self, f: f64) -> f64 {
+        match self.fresnel {
+            Fresnel::None => self.reflectivity,
+            Fresnel::Exact | Fresnel::Schlick => self.reflectivity * f,
+        }
+    }
+
+    /// `L`, from the light equation's value and what is seen of the surroundings.
+    pub fn compose(&self, lit: DVec3, sight: &Sight) -> DVec3 {
+        let share = self.mirror_share(sight.fresnel.y);
+        let opaque = lit * (1.0 - share) + sight.reflected * share;
+        let clear = sight.fresnel * sight.reflected + sight.transmitted;
+        opaque * (1.0 - self.transmission) + clear * self.transmission
+    }
+}
+
+/// Dispersion brings no index below this: a vacuum in which light goes twice as fast is no material any more.
+pub const SMALLEST_INDEX: f64 = 0.1;
+
+/// What becomes of the ray of sight at a boundary.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Boundary {
+    /// `R`, unit.
+    pub reflected: DVec3,
+    /// `T`, unit; none where reflection is total.
+    pub transmitted: Option<DVec3>,
+    /// `F` in [0, 1]: 1 where reflection is total.
+    pub reflectance: f64,
+}
+
+/// The ray of sight at a boundary between the outside (index 1) and a material. `n`: unit normal, outwards; `v`: unit,
+/// back along the ray. Seen from inside (`n.v < 0`) the ray goes out.
+pub fn boundary(n: DVec3, v: DVec3, index: f64, kind: Fresnel) -> Boundary {
+    let (n, eta) = if n.dot(v) >= 0.0 { (n, 1.0 / index) } else { (-n, index) };
+    let reflected = vector::reflection(n, v);
+    let transmitted = vector::refraction(n, v, eta);
+    Boundary { reflected, transmitted, reflectance: reflectance(kind, n.dot(v), eta) }
+}
+
+/// `F`: the share of light that a boundary reflects, in [0, 1]; without a Fresnel factor 0, and by every kind 1 where
+/// reflection is total. `cos_i` is the cosine on the side of the ray, `eta` the index there over the one beyond.
+///
+/// Schlick's approximation takes the cosine on the thinner side, or else it would know nothing of the critical angle.
+pub fn reflectance(kind: Fresnel, cos_i: f64, eta: f64) -> f64 {
+    let cos2_t = 1.0 - eta * eta * (1.0 - cos_i * cos_i);
+    if cos2_t < 0.0 {
+        return 1.0;
+    }
+    match kind {
+        Fresnel::None => 0.0,
+        Fresnel::Exact => fresnel::dielectric(cos_i, eta),
+        Fresnel::Schlick => {
+            let cos = if eta > 1.0 { cos2_t.sqrt() } else { cos_i };
+            fresnel::schlick(cos, fresnel::f0_from_index(eta))
+        }
+    }
+}
+
+/// What a point shows of its surroundings.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Sight {
+    /// `R`, unit.
+    pub reflection: DVec3,
+    /// `E(R)`
+    pub reflected: DVec3,
+    /// `(1 - F) tint E(T)`, of each channel by its own index; 0 where reflection is total.
+    pub transmitted: DVec3,
+    /// `F` of each channel.
+    pub fresnel: DVec3,
+}
+
+/// What an environment adds to the terms of the light equation at a point.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct EnvironmentTerms {
+    /// Diffuse light, times `k_d`.
+    pub diffuse: DVec3,
+    /// Glossy reflection, times `k_s`.
+    pub specular: DVec3,
+    /// What mirrors and glass would show; all zero where the surface is neither.
+    pub sight: Sight,
+}
+
+/// Where the ray of sight meets its body again, from inside.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Meeting {
+    /// World space.
+    pub position: DVec3,
+    /// Unit shading normal, outwards: away from where the ray comes from.
+    pub normal: DVec3,
+    /// World units along the ray.
+    pub distance: f64,
+}
+
+/// The body that a point belongs to, as rays inside of it find it.
+pub trait Body {
+    /// Where a ray from `origin` (world space) along `direction` (unit) next meets the body's surface from inside; none
+    /// where the body is open.
+    fn next_meeting(&self, origin: DVec3, direction: DVec3) -> Option<Meeting>;
+}
+
+/// What the point shows. `environment` is `E`: linear radiance from a unit direction. `body` matters where two surfaces
+/// count and the point is seen from outside.
+pub fn sight(
+    point: &ShadingPoint,
+    index: f64,
+    optics: &Optics,
+    environment: &dyn Fn(DVec3) -> DVec3,
+    body: Option<&dyn Body>,
+) -> Sight {
+    let (n, v) = (point.normal, point.view);
+    let body = body.filter(|_| optics.surfaces == Surfaces::Two && n.dot(v) >= 0.0);
+    let mut seen = Sight { reflection: boundary(n, v, index, optics.fresnel).reflected, ..Sight::default() };
+    seen.reflected = environment(seen.reflection);
+    let indices = optics.indices(index);
+    let mut known: Option<(f64, DVec3, f64)> = None;
+    for (channel, index) in indices.into_iter().enumerate() {
+        // Without dispersion one ray serves all three channels.
+        let (transmitted, reflectance) = match known {
+            Some((same, transmitted, reflectance)) if same == index => (transmitted, reflectance),
+            _ => {
+                let at = boundary(n, v, index, optics.fresnel);
+                let transmitted = at.transmitted.map_or(DVec3::ZERO, |t| match body {
+                    Some(body) => through_body(point.position, t, index, optics, environment, body),
+                    None => environment(t),
+                });
+                (transmitted, at.reflectance)
+            }
+        };
+        known = Some((index, transmitted, reflectance));
+        seen.fresnel[channel] = reflectance;
+        seen.transmitted[channel] = (1.0 - reflectance) * optics.tint[channel] * transmitted[channel];
+    }
+    seen
+}
+
+/// What a ray of sight that has gone into a body at `origin` along `direction` shows.
+///
+/// At each meeting the part that is not reflected goes out and shows the environment there; the reflected part goes
+/// on, at most [`MOST_MEETINGS`] times, then it is let go as it points. Every part is weakened by its way inside.
+pub fn through_body(
+    origin: DVec3,
+    direction: DVec3,
+    index: f64,
+    optics: &Optics,
+    environment: &dyn Fn(DVec3) -> DVec3,
+    body: &dyn Body,
+) -> DVec3 {
+    let (mut origin, mut direction) = (origin, direction);
+    let mut sum = DVec3::ZERO;
+    let mut weight = DVec3::ONE;
+    for _ in 0..MOST_MEETINGS {
+        let Some(meeting) = body.next_meeting(origin, direction) else { break };
+        weight *= (-optics.absorption * meeting.distance).map(f64::exp);
+        let at = boundary(meeting.normal, -direction, index, optics.fresnel);
+        if let Some(out) = at.transmitted {
+            sum += weight * (1.0 - at.reflectance) * environment(out);
+        }
+        weight *= at.reflectance;
+        if weight.max_element() < WEIGHT_THAT_COUNTS {
+            return sum;
+        }
+        (origin, direction) = (meeting.position, at.reflected);
+    }
+    sum + weight * environment(direction)
+}
+
+/// A ray that carries less is not followed: a quarter of a step of 8 bits.
+pub const WEIGHT_THAT_COUNTS: f64 = 1e-3;

@@ -1,0 +1,157 @@
+//! Mirrors and glass: Snell's law, total reflection, energy, and the way through a body.
+
+use gonio_light::optics::{self, Body, Fresnel, MOST_MEETINGS, Meeting, Optics, Surfaces, boundary, reflectance};
+use gonio_light::{DVec3, ShadingPoint};
+
+/// A view at `angle` from the normal +Y, in the plane z = 0, from the side of -X.
+fn view_at(angle: f64) -> DVec3 {
+    DVec3::new(-angle.sin(), angle.cos(), 0.0)
+}
+
+#[test]
+fn angles_are_those_of_snell() {
+    for index in [1.0, 1.309, 1.33, 1.52, 2.42] {
+        for degrees in [0.0, 1.0, 20.0, 45.0, 70.0, 89.0_f64] {
+            let angle = degrees.to_radians();
+            let into = boundary(DVec3::Y, view_at(angle), index, Fresnel::None).transmitted;
+            let into = into.unwrap_or(DVec3::ZERO);
+            // n1 sin = n2 sin; in the plane of view and normal, going on to the other side.
+            assert!((into.x - angle.sin() / index).abs() < 1e-6, "{index} {degrees}: {into}");
+            assert!(into.y < 0.0 && into.z == 0.0 && (into.length() - 1.0).abs() < 1e-12);
+            // Out again it is the same way back.
+            let out = boundary(DVec3::Y, into, index, Fresnel::None).transmitted.unwrap_or(DVec3::ZERO);
+            assert!(out.abs_diff_eq(view_at(angle), 1e-6), "{index} {degrees}: {out}");
+        }
+    }
+}
+
+#[test]
+fn reflection_is_total_from_the_critical_angle_on() {
+    for index in [1.309, 1.33, 1.52, 2.42_f64] {
+        let critical = (1.0 / index).asin();
+        for kind in [Fresnel::None, Fresnel::Exact, Fresnel::Schlick] {
+            let at = |angle: f64| boundary(DVec3::Y, -view_at(angle), index, kind);
+            // From inside: the view is below the surface.
+            let (before, after) = (at(critical - 1e-6), at(critical + 1e-6));
+            assert!(before.transmitted.is_some() && before.reflectance < 1.0, "{index} {kind}");
+            assert!(after.transmitted.is_none() && after.reflectance == 1.0, "{index} {kind}");
+            assert!(after.reflected.y < 0.0, "a reflected ray stays inside");
+        }
+    }
+}
+
+#[test]
+fn fresnel_factors_begin_and_end_where_they_must() {
+    for (cos, eta) in [(1.0, 1.0 / 1.5), (1.0, 1.5)] {
+        for kind in [Fresnel::Exact, Fresnel::Schlick] {
+            assert!((reflectance(kind, cos, eta) - 0.04).abs() < 1e-12, "{kind} {eta}");
+        }
+        assert_eq!(reflectance(Fresnel::None, cos, eta), 0.0);
+    }
+    for kind in [Fresnel::Exact, Fresnel::Schlick] {
+        assert!((reflectance(kind, 0.0, 1.0 / 1.5) - 1.0).abs() < 1e-12, "{kind} at grazing");
+        // From inside it grows to 1 at the critical angle, not at 90 degrees.
+        let critical = (1.0_f64 / 1.5).asin();
+        assert!(reflectance(kind, (critical - 1e-9).cos(), 1.5) > 0.99, "{kind} at the critical angle");
+    }
+}
+
+fn point(angle: f64) -> ShadingPoint {
+    ShadingPoint { position: DVec3::ZERO, normal: DVec3::Y, view: view_at(angle), tangent: DVec3::X }
+}
+
+#[test]
+fn in_an_even_environment_nothing_is_gained_or_lost() {
+    let even = |_: DVec3| DVec3::new(0.25, 0.5, 1.0);
+    for fresnel in [Fresnel::None, Fresnel::Exact, Fresnel::Schlick] {
+        for (surfaces, dispersion) in [(Surfaces::One, 0.0), (Surfaces::One, 0.05), (Surfaces::Two, 0.05)] {
+            let optics = Optics { transmission: 1.0, fresnel, surfaces, dispersion, ..Optics::default() };
+            for angle in [0.0, 0.5, 1.2, 1.5] {
+                let sphere = Ball { centre: DVec3::new(0.0, -1.0, 0.0), radius: 1.0 };
+                let seen = optics::sight(&point(angle), 1.52, &optics, &even, Some(&sphere));
+                let all = optics.compose(DVec3::splat(7.0), &seen);
+                // What a ray that no longer counts would have carried is lost.
+                assert!(all.abs_diff_eq(even(DVec3::Y), 1.1e-3), "{fresnel} {surfaces} {angle}: {all}");
+            }
+        }
+    }
+}
+
+#[test]
+fn shares_are_those_of_the_definition() {
+    let environment = |d: DVec3| if d.y > 0.0 { DVec3::X } else { DVec3::Y };
+    let lit = DVec3::Z;
+    let shown = |optics: Optics| {
+        let seen = optics::sight(&point(0.0), 1.5, &optics, &environment, None);
+        optics.compose(lit, &seen)
+    };
+    let near = |got: DVec3, wanted: [f64; 3]| assert!(got.abs_diff_eq(wanted.into(), 1e-12), "{got} not {wanted:?}");
+    near(shown(Optics::default()), [0.0, 0.0, 1.0]);
+    near(shown(Optics { reflectivity: 0.3, ..Optics::default() }), [0.3, 0.0, 0.7]);
+    near(shown(Optics { reflectivity: 0.5, fresnel: Fresnel::Exact, ..Optics::default() }), [0.02, 0.0, 0.98]);
+    near(shown(Optics { transmission: 1.0, ..Optics::default() }), [0.0, 1.0, 0.0]);
+    let tint = DVec3::new(1.0, 0.5, 1.0);
+    near(shown(Optics { transmission: 1.0, fresnel: Fresnel::Schlick, tint, ..Optics::default() }), [0.04, 0.48, 0.0]);
+    near(shown(Optics { transmission: 0.5, reflectivity: 0.2, ..Optics::default() }), [0.1, 0.5, 0.4]);
+}
+
+/// A ball, known on paper.
+struct Ball {
+    centre: DVec3,
+    radius: f64,
+}
+
+impl Body for Ball {
+    fn next_meeting(&self, origin: DVec3, direction: DVec3) -> Option<Meeting> {
+        let from = origin - self.centre;
+        let b = from.dot(direction);
+        let distance = -b + (b * b - from.length_squared() + self.radius * self.radius).max(0.0).sqrt();
+        let position = origin + distance * direction;
+        Some(Meeting { position, normal: (position - self.centre) / self.radius, distance })
+    }
+}
+
+#[test]
+fn a_ball_turns_the_view_by_twice_what_its_surface_does() {
+    let ball = Ball { centre: DVec3::new(0.0, -1.0, 0.0), radius: 1.0 };
+    let optics = Optics { transmission: 1.0, surfaces: Surfaces::Two, ..Optics::default() };
+    for degrees in [0.0, 10.0, 45.0, 80.0_f64] {
+        let angle = degrees.to_radians();
+        // The environment's radiance is the direction itself.
+        let seen = optics::sight(&point(angle), 1.5, &optics, &|d| d, Some(&ball));
+        // Both angles inside of a ball are equal, so both refractions turn the ray alike.
+        let inside = (angle.sin() / 1.5).asin();
+        let turned = -2.0 * (angle - inside);
+        let straight = -view_at(angle);
+        let wanted = DVec3::new(
+            straight.x * turned.cos() - straight.y * turned.sin(),
+            straight.x * turned.sin() + straight.y * turned.cos(),
+            0.0,
+        );
+        assert!(seen.transmitted.abs_diff_eq(wanted, 1e-9), "{degrees}: {} not {wanted}", seen.transmitted);
+    }
+    // Absorbed along the diameter: exp(-2 ln 2) = 1/4.
+    let absorbing = Optics { absorption: DVec3::splat(std::f64::consts::LN_2), ..optics };
+    let seen = optics::sight(&point(0.0), 1.5, &absorbing, &|_| DVec3::ONE, Some(&ball));
+    assert!(seen.transmitted.abs_diff_eq(DVec3::splat(0.25), 1e-12), "{}", seen.transmitted);
+}
+
+/// Reflects for ever: every meeting is grazing.
+struct Endless;
+
+impl Body for Endless {
+    fn next_meeting(&self, origin: DVec3, direction: DVec3) -> Option<Meeting> {
+        let normal = (DVec3::new(-direction.z, 3.0, direction.x)).normalize();
+        let sideways = normal - direction * normal.dot(direction);
+        let normal = (sideways.normalize() + 0.01 * direction).normalize();
+        Some(Meeting { position: origin + direction, normal, distance: 1.0 })
+    }
+}
+
+#[test]
+fn endless_reflection_ends() {
+    let optics = Optics { transmission: 1.0, surfaces: Surfaces::Two, absorption: DVec3::ONE, ..Optics::default() };
+    let seen = optics::sight(&point(0.3), 1.5, &optics, &|_| DVec3::ONE, Some(&Endless));
+    let wanted = (-(MOST_MEETINGS as f64)).exp();
+    assert!(seen.transmitted.abs_diff_eq(DVec3::splat(wanted), 1e-12), "{} not {wanted}", seen.transmitted);
+}

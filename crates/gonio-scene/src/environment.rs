@@ -1,0 +1,132 @@
+//! What surrounds a scene, ready to be looked up.
+
+use crate::loaded::LoadedScene;
+use glam::{DMat3, DQuat, DVec3};
+use gonio_environment::{CubeMips, Cubemap, GlossyMips, Harmonics};
+use std::sync::OnceLock;
+
+/// An environment with its files read.
+#[derive(Clone, Debug)]
+pub struct LoadedEnvironment {
+    /// As the user calls it.
+    pub name: String,
+    /// What is reflected and refracted, and what lights the objects.
+    pub mips: CubeMips,
+    /// What is seen behind the objects, where that is another one.
+    pub background: Option<CubeMips>,
+    /// Made when they are first asked for: seconds of work that a mirror does without.
+    harmonics: OnceLock<Harmonics>,
+    glossy: OnceLock<GlossyMips>,
+    seen_glossy: OnceLock<GlossyMips>,
+}
+
+impl LoadedEnvironment {
+    /// One environment for everything.
+    pub fn new(name: impl Into<String>, map: Cubemap) -> Self {
+        LoadedEnvironment {
+            name: name.into(),
+            mips: CubeMips::new(map),
+            background: None,
+            harmonics: OnceLock::new(),
+            glossy: OnceLock::new(),
+            seen_glossy: OnceLock::new(),
+        }
+    }
+
+    /// The same with another one to be seen behind the objects.
+    pub fn with_background(mut self, map: Cubemap) -> Self {
+        self.background = Some(CubeMips::new(map));
+        self.seen_glossy = OnceLock::new();
+        self
+    }
+
+    /// What is seen behind the objects.
+    pub fn seen(&self) -> &CubeMips {
+        self.background.as_ref().unwrap_or(&self.mips)
+    }
+
+    /// The diffuse light of [`Self::mips`].
+    pub fn harmonics(&self) -> &Harmonics {
+        self.harmonics.get_or_init(|| Harmonics::from_cubemap(self.mips.full()))
+    }
+
+    /// [`Self::mips`] as rough mirrors show it.
+    pub fn glossy(&self) -> &GlossyMips {
+        self.glossy.get_or_init(|| GlossyMips::new(&self.mips, GlossyMips::SIZE))
+    }
+
+    /// [`Self::seen`], blurred.
+    pub fn seen_glossy(&self) -> &GlossyMips {
+        match &self.background {
+            Some(background) => self.seen_glossy.get_or_init(|| GlossyMips::new(background, GlossyMips::SIZE)),
+            None => self.glossy(),
+        }
+    }
+}
+
+/// How the scene's environment takes part in a frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surroundings {
+    /// Carries directions in the world to directions in the environment. A rotation.
+    pub environment_from_world: DMat3,
+    /// Its radiance is multiplied by this, in the background too.
+    pub intensity: f64,
+    /// It lights the objects: diffuse light and glossy reflection.
+    pub lights: bool,
+    /// It is seen behind the objects, in the place of the background.
+    pub visible: bool,
+    /// How blurred it is there: 0 not at all, 1 as a surface of roughness 1 would show it.
+    pub blur: f64,
+}
+
+impl Default for Surroundings {
+    fn default() -> Self {
+        Surroundings {
+            environment_from_world: DMat3::IDENTITY,
+            intensity: 1.0,
+            lights: false,
+            visible: true,
+            blur: 0.0,
+        }
+    }
+}
+
+/// Carries directions of an environment that is turned by yaw, pitch and roll (degrees) to the world: turned about Z
+/// (roll), then about X (pitch), then about Y (yaw).
+pub fn world_from_environment([yaw, pitch, roll]: [f64; 3]) -> DMat3 {
+    let turn = |axis: DVec3, degrees: f64| DQuat::from_axis_angle(axis, degrees.to_radians());
+    DMat3::from_quat(turn(DVec3::Y, yaw) * turn(DVec3::X, pitch) * turn(DVec3::Z, roll))
+}
+
+impl LoadedScene {
+    /// How the environment takes part; `None` where there is none.
+    pub fn surroundings(&self) -> Option<Surroundings> {
+        self.environment.as_ref()?;
+        let spec = self.scene.environment.clone().unwrap_or_default();
+        Some(Surroundings {
+            environment_from_world: world_from_environment(spec.rotate).transpose(),
+            intensity: spec.intensity,
+            lights: spec.light.unwrap_or(false),
+            visible: spec.visible,
+            blur: spec.blur,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn angles_turn_as_documented() {
+        let ahead = |rotate| world_from_environment(rotate) * DVec3::NEG_Z;
+        // Two functions of pi / 2.
+        let near = |got: DVec3, wanted: DVec3| assert!(got.abs_diff_eq(wanted, 1e-15), "{got} is not {wanted}");
+        near(ahead([90.0, 0.0, 0.0]), DVec3::NEG_X);
+        near(ahead([0.0, 90.0, 0.0]), DVec3::Y);
+        near(ahead([0.0, 0.0, 90.0]), DVec3::NEG_Z);
+        near(world_from_environment([0.0, 0.0, 90.0]) * DVec3::X, DVec3::Y);
+        // Yaw comes last: what was raised is then turned to the left.
+        near(ahead([90.0, 45.0, 0.0]), DVec3::new(-0.5_f64.sqrt(), 0.5_f64.sqrt(), 0.0));
+    }
+}

@@ -1,0 +1,344 @@
+//! Environments from files: a picture, a folder, six faces, or a name that is built in.
+
+use crate::description::EnvironmentSpec;
+use crate::environment::LoadedEnvironment;
+use crate::files::{self, FileSource};
+use gonio_environment::arrange::{self, Arrangement};
+use gonio_environment::builtin::{self, Builtin};
+use gonio_environment::convert::{Conversion, From};
+use gonio_environment::decode::{Decoded, Shape, decode};
+use gonio_environment::names::{self, Assignment};
+use gonio_environment::{Cubemap, EnvironmentError, Face, Image, Layout, Panorama};
+use gonio_mesh::{Diagnostic, Limits, ReadError};
+use rayon::prelude::*;
+use std::path::{Path, PathBuf};
+
+/// What an environment was read as.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Source {
+    /// Six faces.
+    Cubemap(Cubemap),
+    /// An equirectangular picture.
+    Panorama(Panorama),
+}
+
+impl Source {
+    /// For a conversion.
+    pub fn as_from(&self) -> From<'_> {
+        match self {
+            Source::Cubemap(map) => From::Cubemap(map),
+            Source::Panorama(panorama) => From::Panorama(panorama),
+        }
+    }
+}
+
+/// An environment as it was found in its files.
+#[derive(Clone, Debug)]
+pub struct OpenedEnvironment {
+    /// As the user calls it.
+    pub name: String,
+    /// The light.
+    pub source: Source,
+    /// How it lay in its files.
+    pub arrangement: Arrangement,
+    /// In which layout its faces lay; `None` of a panorama.
+    pub layout: Option<Layout>,
+    /// The files, in the order of [`Face::ALL`] where there are six; none of what is built in.
+    pub files: Vec<PathBuf>,
+    /// Its files can hold light beyond 1.
+    pub high_dynamic_range: bool,
+    /// What is worth saying.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// How to understand what is named.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Reading {
+    /// The layout of the faces; without one photographic where six files, a cross or a strip are read, and OpenGL's in
+    /// KTX2 and DDS, as these formats say.
+    pub layout: Option<Layout>,
+    /// How one picture is arranged; without one, its proportions tell.
+    pub arrangement: Option<Arrangement>,
+    /// Texels along an edge of built-in environments that are made to any size; without it [`BUILTIN_SIZE`].
+    pub size: Option<u32>,
+}
+
+/// Texels along an edge of built-in environments that are made to any size, where none is asked for.
+pub const BUILTIN_SIZE: u32 = 512;
+/// A panorama becomes a cubemap of at most this size unless another one is asked for.
+pub const USUAL_SIZE_MAX: u32 = 1024;
+
+/// The built-in environment of a name: `sky`, or `builtin:sky`.
+pub fn builtin_of(name: &str) -> Option<Builtin> {
+    name.strip_prefix(files::BUILTIN).unwrap_or(name).parse().ok()
+}
+
+/// What a scene file in `base` calls `name`, as seen from the current folder.
+pub(crate) fn rebased(base: &Path, name: &str) -> String {
+    if builtin_of(name).is_some() {
+        return name.to_owned();
+    }
+    files::resolve(base, name).to_string_lossy().into_owned()
+}
+
+/// Reads what `name` names, relative to `base`: a built-in environment, a picture, a folder or a pattern of six faces, or
+/// one of six faces.
+///
+/// # Errors
+///
+/// A file that is not there or cannot be read; faces that are missing, or do not fit together.
+pub fn open(
+    name: &str,
+    reading: Reading,
+    base: &Path,
+    files: &dyn FileSource,
+    limits: &Limits,
+) -> Result<OpenedEnvironment, ReadError> {
+    if let Some(kind) = builtin_of(name) {
+        return open_builtin(name, kind, reading).map_err(|e| told(e, name));
+    }
+    let reader = Reader { reading, files, limits: gonio_environment::Limits { max_bytes: limits.max_bytes } };
+    let path = files::resolve(base, name);
+    if let Some(pattern) = path.file_name().and_then(|n| n.to_str()).filter(|n| n.contains('*')) {
+        return reader.open_pattern(name, path.parent().unwrap_or(Path::new("")), pattern);
+    }
+    let within = files::list(files, &path);
+    if within.is_empty() { reader.open_file(name, &path) } else { reader.open_folder(name, &path, within) }
+}
+
+fn open_builtin(name: &str, kind: Builtin, reading: Reading) -> Result<OpenedEnvironment, EnvironmentError> {
+    let layout = reading.layout.unwrap_or_default();
+    let (source, arrangement) = match kind {
+        Builtin::Room => (Source::Panorama(builtin::room()?), Arrangement::Equirectangular),
+        _ => (Source::Cubemap(kind.cubemap(reading.size.unwrap_or(BUILTIN_SIZE), layout)?), Arrangement::Faces),
+    };
+    Ok(OpenedEnvironment {
+        name: name.to_owned(),
+        layout: (kind == Builtin::Debug).then_some(layout),
+        source,
+        arrangement,
+        files: Vec::new(),
+        high_dynamic_range: kind != Builtin::Debug,
+        diagnostics: Vec::new(),
+    })
+}
+
+struct Reader<'a> {
+    reading: Reading,
+    files: &'a dyn FileSource,
+    limits: gonio_environment::Limits,
+}
+
+impl Reader<'_> {
+    fn open_folder(&self, name: &str, folder: &Path, within: Vec<PathBuf>) -> Result<OpenedEnvironment, ReadError> {
+        let names = sorted_names(within);
+        let assignment = names::assign(&names).map_err(|e| told(e, name))?;
+        self.open_faces(name, folder, &names, assignment)
+    }
+
+    fn open_pattern(&self, name: &str, folder: &Path, pattern: &str) -> Result<OpenedEnvironment, ReadError> {
+        let names = sorted_names(files::list(self.files, folder));
+        let names: Vec<String> = names.into_iter().filter(|n| matches(pattern, n)).collect();
+        if names.is_empty() {
+            return Err(ReadError::new("no file has a name like this; check the pattern").in_file(name));
+        }
+        let assignment = names::assign(&names).map_err(|e| told(e, name))?;
+        self.open_faces(name, folder, &names, assignment)
+    }
+
+    fn open_file(&self, name: &str, path: &Path) -> Result<OpenedEnvironment, ReadError> {
+        let decoded = self.decode(name, path)?;
+        let mut opened = OpenedEnvironment {
+            name: name.to_owned(),
+            source: Source::Cubemap(Cubemap::new(1, [0.0; 4])),
+            arrangement: Arrangement::Faces,
+            layout: None,
+            files: vec![path.to_owned()],
+            high_dynamic_range: decoded.high_dynamic_range,
+            diagnostics: said(&decoded, name),
+        };
+        let say = |opened: &mut OpenedEnvironment, warning: String| {
+            opened.diagnostics.push(Diagnostic::warning(warning).in_file(name));
+        };
+        match decoded.shape {
+            Shape::Faces(faces) => {
+                let layout = self.reading.layout.unwrap_or(Layout::OpenGl);
+                opened.layout = Some(layout);
+                let map = Cubemap::from_faces(*faces, layout).map_err(|e| told(e, name))?;
+                opened.source = Source::Cubemap(map);
+            }
+            Shape::Picture(image) => {
+                if image.width == image.height && self.reading.arrangement.is_none_or(|a| a == Arrangement::Faces) {
+                    return self.open_with_siblings(name, path);
+                }
+                let recognised = arrange::recognise(image.width, image.height);
+                let arrangement = self.reading.arrangement.unwrap_or(recognised.arrangement);
+                if let Some(warning) = recognised.warning.filter(|_| arrangement == recognised.arrangement) {
+                    say(&mut opened, warning);
+                }
+                opened.arrangement = arrangement;
+                if arrangement == Arrangement::Equirectangular {
+                    opened.source = Source::Panorama(Panorama::new(image).map_err(|e| told(e, name))?);
+                } else if arrangement == Arrangement::Faces {
+                    return self.open_with_siblings(name, path);
+                } else {
+                    let layout = self.reading.layout.unwrap_or(Layout::Photographic);
+                    opened.layout = Some(layout);
+                    let arranged = arrange::to_cubemap(&image, arrangement, layout).map_err(|e| told(e, name))?;
+                    let notes = arranged.notes.into_iter().map(Diagnostic::note);
+                    let warnings = arranged.warnings.into_iter().map(Diagnostic::warning);
+                    opened.diagnostics.extend(notes.chain(warnings).map(|d| d.in_file(name)));
+                    opened.source = Source::Cubemap(arranged.cubemap);
+                }
+            }
+        }
+        Ok(opened)
+    }
+
+    /// A square picture is one of six faces: the others lie beside it.
+    fn open_with_siblings(&self, name: &str, path: &Path) -> Result<OpenedEnvironment, ReadError> {
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let names = sorted_names(files::list(self.files, folder));
+        let own = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
+        let assignment = names::assign_with(&names, &own).map_err(|e| told(e, name))?;
+        self.open_faces(name, folder, &names, assignment)
+    }
+
+    fn open_faces(
+        &self,
+        name: &str,
+        folder: &Path,
+        names: &[String],
+        assignment: Assignment,
+    ) -> Result<OpenedEnvironment, ReadError> {
+        let layout = self.reading.layout.unwrap_or(Layout::Photographic);
+        let paths = assignment.files.map(|i| folder.join(names.get(i).map_or("", |n| n.as_str())));
+        let shown = |i: usize| paths[i].display().to_string();
+        // Six at once: each limit is for all.
+        let limits = gonio_environment::Limits { max_bytes: self.limits.max_bytes / 6 };
+        let read: Vec<Result<Decoded, ReadError>> =
+            (0..6_usize).into_par_iter().map(|i| Reader { limits, ..*self }.decode(&shown(i), &paths[i])).collect();
+        let mut diagnostics: Vec<Diagnostic> =
+            assignment.notes.into_iter().map(|n| Diagnostic::note(n).in_file(name)).collect();
+        let mut high_dynamic_range = false;
+        let mut faces: [Image; 6] = Default::default();
+        for (i, decoded) in read.into_iter().enumerate() {
+            let decoded = decoded?;
+            high_dynamic_range |= decoded.high_dynamic_range;
+            diagnostics.append(&mut said(&decoded, &shown(i)));
+            match decoded.shape {
+                Shape::Picture(image) => faces[i] = image,
+                Shape::Faces(_) => {
+                    let message = "this file has six faces of its own, and was to be one of six; name it alone";
+                    return Err(ReadError::new(message).in_file(&shown(i)));
+                }
+            }
+        }
+        // The sentence names the face; the user knows its file.
+        let named = |e: EnvironmentError| {
+            let wrong = Face::ALL.into_iter().position(|f| e.message.contains(&format!("the face `{}`", f.name())));
+            told(e, &wrong.map_or_else(|| name.to_owned(), shown))
+        };
+        let map = Cubemap::from_faces(faces, layout).map_err(named)?;
+        Ok(OpenedEnvironment {
+            name: name.to_owned(),
+            source: Source::Cubemap(map),
+            arrangement: Arrangement::Faces,
+            layout: Some(layout),
+            files: paths.to_vec(),
+            high_dynamic_range,
+            diagnostics,
+        })
+    }
+
+    fn decode(&self, name: &str, path: &Path) -> Result<Decoded, ReadError> {
+        let bytes = files::read(self.files, path).map_err(|e| {
+            let message = match e.kind() {
+                std::io::ErrorKind::NotFound => {
+                    "there is no such file or folder; check the path, or use debug, sky or room to try things out"
+                        .into()
+                }
+                _ => files::explain(&e),
+            };
+            ReadError::new(message).in_file(name)
+        })?;
+        decode(name, &bytes, &self.limits).map_err(|e| told(e, name))
+    }
+}
+
+fn told(error: EnvironmentError, name: &str) -> ReadError {
+    let file = error.file.unwrap_or_else(|| name.to_owned());
+    ReadError::new(error.message).in_file(&file)
+}
+
+fn said(decoded: &Decoded, name: &str) -> Vec<Diagnostic> {
+    let notes = decoded.notes.iter().map(|n| Diagnostic::note(n.as_str()));
+    let warnings = decoded.warnings.iter().map(|w| Diagnostic::warning(w.as_str()));
+    notes.chain(warnings).map(|d| d.in_file(name)).collect()
+}
+
+fn sorted_names(entries: Vec<PathBuf>) -> Vec<String> {
+    let mut names: Vec<String> = entries.iter().map(|p| p.to_string_lossy().into_owned()).collect();
+    names.sort();
+    names
+}
+
+/// Whether a name is one of a pattern's, in which each `*` stands for any letters.
+fn matches(pattern: &str, name: &str) -> bool {
+    match pattern.split_once('*') {
+        None => pattern == name,
+        Some((begin, rest)) => name.strip_prefix(begin).is_some_and(|name| {
+            let starts = name.char_indices().map(|(i, _)| i).chain([name.len()]);
+            starts.into_iter().any(|i| matches(rest, &name[i..]))
+        }),
+    }
+}
+
+/// An environment for a scene, with what is to be said about it.
+pub(crate) struct ReadEnvironment {
+    pub environment: LoadedEnvironment,
+    pub layout: Option<Layout>,
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Reads what a scene is surrounded by.
+pub(crate) fn load(
+    spec: &EnvironmentSpec,
+    base: &Path,
+    files: &dyn FileSource,
+    limits: &Limits,
+) -> Result<ReadEnvironment, ReadError> {
+    let reading = Reading { layout: spec.layout, arrangement: None, size: spec.size };
+    let opened = open(&spec.image, reading, base, files, limits)?;
+    let mut diagnostics = opened.diagnostics;
+    let map = as_cubemap(opened.source, spec.size, &opened.name, &mut diagnostics);
+    let mut environment = LoadedEnvironment::new(opened.name, map);
+    if let Some(name) = &spec.background {
+        let mut behind = open(name, reading, base, files, limits)?;
+        diagnostics.append(&mut behind.diagnostics);
+        let map = as_cubemap(behind.source, spec.size, &behind.name, &mut diagnostics);
+        environment = environment.with_background(map);
+    }
+    Ok(ReadEnvironment { environment, layout: opened.layout, diagnostics })
+}
+
+/// The cubemap of a size, or of the size that suits it.
+fn as_cubemap(source: Source, size: Option<u32>, name: &str, diagnostics: &mut Vec<Diagnostic>) -> Cubemap {
+    let natural = source.as_from().natural_cubemap_size();
+    let usual = match &source {
+        Source::Cubemap(_) => natural,
+        Source::Panorama(_) => natural.min(USUAL_SIZE_MAX),
+    };
+    let size = size.unwrap_or(usual);
+    if usual < natural && size < natural {
+        let message = format!(
+            "the panorama is as fine as a cubemap of {natural} texels an edge, and is made into one of {size}; `size` \
+             (--environment-size) asks for more"
+        );
+        diagnostics.push(Diagnostic::note(message).in_file(name));
+    }
+    match source {
+        Source::Cubemap(map) if map.size() == size => map,
+        other => Conversion::default().cubemap(other.as_from(), size),
+    }
+}
