@@ -12,12 +12,6 @@
 //! | [`panorama`] | an equirectangular picture |
 //! | [`convert`] | from one to the other, filtered, turned |
 //! | [`mip`] | smaller and smaller copies of a cubemap |
-//! | [`decode`] | files to pictures of linear light |
-//! | [`encode`] | pictures and cubemaps to files |
-//! | [`names`] | which of six files is which face |
-//! | [`arrange`] | crosses and strips: six faces in one picture |
-//! | [`limits`] | how much memory a file may ask for |
-//! | [`srgb`] | the sRGB curve by table |
 //! | [`harmonics`] | diffuse light by nine spherical harmonics |
 //! | [`prefilter`] | glossy light: an environment blurred for each roughness |
 //! | [`check`] | whether the edges of six faces meet, and what is wrong if they do not |
@@ -27,9 +21,14 @@
 //! | [`debug`] | a cubemap of which every face says which one it is |
 //! | [`sky`] | a clear sky with its sun |
 //! | [`brdf_table`] | what a rough mirror makes of uniform light, as a texture |
+//! | [`decode`] | files to pictures of linear light |
+//! | [`encode`] | pictures and cubemaps to files |
+//! | [`names`] | which of six files is which face |
+//! | [`arrange`] | crosses and strips: six faces in one picture |
+//! | [`limits`] | how much memory a file may ask for |
+//! | [`srgb`] | the sRGB curve by table |
 
 pub mod arrange;
-mod arrangement;
 pub mod brdf_table;
 pub mod builtin;
 mod canvas;
@@ -49,6 +48,7 @@ pub mod mip;
 pub mod names;
 mod padded;
 pub mod panorama;
+mod placement;
 pub mod prefilter;
 pub mod repair;
 mod seams;

@@ -1,8 +1,8 @@
 //! What to do to six files so that they make one world.
 
-use crate::arrangement::{Arrangement, parts};
 use crate::face::Face;
 use crate::image::Image;
+use crate::placement::{Placements, parts};
 
 /// What a face is to be made of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,7 +29,7 @@ impl Repair {
         Repair { faces: Face::ALL.map(|file| Source { file, mirrored: false, quarter_turns: 0 }) }
     }
 
-    pub(crate) fn from_arrangement(arrangement: &Arrangement) -> Self {
+    pub(crate) fn from_placements(arrangement: &Placements) -> Self {
         let mut repair = Repair::nothing();
         for (file, &placement) in Face::ALL.into_iter().zip(arrangement) {
             let (face, mirrored, quarters) = parts(placement);

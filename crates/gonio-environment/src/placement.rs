@@ -14,13 +14,13 @@ use glam::{DMat3, DVec3};
 pub(crate) type Placement = usize;
 
 /// The placement of each of six files.
-pub(crate) type Arrangement = [Placement; 6];
+pub(crate) type Placements = [Placement; 6];
 
 /// How many arrangements that fit equally well are looked at; with more there is nothing to be told.
 const CROWD: usize = 60_000;
 
 /// Every file on the face that is called after it, as it is.
-pub(crate) const AS_GIVEN: Arrangement = [0, 8, 16, 24, 32, 40];
+pub(crate) const AS_GIVEN: Placements = [0, 8, 16, 24, 32, 40];
 
 /// Face (index in [`Face::ALL`]), mirrored, clockwise quarter turns.
 pub(crate) fn parts(placement: Placement) -> (usize, bool, usize) {
@@ -67,24 +67,24 @@ impl Cube {
     }
 
     /// An arrangement moved as a whole.
-    pub fn moved(&self, symmetry: usize, arrangement: &Arrangement) -> Arrangement {
+    pub fn moved(&self, symmetry: usize, arrangement: &Placements) -> Placements {
         arrangement.map(|p| self.moved[symmetry][p])
     }
 
     /// The arrangement moved so that as many files as possible lie as they do in another one.
-    pub fn aligned(&self, arrangement: &Arrangement, other: &Arrangement) -> Arrangement {
+    pub fn aligned(&self, arrangement: &Placements, other: &Placements) -> Placements {
         // At least one file can be brought to its place, so only six symmetries come into question.
         let candidates = (0..6).map(|f| self.moved(self.mover[arrangement[f]][other[f]], arrangement));
         candidates.min_by_key(|a| differing(a, other)).unwrap_or(*arrangement)
     }
 
     /// The sum of the misfits of all twelve edges.
-    pub fn misfit(&self, seams: &Seams, arrangement: &Arrangement) -> f64 {
+    pub fn misfit(&self, seams: &Seams, arrangement: &Placements) -> f64 {
         self.misfits(seams, arrangement).sum()
     }
 
     /// The misfit of each of the twelve edges.
-    pub fn misfits<'a>(&'a self, seams: &'a Seams, arrangement: &Arrangement) -> impl Iterator<Item = f64> + 'a {
+    pub fn misfits<'a>(&'a self, seams: &'a Seams, arrangement: &Placements) -> impl Iterator<Item = f64> + 'a {
         let mut files = [(0, 0); 6];
         for (file, &placement) in arrangement.iter().enumerate() {
             files[placement / 8] = (file, placement);
@@ -94,7 +94,7 @@ impl Cube {
 
     /// The lowest misfit, and all arrangements (with the first file where it is) that do not fit worse than that times
     /// `1 + relative`, plus `absolute`. `None` for the list if there are too many to be worth looking at.
-    pub fn search(&self, seams: &Seams, relative: f64, absolute: f64) -> (f64, Option<Vec<Arrangement>>) {
+    pub fn search(&self, seams: &Seams, relative: f64, absolute: f64) -> (f64, Option<Vec<Placements>>) {
         let mut search = Search::new(self, seams);
         search.bound = self.misfit(seams, &AS_GIVEN);
         search.narrows = true;
@@ -109,7 +109,7 @@ impl Cube {
 }
 
 /// How many files lie elsewhere, or otherwise, in one arrangement than in another.
-pub(crate) fn differing(a: &Arrangement, b: &Arrangement) -> usize {
+pub(crate) fn differing(a: &Placements, b: &Placements) -> usize {
     a.iter().zip(b).filter(|(p, q)| p != q).count()
 }
 
@@ -180,7 +180,7 @@ struct Search<'a> {
     bound: f64,
     /// Whether each arrangement found lowers the bound.
     narrows: bool,
-    found: Vec<Arrangement>,
+    found: Vec<Placements>,
 }
 
 impl<'a> Search<'a> {
