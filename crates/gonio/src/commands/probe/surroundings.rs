@@ -71,7 +71,8 @@ impl Page<'_> {
         self.vector("F", sight.fresnel, "of red, green and blue");
         self.vector("E(R)", sight.reflected, "");
         self.vector("(1-F) tint E(T)", sight.transmitted, "");
-        let factor = if optics.fresnel == Fresnel::None { "the reflectivity" } else { "the reflectivity times F of green" };
+        let factor =
+            if optics.fresnel == Fresnel::None { "the reflectivity" } else { "the reflectivity times F of green" };
         self.scalar("w", optics.mirror_share(sight.fresnel.y), factor);
     }
 
@@ -148,14 +149,8 @@ mod tests {
             environment: Some(Arc::new(LoadedEnvironment::new("two halves", map))),
             ..LoadedScene::default()
         };
-        let camera = Camera::looking_along(
-            DVec3::new(-2.0, 0.0, 2.0),
-            DVec3::new(1.0, 0.0, -1.0),
-            DVec3::Y,
-            1.0,
-            0.1,
-            100.0,
-        );
+        let camera =
+            Camera::looking_along(DVec3::new(-2.0, 0.0, 2.0), DVec3::new(1.0, 0.0, -1.0), DVec3::Y, 1.0, 0.1, 100.0);
         let surroundings = Some(Surroundings { lights, intensity: 2.0, ..Surroundings::default() });
         let frame = Frame { width: 3, height: 3, lights: Vec::new(), camera, surroundings, ..scene.frame(0.0) };
         let probe = ReferenceScene::new(&scene).probe(&frame, 1, 1).unwrap_or_else(|| panic!("the pane is hit"));
