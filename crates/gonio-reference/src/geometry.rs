@@ -200,6 +200,23 @@ fn rounded_down(v: DVec3) -> Vec3A {
     Vec3A::new(down(v.x), down(v.y), down(v.z))
 }
 
+/// A scene of one mesh, for tests.
+#[cfg(test)]
+pub(crate) fn one_object(mesh: gonio_mesh::Mesh, optics: gonio_light::Optics) -> LoadedScene {
+    use gonio_scene::description::Shading;
+    use gonio_scene::{Maps, Object, ObjectPart, SceneMaterial};
+    let part =
+        ObjectPart { name: String::new(), first_triangle: 0, triangle_count: mesh.triangle_count(), material: 0 };
+    let (name, world_from_model) = (String::new(), DMat4::IDENTITY);
+    let object = Object { name, mesh: 0, shading: Shading::Flat, world_from_model, parts: vec![part], closed: false };
+    LoadedScene {
+        meshes: vec![mesh],
+        materials: vec![SceneMaterial { material: Default::default(), maps: Maps::default(), optics }],
+        objects: vec![object],
+        ..LoadedScene::default()
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

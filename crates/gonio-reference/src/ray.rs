@@ -120,10 +120,10 @@ impl Line {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::one_object;
     use glam::Vec3Swizzles;
+    use gonio_light::Optics;
     use gonio_mesh::Mesh;
-    use gonio_scene::description::Shading;
-    use gonio_scene::{LoadedScene, Object, ObjectPart, SceneMaterial};
 
     /// A cloud of triangles of one object.
     fn cloud() -> WorldGeometry {
@@ -141,25 +141,7 @@ mod tests {
             })
             .collect();
         let mesh = Mesh { positions, indices: (0..900).collect(), ..Mesh::default() };
-        let part = ObjectPart { name: String::new(), first_triangle: 0, triangle_count: 300, material: 0 };
-        let scene = LoadedScene {
-            meshes: vec![mesh],
-            materials: vec![SceneMaterial {
-                material: Default::default(),
-                maps: Default::default(),
-                optics: Default::default(),
-            }],
-            objects: vec![Object {
-                name: String::new(),
-                mesh: 0,
-                shading: Shading::Flat,
-                world_from_model: glam::DMat4::from_scale(DVec3::splat(100.0)),
-                parts: vec![part],
-                closed: false,
-            }],
-            ..LoadedScene::default()
-        };
-        WorldGeometry::new(&scene)
+        WorldGeometry::new(&one_object(mesh, Optics::default()))
     }
 
     #[test]
@@ -173,9 +155,9 @@ mod tests {
             let away = DVec3::new(radius * angle.cos(), height, radius * angle.sin());
             // From outside, from inside, and along axes, where a direction has zeros.
             for (origin, direction) in [
-                (200.0 * away, -away),
-                (30.0 * away.yzx(), away),
-                (150.0 * away, -DVec3::AXES[i as usize % 3]),
+                (2.0 * away, -away),
+                (0.3 * away.yzx(), away),
+                (1.5 * away, -DVec3::AXES[i as usize % 3]),
                 (DVec3::ZERO, away),
             ] {
                 let ray = Ray::new(origin, direction);
@@ -209,13 +191,9 @@ mod tests {
 
     #[test]
     fn distance_and_side_are_those_of_the_ray() {
-        let mesh = Mesh {
-            positions: vec![[-1.0, -1.0, -3.0], [1.0, -1.0, -3.0], [0.0, 1.0, -3.0]],
-            indices: vec![0, 1, 2],
-            ..Mesh::default()
-        };
-        let mut geometry = cloud();
-        geometry.positions = mesh.positions.iter().map(|p| DVec3::from(p.map(f64::from))).collect();
+        let positions = vec![[-1.0, -1.0, -3.0], [1.0, -1.0, -3.0], [0.0, 1.0, -3.0]];
+        let mesh = Mesh { positions, indices: vec![0, 1, 2], ..Mesh::default() };
+        let geometry = WorldGeometry::new(&one_object(mesh, Optics::default()));
         // Its front looks towards +Z: counter-clockwise from there, clockwise from behind.
         for (origin, direction, ccw) in
             [(DVec3::ZERO, DVec3::NEG_Z, true), (DVec3::new(0.0, 0.0, -5.0), DVec3::Z, false)]

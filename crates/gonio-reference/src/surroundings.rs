@@ -4,10 +4,13 @@ use crate::body::ObjectBody;
 use crate::fragment::Fragment;
 use crate::shade::Shader;
 use glam::DVec3;
+use gonio_environment::{BrdfTable, GlossyMips, harmonics};
 use gonio_light::optics::{self, Body, EnvironmentTerms, Sight, boundary};
-use gonio_light::{Optics, ShadingPoint, Surface, Surfaces};
+use gonio_light::roughness::roughness_of_shininess;
+use gonio_light::{Optics, ShadingPoint, Surface, Surfaces, vector};
 use gonio_scene::description::Shading;
 use gonio_scene::{Frame, LoadedEnvironment, LoadedScene, Surroundings, TextureFilter};
+use std::f64::consts::FRAC_1_PI;
 
 /// The environment of a frame.
 pub(crate) struct Environment<'a> {
@@ -17,16 +20,34 @@ pub(crate) struct Environment<'a> {
     has_levels: bool,
     /// Which copy is seen in the background.
     background_level: f64,
+    /// What is seen there where it is blurred.
+    blurred: Option<&'a GlossyMips>,
+    /// Diffuse light by the normal, where it counts.
+    diffuse: Option<[DVec3; 9]>,
+    /// What rough mirrors show, where they count. Both are at hand before threads ask: what they are made by uses all
+    /// threads, and would wait for itself.
+    glossy: Option<(&'a GlossyMips, &'static BrdfTable)>,
 }
 
 impl<'a> Environment<'a> {
     /// `None` where the frame has none. `pixel_angle_rad`: what a pixel in the middle of the picture covers.
+    ///
+    /// Not to be called for each pixel: what the environment makes at the first wish is made here.
     pub fn new(scene: &'a LoadedScene, frame: &Frame, pixel_angle_rad: f64) -> Option<Self> {
         let loaded: &LoadedEnvironment = scene.environment.as_ref()?;
         let how = frame.surroundings?;
         let has_levels = matches!(frame.texture_filter, TextureFilter::Mipmap | TextureFilter::Anisotropic);
-        let background_level = if has_levels { level(loaded.seen().full().size(), pixel_angle_rad) } else { 0.0 };
-        Some(Environment { loaded, how, has_levels, background_level })
+        let terms = &frame.equation.terms;
+        let any_gloss = || scene.materials.iter().any(|m| m.material.specular != [0.0; 3]);
+        Some(Environment {
+            loaded,
+            how,
+            has_levels,
+            background_level: if has_levels { level(loaded.seen().full().size(), pixel_angle_rad) } else { 0.0 },
+            blurred: (how.visible && how.blur > 0.0).then(|| loaded.seen_glossy()),
+            diffuse: (how.lights && terms.diffuse).then(|| loaded.harmonics().polynomial()),
+            glossy: (how.lights && terms.specular && any_gloss()).then(|| (loaded.glossy(), BrdfTable::get())),
+        })
     }
 
     /// `E(D)`: linear radiance from a unit direction in the world.
@@ -38,13 +59,17 @@ impl<'a> Environment<'a> {
     pub fn background(&self, direction: impl FnOnce() -> DVec3) -> Option<DVec3> {
         self.how.visible.then(|| {
             let direction = self.how.environment_from_world * direction();
-            self.how.intensity * self.loaded.seen().sample(direction, self.background_level)
+            let radiance = match self.blurred {
+                Some(blurred) => blurred.sample(direction, self.how.blur),
+                None => self.loaded.seen().sample(direction, self.background_level),
+            };
+            self.how.intensity * radiance
         })
     }
 
     /// Whether a surface with these optics looks other than without the environment.
     pub fn touches(&self, optics: &Optics) -> bool {
-        !optics.is_plain()
+        self.how.lights || !optics.is_plain()
     }
 
     /// What the environment adds at a fragment. `point` is that of Phong and flat shading: the fragment itself.
@@ -56,10 +81,34 @@ impl<'a> Environment<'a> {
         surface: &Surface,
     ) -> EnvironmentTerms {
         let optics = &fragment.material().optics;
-        if optics.is_plain() {
-            return EnvironmentTerms::default();
+        EnvironmentTerms {
+            diffuse: self.diffuse_light(point, surface),
+            specular: self.glossy_light(point, surface),
+            sight: if optics.is_plain() {
+                Sight::default()
+            } else {
+                self.sight(shader, fragment, point, surface, optics)
+            },
         }
-        EnvironmentTerms { sight: self.sight(shader, fragment, point, surface, optics), ..Default::default() }
+    }
+
+    /// `k_d` times the irradiance over pi; zero where the environment does not light.
+    fn diffuse_light(&self, point: &ShadingPoint, surface: &Surface) -> DVec3 {
+        self.diffuse.as_ref().map_or(DVec3::ZERO, |polynomial| {
+            let irradiance = harmonics::irradiance(polynomial, self.how.environment_from_world * point.normal);
+            surface.diffuse * irradiance * (self.how.intensity * FRAC_1_PI)
+        })
+    }
+
+    /// `k_s scale + bias` times the blurred environment about where a mirror looks, by the split sum
+    /// ([`gonio_environment::prefilter`]); zero for a black `k_s`, as such surfaces are matte, and where the environment
+    /// does not light.
+    fn glossy_light(&self, point: &ShadingPoint, surface: &Surface) -> DVec3 {
+        let Some((glossy, table)) = self.glossy.filter(|_| surface.specular != DVec3::ZERO) else { return DVec3::ZERO };
+        let roughness = roughness_of_shininess(surface.shininess);
+        let (scale, bias) = table.lookup(point.normal.dot(point.view), roughness);
+        let mirrored = self.how.environment_from_world * vector::reflection(point.normal, point.view);
+        (surface.specular * scale + bias) * glossy.sample(mirrored, roughness) * self.how.intensity
     }
 
     fn sight(

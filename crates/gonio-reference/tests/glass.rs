@@ -146,10 +146,13 @@ fn a_ball_turns_the_view_as_on_paper() {
 
 #[test]
 fn a_slab_shifts_the_view_and_weakens_it() {
-    // Of thickness 1 and wide enough that nothing leaves by its sides.
+    // Of thickness 1 and wide enough that nothing leaves by its sides; and another behind it, of the same object, that
+    // the view does not go through any more.
     let slab = faces(&[
         &[[-50.0, -50.0, 0.5], [50.0, -50.0, 0.5], [50.0, 50.0, 0.5], [-50.0, 50.0, 0.5]],
         &[[-50.0, 50.0, -0.5], [50.0, 50.0, -0.5], [50.0, -50.0, -0.5], [-50.0, -50.0, -0.5]],
+        &[[-50.0, -50.0, -1.5], [50.0, -50.0, -1.5], [50.0, 50.0, -1.5], [-50.0, 50.0, -1.5]],
+        &[[-50.0, 50.0, -2.5], [50.0, 50.0, -2.5], [50.0, -50.0, -2.5], [-50.0, -50.0, -2.5]],
     ]);
     let absorption = DVec3::new(0.1, 0.5, 2.0);
     let optics = Optics { absorption, tint: DVec3::new(1.0, 0.5, 1.0), ..clear(Surfaces::Two) };

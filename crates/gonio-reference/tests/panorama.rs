@@ -146,6 +146,22 @@ fn an_environment_comes_back_as_it_was() {
 }
 
 #[test]
+fn large_pixels_show_smaller_copies() {
+    let map = Cubemap::from_function(256, |d| (40.0 * d).map(|v| v.sin()) + 1.0);
+    let mips = gonio_environment::CubeMips::new(map.clone());
+    let lab = Lab::new().environment(map).frame(|f| f.texture_filter = gonio_scene::TextureFilter::Mipmap);
+    let reference = ReferenceScene::new(&lab.scene);
+    // What a pixel in the middle covers, in texels of the full copy.
+    let panorama = reference.panorama(&lab.frame, 80, 40).at(13, 17);
+    let direction = gonio_environment::panorama::direction(13.5 / 80.0, 17.5 / 40.0);
+    let wanted = mips.sample(direction, (128.0 * std::f64::consts::PI / 40.0).log2());
+    assert!(rgb(panorama).abs_diff_eq(wanted, 1e-6), "{panorama:?} is not {wanted}");
+    let face = reference.cube_face(&lab.frame, Face::PosY, Layout::OpenGl, 48).at(13, 17);
+    let wanted = mips.sample(texel_direction(Face::PosY, 13, 17, 48), (256.0 / 48.0_f64).log2());
+    assert!(rgb(face).abs_diff_eq(wanted, 1e-6), "{face:?} is not {wanted}");
+}
+
+#[test]
 fn nothing_in_front_of_the_eye_is_cut_off() {
     let lab = Lab::new()
         .object(square(0.01, 4.95), Shading::Flat, Material { emitted: [1.0; 3], ..matte([0.0; 3]) })
@@ -177,6 +193,8 @@ fn layers_optics_and_closed_objects_are_as_in_pictures() {
         .optics(Optics { transmission: 0.8, surfaces: gonio_light::Surfaces::Two, ..Optics::default() })
         .placed(square(0.8, 1.5), Shading::Phong, pane(0.4), maps(), DMat4::IDENTITY)
         .placed(square(0.8, 1.8), Shading::Phong, pane(0.6), maps(), ball(0.4))
+        // Through the first ball: its middle is behind it.
+        .placed(square(0.9, 0.93), Shading::Phong, pane(0.5), maps(), ball(-1.1))
         .light(directional([-1.0, -0.5, -1.0], 0.7))
         .environment(compass())
         .frame(|f| {

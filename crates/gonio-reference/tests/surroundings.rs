@@ -67,8 +67,8 @@ fn it_is_turned_and_made_brighter() {
 
 #[test]
 fn what_is_seen_may_be_another_or_none() {
-    let red = CubeMips::new(Cubemap::new(1, [1.0, 0.0, 0.0, 1.0]));
-    let both = LoadedEnvironment { background: Some(red), ..LoadedEnvironment::new("test", compass()) };
+    let red = Cubemap::new(1, [1.0, 0.0, 0.0, 1.0]);
+    let both = LoadedEnvironment::new("test", compass()).with_background(red);
     let mut lab =
         Lab::new().object(square(1.0, 0.0), Shading::Flat, Material::default()).optics(MIRROR()).environment(compass());
     lab.scene.environment = Some(Arc::new(both));
