@@ -9,6 +9,7 @@ uniform float refraction_index;
 vec3 quantity_of_point(vec3 position, vec3 n, vec3 v, float shininess) {
     if (view_quantity == QUANTITY_NORMAL) return n;
     if (view_quantity == QUANTITY_VIEW) return v;
+    if (view_quantity == QUANTITY_VIEW_REFLECTION) return reflection(n, v);
     if (view_quantity == QUANTITY_REFRACTION) {
         bool outside = dot(n, v) >= 0.0;
         vec3 towards = outside ? n : -n;

@@ -48,7 +48,7 @@ vec3 normal_by_derivatives(vec3 fallback) {
     return unit_or(gl_FrontFacing ? across : -across, fallback);
 }
 
-#if !VERTEX_LIT
+#if !VERTEX_LIT || SIGHT
 vec3 shading_normal(vec3 v) {
     vec3 n = unit_or(v_normal_in_world, normal_by_derivatives(v * facing())) * facing();
 #if NORMAL_MAP
@@ -78,6 +78,9 @@ void main() {
 #if TWO_SIDED
     if (!gl_FrontFacing) sums = LightSums(v_back_diffuse_light, v_back_specular_light);
 #endif
+#if SIGHT
+    vec3 n = shading_normal(v);   // light comes from the vertices, surroundings are seen here
+#endif
 #else
     vec3 n = shading_normal(v);
 #if VIEW
@@ -91,12 +94,21 @@ void main() {
     vec3 diffuse = s.diffuse * sums.diffuse;
     vec3 specular = s.specular * sums.specular;
     vec3 value = ambient + emitted + diffuse + specular;
+#if SIGHT
+    Sight seen = sight(n, v);
+    value = compose(value, seen, fresnel_kind, reflectivity, transmission);
+#endif
 #if VIEW
     if (view_quantity == QUANTITY_AMBIENT) value = ambient;
     else if (view_quantity == QUANTITY_EMITTED) value = emitted;
     else if (view_quantity == QUANTITY_DIFFUSE) value = diffuse;
     else if (view_quantity == QUANTITY_SPECULAR) value = specular;
     else if (view_quantity == QUANTITY_ALBEDO) value = s.diffuse;
+#if SIGHT
+    else if (view_quantity == QUANTITY_FRESNEL) value = seen.fresnel;
+    else if (view_quantity == QUANTITY_REFLECTED) value = seen.reflected;
+    else if (view_quantity == QUANTITY_TRANSMITTED) value = seen.transmitted;
+#endif
     else if (view_quantity == QUANTITY_UV) value = vec3(v_tex_coord, 0.0);
     else if (view_quantity == QUANTITY_POSITION) value = v_position_in_world;
     else if (view_quantity == QUANTITY_DEPTH) value = vec3(dot(depth_plane, vec4(v_position_in_world, 1.0)));

@@ -18,6 +18,8 @@ pub struct DriverInfo {
     pub max_samples: u32,
     /// Largest picture or texture, pixels along one side.
     pub max_size: u32,
+    /// Largest face of a cubemap, texels along one side.
+    pub max_cube_size: u32,
     /// Which GLSL it is given.
     pub dialect: Dialect,
     /// EXT_texture_filter_anisotropic, or OpenGL 4.6.
@@ -53,6 +55,7 @@ impl DriverInfo {
                 glsl: gl.get_parameter_string(glow::SHADING_LANGUAGE_VERSION),
                 max_samples: samples.into_iter().chain([textures]).min().unwrap_or(1).max(1) as u32,
                 max_size: sizes.into_iter().min().unwrap_or(2048).max(1) as u32,
+                max_cube_size: gl.get_parameter_i32(glow::MAX_CUBE_MAP_TEXTURE_SIZE).max(1) as u32,
                 dialect: dialect_of(gl),
                 anisotropy: at_least_4_6
                     || has("GL_EXT_texture_filter_anisotropic")

@@ -1,12 +1,19 @@
 //! GLSL, composed once: a header for the dialect, constants generated from Rust, then the files.
 
-use crate::target::SamplesOf;
+mod output;
+mod surroundings;
+
+pub use output::{Display, OutputKey};
+pub use surroundings::{Sight, SurroundingsKey, sky_sources};
+
 use gonio_light::brdf::{self, BrdfKind};
-use gonio_light::color::{self, ColorEncoding, ToneMap};
+use gonio_light::color::{self, ToneMap};
 use gonio_light::light::Attenuation;
+use gonio_light::optics::Fresnel;
 use gonio_light::{Quantity, Specular, roughness, vector};
 use gonio_scene::description::Shading;
 use gonio_scene::loaded::HOLE_OPACITY;
+use output::tone_map_define;
 use std::fmt::Write;
 
 /// Which language the driver speaks.
@@ -49,8 +56,8 @@ pub const LIGHT_POINT: i32 = 1;
 /// A spot.
 pub const LIGHT_SPOT: i32 = 2;
 
-/// The texture units, one for each texture of a material and one for the lights.
-pub const TEXTURE_UNITS: [(&str, u32); 7] = [
+/// The texture units: one for each texture of a material, the lights, and the environment. 16 are guaranteed.
+pub const TEXTURE_UNITS: [(&str, u32); 8] = [
     ("diffuse_map", 0),
     ("specular_map", 1),
     ("emitted_map", 2),
@@ -58,6 +65,7 @@ pub const TEXTURE_UNITS: [(&str, u32); 7] = [
     ("opacity_map", 4),
     ("normal_map", 5),
     ("light_table", 6),
+    ("environment_map", 7),
 ];
 
 /// The unit of a sampler by its name in GLSL.
@@ -143,6 +151,8 @@ pub struct SceneKey {
     pub view: bool,
     /// Where the lights are, and how the loops over them end.
     pub lights: LightLoops,
+    /// What the surface shows of the environment.
+    pub surroundings: SurroundingsKey,
 }
 
 /// Where the lights are, and how the loops over them end.
@@ -183,8 +193,9 @@ impl LightLoops {
 }
 
 impl SceneKey {
-    /// Every key that the renderer can ask for, with one of the ways to unroll the loops over the lights; and colours
-    /// of vertices, which are multiplied in one place, with one kind of loops only.
+    /// Every key that the renderer can ask for, with one of the ways to unroll the loops over the lights; colours
+    /// of vertices, which are multiplied in one place, with one kind of loops only; and environments, which meet only
+    /// the normal and the sides, with one kind of loops and of reflectance.
     pub fn all() -> Vec<SceneKey> {
         let loops = [LightLoops::Unrolled([1, 2, 3]), LightLoops::Uniforms, LightLoops::Texture];
         let mut keys = Vec::new();
@@ -206,9 +217,12 @@ impl SceneKey {
                                     two_sided,
                                     view,
                                     lights,
+                                    surroundings: SurroundingsKey::NONE,
                                 };
                                 keys.extend(loops.map(|lights| key(lights, false)));
                                 keys.push(key(LightLoops::Uniforms, true));
+                                let plain = key(LightLoops::Uniforms, false);
+                                keys.extend(surroundings::with_surroundings(plain));
                             }
                         }
                     }
@@ -245,6 +259,7 @@ impl SceneKey {
         ] {
             define(&mut text, name, value);
         }
+        text += &self.surroundings.defines();
         if let LightLoops::Unrolled(ends) = self.lights {
             for (name, end) in ["DIRECTIONAL_END", "POINT_END", "SPOT_END"].into_iter().zip(ends) {
                 define(&mut text, name, &end.to_string());
@@ -265,16 +280,17 @@ impl SceneKey {
         };
         let fragment_view = if self.vertex_lit() && self.view { "uniform int view_quantity;\n" } else { "" };
         let fragment_vector = if self.vertex_lit() { VECTOR } else { "" };
+        let around = self.surroundings.functions(self.vertex_lit());
         [
             [shared.as_str(), vertex_light, SCENE_VERT].concat(),
-            [&shared, fragment_vector, fragment_light, fragment_view, MATERIAL, SCENE_FRAG].concat(),
+            [&shared, fragment_vector, fragment_light, fragment_view, &around, MATERIAL, SCENE_FRAG].concat(),
         ]
     }
 
     /// For labels and messages.
     pub fn name(&self) -> String {
         format!(
-            "scene {} {}{}{}{}{}{}{}",
+            "scene {} {}{}{}{}{}{}{}{}",
             self.shading,
             self.reflectance.define().trim_start_matches("REFLECTANCE_").to_ascii_lowercase(),
             match self.maps {
@@ -291,65 +307,8 @@ impl SceneKey {
                 LightLoops::Uniforms => " few-lights".to_owned(),
                 LightLoops::Texture => " many-lights".to_owned(),
             },
+            self.surroundings.name(),
         )
-    }
-}
-
-/// What an output program writes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Display {
-    /// The linear picture as it is.
-    Linear,
-    /// A debug view.
-    Affine,
-    /// Light.
-    Light(ToneMap, ColorEncoding),
-}
-
-/// What distinguishes one output program from another.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct OutputKey {
-    /// What it writes.
-    pub display: Display,
-    /// What it averages.
-    pub samples: SamplesOf,
-}
-
-impl OutputKey {
-    /// Every key that the renderer can ask for in a dialect.
-    pub fn all(dialect: Dialect) -> Vec<OutputKey> {
-        let mut displays = vec![Display::Linear, Display::Affine];
-        for &tone_map in ToneMap::ALL {
-            displays.extend(ColorEncoding::ALL.iter().map(|&encoding| Display::Light(tone_map, encoding)));
-        }
-        let mut samples = vec![SamplesOf::One, SamplesOf::Grid];
-        if dialect == Dialect::Core330 {
-            samples.push(SamplesOf::Texel);
-        }
-        let keys = |samples| displays.iter().map(move |&display| OutputKey { display, samples });
-        samples.into_iter().flat_map(keys).collect()
-    }
-
-    /// Vertex and fragment shader.
-    pub fn sources(&self, dialect: Dialect) -> [String; 2] {
-        let mut defines = String::new();
-        for (number, name) in ["DISPLAY_LINEAR", "DISPLAY_AFFINE", "DISPLAY_LIGHT"].into_iter().enumerate() {
-            define(&mut defines, name, &number.to_string());
-        }
-        let (display, tone_map, encoding) = match self.display {
-            Display::Linear => ("DISPLAY_LINEAR", "TONE_MAP_NONE", "0"),
-            Display::Affine => ("DISPLAY_AFFINE", "TONE_MAP_NONE", "0"),
-            Display::Light(tone_map, encoding) => {
-                ("DISPLAY_LIGHT", tone_map_define(tone_map), bit(encoding == ColorEncoding::Srgb))
-            }
-        };
-        define(&mut defines, "DISPLAY", display);
-        define(&mut defines, "TONE_MAP", tone_map);
-        define(&mut defines, "ENCODE_SRGB", encoding);
-        define(&mut defines, "MULTISAMPLED", bit(self.samples == SamplesOf::Texel));
-        define(&mut defines, "GRID", bit(self.samples == SamplesOf::Grid));
-        let shared = format!("{}{}{defines}", dialect.header(), constants());
-        [[&shared, OUTPUT_VERT].concat(), [&shared, COLOR, DISPLAY_LIGHT, OUTPUT_FRAG].concat()]
     }
 }
 
@@ -357,19 +316,17 @@ const VECTOR: &str = include_str!("../shaders/light/vector.glsl");
 const LIGHT: &str = include_str!("../shaders/light/light.glsl");
 const FRESNEL: &str = include_str!("../shaders/light/fresnel.glsl");
 const BRDF: &str = include_str!("../shaders/light/brdf.glsl");
+const OPTICS: &str = include_str!("../shaders/light/optics.glsl");
 const COLOR: &str = include_str!("../shaders/light/color.glsl");
 const LIGHTING: &str = include_str!("../shaders/lighting.glsl");
 const QUANTITY: &str = include_str!("../shaders/quantity.glsl");
 const MATERIAL: &str = include_str!("../shaders/material.glsl");
-const DISPLAY_LIGHT: &str = include_str!("../shaders/display_light.glsl");
 const SCENE_VERT: &str = include_str!("../shaders/scene.vert");
 const SCENE_FRAG: &str = include_str!("../shaders/scene.frag");
-const OUTPUT_VERT: &str = include_str!("../shaders/output.vert");
-const OUTPUT_FRAG: &str = include_str!("../shaders/output.frag");
 
 /// The pure functions of the equation alone, for the test that holds them against their Rust twins.
 pub fn light_functions(dialect: Dialect) -> String {
-    [dialect.header(), &constants(), VECTOR, LIGHT, FRESNEL, BRDF, COLOR].concat()
+    [dialect.header(), &constants(), VECTOR, LIGHT, FRESNEL, BRDF, COLOR, OPTICS].concat()
 }
 
 fn bit(on: bool) -> &'static str {
@@ -390,15 +347,6 @@ fn shading_define(shading: Shading) -> &'static str {
     }
 }
 
-fn tone_map_define(tone_map: ToneMap) -> &'static str {
-    match tone_map {
-        ToneMap::None => "TONE_MAP_NONE",
-        ToneMap::Reinhard => "TONE_MAP_REINHARD",
-        ToneMap::Aces => "TONE_MAP_ACES",
-        ToneMap::Agx => "TONE_MAP_AGX",
-    }
-}
-
 /// Constants, enums and layouts that Rust and GLSL share: generated, never kept equal by hand.
 fn constants() -> String {
     let mut text = String::new();
@@ -410,6 +358,9 @@ fn constants() -> String {
     }
     for (index, &tone_map) in ToneMap::ALL.iter().enumerate() {
         define(&mut text, tone_map_define(tone_map), &index.to_string());
+    }
+    for (index, &fresnel) in Fresnel::ALL.iter().enumerate() {
+        define(&mut text, &format!("FRESNEL_{}", fresnel.name().to_ascii_uppercase()), &index.to_string());
     }
     for &quantity in Quantity::ALL {
         let name = format!("QUANTITY_{}", quantity.name().to_ascii_uppercase().replace('-', "_"));
@@ -441,6 +392,11 @@ fn constants() -> String {
         define(&mut text, name, &format!("{value:e}"));
     }
     text
+}
+
+/// A Fresnel factor's number in GLSL.
+pub fn fresnel_number(fresnel: Fresnel) -> i32 {
+    Fresnel::ALL.iter().position(|&f| f == fresnel).map_or(0, |i| i as i32)
 }
 
 /// A quantity's number in GLSL.

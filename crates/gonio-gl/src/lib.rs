@@ -11,10 +11,12 @@ pub mod capture;
 #[path = "capture_unsupported.rs"]
 pub mod capture;
 mod driver;
+mod environment_on_gpu;
 mod error;
 mod geometry;
 mod gl;
 pub mod glsl;
+mod half;
 #[cfg(feature = "headless")]
 pub mod headless;
 mod light_table;

@@ -147,6 +147,17 @@ impl TextureObject {
 }
 
 impl TextureObject {
+    /// A cubemap, bound to the active unit.
+    pub fn cube(gl: &Gl, name: &str) -> Result<Self, GlError> {
+        let texture = TextureObject::create(gl)?;
+        // SAFETY: the texture is this context's.
+        unsafe { gl.bind_texture(glow::TEXTURE_CUBE_MAP, Some(texture.handle)) };
+        label(gl, glow::TEXTURE, native_name!(texture.handle), name);
+        Ok(texture)
+    }
+}
+
+impl TextureObject {
     /// A texture of `samples` samples per texel, bound to the active unit. OpenGL only.
     pub fn multisampled(gl: &Gl, format: u32, size: [i32; 2], samples: i32, name: &str) -> Result<Self, GlError> {
         let texture = TextureObject::create(gl)?;

@@ -1,5 +1,7 @@
 //! A scene's buffers and textures on the GPU.
 
+use crate::driver::DriverInfo;
+use crate::environment_on_gpu::EnvironmentOnGpu;
 use crate::geometry::Geometry;
 use crate::objects::TextureObject;
 use crate::textures;
@@ -15,6 +17,7 @@ pub struct GpuScene {
     pub(crate) geometries: Vec<MeshGeometry>,
     pub(crate) materials: Vec<SceneMaterial>,
     pub(crate) textures: Vec<TextureObject>,
+    pub(crate) environment: Option<EnvironmentOnGpu>,
     /// Bytes of geometry on the GPU.
     pub geometry_bytes: usize,
     /// Triangles of all objects.
@@ -65,7 +68,7 @@ pub(crate) fn wants_unshared(shading: Shading) -> bool {
 }
 
 impl GpuScene {
-    pub(crate) fn upload(gl: &Gl, scene: &LoadedScene, max_texture_size: u32) -> Result<Self, GlError> {
+    pub(crate) fn upload(gl: &Gl, scene: &LoadedScene, info: &DriverInfo) -> Result<Self, GlError> {
         let mut geometries: Vec<MeshGeometry> = scene.meshes.iter().map(|_| MeshGeometry::default()).collect();
         for object in &scene.objects {
             let mesh = &scene.meshes[object.mesh];
@@ -79,12 +82,14 @@ impl GpuScene {
             }
         }
         let textures =
-            scene.textures.iter().map(|t| textures::upload(gl, t, max_texture_size)).collect::<Result<Vec<_>, _>>()?;
+            scene.textures.iter().map(|t| textures::upload(gl, t, info.max_size)).collect::<Result<Vec<_>, _>>()?;
+        let environment = scene.environment.as_deref();
+        let environment = environment.map(|e| EnvironmentOnGpu::upload(gl, e, info.max_cube_size)).transpose()?;
         let objects = scene.objects.iter().map(|o| GpuObject::new(o, scene)).collect();
         let geometry_bytes = geometries.iter().flat_map(|g| [&g.shared, &g.unshared]).flatten().map(|g| g.bytes).sum();
         let triangle_count = scene.objects.iter().map(|o| scene.meshes[o.mesh].triangle_count()).sum();
         let materials = scene.materials.clone();
-        Ok(GpuScene { objects, geometries, materials, textures, geometry_bytes, triangle_count })
+        Ok(GpuScene { objects, geometries, materials, textures, environment, geometry_bytes, triangle_count })
     }
 }
 

@@ -1,5 +1,5 @@
-//! Draws a scene: lights into the light table, opaque parts, transparent triangles from back to front,
-//! samples resolved, and on demand the picture's numbers.
+//! Draws a scene: lights into the light table, opaque parts, the sky, transparent triangles from back to
+//! front, samples resolved, and on demand the picture's numbers.
 
 mod bands;
 #[cfg(feature = "bench")]
@@ -7,6 +7,7 @@ mod bare;
 mod output;
 mod pass;
 mod sampling;
+mod surroundings;
 
 pub use bands::Drawn8;
 pub use output::Drawn;
@@ -27,6 +28,7 @@ use pass::{Draw, Pass};
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
+use surroundings::Around;
 
 /// Draws scenes with one OpenGL context.
 pub struct Renderer {
@@ -42,6 +44,7 @@ struct Shared {
     info: DriverInfo,
     scene_programs: RefCell<HashMap<SceneKey, Rc<Program>>>,
     output_programs: RefCell<HashMap<OutputKey, Rc<Program>>>,
+    sky: RefCell<Option<Rc<Program>>>,
     /// Core profiles draw nothing without a vertex array, even where no attribute is read.
     no_attributes: VertexArray,
 }
@@ -58,6 +61,7 @@ impl Renderer {
             info,
             scene_programs: RefCell::default(),
             output_programs: RefCell::default(),
+            sky: RefCell::default(),
             no_attributes,
         });
         Ok(Renderer { shared, light_table, white, target: None })
@@ -71,7 +75,7 @@ impl Renderer {
     /// Uploads geometry and textures.
     pub fn upload(&mut self, scene: &LoadedScene) -> Result<GpuScene, GlError> {
         let _group = DebugGroup::new(&self.shared.gl, "upload");
-        let uploaded = GpuScene::upload(&self.shared.gl, scene, self.shared.info.max_size)?;
+        let uploaded = GpuScene::upload(&self.shared.gl, scene, &self.shared.info)?;
         self.shared.check_error("uploading the scene")?;
         Ok(uploaded)
     }
@@ -115,6 +119,9 @@ impl Renderer {
         precision: Precision,
         notes: &mut Vec<String>,
     ) -> Result<Rc<Target>, GlError> {
+        if frame.surroundings.is_some() {
+            notes.extend(scene.environment.iter().flat_map(|e| e.notes.iter().cloned()));
+        }
         let info = &self.shared.info;
         if frame.width > info.max_size || frame.height > info.max_size {
             return Err(GlError::new(format!(
@@ -176,6 +183,7 @@ impl Renderer {
             view,
             white: self.white.handle(),
             lights: &self.light_table,
+            around: Around::bound(&shared, scene, frame),
             prepared: HashMap::new(),
         };
         let mut draw_calls = 0;
@@ -184,6 +192,11 @@ impl Renderer {
                 pass.draw(&Draw { object, run: run.clone() })?;
                 draw_calls += 1;
             }
+        }
+        // Before what lets it through, which is laid over it; behind all else, so that nothing hidden is looked up.
+        if let Some(around) = pass.around.as_ref().filter(|around| around.is_visible() && !pass.is_view()) {
+            around.draw_sky(&shared, frame)?;
+            draw_calls += 1;
         }
         let transparent = sorted_transparent(scene, frame);
         if !transparent.is_empty() {

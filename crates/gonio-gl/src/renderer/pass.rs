@@ -1,9 +1,12 @@
 //! One pass over the objects: which program, which buffers, which uniforms each draw needs.
 
 use super::Shared;
+use super::surroundings::Around;
 use crate::GlError;
 use crate::geometry::Geometry;
-use crate::glsl::{LightLoops, MapSet, Reflectance, SceneKey, TEXTURE_UNITS, quantity_number, texture_unit};
+use crate::glsl::{
+    LightLoops, MapSet, Reflectance, SceneKey, SurroundingsKey, TEXTURE_UNITS, quantity_number, texture_unit,
+};
 use crate::light_table::LightTable;
 use crate::objects::DebugGroup;
 use crate::program::Program;
@@ -33,6 +36,8 @@ pub(super) struct Pass<'a> {
     pub view: Option<ViewSpec>,
     pub white: glow::Texture,
     pub lights: &'a LightTable,
+    /// What surrounds the scene.
+    pub around: Option<Around<'a>>,
     /// Programs whose uniforms of the frame are set.
     pub prepared: HashMap<SceneKey, Rc<Program>>,
 }
@@ -95,7 +100,16 @@ impl Pass<'_> {
             two_sided: self.frame.two_sided && !object.object.closed,
             view: self.is_view(),
             lights: LightLoops::for_ends(self.lights.ends),
+            surroundings: self
+                .around
+                .as_ref()
+                .map_or(SurroundingsKey::NONE, |around| around.key(&material.optics, self.is_view())),
         }
+    }
+
+    /// The environment, where the program shows it.
+    fn around_of(&self, key: SceneKey) -> Option<&Around<'_>> {
+        self.around.as_ref().filter(|_| key.surroundings != SurroundingsKey::NONE)
     }
 
     /// Whether a debug view is drawn, not the picture.
@@ -150,6 +164,9 @@ impl Pass<'_> {
             let plane = camera.front.extend(-camera.front.dot(camera.position)).as_vec4();
             program.set_vec4("depth_plane", plane.to_array());
         }
+        if let Some(around) = self.around_of(key) {
+            around.set_frame(&program);
+        }
         self.prepared.insert(key, program.clone());
         Ok(program)
     }
@@ -189,6 +206,9 @@ impl Pass<'_> {
             program.set_f32("roughness", maps.roughness.unwrap_or(-1.0));
             self.bind_map(program, "shininess_map", "shininess_map_transform", maps.shininess.as_ref());
             self.bind_map(program, "opacity_map", "opacity_map_transform", maps.opacity.as_ref());
+        }
+        if let Some(around) = self.around_of(key) {
+            around.set_material(program, material);
         }
         if key.normal_map {
             self.bind_map(program, "normal_map", "normal_map_transform", maps.normal.as_ref());

@@ -1,6 +1,8 @@
 //! Every program that the renderer can ask for compiles and links, in both dialects.
 
-use crate::glsl::{ATTRIBUTES, Dialect, LightLoops, MapSet, OutputKey, Reflectance, SceneKey};
+use crate::glsl::{
+    ATTRIBUTES, Dialect, LightLoops, MapSet, OutputKey, Reflectance, SceneKey, SurroundingsKey, sky_sources,
+};
 use crate::program::Program;
 use gonio_light::Specular;
 use gonio_scene::description::Shading;
@@ -9,12 +11,14 @@ fn link_all(dialect: Dialect, es: bool) {
     let context = super::context(es);
     let scenes = SceneKey::all().into_iter().map(|k| (k.name(), k.sources(dialect)));
     let outputs = OutputKey::all(dialect).into_iter().map(|k| (format!("{k:?}"), k.sources(dialect)));
-    let programs: Vec<_> = scenes.chain(outputs).collect();
+    let sky = ("sky".to_owned(), sky_sources(dialect));
+    let programs: Vec<_> = scenes.chain(outputs).chain([sky]).collect();
     // 4 shadings (and Phong with a normal map) x 8 reflectances x 3 sets of maps x sides x views x 3 kinds of loops
     // and one with colours of vertices; and 2 + 4 tone maps x 2 encodings, of one sample, of grids, and of multisampled
-    // textures where there are any.
+    // textures where there are any. With an environment 4 ways to show it, for 1 reflectance and 2 sets of maps; and the
+    // sky.
     let outputs = if es { 20 } else { 30 };
-    assert_eq!(programs.len(), 5 * 8 * 3 * 2 * 2 * (3 + 1) + outputs);
+    assert_eq!(programs.len(), 5 * 8 * 3 * 2 * 2 * (3 + 1) + 5 * 2 * 2 * 2 * 4 + 1 + outputs);
     for (name, [vertex, fragment]) in programs {
         if let Err(why) = Program::new(context.gl(), &name, &vertex, &fragment, &ATTRIBUTES) {
             panic!("{dialect:?}: {why}");
@@ -43,7 +47,18 @@ fn every_number_of_very_few_lights_links() {
             let reflectance = Reflectance::Lab(Specular::Phong);
             let (maps, normal_map, vertex_colors) = (MapSet::None, false, false);
             let (two_sided, view) = (true, true);
-            let key = SceneKey { shading, reflectance, maps, normal_map, vertex_colors, two_sided, view, lights };
+            let surroundings = SurroundingsKey::NONE;
+            let key = SceneKey {
+                shading,
+                reflectance,
+                maps,
+                normal_map,
+                vertex_colors,
+                two_sided,
+                view,
+                lights,
+                surroundings,
+            };
             let [vertex, fragment] = key.sources(Dialect::Core330);
             if let Err(why) = Program::new(context.gl(), &key.name(), &vertex, &fragment, &ATTRIBUTES) {
                 panic!("{why}");

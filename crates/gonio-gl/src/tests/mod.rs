@@ -1,7 +1,9 @@
 //! Tests that need a context: on whatever driver there is, Mesa's llvmpipe in CI.
 
 mod compile;
+mod environment;
 mod twins;
+mod twins_optics;
 
 use crate::headless::{HeadlessContext, HeadlessOptions};
 

@@ -12,16 +12,16 @@ use gonio_light::color::{ColorEncoding, OutputTransform, ToneMap, srgb_decode, s
 use gonio_light::{Attenuation, ShadingPoint, Surface, fresnel, light, roughness, vector};
 
 /// Parameters of one call: four texels.
-type Case = [[f32; 4]; 4];
+pub(super) type Case = [[f32; 4]; 4];
 
 /// How many cases each function is tried with.
 const CASES: usize = 4096;
 
 /// A generator that gives the same numbers everywhere (Steele, Lea, Flood 2014: SplitMix64).
-struct Numbers(u64);
+pub(super) struct Numbers(u64);
 
 impl Numbers {
-    fn unit(&mut self) -> f32 {
+    pub(super) fn unit(&mut self) -> f32 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -29,7 +29,7 @@ impl Numbers {
         ((z ^ (z >> 31)) >> 40) as f32 / (1u64 << 24) as f32
     }
 
-    fn direction(&mut self) -> DVec3 {
+    pub(super) fn direction(&mut self) -> DVec3 {
         let z = 2.0 * self.unit() - 1.0;
         let phi = std::f32::consts::TAU * self.unit();
         let r = (1.0 - z * z).max(0.0).sqrt();
@@ -42,12 +42,12 @@ impl Numbers {
     }
 }
 
-fn texel(v: DVec3, w: f32) -> [f32; 4] {
+pub(super) fn texel(v: DVec3, w: f32) -> [f32; 4] {
     [v.x as f32, v.y as f32, v.z as f32, w]
 }
 
 /// The vector as the shader gets it, back in f64.
-fn vec(texel: [f32; 4]) -> DVec3 {
+pub(super) fn vec(texel: [f32; 4]) -> DVec3 {
     DVec3::new(texel[0].into(), texel[1].into(), texel[2].into())
 }
 
@@ -100,7 +100,7 @@ fn run_glsl(es: bool, body: &str, cases: &[Case]) -> Vec<[f32; 4]> {
 }
 
 /// Holds the GLSL against `rust` in both dialects. `tolerance` is absolute below 1 and relative above.
-fn compare(name: &str, body: &str, cases: &[Case], tolerance: f64, rust: impl Fn(&Case) -> [f64; 4]) {
+pub(super) fn compare(name: &str, body: &str, cases: &[Case], tolerance: f64, rust: impl Fn(&Case) -> [f64; 4]) {
     for es in [false, true] {
         let mut worst = (0.0, String::new());
         for (case, got) in cases.iter().zip(run_glsl(es, body, cases)) {
@@ -117,7 +117,7 @@ fn compare(name: &str, body: &str, cases: &[Case], tolerance: f64, rust: impl Fn
     }
 }
 
-fn cases(mut make: impl FnMut(&mut Numbers) -> Case) -> Vec<Case> {
+pub(super) fn cases(mut make: impl FnMut(&mut Numbers) -> Case) -> Vec<Case> {
     let mut numbers = Numbers(7);
     (0..CASES).map(|_| make(&mut numbers)).collect()
 }

@@ -1,0 +1,307 @@
+//! Environments on the GPU against the reference's: skies, mirrors, glass. Tolerances as in `parity.rs`.
+//!
+//! The environment is smooth, up to 50 times as bright as white, and everywhere another colour: a driver moves corners by
+//! up to 1/256 of a pixel, and on a curved mirror that is some hundredths of a texel, which only counts where a texel
+//! differs much from the next. Hard edges have a test and a tolerance of their own.
+#![allow(clippy::unwrap_used)]
+
+mod common;
+mod textured_model;
+
+use common::{Bench, HEIGHT, WIDTH, scene_from};
+use glam::DVec3;
+use gonio_environment::{CubeMips, Cubemap};
+use gonio_light::Quantity;
+use gonio_reference::ReferenceScene;
+use gonio_scene::description::EnvironmentSpec;
+use gonio_scene::{LoadedEnvironment, LoadedScene, TextureFilter, ViewSpec};
+use std::sync::{Arc, LazyLock};
+
+const CAMERA: &str = "position = [1.5, 2.0, 5.0]\ntarget = [0.1, 0.2, 0.0]";
+const LIGHTS: &str = "[[light]]\nkind = \"directional\"\ndirection = [-1, -2, -1.5]\n[[light]]\nkind = \"ambient\"\n\
+                      color = [0.2, 0.25, 0.3]\n";
+const CLAY: &str = "ambient = [0.3, 0.2, 0.2], diffuse = [0.8, 0.45, 0.2], specular = [0.5, 0.5, 0.5], shininess = 32";
+
+/// Linear radiance from a direction: waves of other lengths in each channel, and two lamps.
+fn radiance(d: DVec3) -> DVec3 {
+    let wave = |v: f64| 0.5 + 0.4 * v.sin();
+    let base = DVec3::new(wave(3.0 * d.x + d.y), wave(4.0 * d.y - d.z), wave(2.0 * d.z + 3.0 * d.x * d.y));
+    let lamp = |at: DVec3, sharpness: f64| (sharpness * (d.dot(at.normalize()) - 1.0)).exp();
+    base + 50.0 * lamp(DVec3::new(0.3, 0.8, 0.5), 12.0) * DVec3::new(1.0, 0.9, 0.7)
+        + 4.0 * lamp(DVec3::new(-1.0, 0.2, -0.4), 16.0) * DVec3::new(0.3, 0.6, 1.0)
+}
+
+static SMOOTH: LazyLock<Arc<LoadedEnvironment>> =
+    LazyLock::new(|| Arc::new(LoadedEnvironment::new("waves", Cubemap::from_function(256, radiance))));
+
+fn surrounded(mut scene: LoadedScene, environment: &Arc<LoadedEnvironment>, spec: EnvironmentSpec) -> LoadedScene {
+    scene.environment = Some(environment.clone());
+    scene.scene.environment = Some(EnvironmentSpec { light: Some(false), ..spec });
+    scene
+}
+
+/// An object of one material in the smooth environment.
+fn scene(model: &str, shading: &str, material: &str) -> LoadedScene {
+    scene_of(&object(model, shading, material))
+}
+
+fn scene_of(objects: &str) -> LoadedScene {
+    surrounded(scene_from(CAMERA, "", LIGHTS, objects), &SMOOTH, EnvironmentSpec::default())
+}
+
+fn object(model: &str, shading: &str, material: &str) -> String {
+    format!(
+        "[[object]]\nmodel = \"builtin:{model}\"\nshading = \"{shading}\"\nrotate = [20, 35, -10]\n\
+         scale = [1.0, 1.4, 0.8]\ntranslate = [0.2, 0.1, -0.3]\nmaterial = {{ {material} }}\n"
+    )
+}
+
+/// That something is there to be seen: the reference's picture is another one without it.
+fn assert_shows(name: &str, with: &LoadedScene, without: &LoadedScene) {
+    let picture = |scene: &LoadedScene| ReferenceScene::new(scene).render(&scene.frame(0.0), None, &|_| ()).picture;
+    assert!(picture(with) != picture(without), "{name} shows");
+}
+
+#[test]
+fn skies_from_everywhere() {
+    let mut bench = Bench::new();
+    let far = object("cube", "phong", CLAY).replace("translate = [0.2, 0.1, -0.3]", "translate = [0.2, 0.1, -9.0]");
+    for (camera, rotate, intensity) in [
+        ("position = [0, 0, 5]\ntarget = [0, 0, 0]", [0.0; 3], 1.0),
+        ("position = [9, 1, 0]\ntarget = [0, 0, 0]", [0.0; 3], 0.25),
+        ("position = [0, -7, 0.1]\ntarget = [0, 0, 0]", [30.0, 0.0, 0.0], 2.0),
+        ("position = [1, 7, 0.1]\ntarget = [0, 0, 0]", [0.0, -50.0, 0.0], 1.0),
+        ("position = [3, 3, 3]\ntarget = [0, 0, 0]", [0.0, 0.0, 77.0], 1.0),
+        ("position = [-4, 3, -3]\ntarget = [0, 1, 0]", [123.0, 34.0, -56.0], 0.7),
+    ] {
+        let spec = EnvironmentSpec { rotate, intensity, ..EnvironmentSpec::default() };
+        let mut sky = surrounded(scene_from(camera, "", LIGHTS, &far), &SMOOTH, spec.clone());
+        bench.check(&format!("{camera} {spec:?}"), &sky, None);
+        sky.scene.background.transparent = true;
+        bench.check(&format!("{camera} {spec:?} over nothing"), &sky, None);
+        // Not seen, it leaves the background alone.
+        let hidden = EnvironmentSpec { visible: false, ..spec };
+        let hidden = surrounded(scene_from(camera, "", LIGHTS, &far), &SMOOTH, hidden);
+        let c = bench.compare(&hidden, None);
+        assert!(c.close >= 0.995, "hidden: {:.3} % within 1/255", 100.0 * c.close);
+        assert_shows("the sky", &sky, &hidden);
+    }
+}
+
+#[test]
+fn another_environment_behind_the_objects() {
+    let mut bench = Bench::new();
+    let mut environment = LoadedEnvironment::clone(&SMOOTH);
+    environment.background =
+        Some(CubeMips::new(Cubemap::from_function(64, |d| radiance(-d) * DVec3::new(0.2, 1.0, 0.5))));
+    let mirror = scene("sphere-smooth", "phong", "reflectivity = 1");
+    let two = surrounded(mirror.clone(), &Arc::new(environment), EnvironmentSpec::default());
+    bench.check("two environments", &two, None);
+    assert_shows("the other", &two, &mirror);
+}
+
+#[test]
+fn the_sky_through_surfaces_that_let_light_through() {
+    let mut bench = Bench::new();
+    for opacity in ["0.6", "0.1"] {
+        for shading in ["flat", "gouraud", "phong"] {
+            let front = object("sphere-coarse-averaged", shading, &format!("{CLAY}, opacity = {opacity}"))
+                .replace("translate = [0.2, 0.1, -0.3]", "translate = [0.6, 0.7, 2.0]");
+            let behind = object("cube", "phong", "reflectivity = 1");
+            let scene = scene_of(&format!("{behind}{front}"));
+            bench.check(&format!("opacity {opacity} {shading}"), &scene, None);
+        }
+    }
+    // A surface that mirrors and lets through what is behind.
+    let pane = scene("cube", "phong", &format!("{CLAY}, opacity = 0.4, reflectivity = 0.5"));
+    bench.check("half a mirror, half open", &pane, None);
+}
+
+#[test]
+fn mirrors_of_every_shading() {
+    let mut bench = Bench::new();
+    for model in ["sphere-smooth", "suzanne", "cube"] {
+        for shading in ["flat", "flat-per-face", "gouraud", "phong"] {
+            for reflectivity in ["1", "0.5"] {
+                let mirror = scene(model, shading, &format!("{CLAY}, reflectivity = {reflectivity}"));
+                bench.check(&format!("{model} {shading} {reflectivity}"), &mirror, None);
+            }
+        }
+    }
+}
+
+#[test]
+fn every_medium_and_fresnel_factor() {
+    let mut bench = Bench::new();
+    for medium in ["air", "water", "ice", "glass", "diamond"] {
+        for fresnel in ["none", "exact", "schlick"] {
+            let clear = scene("sphere-smooth", "phong", &format!("medium = \"{medium}\", fresnel = \"{fresnel}\""));
+            bench.check(&format!("{medium} {fresnel}"), &clear, None);
+        }
+    }
+}
+
+#[test]
+fn everything_between_mirror_glass_and_lit_surface() {
+    let mut bench = Bench::new();
+    let plain = scene("suzanne", "phong", CLAY);
+    for shading in ["flat", "flat-per-face", "gouraud", "phong"] {
+        for optics in [
+            "medium = \"glass\", tint = [0.9, 0.5, 0.2]",
+            "transmission = 0.6, reflectivity = 0.3, fresnel = \"schlick\", refraction_index = 1.4",
+            "reflectivity = 0.8, fresnel = \"exact\", refraction_index = 2.0",
+            "medium = \"diamond\", dispersion = 0.3, tint = [1.0, 0.8, 0.9]",
+            "transmission = 0.5, dispersion = 0.2, reflectivity = 0.5",
+        ] {
+            let some = scene("suzanne", shading, &format!("{CLAY}, {optics}"));
+            bench.check(&format!("{shading} {optics}"), &some, None);
+            assert_shows(optics, &some, &plain);
+        }
+    }
+}
+
+#[test]
+fn turned_environments_in_mirrors_and_glass() {
+    let mut bench = Bench::new();
+    for material in ["reflectivity = 1", "medium = \"water\""] {
+        let spec = EnvironmentSpec { rotate: [200.0, -35.0, 80.0], intensity: 0.6, ..EnvironmentSpec::default() };
+        let turned = surrounded(scene("sphere-smooth", "phong", material), &SMOOTH, spec);
+        bench.check(material, &turned, None);
+        assert_shows("the turn", &turned, &scene("sphere-smooth", "phong", material));
+    }
+}
+
+/// The back of a surface that is not turned: the view comes from inside, and beyond the critical angle all is reflected.
+/// A ball's belt, seen from above, where it is open.
+#[test]
+fn glass_from_inside() {
+    let mut bench = Bench::new();
+    let folder = tempfile::tempdir().unwrap();
+    let model = textured_model::write_with_normal_map(folder.path());
+    let from_above = "position = [0.5, 4.5, 1.5]\ntarget = [0.2, 0.0, -0.3]";
+    let mut pictures = Vec::new();
+    for shading in ["flat", "gouraud", "phong"] {
+        for two_sided in [false, true] {
+            let objects = object("cube", shading, "textures = false, medium = \"glass\"");
+            let objects = objects.replace("builtin:cube", &model.display().to_string());
+            let scene = scene_from(from_above, &format!("two_sided = {two_sided}"), LIGHTS, &objects);
+            let scene = surrounded(scene, &SMOOTH, EnvironmentSpec::default());
+            bench.check(&format!("{shading} {two_sided}"), &scene, None);
+            let reference = ReferenceScene::new(&scene);
+            let frame = scene.frame(0.0);
+            let seen = (0..HEIGHT).flat_map(|y| (0..WIDTH).map(move |x| (x, y)));
+            let inside = seen.filter(|&(x, y)| reference.probe(&frame, x, y).is_some_and(|p| !p.front_facing)).count();
+            assert!(inside > 1000, "{inside} pixels show the inside");
+            pictures.push(reference.render(&frame, None, &|_| ()).picture);
+        }
+    }
+    assert!(pictures.chunks(2).all(|pair| pair[0] != pair[1]), "the side counts");
+}
+
+#[test]
+fn normals_from_a_texture_turn_mirrors() {
+    let mut bench = Bench::new();
+    let folder = tempfile::tempdir().unwrap();
+    let model = textured_model::write_with_normal_map(folder.path());
+    let path = |scene: &str| scene.replace("builtin:cube", &model.display().to_string());
+    let bumpy = scene_of(&path(&object("cube", "phong", "reflectivity = 0.7")));
+    assert!(bumpy.materials[0].maps.normal.is_some());
+    let c = bench.compare(&bumpy, None);
+    // The map's 8 bits of filter weights move directions by a thousandth, and a lamp is brighter by some per cent there.
+    assert!(c.interior > 500 && c.worst.0 <= 0.02, "{} pixels, {} {}", c.interior, c.worst.0, c.worst.1);
+    assert!(c.close >= 0.995, "{:.3} % within 1/255", 100.0 * c.close);
+    assert_shows("the map", &bumpy, &scene_of(&path(&object("cube", "phong", "textures = false, reflectivity = 0.7"))));
+}
+
+#[test]
+fn every_view_of_the_environment() {
+    let mut bench = Bench::new();
+    let views = [Quantity::ViewReflection, Quantity::Fresnel, Quantity::Reflected, Quantity::Transmitted];
+    for shading in ["flat", "flat-per-face", "gouraud", "phong"] {
+        for material in [
+            "medium = \"glass\", dispersion = 0.1, tint = [0.5, 0.8, 1.0]",
+            "reflectivity = 0.5, fresnel = \"schlick\"",
+            CLAY,
+        ] {
+            let scene = scene("sphere-coarse-averaged", shading, material);
+            for quantity in views {
+                let view = Some(ViewSpec { quantity, light: None });
+                bench.check(&format!("{quantity} {shading} {material}"), &scene, view);
+            }
+        }
+    }
+}
+
+/// Where the environment is not smooth: a world of squares, 24 texels wide, black and ten times white.
+#[test]
+fn hard_edges() {
+    let mut bench = Bench::new();
+    let squares = Cubemap::from_function(256, |d| {
+        let d = d / d.abs().max_element();
+        let odd = d.to_array().map(|v| (v * 5.0 + 0.5).floor() as i64).iter().sum::<i64>() % 2 != 0;
+        if odd { DVec3::new(10.0, 9.0, 8.0) } else { DVec3::ZERO }
+    });
+    let squares = Arc::new(LoadedEnvironment::new("squares", squares));
+    for material in ["reflectivity = 1", "medium = \"glass\""] {
+        let scene = surrounded(scene("sphere-smooth", "phong", material), &squares, EnvironmentSpec::default());
+        let c = bench.compare(&scene, None);
+        // From black to 10 over one texel: 1/512 of a pixel, across which a ball's mirror turns by a tenth of a texel at
+        // its rim, is up to 1 there. As pictures the two must be the same all the same.
+        assert!(c.interior > 500 && c.worst.0 <= 1.0, "{material}: {} {}", c.worst.0, c.worst.1);
+        assert!(c.close >= 0.995, "{material}: {:.3} % within 1/255", 100.0 * c.close);
+    }
+}
+
+/// Levels by distances on the screen: the driver's derivatives are those of blocks of 2 x 2 pixels, the reference's of the
+/// pixel itself.
+#[test]
+fn mip_levels() {
+    let mut bench = Bench::new();
+    let fine =
+        Cubemap::from_function(512, |d| radiance(d) + DVec3::splat(0.4 * (150.0 * d.x).sin() * (130.0 * d.y).sin()));
+    let fine = Arc::new(LoadedEnvironment::new("fine waves", fine));
+    for material in ["reflectivity = 1", "medium = \"glass\", dispersion = 0.1"] {
+        let mut scene = surrounded(scene("sphere-smooth", "phong", material), &fine, EnvironmentSpec::default());
+        let linear = scene.clone();
+        scene.scene.picture.texture_filter = TextureFilter::Mipmap;
+        let c = bench.compare(&scene, None);
+        assert!(c.close >= 0.9, "{material}: {:.3} % within 1/255", 100.0 * c.close);
+        // Were no level chosen, or always the same one, less would agree.
+        let picture = |scene: &LoadedScene| ReferenceScene::new(scene).render(&scene.frame(0.0), None, &|_| ()).picture;
+        let (with, without) = (picture(&scene), picture(&linear));
+        let differ = with.pixels.iter().zip(&without.pixels).filter(|(a, b)| (a[0] - b[0]).abs() > 0.02).count();
+        assert!(differ > 2000, "levels change {differ} pixels only");
+    }
+}
+
+#[test]
+fn in_opengl_es() {
+    let mut bench = Bench::with(true);
+    for material in ["reflectivity = 0.7", "medium = \"glass\", dispersion = 0.1, tint = [0.5, 0.8, 1.0]"] {
+        for shading in ["flat", "gouraud", "phong"] {
+            bench.check(&format!("{shading} {material}"), &scene("suzanne", shading, material), None);
+        }
+    }
+}
+
+/// However a pixel gets its samples, and whether it is drawn in bands, the sky is the same.
+#[test]
+fn skies_of_many_samples_and_in_bands() {
+    for es in [false, true] {
+        let mut bench = Bench::with(es);
+        for model in ["cube", "suzanne"] {
+            let mut scene = scene(model, "phong", "reflectivity = 1");
+            scene.scene.picture.samples = 4;
+            let c = bench.compare(&scene, None);
+            assert!(c.close >= 0.95, "{model} es {es}: {:.3} % within 1/255", 100.0 * c.close);
+            // Many rows: more than one band, and a last one that is not whole.
+            (scene.scene.picture.width, scene.scene.picture.height) = (700, 621);
+            let frame = scene.frame(0.0);
+            let uploaded = bench.renderer.upload(&scene).unwrap();
+            let whole = bench.renderer.render(&uploaded, &frame, None).unwrap().encoded8().unwrap();
+            let banded = bench.renderer.render8(&uploaded, &frame, None).unwrap().picture;
+            let differ = whole.rgba.iter().zip(&banded.rgba).filter(|(a, b)| a.abs_diff(**b) > 1).count();
+            assert!(differ * 1000 <= whole.rgba.len(), "{model}: {differ} of {} values differ", whole.rgba.len());
+        }
+    }
+}
