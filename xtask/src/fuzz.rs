@@ -15,6 +15,8 @@ const TARGETS: &[(&str, &[&str])] = &[
     ("medit", &["crates/gonio-mesh/tests/medit"]),
     ("any", &["crates/gonio-mesh/tests"]),
     ("explain", &["crates/gonio-mesh/tests/corpus", "crates/gonio-mesh/tests/mtl"]),
+    ("environment", &["crates/gonio-environment/tests/seeds"]),
+    ("face_names", &["crates/gonio-environment/tests/names"]),
 ];
 
 const USUAL_MINUTES: u64 = 20;
@@ -44,7 +46,8 @@ pub fn run(words: &[&str]) -> ExitCode {
             Ok(false) => {
                 println!(
                     "fuzz {name}: FOUND something; the file is in fuzz/artifacts/{name}: mend it and keep the file in \
-                     crates/gonio-mesh/tests/found/{name}"
+                     {}/{name}",
+                    found_in(name)
                 );
                 code = 1;
             }
@@ -79,12 +82,20 @@ fn arguments(words: &[&str]) -> Result<(Vec<Target>, u64), String> {
     Ok((targets, minutes))
 }
 
+/// Where files lie that a target once fell over.
+fn found_in(name: &str) -> &'static str {
+    match name {
+        "environment" | "face_names" => "crates/gonio-environment/tests/found",
+        _ => "crates/gonio-mesh/tests/found",
+    }
+}
+
 /// Whether the target survived.
 fn fuzz_one(root: &Path, name: &str, seeds: &[&str], minutes: u64) -> Result<bool, String> {
     // What earlier runs found interesting stays there; new files are written to the first folder only.
     let corpus = root.join("fuzz/corpus").join(name);
     std::fs::create_dir_all(&corpus).map_err(|e| format!("cannot make {}: {e}", corpus.display()))?;
-    let found = root.join("crates/gonio-mesh/tests/found").join(name);
+    let found = root.join(found_in(name)).join(name);
     let seeds: Vec<PathBuf> =
         seeds.iter().map(|seed| root.join(seed)).chain([found]).filter(|seed| seed.exists()).collect();
     let mut command = Command::new("cargo");

@@ -74,8 +74,9 @@ mod tests {
         for size in [1, 8, 128, 200] {
             let map = Builtin::Room.cubemap(size, Layout::OpenGl).unwrap_or_else(|e| panic!("{e}"));
             let error = (map.mean_radiance() / mean - 1.0).abs().max_element();
-            // Bilinear samples of a picture with small bright lamps.
-            assert!(error < 0.01, "{size}: {} is not {mean}", map.mean_radiance());
+            // The area of a texel on its face stands for the solid angle under which it is seen: for the one texel of a
+            // whole face that is not the same.
+            assert!(error < if size == 1 { 0.05 } else { 0.01 }, "{size}: {} is not {mean}", map.mean_radiance());
             // As the panorama has it, not mirrored and not turned.
             if size == 200 {
                 for d in [DVec3::new(1.0, 0.2, 0.3), DVec3::new(-0.4, -0.3, -1.0), DVec3::new(0.2, -1.0, 0.1)] {

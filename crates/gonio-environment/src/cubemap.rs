@@ -26,20 +26,7 @@ impl Cubemap {
     ///
     /// An error where one is not square or not of the size of the others; it names the face.
     pub fn from_faces(faces: [Image; 6], layout: Layout) -> Result<Self, EnvironmentError> {
-        let size = faces[0].width;
-        for (face, image) in Face::ALL.into_iter().zip(&faces) {
-            let (width, height) = (image.width, image.height);
-            if width != height || width == 0 {
-                let message = format!("the face `{}` is {width} x {height}; faces must be square", face.name());
-                return Err(EnvironmentError::new(message));
-            }
-            if width != size {
-                return Err(EnvironmentError::new(format!(
-                    "the face `{}` is {width} x {width}, but `posx` is {size} x {size}; make all six the same size",
-                    face.name()
-                )));
-            }
-        }
+        let size = check_sizes(&faces)?;
         let mut map = Cubemap::new(size, [0.0; 4]);
         for (face, image) in Face::ALL.into_iter().zip(&faces) {
             map.lay(face, layout, &image.pixels);
@@ -211,6 +198,25 @@ impl Cubemap {
             .sum();
         sum / (4.0 * std::f64::consts::PI)
     }
+}
+
+/// The size of six faces, in the order of [`Face::ALL`], that are square and of one size; an error names one that is not.
+pub(crate) fn check_sizes(faces: &[Image; 6]) -> Result<u32, EnvironmentError> {
+    let size = faces[0].width;
+    for (face, image) in Face::ALL.into_iter().zip(faces) {
+        let (width, height) = (image.width, image.height);
+        if width != height || width == 0 {
+            let message = format!("the face `{}` is {width} x {height}; faces must be square", face.name());
+            return Err(EnvironmentError::new(message));
+        }
+        if width != size {
+            return Err(EnvironmentError::new(format!(
+                "the face `{}` is {width} x {width}, but `posx` is {size} x {size}; make all six the same size",
+                face.name()
+            )));
+        }
+    }
+    Ok(size)
 }
 
 /// The direction of a texel's middle, OpenGL's layout; its largest component is 1.

@@ -12,6 +12,15 @@
 //! | [`panorama`] | an equirectangular picture |
 //! | [`convert`] | from one to the other, filtered, turned |
 //! | [`mip`] | smaller and smaller copies of a cubemap |
+//! | [`harmonics`] | diffuse light by nine spherical harmonics |
+//! | [`prefilter`] | glossy light: an environment blurred for each roughness |
+//! | [`check`] | whether the edges of six faces meet, and what is wrong if they do not |
+//! | [`check_panorama`] | whether a panorama closes at its sides and poles |
+//! | [`repair`] | mirroring, turning and swapping faces back |
+//! | [`builtin`] | environments by name, which need no file |
+//! | [`debug`] | a cubemap of which every face says which one it is |
+//! | [`sky`] | a clear sky with its sun |
+//! | [`brdf_table`] | what a rough mirror makes of uniform light, as a texture |
 //! | [`decode`] | files to pictures of linear light |
 //! | [`encode`] | pictures and cubemaps to files |
 //! | [`names`] | which of six files is which face |
@@ -23,6 +32,8 @@ pub mod arrange;
 pub mod brdf_table;
 pub mod builtin;
 mod canvas;
+pub mod check;
+pub mod check_panorama;
 pub mod convert;
 pub mod cubemap;
 pub mod debug;
@@ -37,7 +48,10 @@ pub mod mip;
 pub mod names;
 mod padded;
 pub mod panorama;
+mod placement;
 pub mod prefilter;
+pub mod repair;
+mod seams;
 pub mod sky;
 mod solid_angle;
 pub mod srgb;
@@ -46,6 +60,8 @@ mod stroke_font;
 pub use arrange::Arrangement;
 pub use brdf_table::BrdfTable;
 pub use builtin::Builtin;
+pub use check::{Certificate, check};
+pub use check_panorama::{PanoramaCertificate, check_panorama};
 pub use convert::{Conversion, Filter};
 pub use cubemap::Cubemap;
 pub use error::EnvironmentError;
@@ -56,3 +72,4 @@ pub use limits::Limits;
 pub use mip::CubeMips;
 pub use panorama::Panorama;
 pub use prefilter::GlossyMips;
+pub use repair::Repair;

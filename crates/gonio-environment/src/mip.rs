@@ -1,9 +1,11 @@
 //! Smaller and smaller copies of a cubemap.
 
 use crate::Cubemap;
-use crate::cubemap::solid_angle;
 use crate::face::Face;
+use crate::image::Pixel;
+use crate::solid_angle::SolidAngles;
 use glam::DVec3;
+use rayon::prelude::*;
 
 /// A cubemap and smaller copies of it: what a GPU calls its mip levels.
 #[derive(Clone, Debug, PartialEq)]
@@ -66,26 +68,50 @@ fn halved(map: &Cubemap) -> Cubemap {
                 .collect()
         })
         .collect();
-    for face in Face::ALL {
-        let pixels = half.face_mut(face);
-        for y in 0..to {
-            for x in 0..to {
-                let (mut sum, mut weight) = ([0.0; 4], 0.0);
-                for &(row, high) in &covered[y as usize] {
-                    for &(column, wide) in &covered[x as usize] {
-                        let w = wide * high * solid_angle(column, row, from);
-                        let texel = map.at(face, column, row);
-                        for (s, t) in sum.iter_mut().zip(texel) {
-                            *s += w * f64::from(t);
-                        }
-                        weight += w;
+    let angles = SolidAngles::new(from);
+    let (width, full_width) = (to as usize, from as usize);
+    half.pixels_mut().par_chunks_exact_mut(width).enumerate().for_each(|(index, pixels)| {
+        let (face, y) = (map.face(Face::ALL[index / width]), index % width);
+        // Sums of a row's texels, and of their weights: the rows that it covers are added one after the other.
+        let mut sums = vec![([0.0_f64; 4], 0.0_f64); width];
+        for &(row, high) in &covered[y] {
+            let texels = &face[row as usize * full_width..][..full_width];
+            let weights = angles.row(row as usize);
+            if from.is_multiple_of(2) {
+                add_pairs(&mut sums, texels, weights);
+            } else {
+                let weights: Vec<f64> = weights.collect();
+                for ((sum, weight), columns) in sums.iter_mut().zip(&covered) {
+                    for &(column, wide) in columns {
+                        let w = wide * high * weights[column as usize];
+                        add(sum, w, texels[column as usize]);
+                        *weight += w;
                     }
                 }
-                pixels[(y * to + x) as usize] = sum.map(|s| (s / weight) as f32);
             }
         }
-    }
+        for (pixel, (sum, weight)) in pixels.iter_mut().zip(sums) {
+            *pixel = sum.map(|s| (s / weight) as f32);
+        }
+    });
     half
+}
+
+/// Where two columns make one, and each counts whole.
+fn add_pairs(sums: &mut [([f64; 4], f64)], texels: &[Pixel], weights: impl Iterator<Item = f64>) {
+    let mut weights = weights;
+    for ((sum, weight), pair) in sums.iter_mut().zip(texels.chunks_exact(2)) {
+        for (texel, w) in pair.iter().zip(weights.by_ref()) {
+            add(sum, w, *texel);
+            *weight += w;
+        }
+    }
+}
+
+fn add(sum: &mut [f64; 4], weight: f64, texel: Pixel) {
+    for (s, t) in sum.iter_mut().zip(texel) {
+        *s += weight * f64::from(t);
+    }
 }
 
 #[cfg(test)]
@@ -105,6 +131,40 @@ mod tests {
                 // Of odd sizes the texels' shares are those of their columns, not exactly of their solid angles.
                 let tolerance = if size == 16 { 1e-6 } else { 0.02 };
                 assert!(mean.abs_diff_eq(full, tolerance), "{size} -> {}: {mean} is not {full}", level.size());
+            }
+        }
+    }
+
+    #[test]
+    fn texels_are_means_by_solid_angle() {
+        for size in [12_u32, 13] {
+            let map = Cubemap::from_function(size, |d| DVec3::new(1.0 + d.x, 2.0 + d.y * d.z, (3.0 * d.z).exp()));
+            let mips = CubeMips::new(map.clone());
+            let half = &mips.levels()[1];
+            let scale = f64::from(size) / f64::from(half.size());
+            for face in Face::ALL {
+                for i in 0..half.size() * half.size() {
+                    let (x, y) = (i % half.size(), i / half.size());
+                    // Every texel of the full one, by how much of it lies under this one.
+                    let share = |at: u32, full: u32| {
+                        let (first, end) = (f64::from(at) * scale, f64::from(at + 1) * scale);
+                        (end.min(f64::from(full) + 1.0) - first.max(f64::from(full))).max(0.0)
+                    };
+                    let (mut sum, mut weights) = (DVec3::ZERO, 0.0);
+                    for j in 0..size * size {
+                        let (column, row) = (j % size, j / size);
+                        let weight = share(x, column) * share(y, row) * crate::cubemap::solid_angle(column, row, size);
+                        sum += weight * crate::panorama::color(map.at(face, column, row));
+                        weights += weight;
+                    }
+                    let got = crate::panorama::color(half.at(face, x, y));
+                    // Stored as f32, up to 20.
+                    assert!(
+                        got.abs_diff_eq(sum / weights, 2e-6),
+                        "{size} {face:?} {x} {y}: {got} is not {}",
+                        sum / weights
+                    );
+                }
             }
         }
     }

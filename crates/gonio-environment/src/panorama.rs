@@ -65,6 +65,27 @@ impl Panorama {
         color(self.image.at(x as u32, y as u32))
     }
 
+    /// A panorama that was turned by 90 degrees, turned back: of the two ways to do it the one that has the brighter half
+    /// above, as most places have.
+    pub fn turned_back(&self) -> Panorama {
+        let (width, height) = (self.image.height, self.image.width);
+        let turned = |clockwise: bool| {
+            let mut image = Image::new(width, height, [0.0; 4]);
+            for y in 0..height {
+                for x in 0..width {
+                    let from = if clockwise { (y, width - 1 - x) } else { (height - 1 - y, x) };
+                    image.pixels[y as usize * width as usize + x as usize] = self.image.at(from.0, from.1);
+                }
+            }
+            image
+        };
+        let half = (height / 2) as usize * width as usize;
+        let brightness = |pixels: &[Pixel]| mean(pixels).map(|v| v.min(1.0)).element_sum();
+        let image = turned(true);
+        let upright = brightness(&image.pixels[..half]) >= brightness(&image.pixels[image.pixels.len() - half..]);
+        Panorama { image: if upright { image } else { turned(false) } }
+    }
+
     /// The mean radiance over the sphere: rows count by the solid angle that they cover.
     pub fn mean_radiance(&self) -> DVec3 {
         let height = f64::from(self.image.height);

@@ -1,7 +1,7 @@
 //! What a ray finds where it meets a triangle: the place, the texture coordinates, the material there.
 
 use crate::geometry::{Triangle, WorldGeometry};
-use crate::intersect::{Crossing, EyeSpace, plane_barycentrics};
+use crate::intersect::{Crossing, PixelRay, plane_barycentrics};
 use glam::{DMat2, DVec2, DVec3, DVec4};
 use gonio_light::Surface;
 use gonio_light::roughness::shininess_of_roughness;
@@ -15,12 +15,25 @@ pub(crate) fn interpolate<T: std::ops::Mul<f64, Output = T> + std::ops::Add<Outp
     a * w.x + b * w.y + c * w.z
 }
 
+/// A triangle and where a ray from the eye meets it.
+#[derive(Clone, Copy)]
+pub(crate) struct Hit<'a> {
+    pub triangle: &'a Triangle,
+    pub crossing: Crossing,
+    /// The triangle's corners in the space of the ray.
+    pub corners: [DVec3; 3],
+    pub pixel: PixelRay,
+}
+
 /// A place on a triangle, seen through one point of the picture.
+#[derive(Clone)]
 pub(crate) struct Fragment<'a> {
     pub scene: &'a LoadedScene,
     pub mesh: &'a Mesh,
     pub triangle: &'a Triangle,
     pub crossing: Crossing,
+    corners: [DVec3; 3],
+    pixel: PixelRay,
     /// World space.
     pub position: DVec3,
     /// The front is seen.
@@ -33,7 +46,7 @@ pub(crate) struct Fragment<'a> {
     pub uv: DVec2,
     /// Change of `uv` to the next pixel on the right, and to the one below.
     pub uv_steps: [DVec2; 2],
-    filter: TextureFilter,
+    pub filter: TextureFilter,
 }
 
 /// One texture's part in a fragment.
@@ -50,25 +63,25 @@ pub(crate) struct Texel {
 }
 
 impl<'a> Fragment<'a> {
-    /// Where the ray of `pixel` (pixels, y down) meets a triangle, as `crossing` says.
+    /// What the hit shows of the scene.
     pub fn new(
         scene: &'a LoadedScene,
-        geometry: &'a WorldGeometry,
-        eye: &EyeSpace,
+        geometry: &WorldGeometry,
         two_sided: bool,
         filter: TextureFilter,
-        (triangle, crossing): (&'a Triangle, Crossing),
-        ray: DVec2,
+        hit: Hit<'a>,
     ) -> Self {
+        let Hit { triangle, crossing, corners, pixel } = hit;
         let mesh = &scene.meshes[scene.objects[triangle.object as usize].mesh];
         let front_facing = crossing.counter_clockwise != triangle.mirrored;
-        let weights = crossing.barycentrics;
         let mut fragment = Fragment {
             scene,
             mesh,
             triangle,
             crossing,
-            position: interpolate(weights, geometry.corners(triangle)),
+            corners,
+            pixel,
+            position: interpolate(crossing.barycentrics, geometry.corners(triangle)),
             front_facing,
             turn: if two_sided && !front_facing { -1.0 } else { 1.0 },
             geometric_normal: geometry.geometric_normal(triangle),
@@ -77,24 +90,46 @@ impl<'a> Fragment<'a> {
             filter,
         };
         if !mesh.tex_coords.is_empty() {
-            let corner_uvs = fragment.mesh_corners().map(|v| corner(&mesh.tex_coords, v).map_or(DVec2::ZERO, uv_of));
-            fragment.uv = interpolate(weights, corner_uvs);
+            let corner_uvs = fragment.corner_uvs();
+            let uv = interpolate(crossing.barycentrics, corner_uvs);
+            fragment.uv = uv;
             if fragment.has_maps() {
-                // The neighbouring pixels' rays, met with the triangle's plane.
-                let step = 2.0 * eye.half_extent / eye.size;
-                let corners = eye.corners(triangle.vertices);
-                let uv = fragment.uv;
-                fragment.uv_steps = [DVec2::new(step.x, 0.0), DVec2::new(0.0, -step.y)].map(|step| {
-                    let at = |ray| plane_barycentrics(&corners, ray, crossing.counter_clockwise);
-                    // Across the plane's horizon there is nothing: then backwards.
-                    at(ray + step)
-                        .map(|w| interpolate(w, corner_uvs) - uv)
-                        .or_else(|| at(ray - step).map(|w| uv - interpolate(w, corner_uvs)))
-                        .unwrap_or(DVec2::ZERO)
+                fragment.uv_steps = std::array::from_fn(|axis| {
+                    fragment
+                        .weights_beside(axis)
+                        .map_or(DVec2::ZERO, |(w, sign)| sign * (interpolate(w, corner_uvs) - uv))
                 });
             }
         }
         fragment
+    }
+
+    /// Texture coordinates at the corners; only for meshes that have them.
+    fn corner_uvs(&self) -> [DVec2; 3] {
+        self.mesh_corners().map(|v| corner(&self.mesh.tex_coords, v).map_or(DVec2::ZERO, uv_of))
+    }
+
+    /// Weights where the ray of the next pixel (`axis` 0: to the right, 1: below) meets the triangle's plane, and 1; or
+    /// those of the pixel before and -1, where the next one looks past the plane's horizon.
+    fn weights_beside(&self, axis: usize) -> Option<(DVec3, f64)> {
+        let step = self.pixel.steps[axis];
+        [1.0, -1.0].into_iter().find_map(|sign| {
+            let ray = self.pixel.ray + sign * step;
+            plane_barycentrics(&self.corners, ray, self.crossing.counter_clockwise).map(|w| (w, sign))
+        })
+    }
+
+    /// The same triangle's plane as the next pixel sees it (`axis` 0: to the right, 1: below), or the pixel before where
+    /// the next one does not; for differences between them.
+    pub fn beside(&self, axis: usize, geometry: &WorldGeometry) -> Option<Fragment<'a>> {
+        let (weights, _) = self.weights_beside(axis)?;
+        let mut beside = self.clone();
+        beside.crossing.barycentrics = weights;
+        beside.position = interpolate(weights, geometry.corners(self.triangle));
+        if !self.mesh.tex_coords.is_empty() {
+            beside.uv = interpolate(weights, self.corner_uvs());
+        }
+        Some(beside)
     }
 
     /// The corners as the mesh numbers them.

@@ -1,7 +1,7 @@
 //! All triangles of all objects in world space, and the tree of boxes over them.
 
 use glam::{DMat3, DMat4, DVec3, Vec3A};
-use gonio_light::vector;
+use gonio_light::{Surfaces, vector};
 use gonio_scene::LoadedScene;
 use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
@@ -37,6 +37,8 @@ pub(crate) struct Placement {
     pub world_from_model: DMat3,
     /// -1 where `M` mirrors, else 1.
     pub handedness: f64,
+    /// Of the box around the object, world units; 0 where no ray of sight goes through the object.
+    pub diagonal: f64,
 }
 
 /// Geometry in world space.
@@ -104,7 +106,11 @@ impl WorldGeometry {
         let m: DMat4 = object.world_from_model;
         let directions = DMat3::from_mat4(m);
         let first_vertex = self.positions.len() as u32;
-        self.placements.push(Placement { world_from_model: directions, handedness: handedness(&directions) });
+        self.placements.push(Placement {
+            world_from_model: directions,
+            handedness: handedness(&directions),
+            diagonal: 0.0,
+        });
         let Some(mesh) = scene.meshes.get(object.mesh) else { return };
         let normals_to_world = normal_matrix(&directions);
         let vertex_count = mesh.positions.len();
@@ -113,6 +119,13 @@ impl WorldGeometry {
             let normal = mesh.normals.get(i).map_or(DVec3::ZERO, |&n| n.map(f64::from).into());
             unit_of_any_size(normals_to_world * normal)
         }));
+        let optics = || object.parts.iter().filter_map(|part| scene.materials.get(part.material)).map(|m| &m.optics);
+        if optics().any(|o| o.transmission > 0.0 && o.surfaces == Surfaces::Two) {
+            let finite = self.positions[first_vertex as usize..].iter().filter(|p| p.is_finite());
+            let (low, high) =
+                finite.fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), &p| (low.min(p), high.max(p)));
+            self.placements[object_index].diagonal = vector::safe_length((high - low).max(DVec3::ZERO));
+        }
 
         for (part_index, part) in object.parts.iter().enumerate() {
             let Some(material) = scene.materials.get(part.material) else { continue };
@@ -185,6 +198,23 @@ fn rounded_down(v: DVec3) -> Vec3A {
         if f64::from(nearest) > x { nearest.next_down() } else { nearest }
     };
     Vec3A::new(down(v.x), down(v.y), down(v.z))
+}
+
+/// A scene of one mesh, for tests.
+#[cfg(test)]
+pub(crate) fn one_object(mesh: gonio_mesh::Mesh, optics: gonio_light::Optics) -> LoadedScene {
+    use gonio_scene::description::Shading;
+    use gonio_scene::{Maps, Object, ObjectPart, SceneMaterial};
+    let part =
+        ObjectPart { name: String::new(), first_triangle: 0, triangle_count: mesh.triangle_count(), material: 0 };
+    let (name, world_from_model) = (String::new(), DMat4::IDENTITY);
+    let object = Object { name, mesh: 0, shading: Shading::Flat, world_from_model, parts: vec![part], closed: false };
+    LoadedScene {
+        meshes: vec![mesh],
+        materials: vec![SceneMaterial { material: Default::default(), maps: Maps::default(), optics }],
+        objects: vec![object],
+        ..LoadedScene::default()
+    }
 }
 
 #[cfg(test)]

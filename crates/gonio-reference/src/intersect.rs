@@ -24,6 +24,15 @@ pub(crate) struct EyeSpace {
     pub positions: Vec<DVec3>,
 }
 
+/// A ray from the eye, and where those of the neighbouring pixels are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct PixelRay {
+    /// The ray (`sx`, `sy`).
+    pub ray: DVec2,
+    /// What is added for the next pixel on the right, and for the one below.
+    pub steps: [DVec2; 2],
+}
+
 /// Where a ray meets a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Crossing {
@@ -56,6 +65,19 @@ impl EyeSpace {
     #[inline]
     pub fn ray(&self, pixel: DVec2) -> DVec2 {
         DVec2::new(2.0 * pixel.x / self.size.x - 1.0, 1.0 - 2.0 * pixel.y / self.size.y) * self.half_extent
+    }
+
+    /// A ray among its neighbours.
+    #[inline]
+    pub fn pixel_ray(&self, ray: DVec2) -> PixelRay {
+        let step = 2.0 * self.half_extent / self.size;
+        PixelRay { ray, steps: [DVec2::new(step.x, 0.0), DVec2::new(0.0, -step.y)] }
+    }
+
+    /// The unit direction of a ray in the world.
+    pub fn direction(&self, ray: DVec2) -> DVec3 {
+        let Camera { front, right, up, .. } = self.camera;
+        (front + ray.x * right + ray.y * up).normalize()
     }
 
     /// The inverse of [`Self::ray`].

@@ -12,7 +12,10 @@
 //! | `visibility` | which triangles the rays of a block of pixels see |
 //! | `fragment` | place, texture coordinates and material where a ray meets a triangle |
 //! | `shade` | the equation there: flat, Gouraud, Phong |
+//! | `surroundings` | what is seen of the environment there, and behind the objects |
+//! | `ray`, `body` | rays from anywhere, and through the inside of an object |
 //! | `render` | samples, transparency, threads |
+//! | `panorama` | the whole sphere at once, and the six faces of a cube |
 //! | [`probe`] | every number of one pixel |
 //!
 //! What is as the GPU does it, and might surprise:
@@ -23,14 +26,18 @@
 //!   [`MAX_LAYERS`] of them; below an opacity of [`HOLE`] there is a hole;
 //! - a debug view shows the nearest surface that is no hole, as if it were opaque.
 
+mod body;
 mod fragment;
 mod geometry;
 mod intersect;
+mod panorama;
 pub mod probe;
+mod ray;
 mod render;
 mod report;
 mod samples;
 mod shade;
+mod surroundings;
 mod visibility;
 
 pub use probe::Probe;
@@ -38,6 +45,7 @@ pub use render::{HOLE, MAX_LAYERS};
 pub use samples::sample_positions;
 
 use geometry::WorldGeometry;
+use gonio_environment::{Face, Layout};
 use gonio_light::Quantity;
 use gonio_scene::{Frame, LoadedScene, Picture, ViewSpec};
 
@@ -84,6 +92,27 @@ impl<'a> ReferenceScene<'a> {
     /// Several views at once, in order: the rays are traced once for all. The view `total` is the picture.
     pub fn views(&self, frame: &Frame, views: &[ViewSpec], progress: &(dyn Fn(f64) + Sync)) -> Vec<Rendered> {
         render::render(self, frame, views, progress)
+    }
+
+    /// The whole sphere around the frame's camera as an equirectangular picture: linear, premultiplied, nothing clamped.
+    ///
+    /// The centre column is the world's -Z, the right half turns towards +X, the top row is +Y, wherever the camera looks;
+    /// only its position counts. There are no near and far planes: nothing in front of the eye is cut off. A background
+    /// without environment goes from its top colour at +Y to its bottom colour at -Y by the angle. Sizes of 0 count as 1.
+    pub fn panorama(&self, frame: &Frame, width: u32, height: u32) -> Picture {
+        panorama::panorama(self, frame, width, height)
+    }
+
+    /// What is seen from the frame's camera through one face of a cube whose edges are along the world's axes, as a
+    /// picture of that face in a layout; else as [`Self::panorama`]. A size of 0 counts as 1.
+    pub fn cube_face(&self, frame: &Frame, face: Face, layout: Layout, size: u32) -> Picture {
+        panorama::cube_face(self, frame, face, layout, size)
+    }
+
+    /// What is behind all objects in the pixel in column `x` of row `y` (from the top left), at its centre: the
+    /// environment where it is seen, else the background. Premultiplied RGBA.
+    pub fn behind(&self, frame: &Frame, x: u32, y: u32) -> [f64; 4] {
+        probe::behind(self, frame, x, y).to_array()
     }
 
     /// Every number of the pixel in column `x` of row `y` (from the top left), seen through its centre: the value is

@@ -1,13 +1,14 @@
 //! Every number of one pixel: the surface that is seen there, and the equation term by term.
 
 use crate::ReferenceScene;
+use crate::intersect::EyeSpace;
 use crate::render::FrameContext;
 use crate::report;
 use crate::shade::{CornerCache, Shader};
 use crate::visibility::{Block, Visible};
 use glam::{DVec2, DVec4};
 use gonio_light::quantity::Geometry;
-use gonio_light::{DVec3, LightSums, Surface, Terms};
+use gonio_light::{DVec3, LightSums, Optics, Surface, Terms};
 use gonio_scene::Frame;
 use gonio_scene::description::Shading;
 use serde::Serialize;
@@ -58,17 +59,22 @@ pub struct Probe {
     /// The textures that were read.
     pub texels: Vec<TexelReport>,
     /// The equation at the pixel itself. Flat and Phong shading draw its total; Gouraud and flat per face do not, and
-    /// it stands here for comparison.
+    /// it stands here for comparison. What is seen of the environment (`terms.environment`) every shading takes from here.
     #[serde(with = "report::TermsReport")]
     pub terms: Terms,
     /// The equation where the shading evaluates it, if that is not at the pixel: at the three corners (Gouraud) or at
-    /// the centroid (flat per face), with the material's bare numbers. Else empty.
+    /// the centroid (flat per face), with the material's bare numbers and without environment. Else empty.
     #[serde(serialize_with = "report::terms")]
     pub at_vertices: Vec<Terms>,
     /// The light of `at_vertices` interpolated, which is then multiplied by `surface`.
     #[serde(serialize_with = "report::sums")]
     pub interpolated: Option<LightSums>,
-    /// What the surface sends to the eye: `L_o` as the shading has it.
+    /// The light equation's value as the shading has it, without the environment.
+    pub lit: DVec3,
+    /// How the material shows the environment; plain where the frame has none.
+    #[serde(with = "report::OpticsReport")]
+    pub optics: Optics,
+    /// What the surface sends to the eye: `lit` and the environment's light, as `optics` let them be seen.
     pub radiance: DVec3,
     /// How many surfaces show through from behind.
     pub surfaces_behind: usize,
@@ -89,18 +95,26 @@ pub struct TexelReport {
     pub value: DVec4,
 }
 
+/// What is behind all objects at the centre of a pixel.
+pub(crate) fn behind(reference: &ReferenceScene, frame: &Frame, x: u32, y: u32) -> DVec4 {
+    let centre = [f64::from(x) + 0.5, f64::from(y) + 0.5];
+    let direction = || frame.camera.ray_direction(centre[0], centre[1], frame.width, frame.height);
+    FrameContext::of_camera(reference, frame).behind(direction, centre[1] / f64::from(frame.height))
+}
+
 pub(crate) fn probe(reference: &ReferenceScene, frame: &Frame, x: u32, y: u32) -> Option<Probe> {
     if x >= frame.width || y >= frame.height {
         return None;
     }
-    let context = FrameContext::new(reference, frame);
+    let context = FrameContext::of_camera(reference, frame);
+    let eye = EyeSpace::new(&reference.geometry, frame);
     let mut visible = Visible::default();
-    visible.trace(&reference.geometry, &context.eye, &[[0.5, 0.5]], Block { x0: x, y0: y, x1: x + 1, y1: y + 1 });
+    visible.trace(&reference.geometry, &eye, &[[0.5, 0.5]], Block { x0: x, y0: y, x1: x + 1, y1: y + 1 });
 
-    let background = frame.background.at((f64::from(y) + 0.5) / f64::from(frame.height));
     let mut cache = CornerCache::default();
-    let surfaces = || context.surfaces(&visible, 0, &visible.layers);
-    let (total, shaded) = context.radiance(surfaces(), background, &mut cache);
+    let sky = || context.behind(|| eye.direction(visible.rays[0]), (f64::from(y) + 0.5) / f64::from(frame.height));
+    let surfaces = || context.surfaces(&eye, &visible, 0, &visible.layers);
+    let (total, shaded) = context.radiance(surfaces(), sky, &mut cache);
     let nearest = surfaces().next()?;
 
     let fragment = &nearest.fragment;
@@ -136,11 +150,13 @@ pub(crate) fn probe(reference: &ReferenceScene, frame: &Frame, x: u32, y: u32) -
         normal_turned: fragment.turn < 0.0,
         shading,
         surface,
+        optics: context.shader.environment.as_ref().map_or_else(Optics::default, |_| fragment.material().optics),
         opacity: nearest.opacity,
         texels: fragment.texels(with_normal_map).into_iter().map(texel).collect(),
-        terms: frame.equation.evaluate(&point, &surface, &frame.lights),
+        terms: shader.terms(fragment, &point, &surface, &frame.lights),
         at_vertices: at_vertices.unwrap_or_default(),
         interpolated,
+        lit: shader.lit(fragment, nearest.id, &surface, &mut cache),
         radiance: shader.radiance(fragment, nearest.id, &surface, &mut cache),
         surfaces_behind: shaded.saturating_sub(1) as usize,
         total,

@@ -1,9 +1,11 @@
 //! From rays to pictures: blocks of pixels on all threads, samples averaged in linear premultiplied values.
 
-use crate::fragment::Fragment;
-use crate::intersect::{EyeSpace, cross};
+use crate::fragment::{Fragment, Hit};
+use crate::geometry::Triangle;
+use crate::intersect::{EyeSpace, PixelRay, cross};
 use crate::sample_positions;
 use crate::shade::{CornerCache, Shader};
+use crate::surroundings::Environment;
 use crate::visibility::{Block, Layer, NOTHING, Visible};
 use crate::{ReferenceScene, Rendered};
 use glam::{DVec3, DVec4};
@@ -26,7 +28,6 @@ const BLOCK: u32 = 8;
 pub(crate) struct FrameContext<'a> {
     pub reference: &'a ReferenceScene<'a>,
     pub frame: &'a Frame,
-    pub eye: EyeSpace,
     pub shader: Shader<'a>,
 }
 
@@ -47,32 +48,50 @@ struct Workspace {
 }
 
 impl<'a> FrameContext<'a> {
-    pub fn new(reference: &'a ReferenceScene<'a>, frame: &'a Frame) -> Self {
-        let geometry = &reference.geometry;
-        FrameContext { reference, frame, eye: EyeSpace::new(geometry, frame), shader: Shader { geometry, frame } }
+    /// `pixel_angle_rad`: what a pixel in the middle of the picture covers.
+    pub fn new(reference: &'a ReferenceScene<'a>, frame: &'a Frame, pixel_angle_rad: f64) -> Self {
+        let environment = Environment::new(reference.scene, frame, pixel_angle_rad);
+        FrameContext { reference, frame, shader: Shader { geometry: &reference.geometry, frame, environment } }
     }
 
-    /// The surfaces that a ray meets, from front to back, holes left out, down to the first opaque one.
+    /// For a picture by the frame's camera.
+    pub fn of_camera(reference: &'a ReferenceScene<'a>, frame: &'a Frame) -> Self {
+        let pixel_angle_rad = 2.0 * (0.5 * frame.camera.fov_y_rad).tan() / f64::from(frame.height);
+        FrameContext::new(reference, frame, pixel_angle_rad)
+    }
+
+    /// The surfaces that a ray of the camera meets, from front to back, holes left out, down to the first opaque one.
     pub fn surfaces<'v>(
         &'v self,
+        eye: &'v EyeSpace,
         visible: &'v Visible,
         ray: usize,
         layers: &'v [Layer],
     ) -> impl Iterator<Item = Surfaced<'v>> + 'v {
         let opaque = visible.opaque[ray];
         let ids = layers.iter().map(|l| l.triangle).chain((opaque != NOTHING).then_some(opaque));
+        self.surfaces_of(ids, eye.pixel_ray(visible.rays[ray]), |triangle| eye.corners(triangle.vertices))
+    }
+
+    /// Surfaces along a ray, holes left out: those of triangles that it meets. `corners` gives a triangle's in the
+    /// space of the ray.
+    pub fn surfaces_of<'v>(
+        &'v self,
+        ids: impl Iterator<Item = u32> + 'v,
+        pixel: PixelRay,
+        corners: impl Fn(&Triangle) -> [DVec3; 3] + 'v,
+    ) -> impl Iterator<Item = Surfaced<'v>> + 'v {
         ids.filter_map(move |id| {
             let geometry = &self.reference.geometry;
             let triangle = &geometry.triangles[id as usize];
-            let crossing = cross(&self.eye.corners(triangle.vertices), visible.rays[ray])?;
+            let corners = corners(triangle);
+            let crossing = cross(&corners, pixel.ray)?;
             let fragment = Fragment::new(
                 self.reference.scene,
                 geometry,
-                &self.eye,
                 self.frame.two_sided,
                 self.frame.texture_filter,
-                (triangle, crossing),
-                visible.rays[ray],
+                Hit { triangle, crossing, corners, pixel },
             );
             let opacity = if triangle.transparent { fragment.opacity().min(1.0) } else { 1.0 };
             // Written so that an opacity that is not a number is a hole.
@@ -81,11 +100,19 @@ impl<'a> FrameContext<'a> {
         .take(MAX_LAYERS)
     }
 
-    /// The picture's premultiplied linear RGBA along one ray, and how many fragments were shaded for it.
+    /// What is behind all objects, premultiplied RGBA: the environment in a unit direction in the world, or the
+    /// background at a height in the picture, 0 at its top and 1 at its bottom.
+    pub fn behind(&self, direction: impl FnOnce() -> DVec3, height: f64) -> DVec4 {
+        let seen = self.shader.environment.as_ref().and_then(|e| e.background(direction));
+        seen.map_or_else(|| DVec4::from(self.frame.background.at(height)), |radiance| radiance.extend(1.0))
+    }
+
+    /// The picture's premultiplied linear RGBA along one ray, and how many fragments were shaded for it. What is behind
+    /// is asked for where it is seen.
     pub fn radiance<'v>(
         &'v self,
         surfaces: impl Iterator<Item = Surfaced<'v>>,
-        background: [f64; 4],
+        behind: impl FnOnce() -> DVec4,
         corners: &mut CornerCache,
     ) -> (DVec4, u64) {
         let mut sum = DVec4::ZERO;
@@ -98,7 +125,8 @@ impl<'a> FrameContext<'a> {
                 break;
             }
         }
-        (sum + (1.0 - sum.w) * DVec4::from(background), shaded)
+        let rest = 1.0 - sum.w;
+        (if rest > 0.0 { sum + rest * behind() } else { sum }, shaded)
     }
 
     /// The values of some views along one ray.
@@ -106,7 +134,7 @@ impl<'a> FrameContext<'a> {
         &'v self,
         surfaces: impl Iterator<Item = Surfaced<'v>> + 'v,
         views: &[ViewSpec],
-        background: [f64; 4],
+        behind: impl FnOnce() -> DVec4,
         corners: &mut CornerCache,
         sums: &mut [DVec4],
     ) -> u64 {
@@ -127,7 +155,7 @@ impl<'a> FrameContext<'a> {
             }
         }
         if views.iter().any(|v| v.quantity == Quantity::Total) {
-            let (color, count) = self.radiance(surfaces, background, corners);
+            let (color, count) = self.radiance(surfaces, behind, corners);
             shaded = count;
             for (sum, _) in sums.iter_mut().zip(views).filter(|(_, v)| v.quantity == Quantity::Total) {
                 *sum += color;
@@ -153,7 +181,8 @@ pub(crate) fn render(
     views: &[ViewSpec],
     progress: &(dyn Fn(f64) + Sync),
 ) -> Vec<Rendered> {
-    let context = FrameContext::new(reference, frame);
+    let context = FrameContext::of_camera(reference, frame);
+    let eye = EyeSpace::new(&reference.geometry, frame);
     let positions = sample_positions(frame.samples);
     let mut pictures: Vec<Picture> = views.iter().map(|_| Picture::new(frame.width, frame.height, [0.0; 4])).collect();
     let fragments = AtomicU64::new(0);
@@ -173,7 +202,7 @@ pub(crate) fn render(
         let y1 = (y0 + BLOCK).min(frame.height);
         for x0 in (0..frame.width).step_by(BLOCK as usize) {
             let block = Block { x0, y0, x1: (x0 + BLOCK).min(frame.width), y1 };
-            let shaded = draw_block(&context, views, &positions, block, workspace, &mut rows);
+            let shaded = draw_block(&context, &eye, views, &positions, block, workspace, &mut rows);
             fragments.fetch_add(shaded, Ordering::Relaxed);
         }
         progress((done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / count as f64);
@@ -187,6 +216,7 @@ pub(crate) fn render(
 /// Draws one block into the rows of its band, of each view; how many fragments were shaded.
 fn draw_block(
     context: &FrameContext,
+    eye: &EyeSpace,
     views: &[ViewSpec],
     positions: &[[f64; 2]],
     block: Block,
@@ -196,7 +226,7 @@ fn draw_block(
     let frame = context.frame;
     let Workspace { visible, corners } = workspace;
     corners.clear();
-    visible.trace(&context.reference.geometry, &context.eye, positions, block);
+    visible.trace(&context.reference.geometry, eye, positions, block);
     let mut sums = vec![DVec4::ZERO; views.len()];
     let (mut ray, mut next_layer, mut shaded) = (0, 0, 0);
     for y in block.y0..block.y1 {
@@ -204,9 +234,10 @@ fn draw_block(
             sums.fill(DVec4::ZERO);
             for position in positions {
                 let layers = &visible.layers[layers_of(&visible.layers, ray, &mut next_layer)];
-                let background = frame.background.at((f64::from(y) + position[1]) / f64::from(frame.height));
-                let surfaces = context.surfaces(visible, ray, layers);
-                shaded += context.values(surfaces, views, background, corners, &mut sums);
+                let height = (f64::from(y) + position[1]) / f64::from(frame.height);
+                let behind = || context.behind(|| eye.direction(visible.rays[ray]), height);
+                let surfaces = context.surfaces(eye, visible, ray, layers);
+                shaded += context.values(surfaces, views, behind, corners, &mut sums);
                 ray += 1;
             }
             let pixel = ((y - block.y0) * frame.width + x) as usize;

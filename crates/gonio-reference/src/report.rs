@@ -1,8 +1,9 @@
 //! How the types of `gonio-light` are written in a report: field by field, under their own names.
 
 use glam::{DVec2, DVec3};
+use gonio_light::optics::EnvironmentTerms;
 use gonio_light::quantity::Geometry;
-use gonio_light::{LightSums, LightTerms, ShadingPoint, Surface, Terms};
+use gonio_light::{Fresnel, LightSums, LightTerms, Optics, ShadingPoint, Sight, Surface, Surfaces, Terms};
 use serde::{Serialize, Serializer};
 
 #[derive(Serialize)]
@@ -23,6 +24,36 @@ pub(crate) struct SurfaceReport {
     emitted: DVec3,
     shininess: f64,
     refraction_index: f64,
+}
+
+#[derive(Serialize)]
+#[serde(remote = "Optics")]
+pub(crate) struct OpticsReport {
+    reflectivity: f64,
+    transmission: f64,
+    fresnel: Fresnel,
+    tint: DVec3,
+    absorption: DVec3,
+    dispersion: f64,
+    surfaces: Surfaces,
+}
+
+#[derive(Serialize)]
+#[serde(remote = "Sight")]
+struct SightReport {
+    reflection: DVec3,
+    reflected: DVec3,
+    transmitted: DVec3,
+    fresnel: DVec3,
+}
+
+#[derive(Serialize)]
+#[serde(remote = "EnvironmentTerms")]
+struct EnvironmentReport {
+    diffuse: DVec3,
+    specular: DVec3,
+    #[serde(with = "SightReport")]
+    sight: Sight,
 }
 
 #[derive(Serialize)]
@@ -74,6 +105,8 @@ pub(crate) struct TermsReport {
     emitted: DVec3,
     diffuse: DVec3,
     specular: DVec3,
+    #[serde(with = "EnvironmentReport")]
+    environment: EnvironmentTerms,
     total: DVec3,
     #[serde(serialize_with = "lights")]
     lights: Vec<LightTerms>,

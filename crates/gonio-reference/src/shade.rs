@@ -2,9 +2,10 @@
 
 use crate::fragment::{Fragment, base_surface, corner, interpolate};
 use crate::geometry::WorldGeometry;
+use crate::surroundings::Environment;
 use glam::DVec3;
 use gonio_light::quantity::Geometry;
-use gonio_light::{LightSums, Quantity, ShadingPoint, Surface, Terms, light, vector};
+use gonio_light::{Light, LightSums, Quantity, ShadingPoint, Surface, Terms, light, vector};
 use gonio_scene::description::Shading;
 use gonio_scene::{Frame, ViewSpec};
 
@@ -40,6 +41,8 @@ impl CornerCache {
 pub(crate) struct Shader<'a> {
     pub geometry: &'a WorldGeometry,
     pub frame: &'a Frame,
+    /// `None` where the frame has none.
+    pub environment: Option<Environment<'a>>,
 }
 
 impl Shader<'_> {
@@ -157,8 +160,31 @@ impl Shader<'_> {
         Some((terms, interpolated_sums(fragment, light)))
     }
 
-    /// `L_o` at the fragment.
+    /// What the fragment sends to the eye: `L_o`, and the environment as the material's optics show it.
     pub fn radiance(&self, fragment: &Fragment, id: u32, surface: &Surface, cache: &mut CornerCache) -> DVec3 {
+        let lit = self.lit(fragment, id, surface, cache);
+        let optics = &fragment.material().optics;
+        match self.environment.as_ref().filter(|e| e.touches(optics)) {
+            None => lit,
+            Some(environment) => {
+                let seen = environment.terms(self, fragment, &self.fragment_point(fragment), surface);
+                optics.compose(lit + seen.diffuse + seen.specular, &seen.sight)
+            }
+        }
+    }
+
+    /// Every term at the fragment itself, whatever the shading.
+    pub fn terms(&self, fragment: &Fragment, point: &ShadingPoint, surface: &Surface, lights: &[Light]) -> Terms {
+        let terms = self.frame.equation.evaluate(point, surface, lights);
+        let optics = &fragment.material().optics;
+        match &self.environment {
+            None => terms,
+            Some(environment) => terms.with_environment(environment.terms(self, fragment, point, surface), optics),
+        }
+    }
+
+    /// `L_o` at the fragment, without what it shows of its surroundings.
+    pub fn lit(&self, fragment: &Fragment, id: u32, surface: &Surface, cache: &mut CornerCache) -> DVec3 {
         let Frame { equation, lights, .. } = self.frame;
         match Self::shading(fragment) {
             Shading::Flat | Shading::Phong => equation.radiance(&self.fragment_point(fragment), surface, lights),
@@ -183,8 +209,9 @@ impl Shader<'_> {
     /// A debug view's value at the fragment: what [`Terms::quantity`] gives where the shading evaluates.
     ///
     /// Flat and Phong: at the fragment. Gouraud and flat per face: place and triangle (position, depth, uv, geometric normal,
-    /// tangent) at the fragment; `k_d`, A, E and the two sums with the fragment's material and the interpolated
-    /// light; everything else at the corners (the centroid) with the material's bare numbers, interpolated.
+    /// tangent) and all that is seen of the environment at the fragment; `k_d`, A, E and the two sums with the fragment's
+    /// material and the interpolated light; everything else at the corners (the centroid) with the material's bare
+    /// numbers, interpolated.
     pub fn quantity(
         &self,
         fragment: &Fragment,
@@ -198,7 +225,12 @@ impl Shader<'_> {
         let geometry = self.geometry_of(fragment, &point);
         if matches!(Self::shading(fragment), Shading::Flat | Shading::Phong) {
             let lights = if needs_lights(view.quantity) { lights.as_slice() } else { &[] };
-            return equation.evaluate(&point, surface, lights).quantity(view.quantity, view.light, &geometry);
+            let terms = if needs_environment(view.quantity) {
+                self.terms(fragment, &point, surface, lights)
+            } else {
+                equation.evaluate(&point, surface, lights)
+            };
+            return terms.quantity(view.quantity, view.light, &geometry);
         }
         let weights = fragment.crossing.barycentrics;
         match view.quantity {
@@ -211,6 +243,13 @@ impl Shader<'_> {
             Quantity::Ambient => equation.ambient(surface, light::ambient_color(lights)),
             Quantity::Emitted => equation.emitted(surface),
             Quantity::Total => self.radiance(fragment, id, surface, cache),
+            Quantity::Fresnel
+            | Quantity::EnvironmentDiffuse
+            | Quantity::EnvironmentSpecular
+            | Quantity::Reflected
+            | Quantity::Transmitted => {
+                self.terms(fragment, &point, surface, &[]).quantity(view.quantity, None, &geometry)
+            }
             Quantity::Diffuse | Quantity::Specular => {
                 let diffuse = view.quantity == Quantity::Diffuse;
                 let albedo = if diffuse { surface.diffuse } else { surface.specular };
@@ -264,6 +303,27 @@ fn needs_lights(quantity: Quantity) -> bool {
     use Quantity::*;
     !matches!(
         quantity,
-        Normal | GeometricNormal | Tangent | Position | Depth | Uv | View | Refraction | Albedo | Emitted
+        Normal
+            | GeometricNormal
+            | Tangent
+            | Position
+            | Depth
+            | Uv
+            | View
+            | Refraction
+            | ViewReflection
+            | Albedo
+            | Emitted
+            | Fresnel
+            | EnvironmentDiffuse
+            | EnvironmentSpecular
+            | Reflected
+            | Transmitted
     )
+}
+
+/// Whether a quantity at a fragment is other without an environment.
+fn needs_environment(quantity: Quantity) -> bool {
+    use Quantity::*;
+    matches!(quantity, Fresnel | EnvironmentDiffuse | EnvironmentSpecular | Reflected | Transmitted | Total)
 }

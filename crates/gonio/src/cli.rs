@@ -1,6 +1,7 @@
 //! The options, as a person sees them.
 
 use crate::backend::BackendChoice;
+use crate::cli_environment::EnvironmentOptions;
 use crate::commands;
 use crate::values::{self, BackgroundValue};
 use clap::{ArgAction, Args, Parser, Subcommand};
@@ -24,6 +25,9 @@ Pictures:
 
 Models:
   convert  Write a model as OBJ with MTL, as PLY or as GLB
+
+Environments:
+  environment  Convert panoramas and cubemaps into one another; check which way round they are
 
 Understanding:
   inspect  What a model file holds, how each part and line was understood, what is odd
@@ -54,6 +58,9 @@ pub enum Command {
     Probe(Box<commands::probe::ProbeArgs>),
     /// Write a model as OBJ with MTL, as PLY or as GLB.
     Convert(commands::convert::ConvertArgs),
+    /// Convert panoramas and cubemaps into one another; check which way round they are.
+    #[command(subcommand)]
+    Environment(commands::environment::EnvironmentCommand),
     /// Compare two pictures: numbers, difference map, side by side, wipe.
     Diff(commands::diff::DiffArgs),
     /// Say what a model file holds and how each part of it was understood.
@@ -71,6 +78,7 @@ impl Command {
             Command::Render(_) => "render",
             Command::Probe(_) => "probe",
             Command::Convert(_) => "convert",
+            Command::Environment(_) => "environment",
             Command::Diff(_) => "diff",
             Command::Inspect(_) => "inspect",
             Command::Scene(_) => "scene",
@@ -93,6 +101,7 @@ impl Command {
             Command::Render(args) => &args.words,
             Command::Probe(args) => &args.words,
             Command::Convert(args) => &args.words,
+            Command::Environment(command) => command.words(),
             Command::Diff(args) => &args.words,
             Command::Inspect(args) => &args.words,
             Command::Scene(args) => &args.words,
@@ -141,7 +150,9 @@ pub struct SceneOptions {
     #[arg(long, help_heading = "Shading", value_name = "DEG", value_parser = values::crease_angle)]
     pub crease_angle: Option<f64>,
     /// Replace values of all materials: ambient, diffuse, specular, emitted (colours), shininess,
-    /// refraction-index, opacity, textures (true or false).
+    /// refraction-index, opacity, textures (true or false). What shows the environment: mirror, glass, water, ice,
+    /// diamond, air; reflectivity, transmission, fresnel (none, exact, schlick), tint, absorption, dispersion, surfaces
+    /// (one, two).
     #[arg(long, help_heading = "Shading", value_name = "KEY=VALUE,...", value_parser = MaterialOverride::from_option_text)]
     pub material: Option<MaterialOverride>,
     /// How textures are sampled.
@@ -211,6 +222,10 @@ pub struct SceneOptions {
     #[arg(long, help_heading = "Camera", value_name = "DEG", value_parser = values::field_of_view,
           allow_negative_numbers = true)]
     pub fov_y: Option<f64>,
+
+    /// What surrounds the scene.
+    #[command(flatten)]
+    pub surroundings: EnvironmentOptions,
 
     /// Size in pixels.
     #[arg(long, help_heading = "Picture", value_name = "WxH", value_parser = values::size,

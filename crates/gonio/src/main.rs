@@ -7,6 +7,7 @@
 mod backend;
 mod capture;
 mod cli;
+mod cli_environment;
 mod commands;
 mod limits;
 mod loading;

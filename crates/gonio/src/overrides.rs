@@ -12,6 +12,7 @@ impl SceneOptions {
         self.apply_to_equation(scene);
         self.apply_to_camera(scene);
         self.apply_to_picture(scene);
+        self.surroundings.apply(scene);
         if !self.light.is_empty() {
             scene.lights.clone_from(&self.light);
         }
@@ -110,6 +111,14 @@ fn merge_material(place: &mut MaterialOverride, given: &MaterialOverride) {
     place.refraction_index = given.refraction_index.or(place.refraction_index);
     place.opacity = given.opacity.or(place.opacity);
     place.textures = given.textures.or(place.textures);
+    place.medium = given.medium.or(place.medium);
+    place.reflectivity = given.reflectivity.or(place.reflectivity);
+    place.transmission = given.transmission.or(place.transmission);
+    place.fresnel = given.fresnel.or(place.fresnel);
+    place.tint = given.tint.or(place.tint);
+    place.absorption = given.absorption.or(place.absorption);
+    place.dispersion = given.dispersion.or(place.dispersion);
+    place.surfaces = given.surfaces.or(place.surfaces);
 }
 
 #[cfg(test)]

@@ -91,6 +91,33 @@ pub fn vector(text: &str) -> Result<[f64; 3], String> {
     numbers.try_into().map_err(|_| format!("`{text}` is no vector; three numbers x,y,z are wanted"))
 }
 
+/// `yaw,pitch,roll` in degrees.
+pub fn angles(text: &str) -> Result<[f64; 3], String> {
+    vector(text).map_err(|_| format!("`{text}` is no rotation; yaw,pitch,roll in degrees are wanted, such as 90,0,0"))
+}
+
+/// `N` or `WxH`, each 1 to 32768.
+pub fn environment_size(text: &str) -> Result<(u32, Option<u32>), String> {
+    let wrong = || format!("`{text}` is no size; N or WxH is wanted, 1 to 32768");
+    let side = |text: &str| match text.trim().parse() {
+        Ok(side @ 1..=32768) => Ok(side),
+        _ => Err(wrong()),
+    };
+    match text.split_once(['x', 'X']) {
+        Some((width, height)) => Ok((side(width)?, Some(side(height)?))),
+        None => Ok((side(text)?, None)),
+    }
+}
+
+/// Bits a channel of PNG.
+pub fn bits(text: &str) -> Result<u8, String> {
+    match text {
+        "8" => Ok(8),
+        "16" => Ok(16),
+        _ => Err(format!("`{text}` is no depth of .png; 8 or 16 is wanted (.exr always has 32-bit floats)")),
+    }
+}
+
 /// `+Z`, `-x`, `y`, or a vector that is not 0.
 pub fn up(text: &str) -> Result<[f64; 3], String> {
     let lower = text.trim().to_ascii_lowercase();

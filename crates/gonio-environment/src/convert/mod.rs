@@ -46,8 +46,8 @@ named_enum! {
 /// How to convert.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Conversion {
-    /// The filter; without one [`Filter::Area`] where the target is coarser than the source, else
-    /// [`Filter::Bilinear`].
+    /// The filter; without one [`Filter::Area`] where the target is clearly coarser than the source (one and a half
+    /// texels to a pixel), else [`Filter::Bilinear`].
     pub filter: Option<Filter>,
     /// Carries directions of the target to directions of the source: a rotation.
     pub source_from_target: DMat3,
@@ -106,11 +106,20 @@ impl From<'_> {
     }
 }
 
+/// From this many texels to a pixel on, bilinear lookups leave texels out. (A panorama and the cubemap that is usual for
+/// it, a quarter as wide, have 1.3 in the middle of a face and 0.6 at its corners.)
+const COARSER: f64 = 1.5;
+
 impl Conversion {
     /// The filter that is used from a source onto pixels that are `target_angle` radians high.
     pub fn filter_for(&self, from: &From<'_>, target_angle: f64) -> Filter {
-        let shrinks = target_angle > from.texel_angle() * 1.001;
+        let shrinks = target_angle > from.texel_angle() * COARSER;
         self.filter.unwrap_or(if shrinks { Filter::Area } else { Filter::Bilinear })
+    }
+
+    /// Whether directions stay what they are.
+    pub fn is_not_turned(&self) -> bool {
+        self.source_from_target == DMat3::IDENTITY
     }
 
     /// A cubemap of `size` texels along an edge.
@@ -124,7 +133,7 @@ impl Conversion {
     pub fn fill_cubemap(&self, from: From<'_>, map: &mut Cubemap) {
         if let From::Cubemap(source) = from
             && source.size() == map.size()
-            && self.source_from_target == DMat3::IDENTITY
+            && self.is_not_turned()
         {
             map.pixels_mut().copy_from_slice(source.pixels());
             return;
@@ -138,7 +147,7 @@ impl Conversion {
         let mut image = Image::new(width.max(1), height.max(1), [0.0; 4]);
         if let From::Panorama(source) = from
             && (source.image.width, source.image.height) == (image.width, image.height)
-            && self.source_from_target == DMat3::IDENTITY
+            && self.is_not_turned()
         {
             return source.clone();
         }

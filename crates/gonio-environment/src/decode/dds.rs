@@ -167,12 +167,14 @@ fn legacy(file: Bytes<'_>, flags: u32, four_cc: [u8; 4]) -> Result<Texel, Enviro
     if masks == [0xFF_0000, 0xFF00, 0xFF] && size >= 3 {
         return Ok(Texel::Bytes { size, rgb: [2, 1, 0] });
     }
-    match flags & (RGB | LUMINANCE) {
-        // Grey has the red mask only.
-        LUMINANCE if masks[0] != 0 => Ok(Texel::Masks { size, masks: [masks[0]; 3] }),
-        RGB if masks.iter().any(|m| *m != 0) => Ok(Texel::Masks { size, masks }),
-        _ => Err(not_decoded("neither colours nor grey (YUV, alpha alone, bumps?)")),
+    // One channel alone is grey, whether the flags call it luminance or (as some writers do) colour.
+    if flags & (RGB | LUMINANCE) != 0 && masks[0] != 0 && masks[1..] == [0, 0] {
+        return Ok(Texel::Masks { size, masks: [masks[0]; 3] });
     }
+    if flags & RGB != 0 && masks.iter().any(|m| *m != 0) {
+        return Ok(Texel::Masks { size, masks });
+    }
+    Err(not_decoded("neither colours nor grey (YUV, alpha alone, bumps?)"))
 }
 
 /// A format of DXGI, and whether it is one that says sRGB.

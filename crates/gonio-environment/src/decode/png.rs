@@ -13,15 +13,19 @@ pub(super) const MAGIC: &[u8] = b"\x89PNG\r\n\x1a\n";
 /// Rows that are decoded before they are converted: few enough to stay in a cache, enough for all threads.
 const BATCH: usize = 64;
 
+/// Memory that the codec may take in any case.
+const CODEC_BYTES: usize = 64 << 20;
+
 pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, EnvironmentError> {
-    // What the codec itself needs is a few rows and the metadata; the pixels are ours.
-    let codec_limit = png::Limits { bytes: usize::try_from(limits.max_bytes).unwrap_or(usize::MAX) };
-    let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), codec_limit);
+    // What the codec itself takes: a few rows, metadata. The pixels are ours, and have their own limit.
+    let codec_limit = usize::try_from(limits.max_bytes).unwrap_or(usize::MAX).max(CODEC_BYTES);
+    let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), png::Limits { bytes: codec_limit });
+    let (width, height) = decoder.read_header_info().map_err(failed)?.size();
+    limits.pixels(width.into(), height.into(), 1)?;
     // Palettes and small depths become 8 bits, transparent colours alpha.
     decoder.set_transformations(Transformations::EXPAND);
     decoder.set_ignore_text_chunk(true);
     let mut reader = decoder.read_info().map_err(failed)?;
-    let (width, height) = reader.info().size();
     let mut image = limits.unfilled(width, height)?;
     let (color, depth) = reader.output_color_type();
     let (notes, warnings) = remarks(reader.info(), color.samples() > 3 || color.samples() == 2);
@@ -33,7 +37,7 @@ pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, Environme
         let size = row_bytes.checked_mul(height as usize).ok_or_else(|| EnvironmentError::new("it is too large"))?;
         let mut all = vec![0; size];
         reader.next_frame(&mut all).map_err(failed)?;
-        convert.rows(&all, row_bytes, width, &mut image.pixels);
+        convert.rows(&all, &mut image.pixels);
     } else {
         let mut batch = vec![0; row_bytes * BATCH.min(height as usize)];
         let mut left = height as usize;
@@ -44,7 +48,7 @@ pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, Environme
                     return Err(cut_off());
                 }
             }
-            convert.rows(&batch[..rows * row_bytes], row_bytes, width, &mut image.pixels);
+            convert.rows(&batch[..rows * row_bytes], &mut image.pixels);
             left -= rows;
         }
     }
@@ -93,54 +97,40 @@ struct Converter {
 }
 
 impl Converter {
-    /// Appends rows as linear pixels.
-    fn rows(&self, bytes: &[u8], row_bytes: usize, width: u32, pixels: &mut Vec<Pixel>) {
-        let rows = bytes.par_chunks_exact(row_bytes).with_min_len(8);
-        let width = width as usize;
+    /// Appends whole rows as linear pixels.
+    fn rows(&self, bytes: &[u8], pixels: &mut Vec<Pixel>) {
         match (self.wide, self.samples) {
             (false, samples) => {
                 let table = &*LINEAR_FROM_8;
                 let light = |b: u8| table[usize::from(b)];
                 match samples {
-                    1 => rgb_rows::<1>(rows, width, pixels, |[v]| [light(v), light(v), light(v)]),
-                    2 => rgb_rows::<2>(rows, width, pixels, |[v, _]| [light(v), light(v), light(v)]),
-                    3 => rgb_rows::<3>(rows, width, pixels, |[r, g, b]| [light(r), light(g), light(b)]),
-                    _ => rgb_rows::<4>(rows, width, pixels, |[r, g, b, _]| [light(r), light(g), light(b)]),
+                    1 => append::<1>(bytes, pixels, |[v]| [light(v), light(v), light(v)]),
+                    2 => append::<2>(bytes, pixels, |[v, _]| [light(v), light(v), light(v)]),
+                    3 => append::<3>(bytes, pixels, |[r, g, b]| [light(r), light(g), light(b)]),
+                    _ => append::<4>(bytes, pixels, |[r, g, b, _]| [light(r), light(g), light(b)]),
                 }
             }
             (true, samples) => {
                 let table = &**LINEAR_FROM_16;
                 let light = |high: u8, low: u8| table[usize::from(u16::from_be_bytes([high, low]))];
                 match samples {
-                    1 => rgb_rows::<2>(rows, width, pixels, |[a, b]| [light(a, b); 3]),
-                    2 => rgb_rows::<4>(rows, width, pixels, |[a, b, ..]| [light(a, b); 3]),
-                    3 => {
-                        rgb_rows::<6>(rows, width, pixels, |[a, b, c, d, e, f]| [light(a, b), light(c, d), light(e, f)])
-                    }
-                    _ => rgb_rows::<8>(rows, width, pixels, |[a, b, c, d, e, f, ..]| {
-                        [light(a, b), light(c, d), light(e, f)]
-                    }),
+                    1 => append::<2>(bytes, pixels, |[a, b]| [light(a, b); 3]),
+                    2 => append::<4>(bytes, pixels, |[a, b, ..]| [light(a, b); 3]),
+                    3 => append::<6>(bytes, pixels, |[a, b, c, d, e, f]| [light(a, b), light(c, d), light(e, f)]),
+                    _ => append::<8>(bytes, pixels, |[a, b, c, d, e, f, ..]| [light(a, b), light(c, d), light(e, f)]),
                 }
             }
         }
     }
 }
 
-/// Appends rows of `N` bytes a pixel.
-fn rgb_rows<'a, const N: usize>(
-    rows: impl IndexedParallelIterator<Item = &'a [u8]>,
-    width: usize,
-    pixels: &mut Vec<Pixel>,
-    convert: impl Fn([u8; N]) -> [f32; 3] + Sync,
-) {
-    let start = pixels.len();
-    pixels.resize(start + rows.len() * width, [0.0; 4]);
-    pixels[start..].par_chunks_exact_mut(width).zip(rows).for_each(|(to, from)| {
-        for (to, from) in to.iter_mut().zip(from.as_chunks::<N>().0) {
-            let [r, g, b] = convert(*from);
-            *to = [r, g, b, 1.0];
-        }
-    });
+/// Appends pixels of `N` bytes.
+fn append<const N: usize>(bytes: &[u8], pixels: &mut Vec<Pixel>, convert: impl Fn([u8; N]) -> [f32; 3] + Sync + Send) {
+    // Written once, in place: a picture is more memory than all caches.
+    pixels.par_extend(bytes.as_chunks::<N>().0.par_iter().with_min_len(1 << 13).map(|from| {
+        let [r, g, b] = convert(*from);
+        [r, g, b, 1.0]
+    }));
 }
 
 fn failed(error: DecodingError) -> EnvironmentError {

@@ -34,8 +34,12 @@ pub fn encode(image: &Image) -> Result<Encoded, EnvironmentError> {
             if packs { packed(&scan) } else { scan.as_flattened().to_vec() }
         })
         .collect();
-    bytes.extend(lines.into_iter().flatten());
-    let tiny = |p: &Pixel| p[..3].iter().any(|x| *x > 0.0) && rgbe(p)[3] == 0;
+    bytes.reserve_exact(lines.iter().map(Vec::len).sum());
+    lines.iter().for_each(|line| bytes.extend_from_slice(line));
+    let tiny = |p: &Pixel| {
+        let brightest = p[..3].iter().copied().fold(0.0, f32::max);
+        brightest > 0.0 && f64::from(brightest) < SMALLEST
+    };
     let lost = image.pixels.par_iter().with_min_len(1 << 14).filter(|p| tiny(p)).count();
     let warnings = match lost {
         0 => Vec::new(),
@@ -48,27 +52,29 @@ pub fn encode(image: &Image) -> Result<Encoded, EnvironmentError> {
 fn rgbe([r, g, b, _]: &Pixel) -> [u8; 4] {
     // Written so that NaN becomes 0.
     let light = [*r, *g, *b].map(|x| if x > 0.0 { f64::from(x.min(LARGEST)) } else { 0.0 });
-    let brightest = light.iter().copied().fold(0.0, f64::max);
+    let brightest = light[0].max(light[1]).max(light[2]);
     if brightest < SMALLEST {
         return [0; 4];
     }
     // The exponent with which the brightest mantissa is in 128..=255; rounding may carry it to 256.
     let mut exponent = exponent_of(brightest) + 1;
-    if (brightest * scale(exponent)).round() > 255.0 {
+    if brightest * scale(exponent) >= 255.5 {
         exponent += 1;
     }
-    let [r, g, b] = light.map(|x| (x * scale(exponent)).round() as u8);
+    // Not negative: a half more, cut off, is the nearest.
+    let [r, g, b] = light.map(|x| (x * scale(exponent) + 0.5) as u8);
     [r, g, b, (exponent + 128) as u8]
 }
 
 /// `255 * 2^(255 - 136)`, of the largest mantissa and exponent.
 const LARGEST: f32 = f32::from_bits(0x7EFF_0000);
 /// `128 * 2^(1 - 136)`, which is 2^-128: the smallest mantissa that is not too small, and the smallest exponent.
-const SMALLEST: f64 = 2.938_735_877_055_718_8e-39;
+const SMALLEST: f64 = 2.938_735_877_055_719e-39;
 
-/// `2^(8 - exponent)`: what takes light to mantissas.
+/// `2^(8 - exponent)`: what takes light to mantissas. Put together from its bits, for speed; an f64 holds every such
+/// power as a normal number.
 fn scale(exponent: i32) -> f64 {
-    f64::from(8 - exponent).exp2()
+    f64::from_bits(((8 - exponent + 1023) as u64) << 52)
 }
 
 /// The exponent of 2 in a number's first bit.

@@ -4,8 +4,7 @@ use crate::image::Image;
 use crate::srgb::ENCODER;
 use crate::{EnvironmentError, Pixel};
 use glam::DVec3;
-use gonio_light::color::ColorEncoding;
-use gonio_light::color::{EXPOSURE_LIMIT, OutputTransform, ToneMap};
+use gonio_light::color::{ColorEncoding, EXPOSURE_LIMIT, OutputTransform, ToneMap};
 use png::{BitDepth, ColorType, Compression, Filter, SrgbRenderingIntent};
 use rayon::prelude::*;
 
@@ -34,8 +33,7 @@ pub fn encode(image: &Image, transform: &OutputTransform, depth: Depth) -> Resul
     encoder.set_color(ColorType::Rgb);
     encoder.set_depth(if depth == Depth::Eight { BitDepth::Eight } else { BitDepth::Sixteen });
     encoder.set_compression(Compression::Fast);
-    // Of the fixed filters the one that packs photographs best; choosing one row by row takes half as long again and
-    // saves a hundredth.
+    // On smooth pictures within a hundredth of the size that choosing a filter for each row gives, in half the time.
     encoder.set_filter(Filter::Paeth);
     if transform.encoding == ColorEncoding::Srgb {
         encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
@@ -57,25 +55,21 @@ pub fn encode(image: &Image, transform: &OutputTransform, depth: Depth) -> Resul
 /// RGB of 8 bits each.
 pub fn rows8(image: &Image, transform: &OutputTransform) -> Vec<u8> {
     let mut bytes = vec![0; 3 * image.pixels.len()];
-    let convert = |encode: &(dyn Fn(&Pixel) -> [u8; 3] + Sync), bytes: &mut [u8]| {
-        bytes.par_chunks_mut(3 * CHUNK).zip(image.pixels.par_chunks(CHUNK)).for_each(|(to, from)| {
-            for (to, from) in to.as_chunks_mut::<3>().0.iter_mut().zip(from) {
-                *to = encode(from);
-            }
-        });
-    };
     if transform.tone_map == ToneMap::None && transform.encoding == ColorEncoding::Srgb {
         let factor = transform.exposure.clamp(-EXPOSURE_LIMIT, EXPOSURE_LIMIT).exp2();
         let factor = if factor.is_nan() { 1.0 } else { factor as f32 };
         let encoder = &*ENCODER;
-        // The common case, without a call for each pixel.
         bytes.par_chunks_mut(3 * CHUNK).zip(image.pixels.par_chunks(CHUNK)).for_each(|(to, from)| {
             for (to, [r, g, b, _]) in to.as_chunks_mut::<3>().0.iter_mut().zip(from) {
                 *to = [encoder.encode(factor * r), encoder.encode(factor * g), encoder.encode(factor * b)];
             }
         });
     } else {
-        convert(&|pixel| encoded(pixel, transform).map(|x| (x * 255.0).round() as u8), &mut bytes);
+        bytes.par_chunks_mut(3 * CHUNK).zip(image.pixels.par_chunks(CHUNK)).for_each(|(to, from)| {
+            for (to, from) in to.as_chunks_mut::<3>().0.iter_mut().zip(from) {
+                *to = encoded(from, transform).map(|x| (x * 255.0).round() as u8);
+            }
+        });
     }
     bytes
 }

@@ -167,12 +167,11 @@ fn choose<S: AsRef<str>>(names: &[S], member: Option<&str>) -> Result<Assignment
         [(row, files)] => Ok(assigned(names, &pictures, row, files)),
         [] => Err(incomplete(names, &sets, &pictures)),
         _ => {
-            let patterns: Vec<String> =
-                complete.iter().map(|(row, files)| format!("`{}`", pattern(names, *row, *files))).collect();
+            let sets: Vec<String> = complete.iter().map(|(_, files)| format!("of `{}`", name_of(files[0]))).collect();
             Err(EnvironmentError::new(format!(
                 "there are {} sets of faces ({}); say which one is meant by naming one of its files",
-                patterns.len(),
-                patterns.join(", ")
+                sets.len(),
+                sets.join(", ")
             )))
         }
     }

@@ -72,7 +72,8 @@ fn quakes_letters_fit_together_as_its_source_lays_them() {
     // From Quake's world to ours: ahead (+X) is -Z, left (+Y) is -X, up (+Z) is +Y.
     let ours = |q: [f64; 3]| glam::DVec3::new(-q[1], q[2], -q[0]);
     // (letters, middle, columns run to, rows run to): `st_to_vec`, with rows downwards.
-    let faces: [(&str, [f64; 3], [f64; 3], [f64; 3]); 6] = [
+    type Axis = [f64; 3];
+    let faces: [(&str, Axis, Axis, Axis); 6] = [
         ("rt", [1., 0., 0.], [0., -1., 0.], [0., 0., -1.]),
         ("lf", [-1., 0., 0.], [0., 1., 0.], [0., 0., -1.]),
         ("bk", [0., 1., 0.], [1., 0., 0.], [0., 0., -1.]),
@@ -132,12 +133,16 @@ fn contradictions_are_told() {
     );
     let mut both = set(TABLE[0].1, "", ".png");
     both.extend(set(["right", "left", "top", "bottom", "front", "back"], "", ".png"));
-    assert!(refused(&both).starts_with("there are 2 sets of faces (`*.png`, `*.png`)"), "{}", refused(&both));
+    assert!(
+        refused(&both).starts_with("there are 2 sets of faces (of `posx.png`, of `right.png`)"),
+        "{}",
+        refused(&both)
+    );
     let mut two = set(TABLE[0].1, "day_", ".png");
     two.extend(set(TABLE[0].1, "night_", ".png"));
     assert_eq!(
         refused(&two),
-        "there are 2 sets of faces (`day_*.png`, `night_*.png`); say which one is meant by naming one of its files"
+        "there are 2 sets of faces (of `day_posx.png`, of `night_posx.png`); say which one is meant by naming one of its files"
     );
     let night = assign_with(&two, "night_negy.png").unwrap_or_else(|e| panic!("{e}"));
     assert_eq!((night.files, night.pattern.as_str()), ([6, 7, 8, 9, 10, 11], "night_*.png"));

@@ -2,14 +2,16 @@
 #![allow(dead_code, clippy::unwrap_used, missing_docs)]
 
 use glam::{DMat4, DVec3};
+use gonio_environment::Cubemap;
 use gonio_light::{Attenuation, Convention, Equation, Light, LightKind, Optics, Quantity, Specular};
 use gonio_mesh::{AmbientRule, Material, Mesh};
 use gonio_reference::{ReferenceScene, Rendered};
 use gonio_scene::description::{Scene, Shading};
 use gonio_scene::{
-    Background, BoundTexture, Camera, ColorSpace, Frame, LoadedScene, Maps, Object, ObjectPart, SceneMaterial, Texture,
-    TextureFilter, ViewSpec,
+    Background, BoundTexture, Camera, ColorSpace, Frame, LoadedEnvironment, LoadedScene, Maps, Object, ObjectPart,
+    SceneMaterial, Surroundings, Texture, TextureFilter, ViewSpec,
 };
+use std::sync::Arc;
 
 /// A scene and a moment of it.
 pub struct Lab {
@@ -122,6 +124,25 @@ impl Lab {
         self
     }
 
+    /// An environment all around, seen and of intensity 1.
+    pub fn environment(mut self, map: Cubemap) -> Lab {
+        self.scene.environment = Some(Arc::new(LoadedEnvironment::new("test", map)));
+        self.frame.surroundings = Some(Surroundings::default());
+        self
+    }
+
+    /// The last object's material shows the environment so.
+    pub fn optics(mut self, optics: Optics) -> Lab {
+        self.scene.materials.last_mut().unwrap().optics = optics;
+        self
+    }
+
+    /// The index of refraction of the last object's material.
+    pub fn index(mut self, index: f32) -> Lab {
+        self.scene.materials.last_mut().unwrap().material.refraction_index = index;
+        self
+    }
+
     /// The last object is closed: its back faces are culled.
     pub fn closed(mut self) -> Lab {
         self.scene.objects.last_mut().unwrap().closed = true;
@@ -201,6 +222,38 @@ pub fn sphere(rings: u32, segments: u32) -> Mesh {
         }
     }
     Mesh { normals: positions.clone(), positions, indices, ..Mesh::default() }
+}
+
+/// An environment that says where it is looked at: [`on_cube`] of the direction. Linear on each face, so that bilinear
+/// look-ups are exact but for the f32 of the texels, except within half a texel of a face's edge.
+pub fn compass() -> Cubemap {
+    Cubemap::from_function(COMPASS_SIZE, on_cube)
+}
+
+/// Texels along the edge of a face of [`compass`].
+pub const COMPASS_SIZE: u32 = 64;
+
+/// The direction with its largest component 1 or -1.
+pub fn on_cube(d: DVec3) -> DVec3 {
+    d / d.abs().max_element()
+}
+
+/// Whether [`compass`] is exact in this direction.
+pub fn is_exact(d: DVec3) -> bool {
+    let on_cube = on_cube(d).abs();
+    let second = on_cube.element_sum() - 1.0 - on_cube.min_element();
+    second < 1.0 - 1.0 / f64::from(COMPASS_SIZE)
+}
+
+/// The unit direction through the middle of a pixel.
+pub fn ray_of(lab: &Lab, x: u32, y: u32) -> DVec3 {
+    let frame = &lab.frame;
+    frame.camera.ray_direction(f64::from(x) + 0.5, f64::from(y) + 0.5, frame.width, frame.height)
+}
+
+/// A pixel's colour, alpha left out.
+pub fn rgb(pixel: [f32; 4]) -> DVec3 {
+    DVec3::new(pixel[0].into(), pixel[1].into(), pixel[2].into())
 }
 
 /// `k_a` of its own, so that tests of the ambient term do not depend on `k_d`.

@@ -2,6 +2,7 @@
 
 pub mod convert;
 pub mod diff;
+pub mod environment;
 pub mod inspect;
 pub mod probe;
 pub mod render;
@@ -17,6 +18,7 @@ pub fn run(command: &Command, reporter: &Reporter) -> Result<Outcome, CliError> 
         Command::Render(args) => render::run(args, reporter),
         Command::Probe(args) => probe::run(args, reporter),
         Command::Convert(args) => convert::run(args, reporter),
+        Command::Environment(command) => environment::run(command, reporter),
         Command::Diff(args) => diff::run(args, reporter),
         Command::Inspect(args) => inspect::run(args, reporter),
         Command::Scene(args) => scene::run(args, reporter),

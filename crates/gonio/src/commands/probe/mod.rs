@@ -1,5 +1,6 @@
 //! `gonio probe`: the light equation at one pixel, from the CPU reference, beside what the GPU drew there.
 
+mod surroundings;
 mod text;
 
 use crate::backend::{Backend, BackendChoice, BackendReport, Opened};
@@ -103,13 +104,14 @@ pub fn run(args: &ProbeArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     if let (BackendChoice::Auto, Backend::Cpu { reason: Some(reason), .. }) = (args.backend.backend, &backend) {
         reporter.note(format!("nothing stands beside the reference: {reason}"));
     }
-    let probe = match &backend {
-        Backend::Cpu { scene, .. } => scene.probe(&frame, x, y),
-        Backend::Gl { .. } => ReferenceScene::new(&scene).probe(&frame, x, y),
+    let look = |reference: &ReferenceScene<'_>| {
+        let probe = reference.probe(&frame, x, y);
+        let value = probe.as_ref().map_or_else(|| reference.behind(&frame, x, y), |probe| probe.total.to_array());
+        (probe, value)
     };
-    let reference = match &probe {
-        Some(probe) => probe.total.to_array(),
-        None => frame.background.at((f64::from(y) + 0.5) / f64::from(frame.height)),
+    let (probe, reference) = match &backend {
+        Backend::Cpu { scene, .. } => look(scene),
+        Backend::Gl { .. } => look(&ReferenceScene::new(&scene)),
     };
     let gpu = gpu_value(&mut backend, &frame, (x, y), reference, reporter, &times)?;
     let report = Report {

@@ -15,9 +15,9 @@ const NAME: usize = 18;
 
 /// A page about one pixel of a scene.
 pub struct Page<'a> {
-    scene: &'a LoadedScene,
-    frame: &'a Frame,
-    text: String,
+    pub(super) scene: &'a LoadedScene,
+    pub(super) frame: &'a Frame,
+    pub(super) text: String,
 }
 
 impl<'a> Page<'a> {
@@ -31,7 +31,11 @@ impl<'a> Page<'a> {
         let size = format!("pixel {},{} of {}x{}", report.x, report.y, report.width, report.height);
         self.heading(&size);
         match report.probe {
-            None => self.line("object", "none is seen there: the background"),
+            None => {
+                let sky = self.frame.surroundings.is_some_and(|s| s.visible);
+                let behind = if sky { "the environment" } else { "the background" };
+                self.line("object", &format!("none is seen there: {behind}"));
+            }
             Some(probe) => {
                 self.place(probe);
                 self.material(probe);
@@ -40,28 +44,29 @@ impl<'a> Page<'a> {
                     None => probe.terms.lights.iter().for_each(|light| self.light(light, probe)),
                 }
                 self.sum(probe);
+                self.surroundings(probe);
             }
         }
         self.result(report);
         self.text
     }
 
-    fn heading(&mut self, text: &str) {
+    pub(super) fn heading(&mut self, text: &str) {
         let gap = if self.text.is_empty() { "" } else { "\n" };
         let _ = writeln!(self.text, "{gap}{HEADING}{text}{HEADING:#}");
     }
 
-    fn line(&mut self, name: &str, value: &str) {
+    pub(super) fn line(&mut self, name: &str, value: &str) {
         let padding = NAME.saturating_sub(name.chars().count());
         let _ = writeln!(self.text, "  {name}{:padding$}{value}", "");
     }
 
-    fn vector(&mut self, name: &str, v: DVec3, remark: &str) {
+    pub(super) fn vector(&mut self, name: &str, v: DVec3, remark: &str) {
         let remark = if remark.is_empty() { String::new() } else { format!("   {remark}") };
         self.line(name, &format!("{}{}{}{remark}", number(v.x), number(v.y), number(v.z)));
     }
 
-    fn scalar(&mut self, name: &str, v: f64, remark: &str) {
+    pub(super) fn scalar(&mut self, name: &str, v: f64, remark: &str) {
         self.line(name, format!("{}   {remark}", number(v)).trim_end());
     }
 
@@ -252,7 +257,7 @@ impl<'a> Page<'a> {
                 }
             }
         }
-        self.vector("L_o", probe.radiance, "");
+        self.vector("L_o", probe.lit, "");
         self.equation(probe);
     }
 
@@ -265,7 +270,7 @@ impl<'a> Page<'a> {
         let _ = writeln!(self.text, "\n  {symbols}");
         let (terms, surface) = (&probe.terms, &probe.surface);
         for (c, channel) in ["red", "green", "blue"].into_iter().enumerate() {
-            let (a, e, total) = (short(terms.ambient[c]), short(terms.emitted[c]), short(probe.radiance[c]));
+            let (a, e, total) = (short(terms.ambient[c]), short(terms.emitted[c]), short(probe.lit[c]));
             let (k_d, k_s) = (short(surface.diffuse[c]), short(surface.specular[c]));
             let _ = write!(self.text, "  {channel:6}{total:>9} = {a} + {e}");
             if let Some(sums) = &probe.interpolated {
@@ -305,7 +310,7 @@ impl<'a> Page<'a> {
 }
 
 /// [`number`] without padding and trailing zeros.
-fn short(v: f64) -> String {
+pub(super) fn short(v: f64) -> String {
     let text = number(v).trim().to_owned();
     let plain = text.contains('.') && !text.contains('e');
     if plain { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }

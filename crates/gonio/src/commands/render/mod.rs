@@ -57,7 +57,7 @@ pub struct RenderArgs {
     #[arg(long, help_heading = "Output", value_parser = values::named(Format::ALL, Format::name))]
     pub format: Option<Format>,
     /// Bits a channel of .png.
-    #[arg(long, help_heading = "Output", value_name = "8|16", value_parser = bits)]
+    #[arg(long, help_heading = "Output", value_name = "8|16", value_parser = values::bits)]
     pub bits: Option<u8>,
     /// A debug view in place of the picture: NAME, NAME:LIGHT, or a symbol such as N.
     #[arg(long, help_heading = "Output", value_name = "VIEW", value_parser = cli::view_list())]
@@ -97,14 +97,6 @@ pub struct RenderArgs {
     /// What is said.
     #[command(flatten)]
     pub words: WordOptions,
-}
-
-fn bits(text: &str) -> Result<u8, String> {
-    match text {
-        "8" => Ok(8),
-        "16" => Ok(16),
-        _ => Err(format!("`{text}` is no depth of .png; 8 or 16 is wanted (.exr always has 32-bit floats)")),
-    }
 }
 
 fn frame_rate(text: &str) -> Result<f64, String> {

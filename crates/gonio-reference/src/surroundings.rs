@@ -1,0 +1,167 @@
+//! The environment of a frame: what is seen of it in a direction, and what it adds to a surface.
+
+use crate::body::ObjectBody;
+use crate::fragment::Fragment;
+use crate::shade::Shader;
+use glam::DVec3;
+use gonio_environment::{BrdfTable, GlossyMips, harmonics};
+use gonio_light::optics::{self, Body, EnvironmentTerms, Sight, boundary};
+use gonio_light::roughness::roughness_of_shininess;
+use gonio_light::{Optics, ShadingPoint, Surface, Surfaces, vector};
+use gonio_scene::description::Shading;
+use gonio_scene::{Frame, LoadedEnvironment, LoadedScene, Surroundings, TextureFilter};
+use std::f64::consts::FRAC_1_PI;
+
+/// The environment of a frame.
+pub(crate) struct Environment<'a> {
+    loaded: &'a LoadedEnvironment,
+    how: Surroundings,
+    /// The frame's filter chooses among smaller copies.
+    has_levels: bool,
+    /// Which copy is seen in the background.
+    background_level: f64,
+    /// What is seen there where it is blurred.
+    blurred: Option<&'a GlossyMips>,
+    /// Diffuse light by the normal, where it counts.
+    diffuse: Option<[DVec3; 9]>,
+    /// What rough mirrors show, where they count. Both are at hand before threads ask: what they are made by uses all
+    /// threads, and would wait for itself.
+    glossy: Option<(&'a GlossyMips, &'static BrdfTable)>,
+}
+
+impl<'a> Environment<'a> {
+    /// `None` where the frame has none. `pixel_angle_rad`: what a pixel in the middle of the picture covers.
+    ///
+    /// Not to be called for each pixel: what the environment makes at the first wish is made here.
+    pub fn new(scene: &'a LoadedScene, frame: &Frame, pixel_angle_rad: f64) -> Option<Self> {
+        let loaded: &LoadedEnvironment = scene.environment.as_ref()?;
+        let how = frame.surroundings?;
+        let has_levels = matches!(frame.texture_filter, TextureFilter::Mipmap | TextureFilter::Anisotropic);
+        let terms = &frame.equation.terms;
+        let any_gloss = || scene.materials.iter().any(|m| m.material.specular != [0.0; 3]);
+        Some(Environment {
+            loaded,
+            how,
+            has_levels,
+            background_level: if has_levels { level(loaded.seen().full().size(), pixel_angle_rad) } else { 0.0 },
+            blurred: (how.visible && how.blur > 0.0).then(|| loaded.seen_glossy()),
+            diffuse: (how.lights && terms.diffuse).then(|| loaded.harmonics().polynomial()),
+            glossy: (how.lights && terms.specular && any_gloss()).then(|| (loaded.glossy(), BrdfTable::get())),
+        })
+    }
+
+    /// `E(D)`: linear radiance from a unit direction in the world.
+    fn radiance(&self, direction: DVec3, level: f64) -> DVec3 {
+        self.how.intensity * self.loaded.mips.sample(self.how.environment_from_world * direction, level)
+    }
+
+    /// What is seen behind the objects in a unit direction in the world; `None` where the background is.
+    pub fn background(&self, direction: impl FnOnce() -> DVec3) -> Option<DVec3> {
+        self.how.visible.then(|| {
+            let direction = self.how.environment_from_world * direction();
+            let radiance = match self.blurred {
+                Some(blurred) => blurred.sample(direction, self.how.blur),
+                None => self.loaded.seen().sample(direction, self.background_level),
+            };
+            self.how.intensity * radiance
+        })
+    }
+
+    /// Whether a surface with these optics looks other than without the environment.
+    pub fn touches(&self, optics: &Optics) -> bool {
+        self.how.lights || !optics.is_plain()
+    }
+
+    /// What the environment adds at a fragment. `point` is that of Phong and flat shading: the fragment itself.
+    pub fn terms(
+        &self,
+        shader: &Shader,
+        fragment: &Fragment,
+        point: &ShadingPoint,
+        surface: &Surface,
+    ) -> EnvironmentTerms {
+        let optics = &fragment.material().optics;
+        EnvironmentTerms {
+            diffuse: self.diffuse_light(point, surface),
+            specular: self.glossy_light(point, surface),
+            sight: if optics.is_plain() {
+                Sight::default()
+            } else {
+                self.sight(shader, fragment, point, surface, optics)
+            },
+        }
+    }
+
+    /// `k_d` times the irradiance over pi; zero where the environment does not light.
+    fn diffuse_light(&self, point: &ShadingPoint, surface: &Surface) -> DVec3 {
+        self.diffuse.as_ref().map_or(DVec3::ZERO, |polynomial| {
+            let irradiance = harmonics::irradiance(polynomial, self.how.environment_from_world * point.normal);
+            surface.diffuse * irradiance * (self.how.intensity * FRAC_1_PI)
+        })
+    }
+
+    /// `k_s scale + bias` times the blurred environment about where a mirror looks, by the split sum
+    /// ([`gonio_environment::prefilter`]); zero for a black `k_s`, as such surfaces are matte, and where the environment
+    /// does not light.
+    fn glossy_light(&self, point: &ShadingPoint, surface: &Surface) -> DVec3 {
+        let Some((glossy, table)) = self.glossy.filter(|_| surface.specular != DVec3::ZERO) else { return DVec3::ZERO };
+        let roughness = roughness_of_shininess(surface.shininess);
+        let (scale, bias) = table.lookup(point.normal.dot(point.view), roughness);
+        let mirrored = self.how.environment_from_world * vector::reflection(point.normal, point.view);
+        (surface.specular * scale + bias) * glossy.sample(mirrored, roughness) * self.how.intensity
+    }
+
+    fn sight(
+        &self,
+        shader: &Shader,
+        fragment: &Fragment,
+        point: &ShadingPoint,
+        surface: &Surface,
+        optics: &Optics,
+    ) -> Sight {
+        let index = surface.refraction_index;
+        let reflection = boundary(point.normal, point.view, index, optics.fresnel).reflected;
+        let [reflected_level, transmitted_level] = self.levels(shader, fragment, point, index, optics);
+        let radiance = |d: DVec3| self.radiance(d, if d == reflection { reflected_level } else { transmitted_level });
+        let body = ObjectBody {
+            geometry: shader.geometry,
+            object: fragment.triangle.object,
+            flat: matches!(Shader::shading(fragment), Shading::Flat | Shading::FlatPerFace),
+        };
+        let body = (optics.surfaces == Surfaces::Two).then_some(&body as &dyn Body);
+        optics::sight(point, index, optics, &radiance, body)
+    }
+
+    /// Which of the smaller copies are seen in the direction of `R` and in those of `T`: how far the two turn to the next
+    /// pixel says it. What comes out of a body is taken from the copy of the `T` that goes in, and all channels from
+    /// that of the middle one.
+    fn levels(
+        &self,
+        shader: &Shader,
+        fragment: &Fragment,
+        point: &ShadingPoint,
+        index: f64,
+        optics: &Optics,
+    ) -> [f64; 2] {
+        if !self.has_levels {
+            return [0.0; 2];
+        }
+        let here = boundary(point.normal, point.view, index, optics.fresnel);
+        let mut largest = [0.0_f64; 2];
+        for beside in [0, 1].into_iter().filter_map(|axis| fragment.beside(axis, shader.geometry)) {
+            let beside = shader.fragment_point(&beside);
+            let there = boundary(beside.normal, beside.view, index, optics.fresnel);
+            largest[0] = largest[0].max(there.reflected.distance(here.reflected));
+            if let (Some(there), Some(here)) = (there.transmitted, here.transmitted) {
+                largest[1] = largest[1].max(there.distance(here));
+            }
+        }
+        largest.map(|step| level(self.loaded.mips.full().size(), step))
+    }
+}
+
+/// Which of the smaller copies has texels as large as `step_rad`: 2 / size is what a texel in the middle of a face covers.
+/// Not negative.
+fn level(size: u32, step_rad: f64) -> f64 {
+    (0.5 * f64::from(size) * step_rad).log2().max(0.0)
+}

@@ -1,0 +1,215 @@
+//! Panoramas and cube faces of a scene: the same world, unmirrored, in every form.
+#![allow(clippy::unwrap_used, missing_docs)]
+
+mod common;
+
+use common::*;
+use glam::{DMat4, DVec3, Vec3Swizzles};
+use gonio_environment::{Cubemap, Face, Image, Layout, Panorama, cubemap::texel_direction};
+use gonio_light::Optics;
+use gonio_mesh::Material;
+use gonio_reference::ReferenceScene;
+use gonio_scene::description::Shading;
+use gonio_scene::{Camera, Maps, Picture};
+
+const EYE: [f64; 3] = [0.3, -0.2, 0.4];
+
+/// Six balls in the directions of the axes and a small one beside each, every one of another colour, and light that
+/// comes from one side. The camera looks askew: it must not count.
+fn room() -> Lab {
+    let mut lab = Lab::new().light(directional([-1.0, -2.0, -0.5], 0.6)).frame(|f| {
+        f.background.top = DVec3::new(0.2, 0.3, 0.6);
+        f.background.bottom = DVec3::new(0.3, 0.2, 0.1);
+        f.samples = 4;
+    });
+    for (i, axis) in [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z, DVec3::NEG_Z].into_iter().enumerate() {
+        let color =
+            [[1.0, 0.1, 0.1], [0.1, 1.0, 1.0], [0.1, 1.0, 0.1], [1.0, 0.1, 1.0], [0.1, 0.1, 1.0], [1.0, 1.0, 0.1]];
+        let aside = axis.zxy() * 1.9 + axis.yzx() * 0.9;
+        for (offset, size, weight) in [(DVec3::ZERO, 1.2, 1.0), (aside, 1.0, 0.4)] {
+            let material = Material { emitted: color[i].map(|v| 0.3 * weight * v), ..matte(color[i]) };
+            let m =
+                DMat4::from_translation(DVec3::from(EYE) + 3.5 * axis + offset) * DMat4::from_scale(DVec3::splat(size));
+            lab = lab.placed(sphere(16, 24), Shading::Phong, material, Maps::default(), m);
+        }
+    }
+    lab.eye(EYE, [1.0, 2.0, -3.0])
+}
+
+fn image(picture: Picture) -> Image {
+    Image { width: picture.width, height: picture.height, pixels: picture.pixels }
+}
+
+/// Decibels under a peak of 1; the larger, the more alike.
+fn psnr(pairs: impl Iterator<Item = (DVec3, DVec3)>) -> f64 {
+    let (sum, count) = pairs.fold((0.0, 0.0), |(s, n), (a, b)| (s + (a - b).length_squared() / 3.0, n + 1.0));
+    -10.0 * (sum / count).log10()
+}
+
+/// Faces of 64 texels in a layout.
+fn faces(reference: &ReferenceScene, lab: &Lab, layout: Layout) -> [Image; 6] {
+    Face::ALL.map(|face| image(reference.cube_face(&lab.frame, face, layout, 64)))
+}
+
+#[test]
+fn panorama_and_faces_are_the_same_world() {
+    let lab = room();
+    let reference = ReferenceScene::new(&lab.scene);
+    let panorama = Panorama::new(image(reference.panorama(&lab.frame, 512, 256))).unwrap();
+    let mut cubes = Vec::new();
+    for layout in [Layout::OpenGl, Layout::Photographic] {
+        let faces = faces(&reference, &lab, layout);
+        for (face, drawn) in Face::ALL.into_iter().zip(&faces) {
+            let against = |columns_flipped: bool, other: Face| {
+                let pixels = (0..64 * 64).map(|i| (i % 64, i / 64));
+                psnr(pixels.map(|(x, y)| {
+                    let (s, t) = ((2.0 * f64::from(x) + 1.0) / 64.0 - 1.0, (2.0 * f64::from(y) + 1.0) / 64.0 - 1.0);
+                    let d = other.direction(if columns_flipped { -s } else { s }, t, layout);
+                    (rgb(drawn.at(x, y)), panorama.sample(d))
+                }))
+            };
+            // Set by the edges of the balls, which lie between other pixels in the two pictures: measured 41 to 46.
+            let right = against(false, face);
+            assert!(right > 40.0, "{layout} {face:?}: {right} dB");
+            // A mirrored face and every other face are far from it: measured at most 20.3.
+            let mirrored = against(true, face);
+            assert!(mirrored < 22.0, "{layout} {face:?}: mirrored {mirrored} dB");
+            for other in Face::ALL.into_iter().filter(|other| *other != face) {
+                let swapped = against(false, other);
+                assert!(swapped < 22.0, "{layout} {face:?} as {other:?}: {swapped} dB");
+            }
+        }
+        cubes.push(Cubemap::from_faces(faces, layout).unwrap());
+    }
+    // The other way: the panorama's pixels in the cube; and one cube whichever layout its faces were drawn in.
+    let pixels = (0..512 * 256).map(|i| (i % 512, i / 512));
+    let of_cube = psnr(pixels.map(|(x, y)| {
+        let d = gonio_environment::panorama::direction((f64::from(x) + 0.5) / 512.0, (f64::from(y) + 0.5) / 256.0);
+        (rgb(panorama.image.at(x, y)), cubes[0].sample(d))
+    }));
+    // The faces are the coarser ones here: an edge is as wide as their texels.
+    assert!(of_cube > 29.0, "{of_cube} dB");
+    let both = cubes[0].pixels().iter().zip(cubes[1].pixels()).map(|(a, b)| (rgb(*a), rgb(*b)));
+    // Their samples lie mirrored in the pixels: only edges differ.
+    let both = psnr(both);
+    assert!(both > 35.0, "{both} dB");
+}
+
+#[test]
+fn a_face_is_what_a_camera_sees() {
+    let lab = room().frame(|f| f.samples = 1);
+    let reference = ReferenceScene::new(&lab.scene);
+    for face in Face::ALL {
+        let axis = |s, t| face.direction(s, t, Layout::Photographic);
+        let (front, up) = (axis(0.0, 0.0), axis(0.0, -1.0) - axis(0.0, 0.0));
+        let mut frame = lab.frame.clone();
+        (frame.width, frame.height) = (64, 64);
+        let fov = std::f64::consts::FRAC_PI_2;
+        frame.camera = Camera::looking_along(EYE.into(), front, up, fov, 0.1, 100.0);
+        // A camera's background follows its picture, not the world.
+        frame.background.bottom = frame.background.top;
+        let seen = reference.render(&frame, None, &|_| ()).picture;
+        let drawn = reference.cube_face(&frame, face, Layout::Photographic, 64);
+        for (a, b) in drawn.pixels.iter().zip(&seen.pixels) {
+            // The same rays but for rounding; no pixel's centre lies on an edge.
+            assert!(rgb(*a).abs_diff_eq(rgb(*b), 1e-5), "{face:?}: {a:?} is not {b:?}");
+        }
+    }
+}
+
+#[test]
+fn an_environment_comes_back_as_it_was() {
+    let lab = Lab::new().environment(compass()).eye(EYE, [1.0, 2.0, -3.0]);
+    let reference = ReferenceScene::new(&lab.scene);
+    let drawn = reference.panorama(&lab.frame, 64, 32);
+    let wanted = Panorama::from_function(64, 32, on_cube);
+    let mut compared = 0;
+    for (i, (got, wanted)) in drawn.pixels.iter().zip(&wanted.image.pixels).enumerate() {
+        let (x, y) = ((i % 64) as f64 + 0.5, (i / 64) as f64 + 0.5);
+        if is_exact(gonio_environment::panorama::direction(x / 64.0, y / 32.0)) {
+            // f32 of texels and of pixels.
+            assert!(rgb(*got).abs_diff_eq(rgb(*wanted), 1e-6), "{i}");
+            compared += 1;
+        }
+    }
+    assert!(compared > 1500, "{compared}");
+    for layout in [Layout::OpenGl, Layout::Photographic] {
+        let faces = Face::ALL.map(|face| image(reference.cube_face(&lab.frame, face, layout, COMPASS_SIZE)));
+        let back = Cubemap::from_faces(faces, layout).unwrap();
+        for face in Face::ALL {
+            for (x, y) in (0..COMPASS_SIZE).flat_map(|y| (0..COMPASS_SIZE).map(move |x| (x, y))) {
+                let wanted = on_cube(texel_direction(face, x, y, COMPASS_SIZE));
+                assert!(rgb(back.at(face, x, y)).abs_diff_eq(wanted, 1e-6), "{layout} {face:?} {x},{y}");
+            }
+        }
+    }
+}
+
+#[test]
+fn large_pixels_show_smaller_copies() {
+    let map = Cubemap::from_function(256, |d| (40.0 * d).map(|v| v.sin()) + 1.0);
+    let mips = gonio_environment::CubeMips::new(map.clone());
+    let lab = Lab::new().environment(map).frame(|f| f.texture_filter = gonio_scene::TextureFilter::Mipmap);
+    let reference = ReferenceScene::new(&lab.scene);
+    // What a pixel in the middle covers, in texels of the full copy.
+    let panorama = reference.panorama(&lab.frame, 80, 40).at(13, 17);
+    let direction = gonio_environment::panorama::direction(13.5 / 80.0, 17.5 / 40.0);
+    let wanted = mips.sample(direction, (128.0 * std::f64::consts::PI / 40.0).log2());
+    assert!(rgb(panorama).abs_diff_eq(wanted, 1e-6), "{panorama:?} is not {wanted}");
+    let face = reference.cube_face(&lab.frame, Face::PosY, Layout::OpenGl, 48).at(13, 17);
+    let wanted = mips.sample(texel_direction(Face::PosY, 13, 17, 48), (256.0 / 48.0_f64).log2());
+    assert!(rgb(face).abs_diff_eq(wanted, 1e-6), "{face:?} is not {wanted}");
+}
+
+#[test]
+fn nothing_in_front_of_the_eye_is_cut_off() {
+    let lab = Lab::new()
+        .object(square(0.01, 4.95), Shading::Flat, Material { emitted: [1.0; 3], ..matte([0.0; 3]) })
+        .object(square(1e4, -1e3), Shading::Flat, Material { emitted: [0.5; 3], ..matte([0.0; 3]) });
+    // Nearer than 0.1, farther than 100: in a picture neither is seen.
+    assert_eq!(lab.middle()[0], 0.0);
+    let reference = ReferenceScene::new(&lab.scene);
+    let face = reference.cube_face(&lab.frame, Face::NegZ, Layout::OpenGl, 65);
+    assert_eq!((face.at(32, 32)[0], face.at(0, 0)[0]), (1.0, 0.5));
+    let panorama = reference.panorama(&lab.frame, 65, 33);
+    assert_eq!((panorama.at(32, 16)[0], panorama.at(28, 16)[0], panorama.at(0, 16)[0]), (1.0, 0.5, 0.0));
+}
+
+#[test]
+fn layers_optics_and_closed_objects_are_as_in_pictures() {
+    let ball = |x: f64| DMat4::from_translation(DVec3::new(x, 0.1, 0.0));
+    let pane = |opacity| Material { opacity, ..Material::default() };
+    let maps = || Maps { diffuse: bound(0), ..Maps::default() };
+    let lab = Lab::new()
+        .texture(
+            2,
+            2,
+            &[255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 90, 90, 90, 255],
+            gonio_scene::ColorSpace::Srgb,
+        )
+        .placed(sphere(8, 12), Shading::Gouraud, Material::default(), Maps::default(), ball(-1.1))
+        .closed()
+        .placed(sphere(8, 12), Shading::Flat, Material::default(), Maps::default(), ball(1.1))
+        .optics(Optics { transmission: 0.8, surfaces: gonio_light::Surfaces::Two, ..Optics::default() })
+        .placed(square(0.8, 1.5), Shading::Phong, pane(0.4), maps(), DMat4::IDENTITY)
+        .placed(square(0.8, 1.8), Shading::Phong, pane(0.6), maps(), ball(0.4))
+        // Through the first ball: its middle is behind it.
+        .placed(square(0.9, 0.93), Shading::Phong, pane(0.5), maps(), ball(-1.1))
+        .light(directional([-1.0, -0.5, -1.0], 0.7))
+        .environment(compass())
+        .frame(|f| {
+            (f.width, f.height) = (64, 64);
+            f.camera.fov_y_rad = std::f64::consts::FRAC_PI_2;
+            // Not anisotropic: where a pane lies parallel to the picture, rounding decides between one sample and two.
+            f.texture_filter = gonio_scene::TextureFilter::Mipmap;
+        });
+    let reference = ReferenceScene::new(&lab.scene);
+    let face = reference.cube_face(&lab.frame, Face::PosZ, Layout::Photographic, 64);
+    let picture = lab.draw().picture;
+    let mut on_objects = 0;
+    for (a, b) in face.pixels.iter().zip(&picture.pixels) {
+        assert!(rgb(*a).abs_diff_eq(rgb(*b), 1e-5), "{a:?} is not {b:?}");
+        on_objects += u32::from(a[2] > -0.5);
+    }
+    assert!(on_objects > 200, "{on_objects}");
+}

@@ -1,0 +1,102 @@
+//! The options about a scene's environment.
+
+use crate::values;
+use clap::Args;
+use gonio_environment::Layout;
+use gonio_scene::Scene;
+use gonio_scene::description::EnvironmentSpec;
+
+/// What surrounds the scene.
+#[derive(Args, Debug, Clone, Default)]
+#[command(next_help_heading = "Environment")]
+pub struct EnvironmentOptions {
+    /// Surround the scene: debug, sky, room; or a panorama, a cross, a strip, a .ktx2 or .dds cubemap, a folder of six
+    /// faces, one of six faces, or a pattern (sky_*.png).
+    #[arg(long, value_name = "FILE")]
+    pub environment: Option<String>,
+    /// How the faces lie in the files; photographic by default, and opengl in .ktx2 and .dds.
+    #[arg(long, value_name = "LAYOUT", value_parser = values::named(Layout::ALL, Layout::name))]
+    pub environment_layout: Option<Layout>,
+    /// Texels along an edge of the cubemap that a panorama is made into.
+    #[arg(long, value_name = "N")]
+    pub environment_size: Option<u32>,
+    /// Turn it, in degrees: a positive yaw turns what is ahead to the left, a positive pitch upwards.
+    #[arg(long, value_name = "YAW,PITCH,ROLL", value_parser = values::angles, allow_hyphen_values = true)]
+    pub environment_rotate: Option<[f64; 3]>,
+    /// Multiply its light.
+    #[arg(long, value_name = "FACTOR", value_parser = values::not_negative)]
+    pub environment_intensity: Option<f64>,
+    /// Let it light the objects, or (=false) not; by default it does where the scene has no lights.
+    #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    pub environment_light: Option<bool>,
+    /// Show it behind the objects, or (=false) do not.
+    #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    pub environment_visible: Option<bool>,
+    /// Blur it behind the objects, 0 to 1.
+    #[arg(long, value_name = "SHARE", value_parser = values::not_negative)]
+    pub environment_blur: Option<f64>,
+    /// Show another environment behind the objects.
+    #[arg(long, value_name = "FILE")]
+    pub environment_background: Option<String>,
+}
+
+impl EnvironmentOptions {
+    /// Replaces in `scene` what the options say. One of them without `--environment` changes the scene's environment; a
+    /// scene that has none then has an error of its own.
+    pub fn apply(&self, scene: &mut Scene) {
+        if let Some(image) = &self.environment {
+            // Another picture: what the scene file says of layout and size was about its own.
+            let before = scene.environment.take().unwrap_or_default();
+            scene.environment = Some(EnvironmentSpec { image: image.clone(), layout: None, size: None, ..before });
+        } else if self.changes_something() {
+            scene.environment.get_or_insert_default();
+        }
+        let Some(spec) = &mut scene.environment else { return };
+        spec.layout = self.environment_layout.or(spec.layout);
+        spec.size = self.environment_size.or(spec.size);
+        spec.rotate = self.environment_rotate.unwrap_or(spec.rotate);
+        spec.intensity = self.environment_intensity.unwrap_or(spec.intensity);
+        spec.light = self.environment_light.or(spec.light);
+        spec.visible = self.environment_visible.unwrap_or(spec.visible);
+        spec.blur = self.environment_blur.unwrap_or(spec.blur);
+        spec.background = self.environment_background.clone().or(spec.background.take());
+    }
+
+    fn changes_something(&self) -> bool {
+        self.environment_layout.is_some()
+            || self.environment_size.is_some()
+            || self.environment_rotate.is_some()
+            || self.environment_intensity.is_some()
+            || self.environment_light.is_some()
+            || self.environment_visible.is_some()
+            || self.environment_blur.is_some()
+            || self.environment_background.is_some()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_new_picture_keeps_what_is_not_about_the_old_one() {
+        let mut scene = Scene::default();
+        scene.environment = Some(EnvironmentSpec {
+            image: "old.ktx2".into(),
+            layout: Some(Layout::OpenGl),
+            size: Some(64),
+            intensity: 2.0,
+            ..EnvironmentSpec::default()
+        });
+        EnvironmentOptions { environment: Some("room".into()), ..EnvironmentOptions::default() }.apply(&mut scene);
+        let spec = scene.environment.clone().unwrap_or_default();
+        assert_eq!((spec.image.as_str(), spec.layout, spec.size, spec.intensity), ("room", None, None, 2.0));
+
+        let mut bare = Scene::default();
+        EnvironmentOptions::default().apply(&mut bare);
+        assert_eq!(bare, Scene::default());
+        EnvironmentOptions { environment_blur: Some(0.5), ..EnvironmentOptions::default() }.apply(&mut bare);
+        // Told by the scene's own check.
+        assert!(gonio_scene::validate::check(&bare).is_err_and(|p| p.message.contains("`image`")));
+    }
+}
