@@ -5,11 +5,14 @@
 //! stands in `shaders/`: `shaders/light/` are pure functions, the twins of `gonio-light`'s.
 #![allow(unsafe_code)]
 
+mod body_on_gpu;
+mod body_tree;
 #[cfg(all(feature = "headless", any(windows, target_os = "linux")))]
 pub mod capture;
 #[cfg(all(feature = "headless", not(any(windows, target_os = "linux"))))]
 #[path = "capture_unsupported.rs"]
 pub mod capture;
+pub mod conversion;
 mod driver;
 mod environment_on_gpu;
 mod error;

@@ -99,6 +99,12 @@ impl Program {
         unsafe { self.gl.uniform_2_f32(self.location(name).as_ref(), v.x, v.y) };
     }
 
+    /// Sets an `ivec2` of the current program.
+    pub fn set_ivec2(&self, name: &'static str, [x, y]: [i32; 2]) {
+        // SAFETY: as in `set_i32`.
+        unsafe { self.gl.uniform_2_i32(self.location(name).as_ref(), x, y) };
+    }
+
     /// Sets a `vec3` of the current program.
     pub fn set_vec3(&self, name: &'static str, v: Vec3) {
         // SAFETY: as in `set_i32`.
@@ -120,6 +126,12 @@ impl Program {
     pub fn set_vec4_array(&self, name: &'static str, values: &[[f32; 4]]) {
         // SAFETY: as in `set_i32`; OpenGL ignores elements beyond the array's end.
         unsafe { self.gl.uniform_4_f32_slice(self.location(name).as_ref(), values.as_flattened()) };
+    }
+
+    /// Sets the first elements of an array of `vec3` of the current program.
+    pub fn set_vec3_array(&self, name: &'static str, values: &[[f32; 3]]) {
+        // SAFETY: as in `set_vec4_array`.
+        unsafe { self.gl.uniform_3_f32_slice(self.location(name).as_ref(), values.as_flattened()) };
     }
 
     /// Sets a `mat3x2` (three columns of two) of the current program.

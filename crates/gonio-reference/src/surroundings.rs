@@ -5,6 +5,7 @@ use crate::fragment::Fragment;
 use crate::shade::Shader;
 use glam::DVec3;
 use gonio_environment::{BrdfTable, GlossyMips, harmonics};
+use gonio_light::brdf::effective_shininess;
 use gonio_light::optics::{self, Body, EnvironmentTerms, Sight, boundary};
 use gonio_light::roughness::roughness_of_shininess;
 use gonio_light::{Optics, ShadingPoint, Surface, Surfaces, vector};
@@ -105,7 +106,7 @@ impl<'a> Environment<'a> {
     /// does not light.
     fn glossy_light(&self, point: &ShadingPoint, surface: &Surface) -> DVec3 {
         let Some((glossy, table)) = self.glossy.filter(|_| surface.specular != DVec3::ZERO) else { return DVec3::ZERO };
-        let roughness = roughness_of_shininess(surface.shininess);
+        let roughness = roughness_of_shininess(effective_shininess(surface.shininess));
         let (scale, bias) = table.lookup(point.normal.dot(point.view), roughness);
         let mirrored = self.how.environment_from_world * vector::reflection(point.normal, point.view);
         (surface.specular * scale + bias) * glossy.sample(mirrored, roughness) * self.how.intensity

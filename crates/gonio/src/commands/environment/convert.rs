@@ -2,7 +2,8 @@
 
 use super::describe;
 use super::write::{Kind, Look, Plan, Written};
-use crate::cli::{LimitOptions, WordOptions};
+use crate::backend::{BackendChoice, open_context};
+use crate::cli::{BackendOptions, LimitOptions, WordOptions};
 use crate::report::{CliError, Outcome, Reporter, Times};
 use crate::values;
 use clap::Args;
@@ -10,6 +11,7 @@ use gonio_environment::arrange::Arrangement;
 use gonio_environment::builtin::Builtin;
 use gonio_environment::convert::{Conversion, Filter};
 use gonio_environment::{Cubemap, Layout, Panorama};
+use gonio_gl::conversion::Converter;
 use gonio_light::color::{ColorEncoding, OutputTransform, ToneMap};
 use gonio_scene::environment::world_from_environment;
 use gonio_scene::environment_file::{self, OpenedEnvironment, Reading, Source};
@@ -68,6 +70,10 @@ pub struct ConvertArgs {
     /// How IN is looked up; by default area where OUT is coarser than IN, else bilinear.
     #[arg(long, help_heading = "Conversion", value_parser = values::named(Filter::ALL, Filter::name))]
     pub filter: Option<Filter>,
+    /// Who converts: the CPU (also for auto: it is faster than reading a picture back), or OpenGL.
+    #[arg(long, help_heading = "Conversion", value_parser = values::named(BackendChoice::ALL, BackendChoice::name),
+          default_value = "cpu")]
+    pub backend: BackendChoice,
     /// Turn the environment, in degrees: a positive yaw turns what is ahead to the left, a positive pitch upwards.
     #[arg(long, help_heading = "Conversion", value_name = "YAW,PITCH,ROLL", value_parser = values::angles,
           allow_hyphen_values = true)]
@@ -124,12 +130,13 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<Outcome, CliError>
         exact: false,
     };
     plan.check_look(args.exposure.is_some() || args.tone_map.is_some(), opened.high_dynamic_range)?;
+    let engine = Engine::new(args.backend)?;
     let busy = reporter.busy("converting");
     let (written, size, filter) = if plan.kind.has_faces() {
         let size = face_size(args, &opened)?;
         let filter = conversion.filter_for(&opened.source.as_from(), 2.0 / f64::from(size));
         let read = describe(&opened);
-        let map = times.measure("convert", || to_cubemap(opened.source, &conversion, size));
+        let map = times.measure("convert", || engine.cubemap(opened.source, &conversion, size, reporter))?;
         let written = times.measure("write", || plan.write_cubemap(map, &look))?;
         let what = if plan.kind == Kind::Faces { "six faces".into() } else { format!("{} of faces", plan.kind) };
         said(reporter, &read, &format!("{what} of {size} x {size}, {} layout", args.layout), filter);
@@ -138,7 +145,8 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<Outcome, CliError>
         let (width, height) = panorama_size(args, &opened)?;
         let filter = conversion.filter_for(&opened.source.as_from(), std::f64::consts::PI / f64::from(height));
         let read = describe(&opened);
-        let panorama = times.measure("convert", || to_panorama(opened.source, &conversion, width, height));
+        let panorama =
+            times.measure("convert", || engine.panorama(opened.source, &conversion, width, height, reporter))?;
         let written = times.measure("write", || plan.write_panorama(&panorama, &look))?;
         said(reporter, &read, &format!("a panorama of {width} x {height}"), filter);
         (written, (width, height), filter)
@@ -168,22 +176,61 @@ fn said(reporter: &Reporter, read: &str, wrote: &str, filter: Filter) {
     reporter.note(format!("read {read}; wrote {wrote}; {filter} filter"));
 }
 
-fn to_cubemap(source: Source, conversion: &Conversion, size: u32) -> Cubemap {
-    match source {
-        // As it is: nothing is to be looked up.
-        Source::Cubemap(map) if map.size() == size && conversion.is_not_turned() => map,
-        other => conversion.cubemap(other.as_from(), size),
-    }
+/// Who converts.
+enum Engine {
+    Cpu,
+    Gl(Converter),
 }
 
-fn to_panorama(source: Source, conversion: &Conversion, width: u32, height: u32) -> Panorama {
-    match source {
-        Source::Panorama(panorama)
-            if (panorama.image.width, panorama.image.height) == (width, height) && conversion.is_not_turned() =>
-        {
-            panorama
+impl Engine {
+    fn new(choice: BackendChoice) -> Result<Engine, CliError> {
+        if choice != BackendChoice::Gl {
+            return Ok(Engine::Cpu);
         }
-        other => conversion.panorama(other.as_from(), width, height),
+        let context = open_context(&BackendOptions::default())?;
+        Ok(Engine::Gl(Converter::new(context.gl().clone())?))
+    }
+
+    fn cubemap(
+        &self,
+        source: Source,
+        conversion: &Conversion,
+        size: u32,
+        reporter: &Reporter,
+    ) -> Result<Cubemap, CliError> {
+        match (source, self) {
+            // As it is: nothing is to be looked up.
+            (Source::Cubemap(map), _) if map.size() == size && conversion.is_not_turned() => Ok(map),
+            (source, Engine::Cpu) => Ok(conversion.cubemap(source.as_from(), size)),
+            (source, Engine::Gl(converter)) => {
+                let made = converter.cubemap(conversion, source.as_from(), size)?;
+                made.notes.iter().for_each(|note| reporter.note(note));
+                Ok(made.environment)
+            }
+        }
+    }
+
+    fn panorama(
+        &self,
+        source: Source,
+        conversion: &Conversion,
+        width: u32,
+        height: u32,
+        reporter: &Reporter,
+    ) -> Result<Panorama, CliError> {
+        match (source, self) {
+            (Source::Panorama(panorama), _)
+                if (panorama.image.width, panorama.image.height) == (width, height) && conversion.is_not_turned() =>
+            {
+                Ok(panorama)
+            }
+            (source, Engine::Cpu) => Ok(conversion.panorama(source.as_from(), width, height)),
+            (source, Engine::Gl(converter)) => {
+                let made = converter.panorama(conversion, source.as_from(), width, height)?;
+                made.notes.iter().for_each(|note| reporter.note(note));
+                Ok(made.environment)
+            }
+        }
     }
 }
 
