@@ -103,6 +103,7 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<Outcome, CliError>
     if plan.kind == Kind::Ktx2 && args.layout != Layout::OpenGl {
         return Err(CliError::new("KTX2 holds faces in OpenGL's layout only; leave --layout out"));
     }
+    check_size(args, &plan)?;
     let opened = {
         let _busy = reporter.busy("reading the environment");
         let size = args.size.map(|(size, _)| size).filter(|_| plan.kind.has_faces());
@@ -126,6 +127,7 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<Outcome, CliError>
             encoding: ColorEncoding::Srgb,
         },
         high_dynamic_range: opened.high_dynamic_range,
+        exact: false,
     };
     plan.check_look(args.exposure.is_some() || args.tone_map.is_some(), opened.high_dynamic_range)?;
     let engine = Engine::new(args.backend)?;
@@ -235,17 +237,35 @@ impl Engine {
 /// Most pixels of what is written: faces of 8192 and panoramas of 32768 x 16384.
 const MOST_PIXELS: u64 = 1 << 29;
 
+/// Whether what `--size` asks for can be written: before anything is read or made for it.
+fn check_size(args: &ConvertArgs, plan: &Plan) -> Result<(), CliError> {
+    match args.size {
+        None => Ok(()),
+        Some((_, Some(_))) if plan.kind.has_faces() => {
+            Err(CliError::new("--size of faces is one number, N: they are square"))
+        }
+        Some((size, None)) if plan.kind.has_faces() => check_faces(size),
+        Some((width, height)) => check_panorama(width, height.unwrap_or(width / 2)),
+    }
+}
+
+fn check_faces(size: u32) -> Result<(), CliError> {
+    if 6 * u64::from(size) * u64::from(size) <= MOST_PIXELS {
+        return Ok(());
+    }
+    Err(CliError::new(format!("six faces of {size} x {size} are too many pixels; --size 8192 is the most")))
+}
+
+fn check_panorama(width: u32, height: u32) -> Result<(), CliError> {
+    if u64::from(width) * u64::from(height) <= MOST_PIXELS {
+        return Ok(());
+    }
+    Err(CliError::new(format!("a panorama of {width} x {height} is too large; --size 32768 (by 16384) is the most")))
+}
+
 fn face_size(args: &ConvertArgs, opened: &OpenedEnvironment) -> Result<u32, CliError> {
-    if let Some((_, Some(_))) = args.size {
-        return Err(CliError::new("--size of faces is one number, N: they are square"));
-    }
     let size = args.size.map_or_else(|| opened.source.as_from().natural_cubemap_size(), |(size, _)| size);
-    if 6 * u64::from(size) * u64::from(size) > MOST_PIXELS {
-        return Err(CliError::new(format!(
-            "six faces of {size} x {size} are too many pixels; --size 8192 is the most"
-        )));
-    }
-    Ok(size)
+    check_faces(size).map(|()| size)
 }
 
 fn panorama_size(args: &ConvertArgs, opened: &OpenedEnvironment) -> Result<(u32, u32), CliError> {
@@ -258,9 +278,5 @@ fn panorama_size(args: &ConvertArgs, opened: &OpenedEnvironment) -> Result<(u32,
             (height.saturating_mul(2), height)
         }
     };
-    if u64::from(width) * u64::from(height) > MOST_PIXELS {
-        let message = format!("a panorama of {width} x {height} is too large; 32768 x 16384 is the most");
-        return Err(CliError::new(message));
-    }
-    Ok((width, height))
+    check_panorama(width, height).map(|()| (width, height))
 }
