@@ -1,8 +1,9 @@
-//! Measures gonio: `gonio-bench render|render-large|frame|lights|obj`, best through `cargo xtask bench`, which builds
+//! Measures gonio: `gonio-bench render|render-large|frame|lights|obj|environment`, best through `cargo xtask bench`, which builds
 //! everything first. Each prints a table and writes `target/bench/NAME.json`.
 //!
 //! Times are medians of alternating runs, so that a busy minute of the machine hits all sides alike.
 
+mod environment;
 mod frame;
 mod lights;
 mod measure;
@@ -34,6 +35,7 @@ const BENCHES: &[(&str, Bench)] = &[
     ("frame", frame::run),
     ("lights", lights::run),
     ("obj", obj::run),
+    ("environment", environment::run),
 ];
 
 fn main() -> ExitCode {

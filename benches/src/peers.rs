@@ -27,22 +27,28 @@ impl Peer {
 
 /// Both, installed on first use.
 pub fn install(folder: &Path) -> Result<Vec<Peer>, String> {
-    let venv = folder.join("venv");
+    let python = python_with(folder, "venv", PACKAGES)?;
+    let peer = |name, script| Peer { name, script, python: python.clone() };
+    Ok(vec![peer("f3d 4.0 (Python API)", "f3d_render.py"), peer("VTK 9.7 (script)", "vtk_render.py")])
+}
+
+/// Python with packages, in a virtual environment of the name `venv` in the folder; installed on first use.
+pub fn python_with(folder: &Path, venv: &str, packages: &[&str]) -> Result<PathBuf, String> {
+    let venv = folder.join(venv);
     let bin = if cfg!(windows) { "Scripts" } else { "bin" };
     let python = venv.join(bin).join(if cfg!(windows) { "python.exe" } else { "python" });
-    let wanted = PACKAGES.join("\n");
+    let wanted = packages.join("\n");
     let stamp = venv.join("gonio-installed.txt");
     if std::fs::read_to_string(&stamp).ok().as_deref() != Some(wanted.as_str()) {
-        println!("installing {} into {}", PACKAGES.join(" and "), venv.display());
+        println!("installing {} into {}", packages.join(" and "), venv.display());
         if !python.exists() {
             run(Command::new("python3").args(["-m", "venv"]).arg(&venv))
                 .map_err(|e| format!("{e}\nthe peers want Python: install python3 python3-venv"))?;
         }
-        run(Command::new(&python).args(["-m", "pip", "install", "--quiet"]).args(PACKAGES))?;
+        run(Command::new(&python).args(["-m", "pip", "install", "--quiet"]).args(packages))?;
         std::fs::write(&stamp, wanted).map_err(|e| format!("cannot write {}: {e}", stamp.display()))?;
     }
-    let peer = |name, script| Peer { name, script, python: python.clone() };
-    Ok(vec![peer("f3d 4.0 (Python API)", "f3d_render.py"), peer("VTK 9.7 (script)", "vtk_render.py")])
+    Ok(python)
 }
 
 fn run(command: &mut Command) -> Result<(), String> {

@@ -4,7 +4,7 @@ uniform vec4 k_ambient;    // a: 1 where k_a follows k_d
 uniform vec3 k_diffuse;
 uniform vec3 k_specular;
 uniform vec3 k_emitted;
-#if !VERTEX_LIT
+#if !VERTEX_LIT || ENVIRONMENT_LIGHT
 uniform float shininess;
 #endif
 uniform float opacity;
@@ -57,7 +57,7 @@ Surface surface_at(vec2 uv, vec3 vertex_color) {
     s.ambient = mix(k_ambient.rgb, s.diffuse, k_ambient.a);
     s.specular = k_specular;
     s.emitted = k_emitted;
-#if VERTEX_LIT
+#if VERTEX_LIT && !ENVIRONMENT_LIGHT
     s.shininess = 1.0;   // was used at the vertices
 #else
     s.shininess = shininess;
@@ -66,7 +66,7 @@ Surface surface_at(vec2 uv, vec3 vertex_color) {
 #if OTHER_MAPS
     s.specular *= map_texel(specular_map, specular_map_transform, uv).rgb;
     s.emitted *= map_texel(emitted_map, emitted_map_transform, uv).rgb;
-#if !VERTEX_LIT
+#if !VERTEX_LIT || ENVIRONMENT_LIGHT
     float factor = data_texel(map_texel(shininess_map, shininess_map_transform, uv));
     s.shininess = roughness < 0.0 ? max(s.shininess * factor, 1.0) : shininess_of_roughness(roughness * factor);
 #endif

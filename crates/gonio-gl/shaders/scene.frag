@@ -48,7 +48,7 @@ vec3 normal_by_derivatives(vec3 fallback) {
     return unit_or(gl_FrontFacing ? across : -across, fallback);
 }
 
-#if !VERTEX_LIT || SIGHT
+#if !VERTEX_LIT || SURROUNDINGS
 vec3 shading_normal(vec3 v) {
     vec3 n = unit_or(v_normal_in_world, normal_by_derivatives(v * facing())) * facing();
 #if NORMAL_MAP
@@ -78,7 +78,7 @@ void main() {
 #if TWO_SIDED
     if (!gl_FrontFacing) sums = LightSums(v_back_diffuse_light, v_back_specular_light);
 #endif
-#if SIGHT
+#if SURROUNDINGS
     vec3 n = shading_normal(v);   // light comes from the vertices, surroundings are seen here
 #endif
 #else
@@ -94,8 +94,12 @@ void main() {
     vec3 diffuse = s.diffuse * sums.diffuse;
     vec3 specular = s.specular * sums.specular;
     vec3 value = ambient + emitted + diffuse + specular;
+#if ENVIRONMENT_LIGHT
+    EnvironmentLight around = environment_light(n, v, s.diffuse, s.specular, s.shininess);
+    value += around.diffuse + around.specular;
+#endif
 #if SIGHT
-    Sight seen = sight(n, v);
+    Sight seen = sight(v_position_in_world, n, v);
     value = compose(value, seen, fresnel_kind, reflectivity, transmission);
 #endif
 #if VIEW
@@ -104,6 +108,10 @@ void main() {
     else if (view_quantity == QUANTITY_DIFFUSE) value = diffuse;
     else if (view_quantity == QUANTITY_SPECULAR) value = specular;
     else if (view_quantity == QUANTITY_ALBEDO) value = s.diffuse;
+#if ENVIRONMENT_LIGHT
+    else if (view_quantity == QUANTITY_ENVIRONMENT_DIFFUSE) value = around.diffuse;
+    else if (view_quantity == QUANTITY_ENVIRONMENT_SPECULAR) value = around.specular;
+#endif
 #if SIGHT
     else if (view_quantity == QUANTITY_FRESNEL) value = seen.fresnel;
     else if (view_quantity == QUANTITY_REFLECTED) value = seen.reflected;

@@ -1,8 +1,10 @@
-// The environment at a fragment: looked up along the directions that its mirror or glass asks for.
+// The environment: turned, and looked up.
 
-uniform highp samplerCube environment_map;
 uniform mat3 environment_from_world;
 uniform float environment_intensity;
+
+#if SIGHT
+uniform highp samplerCube environment_map;
 uniform float reflectivity;
 uniform float transmission;
 uniform int fresnel_kind;
@@ -30,30 +32,4 @@ float level_of(vec3 direction) {
 vec3 environment(vec3 direction, float level) {
     return environment_intensity * textureLod(environment_map, environment_from_world * direction, level).rgb;
 }
-
-// What the point shows: twin of gonio-light's `sight`.
-Sight sight(vec3 n, vec3 v) {
-    Boundary at = boundary(n, v, indices.g, fresnel_kind);
-    Sight seen;
-    seen.reflection = at.reflected;
-    seen.reflected = environment(at.reflected, level_of(at.reflected));
-    seen.transmitted = vec3(0.0);
-    seen.fresnel = vec3(at.reflectance);
-#if GLASS
-    // One level for all channels. Where reflection is total its direction stands in, so that derivatives mean something,
-    // and weighs nothing.
-    float level = level_of(at.transmits ? at.transmitted : at.reflected);
-    for (int i = 0; i < index_count; ++i) {
-        if (index_count > 1) at = boundary(n, v, indices[i], fresnel_kind);
-        vec3 t = at.transmits ? at.transmitted : at.reflected;
-        vec3 through = ((1.0 - at.reflectance) * tint) * environment(t, level);
-        if (index_count > 1) {
-            seen.transmitted[i] = through[i];
-            seen.fresnel[i] = at.reflectance;
-        } else {
-            seen.transmitted = through;
-        }
-    }
 #endif
-    return seen;
-}

@@ -6,10 +6,11 @@ mod surroundings;
 pub use output::{Display, OutputKey};
 pub use surroundings::{Sight, SurroundingsKey, sky_sources};
 
+use crate::body_tree::LEAF_STEP;
 use gonio_light::brdf::{self, BrdfKind};
 use gonio_light::color::{self, ToneMap};
 use gonio_light::light::Attenuation;
-use gonio_light::optics::Fresnel;
+use gonio_light::optics::{self, Fresnel};
 use gonio_light::{Quantity, Specular, roughness, vector};
 use gonio_scene::description::Shading;
 use gonio_scene::loaded::HOLE_OPACITY;
@@ -49,6 +50,11 @@ pub const LIGHTS_PER_ROW: usize = 256;
 pub const LIGHTS_IN_UNIFORMS: usize = 16;
 /// Most lights whose loops are unrolled.
 pub const LIGHTS_UNROLLED: usize = 4;
+/// Texels in one row of the table of an object's inside: what every WebGL2 has.
+pub const BODY_ROW: usize = 2048;
+/// What lies nearer to a ray's origin inside of an object than this share of the object's diagonal is the surface that
+/// the ray starts from.
+pub const NEAREST_MEETING: f64 = 1e-6;
 /// Kinds of light in the light table.
 pub const LIGHT_DIRECTIONAL: i32 = 0;
 /// A point light.
@@ -57,7 +63,7 @@ pub const LIGHT_POINT: i32 = 1;
 pub const LIGHT_SPOT: i32 = 2;
 
 /// The texture units: one for each texture of a material, the lights, and the environment. 16 are guaranteed.
-pub const TEXTURE_UNITS: [(&str, u32); 8] = [
+pub const TEXTURE_UNITS: [(&str, u32); 11] = [
     ("diffuse_map", 0),
     ("specular_map", 1),
     ("emitted_map", 2),
@@ -66,6 +72,9 @@ pub const TEXTURE_UNITS: [(&str, u32); 8] = [
     ("normal_map", 5),
     ("light_table", 6),
     ("environment_map", 7),
+    ("glossy_map", 8),
+    ("environment_brdf", 9),
+    ("body_table", 10),
 ];
 
 /// The unit of a sampler by its name in GLSL.
@@ -194,8 +203,8 @@ impl LightLoops {
 
 impl SceneKey {
     /// Every key that the renderer can ask for, with one of the ways to unroll the loops over the lights; colours
-    /// of vertices, which are multiplied in one place, with one kind of loops only; and environments, which meet only
-    /// the normal and the sides, with one kind of loops and of reflectance.
+    /// of vertices, which are multiplied in one place, with one kind of loops only; and environments with what they
+    /// meet (`surroundings::added_to`).
     pub fn all() -> Vec<SceneKey> {
         let loops = [LightLoops::Unrolled([1, 2, 3]), LightLoops::Uniforms, LightLoops::Texture];
         let mut keys = Vec::new();
@@ -221,8 +230,7 @@ impl SceneKey {
                                 };
                                 keys.extend(loops.map(|lights| key(lights, false)));
                                 keys.push(key(LightLoops::Uniforms, true));
-                                let plain = key(LightLoops::Uniforms, false);
-                                keys.extend(surroundings::with_surroundings(plain));
+                                keys.extend(surroundings::added_to(key(LightLoops::Uniforms, false)));
                             }
                         }
                     }
@@ -317,6 +325,7 @@ const LIGHT: &str = include_str!("../shaders/light/light.glsl");
 const FRESNEL: &str = include_str!("../shaders/light/fresnel.glsl");
 const BRDF: &str = include_str!("../shaders/light/brdf.glsl");
 const OPTICS: &str = include_str!("../shaders/light/optics.glsl");
+const ENVIRONMENT_LIGHT: &str = include_str!("../shaders/light/environment_light.glsl");
 const COLOR: &str = include_str!("../shaders/light/color.glsl");
 const LIGHTING: &str = include_str!("../shaders/lighting.glsl");
 const QUANTITY: &str = include_str!("../shaders/quantity.glsl");
@@ -326,7 +335,7 @@ const SCENE_FRAG: &str = include_str!("../shaders/scene.frag");
 
 /// The pure functions of the equation alone, for the test that holds them against their Rust twins.
 pub fn light_functions(dialect: Dialect) -> String {
-    [dialect.header(), &constants(), VECTOR, LIGHT, FRESNEL, BRDF, COLOR, OPTICS].concat()
+    [dialect.header(), &constants(), VECTOR, LIGHT, FRESNEL, BRDF, COLOR, OPTICS, ENVIRONMENT_LIGHT].concat()
 }
 
 fn bit(on: bool) -> &'static str {
@@ -373,6 +382,9 @@ fn constants() -> String {
         ("LIGHT_DIRECTIONAL", LIGHT_DIRECTIONAL),
         ("LIGHT_POINT", LIGHT_POINT),
         ("LIGHT_SPOT", LIGHT_SPOT),
+        ("MOST_MEETINGS", optics::MOST_MEETINGS as i32),
+        ("BODY_ROW", BODY_ROW as i32),
+        ("LEAF_STEP", LEAF_STEP as i32),
     ] {
         define(&mut text, name, &value.to_string());
     }
@@ -386,6 +398,8 @@ fn constants() -> String {
         ("RADIANCE_CAP", color::RADIANCE_CAP),
         ("EXPOSURE_LIMIT", color::EXPOSURE_LIMIT),
         ("HOLE_OPACITY", HOLE_OPACITY),
+        ("WEIGHT_THAT_COUNTS", optics::WEIGHT_THAT_COUNTS),
+        ("NEAREST_MEETING", NEAREST_MEETING),
         ("PI", std::f64::consts::PI),
     ] {
         // `{:e}` writes 1e6; GLSL wants a decimal point or an exponent, so this is a float.

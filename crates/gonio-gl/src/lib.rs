@@ -5,6 +5,8 @@
 //! stands in `shaders/`: `shaders/light/` are pure functions, the twins of `gonio-light`'s.
 #![allow(unsafe_code)]
 
+mod body_on_gpu;
+mod body_tree;
 #[cfg(all(feature = "headless", any(windows, target_os = "linux")))]
 pub mod capture;
 #[cfg(all(feature = "headless", not(any(windows, target_os = "linux"))))]

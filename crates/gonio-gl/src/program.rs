@@ -122,6 +122,12 @@ impl Program {
         unsafe { self.gl.uniform_4_f32_slice(self.location(name).as_ref(), values.as_flattened()) };
     }
 
+    /// Sets the first elements of an array of `vec3` of the current program.
+    pub fn set_vec3_array(&self, name: &'static str, values: &[[f32; 3]]) {
+        // SAFETY: as in `set_vec4_array`.
+        unsafe { self.gl.uniform_3_f32_slice(self.location(name).as_ref(), values.as_flattened()) };
+    }
+
     /// Sets a `mat3x2` (three columns of two) of the current program.
     pub fn set_mat3x2(&self, name: &'static str, columns: &[[f32; 2]; 3]) {
         // SAFETY: as in `set_i32`.

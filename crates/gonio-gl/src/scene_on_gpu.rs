@@ -1,5 +1,7 @@
 //! A scene's buffers and textures on the GPU.
 
+use crate::body_on_gpu::BodyOnGpu;
+use crate::body_tree::BodyTable;
 use crate::driver::DriverInfo;
 use crate::environment_on_gpu::EnvironmentOnGpu;
 use crate::geometry::Geometry;
@@ -7,6 +9,7 @@ use crate::objects::TextureObject;
 use crate::textures;
 use crate::{Gl, GlError};
 use glam::{DMat4, Mat3, Vec3};
+use gonio_light::{Optics, Surfaces};
 use gonio_mesh::Mesh;
 use gonio_scene::description::Shading;
 use gonio_scene::{LoadedScene, Object, SceneMaterial};
@@ -18,6 +21,8 @@ pub struct GpuScene {
     pub(crate) materials: Vec<SceneMaterial>,
     pub(crate) textures: Vec<TextureObject>,
     pub(crate) environment: Option<EnvironmentOnGpu>,
+    /// What could not be done as asked.
+    pub(crate) notes: Vec<String>,
     /// Bytes of geometry on the GPU.
     pub geometry_bytes: usize,
     /// Triangles of all objects.
@@ -43,6 +48,8 @@ pub(crate) struct GpuObject {
     pub opaque: Vec<Run>,
     /// Triangles of transparent parts, for sorting.
     pub transparent: Vec<TransparentTriangle>,
+    /// Its inside, where a material wants to be seen through.
+    pub body: Option<BodyOnGpu>,
 }
 
 /// Consecutive triangles with one material.
@@ -83,13 +90,20 @@ impl GpuScene {
         }
         let textures =
             scene.textures.iter().map(|t| textures::upload(gl, t, info.max_size)).collect::<Result<Vec<_>, _>>()?;
-        let environment = scene.environment.as_deref();
+        let environment = scene.environment.as_ref();
         let environment = environment.map(|e| EnvironmentOnGpu::upload(gl, e, info.max_cube_size)).transpose()?;
-        let objects = scene.objects.iter().map(|o| GpuObject::new(o, scene)).collect();
+        let mut objects: Vec<GpuObject> = scene.objects.iter().map(|o| GpuObject::new(o, scene)).collect();
+        let mut notes = Vec::new();
+        if let Some(environment) = &environment {
+            notes.extend(environment.notes.iter().cloned());
+            for object in &mut objects {
+                object.add_body(gl, scene, info, &mut notes)?;
+            }
+        }
         let geometry_bytes = geometries.iter().flat_map(|g| [&g.shared, &g.unshared]).flatten().map(|g| g.bytes).sum();
         let triangle_count = scene.objects.iter().map(|o| scene.meshes[o.mesh].triangle_count()).sum();
         let materials = scene.materials.clone();
-        Ok(GpuScene { objects, geometries, materials, textures, environment, geometry_bytes, triangle_count })
+        Ok(GpuScene { objects, geometries, materials, textures, environment, notes, geometry_bytes, triangle_count })
     }
 }
 
@@ -139,6 +153,35 @@ impl GpuObject {
             mirrored: determinant < 0.0,
             opaque,
             transparent,
+            body: None,
         }
+    }
+
+    /// Makes what is seen through both surfaces of the object, where a material asks for it. Where that is more than the
+    /// driver's textures hold, the first surface alone counts, and a note says so.
+    fn add_body(
+        &mut self,
+        gl: &Gl,
+        scene: &LoadedScene,
+        info: &DriverInfo,
+        notes: &mut Vec<String>,
+    ) -> Result<(), GlError> {
+        let object = &self.object;
+        let wants = |o: &Optics| !o.is_plain() && o.surfaces == Surfaces::Two;
+        if !object.parts.iter().any(|part| wants(&scene.materials[part.material].optics)) {
+            return Ok(());
+        }
+        let mesh = &scene.meshes[object.mesh];
+        if let Some(table) = BodyTable::new(mesh, object, wants_unshared(object.shading)) {
+            self.body = BodyOnGpu::upload(gl, table, &object.name, info.max_size)?;
+        }
+        if self.body.is_none() && mesh.triangle_count() > 0 {
+            notes.push(format!(
+                "`{}` is refracted at its first surface only: this driver has no room for the inside of {} triangles",
+                object.name,
+                mesh.triangle_count()
+            ));
+        }
+        Ok(())
     }
 }

@@ -10,7 +10,7 @@ mod textured_model;
 
 use common::{Bench, HEIGHT, WIDTH, scene_from};
 use glam::DVec3;
-use gonio_environment::{CubeMips, Cubemap};
+use gonio_environment::Cubemap;
 use gonio_light::Quantity;
 use gonio_reference::ReferenceScene;
 use gonio_scene::description::EnvironmentSpec;
@@ -36,7 +36,8 @@ static SMOOTH: LazyLock<Arc<LoadedEnvironment>> =
 
 fn surrounded(mut scene: LoadedScene, environment: &Arc<LoadedEnvironment>, spec: EnvironmentSpec) -> LoadedScene {
     scene.environment = Some(environment.clone());
-    scene.scene.environment = Some(EnvironmentSpec { light: Some(false), ..spec });
+    // Off where a test does not ask for it.
+    scene.scene.environment = Some(EnvironmentSpec { light: spec.light.or(Some(false)), ..spec });
     scene
 }
 
@@ -91,9 +92,8 @@ fn skies_from_everywhere() {
 #[test]
 fn another_environment_behind_the_objects() {
     let mut bench = Bench::new();
-    let mut environment = LoadedEnvironment::clone(&SMOOTH);
-    environment.background =
-        Some(CubeMips::new(Cubemap::from_function(64, |d| radiance(-d) * DVec3::new(0.2, 1.0, 0.5))));
+    let other = Cubemap::from_function(64, |d| radiance(-d) * DVec3::new(0.2, 1.0, 0.5));
+    let environment = LoadedEnvironment::clone(&SMOOTH).with_background(other);
     let mirror = scene("sphere-smooth", "phong", "reflectivity = 1");
     let two = surrounded(mirror.clone(), &Arc::new(environment), EnvironmentSpec::default());
     bench.check("two environments", &two, None);
@@ -304,4 +304,142 @@ fn skies_of_many_samples_and_in_bands() {
             assert!(differ * 1000 <= whole.rgba.len(), "{model}: {differ} of {} values differ", whole.rgba.len());
         }
     }
+}
+
+/// A smaller environment: blurring it for all roughnesses takes a while in a test.
+static SMALL: LazyLock<Arc<LoadedEnvironment>> =
+    LazyLock::new(|| Arc::new(LoadedEnvironment::new("small waves", Cubemap::from_function(64, radiance))));
+
+#[test]
+fn light_of_the_environment() {
+    let mut bench = Bench::new();
+    let folder = tempfile::tempdir().unwrap();
+    let textured = textured_model::write(folder.path());
+    let lit = EnvironmentSpec { light: Some(true), ..EnvironmentSpec::default() };
+    let turned = EnvironmentSpec { rotate: [200.0, -35.0, 80.0], intensity: 0.6, ..lit.clone() };
+    for shading in ["flat", "flat-per-face", "gouraud", "phong"] {
+        for (model, material) in [
+            ("suzanne", CLAY.to_owned()),
+            ("suzanne", CLAY.replace("specular = [0.5, 0.5, 0.5]", "specular = [0, 0, 0]")),
+            ("suzanne", format!("{CLAY}, reflectivity = 0.4, fresnel = \"exact\"")),
+            // Opaque: behind what lets light through edges of other triangles show.
+            ("textured", "opacity = 1".to_owned()),
+        ] {
+            let objects =
+                object(model, shading, &material).replace("builtin:textured", &textured.display().to_string());
+            for (equation, spec) in [("", &lit), ("specular_term = false", &turned), ("diffuse = false", &turned)] {
+                let scene = surrounded(scene_from(CAMERA, equation, LIGHTS, &objects), &SMALL, spec.clone());
+                let c = bench.compare(&scene, None);
+                let name = format!("{shading} {model} {material} {equation}");
+                // llvmpipe filters textures of 8 bits with 8 bits: a step of them is 3e-3 of the albedo, and light from
+                // everywhere may be four times as strong as a light's.
+                let tolerance = if model == "textured" { 4e-3 } else { 1e-3 };
+                assert!(c.interior > 500 && c.worst.0 <= tolerance, "{name}: {} {}", c.worst.0, c.worst.1);
+                assert!(c.close >= 0.995, "{name}: {:.3} % within 1/255", 100.0 * c.close);
+            }
+        }
+    }
+}
+
+#[test]
+fn views_of_the_environments_light() {
+    let mut bench = Bench::new();
+    let lit = EnvironmentSpec { light: Some(true), ..EnvironmentSpec::default() };
+    for shading in ["flat", "flat-per-face", "gouraud", "phong"] {
+        let scene = scene_from(CAMERA, "", LIGHTS, &object("sphere-coarse-averaged", shading, CLAY));
+        let scene = surrounded(scene, &SMALL, lit.clone());
+        for quantity in [Quantity::EnvironmentDiffuse, Quantity::EnvironmentSpecular] {
+            bench.check(&format!("{quantity} {shading}"), &scene, Some(ViewSpec { quantity, light: None }));
+        }
+    }
+}
+
+#[test]
+fn blurred_skies() {
+    for es in [false, true] {
+        let mut bench = Bench::with(es);
+        let sharp = surrounded(scene("cube", "phong", CLAY), &SMALL, EnvironmentSpec::default());
+        for blur in [0.2, 0.55, 1.0] {
+            let spec = EnvironmentSpec { blur, ..EnvironmentSpec::default() };
+            let scene = surrounded(scene("cube", "phong", CLAY), &SMALL, spec);
+            bench.check(&format!("blur {blur} es {es}"), &scene, None);
+            assert_shows("the blur", &scene, &sharp);
+        }
+    }
+}
+
+/// Through both surfaces. Rays meet edges of triangles on their way, at which normals turn: there the two renderers may be on
+/// other triangles, which no neighbour of the pixel tells. Smooth balls and cubes are alike to the usual tolerance all the
+/// same; the monkey's features are small, and its body is open at the eyes.
+#[test]
+fn bodies_seen_through() {
+    for es in [false, true] {
+        let mut bench = Bench::with(es);
+        let usual = 1e-3;
+        for (model, shading, tolerance) in [
+            ("sphere-smooth", "phong", usual),
+            ("cube", "flat", usual),
+            ("cube", "flat-per-face", usual),
+            ("suzanne", "gouraud", 0.05),
+            ("suzanne", "phong", 0.05),
+        ] {
+            for optics in [
+                "medium = \"glass\"",
+                "medium = \"diamond\", dispersion = 0.2, tint = [0.9, 0.8, 0.7]",
+                "medium = \"water\", fresnel = \"schlick\", absorption = [0.1, 0.7, 1.5]",
+                "medium = \"ice\", fresnel = \"none\"",
+            ] {
+                // Half of the work in OpenGL ES.
+                if es && (optics.contains("ice") || shading == "gouraud") {
+                    continue;
+                }
+                let two = scene(model, shading, &format!("{optics}, surfaces = \"two\""));
+                let c = bench.compare(&two, None);
+                let name = format!("{model} {shading} {optics}");
+                assert!(c.interior > 5000 && c.worst.0 <= tolerance, "{name}: {} {}", c.worst.0, c.worst.1);
+                assert!(c.close >= 0.995, "{name}: {:.3} % within 1/255", 100.0 * c.close);
+                assert_shows("the second surface", &two, &scene(model, shading, optics));
+            }
+        }
+    }
+}
+
+/// Far from the origin, large, mirrored, and flat as a coin: rays inside are followed in a space of the object's own.
+#[test]
+fn bodies_of_every_size_and_place() {
+    let mut bench = Bench::new();
+    for (place, camera) in [
+        (
+            "scale = [1000, 1500, 700]\ntranslate = [9000, 0, 0]",
+            "position = [10500, 2000, 5000]\ntarget = [9000, 0, 0]",
+        ),
+        ("scale = [-1.2, 1.0, 0.9]\nrotate = [20, 35, -10]", CAMERA),
+        ("scale = [0.001, 0.0015, 0.0007]", "position = [0.0015, 0.002, 0.005]\ntarget = [0, 0, 0]"),
+        ("scale = [1.5, 1.5, 0.05]\nrotate = [20, 35, -10]", CAMERA),
+    ] {
+        for (model, shading) in [("sphere-smooth", "phong"), ("cube", "flat")] {
+            let objects = format!(
+                "[[object]]\nmodel = \"builtin:{model}\"\nshading = \"{shading}\"\n{place}\n\
+                 material = {{ medium = \"glass\", surfaces = \"two\", absorption = [0.1, 0.2, 0.3] }}\n"
+            );
+            let scene = surrounded(scene_from(camera, "", LIGHTS, &objects), &SMOOTH, EnvironmentSpec::default());
+            let c = bench.compare(&scene, None);
+            let name = format!("{model} {place}");
+            // f32 has 1e-3 for places 9,000 from the origin, a millionth of the object; glass turns it to some more.
+            assert!(c.interior > 5000 && c.worst.0 <= 5e-3, "{name}: {} {}", c.worst.0, c.worst.1);
+            assert!(c.close >= 0.995, "{name}: {:.3} % within 1/255", 100.0 * c.close);
+        }
+    }
+}
+
+/// Several objects of one mesh, each seen through by itself, and one that is not clear.
+#[test]
+fn bodies_side_by_side() {
+    let mut bench = Bench::new();
+    let glass = "medium = \"glass\", surfaces = \"two\"";
+    let left = object("sphere-smooth", "phong", glass).replace("translate = [0.2,", "translate = [-1.0,");
+    let right = object("sphere-smooth", "phong", &format!("{glass}, tint = [1.0, 0.5, 0.2]"))
+        .replace("translate = [0.2,", "translate = [1.4,");
+    let floor = object("cube", "flat", CLAY).replace("translate = [0.2, 0.1,", "translate = [0.2, -2.5,");
+    bench.check("side by side", &scene_of(&format!("{left}{floor}{right}")), None);
 }

@@ -79,12 +79,26 @@ mod tests {
         let near = |got: Option<f64>, wanted: f64| got.is_some_and(|got| (got - wanted).abs() < 1e-13);
         assert!(near(distance(-1.0, DVec3::Z), 1.0) && near(distance(1.0, DVec3::Z), 3.0));
         // The box's diagonal is 28.6: within a millionth of it the wall is where the ray starts.
-        let least = NEAREST_MEETING * (800.0_f64 + 16.0).sqrt();
+        let least = 1e-6 * (800.0_f64 + 16.0).sqrt();
         assert!(near(distance(-1.01 * least, DVec3::Z), 1.01 * least));
         assert!(near(distance(-0.99 * least, DVec3::Z), 4.0 + 0.99 * least), "{:?}", distance(-least, DVec3::Z));
         // Fronts are passed, and nothing is behind.
         assert_eq!(distance(5.0, DVec3::NEG_Z), None);
         assert_eq!(body(true).next_meeting(DVec3::new(30.0, 0.0, -1.0), DVec3::Z), None);
+    }
+
+    #[test]
+    fn of_boxes_that_overlap_the_nearer_triangle_counts() {
+        // Along the z axis the first is met at 3, the second at 8; the boxes begin at 0 and at 1, in either order.
+        let slanted = |low: f32, high: f32| [[-1.0, -1.0, low], [1.0, -1.0, high], [0.0, 2.0, 0.5 * (low + high)]];
+        for (near, far) in [(slanted(0.0, 6.0), slanted(1.0, 15.0)), (slanted(1.0, 5.0), slanted(0.0, 16.0))] {
+            let mesh = Mesh { positions: [near, far].concat(), indices: vec![0, 1, 2, 3, 4, 5], ..Mesh::default() };
+            let geometry = WorldGeometry::new(&one_object(mesh, Optics::default()));
+            let body = ObjectBody { geometry: &geometry, object: 0, flat: true };
+            let distance = body.next_meeting(DVec3::NEG_Z, DVec3::Z).map(|m| m.distance);
+            // A few roundings.
+            assert!(distance.is_some_and(|d| (d - 4.0).abs() < 1e-12), "{distance:?}");
+        }
     }
 
     #[test]

@@ -32,7 +32,9 @@ fn gloss(shininess: f32) -> Material {
 fn even_light_is_multiplied_by_the_material() {
     for shading in SHADINGS {
         let even = |material| {
-            let lab = Lab::new().object(square(9.0, 0.0), shading, material);
+            // Something that shines is in every scene, here out of sight.
+            let lab = Lab::new().object(square(0.1, 9.0), shading, gloss(10.0));
+            let lab = lab.object(square(9.0, 0.0), shading, material);
             lit(lab.environment(Cubemap::new(4, [1.0, 1.0, 0.5, 1.0])), 2.0)
         };
         let near =

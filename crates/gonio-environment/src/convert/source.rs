@@ -36,6 +36,15 @@ pub(super) trait Source: Sync {
     /// on the sphere.
     fn texels<const N: usize>(&self, plane: i32, x: i32, y: i32) -> [[Pixel; N]; N];
 
+    /// Where the first of `N` x `N` texels is of each lane, where all of them lie in one piece of memory: the texels, how
+    /// many are from a row to the next, and the places among them. `None` where some lane goes over an edge.
+    fn piece<const N: usize>(
+        &self,
+        plane: &[i32; LANES],
+        x: &[i32; LANES],
+        y: &[i32; LANES],
+    ) -> Option<(&[Pixel], usize, [usize; LANES])>;
+
     /// How many radians apart the nearest texels are about unit directions.
     fn spacing(&self, d: Directions) -> f32x8;
 
@@ -52,12 +61,25 @@ pub(super) trait Source: Sync {
     fn bilinear(&self, d: Directions, mut found: impl FnMut(usize, f32x4)) {
         let at = self.places(d);
         let ((left, right_share), (top, lower_share)) = (split(at.x), split(at.y));
-        for i in 0..LANES {
-            let [[a, b], [c, d]] = self.texels::<2>(at.plane[i], left[i], top[i]);
+        let mut between = |i: usize, [a, b]: [Pixel; 2], [c, d]: [Pixel; 2]| {
             let [a, b, c, d] = [f32x4::from(a), f32x4::from(b), f32x4::from(c), f32x4::from(d)];
             let upper = a + (b - a) * right_share[i];
             let lower = c + (d - c) * right_share[i];
             found(i, upper + (lower - upper) * lower_share[i]);
+        };
+        if let Some((texels, stride, first)) = self.piece::<2>(&at.plane, &left, &top) {
+            for (i, first) in first.into_iter().enumerate() {
+                if let (Some(&[a, b]), Some(&[c, d])) =
+                    (texels.get(first..first + 2), texels.get(first + stride..first + stride + 2))
+                {
+                    between(i, [a, b], [c, d]);
+                }
+            }
+        } else {
+            for i in 0..LANES {
+                let [upper, lower] = self.texels::<2>(at.plane[i], left[i], top[i]);
+                between(i, upper, lower);
+            }
         }
     }
 
@@ -166,6 +188,21 @@ impl Source for CubeSource {
         found
     }
 
+    #[inline(always)]
+    fn piece<const N: usize>(
+        &self,
+        plane: &[i32; LANES],
+        x: &[i32; LANES],
+        y: &[i32; LANES],
+    ) -> Option<(&[Pixel], usize, [usize; LANES])> {
+        let mut first = [0; LANES];
+        for i in 0..LANES {
+            let row = plane[i] as usize * self.stride + (y[i] + BORDER as i32) as usize;
+            first[i] = row * self.stride + (x[i] + BORDER as i32) as usize;
+        }
+        Some((&self.texels, self.stride, first))
+    }
+
     #[inline]
     fn spacing(&self, [x, y, z]: Directions) -> f32x8 {
         // A texel of a cube with half edge 1 lies at 1 / m from the middle, m the largest component of the unit
@@ -250,6 +287,26 @@ impl Source for PanoramaSource<'_> {
             }
         }
         found
+    }
+
+    #[inline(always)]
+    fn piece<const N: usize>(
+        &self,
+        _: &[i32; LANES],
+        x: &[i32; LANES],
+        y: &[i32; LANES],
+    ) -> Option<(&[Pixel], usize, [usize; LANES])> {
+        let (n, averaged) = (N as i32, self.rows_averaged as i32);
+        // As numbers without sign, what is before the begin is far beyond the end.
+        let columns = (self.width - n + 1).max(0) as u32;
+        let rows = (self.height - 2 * averaged - n + 1).max(0) as u32;
+        let mut inside = true;
+        let mut first = [0; LANES];
+        for i in 0..LANES {
+            inside &= ((x[i] as u32) < columns) & (((y[i] - averaged) as u32) < rows);
+            first[i] = (y[i] as usize).wrapping_mul(self.width as usize).wrapping_add(x[i] as usize);
+        }
+        inside.then_some((&self.panorama.image.pixels, self.width as usize, first))
     }
 
     #[inline]

@@ -11,10 +11,14 @@ use exr::meta::attribute::{EnvironmentMap, SampleType};
 use exr::meta::header::Header;
 use half::f16;
 use half::slice::HalfFloatSliceExt;
+use rayon::prelude::*;
 use std::io::Cursor;
 
 /// What OpenEXR begins with.
 pub(super) const MAGIC: &[u8] = &[0x76, 0x2F, 0x31, 0x01];
+
+/// Blocks that are unpacked at once: enough for all threads, and at most a few hundred lines of the picture.
+const BATCH: usize = 64;
 
 pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, EnvironmentError> {
     let reader = exr::block::read(Cursor::new(bytes), false).map_err(failed)?;
@@ -27,17 +31,24 @@ pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, Environme
     let mut image = limits.unfilled(window.width, window.height)?;
     image.pixels.resize(window.width as usize * window.height as usize, [0.0, 0.0, 0.0, 1.0]);
     let part = chosen.part;
-    let chunks = reader
+    let mut chunks = reader
         .filter_chunks(false, |_, _, block| block.layer == part && (block.level.x(), block.level.y()) == (0, 0))
         .map_err(failed)?;
-    let mut covered = 0;
-    let mut scratch = Vec::new();
-    chunks
-        .decompress_parallel(false, |_, block| {
+    let meta = chunks.meta_data().clone();
+    let (mut covered, mut scratch) = (0, Vec::new());
+    // By our own threads: the codec would start new ones for each file.
+    loop {
+        let packed = chunks.by_ref().take(BATCH).collect::<Result<Vec<_>, _>>().map_err(failed)?;
+        if packed.is_empty() {
+            break;
+        }
+        let unpack = |chunk| UncompressedBlock::decompress_chunk(chunk, &meta, false);
+        let blocks = packed.into_par_iter().map(unpack).collect::<Result<Vec<_>, _>>().map_err(failed)?;
+        for block in blocks {
             covered += block.index.pixel_size.area();
-            lay(&block, &header, &chosen, &window, &mut image, &mut scratch)
-        })
-        .map_err(failed)?;
+            lay(&block, &header, &chosen, &window, &mut image, &mut scratch);
+        }
+    }
     // Blocks that the file lacks would stay black.
     if covered < header.layer_size.area() {
         return Err(cut_off());
@@ -196,7 +207,7 @@ fn lay(
     window: &Window,
     image: &mut Image,
     scratch: &mut Vec<f32>,
-) -> Result<(), Error> {
+) {
     let list = &header.channels.list;
     for line in block.lines(&header.channels) {
         if !chosen.channels.contains(&line.location.channel) {
@@ -217,7 +228,6 @@ fn lay(
             }
         }
     }
-    Ok(())
 }
 
 /// A line's numbers, which the codec leaves in the machine's own order of bytes.

@@ -1,10 +1,13 @@
 //! What programs know of the environment: which part of it they show, and the sky behind everything.
 
-use super::{Dialect, FRESNEL, OPTICS, SceneKey, bit, define};
+use super::{BRDF, Dialect, ENVIRONMENT_LIGHT, FRESNEL, OPTICS, SceneKey, bit, define};
 use super::{MapSet, Reflectance};
 use gonio_light::Specular;
 
 const SURROUNDINGS: &str = include_str!("../../shaders/surroundings.glsl");
+const SIGHT: &str = include_str!("../../shaders/sight.glsl");
+const ENVIRONMENT_LIGHTING: &str = include_str!("../../shaders/environment_lighting.glsl");
+const BODY: &str = include_str!("../../shaders/body.glsl");
 const SKY_VERT: &str = include_str!("../../shaders/sky.vert");
 const SKY_FRAG: &str = include_str!("../../shaders/sky.frag");
 
@@ -17,6 +20,8 @@ pub enum Sight {
     Mirror,
     /// The directions of refraction too, at one surface.
     Glass,
+    /// All that is seen through the object's body.
+    Body,
 }
 
 /// What a program shows of the environment.
@@ -24,30 +29,39 @@ pub enum Sight {
 pub struct SurroundingsKey {
     /// By the material's optics.
     pub sight: Sight,
-    /// Mip levels are chosen by how fast directions change from pixel to pixel.
+    /// Mip levels are chosen by how fast directions change from pixel to pixel. Counts where there is something to see.
     pub mipmapped: bool,
+    /// The environment lights the surface.
+    pub lights: bool,
 }
 
 impl SurroundingsKey {
     /// Nothing of it.
-    pub const NONE: SurroundingsKey = SurroundingsKey { sight: Sight::Nothing, mipmapped: false };
+    pub const NONE: SurroundingsKey = SurroundingsKey { sight: Sight::Nothing, mipmapped: false, lights: false };
 
     /// Every key that shows something.
     pub fn all() -> Vec<SurroundingsKey> {
-        let sights = [Sight::Mirror, Sight::Glass];
-        sights
-            .into_iter()
-            .flat_map(|sight| [false, true].map(|mipmapped| SurroundingsKey { sight, mipmapped }))
-            .collect()
+        let mut keys = Vec::new();
+        for sight in [Sight::Nothing, Sight::Mirror, Sight::Glass, Sight::Body] {
+            for lights in [false, true] {
+                keys.extend([false, true].map(|mipmapped| SurroundingsKey { sight, mipmapped, lights }));
+            }
+        }
+        keys.retain(|key| *key != SurroundingsKey::NONE && !(key.sight == Sight::Nothing && key.mipmapped));
+        keys
     }
 
     pub(super) fn defines(self) -> String {
         let mut text = String::new();
-        // Programs without an environment stay what they were.
-        define(&mut text, "SIGHT", bit(self.sight != Sight::Nothing));
-        if self != SurroundingsKey::NONE {
-            define(&mut text, "GLASS", bit(self.sight == Sight::Glass));
-            define(&mut text, "MIPMAPPED", bit(self.mipmapped));
+        for (name, on) in [
+            ("SURROUNDINGS", self != SurroundingsKey::NONE),
+            ("SIGHT", self.sight != Sight::Nothing),
+            ("GLASS", matches!(self.sight, Sight::Glass | Sight::Body)),
+            ("BODY", self.sight == Sight::Body),
+            ("MIPMAPPED", self.mipmapped),
+            ("ENVIRONMENT_LIGHT", self.lights),
+        ] {
+            define(&mut text, name, bit(on));
         }
         text
     }
@@ -58,8 +72,18 @@ impl SurroundingsKey {
         if self == SurroundingsKey::NONE {
             return String::new();
         }
-        let missing = if vertex_lit { FRESNEL } else { "" };
-        [missing, OPTICS, SURROUNDINGS].concat()
+        let missing = if vertex_lit { [FRESNEL, BRDF].concat() } else { String::new() };
+        let mut text = [&missing, OPTICS, ENVIRONMENT_LIGHT, SURROUNDINGS].concat();
+        if self.sight == Sight::Body {
+            text += BODY;
+        }
+        if self.sight != Sight::Nothing {
+            text += SIGHT;
+        }
+        if self.lights {
+            text += ENVIRONMENT_LIGHTING;
+        }
+        text
     }
 
     pub(super) fn name(self) -> String {
@@ -67,17 +91,25 @@ impl SurroundingsKey {
             Sight::Nothing => "",
             Sight::Mirror => " mirror",
             Sight::Glass => " glass",
+            Sight::Body => " body",
         };
-        format!("{sight}{}", if self.mipmapped { " mipmapped" } else { "" })
+        let mipmapped = if self.mipmapped { " mipmapped" } else { "" };
+        format!("{sight}{mipmapped}{}", if self.lights { " environment-light" } else { "" })
     }
 }
 
-/// A key without environment with every environment, where that is worth a program.
-pub(super) fn with_surroundings(key: SceneKey) -> Vec<SceneKey> {
-    if key.reflectance != Reflectance::Lab(Specular::BlinnPhong) || key.maps == MapSet::Diffuse {
-        return Vec::new();
-    }
-    SurroundingsKey::all().into_iter().map(|surroundings| SceneKey { surroundings, ..key }).collect()
+/// A key without environment with every environment, for the keys that meet its code: it shares the normal and its sides
+/// with them, and of the material the specular colour and the exponent. One reflectance and one kind of loops stand for
+/// all.
+pub(super) fn added_to(key: SceneKey) -> Vec<SceneKey> {
+    let meets = key.reflectance == Reflectance::Lab(Specular::BlinnPhong)
+        && match key.maps {
+            MapSet::None => !key.two_sided,
+            MapSet::Diffuse => false,
+            MapSet::All => key.two_sided,
+        };
+    let all = if meets { SurroundingsKey::all() } else { Vec::new() };
+    all.into_iter().map(|surroundings| SceneKey { surroundings, ..key }).collect()
 }
 
 /// Vertex and fragment shader of the sky.

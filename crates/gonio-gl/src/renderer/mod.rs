@@ -120,7 +120,7 @@ impl Renderer {
         notes: &mut Vec<String>,
     ) -> Result<Rc<Target>, GlError> {
         if frame.surroundings.is_some() {
-            notes.extend(scene.environment.iter().flat_map(|e| e.notes.iter().cloned()));
+            notes.extend(scene.notes.iter().cloned());
         }
         let info = &self.shared.info;
         if frame.width > info.max_size || frame.height > info.max_size {
@@ -183,7 +183,7 @@ impl Renderer {
             view,
             white: self.white.handle(),
             lights: &self.light_table,
-            around: Around::bound(&shared, scene, frame),
+            around: Around::bound(&shared, scene, frame)?,
             prepared: HashMap::new(),
         };
         let mut draw_calls = 0;

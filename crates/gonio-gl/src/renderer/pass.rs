@@ -62,7 +62,7 @@ impl Pass<'_> {
         program.bind();
         geometry.bind(gl);
         self.set_object(&program, object);
-        self.set_material(&program, key, material);
+        self.set_material(&program, key, object, material);
         let first = draw.run.first_triangle * 3 * size_of::<u32>();
         let count = draw.run.triangle_count * 3;
         // SAFETY: the run lies within the index buffer, whose indices lie within the vertex buffers: the
@@ -103,7 +103,7 @@ impl Pass<'_> {
             surroundings: self
                 .around
                 .as_ref()
-                .map_or(SurroundingsKey::NONE, |around| around.key(&material.optics, self.is_view())),
+                .map_or(SurroundingsKey::NONE, |around| around.key(object, &material.optics, self.is_view())),
         }
     }
 
@@ -165,7 +165,7 @@ impl Pass<'_> {
             program.set_vec4("depth_plane", plane.to_array());
         }
         if let Some(around) = self.around_of(key) {
-            around.set_frame(&program);
+            around.set_frame(&program, frame);
         }
         self.prepared.insert(key, program.clone());
         Ok(program)
@@ -183,7 +183,7 @@ impl Pass<'_> {
         program.set_f32("handedness", if object.mirrored { -1.0 } else { 1.0 });
     }
 
-    fn set_material(&self, program: &Program, key: SceneKey, material: &SceneMaterial) {
+    fn set_material(&self, program: &Program, key: SceneKey, object: &GpuObject, material: &SceneMaterial) {
         let m = &material.material;
         let ambient = match m.ambient {
             AmbientRule::FollowsDiffuse => [0.0, 0.0, 0.0, 1.0],
@@ -208,7 +208,7 @@ impl Pass<'_> {
             self.bind_map(program, "opacity_map", "opacity_map_transform", maps.opacity.as_ref());
         }
         if let Some(around) = self.around_of(key) {
-            around.set_material(program, material);
+            around.set_material(&self.shared.gl, program, object, material);
         }
         if key.normal_map {
             self.bind_map(program, "normal_map", "normal_map_transform", maps.normal.as_ref());

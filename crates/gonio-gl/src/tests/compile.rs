@@ -15,10 +15,9 @@ fn link_all(dialect: Dialect, es: bool) {
     let programs: Vec<_> = scenes.chain(outputs).chain([sky]).collect();
     // 4 shadings (and Phong with a normal map) x 8 reflectances x 3 sets of maps x sides x views x 3 kinds of loops
     // and one with colours of vertices; and 2 + 4 tone maps x 2 encodings, of one sample, of grids, and of multisampled
-    // textures where there are any. With an environment 4 ways to show it, for 1 reflectance and 2 sets of maps; and the
-    // sky.
+    // textures where there are any. With an environment 13 ways to show it, for 2 kinds of materials; and the sky.
     let outputs = if es { 20 } else { 30 };
-    assert_eq!(programs.len(), 5 * 8 * 3 * 2 * 2 * (3 + 1) + 5 * 2 * 2 * 2 * 4 + 1 + outputs);
+    assert_eq!(programs.len(), 5 * 8 * 3 * 2 * 2 * (3 + 1) + 5 * 2 * 2 * 13 + 1 + outputs);
     for (name, [vertex, fragment]) in programs {
         if let Err(why) = Program::new(context.gl(), &name, &vertex, &fragment, &ATTRIBUTES) {
             panic!("{dialect:?}: {why}");

@@ -9,6 +9,7 @@ use glam::DVec3;
 use glow::{HasContext, PixelUnpackData};
 use gonio_environment::{CubeMips, Cubemap, Face, Layout};
 use gonio_scene::LoadedEnvironment;
+use std::sync::Arc;
 
 /// Looks a cube texture up with `textureLod` at (direction, level).
 fn look_up(es: bool, mips: &CubeMips, at: &[[f32; 4]]) -> Vec<[f32; 4]> {
@@ -133,7 +134,7 @@ fn lookups_between_texels_faces_and_levels_are_the_cpus() {
 #[test]
 fn what_is_too_large_begins_at_a_smaller_level_with_a_note() {
     let context = super::context(false);
-    let environment = LoadedEnvironment::new("of colours", Cubemap::from_function(32, |d| d * d));
+    let environment = Arc::new(LoadedEnvironment::new("of colours", Cubemap::from_function(32, |d| d * d)));
     let uploaded = EnvironmentOnGpu::upload(context.gl(), &environment, 20).unwrap_or_else(|why| panic!("{why}"));
     assert_eq!((uploaded.map.size, uploaded.map.levels_left_out), (16, 1));
     let note = "the environment is drawn with 16 x 16 texels a face instead of 32 x 32: this driver has no more";

@@ -37,7 +37,7 @@ impl Numbers {
     }
 
     /// Between `low` and `high`, evenly in the logarithm.
-    fn scale(&mut self, low: f32, high: f32) -> f32 {
+    pub(super) fn scale(&mut self, low: f32, high: f32) -> f32 {
         low * (high / low).powf(self.unit())
     }
 }

@@ -1,9 +1,11 @@
-//! Mirrors and glass: optics.glsl against gonio-light's optics.rs.
+//! Mirrors and glass: optics.glsl against gonio-light's optics.rs; and environment_light.glsl.
 
 use super::twins::{Case, Numbers, cases, compare, texel, vec};
 use crate::glsl::fresnel_number;
 use glam::DVec3;
+use gonio_environment::harmonics::irradiance;
 use gonio_light::optics::{Fresnel, Optics, Sight, boundary, reflectance};
+use gonio_light::roughness::roughness_of_shininess;
 
 /// Away from the critical angle by so much of the radicand: there the square root's slope has no bound.
 const CLEAR_OF_CRITICAL: f64 = 2e-3;
@@ -84,4 +86,25 @@ fn compositions() {
             [all.x, all.y, all.z, optics.mirror_share(seen.fresnel.y)]
         });
     }
+}
+
+#[test]
+fn light_from_everywhere() {
+    let polynomial: [DVec3; 9] = std::array::from_fn(|i| {
+        let i = i as f64;
+        DVec3::new(2.0 - 0.3 * i, 1.5 - 0.1 * i * i, (0.7 * i).cos())
+    });
+    let constants: Vec<String> =
+        polynomial.iter().map(|c| format!("vec3({:?}, {:?}, {:?})", c.x as f32, c.y as f32, c.z as f32)).collect();
+    let body = format!(
+        "vec4 run(vec4 a, vec4 b, vec4 c, vec4 d) {{ vec3 p[9] = vec3[9]({});\n\
+         return vec4(irradiance(p, a.xyz), roughness_of_shininess(b.x)); }}",
+        constants.join(", ")
+    );
+    let some = cases(|r| [texel(r.direction(), 0.0), [r.scale(0.01, 1e4), 0.0, 0.0, 0.0], [0.0; 4], [0.0; 4]]);
+    // The constants are rounded to f32, sums of nine of them are up to 10.
+    compare("irradiance, roughness_of_shininess", &body, &some, 5e-6, |c| {
+        let light = irradiance(&polynomial, vec(c[0]));
+        [light.x, light.y, light.z, roughness_of_shininess(c[1][0].into())]
+    });
 }

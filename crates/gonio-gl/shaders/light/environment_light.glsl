@@ -1,0 +1,16 @@
+// Light that comes from everywhere: twins of gonio-environment's harmonics.rs and of gonio-light's roughness.rs,
+// in f32. Sources stand there.
+
+// The light that falls on a surface with this normal (in the environment): the integral of radiance times cosine. Never
+// negative.
+vec3 irradiance(vec3 polynomial[9], vec3 n) {
+    vec3 sum = polynomial[0] + polynomial[1] * n.y + polynomial[2] * n.z + polynomial[3] * n.x + polynomial[4] * (n.x * n.y)
+        + polynomial[5] * (n.y * n.z) + polynomial[6] * (3.0 * n.z * n.z - 1.0) + polynomial[7] * (n.x * n.z)
+        + polynomial[8] * (n.x * n.x - n.y * n.y);
+    return max(sum, vec3(0.0));
+}
+
+// The roughness of an exponent, in (0, 1].
+float roughness_of_shininess(float shininess) {
+    return sqrt(sqrt(2.0 / (max(shininess, 0.0) + 2.0)));
+}
