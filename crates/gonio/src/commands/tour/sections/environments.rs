@@ -46,7 +46,7 @@ fn skyboxes() -> Result<Vec<Exhibit>, CliError> {
                 s.camera.fov_y = Some(62.0);
                 s.lights.truncate(1);
                 s.lights[0].color = Some(Color([0.6, 0.75, 1.0]));
-                s.lights[0].intensity = Some(0.4);
+                s.lights[0].intensity = Some(0.6);
                 // Of a sun 40 degrees high, 130 degrees to the right of what is straight ahead before the turn.
                 let (azimuth, height) = (110_f64.to_radians(), 40_f64.to_radians());
                 let light_in_world = [-height.cos() * azimuth.sin(), -height.sin(), height.cos() * azimuth.cos()];
@@ -66,6 +66,7 @@ fn skyboxes() -> Result<Vec<Exhibit>, CliError> {
             "Far enough away to be seen alike from everywhere, and so soft here because it is small: 128 texels to 90 \
              degrees.",
             &|s| {
+                environment(s, "room", [-6.0, 0.0, 0.0]);
                 s.camera.position = Some([0.0, 0.45, 2.9]);
                 s.camera.fov_y = Some(66.0);
             },
@@ -143,6 +144,8 @@ fn mirrors() -> Result<Vec<Exhibit>, CliError> {
 fn image_based() -> Result<Vec<Exhibit>, CliError> {
     let lit_by_it_alone = |s: &mut Scene| {
         s.lights.clear();
+        // The window to the left, so that there is more light from one side than from the other.
+        environment(s, "room", [110.0, 0.0, 0.0]);
         s.environment.get_or_insert_default().light = Some(true);
     };
     let suzanne =
@@ -206,7 +209,6 @@ fn image_based() -> Result<Vec<Exhibit>, CliError> {
             "ibl-still-life",
             "blurred behind",
             Stage::StillLife.with(|s| {
-                environment(s, "room", [68.0, 0.0, 0.0]);
                 lit_by_it_alone(s);
                 s.environment.get_or_insert_default().blur = 0.25;
                 s.camera.position = Some([2.5, 2.35, 6.4]);
