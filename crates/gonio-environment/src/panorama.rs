@@ -111,7 +111,7 @@ pub(crate) fn over_the_pole(x: i64, y: i64, width: i64, height: i64) -> (i64, i6
 }
 
 /// How many texels of a row that crowds are together as wide as one is high.
-pub(crate) const CROWDED: f64 = 2.0;
+pub const CROWDED: f64 = 2.0;
 
 /// The first and the last rows of a panorama, those where texels crowd along the row by [`CROWDED`] or more, each averaged along
 /// itself over as many texels as are together as wide as one is high. About a third of the picture.

@@ -12,6 +12,7 @@ pub mod capture;
 #[cfg(all(feature = "headless", not(any(windows, target_os = "linux"))))]
 #[path = "capture_unsupported.rs"]
 pub mod capture;
+pub mod conversion;
 mod driver;
 mod environment_on_gpu;
 mod error;

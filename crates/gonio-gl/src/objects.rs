@@ -147,6 +147,17 @@ impl TextureObject {
 }
 
 impl TextureObject {
+    /// An array of 2-D textures, bound to the active unit.
+    pub fn array(gl: &Gl, name: &str) -> Result<Self, GlError> {
+        let texture = TextureObject::create(gl)?;
+        // SAFETY: the texture is this context's.
+        unsafe { gl.bind_texture(glow::TEXTURE_2D_ARRAY, Some(texture.handle)) };
+        label(gl, glow::TEXTURE, native_name!(texture.handle), name);
+        Ok(texture)
+    }
+}
+
+impl TextureObject {
     /// A cubemap, bound to the active unit.
     pub fn cube(gl: &Gl, name: &str) -> Result<Self, GlError> {
         let texture = TextureObject::create(gl)?;

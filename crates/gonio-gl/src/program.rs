@@ -99,6 +99,12 @@ impl Program {
         unsafe { self.gl.uniform_2_f32(self.location(name).as_ref(), v.x, v.y) };
     }
 
+    /// Sets an `ivec2` of the current program.
+    pub fn set_ivec2(&self, name: &'static str, [x, y]: [i32; 2]) {
+        // SAFETY: as in `set_i32`.
+        unsafe { self.gl.uniform_2_i32(self.location(name).as_ref(), x, y) };
+    }
+
     /// Sets a `vec3` of the current program.
     pub fn set_vec3(&self, name: &'static str, v: Vec3) {
         // SAFETY: as in `set_i32`.

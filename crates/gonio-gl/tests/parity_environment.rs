@@ -341,6 +341,33 @@ fn light_of_the_environment() {
     }
 }
 
+/// Model files have exponents of 0: for the light equation that is 1, and so it must be for roughness.
+#[test]
+fn exponents_below_one_are_one() {
+    let mut bench = Bench::new();
+    let lit = EnvironmentSpec { light: Some(true), ..EnvironmentSpec::default() };
+    for shading in ["gouraud", "phong"] {
+        let one = object("suzanne", shading, &CLAY.replace("shininess = 32", "shininess = 1"));
+        let one = surrounded(scene_from(CAMERA, "", LIGHTS, &one), &SMALL, lit.clone());
+        let mut zero = one.clone();
+        zero.materials.iter_mut().for_each(|m| m.material.shininess = 0.0);
+        bench.check(shading, &zero, None);
+        let picture = |scene| ReferenceScene::new(scene).render(&one.frame(0.0), None, &|_| ()).picture;
+        assert!(picture(&zero) == picture(&one), "they look alike");
+    }
+}
+
+/// A black k_s is matte, and no bright rim is added to it, also where others in the scene are glossy.
+#[test]
+fn matte_beside_glossy() {
+    let mut bench = Bench::new();
+    let lit = EnvironmentSpec { light: Some(true), ..EnvironmentSpec::default() };
+    let matte = object("suzanne", "phong", &CLAY.replace("specular = [0.5, 0.5, 0.5]", "specular = [0, 0, 0]"));
+    let glossy = object("cube", "flat", CLAY).replace("translate = [0.2, 0.1,", "translate = [0.2, -2.5,");
+    let scene = scene_from(CAMERA, "", LIGHTS, &format!("{matte}{glossy}"));
+    bench.check("matte beside glossy", &surrounded(scene, &SMALL, lit), None);
+}
+
 #[test]
 fn views_of_the_environments_light() {
     let mut bench = Bench::new();

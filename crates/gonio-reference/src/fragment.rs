@@ -1,7 +1,7 @@
 //! What a ray finds where it meets a triangle: the place, the texture coordinates, the material there.
 
 use crate::geometry::{Triangle, WorldGeometry};
-use crate::intersect::{Crossing, PixelRay, plane_barycentrics};
+use crate::intersect::{Crossing, RaySpace, plane_barycentrics};
 use glam::{DMat2, DVec2, DVec3, DVec4};
 use gonio_light::Surface;
 use gonio_light::roughness::shininess_of_roughness;
@@ -20,9 +20,8 @@ pub(crate) fn interpolate<T: std::ops::Mul<f64, Output = T> + std::ops::Add<Outp
 pub(crate) struct Hit<'a> {
     pub triangle: &'a Triangle,
     pub crossing: Crossing,
-    /// The triangle's corners in the space of the ray.
-    pub corners: [DVec3; 3],
-    pub pixel: PixelRay,
+    pub ray: DVec2,
+    pub space: &'a dyn RaySpace,
 }
 
 /// A place on a triangle, seen through one point of the picture.
@@ -32,8 +31,8 @@ pub(crate) struct Fragment<'a> {
     pub mesh: &'a Mesh,
     pub triangle: &'a Triangle,
     pub crossing: Crossing,
-    corners: [DVec3; 3],
-    pixel: PixelRay,
+    ray: DVec2,
+    space: &'a dyn RaySpace,
     /// World space.
     pub position: DVec3,
     /// The front is seen.
@@ -71,7 +70,7 @@ impl<'a> Fragment<'a> {
         filter: TextureFilter,
         hit: Hit<'a>,
     ) -> Self {
-        let Hit { triangle, crossing, corners, pixel } = hit;
+        let Hit { triangle, crossing, ray, space } = hit;
         let mesh = &scene.meshes[scene.objects[triangle.object as usize].mesh];
         let front_facing = crossing.counter_clockwise != triangle.mirrored;
         let mut fragment = Fragment {
@@ -79,8 +78,8 @@ impl<'a> Fragment<'a> {
             mesh,
             triangle,
             crossing,
-            corners,
-            pixel,
+            ray,
+            space,
             position: interpolate(crossing.barycentrics, geometry.corners(triangle)),
             front_facing,
             turn: if two_sided && !front_facing { -1.0 } else { 1.0 },
@@ -112,10 +111,10 @@ impl<'a> Fragment<'a> {
     /// Weights where the ray of the next pixel (`axis` 0: to the right, 1: below) meets the triangle's plane, and 1; or
     /// those of the pixel before and -1, where the next one looks past the plane's horizon.
     fn weights_beside(&self, axis: usize) -> Option<(DVec3, f64)> {
-        let step = self.pixel.steps[axis];
+        let corners = self.space.corners(self.triangle.vertices);
+        let step = self.space.steps()[axis];
         [1.0, -1.0].into_iter().find_map(|sign| {
-            let ray = self.pixel.ray + sign * step;
-            plane_barycentrics(&self.corners, ray, self.crossing.counter_clockwise).map(|w| (w, sign))
+            plane_barycentrics(&corners, self.ray + sign * step, self.crossing.counter_clockwise).map(|w| (w, sign))
         })
     }
 

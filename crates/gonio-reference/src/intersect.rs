@@ -24,13 +24,24 @@ pub(crate) struct EyeSpace {
     pub positions: Vec<DVec3>,
 }
 
-/// A ray from the eye, and where those of the neighbouring pixels are.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct PixelRay {
-    /// The ray (`sx`, `sy`).
-    pub ray: DVec2,
-    /// What is added for the next pixel on the right, and for the one below.
-    pub steps: [DVec2; 2],
+/// A space in which rays from the eye are pairs (`sx`, `sy`).
+pub(crate) trait RaySpace {
+    /// Three corners in it.
+    fn corners(&self, vertices: [u32; 3]) -> [DVec3; 3];
+    /// What is added to a ray for the next pixel on the right, and for the one below.
+    fn steps(&self) -> [DVec2; 2];
+}
+
+impl RaySpace for EyeSpace {
+    #[inline]
+    fn corners(&self, vertices: [u32; 3]) -> [DVec3; 3] {
+        vertices.map(|v| self.positions[v as usize])
+    }
+
+    fn steps(&self) -> [DVec2; 2] {
+        let step = 2.0 * self.half_extent / self.size;
+        [DVec2::new(step.x, 0.0), DVec2::new(0.0, -step.y)]
+    }
 }
 
 /// Where a ray meets a triangle.
@@ -67,13 +78,6 @@ impl EyeSpace {
         DVec2::new(2.0 * pixel.x / self.size.x - 1.0, 1.0 - 2.0 * pixel.y / self.size.y) * self.half_extent
     }
 
-    /// A ray among its neighbours.
-    #[inline]
-    pub fn pixel_ray(&self, ray: DVec2) -> PixelRay {
-        let step = 2.0 * self.half_extent / self.size;
-        PixelRay { ray, steps: [DVec2::new(step.x, 0.0), DVec2::new(0.0, -step.y)] }
-    }
-
     /// The unit direction of a ray in the world.
     pub fn direction(&self, ray: DVec2) -> DVec3 {
         let Camera { front, right, up, .. } = self.camera;
@@ -85,12 +89,6 @@ impl EyeSpace {
     pub fn pixel(&self, ray: DVec2) -> DVec2 {
         let normalised = ray / self.half_extent;
         DVec2::new(0.5 * (normalised.x + 1.0), 0.5 * (1.0 - normalised.y)) * self.size
-    }
-
-    /// Three corners in eye space.
-    #[inline]
-    pub fn corners(&self, vertices: [u32; 3]) -> [DVec3; 3] {
-        vertices.map(|v| self.positions[v as usize])
     }
 }
 

@@ -1,7 +1,8 @@
 //! Pictures of everything around the eye: a panorama, and the faces of a cube.
 
 use crate::ReferenceScene;
-use crate::intersect::PixelRay;
+use crate::geometry::WorldGeometry;
+use crate::intersect::RaySpace;
 use crate::ray::Ray;
 use crate::render::FrameContext;
 use crate::sample_positions;
@@ -32,6 +33,28 @@ struct Workspace {
     corners: CornerCache,
     /// Distances and triangles of perhaps transparent surfaces.
     layers: Vec<(f64, u32)>,
+}
+
+/// The space of one ray of a panorama.
+struct Around<'a> {
+    ray: &'a Ray,
+    geometry: &'a WorldGeometry,
+    /// Directions of the next pixels on the right and below.
+    beside: [DVec3; 2],
+}
+
+impl RaySpace for Around<'_> {
+    fn corners(&self, vertices: [u32; 3]) -> [DVec3; 3] {
+        self.ray.corners(self.geometry, vertices)
+    }
+
+    fn steps(&self) -> [DVec2; 2] {
+        self.beside.map(|direction| {
+            let there = self.ray.of_world(direction);
+            // A picture of a few pixels has neighbours that are behind.
+            if there.z > 0.0 { there.truncate() / there.z } else { DVec2::ZERO }
+        })
+    }
 }
 
 /// A picture of which each place (pixels, from the top left) is seen along a unit direction in the world.
@@ -83,13 +106,8 @@ fn radiance(context: &FrameContext, ray: &Ray, beside: [DVec3; 2], workspace: &m
     layers.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let ids = layers.iter().map(|layer| layer.1).chain((opaque.1 != NOTHING).then_some(opaque.1));
 
-    let steps = beside.map(|direction| {
-        let there = ray.of_world(direction);
-        // A picture of a few pixels has neighbours that are behind.
-        if there.z > 0.0 { there.truncate() / there.z } else { DVec2::ZERO }
-    });
-    let pixel = PixelRay { ray: DVec2::ZERO, steps };
-    let surfaces = context.surfaces_of(ids, pixel, |triangle| ray.corners(geometry, triangle.vertices));
+    let space = Around { ray, geometry, beside };
+    let surfaces = context.surfaces_of(ids, DVec2::ZERO, &space);
     let behind = || context.behind(|| ray.direction, equirectangular::place(ray.direction).1);
     context.radiance(surfaces, behind, corners).0
 }

@@ -1,14 +1,13 @@
 //! From rays to pictures: blocks of pixels on all threads, samples averaged in linear premultiplied values.
 
 use crate::fragment::{Fragment, Hit};
-use crate::geometry::Triangle;
-use crate::intersect::{EyeSpace, PixelRay, cross};
+use crate::intersect::{EyeSpace, RaySpace, cross};
 use crate::sample_positions;
 use crate::shade::{CornerCache, Shader};
 use crate::surroundings::Environment;
 use crate::visibility::{Block, Layer, NOTHING, Visible};
 use crate::{ReferenceScene, Rendered};
-use glam::{DVec3, DVec4};
+use glam::{DVec2, DVec3, DVec4};
 use gonio_light::Quantity;
 use gonio_light::quantity::Encoding;
 use gonio_scene::{Frame, Picture, ViewSpec};
@@ -70,28 +69,26 @@ impl<'a> FrameContext<'a> {
     ) -> impl Iterator<Item = Surfaced<'v>> + 'v {
         let opaque = visible.opaque[ray];
         let ids = layers.iter().map(|l| l.triangle).chain((opaque != NOTHING).then_some(opaque));
-        self.surfaces_of(ids, eye.pixel_ray(visible.rays[ray]), |triangle| eye.corners(triangle.vertices))
+        self.surfaces_of(ids, visible.rays[ray], eye)
     }
 
-    /// Surfaces along a ray, holes left out: those of triangles that it meets. `corners` gives a triangle's in the
-    /// space of the ray.
+    /// Surfaces along a ray, holes left out: those of triangles that it meets.
     pub fn surfaces_of<'v>(
         &'v self,
         ids: impl Iterator<Item = u32> + 'v,
-        pixel: PixelRay,
-        corners: impl Fn(&Triangle) -> [DVec3; 3] + 'v,
+        ray: DVec2,
+        space: &'v dyn RaySpace,
     ) -> impl Iterator<Item = Surfaced<'v>> + 'v {
         ids.filter_map(move |id| {
             let geometry = &self.reference.geometry;
             let triangle = &geometry.triangles[id as usize];
-            let corners = corners(triangle);
-            let crossing = cross(&corners, pixel.ray)?;
+            let crossing = cross(&space.corners(triangle.vertices), ray)?;
             let fragment = Fragment::new(
                 self.reference.scene,
                 geometry,
                 self.frame.two_sided,
                 self.frame.texture_filter,
-                Hit { triangle, crossing, corners, pixel },
+                Hit { triangle, crossing, ray, space },
             );
             let opacity = if triangle.transparent { fragment.opacity().min(1.0) } else { 1.0 };
             // Written so that an opacity that is not a number is a hole.

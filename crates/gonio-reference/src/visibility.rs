@@ -6,7 +6,7 @@
 //! the first that is drawn.
 
 use crate::geometry::{Tree, Triangle, WorldGeometry};
-use crate::intersect::{Crossing, EyeSpace, cross};
+use crate::intersect::{Crossing, EyeSpace, RaySpace, cross};
 use glam::{DVec2, DVec3};
 use obvhs::bvh2::node::Bvh2Node;
 

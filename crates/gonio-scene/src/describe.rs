@@ -37,7 +37,15 @@ pub fn describe(inputs: &[&str], files: &dyn FileSource) -> Result<Scene, ReadEr
 /// The description, and whether it came from a scene file.
 fn describe_one(input: &str, files: &dyn FileSource) -> Result<(Scene, bool), ReadError> {
     let path = files::resolve(Path::new(""), input);
-    let explain = |e: std::io::Error| ReadError::new(files::explain(&e));
+    let explain = |e: std::io::Error| {
+        if e.kind() == std::io::ErrorKind::NotFound && environment_file::builtin_of(input).is_some() {
+            return ReadError::new(
+                "this is a built-in environment, not a model; to surround a model by it, name it as the environment \
+                 (--environment)",
+            );
+        }
+        ReadError::new(files::explain(&e))
+    };
     let bytes = files::read(files, &path).map_err(explain)?;
     match model_kind::tell(&bytes, &path).map_err(ReadError::new)? {
         InputKind::Model => {

@@ -1,12 +1,14 @@
 //! Environments from files: a picture, a folder, six faces, or a name that is built in.
 
 use crate::description::EnvironmentSpec;
+use crate::document::nearest;
 use crate::environment::LoadedEnvironment;
 use crate::files::{self, FileSource};
+use crate::model_kind;
 use gonio_environment::arrange::{self, Arrangement};
 use gonio_environment::builtin::{self, Builtin};
 use gonio_environment::convert::{Conversion, From};
-use gonio_environment::decode::{Decoded, Shape, decode};
+use gonio_environment::decode::{Decoded, FileFormat, Shape, decode};
 use gonio_environment::names::{self, Assignment};
 use gonio_environment::{Cubemap, EnvironmentError, Face, Image, Layout, Panorama};
 use gonio_mesh::{Diagnostic, Limits, ReadError};
@@ -47,6 +49,8 @@ pub struct OpenedEnvironment {
     pub files: Vec<PathBuf>,
     /// Its files can hold light beyond 1.
     pub high_dynamic_range: bool,
+    /// What kind of file it was in, of six the first; `None` of what is built in.
+    pub format: Option<FileFormat>,
     /// What is worth saying.
     pub diagnostics: Vec<Diagnostic>,
 }
@@ -86,7 +90,8 @@ pub(crate) fn rebased(base: &Path, name: &str) -> String {
 ///
 /// # Errors
 ///
-/// A file that is not there or cannot be read; faces that are missing, or do not fit together.
+/// A file that is not there or cannot be read; faces that are missing, or do not fit together; an arrangement or a size
+/// that what is named cannot have.
 pub fn open(
     name: &str,
     reading: Reading,
@@ -94,23 +99,80 @@ pub fn open(
     files: &dyn FileSource,
     limits: &Limits,
 ) -> Result<OpenedEnvironment, ReadError> {
-    if let Some(kind) = builtin_of(name) {
-        return open_builtin(name, kind, reading).map_err(|e| told(e, name));
+    let mut opened = open_quietly(name, reading, base, files, limits)?;
+    let unused = reading.layout.is_some() && opened.layout.is_none();
+    opened.diagnostics.extend(unused.then(|| layout_unused(name)));
+    Ok(opened)
+}
+
+/// What was asked for in vain is told: else a user looks for its effect.
+fn layout_unused(name: &str) -> Diagnostic {
+    Diagnostic::warning("a layout is about faces, and this has none; what was said of it changes nothing").in_file(name)
+}
+
+/// [`open`] without a word on a layout that is not used.
+fn open_quietly(
+    name: &str,
+    reading: Reading,
+    base: &Path,
+    files: &dyn FileSource,
+    limits: &Limits,
+) -> Result<OpenedEnvironment, ReadError> {
+    let limits = gonio_environment::Limits { max_bytes: limits.max_bytes };
+    let opened = if let Some(kind) = builtin_of(name) {
+        let mut opened = open_builtin(name, kind, reading, &limits).map_err(|e| told(e, name))?;
+        if !name.starts_with(files::BUILTIN) && !files::list(files, &files::resolve(base, name)).is_empty() {
+            let message = format!("the built-in environment is meant; ./{name} names the folder");
+            opened.diagnostics.push(Diagnostic::note(message).in_file(name));
+        }
+        opened
+    } else if let Some(unknown) = name.strip_prefix(files::BUILTIN) {
+        return Err(ReadError::new(no_builtin(unknown)).in_file(name));
+    } else {
+        open_files(name, Reader { reading, files, limits }, &files::resolve(base, name))?
+    };
+    match reading.arrangement {
+        Some(wanted) if wanted != opened.arrangement => {
+            let (is, wanted) = (opened.arrangement, wanted.name());
+            let message = format!("this is {is} already and cannot be taken for {wanted}; leave the arrangement out");
+            Err(ReadError::new(message).in_file(name))
+        }
+        _ => Ok(opened),
     }
-    let reader = Reader { reading, files, limits: gonio_environment::Limits { max_bytes: limits.max_bytes } };
-    let path = files::resolve(base, name);
+}
+
+fn open_files(name: &str, reader: Reader<'_>, path: &Path) -> Result<OpenedEnvironment, ReadError> {
     if let Some(pattern) = path.file_name().and_then(|n| n.to_str()).filter(|n| n.contains('*')) {
         return reader.open_pattern(name, path.parent().unwrap_or(Path::new("")), pattern);
     }
-    let within = files::list(files, &path);
-    if within.is_empty() { reader.open_file(name, &path) } else { reader.open_folder(name, &path, within) }
+    let within = files::list(reader.files, path);
+    if within.is_empty() { reader.open_file(name, path) } else { reader.open_folder(name, path, within) }
 }
 
-fn open_builtin(name: &str, kind: Builtin, reading: Reading) -> Result<OpenedEnvironment, EnvironmentError> {
+/// That there is no built-in environment of a name, and which there are.
+fn no_builtin(name: &str) -> String {
+    let meant = nearest_builtin(name).map_or(String::new(), |known| format!("; did you mean `{known}`?"));
+    let names = Builtin::ALL.iter().map(|b| b.name()).collect::<Vec<_>>().join(", ");
+    let join = if meant.is_empty() { ";" } else { "" };
+    format!("there is no built-in environment `{name}`{meant}{join} there are {names}")
+}
+
+fn nearest_builtin(name: &str) -> Option<&'static str> {
+    nearest(name, Builtin::ALL.iter().map(|b| b.name()))
+}
+
+fn open_builtin(
+    name: &str,
+    kind: Builtin,
+    reading: Reading,
+    limits: &gonio_environment::Limits,
+) -> Result<OpenedEnvironment, EnvironmentError> {
     let layout = reading.layout.unwrap_or_default();
+    let size = reading.size.unwrap_or(BUILTIN_SIZE);
+    limits.pixels(size.into(), size.into(), 6)?;
     let (source, arrangement) = match kind {
         Builtin::Room => (Source::Panorama(builtin::room()?), Arrangement::Equirectangular),
-        _ => (Source::Cubemap(kind.cubemap(reading.size.unwrap_or(BUILTIN_SIZE), layout)?), Arrangement::Faces),
+        _ => (Source::Cubemap(kind.cubemap(size, layout)?), Arrangement::Faces),
     };
     Ok(OpenedEnvironment {
         name: name.to_owned(),
@@ -119,6 +181,7 @@ fn open_builtin(name: &str, kind: Builtin, reading: Reading) -> Result<OpenedEnv
         arrangement,
         files: Vec::new(),
         high_dynamic_range: kind != Builtin::Debug,
+        format: None,
         diagnostics: Vec::new(),
     })
 }
@@ -155,6 +218,7 @@ impl Reader<'_> {
             layout: None,
             files: vec![path.to_owned()],
             high_dynamic_range: decoded.high_dynamic_range,
+            format: Some(decoded.format),
             diagnostics: said(&decoded, name),
         };
         let say = |opened: &mut OpenedEnvironment, warning: String| {
@@ -220,11 +284,12 @@ impl Reader<'_> {
             (0..6_usize).into_par_iter().map(|i| Reader { limits, ..*self }.decode(&shown(i), &paths[i])).collect();
         let mut diagnostics: Vec<Diagnostic> =
             assignment.notes.into_iter().map(|n| Diagnostic::note(n).in_file(name)).collect();
-        let mut high_dynamic_range = false;
+        let (mut high_dynamic_range, mut format) = (false, None);
         let mut faces: [Image; 6] = Default::default();
         for (i, decoded) in read.into_iter().enumerate() {
             let decoded = decoded?;
             high_dynamic_range |= decoded.high_dynamic_range;
+            format = format.or(Some(decoded.format));
             diagnostics.append(&mut said(&decoded, &shown(i)));
             match decoded.shape {
                 Shape::Picture(image) => faces[i] = image,
@@ -247,22 +312,38 @@ impl Reader<'_> {
             layout: Some(layout),
             files: paths.to_vec(),
             high_dynamic_range,
+            format,
             diagnostics,
         })
     }
 
     fn decode(&self, name: &str, path: &Path) -> Result<Decoded, ReadError> {
         let bytes = files::read(self.files, path).map_err(|e| {
-            let message = match e.kind() {
-                std::io::ErrorKind::NotFound => {
+            let message = match (e.kind(), nearest_builtin(name)) {
+                (std::io::ErrorKind::NotFound, Some(meant)) => {
+                    format!("there is no such file or folder; did you mean `{meant}`, which is built in?")
+                }
+                (std::io::ErrorKind::NotFound, None) => {
                     "there is no such file or folder; check the path, or use debug, sky or room to try things out"
+                        .into()
+                }
+                // A folder with something in it is not read as a file.
+                (std::io::ErrorKind::IsADirectory, _) => {
+                    "the folder is empty; six faces are wanted, called like posx.png negx.png posy.png negy.png \
+                     posz.png negz.png"
                         .into()
                 }
                 _ => files::explain(&e),
             };
             ReadError::new(message).in_file(name)
         })?;
-        decode(name, &bytes, &self.limits).map_err(|e| told(e, name))
+        decode(name, &bytes, &self.limits).map_err(|e| match model_kind::is_model_or_scene(&bytes, path) {
+            Some(what) if FileFormat::detect(&bytes).is_none() => {
+                let message = format!("this is {what}, not a picture; to draw it, name it as the input");
+                ReadError::new(message).in_file(name)
+            }
+            _ => told(e, name),
+        })
     }
 }
 
@@ -297,7 +378,10 @@ fn matches(pattern: &str, name: &str) -> bool {
 /// An environment for a scene, with what is to be said about it.
 pub(crate) struct ReadEnvironment {
     pub environment: LoadedEnvironment,
+    /// The layout and the size that a description needs to be read as this again; `None` where what is in front and
+    /// what is behind differ, and each has its own default.
     pub layout: Option<Layout>,
+    pub size: Option<u32>,
     pub diagnostics: Vec<Diagnostic>,
 }
 
@@ -309,17 +393,25 @@ pub(crate) fn load(
     limits: &Limits,
 ) -> Result<ReadEnvironment, ReadError> {
     let reading = Reading { layout: spec.layout, arrangement: None, size: spec.size };
-    let opened = open(&spec.image, reading, base, files, limits)?;
+    let opened = open_quietly(&spec.image, reading, base, files, limits)?;
+    let mut layouts: Vec<Layout> = opened.layout.into_iter().collect();
     let mut diagnostics = opened.diagnostics;
     let map = as_cubemap(opened.source, spec.size, &opened.name, &mut diagnostics);
+    let mut size = Some(map.size());
     let mut environment = LoadedEnvironment::new(opened.name, map);
     if let Some(name) = &spec.background {
-        let mut behind = open(name, reading, base, files, limits)?;
+        let mut behind = open_quietly(name, reading, base, files, limits)?;
+        layouts.extend(behind.layout);
         diagnostics.append(&mut behind.diagnostics);
         let map = as_cubemap(behind.source, spec.size, &behind.name, &mut diagnostics);
+        size = size.filter(|size| *size == map.size()).or(spec.size);
         environment = environment.with_background(map);
     }
-    Ok(ReadEnvironment { environment, layout: opened.layout, diagnostics })
+    if spec.layout.is_some() && layouts.is_empty() {
+        diagnostics.push(layout_unused(&spec.image));
+    }
+    let layout = layouts.first().copied().filter(|first| layouts.iter().all(|l| l == first));
+    Ok(ReadEnvironment { environment, layout, size, diagnostics })
 }
 
 /// The cubemap of a size, or of the size that suits it.

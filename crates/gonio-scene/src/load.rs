@@ -126,7 +126,7 @@ pub fn load_within(
     if let Some(mut read) = environment {
         diagnostics.append(&mut read.diagnostics);
         if let Some(spec) = &mut scene.environment {
-            (spec.layout, spec.size) = (read.layout, Some(read.environment.mips.full().size()));
+            (spec.layout, spec.size) = (read.layout, read.size);
             spec.light.get_or_insert(scene.lights.is_empty());
         }
         loaded.environment = Some(Arc::new(read.environment));

@@ -1,5 +1,6 @@
 //! What an input is: told by its content first, then by its name.
 
+use gonio_environment::decode::FileFormat;
 use gonio_mesh::{Format, compression, format};
 use std::path::Path;
 
@@ -21,6 +22,12 @@ pub(crate) fn tell(bytes: &[u8], name: &Path) -> Result<InputKind, String> {
     if compression::is_compressed(bytes) {
         return Ok(InputKind::Model);
     }
+    if let Some(picture) = FileFormat::detect(bytes) {
+        return Err(format!(
+            "this is {what}, not a model; to surround a model by it, name it as the environment (--environment)",
+            what = environment_kind(picture)
+        ));
+    }
     let start = &bytes[..bytes.len().min(format::LOOKED_AT)];
     let extension = name.extension().and_then(|e| e.to_str()).unwrap_or("").to_ascii_lowercase();
     let is_toml = !start.contains(&0) && String::from_utf8_lossy(start).lines().any(is_toml_line);
@@ -34,6 +41,28 @@ pub(crate) fn tell(bytes: &[u8], name: &Path) -> Result<InputKind, String> {
             Ok(_) => Ok(InputKind::Model),
             Err(_) => Err(unknown(start, &extension)),
         },
+    }
+}
+
+/// `a model` or `a scene file` where the content or the name of a file says so.
+pub(crate) fn is_model_or_scene(bytes: &[u8], name: &Path) -> Option<&'static str> {
+    if bytes.is_empty() || compression::is_compressed(bytes) {
+        return None;
+    }
+    tell(bytes, name).ok().map(|kind| match kind {
+        InputKind::Model => "a model",
+        InputKind::Scene => "a scene file",
+    })
+}
+
+fn environment_kind(format: FileFormat) -> &'static str {
+    match format {
+        FileFormat::Png => "a PNG picture",
+        FileFormat::Jpeg => "a JPEG picture",
+        FileFormat::Hdr => "a Radiance picture (.hdr)",
+        FileFormat::Exr => "an OpenEXR picture",
+        FileFormat::Ktx2 => "a KTX2 texture",
+        FileFormat::Dds => "a DDS texture",
     }
 }
 

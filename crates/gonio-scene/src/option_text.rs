@@ -1,7 +1,7 @@
 //! Lights and materials as options of a command line: the same keys as in a scene file, in one line.
 
 use crate::description::{LightSpec, MaterialOverride};
-use crate::document::{Entry, Fault, Item, Value};
+use crate::document::{Entry, Fault, Item, Value, nearest};
 use crate::table_reader::{TableReader, unknown_key};
 use crate::toml_reader;
 use crate::validate;
@@ -124,8 +124,10 @@ fn preset(span: &Range<usize>, word: &str) -> Result<Entry, Fault> {
     match word.parse::<Medium>() {
         Ok(medium) => Ok(entry("medium", span, Value::Text(medium.name().to_owned()), span)),
         Err(_) => {
-            let names = Medium::ALL.iter().map(|m| m.name()).collect::<Vec<_>>().join(", ");
-            Err(Fault::at(span, format!("`{word}` has no value; key=value is wanted, or one of mirror, {names}")))
+            let known = || std::iter::once("mirror").chain(Medium::ALL.iter().map(|m| m.name()));
+            let names = known().collect::<Vec<_>>().join(", ");
+            let meant = nearest(word, known()).map_or(String::new(), |known| format!("did you mean `{known}`? "));
+            Err(Fault::at(span, format!("`{word}` has no value; {meant}key=value is wanted, or one of {names}")))
         }
     }
 }

@@ -138,7 +138,7 @@ pub const MAX_CUBEMAP_SIZE: u32 = 8192;
 fn check_environment(e: &EnvironmentSpec) -> Check {
     let at = "environment";
     if e.image.trim().is_empty() {
-        let wants = "the environment needs `image`: debug, sky, room, a picture or a folder of six";
+        let wants = "the environment needs `image` (--environment): debug, sky, room, a picture or a folder of six";
         return fail(at, "", wants);
     }
     if let Some(size) = e.size.filter(|size| !(1..=MAX_CUBEMAP_SIZE).contains(size)) {

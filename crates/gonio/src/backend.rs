@@ -146,7 +146,7 @@ fn open_gl(options: &BackendOptions) -> Result<(Renderer, HeadlessContext), goni
     Ok((Renderer::new(context.gl().clone())?, context))
 }
 
-fn open_context(options: &BackendOptions) -> Result<HeadlessContext, gonio_gl::GlError> {
+pub fn open_context(options: &BackendOptions) -> Result<HeadlessContext, gonio_gl::GlError> {
     HeadlessContext::with_options(&gonio_gl::headless::HeadlessOptions {
         egl_library: options.egl_library.as_ref().map(Into::into),
         ..Default::default()

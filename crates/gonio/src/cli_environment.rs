@@ -18,7 +18,7 @@ pub struct EnvironmentOptions {
     #[arg(long, value_name = "LAYOUT", value_parser = values::named(Layout::ALL, Layout::name))]
     pub environment_layout: Option<Layout>,
     /// Texels along an edge of the cubemap that a panorama is made into.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = values::cubemap_size)]
     pub environment_size: Option<u32>,
     /// Turn it, in degrees: a positive yaw turns what is ahead to the left, a positive pitch upwards.
     #[arg(long, value_name = "YAW,PITCH,ROLL", value_parser = values::angles, allow_hyphen_values = true)]
@@ -33,7 +33,7 @@ pub struct EnvironmentOptions {
     #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
     pub environment_visible: Option<bool>,
     /// Blur it behind the objects, 0 to 1.
-    #[arg(long, value_name = "SHARE", value_parser = values::not_negative)]
+    #[arg(long, value_name = "SHARE", value_parser = values::share)]
     pub environment_blur: Option<f64>,
     /// Show another environment behind the objects.
     #[arg(long, value_name = "FILE")]

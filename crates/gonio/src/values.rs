@@ -5,6 +5,7 @@ use crate::limits;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use gonio_scene::ViewSpec;
 use gonio_scene::color_value::Color;
+use gonio_scene::validate::MAX_CUBEMAP_SIZE;
 use std::str::FromStr;
 
 /// A parser for one of gonio's named enums: names, help texts and "did you mean" from one place.
@@ -53,6 +54,19 @@ pub fn not_negative(text: &str) -> Result<f64, String> {
 /// A finite number greater than 0.
 pub fn positive(text: &str) -> Result<f64, String> {
     number(text).and_then(|v| if v > 0.0 { Ok(v) } else { Err(format!("`{text}` must be greater than 0")) })
+}
+
+/// A number from 0 to 1.
+pub fn share(text: &str) -> Result<f64, String> {
+    number(text).and_then(|v| if (0.0..=1.0).contains(&v) { Ok(v) } else { Err(format!("`{text}` must be 0 to 1")) })
+}
+
+/// Texels along an edge of a cubemap.
+pub fn cubemap_size(text: &str) -> Result<u32, String> {
+    match text.trim().parse() {
+        Ok(n) if (1..=MAX_CUBEMAP_SIZE).contains(&n) => Ok(n),
+        _ => Err(format!("`{text}` is no size of a cubemap; 1 to {MAX_CUBEMAP_SIZE} is wanted")),
+    }
 }
 
 /// A full field of view in degrees.

@@ -60,4 +60,4 @@ fn unit(d: Directions) -> Directions {
 }
 
 /// More than that along a pixel are not made: a million lookups.
-const MOST_ALONG: usize = 1024;
+pub const MOST_ALONG: usize = 1024;

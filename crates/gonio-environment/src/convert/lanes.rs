@@ -66,7 +66,7 @@ pub(super) fn angle(y: f32x8, x: f32x8) -> f32x8 {
 
 /// `atan(x) / x` in powers of `x^2`, for x in [0, 1]: the polynomial through its values at the nine Chebyshev nodes of
 /// `x^2` in [0, 1], off by at most 1e-8.
-const ARC_TANGENT: [f32; 9] = [
+pub const ARC_TANGENT: [f32; 9] = [
     0.999_999_98,
     -0.333_330_37,
     1.999_187_2e-1,

@@ -16,14 +16,19 @@
 
 mod area;
 mod lanes;
+mod sheets;
 mod source;
 mod target;
 
 use crate::image::{Image, Pixel};
 use crate::{Cubemap, Panorama};
+pub use area::MOST_ALONG;
 use glam::{DMat3, DVec3, Mat3};
 use gonio_light::named_enum;
+pub use lanes::ARC_TANGENT;
 use rayon::prelude::*;
+pub use sheets::Sheets;
+pub use source::BORDER;
 use source::{CubeSource, PanoramaSource, Source};
 use target::{CubeTarget, PanoramaTarget, Target};
 
@@ -159,7 +164,7 @@ impl Conversion {
     fn fill(&self, from: From<'_>, target: &impl Target, pixels: &mut [Pixel]) {
         let filter = self.filter_for(&from, target.pixel_angle());
         match from {
-            From::Cubemap(map) => self.fill_from(&CubeSource::new(map, filter), filter, target, pixels),
+            From::Cubemap(map) => self.fill_from(&CubeSource::new(map), filter, target, pixels),
             From::Panorama(panorama) => {
                 self.fill_from(&PanoramaSource::new(panorama, filter), filter, target, pixels);
             }

@@ -109,7 +109,7 @@ fn catmull_rom(t: f32) -> [f32; 4] {
 }
 
 /// Texels beyond an edge that a cubic spline reaches.
-const BORDER: usize = 2;
+pub const BORDER: usize = 2;
 
 /// A cubemap whose faces have their neighbours' texels around them.
 pub(super) struct CubeSource {
@@ -121,8 +121,7 @@ pub(super) struct CubeSource {
 }
 
 impl CubeSource {
-    pub fn new(map: &Cubemap, filter: Filter) -> Self {
-        let _ = filter;
+    pub fn new(map: &Cubemap) -> Self {
         let size = map.size() as usize;
         let stride = size + 2 * BORDER;
         let mut texels = vec![[0.0; 4]; 6 * stride * stride];
@@ -142,6 +141,13 @@ impl CubeSource {
             }
         }
         CubeSource { size, half_size: 0.5 * size as f32, stride, texels }
+    }
+}
+
+impl CubeSource {
+    /// The bordered faces.
+    pub fn into_texels(self) -> Vec<Pixel> {
+        self.texels
     }
 }
 

@@ -1,14 +1,18 @@
 //! Cubemaps on the GPU: the same directions, the same texels, the same seams as on the CPU.
 
+use crate::driver::DriverInfo;
 use crate::environment_on_gpu::{CubeTexture, EnvironmentOnGpu, Seamless};
 use crate::glsl::Dialect;
 use crate::objects::{TextureObject, VertexArray};
 use crate::program::Program;
+use crate::scene_on_gpu::GpuScene;
 use crate::target::OutputTarget;
 use glam::DVec3;
 use glow::{HasContext, PixelUnpackData};
 use gonio_environment::{CubeMips, Cubemap, Face, Layout};
-use gonio_scene::LoadedEnvironment;
+use gonio_scene::files::Disk;
+use gonio_scene::{LoadedEnvironment, LoadedScene};
+use std::path::Path;
 use std::sync::Arc;
 
 /// Looks a cube texture up with `textureLod` at (direction, level).
@@ -142,4 +146,27 @@ fn what_is_too_large_begins_at_a_smaller_level_with_a_note() {
     let uploaded = EnvironmentOnGpu::upload(context.gl(), &environment, 32).unwrap_or_else(|why| panic!("{why}"));
     assert!(uploaded.notes.is_empty());
     assert!(std::ptr::eq(uploaded.seen(), &uploaded.map), "one texture serves both");
+}
+
+/// A driver whose textures have no room for an object's inside draws its first surface alone, and says so; scenes without
+/// environment do not need it at all.
+#[test]
+fn a_body_that_does_not_fit_is_told() {
+    let context = super::context(false);
+    let text = "[[object]]\nmodel = \"builtin:cube\"\nmaterial = { medium = \"glass\", surfaces = \"two\" }\n";
+    let scene = gonio_scene::toml_reader::read(text).unwrap_or_else(|why| panic!("{why}"));
+    let mut scene = gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}"));
+    let info = DriverInfo::of(context.gl());
+    let small = DriverInfo { max_size: 0, ..info.clone() };
+    let upload = |scene: &LoadedScene, info| {
+        let scene = GpuScene::upload(context.gl(), scene, info).unwrap_or_else(|why| panic!("{why}"));
+        (scene.objects[0].body.is_some(), scene.notes)
+    };
+    assert_eq!(upload(&scene, &small), (false, Vec::new()));
+    scene.environment = Some(Arc::new(LoadedEnvironment::new("grey", Cubemap::new(4, [0.5; 4]))));
+    let (has_body, notes) = upload(&scene, &small);
+    assert!(!has_body);
+    let note = "is refracted at its first surface only: this driver has no room for the inside of 12 triangles";
+    assert!(notes.len() == 1 && notes[0].ends_with(note), "{notes:?}");
+    assert_eq!(upload(&scene, &info), (true, Vec::new()));
 }

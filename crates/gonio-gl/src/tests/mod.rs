@@ -1,6 +1,7 @@
 //! Tests that need a context: on whatever driver there is, Mesa's llvmpipe in CI.
 
 mod compile;
+mod conversion;
 mod environment;
 mod twins;
 mod twins_optics;

@@ -4,6 +4,7 @@
 
 mod bad_input;
 mod camera;
+mod environments;
 mod framing;
 mod from_models;
 mod memory;

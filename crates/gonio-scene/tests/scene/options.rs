@@ -1,5 +1,6 @@
 //! `--light` and its kin.
 
+use gonio_light::{Fresnel, Surfaces, fresnel::Medium};
 use gonio_scene::color_value::Color;
 use gonio_scene::description::{LightSourceKind, LightSpec, MaterialOverride, MotionKind};
 
@@ -89,4 +90,55 @@ fn a_material_takes_several_keys() {
     assert!(error.contains("did you mean `shininess`?"), "{error}");
     let error = MaterialOverride::from_option_text("opacity=2").unwrap_err();
     assert!(error.ends_with("at 9: `opacity` must be 0 to 1, not 2"), "{error}");
+}
+
+#[test]
+fn names_of_materials_stand_first() {
+    let read = |text: &str| MaterialOverride::from_option_text(text).unwrap_or_else(|e| panic!("{e}"));
+    let glass = MaterialOverride { medium: Some(Medium::Glass), ..MaterialOverride::default() };
+    for text in ["glass", "Glass", "medium=glass"] {
+        assert_eq!(read(text), glass, "{text}");
+    }
+    let mirror = MaterialOverride { reflectivity: Some(1.0), ..MaterialOverride::default() };
+    assert_eq!((read("mirror"), read("reflectivity=1")), (mirror.clone(), mirror));
+    assert_eq!(read("glass dispersion=0.02"), MaterialOverride { dispersion: Some(0.02), ..glass });
+    for (name, medium) in
+        [("water", Medium::Water), ("ice", Medium::Ice), ("diamond", Medium::Diamond), ("air", Medium::Air)]
+    {
+        assert_eq!(read(name).medium, Some(medium));
+    }
+    let all = read("diamond,fresnel=schlick,surfaces=two,tint=1,0.9,0.8,absorption=0.1 transmission=0.5");
+    assert_eq!(
+        (all.medium, all.fresnel, all.surfaces),
+        (Some(Medium::Diamond), Some(Fresnel::Schlick), Some(Surfaces::Two))
+    );
+    assert_eq!((all.tint, all.absorption), (Some(Color([1.0, 0.9, 0.8])), Some(Color::grey(0.1))));
+    assert_eq!(all.transmission, Some(0.5));
+
+    let says = |text: &str, expected: &str| {
+        assert_eq!(MaterialOverride::from_option_text(text).unwrap_err(), expected);
+    };
+    says(
+        "glas",
+        "`glas`: `glas` has no value; did you mean `glass`? key=value is wanted, or one of mirror, air, water, ice, \
+         glass, diamond",
+    );
+    says(
+        "velvet",
+        "`velvet`: `velvet` has no value; key=value is wanted, or one of mirror, air, water, ice, glass, diamond",
+    );
+    says("glass water", "`glass water`, at 7: `medium` is given twice");
+    says("glass medium=water", "`glass medium=water`, at 7: `medium` is given twice");
+    says("mirror reflectivity=2", "`mirror reflectivity=2`, at 8: `reflectivity` is given twice");
+    says("reflectivity=2", "`reflectivity=2`, at 14: `reflectivity` must be 0 to 1, not 2");
+    says("dispersion=3", "`dispersion=3`, at 12: `dispersion` must be -1 to 1, not 3");
+    says(
+        "tint=1,1,2",
+        "`tint=1,1,2`, at 6: `tint` must be 0 to 1 in each channel: a body lets no more light through than comes",
+    );
+    says(
+        "medium=glas",
+        "`medium=glas`, at 8: `medium`: `glas` is no medium; did you mean `glass`? One of air, water, ice, glass, \
+         diamond is wanted",
+    );
 }

@@ -88,6 +88,16 @@ fn it_accepts_the_shipped_scenes_and_refuses_wrong_ones() {
     assert!(seen >= 4);
     let object = "[[object]]\nmodel = \"builtin:cube\"\n";
     assert!(valid_toml(object));
+    for right in [
+        "[environment]\nimage = \"sky\"\nlayout = \"photographic\"\nsize = 64\nrotate = [1, 2, 3]\nintensity = 2\n",
+        "[environment]\nimage = \"a.hdr\"\nlight = true\nvisible = false\nblur = 0.5\nbackground = \"b\"\n",
+        "[object.material]\nmedium = \"glass\"\nreflectivity = 1\ntransmission = 0.5\nfresnel = \"schlick\"\n",
+        "[object.material]\ntint = \"#fff\"\nabsorption = [0, 1, 2]\ndispersion = 0.02\nsurfaces = \"two\"\n",
+    ] {
+        let text = if right.starts_with("[object") { format!("{object}{right}") } else { format!("{right}{object}") };
+        assert!(valid_toml(&text), "{text}");
+        gonio_scene::toml_reader::read(&text).unwrap();
+    }
     for wrong in [
         "[camera]\nfov = 3\n",
         "[camera]\nfov_y = \"wide\"\n",
@@ -97,6 +107,13 @@ fn it_accepts_the_shipped_scenes_and_refuses_wrong_ones() {
         "[equation]\nspecular = \"blin\"\n",
         "[[light]]\nposition = [0, 0, 0]\n",
         "[picture]\nwidth = 2.5\n",
+        "[environment]\nimage = 3\n",
+        "[environment]\nlayout = \"direct3d\"\n",
+        "[environment]\nrotate = [1, 2]\n",
+        "[environment]\nsize = 1.5\n",
+        "[environment]\nenvironment = \"sky\"\n",
+        "[object.material]\nmedium = \"honey\"\n",
+        "[object.material]\nsurfaces = 2\n",
     ] {
         assert!(!valid_toml(&format!("{object}{wrong}")), "{wrong}");
     }

@@ -70,7 +70,7 @@ pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     };
     let mut outputs = Vec::new();
     if let Some(plan) = plan {
-        let written = found.repair(&opened, plan.with_arrangement(opened.arrangement))?;
+        let written = found.repair(&opened, plan.with_arrangement(opened.arrangement).with_format_of(opened.format))?;
         written.warnings.iter().for_each(|w| reporter.warning(w));
         outputs = written.outputs;
     }
@@ -164,7 +164,13 @@ impl Found {
             layout,
             transform: OutputTransform { encoding: ColorEncoding::Srgb, ..OutputTransform::default() },
             high_dynamic_range: opened.high_dynamic_range,
+            // No texel changes but its place.
+            exact: true,
         };
+        if plan.clips(opened.high_dynamic_range) {
+            let message = "--repair: a PNG would cut off the light above 1 that INPUT may have; name an .exr or .hdr";
+            return Err(CliError::new(message));
+        }
         match (self, &opened.source) {
             (Found::Faces(c), Source::Cubemap(map)) => {
                 if c.verdict == Verdict::NeverMeets {

@@ -2,7 +2,8 @@
 
 use super::describe;
 use super::write::{Kind, Look, Plan, Written};
-use crate::cli::{LimitOptions, WordOptions};
+use crate::backend::{BackendChoice, open_context};
+use crate::cli::{BackendOptions, LimitOptions, WordOptions};
 use crate::report::{CliError, Outcome, Reporter, Times};
 use crate::values;
 use clap::Args;
@@ -10,6 +11,7 @@ use gonio_environment::arrange::Arrangement;
 use gonio_environment::builtin::Builtin;
 use gonio_environment::convert::{Conversion, Filter};
 use gonio_environment::{Cubemap, Layout, Panorama};
+use gonio_gl::conversion::Converter;
 use gonio_light::color::{ColorEncoding, OutputTransform, ToneMap};
 use gonio_scene::environment::world_from_environment;
 use gonio_scene::environment_file::{self, OpenedEnvironment, Reading, Source};
@@ -68,6 +70,10 @@ pub struct ConvertArgs {
     /// How IN is looked up; by default area where OUT is coarser than IN, else bilinear.
     #[arg(long, help_heading = "Conversion", value_parser = values::named(Filter::ALL, Filter::name))]
     pub filter: Option<Filter>,
+    /// Who converts: the CPU (also for auto: it is faster than reading a picture back), or OpenGL.
+    #[arg(long, help_heading = "Conversion", value_parser = values::named(BackendChoice::ALL, BackendChoice::name),
+          default_value = "cpu")]
+    pub backend: BackendChoice,
     /// Turn the environment, in degrees: a positive yaw turns what is ahead to the left, a positive pitch upwards.
     #[arg(long, help_heading = "Conversion", value_name = "YAW,PITCH,ROLL", value_parser = values::angles,
           allow_hyphen_values = true)]
@@ -97,6 +103,7 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<Outcome, CliError>
     if plan.kind == Kind::Ktx2 && args.layout != Layout::OpenGl {
         return Err(CliError::new("KTX2 holds faces in OpenGL's layout only; leave --layout out"));
     }
+    check_size(args, &plan)?;
     let opened = {
         let _busy = reporter.busy("reading the environment");
         let size = args.size.map(|(size, _)| size).filter(|_| plan.kind.has_faces());
@@ -120,14 +127,16 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<Outcome, CliError>
             encoding: ColorEncoding::Srgb,
         },
         high_dynamic_range: opened.high_dynamic_range,
+        exact: false,
     };
     plan.check_look(args.exposure.is_some() || args.tone_map.is_some(), opened.high_dynamic_range)?;
+    let engine = Engine::new(args.backend)?;
     let busy = reporter.busy("converting");
     let (written, size, filter) = if plan.kind.has_faces() {
         let size = face_size(args, &opened)?;
         let filter = conversion.filter_for(&opened.source.as_from(), 2.0 / f64::from(size));
         let read = describe(&opened);
-        let map = times.measure("convert", || to_cubemap(opened.source, &conversion, size));
+        let map = times.measure("convert", || engine.cubemap(opened.source, &conversion, size, reporter))?;
         let written = times.measure("write", || plan.write_cubemap(map, &look))?;
         let what = if plan.kind == Kind::Faces { "six faces".into() } else { format!("{} of faces", plan.kind) };
         said(reporter, &read, &format!("{what} of {size} x {size}, {} layout", args.layout), filter);
@@ -136,7 +145,8 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<Outcome, CliError>
         let (width, height) = panorama_size(args, &opened)?;
         let filter = conversion.filter_for(&opened.source.as_from(), std::f64::consts::PI / f64::from(height));
         let read = describe(&opened);
-        let panorama = times.measure("convert", || to_panorama(opened.source, &conversion, width, height));
+        let panorama =
+            times.measure("convert", || engine.panorama(opened.source, &conversion, width, height, reporter))?;
         let written = times.measure("write", || plan.write_panorama(&panorama, &look))?;
         said(reporter, &read, &format!("a panorama of {width} x {height}"), filter);
         (written, (width, height), filter)
@@ -166,39 +176,96 @@ fn said(reporter: &Reporter, read: &str, wrote: &str, filter: Filter) {
     reporter.note(format!("read {read}; wrote {wrote}; {filter} filter"));
 }
 
-fn to_cubemap(source: Source, conversion: &Conversion, size: u32) -> Cubemap {
-    match source {
-        // As it is: nothing is to be looked up.
-        Source::Cubemap(map) if map.size() == size && conversion.is_not_turned() => map,
-        other => conversion.cubemap(other.as_from(), size),
-    }
+/// Who converts.
+enum Engine {
+    Cpu,
+    Gl(Converter),
 }
 
-fn to_panorama(source: Source, conversion: &Conversion, width: u32, height: u32) -> Panorama {
-    match source {
-        Source::Panorama(panorama)
-            if (panorama.image.width, panorama.image.height) == (width, height) && conversion.is_not_turned() =>
-        {
-            panorama
+impl Engine {
+    fn new(choice: BackendChoice) -> Result<Engine, CliError> {
+        if choice != BackendChoice::Gl {
+            return Ok(Engine::Cpu);
         }
-        other => conversion.panorama(other.as_from(), width, height),
+        let context = open_context(&BackendOptions::default())?;
+        Ok(Engine::Gl(Converter::new(context.gl().clone())?))
+    }
+
+    fn cubemap(
+        &self,
+        source: Source,
+        conversion: &Conversion,
+        size: u32,
+        reporter: &Reporter,
+    ) -> Result<Cubemap, CliError> {
+        match (source, self) {
+            // As it is: nothing is to be looked up.
+            (Source::Cubemap(map), _) if map.size() == size && conversion.is_not_turned() => Ok(map),
+            (source, Engine::Cpu) => Ok(conversion.cubemap(source.as_from(), size)),
+            (source, Engine::Gl(converter)) => {
+                let made = converter.cubemap(conversion, source.as_from(), size)?;
+                made.notes.iter().for_each(|note| reporter.note(note));
+                Ok(made.environment)
+            }
+        }
+    }
+
+    fn panorama(
+        &self,
+        source: Source,
+        conversion: &Conversion,
+        width: u32,
+        height: u32,
+        reporter: &Reporter,
+    ) -> Result<Panorama, CliError> {
+        match (source, self) {
+            (Source::Panorama(panorama), _)
+                if (panorama.image.width, panorama.image.height) == (width, height) && conversion.is_not_turned() =>
+            {
+                Ok(panorama)
+            }
+            (source, Engine::Cpu) => Ok(conversion.panorama(source.as_from(), width, height)),
+            (source, Engine::Gl(converter)) => {
+                let made = converter.panorama(conversion, source.as_from(), width, height)?;
+                made.notes.iter().for_each(|note| reporter.note(note));
+                Ok(made.environment)
+            }
+        }
     }
 }
 
 /// Most pixels of what is written: faces of 8192 and panoramas of 32768 x 16384.
 const MOST_PIXELS: u64 = 1 << 29;
 
+/// Whether what `--size` asks for can be written: before anything is read or made for it.
+fn check_size(args: &ConvertArgs, plan: &Plan) -> Result<(), CliError> {
+    match args.size {
+        None => Ok(()),
+        Some((_, Some(_))) if plan.kind.has_faces() => {
+            Err(CliError::new("--size of faces is one number, N: they are square"))
+        }
+        Some((size, None)) if plan.kind.has_faces() => check_faces(size),
+        Some((width, height)) => check_panorama(width, height.unwrap_or(width / 2)),
+    }
+}
+
+fn check_faces(size: u32) -> Result<(), CliError> {
+    if 6 * u64::from(size) * u64::from(size) <= MOST_PIXELS {
+        return Ok(());
+    }
+    Err(CliError::new(format!("six faces of {size} x {size} are too many pixels; --size 8192 is the most")))
+}
+
+fn check_panorama(width: u32, height: u32) -> Result<(), CliError> {
+    if u64::from(width) * u64::from(height) <= MOST_PIXELS {
+        return Ok(());
+    }
+    Err(CliError::new(format!("a panorama of {width} x {height} is too large; --size 32768 (by 16384) is the most")))
+}
+
 fn face_size(args: &ConvertArgs, opened: &OpenedEnvironment) -> Result<u32, CliError> {
-    if let Some((_, Some(_))) = args.size {
-        return Err(CliError::new("--size of faces is one number, N: they are square"));
-    }
     let size = args.size.map_or_else(|| opened.source.as_from().natural_cubemap_size(), |(size, _)| size);
-    if 6 * u64::from(size) * u64::from(size) > MOST_PIXELS {
-        return Err(CliError::new(format!(
-            "six faces of {size} x {size} are too many pixels; --size 8192 is the most"
-        )));
-    }
-    Ok(size)
+    check_faces(size).map(|()| size)
 }
 
 fn panorama_size(args: &ConvertArgs, opened: &OpenedEnvironment) -> Result<(u32, u32), CliError> {
@@ -211,9 +278,5 @@ fn panorama_size(args: &ConvertArgs, opened: &OpenedEnvironment) -> Result<(u32,
             (height.saturating_mul(2), height)
         }
     };
-    if u64::from(width) * u64::from(height) > MOST_PIXELS {
-        let message = format!("a panorama of {width} x {height} is too large; 32768 x 16384 is the most");
-        return Err(CliError::new(message));
-    }
-    Ok((width, height))
+    check_panorama(width, height).map(|()| (width, height))
 }

@@ -1,10 +1,12 @@
 //! An environment to files: what, where to, in which format.
 
 use crate::output::atomic;
-use crate::report::{CliError, io_reason};
+use crate::report::CliError;
+use crate::values::nearest;
 use gonio_environment::arrange::{self, Arrangement};
+use gonio_environment::decode::{self, FileFormat, Shape};
 use gonio_environment::encode::{exr, hdr, ktx2, png};
-use gonio_environment::{CubeMips, Cubemap, EnvironmentError, Face, Image, Layout, Panorama};
+use gonio_environment::{CubeMips, Cubemap, EnvironmentError, Face, Image, Layout, Limits, Panorama};
 use gonio_light::color::{OutputTransform, ToneMap};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
@@ -85,12 +87,23 @@ enum Format {
 }
 
 impl Format {
+    const ALL: [Format; 3] = [Format::Png, Format::Exr, Format::Hdr];
+
     fn named(name: &str) -> Option<Format> {
         match name {
             "png" => Some(Format::Png),
             "exr" => Some(Format::Exr),
             "hdr" => Some(Format::Hdr),
             _ => None,
+        }
+    }
+
+    /// What keeps all that a file of a kind holds.
+    fn that_keeps(kind: FileFormat) -> Format {
+        match kind {
+            FileFormat::Png | FileFormat::Jpeg => Format::Png,
+            FileFormat::Hdr => Format::Hdr,
+            FileFormat::Exr | FileFormat::Ktx2 | FileFormat::Dds => Format::Exr,
         }
     }
 
@@ -123,6 +136,8 @@ pub struct Look {
     pub transform: OutputTransform,
     /// What was read has light above 1.
     pub high_dynamic_range: bool,
+    /// Every number is to be read again as it is: with as many bits as that takes.
+    pub exact: bool,
 }
 
 /// What was written.
@@ -152,6 +167,9 @@ impl Plan {
                     let message =
                         format!("six faces go to a folder, and `{shown}` is a file's name; leave its ending out");
                     return Err(CliError::new(message));
+                }
+                if !output.is_dir() && means_a_file(&extension) {
+                    return Err(CliError::new(not_written(&shown.to_string(), &extension)));
                 }
                 asked
             }
@@ -183,6 +201,14 @@ impl Plan {
             return Err(CliError::new("--bits belongs to PNG; .exr has half floats, .hdr 8 bits and an exponent"));
         }
         Ok(Plan { kind, output: output.to_owned(), format, bits })
+    }
+
+    /// The same; faces and pictures whose format nothing has settled keep that of the file they come from.
+    pub fn with_format_of(mut self, kind: Option<FileFormat>) -> Plan {
+        if self.kind == Kind::Faces {
+            self.format = self.format.or(kind.map(Format::that_keeps));
+        }
+        self
     }
 
     /// The same; a picture that is not said to be anything else is arranged like what was read.
@@ -224,6 +250,11 @@ impl Plan {
         Ok(())
     }
 
+    /// Whether light above 1 would be lost.
+    pub fn clips(&self, high_dynamic_range: bool) -> bool {
+        high_dynamic_range && self.kind != Kind::Ktx2 && self.format(high_dynamic_range) == Format::Png
+    }
+
     /// Writes six faces, in whatever arrangement.
     pub fn write_cubemap(&self, map: Cubemap, look: &Look) -> Result<Written, CliError> {
         match (self.kind, self.kind.arrangement()) {
@@ -233,10 +264,16 @@ impl Plan {
                 self.write_picture(&image, look)
             }
             _ => {
-                let format = if look.high_dynamic_range { ktx2::Format::Half } else { ktx2::Format::Srgb8 };
-                let encoded = ktx2::encode(&CubeMips::new(map), format);
-                atomic::write(&self.output, &encoded.bytes)?;
-                Ok(Written { outputs: vec![self.output.clone()], warnings: encoded.warnings })
+                let formats = [ktx2::Format::Srgb8, ktx2::Format::Half, ktx2::Format::Float];
+                let mips = CubeMips::new(map);
+                let least = usize::from(look.high_dynamic_range);
+                let encode = |format: &ktx2::Format| Ok(ktx2::encode(&mips, *format)).map(|e| (e.bytes, e.warnings));
+                let faces = mips.full().faces(Layout::OpenGl);
+                let (bytes, warnings) =
+                    if look.exact { first_exact(&formats[least..], &faces, encode) } else { encode(&formats[least]) }
+                        .map_err(failed)?;
+                atomic::write(&self.output, &bytes)?;
+                Ok(Written { outputs: vec![self.output.clone()], warnings })
             }
         }
     }
@@ -260,15 +297,21 @@ impl Plan {
             .map(|image| self.encode(image, look))
             .collect::<Result<_, EnvironmentError>>()
             .map_err(failed)?;
-        std::fs::create_dir_all(&self.output).map_err(|e| {
-            CliError::new(format!("the folder `{}` cannot be made: {}", self.output.display(), io_reason(&e)))
-        })?;
         let mut written = Written::default();
+        let mut files = Vec::with_capacity(6);
         for (face, (bytes, warnings)) in Face::ALL.into_iter().zip(encoded) {
             let path = self.output.join(format!("{}.{extension}", face.name()));
-            atomic::write(&path, &bytes)?;
             written.warnings.extend(warnings.into_iter().map(|w| format!("{}: {w}", path.display())));
-            written.outputs.push(path);
+            written.outputs.push(path.clone());
+            files.push((path, bytes));
+        }
+        atomic::write_together(&self.output, &files)?;
+        // Two sets in a folder are a riddle for whoever reads it.
+        let others = Format::ALL.into_iter().map(Format::extension).chain(["jpg"]).filter(|e| *e != extension);
+        for other in others.map(|e| self.output.join(format!("posx.{e}"))).filter(|path| path.is_file()) {
+            let (other, here) = (other.display(), self.output.join(format!("*.{extension}")));
+            let here = here.display();
+            written.warnings.push(format!("`{other}` is of another set of faces; name `{here}` to read these"));
         }
         Ok(written)
     }
@@ -277,14 +320,66 @@ impl Plan {
     fn encode(&self, image: &Image, look: &Look) -> Result<(Vec<u8>, Vec<String>), EnvironmentError> {
         match self.format(look.high_dynamic_range) {
             Format::Png => {
-                let depth = if self.bits == Some(16) { png::Depth::Sixteen } else { png::Depth::Eight };
-                let bytes = png::encode(image, &look.transform, depth)?;
-                Ok((bytes, clipped(image, look).into_iter().collect()))
+                let encode = |depth: &png::Depth| {
+                    let bytes = png::encode(image, &look.transform, *depth)?;
+                    Ok((bytes, clipped(image, look).into_iter().collect()))
+                };
+                match (self.bits, look.exact) {
+                    (Some(16), _) => encode(&png::Depth::Sixteen),
+                    (Some(_), _) | (None, false) => encode(&png::Depth::Eight),
+                    (None, true) => {
+                        first_exact(&[png::Depth::Eight, png::Depth::Sixteen], std::slice::from_ref(image), encode)
+                    }
+                }
             }
-            Format::Exr => exr::encode(image, exr::Precision::Half).map(|e| (e.bytes, e.warnings)),
+            Format::Exr => {
+                let encode = |p: &exr::Precision| exr::encode(image, *p).map(|e| (e.bytes, e.warnings));
+                if look.exact {
+                    first_exact(&[exr::Precision::Half, exr::Precision::Float], std::slice::from_ref(image), encode)
+                } else {
+                    encode(&exr::Precision::Half)
+                }
+            }
             Format::Hdr => hdr::encode(image).map(|e| (e.bytes, e.warnings)),
         }
     }
+}
+
+/// Bytes, and what they could not hold.
+type Bytes = Result<(Vec<u8>, Vec<String>), EnvironmentError>;
+
+/// The first way of writing pictures of which they are read again as they are; else the last.
+fn first_exact<T>(ways: &[T], pictures: &[Image], encode: impl Fn(&T) -> Bytes) -> Bytes {
+    let (last, cheaper) = ways.split_last().ok_or_else(|| EnvironmentError::new("there is no way to write this"))?;
+    for way in cheaper {
+        let (bytes, warnings) = encode(way)?;
+        let again = decode::decode("", &bytes, &Limits { max_bytes: u64::MAX })?;
+        let same = match &again.shape {
+            Shape::Picture(image) => pictures == std::slice::from_ref(image),
+            Shape::Faces(faces) => pictures == faces.as_slice(),
+        };
+        if same {
+            return Ok((bytes, warnings));
+        }
+    }
+    encode(last)
+}
+
+/// Whether an ending is one of files and not a part of a folder's name, as in `sky.v2`.
+fn means_a_file(extension: &str) -> bool {
+    const OTHERS: [&str; 14] =
+        ["jpg", "jpeg", "dds", "ktx", "tga", "bmp", "tif", "tiff", "webp", "gif", "avif", "jxl", "pic", "rgbe"];
+    OTHERS.contains(&extension) || (extension.len() >= 3 && nearest(extension, WRITTEN).is_some())
+}
+
+/// Endings of what is written.
+const WRITTEN: [&str; 4] = ["png", "exr", "hdr", "ktx2"];
+
+fn not_written(shown: &str, extension: &str) -> String {
+    let meant = nearest(extension, WRITTEN).map_or(String::new(), |known| format!("did you mean .{known}? "));
+    format!(
+        "`{shown}`: .{extension} is not written; {meant}.png, .exr, .hdr and .ktx2 are, and six faces to a folder's name"
+    )
 }
 
 /// Says how much light is too bright for a PNG.

@@ -1,0 +1,48 @@
+//! A source as a GPU takes it: what the CPU looks up, texel for texel.
+
+use super::source::{BORDER, CubeSource};
+use super::{Filter, From};
+use crate::image::Pixel;
+use crate::panorama::reduced_rows;
+use std::borrow::Cow;
+
+/// One picture, or six of one size, rows from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sheets<'a> {
+    /// Texels, borders included.
+    pub width: u32,
+    /// Texels, borders included.
+    pub height: u32,
+    /// 1, or 6: the faces in the order of [`crate::Face::ALL`].
+    pub layers: u32,
+    /// How many texels of its neighbours a face has on each side; 0 of a panorama, which goes round instead.
+    pub border: u32,
+    /// Layer after layer.
+    pub texels: Cow<'a, [Pixel]>,
+}
+
+impl<'a> From<'a> {
+    /// What a filter looks up in this source: faces with their neighbours' texels around them; a panorama, for
+    /// [`Filter::Area`] with its crowded rows averaged.
+    pub fn sheets(&self, filter: Filter) -> Sheets<'a> {
+        match *self {
+            From::Cubemap(map) => {
+                let side = map.size() + 2 * BORDER as u32;
+                let texels = Cow::Owned(CubeSource::new(map).into_texels());
+                Sheets { width: side, height: side, layers: 6, border: BORDER as u32, texels }
+            }
+            From::Panorama(panorama) => {
+                let image = &panorama.image;
+                let mut texels = Cow::Borrowed(image.pixels.as_slice());
+                if filter == Filter::Area {
+                    let (top, bottom) = reduced_rows(panorama);
+                    let all = texels.to_mut();
+                    let bottom_begins = all.len() - bottom.len();
+                    all[..top.len()].copy_from_slice(&top);
+                    all[bottom_begins..].copy_from_slice(&bottom);
+                }
+                Sheets { width: image.width, height: image.height, layers: 1, border: 0, texels }
+            }
+        }
+    }
+}

@@ -1,0 +1,369 @@
+//! What `[environment]` and `--environment` may name, and what becomes of it in a scene.
+
+use crate::memory::{Memory, TRIANGLE};
+use glam::DVec3;
+use gonio_environment::arrange::{self, Arrangement};
+use gonio_environment::decode::{self, FileFormat, Shape};
+use gonio_environment::encode::ktx2;
+use gonio_environment::{CubeMips, Cubemap, Face, Image, Layout, Limits as ImageLimits};
+use gonio_mesh::{Limits, Severity};
+use gonio_scene::environment_file::{BUILTIN_SIZE, OpenedEnvironment, Reading, Source, open};
+use gonio_scene::files::{Disk, FileSource};
+use gonio_scene::load::{describe, load};
+use gonio_scene::{LoadedScene, toml_reader};
+use std::path::Path;
+
+/// A PNG of RGB pixels, top row first.
+fn png(width: u32, height: u32, pixels: impl Fn(u32, u32) -> [u8; 3]) -> Vec<u8> {
+    let picture = image::RgbImage::from_fn(width, height, |x, y| image::Rgb(pixels(x, y)));
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    picture.write_to(&mut bytes, image::ImageFormat::Png).unwrap();
+    bytes.into_inner()
+}
+
+/// Texels along an edge.
+const SIZE: u32 = 4;
+
+/// The red of a face.
+fn red(face: Face) -> u8 {
+    20 + 40 * face as u8
+}
+
+/// A face whose left half is blue too.
+fn face(face: Face) -> Vec<u8> {
+    png(SIZE, SIZE, |x, _| [red(face), 0, if x < SIZE / 2 { 255 } else { 0 }])
+}
+
+fn decoded(bytes: &[u8]) -> Image {
+    match decode::decode("", bytes, &ImageLimits::default()).unwrap().shape {
+        Shape::Picture(image) => image,
+        Shape::Faces(_) => panic!("six faces"),
+    }
+}
+
+/// The six faces as files of such names, `*` being the face's.
+fn six(names: &str) -> Memory {
+    let name = |f: Face| names.replace('*', f.name());
+    Face::ALL.into_iter().fold(Memory::default(), |files, f| files.with(&name(f), face(f)))
+}
+
+/// What the six faces are in a layout.
+fn map(layout: Layout) -> Cubemap {
+    Cubemap::from_faces(Face::ALL.map(|f| decoded(&face(f))), layout).unwrap()
+}
+
+fn in_layout(layout: Layout) -> Reading {
+    Reading { layout: Some(layout), ..Reading::default() }
+}
+
+#[track_caller]
+fn opened(files: &dyn FileSource, name: &str, reading: Reading) -> OpenedEnvironment {
+    open(name, reading, Path::new(""), files, &Limits::default()).unwrap_or_else(|e| panic!("{e}"))
+}
+
+#[track_caller]
+fn refused(files: &dyn FileSource, name: &str) -> String {
+    open(name, Reading::default(), Path::new(""), files, &Limits::default()).map(|o| o.source).unwrap_err().to_string()
+}
+
+fn cubemap(opened: &OpenedEnvironment) -> &Cubemap {
+    match &opened.source {
+        Source::Cubemap(map) => map,
+        Source::Panorama(_) => panic!("{} is a panorama", opened.name),
+    }
+}
+
+#[test]
+fn a_folder_a_pattern_and_one_of_six_are_the_same_faces() {
+    let files = six("faces/day_*.png").with("faces/night_posx.png", face(Face::PosX)).with("faces/readme.txt", "x");
+    for name in ["faces", "faces/day_*.png", "faces/d*_*.p*", "faces/day_negy.png"] {
+        let found = opened(&files, name, Reading::default());
+        assert_eq!((found.layout, found.arrangement), (Some(Layout::Photographic), Arrangement::Faces), "{name}");
+        assert!(*cubemap(&found) == map(Layout::Photographic), "{name}");
+        let paths: Vec<String> = found.files.iter().map(|p| p.display().to_string()).collect();
+        assert_eq!(paths, Face::ALL.map(|f| format!("faces/day_{}.png", f.name())), "{name}");
+        assert_eq!((found.name.as_str(), found.format), (name, Some(FileFormat::Png)));
+        assert!(!found.high_dynamic_range && found.diagnostics.iter().all(|d| d.severity == Severity::Note));
+        assert!(*cubemap(&opened(&files, name, in_layout(Layout::OpenGl))) == map(Layout::OpenGl), "{name}");
+    }
+    // In the current folder.
+    assert!(*cubemap(&opened(&six("*.png"), "negz.png", Reading::default())) == map(Layout::Photographic));
+}
+
+/// Said once without the code that is tested: where each picture is, and that none is mirrored.
+#[test]
+fn the_photographic_layout_has_posz_ahead_and_the_other_behind() {
+    let files = six("*.png");
+    let light = |layout, direction: DVec3| {
+        let found = opened(&files, "posx.png", in_layout(layout));
+        let sample = cubemap(&found).sample_nearest(direction);
+        (gonio_light::color::srgb_encode(sample.x) * 255.0, sample.z > 0.5)
+    };
+    let near = |(value, _): (f64, bool), face: Face| assert!((value - f64::from(red(face))).abs() < 0.01, "{face:?}");
+    let (x, y, z) = (DVec3::X, DVec3::Y, DVec3::Z);
+    for (face, photographic, open_gl) in [
+        (Face::PosX, x, x),
+        (Face::NegX, -x, -x),
+        (Face::PosY, y, y),
+        (Face::NegY, -y, -y),
+        (Face::PosZ, -z, z),
+        (Face::NegZ, z, -z),
+    ] {
+        near(light(Layout::Photographic, photographic), face);
+        near(light(Layout::OpenGl, open_gl), face);
+    }
+    // Ahead is -Z: the left half of what is there is towards -X.
+    assert!(light(Layout::Photographic, -z - 0.5 * x).1 && !light(Layout::Photographic, -z + 0.5 * x).1);
+    // OpenGL's +Z face has its columns along +X: someone who looks there has +X to the left, so it is mirrored.
+    assert!(light(Layout::OpenGl, z - 0.5 * x).1 && !light(Layout::OpenGl, z + 0.5 * x).1);
+}
+
+#[test]
+fn pictures_of_six_faces_are_told_by_their_proportions() {
+    for arrangement in [Arrangement::Cross, Arrangement::VerticalCross, Arrangement::Strip, Arrangement::VerticalStrip]
+    {
+        let whole = arrange::from_cubemap(&map(Layout::OpenGl), arrangement, Layout::OpenGl).unwrap();
+        let bytes = png(whole.width, whole.height, |x, y| {
+            let encode = |v: f32| (gonio_light::color::srgb_encode(v.into()) * 255.0).round() as u8;
+            let [r, g, b, _] = whole.at(x, y);
+            [encode(r), encode(g), encode(b)]
+        });
+        let files = Memory::default().with("a.png", bytes);
+        let found = opened(&files, "a.png", in_layout(Layout::OpenGl));
+        assert_eq!((found.arrangement, found.layout), (arrangement, Some(Layout::OpenGl)));
+        assert!(*cubemap(&found) == map(Layout::OpenGl), "{arrangement}");
+        // The usual layout is the other one.
+        let usual = opened(&files, "a.png", Reading::default());
+        assert_eq!(usual.layout, Some(Layout::Photographic));
+        assert!(*cubemap(&usual) == *cubemap(&opened(&files, "a.png", in_layout(Layout::Photographic))));
+        assert!(*cubemap(&usual) != map(Layout::OpenGl), "{arrangement}");
+        // Taken for a panorama where that is asked for.
+        let reading = Reading { arrangement: Some(Arrangement::Equirectangular), ..Reading::default() };
+        assert!(matches!(opened(&files, "a.png", reading).source, Source::Panorama(_)));
+    }
+}
+
+#[test]
+fn a_ktx2_file_is_in_opengls_layout() {
+    let bytes = ktx2::encode(&CubeMips::new(map(Layout::OpenGl)), ktx2::Format::Srgb8).bytes;
+    let files = Memory::default().with("a.ktx2", bytes.clone());
+    let found = opened(&files, "a.ktx2", Reading::default());
+    assert_eq!((found.layout, found.format), (Some(Layout::OpenGl), Some(FileFormat::Ktx2)));
+    assert!(*cubemap(&found) == map(Layout::OpenGl));
+    assert!(*cubemap(&opened(&files, "a.ktx2", in_layout(Layout::Photographic))) == map(Layout::Photographic));
+    // It is no face of six.
+    let text = refused(&six("*.png").with("posx.png", bytes), "negx.png");
+    assert_eq!(text, "posx.png: this file has six faces of its own, and was to be one of six; name it alone");
+}
+
+#[test]
+fn built_in_environments_need_no_file() {
+    let none = Memory::default();
+    for (name, layout) in [("debug", Some(Layout::OpenGl)), ("sky", None)] {
+        let found = opened(&none, name, Reading::default());
+        assert_eq!((cubemap(&found).size(), found.layout, found.files.len()), (BUILTIN_SIZE, layout, 0), "{name}");
+    }
+    let small = Reading { size: Some(8), ..Reading::default() };
+    assert!(cubemap(&opened(&none, "builtin:sky", small)) == cubemap(&opened(&none, "SKY", small)));
+    assert_eq!(cubemap(&opened(&none, "sky", small)).size(), 8);
+    let photographic = Reading { layout: Some(Layout::Photographic), ..small };
+    assert_eq!(opened(&none, "debug", photographic).layout, Some(Layout::Photographic));
+    assert!(matches!(opened(&none, "room", Reading::default()).source, Source::Panorama(_)));
+    // A size is checked before anything is made.
+    let few = Limits { max_bytes: 1 << 20, ..Limits::default() };
+    let text = open("sky", Reading::default(), Path::new(""), &none, &few).map(|o| o.source).unwrap_err().to_string();
+    assert!(text.starts_with("sky: 6 times 512 x 512 pixels are 24.0 MiB"), "{text}");
+    // A folder that is called like one can be named otherwise.
+    let found = opened(&six("./sky/*.png"), "./sky", Reading::default());
+    assert!(*cubemap(&found) == map(Layout::Photographic));
+    let found = opened(&six("sky/*.png"), "sky", small);
+    let note = "the built-in environment is meant; ./sky names the folder";
+    assert_eq!((found.diagnostics[0].severity, found.diagnostics[0].message.as_str()), (Severity::Note, note));
+}
+
+#[test]
+fn what_is_wrong_is_told_with_its_file() {
+    let ends = |text: String, wanted: &str| assert!(text.ends_with(wanted), "{text}");
+    let none = Memory::default();
+    assert_eq!(refused(&none, "skyy"), "skyy: there is no such file or folder; did you mean `sky`, which is built in?");
+    ends(refused(&none, "sky/day.png"), "check the path, or use debug, sky or room to try things out");
+    let wanted = "there is no built-in environment `rom`; did you mean `room`? there are debug, sky, room";
+    ends(refused(&none, "builtin:rom"), wanted);
+    ends(refused(&none, "builtin:suzanne"), "no built-in environment `suzanne`; there are debug, sky, room");
+    ends(refused(&none, "sky_*.png"), "no file has a name like this; check the pattern");
+    let five = Face::ALL[..5].iter().fold(Memory::default(), |m, f| m.with(&format!("a/{}.png", f.name()), face(*f)));
+    assert_eq!(refused(&five, "a"), "a: 5 of six faces are here; missing: `negz` (`negz.png`)");
+    assert_eq!(refused(&five, "a/posx.png"), "a/posx.png: 5 of six faces are here; missing: `negz` (`negz.png`)");
+    ends(refused(&six("a/*.png").with("b/c.txt", "x"), "b"), "posx.png negx.png posy.png negy.png posz.png negz.png");
+
+    // The face's own file is named.
+    let smaller = six("a/*.png").with("a/posz.png", png(2, 2, |_, _| [0; 3]));
+    let text = refused(&smaller, "a");
+    assert!(text.starts_with("a/posz.png: ") && text.contains("2 x 2"), "{text}");
+    let oblong = six("a/*.png").with("a/negy.png", png(4, 3, |_, _| [0; 3]));
+    let text = refused(&oblong, "a");
+    assert!(text.starts_with("a/negy.png: ") && text.contains("4 x 3"), "{text}");
+    let mut cut = face(Face::NegX);
+    cut.truncate(cut.len() - 20);
+    let text = refused(&six("a/*.png").with("a/negx.png", cut), "a");
+    assert!(text.starts_with("a/negx.png: this PNG ends"), "{text}");
+
+    let folder = tempfile::tempdir().unwrap();
+    ends(
+        refused(&Disk, &folder.path().to_string_lossy()),
+        "the folder is empty; six faces are wanted, called like posx.png negx.png posy.png negy.png posz.png negz.png",
+    );
+}
+
+#[test]
+fn models_and_environments_are_told_apart() {
+    let panorama = png(8, 4, |_, _| [9; 3]);
+    let scene = "[[object]]\nmodel = \"t.obj\"\n";
+    let files = Memory::default().with("t.obj", TRIANGLE).with("s.toml", scene).with("p.png", panorama);
+    assert_eq!(refused(&files, "t.obj"), "t.obj: this is a model, not a picture; to draw it, name it as the input");
+    assert_eq!(
+        refused(&files, "s.toml"),
+        "s.toml: this is a scene file, not a picture; to draw it, name it as the input"
+    );
+    let told = |name: &str| describe(&[name], &files).unwrap_err().to_string();
+    let remedy = "not a model; to surround a model by it, name it as the environment (--environment)";
+    assert_eq!(told("p.png"), format!("p.png: this is a PNG picture, {remedy}"));
+    assert_eq!(told("sky"), format!("sky: this is a built-in environment, {remedy}"));
+    assert!(told("skyy").contains("there is no such file"));
+}
+
+#[test]
+fn what_is_asked_for_in_vain_is_told() {
+    let files = six("a/*.png").with("p.png", png(8, 4, |_, _| [9; 3])).with("odd.png", png(9, 3, |_, _| [9; 3]));
+    let found = opened(&files, "p.png", in_layout(Layout::OpenGl));
+    assert_eq!(found.layout, None);
+    assert!(found.diagnostics.iter().any(|d| d.message.starts_with("a layout is about faces")));
+    assert!(opened(&files, "p.png", Reading::default()).diagnostics.is_empty());
+    let odd = opened(&files, "odd.png", Reading::default());
+    assert_eq!((odd.diagnostics.len(), odd.diagnostics[0].severity), (1, Severity::Warning));
+    assert!(odd.diagnostics[0].message.contains("whole width is 360 degrees"), "{:?}", odd.diagnostics);
+    // Six files are no cross.
+    let reading = Reading { arrangement: Some(Arrangement::Cross), ..Reading::default() };
+    let error = open("a", reading, Path::new(""), &files, &Limits::default()).map(|o| o.source).unwrap_err();
+    let wanted = "a: this is faces already and cannot be taken for cross; leave the arrangement out";
+    assert_eq!(error.to_string(), wanted);
+}
+
+/// A scene file in a folder, and what it may be surrounded by.
+fn scene(environment: &str) -> (LoadedScene, Memory) {
+    let panorama = png(16, 8, |x, y| [10 * x as u8, 20 * y as u8, 99]);
+    let ktx2 = ktx2::encode(&CubeMips::new(map(Layout::OpenGl)), ktx2::Format::Srgb8).bytes;
+    let text = format!("[environment]\n{environment}\n[[object]]\nmodel = \"builtin:cube\"\n");
+    // Paths in memory are compared as they are written.
+    let files = six("scenes/faces/*.png").with("scenes/p.png", panorama).with("scenes/../k.ktx2", ktx2);
+    let files = files.with("scenes/s.toml", text);
+    let described = describe(&["scenes/s.toml"], &files).unwrap_or_else(|e| panic!("{environment}: {e}"));
+    (load(described, Path::new(""), &files).unwrap_or_else(|e| panic!("{environment}: {e}")), files)
+}
+
+#[test]
+fn a_printed_scene_has_the_same_environment() {
+    for (environment, image, layout, size) in [
+        ("image = \"faces\"\nblur = 0.25", "scenes/faces", Some(Layout::Photographic), Some(4)),
+        ("image = \"faces\"\nlayout = \"opengl\"\nsize = 2", "scenes/faces", Some(Layout::OpenGl), Some(2)),
+        ("image = \"p.png\"\nrotate = [1, 2.5, -3]\nintensity = 0.3", "scenes/p.png", None, Some(4)),
+        ("image = \"../k.ktx2\"\nvisible = false", "scenes/../k.ktx2", Some(Layout::OpenGl), Some(4)),
+        ("image = \"debug\"\nsize = 16\nlight = true", "debug", Some(Layout::OpenGl), Some(16)),
+        ("image = \"builtin:room\"\nlight = false", "builtin:room", None, Some(128)),
+        // Of two with layouts or sizes of their own the one key tells nothing: each keeps its default.
+        ("image = \"faces\"\nbackground = \"../k.ktx2\"", "scenes/faces", None, Some(4)),
+        ("image = \"faces\"\nbackground = \"room\"", "scenes/faces", Some(Layout::Photographic), None),
+        (
+            "image = \"p.png\"\nbackground = \"faces\"\nlayout = \"opengl\"",
+            "scenes/p.png",
+            Some(Layout::OpenGl),
+            Some(4),
+        ),
+    ] {
+        let (first, files) = scene(environment);
+        let spec = first.scene.environment.clone().unwrap();
+        assert_eq!((spec.image.as_str(), spec.layout, spec.size), (image, layout, size), "{environment}");
+        let text = first.scene.to_toml_string();
+        let read = toml_reader::read(&text).unwrap_or_else(|e| panic!("{e}\n{text}"));
+        assert_eq!(read, first.scene, "{text}");
+        let second = load(read, Path::new(""), &files).unwrap();
+        assert_eq!(second.scene, first.scene, "{text}");
+        assert_eq!(second.surroundings(), first.surroundings(), "{text}");
+        let of = |scene: &LoadedScene| scene.environment.as_ref().map(|e| (e.mips.clone(), e.background.clone()));
+        assert!(of(&first) == of(&second), "{text}");
+        assert_eq!(toml::from_str::<gonio_scene::Scene>(&text).unwrap(), first.scene);
+    }
+}
+
+#[test]
+fn the_environment_lights_a_scene_that_has_no_lights() {
+    let (alone, _) = scene("image = \"faces\"");
+    assert!(alone.surroundings().unwrap().lights && alone.scene.lights.is_empty());
+    let (dark, _) = scene("image = \"faces\"\nlight = false");
+    assert!(!dark.surroundings().unwrap().lights && !dark.scene.lights.is_empty());
+    let lamp = "[[light]]\nkind = \"ambient\"";
+    let (lit, _) = scene(&format!("image = \"faces\"\n{lamp}"));
+    assert!(!lit.surroundings().unwrap().lights && lit.scene.lights.len() == 1);
+    let (both, _) = scene(&format!("image = \"faces\"\nlight = true\n{lamp}"));
+    assert!(both.surroundings().unwrap().lights && both.scene.lights.len() == 1);
+}
+
+#[test]
+fn another_background_leaves_the_light_as_it_is() {
+    let (scene, _) = scene("image = \"faces\"\nbackground = \"debug\"\nsize = 4");
+    let environment = scene.environment.as_ref().unwrap();
+    assert!(*environment.mips.full() == map(Layout::Photographic));
+    let wanted = gonio_environment::debug::debug(4, Layout::OpenGl);
+    assert!(*environment.seen().full() == wanted && environment.seen().full() != environment.mips.full());
+}
+
+#[test]
+fn panoramas_become_cubemaps_as_fine_and_at_most_usual() {
+    let (small, _) = scene("image = \"p.png\"");
+    assert_eq!(small.environment.as_ref().unwrap().mips.full().size(), 4);
+    assert!(small.diagnostics.is_empty(), "{:?}", small.diagnostics);
+    // A quarter of a row is an edge: 8192 pixels are as fine as 2048 texels. One row is enough to be so wide.
+    let files = Memory::default().with("w.png", png(8192, 2, |_, _| [99; 3]));
+    let text = "[environment]\nimage = \"w.png\"\n[[object]]\nmodel = \"builtin:cube\"\n";
+    let wide = load(toml_reader::read(text).unwrap(), Path::new(""), &files).unwrap();
+    assert_eq!(wide.environment.as_ref().unwrap().mips.full().size(), 1024);
+    let note = wide.diagnostics.iter().find(|d| d.severity == Severity::Note).unwrap();
+    assert!(note.message.contains("cubemap of 2048") && note.message.contains("one of 1024"), "{note:?}");
+}
+
+#[test]
+fn mirrors_and_glass_without_surroundings_are_warned_about() {
+    let warned = |material: &str, environment: &str| {
+        let text = format!("{environment}[[object]]\nmodel = \"builtin:cube\"\nmaterial = {{ {material} }}\n");
+        let scene = load(toml_reader::read(&text).unwrap(), Path::new(""), &Memory::default()).unwrap();
+        scene.diagnostics.iter().any(|d| d.message.starts_with("mirrors and glass show their surroundings"))
+    };
+    let sky = "[environment]\nimage = \"sky\"\nsize = 1\n";
+    assert!(warned("reflectivity = 0.5", "") && warned("medium = \"glass\"", ""));
+    assert!(!warned("reflectivity = 0.5", sky) && !warned("diffuse = [1, 0, 0]", ""));
+}
+
+#[test]
+fn keys_of_an_environment_are_checked() {
+    let says = |text: &str, expected: &str| {
+        let text = format!("[[object]]\nmodel = \"builtin:cube\"\n[environment]\n{text}");
+        assert_eq!(toml_reader::read(&text).unwrap_err().to_string(), expected);
+    };
+    says(
+        "blur = 0.5\n",
+        "3:1: the environment needs `image` (--environment): debug, sky, room, a picture or a folder of six",
+    );
+    says("image = \"sky\"\nblur = 2\n", "5:8: `blur` must be 0 to 1, not 2");
+    says("image = \"sky\"\nsize = 0\n", "5:8: `size` must be 1 to 8192 texels, not 0");
+    says("image = \"sky\"\nintensity = -1\n", "5:13: `intensity` must be 0 to 1000000, not -1");
+    says("image = \"sky\"\nrotate = [1, 2]\n", "5:10: `rotate` wants three numbers [x, y, z], got a list of 2");
+    says(
+        "image = \"sky\"\nlayout = \"open-gl\"\n",
+        "5:10: `layout`: `open-gl` is no layout of faces; did you mean `opengl`? One of opengl, photographic is wanted",
+    );
+    says(
+        "imag = \"sky\"\n",
+        "4:1: unknown key `imag` in [environment]; did you mean `image`? Known keys: image, layout, size, rotate, \
+         intensity, light, visible, blur, background",
+    );
+}
