@@ -11,11 +11,13 @@ use crate::output::{atomic, png};
 use crate::report::{CliError, Reporter, Times};
 use gonio_light::color::ColorEncoding;
 use gonio_reference::ReferenceScene;
+use gonio_scene::environment::LoadedEnvironment;
 use gonio_scene::files::BuiltinOnly;
 use gonio_scene::picture::EncodedPicture;
 use gonio_scene::{DisplayMap, Frame, LoadedScene, Scene, load};
 use serde::Serialize;
 use std::path::Path;
+use std::sync::Arc;
 use std::time::Instant;
 
 /// OpenGL draws each picture so much larger than it stands on the sheet; the CPU takes its time.
@@ -125,6 +127,7 @@ pub fn all<'a>(
     let progress = reporter.progress("drawing the tour");
     let (mut shown, mut notes) = (Vec::with_capacity(total), Vec::new());
     let mut backend = None;
+    let mut environments = Environments::default();
     for (index, ((section, exhibit), place)) in exhibits().zip(&layout.places).enumerate() {
         let fine = match opened {
             _ if exhibit.exact => 1.0,
@@ -140,7 +143,8 @@ pub fn all<'a>(
                 let mut scene = (**scene).clone();
                 scene.picture.width = (f64::from(place.width) * fine) as u32;
                 scene.picture.height = (f64::from(place.height) * fine) as u32;
-                let (drawn, artist) = one(args, folder, (section, exhibit), scene, place, opened, times, &mut notes)?;
+                let loaded = times.measure("load", || environments.load(scene))?;
+                let (drawn, artist) = one(args, folder, (section, exhibit), &loaded, place, opened, times, &mut notes)?;
                 opened = artist.opened;
                 if backend.is_none() {
                     if args.backend.backend == BackendChoice::Auto {
@@ -157,6 +161,28 @@ pub fn all<'a>(
     notes.iter().for_each(|note| reporter.note(note));
     let (backend, sentence) = backend.ok_or_else(|| CliError::new("the tour has no pictures"))?;
     Ok(Result { shown, backend, sentence })
+}
+
+/// The environments so far: what is made of one when it is first asked for (a second's work, where it lights glossy
+/// surfaces) is made once for all pictures.
+#[derive(Default)]
+struct Environments(Vec<Arc<LoadedEnvironment>>);
+
+impl Environments {
+    /// Loads a scene, with an environment that is there already in place of its own where they are the same.
+    fn load(&mut self, scene: Scene) -> std::result::Result<LoadedScene, CliError> {
+        let mut loaded = load::load(scene, Path::new(""), &BuiltinOnly)?;
+        if let Some(own) = &mut loaded.environment {
+            let same = |e: &&Arc<LoadedEnvironment>| {
+                e.name == own.name && e.mips.full() == own.mips.full() && e.background == own.background
+            };
+            match self.0.iter().find(same) {
+                Some(known) => *own = known.clone(),
+                None => self.0.push(own.clone()),
+            }
+        }
+        Ok(loaded)
+    }
 }
 
 /// A backend between two scenes, and what it calls itself.
@@ -199,7 +225,7 @@ fn one<'a>(
     args: &TourArgs,
     folder: &Folder,
     (section, exhibit): (usize, &'a Exhibit),
-    scene: Scene,
+    loaded: &LoadedScene,
     place: &Place,
     opened: Opened,
     times: &Times,
@@ -207,14 +233,13 @@ fn one<'a>(
 ) -> std::result::Result<(Shown<'a>, Artist), CliError> {
     // The tour has one bar of its own.
     let silent = Reporter::new(true, false);
-    let loaded = times.measure("load", || load::load(scene, Path::new(""), &BuiltinOnly))?;
     let frame = loaded.frame(exhibit.time);
-    let mut backend = opened.take_scene(&loaded, &args.backend, &silent, times)?;
+    let mut backend = opened.take_scene(loaded, &args.backend, &silent, times)?;
     // As `gonio render` draws its 8-bit pictures: the same bytes.
     backend.for_eight_bits();
     // First the small one: it also has the shaders compiled before the clock runs.
     let difference = match backend {
-        Backend::Gl { .. } => Some(compare(&mut backend, exhibit, &loaded, &frame, &silent)?),
+        Backend::Gl { .. } => Some(compare(&mut backend, exhibit, loaded, &frame, &silent)?),
         Backend::Cpu { .. } => None,
     };
 
@@ -304,7 +329,9 @@ fn command(args: &TourArgs, folder: &Folder, exhibit: &Exhibit) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::exhibit::Stage;
     use super::*;
+    use gonio_scene::description::EnvironmentSpec;
 
     #[test]
     fn differences_are_counted_in_steps() {
@@ -314,6 +341,21 @@ mod tests {
         let d = Difference::of(&a, &b);
         assert_eq!((d.max, d.mean, d.within_one), (5, 1.0, 0.5));
         assert_eq!(Difference::of(&a, &a), Difference { max: 0, mean: 0.0, within_one: 1.0 });
+    }
+
+    #[test]
+    fn the_same_environment_is_kept_once() {
+        let mut environments = Environments::default();
+        let mut load = |image: &str, size| {
+            let environment = EnvironmentSpec { image: image.into(), size: Some(size), ..EnvironmentSpec::default() };
+            let scene = Stage::RoomSphere.with(|s| s.environment = Some(environment));
+            let loaded = scene.and_then(|s| environments.load(s)).unwrap_or_else(|e| panic!("{}", e.message));
+            loaded.environment.unwrap_or_else(|| panic!("{image} was lost"))
+        };
+        let first = load("room", 16);
+        assert!(Arc::ptr_eq(&first, &load("room", 16)));
+        // The same name at another size, and another name.
+        assert!(!Arc::ptr_eq(&first, &load("room", 8)) && !Arc::ptr_eq(&first, &load("sky", 16)));
     }
 
     #[test]

@@ -22,7 +22,7 @@ fn room() -> Vec<Exhibit> {
     let make = |to| Converted { from: Builtin::Room, to };
     let cross = |layout| make(Target::Faces(Arrangement::Cross, layout));
     vec![
-        Exhibit::converted("room-panorama", "a panorama", make(Target::Panorama)).remark("512 × 256, straight ahead is −Z").tells(
+        Exhibit::converted("room-panorama", "a panorama", make(Target::Panorama)).remark("built in: 512 × 256, −Z in the middle").tells(
             "u = \\f{1}{2} + \\f{φ}{2π},   v = \\f{θ}{π}",
             "Longitude to the right, latitude downwards: what is straight is bent, and the poles are stretched to whole \
              rows.",
@@ -32,8 +32,8 @@ fn room() -> Vec<Exhibit> {
             .remark("as texture(samplerCube, d) wants them")
             .tells(
                 "+X: (s, t) = \\f{(−z, −y)}{|x|}",
-                "The cross of the room in a mirror: red and blue walls have changed sides. The rows and columns are those \
-                 of OpenGL's table, so that no shader has to turn anything.",
+                "The wall behind, +Z, is in the middle, and every face is the mirror image of what is seen. The rows and \
+                 columns are those of OpenGL's table, so that no shader has to turn anything.",
             ),
         Exhibit::converted("room-cross-photographic", "the same, photographic", cross(Layout::Photographic))
             .joined(Some("="))

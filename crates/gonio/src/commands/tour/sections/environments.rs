@@ -135,7 +135,7 @@ fn mirrors() -> Result<Vec<Exhibit>, CliError> {
         )
         .remark("w = F, index 1.5")
         .tells(
-            "L = (1 − !{F}) L_o + !{F} E(R),   F = \\f{r_s^2 + r_p^2}{2}",
+            "L = (1 − !{F}) L_o + !{F} E(R)",
             "Fresnel's factor as weight: 4 % where one looks straight at the red, a mirror at grazing angles.",
         ),
     ])
@@ -160,7 +160,7 @@ fn image_based() -> Result<Vec<Exhibit>, CliError> {
             })?;
             Ok::<_, CliError>(Exhibit::new(name, caption, scene).remark(remark).tells(equation, look))
         };
-    const GLOSSY: &str = "k_s ∫ f_γ E(L) ⟨N·L⟩ dL ≈ E_γ(R') !{(A F_0 + B)}";
+    const GLOSSY: &str = "∫ f_γ E … ≈ E_γ(R') !{(A k_s + B)}";
     let (metal, dark) = ([0.95, 0.68, 0.36], [0.02, 0.012, 0.006]);
     Ok(vec![
         suzanne(
@@ -170,7 +170,7 @@ fn image_based() -> Result<Vec<Exhibit>, CliError> {
             [0.66, 0.6, 0.54],
             [0.0; 3],
             1.0,
-            "k_d \\f{1}{π} ∫ E(L) ⟨N·L⟩ dL ≈ k_d Σ_{l ≤ 2} !{A_l E_{lm}} Y_{lm}(N)",
+            "\\f{k_d}{π} ∫ E … ≈ k_d Σ !{A_l E_{lm}} Y_{lm}(N)",
             "No lamp. What falls on the surface from everywhere is so smooth that nine spherical harmonics hold it: red \
              and green from the walls, white from the window and the ceiling.",
         )?,
@@ -203,7 +203,7 @@ fn image_based() -> Result<Vec<Exhibit>, CliError> {
             metal,
             800.0,
             GLOSSY,
-            "Nearly the mirror of the row above, and tinted by k_s as metals are.",
+            "Nearly a mirror, and tinted by k_s as metals are.",
         )?,
         Exhibit::new(
             "ibl-still-life",
