@@ -178,8 +178,8 @@ fn every_arrangement_holds_the_same_faces() {
     lab.convert(&["photographic", "again"]);
     assert_eq!(lab.within("again"), names("exr"));
     for file in names("exr") {
-        assert_eq!(lab.read(&format!("again/{file}")), lab.read(&format!("faces/{file}")), "{file}");
-        assert_ne!(lab.read(&format!("photographic/{file}")), lab.read(&format!("faces/{file}")), "{file}");
+        let bytes = |folder: &str| lab.read(&format!("{folder}/{file}"));
+        assert!(bytes("again") == bytes("faces") && bytes("photographic") != bytes("faces"), "{file}");
     }
 }
 
@@ -212,7 +212,7 @@ fn a_panorama_becomes_faces_and_again_a_panorama() {
     }
     // A mirrored world is another one.
     lab.convert(&["faces", "mirrored.hdr", "--size", "128"]);
-    assert_ne!(lab.read("mirrored.hdr"), lab.read("back.hdr"));
+    assert!(lab.read("mirrored.hdr") != lab.read("back.hdr"));
 }
 
 #[test]
@@ -463,7 +463,7 @@ fn a_probe_and_a_printed_scene_know_the_environment() {
         lab.render(&[input, &["-o", file]].concat()).good();
         lab.read(file)
     };
-    assert_eq!(draw(&["scene.toml"], "a.png"), draw(&IN_THE_MIDDLE[..], "b.png"));
+    assert!(draw(&["scene.toml"], "a.png") == draw(&IN_THE_MIDDLE[..], "b.png"));
     // Options lay over what the file says.
     let blurred = draw(&["scene.toml", "--environment-blur", "0.5"], "c.png");
     assert!(blurred != lab.read("a.png"));
