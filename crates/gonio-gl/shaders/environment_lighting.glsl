@@ -22,8 +22,8 @@ EnvironmentLight environment_light(vec3 n, vec3 v, vec3 k_d, vec3 k_s, float shi
     float roughness = roughness_of_shininess(effective_shininess(shininess));
     vec2 at = vec2(sqrt(clamp(dot(n, v), 0.0, 1.0)), roughness);
     vec2 factors = textureLod(environment_brdf, (0.5 + at * (environment_brdf_size - 1.0)) / environment_brdf_size, 0.0).rg;
-    vec3 mirrored = environment_from_world * reflection(n, v);
-    vec3 glossy = textureLod(glossy_map, mirrored, roughness * glossy_last_level).rgb;
+    vec3 middle = environment_from_world * dominant_direction(n, v, roughness);
+    vec3 glossy = textureLod(glossy_map, middle, roughness * glossy_last_level).rgb;
     glossy *= environment_specular_switch * environment_intensity;
     light.specular = k_s == vec3(0.0) ? vec3(0.0) : (k_s * factors.x + factors.y) * glossy;
     return light;

@@ -357,6 +357,17 @@ fn exponents_below_one_are_one() {
     }
 }
 
+/// A black k_s is matte, and no bright rim is added to it, also where others in the scene are glossy.
+#[test]
+fn matte_beside_glossy() {
+    let mut bench = Bench::new();
+    let lit = EnvironmentSpec { light: Some(true), ..EnvironmentSpec::default() };
+    let matte = object("suzanne", "phong", &CLAY.replace("specular = [0.5, 0.5, 0.5]", "specular = [0, 0, 0]"));
+    let glossy = object("cube", "flat", CLAY).replace("translate = [0.2, 0.1,", "translate = [0.2, -2.5,");
+    let scene = scene_from(CAMERA, "", LIGHTS, &format!("{matte}{glossy}"));
+    bench.check("matte beside glossy", &surrounded(scene, &SMALL, lit), None);
+}
+
 #[test]
 fn views_of_the_environments_light() {
     let mut bench = Bench::new();

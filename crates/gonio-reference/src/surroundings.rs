@@ -4,11 +4,12 @@ use crate::body::ObjectBody;
 use crate::fragment::Fragment;
 use crate::shade::Shader;
 use glam::DVec3;
+use gonio_environment::prefilter::dominant_direction;
 use gonio_environment::{BrdfTable, GlossyMips, harmonics};
 use gonio_light::brdf::effective_shininess;
 use gonio_light::optics::{self, Body, EnvironmentTerms, Sight, boundary};
 use gonio_light::roughness::roughness_of_shininess;
-use gonio_light::{Optics, ShadingPoint, Surface, Surfaces, vector};
+use gonio_light::{Optics, ShadingPoint, Surface, Surfaces};
 use gonio_scene::description::Shading;
 use gonio_scene::{Frame, LoadedEnvironment, LoadedScene, Surroundings, TextureFilter};
 use std::f64::consts::FRAC_1_PI;
@@ -101,15 +102,15 @@ impl<'a> Environment<'a> {
         })
     }
 
-    /// `k_s scale + bias` times the blurred environment about where a mirror looks, by the split sum
+    /// `k_s scale + bias` times the blurred environment about the middle of the mirror's lobe, by the split sum
     /// ([`gonio_environment::prefilter`]); zero for a black `k_s`, as such surfaces are matte, and where the environment
     /// does not light.
     fn glossy_light(&self, point: &ShadingPoint, surface: &Surface) -> DVec3 {
         let Some((glossy, table)) = self.glossy.filter(|_| surface.specular != DVec3::ZERO) else { return DVec3::ZERO };
         let roughness = roughness_of_shininess(effective_shininess(surface.shininess));
         let (scale, bias) = table.lookup(point.normal.dot(point.view), roughness);
-        let mirrored = self.how.environment_from_world * vector::reflection(point.normal, point.view);
-        (surface.specular * scale + bias) * glossy.sample(mirrored, roughness) * self.how.intensity
+        let middle = self.how.environment_from_world * dominant_direction(point.normal, point.view, roughness);
+        (surface.specular * scale + bias) * glossy.sample(middle, roughness) * self.how.intensity
     }
 
     fn sight(

@@ -1,5 +1,5 @@
-// Light that comes from everywhere: twins of gonio-environment's harmonics.rs and of gonio-light's roughness.rs,
-// in f32. Sources stand there.
+// Light that comes from everywhere: twins of gonio-environment's harmonics.rs and prefilter.rs, and of
+// gonio-light's roughness.rs, in f32. Sources stand there.
 
 // The light that falls on a surface with this normal (in the environment): the integral of radiance times cosine. Never
 // negative.
@@ -13,4 +13,11 @@ vec3 irradiance(vec3 polynomial[9], vec3 n) {
 // The roughness of an exponent, in (0, 1].
 float roughness_of_shininess(float shininess) {
     return sqrt(sqrt(2.0 / (max(shininess, 0.0) + 2.0)));
+}
+
+// Where the middle of a rough mirror's lobe is; not of unit length. Roughness in [0, 1].
+vec3 dominant_direction(vec3 n, vec3 v, float roughness) {
+    float alpha = roughness * roughness;
+    float smoothness = 1.0 - alpha;
+    return mix(n, reflection(n, v), smoothness * (sqrt(smoothness) + alpha));
 }

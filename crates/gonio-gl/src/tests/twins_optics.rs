@@ -4,6 +4,7 @@ use super::twins::{Case, Numbers, cases, compare, texel, vec};
 use crate::glsl::fresnel_number;
 use glam::DVec3;
 use gonio_environment::harmonics::irradiance;
+use gonio_environment::prefilter::dominant_direction;
 use gonio_light::optics::{Fresnel, Optics, Sight, boundary, reflectance};
 use gonio_light::roughness::roughness_of_shininess;
 
@@ -106,5 +107,16 @@ fn light_from_everywhere() {
     compare("irradiance, roughness_of_shininess", &body, &some, 5e-6, |c| {
         let light = irradiance(&polynomial, vec(c[0]));
         [light.x, light.y, light.z, roughness_of_shininess(c[1][0].into())]
+    });
+}
+
+#[test]
+fn middles_of_lobes() {
+    let body = "vec4 run(vec4 a, vec4 b, vec4 c, vec4 d) { return vec4(dominant_direction(a.xyz, b.xyz, b.w), 0.0); }";
+    let some = cases(|r| [texel(r.direction(), 0.0), texel(r.direction(), r.unit()), [0.0; 4], [0.0; 4]]);
+    // A mirrored direction is a difference of numbers up to 2.
+    compare("dominant_direction", body, &some, 1e-6, |c| {
+        let middle = dominant_direction(vec(c[0]), vec(c[1]), c[1][3].into());
+        [middle.x, middle.y, middle.z, 0.0]
     });
 }
