@@ -80,14 +80,14 @@ mod tests {
 
     #[test]
     fn a_new_picture_keeps_what_is_not_about_the_old_one() {
-        let mut scene = Scene::default();
-        scene.environment = Some(EnvironmentSpec {
+        let before = EnvironmentSpec {
             image: "old.ktx2".into(),
             layout: Some(Layout::OpenGl),
             size: Some(64),
             intensity: 2.0,
             ..EnvironmentSpec::default()
-        });
+        };
+        let mut scene = Scene { environment: Some(before), ..Scene::default() };
         EnvironmentOptions { environment: Some("room".into()), ..EnvironmentOptions::default() }.apply(&mut scene);
         let spec = scene.environment.clone().unwrap_or_default();
         assert_eq!((spec.image.as_str(), spec.layout, spec.size, spec.intensity), ("room", None, None, 2.0));
