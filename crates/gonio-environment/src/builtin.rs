@@ -13,7 +13,7 @@ named_enum! {
     pub enum Builtin {
         /// Each face its colour, its names written on it, arrows of the axes.
         Debug = "debug",
-        /// A clear late-morning sky with its sun over plain ground.
+        /// A clear late-morning sky with its sun, over ground in the haze.
         Sky = "sky",
         /// A small furnished room (a panorama of 512 x 256, rendered for this project).
         Room = "room",

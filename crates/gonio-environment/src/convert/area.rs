@@ -26,7 +26,7 @@ pub(super) fn fill_row(
         let mut sums = [f32x4::ZERO; LANES];
         for j in 0..k {
             for i in 0..k {
-                source.bilinear(at(place(i), place(j)), |lane, value| sums[lane] += value);
+                source.bilinear(source.places(at(place(i), place(j))), |lane, value| sums[lane] += value);
             }
         }
         let mean = sums.map(|sum| (sum * (step * step)).to_array());

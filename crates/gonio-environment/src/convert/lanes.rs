@@ -53,15 +53,21 @@ pub(super) fn angle(y: f32x8, x: f32x8) -> f32x8 {
     let (across, along) = (y.abs(), x.abs());
     let (smaller, larger) = (across.fast_min(along), across.fast_max(along));
     let ratio = smaller / larger.fast_max(f32x8::splat(f32::MIN_POSITIVE));
-    let square = ratio * ratio;
+    let first_eighth = arc_tangent(ratio);
+    let first_quarter = across.simd_gt(along).select(FRAC_PI_2 - first_eighth, first_eighth);
+    let half = x.simd_lt(f32x8::ZERO).select(PI - first_quarter, first_quarter);
+    y.simd_lt(f32x8::ZERO).select(-half, half)
+}
+
+/// The arc tangent of numbers from -1 to 1, in radians, to 1e-7.
+#[inline(always)]
+pub(super) fn arc_tangent(x: f32x8) -> f32x8 {
+    let square = x * x;
     let mut sum = f32x8::splat(ARC_TANGENT[ARC_TANGENT.len() - 1]);
     for factor in ARC_TANGENT.iter().rev().skip(1) {
         sum = sum.mul_add(square, f32x8::splat(*factor));
     }
-    let first_eighth = ratio * sum;
-    let first_quarter = across.simd_gt(along).select(FRAC_PI_2 - first_eighth, first_eighth);
-    let half = x.simd_lt(f32x8::ZERO).select(PI - first_quarter, first_quarter);
-    y.simd_lt(f32x8::ZERO).select(-half, half)
+    x * sum
 }
 
 /// `atan(x) / x` in powers of `x^2`, for x in [0, 1]: the polynomial through its values at the nine Chebyshev nodes of

@@ -19,18 +19,22 @@ mod lanes;
 mod sheets;
 mod source;
 mod target;
+mod upright;
 
+use crate::face::Face;
 use crate::image::{Image, Pixel};
 use crate::{Cubemap, Panorama};
 pub use area::MOST_ALONG;
 use glam::{DMat3, DVec3, Mat3};
 use gonio_light::named_enum;
 pub use lanes::ARC_TANGENT;
+use lanes::LANES;
 use rayon::prelude::*;
 pub use sheets::Sheets;
 pub use source::BORDER;
-use source::{CubeSource, PanoramaSource, Source};
+use source::{CubeSource, PanoramaSource, Places, Source};
 use target::{CubeTarget, PanoramaTarget, Target};
+use upright::{SideColumns, is_side};
 
 named_enum! {
     /// How a conversion looks up its source.
@@ -166,27 +170,55 @@ impl Conversion {
         match from {
             From::Cubemap(map) => self.fill_from(&CubeSource::new(map), filter, target, pixels),
             From::Panorama(panorama) => {
-                self.fill_from(&PanoramaSource::new(panorama, filter), filter, target, pixels);
+                let source = PanoramaSource::new(panorama, filter);
+                match target.sides().filter(|_| self.is_not_turned() && filter != Filter::Area) {
+                    Some(size) => self.fill_upright(&source, size, filter, target, pixels),
+                    None => self.fill_from(&source, filter, target, pixels),
+                }
             }
         }
     }
 
     fn fill_from(&self, source: &impl Source, filter: Filter, target: &impl Target, pixels: &mut [Pixel]) {
+        // Some rows at a time: one is too little work to hand to a thread.
+        let rows = pixels.par_chunks_exact_mut(target.row_length()).enumerate().with_min_len(8);
+        rows.for_each(|(row, pixels)| self.fill_row(source, filter, target, row, pixels));
+    }
+
+    /// [`Self::fill_from`] for a cubemap of `size` from a panorama that is not turned.
+    fn fill_upright(
+        &self,
+        source: &PanoramaSource<'_>,
+        size: usize,
+        filter: Filter,
+        target: &impl Target,
+        pixels: &mut [Pixel],
+    ) {
+        let columns = Face::ALL.map(|face| is_side(face).then(|| SideColumns::new(face, size, source.width())));
+        let rows = pixels.par_chunks_exact_mut(size).enumerate().with_min_len(8);
+        rows.for_each(|(row, pixels)| match &columns[(row / size).min(5)] {
+            Some(columns) => columns.fill_row(source, row % size, pixels, |at, all| looked_up(source, filter, at, all)),
+            None => self.fill_row(source, filter, target, row, pixels),
+        });
+    }
+
+    #[inline(always)]
+    fn fill_row(&self, source: &impl Source, filter: Filter, target: &impl Target, row: usize, pixels: &mut [Pixel]) {
         let turn = self.source_from_target.as_mat3();
         let turn = (turn != Mat3::IDENTITY).then_some(turn);
-        let rows = pixels.par_chunks_exact_mut(target.row_length()).enumerate();
-        // Some rows at a time: one is too little work to hand to a thread.
-        rows.with_min_len(8).for_each(|(row, pixels)| match filter {
-            Filter::Nearest => lanes::fill_row(target, row, turn, pixels, |d, all| {
-                source.nearest(d, |i, value| all[i] = value.to_array());
-            }),
-            Filter::Bilinear => lanes::fill_row(target, row, turn, pixels, |d, all| {
-                source.bilinear(d, |i, value| all[i] = value.to_array());
-            }),
-            Filter::Bicubic => lanes::fill_row(target, row, turn, pixels, |d, all| {
-                source.bicubic(d, |i, value| all[i] = value.to_array());
-            }),
+        match filter {
             Filter::Area => area::fill_row(source, target, row, turn, pixels),
-        });
+            _ => lanes::fill_row(target, row, turn, pixels, |d, all| looked_up(source, filter, source.places(d), all)),
+        }
+    }
+}
+
+/// What a filter that takes one place finds at eight of them.
+#[inline(always)]
+fn looked_up(source: &impl Source, filter: Filter, at: Places, all: &mut [Pixel; LANES]) {
+    match filter {
+        Filter::Nearest => source.nearest(at, |i, value| all[i] = value.to_array()),
+        Filter::Bicubic => source.bicubic(at, |i, value| all[i] = value.to_array()),
+        Filter::Bilinear | Filter::Area => source.bilinear(at, |i, value| all[i] = value.to_array()),
     }
 }

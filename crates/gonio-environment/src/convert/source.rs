@@ -17,6 +17,14 @@ pub(super) struct Places {
     y: f32x8,
 }
 
+impl Places {
+    /// Of a source that is one picture.
+    #[inline(always)]
+    pub fn on_one_plane(x: f32x8, y: f32x8) -> Places {
+        Places { plane: [0; LANES], x, y }
+    }
+}
+
 /// The texel to the left (or above) of each place, and how far beyond it the place is, in [0, 1).
 #[inline(always)]
 fn split(place: f32x8) -> ([i32; LANES], [f32; LANES]) {
@@ -49,8 +57,7 @@ pub(super) trait Source: Sync {
     fn spacing(&self, d: Directions) -> f32x8;
 
     #[inline(always)]
-    fn nearest(&self, d: Directions, mut found: impl FnMut(usize, f32x4)) {
-        let at = self.places(d);
+    fn nearest(&self, at: Places, mut found: impl FnMut(usize, f32x4)) {
         let ((x, _), (y, _)) = (split(at.x + 0.5), split(at.y + 0.5));
         for i in 0..LANES {
             found(i, f32x4::from(self.texels::<1>(at.plane[i], x[i], y[i])[0][0]));
@@ -58,8 +65,7 @@ pub(super) trait Source: Sync {
     }
 
     #[inline(always)]
-    fn bilinear(&self, d: Directions, mut found: impl FnMut(usize, f32x4)) {
-        let at = self.places(d);
+    fn bilinear(&self, at: Places, mut found: impl FnMut(usize, f32x4)) {
         let ((left, right_share), (top, lower_share)) = (split(at.x), split(at.y));
         let mut between = |i: usize, [a, b]: [Pixel; 2], [c, d]: [Pixel; 2]| {
             let [a, b, c, d] = [f32x4::from(a), f32x4::from(b), f32x4::from(c), f32x4::from(d)];
@@ -84,8 +90,7 @@ pub(super) trait Source: Sync {
     }
 
     #[inline(always)]
-    fn bicubic(&self, d: Directions, mut found: impl FnMut(usize, f32x4)) {
-        let at = self.places(d);
+    fn bicubic(&self, at: Places, mut found: impl FnMut(usize, f32x4)) {
         let ((left, right_share), (top, lower_share)) = (split(at.x), split(at.y));
         for i in 0..LANES {
             let rows = self.texels::<4>(at.plane[i], left[i] - 1, top[i] - 1);
@@ -240,6 +245,16 @@ impl<'a> PanoramaSource<'a> {
         PanoramaSource { panorama, width, height, rows_averaged, top, bottom }
     }
 
+    /// Columns.
+    pub fn width(&self) -> u32 {
+        self.width as u32
+    }
+
+    /// Rows.
+    pub fn height(&self) -> u32 {
+        self.height as u32
+    }
+
     /// A row that is there.
     #[inline(always)]
     fn row(&self, y: i32) -> &[Pixel] {
@@ -272,7 +287,7 @@ impl Source for PanoramaSource<'_> {
         // Straight ahead is the middle: 0 radians, exactly.
         let x = longitude * (width / (2.0 * PI)) + (0.5 * width - 0.5);
         let y = latitude * (-height / PI) + (0.5 * height - 0.5);
-        Places { plane: [0; LANES], x, y }
+        Places::on_one_plane(x, y)
     }
 
     #[inline(always)]

@@ -16,6 +16,11 @@ pub(super) trait Target: Sync {
     /// How many radians a pixel in the middle is high.
     fn pixel_angle(&self) -> f64;
 
+    /// Of a cubemap the size of its faces.
+    fn sides(&self) -> Option<usize> {
+        None
+    }
+
     /// A row; of a cubemap they go on from face to face.
     fn row(&self, row: usize) -> Self::Row;
 
@@ -55,6 +60,10 @@ impl Target for CubeTarget {
 
     fn pixel_angle(&self) -> f64 {
         2.0 / self.size as f64
+    }
+
+    fn sides(&self) -> Option<usize> {
+        Some(self.size)
     }
 
     fn row(&self, row: usize) -> CubeRow {

@@ -30,6 +30,7 @@ static FILES: &[(&str, &[u8])] = builtin_files![
     "models/textures/checker.png",
     "models/textures/planks.png",
     "models/textures/tiles.png",
+    "scenes/glass-and-mirror.toml",
     "scenes/lab-07.toml",
     "scenes/light-kinds.toml",
     "scenes/shadings.toml",

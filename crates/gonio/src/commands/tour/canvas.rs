@@ -250,7 +250,8 @@ mod tests {
         let fonts = Type::new().unwrap();
         for section in super::super::sections::all().unwrap() {
             let texts = section.rows.iter().flatten().flat_map(|e| [e.caption.clone(), e.remark.clone()]);
-            for text in texts.chain([section.title.into(), section.equation.into()]) {
+            let signs = section.rows.iter().flatten().filter_map(|e| e.joiner).map(String::from);
+            for text in texts.chain(signs).chain([section.title.into(), section.equation.into()]) {
                 assert!(text.chars().all(|c| fonts.has(c)), "{text}");
             }
         }

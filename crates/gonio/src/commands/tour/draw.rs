@@ -1,7 +1,8 @@
 //! Draws the exhibits one after the other, and compares who draws.
 
 use super::canvas::{Canvas, reduced};
-use super::exhibit::{Exhibit, Section};
+use super::converted::Converted;
+use super::exhibit::{Exhibit, Section, Subject};
 use super::layout::{Layout, Place};
 use super::sheet::GROUND;
 use super::{Folder, TourArgs};
@@ -12,7 +13,7 @@ use gonio_light::color::ColorEncoding;
 use gonio_reference::ReferenceScene;
 use gonio_scene::files::BuiltinOnly;
 use gonio_scene::picture::EncodedPicture;
-use gonio_scene::{DisplayMap, Frame, LoadedScene, load};
+use gonio_scene::{DisplayMap, Frame, LoadedScene, Scene, load};
 use serde::Serialize;
 use std::path::Path;
 use std::time::Instant;
@@ -38,9 +39,9 @@ pub struct Shown<'a> {
     pub small: Canvas,
     /// Vertices and fragments.
     pub counts: Counts,
-    /// From the first draw call to the picture in memory, milliseconds.
+    /// From the first draw call to the picture in memory, milliseconds; of an environment that was converted, for that.
     pub ms: f64,
-    /// GPU against CPU; none where the CPU drew.
+    /// GPU against CPU; none where the CPU drew, or nothing was drawn.
     pub difference: Option<Difference>,
     /// Draws it again.
     pub command: String,
@@ -125,15 +126,31 @@ pub fn all<'a>(
     let (mut shown, mut notes) = (Vec::with_capacity(total), Vec::new());
     let mut backend = None;
     for (index, ((section, exhibit), place)) in exhibits().zip(&layout.places).enumerate() {
-        let (drawn, artist) = one(args, folder, section, exhibit, place, opened, times, &mut notes)?;
-        opened = artist.opened;
-        if backend.is_none() {
-            if args.backend.backend == BackendChoice::Auto {
-                reporter.note(&artist.sentence);
+        let fine = match opened {
+            _ if exhibit.exact => 1.0,
+            Opened::Gl(_) => FINE_GL,
+            Opened::Cpu { .. } => FINE_CPU,
+        };
+        shown.push(match &exhibit.subject {
+            Subject::Converted(converted) => {
+                let width = (f64::from(place.width) * fine) as u32;
+                lay_out(folder, section, exhibit, *converted, width, place, times)?
             }
-            backend = Some((artist.report, artist.sentence));
-        }
-        shown.push(drawn);
+            Subject::Scene(scene) => {
+                let mut scene = (**scene).clone();
+                scene.picture.width = (f64::from(place.width) * fine) as u32;
+                scene.picture.height = (f64::from(place.height) * fine) as u32;
+                let (drawn, artist) = one(args, folder, (section, exhibit), scene, place, opened, times, &mut notes)?;
+                opened = artist.opened;
+                if backend.is_none() {
+                    if args.backend.backend == BackendChoice::Auto {
+                        reporter.note(&artist.sentence);
+                    }
+                    backend = Some((artist.report, artist.sentence));
+                }
+                drawn
+            }
+        });
         progress.set((index + 1) as f64 / total as f64);
     }
     drop(progress);
@@ -149,12 +166,40 @@ struct Artist {
     sentence: String,
 }
 
+/// Converts an environment to a picture of about this width, and writes it.
+fn lay_out<'a>(
+    folder: &Folder,
+    section: usize,
+    exhibit: &'a Exhibit,
+    converted: Converted,
+    width: u32,
+    place: &Place,
+    times: &Times,
+) -> std::result::Result<Shown<'a>, CliError> {
+    let start = Instant::now();
+    let laid_out = times.measure("convert", || converted.lay_out(width))?;
+    let ms = start.elapsed().as_secs_f64() * 1e3;
+    times.measure("write", || atomic::write(&folder.picture(&exhibit.name), &laid_out.png()?))?;
+    let picture = laid_out.encoded();
+    Ok(Shown {
+        section,
+        exhibit,
+        width: picture.width,
+        height: picture.height,
+        small: times.measure("reduce", || reduced(&picture, place.width, place.height, GROUND)),
+        counts: Counts::default(),
+        ms,
+        difference: None,
+        command: converted.command(&exhibit.name, width),
+    })
+}
+
 #[allow(clippy::too_many_arguments)]
 fn one<'a>(
     args: &TourArgs,
     folder: &Folder,
-    section: usize,
-    exhibit: &'a Exhibit,
+    (section, exhibit): (usize, &'a Exhibit),
+    scene: Scene,
     place: &Place,
     opened: Opened,
     times: &Times,
@@ -162,14 +207,6 @@ fn one<'a>(
 ) -> std::result::Result<(Shown<'a>, Artist), CliError> {
     // The tour has one bar of its own.
     let silent = Reporter::new(true, false);
-    let fine = match opened {
-        _ if exhibit.exact => 1.0,
-        Opened::Gl(_) => FINE_GL,
-        Opened::Cpu { .. } => FINE_CPU,
-    };
-    let mut scene = exhibit.scene.clone();
-    scene.picture.width = (f64::from(place.width) * fine) as u32;
-    scene.picture.height = (f64::from(place.height) * fine) as u32;
     let loaded = times.measure("load", || load::load(scene, Path::new(""), &BuiltinOnly))?;
     let frame = loaded.frame(exhibit.time);
     let mut backend = opened.take_scene(&loaded, &args.backend, &silent, times)?;

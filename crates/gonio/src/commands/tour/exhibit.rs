@@ -1,5 +1,6 @@
 //! What the tour is made of: sections of rows of exhibits. Nothing here knows how they are drawn.
 
+use super::converted::Converted;
 use crate::report::CliError;
 use gonio_scene::{Scene, ViewSpec, toml_reader};
 
@@ -17,6 +18,14 @@ pub struct Section {
     pub rows: Vec<Vec<Exhibit>>,
 }
 
+/// What a picture is made from.
+pub enum Subject {
+    /// A scene, drawn by whoever draws the tour. Everything is in it but the size of the picture, which its row decides.
+    Scene(Box<Scene>),
+    /// An environment, laid out on the plane. No scene draws it, and the CPU makes it.
+    Converted(Converted),
+}
+
 /// One picture.
 pub struct Exhibit {
     /// The file's name without its ending, unique in the tour.
@@ -29,15 +38,15 @@ pub struct Exhibit {
     pub equation: String,
     /// What to look at: one or two sentences.
     pub look: String,
-    /// Everything but the size of the picture, which its row decides.
-    pub scene: Scene,
-    /// A debug view in place of the picture.
+    /// What it is made from.
+    pub subject: Subject,
+    /// A debug view in place of a scene's picture.
     pub view: Option<ViewSpec>,
     /// Seconds: where moving lights are.
     pub time: f64,
     /// Width over height.
     pub aspect: f64,
-    /// Stands before the picture on the sheet: `+`, `=`.
+    /// Stands before the picture on the sheet: `+`, `=`, an arrow.
     pub joiner: Option<&'static str>,
     /// The remark is the number of vertices and fragments lit.
     pub counts_as_remark: bool,
@@ -48,13 +57,22 @@ pub struct Exhibit {
 impl Exhibit {
     /// A square picture of `scene`.
     pub fn new(name: impl Into<String>, caption: impl Into<String>, scene: Scene) -> Self {
+        Self::of(name.into(), caption.into(), Subject::Scene(Box::new(scene)))
+    }
+
+    /// An environment, as wide as its arrangement is.
+    pub fn converted(name: impl Into<String>, caption: impl Into<String>, converted: Converted) -> Self {
+        Self::of(name.into(), caption.into(), Subject::Converted(converted)).aspect(converted.aspect())
+    }
+
+    fn of(name: String, caption: String, subject: Subject) -> Self {
         Exhibit {
-            name: name.into(),
-            caption: caption.into(),
+            name,
+            caption,
             remark: String::new(),
             equation: String::new(),
             look: String::new(),
-            scene,
+            subject,
             view: None,
             time: 0.0,
             aspect: 1.0,
@@ -95,7 +113,7 @@ impl Exhibit {
         self
     }
 
-    /// `+` or `=` before the picture.
+    /// `+`, `=` or an arrow before the picture.
     pub fn joined(mut self, joiner: Option<&'static str>) -> Self {
         self.joiner = joiner;
         self
@@ -123,19 +141,26 @@ pub enum Stage {
     Suzanne,
     /// One sphere.
     Sphere,
+    /// A smooth sphere in the room.
+    RoomSphere,
+    /// Suzanne in the room.
+    RoomSuzanne,
 }
 
 impl Stage {
     /// All of them.
     #[cfg(test)]
-    pub const ALL: [Stage; 3] = [Stage::StillLife, Stage::Suzanne, Stage::Sphere];
+    pub const ALL: [Stage; 5] =
+        [Stage::StillLife, Stage::Suzanne, Stage::Sphere, Stage::RoomSphere, Stage::RoomSuzanne];
 
-    /// The scene; only built-in models are in it.
+    /// The scene; only built-in models and environments are in it.
     pub fn scene(self) -> Result<Scene, CliError> {
         let text = match self {
             Stage::StillLife => include_str!("stages/still_life.toml"),
             Stage::Suzanne => include_str!("stages/suzanne.toml"),
             Stage::Sphere => include_str!("stages/sphere.toml"),
+            Stage::RoomSphere => include_str!("stages/room_sphere.toml"),
+            Stage::RoomSuzanne => include_str!("stages/room_suzanne.toml"),
         };
         Ok(toml_reader::read(text)?)
     }

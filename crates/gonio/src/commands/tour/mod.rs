@@ -4,6 +4,7 @@
 //! technique adds itself by a file in [`sections`].
 
 mod canvas;
+mod converted;
 mod draw;
 mod exhibit;
 mod layout;
@@ -32,7 +33,7 @@ Examples:
   gonio render tour/scenes/suzanne.toml -o suzanne.png
       One of the pictures again, from its scene.
 
-The tour needs no files and no network: its models are built in.")]
+The tour needs no files and no network: its models and environments are built in.")]
 pub struct TourArgs {
     /// The folder to write to; made where it is missing, updated where it is there.
     #[arg(long, short, value_name = "DIR", default_value = "tour")]

@@ -1,7 +1,7 @@
 //! `index.html`: one file with its style in it, no scripts, no network.
 
 use super::draw::{Result, Shown, grouped};
-use super::exhibit::Section;
+use super::exhibit::{Section, Subject};
 use super::maths::{escape, html, mathml};
 
 const STYLE: &str = include_str!("page.css");
@@ -61,6 +61,29 @@ pub fn write(sections: &[Section], drawn: &Result<'_>) -> String {
 fn figure(shown: &Shown<'_>) -> String {
     let exhibit = shown.exhibit;
     let name = escape(&exhibit.name);
+    let alt: String = super::maths::runs(&exhibit.caption).into_iter().map(|r| r.text).collect();
+    format!(
+        "<figure id=\"{name}\">\n<a href=\"pictures/{name}.png\"><img src=\"pictures/{name}.png\" width=\"{}\" \
+         height=\"{}\" alt=\"{}\" loading=\"lazy\"></a>\n<figcaption>\n<h3>{}</h3>\n<p>{}</p>\n\
+         <div class=\"formula\">{}</div>\n<p>{}</p>\n<dl>\n{}</dl>\n<code>{}</code>\n</figcaption>\n</figure>\n",
+        shown.width,
+        shown.height,
+        escape(&alt),
+        html(&exhibit.caption),
+        html(&shown.remark()),
+        mathml(&exhibit.equation),
+        html(&exhibit.look),
+        facts(shown, &name),
+        escape(&shown.command),
+    )
+}
+
+/// How it was made, in numbers.
+fn facts(shown: &Shown<'_>, name: &str) -> String {
+    let size = format!("{:.1} ms at {} × {}", shown.ms, shown.width, shown.height);
+    if let Subject::Converted(_) = shown.exhibit.subject {
+        return format!("<dt>converted in</dt><dd>{size}</dd>\n");
+    }
     let difference = match &shown.difference {
         Some(d) => format!(
             "max {}, mean {:.3}; {:.2} % of pixels within 1",
@@ -72,26 +95,11 @@ fn figure(shown: &Shown<'_>) -> String {
         None => "n/a: drawn by the CPU".to_owned(),
     };
     let count = |n: Option<u64>| n.map_or_else(|| "not counted by this driver".to_owned(), grouped);
-    let alt: String = super::maths::runs(&exhibit.caption).into_iter().map(|r| r.text).collect();
     format!(
-        "<figure id=\"{name}\">\n<a href=\"pictures/{name}.png\"><img src=\"pictures/{name}.png\" width=\"{}\" \
-         height=\"{}\" alt=\"{}\" loading=\"lazy\"></a>\n<figcaption>\n<h3>{}</h3>\n<p>{}</p>\n\
-         <div class=\"formula\">{}</div>\n<p>{}</p>\n<dl>\n<dt>GPU against CPU</dt><dd>{difference}</dd>\n\
-         <dt>drawn in</dt><dd>{:.1} ms at {} × {}</dd>\n<dt>vertices lit</dt><dd>{}</dd>\n\
-         <dt>fragments lit</dt><dd>{}</dd>\n<dt>scene</dt><dd><a href=\"scenes/{name}.toml\">{name}.toml</a></dd>\n</dl>\n\
-         <code>{}</code>\n</figcaption>\n</figure>\n",
-        shown.width,
-        shown.height,
-        escape(&alt),
-        html(&exhibit.caption),
-        html(&shown.remark()),
-        mathml(&exhibit.equation),
-        html(&exhibit.look),
-        shown.ms,
-        shown.width,
-        shown.height,
+        "<dt>GPU against CPU</dt><dd>{difference}</dd>\n<dt>drawn in</dt><dd>{size}</dd>\n\
+         <dt>vertices lit</dt><dd>{}</dd>\n<dt>fragments lit</dt><dd>{}</dd>\n\
+         <dt>scene</dt><dd><a href=\"scenes/{name}.toml\">{name}.toml</a></dd>\n",
         count(shown.counts.vertices),
         count(shown.counts.fragments),
-        escape(&shown.command),
     )
 }

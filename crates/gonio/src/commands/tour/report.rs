@@ -1,7 +1,7 @@
 //! `gonio tour --json`.
 
 use super::draw::{self, Difference};
-use super::exhibit::Section;
+use super::exhibit::{Section, Subject};
 use super::{Folder, TourArgs};
 use crate::backend::{BackendReport, Counts};
 use crate::report::Times;
@@ -31,7 +31,8 @@ struct PictureReport<'a> {
     name: &'a str,
     section: &'a str,
     file: String,
-    scene: String,
+    /// None of an environment that was converted.
+    scene: Option<String>,
     command: &'a str,
     view: Option<String>,
     time: f64,
@@ -56,7 +57,10 @@ impl<'a> Report<'a> {
             name: &shown.exhibit.name,
             section: sections.get(shown.section).map_or("", |s| s.id),
             file: folder.picture(&shown.exhibit.name).display().to_string(),
-            scene: folder.scene(&shown.exhibit.name).display().to_string(),
+            scene: match shown.exhibit.subject {
+                Subject::Scene(_) => Some(folder.scene(&shown.exhibit.name).display().to_string()),
+                Subject::Converted(_) => None,
+            },
             command: &shown.command,
             view: shown.exhibit.view.map(|v| v.to_string()),
             time: shown.exhibit.time,

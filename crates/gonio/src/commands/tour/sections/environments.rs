@@ -1,0 +1,229 @@
+//! Skyboxes, mirrors, and light from everywhere.
+
+use super::super::exhibit::{Exhibit, Section, Stage};
+use crate::report::CliError;
+use gonio_light::Fresnel;
+use gonio_scene::color_value::Color;
+use gonio_scene::description::{LightSourceKind, LightSpec, Scene};
+
+/// Three rows: behind an object, in it, on it.
+pub fn section() -> Result<Section, CliError> {
+    Ok(Section {
+        id: "environments",
+        title: "Environments",
+        equation: "L = (1 − w) L_o + w E(R),   R = 2 (N·V) N − V",
+        introduction: "An environment gives a radiance E for every direction. It is seen behind the objects, in mirrors, \
+                       and it can be the only light there is. The three that are built in need no file: sky, room, debug.",
+        rows: vec![skyboxes()?, mirrors()?, image_based()?],
+    })
+}
+
+/// The scene's environment, changed.
+fn environment(scene: &mut Scene, image: &str, rotate: [f64; 3]) {
+    let environment = scene.environment.get_or_insert_default();
+    environment.image = image.into();
+    environment.rotate = rotate;
+}
+
+fn skyboxes() -> Result<Vec<Exhibit>, CliError> {
+    const SEEN: &str = "L = !{E(−V)}";
+    let exhibit = |name: &str, remark: &str, look: &str, change: &dyn Fn(&mut Scene)| {
+        let scene = Stage::RoomSphere.with(change)?;
+        Ok::<_, CliError>(
+            Exhibit::new(format!("skybox-{name}"), name, scene).remark(remark).aspect(1.75).tells(SEEN, look),
+        )
+    };
+    Ok(vec![
+        exhibit(
+            "sky",
+            "computed: Preetham's model, with a sun",
+            "A clear late morning after Preetham, Shirley and Smits. The lamp on the sphere is turned to where the sun \
+             stands; the box has no size, so it does not move when the eye does.",
+            &|s| {
+                environment(s, "sky", [20.0, 0.0, 0.0]);
+                s.camera.position = Some([0.0, -0.25, 2.9]);
+                s.camera.target = Some([0.0, 0.22, 0.0]);
+                s.camera.fov_y = Some(62.0);
+                s.lights.truncate(1);
+                s.lights[0].color = Some(Color([0.6, 0.75, 1.0]));
+                s.lights[0].intensity = Some(0.6);
+                // Of a sun 40 degrees high, 130 degrees to the right of what is straight ahead before the turn.
+                let (azimuth, height) = (110_f64.to_radians(), 40_f64.to_radians());
+                let light_in_world = [-height.cos() * azimuth.sin(), -height.sin(), height.cos() * azimuth.cos()];
+                s.lights.push(LightSpec {
+                    kind: LightSourceKind::Directional,
+                    name: "sun".into(),
+                    direction: Some(light_in_world),
+                    color: Some(Color([1.0, 0.95, 0.85])),
+                    intensity: Some(1.2),
+                    ..LightSpec::default()
+                });
+            },
+        )?,
+        exhibit(
+            "room",
+            "a panorama of 512 × 256, made into a cubemap",
+            "Far enough away to be seen alike from everywhere, and so soft here because it is small: 128 texels to 90 \
+             degrees.",
+            &|s| {
+                environment(s, "room", [-6.0, 0.0, 0.0]);
+                s.camera.position = Some([0.0, 0.45, 2.9]);
+                s.camera.fov_y = Some(66.0);
+            },
+        )?,
+        exhibit(
+            "debug",
+            "which way is which",
+            "Each face has its colour, its direction, its file's name and the axes that lie in it. What can be read is \
+             not mirrored.",
+            &|s| {
+                environment(s, "debug", [0.0; 3]);
+                s.camera.position = Some([0.0, 0.9, 2.6]);
+                s.camera.target = Some([0.0, 0.6, 0.0]);
+                s.camera.fov_y = Some(85.0);
+                s.objects[0].translate = [1.35, -0.2, -0.4];
+                s.objects[0].scale = [0.8; 3];
+            },
+        )?,
+    ])
+}
+
+fn mirrors() -> Result<Vec<Exhibit>, CliError> {
+    const MIRROR: &str = "L = !{E(R)},   R = 2 (N·V) N − V";
+    let mirror = |s: &mut Scene| s.objects[0].material.reflectivity = Some(1.0);
+    Ok(vec![
+        Exhibit::new("mirror-sphere", "a mirror", Stage::RoomSphere.with(mirror)?).remark("w = 1").tells(
+            MIRROR,
+            "Nearly the whole room, also what is behind the eye: at the outline even what is behind the sphere.",
+        ),
+        Exhibit::new("mirror-suzanne", "Suzanne as one", Stage::RoomSuzanne.with(mirror)?).remark("w = 1").tells(
+            MIRROR,
+            "Where she is nearly plane the room is large, where she is strongly curved it is small. She does not see \
+             herself: E depends on a direction only.",
+        ),
+        Exhibit::new(
+            "mirror-debug",
+            "left is left",
+            Stage::RoomSphere.with(|s| {
+                mirror(s);
+                environment(s, "debug", [0.0; 3]);
+                s.camera.position = Some([0.0, 0.3, 2.9]);
+                s.camera.fov_y = Some(60.0);
+            })?,
+        )
+        .remark("+Z is behind the eye")
+        .tells(
+            MIRROR,
+            "A mirror shows writing mirrored, and behind the sphere it is not: the proof that the environment itself is \
+             the right way round.",
+        ),
+        Exhibit::new(
+            "mirror-blended",
+            "a third of a mirror",
+            Stage::RoomSuzanne.with(|s| s.objects[0].material.reflectivity = Some(0.3))?,
+        )
+        .remark("w = 0.3 from everywhere")
+        .tells("L = (1 − !{0.3}) L_o + !{0.3} E(R)", "The lit surface and the mirror, mixed alike at every angle."),
+        Exhibit::new(
+            "mirror-lacquer",
+            "lacquer",
+            Stage::RoomSuzanne.with(|s| {
+                mirror(s);
+                s.objects[0].material.fresnel = Some(Fresnel::Exact);
+                s.objects[0].material.refraction_index = Some(1.5);
+            })?,
+        )
+        .remark("w = F, index 1.5")
+        .tells(
+            "L = (1 − !{F}) L_o + !{F} E(R),   F = \\f{r_s^2 + r_p^2}{2}",
+            "Fresnel's factor as weight: 4 % where one looks straight at the red, a mirror at grazing angles.",
+        ),
+    ])
+}
+
+fn image_based() -> Result<Vec<Exhibit>, CliError> {
+    let lit_by_it_alone = |s: &mut Scene| {
+        s.lights.clear();
+        // The window to the left, so that there is more light from one side than from the other.
+        environment(s, "room", [110.0, 0.0, 0.0]);
+        s.environment.get_or_insert_default().light = Some(true);
+    };
+    let suzanne =
+        |name: &str, caption: &str, remark: &str, diffuse, specular, gamma: f64, equation: &str, look: &str| {
+            let scene = Stage::RoomSuzanne.with(|s| {
+                lit_by_it_alone(s);
+                let material = &mut s.objects[0].material;
+                material.ambient = Some(Color::grey(0.0));
+                material.diffuse = Some(Color(diffuse));
+                material.specular = Some(Color(specular));
+                material.shininess = Some(gamma);
+            })?;
+            Ok::<_, CliError>(Exhibit::new(name, caption, scene).remark(remark).tells(equation, look))
+        };
+    const GLOSSY: &str = "k_s ∫ f_γ E(L) ⟨N·L⟩ dL ≈ E_γ(R') !{(A F_0 + B)}";
+    let (metal, dark) = ([0.95, 0.68, 0.36], [0.02, 0.012, 0.006]);
+    Ok(vec![
+        suzanne(
+            "ibl-diffuse",
+            "matte",
+            "light of the room alone: 9 coefficients",
+            [0.66, 0.6, 0.54],
+            [0.0; 3],
+            1.0,
+            "k_d \\f{1}{π} ∫ E(L) ⟨N·L⟩ dL ≈ k_d Σ_{l ≤ 2} !{A_l E_{lm}} Y_{lm}(N)",
+            "No lamp. What falls on the surface from everywhere is so smooth that nine spherical harmonics hold it: red \
+             and green from the walls, white from the window and the ceiling.",
+        )?,
+        suzanne(
+            "ibl-rough",
+            "γ = 8",
+            "rough metal",
+            dark,
+            metal,
+            8.0,
+            GLOSSY,
+            "A rough mirror sees a blurred room: cubemaps that were blurred beforehand, and a table of what the lobe \
+             lets through.",
+        )?,
+        suzanne(
+            "ibl-satin",
+            "γ = 80",
+            "satin",
+            dark,
+            metal,
+            80.0,
+            GLOSSY,
+            "The smaller the lobe, the smaller the blur: a finer level of the same cubemaps.",
+        )?,
+        suzanne(
+            "ibl-polished",
+            "γ = 800",
+            "polished",
+            dark,
+            metal,
+            800.0,
+            GLOSSY,
+            "Nearly the mirror of the row above, and tinted by k_s as metals are.",
+        )?,
+        Exhibit::new(
+            "ibl-still-life",
+            "blurred behind",
+            Stage::StillLife.with(|s| {
+                lit_by_it_alone(s);
+                s.environment.get_or_insert_default().blur = 0.25;
+                s.camera.position = Some([2.5, 2.35, 6.4]);
+                s.camera.target = Some([0.1, 0.42, -0.12]);
+                s.camera.fov_y = Some(32.0);
+                s.picture.exposure = 0.0;
+            })?,
+        )
+        .aspect(1.6)
+        .exact()
+        .remark("the still life by the room's light")
+        .tells(
+            "L = !{E_γ(−V)}",
+            "The same blurred cubemaps behind the objects keep the eye on what is in front. There are no shadows: E does \
+             not know the objects.",
+        ),
+    ])
+}
