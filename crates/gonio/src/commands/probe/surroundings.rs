@@ -25,7 +25,7 @@ impl Page<'_> {
         let seen = &probe.terms.environment;
         if how.lights {
             self.vector("diffuse", seen.diffuse, "= k_d times the environment's light about N");
-            self.vector("specular", seen.specular, "= (k_s scale + bias) times its glossy reflection about R");
+            self.vector("specular", seen.specular, "= (k_s scale + bias) times its glossy reflection");
         }
         self.vector("L", probe.radiance, "");
         self.composed(probe);
