@@ -130,7 +130,7 @@ impl Opened {
         match opened {
             Opened::Gl(mut gl) => {
                 let _busy = reporter.busy("copying the scene to the GPU");
-                let gpu = times.measure("upload", || gl.renderer.upload(scene))?;
+                let gpu = Box::new(times.measure("upload", || gl.renderer.upload(scene))?);
                 Ok(Backend::Gl { gl, gpu })
             }
             Opened::Cpu { reason } => {
@@ -160,7 +160,7 @@ pub enum Backend<'a> {
         /// Context and renderer.
         gl: Box<OpenGl>,
         /// The scene on the GPU.
-        gpu: GpuScene,
+        gpu: Box<GpuScene>,
     },
     /// The reference.
     Cpu {
