@@ -135,7 +135,8 @@ impl Opened {
             }
             Opened::Cpu { reason } => {
                 let _busy = reporter.busy("sorting the triangles");
-                Ok(Backend::Cpu { scene: times.measure("upload", || ReferenceScene::new(scene)), reason })
+                let scene = Box::new(times.measure("upload", || ReferenceScene::new(scene)));
+                Ok(Backend::Cpu { scene, reason })
             }
         }
     }
@@ -165,7 +166,7 @@ pub enum Backend<'a> {
     /// The reference.
     Cpu {
         /// The scene with its acceleration structure.
-        scene: ReferenceScene<'a>,
+        scene: Box<ReferenceScene<'a>>,
         /// Why not OpenGL, where that was wanted.
         reason: Option<String>,
     },
