@@ -52,9 +52,6 @@ pub const LIGHTS_IN_UNIFORMS: usize = 16;
 pub const LIGHTS_UNROLLED: usize = 4;
 /// Texels in one row of the table of an object's inside: what every WebGL2 has.
 pub const BODY_ROW: usize = 2048;
-/// What lies nearer to a ray's origin inside of an object than this share of the object's diagonal is the surface that
-/// the ray starts from.
-pub const NEAREST_MEETING: f64 = 1e-6;
 /// Kinds of light in the light table.
 pub const LIGHT_DIRECTIONAL: i32 = 0;
 /// A point light.
@@ -399,7 +396,7 @@ fn constants() -> String {
         ("EXPOSURE_LIMIT", color::EXPOSURE_LIMIT),
         ("HOLE_OPACITY", HOLE_OPACITY),
         ("WEIGHT_THAT_COUNTS", optics::WEIGHT_THAT_COUNTS),
-        ("NEAREST_MEETING", NEAREST_MEETING),
+        ("NEAREST_MEETING", optics::NEAREST_MEETING),
         ("PI", std::f64::consts::PI),
     ] {
         // `{:e}` writes 1e6; GLSL wants a decimal point or an exponent, so this is a float.

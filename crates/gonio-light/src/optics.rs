@@ -191,6 +191,10 @@ pub struct Meeting {
     pub distance: f64,
 }
 
+/// What lies nearer to a ray's origin inside of an object than this share of the diagonal of the box around the object is
+/// the surface that the ray starts from: more than what positions in f32 are rounded by, and far below what is seen.
+pub const NEAREST_MEETING: f64 = 1e-6;
+
 /// The body that a point belongs to, as rays inside of it find it.
 pub trait Body {
     /// Where a ray from `origin` (world space) along `direction` (unit) next meets the body's surface from inside; none

@@ -4,12 +4,8 @@ use crate::fragment::interpolate;
 use crate::geometry::WorldGeometry;
 use crate::ray::Ray;
 use glam::DVec3;
-use gonio_light::optics::{Body, Meeting};
+use gonio_light::optics::{Body, Meeting, NEAREST_MEETING};
 use gonio_light::vector;
-
-/// What lies nearer to a ray's origin than this share of the object's diagonal is the surface that it starts from:
-/// more than what positions in f32 are rounded by, and far below what is seen.
-const NEAREST_MEETING: f64 = 1e-6;
 
 /// The inside of one object: its own triangles only, whatever else is in the way.
 pub(crate) struct ObjectBody<'a> {

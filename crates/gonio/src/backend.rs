@@ -130,12 +130,13 @@ impl Opened {
         match opened {
             Opened::Gl(mut gl) => {
                 let _busy = reporter.busy("copying the scene to the GPU");
-                let gpu = times.measure("upload", || gl.renderer.upload(scene))?;
+                let gpu = Box::new(times.measure("upload", || gl.renderer.upload(scene))?);
                 Ok(Backend::Gl { gl, gpu })
             }
             Opened::Cpu { reason } => {
                 let _busy = reporter.busy("sorting the triangles");
-                Ok(Backend::Cpu { scene: times.measure("upload", || ReferenceScene::new(scene)), reason })
+                let scene = Box::new(times.measure("upload", || ReferenceScene::new(scene)));
+                Ok(Backend::Cpu { scene, reason })
             }
         }
     }
@@ -160,12 +161,12 @@ pub enum Backend<'a> {
         /// Context and renderer.
         gl: Box<OpenGl>,
         /// The scene on the GPU.
-        gpu: GpuScene,
+        gpu: Box<GpuScene>,
     },
     /// The reference.
     Cpu {
         /// The scene with its acceleration structure.
-        scene: ReferenceScene<'a>,
+        scene: Box<ReferenceScene<'a>>,
         /// Why not OpenGL, where that was wanted.
         reason: Option<String>,
     },

@@ -11,7 +11,7 @@ use gonio_scene::description::EnvironmentSpec;
 #[command(next_help_heading = "Environment")]
 pub struct EnvironmentOptions {
     /// Surround the scene: debug, sky, room; or a panorama, a cross, a strip, a .ktx2 or .dds cubemap, a folder of six
-    /// faces, one of six faces, or a pattern (sky_*.png).
+    /// faces, one of six faces, or a pattern ("sky_*.png").
     #[arg(long, value_name = "FILE")]
     pub environment: Option<String>,
     /// How the faces lie in the files; photographic by default, and opengl in .ktx2 and .dds.
@@ -24,7 +24,7 @@ pub struct EnvironmentOptions {
     #[arg(long, value_name = "YAW,PITCH,ROLL", value_parser = values::angles, allow_hyphen_values = true)]
     pub environment_rotate: Option<[f64; 3]>,
     /// Multiply its light.
-    #[arg(long, value_name = "FACTOR", value_parser = values::not_negative)]
+    #[arg(long, value_name = "FACTOR", value_parser = values::not_negative, allow_negative_numbers = true)]
     pub environment_intensity: Option<f64>,
     /// Let it light the objects, or (=false) not; by default it does where the scene has no lights.
     #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
@@ -33,7 +33,7 @@ pub struct EnvironmentOptions {
     #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
     pub environment_visible: Option<bool>,
     /// Blur it behind the objects, 0 to 1.
-    #[arg(long, value_name = "SHARE", value_parser = values::share)]
+    #[arg(long, value_name = "SHARE", value_parser = values::share, allow_negative_numbers = true)]
     pub environment_blur: Option<f64>,
     /// Show another environment behind the objects.
     #[arg(long, value_name = "FILE")]
@@ -80,14 +80,14 @@ mod tests {
 
     #[test]
     fn a_new_picture_keeps_what_is_not_about_the_old_one() {
-        let mut scene = Scene::default();
-        scene.environment = Some(EnvironmentSpec {
+        let before = EnvironmentSpec {
             image: "old.ktx2".into(),
             layout: Some(Layout::OpenGl),
             size: Some(64),
             intensity: 2.0,
             ..EnvironmentSpec::default()
-        });
+        };
+        let mut scene = Scene { environment: Some(before), ..Scene::default() };
         EnvironmentOptions { environment: Some("room".into()), ..EnvironmentOptions::default() }.apply(&mut scene);
         let spec = scene.environment.clone().unwrap_or_default();
         assert_eq!((spec.image.as_str(), spec.layout, spec.size, spec.intensity), ("room", None, None, 2.0));

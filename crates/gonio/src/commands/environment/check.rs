@@ -8,7 +8,7 @@ use crate::values;
 use clap::Args;
 use gonio_environment::arrange::Arrangement;
 use gonio_environment::check::{self, Certificate, Verdict};
-use gonio_environment::check_panorama::{PanoramaCertificate, check_panorama};
+use gonio_environment::check_panorama::{PanoramaCertificate, Seam, check_panorama};
 use gonio_environment::{Cubemap, EnvironmentError, Layout, Panorama};
 use gonio_light::color::{ColorEncoding, OutputTransform};
 use gonio_scene::environment_file::{self, OpenedEnvironment, Reading, Source};
@@ -24,7 +24,7 @@ Examples:
       `negy` is turned by 180 degrees; `posx` and `negx` are swapped
   gonio environment check faces --repair repaired
   gonio environment check panorama.hdr
-  gonio environment check sky_*.png --json
+  gonio environment check \"sky_*.png\" --json
 
 The twelve edges that the faces share are compared, and the arrangement is found in which they meet. Exit code 1 where
 they do not meet as the faces are, and --repair is not given.
@@ -145,7 +145,7 @@ impl Found {
                 "margin": c.margin,
             }),
             Found::Panorama(c) => {
-                let seam = |s: gonio_environment::check_panorama::Seam| json!({ "across_stops": s.across, "inside_stops": s.inside, "shows": s.shows() });
+                let seam = |s: Seam| json!({ "across_stops": s.across, "inside_stops": s.inside, "shows": s.shows() });
                 json!({
                     "sides": seam(c.sides),
                     "top": seam(c.top),

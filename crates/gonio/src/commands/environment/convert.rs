@@ -27,16 +27,17 @@ Examples:
   gonio environment convert panorama.jpg faces --layout photographic --size 1024
   gonio environment convert faces back.hdr --size 2048
       A panorama of 2048 x 1024.
-  gonio environment convert sky_*.png sky.ktx2
+  gonio environment convert \"sky_*.png\" sky.ktx2
+      In quotes: the pattern is for gonio, not for the shell.
   gonio environment convert room cross.png --to cross --exposure 1 --tone-map aces
   gonio environment convert debug faces --layout photographic
 
 Layouts: `opengl` faces are what texture(samplerCube, direction_in_world) wants; a viewer of images shows them mirrored.
 `photographic` faces look right in a viewer, and are what most sites give away. IN is taken for photographic where it is
-six files, a cross or a strip (--from-layout says otherwise); OUT is written for opengl.
+six files, a cross or a strip; OUT is written for opengl. So --from-layout opengl reads again what was written.
 
-IN: a panorama (.hdr .exr .png .jpg), a cross, a strip, a .ktx2 or .dds cubemap, a folder of six faces, one of six faces,
-a pattern such as sky_*.png, or debug, sky, room. OUT: a file, or a folder for six faces.")]
+IN: a panorama (.hdr .exr .png .jpg), a cross, a strip, a .ktx2 or .dds cubemap, a folder of six faces, one of six
+faces, a pattern such as \"sky_*.png\", or debug, sky, room. OUT: a file, or a folder for six faces.")]
 pub struct ConvertArgs {
     /// What to convert.
     #[arg(value_name = "IN")]

@@ -378,7 +378,8 @@ const WRITTEN: [&str; 4] = ["png", "exr", "hdr", "ktx2"];
 fn not_written(shown: &str, extension: &str) -> String {
     let meant = nearest(extension, WRITTEN).map_or(String::new(), |known| format!("did you mean .{known}? "));
     format!(
-        "`{shown}`: .{extension} is not written; {meant}.png, .exr, .hdr and .ktx2 are, and six faces to a folder's name"
+        "`{shown}`: .{extension} is not written; {meant}.png, .exr, .hdr and .ktx2 are, and six faces to a folder's \
+         name"
     )
 }
 
