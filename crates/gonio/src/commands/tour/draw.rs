@@ -349,7 +349,7 @@ mod tests {
         let mut load = |image: &str, size| {
             let environment = EnvironmentSpec { image: image.into(), size: Some(size), ..EnvironmentSpec::default() };
             let scene = Stage::RoomSphere.with(|s| s.environment = Some(environment));
-            let loaded = scene.and_then(|s| environments.load(s)).unwrap_or_else(|e| panic!("{}", e.message));
+            let loaded = scene.and_then(|s| environments.load(s)).unwrap_or_else(|e| panic!("{e:?}"));
             loaded.environment.unwrap_or_else(|| panic!("{image} was lost"))
         };
         let first = load("room", 16);
