@@ -14,8 +14,8 @@
 //! | [`mip`] | smaller and smaller copies of a cubemap |
 //! | [`harmonics`] | diffuse light by nine spherical harmonics |
 //! | [`prefilter`] | glossy light: an environment blurred for each roughness |
-//! | [`check`] | whether the edges of six faces meet, and what is wrong if they do not |
-//! | [`check_panorama`] | whether a panorama closes at its sides and poles |
+//! | [`mod@check`] | whether the edges of six faces meet, and what is wrong if they do not |
+//! | [`mod@check_panorama`] | whether a panorama closes at its sides and poles |
 //! | [`repair`] | mirroring, turning and swapping faces back |
 //! | [`builtin`] | environments by name, which need no file |
 //! | [`debug`] | a cubemap of which every face says which one it is |
