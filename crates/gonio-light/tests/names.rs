@@ -4,7 +4,7 @@
 use gonio_light::brdf::BrdfKind;
 use gonio_light::color::{ColorEncoding, ToneMap};
 use gonio_light::fresnel::Medium;
-use gonio_light::{Convention, Quantity, Specular};
+use gonio_light::{Convention, Fresnel, Quantity, Specular, Surfaces};
 use std::collections::BTreeSet;
 
 macro_rules! round_trip {
@@ -25,13 +25,15 @@ macro_rules! round_trip {
 #[test]
 fn names_round_trip() {
     round_trip! {
-        Quantity, 22;
+        Quantity, 28;
         BrdfKind, 5;
         Convention, 2;
         Specular, 3;
         ToneMap, 4;
         ColorEncoding, 2;
         Medium, 5;
+        Fresnel, 3;
+        Surfaces, 2;
     }
 }
 
