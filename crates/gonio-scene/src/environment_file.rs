@@ -396,6 +396,9 @@ pub(crate) fn load(
     let opened = open_quietly(&spec.image, reading, base, files, limits)?;
     let mut layouts: Vec<Layout> = opened.layout.into_iter().collect();
     let mut diagnostics = opened.diagnostics;
+    // Where nobody said which layout it is, whoever sees a mirrored world has to know which one was taken.
+    let guessed = opened.layout.filter(|_| spec.layout.is_none() && !opened.files.is_empty());
+    diagnostics.extend(guessed.map(|layout| layout_taken(layout, &opened.name)));
     let map = as_cubemap(opened.source, spec.size, &opened.name, &mut diagnostics);
     let mut size = Some(map.size());
     let mut environment = LoadedEnvironment::new(opened.name, map);
@@ -412,6 +415,16 @@ pub(crate) fn load(
     }
     let layout = layouts.first().copied().filter(|first| layouts.iter().all(|l| l == first));
     Ok(ReadEnvironment { environment, layout, size, diagnostics })
+}
+
+/// Says which layout the faces were taken to be in.
+fn layout_taken(layout: Layout, name: &str) -> Diagnostic {
+    let other = if layout == Layout::OpenGl { Layout::Photographic } else { Layout::OpenGl };
+    let message = format!(
+        "its faces are taken for the layout `{layout}`; if the world is mirrored, `layout` (--environment-layout) = \
+         {other} rights it"
+    );
+    Diagnostic::note(message).in_file(name)
 }
 
 /// The cubemap of a size, or of the size that suits it.

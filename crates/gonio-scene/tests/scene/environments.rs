@@ -332,6 +332,21 @@ fn panoramas_become_cubemaps_as_fine_and_at_most_usual() {
 }
 
 #[test]
+fn a_layout_that_nobody_named_is_told() {
+    let told = |environment: &str| -> Vec<String> {
+        let diagnostics = scene(environment).0.diagnostics;
+        diagnostics.into_iter().map(|d| d.message).filter(|m| m.contains("taken for the layout")).collect()
+    };
+    let photographic = "its faces are taken for the layout `photographic`; if the world is mirrored, `layout` \
+                        (--environment-layout) = opengl rights it";
+    assert_eq!(told("image = \"faces\""), [photographic]);
+    let by_format = told("image = \"../k.ktx2\"");
+    assert!(matches!(&by_format[..], [one] if one.contains("`opengl`")), "{by_format:?}");
+    assert!(told("image = \"faces\"\nlayout = \"photographic\"").is_empty());
+    assert!(told("image = \"p.png\"").is_empty() && told("image = \"debug\"").is_empty());
+}
+
+#[test]
 fn mirrors_and_glass_without_surroundings_are_warned_about() {
     let warned = |material: &str, environment: &str| {
         let text = format!("{environment}[[object]]\nmodel = \"builtin:cube\"\nmaterial = {{ {material} }}\n");
