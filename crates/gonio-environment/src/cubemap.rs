@@ -4,6 +4,7 @@ use crate::EnvironmentError;
 use crate::face::{Face, Layout};
 use crate::image::{Image, Pixel};
 use crate::panorama::color;
+use crate::solid_angle::SolidAngles;
 use glam::DVec3;
 
 /// Six square faces in OpenGL's layout, linear light.
@@ -188,14 +189,10 @@ impl Cubemap {
     /// The mean radiance over the sphere: texels count by the solid angle that they cover.
     pub fn mean_radiance(&self) -> DVec3 {
         let size = self.size as usize;
-        let weights: Vec<f64> =
-            (0..size * size).map(|i| solid_angle((i % size) as u32, (i / size) as u32, self.size)).collect();
-        let sum: DVec3 = self
-            .pixels
-            .chunks_exact(size * size)
-            .flat_map(|f| f.iter().zip(&weights))
-            .map(|(p, w)| *w * color(*p))
-            .sum();
+        let angles = SolidAngles::new(self.size);
+        let rows = self.pixels.chunks_exact(size).enumerate();
+        let sum: DVec3 =
+            rows.flat_map(|(y, row)| row.iter().zip(angles.row(y % size))).map(|(p, w)| w * color(*p)).sum();
         sum / (4.0 * std::f64::consts::PI)
     }
 }

@@ -82,12 +82,7 @@ fn light_comes_from_where_the_environment_is_bright() {
         let mut compared = 0;
         for (x, y) in (0..33).flat_map(|y| (0..33).map(move |x| (x, y))) {
             let Some(probe) = reference.probe(&lab.frame, x, y) else { continue };
-            let w = probe.barycentrics;
-            let corners = probe.vertices.map(|v| DVec3::from(lab.scene.meshes[0].normals[v].map(f64::from)));
-            let n = match shading {
-                Shading::Flat | Shading::FlatPerFace => probe.geometry.geometric_normal,
-                _ => (w.x * corners[0] + w.y * corners[1] + w.z * corners[2]).normalize(),
-            };
+            let n = shading_normal(&lab, &probe, shading);
             // Of 1 + d under a cosine: pi + 2/3 pi n.
             let diffuse = 1.5 * DVec3::new(0.5, 0.25, 1.0) * (DVec3::ONE + 2.0 / 3.0 * (turn * n));
             let got = rgb(pictures[0].at(x, y));

@@ -117,12 +117,7 @@ fn curved_mirrors_take_the_normal_that_the_shading_has() {
         let mut compared = 0;
         for (x, y) in (8..25).flat_map(|y| (8..25).map(move |x| (x, y))) {
             let Some(probe) = reference.probe(&lab.frame, x, y) else { continue };
-            let w = probe.barycentrics;
-            let corners = probe.vertices.map(|v| DVec3::from(lab.scene.meshes[0].normals[v].map(f64::from)));
-            let n = match shading {
-                Shading::Flat | Shading::FlatPerFace => probe.geometry.geometric_normal,
-                _ => (w.x * corners[0] + w.y * corners[1] + w.z * corners[2]).normalize(),
-            };
+            let n = shading_normal(&lab, &probe, shading);
             let mirrored = vector::reflection(n, -ray_of(&lab, x, y));
             if is_exact(mirrored) {
                 let got = rgb(picture.at(x, y));

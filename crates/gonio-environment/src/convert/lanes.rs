@@ -24,13 +24,19 @@ pub(super) fn fill_row(
     let line = target.row(row);
     for (block, pixels) in pixels.chunks_mut(LANES).enumerate() {
         let directions = turned(target.directions(&line, (block * LANES) as f32, FIRST_EIGHT, 0.0), turn);
-        match <&mut [Pixel; LANES]>::try_from(&mut *pixels) {
-            Ok(all) => look_up(directions, all),
-            Err(_) => {
-                let mut all = [[0.0; 4]; LANES];
-                look_up(directions, &mut all);
-                pixels.copy_from_slice(&all[..pixels.len()]);
-            }
+        fill_block(pixels, |all| look_up(directions, all));
+    }
+}
+
+/// Fills up to eight pixels, the last ones of a row, from eight.
+#[inline(always)]
+pub(super) fn fill_block(pixels: &mut [Pixel], look_up: impl FnOnce(&mut [Pixel; LANES])) {
+    match <&mut [Pixel; LANES]>::try_from(&mut *pixels) {
+        Ok(all) => look_up(all),
+        Err(_) => {
+            let mut all = [[0.0; 4]; LANES];
+            look_up(&mut all);
+            pixels.copy_from_slice(&all[..pixels.len()]);
         }
     }
 }

@@ -1,7 +1,7 @@
 //! From a panorama that is not turned to the four sides of a cubemap: there a column of texels looks along a meridian, so
 //! that it has one place across the panorama, and its height follows from one arc tangent.
 
-use super::lanes::{LANES, arc_tangent};
+use super::lanes::{LANES, arc_tangent, fill_block};
 use super::source::{PanoramaSource, Places};
 use crate::face::{Face, Layout};
 use crate::image::Pixel;
@@ -53,14 +53,7 @@ impl SideColumns {
             // At most 45 degrees up or down.
             let below = arc_tangent(lanes(nearness) * t);
             let places = Places::on_one_plane(lanes(x), below * (height / PI) + (0.5 * height - 0.5));
-            match <&mut [Pixel; LANES]>::try_from(&mut *pixels) {
-                Ok(all) => look_up(places, all),
-                Err(_) => {
-                    let mut all = [[0.0; 4]; LANES];
-                    look_up(places, &mut all);
-                    pixels.copy_from_slice(&all[..pixels.len()]);
-                }
-            }
+            fill_block(pixels, |all| look_up(places, all));
         }
     }
 }

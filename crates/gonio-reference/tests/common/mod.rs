@@ -5,7 +5,7 @@ use glam::{DMat4, DVec3};
 use gonio_environment::Cubemap;
 use gonio_light::{Attenuation, Convention, Equation, Light, LightKind, Optics, Quantity, Specular};
 use gonio_mesh::{AmbientRule, Material, Mesh};
-use gonio_reference::{ReferenceScene, Rendered};
+use gonio_reference::{Probe, ReferenceScene, Rendered};
 use gonio_scene::description::{Scene, Shading};
 use gonio_scene::{
     Background, BoundTexture, Camera, ColorSpace, Frame, LoadedEnvironment, LoadedScene, Maps, Object, ObjectPart,
@@ -249,6 +249,16 @@ pub fn is_exact(d: DVec3) -> bool {
 pub fn ray_of(lab: &Lab, x: u32, y: u32) -> DVec3 {
     let frame = &lab.frame;
     frame.camera.ray_direction(f64::from(x) + 0.5, f64::from(y) + 0.5, frame.width, frame.height)
+}
+
+/// The normal that a shading has where the first object is hit.
+pub fn shading_normal(lab: &Lab, probe: &Probe, shading: Shading) -> DVec3 {
+    if matches!(shading, Shading::Flat | Shading::FlatPerFace) {
+        return probe.geometry.geometric_normal;
+    }
+    let w = probe.barycentrics;
+    let corners = probe.vertices.map(|v| DVec3::from(lab.scene.meshes[0].normals[v].map(f64::from)));
+    (w.x * corners[0] + w.y * corners[1] + w.z * corners[2]).normalize()
 }
 
 /// A pixel's colour, alpha left out.
