@@ -1,4 +1,4 @@
-//! Measures gonio: `gonio-bench render|render-large|frame|lights|obj|environment`, best through `cargo xtask bench`, which builds
+//! Measures gonio: `gonio-bench render|render-large|frame|lights|obj|environment|window`, best through `cargo xtask bench`, which builds
 //! everything first. Each prints a table and writes `target/bench/NAME.json`.
 //!
 //! Times are medians of alternating runs, so that a busy minute of the machine hits all sides alike.
@@ -13,7 +13,10 @@ mod obj_models;
 mod obj_readers;
 mod peers;
 mod render;
+mod screen;
 mod table;
+mod window;
+mod window_process;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -36,6 +39,7 @@ const BENCHES: &[(&str, Bench)] = &[
     ("lights", lights::run),
     ("obj", obj::run),
     ("environment", environment::run),
+    ("window", window::run),
 ];
 
 fn main() -> ExitCode {
@@ -43,6 +47,7 @@ fn main() -> ExitCode {
     // Parts of a benchmark that need a process of their own.
     match names.as_slice() {
         [first, rest @ ..] if first == obj_readers::READ => return ended(obj_readers::child(rest)),
+        [first, rest @ ..] if first == window_process::NAME => return ended(window_process::run(rest)),
         [first, file] if first == obj_readers::MAKE => return ended(places().and_then(|p| obj::make(&p, file))),
         _ => {}
     }

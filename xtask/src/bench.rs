@@ -1,8 +1,25 @@
 //! `cargo xtask bench`: builds what is measured, then lets `gonio-bench` measure.
 
+use crate::web::{self, Build};
 use crate::{process, root};
 use std::path::PathBuf;
 use std::process::{Command, ExitCode};
+
+/// Builds the page, and measures it in a browser against a page of three.js.
+pub fn web() -> ExitCode {
+    let root = root();
+    if let Err(error) = web::build_page(&root, Build::Shipped, &mut |step| println!("{step}")) {
+        eprintln!("xtask: bench web: {}", error.trim_end());
+        return ExitCode::from(2);
+    }
+    match web::node(&root.join("web")).arg("bench/run.mjs").status() {
+        Ok(status) => ExitCode::from(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(2)),
+        Err(error) => {
+            eprintln!("xtask: cannot run node: {error}");
+            ExitCode::from(2)
+        }
+    }
+}
 
 /// Builds the command line and the benchmarks for release, and runs the named ones, or all.
 pub fn run(names: &[&str]) -> ExitCode {

@@ -7,6 +7,7 @@ mod process;
 mod report;
 mod setup;
 mod test;
+mod web;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -15,14 +16,20 @@ const HELP: &str = "\
 cargo xtask test             everything that CI runs; needs nothing but rustup and a C compiler to start from
 cargo xtask test --fast      the same without the other platforms and without installing anything
 cargo xtask test --house     only the rules of the house that no compiler knows: a second
+cargo xtask test --web [--dev]
+                             only the web page: builds it and tries it in headless Chromium
 cargo xtask bench [NAME...]  measures; all of them without a name
     render                   a 5,000-triangle model to a PNG, whole process, against f3d and a VTK script
     render-large             the same of 1 million triangles
     frame                    a frame of 1 million triangles against the barest OpenGL loop
     lights                   the cost of a light, from 1 to 1,000 of them
     obj                      reading OBJ files of 1 and 5 million triangles, against tobj and others
+    environment              a panorama into a cubemap, against OpenCV and ffmpeg
+    window                   dragging a light in the lab window, against the renderer alone; wants Xvfb
+cargo xtask bench web        the page in headless Chromium against a page of three.js: first frame, memory
 cargo xtask fuzz [TARGET...] [--minutes N]
                              made-up files for every reader, 20 minutes each; wants cargo-fuzz and nightly
+cargo xtask web [--dev]      builds the web page into dist and says how large it is; wants node and npm
 cargo xtask schema           brings assets/scene.schema.json up to date with the code
 cargo xtask help             this text
 
@@ -36,8 +43,12 @@ fn main() -> ExitCode {
         ["test"] => test::run(test::Extent::Everything),
         ["test", "--fast"] => test::run(test::Extent::Fast),
         ["test", "--house"] => test::run(test::Extent::House),
+        ["test", "--web"] => test::run(test::Extent::Web(web::Build::Shipped)),
+        ["test", "--web", "--dev"] => test::run(test::Extent::Web(web::Build::Dev)),
+        ["bench", "web"] => bench::web(),
         ["bench", names @ ..] => bench::run(names),
         ["fuzz", words @ ..] => fuzz::run(words),
+        ["web", words @ ..] => web::run(words),
         ["schema"] => schema(),
         [] | ["help" | "--help" | "-h"] => {
             print!("{HELP}");

@@ -70,6 +70,7 @@ fn how_to_install(program: &str) -> String {
         "cargo" | "rustup" => "install it from https://rustup.rs",
         "git" => "install the package `git`",
         "apt-get" | "dpkg-query" => "this is no Debian",
+        "node" | "npm" => "install the packages `nodejs npm`",
         "python3" => "install the packages `python3 python3-venv`",
         _ => return String::new(),
     };

@@ -6,8 +6,25 @@ use std::path::Path;
 use std::process::Command;
 
 /// What the tests run besides cargo, as Debian calls it: OpenGL on the CPU; RenderDoc, its Python
-/// module, and the X server that opening a capture wants.
-const PACKAGES: &[&str] = &["libegl1", "libgl1-mesa-dri", "librenderdoc", "python3-renderdoc", "xvfb", "xauth"];
+/// module, and the X server that opening a capture wants; what a window needs there, and the pointer and the keys that
+/// it is tried with; the browser for the page.
+const PACKAGES: &[&str] = &[
+    "libegl1",
+    "libgl1-mesa-dri",
+    "librenderdoc",
+    "python3-renderdoc",
+    "xvfb",
+    "xauth",
+    "libxcursor1",
+    "libxi6",
+    "libxkbcommon-x11-0",
+    "xdotool",
+    "chromium",
+];
+
+/// What may as well come from elsewhere, so that the program counts and not the package: Node, which makes the page
+/// smaller, bundles its scripts and drives the browser.
+const PROGRAMS: &[(&str, &str)] = &[("node", "nodejs"), ("npm", "npm")];
 
 /// The platforms that are checked and not run, and the browser's.
 pub const TARGETS: &[&str] = &["x86_64-pc-windows-msvc", "aarch64-apple-darwin", "wasm32-unknown-unknown"];
@@ -22,7 +39,9 @@ pub fn packages() -> Findings {
     if !Path::new("/etc/debian_version").exists() {
         return Findings::default().remarking("no Debian: OpenGL (EGL) and RenderDoc are yours to install");
     }
-    let missing: Vec<&str> = PACKAGES.iter().copied().filter(|package| !is_installed(package)).collect();
+    let mut missing: Vec<&str> = PACKAGES.iter().copied().filter(|package| !is_installed(package)).collect();
+    let runs = |program: &str| process::stdout_of(Command::new(program).arg("--version")).is_ok();
+    missing.extend(PROGRAMS.iter().filter(|(program, _)| !runs(program)).map(|(_, package)| *package));
     if missing.is_empty() {
         return Findings::pass();
     }

@@ -22,8 +22,15 @@ named_enum! {
     what "built-in environment";
 }
 
-/// The room, Radiance HDR. Made for gonio with Blender, half of the original's size.
-const ROOM: &[u8] = include_bytes!("../../../assets/environments/room.hdr");
+/// The room, Radiance HDR. Made for gonio with Blender, half of the original's size. A module for the web does not carry
+/// it along: it would be a third of it, and the first picture does not want it.
+#[cfg(not(target_arch = "wasm32"))]
+const ROOM: Option<&[u8]> = Some(include_bytes!("../../../assets/environments/room.hdr"));
+#[cfg(target_arch = "wasm32")]
+const ROOM: Option<&[u8]> = None;
+
+/// Where the room's file lies below `assets`.
+pub const ROOM_FILE: &str = "environments/room.hdr";
 
 impl Builtin {
     /// The environment as a cubemap of `size` texels an edge (0 counts as 1). The debug cubemap has the file names of a
@@ -40,9 +47,15 @@ impl Builtin {
     }
 }
 
-/// The room as a panorama.
+/// The room as a panorama. On the web an error: there the room is a file of the page, for [`room_from`].
 pub fn room() -> Result<Panorama, EnvironmentError> {
-    let decoded = decode::decode("room.hdr", ROOM, &Limits::default())?;
+    let missing = || EnvironmentError::new("the room is still on its way to this page; try again in a moment");
+    room_from(ROOM.ok_or_else(missing)?)
+}
+
+/// The room as a panorama, from the bytes of [`ROOM_FILE`].
+pub fn room_from(bytes: &[u8]) -> Result<Panorama, EnvironmentError> {
+    let decoded = decode::decode("room.hdr", bytes, &Limits::default())?;
     match decoded.shape {
         Shape::Picture(image) => Panorama::new(image),
         Shape::Faces(_) => Err(EnvironmentError::new("the built-in room is no panorama")),

@@ -8,8 +8,9 @@ uniform highp sampler2D light_table;
 #else
 uniform vec4 light_values[LIGHTS_IN_UNIFORMS * LIGHT_TEXELS];
 #endif
-// Lights are sorted by kind, so that each loop knows what it reads. Where there are very few, the ends
-// are constants, and compilers unroll the loops: half the cost on a software driver.
+// Lights are sorted by kind, so that each loop knows what it reads. Where there are very few, they are summed
+// one by one (LIGHT_0 is the kind of the first): half the cost on software drivers, some of which unroll no
+// loop and compile a loop's body also where it never runs.
 #if LIGHTS_UNROLLED
 const int directional_end = DIRECTIONAL_END;
 const int point_end = POINT_END;
@@ -124,9 +125,24 @@ void add_light(inout LightSums sums, int kind, int light, vec3 position, vec3 n,
 
 LightSums light_sums(vec3 position, vec3 n, vec3 v, float shininess) {
     LightSums sums = LightSums(vec3(0.0), vec3(0.0));
+#if LIGHTS_UNROLLED
+#ifdef LIGHT_0
+    add_light(sums, LIGHT_0, 0, position, n, v, shininess);
+#endif
+#ifdef LIGHT_1
+    add_light(sums, LIGHT_1, 1, position, n, v, shininess);
+#endif
+#ifdef LIGHT_2
+    add_light(sums, LIGHT_2, 2, position, n, v, shininess);
+#endif
+#ifdef LIGHT_3
+    add_light(sums, LIGHT_3, 3, position, n, v, shininess);
+#endif
+#else
     int i = 0;
     for (; i < directional_end; ++i) add_light(sums, LIGHT_DIRECTIONAL, i, position, n, v, shininess);
     for (; i < point_end; ++i) add_light(sums, LIGHT_POINT, i, position, n, v, shininess);
     for (; i < spot_end; ++i) add_light(sums, LIGHT_SPOT, i, position, n, v, shininess);
+#endif
     return sums;
 }

@@ -21,6 +21,7 @@ uniform vec3 display_scale;
 uniform vec3 display_bias;
 #elif DISPLAY == DISPLAY_LIGHT
 uniform float exposure;                   // stops
+uniform float premultiply;                // 1: colours times their alpha
 #endif
 
 out vec4 frag_color;
@@ -58,6 +59,7 @@ void main() {
     vec3 background = mix(background_bottom, background_top, y);
     texel += (1.0 - texel.a) * background_alpha * vec4(background, 1.0);
     vec3 value = texel.a > 0.0 ? texel.rgb / texel.a : vec3(0.0);
-    frag_color = vec4(display_light(value, exposure), min(texel.a, 1.0));
+    float alpha = min(texel.a, 1.0);
+    frag_color = vec4(display_light(value, exposure) * mix(1.0, alpha, premultiply), alpha);
 #endif
 }

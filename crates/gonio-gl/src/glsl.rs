@@ -1,9 +1,15 @@
 //! GLSL, composed once: a header for the dialect, constants generated from Rust, then the files.
 
+mod difference;
 mod output;
+mod presentation;
+mod special;
 mod surroundings;
 
+pub use difference::difference_sources;
 pub use output::{Display, OutputKey};
+pub use presentation::presentation_sources;
+pub use special::{OVERDRAW_SCALE, SpecialProgram};
 pub use surroundings::{Sight, SurroundingsKey, sky_sources};
 
 use crate::body_tree::LEAF_STEP;
@@ -14,7 +20,7 @@ use gonio_light::optics::{self, Fresnel};
 use gonio_light::{Quantity, Specular, roughness, vector};
 use gonio_scene::description::Shading;
 use gonio_scene::loaded::HOLE_OPACITY;
-use output::tone_map_define;
+use output::{OUTPUT_VERT, tone_map_define};
 use std::fmt::Write;
 
 /// Which language the driver speaks.
@@ -48,7 +54,7 @@ pub const LIGHTS_PER_ROW: usize = 256;
 /// Most lights that are handed over in uniforms: 64 of the 224 vectors that every WebGL2 has. Reading a
 /// texture costs a software driver several times as much as reading a uniform.
 pub const LIGHTS_IN_UNIFORMS: usize = 16;
-/// Most lights whose loops are unrolled.
+/// Most lights that are summed one by one, without a loop: `lighting.glsl` names as many.
 pub const LIGHTS_UNROLLED: usize = 4;
 /// Texels in one row of the table of an object's inside: what every WebGL2 has.
 pub const BODY_ROW: usize = 2048;
@@ -164,7 +170,7 @@ pub struct SceneKey {
 /// Where the lights are, and how the loops over them end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum LightLoops {
-    /// Very few: in uniforms, and the ends of the directional lights, points and spots are constants.
+    /// Very few: in uniforms, and the ends of the directional lights, points and spots are constants. There are no loops.
     Unrolled([u8; 3]),
     /// Few: in uniforms.
     Uniforms,
@@ -268,6 +274,15 @@ impl SceneKey {
         if let LightLoops::Unrolled(ends) = self.lights {
             for (name, end) in ["DIRECTIONAL_END", "POINT_END", "SPOT_END"].into_iter().zip(ends) {
                 define(&mut text, name, &end.to_string());
+            }
+            let [directional, point, all] = ends;
+            for light in 0..all {
+                let kind = match light {
+                    light if light < directional => "LIGHT_DIRECTIONAL",
+                    light if light < point => "LIGHT_POINT",
+                    _ => "LIGHT_SPOT",
+                };
+                define(&mut text, &format!("LIGHT_{light}"), kind);
             }
         }
         text

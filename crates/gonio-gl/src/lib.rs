@@ -7,6 +7,7 @@
 
 mod body_on_gpu;
 mod body_tree;
+mod canvas;
 #[cfg(all(feature = "headless", any(windows, target_os = "linux")))]
 pub mod capture;
 #[cfg(all(feature = "headless", not(any(windows, target_os = "linux"))))]
@@ -24,20 +25,29 @@ mod half;
 pub mod headless;
 mod light_table;
 mod objects;
+mod presenter;
 mod program;
+pub mod record;
 mod renderer;
 mod scene_on_gpu;
+mod show;
 mod statistics;
+mod store;
 mod target;
 mod textures;
 
+pub use canvas::Canvas;
 pub use driver::DriverInfo;
 pub use error::GlError;
 pub use gl::Gl;
+pub use glsl::OVERDRAW_SCALE;
+pub use gonio_scene::{Overlays, SpecialView};
 #[cfg(feature = "headless")]
 pub use headless::HeadlessContext;
-pub use renderer::{Drawn, Drawn8, Renderer};
+pub use presenter::{Presentation, Presenter};
+pub use renderer::{DifferenceScale, Drawn, Drawn8, Painted, Renderer};
 pub use scene_on_gpu::GpuScene;
+pub use show::{Show, View};
 pub use statistics::GpuStatistics;
 
 #[cfg(test)]

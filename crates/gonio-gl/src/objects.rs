@@ -19,6 +19,7 @@ pub struct DebugGroup<'a> {
 impl<'a> DebugGroup<'a> {
     /// Opens the group.
     pub fn new(gl: &'a Gl, name: &str) -> Self {
+        gl.group_opened(name);
         if gl.supports_debug() {
             // SAFETY: pushed and popped in pairs by this guard.
             unsafe { gl.push_debug_group(glow::DEBUG_SOURCE_APPLICATION, 0, name) };
@@ -29,6 +30,7 @@ impl<'a> DebugGroup<'a> {
 
 impl Drop for DebugGroup<'_> {
     fn drop(&mut self) {
+        self.gl.group_closed();
         if self.gl.supports_debug() {
             // SAFETY: closes the group that `new` opened.
             unsafe { self.gl.pop_debug_group() };
@@ -119,6 +121,7 @@ impl Buffer {
             gl.bind_buffer(target, Some(buffer.handle));
             gl.buffer_data_u8_slice(target, bytes, usage);
         }
+        gl.name_buffer(buffer.handle, name);
         label(gl, glow::BUFFER, native_name!(buffer.handle), name);
         Ok(buffer)
     }
@@ -130,6 +133,7 @@ impl VertexArray {
         let array = VertexArray::create(gl)?;
         // SAFETY: the array is this context's.
         unsafe { gl.bind_vertex_array(Some(array.handle)) };
+        gl.name_vertex_array(array.handle, name);
         label(gl, glow::VERTEX_ARRAY, native_name!(array.handle), name);
         Ok(array)
     }
@@ -141,6 +145,7 @@ impl TextureObject {
         let texture = TextureObject::create(gl)?;
         // SAFETY: the texture is this context's.
         unsafe { gl.bind_texture(glow::TEXTURE_2D, Some(texture.handle)) };
+        gl.name_texture(texture.handle, name);
         label(gl, glow::TEXTURE, native_name!(texture.handle), name);
         Ok(texture)
     }
@@ -152,6 +157,7 @@ impl TextureObject {
         let texture = TextureObject::create(gl)?;
         // SAFETY: the texture is this context's.
         unsafe { gl.bind_texture(glow::TEXTURE_2D_ARRAY, Some(texture.handle)) };
+        gl.name_texture(texture.handle, name);
         label(gl, glow::TEXTURE, native_name!(texture.handle), name);
         Ok(texture)
     }
@@ -163,6 +169,7 @@ impl TextureObject {
         let texture = TextureObject::create(gl)?;
         // SAFETY: the texture is this context's.
         unsafe { gl.bind_texture(glow::TEXTURE_CUBE_MAP, Some(texture.handle)) };
+        gl.name_texture(texture.handle, name);
         label(gl, glow::TEXTURE, native_name!(texture.handle), name);
         Ok(texture)
     }
@@ -177,6 +184,7 @@ impl TextureObject {
             gl.bind_texture(glow::TEXTURE_2D_MULTISAMPLE, Some(texture.handle));
             gl.tex_image_2d_multisample(glow::TEXTURE_2D_MULTISAMPLE, samples, format as i32, size[0], size[1], true);
         }
+        gl.name_texture(texture.handle, name);
         label(gl, glow::TEXTURE, native_name!(texture.handle), name);
         Ok(texture)
     }
@@ -192,6 +200,7 @@ impl Renderbuffer {
             gl.bind_renderbuffer(glow::RENDERBUFFER, Some(buffer.handle));
             gl.renderbuffer_storage_multisample(glow::RENDERBUFFER, samples, format, size[0], size[1]);
         }
+        gl.name_renderbuffer(buffer.handle, name);
         label(gl, glow::RENDERBUFFER, native_name!(buffer.handle), name);
         Ok(buffer)
     }
@@ -203,6 +212,7 @@ impl Framebuffer {
         let framebuffer = Framebuffer::create(gl)?;
         // SAFETY: the framebuffer is this context's.
         unsafe { gl.bind_framebuffer(glow::FRAMEBUFFER, Some(framebuffer.handle)) };
+        gl.name_framebuffer(framebuffer.handle, name);
         label(gl, glow::FRAMEBUFFER, native_name!(framebuffer.handle), name);
         Ok(framebuffer)
     }

@@ -24,44 +24,55 @@ impl Program {
             // Owned from here on, so that every way out frees it.
             let program = Program { gl: gl.clone(), handle, locations: RefCell::default() };
             let mut shaders = Vec::new();
-            let mut failed = None;
             for (kind, stage, source) in
                 [(glow::VERTEX_SHADER, "vertex", vertex), (glow::FRAGMENT_SHADER, "fragment", fragment)]
             {
                 let shader = gl.create_shader(kind).map_err(GlError::new)?;
                 gl.shader_source(shader, source);
                 gl.compile_shader(shader);
-                if !gl.get_shader_compile_status(shader) {
-                    failed = Some(format!(
-                        "the {stage} shader of `{name}` does not compile:\n{}\n{}",
-                        gl.get_shader_info_log(shader).trim_end(),
-                        numbered(source)
-                    ));
-                }
                 gl.attach_shader(handle, shader);
-                shaders.push(shader);
+                shaders.push((shader, stage, source));
             }
             for &(location, attribute) in attributes {
                 gl.bind_attrib_location(handle, location, attribute);
             }
-            if failed.is_none() {
-                gl.link_program(handle);
-                if !gl.get_program_link_status(handle) {
-                    failed = Some(format!("`{name}` does not link:\n{}", gl.get_program_info_log(handle).trim_end()));
-                }
+            gl.link_program(handle);
+            // One question where all is well: each waits for the GPU on the web. What does not compile does not link.
+            let mut failed = None;
+            if !gl.get_program_link_status(handle) {
+                let broken = shaders.iter().rfind(|(shader, ..)| !gl.get_shader_compile_status(*shader));
+                failed = Some(match broken {
+                    Some((shader, stage, source)) => format!(
+                        "the {stage} shader of `{name}` does not compile:\n{}\n{}",
+                        gl.get_shader_info_log(*shader).trim_end(),
+                        numbered(source)
+                    ),
+                    None => format!("`{name}` does not link:\n{}", gl.get_program_info_log(handle).trim_end()),
+                });
             }
-            for shader in shaders {
+            for (shader, ..) in shaders {
                 gl.detach_shader(handle, shader);
                 gl.delete_shader(shader);
             }
             if let Some(message) = failed {
                 return Err(GlError::new(message));
             }
+            gl.name_program(handle, name);
             if gl.supports_debug() {
                 gl.object_label(glow::PROGRAM, native_name!(handle), Some(name));
             }
             Ok(program)
         }
+    }
+
+    /// Its number in records.
+    pub fn id(&self) -> u32 {
+        self.gl.mirror().with(|state| state.programs.get(&self.handle).map_or(0, |program| program.label.id))
+    }
+
+    /// OpenGL's name for it.
+    pub fn handle(&self) -> glow::Program {
+        self.handle
     }
 
     /// Makes it the current program.

@@ -4,8 +4,9 @@ use crate::body_on_gpu::BodyOnGpu;
 use crate::body_tree::BodyTable;
 use crate::driver::DriverInfo;
 use crate::environment_on_gpu::EnvironmentOnGpu;
-use crate::geometry::Geometry;
+use crate::geometry::{Form, Geometry};
 use crate::objects::TextureObject;
+use crate::store::Store;
 use crate::textures;
 use crate::{Gl, GlError};
 use glam::{DMat4, Mat3, Vec3};
@@ -13,16 +14,24 @@ use gonio_light::{Optics, Surfaces};
 use gonio_mesh::Mesh;
 use gonio_scene::description::Shading;
 use gonio_scene::{LoadedScene, Object, SceneMaterial};
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::rc::Rc;
+use std::sync::Arc;
 
-/// A scene's buffers and textures on the GPU; freed when dropped.
+/// A scene's buffers and textures on the GPU, shared with other scenes of the same renderer; freed with the last.
 pub struct GpuScene {
     pub(crate) objects: Vec<GpuObject>,
     pub(crate) geometries: Vec<MeshGeometry>,
     pub(crate) materials: Vec<SceneMaterial>,
-    pub(crate) textures: Vec<TextureObject>,
-    pub(crate) environment: Option<EnvironmentOnGpu>,
+    pub(crate) textures: Vec<Rc<TextureObject>>,
+    pub(crate) environment: Option<Rc<EnvironmentOnGpu>>,
     /// What could not be done as asked.
     pub(crate) notes: Vec<String>,
+    /// What overlays are made of ...
+    meshes: Vec<Arc<Mesh>>,
+    /// ... and those that were: by mesh and form.
+    overlays: RefCell<HashMap<(usize, Form), Rc<Geometry>>>,
     /// Bytes of geometry on the GPU.
     pub geometry_bytes: usize,
     /// Triangles of all objects.
@@ -32,8 +41,8 @@ pub struct GpuScene {
 /// A mesh in the forms that its objects need.
 #[derive(Default)]
 pub(crate) struct MeshGeometry {
-    pub shared: Option<Geometry>,
-    pub unshared: Option<Geometry>,
+    pub shared: Option<Rc<Geometry>>,
+    pub unshared: Option<Rc<Geometry>>,
 }
 
 /// An object with what does not change from frame to frame.
@@ -49,7 +58,7 @@ pub(crate) struct GpuObject {
     /// Triangles of transparent parts, for sorting.
     pub transparent: Vec<TransparentTriangle>,
     /// Its inside, where a material wants to be seen through.
-    pub body: Option<BodyOnGpu>,
+    pub body: Option<Rc<BodyOnGpu>>,
 }
 
 /// Consecutive triangles with one material.
@@ -75,35 +84,69 @@ pub(crate) fn wants_unshared(shading: Shading) -> bool {
 }
 
 impl GpuScene {
-    pub(crate) fn upload(gl: &Gl, scene: &LoadedScene, info: &DriverInfo) -> Result<Self, GlError> {
+    pub(crate) fn upload(gl: &Gl, scene: &LoadedScene, info: &DriverInfo, store: &mut Store) -> Result<Self, GlError> {
         let mut geometries: Vec<MeshGeometry> = scene.meshes.iter().map(|_| MeshGeometry::default()).collect();
         for object in &scene.objects {
             let mesh = &scene.meshes[object.mesh];
             let geometry = &mut geometries[object.mesh];
             if wants_unshared(object.shading) {
                 if geometry.unshared.is_none() {
-                    geometry.unshared = Some(Geometry::unshared(gl, mesh, &format!("{} (flat)", object.name))?);
+                    let make = || Geometry::of(gl, mesh, Form::Unshared, &object.name);
+                    geometry.unshared = Some(store.geometries.get(mesh, Form::Unshared, make)?);
                 }
             } else if geometry.shared.is_none() {
-                geometry.shared = Some(Geometry::shared(gl, mesh, &object.name)?);
+                let make = || Geometry::of(gl, mesh, Form::Shared, &object.name);
+                geometry.shared = Some(store.geometries.get(mesh, Form::Shared, make)?);
             }
         }
-        let textures =
-            scene.textures.iter().map(|t| textures::upload(gl, t, info.max_size)).collect::<Result<Vec<_>, _>>()?;
+        let mut texture = |t| store.textures.get(t, (), || textures::upload(gl, t, info.max_size));
+        let textures = scene.textures.iter().map(&mut texture).collect::<Result<Vec<_>, _>>()?;
         let environment = scene.environment.as_ref();
-        let environment = environment.map(|e| EnvironmentOnGpu::upload(gl, e, info.max_cube_size)).transpose()?;
+        let upload = |e| EnvironmentOnGpu::upload(gl, e, info.max_cube_size);
+        let environment = environment.map(|e| store.environments.get(e, (), || upload(e))).transpose()?;
         let mut objects: Vec<GpuObject> = scene.objects.iter().map(|o| GpuObject::new(o, scene)).collect();
         let mut notes = Vec::new();
         if let Some(environment) = &environment {
             notes.extend(environment.notes.iter().cloned());
             for object in &mut objects {
-                object.add_body(gl, scene, info, &mut notes)?;
+                object.add_body(gl, scene, info, store, &mut notes)?;
             }
         }
+        store.tidy();
         let geometry_bytes = geometries.iter().flat_map(|g| [&g.shared, &g.unshared]).flatten().map(|g| g.bytes).sum();
         let triangle_count = scene.objects.iter().map(|o| scene.meshes[o.mesh].triangle_count()).sum();
         let materials = scene.materials.clone();
-        Ok(GpuScene { objects, geometries, materials, textures, environment, notes, geometry_bytes, triangle_count })
+        Ok(GpuScene {
+            objects,
+            geometries,
+            materials,
+            textures,
+            environment,
+            notes,
+            meshes: scene.meshes.clone(),
+            overlays: RefCell::default(),
+            geometry_bytes,
+            triangle_count,
+        })
+    }
+
+    /// What an overlay draws of an object's mesh: made when it is first wanted.
+    pub(crate) fn overlay_geometry(
+        &self,
+        gl: &Gl,
+        store: &mut Store,
+        object: &GpuObject,
+        form: Form,
+    ) -> Result<Rc<Geometry>, GlError> {
+        let index = object.object.mesh;
+        if let Some(made) = self.overlays.borrow().get(&(index, form)) {
+            return Ok(made.clone());
+        }
+        let name = &object.object.name;
+        let mesh = self.meshes.get(index).ok_or_else(|| GlError::new(format!("`{name}` has no mesh")))?;
+        let made = store.geometries.get(mesh, form, || Geometry::of(gl, mesh, form, name))?;
+        self.overlays.borrow_mut().insert((index, form), made.clone());
+        Ok(made)
     }
 }
 
@@ -164,6 +207,7 @@ impl GpuObject {
         gl: &Gl,
         scene: &LoadedScene,
         info: &DriverInfo,
+        store: &mut Store,
         notes: &mut Vec<String>,
     ) -> Result<(), GlError> {
         let object = &self.object;
@@ -172,9 +216,12 @@ impl GpuObject {
             return Ok(());
         }
         let mesh = &scene.meshes[object.mesh];
-        if let Some(table) = BodyTable::new(mesh, object, wants_unshared(object.shading)) {
-            self.body = BodyOnGpu::upload(gl, table, &object.name, info.max_size)?;
-        }
+        let flat = wants_unshared(object.shading);
+        let key = (flat, object.world_from_model.to_cols_array().map(f64::to_bits));
+        self.body = store.bodies.get_if(mesh, key, || {
+            let table = BodyTable::new(mesh, object, flat);
+            table.map_or(Ok(None), |table| BodyOnGpu::upload(gl, table, &object.name, info.max_size))
+        })?;
         if self.body.is_none() && mesh.triangle_count() > 0 {
             notes.push(format!(
                 "`{}` is refracted at its first surface only: this driver has no room for the inside of {} triangles",

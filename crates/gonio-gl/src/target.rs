@@ -86,19 +86,9 @@ fn texture_target(
     name: &str,
 ) -> Result<(Framebuffer, TextureObject), GlError> {
     let texture = TextureObject::bound(gl, name)?;
-    // SAFETY: the texture is bound; no data is given, so none is read.
+    storage(gl, format, transfer, size);
+    // SAFETY: the texture is bound.
     unsafe {
-        gl.tex_image_2d(
-            glow::TEXTURE_2D,
-            0,
-            format as i32,
-            size[0],
-            size[1],
-            0,
-            transfer.0,
-            transfer.1,
-            PixelUnpackData::Slice(None),
-        );
         for parameter in [glow::TEXTURE_MIN_FILTER, glow::TEXTURE_MAG_FILTER] {
             gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, glow::NEAREST as i32);
         }
@@ -109,6 +99,15 @@ fn texture_target(
     let framebuffer = Framebuffer::bound(gl, name)?;
     attach_texture(gl, glow::TEXTURE_2D, &texture);
     Ok((framebuffer, texture))
+}
+
+/// Gives the bound texture memory.
+fn storage(gl: &Gl, format: u32, (transfer, kind): (u32, u32), size: [i32; 2]) {
+    let nothing = PixelUnpackData::Slice(None);
+    // SAFETY: a texture is bound; no data is given, so none is read.
+    unsafe {
+        gl.tex_image_2d(glow::TEXTURE_2D, 0, format as i32, size[0], size[1], 0, transfer, kind, nothing);
+    }
 }
 
 /// Attaches a texture to the bound framebuffer.
@@ -225,10 +224,21 @@ impl Target {
     }
 }
 
-/// What is read back into a file: 8 bits a channel, or floats for 16.
+impl Target {
+    /// The texels of a target of one sample, four values each, the bottom row first. Waits for the GPU.
+    pub fn read_single(&self, gl: &Gl) -> Vec<f32> {
+        // SAFETY: the framebuffer is complete.
+        unsafe { gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.drawn.handle())) };
+        read_bound(gl, self.size, glow::FLOAT)
+    }
+}
+
+/// What is shown, or read back into a file: 8 bits a channel, or floats for 16.
 pub struct OutputTarget {
     framebuffer: Framebuffer,
-    _texture: TextureObject,
+    texture: TextureObject,
+    /// Where lines are to be hidden by what is in front of them.
+    depth: Option<Renderbuffer>,
     size: [i32; 2],
 }
 
@@ -242,7 +252,76 @@ impl OutputTarget {
         };
         let (framebuffer, texture) = texture_target(gl, format, transfer, size, "encoded picture")?;
         check_complete(gl, "encoded picture", size, 1)?;
-        Ok(OutputTarget { framebuffer, _texture: texture, size })
+        Ok(OutputTarget { framebuffer, texture, depth: None, size })
+    }
+
+    /// RGBA8 whose texture somebody else shows, pixel for pixel. Leaves no framebuffer bound.
+    pub fn to_be_shown(gl: &Gl, size: [i32; 2]) -> Result<Self, GlError> {
+        let target = Self::new(gl, size, false)?;
+        // SAFETY: unbinding has no precondition.
+        unsafe { gl.bind_texture(glow::TEXTURE_2D, None) };
+        target.unbind(gl);
+        Ok(target)
+    }
+
+    /// Gives an 8-bit target another size; its texture keeps its name.
+    pub fn resize(&mut self, gl: &Gl, size: [i32; 2]) -> Result<(), GlError> {
+        if size == self.size {
+            return Ok(());
+        }
+        let shown = (glow::RGBA, glow::UNSIGNED_BYTE);
+        // SAFETY: the texture and the framebuffer are this context's; no data is given, so none is read.
+        unsafe {
+            gl.bind_texture(glow::TEXTURE_2D, Some(self.texture.handle()));
+            storage(gl, glow::RGBA8, shown, size);
+            gl.bind_texture(glow::TEXTURE_2D, None);
+            gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.framebuffer.handle()));
+        }
+        self.size = size;
+        if self.depth.take().is_some() {
+            self.add_depth(gl)?;
+        }
+        check_complete(gl, "encoded picture", size, 1)
+    }
+
+    /// Attaches a depth buffer to the framebuffer, which is bound.
+    fn add_depth(&mut self, gl: &Gl) -> Result<(), GlError> {
+        let depth = Renderbuffer::new(gl, glow::DEPTH_COMPONENT24, self.size, 0, "depth of overlays")?;
+        attach_renderbuffer(gl, glow::DEPTH_ATTACHMENT, &depth);
+        self.depth = Some(depth);
+        check_complete(gl, "picture with overlays", self.size, 1)
+    }
+
+    /// Binds it for drawing with a depth of 1 everywhere.
+    pub fn begin_overlays(&mut self, gl: &Gl) -> Result<(), GlError> {
+        self.bind(gl);
+        if self.depth.is_none() {
+            self.add_depth(gl)?;
+        }
+        // SAFETY: the framebuffer is complete.
+        unsafe {
+            gl.disable(glow::SCISSOR_TEST);
+            gl.depth_mask(true);
+            gl.clear_depth_f32(1.0);
+            gl.clear(glow::DEPTH_BUFFER_BIT);
+        }
+        Ok(())
+    }
+
+    /// OpenGL's name of the texture.
+    pub fn texture(&self) -> glow::Texture {
+        self.texture.handle()
+    }
+
+    /// Pixels.
+    pub fn size(&self) -> [i32; 2] {
+        self.size
+    }
+
+    /// Binds no framebuffer: the window's own, where there is one.
+    pub fn unbind(&self, gl: &Gl) {
+        // SAFETY: no precondition.
+        unsafe { gl.bind_framebuffer(glow::FRAMEBUFFER, None) };
     }
 
     /// Binds it for drawing.
@@ -251,6 +330,17 @@ impl OutputTarget {
         unsafe {
             gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.framebuffer.handle()));
             gl.viewport(0, 0, self.size[0], self.size[1]);
+        }
+    }
+
+    /// Reads one pixel of an 8-bit target, which waits for what draws into it.
+    pub fn wait(&self, gl: &Gl) {
+        let mut pixel = [0_u8; 4];
+        // SAFETY: the framebuffer is complete, and the slice has room for one pixel of four bytes.
+        unsafe {
+            gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.framebuffer.handle()));
+            let place = PixelPackData::Slice(Some(&mut pixel));
+            gl.read_pixels(0, 0, 1, 1, glow::RGBA, glow::UNSIGNED_BYTE, place);
         }
     }
 
@@ -265,22 +355,20 @@ impl OutputTarget {
     }
 
     fn read<T: bytemuck::Pod>(&self, gl: &Gl, kind: u32) -> Vec<T> {
-        let mut values = vec![T::zeroed(); self.size[0] as usize * self.size[1] as usize * 4];
-        // SAFETY: the framebuffer is complete, and the slice has room for four values per pixel of the
-        // kind that the two callers above name together with `T`.
-        unsafe {
-            gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.framebuffer.handle()));
-            gl.pixel_store_i32(glow::PACK_ALIGNMENT, 4);
-            gl.read_pixels(
-                0,
-                0,
-                self.size[0],
-                self.size[1],
-                glow::RGBA,
-                kind,
-                PixelPackData::Slice(Some(bytemuck::cast_slice_mut(&mut values))),
-            );
-        }
-        values
+        // SAFETY: the framebuffer is complete.
+        unsafe { gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.framebuffer.handle())) };
+        read_bound(gl, self.size, kind)
     }
+}
+
+/// The pixels of the bound framebuffer, four values each, of the kind that callers name together with `T`.
+fn read_bound<T: bytemuck::Pod>(gl: &Gl, size: [i32; 2], kind: u32) -> Vec<T> {
+    let mut values = vec![T::zeroed(); size[0] as usize * size[1] as usize * 4];
+    let slice = PixelPackData::Slice(Some(bytemuck::cast_slice_mut(&mut values)));
+    // SAFETY: the framebuffer is complete, and the slice has room for four values per pixel of this kind.
+    unsafe {
+        gl.pixel_store_i32(glow::PACK_ALIGNMENT, 4);
+        gl.read_pixels(0, 0, size[0], size[1], glow::RGBA, kind, slice);
+    }
+    values
 }

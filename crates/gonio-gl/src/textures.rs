@@ -1,6 +1,7 @@
 //! Textures on the GPU: sRGB colours decoded by the hardware, mipmapped, anisotropic.
 
 use crate::objects::TextureObject;
+use crate::record::Content;
 use crate::{Gl, GlError};
 use glow::{HasContext, PixelUnpackData};
 use gonio_mesh::Wrap;
@@ -22,6 +23,9 @@ pub fn upload(gl: &Gl, texture: &Texture, max_size: u32) -> Result<TextureObject
         )));
     }
     let object = TextureObject::bound(gl, &texture.name)?;
+    if texture.color_space == ColorSpace::Data {
+        gl.note_content(Content::SignedHalves);
+    }
     upload_level(gl, texture.color_space, 0, [texture.width, texture.height], &texture.rgba);
     // The reference's own mipmaps: drivers round theirs differently, and some do not average in linear light.
     for (level, mip) in texture.mip_levels().iter().enumerate() {

@@ -120,6 +120,7 @@ fn colors_of_vertices() {
         for mesh in &mut scene.meshes {
             // Another one at each corner, none of them black.
             let color = |p: &[f32; 3]| [0.5 + 0.3 * p[0], 0.5 + 0.3 * p[1], 0.5 + 0.3 * p[2], 1.0];
+            let mesh = std::sync::Arc::make_mut(mesh);
             mesh.colors = mesh.positions.iter().map(color).collect();
         }
         bench.check(shading, &scene, None);

@@ -24,6 +24,8 @@ pub mod ply;
 mod polygon;
 mod report;
 pub mod sidecar;
+pub mod simplify;
+pub mod sphere;
 mod split;
 pub mod stl;
 mod tally;

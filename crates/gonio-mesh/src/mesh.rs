@@ -1,6 +1,7 @@
 //! The mesh: indexed triangles, ready for a GPU.
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
+use rayon::prelude::*;
 
 /// Indexed triangles. All per-vertex arrays are as long as `positions`, or empty where the file has none.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -93,6 +94,24 @@ impl Mesh {
     /// The box around all vertices.
     pub fn bounds(&self) -> Option<Bounds> {
         Bounds::of_points(self.positions.iter().map(|&p| Vec3::from(p)))
+    }
+
+    /// For each direction (any length) the largest `direction . p` over all vertices `p`; negative infinity where there
+    /// are none.
+    pub fn reach(&self, directions: &[DVec3]) -> Vec<f64> {
+        let none = || vec![f64::NEG_INFINITY; directions.len()];
+        let of_chunk = |points: &[[f32; 3]]| {
+            let mut reach = none();
+            for p in points {
+                let p = Vec3::from(*p).as_dvec3();
+                for (r, d) in reach.iter_mut().zip(directions) {
+                    *r = r.max(d.dot(p));
+                }
+            }
+            reach
+        };
+        let farther = |a: Vec<f64>, b: Vec<f64>| a.iter().zip(b).map(|(a, b)| a.max(b)).collect();
+        self.positions.par_chunks(65536).map(of_chunk).reduce(none, farther)
     }
 
     /// The vertex indices of triangle `t`.

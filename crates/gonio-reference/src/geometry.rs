@@ -2,11 +2,13 @@
 
 use glam::{DMat3, DMat4, DVec3, Vec3A};
 use gonio_light::{Surfaces, vector};
-use gonio_scene::LoadedScene;
+use gonio_scene::{LoadedScene, Object};
 use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
-use obvhs::bvh2::builder::build_bvh2;
+use obvhs::bvh2::leaf_collapser::collapse;
+use obvhs::bvh2::reinsertion::ReinsertionOptimizer;
+use obvhs::ploc::PlocBuilder;
 use rayon::prelude::*;
 
 /// One triangle of one object, in the order in which a GPU would draw them.
@@ -119,8 +121,7 @@ impl WorldGeometry {
             let normal = mesh.normals.get(i).map_or(DVec3::ZERO, |&n| n.map(f64::from).into());
             unit_of_any_size(normals_to_world * normal)
         }));
-        let optics = || object.parts.iter().filter_map(|part| scene.materials.get(part.material)).map(|m| &m.optics);
-        if optics().any(|o| o.transmission > 0.0 && o.surfaces == Surfaces::Two) {
+        if is_looked_through(scene, object) {
             let finite = self.positions[first_vertex as usize..].iter().filter(|p| p.is_finite());
             let (low, high) =
                 finite.fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), &p| (low.min(p), high.max(p)));
@@ -186,9 +187,28 @@ impl Tree {
         // Quality pays off over a million samples, but building is on one thread.
         let parameters =
             if triangles.len() < 200_000 { BvhBuildParams::medium_build() } else { BvhBuildParams::very_fast_build() };
-        let bvh = build_bvh2(&boxes, parameters, &mut std::time::Duration::default());
+        let bvh = build(&boxes, &parameters);
         Some(Tree { bvh, center, scale })
     }
+}
+
+/// What `obvhs::bvh2::builder::build_bvh2` does, but for its clock: there is none on the web.
+fn build(boxes: &[Aabb], parameters: &BvhBuildParams) -> Bvh2 {
+    let p = parameters;
+    let order: Vec<u32> = (0..boxes.len() as u32).collect();
+    let mut builder = PlocBuilder::with_capacity(boxes.len());
+    let mut bvh = builder.build(p.ploc_search_distance, boxes, order, p.sort_precision, p.search_depth_threshold);
+    let mut optimizer = ReinsertionOptimizer::default();
+    optimizer.run(&mut bvh, p.reinsertion_batch_ratio, None);
+    collapse(&mut bvh, p.max_prims_per_leaf.clamp(1, 255), p.collapse_traversal_cost);
+    optimizer.run(&mut bvh, p.reinsertion_batch_ratio * p.post_collapse_reinsertion_batch_ratio_multiplier, None);
+    bvh
+}
+
+/// Whether rays of sight go through the inside of an object.
+pub(crate) fn is_looked_through(scene: &LoadedScene, object: &Object) -> bool {
+    let mut optics = object.parts.iter().filter_map(|part| scene.materials.get(part.material)).map(|m| &m.optics);
+    optics.any(|o| o.transmission > 0.0 && o.surfaces == Surfaces::Two)
 }
 
 /// To f32, never upwards.
@@ -204,13 +224,13 @@ fn rounded_down(v: DVec3) -> Vec3A {
 #[cfg(test)]
 pub(crate) fn one_object(mesh: gonio_mesh::Mesh, optics: gonio_light::Optics) -> LoadedScene {
     use gonio_scene::description::Shading;
-    use gonio_scene::{Maps, Object, ObjectPart, SceneMaterial};
+    use gonio_scene::{Maps, ObjectPart, SceneMaterial};
     let part =
         ObjectPart { name: String::new(), first_triangle: 0, triangle_count: mesh.triangle_count(), material: 0 };
     let (name, world_from_model) = (String::new(), DMat4::IDENTITY);
     let object = Object { name, mesh: 0, shading: Shading::Flat, world_from_model, parts: vec![part], closed: false };
     LoadedScene {
-        meshes: vec![mesh],
+        meshes: vec![std::sync::Arc::new(mesh)],
         materials: vec![SceneMaterial { material: Default::default(), maps: Maps::default(), optics }],
         objects: vec![object],
         ..LoadedScene::default()

@@ -8,6 +8,7 @@
 //! | room | what |
 //! |---|---|
 //! | `geometry` | triangles in world space, the tree of boxes over them |
+//! | `kept` | the same, kept for other scenes of the same geometry |
 //! | `intersect` | a ray against a triangle, without leaks |
 //! | `visibility` | which triangles the rays of a block of pixels see |
 //! | `fragment` | place, texture coordinates and material where a ray meets a triangle |
@@ -30,6 +31,7 @@ mod body;
 mod fragment;
 mod geometry;
 mod intersect;
+mod kept;
 mod panorama;
 pub mod probe;
 mod ray;
@@ -40,6 +42,7 @@ mod shade;
 mod surroundings;
 mod visibility;
 
+pub use kept::ReferenceGeometry;
 pub use probe::Probe;
 pub use render::{HOLE, MAX_LAYERS};
 pub use samples::sample_positions;
@@ -48,11 +51,13 @@ use geometry::WorldGeometry;
 use gonio_environment::{Face, Layout};
 use gonio_light::Quantity;
 use gonio_scene::{Frame, LoadedScene, Picture, ViewSpec};
+use std::sync::Arc;
 
-/// A scene with its acceleration structure built.
-pub struct ReferenceScene<'a> {
-    scene: &'a LoadedScene,
-    geometry: WorldGeometry,
+/// A scene with its acceleration structure built. It holds what it needs of the scene it was made from (meshes and
+/// textures are shared), so it may go to another thread and outlive it.
+pub struct ReferenceScene {
+    scene: LoadedScene,
+    geometry: Arc<ReferenceGeometry>,
 }
 
 /// What was drawn, and what it took.
@@ -66,12 +71,33 @@ pub struct Rendered {
     pub fragments: u64,
 }
 
-impl<'a> ReferenceScene<'a> {
+impl ReferenceScene {
     /// Carries the geometry to world space and builds the acceleration structure.
     ///
     /// Triangles with corners that are not finite, or with indices beyond the mesh, are left out.
-    pub fn new(scene: &'a LoadedScene) -> Self {
-        ReferenceScene { scene, geometry: WorldGeometry::new(scene) }
+    pub fn new(scene: &LoadedScene) -> Self {
+        ReferenceScene { scene: scene.clone(), geometry: Arc::new(ReferenceGeometry::new(scene)) }
+    }
+
+    /// [`Self::new`] with a structure that was built for this scene, or for one that differs only in what
+    /// [`ReferenceGeometry::fits`] allows; `None` where it does not fit.
+    pub fn with_geometry(scene: &LoadedScene, geometry: Arc<ReferenceGeometry>) -> Option<Self> {
+        geometry.fits(scene).then(|| ReferenceScene { scene: scene.clone(), geometry })
+    }
+
+    /// The structure, for another scene of the same geometry.
+    pub fn geometry(&self) -> Arc<ReferenceGeometry> {
+        self.geometry.clone()
+    }
+
+    /// The scene that is drawn.
+    pub fn scene(&self) -> &LoadedScene {
+        &self.scene
+    }
+
+    /// What the structure holds.
+    pub(crate) fn world(&self) -> &WorldGeometry {
+        self.geometry.world()
     }
 
     /// The picture, or a debug view of it: linear values, nothing clamped. `progress` is called with

@@ -107,9 +107,9 @@ pub(crate) fn probe(reference: &ReferenceScene, frame: &Frame, x: u32, y: u32) -
         return None;
     }
     let context = FrameContext::of_camera(reference, frame);
-    let eye = EyeSpace::new(&reference.geometry, frame);
+    let eye = EyeSpace::new(reference.world(), frame);
     let mut visible = Visible::default();
-    visible.trace(&reference.geometry, &eye, &[[0.5, 0.5]], Block { x0: x, y0: y, x1: x + 1, y1: y + 1 });
+    visible.trace(reference.world(), &eye, &[[0.5, 0.5]], Block { x0: x, y0: y, x1: x + 1, y1: y + 1 });
 
     let mut cache = CornerCache::default();
     let sky = || context.behind(|| eye.direction(visible.rays[0]), (f64::from(y) + 0.5) / f64::from(frame.height));
@@ -118,7 +118,7 @@ pub(crate) fn probe(reference: &ReferenceScene, frame: &Frame, x: u32, y: u32) -
     let nearest = surfaces().next()?;
 
     let fragment = &nearest.fragment;
-    let scene = reference.scene;
+    let scene = &reference.scene;
     let (triangle, shader) = (fragment.triangle, &context.shader);
     let object = &scene.objects[triangle.object as usize];
     let shading = Shader::shading(fragment);

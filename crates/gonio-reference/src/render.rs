@@ -25,7 +25,7 @@ const BLOCK: u32 = 8;
 
 /// All that is the same for all pixels of a frame.
 pub(crate) struct FrameContext<'a> {
-    pub reference: &'a ReferenceScene<'a>,
+    pub reference: &'a ReferenceScene,
     pub frame: &'a Frame,
     pub shader: Shader<'a>,
 }
@@ -48,13 +48,13 @@ struct Workspace {
 
 impl<'a> FrameContext<'a> {
     /// `pixel_angle_rad`: what a pixel in the middle of the picture covers.
-    pub fn new(reference: &'a ReferenceScene<'a>, frame: &'a Frame, pixel_angle_rad: f64) -> Self {
-        let environment = Environment::new(reference.scene, frame, pixel_angle_rad);
-        FrameContext { reference, frame, shader: Shader { geometry: &reference.geometry, frame, environment } }
+    pub fn new(reference: &'a ReferenceScene, frame: &'a Frame, pixel_angle_rad: f64) -> Self {
+        let environment = Environment::new(&reference.scene, frame, pixel_angle_rad);
+        FrameContext { reference, frame, shader: Shader { geometry: reference.world(), frame, environment } }
     }
 
     /// For a picture by the frame's camera.
-    pub fn of_camera(reference: &'a ReferenceScene<'a>, frame: &'a Frame) -> Self {
+    pub fn of_camera(reference: &'a ReferenceScene, frame: &'a Frame) -> Self {
         let pixel_angle_rad = 2.0 * (0.5 * frame.camera.fov_y_rad).tan() / f64::from(frame.height);
         FrameContext::new(reference, frame, pixel_angle_rad)
     }
@@ -80,11 +80,11 @@ impl<'a> FrameContext<'a> {
         space: &'v dyn RaySpace,
     ) -> impl Iterator<Item = Surfaced<'v>> + 'v {
         ids.filter_map(move |id| {
-            let geometry = &self.reference.geometry;
+            let geometry = self.reference.world();
             let triangle = &geometry.triangles[id as usize];
             let crossing = cross(&space.corners(triangle.vertices), ray)?;
             let fragment = Fragment::new(
-                self.reference.scene,
+                &self.reference.scene,
                 geometry,
                 self.frame.two_sided,
                 self.frame.texture_filter,
@@ -179,7 +179,7 @@ pub(crate) fn render(
     progress: &(dyn Fn(f64) + Sync),
 ) -> Vec<Rendered> {
     let context = FrameContext::of_camera(reference, frame);
-    let eye = EyeSpace::new(&reference.geometry, frame);
+    let eye = EyeSpace::new(reference.world(), frame);
     let positions = sample_positions(frame.samples);
     let mut pictures: Vec<Picture> = views.iter().map(|_| Picture::new(frame.width, frame.height, [0.0; 4])).collect();
     let fragments = AtomicU64::new(0);
@@ -205,7 +205,7 @@ pub(crate) fn render(
         progress((done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / count as f64);
     });
 
-    let vertices = reference.geometry.positions.len() as u64;
+    let vertices = reference.world().positions.len() as u64;
     let fragments = fragments.into_inner();
     pictures.into_iter().map(|picture| Rendered { picture, vertices, fragments }).collect()
 }
@@ -223,7 +223,7 @@ fn draw_block(
     let frame = context.frame;
     let Workspace { visible, corners } = workspace;
     corners.clear();
-    visible.trace(&context.reference.geometry, eye, positions, block);
+    visible.trace(context.reference.world(), eye, positions, block);
     let mut sums = vec![DVec4::ZERO; views.len()];
     let (mut ray, mut next_layer, mut shaded) = (0, 0, 0);
     for y in block.y0..block.y1 {

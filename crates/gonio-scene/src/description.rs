@@ -294,7 +294,7 @@ impl Default for EquationSpec {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct ObjectSpec {
-    /// A file, relative to the scene file, or `builtin:NAME`.
+    /// A file, relative to the scene file, or `builtin:NAME`; `builtin:sphere-N` has N triangles: 8, 32, ... 8 f².
     pub model: String,
     /// For reports and debug groups; the model's file name by default.
     #[serde(skip_serializing_if = "String::is_empty")]
@@ -406,6 +406,9 @@ pub struct LightSpec {
     /// For reports.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub name: String,
+    /// Whether it shines; left out, it does. One that is off sends no light and keeps its number.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub enabled: Option<bool>,
     /// Of points and spots: world space.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub position: Option<[f64; 3]>,
@@ -436,6 +439,13 @@ pub struct LightSpec {
     /// How it moves with time.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub motion: Option<MotionSpec>,
+}
+
+impl LightSpec {
+    /// Whether it shines.
+    pub fn is_on(&self) -> bool {
+        self.enabled != Some(false)
+    }
 }
 
 /// How a light moves with time.

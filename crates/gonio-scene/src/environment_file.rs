@@ -120,7 +120,7 @@ fn open_quietly(
 ) -> Result<OpenedEnvironment, ReadError> {
     let limits = gonio_environment::Limits { max_bytes: limits.max_bytes };
     let opened = if let Some(kind) = builtin_of(name) {
-        let mut opened = open_builtin(name, kind, reading, &limits).map_err(|e| told(e, name))?;
+        let mut opened = open_builtin(name, kind, reading, files, &limits).map_err(|e| told(e, name))?;
         if !name.starts_with(files::BUILTIN) && !files::list(files, &files::resolve(base, name)).is_empty() {
             let message = format!("the built-in environment is meant; ./{name} names the folder");
             opened.diagnostics.push(Diagnostic::note(message).in_file(name));
@@ -165,13 +165,20 @@ fn open_builtin(
     name: &str,
     kind: Builtin,
     reading: Reading,
+    files: &dyn FileSource,
     limits: &gonio_environment::Limits,
 ) -> Result<OpenedEnvironment, EnvironmentError> {
     let layout = reading.layout.unwrap_or_default();
     let size = reading.size.unwrap_or(BUILTIN_SIZE);
     limits.pixels(size.into(), size.into(), 6)?;
     let (source, arrangement) = match kind {
-        Builtin::Room => (Source::Panorama(builtin::room()?), Arrangement::Equirectangular),
+        Builtin::Room => {
+            let room = match files.builtin(builtin::ROOM_FILE) {
+                Some(bytes) => builtin::room_from(&bytes)?,
+                None => builtin::room()?,
+            };
+            (Source::Panorama(room), Arrangement::Equirectangular)
+        }
         _ => (Source::Cubemap(kind.cubemap(size, layout)?), Arrangement::Faces),
     };
     Ok(OpenedEnvironment {

@@ -178,7 +178,12 @@ fn light_at(spec: &LightSpec, time: f64) -> Light {
     };
     Light {
         kind,
-        color: spec.color.map_or(DVec3::ONE, DVec3::from) * spec.intensity.unwrap_or(1.0),
+        // One that is off stays in its place, so that the others keep their numbers.
+        color: if spec.is_on() {
+            spec.color.map_or(DVec3::ONE, DVec3::from) * spec.intensity.unwrap_or(1.0)
+        } else {
+            DVec3::ZERO
+        },
         attenuation: Attenuation {
             constant: spec.constant.unwrap_or(1.0),
             linear: spec.linear.unwrap_or(0.0),

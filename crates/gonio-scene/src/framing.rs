@@ -3,6 +3,8 @@
 use crate::camera::Camera;
 use crate::color_value::Color;
 use crate::description::{CameraSpec, EquationSpec, LightSourceKind, LightSpec, MotionSpec};
+use crate::load::camera_of;
+use crate::loaded::LoadedScene;
 use glam::{DQuat, DVec3};
 use gonio_light::Convention;
 use gonio_light::vector::unit;
@@ -87,6 +89,39 @@ pub(crate) fn fill_camera(camera: &mut CameraSpec, around: Around, objects: &dyn
     }
     let distance = camera.position.map_or(0.0, |p| DVec3::from(p).distance(around.center));
     fill_planes(camera, distance, around.radius);
+}
+
+/// For a camera that moves: where it has to stand, and what it must not cut off.
+impl LoadedScene {
+    /// `camera` at the place from which all objects are in a picture of this `aspect` (width over height); it looks the
+    /// same way as before, with the same field of view.
+    pub fn framed(&self, camera: &CameraSpec, aspect: f64) -> CameraSpec {
+        let (min, max) = self.bounds();
+        let around = Around::new(min, max);
+        let now = camera_of(camera);
+        let fov_y = camera.fov_y.unwrap_or(DEFAULT_FOV_Y);
+        let up = camera.up.and_then(|up| unit(up.into())).unwrap_or(DVec3::Y);
+        let (position, target) = Fit::new(now.front, up, fov_y, aspect, around.center, self).whole(around.radius);
+        let framed = CameraSpec {
+            position: Some(position.to_array()),
+            target: Some(target.to_array()),
+            yaw: None,
+            pitch: None,
+            ..camera.clone()
+        };
+        self.with_planes(framed)
+    }
+
+    /// `camera` with near and far planes for the place where it stands: no object is cut off, if the depth buffer
+    /// allows it.
+    pub fn with_planes(&self, camera: CameraSpec) -> CameraSpec {
+        let (min, max) = self.bounds();
+        let around = Around::new(min, max);
+        let distance = camera.position.map_or(0.0, |p| DVec3::from(p).distance(around.center));
+        let mut camera = CameraSpec { near: None, far: None, ..camera };
+        fill_planes(&mut camera, distance, around.radius);
+        camera
+    }
 }
 
 /// Unit vector from the objects to the eye, for Y up.

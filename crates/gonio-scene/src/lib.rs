@@ -4,12 +4,16 @@
 //! [`loaded::LoadedScene`] is the same with its files read; [`frame::Frame`] is one moment of it as
 //! a renderer wants it.
 
+mod assemble;
 pub mod camera;
 pub mod color_value;
 mod describe;
 pub mod description;
+pub mod detail;
+pub mod difference;
 pub mod display;
 mod document;
+pub mod edit;
 pub mod environment;
 pub mod environment_file;
 pub mod files;
@@ -30,6 +34,8 @@ pub mod motion;
 mod option_text;
 pub mod picture;
 mod sampling;
+pub mod show;
+mod stock;
 mod table_reader;
 pub mod texture;
 mod texture_library;
@@ -45,5 +51,7 @@ pub use environment::{LoadedEnvironment, Surroundings};
 pub use frame::{Background, Frame};
 pub use loaded::{BoundTexture, LoadedScene, Maps, Object, ObjectPart, SceneMaterial};
 pub use picture::Picture;
+pub use show::{Overlay, Overlays, SpecialView};
+pub use stock::Stock;
 pub use texture::{ColorSpace, Texture, TextureFilter};
 pub use texture_library::TextureUse;

@@ -1,19 +1,21 @@
 //! From a scene's description to a loaded scene.
 
+use crate::assemble::assemble;
 use crate::camera::Camera;
 use crate::description::{CameraSpec, MaterialOverride, Normals, ObjectSpec, Scene};
 use crate::environment_file;
 use crate::files::{self, FileSource};
 use crate::framing::{self, Around};
-use crate::loaded::{LoadedScene, Object, ObjectPart, SceneMaterial};
+use crate::loaded::{LoadedScene, SceneMaterial};
 use crate::material_binding::MaterialBinder;
 use crate::model_file::{self, ModelFile};
 use crate::model_scene;
+use crate::stock::{self, MaterialSource, MeshStock, ModelStock, Stock};
 use crate::validate;
 use glam::{DMat4, DQuat, DVec3};
 use gonio_light::{Convention, Fresnel, Optics};
 use gonio_mesh::normals::Averaging;
-use gonio_mesh::{Diagnostic, Limits, Material, Mesh, ReadError, normals, tangents, topology};
+use gonio_mesh::{Diagnostic, Limits, Material, Mesh, ReadError, normals, topology};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -69,8 +71,11 @@ pub fn load_within(
     let mut diagnostics = Vec::new();
     let mut binder = MaterialBinder::new(files, limits.max_bytes);
     let mut first_material = Vec::with_capacity(scene.objects.len());
+    let used: Vec<Vec<bool>> = models.iter().map(|file| stock::used_materials(&file.model)).collect();
+    let folders: Vec<Vec<PathBuf>> = models.iter().map(ModelFile::texture_folders).collect();
     for (object, &m) in scene.objects.iter().zip(&model_of_object) {
-        first_material.push(binder.add(m, &object.material, &models[m]));
+        let source = MaterialSource::of_file(&models[m], &folders[m], &used[m]);
+        first_material.push(binder.add(m, &object.material, &source));
     }
     for model in &mut models {
         diagnostics.append(&mut model.model.diagnostics);
@@ -105,22 +110,24 @@ pub fn load_within(
         },
     );
     diagnostics.extend(bound.diagnostics);
-    let mut prepared_meshes = Vec::with_capacity(prepared.len());
-    for ((mesh, mut found), (m, _)) in prepared.into_iter().zip(&wanted) {
-        found.iter_mut().for_each(|d| *d = d.clone().in_file(&models[*m].name));
+    let mut meshes = Vec::with_capacity(prepared.len());
+    for ((mesh, mut found), &(model, normals)) in prepared.into_iter().zip(&wanted) {
+        found.iter_mut().for_each(|d| *d = d.clone().in_file(&models[model].name));
         diagnostics.append(&mut found);
-        prepared_meshes.push(mesh);
+        let plain = Some(Arc::new(mesh.mesh));
+        meshes.push(MeshStock { model, normals, closed: mesh.closed, plain, with_tangents: None });
+    }
+    let of_models = models.iter_mut().zip(used).map(|(file, used)| ModelStock::of_file(file, used)).collect();
+    let mut stock =
+        Stock { base: base.to_owned(), models: of_models, meshes, textures: bound.stock, environment: None };
+    for (spec, &m) in scene.objects.iter_mut().zip(&model_of_object) {
+        if spec.name.is_empty() {
+            spec.name = stock.models[m].object_name();
+        }
     }
 
     let mut loaded = LoadedScene { materials: bound.materials, textures: bound.textures, ..LoadedScene::default() };
-    assemble(&mut loaded, &scene, prepared_meshes, &prepared_of_object, &first_material, &mut diagnostics);
-    for (spec, (object, &m)) in scene.objects.iter_mut().zip(loaded.objects.iter_mut().zip(&model_of_object)) {
-        if spec.name.is_empty() {
-            let stem = models[m].path.file_stem().map(|s| s.to_string_lossy().into_owned());
-            spec.name = stem.unwrap_or_else(|| "object".into());
-        }
-        object.name.clone_from(&spec.name);
-    }
+    assemble(&mut loaded, &scene, &mut stock.meshes, &prepared_of_object, &first_material, &mut diagnostics);
     model_scene::take_camera(&mut scene, &models, &model_of_object)?;
     model_scene::take_lights(&mut scene, &models, &model_of_object, loaded.bounds(), &mut diagnostics);
     if let Some(mut read) = environment {
@@ -130,12 +137,11 @@ pub fn load_within(
             spec.light.get_or_insert(scene.lights.is_empty());
         }
         loaded.environment = Some(Arc::new(read.environment));
+        stock.environment = scene.environment.clone().zip(loaded.environment.clone());
     } else if loaded.materials.iter().any(|m| !m.optics.is_plain()) {
-        diagnostics.push(Diagnostic::warning(
-            "mirrors and glass show their surroundings, and the scene has none: they look like any surface; give \
-             --environment, or [environment] in the scene file",
-        ));
+        diagnostics.push(lacks_surroundings());
     }
+    loaded.stock = Arc::new(stock);
     loaded.camera_was_framed = scene.camera.position.is_none();
     fill_in(&mut scene, &loaded);
     loaded.scene = scene;
@@ -158,7 +164,8 @@ pub(crate) struct NormalChoice {
 }
 
 impl NormalChoice {
-    fn of(object: &ObjectSpec) -> Self {
+    /// Of an object.
+    pub fn of(object: &ObjectSpec) -> Self {
         // Flat normals have no creases to speak of.
         let crease_angle = object.crease_angle.filter(|_| object.normals != Normals::Flat);
         NormalChoice { normals: object.normals, crease_angle_rad: crease_angle.map(f64::to_radians) }
@@ -175,92 +182,36 @@ pub(crate) fn with_normals(mesh: Mesh, choice: NormalChoice) -> (Mesh, Vec<Diagn
     }
 }
 
-/// Objects from meshes and materials; tangents where a normal map wants them.
-fn assemble(
-    loaded: &mut LoadedScene,
-    scene: &Scene,
-    prepared: Vec<PreparedMesh>,
-    prepared_of_object: &[usize],
-    first_material: &[usize],
-    diagnostics: &mut Vec<Diagnostic>,
-) {
-    let wants_tangents: Vec<bool> = prepared_of_object
-        .iter()
-        .zip(first_material)
-        .map(|(&p, &first)| {
-            let mesh = &prepared[p].mesh;
-            mesh.parts.iter().any(|part| {
-                let material = loaded.materials.get(first + part.material);
-                part.triangle_count > 0 && material.is_some_and(|m| m.maps.normal.is_some())
-            })
-        })
-        .collect();
-    let mut keys: Vec<(usize, bool)> = Vec::new();
-    let mut mesh_of_object = Vec::with_capacity(scene.objects.len());
-    for key in prepared_of_object.iter().copied().zip(wants_tangents) {
-        let index = keys.iter().position(|k| *k == key).unwrap_or(keys.len());
-        if index == keys.len() {
-            keys.push(key);
-        }
-        mesh_of_object.push(index);
-    }
-    let closed: Vec<bool> = prepared.iter().map(|p| p.closed).collect();
-    let tangent_meshes: Vec<Option<Mesh>> = keys
-        .par_iter()
-        .map(|&(p, tangents)| if tangents { tangents::with_tangents(&prepared[p].mesh) } else { None })
-        .collect();
-    let mut plain: Vec<Option<Mesh>> = prepared.into_iter().map(|p| Some(p.mesh)).collect();
-    for (i, (&(p, tangents), made)) in keys.iter().zip(tangent_meshes).enumerate() {
-        let failed = tangents && made.is_none();
-        let mesh = made.or_else(|| {
-            // The last that wants the plain mesh gets it; others copies.
-            let wanted_again = keys[i + 1..].iter().any(|(other, _)| *other == p);
-            if wanted_again { plain[p].clone() } else { plain[p].take() }
-        });
-        if failed {
-            let object = mesh_of_object.iter().position(|m| *m == i).unwrap_or(0);
-            let name = &scene.objects[object].model;
-            let message =
-                "a normal map is used, but the mesh has no texture coordinates to lay it along; it is not used";
-            diagnostics.push(Diagnostic::warning(message).in_file(name));
-        }
-        loaded.meshes.push(mesh.unwrap_or_default());
-    }
-    for (i, spec) in scene.objects.iter().enumerate() {
-        let mesh = &loaded.meshes[mesh_of_object[i]];
-        let parts: Vec<ObjectPart> = mesh
-            .parts
-            .iter()
-            .map(|part| ObjectPart {
-                name: part.name.clone(),
-                first_triangle: part.first_triangle,
-                triangle_count: part.triangle_count,
-                material: (first_material[i] + part.material).min(loaded.materials.len().saturating_sub(1)),
-            })
-            .collect();
-        let opaque = parts.iter().all(|p| !loaded.materials[p.material].is_transparent());
-        loaded.objects.push(Object {
-            name: spec.name.clone(),
-            mesh: mesh_of_object[i],
-            shading: spec.shading,
-            world_from_model: world_from_model(spec),
-            parts,
-            closed: opaque && closed[prepared_of_object[i]],
-        });
-    }
+/// That nothing is there to be mirrored.
+pub(crate) fn lacks_surroundings() -> Diagnostic {
+    Diagnostic::warning(
+        "mirrors and glass show their surroundings, and the scene has none: they look like any surface; give \
+         --environment, or [environment] in the scene file",
+    )
 }
 
 /// Every default that depends on the objects, and every other.
 fn fill_in(scene: &mut Scene, loaded: &LoadedScene) {
-    let (min, max) = loaded.bounds();
-    let around = Around::new(min, max);
-    let aspect = f64::from(scene.picture.width) / f64::from(scene.picture.height);
-    framing::fill_camera(&mut scene.camera, around, loaded, aspect);
+    let around = fill_camera(scene, loaded);
     let lit_by_environment = scene.environment.as_ref().is_some_and(|e| e.light == Some(true));
     if scene.lights.is_empty() && !lit_by_environment {
         scene.lights = framing::portrait_lights(&camera_of(&scene.camera), around, &scene.equation);
     }
     scene.lights.iter_mut().for_each(framing::fill_light);
+    fill_equation(scene);
+}
+
+/// What the camera lacks.
+pub(crate) fn fill_camera(scene: &mut Scene, loaded: &LoadedScene) -> Around {
+    let (min, max) = loaded.bounds();
+    let around = Around::new(min, max);
+    let aspect = f64::from(scene.picture.width) / f64::from(scene.picture.height);
+    framing::fill_camera(&mut scene.camera, around, loaded, aspect);
+    around
+}
+
+/// What the equation leaves to its convention.
+pub(crate) fn fill_equation(scene: &mut Scene) {
     scene.equation.cosine_weighted.get_or_insert(scene.equation.convention == Convention::Physical);
 }
 
@@ -272,7 +223,7 @@ pub fn world_from_model(object: &ObjectSpec) -> DMat4 {
 }
 
 /// The camera of a complete description; what is missing is taken as by default, unframed.
-pub(crate) fn camera_of(spec: &CameraSpec) -> Camera {
+pub fn camera_of(spec: &CameraSpec) -> Camera {
     let position = DVec3::from(spec.position.unwrap_or_default());
     let direction = match spec.target {
         Some(target) => DVec3::from(target) - position,

@@ -3,27 +3,27 @@
 use crate::description::{Scene, Shading};
 use crate::environment::LoadedEnvironment;
 use crate::framing::Extent;
+use crate::stock::Stock;
 use crate::texture::Texture;
 use glam::{DMat4, DVec3};
 use gonio_light::Optics;
 use gonio_mesh::{Diagnostic, Material, Mesh, Wrap};
-use rayon::prelude::*;
 use std::sync::{Arc, OnceLock};
 
 /// A surface less opaque than this is a hole: a debug view shows what is behind it.
 pub const HOLE_OPACITY: f64 = 1.0 / 255.0;
 
-/// A scene with its files read: what both renderers draw.
+/// A scene with its files read: what both renderers draw. Cloning shares geometry, textures and environment.
 #[derive(Clone, Debug, Default)]
 pub struct LoadedScene {
     /// The effective scene: every default filled in.
     pub scene: Scene,
     /// Geometry; every mesh has normals.
-    pub meshes: Vec<Mesh>,
+    pub meshes: Vec<Arc<Mesh>>,
     /// Of all objects.
     pub materials: Vec<SceneMaterial>,
     /// Each file once per color space.
-    pub textures: Vec<Texture>,
+    pub textures: Vec<Arc<Texture>>,
     /// What the scene is surrounded by.
     pub environment: Option<Arc<LoadedEnvironment>>,
     /// In the order of the scene.
@@ -34,6 +34,8 @@ pub struct LoadedScene {
     pub camera_was_framed: bool,
     /// Remembered by [`LoadedScene::bounds`]; leave it empty.
     pub known_bounds: OnceLock<(DVec3, DVec3)>,
+    /// What [`crate::edit::apply`] needs; leave it empty in scenes that are built by hand.
+    pub stock: Arc<Stock>,
 }
 
 impl LoadedScene {
@@ -42,9 +44,20 @@ impl LoadedScene {
     pub fn add_tangents(&mut self) {
         for mesh in self.meshes.iter_mut().filter(|mesh| mesh.tangents.is_empty()) {
             if let Some(with_tangents) = gonio_mesh::tangents::with_tangents(mesh) {
-                *mesh = with_tangents;
+                *mesh = Arc::new(with_tangents);
             }
         }
+    }
+
+    /// The materials of an object's model as they stand in its file, before the scene put anything in their place: those
+    /// that any triangle has. Empty in scenes that were built by hand.
+    pub fn materials_in_file(&self, object: usize) -> Vec<&Material> {
+        let Some((model, _)) = self.scene.objects.get(object).and_then(|spec| self.stock.find(spec)) else {
+            return Vec::new();
+        };
+        let Some(of) = self.stock.models.get(model) else { return Vec::new() };
+        let used = |i: usize| of.used.get(i).copied().unwrap_or(false);
+        of.materials.iter().enumerate().filter(|(i, _)| used(*i)).map(|(_, material)| material).collect()
     }
 
     /// The smallest box around all vertices, world space; both corners 0 where there is no vertex.
@@ -70,21 +83,7 @@ impl Extent for LoadedScene {
             let linear = glam::DMat3::from_mat4(object.world_from_model);
             let translation = object.world_from_model.w_axis.truncate();
             let in_model: Vec<DVec3> = directions.iter().map(|&d| linear.transpose() * d).collect();
-            let of_chunk = |points: &[[f32; 3]]| {
-                let mut reach = vec![f64::NEG_INFINITY; directions.len()];
-                for p in points {
-                    let p = DVec3::new(p[0].into(), p[1].into(), p[2].into());
-                    for (r, d) in reach.iter_mut().zip(&in_model) {
-                        *r = r.max(d.dot(p));
-                    }
-                }
-                reach
-            };
-            let most = mesh.positions.par_chunks(65536).map(of_chunk).reduce(
-                || vec![f64::NEG_INFINITY; directions.len()],
-                |a, b| a.iter().zip(b).map(|(a, b)| a.max(b)).collect(),
-            );
-            for ((r, m), d) in reach.iter_mut().zip(most).zip(directions) {
+            for ((r, m), d) in reach.iter_mut().zip(mesh.reach(&in_model)).zip(directions) {
                 *r = r.max(m + d.dot(translation));
             }
         }
@@ -123,7 +122,7 @@ pub struct ObjectPart {
 }
 
 /// A material with its textures found.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SceneMaterial {
     /// The numbers, overrides applied.
     pub material: Material,

@@ -4,11 +4,13 @@ use crate::description::MaterialOverride;
 use crate::files::FileSource;
 use crate::load::{optics_of, overridden};
 use crate::loaded::{BoundTexture, Maps, SceneMaterial};
-use crate::model_file::ModelFile;
-use crate::texture_library::{Asker, TextureLibrary, TextureUse};
+use crate::stock::MaterialSource;
+use crate::texture::Texture;
+use crate::texture_library::{Asker, DecodedLibrary, TextureLibrary, TextureStock, TextureUse};
 use crate::texture_recipe::{Metal, Purpose, Rule};
 use gonio_light::Optics;
 use gonio_mesh::{Diagnostic, Format, Material, TextureMap};
+use std::sync::Arc;
 
 /// A texture that was asked for: the job, and the map that says how it lies.
 type Request = Option<(usize, TextureMap)>;
@@ -28,10 +30,11 @@ struct PendingMaterial {
 /// Textures and materials, ready to draw.
 #[derive(Default)]
 pub(crate) struct Bound {
-    pub textures: Vec<crate::texture::Texture>,
+    pub textures: Vec<Arc<Texture>>,
     pub materials: Vec<SceneMaterial>,
     pub uses: Vec<TextureUse>,
     pub diagnostics: Vec<Diagnostic>,
+    pub stock: TextureStock,
 }
 
 /// Collects materials and textures of all objects, then decodes the textures at once.
@@ -42,38 +45,42 @@ pub(crate) struct MaterialBinder<'a> {
     known: Vec<(usize, MaterialOverride, usize)>,
 }
 
+impl MaterialBinder<'static> {
+    /// Of textures that are known already.
+    pub fn of_stock(stock: &TextureStock) -> Self {
+        MaterialBinder { library: TextureLibrary::of_stock(stock), pending: Vec::new(), known: Vec::new() }
+    }
+
+    /// [`Self::finish`] without files: `None` where a texture is wanted that the stock lacks.
+    pub fn recall(self, stock: &TextureStock) -> Option<Bound> {
+        Some(bound(&self.pending, self.library.recall(stock)?))
+    }
+}
+
 impl<'a> MaterialBinder<'a> {
     /// Decoded textures may take `max_bytes` together.
     pub fn new(files: &'a dyn FileSource, max_bytes: u64) -> Self {
         MaterialBinder { library: TextureLibrary::new(files, max_bytes), pending: Vec::new(), known: Vec::new() }
     }
 
-    /// All materials of the model `file`, numbered `index`, with the override; gives the index of the first.
-    pub fn add(&mut self, index: usize, with: &MaterialOverride, file: &ModelFile) -> usize {
+    /// All materials of the model `from`, numbered `index`, with the override; gives the index of the first.
+    pub fn add(&mut self, index: usize, with: &MaterialOverride, from: &MaterialSource<'_>) -> usize {
         if let Some((.., first)) = self.known.iter().find(|(m, w, _)| *m == index && w == with) {
             return *first;
         }
         let first = self.pending.len();
         self.known.push((index, with.clone(), first));
-        let folders = file.texture_folders();
-        let model = &file.model;
-        let mut used = vec![false; model.materials.len()];
-        for part in model.mesh.parts.iter().filter(|part| part.triangle_count > 0) {
-            if let Some(used) = used.get_mut(part.material) {
-                *used = true;
-            }
-        }
-        for (material, used) in model.materials.iter().zip(used) {
+        for (material, &used) in from.materials.iter().zip(from.used) {
             let asker = Asker {
-                model: &file.name,
-                file: material.file.as_deref().unwrap_or(&file.name),
+                model: from.name,
+                file: material.file.as_deref().unwrap_or(from.name),
                 material: &material.name,
-                folders: &folders,
-                images: &model.images,
+                folders: from.folders,
+                images: from.images,
             };
             let material = overridden(material.clone(), with);
             let mut pending = if used {
-                Requests { library: &mut self.library, asker, format: file.format }.of(material, with)
+                Requests { library: &mut self.library, asker, format: from.format }.of(material, with)
             } else {
                 PendingMaterial::without_textures(material)
             };
@@ -85,30 +92,38 @@ impl<'a> MaterialBinder<'a> {
 
     /// Decodes the textures: these, the materials, and what is to be said.
     pub fn finish(self) -> Bound {
-        let library = self.library.decode();
-        let bind = |request: &Request| -> Option<BoundTexture> {
-            let (job, map) = request.as_ref()?;
-            let texture = (*library.texture_of_job.get(*job)?)?;
-            Some(BoundTexture { texture, scale: map.scale, rotation: map.rotation, offset: map.offset, wrap: map.wrap })
-        };
-        let materials = self
-            .pending
-            .iter()
-            .map(|p| SceneMaterial {
-                material: p.material.clone(),
-                optics: p.optics,
-                maps: Maps {
-                    diffuse: bind(&p.diffuse),
-                    specular: bind(&p.specular),
-                    emitted: bind(&p.emitted),
-                    shininess: bind(&p.shininess),
-                    roughness: p.roughness,
-                    opacity: bind(&p.opacity),
-                    normal: bind(&p.normal),
-                },
-            })
-            .collect();
-        Bound { textures: library.textures, materials, uses: library.uses, diagnostics: library.diagnostics }
+        bound(&self.pending, self.library.decode())
+    }
+}
+
+fn bound(pending: &[PendingMaterial], library: DecodedLibrary) -> Bound {
+    let bind = |request: &Request| -> Option<BoundTexture> {
+        let (job, map) = request.as_ref()?;
+        let texture = (*library.texture_of_job.get(*job)?)?;
+        Some(BoundTexture { texture, scale: map.scale, rotation: map.rotation, offset: map.offset, wrap: map.wrap })
+    };
+    let materials = pending
+        .iter()
+        .map(|p| SceneMaterial {
+            material: p.material.clone(),
+            optics: p.optics,
+            maps: Maps {
+                diffuse: bind(&p.diffuse),
+                specular: bind(&p.specular),
+                emitted: bind(&p.emitted),
+                shininess: bind(&p.shininess),
+                roughness: p.roughness,
+                opacity: bind(&p.opacity),
+                normal: bind(&p.normal),
+            },
+        })
+        .collect();
+    Bound {
+        textures: library.textures,
+        materials,
+        uses: library.uses,
+        diagnostics: library.diagnostics,
+        stock: library.stock,
     }
 }
 

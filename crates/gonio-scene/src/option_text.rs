@@ -10,8 +10,9 @@ use std::ops::Range;
 
 /// The keys that belong to a light's motion; `motion` itself names its kind.
 const OF_MOTION: [&str; 5] = ["period", "amplitude", "center", "axis", "points"];
-const OF_LIGHT: [&str; 16] = [
+const OF_LIGHT: [&str; 17] = [
     "name",
+    "enabled",
     "position",
     "direction",
     "color",
@@ -33,7 +34,8 @@ const COLORS: [&str; 7] = ["color", "ambient", "diffuse", "specular", "emitted",
 impl LightSpec {
     /// `KIND key=value ...`, for example `point position=1,2,3 color=#ff8800 intensity=2`: the keys of
     /// a `[[light]]` in a scene file, with `-` or `_`, vectors with commas. A motion is written
-    /// `motion=oscillate period=2 amplitude=0,0,2`; the points of a path have semicolons between them.
+    /// `motion=oscillate period=2 amplitude=0,0,2`; the points of a path have semicolons between them. `off` after the
+    /// kind stands for `enabled=false`.
     ///
     /// The error is one sentence that begins with the place in the text, from 1.
     pub fn from_option_text(text: &str) -> Result<LightSpec, String> {
@@ -65,9 +67,16 @@ fn read_light(text: &str) -> Result<LightSpec, Fault> {
         return Err(Fault::at(&whole, message));
     };
     let mut light = vec![entry("kind", &first.0, Value::Text(first.1.to_owned()), &first.0)];
+    let (switches, rest) = rest.split_at(rest.iter().take_while(|(_, word)| word.eq_ignore_ascii_case("off")).count());
+    for (span, _) in switches {
+        light.push(entry("enabled", span, Value::Truth(false), span));
+    }
     let mut motion: Vec<Entry> = Vec::new();
     let mut moves = false;
     for pair in pairs(rest)? {
+        if light.iter().any(|known| known.key == pair.key) {
+            return Err(Fault::at(&pair.key_span, format!("`{}` is given twice", pair.key)));
+        }
         if !OF_LIGHT.contains(&pair.key.as_str()) {
             return Err(Fault::at(&pair.key_span, unknown_key(&pair.key, "a light", &OF_LIGHT)));
         }

@@ -1,6 +1,6 @@
 //! All textures of a scene: each file is sought, read and decoded once, and made into a texture once for each use.
 
-use crate::files::{self, FileBytes, FileSource};
+use crate::files::{self, BuiltinOnly, FileBytes, FileSource};
 use crate::image_file::{self, Decoded, MAX_TEXTURE_SIDE};
 use crate::texture::{ColorSpace, Texture};
 use crate::texture_recipe::{self, Purpose};
@@ -9,6 +9,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// Who asks for a texture: for messages, and where to look.
 pub(crate) struct Asker<'a> {
@@ -62,15 +63,31 @@ struct Job {
 /// Where a name was found, or where it was sought in vain.
 type Found = Result<usize, Vec<String>>;
 
+/// What was sought: a name, and where.
+type Sought = (String, Vec<PathBuf>);
+
+/// What was found and made, kept so that other materials of the same models can be bound without the files. It has the
+/// pictures' paths and not their bytes: a file that is mapped may be written anew by whoever edits it.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct TextureStock {
+    paths: Vec<PathBuf>,
+    found: HashMap<Sought, Found>,
+    /// `None` where it could not be made, which was said then.
+    made: HashMap<(Vec<usize>, Purpose), Option<Arc<Texture>>>,
+}
+
 /// The textures that were asked for.
 pub(crate) struct TextureLibrary<'a> {
-    files: &'a dyn FileSource,
+    /// `None`: only what the stock has.
+    files: Option<&'a dyn FileSource>,
+    /// Something was asked for that the stock lacks.
+    lacks: bool,
     max_bytes: u64,
     pictures: Vec<Picture>,
     jobs: Vec<Job>,
     by_use: HashMap<(Vec<usize>, Purpose), usize>,
     /// By name and folders: what was sought once is not sought again.
-    found: HashMap<(String, Vec<PathBuf>), Found>,
+    found: HashMap<Sought, Found>,
     uses: Vec<(TextureUse, Option<usize>)>,
     /// Model, material, key, name and line of each of `uses`.
     asked: HashSet<([String; 4], Option<u64>)>,
@@ -79,18 +96,46 @@ pub(crate) struct TextureLibrary<'a> {
 
 /// What [`TextureLibrary::decode`] gives.
 pub(crate) struct DecodedLibrary {
-    pub textures: Vec<Texture>,
+    pub textures: Vec<Arc<Texture>>,
     /// For each job which texture it became.
     pub texture_of_job: Vec<Option<usize>>,
     pub uses: Vec<TextureUse>,
     pub diagnostics: Vec<Diagnostic>,
+    pub stock: TextureStock,
+}
+
+impl TextureLibrary<'static> {
+    /// Of what is known, without files.
+    pub fn of_stock(stock: &TextureStock) -> Self {
+        let nothing = || FileBytes::from_static(&[]);
+        let pictures = stock.paths.iter().map(|path| Picture { path: path.clone(), bytes: nothing() }).collect();
+        TextureLibrary { files: None, pictures, found: stock.found.clone(), ..TextureLibrary::new(&BuiltinOnly, 0) }
+    }
+
+    /// The textures that were asked for, all of them known; `None` where one is not. What is to be said of them was
+    /// said when they were made.
+    pub fn recall(self, stock: &TextureStock) -> Option<DecodedLibrary> {
+        let mut textures = Vec::new();
+        let mut texture_of_job = Vec::new();
+        for job in &self.jobs {
+            let made = stock.made.get(&(job.pictures.clone(), job.purpose))?;
+            texture_of_job.push(made.as_ref().map(|texture| {
+                textures.push(texture.clone());
+                textures.len() - 1
+            }));
+        }
+        let (uses, diagnostics) = (Vec::new(), Vec::new());
+        let stock = stock.clone();
+        (!self.lacks).then_some(DecodedLibrary { textures, texture_of_job, uses, diagnostics, stock })
+    }
 }
 
 impl<'a> TextureLibrary<'a> {
     /// Decoded pictures may take `max_bytes` together.
     pub fn new(files: &'a dyn FileSource, max_bytes: u64) -> Self {
         TextureLibrary {
-            files,
+            files: Some(files),
+            lacks: false,
             max_bytes,
             pictures: Vec::new(),
             jobs: Vec::new(),
@@ -176,7 +221,11 @@ impl<'a> TextureLibrary<'a> {
         if let Some(found) = self.found.get(&sought) {
             return found.clone();
         }
-        let found = files::find(self.files, name, folders).map(|(path, bytes)| self.picture(path, bytes));
+        let Some(files) = self.files else {
+            self.lacks = true;
+            return Err(Vec::new());
+        };
+        let found = files::find(files, name, folders).map(|(path, bytes)| self.picture(path, bytes));
         self.found.insert(sought, found.clone());
         found
     }
@@ -186,6 +235,10 @@ impl<'a> TextureLibrary<'a> {
         let sought = (path, Vec::new());
         if let Some(found) = self.found.get(&sought) {
             return found.clone();
+        }
+        if self.files.is_none() {
+            self.lacks = true;
+            return Err(Vec::new());
         }
         let image = asker.images.get(index);
         let found = image.map_or_else(
@@ -223,7 +276,7 @@ impl<'a> TextureLibrary<'a> {
                         self.diagnostics.push(about(Diagnostic::note(""), note));
                     }
                     texture_of_job.push(Some(textures.len()));
-                    textures.push(texture);
+                    textures.push(Arc::new(texture));
                 }
                 Err(why) => {
                     let message = format!("{why}; the material goes without it");
@@ -232,13 +285,22 @@ impl<'a> TextureLibrary<'a> {
                 }
             }
         }
+        let made = self.jobs.iter().zip(&texture_of_job).map(|(job, texture): (&Job, &Option<usize>)| {
+            let texture = texture.and_then(|index| textures.get(index).cloned());
+            ((job.pictures.clone(), job.purpose), texture)
+        });
+        let stock = TextureStock {
+            made: made.collect(),
+            paths: self.pictures.iter().map(|p| p.path.clone()).collect(),
+            found: self.found,
+        };
         let size_of = |picture: usize| pictures[picture].as_ref().ok().map(|p| [p.width, p.height]);
         let uses = self
             .uses
             .into_iter()
             .map(|(asked, picture)| TextureUse { size: picture.and_then(size_of), ..asked })
             .collect();
-        DecodedLibrary { textures, texture_of_job, uses, diagnostics: self.diagnostics }
+        DecodedLibrary { textures, texture_of_job, uses, diagnostics: self.diagnostics, stock }
     }
 
     /// Each picture, in parallel; those that would take more than is left of `max_bytes` are refused by their sizes,

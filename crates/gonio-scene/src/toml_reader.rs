@@ -166,6 +166,7 @@ pub(crate) fn read_light(mut t: TableReader<'_>) -> Result<LightSpec, Fault> {
     let light = LightSpec {
         kind: kind.unwrap_or_default(),
         name: t.text("name")?.unwrap_or_default(),
+        enabled: t.truth("enabled")?,
         position: t.vector("position")?,
         direction: t.vector("direction")?,
         color: t.color("color")?,

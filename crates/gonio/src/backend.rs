@@ -3,7 +3,7 @@
 use crate::capture::Recorder;
 use crate::cli::BackendOptions;
 use crate::report::{CliError, Reporter, Times};
-use gonio_gl::{Drawn, Drawn8, DriverInfo, GpuScene, GpuStatistics, HeadlessContext, Renderer};
+use gonio_gl::{Drawn, Drawn8, DriverInfo, GpuScene, GpuStatistics, HeadlessContext, Renderer, Show};
 use gonio_reference::{ReferenceScene, Rendered};
 use gonio_scene::picture::EncodedPicture;
 use gonio_scene::{DisplayMap, Frame, LoadedScene, Picture, ViewSpec};
@@ -101,13 +101,13 @@ impl Opened {
     }
 
     /// Gives the scene to the backend.
-    pub fn take_scene<'a>(
+    pub fn take_scene(
         self,
-        scene: &'a LoadedScene,
+        scene: &LoadedScene,
         options: &BackendOptions,
         reporter: &Reporter,
         times: &Times,
-    ) -> Result<Backend<'a>, CliError> {
+    ) -> Result<Backend, CliError> {
         let picture = &scene.scene.picture;
         let opened = match self {
             Opened::Gl(gl) if picture.width.max(picture.height) > gl.renderer.info().max_size => {
@@ -155,7 +155,7 @@ pub fn open_context(options: &BackendOptions) -> Result<HeadlessContext, gonio_g
 }
 
 /// A backend with its scene.
-pub enum Backend<'a> {
+pub enum Backend {
     /// OpenGL.
     Gl {
         /// Context and renderer.
@@ -166,7 +166,7 @@ pub enum Backend<'a> {
     /// The reference.
     Cpu {
         /// The scene with its acceleration structure.
-        scene: Box<ReferenceScene<'a>>,
+        scene: Box<ReferenceScene>,
         /// Why not OpenGL, where that was wanted.
         reason: Option<String>,
     },
@@ -191,7 +191,7 @@ pub struct BackendReport {
     pub reason: Option<String>,
 }
 
-impl Backend<'_> {
+impl Backend {
     /// Draws the picture (`None`) and debug views of one frame, and hands each to `each` with its
     /// place in `views`. The CPU traces its rays once for all; a picture leaves the GPU before the next
     /// is drawn.
@@ -231,6 +231,31 @@ impl Backend<'_> {
                     each(index, Shot::Cpu(rendered, DisplayMap::for_view(views[index], frame)))?;
                 }
             }
+        }
+        Ok(())
+    }
+
+    /// Draws pictures with overlays, or special views: OpenGL does it, in 8 bits a channel.
+    pub fn draw_shown(
+        &mut self,
+        frame: &Frame,
+        shows: &[Show],
+        reporter: &Reporter,
+        times: &Times,
+        mut each: impl FnMut(usize, Shot) -> Result<(), CliError>,
+    ) -> Result<(), CliError> {
+        let Backend::Gl { gl, gpu } = self else {
+            return Err(CliError::new(
+                "--overlay and the views uv-checker, overdraw and nothing are drawn with OpenGL, and the CPU reference \
+                 draws here; leave --backend cpu out, or see what `gonio render` says about OpenGL without them",
+            ));
+        };
+        for (index, show) in shows.iter().enumerate() {
+            let shot = {
+                let _busy = reporter.busy("drawing");
+                times.measure("draw", || gl.renderer.render_shown8(gpu, frame, show).map(Shot::Gl8))?
+            };
+            each(index, shot)?;
         }
         Ok(())
     }

@@ -16,12 +16,16 @@ use gonio_scene::description::{LightSpec, MaterialOverride, Normals, Shading};
 /// The light lab: loads a model, lights it with the light equation, shows every term at every pixel.
 #[derive(Parser, Debug)]
 #[command(name = "gonio", version, propagate_version = true, max_term_width = 110)]
-#[command(subcommand_required = true, arg_required_else_help = true, disable_help_subcommand = true)]
+#[command(disable_help_subcommand = true)]
 #[command(help_template = "{about-with-newline}\n{usage-heading} {usage}{after-help}\n\nOptions:\n{options}")]
 #[command(after_help = "\
 Pictures:
   render   Draw a model or a scene: one picture, debug views, or an animation
   tour     Draw every technique on several models: a contact sheet and a web page
+  serve    The lab as a web page, on this machine alone
+
+Window:
+  view     The lab window: see, change and take apart the light (also without any command)
 
 Models:
   convert  Write a model as OBJ with MTL, as PLY or as GLB
@@ -32,21 +36,25 @@ Environments:
 Understanding:
   inspect  What a model file holds, how each part and line was understood, what is odd
   probe    The light equation at one pixel, term by term and light by light
+  frame    What OpenGL was told to draw a frame, and what is wrong with it
   diff     Compare two pictures: numbers, difference map, side by side, wipe
   scene    Print the complete effective scene of an input, or the JSON Schema of scene files
 
 Examples:
+  gonio
+  gonio view model.obj
   gonio tour -o tour
   gonio render model.obj -o model.png
   gonio inspect model.obj
   gonio probe model.obj --at 512,384
+  gonio frame model.obj
   gonio diff a.png b.png -o map.png
 
 `gonio COMMAND --help` tells more. Exit codes: 0 done, 1 a check failed, 2 error.")]
 pub struct Cli {
-    /// What to do.
+    /// What to do; the window where nothing is said.
     #[command(subcommand)]
-    pub command: Command,
+    pub command: Option<Command>,
 }
 
 /// What to do.
@@ -56,6 +64,8 @@ pub enum Command {
     Render(Box<commands::render::RenderArgs>),
     /// The light equation at one pixel, term by term and light by light.
     Probe(Box<commands::probe::ProbeArgs>),
+    /// The frame taken apart: passes, draw calls, programs, uniforms, samplers and the units they read.
+    Frame(Box<commands::frame::FrameArgs>),
     /// Write a model as OBJ with MTL, as PLY or as GLB.
     Convert(commands::convert::ConvertArgs),
     /// Convert panoramas and cubemaps into one another; check which way round they are.
@@ -67,8 +77,12 @@ pub enum Command {
     Inspect(commands::inspect::InspectArgs),
     /// Print the complete effective scene of an input, or the JSON Schema of scene files.
     Scene(Box<commands::scene::SceneArgs>),
+    /// Serve the lab as a web page, on this machine alone.
+    Serve(commands::serve::ServeArgs),
     /// Draw every technique on several models: a contact sheet and a web page.
     Tour(commands::tour::TourArgs),
+    /// The lab window: see, change and take apart the light.
+    View(Box<commands::view::ViewArgs>),
 }
 
 impl Command {
@@ -77,12 +91,15 @@ impl Command {
         match self {
             Command::Render(_) => "render",
             Command::Probe(_) => "probe",
+            Command::Frame(_) => "frame",
             Command::Convert(_) => "convert",
             Command::Environment(_) => "environment",
             Command::Diff(_) => "diff",
             Command::Inspect(_) => "inspect",
             Command::Scene(_) => "scene",
+            Command::Serve(_) => "serve",
             Command::Tour(_) => "tour",
+            Command::View(_) => "view",
         }
     }
 
@@ -100,12 +117,15 @@ impl Command {
         match self {
             Command::Render(args) => &args.words,
             Command::Probe(args) => &args.words,
+            Command::Frame(args) => &args.words,
             Command::Convert(args) => &args.words,
             Command::Environment(command) => command.words(),
             Command::Diff(args) => &args.words,
             Command::Inspect(args) => &args.words,
             Command::Scene(args) => &args.words,
+            Command::Serve(args) => &args.words,
             Command::Tour(args) => &args.words,
+            Command::View(args) => &args.words,
         }
     }
 }

@@ -16,13 +16,17 @@ mod overrides;
 mod report;
 mod values;
 
-use clap::Parser;
+use clap::{CommandFactory, Parser};
 use report::{CliError, Outcome, Reporter};
 
 fn main() {
-    let cli = cli::Cli::parse();
-    let reporter = Reporter::new(cli.command.quiet(), cli.command.json());
-    let code = match commands::run(&cli.command, &reporter) {
+    let Some(command) =
+        cli::Cli::parse().command.or_else(|| commands::view::alone().map(|args| cli::Command::View(Box::new(args))))
+    else {
+        std::process::exit(report::help_instead_of_a_window(&mut cli::Cli::command()));
+    };
+    let reporter = Reporter::new(command.quiet(), command.json());
+    let code = match commands::run(&command, &reporter) {
         Ok(Outcome::Done) => 0,
         Ok(Outcome::CheckFailed) => 1,
         Err(CliError::ClosedPipe) => 2,
@@ -30,7 +34,7 @@ fn main() {
             reporter.error(&error);
             if reporter.json() {
                 // stdout may be what failed; the sentence on stderr has been said.
-                let report = serde_json::json!({ "command": cli.command.name(), "error": error.to_string() });
+                let report = serde_json::json!({ "command": command.name(), "error": error.to_string() });
                 let _ = reporter.report(&report);
             }
             2

@@ -22,6 +22,17 @@ const MOST_DIAGNOSTICS: usize = 20;
 /// How long something may take before a bar is shown.
 const PATIENCE: Duration = Duration::from_secs(1);
 
+/// What `gonio` alone says where no window can be shown: its help, and why. The exit code is that of a command that is
+/// missing.
+pub fn help_instead_of_a_window(command: &mut clap::Command) -> i32 {
+    let help = command.render_help();
+    // A closed stderr is nobody's error.
+    let _ = writeln!(anstream::stderr(), "{}", help.ansi());
+    Reporter::new(false, false)
+        .note("there is no display for the window, so this is the help; `gonio render` draws without");
+    2
+}
+
 /// How a command ended that did not fail.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {

@@ -3,9 +3,9 @@
 
 use crate::limits;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use gonio_scene::ViewSpec;
 use gonio_scene::color_value::Color;
 use gonio_scene::validate::MAX_CUBEMAP_SIZE;
+use gonio_scene::{SpecialView, ViewSpec};
 use std::str::FromStr;
 
 /// A parser for one of gonio's named enums: names, help texts and "did you mean" from one place.
@@ -183,6 +183,40 @@ pub fn view(text: &str) -> Result<ViewSpec, String> {
             _ => message,
         }
     })
+}
+
+/// What `--debug` takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DebugView {
+    /// A quantity of the equation.
+    Quantity(ViewSpec),
+    /// Another view.
+    Special(SpecialView),
+}
+
+impl std::fmt::Display for DebugView {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            DebugView::Quantity(view) => view.fmt(f),
+            DebugView::Special(view) => f.write_str(view.name()),
+        }
+    }
+}
+
+impl DebugView {
+    /// The quantity, where it is one.
+    pub fn quantity(self) -> Option<ViewSpec> {
+        if let DebugView::Quantity(view) = self { Some(view) } else { None }
+    }
+}
+
+/// A debug view: what [`view`] takes, or the name of a special one.
+pub fn debug_view(text: &str) -> Result<DebugView, String> {
+    let name = text.trim().to_lowercase();
+    match SpecialView::ALL.iter().find(|special| special.name() == name) {
+        Some(&special) => Ok(DebugView::Special(special)),
+        None => view(text).map(DebugView::Quantity),
+    }
 }
 
 /// What `--background` takes.

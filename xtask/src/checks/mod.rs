@@ -2,6 +2,7 @@
 //! so that each can be tried on a small bad example.
 
 pub mod dependencies;
+pub mod examples;
 pub mod length;
 pub mod output;
 pub mod paths;

@@ -32,9 +32,8 @@ pub fn count(text: &str) -> Counts {
     counts
 }
 
-/// What a run of `cargo test` found. `at_least_one`: a run without any test is a failure, for then
-/// something looked at nothing.
-pub fn findings(success: bool, text: &str, at_least_one: bool) -> Findings {
+/// What a run of `cargo test` found. A run without any test is a failure, for then something looked at nothing.
+pub fn findings(success: bool, text: &str) -> Findings {
     let counts = count(text);
     let mut findings = Findings { passed: counts.passed, failed: counts.failed, ..Findings::default() };
     if counts.ignored > 0 {
@@ -44,7 +43,7 @@ pub fn findings(success: bool, text: &str, at_least_one: bool) -> Findings {
         // It did not build, or a test program was ended before it could print its totals.
         findings.failed = 1;
     }
-    if success && at_least_one && counts.passed == 0 {
+    if success && counts.passed == 0 {
         findings.failed = 1;
         findings.details = "no test ran\n".into();
     }
@@ -88,14 +87,14 @@ mod tests {
     #[test]
     fn totals_are_added_up() {
         assert_eq!(count(GOOD), Counts { programs: 2, passed: 5, failed: 0, ignored: 1 });
-        let found = findings(true, GOOD, true);
+        let found = findings(true, GOOD);
         assert_eq!((found.passed, found.failed, found.remark.as_str()), (5, 0, "1 ignored"));
         assert!(found.details.is_empty());
     }
 
     #[test]
     fn failures_are_shown_without_what_passed() {
-        let found = findings(false, &format!("{GOOD}{BAD}"), true);
+        let found = findings(false, &format!("{GOOD}{BAD}"));
         assert_eq!((found.passed, found.failed), (6, 1));
         assert!(found.details.contains("left: 1") && found.details.contains("test b ... FAILED"));
         assert!(!found.details.contains("test a ... ok") && !found.details.contains("Compiling"));
@@ -103,15 +102,14 @@ mod tests {
 
     #[test]
     fn what_ends_without_totals_has_failed() {
-        let found = findings(false, "error: could not compile\n", true);
+        let found = findings(false, "error: could not compile\n");
         assert_eq!((found.passed, found.failed, found.details.as_str()), (0, 1, "error: could not compile\n"));
         // A program that crashed beside one that passed.
-        assert_eq!(findings(false, GOOD, true).failed, 1);
+        assert_eq!(findings(false, GOOD).failed, 1);
     }
 
     #[test]
     fn a_run_without_tests_has_failed() {
-        assert_eq!(findings(true, "", true).failed, 1);
-        assert_eq!(findings(true, "", false).failed, 0);
+        assert_eq!(findings(true, "").failed, 1);
     }
 }

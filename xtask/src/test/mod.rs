@@ -2,8 +2,9 @@
 
 mod cargo_output;
 
-use crate::checks::{dependencies, length, output, paths, tree, unsafe_code};
+use crate::checks::{dependencies, examples, length, output, paths, tree, unsafe_code};
 use crate::report::{Findings, Report};
+use crate::web::{Build, browser};
 use crate::{process, root, setup};
 use std::path::Path;
 use std::process::ExitCode;
@@ -17,12 +18,14 @@ pub enum Extent {
     Fast,
     /// Only the rules that no compiler knows.
     House,
+    /// Only the page, in a browser.
+    Web(Build),
 }
 
 /// Desktop platforms that are checked and not run. No linker is needed for that.
 const DESKTOPS: &[&str] = &["x86_64-pc-windows-msvc", "aarch64-apple-darwin"];
 /// What people get: all but the tools of this repository.
-const NOT_SHIPPED: &[&str] = &["xtask", "gonio-bench"];
+const NOT_SHIPPED: &[&str] = &["xtask", "gonio-bench", "gonio-web-bindgen", "gonio-web-split"];
 /// What the web page will be made of, and whether it is built without its default features there.
 const WEB: &[(&str, bool)] =
     &[("gonio-light", false), ("gonio-mesh", false), ("gonio-scene", false), ("gonio-gl", true)];
@@ -35,16 +38,34 @@ pub fn run(extent: Extent) -> ExitCode {
         report.step("system packages", setup::packages);
         report.step("toolchain", || setup::toolchain(&root, setup::TARGETS));
     }
-    house(&mut report, &root);
-    if extent != Extent::House {
-        cargo_steps(&mut report, &root, extent);
+    match extent {
+        Extent::Web(build) => page(&mut report, &root, build, false),
+        Extent::House => house(&mut report, &root),
+        Extent::Fast => {
+            house(&mut report, &root);
+            cargo_steps(&mut report, &root, extent);
+        }
+        Extent::Everything => {
+            house(&mut report, &root);
+            let built = cargo_steps(&mut report, &root, extent);
+            page(&mut report, &root, Build::Shipped, built);
+        }
     }
     print!("\n{}", report.summary());
     if report.failed > 0 { ExitCode::from(1) } else { ExitCode::SUCCESS }
 }
 
-/// Everything that cargo does.
-fn cargo_steps(report: &mut Report, root: &Path, extent: Extent) {
+/// The page, built and tried in a browser. `program_is_built`: see `browser::test`.
+fn page(report: &mut Report, root: &Path, build: Build, program_is_built: bool) {
+    if report.step("web page, built", || browser::build(root, build)) {
+        report.step("web page, in Chromium", || browser::test(root, program_is_built));
+    } else {
+        report.step("web page, in Chromium", || Findings::fail("it was not tried, for it was not built"));
+    }
+}
+
+/// Everything that cargo does. True if the tests were built, and with them every program.
+fn cargo_steps(report: &mut Report, root: &Path, extent: Extent) -> bool {
     report.step("rustfmt", || cargo_check(root, &["fmt", "--all", "--check"], &[]));
     report.step("clippy", || {
         let arguments = ["clippy", "--locked", "--workspace", "--all-targets", "--", "-D", "warnings"];
@@ -57,9 +78,7 @@ fn cargo_steps(report: &mut Report, root: &Path, extent: Extent) {
         cargo_check(root, &["test", "--locked", "--workspace", "--all-targets", "--no-run"], &[])
     });
     if built {
-        // Whatever was built is run; what of it is documentation, rustdoc builds as it goes.
-        report.step("tests", || cargo_test(root, "--all-targets", true));
-        report.step("doc tests", || cargo_test(root, "--doc", false));
+        report.step("tests", || cargo_test(root));
     } else {
         report.step("tests", || Findings::fail("they were not run, for they did not build"));
     }
@@ -71,6 +90,7 @@ fn cargo_steps(report: &mut Report, root: &Path, extent: Extent) {
             report.step(&format!("wasm32 {krate}"), || check_web(root, krate, *bare));
         }
     }
+    built
 }
 
 /// The rules that no compiler knows.
@@ -115,6 +135,7 @@ fn house(report: &mut Report, root: &Path) {
         }
         findings
     });
+    report.step("examples are tests", || Findings::of_complaints(&examples::check(&files)));
     report.step("no machine's paths", || Findings::of_complaints(&paths::check(&files)));
 }
 
@@ -124,9 +145,11 @@ fn cargo_check(root: &Path, arguments: &[&str], variables: &[(&str, &str)]) -> F
     if outcome.success { Findings::pass() } else { Findings::fail(cargo_output::without_noise(&outcome.text)) }
 }
 
-fn cargo_test(root: &Path, which: &str, at_least_one: bool) -> Findings {
-    let outcome = process::run(process::cargo(root).args(["test", "--locked", "--workspace", "--no-fail-fast", which]));
-    cargo_output::findings(outcome.success, &outcome.text, at_least_one)
+/// There are no doc tests: `checks::examples`.
+fn cargo_test(root: &Path) -> Findings {
+    let arguments = ["test", "--locked", "--workspace", "--no-fail-fast", "--all-targets"];
+    let outcome = process::run(process::cargo(root).args(arguments));
+    cargo_output::findings(outcome.success, &outcome.text)
 }
 
 fn check_desktop(root: &Path, target: &str) -> Findings {

@@ -5,7 +5,7 @@ use crate::target::SamplesOf;
 use gonio_light::color::{ColorEncoding, ToneMap};
 
 const DISPLAY_LIGHT: &str = include_str!("../../shaders/display_light.glsl");
-const OUTPUT_VERT: &str = include_str!("../../shaders/output.vert");
+pub(super) const OUTPUT_VERT: &str = include_str!("../../shaders/output.vert");
 const OUTPUT_FRAG: &str = include_str!("../../shaders/output.frag");
 
 /// What an output program writes.
@@ -64,6 +64,11 @@ impl OutputKey {
         let shared = format!("{}{}{defines}", dialect.header(), constants());
         [[&shared, OUTPUT_VERT].concat(), [&shared, COLOR, DISPLAY_LIGHT, OUTPUT_FRAG].concat()]
     }
+}
+
+/// One triangle over the whole picture.
+pub(super) fn output_vertex() -> &'static str {
+    OUTPUT_VERT
 }
 
 pub(super) fn tone_map_define(tone_map: ToneMap) -> &'static str {

@@ -42,7 +42,7 @@ impl Renderer {
         let mut notes = Vec::new();
         let (width, height) = (frame.width as i32, frame.height as i32);
         let band_rows = rows_of_a_band(scene.triangle_count, frame);
-        let target = self.target_for(scene, frame, band_rows, Precision::Half, &mut notes)?;
+        let target = self.target_for(scene, frame, band_rows, Precision::Half, 1, &mut notes)?;
         let output = OutputTarget::new(gl, [width, height], false)?;
         let look = Look::new(view, frame);
         let mut statistics = GpuStatistics::default();

@@ -15,7 +15,7 @@ impl Renderer {
     pub fn bare_loop(&mut self, scene: &GpuScene, frames: usize) -> Result<(), GlError> {
         let wrong = || GlError::new("the bare loop draws one opaque object of one material that was rendered before");
         let gl = &self.shared.gl;
-        let target = self.target.as_ref().ok_or_else(wrong)?;
+        let target = self.targets.last().ok_or_else(wrong)?;
         let [object] = scene.objects.as_slice() else { return Err(wrong()) };
         let [run] = object.opaque.as_slice() else { return Err(wrong()) };
         if !object.transparent.is_empty() {

@@ -4,22 +4,33 @@
 mod bands;
 #[cfg(feature = "bench")]
 mod bare;
+mod difference;
 mod output;
+mod overlays;
+mod paint;
 mod pass;
+mod pixel;
+mod record;
 mod sampling;
+mod special;
+mod state;
 mod surroundings;
+mod targets;
 
 pub use bands::Drawn8;
+pub use difference::DifferenceScale;
 pub use output::Drawn;
+pub use paint::Painted;
 
 use crate::driver::DriverInfo;
-use crate::glsl::{ATTRIBUTES, Dialect, OutputKey, SceneKey, texture_unit};
+use crate::glsl::{ATTRIBUTES, Dialect, OutputKey, SceneKey, SpecialProgram, texture_unit};
 use crate::light_table::LightTable;
 use crate::objects::{DebugGroup, TextureObject, VertexArray};
 use crate::program::Program;
 use crate::scene_on_gpu::{GpuObject, GpuScene, Run};
 use crate::statistics::StatisticsQueries;
-use crate::target::{Precision, Target};
+use crate::store::Store;
+use crate::target::{Precision, Sampling, Target};
 use crate::{Gl, GlError, textures};
 use glow::HasContext;
 use gonio_scene::{Frame, LoadedScene, ViewSpec};
@@ -29,13 +40,15 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
 use surroundings::Around;
+use targets::{PANES, Targets};
 
 /// Draws scenes with one OpenGL context.
 pub struct Renderer {
     shared: Rc<Shared>,
     light_table: LightTable,
     white: TextureObject,
-    target: Option<Rc<Target>>,
+    pub(crate) targets: Targets,
+    pub(crate) store: Store,
 }
 
 /// What a finished frame needs as well.
@@ -44,7 +57,9 @@ struct Shared {
     info: DriverInfo,
     scene_programs: RefCell<HashMap<SceneKey, Rc<Program>>>,
     output_programs: RefCell<HashMap<OutputKey, Rc<Program>>>,
+    special_programs: RefCell<HashMap<SpecialProgram, Rc<Program>>>,
     sky: RefCell<Option<Rc<Program>>>,
+    difference: RefCell<Option<Rc<Program>>>,
     /// Core profiles draw nothing without a vertex array, even where no attribute is read.
     no_attributes: VertexArray,
 }
@@ -61,10 +76,12 @@ impl Renderer {
             info,
             scene_programs: RefCell::default(),
             output_programs: RefCell::default(),
+            special_programs: RefCell::default(),
             sky: RefCell::default(),
+            difference: RefCell::default(),
             no_attributes,
         });
-        Ok(Renderer { shared, light_table, white, target: None })
+        Ok(Renderer { shared, light_table, white, targets: Targets::default(), store: Store::default() })
     }
 
     /// The driver.
@@ -72,11 +89,16 @@ impl Renderer {
         &self.shared.info
     }
 
-    /// Uploads geometry and textures.
+    /// Uploads geometry and textures, but for those that another scene from here still holds: two panes of one scene, or
+    /// a scene before and after an edit, share what they have in common (the same `Arc`s).
     pub fn upload(&mut self, scene: &LoadedScene) -> Result<GpuScene, GlError> {
         let _group = DebugGroup::new(&self.shared.gl, "upload");
-        let uploaded = GpuScene::upload(&self.shared.gl, scene, &self.shared.info)?;
-        self.shared.check_error("uploading the scene")?;
+        let before = self.store.count_made();
+        let uploaded = GpuScene::upload(&self.shared.gl, scene, &self.shared.info, &mut self.store)?;
+        // Asking for errors waits for the GPU on the web: only where there was something to upload.
+        if self.store.count_made() != before {
+            self.shared.check_error("uploading the scene")?;
+        }
         Ok(uploaded)
     }
 
@@ -85,7 +107,7 @@ impl Renderer {
         self.render_at(scene, frame, view, Precision::Full)
     }
 
-    fn render_at(
+    pub(crate) fn render_at(
         &mut self,
         scene: &GpuScene,
         frame: &Frame,
@@ -95,7 +117,7 @@ impl Renderer {
         let shared = self.shared.clone();
         let gl = &shared.gl;
         let mut notes = Vec::new();
-        let target = self.target_for(scene, frame, frame.height as i32, precision, &mut notes)?;
+        let target = self.target_for(scene, frame, frame.height as i32, precision, 1, &mut notes)?;
         let queries = StatisticsQueries::begin(gl, &shared.info)?;
         let draw_calls = {
             let _group = DebugGroup::new(gl, "scene");
@@ -110,13 +132,14 @@ impl Renderer {
         Ok(Drawn { shared, target, look, statistics: statistics.read(), notes })
     }
 
-    /// Targets for `rows` rows of the frame.
+    /// Targets for `rows` rows of the frame, one of `panes` that are drawn in turn.
     fn target_for(
         &mut self,
         scene: &GpuScene,
         frame: &Frame,
         rows: i32,
         precision: Precision,
+        panes: usize,
         notes: &mut Vec<String>,
     ) -> Result<Rc<Target>, GlError> {
         if frame.surroundings.is_some() {
@@ -136,22 +159,24 @@ impl Renderer {
         }
         let sampling = sampling::of(info, scene.triangle_count, frame, samples as i32);
         let size = [frame.width as i32, rows];
-        if let Some(target) = &self.target {
-            // A target that a finished frame still holds must not be drawn over.
-            if target.size == size
-                && target.sampling == sampling
-                && target.precision == precision
-                && Rc::strong_count(target) == 1
-            {
-                return Ok(target.clone());
-            }
+        if let Some(target) = self.targets.find(size, sampling, precision) {
+            return Ok(target);
         }
-        self.target = None;
+        self.targets.make_room(panes);
         let shared = &self.shared;
-        let target = Target::new(&shared.gl, shared.info.dialect, size, sampling, precision)?;
-        let target = Rc::new(target);
-        self.shared.check_error("making the picture's memory")?;
-        self.target = Some(target.clone());
+        let make = |sampling| Target::new(&shared.gl, shared.info.dialect, size, sampling, precision);
+        let target = Rc::new(match make(sampling) {
+            // Drivers of the web do not say how many samples they have of which format.
+            Err(_) if shared.info.dialect == Dialect::Es300 && sampling != Sampling::Multi(1) => {
+                shared.forget_errors();
+                let target = make(Sampling::Multi(1))?;
+                notes.push(format!("1 sample per pixel instead of {samples}: this driver has no more"));
+                target
+            }
+            made => made?,
+        });
+        shared.check_error("making the picture's memory")?;
+        self.targets.keep(target.clone());
         Ok(target)
     }
 
@@ -186,19 +211,25 @@ impl Renderer {
             around: Around::bound(&shared, scene, frame)?,
             prepared: HashMap::new(),
         };
+        let opaque: Vec<Draw<'_>> = scene
+            .objects
+            .iter()
+            .flat_map(|object| object.opaque.iter().map(move |run| Draw { object, run: run.clone() }))
+            .collect();
+        let transparent = sorted_transparent(scene, frame);
+        for draw in opaque.iter().chain(&transparent) {
+            pass.prepare(draw)?;
+        }
         let mut draw_calls = 0;
-        for object in &scene.objects {
-            for run in &object.opaque {
-                pass.draw(&Draw { object, run: run.clone() })?;
-                draw_calls += 1;
-            }
+        for draw in &opaque {
+            pass.draw(draw)?;
+            draw_calls += 1;
         }
         // Before what lets it through, which is laid over it; behind all else, so that nothing hidden is looked up.
         if let Some(around) = pass.around.as_ref().filter(|around| around.is_visible() && !pass.is_view()) {
             around.draw_sky(&shared, frame)?;
             draw_calls += 1;
         }
-        let transparent = sorted_transparent(scene, frame);
         if !transparent.is_empty() {
             let _group = DebugGroup::new(gl, "transparent, back to front");
             // SAFETY: plain state; colours are premultiplied.
@@ -277,6 +308,12 @@ impl Shared {
         let program = Rc::new(Program::new(&self.gl, &format!("output {key:?}"), &vertex, &fragment, &[])?);
         self.output_programs.borrow_mut().insert(key, program.clone());
         Ok(program)
+    }
+
+    /// Clears OpenGL's error flags, of which it has a few.
+    fn forget_errors(&self) {
+        // SAFETY: reads a flag. A lost context reports the loss for ever, so not for ever.
+        (0..8).take_while(|_| unsafe { self.gl.get_error() } != glow::NO_ERROR).for_each(drop);
     }
 
     /// Turns OpenGL's error flag into an error; `doing` completes "... while".

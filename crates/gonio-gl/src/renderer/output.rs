@@ -4,6 +4,7 @@ use super::Shared;
 use crate::GlError;
 use crate::glsl::{Display, OutputKey};
 use crate::objects::DebugGroup;
+use crate::program::Program;
 use crate::statistics::GpuStatistics;
 use crate::target::{OutputTarget, Target};
 use glam::{DVec3, Vec2};
@@ -20,6 +21,8 @@ pub(super) struct Look {
     background_top: DVec3,
     background_bottom: DVec3,
     background_alpha: f64,
+    /// Colours are written times their alpha, as windows show them; files have them without.
+    premultiplied: bool,
 }
 
 impl Look {
@@ -31,7 +34,18 @@ impl Look {
         let (top, bottom) =
             if is_picture { (frame.background.top, frame.background.bottom) } else { (DVec3::ZERO, DVec3::ZERO) };
         let alpha = if is_picture && frame.background.transparent { 0.0 } else { 1.0 };
-        Look { display, background_top: top, background_bottom: bottom, background_alpha: alpha }
+        Look { display, background_top: top, background_bottom: bottom, background_alpha: alpha, premultiplied: false }
+    }
+
+    /// For a window.
+    pub fn to_be_shown(self) -> Self {
+        Look { premultiplied: true, ..self }
+    }
+
+    /// Of a view whose values are the numbers to be shown.
+    pub fn as_it_is(frame: &Frame) -> Self {
+        let display = DisplayMap::Affine { scale: DVec3::ONE, bias: DVec3::ZERO };
+        Look { display, background_top: DVec3::ZERO, background_bottom: DVec3::ZERO, ..Look::new(None, frame) }
     }
 
     /// What a picture file of the frame holds.
@@ -55,7 +69,8 @@ pub(super) struct Band {
 }
 
 impl Shared {
-    /// Draws a target's pixels as they are displayed into `output`, top row first.
+    /// Draws a target's pixels as they are displayed into `output`, top row first. Whoever reads them checks for errors
+    /// then: asking for the flag waits for the GPU on the web.
     pub(super) fn output_into(
         &self,
         output: &OutputTarget,
@@ -66,13 +81,14 @@ impl Shared {
     ) -> Result<(), GlError> {
         let gl = &self.gl;
         let _group = DebugGroup::new(gl, "output");
-        let (samples, count) = target.to_average();
-        let program = self.output_program(OutputKey { display, samples })?;
+        let (_, count) = target.to_average();
+        let program = self.output_program_for(target, display)?;
         program.bind();
         program.set_i32("linear_picture", 0);
         program.set_i32("sample_count", count);
         program.set_i32("grid_side", count);
         program.set_i32("top_row_first", 1);
+        program.set_f32("premultiply", if look.premultiplied { 1.0 } else { 0.0 });
         program.set_i32("first_row", band.first_row);
         program.set_vec2("picture_size", Vec2::new(target.size[0] as f32, band.picture_height as f32));
         program.set_dvec3("background_top", look.background_top);
@@ -86,10 +102,23 @@ impl Shared {
             DisplayMap::Light(transform) => program.set_f32("exposure", transform.exposure as f32),
         }
         output.bind(gl);
-        // SAFETY: the triangle's vertices come from gl_VertexID alone; the texture is the target's. The
-        // viewport keeps the triangle within the band.
+        // SAFETY: plain state. The viewport keeps the triangle within the band.
+        unsafe { gl.viewport(0, band.picture_height - band.first_row - band.rows, target.size[0], band.rows) };
+        self.draw_over_all(target);
+        Ok(())
+    }
+
+    /// The program of [`Self::output_into`].
+    pub(super) fn output_program_for(&self, target: &Target, display: Display) -> Result<Rc<Program>, GlError> {
+        let (samples, _) = target.to_average();
+        self.output_program(OutputKey { display, samples })
+    }
+
+    /// Draws one triangle over the whole viewport, by the bound program, with a target's pixels on unit 0.
+    pub(super) fn draw_over_all(&self, target: &Target) {
+        let gl = &self.gl;
+        // SAFETY: the triangle's vertices come from gl_VertexID alone; the texture is the target's.
         unsafe {
-            gl.viewport(0, band.picture_height - band.first_row - band.rows, target.size[0], band.rows);
             gl.disable(glow::DEPTH_TEST);
             gl.disable(glow::BLEND);
             gl.disable(glow::CULL_FACE);
@@ -99,7 +128,6 @@ impl Shared {
             gl.draw_arrays(glow::TRIANGLES, 0, 3);
             gl.bind_vertex_array(None);
         }
-        self.check_error("encoding the picture")
     }
 }
 

@@ -10,6 +10,7 @@ use crate::glsl::{
 use crate::light_table::LightTable;
 use crate::objects::DebugGroup;
 use crate::program::Program;
+use crate::record::Subject;
 use crate::scene_on_gpu::{GpuObject, GpuScene, Run, wants_unshared};
 use crate::textures;
 use glam::{DMat4, DVec3};
@@ -42,21 +43,27 @@ pub(super) struct Pass<'a> {
     pub prepared: HashMap<SceneKey, Rc<Program>>,
 }
 
-impl Pass<'_> {
+impl<'a> Pass<'a> {
+    /// Makes what a draw needs and has to be waited for: its program, which is asked whether it is well. On the web that
+    /// waits for all that was drawn before, so it is done for all draws before the first.
+    pub fn prepare(&mut self, draw: &Draw<'_>) -> Result<(), GlError> {
+        let material = &self.scene.materials[draw.run.material];
+        let key = self.key(draw.object, self.geometry(draw.object)?, material);
+        self.prepared(key).map(drop)
+    }
+
     pub fn draw(&mut self, draw: &Draw<'_>) -> Result<(), GlError> {
         let gl = &self.shared.gl;
         let object = draw.object;
         let material = &self.scene.materials[draw.run.material];
         let _group =
             DebugGroup::new(gl, &format!("{} {} [{}]", object.object.name, draw.run.name, material.material.name));
-        let geometries = &self.scene.geometries[object.object.mesh];
-        let geometry = if wants_unshared(object.object.shading) { &geometries.unshared } else { &geometries.shared };
-        let Some(geometry) = geometry else {
-            return Err(GlError::new(format!(
-                "`{}` was not uploaded for {} shading",
-                object.object.name, object.object.shading
-            )));
-        };
+        let _drawing = gl.drawing(|| Subject {
+            object: object.object.name.clone(),
+            part: draw.run.name.clone(),
+            material: material.material.name.clone(),
+        });
+        let geometry = self.geometry(object)?;
         let key = self.key(object, geometry, material);
         let program = self.prepared(key)?;
         program.bind();
@@ -78,6 +85,15 @@ impl Pass<'_> {
             gl.draw_elements(glow::TRIANGLES, count as i32, glow::UNSIGNED_INT, first as i32);
         }
         Ok(())
+    }
+
+    fn geometry(&self, object: &GpuObject) -> Result<&'a Geometry, GlError> {
+        let scene = self.scene;
+        let geometries = &scene.geometries[object.object.mesh];
+        let geometry = if wants_unshared(object.object.shading) { &geometries.unshared } else { &geometries.shared };
+        geometry.as_deref().ok_or_else(|| {
+            GlError::new(format!("`{}` was not uploaded for {} shading", object.object.name, object.object.shading))
+        })
     }
 
     fn key(&self, object: &GpuObject, geometry: &Geometry, material: &SceneMaterial) -> SceneKey {
@@ -136,9 +152,10 @@ impl Pass<'_> {
         for (end, name) in self.lights.ends.iter().zip(["directional_end", "point_end", "spot_end"]) {
             program.set_i32(name, *end as i32);
         }
-        if !self.lights.uniforms().is_empty() {
-            program.set_vec4_array("light_values[0]", self.lights.uniforms());
-        }
+        // Without any light too, for then as well the compiler may keep the array; no uniform is left as it was.
+        let none = [[0.0; 4]];
+        let values = if self.lights.uniforms().is_empty() { &none } else { self.lights.uniforms() };
+        program.set_vec4_array("light_values[0]", values);
         program.set_dvec3("eye_in_world", frame.camera.position);
         program.set_f32("diff_factor", diff);
         program.set_f32("diffuse_switch", switch(equation.terms.diffuse));

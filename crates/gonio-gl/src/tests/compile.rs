@@ -1,7 +1,8 @@
 //! Every program that the renderer can ask for compiles and links, in both dialects.
 
 use crate::glsl::{
-    ATTRIBUTES, Dialect, LightLoops, MapSet, OutputKey, Reflectance, SceneKey, SurroundingsKey, sky_sources,
+    ATTRIBUTES, Dialect, LightLoops, MapSet, OutputKey, Reflectance, SceneKey, SpecialProgram, SurroundingsKey,
+    sky_sources,
 };
 use crate::program::Program;
 use gonio_light::Specular;
@@ -12,12 +13,14 @@ fn link_all(dialect: Dialect, es: bool) {
     let scenes = SceneKey::all().into_iter().map(|k| (k.name(), k.sources(dialect)));
     let outputs = OutputKey::all(dialect).into_iter().map(|k| (format!("{k:?}"), k.sources(dialect)));
     let sky = ("sky".to_owned(), sky_sources(dialect));
-    let programs: Vec<_> = scenes.chain(outputs).chain([sky]).collect();
+    let special = SpecialProgram::ALL.map(|p| (p.name().to_owned(), p.sources(dialect)));
+    let programs: Vec<_> = scenes.chain(outputs).chain([sky]).chain(special).collect();
     // 4 shadings (and Phong with a normal map) x 8 reflectances x 3 sets of maps x sides x views x 3 kinds of loops
     // and one with colours of vertices; and 2 + 4 tone maps x 2 encodings, of one sample, of grids, and of multisampled
-    // textures where there are any. With an environment 13 ways to show it, for 2 kinds of materials; and the sky.
+    // textures where there are any. With an environment 13 ways to show it, for 2 kinds of materials; and the sky,
+    // and five programs of overlays and special views.
     let outputs = if es { 20 } else { 30 };
-    assert_eq!(programs.len(), 5 * 8 * 3 * 2 * 2 * (3 + 1) + 5 * 2 * 2 * 13 + 1 + outputs);
+    assert_eq!(programs.len(), 5 * 8 * 3 * 2 * 2 * (3 + 1) + 5 * 2 * 2 * 13 + 1 + 5 + outputs);
     for (name, [vertex, fragment]) in programs {
         if let Err(why) = Program::new(context.gl(), &name, &vertex, &fragment, &ATTRIBUTES) {
             panic!("{dialect:?}: {why}");

@@ -6,6 +6,7 @@ use crate::glsl::Dialect;
 use crate::objects::{TextureObject, VertexArray};
 use crate::program::Program;
 use crate::scene_on_gpu::GpuScene;
+use crate::store::Store;
 use crate::target::OutputTarget;
 use glam::DVec3;
 use glow::{HasContext, PixelUnpackData};
@@ -159,7 +160,8 @@ fn a_body_that_does_not_fit_is_told() {
     let info = DriverInfo::of(context.gl());
     let small = DriverInfo { max_size: 0, ..info.clone() };
     let upload = |scene: &LoadedScene, info| {
-        let scene = GpuScene::upload(context.gl(), scene, info).unwrap_or_else(|why| panic!("{why}"));
+        let scene =
+            GpuScene::upload(context.gl(), scene, info, &mut Store::default()).unwrap_or_else(|why| panic!("{why}"));
         (scene.objects[0].body.is_some(), scene.notes)
     };
     assert_eq!(upload(&scene, &small), (false, Vec::new()));

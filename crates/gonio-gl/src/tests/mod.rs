@@ -2,7 +2,11 @@
 
 mod compile;
 mod conversion;
+mod difference;
 mod environment;
+mod overlays;
+mod paint;
+mod record;
 mod twins;
 mod twins_optics;
 

@@ -95,7 +95,8 @@ impl Lab {
 
     /// A texture; the index of the next one is the number of those before.
     pub fn texture(mut self, width: u32, height: u32, rgba: &[u8], color_space: ColorSpace) -> Lab {
-        self.scene.textures.push(Texture::new("test", width, height, rgba.to_vec(), color_space));
+        let texture = Texture::new("test", width, height, rgba.to_vec(), color_space);
+        self.scene.textures.push(std::sync::Arc::new(texture));
         self
     }
 
@@ -119,7 +120,7 @@ impl Lab {
             }],
             closed: false,
         });
-        scene.meshes.push(mesh);
+        scene.meshes.push(std::sync::Arc::new(mesh));
         scene.materials.push(SceneMaterial { material, maps, optics: Optics::default() });
         self
     }

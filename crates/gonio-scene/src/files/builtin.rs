@@ -1,20 +1,30 @@
 //! Models and scenes that gonio carries with it.
 
 use crate::document::nearest;
+use gonio_mesh::sphere;
+use std::fmt::Write;
 use std::io::{Error, ErrorKind};
 use std::path::{Component, Path, PathBuf};
 
 /// What the paths of built-in files begin with.
 pub const BUILTIN: &str = "builtin:";
 
+/// A module for the web carries the names alone: together the files are as large as the rest of it, and the first
+/// picture wants but one of them.
 macro_rules! builtin_files {
     ($($path:literal),+ $(,)?) => {
-        &[$(($path, include_bytes!(concat!("../../../../assets/", $path)))),+]
+        &[$((
+            $path,
+            #[cfg(not(target_arch = "wasm32"))]
+            Some(include_bytes!(concat!("../../../../assets/", $path))),
+            #[cfg(target_arch = "wasm32")]
+            None,
+        )),+]
     };
 }
 
-/// Every built-in file, by its path below `assets`.
-static FILES: &[(&str, &[u8])] = builtin_files![
+/// Every built-in file, by its path below `assets`. (`web/build/pack.mjs` reads this list, to put them beside the page.)
+static FILES: &[(&str, Option<&[u8]>)] = builtin_files![
     "models/cube.obj",
     "models/cube.mtl",
     "models/sphere_coarse.obj",
@@ -52,15 +62,73 @@ pub fn builtin_names() -> Vec<String> {
 }
 
 /// Models and scenes that gonio carries with it, by the name after `builtin:` (also the full path of
-/// any built-in file).
+/// any built-in file). On the web `None`: see [`FileSource::builtin`](super::FileSource::builtin).
 pub fn builtin(name: &str) -> Option<&'static [u8]> {
     let path = builtin_path(name);
-    FILES.iter().find(|(known, _)| *known == path).map(|(_, bytes)| *bytes)
+    FILES.iter().find(|(known, _)| *known == path).and_then(|(_, bytes)| *bytes)
+}
+
+/// Whether a built-in file has this path below `assets`.
+pub fn is_builtin(path: &str) -> bool {
+    FILES.iter().any(|(known, _)| *known == path)
+}
+
+/// What the built-in spheres of a number of triangles are called: `sphere-512`.
+const SPHERE: &str = "sphere-";
+
+/// The frequency of the sphere that a model's name stands for, `builtin:sphere-N`, where a sphere of N triangles can be
+/// made: of 8, 32, 72, ... 8 f². Its vertices are on the unit sphere, and so are its normals ([`sphere::sphere`]).
+pub fn sphere_of(model: &str) -> Option<u32> {
+    sphere_named(model.strip_prefix(BUILTIN)?)
+}
+
+fn sphere_named(name: &str) -> Option<u32> {
+    let triangles = count_of_sphere(name)?;
+    let frequency = sphere::nearest_frequency(triangles);
+    (sphere::triangle_count(frequency) == triangles).then_some(frequency)
+}
+
+/// N of `sphere-N`, and of the file `models/sphere_N.obj` that it stands for; N is written without leading zeros.
+fn count_of_sphere(name: &str) -> Option<usize> {
+    let name = name.strip_prefix("models/").unwrap_or(name);
+    let name = name.strip_suffix(".obj").unwrap_or(name).replace('_', "-");
+    let digits = name.strip_prefix(SPHERE)?;
+    let is_number = digits.bytes().all(|b| b.is_ascii_digit()) && !digits.starts_with('0');
+    digits.parse().ok().filter(|_| is_number)
+}
+
+/// The sphere as an OBJ file, with the material of the other built-in spheres.
+pub(super) fn sphere_file(name: &str) -> Option<Vec<u8>> {
+    let mesh = sphere::sphere(sphere_named(name)?);
+    let mut text = String::from("mtllib sphere_smooth.mtl\no Sphere\n");
+    // Writing to a string cannot fail.
+    for [x, y, z] in &mesh.positions {
+        let _ = writeln!(text, "v {x} {y} {z}");
+    }
+    for [u, v] in &mesh.tex_coords {
+        let _ = writeln!(text, "vt {u} {v}");
+    }
+    for [x, y, z] in &mesh.normals {
+        let _ = writeln!(text, "vn {x} {y} {z}");
+    }
+    text.push_str("usemtl Clay\n");
+    for corners in mesh.indices.chunks_exact(3) {
+        text.push('f');
+        for corner in corners {
+            let n = corner + 1;
+            let _ = write!(text, " {n}/{n}/{n}");
+        }
+        text.push('\n');
+    }
+    Some(text.into_bytes())
 }
 
 /// The path below `assets` that the name after `builtin:` stands for.
 pub(super) fn builtin_path(name: &str) -> String {
     let wanted = name.replace('_', "-");
+    if let Some(triangles) = count_of_sphere(name) {
+        return format!("models/sphere_{triangles}.obj");
+    }
     named().find(|(known, _)| *known == wanted).map_or_else(|| name.to_owned(), |(_, path)| path.to_owned())
 }
 
@@ -79,10 +147,25 @@ pub(super) fn builtin_of(path: &Path) -> Option<String> {
 }
 
 pub(super) fn no_builtin(name: &str) -> Error {
+    if let Some(triangles) = count_of_sphere(name) {
+        let near = sphere::nearest_frequency(triangles);
+        let counts = [near.saturating_sub(1).max(1), near, (near + 1).min(sphere::MOST_FREQUENCY)];
+        let [below, at, above] = counts.map(sphere::triangle_count);
+        let message = format!(
+            "no sphere of {triangles} triangles can be made, for each of an octahedron's 8 faces is cut into 1, 4, 9, ...; \
+             take one of {below}, {at} or {above}"
+        );
+        return Error::new(ErrorKind::NotFound, message);
+    }
+    if is_builtin(&builtin_path(name)) {
+        // A page fetches them.
+        return Error::new(ErrorKind::NotFound, "this sample did not come over the network; load the page again");
+    }
     let names = builtin_names();
     let meant = nearest(name, names.iter().map(String::as_str))
         .map_or(String::new(), |word| format!("did you mean `{BUILTIN}{word}`? "));
-    let message = format!("nothing of this name is built in; {meant}there are {}", names.join(", "));
+    let message =
+        format!("nothing of this name is built in; {meant}there are {}, and sphere-N of N triangles", names.join(", "));
     Error::new(ErrorKind::NotFound, message)
 }
 
@@ -93,4 +176,16 @@ pub(super) fn list_builtin(folder: &str) -> Vec<PathBuf> {
         .filter_map(|(path, _)| path.strip_prefix(folder)?.strip_prefix('/')?.split('/').next())
         .map(PathBuf::from)
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sample_that_did_not_come_is_not_taken_for_a_wrong_name() {
+        assert!(no_builtin("suzanne").to_string().contains("did not come over the network"));
+        assert!(no_builtin("models/suzanne.mtl").to_string().contains("did not come over the network"));
+        assert!(no_builtin("suzane").to_string().contains("did you mean `builtin:suzanne`?"));
+    }
 }

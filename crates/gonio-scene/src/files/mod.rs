@@ -4,11 +4,11 @@ mod builtin;
 mod bytes;
 mod disk;
 
-pub use builtin::{BUILTIN, builtin, builtin_names};
+pub use builtin::{BUILTIN, builtin, builtin_names, is_builtin, sphere_of};
 pub use bytes::FileBytes;
 pub use disk::{Disk, DiskAndInput, STANDARD_INPUT};
 
-use builtin::{builtin_of, builtin_path, list_builtin, no_builtin};
+use builtin::{builtin_of, builtin_path, list_builtin, no_builtin, sphere_file};
 use gonio_mesh::{MissingSidecar, Sidecar, Sidecars};
 use std::io::{Error, ErrorKind};
 use std::path::{Path, PathBuf};
@@ -19,6 +19,16 @@ pub trait FileSource: Send + Sync {
     fn read(&self, path: &Path) -> Result<FileBytes, Error>;
     /// The names in a folder; empty where there is none.
     fn list(&self, folder: &Path) -> Vec<PathBuf>;
+    /// A built-in file by its path below `assets`: those that the program carries, by default. The web page carries
+    /// none and fetches them.
+    fn builtin(&self, name: &str) -> Option<FileBytes> {
+        builtin(name).map(FileBytes::from_static)
+    }
+    /// Whether a built-in file that cannot be had now is on its way: what was read without it is not what it will be,
+    /// and is to be read again when it has come.
+    fn is_coming(&self, _name: &str) -> bool {
+        false
+    }
 }
 
 /// Nothing but the built-in files.
@@ -44,7 +54,10 @@ pub(crate) fn resolve(base: &Path, name: &str) -> PathBuf {
 /// A file of `files`, or a built-in one.
 pub(crate) fn read(files: &dyn FileSource, path: &Path) -> Result<FileBytes, Error> {
     match builtin_of(path) {
-        Some(name) => builtin(&name).map(FileBytes::from_static).ok_or_else(|| no_builtin(&name)),
+        Some(name) => {
+            let made = sphere_file(&name).map(FileBytes::from);
+            made.or_else(|| files.builtin(&name)).ok_or_else(|| no_builtin(&name))
+        }
         None => files.read(path),
     }
 }

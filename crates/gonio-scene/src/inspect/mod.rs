@@ -11,6 +11,7 @@ use crate::files::{self, FileSource};
 use crate::load;
 use crate::material_binding::MaterialBinder;
 use crate::model_file::ModelFile;
+use crate::stock::{self, MaterialSource};
 use crate::texture_library::TextureUse;
 use gonio_mesh::topology::{self, TopologyReport};
 use gonio_mesh::{
@@ -125,7 +126,8 @@ pub struct ImageReport {
 pub fn inspect(input: &str, files: &dyn FileSource, limits: &Limits) -> Result<Inspection, ReadError> {
     let mut file = ModelFile::open(input, files, limits)?;
     let mut binder = MaterialBinder::new(files, limits.max_bytes);
-    binder.add(0, &MaterialOverride::default(), &file);
+    let (folders, used) = (file.texture_folders(), stock::used_materials(&file.model));
+    binder.add(0, &MaterialOverride::default(), &MaterialSource::of_file(&file, &folders, &used));
     let bound = binder.finish();
     let geometry = geometry(&file);
     let surface = topology::report(&file.model.mesh);

@@ -4,6 +4,7 @@
 
 mod bad_input;
 mod camera;
+mod edit;
 mod environments;
 mod framing;
 mod from_models;
@@ -15,4 +16,5 @@ mod picture;
 mod round_trip;
 mod sampling;
 mod schema;
+mod spheres;
 mod textures;

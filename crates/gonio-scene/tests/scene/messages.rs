@@ -18,8 +18,8 @@ fn says(text: &str, expected: &str) {
 fn unknown_keys_get_the_nearest_known_one() {
     says(
         "[[light]]\nkind = \"ambient\"\ncolr = [1, 1, 1]\n",
-        "5:1: unknown key `colr` in [[light]]; did you mean `color`? Known keys: kind, name, position, direction, \
-         color, intensity, constant, linear, quadratic, inner_angle, outer_angle, motion",
+        "5:1: unknown key `colr` in [[light]]; did you mean `color`? Known keys: kind, name, enabled, position, \
+         direction, color, intensity, constant, linear, quadratic, inner_angle, outer_angle, motion",
     );
     says(
         "[lights]\n",

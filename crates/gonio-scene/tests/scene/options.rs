@@ -31,6 +31,19 @@ fn a_motion_stands_beside_its_light() {
 }
 
 #[test]
+fn a_light_can_be_off() {
+    let off = LightSpec::from_option_text("point off position=1,2,3").unwrap();
+    assert_eq!((off.enabled, off.is_on()), (Some(false), false));
+    assert_eq!(LightSpec::from_option_text("point position=1,2,3 enabled=false").unwrap(), off);
+    let on = LightSpec::from_option_text("point position=1,2,3").unwrap();
+    assert_eq!((on.enabled, on.is_on()), (None, true));
+    assert_eq!(
+        LightSpec::from_option_text("point off enabled=true position=1,2,3").unwrap_err(),
+        "`point off enabled=true position=1,2,3`, at 11: `enabled` is given twice",
+    );
+}
+
+#[test]
 fn errors_say_where_in_the_text() {
     let says = |text: &str, expected: &str| {
         assert_eq!(LightSpec::from_option_text(text).unwrap_err(), expected);
@@ -38,8 +51,8 @@ fn errors_say_where_in_the_text() {
     says(
         "point position=1,2,3 colr=1,1,1",
         "`point position=1,2,3 colr=1,1,1`, at 22: unknown key `colr` in a light; did you mean `color`? Known keys: \
-         name, position, direction, color, intensity, constant, linear, quadratic, inner_angle, outer_angle, motion, \
-         period, amplitude, center, axis, points",
+         name, enabled, position, direction, color, intensity, constant, linear, quadratic, inner_angle, outer_angle, \
+         motion, period, amplitude, center, axis, points",
     );
     says(
         "pont position=1,2,3",

@@ -2,32 +2,14 @@
 
 use super::digits;
 use super::read::Pixels;
+use gonio_scene::difference::heat;
 use gonio_scene::picture::EncodedPicture;
-
-/// Black, violet, red, orange, yellow, white: brighter is more, also for eyes that see no colours.
-const HEAT: [[f64; 3]; 7] = [
-    [0.0, 0.0, 0.0],
-    [48.0, 10.0, 92.0],
-    [125.0, 24.0, 110.0],
-    [196.0, 52.0, 72.0],
-    [240.0, 112.0, 32.0],
-    [250.0, 194.0, 44.0],
-    [255.0, 255.0, 235.0],
-];
 
 /// Height of the scale below a map.
 const LEGEND: usize = 32;
 /// Where its labels begin.
 const LABELS: usize = 18;
 const _: () = assert!(LABELS + digits::HEIGHT <= LEGEND);
-
-/// The colour of a share in [0, 1] of the full scale.
-fn heat(share: f64) -> [u8; 3] {
-    let place = share.clamp(0.0, 1.0) * (HEAT.len() - 1) as f64;
-    let low = (place as usize).min(HEAT.len() - 2);
-    let t = place - low as f64;
-    [0, 1, 2].map(|c| (HEAT[low][c] * (1.0 - t) + HEAT[low + 1][c] * t).round() as u8)
-}
 
 /// The map; `full_scale` in 8-bit steps, > 0, gets the brightest colour.
 pub fn map(a: &Pixels, b: &Pixels, full_scale: f64) -> EncodedPicture<u8> {
@@ -82,18 +64,6 @@ pub fn with_legend(map: &EncodedPicture<u8>, full_scale: f64) -> EncodedPicture<
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn heat_grows_brighter_from_black_to_nearly_white() {
-        assert_eq!(heat(0.0), [0, 0, 0]);
-        assert_eq!(heat(1.0), [255, 255, 235]);
-        assert_eq!(heat(7.0), heat(1.0));
-        let luma = |s: f64| {
-            let [r, g, b] = heat(s).map(f64::from);
-            0.2126 * r + 0.7152 * g + 0.0722 * b
-        };
-        assert!((0..100).all(|i| luma(f64::from(i + 1) / 100.0) > luma(f64::from(i) / 100.0)));
-    }
 
     #[test]
     fn the_legend_stands_below_and_leaves_the_map_alone() {

@@ -2,20 +2,11 @@
 
 use super::read::Pixels;
 use crate::report::CliError;
+use gonio_scene::difference::Tally;
+pub use gonio_scene::difference::{Spread, within};
 use image_compare::Algorithm;
 use rayon::prelude::*;
 use serde::Serialize;
-
-/// Mean, root of the mean square, largest: over all pixels and channels.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Spread {
-    /// Mean of the absolute differences.
-    pub mean: f64,
-    /// Root of the mean of the squares.
-    pub rms: f64,
-    /// The largest.
-    pub max: f64,
-}
 
 /// All numbers of a comparison.
 #[derive(Clone, Debug, Serialize)]
@@ -66,22 +57,12 @@ pub struct Worst {
 /// What one row adds.
 #[derive(Clone, Copy, Default)]
 struct Row {
-    steps_sum: f64,
-    steps_squares: f64,
-    steps_max: f64,
-    worst: usize,
+    steps: Tally,
     linear_sum: f64,
     linear_squares: f64,
     linear_max: f64,
     relative_max: f64,
-    differing: u64,
     not_finite: u64,
-}
-
-/// Whether a value is at most its limit. 1e-12 of it more is rounding: 102 / 255 - 100 / 255 is not
-/// exactly two steps.
-pub fn within(value: f64, limit: f64) -> bool {
-    value <= limit * (1.0 + 1e-12)
 }
 
 /// Compares pictures of one size.
@@ -101,22 +82,19 @@ pub fn measure(a: &Pixels, b: &Pixels, tolerance: f64) -> Result<Numbers, CliErr
     let pixels = a.len() as u64;
     let values = ((pixels - total.not_finite) * channels as u64).max(1) as f64;
     let hex = |p: [u8; 3]| format!("#{:02x}{:02x}{:02x}", p[0], p[1], p[2]);
-    let worst = (total.steps_max > 0.0).then(|| Worst {
-        x: (total.worst % width) as u32,
-        y: (total.worst / width) as u32,
-        a: hex(a.displayed(total.worst)),
-        b: hex(b.displayed(total.worst)),
+    let worst = total.steps.worst().map(|index| Worst {
+        x: (index % width) as u32,
+        y: (index / width) as u32,
+        a: hex(a.displayed(index)),
+        b: hex(b.displayed(index)),
     });
+    let differing = total.steps.differing() + total.not_finite;
     Ok(Numbers {
         width: a.width,
         height: a.height,
         pixels,
         channels,
-        steps: Spread {
-            mean: total.steps_sum / values,
-            rms: (total.steps_squares / values).sqrt(),
-            max: total.steps_max,
-        },
+        steps: total.steps.spread(),
         linear: Spread {
             mean: total.linear_sum / values,
             rms: (total.linear_squares / values).sqrt(),
@@ -124,8 +102,8 @@ pub fn measure(a: &Pixels, b: &Pixels, tolerance: f64) -> Result<Numbers, CliErr
         },
         linear_absolute_or_relative: total.relative_max,
         tolerance,
-        differing_pixels: total.differing,
-        differing_percent: 100.0 * total.differing as f64 / pixels.max(1) as f64,
+        differing_pixels: differing,
+        differing_percent: 100.0 * differing as f64 / pixels.max(1) as f64,
         ssim: ssim(a, b)?,
         worst,
         not_finite: total.not_finite,
@@ -140,42 +118,27 @@ impl Row {
             let same = |(x, y): (&f64, &f64)| x == y || (x.is_nan() && y.is_nan());
             if !la.iter().zip(&lb).all(same) {
                 self.not_finite += 1;
-                self.differing += 1;
             }
             return;
         }
         let (ea, eb) = (a.encoded(i), b.encoded(i));
-        let mut largest = 0.0f64;
+        self.steps.add(i, &ea[..channels], &eb[..channels], tolerance);
         for c in 0..channels {
-            let step = 255.0 * (ea[c] - eb[c]).abs();
-            self.steps_sum += step;
-            self.steps_squares += step * step;
-            largest = largest.max(step);
             let linear = (la[c] - lb[c]).abs();
             self.linear_sum += linear;
             self.linear_squares += linear * linear;
             self.linear_max = self.linear_max.max(linear);
             self.relative_max = self.relative_max.max(linear / la[c].abs().max(lb[c].abs()).max(1.0));
         }
-        if largest > self.steps_max {
-            (self.steps_max, self.worst) = (largest, i);
-        }
-        if !within(largest, tolerance) {
-            self.differing += 1;
-        }
     }
 
     fn with(self, next: Row) -> Row {
         Row {
-            steps_sum: self.steps_sum + next.steps_sum,
-            steps_squares: self.steps_squares + next.steps_squares,
-            steps_max: self.steps_max.max(next.steps_max),
-            worst: if next.steps_max > self.steps_max { next.worst } else { self.worst },
+            steps: self.steps.with(next.steps),
             linear_sum: self.linear_sum + next.linear_sum,
             linear_squares: self.linear_squares + next.linear_squares,
             linear_max: self.linear_max.max(next.linear_max),
             relative_max: self.relative_max.max(next.relative_max),
-            differing: self.differing + next.differing,
             not_finite: self.not_finite + next.not_finite,
         }
     }

@@ -104,7 +104,7 @@ pub fn run(args: &ProbeArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     if let (BackendChoice::Auto, Backend::Cpu { reason: Some(reason), .. }) = (args.backend.backend, &backend) {
         reporter.note(format!("nothing stands beside the reference: {reason}"));
     }
-    let look = |reference: &ReferenceScene<'_>| {
+    let look = |reference: &ReferenceScene| {
         let probe = reference.probe(&frame, x, y);
         let value = probe.as_ref().map_or_else(|| reference.behind(&frame, x, y), |probe| probe.total.to_array());
         (probe, value)
@@ -145,7 +145,7 @@ fn text(report: &Report<'_>, scene: &LoadedScene, frame: &Frame) -> String {
 }
 
 fn gpu_value(
-    backend: &mut Backend<'_>,
+    backend: &mut Backend,
     frame: &Frame,
     (x, y): (u32, u32),
     reference: [f64; 4],

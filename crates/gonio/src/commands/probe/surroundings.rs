@@ -136,7 +136,7 @@ mod tests {
         // In the colours of E: 0.2 from where the pane shines back to, 0.8 from beyond it.
         let map = Cubemap::from_function(64, |d| DVec3::splat(if d.z > 0.0 { 0.2 } else { 0.8 }));
         let scene = LoadedScene {
-            meshes: vec![mesh],
+            meshes: vec![std::sync::Arc::new(mesh)],
             materials: vec![SceneMaterial { material, maps: Default::default(), optics }],
             objects: vec![Object {
                 name: "pane".into(),

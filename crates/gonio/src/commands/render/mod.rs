@@ -12,10 +12,11 @@ use crate::output::exr::NamedPicture;
 use crate::output::png::Meaning;
 use crate::output::{Format, Plan, PlanRequest, Target, atomic, exr, png};
 use crate::report::{CliError, Outcome, Reporter, Times};
-use crate::values;
+use crate::values::{self, DebugView};
 use clap::{ArgAction, Args};
+use gonio_gl::{Show, View};
 use gonio_light::color::ColorEncoding;
-use gonio_scene::{DisplayMap, Frame, LoadedScene, ViewSpec};
+use gonio_scene::{DisplayMap, Frame, LoadedScene, Overlay, Overlays, ViewSpec};
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -30,6 +31,8 @@ Examples:
       Lights of your own in place of the scene's.
   gonio render model.obj --debug N -o normals.png
       A vector of the equation as a colour; a light's own by number: --debug diffuse:0.
+  gonio render model.obj --overlay wireframe,boxes -o wires.png
+      Triangles and boxes over the picture; --debug overdraw counts the fragments of each pixel.
   gonio render scene.toml --views normal,diffuse,specular -o all.exr
       The picture and its terms as layers of one file (with .png: one file each).
   gonio render model.obj --frames 72 --orbit 360 -o turn.gif
@@ -41,11 +44,13 @@ Examples:
 
 Debug views: normal (N), geometric-normal, tangent, position, depth, uv, view (V), light (L), reflection (R),
 half (H), refraction (T), distance (d), attenuation (att), spot, cos-theta, spec, albedo, ambient (A),
-emitted (E), diffuse, specular, total.
+emitted (E), diffuse, specular, total. With OpenGL also uv-checker (squares along u and v), overdraw (fragments
+shaded at each pixel) and nothing (the background, for overlays by themselves).
 
 Exit codes: 0 done, 2 error. Where stdout is closed before the picture is written, 2 without a word.")]
 pub struct RenderArgs {
-    /// Models (.obj) or scenes (.toml); several become one scene. builtin:NAME is a model that gonio carries.
+    /// Models (.obj) or scenes (.toml); several become one scene. builtin:NAME is a model that gonio carries;
+    /// builtin:sphere-N is a sphere of N triangles: 8, 32, 72, ... 8 f².
     #[arg(required = true, value_name = "INPUT")]
     pub inputs: Vec<String>,
 
@@ -59,9 +64,13 @@ pub struct RenderArgs {
     /// Bits a channel of .png.
     #[arg(long, help_heading = "Output", value_name = "8|16", value_parser = values::bits)]
     pub bits: Option<u8>,
-    /// A debug view in place of the picture: NAME, NAME:LIGHT, or a symbol such as N.
-    #[arg(long, help_heading = "Output", value_name = "VIEW", value_parser = cli::view_list())]
-    pub debug: Option<ViewSpec>,
+    /// A debug view in place of the picture: NAME, NAME:LIGHT, or a symbol such as N; uv-checker, overdraw (OpenGL).
+    #[arg(long, help_heading = "Output", value_name = "VIEW", value_parser = values::debug_view)]
+    pub debug: Option<DebugView>,
+    /// Lines over the picture: wireframe, normals, boxes (OpenGL, 8 bits).
+    #[arg(long, help_heading = "Output", value_name = "WHAT,...", value_delimiter = ',',
+          value_parser = values::named(Overlay::ALL, |overlay: Overlay| overlay.name()), conflicts_with = "capture")]
+    pub overlay: Vec<Overlay>,
     /// Debug views beside the picture: OUT-NAME.png each, or layers of one .exr.
     #[arg(long, help_heading = "Output", value_name = "VIEW,...", value_delimiter = ',',
           value_parser = cli::view_list())]
@@ -106,6 +115,23 @@ fn frame_rate(text: &str) -> Result<f64, String> {
     }
 }
 
+impl RenderArgs {
+    /// Whether something is asked for that is drawn for the eye only: overlays, special views.
+    fn is_shown(&self) -> bool {
+        !self.overlay.is_empty() || matches!(self.debug, Some(DebugView::Special(_)))
+    }
+
+    /// The picture and its views, with the overlays over each.
+    fn shows(&self, views: &[Option<ViewSpec>]) -> Vec<Show> {
+        let overlays: Overlays = self.overlay.iter().copied().collect();
+        let mut shows: Vec<Show> = views.iter().map(|&view| Show { view: view.into(), overlays }).collect();
+        if let (Some(DebugView::Special(special)), Some(first)) = (self.debug, shows.first_mut()) {
+            first.view = View::Special(special);
+        }
+        shows
+    }
+}
+
 /// What a run gathers for its report.
 #[derive(Default)]
 struct Done {
@@ -122,6 +148,14 @@ pub fn run(args: &RenderArgs, reporter: &Reporter) -> Result<Outcome, CliError> 
         }
         capture::prepare(target)?;
     }
+    if args.is_shown() && args.backend.backend == BackendChoice::Cpu {
+        return Err(CliError::new(
+            "--overlay and the views uv-checker, overdraw and nothing need OpenGL; leave --backend cpu out",
+        ));
+    }
+    if args.is_shown() && args.capture.is_some() {
+        return Err(CliError::new("--capture records pictures and views of the equation; take another --debug for it"));
+    }
     let start = Instant::now();
     let times = Times::default();
     let plans = PlanRequest {
@@ -133,12 +167,18 @@ pub fn run(args: &RenderArgs, reporter: &Reporter) -> Result<Outcome, CliError> 
         bits: args.bits,
     }
     .plan(reporter)?;
+    if args.is_shown() && plans.iter().any(|p| p.format == Format::Exr || p.bits != 8) {
+        return Err(CliError::new(
+            "--overlay and the views uv-checker, overdraw and nothing are drawn for the eye; write .png of 8 bits, \
+             .apng or .gif",
+        ));
+    }
     let (scene, opened) = loading::load_scene_while(&args.inputs, &args.scene, reporter, &times, || {
         Opened::new(&args.backend, args.capture.as_deref(), &times)
     });
     let mut scene = scene?;
     reporter.diagnostics(&scene.diagnostics);
-    let views = || args.views.iter().copied().chain(args.debug);
+    let views = || args.views.iter().copied().chain(args.debug.and_then(DebugView::quantity));
     loading::check_views(views(), &scene)?;
     if views().any(|view| view.quantity == gonio_light::Quantity::Tangent) {
         scene.add_tangents();
@@ -176,7 +216,7 @@ struct Work<'a> {
 }
 
 impl Work<'_> {
-    fn frames(&mut self, scene: &LoadedScene, backend: &mut Backend<'_>) -> Result<(), CliError> {
+    fn frames(&mut self, scene: &LoadedScene, backend: &mut Backend) -> Result<(), CliError> {
         let count = self.args.frames.unwrap_or(1);
         let frames = frames::Frames::new(scene, self.args.time, count, self.args.fps, self.args.orbit);
         let mut animations: Vec<Option<Animation>> = self
@@ -205,15 +245,17 @@ impl Work<'_> {
         &mut self,
         index: u32,
         frame: &Frame,
-        backend: &mut Backend<'_>,
+        backend: &mut Backend,
         animations: &mut [Option<Animation>],
     ) -> Result<(), CliError> {
+        let first = self.args.debug.and_then(DebugView::quantity);
         let views: Vec<Option<ViewSpec>> =
-            std::iter::once(self.args.debug).chain(self.args.views.iter().copied().map(Some)).collect();
+            std::iter::once(first).chain(self.args.views.iter().copied().map(Some)).collect();
+        let shows = self.args.is_shown().then(|| self.args.shows(&views));
         let mut layers: Vec<NamedPicture> = Vec::new();
         let wants_layers = self.plans.iter().any(|p| p.format == Format::Exr);
         let (reporter, times) = (self.reporter, self.times);
-        backend.draw(frame, &views, reporter, times, |place, shot| {
+        let each = |place: usize, shot: Shot| {
             let view = views[place];
             if index == 0 && place == 0 {
                 self.done.counts = shot.counts();
@@ -226,7 +268,11 @@ impl Work<'_> {
             // The first is the picture that was asked for, by the name that was asked for.
             let own_name = view.filter(|_| place > 0);
             self.encode(index, frame, view, own_name, &shot, animations)
-        })?;
+        };
+        match shows {
+            Some(shows) => backend.draw_shown(frame, &shows, reporter, times, each)?,
+            None => backend.draw(frame, &views, reporter, times, each)?,
+        }
         for plan in self.plans.iter().filter(|p| p.format == Format::Exr) {
             let bytes = self.times.measure("encode", || exr::encode(&layers))?;
             self.write(plan, index, None, &bytes)?;

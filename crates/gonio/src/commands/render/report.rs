@@ -58,13 +58,7 @@ impl SceneCounts {
 
 impl<'a> Report<'a> {
     /// Of a finished run.
-    pub fn new(
-        args: &'a RenderArgs,
-        scene: &'a LoadedScene,
-        backend: &Backend<'_>,
-        times: &Times,
-        done: &'a Done,
-    ) -> Self {
+    pub fn new(args: &'a RenderArgs, scene: &'a LoadedScene, backend: &Backend, times: &Times, done: &'a Done) -> Self {
         let picture = &scene.scene.picture;
         let shading: BTreeSet<Shading> = scene.objects.iter().map(|o| o.shading).collect();
         Report {

@@ -288,7 +288,7 @@ fn one<'a>(
 /// Both draw the picture small, with one sample; outlines that fall on other sides of a pixel's centre
 /// are part of the difference.
 fn compare(
-    backend: &mut Backend<'_>,
+    backend: &mut Backend,
     exhibit: &Exhibit,
     loaded: &LoadedScene,
     frame: &Frame,

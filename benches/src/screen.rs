@@ -1,0 +1,42 @@
+//! An X server without a screen. The window's tests take this file too.
+
+use std::io::Read;
+use std::process::{Child, Command, Stdio};
+
+/// Xvfb, until it is dropped.
+pub struct Screen {
+    server: Child,
+    /// What `DISPLAY` has to say.
+    pub name: String,
+}
+
+impl Screen {
+    /// Starts one of this size, pixels, on whatever number is free: the server chooses and tells.
+    pub fn new([width, height]: [u32; 2]) -> Result<Screen, String> {
+        let server = Command::new("Xvfb")
+            .args(["-displayfd", "1", "-nolisten", "tcp", "-screen", "0"])
+            .arg(format!("{width}x{height}x24"))
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .map_err(|e| format!("Xvfb cannot be started: {e}; apt-get install xvfb"))?;
+        let mut screen = Screen { server, name: String::from(":") };
+        let mut byte = [0];
+        if let Some(out) = &mut screen.server.stdout {
+            while out.read(&mut byte).is_ok_and(|read| read == 1) && byte != *b"\n" {
+                screen.name.push(byte[0].into());
+            }
+        }
+        if screen.name == ":" {
+            return Err("Xvfb ended before it had a display; look at what `Xvfb :99` says".into());
+        }
+        Ok(screen)
+    }
+}
+
+impl Drop for Screen {
+    fn drop(&mut self) {
+        let _ = self.server.kill();
+        let _ = self.server.wait();
+    }
+}

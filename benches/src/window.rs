@@ -1,0 +1,96 @@
+//! What the lab window adds to its pictures: a light is dragged in a scene of 100,000 triangles, and the same pictures are
+//! drawn by the renderer alone.
+
+use crate::screen::Screen;
+use crate::window_process::{self, ALL_SAMPLES, AS_SHIPPED, FRAMES, TURNS};
+use crate::{Places, models, table};
+use serde_json::{Value, json};
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+/// 2 * 250 * (201 - 1) triangles.
+const SECTORS: usize = 250;
+const RINGS: usize = 201;
+const TRIANGLES: u64 = 100_000;
+/// The window, pixels.
+const SIZE: [u32; 2] = [1280, 800];
+/// Set by the project: how many times the bare renderer's frame time.
+const BAR: f64 = 1.15;
+
+/// Measures, prints, and says whether the bar was held.
+pub fn run(places: &Places) -> Result<bool, String> {
+    models::written(&places.out, "sphere_100k.obj", || models::sphere_obj(SECTORS, RINGS))?;
+    let scene = places.out.join("window.toml");
+    // In front of the sphere and within the picture.
+    let text = "[[object]]\nmodel = \"sphere_100k.obj\"\n\n[[light]]\nkind = \"point\"\nposition = [0.9, 0.5, 1.1]\n";
+    std::fs::write(&scene, text).map_err(|e| format!("cannot write {}: {e}", scene.display()))?;
+    let screen = Screen::new(SIZE)?;
+    let mut held = true;
+    let mut results = Vec::new();
+    for way in [ALL_SAMPLES, AS_SHIPPED] {
+        let result = measured(places, &screen, &scene, way)?;
+        held &= told(way, &result)?;
+        results.push(json!({ "way": way, "measured": result }));
+    }
+    table::write_json(&places.out, "window", &json!({ "bar_held": held, "ways": results }))?;
+    Ok(held)
+}
+
+/// What the window's own process measured.
+fn measured(places: &Places, screen: &Screen, scene: &Path, way: &str) -> Result<Value, String> {
+    let here = std::env::current_exe().map_err(|e| format!("where this program lies is not known: {e}"))?;
+    let output = Command::new(here)
+        .arg(window_process::NAME)
+        .arg(scene)
+        .args(SIZE.map(|side| side.to_string()))
+        .arg(way)
+        .env("DISPLAY", &screen.name)
+        .env_remove("WAYLAND_DISPLAY")
+        // Mesa's, also where there is a graphics card.
+        .env("LIBGL_ALWAYS_SOFTWARE", "1")
+        // Nobody's settings are used, and none are changed.
+        .env("XDG_STATE_HOME", places.out.join("state"))
+        .stdin(Stdio::null())
+        .stderr(Stdio::inherit())
+        .output()
+        .map_err(|e| format!("the window's process cannot be started: {e}"))?;
+    let words = String::from_utf8_lossy(&output.stdout);
+    let last = words.lines().last().unwrap_or_default();
+    if !output.status.success() {
+        return Err(format!("the window ended with {}: {last}", output.status));
+    }
+    serde_json::from_str(last).map_err(|e| format!("`{last}` is no result: {e}"))
+}
+
+/// Prints; whether the bar was held.
+fn told(way: &str, result: &Value) -> Result<bool, String> {
+    let number = |value: &Value| value.as_f64().ok_or_else(|| format!("a number is missing in {result}"));
+    let cell = |side: &str, key: &str| number(&result[side][key]).map(|ms| format!("{ms:.2}"));
+    if result["triangles"] != TRIANGLES {
+        return Err(format!("the sphere has {} triangles instead of {TRIANGLES}", result["triangles"]));
+    }
+    let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect::<Vec<_>>();
+    let mut window = words(&["window"]);
+    let mut bare = words(&["bare renderer"]);
+    for key in ["wall", "cpu", "ui", "paint", "rest"] {
+        window.push(cell("window", key)?);
+    }
+    for key in ["wall", "cpu", "submit"] {
+        bare.push(cell("bare", key)?);
+    }
+    table::print(
+        &format!(
+            "window, {way}: a light dragged over {TRIANGLES} triangles, window {}x{}, picture {}x{}, {} samples; {}; medians \
+             of {TURNS} turns of {FRAMES} frames",
+            SIZE[0],
+            SIZE[1],
+            result["size"][0],
+            result["size"][1],
+            result["samples"],
+            result["renderer"].as_str().unwrap_or_default(),
+        ),
+        &[words(&["", "wall ms", "CPU ms", "application", "painting", "swap and rest"]), window, bare],
+    );
+    println!("  CPU time against the bare renderer: {:.3} x", number(&result["cpu_ratio"])?);
+    Ok(table::bar("frame time against the bare renderer", number(&result["wall_ratio"])?, " x", BAR, true))
+}

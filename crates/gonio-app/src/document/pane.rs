@@ -1,0 +1,328 @@
+//! A pane: the scene and its camera, with settings of its own.
+
+use crate::action::Overlay;
+use gonio_gl::{Show, View};
+use gonio_light::brdf::BrdfKind;
+use gonio_light::{Convention, Specular};
+use gonio_scene::description::Shading;
+use gonio_scene::detail::Detail;
+use gonio_scene::{Overlays, Scene, SpecialView, ViewSpec};
+
+/// What stands in the place of the diffuse and the specular term in one pane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reflectance {
+    /// Both terms themselves.
+    Terms,
+    /// A BRDF of Appendix 6.
+    Brdf(BrdfKind),
+}
+
+impl Reflectance {
+    /// All, the terms first.
+    pub fn all() -> Vec<Reflectance> {
+        let brdfs = BrdfKind::ALL.iter().map(|&kind| Reflectance::Brdf(kind));
+        [Reflectance::Terms].into_iter().chain(brdfs).collect()
+    }
+
+    /// As it is written.
+    pub fn name(self) -> &'static str {
+        match self {
+            Reflectance::Terms => "diff + spec",
+            Reflectance::Brdf(kind) => kind.name(),
+        }
+    }
+}
+
+/// How the scene is shown in one pane. What is `None` is as the scene says.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Pane {
+    /// Where the equation is evaluated, for all objects.
+    pub shading: Option<Shading>,
+    /// The specular term.
+    pub specular: Option<Specular>,
+    /// The lab's or the physical convention.
+    pub convention: Option<Convention>,
+    /// Whether the specular term is weighted by `<N.L>`; `None` with a convention of the pane's own: as that has it.
+    pub cosine_weighted: Option<bool>,
+    /// A BRDF, or the terms.
+    pub reflectance: Option<Reflectance>,
+    /// Of how many triangles objects are.
+    pub detail: Option<Detail>,
+    /// A quantity of the equation in place of the picture.
+    pub view: Option<ViewSpec>,
+    /// A view that is no quantity of the equation, in place of the picture and of `view`.
+    pub special: Option<SpecialView>,
+    /// What is laid over it.
+    pub overlays: Overlays,
+}
+
+impl Pane {
+    /// Lays something over the picture, or takes it away.
+    pub fn toggle_overlay(&mut self, overlay: Overlay) {
+        let on = match overlay {
+            Overlay::Wireframe => &mut self.overlays.wireframe,
+            Overlay::Normals => &mut self.overlays.normals,
+            Overlay::Boxes => &mut self.overlays.boxes,
+        };
+        *on = !*on;
+    }
+
+    /// What is drawn.
+    pub fn show(&self) -> Show {
+        let view = self.special.map_or_else(|| self.view.into(), View::Special);
+        Show { view, overlays: self.overlays }
+    }
+
+    /// The scene with the pane's settings in place of its own, but for its detail, which is no matter of the description.
+    pub fn applied_to(&self, scene: &Scene) -> Scene {
+        let mut scene = scene.clone();
+        if let Some(shading) = self.shading {
+            scene.objects.iter_mut().for_each(|object| object.shading = shading);
+        }
+        let equation = &mut scene.equation;
+        if let Some(specular) = self.specular {
+            equation.specular = specular;
+            // Else a BRDF of the scene would hide it.
+            equation.brdf = None;
+        }
+        if let Some(convention) = self.convention {
+            equation.convention = convention;
+            equation.cosine_weighted = Some(convention == Convention::Physical);
+        }
+        if self.cosine_weighted.is_some() {
+            equation.cosine_weighted = self.cosine_weighted;
+        }
+        match self.reflectance {
+            Some(Reflectance::Terms) => equation.brdf = None,
+            Some(Reflectance::Brdf(kind)) => equation.brdf = Some(kind),
+            None => {}
+        }
+        scene
+    }
+
+    /// What is special about it, in the field's words; empty where it is as the scene says.
+    pub fn words(&self) -> Vec<String> {
+        let mut words: Vec<String> = Vec::new();
+        words.extend(self.shading.map(|s| written(s.name())));
+        words.extend(self.detail.map(detail_name));
+        words.extend(self.specular.map(|s| match s {
+            Specular::None => "no specular term".into(),
+            other => written(other.name()),
+        }));
+        words.extend(self.reflectance.map(|r| written(r.name())));
+        words.extend(self.convention.map(|c| c.name().to_owned()));
+        words.extend(self.cosine_weighted.map(|weighted| {
+            if weighted { "spec weighted by cos θ".to_owned() } else { "spec not weighted".to_owned() }
+        }));
+        words.extend(self.special.map(|special| special.to_string()));
+        let view = self.view.filter(|_| self.special.is_none());
+        words.extend(view.map(|view| match view.light {
+            Some(light) => format!("{} of light {light}", view.quantity),
+            None => view.quantity.to_string(),
+        }));
+        let overlays = self.overlays;
+        let names = [(overlays.wireframe, "wireframe"), (overlays.normals, "normals"), (overlays.boxes, "boxes")];
+        words.extend(names.into_iter().filter(|(on, _)| *on).map(|(_, name)| name.to_owned()));
+        words
+    }
+
+    /// [`Self::words`] as one caption.
+    pub fn caption(&self) -> String {
+        let words = self.words();
+        if words.is_empty() { "as the scene".to_owned() } else { words.join(" · ") }
+    }
+}
+
+/// Names that are names of people are written so.
+fn written(name: &str) -> String {
+    match name {
+        "gouraud" => "Gouraud".into(),
+        "phong" => "Phong".into(),
+        "blinn-phong" => "Blinn-Phong".into(),
+        "flat-per-face" => "per face".into(),
+        "lambert" => "Lambert".into(),
+        "lafortune" => "Lafortune".into(),
+        "blinn" => "Blinn".into(),
+        "ward" => "Ward".into(),
+        other => other.into(),
+    }
+}
+
+fn detail_name(detail: Detail) -> String {
+    match detail {
+        Detail::Share(share) => format!("{:.0} % of the triangles", 100.0 * share),
+        Detail::Sphere(triangles) => format!("{triangles} triangles"),
+    }
+}
+
+/// How several panes share the room.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Arrangement {
+    /// Each has a part of the room.
+    #[default]
+    SideBySide,
+    /// The pair lies on each other; the first is seen left of this share of the width.
+    Wipe(f32),
+    /// How the pair differs.
+    Difference,
+}
+
+/// How a difference is coloured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DifferenceSettings {
+    /// The 8-bit steps that get the scale's last colour, 1 to 255.
+    pub full_scale: f64,
+    /// The second minus the first, instead of the size alone.
+    pub signed: bool,
+}
+
+impl Default for DifferenceSettings {
+    fn default() -> Self {
+        DifferenceSettings { full_scale: 64.0, signed: false }
+    }
+}
+
+/// One to four panes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Panes {
+    /// At least one, at most [`Panes::MOST`].
+    pub list: Vec<Pane>,
+    /// The one that settings apply to; an index into `list`.
+    pub current: usize,
+    /// How they share the room.
+    pub arrangement: Arrangement,
+    /// The two that are wiped or whose difference is shown: indices into `list`.
+    pub pair: [usize; 2],
+    /// How that difference is coloured.
+    pub difference: DifferenceSettings,
+}
+
+impl Panes {
+    /// More would be too small to compare.
+    pub const MOST: usize = 4;
+
+    /// The one that settings apply to.
+    pub fn current(&self) -> Option<&Pane> {
+        self.list.get(self.current)
+    }
+
+    /// The one that settings apply to.
+    pub fn current_mut(&mut self) -> Option<&mut Pane> {
+        self.list.get_mut(self.current)
+    }
+
+    /// Another pane behind the others, like the current one, which becomes current; nothing where there are
+    /// [`Self::MOST`].
+    pub fn add(&mut self) {
+        if self.list.len() < Self::MOST {
+            self.list.push(self.current().cloned().unwrap_or_default());
+            self.current = self.list.len() - 1;
+            self.pair = [self.pair[0].min(self.current), self.current];
+            if self.pair[0] == self.pair[1] {
+                self.pair[0] = 0;
+            }
+        }
+    }
+
+    /// Takes one away; the last one stays.
+    pub fn remove(&mut self, index: usize) {
+        if self.list.len() > 1 && index < self.list.len() {
+            self.list.remove(index);
+            let last = self.list.len() - 1;
+            let after = |i: usize| if i > index { i - 1 } else { i.min(last) };
+            let [first, second] = self.pair;
+            self.current = after(self.current);
+            self.pair = [after(first), after(second)];
+            if self.pair[0] == self.pair[1] {
+                self.pair = [0, last.min(1)];
+            }
+            if last == 0 {
+                self.arrangement = Arrangement::SideBySide;
+            }
+        }
+    }
+
+    /// These panes, the first current.
+    pub fn set(&mut self, list: Vec<Pane>) {
+        self.list = list;
+        self.list.truncate(Self::MOST);
+        if self.list.is_empty() {
+            self.list.push(Pane::default());
+        }
+        (self.current, self.pair) = (0, [0, 1.min(self.list.len() - 1)]);
+        if self.list.len() == 1 {
+            self.arrangement = Arrangement::SideBySide;
+        }
+    }
+
+    /// The panes that are seen: all of them, or the pair.
+    pub fn seen(&self) -> Vec<usize> {
+        match self.arrangement {
+            Arrangement::SideBySide => (0..self.list.len()).collect(),
+            Arrangement::Wipe(_) | Arrangement::Difference => self.pair.to_vec(),
+        }
+    }
+}
+
+impl Default for Panes {
+    fn default() -> Self {
+        Panes {
+            list: vec![Pane::default()],
+            current: 0,
+            arrangement: Arrangement::SideBySide,
+            pair: [0, 0],
+            difference: DifferenceSettings::default(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn panes_come_and_go_and_indices_hold() {
+        let mut panes = Panes::default();
+        panes.add();
+        assert_eq!((panes.list.len(), panes.current, panes.pair), (2, 1, [0, 1]));
+        panes.add();
+        panes.add();
+        panes.add();
+        assert_eq!((panes.list.len(), panes.current), (4, 3));
+        panes.pair = [1, 3];
+        panes.remove(1);
+        assert_eq!((panes.list.len(), panes.current, panes.pair), (3, 2, [1, 2]));
+        panes.arrangement = Arrangement::Difference;
+        panes.remove(0);
+        panes.remove(0);
+        panes.remove(0);
+        assert_eq!((panes.list.len(), panes.current, panes.arrangement), (1, 0, Arrangement::SideBySide));
+        assert!(panes.pair.iter().all(|i| *i < panes.list.len()));
+    }
+
+    #[test]
+    fn settings_replace_those_of_the_scene() {
+        let mut scene = Scene::default();
+        scene.objects.push(Default::default());
+        scene.equation.brdf = Some(BrdfKind::Ward);
+        assert_eq!(Pane::default().applied_to(&scene), scene);
+        let pane = Pane {
+            shading: Some(Shading::Gouraud),
+            specular: Some(Specular::Phong),
+            convention: Some(Convention::Physical),
+            ..Pane::default()
+        };
+        let shown = pane.applied_to(&scene);
+        assert_eq!(shown.objects[0].shading, Shading::Gouraud);
+        let e = &shown.equation;
+        assert_eq!(
+            (e.specular, e.convention, e.cosine_weighted, e.brdf),
+            (Specular::Phong, Convention::Physical, Some(true), None)
+        );
+        assert_eq!(pane.caption(), "Gouraud · Phong · physical");
+        let weighted = Pane { cosine_weighted: Some(false), ..pane };
+        assert_eq!(weighted.applied_to(&scene).equation.cosine_weighted, Some(false));
+        let ward = Pane { reflectance: Some(Reflectance::Brdf(BrdfKind::Blinn)), ..Pane::default() };
+        assert_eq!(ward.applied_to(&scene).equation.brdf, Some(BrdfKind::Blinn));
+    }
+}

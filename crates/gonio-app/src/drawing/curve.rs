@@ -1,0 +1,119 @@
+//! The error against the finest, for a row of triangle counts: one picture a frame, so that the window stays awake.
+
+use super::details::Details;
+use super::pane::{triangles, with_settings};
+use crate::document::{Document, Pane};
+use crate::session::Session;
+use crate::session::comparison::{Curve, CurvePoint};
+use gonio_gl::{Canvas, Gl, GlError, Renderer};
+use gonio_scene::description::Shading;
+use gonio_scene::detail::{self, Detail};
+use gonio_scene::{Frame, LoadedScene, difference};
+use std::sync::Arc;
+
+/// Longest side of the pictures, pixels: enough for the error, and quick on a software driver.
+const SIDE: u32 = 480;
+/// Frequencies of the spheres: 8 to 8192 triangles.
+const SPHERES: [usize; 10] = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32];
+/// Of the sphere that all are held against: 32768 triangles.
+const FINEST_SPHERE: usize = 64;
+/// A model has at least so many triangles.
+const FEWEST: f64 = 16.0;
+/// Most levels of a model, each half of the next.
+const MOST_LEVELS: i32 = 10;
+
+/// The pictures that are drawn for a curve.
+pub struct CurveRun {
+    base: Arc<LoadedScene>,
+    settings: Pane,
+    frame_size: [u32; 2],
+    time: f64,
+    /// The finest comes first, in Phong shading: all are held against it.
+    wanted: Vec<(Shading, Option<Detail>)>,
+    next: usize,
+    finest: Vec<u8>,
+    canvas: Option<Canvas>,
+}
+
+impl CurveRun {
+    /// Of the scene as the current pane shows it, at the size of its picture `frame`, smaller where that is large; `None`
+    /// where nothing is open.
+    pub fn new(document: &Document, session: &mut Session, frame: Option<&Frame>) -> Option<Self> {
+        let (base, frame) = (session.loaded.clone()?, frame?);
+        let settings = document.panes.current().cloned().unwrap_or_default();
+        let longest = frame.width.max(frame.height).max(1);
+        let shrink = |side: u32| (side * SIDE.min(longest) / longest).max(1);
+        let spheres = base.scene.objects.iter().any(detail::is_sphere);
+        let (levels, finest): (Vec<Option<Detail>>, Option<Detail>) = if spheres {
+            let of = |frequency: usize| Some(Detail::Sphere(8 * frequency * frequency));
+            (SPHERES.iter().map(|&f| of(f)).collect(), of(FINEST_SPHERE))
+        } else {
+            let count = triangles(&base) as f64;
+            let shares = (0..MOST_LEVELS).map(|level| 0.5_f64.powi(level)).filter(|s| *s == 1.0 || s * count >= FEWEST);
+            let mut levels: Vec<_> = shares.map(|s| (s < 1.0).then_some(Detail::Share(s))).collect();
+            levels.reverse();
+            (levels, None)
+        };
+        let mut wanted = vec![(Shading::Phong, finest)];
+        for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong] {
+            // The finest against itself is 0.
+            let same = |level: &Option<Detail>| shading == Shading::Phong && *level == finest;
+            wanted.extend(levels.iter().filter(|level| !same(level)).map(|&level| (shading, level)));
+        }
+        session.comparison.curve = Curve { running: true, progress: [0, wanted.len()], ..Curve::default() };
+        Some(CurveRun {
+            base,
+            settings,
+            frame_size: [shrink(frame.width), shrink(frame.height)],
+            time: session.clock.time,
+            wanted,
+            next: 0,
+            finest: Vec::new(),
+            canvas: None,
+        })
+    }
+
+    /// Draws the next picture; whether there are more. While a mesh is being made nothing is drawn, and the window is
+    /// painted again when it is there.
+    pub fn step(
+        &mut self,
+        gl: &Gl,
+        renderer: &mut Renderer,
+        details: &mut Details,
+        curve: &mut Curve,
+    ) -> Result<bool, GlError> {
+        let Some(&(shading, level)) = self.wanted.get(self.next) else { return Ok(false) };
+        let settings = Pane { shading: Some(shading), detail: None, ..self.settings.clone() };
+        let mut loaded = with_settings(&self.base, &settings);
+        if let Some(level) = level {
+            let Some(meshes) = details.meshes(&loaded, level) else { return Ok(true) };
+            loaded = Arc::new(detail::with_meshes(&loaded, &meshes));
+        }
+        let uploaded = renderer.upload(&loaded)?;
+        let [width, height] = self.frame_size;
+        let frame = Frame { width, height, ..loaded.frame(self.time) };
+        let canvas = match &mut self.canvas {
+            Some(canvas) => canvas,
+            none => none.insert(Canvas::new(gl, self.frame_size)?),
+        };
+        let painted = renderer.paint_counted(&uploaded, &frame, &settings.show(), canvas)?;
+        let pixels = canvas.read8();
+        let count = triangles(&loaded);
+        if self.next == 0 {
+            self.finest = pixels;
+            curve.against = format!("{count} triangles, Phong");
+        } else {
+            let statistics = painted.statistics.unwrap_or_default();
+            curve.points.push(CurvePoint {
+                shading,
+                triangles: count,
+                rms: difference::of_bytes(&self.finest, &pixels, 0.0).spread().rms,
+                vertices: statistics.vertices,
+                fragments: statistics.fragments,
+            });
+        }
+        self.next += 1;
+        curve.progress = [self.next, self.wanted.len()];
+        Ok(self.next < self.wanted.len())
+    }
+}

@@ -1,0 +1,129 @@
+//! Meshes in other details: made once, beside the window where there are threads.
+
+use gonio_mesh::Mesh;
+use gonio_scene::LoadedScene;
+use gonio_scene::description::{Normals, ObjectSpec};
+use gonio_scene::detail::Detail;
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Arc, Weak};
+
+/// Most meshes that are kept; the oldest go first.
+const MOST: usize = 64;
+
+/// What a mesh in another detail depends on, besides the mesh.
+#[derive(Clone, PartialEq)]
+struct Key {
+    detail: Detail,
+    /// The object's, where it is replaced by a sphere with normals of the same kind.
+    model: Option<(String, Normals, Option<f64>)>,
+}
+
+impl Key {
+    fn new(detail: Detail, object: &ObjectSpec) -> Self {
+        let model = match detail {
+            Detail::Share(_) => None,
+            Detail::Sphere(_) => Some((object.model.clone(), object.normals, object.crease_angle)),
+        };
+        Key { detail, model }
+    }
+}
+
+struct Known {
+    source: Weak<Mesh>,
+    key: Key,
+    mesh: Arc<Mesh>,
+}
+
+struct Made {
+    source: Arc<Mesh>,
+    key: Key,
+    mesh: Option<Mesh>,
+}
+
+/// Meshes in other details. One is made at a time: what a slider passed over on its way is never made.
+pub struct Details {
+    known: Vec<Known>,
+    running: bool,
+    sender: Sender<Made>,
+    receiver: Receiver<Made>,
+    ctx: Option<egui::Context>,
+}
+
+impl Default for Details {
+    fn default() -> Self {
+        let (sender, receiver) = channel();
+        Details { known: Vec::new(), running: false, sender, receiver, ctx: None }
+    }
+}
+
+impl Details {
+    /// Takes in what was made; `ctx` is painted again when more is.
+    pub fn begin(&mut self, ctx: &egui::Context) {
+        if self.ctx.is_none() {
+            self.ctx = Some(ctx.clone());
+        }
+        while let Ok(made) = self.receiver.try_recv() {
+            self.running = false;
+            self.keep(made);
+        }
+    }
+
+    /// The meshes of a scene's objects in a detail; `None` while some are being made.
+    pub fn meshes(&mut self, loaded: &LoadedScene, detail: Detail) -> Option<Vec<Arc<Mesh>>> {
+        let mut meshes = Vec::with_capacity(loaded.objects.len());
+        for (object, spec) in loaded.objects.iter().zip(&loaded.scene.objects) {
+            let source = loaded.meshes.get(object.mesh)?;
+            meshes.push(self.mesh(source, spec, detail)?);
+        }
+        Some(meshes)
+    }
+
+    fn mesh(&mut self, source: &Arc<Mesh>, object: &ObjectSpec, detail: Detail) -> Option<Arc<Mesh>> {
+        let key = Key::new(detail, object);
+        if let Some(known) = self.find(source, &key) {
+            return Some(known);
+        }
+        if self.running {
+            return None;
+        }
+        let (for_it, object, sender) = (source.clone(), object.clone(), self.sender.clone());
+        let made_of = key.clone();
+        let make = move || {
+            let mesh = made_of.detail.of(&for_it, &object);
+            // The window may be closed by now.
+            let _ = sender.send(Made { source: for_it, key: made_of, mesh });
+        };
+        #[cfg(not(target_arch = "wasm32"))]
+        if matches!(detail, Detail::Share(_)) {
+            self.running = true;
+            let ctx = self.ctx.clone();
+            std::thread::spawn(move || {
+                make();
+                if let Some(ctx) = ctx {
+                    ctx.request_repaint();
+                }
+            });
+            return None;
+        }
+        make();
+        while let Ok(made) = self.receiver.try_recv() {
+            self.keep(made);
+        }
+        self.find(source, &key)
+    }
+
+    fn find(&self, source: &Arc<Mesh>, key: &Key) -> Option<Arc<Mesh>> {
+        let is_it = |known: &&Known| known.source.as_ptr() == Arc::as_ptr(source) && known.key == *key;
+        self.known.iter().find(is_it).map(|known| known.mesh.clone())
+    }
+
+    fn keep(&mut self, made: Made) {
+        self.known.retain(|known| known.source.strong_count() > 0);
+        if self.known.len() >= MOST {
+            self.known.remove(0);
+        }
+        // A mesh that stays as it is, is its own.
+        let mesh = made.mesh.map_or_else(|| made.source.clone(), Arc::new);
+        self.known.push(Known { source: Arc::downgrade(&made.source), key: made.key, mesh });
+    }
+}

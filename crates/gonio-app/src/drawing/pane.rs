@@ -1,0 +1,204 @@
+//! One pane's scene, what is on the GPU of it, and its picture.
+
+use super::details::Details;
+use crate::document::Pane;
+use crate::session::FrameFacts;
+use crate::session::comparison::PaneFacts;
+use gonio_gl::{Canvas, Gl, GlError, GpuScene, GpuStatistics, Renderer, Show, View};
+use gonio_mesh::Mesh;
+use gonio_scene::description::Shading;
+use gonio_scene::edit::{self, Edited};
+use gonio_scene::{Frame, LoadedScene, detail};
+use std::sync::Arc;
+
+/// Longer than this (for all panes), and a drag is no longer smooth: fewer than 20 pictures a second.
+pub const SLOW_MS: f64 = 50.0;
+
+/// How a picture is to be drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Pace {
+    /// Something is being dragged, or time runs: nothing is waited for.
+    pub moving: bool,
+    /// One sample must do while it moves.
+    pub reduced: bool,
+    /// Somebody wants to see how many fragments there are, also where counting them is another picture.
+    pub counted: bool,
+}
+
+/// What is kept of one pane between pictures.
+#[derive(Default)]
+pub struct PaneDrawing {
+    /// The document's scene that it was made from, and the pane's own.
+    from: Option<Arc<LoadedScene>>,
+    generation: u64,
+    settings: Pane,
+    pub loaded: Option<Arc<LoadedScene>>,
+    /// Meshes in the pane's detail, and for which scene; while others are made, these are shown.
+    detailed: Option<(u64, Vec<Arc<Mesh>>)>,
+    pub uploaded: Option<(Arc<LoadedScene>, GpuScene)>,
+    pub canvas: Option<Canvas>,
+    /// What is on the canvas.
+    pub drawn: Option<(Frame, Show)>,
+    /// Counts the pictures.
+    pub serial: u64,
+    pub facts: PaneFacts,
+}
+
+impl PaneDrawing {
+    /// Makes its scene that of the document with the pane's settings. What is on the GPU is kept unless geometry or
+    /// materials changed: moving a light uploads nothing.
+    pub fn follow(
+        &mut self,
+        renderer: &mut Renderer,
+        details: &mut Details,
+        base: &Arc<LoadedScene>,
+        generation: u64,
+        settings: &Pane,
+    ) -> Result<(), GlError> {
+        let same_base = self.from.as_ref().is_some_and(|from| Arc::ptr_eq(from, base));
+        if same_base && self.settings == *settings && self.uploaded.is_some() && !self.facts.preparing {
+            return Ok(());
+        }
+        let loaded = with_settings(base, settings);
+        let loaded = self.with_detail(loaded, details, generation, settings);
+        let known = self.uploaded.as_ref().filter(|_| self.generation == generation);
+        if !known.is_some_and(|(uploaded, _)| is_same_on_gpu(uploaded, &loaded)) {
+            self.uploaded = Some((loaded.clone(), renderer.upload(&loaded)?));
+            self.drawn = None;
+        }
+        self.facts.triangles = triangles(&loaded);
+        self.loaded = Some(loaded);
+        self.from = Some(base.clone());
+        self.generation = generation;
+        self.settings = settings.clone();
+        Ok(())
+    }
+
+    /// The scene in the pane's detail, or in the last one while another is being made.
+    fn with_detail(
+        &mut self,
+        loaded: Arc<LoadedScene>,
+        details: &mut Details,
+        generation: u64,
+        settings: &Pane,
+    ) -> Arc<LoadedScene> {
+        self.facts.preparing = false;
+        let Some(wanted) = settings.detail else {
+            self.detailed = None;
+            return loaded;
+        };
+        match details.meshes(&loaded, wanted) {
+            Some(meshes) => self.detailed = Some((generation, meshes)),
+            None => self.facts.preparing = true,
+        }
+        match &self.detailed {
+            Some((of, meshes)) if *of == generation => Arc::new(detail::with_meshes(&loaded, meshes)),
+            _ => loaded,
+        }
+    }
+
+    /// Whether its picture, as it was drawn last, has no holes: debug views may have some.
+    pub fn is_opaque(&self) -> bool {
+        let is_whole = |(frame, show): &(Frame, Show)| !frame.background.transparent && show.view == View::Picture;
+        self.drawn.as_ref().is_some_and(is_whole)
+    }
+
+    /// Draws its picture, if anything changed since.
+    pub fn draw(
+        &mut self,
+        gl: &Gl,
+        renderer: &mut Renderer,
+        time: f64,
+        size: [u32; 2],
+        pace: Pace,
+        facts: &mut FrameFacts,
+    ) -> Result<(), GlError> {
+        let (Some(loaded), Some((_, uploaded))) = (&self.loaded, &self.uploaded) else { return Ok(()) };
+        let full = Frame { width: size[0], height: size[1], ..loaded.frame(time) };
+        let show = self.settings.show();
+        if let Some((drawn, shown)) = &self.drawn
+            && *shown == show
+        {
+            // Where nothing changed but that something moves elsewhere, fewer samples would be a change for the worse.
+            let samples_alone = Frame { samples: full.samples, ..drawn.clone() } == full;
+            if samples_alone && (pace.moving || drawn.samples == full.samples) {
+                return Ok(());
+            }
+        }
+        let samples = if pace.moving && pace.reduced { 1 } else { full.samples };
+        let frame = Frame { samples, ..full };
+        let canvas = match &mut self.canvas {
+            Some(canvas) => canvas,
+            none => none.insert(Canvas::new(gl, size)?),
+        };
+        let painted = if pace.moving {
+            renderer.paint(uploaded, &frame, &show, canvas)?
+        } else {
+            let start = web_time::Instant::now();
+            let painted = renderer.paint_counted(uploaded, &frame, &show, canvas)?;
+            canvas.wait();
+            self.facts.ms = start.elapsed().as_secs_f64() * 1e3;
+            count(&mut self.facts, painted.statistics, loaded);
+            if self.facts.fragments.is_none() && pace.counted {
+                // No counters, as on the web: counted by drawing once more.
+                self.facts.fragments = renderer.count_fragments(uploaded, &frame).ok();
+            }
+            painted
+        };
+        facts.draw_ms = self.facts.ms;
+        facts.samples = frame.samples;
+        facts.pictures += 1;
+        facts.notes = painted.notes;
+        self.serial += 1;
+        self.drawn = Some((frame, show));
+        Ok(())
+    }
+}
+
+/// The scene with a pane's settings, its detail apart.
+pub fn with_settings(base: &Arc<LoadedScene>, settings: &Pane) -> Arc<LoadedScene> {
+    let scene = settings.applied_to(&base.scene);
+    if scene == base.scene {
+        return base.clone();
+    }
+    match edit::apply(base, scene) {
+        Ok(Edited::Done(applied)) => Arc::new(applied.loaded),
+        // A pane changes nothing that would need files.
+        Ok(Edited::NeedsFiles(_)) | Err(_) => base.clone(),
+    }
+}
+
+/// Of all objects.
+pub fn triangles(loaded: &LoadedScene) -> usize {
+    let of = |object: &gonio_scene::Object| loaded.meshes.get(object.mesh).map_or(0, |mesh| mesh.triangle_count());
+    loaded.objects.iter().map(of).sum()
+}
+
+/// What the GPU counted; where it cannot, the vertices that are handed to it.
+fn count(facts: &mut PaneFacts, statistics: Option<GpuStatistics>, loaded: &LoadedScene) {
+    let statistics = statistics.unwrap_or_default();
+    facts.counted = statistics.vertices.is_some();
+    facts.fragments = statistics.fragments;
+    facts.vertices = statistics.vertices.or_else(|| Some(vertices(loaded)));
+}
+
+fn vertices(loaded: &LoadedScene) -> u64 {
+    let of = |object: &gonio_scene::Object| {
+        let mesh = loaded.meshes.get(object.mesh)?;
+        let unshared = matches!(object.shading, Shading::Flat | Shading::FlatPerFace);
+        Some(if unshared { mesh.indices.len() } else { mesh.positions.len() } as u64)
+    };
+    loaded.objects.iter().filter_map(of).sum()
+}
+
+/// Whether what is on the GPU of one scene serves another of the same generation: the same meshes in the same form, the
+/// same environment.
+fn is_same_on_gpu(uploaded: &LoadedScene, loaded: &LoadedScene) -> bool {
+    let environment = |scene: &LoadedScene| scene.environment.as_ref().map(Arc::as_ptr);
+    uploaded.objects.len() == loaded.objects.len()
+        && environment(uploaded) == environment(loaded)
+        && uploaded.objects.iter().zip(&loaded.objects).all(|(a, b)| {
+            let mesh = |scene: &LoadedScene, index: usize| scene.meshes.get(index).map(Arc::as_ptr);
+            a.shading == b.shading && mesh(uploaded, a.mesh) == mesh(loaded, b.mesh)
+        })
+}

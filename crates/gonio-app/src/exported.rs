@@ -1,0 +1,265 @@
+//! The application's state as JSON: for tests, and for whoever reads the screen to somebody.
+//!
+//! Every widget that a person can use notes itself with a stable id; the page hands the whole out as
+//! `window.gonio.state()`.
+
+use crate::document::{Arrangement, Document, History, Panes};
+use crate::probing::Reading;
+use crate::session::comparison::{DifferenceFacts, PaneFacts};
+use crate::session::{Selection, Session, Severity, TakenApart};
+use egui::{Context, Id, Response, Ui};
+use serde::Serialize;
+use serde_json::{Value, json};
+
+/// What kind of widget it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Role {
+    /// To be pressed.
+    Button,
+    /// On or off.
+    Toggle,
+    /// A number, to be dragged or typed.
+    Number,
+    /// One of several words.
+    Choice,
+    /// A colour.
+    Color,
+    /// A tab.
+    Tab,
+    /// Text to be written into.
+    Text,
+    /// The scene.
+    Picture,
+    /// A term of the equation.
+    Term,
+    /// Something in the picture to be dragged.
+    Handle,
+}
+
+/// A widget of the last frame.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Widget {
+    /// Stable, kebab-case.
+    pub id: String,
+    /// What kind it is.
+    pub role: Role,
+    /// As it is called.
+    pub label: String,
+    /// What it holds.
+    pub value: String,
+    /// Left, top, width and height in points of the window (CSS pixels).
+    pub rect: [f32; 4],
+    /// Whether it can be used now.
+    pub enabled: bool,
+}
+
+fn key() -> Id {
+    Id::unique("gonio: exported widgets")
+}
+
+/// Notes a widget of this frame.
+pub fn note(ui: &Ui, response: &Response, id: &str, role: Role, label: &str, value: impl ToString) {
+    let r = response.rect;
+    let widget = Widget {
+        id: id.to_owned(),
+        role,
+        label: label.to_owned(),
+        value: value.to_string(),
+        rect: [r.left(), r.top(), r.width(), r.height()],
+        enabled: response.enabled(),
+    };
+    ui.ctx().data_mut(|data| data.get_temp_mut_or_default::<Vec<Widget>>(key()).push(widget));
+}
+
+/// Forgets the widgets of the last frame: to be called where a frame begins.
+pub fn begin(ctx: &Context) {
+    ctx.data_mut(|data| data.get_temp_mut_or_default::<Vec<Widget>>(key()).clear());
+}
+
+/// The widgets of the last frame.
+pub fn widgets(ctx: &Context) -> Vec<Widget> {
+    ctx.data(|data| data.get_temp::<Vec<Widget>>(key())).unwrap_or_default()
+}
+
+/// Triangles of all objects.
+pub fn triangles(session: &Session) -> usize {
+    let objects = session.loaded.iter().flat_map(|loaded| loaded.objects.iter().map(move |object| (loaded, object)));
+    objects.filter_map(|(loaded, object)| loaded.meshes.get(object.mesh)).map(|mesh| mesh.triangle_count()).sum()
+}
+
+/// The whole state, one JSON object:
+///
+/// | key | what |
+/// |---|---|
+/// | `title`, `loaded`, `busy` | what is open; whether a scene is; what is being read, or null |
+/// | `error`, `messages` | the last error that was not read, or null; everything that was said and not read |
+/// | `announcement` | what changed last |
+/// | `scene`, `generation` | the document's effective scene, as in scene files; counts what was read or uploaded anew |
+/// | `panes`, `pane`, `pane_settings` | how many; which is current; of each what differs from the scene, and its view |
+/// | `arrangement` | `kind`: side-by-side, wipe or difference; `wipe`: the share left of it, or null; `pair`: of which two |
+/// | `measured`, `difference` | of each pane what its picture took; how the pair differs in 8-bit steps, or null |
+/// | `selection`, `tab`, `help`, `asking` | what is selected and shown; the path that is asked for, or null |
+/// | `probe`, `outside` | the probed pixel by both renderers, or null; whether the camera is seen from outside |
+/// | `taken_apart` | the recorded frame: its `picture`, `passes`, `draws` and `findings`; null until it was looked at |
+/// | `undo`, `redo` | whether there is a step |
+/// | `time`, `playing` | seconds of the scene, and whether they run |
+/// | `dark`, `pixels_per_point`, `size` | how it looks; the window's width and height in points |
+/// | `recent` | files that were opened before |
+/// | `triangles`, `frame` | of the scene; facts about the last picture: `pictures` and `frames` stand still when idle, |
+/// | | and `complete` is true then: with all of the scene's samples |
+/// | `widgets` | every widget that can be used: [`Widget`] |
+pub fn state(ctx: &Context, document: &Document, session: &Session, history: &History) -> Value {
+    let messages: Vec<Value> = session
+        .messages
+        .list()
+        .iter()
+        .map(|message| {
+            let severity = match message.severity {
+                Severity::Note => "note",
+                Severity::Warning => "warning",
+                Severity::Error => "error",
+            };
+            json!({ "id": message.id, "severity": severity, "text": message.text, "times": message.times })
+        })
+        .collect();
+    let panes: Vec<Value> = document
+        .panes
+        .list
+        .iter()
+        .map(|pane| {
+            json!({
+                "shading": pane.shading.map(|s| s.name()),
+                "specular": pane.specular.map(|s| s.name()),
+                "convention": pane.convention.map(|c| c.name()),
+                "view": pane.view.map(|v| v.to_string()),
+                "special": pane.special.map(|v| v.name()),
+                "overlays": pane.overlays,
+            })
+        })
+        .collect();
+    let selection = match session.selection {
+        Selection::None => Value::Null,
+        Selection::Light(index) => json!({ "light": index }),
+        Selection::Object(index) => json!({ "object": index }),
+        Selection::Camera => json!("camera"),
+    };
+    let room = ctx.content_rect();
+    json!({
+        "title": session.title,
+        "loaded": session.loaded.is_some(),
+        "busy": session.busy,
+        "error": session.messages.last_error(),
+        "messages": messages,
+        "announcement": session.announcement,
+        "triangles": triangles(session),
+        "generation": session.generation,
+        "pane": document.panes.current,
+        "pane_settings": panes,
+        "arrangement": arrangement(&document.panes),
+        "measured": session.comparison.panes.iter().map(measured).collect::<Vec<_>>(),
+        "difference": session.comparison.difference.as_ref().map(difference),
+        "taken_apart": session.taken_apart.as_ref().map(taken_apart),
+        "selection": selection,
+        "probe": session.probing.reading().map(|reading| probe(reading, session)),
+        "outside": session.outside.open,
+        "help": session.help,
+        "asking": session.asking.as_ref().map(|asking| &asking.text),
+        "undo": history.can_undo(document),
+        "redo": history.can_redo(),
+        "recent": session.settings.recent,
+        "pixels_per_point": ctx.pixels_per_point(),
+        "size": [room.width(), room.height()],
+        "time": session.clock.time,
+        "playing": session.clock.playing,
+        "tab": session.tab.title(),
+        "scene": serde_json::to_value(&document.scene).unwrap_or(Value::Null),
+        "panes": document.panes.list.len(),
+        "dark": ctx.theme() == egui::Theme::Dark,
+        "frame": {
+            "size": session.facts.size,
+            "draw_ms": session.facts.draw_ms,
+            "pictures": session.facts.pictures,
+            "complete": session.loaded.as_ref().is_some_and(|l| l.scene.picture.samples == session.facts.samples),
+            "frames": session.facts.frames,
+            "renderer": session.facts.renderer,
+            "notes": session.facts.notes,
+        },
+        "widgets": widgets(ctx),
+    })
+}
+
+/// The probed pixel in short; the probe's own button copies everything.
+fn probe(reading: &Reading, session: &Session) -> Value {
+    json!({
+        "pinned": session.probing.pinned.is_some(),
+        "pixel": [reading.x, reading.y],
+        "object": reading.probe.as_ref().map(|probe| &probe.object_name),
+        "triangle": reading.probe.as_ref().map(|probe| probe.triangle),
+        "reference": reading.reference,
+        "displayed": reading.displayed,
+        "gpu": reading.gpu,
+    })
+}
+
+fn arrangement(panes: &Panes) -> Value {
+    let (kind, wipe) = match panes.arrangement {
+        Arrangement::SideBySide => ("side-by-side", None),
+        Arrangement::Wipe(share) => ("wipe", Some(share)),
+        Arrangement::Difference => ("difference", None),
+    };
+    json!({ "kind": kind, "wipe": wipe, "pair": panes.pair })
+}
+
+fn measured(facts: &PaneFacts) -> Value {
+    json!({
+        "triangles": facts.triangles,
+        "vertices": facts.vertices,
+        "fragments": facts.fragments,
+        "counted": facts.counted,
+        "preparing": facts.preparing,
+    })
+}
+
+fn difference(facts: &DifferenceFacts) -> Value {
+    json!({
+        "size": facts.size,
+        "differing": facts.differing,
+        "percent": facts.percent(),
+        "spread": facts.spread,
+        "psnr_db": facts.psnr_db,
+        "worst": facts.worst,
+    })
+}
+
+/// The record in short: `gonio frame --json` prints all of it.
+fn taken_apart(taken: &TakenApart) -> Value {
+    let record = &taken.record;
+    let passes: Vec<Value> = record
+        .passes
+        .iter()
+        .map(|pass| json!({ "name": pass.name, "target": pass.target.name, "draws": pass.draw_count }))
+        .collect();
+    let draws: Vec<Value> = record
+        .draws
+        .iter()
+        .map(|draw| {
+            let samplers: Vec<Value> =
+                draw.samplers.iter().map(|s| json!({ "name": s.name, "unit": s.unit, "texture": s.texture })).collect();
+            json!({
+                "title": draw.title(),
+                "pass": draw.pass,
+                "vertices": draw.count,
+                "uniforms": draw.uniforms.len(),
+                "samplers": samplers,
+            })
+        })
+        .collect();
+    json!({
+        "picture": taken.picture,
+        "chosen": taken.draw,
+        "passes": passes,
+        "draws": draws,
+        "findings": taken.findings,
+    })
+}

@@ -1,0 +1,186 @@
+//! Which of several files is the model.
+//!
+//! The rules, in this order:
+//!
+//! 1. Scene files (`.toml`) win: they are opened, and everything else lies beside them.
+//! 2. Else all models are opened, in one scene. Pictures are their textures, but for those that no model has as a texture
+//!    (Radiance, OpenEXR, KTX2, DDS): one of these is the environment.
+//! 3. Else pictures are the environment of the scene that is open: one picture, or the six faces of a cubemap.
+//! 4. Else there is nothing to open, and that is said.
+
+use gonio_environment::decode::FileFormat;
+use gonio_environment::names;
+use gonio_mesh::{Format, compression, format};
+use gonio_scene::files::FileSource;
+use std::path::Path;
+
+/// What several files are.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Gathered {
+    /// Models or scene files to open; none where there is only an environment.
+    pub inputs: Vec<String>,
+    /// The environment.
+    pub environment: Option<String>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Scene,
+    Model,
+    /// May be a texture or an environment.
+    Picture,
+    /// No model has such a texture.
+    Environment,
+    /// Beside a model: materials, buffers.
+    Sidecar,
+    Other,
+}
+
+/// Applies the rules to files of `source`. An error is one sentence.
+pub fn gather(names: &[String], source: &dyn FileSource) -> Result<Gathered, String> {
+    let kinds: Vec<(&String, Kind)> = names.iter().map(|name| (name, kind(name, source))).collect();
+    let of = |wanted: Kind| -> Vec<String> {
+        kinds.iter().filter(|(_, kind)| *kind == wanted).map(|(name, _)| (*name).clone()).collect()
+    };
+    let scenes = of(Kind::Scene);
+    if !scenes.is_empty() {
+        return Ok(Gathered { inputs: scenes, environment: None });
+    }
+    let models = of(Kind::Model);
+    let environments = of(Kind::Environment);
+    if !models.is_empty() {
+        let environment = match environments.as_slice() {
+            [] => None,
+            several => Some(one_environment(several)?),
+        };
+        return Ok(Gathered { inputs: models, environment });
+    }
+    let pictures: Vec<String> = environments.into_iter().chain(of(Kind::Picture)).collect();
+    if !pictures.is_empty() {
+        return Ok(Gathered { inputs: Vec::new(), environment: Some(one_environment(&pictures)?) });
+    }
+    let kinds = "a model (.obj .gltf .glb .dae .ply .stl .mesh .meshb), a scene (.toml), a zip of these, or a picture as \
+                 the environment";
+    Err(match names {
+        [] => "there are no files in what was given".to_owned(),
+        [one] if kinds_sidecar(one) => {
+            format!("`{one}` belongs to a model; give the model together with it")
+        }
+        [one] => format!("`{one}` cannot be opened; give {kinds}"),
+        several => format!("none of these {} files can be opened; give {kinds}", several.len()),
+    })
+}
+
+fn kinds_sidecar(name: &str) -> bool {
+    matches!(extension(name).as_str(), "mtl" | "bin")
+}
+
+fn kind(name: &str, source: &dyn FileSource) -> Kind {
+    match extension(name).as_str() {
+        "toml" => return Kind::Scene,
+        "mtl" | "bin" => return Kind::Sidecar,
+        "hdr" | "exr" | "ktx2" | "dds" => return Kind::Environment,
+        "png" | "jpg" | "jpeg" | "bmp" | "tga" | "gif" => return Kind::Picture,
+        _ => {}
+    }
+    // What cannot be read is not left out in silence: a name like a model's is opened, and then says why it cannot.
+    let bytes = source.read(Path::new(name)).ok();
+    let bytes = bytes.as_deref().unwrap_or(&[]);
+    let start = bytes.get(..format::LOOKED_AT.min(bytes.len())).unwrap_or(bytes);
+    match FileFormat::detect(start) {
+        Some(FileFormat::Png | FileFormat::Jpeg) => Kind::Picture,
+        Some(_) => Kind::Environment,
+        None if compression::is_compressed(start) => Kind::Model,
+        None if Format::detect(start, bytes.len() as u64, name).is_ok() => Kind::Model,
+        None if Format::ALL.iter().any(|format| format.extension() == extension(name)) => Kind::Model,
+        None => Kind::Other,
+    }
+}
+
+fn extension(name: &str) -> String {
+    Path::new(name).extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default()
+}
+
+/// The one picture, or the first of six faces: the others are found beside it.
+fn one_environment(pictures: &[String]) -> Result<String, String> {
+    if let [one] = pictures {
+        return Ok(one.clone());
+    }
+    let bare: Vec<&str> = pictures.iter().map(|name| name.rsplit(['/', '\\']).next().unwrap_or(name)).collect();
+    match names::assign(&bare) {
+        Ok(assignment) => assignment
+            .files
+            .first()
+            .and_then(|&index| pictures.get(index))
+            .cloned()
+            .ok_or_else(|| "the six faces of the environment were not found".into()),
+        Err(why) => Err(format!("these {} pictures are not one environment: {}", pictures.len(), why.message)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::files::MemoryFiles;
+
+    const OBJ: &[u8] = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+    fn of(files: &[(&str, &[u8])]) -> Result<Gathered, String> {
+        let mut memory = MemoryFiles::default();
+        for (name, bytes) in files {
+            memory.insert(name, bytes.to_vec());
+        }
+        gather(&memory.names(), &memory)
+    }
+
+    fn inputs(names: &[&str]) -> Gathered {
+        Gathered { inputs: names.iter().map(|n| (*n).to_owned()).collect(), environment: None }
+    }
+
+    fn environment(name: &str) -> Gathered {
+        Gathered { inputs: Vec::new(), environment: Some(name.to_owned()) }
+    }
+
+    #[test]
+    fn one_model_with_what_belongs_to_it() {
+        let files = of(&[("a.mtl", b"newmtl a"), ("a.obj", OBJ), ("wood.png", b""), ("notes.txt", b"")]);
+        assert_eq!(files, Ok(inputs(&["a.obj"])));
+        // By its content, whatever it is called.
+        assert_eq!(of(&[("thing", OBJ)]), Ok(inputs(&["thing"])));
+    }
+
+    #[test]
+    fn several_models_are_all_opened() {
+        assert_eq!(of(&[("a.obj", OBJ), ("m/b.obj", OBJ)]), Ok(inputs(&["a.obj", "m/b.obj"])));
+    }
+
+    #[test]
+    fn a_scene_file_wins() {
+        let files = of(&[("a.obj", OBJ), ("scene.toml", b"[[objects]]"), ("sky.hdr", b"")]);
+        assert_eq!(files, Ok(inputs(&["scene.toml"])));
+    }
+
+    #[test]
+    fn pictures_alone_are_the_environment() {
+        assert_eq!(of(&[("sky.hdr", b"")]), Ok(environment("sky.hdr")));
+        let faces = ["negx.png", "negy.png", "negz.png", "posx.png", "posy.png", "posz.png"];
+        let six: Vec<(&str, &[u8])> = faces.map(|name| (name, &b""[..])).into();
+        assert_eq!(of(&six), Ok(environment("posx.png")));
+        assert!(of(&[("a.png", b""), ("b.png", b"")]).is_err_and(|why| why.starts_with("these 2 pictures")));
+    }
+
+    #[test]
+    fn light_that_no_model_has_as_a_texture_is_the_environment() {
+        let files = of(&[("a.obj", OBJ), ("wood.png", b""), ("sky.hdr", b"")]);
+        assert_eq!(files, Ok(Gathered { environment: Some("sky.hdr".into()), ..inputs(&["a.obj"]) }));
+    }
+
+    #[test]
+    fn what_cannot_be_opened_is_said() {
+        assert!(of(&[]).is_err());
+        assert!(of(&[("a.mtl", b"newmtl a")]).is_err_and(|why| why.contains("belongs to a model")));
+        assert!(of(&[("a.txt", b"hello")]).is_err_and(|why| why.contains("`a.txt` cannot be opened")));
+        // The reader will say what is wrong with it.
+        assert_eq!(of(&[("a.glb", b"")]), Ok(inputs(&["a.glb"])));
+    }
+}

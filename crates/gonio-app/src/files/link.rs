@@ -1,0 +1,128 @@
+//! A scene in the address of a page: `#scene=` and the scene file, deflated, in base64url (RFC 4648, section 5).
+
+use flate2::Compression;
+use flate2::read::DeflateDecoder;
+use flate2::write::DeflateEncoder;
+use gonio_scene::Scene;
+use gonio_scene::environment_file;
+use gonio_scene::files::BUILTIN;
+use std::io::{Read, Write};
+
+/// What the part of the address after `#` begins with.
+pub const KEY: &str = "scene=";
+/// Most bytes of a scene file that are taken from an address.
+const MOST_BYTES: u64 = 1 << 20;
+
+const ALPHABET: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+
+/// The part of an address after `#` that carries the scene. Only what everybody has can be sent: an error names the file
+/// that is not built in.
+pub fn of_scene(scene: &Scene) -> Result<String, String> {
+    let models = scene.objects.iter().map(|object| &object.model).filter(|model| !model.starts_with(BUILTIN));
+    let environments = scene.environment.iter().flat_map(|e| std::iter::once(&e.image).chain(&e.background));
+    let files = environments.filter(|name| environment_file::builtin_of(name).is_none());
+    if let Some(file) = models.chain(files).next() {
+        return Err(format!(
+            "a link carries the scene and not its files, and `{file}` is one; save the scene and send both"
+        ));
+    }
+    let mut encoder = DeflateEncoder::new(Vec::new(), Compression::best());
+    let packed = encoder.write_all(scene.to_toml_string().as_bytes()).and_then(|()| encoder.finish());
+    // Writing to memory does not fail.
+    let packed = packed.map_err(|why| format!("the scene could not be packed: {why}"))?;
+    Ok(format!("{KEY}{}", base64url(&packed)))
+}
+
+/// The scene file that such a part of an address carries: `None` where it is about something else, or one sentence.
+pub fn scene_file(fragment: &str) -> Option<Result<String, String>> {
+    let text = fragment.trim_start_matches('#').strip_prefix(KEY)?;
+    Some(unpack(text).ok_or_else(|| "the scene in the link is damaged; copy the whole link".to_owned()))
+}
+
+fn unpack(text: &str) -> Option<String> {
+    let packed = from_base64url(text)?;
+    let mut bytes = Vec::new();
+    DeflateDecoder::new(&packed[..]).take(MOST_BYTES + 1).read_to_end(&mut bytes).ok()?;
+    if bytes.len() as u64 > MOST_BYTES || bytes.is_empty() {
+        return None;
+    }
+    String::from_utf8(bytes).ok()
+}
+
+fn base64url(bytes: &[u8]) -> String {
+    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    for group in bytes.chunks(3) {
+        let bits = (0..3).fold(0_u32, |bits, i| bits << 8 | u32::from(group.get(i).copied().unwrap_or(0)));
+        // One byte more makes one character more; there is no padding in addresses.
+        for i in 0..=group.len() {
+            let digit = bits >> (18 - 6 * i) & 63;
+            text.push(char::from(ALPHABET[digit as usize]));
+        }
+    }
+    text
+}
+
+fn from_base64url(text: &str) -> Option<Vec<u8>> {
+    let text = text.trim_end_matches('=').as_bytes();
+    let mut bytes = Vec::with_capacity(text.len() / 4 * 3 + 2);
+    for group in text.chunks(4) {
+        let mut bits = 0_u32;
+        for i in 0..4 {
+            let digit = match group.get(i) {
+                Some(character) => ALPHABET.iter().position(|known| known == character)? as u32,
+                None => 0,
+            };
+            bits = bits << 6 | digit;
+        }
+        let whole = bits.to_be_bytes();
+        match group.len() {
+            4 => bytes.extend(&whole[1..4]),
+            3 => bytes.extend(&whole[1..3]),
+            2 => bytes.extend(&whole[1..2]),
+            _ => return None,
+        }
+    }
+    Some(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use gonio_scene::description::ObjectSpec;
+    use gonio_scene::toml_reader;
+
+    /// RFC 4648, section 10, in the alphabet of its section 5 and without padding.
+    #[test]
+    fn base64_is_that_of_the_rfc() {
+        let known = [("", ""), ("f", "Zg"), ("fo", "Zm8"), ("foo", "Zm9v"), ("foob", "Zm9vYg"), ("fooba", "Zm9vYmE")];
+        for (plain, coded) in known {
+            assert_eq!(base64url(plain.as_bytes()), coded);
+            assert_eq!(from_base64url(coded).as_deref(), Some(plain.as_bytes()));
+        }
+        assert_eq!(base64url(&[0xfb, 0xff]), "-_8");
+        assert_eq!(from_base64url("a+/b"), None);
+    }
+
+    #[test]
+    fn a_scene_comes_back_from_its_link() {
+        let loaded = gonio_scene::load::describe(&["builtin:light-kinds"], &gonio_scene::files::BuiltinOnly)
+            .and_then(|s| gonio_scene::load::load(s, std::path::Path::new(""), &gonio_scene::files::BuiltinOnly))
+            .unwrap_or_else(|e| panic!("{e}"));
+        let link = of_scene(&loaded.scene).unwrap_or_else(|e| panic!("{e}"));
+        let text =
+            scene_file(&format!("#{link}")).unwrap_or_else(|| panic!("no scene")).unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(toml_reader::read(&text).unwrap_or_else(|e| panic!("{e}")), loaded.scene);
+        // Addresses of a few thousand characters go everywhere.
+        assert!(link.len() < 4000, "{} characters", link.len());
+    }
+
+    #[test]
+    fn files_cannot_be_sent_and_damage_is_told() {
+        let object = ObjectSpec { model: "mine.obj".into(), ..ObjectSpec::default() };
+        let scene = Scene { objects: vec![object], ..Scene::default() };
+        assert!(of_scene(&scene).is_err_and(|why| why.contains("`mine.obj`")));
+        assert_eq!(scene_file("#about"), None);
+        assert!(scene_file("#scene=????").is_some_and(|scene| scene.is_err()));
+        assert!(scene_file("#scene=").is_some_and(|scene| scene.is_err()));
+    }
+}

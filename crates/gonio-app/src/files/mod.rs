@@ -1,0 +1,22 @@
+//! Files that a person gives: dropped, chosen, packed into a zip or into a link.
+//!
+//! | file | what |
+//! |---|---|
+//! | `memory` | files that lie in memory, with folders |
+//! | `layered` | one place of files over another |
+//! | `recording` | which files were read, so that they can be watched |
+//! | `zip` | what a zip holds |
+//! | `gathered` | which of several files is the model |
+//! | `link` | a scene in the address of a page |
+
+mod gathered;
+mod layered;
+pub mod link;
+mod memory;
+mod recording;
+pub mod zip;
+
+pub use gathered::{Gathered, gather};
+pub use layered::Layered;
+pub use memory::MemoryFiles;
+pub use recording::Recording;

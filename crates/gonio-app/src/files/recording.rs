@@ -1,0 +1,150 @@
+//! Which files were asked for while something was read.
+
+use gonio_scene::files::{FileBytes, FileSource};
+use std::collections::BTreeSet;
+use std::io::Error;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// More than this many files are not remembered: watching them would cost more than it is worth.
+const MOST: usize = 2000;
+
+/// Passes everything on, and remembers what was asked for: also what was not there, for it may come.
+pub struct Recording {
+    inner: Arc<dyn FileSource>,
+    asked: Mutex<Asked>,
+}
+
+#[derive(Default)]
+struct Asked {
+    paths: BTreeSet<PathBuf>,
+    files: usize,
+    bytes: u64,
+    /// Built-in files that were still on their way.
+    late: Vec<String>,
+}
+
+impl Recording {
+    /// Around `inner`.
+    pub fn of(inner: Arc<dyn FileSource>) -> Self {
+        Recording { inner, asked: Mutex::default() }
+    }
+
+    /// What was asked for until now, each once.
+    pub fn paths(&self) -> Vec<PathBuf> {
+        self.lock().paths.iter().cloned().collect()
+    }
+
+    /// How many files were read until now, and how many bytes they have.
+    pub fn amount(&self) -> (usize, u64) {
+        let asked = self.lock();
+        (asked.files, asked.bytes)
+    }
+
+    /// Whether a file that was asked for too early is still on its way.
+    pub fn is_waiting(&self) -> bool {
+        self.lock().late.iter().any(|name| self.inner.is_coming(name))
+    }
+
+    /// Begins anew: everything will be asked for once more.
+    pub fn forget(&self) {
+        *self.lock() = Asked::default();
+    }
+
+    /// Nothing that is done under the lock can leave it half done.
+    fn lock(&self) -> MutexGuard<'_, Asked> {
+        self.asked.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl FileSource for Recording {
+    fn read(&self, path: &Path) -> Result<FileBytes, Error> {
+        let read = self.inner.read(path);
+        let mut asked = self.lock();
+        if asked.paths.len() < MOST {
+            asked.paths.insert(path.to_owned());
+        }
+        if let Ok(bytes) = &read {
+            asked.files += 1;
+            asked.bytes += bytes.len() as u64;
+        }
+        read
+    }
+
+    fn list(&self, folder: &Path) -> Vec<PathBuf> {
+        self.inner.list(folder)
+    }
+
+    fn builtin(&self, name: &str) -> Option<FileBytes> {
+        let bytes = self.inner.builtin(name);
+        if bytes.is_none() && self.inner.is_coming(name) {
+            self.lock().late.push(name.to_owned());
+        }
+        bytes
+    }
+
+    fn is_coming(&self, name: &str) -> bool {
+        self.inner.is_coming(name)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::files::MemoryFiles;
+
+    #[test]
+    fn what_is_read_and_what_is_missing_is_remembered() {
+        let mut files = MemoryFiles::default();
+        files.insert("a.obj", b"123".to_vec());
+        let recording = Recording::of(Arc::new(files));
+        assert!(recording.read(Path::new("a.obj")).is_ok());
+        assert!(recording.read(Path::new("a.obj")).is_ok());
+        assert!(recording.read(Path::new("a.mtl")).is_err());
+        assert_eq!(recording.paths(), [PathBuf::from("a.mtl"), PathBuf::from("a.obj")]);
+        assert_eq!(recording.amount(), (2, 6));
+    }
+
+    /// Has no built-in file, and expects one until that is taken from it.
+    #[derive(Default)]
+    struct Fetching(Mutex<Option<&'static str>>);
+
+    impl FileSource for Fetching {
+        fn read(&self, _: &Path) -> Result<FileBytes, Error> {
+            Err(std::io::ErrorKind::NotFound.into())
+        }
+        fn list(&self, _: &Path) -> Vec<PathBuf> {
+            Vec::new()
+        }
+        fn builtin(&self, _: &str) -> Option<FileBytes> {
+            None
+        }
+        fn is_coming(&self, name: &str) -> bool {
+            self.0.lock().is_ok_and(|coming| *coming == Some(name))
+        }
+    }
+
+    #[test]
+    fn it_waits_for_what_was_asked_for_too_early_and_for_nothing_else() {
+        let fetching = Arc::new(Fetching(Mutex::new(Some("models/cube.mtl"))));
+        let recording = Recording::of(fetching.clone());
+        assert!(recording.builtin("models/cube.png").is_none());
+        assert!(!recording.is_waiting());
+        assert!(recording.builtin("models/cube.mtl").is_none());
+        assert!(recording.is_waiting());
+        if let Ok(mut coming) = fetching.0.lock() {
+            *coming = None;
+        }
+        assert!(!recording.is_waiting());
+    }
+
+    #[test]
+    fn what_is_read_once_more_is_counted_once() {
+        let mut files = MemoryFiles::default();
+        files.insert("a.obj", b"123".to_vec());
+        let recording = Recording::of(Arc::new(files));
+        assert!(recording.read(Path::new("a.obj")).is_ok());
+        recording.forget();
+        assert_eq!((recording.amount(), recording.paths()), ((0, 0), Vec::new()));
+    }
+}

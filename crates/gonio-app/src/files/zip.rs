@@ -1,0 +1,225 @@
+//! What a zip holds: stored and deflated files.
+//!
+//! After PKWARE, *.ZIP File Format Specification (APPNOTE 6.3), sections 4.3.6 to 4.3.16. The central directory is
+//! believed, as by every other program; sizes that it states are held against the limit before anything is allocated.
+//! What encrypts, splits or needs 64-bit sizes is refused: models of that size are not dropped as a zip.
+
+use super::MemoryFiles;
+use flate2::read::DeflateDecoder;
+use std::io::Read;
+
+/// Most bytes that all files of one zip may have, unpacked.
+pub const MOST_BYTES: u64 = 1 << 30;
+/// Most files of one zip.
+pub const MOST_FILES: usize = 10_000;
+
+const END: [u8; 4] = *b"PK\x05\x06";
+const ENTRY: [u8; 4] = *b"PK\x01\x02";
+const LOCAL: [u8; 4] = *b"PK\x03\x04";
+const END_SIZE: usize = 22;
+const ENTRY_SIZE: usize = 46;
+const LOCAL_SIZE: usize = 30;
+
+/// Whether these are the first bytes of a zip.
+pub fn is_zip(bytes: &[u8]) -> bool {
+    bytes.starts_with(&LOCAL) || bytes.starts_with(&END)
+}
+
+/// The files in it. Folders, and what systems add for themselves (`__MACOSX/`, names that begin with a dot), are left
+/// out. An error is one sentence.
+pub fn unpack(bytes: &[u8]) -> Result<MemoryFiles, String> {
+    let end = find_end(bytes).ok_or("the zip is cut off or damaged: its directory is missing")?;
+    let count = number(bytes, end + 10, 2)? as usize;
+    let mut at = number(bytes, end + 16, 4)? as usize;
+    if count == 0xffff || at == 0xffff_ffff {
+        return Err("the zip is of the 64-bit kind, which is not read; unpack it and give the files".into());
+    }
+    if count > MOST_FILES {
+        return Err(format!("the zip holds {count} files, more than {MOST_FILES}; unpack it and give those wanted"));
+    }
+    let mut files = MemoryFiles::default();
+    let mut total = 0;
+    for _ in 0..count {
+        if part(bytes, at, 4)? != ENTRY {
+            return Err(damaged());
+        }
+        let flags = number(bytes, at + 8, 2)?;
+        let method = number(bytes, at + 10, 2)?;
+        let packed = number(bytes, at + 20, 4)? as usize;
+        let size = number(bytes, at + 24, 4)?;
+        let [name_len, extra_len, comment_len] = [28, 30, 32].map(|offset| number(bytes, at + offset, 2));
+        let (name_len, extra_len, comment_len) = (name_len? as usize, extra_len? as usize, comment_len? as usize);
+        let local = number(bytes, at + 42, 4)? as usize;
+        let name = String::from_utf8_lossy(part(bytes, at + ENTRY_SIZE, name_len)?).into_owned();
+        at += ENTRY_SIZE + name_len + extra_len + comment_len;
+        if is_left_out(&name) {
+            continue;
+        }
+        if flags & 1 != 0 {
+            return Err(format!("`{name}` in the zip is encrypted; unpack it and give the files"));
+        }
+        total += size;
+        if total > MOST_BYTES {
+            return Err(format!("the zip holds more than {} MiB; unpack it and give the files", MOST_BYTES >> 20));
+        }
+        if part(bytes, local, 4)? != LOCAL {
+            return Err(damaged());
+        }
+        let skip = LOCAL_SIZE + number(bytes, local + 26, 2)? as usize + number(bytes, local + 28, 2)? as usize;
+        let content = part(bytes, local + skip, packed)?;
+        files.insert(&name, inflate(content, method, size, &name)?);
+    }
+    Ok(files)
+}
+
+fn inflate(content: &[u8], method: u64, size: u64, name: &str) -> Result<Vec<u8>, String> {
+    let wrong = || format!("`{name}` in the zip is damaged: it does not have the size that the zip's directory says");
+    let bytes = match method {
+        0 => content.to_vec(),
+        8 => {
+            // What is packed may lie about its size: a byte more than stated is enough to see that.
+            let mut bytes = Vec::new();
+            DeflateDecoder::new(content)
+                .take(size + 1)
+                .read_to_end(&mut bytes)
+                .map_err(|_| format!("`{name}` in the zip is damaged; make the zip again"))?;
+            bytes
+        }
+        _ => {
+            return Err(format!("`{name}` in the zip is packed in a way that is not read; use Deflate, or no packing"));
+        }
+    };
+    if bytes.len() as u64 != size { Err(wrong()) } else { Ok(bytes) }
+}
+
+fn is_left_out(name: &str) -> bool {
+    name.ends_with('/') || name.split('/').any(|part| part.starts_with('.') || part == "__MACOSX")
+}
+
+/// Where the end of the directory begins: behind it there may be a comment.
+fn find_end(bytes: &[u8]) -> Option<usize> {
+    let last = bytes.len().checked_sub(END_SIZE)?;
+    let first = last.saturating_sub(0xffff);
+    (first..=last).rev().find(|&at| bytes.get(at..at + 4) == Some(&END))
+}
+
+fn part(bytes: &[u8], at: usize, len: usize) -> Result<&[u8], String> {
+    at.checked_add(len).and_then(|end| bytes.get(at..end)).ok_or_else(damaged)
+}
+
+/// A little-endian number of `len` bytes, at most four.
+fn number(bytes: &[u8], at: usize, len: usize) -> Result<u64, String> {
+    Ok(part(bytes, at, len)?.iter().rev().fold(0, |number, &byte| number << 8 | u64::from(byte)))
+}
+
+fn damaged() -> String {
+    "the zip is cut off or damaged; make it again".into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use flate2::Compression;
+    use flate2::write::DeflateEncoder;
+    use gonio_scene::files::FileSource;
+    use std::io::Write;
+    use std::path::Path;
+
+    /// A zip of (name, content, whether deflated), as other programs write it.
+    fn zip_of(files: &[(&str, &[u8], bool)]) -> Vec<u8> {
+        let (mut zip, mut directory) = (Vec::new(), Vec::new());
+        for (name, content, deflated) in files {
+            let mut packed = content.to_vec();
+            if *deflated {
+                let mut encoder = DeflateEncoder::new(Vec::new(), Compression::default());
+                encoder.write_all(content).unwrap_or_else(|e| panic!("{e}"));
+                packed = encoder.finish().unwrap_or_else(|e| panic!("{e}"));
+            }
+            let method = if *deflated { 8_u16 } else { 0 };
+            let mut common = Vec::new();
+            common.extend([20, 0, 0, 0]);
+            common.extend(method.to_le_bytes());
+            common.extend([0; 8]);
+            common.extend((packed.len() as u32).to_le_bytes());
+            common.extend((content.len() as u32).to_le_bytes());
+            common.extend((name.len() as u16).to_le_bytes());
+            let local = zip.len() as u32;
+            zip.extend(LOCAL);
+            zip.extend(&common);
+            zip.extend([0, 0]);
+            zip.extend(name.as_bytes());
+            zip.extend(packed);
+            directory.extend(ENTRY);
+            directory.extend([20, 0]);
+            directory.extend(&common);
+            directory.extend([0; 12]);
+            directory.extend(local.to_le_bytes());
+            directory.extend(name.as_bytes());
+        }
+        let at = zip.len() as u32;
+        zip.extend(&directory);
+        zip.extend(END);
+        zip.extend([0; 4]);
+        zip.extend((files.len() as u16).to_le_bytes());
+        zip.extend((files.len() as u16).to_le_bytes());
+        zip.extend((directory.len() as u32).to_le_bytes());
+        zip.extend(at.to_le_bytes());
+        zip.extend([0, 0]);
+        zip
+    }
+
+    fn example() -> Vec<u8> {
+        let long = b"v 0 0 0\n".repeat(500);
+        zip_of(&[
+            ("model/", b"", false),
+            ("model/a.obj", &long, true),
+            ("model/a.mtl", b"newmtl a", false),
+            ("__MACOSX/model/._a.obj", b"x", false),
+            ("model/.DS_Store", b"x", false),
+        ])
+    }
+
+    #[test]
+    fn stored_and_deflated_files_are_read() {
+        let zip = example();
+        assert!(is_zip(&zip) && !is_zip(b"v 0 0 0"));
+        let files = unpack(&zip).unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(files.names(), ["model/a.mtl", "model/a.obj"]);
+        let read = |name: &str| files.read(Path::new(name)).map(|b| b.into_vec()).unwrap_or_default();
+        assert_eq!(read("model/a.obj"), b"v 0 0 0\n".repeat(500));
+        assert_eq!(read("model/a.mtl"), b"newmtl a");
+    }
+
+    #[test]
+    fn a_comment_at_the_end_is_skipped() {
+        let mut zip = example();
+        zip.extend(b"made by hand");
+        assert!(unpack(&zip).is_ok_and(|files| files.names().len() == 2));
+    }
+
+    #[test]
+    fn cut_off_and_flipped_it_is_an_error_or_a_zip_but_never_worse() {
+        let zip = example();
+        for length in 0..zip.len() - 1 {
+            assert!(unpack(&zip[..length]).is_err(), "cut at {length}");
+        }
+        for at in 0..zip.len() {
+            let mut flipped = zip.clone();
+            flipped[at] ^= 0xff;
+            // Whatever comes of it, it is no more than the file says.
+            if let Ok(files) = unpack(&flipped) {
+                assert!(files.names().len() <= 5, "flipped at {at}");
+            }
+        }
+    }
+
+    #[test]
+    fn more_than_it_says_is_not_unpacked() {
+        let mut zip = zip_of(&[("a.obj", &[0; 100_000], true)]);
+        let directory = zip.windows(4).position(|w| w == ENTRY).unwrap_or_default();
+        zip[directory + 24..directory + 28].copy_from_slice(&10_u32.to_le_bytes());
+        assert!(unpack(&zip).is_err_and(|why| why.contains("does not have the size")));
+        zip[directory + 24..directory + 28].copy_from_slice(&0xf000_0000_u32.to_le_bytes());
+        assert!(unpack(&zip).is_err_and(|why| why.contains("more than 1024 MiB")));
+    }
+}

@@ -1,0 +1,475 @@
+//! The application: one frame from files, keys and panels to the picture.
+
+mod outgoing;
+
+use crate::action::Action;
+use crate::document::{Document, History};
+use crate::drawing::Studio;
+use crate::files::{Layered, link};
+use crate::jobs::{Finished, Jobs, Opening, Wanted, surrounded_by};
+use crate::platform::{Asked, Event, Given, Platform, Shown};
+use crate::session::{PathField, Session, Severity, Tab, TakenApart};
+use crate::{exported, panels, shortcuts, theme, viewport};
+use egui::Ui;
+use gonio_gl::Gl;
+use gonio_mesh::Severity as Found;
+use gonio_scene::LoadedScene;
+use gonio_scene::description::CameraSpec;
+use gonio_scene::edit::{self, Edited};
+use gonio_scene::files::FileSource;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// What is shown where nothing was asked for.
+pub const FIRST_SCENE: &str = "builtin:still-life";
+
+const NOTHING_DRAWN: &str = "there is no picture yet; wait until the scene is read";
+
+/// The application.
+pub struct Lab {
+    document: Document,
+    session: Session,
+    history: History,
+    jobs: Jobs,
+    /// Where the files of the open scene are.
+    files: Arc<dyn FileSource>,
+    /// What was opened, and the camera that came of it.
+    opened: Opening,
+    opened_camera: CameraSpec,
+    /// What changed on disk and has not been read again.
+    changed: Vec<PathBuf>,
+    platform: Box<dyn Platform>,
+    studio: Option<Studio>,
+    /// Of a sketch that was drawn. Until it is seen the whole picture waits: drawing that may keep the GPU from showing it.
+    sketched: Option<Shown>,
+}
+
+impl Lab {
+    /// In a context whose OpenGL is `gl` (without it there are panels and no picture), with `inputs` to open, or else
+    /// what the platform says (the scene of a link), or the first sample.
+    pub fn new(ctx: &egui::Context, gl: Option<Gl>, platform: Box<dyn Platform>, inputs: Vec<String>) -> Self {
+        Lab::opening(ctx, gl, platform, Opening { inputs, ..Opening::default() })
+    }
+
+    /// [`Lab::new`], with what is laid over the inputs.
+    pub fn opening(ctx: &egui::Context, gl: Option<Gl>, platform: Box<dyn Platform>, mut opening: Opening) -> Self {
+        theme::install(ctx);
+        let mut session = Session::default();
+        let studio = gl.and_then(|gl| match Studio::new(gl) {
+            Ok(studio) => Some(studio),
+            Err(why) => {
+                session.messages.say(Severity::Error, format!("nothing can be drawn: {why}"));
+                None
+            }
+        });
+        session.settings = platform.settings();
+        if let Some(dark) = session.settings.dark {
+            ctx.set_theme(if dark { egui::Theme::Dark } else { egui::Theme::Light });
+        }
+        if let Some(studio) = &studio {
+            session.facts.renderer = studio.driver().to_owned();
+        }
+        let document = Document::default();
+        let mut lab = Lab {
+            history: History::new(&document),
+            document,
+            session,
+            jobs: Jobs::default(),
+            files: platform.files(),
+            opened: Opening::default(),
+            opened_camera: CameraSpec::default(),
+            changed: Vec::new(),
+            platform,
+            studio,
+            sketched: None,
+        };
+        let mut files = lab.files.clone();
+        if opening.inputs.is_empty() {
+            match lab.platform.first() {
+                Some(Ok(given)) => (opening.inputs, files) = (given.inputs, given.files),
+                Some(Err(why)) => lab.session.messages.say(Severity::Error, why),
+                None => {}
+            }
+        }
+        if opening.inputs.is_empty() {
+            opening.inputs.push(FIRST_SCENE.to_owned());
+        }
+        lab.start(ctx, opening, files);
+        lab
+    }
+
+    /// Goes on in another context and with its OpenGL, after the first ones are gone: a browser may take a page's
+    /// graphics away and give them back later. Nothing that is edited or open is lost.
+    pub fn resume(&mut self, ctx: &egui::Context, gl: Option<Gl>) {
+        theme::install(ctx);
+        self.studio = None;
+        match gl.map(Studio::new) {
+            Some(Ok(studio)) => {
+                self.session.facts.renderer = studio.driver().to_owned();
+                self.studio = Some(studio);
+            }
+            Some(Err(why)) => self.session.messages.say(Severity::Error, format!("nothing can be drawn: {why}")),
+            None => {}
+        }
+    }
+
+    /// What is edited.
+    pub fn document(&self) -> &Document {
+        &self.document
+    }
+
+    /// What is not undone.
+    pub fn session(&self) -> &Session {
+        &self.session
+    }
+
+    /// The state as JSON: [`exported::state`].
+    pub fn state(&self, ctx: &egui::Context) -> serde_json::Value {
+        exported::state(ctx, &self.document, &self.session, &self.history)
+    }
+
+    /// Begins to read what `inputs` name.
+    pub fn open(&mut self, ctx: &egui::Context, inputs: Vec<String>, files: Arc<dyn FileSource>) {
+        self.start(ctx, Opening { inputs, limits: self.opened.limits, ..Opening::default() }, files);
+    }
+
+    fn start(&mut self, ctx: &egui::Context, opening: Opening, files: Arc<dyn FileSource>) {
+        self.session.busy = Some(format!("reading {}", short(&opening.inputs)));
+        let limits = opening.limits;
+        self.jobs.start(Wanted::Open(opening), files, limits, ctx);
+    }
+
+    /// One frame.
+    pub fn ui(&mut self, ui: &mut Ui) {
+        let ctx = ui.ctx().clone();
+        exported::begin(&ctx);
+        self.session.facts.frames += 1;
+        for event in self.platform.poll(&ctx) {
+            self.hear(&ctx, event);
+        }
+        if let Some(finished) = self.jobs.poll() {
+            self.take(&ctx, finished);
+        }
+        self.read_again(&ctx);
+        self.session.progress = self.jobs.progress();
+        let seconds = ctx.input(|i| f64::from(i.stable_dt));
+        self.session.clock.advance(seconds);
+        if self.session.clock.playing {
+            ctx.request_repaint();
+        }
+
+        let mut actions = Vec::new();
+        shortcuts::handle(ui, &mut self.document, &mut self.session, &mut actions);
+        panels::show(ui, &mut self.document, &mut self.session, &self.history, &mut actions);
+        self.follow_document(&ctx);
+        if self.sketched.as_ref().is_some_and(|shown| shown(&ctx)) {
+            (self.session.sketching, self.sketched) = (false, None);
+        }
+        let pictures = self.session.facts.pictures;
+        egui::CentralPanel::no_frame().show(ui, |ui| {
+            self.frame_opened(&ctx, ui.available_size());
+            let drawn = viewport::show(ui, &mut self.document, &mut self.session, self.studio.as_mut());
+            if let Err(why) = drawn {
+                self.session.messages.say(Severity::Error, why.to_string());
+            }
+        });
+        if self.session.sketching && self.sketched.is_none() && self.session.facts.pictures > pictures {
+            self.sketched = Some(self.platform.shown(&ctx));
+        }
+        for action in actions {
+            self.act(&ctx, action);
+        }
+        self.settle(&ctx);
+        let (document, session, history) = (&self.document, &self.session, &self.history);
+        self.platform.publish(&|| exported::state(&ctx, document, session, history));
+    }
+
+    fn hear(&mut self, ctx: &egui::Context, event: Event) {
+        match event {
+            Event::Open(Given { inputs, environment, files }) if !inputs.is_empty() => {
+                let limits = self.opened.limits;
+                self.start(ctx, Opening { inputs, environment, limits, adjust: None }, files);
+            }
+            Event::Open(Given { environment: Some(image), files, .. }) => {
+                // It lies elsewhere than what it is for.
+                self.files = Arc::new(Layered { first: files, then: self.files.clone() });
+                let before = self.document.scene.environment.take();
+                self.document.scene.environment = Some(surrounded_by(&image, before));
+            }
+            Event::Open(_) => {}
+            Event::SaveTo(product, place) => self.save(product, &place),
+            Event::Changed(paths) => self.changed.extend(paths),
+            Event::Failed(why) => self.session.messages.say(Severity::Error, why),
+        }
+    }
+
+    /// Reads again what changed on disk. A scene file's scene takes the place of the document's; for other files the
+    /// document stays as it was edited.
+    fn read_again(&mut self, ctx: &egui::Context) {
+        if self.changed.is_empty() || self.jobs.is_running() || self.session.loaded.is_none() {
+            return;
+        }
+        let changed = std::mem::take(&mut self.changed);
+        let is_scene_file = |path: &PathBuf| {
+            path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"))
+                && self.opened.inputs.iter().any(|input| Path::new(input) == path)
+        };
+        let wanted = match changed.iter().any(is_scene_file) {
+            true => Wanted::Again(self.opened.clone()),
+            false => Wanted::Refresh(Box::new(self.document.scene.clone())),
+        };
+        self.session.busy = Some(format!("reading {} again", names(&changed)));
+        self.jobs.start(wanted, self.files.clone(), self.opened.limits, ctx);
+    }
+
+    /// What was read, or why not: a scene that cannot be read leaves everything as it was.
+    fn take(&mut self, ctx: &egui::Context, finished: Finished) {
+        self.session.busy = None;
+        let loaded = match finished.result {
+            Ok(loaded) => loaded,
+            Err(sentence) => {
+                self.session.messages.say(Severity::Error, sentence);
+                if matches!(finished.wanted, Wanted::Scene(_)) {
+                    self.history.revert(&mut self.document);
+                }
+                return;
+            }
+        };
+        self.files = finished.files;
+        self.platform.watch(finished.paths, ctx);
+        for found in &loaded.diagnostics {
+            let severity = match found.severity {
+                Found::Note => continue,
+                Found::Warning => Severity::Warning,
+            };
+            self.session.messages.say(severity, found.to_string());
+        }
+        match finished.wanted {
+            Wanted::Open(opening) => {
+                self.session.title = short(&opening.inputs);
+                self.session.clock = Default::default();
+                self.session.selection = Default::default();
+                self.session.probing.forget();
+                self.session.announcement = format!("{} is open", self.session.title);
+                self.document = Document::of(loaded.scene.clone());
+                self.history = History::new(&self.document);
+                self.opened_camera = loaded.scene.camera.clone();
+                self.remember(&opening.inputs);
+                self.opened = opening;
+                self.session.unframed = loaded.camera_was_framed;
+                self.sketched = None;
+                self.session.sketching = self.studio.as_ref().is_some_and(Studio::sketches);
+            }
+            Wanted::Again(_) => {
+                let camera = self.document.scene.camera.clone();
+                let was_moved = camera != self.opened_camera;
+                self.session.unframed = loaded.camera_was_framed && !was_moved;
+                self.opened_camera = loaded.scene.camera.clone();
+                self.document.scene = loaded.scene.clone();
+                if was_moved {
+                    // Applied with the rest of the document, right after this.
+                    self.document.scene.camera = camera;
+                }
+                self.session.announcement = format!("{} was read again", self.session.title);
+            }
+            Wanted::Refresh(scene) => {
+                self.session.announcement = "what changed on disk was read again".into();
+                // What was edited meanwhile stays.
+                if *scene == self.document.scene {
+                    self.document.scene = loaded.scene.clone();
+                }
+            }
+            Wanted::Scene(_) => self.document.scene = loaded.scene.clone(),
+        }
+        self.session.loaded = Some(Arc::new(loaded));
+        self.session.generation += 1;
+    }
+
+    /// Puts the camera of a scene that was just opened where all is in a picture of this size, if the scene does not say
+    /// where it stands. That is a part of opening it: no step to be undone.
+    fn frame_opened(&mut self, ctx: &egui::Context, size: egui::Vec2) {
+        let Some(loaded) = self.session.loaded.as_ref().filter(|_| self.session.unframed) else { return };
+        self.session.unframed = false;
+        let aspect = f64::from(size.x) / f64::from(size.y.max(1.0));
+        let camera = loaded.framed(&loaded.scene.camera, aspect);
+        self.opened_camera = camera.clone();
+        self.document.scene.camera = camera;
+        self.history = History::new(&self.document);
+        self.follow_document(ctx);
+    }
+
+    /// Makes the loaded scene that of the document.
+    fn follow_document(&mut self, ctx: &egui::Context) {
+        let Some(loaded) = &self.session.loaded else { return };
+        if loaded.scene == self.document.scene || self.jobs.is_running() {
+            return;
+        }
+        match edit::apply(loaded, self.document.scene.clone()) {
+            Ok(Edited::Done(applied)) => {
+                // What the description left open was filled in.
+                self.document.scene = applied.loaded.scene.clone();
+                if applied.geometry_changed || applied.materials_changed || is_seen_otherwise(loaded, &applied.loaded) {
+                    self.session.generation += 1;
+                }
+                self.session.loaded = Some(Arc::new(applied.loaded));
+            }
+            Ok(Edited::NeedsFiles(scene)) => {
+                self.session.busy = Some("reading the scene's files".into());
+                self.jobs.start(Wanted::Scene(scene), self.files.clone(), self.opened.limits, ctx);
+            }
+            Err(why) => {
+                self.session.messages.say(Severity::Error, why.to_string());
+                self.history.revert(&mut self.document);
+            }
+        }
+    }
+
+    fn act(&mut self, ctx: &egui::Context, action: Action) {
+        match action {
+            Action::Open(inputs) => {
+                let files = self.platform.files();
+                self.open(ctx, inputs, files);
+            }
+            Action::OpenPaths(paths) => self.platform.open_paths(paths, ctx),
+            Action::ChooseFiles => {
+                if self.platform.choose_files(ctx) == Asked::ByNobody {
+                    self.session.asking = Some(PathField { saves: None, text: String::new() });
+                }
+            }
+            Action::Save(product) => {
+                let name = product.file_name(&self.session.title);
+                if self.platform.choose_place(product, &name, ctx) == Asked::ByNobody {
+                    self.session.asking = Some(PathField { saves: Some(product), text: name });
+                }
+            }
+            Action::SaveTo(product, place) => self.save(product, &place),
+            Action::CopyPicture => self.copy_picture(ctx),
+            Action::CopyLink => match link::of_scene(&self.document.scene) {
+                Ok(fragment) => {
+                    ctx.copy_text(self.platform.link(&fragment));
+                    self.session.announcement = "the link is on the clipboard".into();
+                }
+                Err(why) => self.session.messages.say(Severity::Error, why),
+            },
+            Action::CopyText(text) => {
+                ctx.copy_text(text);
+                self.session.announcement = "copied".into();
+            }
+            Action::Undo => {
+                if self.history.undo(&mut self.document) {
+                    self.session.announcement = "undone".into();
+                }
+            }
+            Action::Redo => {
+                if self.history.redo(&mut self.document) {
+                    self.session.announcement = "done again".into();
+                }
+            }
+            Action::Frame => {
+                if let Some(loaded) = &self.session.loaded {
+                    let [width, height] = self.session.facts.size.map(f64::from);
+                    self.document.scene.camera = loaded.framed(&self.document.scene.camera, width / height.max(1.0));
+                }
+            }
+            Action::PlayOrPause => self.session.clock.playing = !self.session.clock.playing,
+            Action::SetTime(time) => self.session.clock.time = time,
+            Action::Show(tab) => self.session.tab = tab,
+            Action::ToggleProbe => {
+                self.session.tab = if self.session.tab == Tab::Probe { Tab::Lights } else { Tab::Probe };
+            }
+            Action::ToggleOutside => self.session.outside.toggle(),
+            Action::Overlay(overlay) => {
+                if let Some(pane) = self.document.panes.current_mut() {
+                    pane.toggle_overlay(overlay);
+                }
+            }
+            Action::Special(view) => {
+                if let Some(pane) = self.document.panes.current_mut() {
+                    pane.special = if pane.special == Some(view) { None } else { Some(view) };
+                }
+            }
+            Action::ToggleHelp => self.session.help = !self.session.help,
+            Action::ToggleTheme => {
+                let theme = if ctx.theme() == egui::Theme::Dark { egui::Theme::Light } else { egui::Theme::Dark };
+                ctx.set_theme(theme);
+                self.session.settings.dark = Some(theme == egui::Theme::Dark);
+                self.platform.keep(&self.session.settings);
+            }
+            Action::TakeApart => self.take_apart(ctx),
+            Action::Dismiss(id) => self.session.messages.dismiss(id),
+        }
+        ctx.request_repaint();
+    }
+
+    /// Records the current pane's picture. Where that fails it is told, and the record is empty: it is not tried again
+    /// before there is another picture.
+    fn take_apart(&mut self, ctx: &egui::Context) {
+        let Some(studio) = &mut self.studio else { return };
+        let record = studio.record(self.document.panes.current).unwrap_or_else(|why| {
+            self.session.messages.say(Severity::Error, format!("the frame cannot be taken apart: {why}"));
+            None
+        });
+        let before = self.session.taken_apart.take();
+        let taken = TakenApart::new(ctx, record.unwrap_or_default(), self.session.facts.pictures, before.as_ref());
+        self.session.taken_apart = Some(taken);
+    }
+
+    /// The end of a frame: a gesture that ended is a step of the history.
+    fn settle(&mut self, ctx: &egui::Context) {
+        let gesture =
+            ctx.input(|i| i.pointer.any_down() || !i.keys_down.is_empty() || i.smooth_scroll_delta().y != 0.0);
+        self.follow_document(ctx);
+        let was_undoable = self.history.can_undo(&self.document);
+        if !self.jobs.is_running() {
+            self.history.observe(&self.document, gesture);
+        }
+        if was_undoable != self.history.can_undo(&self.document) {
+            ctx.request_repaint();
+        }
+    }
+}
+
+/// Files by their names alone.
+fn names(paths: &[PathBuf]) -> String {
+    short(&paths.iter().map(|path| path.to_string_lossy().into_owned()).collect::<Vec<_>>())
+}
+
+/// Whether objects are shaded otherwise, or stand in another environment: either wants other things on the GPU.
+fn is_seen_otherwise(before: &LoadedScene, after: &LoadedScene) -> bool {
+    let environment = |scene: &LoadedScene| scene.environment.as_ref().map(Arc::as_ptr);
+    let shadings = |scene: &LoadedScene| scene.objects.iter().map(|object| object.shading).collect::<Vec<_>>();
+    environment(before) != environment(after) || shadings(before) != shadings(after)
+}
+
+/// What was opened, as a title: the file's name without its folder.
+fn short(inputs: &[String]) -> String {
+    let name = |input: &String| {
+        let input = input.strip_prefix(gonio_scene::files::BUILTIN).unwrap_or(input);
+        input.rsplit(['/', '\\']).next().unwrap_or(input).to_owned()
+    };
+    match inputs {
+        [] => String::new(),
+        [one] => name(one),
+        [first, rest @ ..] => format!("{} and {} more", name(first), rest.len()),
+    }
+}
+
+impl eframe::App for Lab {
+    fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
+        Lab::ui(self, ui);
+    }
+
+    fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
+        panels::ground(visuals).to_normalized_gamma_f32()
+    }
+
+    fn on_exit(&mut self, _: Option<&eframe::glow::Context>) {
+        // Buffers and textures go while their context is still there.
+        self.studio = None;
+    }
+
+    #[cfg(target_arch = "wasm32")]
+    fn as_any_mut(&mut self) -> Option<&mut dyn std::any::Any> {
+        Some(self)
+    }
+}

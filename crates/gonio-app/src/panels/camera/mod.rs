@@ -1,0 +1,129 @@
+//! The eye and its matrices.
+
+mod matrices;
+
+use crate::action::Action;
+use crate::document::Document;
+use crate::session::Session;
+use crate::widgets::{Number, Vector, heading, row};
+use egui::Ui;
+use glam::DVec3;
+use gonio_light::vector::unit;
+use gonio_scene::Camera;
+use gonio_scene::description::CameraSpec;
+use gonio_scene::load::camera_of;
+
+/// The closest that pitch comes to straight up or down, degrees.
+const STEEPEST: f64 = 89.0;
+
+/// Shows it.
+pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
+    let _ = actions;
+    let Some(loaded) = &session.loaded else { return };
+    let before = document.scene.camera.clone();
+    let spec = &mut document.scene.camera;
+    place(ui, spec);
+    lens(ui, spec);
+    if spec.position != before.position || spec.target != before.target {
+        // Near and far for the place where it stands now: nothing is cut off.
+        let moved = loaded.with_planes(spec.clone());
+        (spec.near, spec.far) = (moved.near, moved.far);
+    }
+    if !is_possible(spec) {
+        document.scene.camera = before;
+    }
+    let [width, height] = session.facts.size.map(f64::from);
+    let aspect = if width > 0.0 && height > 0.0 { width / height } else { 1.0 };
+    matrices::show(ui, &camera_of(&document.scene.camera), aspect);
+}
+
+fn place(ui: &mut Ui, spec: &mut CameraSpec) {
+    heading(ui, "Place");
+    let mut position = spec.position.unwrap_or_default();
+    let tip = "The eye, world space";
+    if row(ui, "Position", tip, |ui| Vector::new("camera-position", "position").tip(tip).show(ui, &mut position)) {
+        spec.position = Some(position);
+    }
+    let camera = camera_of(spec);
+    let (mut yaw, mut pitch) = camera.yaw_pitch_deg();
+    // A camera that looks along angles gets the point ahead of it.
+    let ahead = (camera.position + camera.front).to_array();
+    let mut target = spec.target.unwrap_or(ahead);
+    let tip = "The point looked at, world space";
+    if row(ui, "Target", tip, |ui| Vector::new("camera-target", "target").tip(tip).show(ui, &mut target)) {
+        (spec.target, spec.yaw, spec.pitch) = (Some(target), None, None);
+    }
+    let before = (yaw, pitch);
+    for (id, label, tip, value, range, default) in [
+        (
+            "camera-yaw",
+            "Yaw",
+            "Yaw of the viewing direction; -90\u{b0} looks along -Z",
+            &mut yaw,
+            -360.0..=360.0,
+            -90.0,
+        ),
+        ("camera-pitch", "Pitch", "Pitch; positive looks up", &mut pitch, -STEEPEST..=STEEPEST, 0.0),
+    ] {
+        row(ui, label, tip, |ui| {
+            let number = Number::new(id, label).tip(tip).unit("\u{b0}").range(range).default(default).step(0.5);
+            number.show(ui, value);
+        });
+    }
+    if (yaw, pitch) != before {
+        turn(spec, &camera, target.into(), yaw, pitch);
+    }
+    let mut up = spec.up.unwrap_or([0.0, 1.0, 0.0]);
+    let tip = "WorldUp: which way is up, made perpendicular to the viewing direction";
+    let changed = row(ui, "Up", tip, |ui| {
+        Vector::new("camera-up", "up").tip(tip).default([0.0, 1.0, 0.0]).step(0.01).show(ui, &mut up)
+    });
+    if changed {
+        spec.up = Some(up);
+    }
+}
+
+/// Looks along other angles from where it stands, at a target as far away as before.
+fn turn(spec: &mut CameraSpec, camera: &Camera, target: DVec3, yaw: f64, pitch: f64) {
+    let distance = camera.position.distance(target);
+    let direction = Camera::direction_of(yaw, pitch);
+    spec.target = Some((camera.position + direction * if distance > 0.0 { distance } else { 1.0 }).to_array());
+    (spec.yaw, spec.pitch) = (None, None);
+}
+
+fn lens(ui: &mut Ui, spec: &mut CameraSpec) {
+    heading(ui, "Lens");
+    let mut fov = spec.fov_y.unwrap_or(40.0);
+    row(ui, "Field of view", "Full vertical angle of what is seen", |ui| {
+        let tip = "Full vertical field of view; the lab's 45 rad are 58.3\u{b0}";
+        Number::new("camera-fov", "field of view")
+            .tip(tip)
+            .unit("\u{b0}")
+            .range(1.0..=170.0)
+            .default(40.0)
+            .show(ui, &mut fov);
+    });
+    spec.fov_y = Some(fov);
+    let (mut near, mut far) = (spec.near.unwrap_or(0.1), spec.far.unwrap_or(100.0));
+    let before = (near, far);
+    for (id, label, tip, value) in [
+        ("camera-near", "Near", "Distance of the near plane, world units", &mut near),
+        ("camera-far", "Far", "Distance of the far plane, world units", &mut far),
+    ] {
+        row(ui, label, tip, |ui| {
+            Number::new(id, label).tip(tip).range(1e-6..=1e9).show(ui, value);
+        });
+    }
+    if (near, far) != before && near < far {
+        (spec.near, spec.far) = (Some(near), Some(far));
+    }
+}
+
+/// Whether there is such a camera: it looks somewhere, and up is a direction.
+fn is_possible(spec: &CameraSpec) -> bool {
+    let looks = match (spec.position, spec.target) {
+        (Some(position), Some(target)) => unit(DVec3::from(target) - DVec3::from(position)).is_some(),
+        _ => true,
+    };
+    looks && spec.up.is_none_or(|up| unit(up.into()).is_some())
+}

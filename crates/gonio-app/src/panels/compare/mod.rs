@@ -1,0 +1,151 @@
+//! The same scene in one to four ways.
+
+mod curve;
+mod measured;
+mod plot;
+mod presets;
+mod settings;
+
+use crate::action::Action;
+use crate::document::{Arrangement, Document, Pane, Panes};
+use crate::exported::{self, Role};
+use crate::session::Session;
+use crate::theme::icons;
+use egui::{Response, RichText, Ui};
+
+/// Shows it.
+pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, _: &mut Vec<Action>) {
+    presets::show(ui, document);
+    list(ui, document);
+    if document.panes.list.len() > 1 {
+        arrangement(ui, document, session);
+    }
+    let current = document.panes.current;
+    section(ui, &format!("Pane {}", current + 1));
+    settings::show(ui, document, session.loaded.as_deref());
+    section(ui, "Measured");
+    measured::show(ui, session);
+    let adaptive = ui.checkbox(&mut session.adaptive, "One sample while something moves, where pictures take long");
+    exported::note(ui, &adaptive, "adaptive", Role::Toggle, "One sample while moving", session.adaptive);
+    section(ui, "Error against the finest");
+    curve::show(ui, session);
+}
+
+/// A heading with some air above.
+fn section(ui: &mut Ui, title: &str) {
+    ui.add_space(8.0);
+    ui.label(RichText::new(title).heading());
+}
+
+/// Notes a button, and passes it on.
+fn noted(ui: &mut Ui, add: impl FnOnce(&mut Ui) -> Response, id: &str, label: &str, value: impl ToString) -> Response {
+    let response = add(ui);
+    exported::note(ui, &response, id, Role::Button, label, value);
+    response
+}
+
+/// The panes: choose, add, take away.
+fn list(ui: &mut Ui, document: &mut Document) {
+    section(ui, "Panes");
+    let panes = &mut document.panes;
+    let mut removed = None;
+    for index in 0..panes.list.len() {
+        ui.horizontal(|ui| {
+            let caption = panes.list.get(index).map(Pane::caption).unwrap_or_default();
+            let text = format!("{}   {caption}", index + 1);
+            // The cross beside it is as wide as an icon and its margins.
+            let width = (ui.available_width() - 52.0).max(80.0);
+            let chosen = panes.current == index;
+            // A text at its right pushes the caption to the left.
+            let entry = egui::Button::selectable(chosen, text).right_text("").truncate();
+            let entry = entry.min_size(egui::vec2(width, 24.0));
+            let entry = ui.scope(|ui| {
+                ui.set_max_width(width);
+                ui.add(entry)
+            });
+            if noted(ui, |_| entry.inner, &format!("choose-pane-{index}"), &caption, chosen).clicked() {
+                panes.current = index;
+            }
+            if panes.list.len() > 1 {
+                let tip = format!("Take pane {} away", index + 1);
+                let icon = RichText::new(icons::X).font(crate::theme::icon_font(14.0));
+                let button = noted(ui, |ui| ui.button(icon), &format!("remove-pane-{index}"), &tip, "");
+                if button.on_hover_text(&tip).clicked() {
+                    removed = Some(index);
+                }
+            }
+        });
+    }
+    if let Some(index) = removed {
+        panes.remove(index);
+    }
+    ui.horizontal_wrapped(|ui| {
+        let room = panes.list.len() < Panes::MOST;
+        let add = egui::Button::new("Add a pane like this");
+        if noted(ui, |ui| ui.add_enabled(room, add), "add-pane", "Add a pane like this", "").clicked() {
+            panes.add();
+        }
+        if panes.list.len() > 1 {
+            let same = noted(ui, |ui| ui.button("Make all like this"), "copy-pane", "Make all like this", "");
+            if same.on_hover_text("Copies the settings of the current pane to the others").clicked() {
+                let settings = panes.current().cloned().unwrap_or_default();
+                panes.list.iter_mut().for_each(|pane| pane.clone_from(&settings));
+            }
+        }
+    });
+}
+
+/// Side by side, wipe or difference; and of which two.
+fn arrangement(ui: &mut Ui, document: &mut Document, session: &mut Session) {
+    section(ui, "Arrangement");
+    let panes = &mut document.panes;
+    ui.horizontal_wrapped(|ui| {
+        let wipe = if let Arrangement::Wipe(at) = panes.arrangement { at } else { 0.5 };
+        for (id, label, tip, arrangement) in [
+            ("side-by-side", "Side by side", "Each pane has a part of the room", Arrangement::SideBySide),
+            ("wipe-mode", "Wipe", "Two on each other, with a divider to drag", Arrangement::Wipe(wipe)),
+            ("difference-mode", "Difference", "Where two differ, in colours", Arrangement::Difference),
+        ] {
+            let chosen = std::mem::discriminant(&panes.arrangement) == std::mem::discriminant(&arrangement);
+            let button = noted(ui, |ui| ui.selectable_label(chosen, label), id, label, chosen);
+            if button.on_hover_text(tip).clicked() {
+                panes.arrangement = arrangement;
+            }
+        }
+    });
+    if panes.arrangement == Arrangement::SideBySide {
+        return;
+    }
+    ui.horizontal(|ui| {
+        let captions: Vec<String> =
+            panes.list.iter().enumerate().map(|(i, pane)| format!("{}  {}", i + 1, pane.caption())).collect();
+        for (place, name) in panes.pair.iter_mut().zip(["first", "second"]) {
+            let chosen = captions.get(*place).cloned().unwrap_or_default();
+            let combo = egui::ComboBox::from_id_salt(name).width(130.0).truncate().selected_text(chosen.clone());
+            let combo = combo.show_ui(ui, |ui| {
+                for (index, caption) in captions.iter().enumerate() {
+                    let entry = ui.selectable_value(place, index, caption);
+                    exported::note(ui, &entry, &format!("pair-{name}-{index}"), Role::Choice, caption, *place == index);
+                }
+            });
+            combo.response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::ComboBox, true, name));
+            exported::note(ui, &combo.response, &format!("pair-{name}"), Role::Choice, name, chosen);
+        }
+    });
+    if panes.arrangement == Arrangement::Difference {
+        let settings = &mut panes.difference;
+        ui.horizontal(|ui| {
+            let tip = "The difference, in 8-bit steps of 255, that gets the brightest colour";
+            ui.label("Full scale").on_hover_text(tip);
+            let slider = egui::Slider::new(&mut settings.full_scale, 1.0..=255.0).logarithmic(true).max_decimals(0);
+            let slider = ui.add(slider).on_hover_text(tip);
+            exported::note(ui, &slider, "full-scale", Role::Number, "Full scale", settings.full_scale);
+            if slider.double_clicked() {
+                *settings = crate::document::DifferenceSettings { signed: settings.signed, ..Default::default() };
+            }
+        });
+        let signed = ui.checkbox(&mut settings.signed, "Signed: the second minus the first");
+        exported::note(ui, &signed, "signed", Role::Toggle, "Signed", settings.signed);
+        measured::difference(ui, session);
+    }
+}

@@ -1,0 +1,102 @@
+//! The current pane's settings: each as the scene has it, or its own.
+
+use crate::document::{Document, Pane, Reflectance};
+use crate::exported::{self, Role};
+use crate::widgets::slug;
+use egui::{ComboBox, Grid, Ui};
+use gonio_light::{Convention, Quantity, Specular};
+use gonio_scene::description::Shading;
+use gonio_scene::detail::{self, Detail};
+use gonio_scene::{LoadedScene, Scene, ViewSpec};
+
+const AS_SCENE: &str = "as the scene";
+
+/// Shows them; `loaded` is what the scene is without them.
+pub fn show(ui: &mut Ui, document: &mut Document, loaded: Option<&LoadedScene>) {
+    let scene = &document.scene;
+    let Some(pane) = document.panes.list.get_mut(document.panes.current) else { return };
+    Grid::new("pane settings").num_columns(2).spacing([12.0, 6.0]).show(ui, |ui| {
+        let shadings = Shading::ALL.iter().map(|&s| (s, s.name().to_owned()));
+        choice(ui, "pane-shading", "Shading", &mut pane.shading, shadings.collect());
+        let speculars = Specular::ALL.iter().map(|&s| (s, s.name().to_owned()));
+        choice(ui, "pane-specular", "Specular term", &mut pane.specular, speculars.collect());
+        let conventions = Convention::ALL.iter().map(|&c| (c, c.name().to_owned()));
+        choice(ui, "pane-convention", "Convention", &mut pane.convention, conventions.collect());
+        let weights = [(true, "yes".to_owned()), (false, "no".to_owned())];
+        choice(ui, "pane-cosine-weighted", "spec times cos θ", &mut pane.cosine_weighted, weights.into());
+        let brdfs = Reflectance::all().into_iter().map(|r| (r, r.name().to_owned()));
+        choice(ui, "pane-brdf", "BRDF", &mut pane.reflectance, brdfs.collect());
+        let view = |quantity: Quantity| (ViewSpec { quantity, light: None }, quantity.to_string());
+        choice(ui, "pane-view", "View", &mut pane.view, Quantity::ALL.iter().copied().map(view).collect());
+        detail(ui, pane, scene, loaded);
+    });
+    if *pane != Pane::default() {
+        let reset = ui.button("All as the scene");
+        exported::note(ui, &reset, "pane-reset", Role::Button, "All as the scene", "");
+        if reset.clicked() {
+            *pane = Pane::default();
+        }
+    }
+}
+
+/// A row of the table: a word of the pane's own, or the scene's. A double click on its name gives it back to the scene.
+fn choice<T: Copy + PartialEq>(ui: &mut Ui, id: &str, label: &str, value: &mut Option<T>, all: Vec<(T, String)>) {
+    let name = ui.add(egui::Label::new(label).sense(egui::Sense::click()));
+    if name.double_clicked() {
+        *value = None;
+    }
+    let known = value.and_then(|v| all.iter().find(|(other, _)| *other == v));
+    let chosen = known.map_or(AS_SCENE.to_owned(), |(_, name)| name.clone());
+    let combo = ComboBox::from_id_salt(id).width(170.0).selected_text(chosen.clone()).show_ui(ui, |ui| {
+        let mut entry = |wanted: Option<T>, name: &str| {
+            let response = ui.selectable_value(value, wanted, name);
+            let of_entry = format!("{id}-{}", slug(name));
+            exported::note(ui, &response, &of_entry, Role::Choice, name, *value == wanted);
+        };
+        entry(None, AS_SCENE);
+        for (other, name) in &all {
+            entry(Some(*other), name);
+        }
+    });
+    combo.response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::ComboBox, true, label));
+    exported::note(ui, &combo.response, id, Role::Choice, label, chosen);
+    ui.end_row();
+}
+
+/// How many triangles: of the sphere, or a share of each model's.
+fn detail(ui: &mut Ui, pane: &mut Pane, scene: &Scene, loaded: Option<&LoadedScene>) {
+    let name = ui.add(egui::Label::new("Triangles").sense(egui::Sense::click()));
+    if name.on_hover_text("Double click: as the scene").double_clicked() {
+        pane.detail = None;
+    }
+    ui.vertical(|ui| {
+        ui.spacing_mut().slider_width = 110.0;
+        if let Some(sphere) = scene.objects.iter().position(detail::is_sphere) {
+            // The frequency f is what is chosen; f² triangles on each of an octahedron's faces are what is shown.
+            let own = loaded.and_then(|loaded| loaded.meshes.get(loaded.objects.get(sphere)?.mesh));
+            let shown = match pane.detail {
+                Some(Detail::Sphere(triangles)) => triangles,
+                _ => own.map_or(0, |mesh| mesh.triangle_count()),
+            };
+            let mut frequency = (shown as f64 / 8.0).sqrt().round();
+            let slider = egui::Slider::new(&mut frequency, 1.0..=64.0)
+                .step_by(1.0)
+                .logarithmic(true)
+                .custom_formatter(|f, _| format!("{:.0}", 8.0 * f * f))
+                .custom_parser(|text| text.trim().parse::<f64>().ok().map(|n| (n.max(8.0) / 8.0).sqrt().round()));
+            let slider = ui.add(slider).on_hover_text("Triangles of each sphere: 8 f², from an octahedron's faces");
+            exported::note(ui, &slider, "pane-sphere", Role::Number, "Triangles of the sphere", shown);
+            if slider.changed() {
+                pane.detail = Some(Detail::Sphere((8.0 * frequency * frequency) as usize));
+            }
+        }
+        let mut percent = if let Some(Detail::Share(share)) = pane.detail { 100.0 * share } else { 100.0 };
+        let slider = egui::Slider::new(&mut percent, 1.0..=100.0).step_by(1.0).logarithmic(true).suffix(" %");
+        let slider = ui.add(slider).on_hover_text("Simplified to this share of each model's triangles");
+        exported::note(ui, &slider, "pane-simplify", Role::Number, "Share of the triangles", percent);
+        if slider.changed() {
+            pane.detail = (percent < 100.0).then_some(Detail::Share(percent / 100.0));
+        }
+    });
+    ui.end_row();
+}

@@ -1,0 +1,235 @@
+//! The equation as the settings have it, and its definitions.
+
+use crate::session::Term;
+use crate::typeset::{Node, Tag};
+use gonio_light::brdf::BrdfKind;
+use gonio_light::{Convention, Specular};
+use gonio_scene::Scene;
+use gonio_scene::description::{EquationSpec, LightSourceKind};
+
+/// The tag of a term in formulas.
+pub fn tag(term: Term) -> Tag {
+    Tag(term as u8)
+}
+
+/// The term of a tag.
+pub fn term(tag: Tag) -> Option<Term> {
+    Term::ALL.iter().copied().find(|term| *term as u8 == tag.0)
+}
+
+fn v(name: &str) -> Node {
+    Node::variable(name)
+}
+
+fn up(text: &str) -> Node {
+    Node::upright(text)
+}
+
+fn indexed(name: Node) -> Node {
+    name.below(v("i"))
+}
+
+fn n_dot_l() -> Node {
+    Node::clamped_product(v("N"), indexed(v("L")))
+}
+
+fn cosine() -> Node {
+    Node::row([up("cos"), Node::thin(), indexed(v("\u{3b8}"))])
+}
+
+/// Whether the specular term is weighted by the cosine, which then stands outside the brackets.
+fn is_weighted(e: &EquationSpec) -> bool {
+    e.brdf.is_some() || e.cosine_weighted.unwrap_or(e.convention == Convention::Physical)
+}
+
+/// The name of a term as it stands in the equation.
+pub fn symbol(term: Term) -> Node {
+    let named = |text: &str| up(text);
+    let node = match term {
+        Term::Ambient => v("A"),
+        Term::Emitted => v("E"),
+        Term::Environment => v("L").below(up("env")),
+        Term::Diffuse => named("diff"),
+        Term::Specular => indexed(named("spec")),
+        // The intensity of a light; the direction to it is L_i too, in the definitions.
+        Term::Light => indexed(v("L")),
+        Term::Attenuation => indexed(named("att")),
+        Term::Spot => indexed(named("spot")),
+        Term::Cosine => cosine(),
+    };
+    node.tagged(tag(term))
+}
+
+/// The equation of `scene` (with the settings of its pane), in parts between which it may be broken.
+pub fn equation(scene: &Scene) -> Vec<Node> {
+    let e = &scene.equation;
+    let mut parts = Vec::new();
+    let mut terms = Vec::new();
+    if e.brdf.is_none() {
+        terms.push(symbol(Term::Ambient));
+    }
+    terms.push(symbol(Term::Emitted));
+    if scene.environment.is_some() {
+        terms.push(symbol(Term::Environment));
+    }
+    for (index, term) in terms.into_iter().enumerate() {
+        let before =
+            if index == 0 { Node::row([v("L").below(v("o")), Node::relation("=")]) } else { Node::binary("+") };
+        parts.push(Node::row([before, term]));
+    }
+    let weighted = is_weighted(e);
+    let mut inside = vec![Node::binary("+"), Node::Sum(Box::new(v("i"))), Node::thin(), up("("), symbol(Term::Diffuse)];
+    if !weighted {
+        inside.extend([Node::thin(), symbol(Term::Cosine)]);
+    }
+    parts.push(Node::Row(inside));
+    parts.push(Node::row([Node::binary("+"), symbol(Term::Specular), up(")")]));
+    let mut factors = vec![Node::thin(), symbol(Term::Light), Node::thin(), symbol(Term::Attenuation)];
+    let has_spots = scene.lights.iter().any(|light| light.kind == LightSourceKind::Spot);
+    if has_spots || !e.spot {
+        factors.extend([Node::thin(), symbol(Term::Spot)]);
+    }
+    if weighted {
+        factors.extend([Node::thin(), symbol(Term::Cosine)]);
+    }
+    parts.push(Node::Row(factors));
+    parts
+}
+
+/// What a term is, as an equation.
+pub fn definition(scene: &Scene, term: Term) -> Node {
+    let e = &scene.equation;
+    let k = |index: &str| v("k").below(v(index));
+    let is = |right: Node| Node::row([symbol(term), Node::relation("="), right]);
+    match term {
+        Term::Ambient => is(Node::row([k("a"), Node::thin(), v("L").below(v("a"))])),
+        Term::Emitted => is(k("e")),
+        Term::Environment => is(Node::row([
+            k("d"),
+            Node::thin(),
+            v("D").below(up("env")),
+            up("("),
+            v("N"),
+            up(")"),
+            Node::binary("+"),
+            k("s"),
+            Node::thin(),
+            v("S").below(up("env")),
+            up("("),
+            v("R").below(v("V")),
+            up(")"),
+        ])),
+        Term::Diffuse => {
+            let over_pi = e.brdf.is_some() || e.convention == Convention::Physical;
+            is(if over_pi { k("d").over(v("\u{3c0}")) } else { k("d") })
+        }
+        Term::Specular => is(specular(e)),
+        Term::Light => {
+            is(Node::row([indexed(up("colour")), Node::thin(), up("\u{d7}"), Node::thin(), indexed(up("intensity"))]))
+        }
+        Term::Attenuation => {
+            let squared = v("d").sup(up("2"));
+            let terms = [k("c"), Node::binary("+"), k("l"), v("d"), Node::binary("+"), k("q"), squared];
+            is(up("1").over(Node::row(terms)))
+        }
+        Term::Spot => is(Node::row([
+            up("smoothstep("),
+            up("cos"),
+            Node::thin(),
+            v("\u{3b2}").below(up("out")),
+            up(", "),
+            up("cos"),
+            Node::thin(),
+            v("\u{3b2}").below(up("in")),
+            up(", \u{2212}"),
+            indexed(v("L")),
+            up("\u{22c5}"),
+            indexed(v("S")),
+            up(")"),
+        ])),
+        Term::Cosine => is(n_dot_l()),
+    }
+}
+
+fn specular(e: &EquationSpec) -> Node {
+    let gamma = || v("\u{3b3}");
+    let phong = || Node::clamped_product(indexed(v("R")), v("V")).sup(gamma());
+    let blinn = || Node::clamped_product(v("N"), indexed(v("H"))).sup(gamma());
+    let k_s = v("k").below(v("s"));
+    let times = |lobe: Node| Node::row([k_s.clone(), Node::thin(), lobe]);
+    if let Some(brdf) = e.brdf {
+        let gamma_plus = |n: &str| Node::row([gamma(), Node::binary("+"), up(n)]);
+        let phong_factor = || gamma_plus("2").over(Node::row([up("2"), v("\u{3c0}")]));
+        let lobe = match brdf {
+            BrdfKind::Lambert => return up("0"),
+            BrdfKind::Phong => phong(),
+            BrdfKind::Blinn => blinn(),
+            BrdfKind::Lafortune => {
+                let product = [up("\u{27e8}\u{2212}"), indexed(v("L")), up("\u{22c5}"), v("A"), v("V"), up("\u{27e9}")];
+                Node::Row(product.into()).sup(gamma())
+            }
+            BrdfKind::Ward => return times(ward(e.brdf_normalised)),
+        };
+        return match (e.brdf_normalised, brdf) {
+            (false, _) => times(lobe),
+            (true, BrdfKind::Blinn) => {
+                let over = Node::row([up("("), gamma_plus("2"), up(")("), gamma_plus("4"), up(")")]);
+                let power = up("2").sup(Node::row([up("\u{2212}"), gamma(), up("/2")]));
+                let under = Node::row([up("8"), v("\u{3c0}"), up("("), power, Node::binary("+"), gamma(), up(")")]);
+                times(Node::row([over.over(under), lobe]))
+            }
+            (true, _) => times(Node::row([phong_factor(), lobe])),
+        };
+    }
+    let lobe = match e.specular {
+        Specular::None => return up("0"),
+        Specular::Phong => phong(),
+        Specular::BlinnPhong => blinn(),
+    };
+    let mut whole = vec![times(lobe)];
+    if e.gated {
+        whole.extend([up("   if "), v("N"), up("\u{22c5}"), indexed(v("L")), Node::relation(">"), up("0")]);
+    }
+    Node::Row(whole)
+}
+
+fn ward(normalised: bool) -> Node {
+    let alpha_squared = || v("\u{3b1}").sup(up("2"));
+    let tan_squared = Node::row([up("tan").sup(up("2")), v("\u{3b4}")]);
+    let power = Node::row([up("\u{2212}"), tan_squared, up("/"), alpha_squared()]);
+    let bell = v("e").sup(power);
+    if normalised {
+        let sum = || Node::row([indexed(v("L")), Node::binary("+"), v("V")]);
+        let over = Node::row([up("|"), sum(), up("|").sup(up("2"))]);
+        let under =
+            Node::row([v("\u{3c0}"), alpha_squared(), up("("), v("N"), up("\u{22c5}("), sum(), up("))").sup(up("4"))]);
+        return Node::row([over.over(under), Node::thin(), bell]);
+    }
+    let product = Node::row([n_dot_l(), Node::clamped_product(v("N"), v("V"))]);
+    let under = Node::row([up("4"), v("\u{3c0}"), alpha_squared(), Node::thin(), product.sup(up("1/2"))]);
+    Node::row([up("1").over(under), Node::thin(), bell])
+}
+
+/// The vectors of the definitions.
+pub fn vectors(e: &EquationSpec) -> Vec<Node> {
+    let r = Node::row([
+        indexed(v("R")),
+        Node::relation("="),
+        up("2("),
+        v("N"),
+        up("\u{22c5}"),
+        indexed(v("L")),
+        up(")"),
+        Node::thin(),
+        v("N"),
+        Node::binary("\u{2212}"),
+        indexed(v("L")),
+    ]);
+    let sum = || Node::row([indexed(v("L")), Node::binary("+"), v("V")]);
+    let h = Node::row([indexed(v("H")), Node::relation("="), sum().over(Node::row([up("|"), sum(), up("|")]))]);
+    match (e.brdf, e.specular) {
+        (Some(BrdfKind::Phong), _) | (None, Specular::Phong) => vec![r],
+        (Some(BrdfKind::Blinn | BrdfKind::Ward), _) | (None, Specular::BlinnPhong) => vec![h],
+        _ => Vec::new(),
+    }
+}

@@ -1,0 +1,249 @@
+//! The light equation, typeset; its terms are switches.
+//!
+//! | on a term | what |
+//! |---|---|
+//! | click | on, off |
+//! | double click, Shift or Alt and click | alone; again: as before |
+//!
+//! The line below holds the parameters of the term that was clicked last; the arrow opens all definitions.
+
+mod explain;
+mod formula;
+mod parameters;
+mod switch;
+
+use crate::action::Action;
+use crate::document::Document;
+use crate::exported::{self, Role};
+use crate::session::{Session, Tab, Term};
+use crate::theme::icons;
+use crate::typeset::{self, EguiFonts, Laid, Node, Tag};
+use crate::widgets::{self, icon_button};
+use egui::{Color32, CursorIcon, Id, Rect, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
+use gonio_scene::Scene;
+
+/// Sizes of the formula that are tried until it fits on a line, points for an em.
+const SIZES: [f32; 4] = [23.0, 21.0, 19.0, 17.0];
+/// Its size where it is broken.
+const BROKEN_SIZE: f32 = 18.0;
+/// What a term has above and below its baseline, to be clicked; points.
+const ABOVE: f32 = 21.0;
+const BELOW: f32 = 12.0;
+/// Room for the buttons at the right.
+const BUTTONS: f32 = 56.0;
+/// Where the window is narrower the parameters wait until they are asked for.
+const NARROW: f32 = 780.0;
+
+/// Shows it.
+pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
+    if session.loaded.is_none() {
+        // The same height as later: nothing jumps when the first scene arrives.
+        ui.allocate_exact_size(vec2(ui.available_width(), 92.0), Sense::hover());
+        return;
+    }
+    let narrow = ui.available_width() < NARROW;
+    let shown = effective(document);
+    ui.horizontal_top(|ui| {
+        ui.spacing_mut().item_spacing.x = 0.0;
+        let room = ui.available_width() - BUTTONS;
+        let lines = fitted(ui, &formula::equation(&shown), room);
+        let clicked = lines_of_terms(ui, &lines, room, document, session);
+        if let Some((term, alone)) = clicked {
+            act(document, session, actions, term, alone);
+        }
+        ui.add_space(4.0);
+        buttons(ui, document, session);
+    });
+    if !narrow || session.equation.open {
+        ui.add_space(2.0);
+        parameters::show(ui, document, session, &shown, actions);
+    }
+    if session.equation.open {
+        definitions(ui, document, session, &shown);
+    }
+}
+
+/// The scene with the settings of the current pane.
+fn effective(document: &Document) -> Scene {
+    let pane = document.panes.current();
+    pane.map_or_else(|| document.scene.clone(), |pane| pane.applied_to(&document.scene))
+}
+
+/// The lines of a formula at the largest size that fits.
+fn fitted(ui: &Ui, parts: &[Node], width: f32) -> Vec<Laid> {
+    let mut fonts = EguiFonts(ui.painter());
+    for size in SIZES {
+        let lines = typeset::broken(parts, size, width, &mut fonts);
+        if lines.len() <= 1 {
+            return lines;
+        }
+    }
+    typeset::broken(parts, BROKEN_SIZE, width, &mut fonts)
+}
+
+/// The lines with their terms to be clicked; which was, and whether it is to be shown alone.
+fn lines_of_terms(
+    ui: &mut Ui,
+    lines: &[Laid],
+    width: f32,
+    document: &Document,
+    session: &Session,
+) -> Option<(Term, bool)> {
+    const LINE_GAP: f32 = 3.0;
+    let height: f32 = lines.iter().map(|line| line.size().y + LINE_GAP).sum();
+    let (room, _) = ui.allocate_exact_size(vec2(width, height + 2.0), Sense::hover());
+    let mut clicked = None;
+    let mut top = room.top() + 1.0;
+    for (number, line) in lines.iter().enumerate() {
+        let start = pos2(room.left() + 2.0, top + line.ascent);
+        let (above, below) = (line.ascent.min(ABOVE), line.descent.min(BELOW));
+        let backgrounds = ui.painter().add(egui::Shape::Noop);
+        let colors = |tag: Option<Tag>| color_of(ui, document, tag.and_then(formula::term));
+        let tagged = typeset::paint(ui.painter(), line, start, &colors);
+        let mut behind = Vec::new();
+        for (tag, rect) in tagged {
+            let Some(term) = formula::term(tag) else { continue };
+            // All terms are as high: easy to hit, and nothing dances when the pointer runs along them.
+            let area = Rect::from_x_y_ranges(rect.x_range(), start.y - above..=start.y + below).expand2(vec2(2.0, 0.0));
+            let asked = one_term(ui, term, area, number, document, session, &mut behind);
+            clicked = clicked.or(asked);
+        }
+        ui.painter().set(backgrounds, egui::Shape::Vec(behind));
+        top += line.size().y + LINE_GAP;
+    }
+    clicked
+}
+
+fn one_term(
+    ui: &Ui,
+    term: Term,
+    area: Rect,
+    line: usize,
+    document: &Document,
+    session: &Session,
+    behind: &mut Vec<egui::Shape>,
+) -> Option<(Term, bool)> {
+    let id = Id::unique(("term", term.name(), line));
+    let response = ui.interact(area, id, Sense::click()).on_hover_cursor(CursorIcon::PointingHand);
+    let on = switch::is_on(document, term);
+    let name = format!("{term} term");
+    response.widget_info(|| match on {
+        Some(on) => WidgetInfo::selected(egui::Role::Switch, true, on, &name),
+        None => WidgetInfo::labeled(egui::Role::Button, true, &name),
+    });
+    let state = match on {
+        None => "shown",
+        Some(true) => "on",
+        Some(false) => "off",
+    };
+    exported::note(ui, &response, &format!("term-{term}"), Role::Term, &name, state);
+    let base = switch::tint(term).map_or_else(|| ui.visuals().strong_text_color(), |tint| tint.of(ui));
+    let radius = 4.0;
+    if response.hovered() || response.has_focus() {
+        behind.push(egui::Shape::rect_filled(area, radius, base.gamma_multiply(0.14)));
+    }
+    if session.equation.selected == term {
+        let y = area.bottom() + 0.5;
+        let line = [pos2(area.left() + 3.0, y), pos2(area.right() - 3.0, y)];
+        behind.push(egui::Shape::line_segment(line, Stroke::new(1.5, base.gamma_multiply(0.7))));
+    }
+    let alone = response.double_clicked() || ui.input(|i| i.modifiers.shift || i.modifiers.alt);
+    let clicked = response.clicked();
+    response.on_hover_ui(|ui| explain::show(ui, document, session, &effective(document), term));
+    clicked.then_some((term, alone))
+}
+
+/// The colour of a term, faded where it is off.
+fn color_of(ui: &Ui, document: &Document, term: Option<Term>) -> Color32 {
+    let plain = ui.visuals().text_color();
+    let Some(term) = term else { return plain };
+    let color = switch::tint(term).map_or(ui.visuals().strong_text_color(), |tint| tint.of(ui));
+    if switch::is_on(document, term) == Some(false) { color.gamma_multiply(0.28) } else { color }
+}
+
+fn act(document: &mut Document, session: &mut Session, actions: &mut Vec<Action>, term: Term, alone: bool) {
+    session.equation.selected = term;
+    if alone {
+        switch::alone(document, &mut session.equation, term);
+    } else if term == Term::Ambient && document.scene.equation.brdf.is_some() {
+        session.announcement = "a BRDF has no ambient term".into();
+        return;
+    } else {
+        switch::toggle(document, term);
+    }
+    if term == Term::Light {
+        actions.push(Action::Show(Tab::Lights));
+    }
+    session.announcement = match (switch::is_on(document, term), alone) {
+        (Some(true), true) => format!("{term} alone, or with the others again"),
+        (Some(true), false) => format!("{term} is on"),
+        (Some(false), _) => format!("{term} is off"),
+        (None, _) => format!("{term}"),
+    };
+}
+
+fn buttons(ui: &mut Ui, document: &mut Document, session: &mut Session) {
+    let some_off = switch::is_incomplete(document);
+    let all = widgets::tool_button(ui, "terms-all", icons::ARROW_COUNTER_CLOCKWISE, "All terms on", None, some_off);
+    if all.clicked() {
+        switch::all_on(document);
+        session.equation.before_alone = None;
+        session.announcement = "all terms are on".into();
+    }
+    let (icon, tip) = if session.equation.open {
+        (icons::CARET_UP, "Hide the definitions")
+    } else {
+        (icons::CARET_DOWN, "Show the definitions")
+    };
+    if icon_button(ui, "definitions", icon, tip).clicked() {
+        session.equation.open = !session.equation.open;
+    }
+}
+
+/// All definitions, flowing; a click on one chooses it.
+fn definitions(ui: &mut Ui, document: &Document, session: &mut Session, scene: &Scene) {
+    const SIZE: f32 = 15.0;
+    let terms = [
+        Term::Ambient,
+        Term::Emitted,
+        Term::Environment,
+        Term::Diffuse,
+        Term::Specular,
+        Term::Attenuation,
+        Term::Spot,
+        Term::Cosine,
+    ];
+    ui.separator();
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = vec2(22.0, 4.0);
+        for term in terms {
+            if (term == Term::Environment && scene.environment.is_none())
+                || (term == Term::Ambient && scene.equation.brdf.is_some())
+            {
+                continue;
+            }
+            let node = formula::definition(scene, term);
+            let response = formula_line(ui, &node, SIZE, document, Sense::click());
+            let name = format!("definition of {term}");
+            response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, &name));
+            exported::note(ui, &response, &format!("definition-{term}"), Role::Button, &name, "");
+            if response.clicked() {
+                session.equation.selected = term;
+            }
+        }
+        for node in formula::vectors(&scene.equation) {
+            formula_line(ui, &node, SIZE, document, Sense::hover());
+        }
+    });
+}
+
+/// A formula as a widget.
+fn formula_line(ui: &mut Ui, node: &Node, size: f32, document: &Document, sense: Sense) -> egui::Response {
+    let laid = typeset::lay(node, size, &mut EguiFonts(ui.painter()));
+    // Lines of one kind keep their baselines on one line, whatever stands in them.
+    let (up, down) = (laid.ascent.max(1.05 * size), laid.descent.max(0.65 * size));
+    let (rect, response) = ui.allocate_exact_size(vec2(laid.width, up + down), sense);
+    let colors = |tag: Option<Tag>| color_of(ui, document, tag.and_then(formula::term));
+    typeset::paint(ui.painter(), &laid, pos2(rect.left(), rect.top() + up), &colors);
+    response
+}

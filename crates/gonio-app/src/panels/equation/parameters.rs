@@ -1,0 +1,144 @@
+//! The parameters of the term that was clicked last, in a line below the equation.
+
+use super::{formula, formula_line, switch};
+use crate::action::Action;
+use crate::document::Document;
+use crate::session::{Session, Tab, Term};
+use crate::widgets::{Number, Vector, choice, dropdown, named_options, toggle};
+use egui::{RichText, Sense, Ui, vec2};
+use gonio_light::brdf::BrdfKind;
+use gonio_light::{Convention, Specular};
+use gonio_scene::Scene;
+use gonio_scene::description::EquationSpec;
+
+/// Shows them.
+pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, scene: &Scene, actions: &mut Vec<Action>) {
+    let term = session.equation.selected;
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = vec2(10.0, 2.0);
+        ui.set_min_height(32.0);
+        if !(term == Term::Environment && scene.environment.is_none()) {
+            formula_line(ui, &formula::definition(scene, term), 16.0, document, Sense::hover());
+            ui.add_space(6.0);
+        }
+        match term {
+            Term::Diffuse => {
+                convention(ui, document);
+                brdf(ui, document);
+            }
+            Term::Specular => specular(ui, document),
+            Term::Environment => match &mut document.scene.environment {
+                Some(environment) => {
+                    ui.label("intensity");
+                    Number::new("equation-environment-intensity", "intensity of the environment")
+                        .range(0.0..=1e6)
+                        .default(1.0)
+                        .show(ui, &mut environment.intensity);
+                }
+                None => drop(ui.label("The scene has no environment: choose one under Picture")),
+            },
+            Term::Ambient | Term::Light | Term::Attenuation | Term::Spot => {
+                for (is, about) in [
+                    (Term::Ambient, "never weakened: the sum of the ambient lights"),
+                    (Term::Light, "each light is a row of the sum"),
+                    (Term::Attenuation, "each light has its own; 1 for directional lights"),
+                    (Term::Spot, "from 0 at the edge of the cone to 1 inside; 1 for other lights"),
+                ] {
+                    if is == term {
+                        ui.label(RichText::new(about).weak());
+                    }
+                }
+                link(ui, "Lights", Tab::Lights, actions);
+            }
+            Term::Emitted => {
+                ui.label(RichText::new("the material's own light").weak());
+                link(ui, "Objects", Tab::Objects, actions);
+            }
+            Term::Cosine => {
+                let tip = "On back faces the normal is turned to the viewer";
+                toggle(ui, "two-sided", "two-sided", &mut document.scene.equation.two_sided, tip);
+            }
+        }
+    });
+}
+
+fn link(ui: &mut Ui, text: &str, tab: Tab, actions: &mut Vec<Action>) {
+    let link = ui.link(text);
+    crate::exported::note(
+        ui,
+        &link,
+        &format!("equation-to-{}", text.to_lowercase()),
+        crate::exported::Role::Button,
+        text,
+        "",
+    );
+    if link.clicked() {
+        actions.push(Action::Show(tab));
+    }
+}
+
+fn convention(ui: &mut Ui, document: &mut Document) {
+    if document.scene.equation.brdf.is_some() {
+        return;
+    }
+    let own = document.panes.current().and_then(|pane| pane.convention);
+    let mut value = own.unwrap_or(document.scene.equation.convention);
+    let options = named_options!(Convention);
+    if !choice(ui, "convention", "convention", &mut value, &options, Convention::Lab) {
+        return;
+    }
+    match document.panes.current_mut() {
+        Some(pane) if own.is_some() => pane.convention = Some(value),
+        _ => {
+            let e = &mut document.scene.equation;
+            e.convention = value;
+            e.cosine_weighted = Some(value == Convention::Physical);
+        }
+    }
+}
+
+fn specular(ui: &mut Ui, document: &mut Document) {
+    if document.scene.equation.brdf.is_none() {
+        let mut value = switch::specular_of(document);
+        let options = named_options!(Specular);
+        if choice(ui, "specular", "specular model", &mut value, &options, Specular::default()) {
+            switch::set_specular(document, value);
+        }
+        let e = &mut document.scene.equation;
+        toggle(ui, "gated", "gated", &mut e.gated, "No specular light where N\u{22c5}L is not above 0");
+        let mut weighted = e.cosine_weighted.unwrap_or(e.convention == Convention::Physical);
+        let tip = "The specular term times cos \u{3b8}: the factor that the lab's equation has lost";
+        if toggle(ui, "cosine-weighted", "times cos \u{3b8}", &mut weighted, tip) {
+            e.cosine_weighted = Some(weighted);
+        }
+    }
+    brdf(ui, document);
+}
+
+/// The BRDFs in place of both terms.
+fn brdf(ui: &mut Ui, document: &mut Document) {
+    let e: &mut EquationSpec = &mut document.scene.equation;
+    let mut options: Vec<(Option<BrdfKind>, &str, &str)> =
+        vec![(None, "none", "The lab's two terms, diffuse and specular")];
+    options.extend(BrdfKind::ALL.iter().map(|kind| (Some(*kind), kind.name(), kind.description())));
+    ui.label(RichText::new("BRDF").weak()).on_hover_text("A BRDF in place of both terms, in 1/sr; it has no A");
+    ui.scope(|ui| {
+        ui.set_max_width(110.0);
+        dropdown(ui, "brdf", "BRDF", &mut e.brdf, &options);
+    });
+    let Some(kind) = e.brdf else { return };
+    if kind != BrdfKind::Lambert {
+        let tip = "With the factor that keeps its energy in bounds";
+        toggle(ui, "brdf-normalised", "normalised", &mut e.brdf_normalised, tip);
+    }
+    if kind == BrdfKind::Lafortune {
+        ui.horizontal(|ui| {
+            ui.set_max_width(220.0);
+            Vector::new("lafortune", "diagonal of A")
+                .tip("Diagonal of A along tangent, bitangent and normal; 1, 1, -1 is Phong's lobe")
+                .default([1.0, 1.0, -1.0])
+                .range(-10.0..=10.0)
+                .show(ui, &mut e.lafortune);
+        });
+    }
+}

@@ -1,0 +1,179 @@
+//! The chosen draw: counts and state, samplers with units and textures, uniforms, attributes, program.
+
+use super::{heading, primitives, source};
+use crate::session::TakenApart;
+use crate::theme::colors;
+use egui::load::SizedTexture;
+use egui::{CollapsingHeader, Grid, Image, Label, RichText, Ui, vec2};
+use gonio_gl::record::{AttributeSource, DrawRecord, Numbers, SamplerRecord, TextureRecord, UniformValue};
+
+/// A thumbnail's side, points.
+const THUMBNAIL: f32 = 44.0;
+/// Rows of an array that are shown.
+const MOST_ROWS: usize = 16;
+
+/// Shows it.
+pub fn show(ui: &mut Ui, taken: &mut TakenApart) {
+    let Some(draw) = taken.record.draws.get(taken.draw) else { return };
+    heading(ui, &draw.title());
+    facts(ui, draw);
+    let samplers = CollapsingHeader::new(format!("Samplers, units, textures ({})", draw.samplers.len()));
+    samplers.id_salt("samplers").default_open(true).show(ui, |ui| {
+        if draw.samplers.is_empty() {
+            ui.label(RichText::new("This draw reads no texture.").weak());
+        }
+        draw.samplers.iter().for_each(|sampler| self::sampler(ui, taken, sampler));
+    });
+    let uniforms = CollapsingHeader::new(format!("Uniforms ({})", draw.uniforms.len()));
+    uniforms.id_salt("uniforms").show(ui, |ui| draw.uniforms.iter().for_each(|value| uniform(ui, value)));
+    let attributes = CollapsingHeader::new(format!("Attributes ({})", draw.attributes.len()));
+    attributes.id_salt("attributes").show(ui, |ui| self::attributes(ui, draw));
+    source::show(ui, taken);
+}
+
+fn facts(ui: &mut Ui, draw: &DrawRecord) {
+    let state = &draw.state;
+    let count = |count: Option<u64>| count.map_or("not counted by this driver".to_owned(), |count| count.to_string());
+    let depth = match (&state.depth_test, state.depth_mask) {
+        (None, _) => "not tested".to_owned(),
+        (Some(test), true) => format!("{test}, written"),
+        (Some(test), false) => format!("{test}, not written"),
+    };
+    let cull =
+        state.cull.as_ref().map_or("nothing".to_owned(), |cull| format!("{cull}, front is {}", state.front_face));
+    let blend = state.blend.as_ref();
+    let blend = blend.map_or("off".to_owned(), |blend| format!("{} and {}", blend.color[0], blend.color[1]));
+    let [x, y, width, height] = state.viewport;
+    Grid::new("draw facts").num_columns(2).spacing([12.0, 2.0]).show(ui, |ui| {
+        for (name, value) in [
+            ("drawn", primitives(draw)),
+            ("vertex shader ran", count(draw.vertices_shaded)),
+            ("fragment shader ran", count(draw.fragments_shaded)),
+            ("depth", depth),
+            ("culled", cull),
+            ("blending", blend),
+            ("viewport", format!("{width} x {height} from {x}, {y}")),
+        ] {
+            ui.label(RichText::new(name).weak());
+            ui.add(Label::new(value).truncate());
+            ui.end_row();
+        }
+    });
+}
+
+/// Sampler, arrow, unit, arrow, texture: the way that a lookup takes.
+fn sampler(ui: &mut Ui, taken: &TakenApart, sampler: &SamplerRecord) {
+    let texture = sampler.texture.and_then(|id| taken.record.texture(id));
+    ui.horizontal(|ui| {
+        let (place, _) = ui.allocate_exact_size(vec2(THUMBNAIL, THUMBNAIL), egui::Sense::hover());
+        match texture.and_then(|texture| taken.thumbnail(texture.id)) {
+            Some(thumbnail) => {
+                let size = thumbnail.size_vec2();
+                let scale = THUMBNAIL / size.max_elem().max(1.0);
+                let rect = egui::Rect::from_center_size(place.center(), size * scale);
+                Image::from_texture(SizedTexture::new(thumbnail.id(), size)).paint_at(ui, rect);
+            }
+            None => {
+                ui.painter().rect_filled(place, 3.0, ui.visuals().faint_bg_color);
+            }
+        }
+        ui.vertical(|ui| {
+            ui.spacing_mut().item_spacing.y = 1.0;
+            ui.horizontal(|ui| {
+                ui.spacing_mut().item_spacing.x = 5.0;
+                ui.label(RichText::new(&sampler.name).monospace().color(colors::ACCENT.of(ui)));
+                ui.label(RichText::new(&sampler.glsl_type).small().weak());
+            });
+            let name = texture.map_or("nothing".to_owned(), |texture| texture.name.clone());
+            let id = sampler.texture.map_or(String::new(), |id| format!("texture {id}, "));
+            ui.add(Label::new(format!("reads unit {}: {id}{name}", sampler.unit)).truncate());
+            ui.add(Label::new(RichText::new(about(texture, sampler)).small().weak()).truncate());
+        });
+    })
+    .response
+    .on_hover_text(format!(
+        "`{}` holds {}, the number of a texture unit; to that unit the texture was bound",
+        sampler.name, sampler.unit
+    ));
+}
+
+fn about(texture: Option<&TextureRecord>, sampler: &SamplerRecord) -> String {
+    let Some(texture) = texture else { return "no texture is bound there".to_owned() };
+    let levels =
+        if texture.levels.len() == 1 { "1 level".to_owned() } else { format!("{} levels", texture.levels.len()) };
+    let sampled = match &sampler.sampling {
+        Some(sampling) => format!("{}, {}", sampling.min_filter, sampling.wrap[0]),
+        None => format!("{} samples", texture.samples),
+    };
+    format!("{} {} x {} {}, {levels}, {sampled}", texture.kind, texture.width, texture.height, texture.format)
+}
+
+fn uniform(ui: &mut Ui, uniform: &UniformValue) {
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 5.0;
+        ui.label(RichText::new(&uniform.name).monospace());
+        ui.label(RichText::new(&uniform.glsl_type).small().weak());
+        if !uniform.sent {
+            ui.label(RichText::new("never sent").small().color(colors::WARNING.of(ui)));
+        }
+    });
+    let rows = rows(uniform);
+    let rest = rows.len().saturating_sub(MOST_ROWS);
+    ui.indent(&uniform.name, |ui| {
+        ui.spacing_mut().item_spacing.y = 0.0;
+        for row in rows.iter().take(MOST_ROWS) {
+            ui.add(Label::new(RichText::new(row).monospace().small()).extend());
+        }
+        if rest > 0 {
+            ui.label(RichText::new(format!("and {rest} more")).small().weak());
+        }
+    });
+}
+
+/// Matrices row by row, arrays element by element.
+fn rows(uniform: &UniformValue) -> Vec<String> {
+    let kind = uniform.glsl_type.as_str();
+    let number = |v: f32| match v.abs() {
+        0.0 => format!("{:>10}", "0"),
+        size if (1e-3..1e5).contains(&size) => format!("{v:>10.4}"),
+        _ => format!("{v:>10.2e}"),
+    };
+    match &uniform.value {
+        Numbers::Float(values) => {
+            let sides: Vec<usize> = kind
+                .strip_prefix("mat")
+                .into_iter()
+                .flat_map(|s| s.split('x'))
+                .filter_map(|s| s.parse().ok())
+                .collect();
+            if let (Some(&columns), Some(&height)) = (sides.first(), sides.last()) {
+                // OpenGL has columns; people read rows.
+                let entry = |row: usize, column: usize| values.get(column * height + row).copied().unwrap_or(f32::NAN);
+                return (0..height).map(|row| (0..columns).map(|c| number(entry(row, c))).collect()).collect();
+            }
+            let each = kind.strip_prefix("vec").and_then(|n| n.parse().ok()).unwrap_or(1);
+            values.chunks(each).map(|element| element.iter().copied().map(number).collect()).collect()
+        }
+        Numbers::Int(values) => vec![values.iter().map(|v| format!("{v:>10}")).collect()],
+        Numbers::Uint(values) => vec![values.iter().map(|v| format!("{v:>10}")).collect()],
+        Numbers::Bool(values) => vec![values.iter().map(|v| format!("{v:>10}")).collect()],
+    }
+}
+
+fn attributes(ui: &mut Ui, draw: &DrawRecord) {
+    if draw.attributes.is_empty() {
+        ui.label(RichText::new("None: the vertices are made from their numbers.").weak());
+    }
+    for attribute in &draw.attributes {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 5.0;
+            ui.label(RichText::new(format!("{} {}", attribute.location, attribute.name)).monospace());
+            ui.label(RichText::new(&attribute.glsl_type).small().weak());
+        });
+        let fed = match &attribute.source {
+            AttributeSource::Array(array) => array.to_string(),
+            AttributeSource::Constant { value: [x, y, z, w], .. } => format!("{x}, {y}, {z}, {w} for all vertices"),
+        };
+        ui.indent(&attribute.name, |ui| ui.add(Label::new(RichText::new(fed).small().weak()).truncate()));
+    }
+}

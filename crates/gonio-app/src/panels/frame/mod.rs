@@ -1,0 +1,106 @@
+//! What the GPU was asked to do for this picture: passes and draw calls, and the chosen draw with all that it read.
+
+mod draw;
+mod findings;
+mod source;
+
+use crate::action::Action;
+use crate::document::Document;
+use crate::exported::{self, Role};
+use crate::session::{Session, TakenApart};
+use crate::theme::{self, colors};
+use egui::{Align, Label, Layout, RichText, ScrollArea, Ui};
+use gonio_gl::record::{DrawRecord, PassRecord};
+
+/// Height of the list of draws, points: some ten of them.
+const LIST_HEIGHT: f32 = 190.0;
+
+/// Shows it.
+pub fn show(ui: &mut Ui, _: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
+    // While something is dragged or moves, a record would be old before it is read.
+    let quiet = !session.clock.playing && !ui.input(|input| input.pointer.any_down());
+    let pictures = session.facts.pictures;
+    if quiet && pictures > 0 && session.taken_apart.as_ref().is_none_or(|taken| taken.picture != pictures) {
+        actions.push(Action::TakeApart);
+    }
+    let Some(taken) = session.taken_apart.as_mut().filter(|taken| !taken.record.draws.is_empty()) else {
+        ui.label(RichText::new("There is no picture yet.").weak());
+        return;
+    };
+    findings::show(ui, taken);
+    ui.add_space(8.0);
+    list(ui, taken);
+    ui.add_space(8.0);
+    draw::show(ui, taken);
+}
+
+/// A heading of the panel.
+fn heading(ui: &mut Ui, text: &str) {
+    ui.label(RichText::new(text).font(theme::bold(13.5)).color(ui.visuals().strong_text_color()));
+}
+
+/// Passes with their draws.
+fn list(ui: &mut Ui, taken: &mut TakenApart) {
+    let record = &taken.record;
+    let count = record.draws.len() + record.draws_left_out;
+    heading(ui, &format!("{}, {}", counted(record.passes.len(), "pass", "passes"), counted(count, "draw", "draws")));
+    for note in &record.notes {
+        ui.add(Label::new(RichText::new(note).small().weak()).wrap());
+    }
+    let mut chosen = taken.draw;
+    ScrollArea::vertical().id_salt("draws").max_height(LIST_HEIGHT).auto_shrink([false, true]).show(ui, |ui| {
+        ui.spacing_mut().item_spacing.y = 1.0;
+        for (number, pass) in record.passes.iter().enumerate() {
+            self::pass(ui, number, pass);
+            let draws = record.draws.iter().skip(pass.first_draw).take(pass.draw_count);
+            for draw in draws {
+                if row(ui, draw, chosen == draw.index) {
+                    chosen = draw.index;
+                }
+            }
+        }
+    });
+    taken.draw = chosen;
+}
+
+fn pass(ui: &mut Ui, number: usize, pass: &PassRecord) {
+    let target = &pass.target;
+    let samples = if target.samples > 1 { format!(", {} samples", target.samples) } else { String::new() };
+    let format = target.format.as_deref().unwrap_or("");
+    let text = format!("into `{}`: {} x {}{samples} {format}", target.name, target.width, target.height);
+    ui.horizontal(|ui| {
+        ui.label(RichText::new(format!("{number}  {}", pass.name)).color(colors::ACCENT.of(ui)));
+        ui.add(Label::new(RichText::new(&text).small().weak()).truncate()).on_hover_text(text);
+    });
+}
+
+/// Whether the row was pressed.
+fn row(ui: &mut Ui, draw: &DrawRecord, chosen: bool) -> bool {
+    let title = draw.title();
+    let mut pressed = false;
+    ui.horizontal(|ui| {
+        ui.add_space(10.0);
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            ui.label(RichText::new(primitives(draw)).small().weak());
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                let text = format!("{}  {title}", draw.index);
+                let button = ui.add(egui::Button::selectable(chosen, text).truncate());
+                exported::note(ui, &button, &format!("draw-{}", draw.index), Role::Choice, &title, chosen);
+                pressed = button.clicked();
+            });
+        });
+    });
+    pressed
+}
+
+/// `968 triangles`
+fn primitives(draw: &DrawRecord) -> String {
+    match draw.primitive.as_str() {
+        "triangles" => counted(draw.count as usize / 3, "triangle", "triangles"),
+        other => format!("{other}, {} vertices", draw.count),
+    }
+}
+
+fn counted(count: usize, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
+}

@@ -1,0 +1,154 @@
+//! What is done to the list of lights: added, copied, moved, taken out; kinds changed.
+
+use crate::document::Document;
+use crate::session::{Selection, Session};
+use glam::DVec3;
+use gonio_light::vector::unit;
+use gonio_scene::color_value::Color;
+use gonio_scene::description::{LightSourceKind, LightSpec};
+use gonio_scene::load::camera_of;
+
+/// Asked for by the parameters of a light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Edit {
+    /// A copy after it.
+    Duplicate(usize),
+    /// Taken out.
+    Remove(usize),
+    /// One place up.
+    Up(usize),
+    /// One place down.
+    Down(usize),
+}
+
+/// Does it. The selection and debug views of one light follow their light.
+pub fn apply(document: &mut Document, session: &mut Session, edit: Edit) {
+    let count = document.scene.lights.len();
+    match edit {
+        Edit::Duplicate(index) if index < count => {
+            let mut copy = document.scene.lights[index].clone();
+            if !copy.name.is_empty() {
+                copy.name = format!("{} copy", copy.name.trim_end_matches(" copy"));
+            }
+            document.scene.lights.insert(index + 1, copy);
+            renumber(document, |light| Some(if light > index { light + 1 } else { light }));
+            session.selection = Selection::Light(index + 1);
+        }
+        Edit::Remove(index) if index < count => {
+            document.scene.lights.remove(index);
+            renumber(document, |light| match light.cmp(&index) {
+                std::cmp::Ordering::Less => Some(light),
+                std::cmp::Ordering::Equal => None,
+                std::cmp::Ordering::Greater => Some(light - 1),
+            });
+            session.selection = Selection::None;
+        }
+        Edit::Up(index) if index > 0 && index < count => swap(document, session, index, index - 1),
+        Edit::Down(index) if index + 1 < count => swap(document, session, index, index + 1),
+        _ => {}
+    }
+}
+
+fn swap(document: &mut Document, session: &mut Session, from: usize, to: usize) {
+    document.scene.lights.swap(from, to);
+    renumber(document, |light| {
+        Some(if light == from {
+            to
+        } else if light == to {
+            from
+        } else {
+            light
+        })
+    });
+    session.selection = Selection::Light(to);
+}
+
+/// Debug views of one light get its new number, or the first light's.
+fn renumber(document: &mut Document, number: impl Fn(usize) -> Option<usize>) {
+    for pane in &mut document.panes.list {
+        if let Some(view) = &mut pane.view {
+            view.light = view.light.and_then(&number);
+        }
+    }
+}
+
+/// Whether it is the only one that is on, of several.
+pub fn is_alone(document: &Document, index: usize) -> bool {
+    let lights = &document.scene.lights;
+    lights.len() > 1 && lights.iter().enumerate().all(|(i, light)| light.is_on() == (i == index))
+}
+
+/// This one alone; where it is, all of them.
+pub fn alone(document: &mut Document, index: usize) {
+    let all = is_alone(document, index);
+    for (i, light) in document.scene.lights.iter_mut().enumerate() {
+        light.enabled = if all || i == index { None } else { Some(false) };
+    }
+}
+
+/// Adds a light of a kind, where it is seen and lights what is there: from the upper left of the eye.
+pub fn add(document: &mut Document, session: &mut Session, kind: LightSourceKind) {
+    let (center, radius) = around(session);
+    let camera = camera_of(&document.scene.camera);
+    // The third light from the same place would be hard to tell from the first two.
+    let side = [-0.55, 0.55, 0.0][document.scene.lights.len() % 3];
+    let way = unit(side * camera.right + 0.6 * camera.up - 0.75 * camera.front).unwrap_or(DVec3::Y);
+    let tidy = |v: DVec3| v.to_array().map(|c| tidy(c, radius));
+    let mut light = LightSpec { kind, color: Some(Color::grey(1.0)), intensity: Some(0.6), ..LightSpec::default() };
+    match kind {
+        LightSourceKind::Ambient => light.intensity = Some(0.08),
+        LightSourceKind::Directional => light.direction = Some((-way).to_array().map(tidy_unit)),
+        LightSourceKind::Point | LightSourceKind::Spot => {
+            light.position = Some(tidy(center + 1.6 * radius * way));
+            (light.constant, light.linear, light.quadratic) = (Some(1.0), Some(0.0), Some(0.0));
+        }
+    }
+    if kind == LightSourceKind::Spot {
+        light.direction = Some((-way).to_array().map(tidy_unit));
+        (light.inner_angle, light.outer_angle) = (Some(20.0), Some(30.0));
+    }
+    document.scene.lights.push(light);
+    session.selection = Selection::Light(document.scene.lights.len() - 1);
+    session.announcement = format!("a {kind} light was added");
+}
+
+/// Makes a light one of another kind: what the new kind has no word for goes, what it needs is filled in.
+pub fn convert(light: &mut LightSpec, kind: LightSourceKind, session: &Session) {
+    use LightSourceKind::{Directional, Point, Spot};
+    let (center, radius) = around(session);
+    let way = light.direction.map(DVec3::from).and_then(unit);
+    let from_place = light.position.and_then(|p| unit(center - DVec3::from(p)));
+    let way = way.or(from_place).unwrap_or(DVec3::NEG_Y);
+    let has_place = matches!(kind, Point | Spot);
+    light.kind = kind;
+    light.direction = matches!(kind, Directional | Spot).then(|| way.to_array().map(tidy_unit));
+    let place = light.position.unwrap_or_else(|| (center - 1.6 * radius * way).to_array().map(|c| tidy(c, radius)));
+    light.position = has_place.then_some(place);
+    light.constant = has_place.then(|| light.constant.unwrap_or(1.0));
+    light.linear = has_place.then(|| light.linear.unwrap_or(0.0));
+    light.quadratic = has_place.then(|| light.quadratic.unwrap_or(0.0));
+    light.inner_angle = (kind == Spot).then(|| light.inner_angle.unwrap_or(20.0));
+    light.outer_angle = (kind == Spot).then(|| light.outer_angle.unwrap_or(30.0));
+    if !has_place {
+        light.motion = None;
+    }
+}
+
+/// Middle and half diagonal of the scene's box.
+pub fn around(session: &Session) -> (DVec3, f64) {
+    let (min, max) = session.loaded.as_ref().map(|loaded| loaded.bounds()).unwrap_or_default();
+    let radius = 0.5 * (max - min).length();
+    (0.5 * (min + max), if radius > 1e-12 { radius } else { 1.0 })
+}
+
+/// Three digits of what matters in a scene of this size.
+fn tidy(v: f64, size: f64) -> f64 {
+    let step = 10f64.powf(size.log10().floor() - 2.0);
+    let tidied = (v / step).round() * step;
+    // Steps below 1 are no binary fractions: the nearest number that prints short.
+    format!("{tidied:.6e}").parse().unwrap_or(v)
+}
+
+fn tidy_unit(c: f64) -> f64 {
+    (1000.0 * c).round() / 1000.0 + 0.0
+}

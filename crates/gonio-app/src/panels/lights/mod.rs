@@ -1,0 +1,157 @@
+//! The lights: each is a row of the sum.
+
+mod details;
+mod edits;
+mod falloff;
+mod motion;
+
+use crate::action::Action;
+use crate::document::Document;
+use crate::exported::{self, Role};
+use crate::session::{Selection, Session};
+use crate::theme::{self, colors, icons};
+use crate::widgets::{Number, color_swatch, icon_button, tool_button};
+use egui::{Align, Atom, Button, Layout, RichText, Ui, WidgetInfo, vec2};
+use gonio_scene::color_value::Color;
+use gonio_scene::description::LightSourceKind;
+
+/// The icon of a kind of light.
+pub fn icon_of(kind: LightSourceKind) -> &'static str {
+    match kind {
+        LightSourceKind::Ambient => icons::GLOBE_HEMISPHERE_WEST,
+        LightSourceKind::Directional => icons::SUN,
+        LightSourceKind::Point => icons::LIGHTBULB,
+        LightSourceKind::Spot => icons::FLASHLIGHT,
+    }
+}
+
+/// What a light is called: its name, or its kind and number.
+pub fn name_of(document: &Document, index: usize) -> String {
+    match document.scene.lights.get(index) {
+        Some(light) if !light.name.is_empty() => light.name.clone(),
+        Some(light) => format!("{} {index}", light.kind),
+        None => String::new(),
+    }
+}
+
+/// Shows it.
+pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
+    if session.loaded.is_none() {
+        return;
+    }
+    let mut wanted = None;
+    for index in 0..document.scene.lights.len() {
+        ui.push_id(index, |ui| {
+            row(ui, document, session, index);
+            if session.selection == Selection::Light(index) {
+                let asked = details::show(ui, document, session, index);
+                wanted = wanted.take().or(asked);
+            }
+        });
+    }
+    if let Some(edit) = wanted {
+        edits::apply(document, session, edit);
+    }
+    if document.scene.lights.is_empty() {
+        ui.label(RichText::new("No light: only A, E and the environment are left").weak());
+    }
+    add(ui, document, session);
+    let _ = actions;
+}
+
+fn row(ui: &mut Ui, document: &mut Document, session: &mut Session, index: usize) {
+    let name = name_of(document, index);
+    let only = edits::is_alone(document, index);
+    let selected = session.selection == Selection::Light(index);
+    let Some(light) = document.scene.lights.get_mut(index) else { return };
+    let (kind, on) = (light.kind, light.is_on());
+    let mut make_alone = false;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 3.0;
+        let (icon, tip) = if on { (icons::EYE, "On: click for off") } else { (icons::EYE_SLASH, "Off: click for on") };
+        let eye = tool_button(ui, &format!("light-{index}-on"), icon, &format!("{name}: {tip}"), None, true);
+        if eye.clicked() {
+            light.enabled = on.then_some(false);
+        }
+        let tint = only.then(|| colors::ACCENT.of(ui));
+        let tip = if only { "All lights again" } else { "This light alone" };
+        let alone =
+            tool_button(ui, &format!("light-{index}-alone"), icons::TARGET, &format!("{name}: {tip}"), tint, true);
+        make_alone = alone.clicked();
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let caret = if selected { icons::CARET_UP } else { icons::CARET_DOWN };
+            if icon_button(ui, &format!("light-{index}-open"), caret, &format!("Parameters of {name}")).clicked() {
+                session.selection = if selected { Selection::None } else { Selection::Light(index) };
+            }
+            let mut intensity = light.intensity.unwrap_or(1.0);
+            let id = format!("light-{index}-intensity");
+            let number = Number::new(&id, "intensity")
+                .tip("Intensity: L_i is the colour times this")
+                .range(0.0..=1e6)
+                .default(1.0)
+                .width(58.0);
+            if number.show(ui, &mut intensity).changed() || Some(intensity) != light.intensity {
+                light.intensity = Some(intensity);
+            }
+            let mut color = light.color.unwrap_or(Color::grey(1.0));
+            let id = format!("light-{index}-swatch");
+            if color_swatch(ui, &id, "colour of the light", &mut color, Some(Color::grey(1.0)), "Colour of L_i") {
+                light.color = Some(color);
+            }
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                if title(ui, index, kind, &name, on, selected) {
+                    session.selection = if selected { Selection::None } else { Selection::Light(index) };
+                }
+            });
+        });
+    });
+    if make_alone {
+        edits::alone(document, index);
+    }
+}
+
+/// Icon and name, as a button over all the room; whether it was clicked.
+fn title(ui: &mut Ui, index: usize, kind: LightSourceKind, name: &str, on: bool, selected: bool) -> bool {
+    let visuals = ui.visuals();
+    let color = match (on, selected) {
+        (false, _) => visuals.weak_text_color().gamma_multiply(0.7),
+        (true, true) => visuals.strong_text_color(),
+        (true, false) => visuals.text_color(),
+    };
+    let lamp = if on { colors::LIGHT.of(ui) } else { color };
+    let icon = RichText::new(icon_of(kind)).font(theme::icon_font(15.0)).color(lamp);
+    let text = RichText::new(name).color(color);
+    let width = ui.available_width();
+    let response = ui
+        .scope(|ui| {
+            ui.spacing_mut().button_padding.x = 3.0;
+            let button = Button::new((icon, text, Atom::grow())).frame_when_inactive(selected).truncate();
+            ui.add_sized(vec2(width, 24.0), button.min_size(vec2(width, 24.0)))
+        })
+        .inner;
+    response.widget_info(|| WidgetInfo::selected(egui::Role::Button, true, selected, name));
+    exported::note(ui, &response, &format!("light-{index}"), Role::Button, name, if on { "on" } else { "off" });
+    let clicked = response.clicked();
+    response.on_hover_text(format!("{name}: {}", kind.description().trim()));
+    clicked
+}
+
+/// One button for each kind.
+fn add(ui: &mut Ui, document: &mut Document, session: &mut Session) {
+    ui.add_space(6.0);
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
+        ui.label(RichText::new("Add").weak());
+        for kind in LightSourceKind::ALL.iter().rev() {
+            let icon = RichText::new(icon_of(*kind)).font(theme::icon_font(14.0));
+            let button = ui.button((icon, RichText::new(kind.name())));
+            let label = format!("Add: {kind} light");
+            button.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, &label));
+            exported::note(ui, &button, &format!("add-light-{kind}"), Role::Button, &label, "");
+            if button.clicked() {
+                edits::add(document, session, *kind);
+            }
+            button.on_hover_text(kind.description().trim());
+        }
+    });
+}

@@ -1,0 +1,108 @@
+//! How a light moves.
+
+use super::edits;
+use crate::session::Session;
+use crate::theme::icons;
+use crate::widgets::{Number, Vector, dropdown, icon_button, row};
+use egui::Ui;
+use gonio_scene::description::{LightSpec, MotionKind, MotionSpec};
+
+/// Most points of a path that are shown; more are edited in the scene file.
+const MOST_POINTS: usize = 24;
+
+/// Shows it.
+pub fn show(ui: &mut Ui, light: &mut LightSpec, session: &Session, index: usize) {
+    let mut kind = light.motion.as_ref().map(|motion| motion.kind);
+    let mut options = vec![(None, "still", "It does not move")];
+    options.extend(MotionKind::ALL.iter().map(|kind| (Some(*kind), kind.name(), kind.description())));
+    let changed = row(ui, "Motion", "How the light moves with time", |ui| {
+        dropdown(ui, &format!("light-{index}-motion"), "motion", &mut kind, &options)
+    });
+    if changed {
+        light.motion = kind.map(|kind| fresh(kind, light, session));
+    }
+    let position = light.position.unwrap_or_default();
+    let Some(motion) = &mut light.motion else { return };
+    row(ui, "Period", "Seconds for one turn", |ui| {
+        let id = format!("light-{index}-period");
+        let number = Number::new(&id, "period").tip("Seconds for one turn").unit(" s");
+        number.range(0.01..=1e6).default(4.0).show(ui, &mut motion.period);
+    });
+    match motion.kind {
+        MotionKind::Oscillate => {
+            let mut amplitude = motion.amplitude.unwrap_or_default();
+            row(ui, "Amplitude", "How far to each side, world units", |ui| {
+                let id = format!("light-{index}-amplitude");
+                Vector::new(&id, "amplitude").tip("How far to each side, world units").show(ui, &mut amplitude);
+            });
+            motion.amplitude = Some(amplitude);
+        }
+        MotionKind::Circle => {
+            let mut center = motion.center.unwrap_or_default();
+            row(ui, "Centre", "What it goes around, world space", |ui| {
+                Vector::new(&format!("light-{index}-center"), "centre").show(ui, &mut center);
+            });
+            motion.center = Some(center);
+            let mut axis = motion.axis.unwrap_or([0.0, 1.0, 0.0]);
+            row(ui, "Axis", "It turns about this direction", |ui| {
+                Vector::new(&format!("light-{index}-axis"), "axis").default([0.0, 1.0, 0.0]).show(ui, &mut axis);
+            });
+            // A direction of length 0 is none.
+            if axis != [0.0; 3] {
+                motion.axis = Some(axis);
+            }
+        }
+        MotionKind::Path => {
+            let points = motion.points.get_or_insert_with(|| vec![position]);
+            path(ui, points, index);
+            light.position = points.first().copied().or(light.position);
+        }
+    }
+}
+
+fn path(ui: &mut Ui, points: &mut Vec<[f64; 3]>, index: usize) {
+    let mut removed = None;
+    let count = points.len();
+    for (number, point) in points.iter_mut().enumerate().take(MOST_POINTS) {
+        row(ui, &format!("Point {}", number + 1), "World space; the path is closed", |ui| {
+            let id = format!("light-{index}-point-{number}");
+            ui.scope(|ui| {
+                ui.set_max_width(ui.available_width() - 26.0);
+                Vector::new(&id, "point").show(ui, point);
+            });
+            if count > 2 && icon_button(ui, &format!("{id}-remove"), icons::X, "Take this point out").clicked() {
+                removed = Some(number);
+            }
+        });
+    }
+    if let Some(number) = removed {
+        points.remove(number);
+    }
+    row(ui, "", "", |ui| {
+        if icon_button(ui, &format!("light-{index}-add-point"), icons::PLUS, "One more point").clicked() {
+            let last = points.last().copied().unwrap_or_default();
+            points.push([last[0] + 0.5, last[1], last[2]]);
+        }
+    });
+}
+
+/// A motion that is seen at once.
+fn fresh(kind: MotionKind, light: &LightSpec, session: &Session) -> MotionSpec {
+    let (center, radius) = edits::around(session);
+    let round = |v: f64| (100.0 * v).round() / 100.0;
+    let place = light.position.unwrap_or_default();
+    let step = round(radius).max(0.01);
+    let mut motion = MotionSpec { kind, period: 4.0, ..MotionSpec::default() };
+    match kind {
+        MotionKind::Oscillate => motion.amplitude = Some([0.0, 0.0, step]),
+        MotionKind::Circle => {
+            motion.center = Some([round(center.x), place[1], round(center.z)]);
+            motion.axis = Some([0.0, 1.0, 0.0]);
+        }
+        MotionKind::Path => {
+            let [x, y, z] = place;
+            motion.points = Some(vec![place, [x + step, y, z], [x + step, y + step, z]]);
+        }
+    }
+    motion
+}

@@ -1,0 +1,115 @@
+//! The widgets around the picture.
+
+mod camera;
+mod compare;
+mod equation;
+mod frame;
+mod help;
+mod lights;
+mod messages;
+mod objects;
+mod path_field;
+mod picture;
+mod probe;
+mod status;
+mod time;
+mod top_bar;
+
+use crate::action::Action;
+use crate::document::{Document, History};
+use crate::exported::{self, Role};
+use crate::session::{Session, Tab};
+use crate::theme::colors;
+use egui::{Color32, FontId, Frame, Margin, Panel, Rect, ScrollArea, Sense, Ui, Visuals, WidgetInfo, vec2};
+
+/// Below this width (points) the side panel lies under the picture: a phone held upright.
+const NARROW: f32 = 720.0;
+const SIDE_WIDTH: f32 = 352.0;
+/// Of the tabs' names, and the least and the most there is between them.
+const TAB_SIZE: f32 = 12.5;
+const TAB_GAP: std::ops::RangeInclusive<f32> = 3.0..=14.0;
+
+/// What the panels stand on. The window is cleared with it, and no panel fills its own: clearing is nearly free, and half
+/// a window of rectangles is milliseconds of each frame for a software driver.
+pub fn ground(visuals: &Visuals) -> Color32 {
+    visuals.panel_fill
+}
+
+/// Shows everything but the picture, on [`ground`].
+pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, history: &History, actions: &mut Vec<Action>) {
+    let narrow = ui.available_width() < NARROW;
+    let bar = Frame::NONE.inner_margin(Margin::symmetric(10, 5));
+    Panel::top("top bar").frame(bar).resizable(false).show(ui, |ui| {
+        top_bar::show(ui, document, session, history, actions);
+    });
+    Panel::top("equation").frame(bar).resizable(false).show(ui, |ui| {
+        equation::show(ui, document, session, actions);
+    });
+    Panel::bottom("status").frame(bar).resizable(false).show(ui, |ui| {
+        status::show(ui, session);
+    });
+    if time::period(document).is_some() {
+        Panel::bottom("time").frame(bar).resizable(false).show(ui, |ui| {
+            ui.horizontal(|ui| time::show(ui, document, session, actions));
+        });
+    }
+    let inside = Frame::NONE.inner_margin(Margin::symmetric(10, 8));
+    if narrow {
+        let height = 0.42 * ui.available_height();
+        Panel::bottom("side").frame(inside).exact_size(height).show(ui, |ui| side(ui, document, session, actions));
+    } else {
+        let panel = Panel::right("side").frame(inside).default_size(SIDE_WIDTH).size_range(280.0..=560.0);
+        panel.show(ui, |ui| side(ui, document, session, actions));
+    }
+    messages::show(ui, session, actions);
+    help::show(ui, session);
+    path_field::show(ui, session, actions);
+}
+
+/// The tabs and what the chosen one shows.
+fn side(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
+    tabs(ui, session, actions);
+    ui.separator();
+    ScrollArea::vertical().id_salt(session.tab.title()).auto_shrink([false, false]).show(ui, |ui| match session.tab {
+        Tab::Lights => lights::show(ui, document, session, actions),
+        Tab::Objects => objects::show(ui, document, session, actions),
+        Tab::Camera => camera::show(ui, document, session, actions),
+        Tab::Picture => picture::show(ui, document, session, actions),
+        Tab::Probe => probe::show(ui, document, session, actions),
+        Tab::Compare => compare::show(ui, document, session, actions),
+        Tab::Frame => frame::show(ui, document, session, actions),
+    });
+}
+
+/// The tabs, side by side over the whole width; the chosen one has a line below it. None is bold: the others would move.
+fn tabs(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
+    let font = FontId::proportional(TAB_SIZE);
+    let color = |ui: &Ui, chosen| if chosen { colors::ACCENT.of(ui) } else { ui.visuals().text_color() };
+    let names: Vec<_> = Tab::ALL
+        .iter()
+        .map(|tab| ui.painter().layout_no_wrap(tab.title().into(), font.clone(), color(ui, session.tab == *tab)))
+        .collect();
+    let all: f32 = names.iter().map(|name| name.size().x).sum();
+    let gaps = names.len().saturating_sub(1).max(1) as f32;
+    let gap = ((ui.available_width() - all) / gaps).floor().clamp(*TAB_GAP.start(), *TAB_GAP.end());
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = vec2(gap, 2.0);
+        for (tab, name) in Tab::ALL.into_iter().zip(names) {
+            let chosen = session.tab == tab;
+            let size = vec2(name.size().x, TAB_SIZE + 11.0);
+            let (rect, button) = ui.allocate_exact_size(size, Sense::click());
+            button.widget_info(|| WidgetInfo::selected(egui::Role::Tab, true, chosen, tab.title()));
+            let color = if button.hovered() { ui.visuals().strong_text_color() } else { color(ui, chosen) };
+            ui.painter().galley_with_override_text_color(rect.min + vec2(0.0, 2.0), name, color);
+            if chosen || button.has_focus() {
+                let line = Rect::from_min_max(rect.left_bottom() - vec2(0.0, 2.0), rect.right_bottom());
+                ui.painter().rect_filled(line, 1.0, color);
+            }
+            let button = button.on_hover_text(tab.description());
+            exported::note(ui, &button, &format!("tab-{}", tab.title().to_lowercase()), Role::Tab, tab.title(), chosen);
+            if button.clicked() {
+                actions.push(Action::Show(tab));
+            }
+        }
+    });
+}

@@ -1,0 +1,159 @@
+//! Values in the place of a model's own. Each shows what the file says until it is changed, and goes back to it.
+
+use crate::theme::icons;
+use crate::widgets::{Number, color, dropdown, named_options, row, tool_button};
+use egui::{Align, Layout, RichText, Ui};
+use gonio_light::fresnel::Medium;
+use gonio_light::{Fresnel, Surfaces};
+use gonio_mesh::{AmbientRule, Material};
+use gonio_scene::color_value::Color;
+use gonio_scene::description::MaterialOverride;
+use std::ops::RangeInclusive;
+
+/// Room for the button that goes back, points.
+const RESET: f32 = 26.0;
+
+/// A line of it.
+struct Line<'a> {
+    id: String,
+    label: &'a str,
+    tip: &'a str,
+}
+
+/// Shows it. `files` are the materials of the model's file, `index` the object's number.
+pub fn show(ui: &mut Ui, with: &mut MaterialOverride, files: &[&Material], index: usize) {
+    let first = files.first().copied().cloned().unwrap_or_default();
+    match files {
+        [] => {}
+        [one] => drop(ui.label(RichText::new(format!("{} in the file", named(one))).small().weak())),
+        [one, rest @ ..] => {
+            let text =
+                format!("{} and {} more in the file; what is changed here is changed for all", named(one), rest.len());
+            ui.label(RichText::new(text).small().weak());
+        }
+    }
+    let line =
+        |name: &str, label: &'static str, tip: &'static str| Line { id: format!("object-{index}-{name}"), label, tip };
+    let color_of = |c: [f32; 3]| Color(c.map(tidy));
+    let ambient = match first.ambient {
+        AmbientRule::FollowsDiffuse => first.diffuse,
+        AmbientRule::Value(value) => value,
+    };
+    colored(ui, &line("ambient", "k_a", "Ambient colour k_a, linear RGB"), &mut with.ambient, color_of(ambient));
+    colored(ui, &line("diffuse", "k_d", "Diffuse colour k_d, linear RGB"), &mut with.diffuse, color_of(first.diffuse));
+    colored(
+        ui,
+        &line("specular", "k_s", "Specular colour k_s, linear RGB"),
+        &mut with.specular,
+        color_of(first.specular),
+    );
+    colored(ui, &line("emitted", "E", "Emitted light, linear RGB"), &mut with.emitted, color_of(first.emitted));
+    let shininess = line("shininess", "\u{3b3}", "Shininess \u{3b3}: the exponent of the highlight");
+    number(ui, &shininess, &mut with.shininess, tidy(first.shininess), 1.0..=1e6);
+    let opacity = line("opacity", "Opacity", "1 opaque, 0 invisible");
+    number(ui, &opacity, &mut with.opacity, tidy(first.opacity), 0.0..=1.0);
+    let textures = line("textures", "Textures", "Whether the model's textures are used");
+    let options = [(None, "as in the file", ""), (Some(false), "none", "Only the numbers count")];
+    words(ui, &textures, &mut with.textures, &options);
+    optics(ui, with, &first, &line);
+}
+
+fn named(material: &Material) -> &str {
+    if material.name.is_empty() { "unnamed" } else { &material.name }
+}
+
+/// How it shows its surroundings.
+fn optics<'a>(
+    ui: &mut Ui,
+    with: &mut MaterialOverride,
+    first: &Material,
+    line: &dyn Fn(&str, &'static str, &'static str) -> Line<'a>,
+) {
+    let mut media = vec![(None, "none", "A surface, not a clear body")];
+    media.extend(Medium::ALL.iter().map(|m| (Some(*m), m.name(), m.description())));
+    words(ui, &line("medium", "Medium", "A clear body of this medium"), &mut with.medium, &media);
+    let clear = with.medium.is_some();
+    let index = with.medium.map_or(tidy(first.refraction_index), Medium::refraction_index);
+    let refraction = line("refraction-index", "Index \u{3b7}", "Index of refraction; air has 1");
+    number(ui, &refraction, &mut with.refraction_index, index, 0.01..=100.0);
+    let reflectivity = line("reflectivity", "Reflectivity", "From the lit surface (0) to a mirror (1)");
+    number(ui, &reflectivity, &mut with.reflectivity, 0.0, 0.0..=1.0);
+    let transmission = line("transmission", "Transmission", "From opaque (0) to a clear body (1)");
+    number(ui, &transmission, &mut with.transmission, if clear { 1.0 } else { 0.0 }, 0.0..=1.0);
+    let usual = if clear { Fresnel::Exact } else { Fresnel::None };
+    let usual = if usual == Fresnel::Exact { "as usual (exact)" } else { "as usual (none)" };
+    let mut factors = vec![(None, usual, "Exact for a medium, none for a surface")];
+    factors.extend(named_options!(Fresnel).into_iter().map(|(f, name, tip)| (Some(f), name, tip)));
+    words(ui, &line("fresnel", "Fresnel", "How much is reflected, by the angle"), &mut with.fresnel, &factors[..]);
+    let white = Color::grey(1.0);
+    colored(ui, &line("tint", "Tint", "Colour of what is let through, 0 to 1"), &mut with.tint, white);
+    if let Some(tint) = &mut with.tint {
+        // A body lets no more light through than comes.
+        tint.0 = tint.0.map(|v| v.min(1.0));
+    }
+    let absorption = line("absorption", "Absorption", "Per world unit and channel, between two surfaces");
+    colored(ui, &absorption, &mut with.absorption, Color::grey(0.0));
+    let dispersion = line("dispersion", "Dispersion", "Index for blue light less that for red");
+    number(ui, &dispersion, &mut with.dispersion, 0.0, -1.0..=1.0);
+    let mut surfaces = vec![(None, "as usual (one)", "As in the lab")];
+    surfaces.extend(named_options!(Surfaces).into_iter().map(|(s, name, tip)| (Some(s), name, tip)));
+    words(ui, &line("surfaces", "Surfaces", "At how many surfaces light is refracted"), &mut with.surfaces, &surfaces);
+}
+
+/// A number of a file of 32 bits, without the digits that 64 would add.
+fn tidy(v: f32) -> f64 {
+    v.to_string().parse().unwrap_or(f64::from(v))
+}
+
+/// A line with a button at its end that goes back to the file; it is there, and dead, where nothing was changed.
+fn with_reset<T>(ui: &mut Ui, line: &Line<'_>, value: &mut Option<T>, show: impl FnOnce(&mut Ui, &mut Option<T>)) {
+    row(ui, line.label, line.tip, |ui| {
+        let width = ui.available_width() - RESET;
+        ui.scope(|ui| {
+            ui.set_max_width(width);
+            if value.is_none() {
+                ui.multiply_opacity(0.72);
+            }
+            show(ui, value);
+        });
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let changed = value.is_some();
+            let tip = if changed { "Back to what the file says" } else { "As in the file" };
+            let id = format!("{}-reset", line.id);
+            if tool_button(ui, &id, icons::ARROW_COUNTER_CLOCKWISE, tip, None, changed).clicked() {
+                *value = None;
+            }
+        });
+    });
+}
+
+fn colored(ui: &mut Ui, line: &Line<'_>, value: &mut Option<Color>, file: Color) {
+    with_reset(ui, line, value, |ui, value| {
+        let mut shown = value.unwrap_or(file);
+        if color(ui, &line.id, line.label, &mut shown, Some(file), line.tip) {
+            *value = (shown != file).then_some(shown);
+        }
+    });
+}
+
+fn number(ui: &mut Ui, line: &Line<'_>, value: &mut Option<f64>, file: f64, range: RangeInclusive<f64>) {
+    with_reset(ui, line, value, |ui, value| {
+        let before = value.unwrap_or(file);
+        let mut shown = before;
+        Number::new(&line.id, line.label).tip(line.tip).range(range).default(file).show(ui, &mut shown);
+        if shown != before {
+            *value = (shown != file).then_some(shown);
+        }
+    });
+}
+
+fn words<T: Copy + PartialEq>(
+    ui: &mut Ui,
+    line: &Line<'_>,
+    value: &mut Option<T>,
+    options: &[(Option<T>, &str, &str)],
+) {
+    with_reset(ui, line, value, |ui, value| {
+        dropdown(ui, &line.id, line.label, value, options);
+    });
+}

@@ -1,0 +1,208 @@
+//! Models, their place and their material.
+
+mod edits;
+mod material;
+
+use crate::action::Action;
+use crate::document::Document;
+use crate::exported::{self, Role};
+use crate::session::{Selection, Session};
+use crate::theme::{self, icons};
+use crate::widgets::{NO_BREAK, Number, Vector, choice, grouped, heading, icon_button, named_options, row};
+use egui::{Align, Atom, Button, Frame, Layout, Margin, RichText, TextEdit, Ui, WidgetInfo, vec2};
+use gonio_scene::LoadedScene;
+use gonio_scene::description::{Normals, ObjectSpec, Shading};
+use gonio_scene::files;
+
+/// Shows it.
+pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
+    let _ = actions;
+    let loaded = session.loaded.clone();
+    if loaded.is_none() {
+        return;
+    }
+    let count = document.scene.objects.len();
+    let mut wanted = None;
+    for index in 0..count {
+        ui.push_id(index, |ui| {
+            let selected = session.selection == Selection::Object(index);
+            title(ui, document, session, loaded.as_deref(), index, selected);
+            if selected {
+                let asked = details(ui, document, loaded.as_deref(), index, count);
+                wanted = wanted.take().or(asked);
+            }
+        });
+    }
+    if let Some(edit) = wanted {
+        edits::apply(document, session, edit);
+    }
+    add(ui, document, session);
+}
+
+/// The name with the number of triangles, over the whole line.
+fn title(
+    ui: &mut Ui,
+    document: &Document,
+    session: &mut Session,
+    loaded: Option<&LoadedScene>,
+    index: usize,
+    selected: bool,
+) {
+    let Some(spec) = document.scene.objects.get(index) else { return };
+    let mesh = loaded.and_then(|l| l.meshes.get(l.objects.get(index)?.mesh));
+    let size =
+        mesh.map_or(String::new(), |mesh| format!("{} triangles", grouped(mesh.triangle_count() as u64, NO_BREAK)));
+    let toggle_open = ui
+        .horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 3.0;
+            let mut toggled = false;
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                let caret = if selected { icons::CARET_UP } else { icons::CARET_DOWN };
+                let tip = format!("Values of {}", spec.name);
+                toggled |= icon_button(ui, &format!("object-{index}-open"), caret, &tip).clicked();
+                ui.label(RichText::new(size).small().weak());
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                    let icon = RichText::new(icons::CUBE).font(theme::icon_font(15.0));
+                    let width = ui.available_width();
+                    ui.spacing_mut().button_padding.x = 3.0;
+                    let button = Button::new((icon, RichText::new(&spec.name), Atom::grow()))
+                        .frame_when_inactive(selected)
+                        .truncate();
+                    let response = ui.add(button.min_size(vec2(width, 24.0)));
+                    response.widget_info(|| WidgetInfo::selected(egui::Role::Button, true, selected, &spec.name));
+                    exported::note(ui, &response, &format!("object-{index}"), Role::Button, &spec.name, selected);
+                    toggled |= response.clicked();
+                    response.on_hover_text(&spec.model);
+                });
+            });
+            toggled
+        })
+        .inner;
+    if toggle_open {
+        session.selection = if selected { Selection::None } else { Selection::Object(index) };
+    }
+}
+
+fn details(
+    ui: &mut Ui,
+    document: &mut Document,
+    loaded: Option<&LoadedScene>,
+    index: usize,
+    count: usize,
+) -> Option<edits::Edit> {
+    let spec = document.scene.objects.get_mut(index)?;
+    let frame = Frame::NONE.fill(ui.visuals().faint_bg_color).corner_radius(6).inner_margin(Margin::symmetric(8, 6));
+    frame
+        .show(ui, |ui| {
+            ui.spacing_mut().item_spacing.y = 4.0;
+            place(ui, spec, index);
+            surface(ui, spec, loaded, index);
+            let files = loaded.map(|l| l.materials_in_file(index)).unwrap_or_default();
+            heading(ui, "Material");
+            material::show(ui, &mut spec.material, &files, index);
+            tools(ui, index, count)
+        })
+        .inner
+}
+
+fn place(ui: &mut Ui, spec: &mut ObjectSpec, index: usize) {
+    let id = |name: &str| format!("object-{index}-{name}");
+    row(ui, "Name", "For reports and debug groups", |ui| {
+        let edit = TextEdit::singleline(&mut spec.name).id_salt("name");
+        let response = ui.add(edit.desired_width(ui.available_width() - 8.0));
+        exported::note(ui, &response, &id("name"), Role::Text, "name", &spec.name);
+    });
+    let tip = "Applied last, world units";
+    row(ui, "Translate", tip, |ui| {
+        Vector::new(&id("translate"), "translate").tip(tip).default([0.0; 3]).show(ui, &mut spec.translate)
+    });
+    let tip = "About the world's x, then y, then z axis";
+    row(ui, "Rotate", tip, |ui| {
+        let id = id("rotate");
+        let vector = Vector::new(&id, "rotate").tip(tip).unit("\u{b0}").default([0.0; 3]);
+        vector.range(-36000.0..=36000.0).step(0.5).show(ui, &mut spec.rotate)
+    });
+    let before = spec.scale;
+    let tip = "Applied first, per axis; Shift while dragging: finer";
+    row(ui, "Scale", tip, |ui| {
+        Vector::new(&id("scale"), "scale").tip(tip).default([1.0; 3]).step(0.005).show(ui, &mut spec.scale)
+    });
+    // A flat model has no inside to light.
+    for (now, before) in spec.scale.iter_mut().zip(before) {
+        if *now == 0.0 {
+            *now = before;
+        }
+    }
+}
+
+fn surface(ui: &mut Ui, spec: &mut ObjectSpec, loaded: Option<&LoadedScene>, index: usize) {
+    let id = |name: &str| format!("object-{index}-{name}");
+    row(ui, "Shading", "Where the equation is evaluated", |ui| {
+        let names = ["flat", "per face", "Gouraud", "Phong"];
+        let options: Vec<(Shading, &str, &str)> =
+            Shading::ALL.iter().zip(names).map(|(shading, name)| (*shading, name, shading.description())).collect();
+        choice(ui, &id("shading"), "shading", &mut spec.shading, &options, Shading::Phong);
+    });
+    row(ui, "Normals", "Which normals the mesh gets", |ui| {
+        let options = named_options!(Normals);
+        choice(ui, &id("normals"), "normals", &mut spec.normals, &options, Normals::File);
+    });
+    if spec.normals != Normals::Flat {
+        let mut angle = spec.crease_angle.unwrap_or(180.0);
+        let tip = "Faces that differ by more are not averaged; 180\u{b0} averages all";
+        let changed = row(ui, "Crease angle", tip, |ui| {
+            let id = id("crease-angle");
+            let number = Number::new(&id, "crease angle").tip(tip).unit("\u{b0}").range(0.0..=180.0).default(180.0);
+            number.step(1.0).show(ui, &mut angle).changed() || angle != spec.crease_angle.unwrap_or(180.0)
+        });
+        if changed {
+            spec.crease_angle = (angle < 180.0).then_some(angle);
+        }
+    }
+    let mesh = loaded.and_then(|l| l.meshes.get(l.objects.get(index)?.mesh));
+    if let Some(mesh) = mesh {
+        let text = format!(
+            "{} triangles, {} vertices",
+            grouped(mesh.triangle_count() as u64, NO_BREAK),
+            grouped(mesh.positions.len() as u64, NO_BREAK)
+        );
+        row(ui, "Mesh", "As it is drawn", |ui| ui.label(RichText::new(text).small().weak()));
+    }
+}
+
+fn tools(ui: &mut Ui, index: usize, count: usize) -> Option<edits::Edit> {
+    let mut asked = None;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        let id = |name: &str| format!("object-{index}-{name}");
+        if icon_button(ui, &id("frame"), icons::FRAME_CORNERS, "This object into the picture").clicked() {
+            asked = Some(edits::Edit::Frame(index));
+        }
+        if icon_button(ui, &id("duplicate"), icons::COPY, "A copy of this object beside it").clicked() {
+            asked = Some(edits::Edit::Duplicate(index));
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let tip = if count > 1 { "Take this object out" } else { "A scene has at least one object" };
+            if crate::widgets::tool_button(ui, &id("remove"), icons::TRASH, tip, None, count > 1).clicked() {
+                asked = Some(edits::Edit::Remove(index));
+            }
+        });
+    });
+    asked
+}
+
+fn add(ui: &mut Ui, document: &mut Document, session: &mut Session) {
+    ui.add_space(6.0);
+    let icon = RichText::new(icons::PLUS).font(theme::icon_font(13.0));
+    let menu = ui.menu_button((icon, RichText::new("Add a sample model")), |ui| {
+        for name in files::builtin_names().into_iter().filter(|name| edits::is_model(name)) {
+            let entry = ui.button(&name);
+            exported::note(ui, &entry, &format!("add-object-{name}"), Role::Button, &name, "");
+            if entry.clicked() {
+                edits::add(document, session, &name);
+                ui.close();
+            }
+        }
+    });
+    exported::note(ui, &menu.response, "add-object", Role::Button, "Add a sample model", "");
+}

@@ -1,0 +1,201 @@
+//! What surrounds the scene, and the way from light to the picture.
+
+use crate::action::Action;
+use crate::document::Document;
+use crate::session::Session;
+use crate::widgets::{Number, choice, color, dropdown, heading, named_options, row, toggle};
+use egui::Ui;
+use gonio_light::Quantity;
+use gonio_light::color::{ColorEncoding, ToneMap};
+use gonio_scene::description::{BackgroundSpec, EnvironmentSpec, PictureSpec};
+use gonio_scene::texture::TextureFilter;
+use gonio_scene::{Scene, ViewSpec};
+
+/// Shows it.
+pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
+    let _ = actions;
+    if session.loaded.is_none() {
+        return;
+    }
+    heading(ui, "Shown in this pane");
+    view(ui, document);
+    heading(ui, "Environment");
+    environment(ui, &mut document.scene);
+    heading(ui, "Background");
+    background(ui, &mut document.scene.background);
+    heading(ui, "From light to the picture");
+    output(ui, &mut document.scene.picture);
+}
+
+/// The quantities by what they are.
+const GROUPS: [(&str, &[Quantity]); 4] = {
+    use Quantity::*;
+    [
+        ("Vectors", &[Normal, GeometricNormal, Tangent, View, Light, Reflection, Half, Refraction, ViewReflection]),
+        (
+            "Terms",
+            &[
+                Ambient,
+                Emitted,
+                Diffuse,
+                Specular,
+                EnvironmentDiffuse,
+                EnvironmentSpecular,
+                Reflected,
+                Transmitted,
+                Albedo,
+                Total,
+            ],
+        ),
+        ("Factors", &[CosTheta, Spec, Attenuation, Spot, Fresnel]),
+        ("Places", &[Position, Depth, Distance, Uv]),
+    ]
+};
+
+fn view(ui: &mut Ui, document: &mut Document) {
+    let lights = document.scene.lights.len();
+    let names: Vec<String> = (0..lights).map(|i| super::lights::name_of(document, i)).collect();
+    let Some(pane) = document.panes.current_mut() else { return };
+    let mut quantity = pane.view.map(|view| view.quantity);
+    let titles: Vec<(Quantity, String)> =
+        GROUPS.iter().flat_map(|(group, members)| members.iter().map(move |q| (*q, titled(group, *q)))).collect();
+    let mut options = vec![(None, "the picture", "L_o, through exposure, tone map and encoding")];
+    options.extend(titles.iter().map(|(q, title)| (Some(*q), title.as_str(), q.description().trim())));
+    let tip = "A vector, a term or a factor of the equation as a colour (number keys)";
+    if row(ui, "View", tip, |ui| dropdown(ui, "view", "what is shown", &mut quantity, &options)) {
+        pane.view = quantity.map(|quantity| ViewSpec { quantity, light: None });
+    }
+    let Some(view) = &mut pane.view else { return };
+    if !view.quantity.per_light() && !view.quantity.summed_over_lights() {
+        return;
+    }
+    let (first, tip) = if view.quantity.summed_over_lights() {
+        ("sum of all", "The sum over the lights")
+    } else {
+        ("the first", "The first light that is not ambient")
+    };
+    let mut options = vec![(None, first, tip)];
+    options.extend(names.iter().enumerate().map(|(i, name)| (Some(i), name.as_str(), "")));
+    row(ui, "Of light", "Whose share is shown", |ui| {
+        dropdown(ui, "view-light", "of which light", &mut view.light, &options);
+    });
+}
+
+fn titled(group: &str, quantity: Quantity) -> String {
+    let group = group.trim_end_matches('s').to_lowercase();
+    match quantity.symbol() {
+        Some(symbol) => format!("{group}: {quantity} ({symbol})"),
+        None => format!("{group}: {quantity}"),
+    }
+}
+
+fn environment(ui: &mut Ui, scene: &mut Scene) {
+    const BUILTIN: [(&str, &str); 3] = [
+        ("debug", "Six colours with names: shows what is where"),
+        ("sky", "A sky with a sun"),
+        ("room", "A room with windows"),
+    ];
+    let image = scene.environment.as_ref().map(|environment| environment.image.clone());
+    let own = image.clone().filter(|image| BUILTIN.iter().all(|(name, _)| name != image));
+    let mut names: Vec<(&str, &str)> = vec![("none", "Only the background colours")];
+    names.extend(BUILTIN);
+    if let Some(own) = &own {
+        names.push((own.as_str(), "The scene's own"));
+    }
+    let options: Vec<(usize, &str, &str)> = names.iter().enumerate().map(|(i, (name, tip))| (i, *name, *tip)).collect();
+    let before = image.as_deref().and_then(|image| names.iter().position(|(name, _)| *name == image)).unwrap_or(0);
+    let mut chosen = before;
+    row(ui, "Image", "What surrounds the scene; drop a panorama or six faces for another one", |ui| {
+        dropdown(ui, "environment", "environment", &mut chosen, &options);
+    });
+    if chosen != before {
+        let name = names.get(chosen).map_or("", |(name, _)| name);
+        let kept = scene.environment.take();
+        scene.environment = (chosen != 0).then(|| EnvironmentSpec {
+            image: name.to_owned(),
+            rotate: kept.as_ref().map_or([0.0; 3], |e| e.rotate),
+            intensity: kept.as_ref().map_or(1.0, |e| e.intensity),
+            light: kept.as_ref().and_then(|e| e.light),
+            ..EnvironmentSpec::default()
+        });
+    }
+    let Some(environment) = &mut scene.environment else { return };
+    row(ui, "Light", "Whether it lights the objects", |ui| {
+        let mut light = environment.light.unwrap_or(false);
+        if toggle(ui, "environment-light", "lights the objects", &mut light, "Diffuse light and glossy reflection") {
+            environment.light = Some(light);
+        }
+    });
+    row(ui, "Background", "Whether it is seen behind the objects", |ui| {
+        toggle(ui, "environment-visible", "is seen", &mut environment.visible, "Behind the objects");
+    });
+    row(ui, "Intensity", "All of its light is multiplied by this", |ui| {
+        let number = Number::new("environment-intensity", "intensity").tip("All of its light times this");
+        number.range(0.0..=1e6).default(1.0).step(0.01).show(ui, &mut environment.intensity);
+    });
+    row(ui, "Turned", "Yaw, pitch and roll: about y, then x, then z", |ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        for ((name, tip), value) in [("yaw", "Yaw: to the left"), ("pitch", "Pitch: upwards"), ("roll", "Roll")]
+            .into_iter()
+            .zip(&mut environment.rotate)
+        {
+            let id = format!("environment-{name}");
+            let number = Number::new(&id, name).tip(tip).unit("\u{b0}").range(-360.0..=360.0).default(0.0);
+            number.step(1.0).width(66.0).show(ui, value);
+        }
+    });
+    row(ui, "Blur", "How blurred it is behind the objects", |ui| {
+        let number = Number::new("environment-blur", "blur").tip("How blurred it is behind the objects");
+        number.range(0.0..=1.0).default(0.0).show(ui, &mut environment.blur);
+    });
+}
+
+fn background(ui: &mut Ui, background: &mut BackgroundSpec) {
+    let usual = BackgroundSpec::default();
+    row(ui, "Top", "At the picture's upper edge, linear RGB", |ui| {
+        color(ui, "background-top", "background at the top", &mut background.top, Some(usual.top), "");
+    });
+    row(ui, "Bottom", "At the picture's lower edge, linear RGB", |ui| {
+        color(ui, "background-bottom", "background at the bottom", &mut background.bottom, Some(usual.bottom), "");
+    });
+    row(ui, "", "", |ui| {
+        let tip = "A saved picture gets an alpha channel";
+        toggle(ui, "background-transparent", "transparent", &mut background.transparent, tip);
+    });
+}
+
+fn output(ui: &mut Ui, picture: &mut PictureSpec) {
+    row(ui, "Exposure", "Light is multiplied by 2 to this power", |ui| {
+        let number = Number::new("exposure", "exposure").tip("Stops: light is multiplied by 2 to this power");
+        number.unit(" EV").range(-64.0..=64.0).default(0.0).step(0.02).show(ui, &mut picture.exposure);
+    });
+    row(ui, "Tone map", "How light above 1 is brought into the display's range", |ui| {
+        choice(ui, "tone-map", "tone map", &mut picture.tone_map, &named_options!(ToneMap), ToneMap::None);
+    });
+    row(ui, "Encoding", "How light becomes the picture's numbers", |ui| {
+        let options = named_options!(ColorEncoding);
+        choice(ui, "encoding", "colour encoding", &mut picture.color, &options, ColorEncoding::Srgb);
+    });
+    row(ui, "Samples", "Places in each pixel where edges are looked at", |ui| {
+        let options = [(1, "1", ""), (2, "2", ""), (4, "4", ""), (8, "8", ""), (16, "16", "")];
+        choice(ui, "samples", "samples per pixel", &mut picture.samples, &options, 4);
+    });
+    row(ui, "Textures", "How textures are sampled", |ui| {
+        let options = named_options!(TextureFilter);
+        dropdown(ui, "texture-filter", "texture filter", &mut picture.texture_filter, &options);
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A quantity that is added must be put into a group, once.
+    #[test]
+    fn every_quantity_can_be_chosen_once() {
+        for quantity in Quantity::ALL {
+            let times = GROUPS.iter().flat_map(|(_, members)| members.iter()).filter(|q| *q == quantity).count();
+            assert_eq!(times, 1, "{quantity}");
+        }
+    }
+}

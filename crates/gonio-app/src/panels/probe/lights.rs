@@ -1,0 +1,114 @@
+//! Light by light: the factors, and their products.
+
+use super::numbers::{cell, number, vector_row};
+use crate::probing::Reading;
+use crate::session::Selection;
+use crate::theme::{self, colors};
+use egui::{Grid, RichText, Ui};
+use gonio_light::{LightTerms, Terms};
+use gonio_reference::Probe;
+
+/// A light's name, or its kind and number.
+pub fn name(reading: &Reading, index: usize) -> String {
+    match reading.loaded.scene.lights.get(index) {
+        Some(spec) if !spec.name.is_empty() => spec.name.clone(),
+        Some(spec) => format!("{} {index}", spec.kind.name()),
+        None => format!("light {index}"),
+    }
+}
+
+/// Shows all: at the pixel, or where the shading evaluates them.
+pub fn show(ui: &mut Ui, reading: &Reading, probe: &Probe, selection: Selection) {
+    if let Some(sums) = &probe.interpolated {
+        let at_corners = probe.at_vertices.len() == 3;
+        for (number, terms) in probe.at_vertices.iter().enumerate() {
+            let title = match (at_corners, probe.vertices.get(number)) {
+                (true, Some(vertex)) => {
+                    format!("Corner {number}: vertex {vertex}, weight {:.4}", probe.barycentrics.to_array()[number % 3])
+                }
+                _ => "At the triangle's centroid".to_owned(),
+            };
+            super::heading(ui, &title);
+            corner(ui, reading, terms, number);
+        }
+        super::heading(ui, if at_corners { "Interpolated" } else { "Light" });
+        Grid::new("interpolated").num_columns(4).spacing([8.0, 2.0]).show(ui, |ui| {
+            let (diffuse, specular) = (Some(colors::DIFFUSE.of(ui)), Some(colors::SPECULAR.of(ui)));
+            vector_row(ui, "diffuse light", "Sum of diff cos L_i att spot", sums.diffuse, diffuse);
+            vector_row(ui, "specular light", "Sum of spec L_i att spot", sums.specular, specular);
+        });
+        return;
+    }
+    for light in &probe.terms.lights {
+        let title = name(reading, light.light);
+        ui.add_space(10.0);
+        let chosen = selection == Selection::Light(light.light);
+        let color = if chosen { colors::ACCENT.of(ui) } else { ui.visuals().text_color() };
+        ui.label(RichText::new(title).font(theme::bold(13.5)).color(color));
+        factors(ui, light);
+        products(ui, light);
+    }
+}
+
+/// The numbers that the equation multiplies, each under its symbol.
+fn factors(ui: &mut Ui, light: &LightTerms) {
+    Grid::new(("factors", light.light)).num_columns(5).spacing([6.0, 0.0]).show(ui, |ui| {
+        let factors = [
+            ("cos \u{3b8}", "N.L", light.cos_theta),
+            ("att", "Attenuation by the distance", light.attenuation),
+            ("spot", "The spot's cone", light.spot),
+            ("diff", "1, or 1/pi in the physical convention", light.diff),
+            ("spec", "As it enters the sum", light.spec),
+        ];
+        for (symbol, tip, _) in factors {
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                ui.label(RichText::new(symbol).small().weak()).on_hover_text(tip);
+            });
+        }
+        ui.end_row();
+        for (_, _, value) in factors {
+            cell(ui, value, None);
+        }
+        ui.end_row();
+    });
+    let mut facts = vec![format!("R.V {}", number(light.r_dot_v)), format!("N.H {}", number(light.n_dot_h))];
+    if light.distance.is_finite() {
+        facts.push(format!("d {}", number(light.distance)));
+    }
+    if light.cos_theta <= 0.0 {
+        facts.push("behind the surface".to_owned());
+    }
+    ui.label(RichText::new(facts.join("   ")).small().weak());
+}
+
+fn products(ui: &mut Ui, light: &LightTerms) {
+    Grid::new(("products", light.light)).num_columns(4).spacing([8.0, 2.0]).show(ui, |ui| {
+        let tint = |tint: colors::Tint| Some(tint.of(ui));
+        let (of_light, diffuse, specular) = (tint(colors::LIGHT), tint(colors::DIFFUSE), tint(colors::SPECULAR));
+        let (r, h) = (tint(colors::REFLECTION), tint(colors::HALF));
+        vector_row(ui, "L", "To the light, world space", light.l, of_light);
+        vector_row(ui, "R", "L mirrored about N", light.r, r);
+        vector_row(ui, "H", "Half of L and V", light.h, h);
+        vector_row(ui, "L_i att spot", "What arrives, linear RGB", light.incident, None);
+        vector_row(ui, "diffuse", "diff k_d cos L_i att spot", light.diffuse, diffuse);
+        vector_row(ui, "specular", "k_s spec L_i att spot", light.specular, specular);
+    });
+}
+
+/// One place of evaluation.
+fn corner(ui: &mut Ui, reading: &Reading, terms: &Terms, number: usize) {
+    Grid::new(("corner", number)).num_columns(4).spacing([8.0, 2.0]).show(ui, |ui| {
+        vector_row(ui, "position", "World space", terms.point.position, None);
+        vector_row(ui, "N", "The normal there", terms.point.normal, Some(colors::NORMAL.of(ui)));
+        for light in &terms.lights {
+            let of = name(reading, light.light);
+            let (diffuse, specular) = (colors::DIFFUSE.of(ui), colors::SPECULAR.of(ui));
+            let factors = format!(
+                "{of}: cos {:.4}, att {:.4}, spot {:.4}, spec {:.4}",
+                light.cos_theta, light.attenuation, light.spot, light.spec
+            );
+            vector_row(ui, &format!("{of} diffuse"), &factors, light.diffuse_light, Some(diffuse));
+            vector_row(ui, &format!("{of} specular"), &factors, light.specular_light, Some(specular));
+        }
+    });
+}

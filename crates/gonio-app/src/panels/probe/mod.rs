@@ -1,0 +1,151 @@
+//! The equation at one pixel, with its numbers.
+
+mod bars;
+mod lights;
+mod numbers;
+mod sum;
+mod surface;
+mod text;
+
+use crate::action::Action;
+use crate::document::Document;
+use crate::exported::{self, Role};
+use crate::probing::{GpuValue, Reading};
+use crate::session::Session;
+use crate::theme::{self, icons};
+use egui::{Color32, Grid, Response, RichText, Sense, Ui, vec2};
+use numbers::{hex, number};
+
+/// Shows it.
+pub fn show(ui: &mut Ui, _: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
+    let reading = session.probing.reading().cloned();
+    header(ui, session, reading.as_deref(), actions);
+    if session.probing.is_building() {
+        ui.horizontal(|ui| {
+            ui.add(egui::Spinner::new().size(14.0));
+            let triangles = session.probing.building_triangles();
+            ui.label(RichText::new(format!("the reference is being built: {triangles} triangles")).weak());
+        });
+    }
+    let Some(reading) = reading else {
+        ui.add_space(8.0);
+        let hint = "Point at the picture: here stands the light equation of that pixel, with its numbers. A click pins the \
+                    pixel, Escape lets it go.";
+        ui.label(RichText::new(hint).weak());
+        return;
+    };
+    values(ui, &reading);
+    let Some(probe) = &reading.probe else {
+        ui.add_space(8.0);
+        let sky = reading.frame.surroundings.is_some_and(|s| s.visible);
+        let what = if sky { "the environment" } else { "the background" };
+        ui.label(format!("No object is seen there, but {what}."));
+        return;
+    };
+    heading(ui, "Where the light comes from");
+    bars::show(ui, &reading, probe);
+    heading(ui, "The equation, in numbers");
+    sum::show(ui, &reading, probe);
+    lights::show(ui, &reading, probe, session.selection);
+    surface::show(ui, &reading, probe);
+}
+
+/// The pixel's place, and what can be done with it.
+fn header(ui: &mut Ui, session: &mut Session, reading: Option<&Reading>, actions: &mut Vec<Action>) {
+    ui.horizontal(|ui| {
+        let place = reading.map_or_else(|| "no pixel".to_owned(), |r| format!("pixel {}, {}", r.x, r.y));
+        ui.label(RichText::new(place).font(theme::bold(14.0)));
+        if let Some(reading) = reading {
+            ui.label(RichText::new(format!("of {} x {}", reading.width, reading.height)).weak());
+        }
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            ui.spacing_mut().item_spacing.x = 2.0;
+            let probing = &mut session.probing;
+            let pinned = probing.pinned.is_some();
+            let (icon, tip) = if pinned {
+                (icons::PUSH_PIN_SLASH, "Let the pixel go (Escape)")
+            } else {
+                (icons::PUSH_PIN, "Pinned by a click in the picture")
+            };
+            if button(ui, "probe-unpin", icon, tip, pinned).clicked() {
+                probing.pinned = None;
+            }
+            let tip = "Copy all numbers as JSON";
+            if button(ui, "probe-copy-json", icons::CODE, tip, reading.is_some()).clicked()
+                && let Some(reading) = reading
+                && let Ok(json) = serde_json::to_string_pretty(reading)
+            {
+                actions.push(Action::CopyText(json));
+            }
+            let tip = "Copy as text";
+            if button(ui, "probe-copy-text", icons::COPY, tip, reading.is_some()).clicked()
+                && let Some(reading) = reading
+            {
+                actions.push(Action::CopyText(text::of(reading)));
+            }
+        });
+    });
+}
+
+fn button(ui: &mut Ui, id: &str, icon: &str, tip: &str, enabled: bool) -> Response {
+    let text = RichText::new(icon).font(theme::icon_font(15.0));
+    let response = ui.add_enabled(enabled, egui::Button::new(text).frame_when_inactive(false));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, enabled, tip));
+    exported::note(ui, &response, id, Role::Button, tip, "");
+    response.on_hover_text(tip)
+}
+
+/// The reference's pixel and OpenGL's.
+fn values(ui: &mut Ui, reading: &Reading) {
+    Grid::new("probe values").num_columns(6).spacing([4.0, 4.0]).show(ui, |ui| {
+        let row = |ui: &mut Ui, name: &str, tip: &str, color: [u8; 3], value: [f64; 3]| {
+            ui.label(name).on_hover_text(tip);
+            swatch(ui, color);
+            ui.label(RichText::new(hex(color)).monospace().size(11.5));
+            for v in value {
+                numbers::cell(ui, v, None);
+            }
+            ui.end_row();
+        };
+        let [r, g, b, _] = reading.reference;
+        row(ui, "CPU", "The reference: f64, through the pixel's centre, linear", reading.displayed, [r, g, b]);
+        if let Some(GpuValue { value, displayed, .. }) = reading.gpu {
+            let [r, g, b, _] = value.map(f64::from);
+            row(ui, "OpenGL", "What the GPU draws there with one sample, linear", displayed, [r, g, b]);
+        }
+    });
+    ui.horizontal(|ui| match reading.gpu {
+        Some(gpu) => {
+            let text = format!("largest difference {}", number(gpu.difference));
+            let response = ui.label(RichText::new(text).small().weak());
+            exported::note(ui, &response, "probe-difference", Role::Text, "largest difference", gpu.difference);
+        }
+        None => {
+            ui.label(RichText::new("OpenGL's value could not be read").small().weak());
+        }
+    });
+}
+
+fn heading(ui: &mut Ui, text: &str) {
+    ui.add_space(10.0);
+    ui.label(RichText::new(text).font(theme::bold(13.5)));
+}
+
+/// A small square of a colour.
+fn swatch(ui: &mut Ui, [r, g, b]: [u8; 3]) {
+    let (rect, _) = ui.allocate_exact_size(vec2(16.0, 16.0), Sense::hover());
+    let rim = egui::Stroke::new(1.0, ui.visuals().weak_text_color());
+    ui.painter().rect(rect, 3.0, Color32::from_rgb(r, g, b), rim, egui::StrokeKind::Inside);
+}
+
+/// A name and what it is, wrapped.
+fn fact(ui: &mut Ui, name: &str, value: impl Into<egui::WidgetText>) {
+    // No grid: in one, a long text would not be wrapped but widen the panel.
+    ui.horizontal(|ui| {
+        ui.allocate_ui(vec2(64.0, 16.0), |ui| {
+            ui.set_min_width(64.0);
+            ui.label(RichText::new(name).weak());
+        });
+        ui.add(egui::Label::new(value).wrap());
+    });
+}

@@ -1,0 +1,116 @@
+//! What is seen there: object, triangle, material, texels, normals, and the environment's part.
+
+use super::numbers::{number, vector_row};
+use super::{fact, heading, swatch};
+use crate::probing::Reading;
+use crate::theme::colors;
+use egui::{Grid, RichText, Ui};
+use glam::DVec3;
+use gonio_light::Fresnel;
+use gonio_light::color::srgb_encode;
+use gonio_reference::Probe;
+
+/// Shows it.
+pub fn show(ui: &mut Ui, reading: &Reading, probe: &Probe) {
+    heading(ui, "Surface");
+    ui.scope(|ui| {
+        ui.spacing_mut().item_spacing.y = 1.0;
+        facts(ui, probe);
+    });
+    ui.add_space(4.0);
+    Grid::new("surface vectors").num_columns(4).spacing([8.0, 2.0]).show(ui, |ui| {
+        let terms = &probe.terms;
+        vector_row(ui, "position", "World space", probe.position, None);
+        vector_row(ui, "N", "The shading normal", terms.point.normal, Some(colors::NORMAL.of(ui)));
+        vector_row(ui, "N geometric", "The triangle's own", probe.geometry.geometric_normal, None);
+        vector_row(ui, "V", "To the eye", terms.point.view, Some(colors::VIEW.of(ui)));
+    });
+    heading(ui, &format!("Material {}", probe.material_name));
+    Grid::new("material").num_columns(4).spacing([8.0, 2.0]).show(ui, |ui| {
+        let surface = &probe.surface;
+        vector_row(ui, "k_a", "Ambient", surface.ambient, Some(colors::AMBIENT.of(ui)));
+        vector_row(ui, "k_d", "Diffuse, textures included", surface.diffuse, Some(colors::DIFFUSE.of(ui)));
+        vector_row(ui, "k_s", "Specular, textures included", surface.specular, Some(colors::SPECULAR.of(ui)));
+        vector_row(ui, "E", "Emitted", surface.emitted, Some(colors::EMITTED.of(ui)));
+    });
+    let shininess = number(probe.surface.shininess);
+    let text = format!("shininess {shininess}   refraction index {}", number(probe.surface.refraction_index));
+    ui.label(RichText::new(text).small().weak());
+    texels(ui, probe);
+    environment(ui, reading, probe);
+}
+
+fn facts(ui: &mut Ui, probe: &Probe) {
+    let part = if probe.part_name.is_empty() { String::new() } else { format!(", part {}", probe.part_name) };
+    fact(ui, "object", format!("{}{part}", probe.object_name));
+    let [a, b, c] = probe.vertices;
+    fact(ui, "triangle", format!("{} of vertices {a}, {b}, {c}", probe.triangle));
+    let w = probe.barycentrics;
+    fact(ui, "weights", format!("{:.4}, {:.4}, {:.4}", w.x, w.y, w.z));
+    let side = match (probe.front_facing, probe.normal_turned) {
+        (true, _) => "front",
+        (false, true) => "back, N turned to the viewer",
+        (false, false) => "back",
+    };
+    fact(ui, "side", side);
+    fact(ui, "shading", probe.shading.name());
+    fact(ui, "depth", number(probe.depth));
+    fact(ui, "uv", format!("{}, {}", number(probe.geometry.uv.x), number(probe.geometry.uv.y)));
+    if probe.opacity < 1.0 || probe.surfaces_behind > 0 {
+        let behind = probe.surfaces_behind;
+        fact(ui, "opacity", format!("{}, {behind} seen through it", number(probe.opacity)));
+    }
+}
+
+/// The textures that were read.
+fn texels(ui: &mut Ui, probe: &Probe) {
+    for texel in &probe.texels {
+        ui.horizontal(|ui| {
+            let v = DVec3::new(texel.value.x, texel.value.y, texel.value.z);
+            let shown = match texel.map {
+                // Data are shown as they are.
+                "normal" | "shininess" | "opacity" => v,
+                _ => v.map(srgb_encode),
+            };
+            swatch(ui, shown.to_array().map(|c| (c.clamp(0.0, 1.0) * 255.0 + 0.5) as u8));
+            ui.label(texel.map);
+            ui.add(egui::Label::new(RichText::new(&texel.texture).weak()).truncate()).on_hover_text(&texel.texture);
+        });
+        let value = texel.value.to_array().map(number).join(" ");
+        let place = format!("{value}  at {}, {}", number(texel.uv.x), number(texel.uv.y));
+        ui.label(RichText::new(place).monospace().size(11.0).weak());
+    }
+}
+
+/// What the environment adds; nothing where there is none.
+fn environment(ui: &mut Ui, reading: &Reading, probe: &Probe) {
+    let (Some(environment), Some(how)) = (&reading.loaded.environment, reading.frame.surroundings) else { return };
+    if probe.optics.is_plain() && !how.lights {
+        return;
+    }
+    heading(ui, &format!("Environment {}", environment.name));
+    let seen = &probe.terms.environment;
+    Grid::new("environment").num_columns(4).spacing([8.0, 2.0]).show(ui, |ui| {
+        let tint = Some(colors::ENVIRONMENT.of(ui));
+        if how.lights {
+            vector_row(ui, "diffuse", "k_d times its light about N", seen.diffuse, tint);
+            vector_row(ui, "specular", "Its glossy reflection", seen.specular, tint);
+        }
+        if !probe.optics.is_plain() {
+            vector_row(ui, "R", "V mirrored about N", seen.sight.reflection, None);
+            vector_row(ui, "E(R)", "What a mirror shows", seen.sight.reflected, tint);
+            vector_row(ui, "(1-F) tint E(T)", "What clear glass shows", seen.sight.transmitted, tint);
+            vector_row(ui, "F", "Fresnel's factor of red, green and blue", seen.sight.fresnel, None);
+        }
+    });
+    if !probe.optics.is_plain() {
+        let fresnel = match probe.optics.fresnel {
+            Fresnel::None => "no Fresnel factor",
+            Fresnel::Exact => "Fresnel exact",
+            Fresnel::Schlick => "Fresnel by Schlick",
+        };
+        let share = number(probe.optics.mirror_share(seen.sight.fresnel.y));
+        let text = format!("mirror {share}   transmission {}   {fresnel}", number(probe.optics.transmission));
+        ui.label(RichText::new(text).small().weak());
+    }
+}

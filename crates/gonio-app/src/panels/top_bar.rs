@@ -1,0 +1,155 @@
+//! The bar at the top: what is open, files, undo, light or dark. Where there is little room, a menu has it all.
+
+use crate::action::Action;
+use crate::document::{Document, History};
+use crate::exported::{self, Role};
+use crate::saving::Product;
+use crate::session::Session;
+use crate::theme::{self, icons};
+use egui::{Align, Layout, RichText, ScrollArea, Ui};
+use gonio_scene::files;
+
+/// Below this width (points) the files are behind one button.
+const NARROW: f32 = 560.0;
+
+/// Shows it.
+pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &History, actions: &mut Vec<Action>) {
+    let narrow = ui.available_width() < NARROW;
+    ui.horizontal(|ui| {
+        ui.label(RichText::new("gonio").font(theme::bold(16.0)).color(ui.visuals().strong_text_color()));
+        ui.add_space(if narrow { 0.0 } else { 6.0 });
+        if narrow {
+            let text = RichText::new(icons::LIST).font(theme::icon_font(17.0));
+            menu(ui, "menu", text, "Files", |ui| {
+                entry(ui, "open", "Open...", "Open a model or a scene (Ctrl + O)", Action::ChooseFiles, actions);
+                ui.separator();
+                save_entries(ui, actions);
+                ui.separator();
+                samples_entries(ui, actions);
+                recent_entries(ui, session, actions);
+            });
+        } else {
+            if icon(ui, "open", icons::FOLDER_OPEN, "Open a model or a scene (Ctrl + O)", true) {
+                actions.push(Action::ChooseFiles);
+            }
+            let text = RichText::new(icons::FLOPPY_DISK).font(theme::icon_font(17.0));
+            menu(ui, "save", text, "Save the picture or the scene", |ui| save_entries(ui, actions));
+            menu(ui, "samples", "Samples".into(), "Models and scenes that gonio carries", |ui| {
+                samples_entries(ui, actions);
+            });
+            if !session.settings.recent.is_empty() {
+                menu(ui, "recent", "Recent".into(), "What was opened before", |ui| {
+                    recent_entries(ui, session, actions);
+                });
+            }
+            ui.add_space(6.0);
+        }
+        if icon(ui, "undo", icons::ARROW_U_UP_LEFT, "Undo (Ctrl + Z)", history.can_undo(document)) {
+            actions.push(Action::Undo);
+        }
+        if icon(ui, "redo", icons::ARROW_U_UP_RIGHT, "Redo (Ctrl + Y)", history.can_redo()) {
+            actions.push(Action::Redo);
+        }
+        if icon(ui, "frame", icons::FRAME_CORNERS, "Everything into the picture (F)", session.loaded.is_some()) {
+            actions.push(Action::Frame);
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if icon(ui, "help", icons::QUESTION, "Keys (?)", true) {
+                actions.push(Action::ToggleHelp);
+            }
+            let dark = ui.visuals().dark_mode;
+            if icon(ui, "theme", if dark { icons::SUN } else { icons::MOON }, "Light or dark (T)", true) {
+                actions.push(Action::ToggleTheme);
+            }
+            ui.add(egui::Label::new(RichText::new(&session.title).weak()).truncate());
+        });
+    });
+}
+
+/// A button that is an icon; whether it was pressed.
+fn icon(ui: &mut Ui, id: &str, icon: &str, tip: &str, enabled: bool) -> bool {
+    let text = RichText::new(icon).font(theme::icon_font(17.0));
+    let button = ui.add_enabled(enabled, egui::Button::new(text).frame_when_inactive(false));
+    button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, enabled, tip));
+    exported::note(ui, &button, id, Role::Button, tip, "");
+    button.on_hover_text(tip).clicked()
+}
+
+/// A button that opens a menu, which scrolls where the window is low.
+fn menu(ui: &mut Ui, id: &str, text: RichText, tip: &str, content: impl FnOnce(&mut Ui)) {
+    let height = ui.ctx().content_rect().height() - 60.0;
+    // As the icons beside it: a frame only under the pointer.
+    let button = egui::Button::new(text).frame_when_inactive(false);
+    let content = |ui: &mut Ui| ScrollArea::vertical().max_height(height).show(ui, content);
+    let (button, _) = egui::containers::menu::MenuButton::from_button(button).ui(ui, content);
+    button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, tip));
+    exported::note(ui, &button, id, Role::Button, tip, "");
+    button.on_hover_text(tip);
+}
+
+fn entry(ui: &mut Ui, id: &str, text: &str, tip: &str, action: Action, actions: &mut Vec<Action>) {
+    let button = ui.button(text);
+    exported::note(ui, &button, id, Role::Button, text, "");
+    let button = if tip.is_empty() { button } else { button.on_hover_text(tip) };
+    if button.clicked() {
+        actions.push(action);
+        ui.close();
+    }
+}
+
+fn save_entries(ui: &mut Ui, actions: &mut Vec<Action>) {
+    for product in Product::ALL {
+        let id = format!("save-{}", product.id());
+        let tip = if product == Product::Picture { "Ctrl + S" } else { "" };
+        entry(ui, &id, product.title(), tip, Action::Save(product), actions);
+    }
+    ui.separator();
+    entry(ui, "copy-picture", "Copy the picture", "", Action::CopyPicture, actions);
+    let tip = "A link to this page that carries the scene: samples, lights, camera and all settings";
+    entry(ui, "copy-link", "Copy a link to the scene", tip, Action::CopyLink, actions);
+}
+
+fn samples_entries(ui: &mut Ui, actions: &mut Vec<Action>) {
+    for name in files::builtin_names() {
+        let action = Action::Open(vec![format!("{}{name}", files::BUILTIN)]);
+        entry(ui, &format!("sample-{name}"), &name, sentence(&name), action, actions);
+    }
+}
+
+fn recent_entries(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
+    for (index, path) in session.settings.recent.iter().enumerate() {
+        let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
+        entry(ui, &format!("recent-{index}"), name, path, Action::OpenPaths(vec![path.clone()]), actions);
+    }
+}
+
+/// What a sample is, in a sentence.
+fn sentence(sample: &str) -> &'static str {
+    match sample {
+        "cube" => "Six faces, hard edges: where flat and Phong shading are the same",
+        "sphere-coarse" => "Few triangles, one normal a face: where the shadings differ most",
+        "sphere-coarse-averaged" => "Few triangles, averaged normals: what interpolation hides",
+        "sphere-smooth" => "Many triangles: what all shadings come to",
+        "still-life" => "Several materials and textures on one table",
+        "suzanne" => "The head of a monkey, as in many programs",
+        "glass-and-mirror" => "What shows its surroundings",
+        "lab-07" => "The scene of exercise 07",
+        "light-kinds" => "Directional, point and spot light beside each other",
+        "shadings" => "Flat, Gouraud and Phong beside each other",
+        "three-spheres" => "Three spheres under three lights",
+        _ => "",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_sample_has_its_sentence() {
+        let names = files::builtin_names();
+        assert!(!names.is_empty());
+        let silent: Vec<&String> = names.iter().filter(|name| sentence(name).is_empty()).collect();
+        assert!(silent.is_empty(), "{silent:?}");
+    }
+}

@@ -1,0 +1,92 @@
+//! Dialogs of the system.
+//!
+//! On Linux they are other programs (zenity of GNOME, kdialog of KDE): the crate that speaks to their service brings
+//! D-Bus and an async runtime, thirty crates. Where neither is there the window asks for a path itself.
+
+use super::opened;
+use crate::platform::{Asked, Event};
+use crate::saving::Product;
+use std::sync::mpsc::Sender;
+
+/// Asks for files to open.
+pub fn open(sender: Sender<Event>, ctx: &egui::Context) -> Asked {
+    let inner = ctx.clone();
+    ask(Question::Open, ctx, move |paths| {
+        if !paths.is_empty() {
+            opened::in_thread(paths, sender, &inner);
+        }
+    })
+}
+
+/// Asks where to save.
+pub fn save(product: Product, name: &str, sender: Sender<Event>, ctx: &egui::Context) -> Asked {
+    ask(Question::Save(name.to_owned()), ctx, move |paths| {
+        if let Some(path) = paths.into_iter().next() {
+            // The window may be closed by now.
+            let _ = sender.send(Event::SaveTo(product, path));
+        }
+    })
+}
+
+enum Question {
+    Open,
+    /// With this name proposed.
+    Save(String),
+}
+
+#[cfg(not(any(windows, target_os = "macos")))]
+fn ask(question: Question, ctx: &egui::Context, answer: impl FnOnce(Vec<String>) + Send + 'static) -> Asked {
+    use std::process::{Command, Stdio};
+    let Some((program, is_zenity)) =
+        [("zenity", true), ("kdialog", false)].into_iter().find(|(name, _)| is_there(name))
+    else {
+        return Asked::ByNobody;
+    };
+    let mut command = Command::new(program);
+    match (&question, is_zenity) {
+        (Question::Open, true) => command.args(["--file-selection", "--multiple", "--separator=\n", "--title=Open"]),
+        (Question::Save(name), true) => command
+            .args(["--file-selection", "--save", "--confirm-overwrite", "--title=Save"])
+            .arg(format!("--filename={name}")),
+        (Question::Open, false) => command.args(["--getopenfilename", ".", "--multiple", "--separate-output"]),
+        (Question::Save(name), false) => command.args(["--getsavefilename", name.as_str()]),
+    };
+    command.stdin(Stdio::null()).stderr(Stdio::null());
+    let ctx = ctx.clone();
+    std::thread::spawn(move || {
+        // A dialog that was closed answers nothing; so does one that could not be shown.
+        let said = command.output().map(|output| output.stdout).unwrap_or_default();
+        let said = String::from_utf8_lossy(&said);
+        answer(said.lines().filter(|line| !line.is_empty()).map(str::to_owned).collect());
+        ctx.request_repaint();
+    });
+    Asked::BySystem
+}
+
+/// Whether a program can be started by its name.
+#[cfg(not(any(windows, target_os = "macos")))]
+fn is_there(program: &str) -> bool {
+    std::env::var_os("PATH")
+        .is_some_and(|path| std::env::split_paths(&path).any(|folder| folder.join(program).is_file()))
+}
+
+#[cfg(any(windows, target_os = "macos"))]
+fn ask(question: Question, ctx: &egui::Context, answer: impl FnOnce(Vec<String>) + Send + 'static) -> Asked {
+    let text = |path: std::path::PathBuf| path.to_string_lossy().into_owned();
+    let run = move || match question {
+        Question::Open => rfd::FileDialog::new().pick_files().unwrap_or_default().into_iter().map(text).collect(),
+        Question::Save(name) => rfd::FileDialog::new().set_file_name(name).save_file().into_iter().map(text).collect(),
+    };
+    if cfg!(target_os = "macos") {
+        // Its dialogs belong to the thread of the window.
+        answer(run());
+        ctx.request_repaint();
+    } else {
+        let ctx = ctx.clone();
+        std::thread::spawn(move || {
+            answer(run());
+            ctx.request_repaint();
+        });
+    }
+    Asked::BySystem
+}

@@ -1,0 +1,18 @@
+//! Where a program keeps what it remembers: XDG Base Directory Specification 0.8, Known Folders of Windows, Library of
+//! macOS.
+
+use std::env::var_os;
+use std::path::PathBuf;
+
+/// The file; `None` where there is no home.
+pub fn settings_file() -> Option<PathBuf> {
+    let folder = |name: &str| var_os(name).map(PathBuf::from).filter(|path| path.is_absolute());
+    let place = if cfg!(windows) {
+        folder("LOCALAPPDATA")?
+    } else if cfg!(target_os = "macos") {
+        folder("HOME")?.join("Library/Application Support")
+    } else {
+        folder("XDG_STATE_HOME").or_else(|| Some(folder("HOME")?.join(".local/state")))?
+    };
+    Some(place.join("gonio").join("window.json"))
+}

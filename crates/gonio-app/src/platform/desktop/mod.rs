@@ -1,0 +1,156 @@
+//! The desktop: a window of its own, files on disk.
+
+mod dialog;
+mod display;
+mod home;
+mod opened;
+mod watch;
+mod write;
+
+pub use display::has_display;
+
+use super::{Asked, Event, Platform, Settings};
+use crate::saving::Product;
+use crate::{Adjust, Lab, Opening};
+use gonio_gl::Gl;
+use gonio_mesh::Limits;
+use gonio_scene::files::{BUILTIN, Disk, FileSource};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, Sender, channel};
+use watch::Watcher;
+
+/// What `gonio view` opens.
+#[derive(Default)]
+pub struct WindowOptions {
+    /// Models and scenes; nothing for the first sample.
+    pub inputs: Vec<String>,
+    /// Points of the window.
+    pub size: Option<[f32; 2]>,
+    /// What is laid over the description of the inputs.
+    pub adjust: Option<Adjust>,
+    /// How much the files may make us allocate.
+    pub limits: Limits,
+    /// Where the state is written after every frame ([`crate::exported`]), for tests.
+    pub state: Option<PathBuf>,
+}
+
+/// Opens the window, and returns when it is closed. An error is one sentence: no display, no OpenGL.
+pub fn run(options: WindowOptions) -> Result<(), String> {
+    run_within(options, |lab, _| Box::new(lab))
+}
+
+/// [`run`] with something around the application, given its OpenGL too: for measuring what a window takes.
+pub fn run_within(
+    options: WindowOptions,
+    around: impl FnOnce(Lab, Option<Gl>) -> Box<dyn eframe::App> + 'static,
+) -> Result<(), String> {
+    display::check()?;
+    let [width, height] = options.size.unwrap_or([1280.0, 800.0]);
+    let viewport = egui::ViewportBuilder::default()
+        .with_title("gonio")
+        .with_app_id("gonio")
+        .with_inner_size([width, height])
+        .with_min_inner_size([320.0, 420.0]);
+    let native = eframe::NativeOptions {
+        viewport,
+        renderer: eframe::Renderer::Glow,
+        // Flat colours have no bands, and software drivers would work out a noise for each of their pixels.
+        dithering: false,
+        ..Default::default()
+    };
+    let created = move |creation: &eframe::CreationContext<'_>| -> Result<Box<dyn eframe::App>, _> {
+        let gl = creation.gl.clone().map(Gl::of_window);
+        let opening =
+            Opening { inputs: options.inputs, adjust: options.adjust, limits: options.limits, ..Opening::default() };
+        let platform = Box::new(Desktop::new(options.state));
+        Ok(around(Lab::opening(&creation.egui_ctx, gl.clone(), platform, opening), gl))
+    };
+    eframe::run_native("gonio", native, Box::new(created)).map_err(display::sentence)
+}
+
+struct Desktop {
+    sender: Sender<Event>,
+    receiver: Receiver<Event>,
+    watcher: Option<Watcher>,
+    state: Option<PathBuf>,
+}
+
+impl Desktop {
+    fn new(state: Option<PathBuf>) -> Self {
+        let (sender, receiver) = channel();
+        Desktop { sender, receiver, watcher: None, state }
+    }
+}
+
+impl Platform for Desktop {
+    fn files(&self) -> Arc<dyn FileSource> {
+        Arc::new(Disk)
+    }
+
+    fn choose_files(&mut self, ctx: &egui::Context) -> Asked {
+        dialog::open(self.sender.clone(), ctx)
+    }
+
+    fn open_paths(&mut self, paths: Vec<String>, ctx: &egui::Context) {
+        opened::in_thread(paths, self.sender.clone(), ctx);
+    }
+
+    fn choose_place(&mut self, product: Product, name: &str, ctx: &egui::Context) -> Asked {
+        dialog::save(product, name, self.sender.clone(), ctx)
+    }
+
+    fn poll(&mut self, ctx: &egui::Context) -> Vec<Event> {
+        let dropped = ctx.input(|i| i.raw.dropped_files.clone());
+        if !dropped.is_empty() {
+            let paths = dropped.iter().map(|file| file.path().to_string_lossy().into_owned()).collect();
+            self.open_paths(paths, ctx);
+        }
+        self.receiver.try_iter().collect()
+    }
+
+    fn write(&mut self, place: &str, bytes: &[u8]) -> Result<String, String> {
+        write::beside_and_renamed(Path::new(place), bytes).map(|()| place.to_owned())
+    }
+
+    fn link(&self, fragment: &str) -> String {
+        format!("#{fragment}")
+    }
+
+    fn watch(&mut self, paths: Vec<PathBuf>, ctx: &egui::Context) {
+        let sender = self.sender.clone();
+        self.watcher.get_or_insert_with(|| Watcher::start(sender, ctx.clone())).set(paths);
+    }
+
+    fn lasting(&self, input: &str) -> Option<String> {
+        if input.starts_with(BUILTIN) {
+            return None;
+        }
+        let path = std::path::absolute(input).ok()?;
+        path.is_file().then(|| path.to_string_lossy().into_owned())
+    }
+
+    fn settings(&self) -> Settings {
+        home::settings_file()
+            .and_then(|file| std::fs::read_to_string(file).ok())
+            .map_or_else(Settings::default, |text| Settings::from_text(&text))
+    }
+
+    fn keep(&mut self, settings: &Settings) {
+        let Some(file) = home::settings_file() else { return };
+        let made = file.parent().is_some_and(|folder| std::fs::create_dir_all(folder).is_ok());
+        if made {
+            // Nothing of a scene is in it: a home that cannot be written to forgets a colour and a list.
+            let _ = write::beside_and_renamed(&file, settings.to_text().as_bytes());
+        }
+    }
+
+    fn publish(&mut self, state: &dyn Fn() -> Value) {
+        let Some(file) = &self.state else { return };
+        if let Err(why) = write::beside_and_renamed(file, state().to_string().as_bytes()) {
+            let _ = self.sender.send(Event::Failed(why));
+            self.state = None;
+        }
+    }
+}

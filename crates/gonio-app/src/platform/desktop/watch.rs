@@ -1,0 +1,130 @@
+//! Tells when files become others.
+//!
+//! By looking at them twice a second: a scene has a few files, and a few dozen `stat`s cost less than the packages that
+//! would have the systems tell (three ways for three systems, none of which sees network folders).
+
+use crate::platform::Event;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::Sender;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, SystemTime};
+
+const PERIOD: Duration = Duration::from_millis(500);
+
+/// When it was written, and its size; `None` where it is not there.
+type Stamp = Option<(SystemTime, u64)>;
+
+#[derive(Clone, Copy)]
+struct Looked {
+    /// As it was read.
+    known: Stamp,
+    /// As it was seen last.
+    seen: Stamp,
+}
+
+/// A thread that looks at files, until this is dropped.
+pub struct Watcher {
+    files: Arc<Mutex<BTreeMap<PathBuf, Looked>>>,
+}
+
+impl Watcher {
+    /// Begins to look; `ctx` is painted again when there is something to tell.
+    pub fn start(sender: Sender<Event>, ctx: egui::Context) -> Self {
+        let files = Arc::new(Mutex::new(BTreeMap::new()));
+        let shared = Arc::downgrade(&files);
+        std::thread::spawn(move || {
+            loop {
+                std::thread::sleep(PERIOD);
+                // The window was closed.
+                let Some(files) = shared.upgrade() else { return };
+                let changed = look(&mut files.lock().unwrap_or_else(PoisonError::into_inner));
+                if !changed.is_empty() {
+                    if sender.send(Event::Changed(changed)).is_err() {
+                        return;
+                    }
+                    ctx.request_repaint();
+                }
+            }
+        });
+        Watcher { files }
+    }
+
+    /// Looks at these files from now on. Those that were looked at before are known as they were.
+    pub fn set(&self, paths: Vec<PathBuf>) {
+        let mut files = self.files.lock().unwrap_or_else(PoisonError::into_inner);
+        let before = std::mem::take(&mut *files);
+        *files = paths
+            .into_iter()
+            .map(|path| {
+                let looked = before.get(&path).copied().unwrap_or_else(|| {
+                    let stamp = stamp(&path);
+                    Looked { known: stamp, seen: stamp }
+                });
+                (path, looked)
+            })
+            .collect();
+    }
+}
+
+/// Those that are others now, and have stopped changing: a file that is being written is left alone until the next time.
+fn look(files: &mut BTreeMap<PathBuf, Looked>) -> Vec<PathBuf> {
+    let mut settled = Vec::new();
+    let mut moving = false;
+    for (path, looked) in files.iter_mut() {
+        let now = stamp(path);
+        moving |= now != looked.seen;
+        looked.seen = now;
+        // Gone for a moment: many programs write another file and rename it.
+        if now != looked.known && now.is_some() {
+            settled.push(path.clone());
+        }
+    }
+    // Several files are often written one after the other: they are told together.
+    if moving {
+        return Vec::new();
+    }
+    for path in &settled {
+        if let Some(looked) = files.get_mut(path) {
+            looked.known = looked.seen;
+        }
+    }
+    settled
+}
+
+fn stamp(path: &Path) -> Stamp {
+    let metadata = std::fs::metadata(path).ok().filter(|metadata| metadata.is_file())?;
+    Some((metadata.modified().ok()?, metadata.len()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_told_once_and_when_it_has_settled() {
+        let folder = std::env::temp_dir().join(format!("gonio-watch-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap_or_else(|e| panic!("{e}"));
+        let [old, new] = ["old.mtl", "new.mtl"].map(|name| folder.join(name));
+        let write = |path: &Path, text: &str| std::fs::write(path, text).unwrap_or_else(|e| panic!("{e}"));
+        write(&old, "1");
+        let (sender, _receiver) = std::sync::mpsc::channel();
+        let watcher = Watcher::start(sender, egui::Context::default());
+        watcher.set(vec![old.clone(), new.clone()]);
+        // The thread looks too, half a second later; this test looks at a copy, without waiting.
+        let mut files = watcher.files.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        drop(watcher);
+        assert!(look(&mut files).is_empty());
+        write(&old, "12");
+        assert!(look(&mut files).is_empty(), "it may still be written to");
+        assert_eq!(look(&mut files), std::slice::from_ref(&old));
+        assert!(look(&mut files).is_empty(), "it was told");
+        std::fs::remove_file(&old).unwrap_or_else(|e| panic!("{e}"));
+        assert!(look(&mut files).is_empty() && look(&mut files).is_empty(), "gone is no change");
+        write(&old, "12345");
+        write(&new, "1");
+        assert!(look(&mut files).is_empty());
+        assert_eq!(look(&mut files), [new, old]);
+        std::fs::remove_dir_all(&folder).unwrap_or_else(|e| panic!("{e}"));
+    }
+}

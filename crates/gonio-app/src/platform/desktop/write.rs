@@ -1,0 +1,60 @@
+//! Files that are whole or not there.
+
+use std::ffi::OsString;
+use std::fs::File;
+use std::io::{Error, ErrorKind, Write};
+use std::path::Path;
+
+/// Writes beside the place and then renames: who looks meanwhile sees the old file or the new one, and what fails leaves
+/// the old one. An error is one sentence.
+pub fn beside_and_renamed(place: &Path, bytes: &[u8]) -> Result<(), String> {
+    let told = |why: Error| format!("`{}` could not be written: {}", place.display(), reason(&why));
+    if place.is_dir() {
+        return Err(told(ErrorKind::IsADirectory.into()));
+    }
+    let name = place.file_name().ok_or_else(|| told(ErrorKind::InvalidFilename.into()))?;
+    let mut hidden = OsString::from(".");
+    hidden.push(name);
+    hidden.push(format!(".{}.part", std::process::id()));
+    let beside = place.with_file_name(hidden);
+    let written =
+        File::create(&beside).and_then(|mut file| file.write_all(bytes)).and_then(|()| std::fs::rename(&beside, place));
+    written.map_err(|why| {
+        // It may never have been there.
+        let _ = std::fs::remove_file(&beside);
+        told(why)
+    })
+}
+
+fn reason(why: &Error) -> String {
+    match why.kind() {
+        ErrorKind::NotFound => "there is no such folder; choose another, or make it".into(),
+        ErrorKind::PermissionDenied => "the folder may not be written to; choose another".into(),
+        ErrorKind::IsADirectory => "this is a folder; add a file name".into(),
+        ErrorKind::InvalidFilename => "this is no file name; add one".into(),
+        ErrorKind::StorageFull => "the disk is full".into(),
+        _ => format!("{why}; choose another place"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_are_replaced_whole_and_nothing_else_is_left() {
+        let folder = std::env::temp_dir().join(format!("gonio-write-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap_or_else(|e| panic!("{e}"));
+        let place = folder.join("a.png");
+        for content in ["first", "second"] {
+            beside_and_renamed(&place, content.as_bytes()).unwrap_or_else(|e| panic!("{e}"));
+            assert_eq!(std::fs::read_to_string(&place).unwrap_or_default(), content);
+        }
+        assert!(beside_and_renamed(&folder, b"x").is_err_and(|why| why.contains("this is a folder")));
+        let nowhere = folder.join("none").join("a.png");
+        assert!(beside_and_renamed(&nowhere, b"x").is_err_and(|why| why.contains("no such folder")));
+        let names = std::fs::read_dir(&folder).map(|entries| entries.count()).unwrap_or_default();
+        assert_eq!(names, 1);
+        std::fs::remove_dir_all(&folder).unwrap_or_else(|e| panic!("{e}"));
+    }
+}

@@ -1,0 +1,107 @@
+//! What the desktop and the web do each in their own way.
+
+#[cfg(not(target_arch = "wasm32"))]
+pub mod desktop;
+mod settings;
+#[cfg(target_arch = "wasm32")]
+pub mod web;
+
+pub use settings::Settings;
+
+use crate::saving::Product;
+use gonio_scene::files::FileSource;
+use serde_json::Value;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Duration;
+use web_time::Instant;
+
+/// Files that a person gave: chosen or dropped.
+#[derive(Clone)]
+pub struct Given {
+    /// Models or scenes to open; none where there is only an environment.
+    pub inputs: Vec<String>,
+    /// The environment.
+    pub environment: Option<String>,
+    /// Where they are, with what lies beside them.
+    pub files: Arc<dyn FileSource>,
+}
+
+/// What came from outside since it was last asked.
+pub enum Event {
+    /// Files to open.
+    Open(Given),
+    /// Where something is to be saved.
+    SaveTo(Product, String),
+    /// Files that were read are others now.
+    Changed(Vec<PathBuf>),
+    /// What was asked for could not be done: one sentence.
+    Failed(String),
+}
+
+/// Whom a person is asked by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Asked {
+    /// A dialog of the system: the answer comes by [`Platform::poll`].
+    BySystem,
+    /// Nobody: the window is to ask itself.
+    ByNobody,
+}
+
+/// How long a picture is left alone that somebody is to see: by then the window has come to show it.
+const MOMENT: Duration = Duration::from_millis(100);
+
+/// Whether what was painted is on the screen, and has been for a moment. Paints again when it is.
+pub type Shown = Box<dyn Fn(&egui::Context) -> bool>;
+
+/// The outer world of the application.
+pub trait Platform {
+    /// Where files lie that are named by hand: the disk, or nothing but what is built in.
+    fn files(&self) -> Arc<dyn FileSource>;
+    /// What is to be opened at the start, where the inputs say nothing: the scene of a link. An error is one sentence.
+    fn first(&self) -> Option<Result<Given, String>> {
+        None
+    }
+    /// Asks a person for files.
+    fn choose_files(&mut self, ctx: &egui::Context) -> Asked;
+    /// Opens files that a person named by hand.
+    fn open_paths(&mut self, paths: Vec<String>, ctx: &egui::Context);
+    /// Asks a person where to save; `name` is proposed.
+    fn choose_place(&mut self, product: Product, name: &str, ctx: &egui::Context) -> Asked;
+    /// What came since.
+    fn poll(&mut self, ctx: &egui::Context) -> Vec<Event>;
+    /// Hands a file out: where it went, or one sentence.
+    fn write(&mut self, place: &str, bytes: &[u8]) -> Result<String, String>;
+    /// The address of this page with another part after `#`, or a text that says where to put it.
+    fn link(&self, fragment: &str) -> String;
+    /// Tells ([`Event::Changed`]) when one of these files becomes another; those that were watched no longer are.
+    fn watch(&mut self, paths: Vec<PathBuf>, ctx: &egui::Context) {
+        let _ = (paths, ctx);
+    }
+    /// How an input can be opened again another day; `None` where it cannot.
+    fn lasting(&self, input: &str) -> Option<String> {
+        let _ = input;
+        None
+    }
+    /// What was kept of the last time.
+    fn settings(&self) -> Settings;
+    /// Keeps it for the next time: what cannot be kept is forgotten, for nothing of a scene is in it.
+    fn keep(&mut self, settings: &Settings);
+    /// Whether the frame that is being painted has been shown: to be asked in those after it.
+    fn shown(&mut self, ctx: &egui::Context) -> Shown {
+        let then = Instant::now() + MOMENT;
+        let shown = move |ctx: &egui::Context| {
+            let left = then.saturating_duration_since(Instant::now());
+            if !left.is_zero() {
+                ctx.request_repaint_after(left);
+            }
+            left.is_zero()
+        };
+        shown(ctx);
+        Box::new(shown)
+    }
+    /// The state after a frame, for whoever watches it.
+    fn publish(&mut self, state: &dyn Fn() -> Value) {
+        let _ = state;
+    }
+}

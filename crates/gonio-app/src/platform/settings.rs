@@ -1,0 +1,58 @@
+//! What is kept from one time to the next.
+
+use serde::{Deserialize, Serialize};
+
+/// Kept on the disk of the desktop, or in the storage of the browser.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Settings {
+    /// Whether it is dark; as the system says where nobody chose.
+    pub dark: Option<bool>,
+    /// What was opened, the latest first.
+    pub recent: Vec<String>,
+}
+
+impl Settings {
+    /// More would make a menu that nobody reads.
+    pub const MOST_RECENT: usize = 8;
+
+    /// Puts what was opened at the beginning.
+    pub fn opened(&mut self, input: String) {
+        self.recent.retain(|known| *known != input);
+        self.recent.insert(0, input);
+        self.recent.truncate(Self::MOST_RECENT);
+    }
+
+    /// From text that was kept; what is damaged counts as nothing.
+    pub fn from_text(text: &str) -> Self {
+        serde_json::from_str(text).unwrap_or_default()
+    }
+
+    /// To be kept.
+    pub fn to_text(&self) -> String {
+        serde_json::to_string(self).unwrap_or_default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_latest_comes_first_and_once() {
+        let mut settings = Settings::default();
+        for number in 0..20 {
+            settings.opened(format!("{}.obj", number % 10));
+        }
+        assert_eq!(settings.recent.len(), Settings::MOST_RECENT);
+        assert_eq!(settings.recent[..2], ["9.obj", "8.obj"]);
+    }
+
+    #[test]
+    fn what_is_kept_comes_back_and_damage_is_nothing() {
+        let settings = Settings { dark: Some(true), recent: vec!["a b.obj".into()] };
+        assert_eq!(Settings::from_text(&settings.to_text()), settings);
+        assert_eq!(Settings::from_text("{\"dark\": 3}"), Settings::default());
+        assert_eq!(Settings::from_text("{}"), Settings::default());
+    }
+}

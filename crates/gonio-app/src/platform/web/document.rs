@@ -1,0 +1,141 @@
+//! What the page is asked for: files, downloads, its address, its storage.
+
+use js_sys::{Array, Function, Promise, Uint8Array};
+use std::cell::RefCell;
+use std::time::Duration;
+use wasm_bindgen::closure::Closure;
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::{Blob, Document, File, HtmlAnchorElement, HtmlInputElement, Storage, Url, Window};
+
+/// Under which name the settings are kept.
+const KEY: &str = "gonio";
+
+/// A file that a person gave, not yet read.
+pub struct NamedFile {
+    /// Its name without folders, or with those below a folder that was chosen.
+    pub name: String,
+    file: Kind,
+}
+
+enum Kind {
+    Chosen(File),
+    Dropped(egui::DroppedFileHandle),
+}
+
+impl NamedFile {
+    /// Dropped on the canvas.
+    pub fn dropped(file: egui::DroppedFileHandle) -> Self {
+        NamedFile { name: file.path().to_string_lossy().into_owned(), file: Kind::Dropped(file) }
+    }
+
+    /// Reads it; why not, in the browser's words.
+    pub async fn bytes(self) -> Result<Vec<u8>, String> {
+        match self.file {
+            Kind::Dropped(file) => file.bytes_async().await,
+            Kind::Chosen(file) => {
+                let buffer = wasm_bindgen_futures::JsFuture::from(file.array_buffer()).await.map_err(words)?;
+                Ok(Uint8Array::new(&buffer).to_vec())
+            }
+        }
+    }
+}
+
+fn words(why: JsValue) -> String {
+    why.as_string().unwrap_or_else(|| format!("{why:?}"))
+}
+
+fn window() -> Result<(Window, Document), String> {
+    let window = web_sys::window().ok_or("there is no page")?;
+    let document = window.document().ok_or("there is no page")?;
+    Ok((window, document))
+}
+
+/// Waits until the browser asks for the next frame, and `more`. Not at all where the browser does not do that.
+pub async fn frame_shown(more: Duration) {
+    let Ok((window, _)) = window() else { return };
+    let milliseconds = i32::try_from(more.as_millis()).unwrap_or(i32::MAX);
+    let frame = |resolve: &Function| window.request_animation_frame(resolve);
+    let timer =
+        |resolve: &Function| window.set_timeout_with_callback_and_timeout_and_arguments_0(resolve, milliseconds);
+    for begin in [&frame as &dyn Fn(&Function) -> Result<i32, JsValue>, &timer] {
+        let promise = Promise::new(&mut |resolve, _| {
+            // What is not begun is not waited for.
+            if begin(&resolve).is_err() {
+                let _ = resolve.call0(&JsValue::NULL);
+            }
+        });
+        let _ = wasm_bindgen_futures::JsFuture::from(promise).await;
+    }
+}
+
+thread_local! {
+    // Of the last choice: the browser calls it after the function that made it has returned.
+    static CHOICE: RefCell<Option<Closure<dyn FnMut()>>> = const { RefCell::new(None) };
+}
+
+/// Asks for files by the browser's dialog. An error is one sentence.
+pub fn choose(answer: impl Fn(Vec<NamedFile>) + 'static) -> Result<(), String> {
+    let failed = |_| "the browser does not let files be chosen; drop them on the page".to_owned();
+    let (_, document) = window()?;
+    let input: HtmlInputElement =
+        document.create_element("input").map_err(failed)?.dyn_into().map_err(|e| failed(e.into()))?;
+    input.set_type("file");
+    input.set_multiple(true);
+    let chosen = input.clone();
+    let closure = Closure::<dyn FnMut()>::new(move || {
+        let Some(list) = chosen.files() else { return };
+        let files: Vec<NamedFile> = (0..list.length())
+            .filter_map(|index| list.get(index))
+            .map(|file| NamedFile { name: file.name(), file: Kind::Chosen(file) })
+            .collect();
+        if !files.is_empty() {
+            answer(files);
+        }
+    });
+    input.set_onchange(Some(closure.as_ref().unchecked_ref()));
+    CHOICE.with(|choice| *choice.borrow_mut() = Some(closure));
+    input.click();
+    Ok(())
+}
+
+/// Hands a file out as a download. An error is one sentence.
+pub fn download(name: &str, bytes: &[u8]) -> Result<(), String> {
+    let failed = |why: JsValue| format!("`{name}` could not be handed out: {}", words(why));
+    let (_, document) = window()?;
+    let blob = Blob::new_with_u8_array_sequence(&Array::of1(&Uint8Array::from(bytes))).map_err(failed)?;
+    let url = Url::create_object_url_with_blob(&blob).map_err(failed)?;
+    let anchor: HtmlAnchorElement =
+        document.create_element("a").map_err(failed)?.dyn_into().map_err(|e| failed(e.into()))?;
+    anchor.set_href(&url);
+    anchor.set_download(name);
+    anchor.click();
+    // The download has begun: it keeps what it needs.
+    Url::revoke_object_url(&url).map_err(failed)
+}
+
+/// The address of the page without what is behind `#`.
+pub fn address() -> String {
+    let href = window().ok().and_then(|(window, _)| window.location().href().ok()).unwrap_or_default();
+    href.split('#').next().unwrap_or_default().to_owned()
+}
+
+/// What is behind `#`.
+pub fn fragment() -> String {
+    window().ok().and_then(|(window, _)| window.location().hash().ok()).unwrap_or_default()
+}
+
+fn storage() -> Option<Storage> {
+    window().ok()?.0.local_storage().ok()?
+}
+
+/// What was kept of the last time.
+pub fn kept() -> Option<String> {
+    storage()?.get_item(KEY).ok()?
+}
+
+/// Keeps it; a browser that keeps nothing forgets it.
+pub fn keep(text: &str) {
+    if let Some(storage) = storage() {
+        let _ = storage.set_item(KEY, text);
+    }
+}

@@ -1,0 +1,190 @@
+//! The browser: a canvas of a page, files that are dropped on it.
+
+mod document;
+
+use super::{Asked, Event, Given, MOMENT, Platform, Settings, Shown};
+use crate::files::{Layered, MemoryFiles, gather, link, zip};
+use crate::saving::Product;
+use gonio_gl::Gl;
+use gonio_scene::files::{FileBytes, FileSource, is_builtin};
+use std::cell::{Cell, RefCell};
+use std::collections::BTreeMap;
+use std::io::{Error, ErrorKind};
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// The built-in files that the page has fetched so far. Clones share them.
+#[derive(Clone, Default)]
+pub struct PageFiles {
+    fetched: Arc<Mutex<BTreeMap<String, Fetched>>>,
+}
+
+/// What has become of a file that was asked for.
+enum Fetched {
+    NotYet,
+    Here(FileBytes),
+    Failed,
+}
+
+impl PageFiles {
+    /// A built-in file has come, or could not be fetched: `name` is its path below `assets`.
+    pub fn give(&self, name: String, bytes: Option<Vec<u8>>) {
+        let fetched = bytes.map_or(Fetched::Failed, |bytes| Fetched::Here(bytes.into()));
+        self.lock().insert(name, fetched);
+    }
+
+    /// A file that is not one of the samples has been asked for, and will be given: whoever reads it before waits.
+    pub fn expect(&self, name: String) {
+        self.lock().entry(name).or_insert(Fetched::NotYet);
+    }
+
+    fn lock(&self) -> MutexGuard<'_, BTreeMap<String, Fetched>> {
+        self.fetched.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl FileSource for PageFiles {
+    fn read(&self, _: &Path) -> Result<FileBytes, Error> {
+        Err(Error::new(ErrorKind::NotFound, "only built-in files can be read here"))
+    }
+    fn list(&self, _: &Path) -> Vec<PathBuf> {
+        Vec::new()
+    }
+    fn builtin(&self, name: &str) -> Option<FileBytes> {
+        match self.lock().get(name) {
+            Some(Fetched::Here(bytes)) => Some(bytes.clone()),
+            Some(Fetched::NotYet | Fetched::Failed) | None => None,
+        }
+    }
+    fn is_coming(&self, name: &str) -> bool {
+        match self.lock().get(name) {
+            Some(fetched) => matches!(fetched, Fetched::NotYet),
+            None => is_builtin(name),
+        }
+    }
+}
+
+/// The OpenGL of the canvas.
+pub fn gl_of(creation: &eframe::CreationContext<'_>) -> Option<Gl> {
+    creation.gl.clone().map(Gl::of_window)
+}
+
+/// The browser's side of the application.
+pub struct Web {
+    files: PageFiles,
+    /// What came since it was last asked for. Files are read between two frames.
+    events: Rc<RefCell<Vec<Event>>>,
+}
+
+impl Web {
+    /// With the files that the page fetches.
+    pub fn new(files: PageFiles) -> Self {
+        Web { files, events: Rc::default() }
+    }
+
+    /// Reads files and tells what they are.
+    fn take(&self, files: Vec<document::NamedFile>, ctx: &egui::Context) {
+        let (page, events, ctx) = (self.files.clone(), self.events.clone(), ctx.clone());
+        wasm_bindgen_futures::spawn_local(async move {
+            let event = given(files, page).await.map_or_else(Event::Failed, Event::Open);
+            events.borrow_mut().push(event);
+            ctx.request_repaint();
+        });
+    }
+}
+
+async fn given(files: Vec<document::NamedFile>, page: PageFiles) -> Result<Given, String> {
+    let mut memory = MemoryFiles::default();
+    for file in files {
+        let name = file.name.clone();
+        let bytes = file.bytes().await.map_err(|why| format!("`{name}` cannot be read: {why}"))?;
+        if zip::is_zip(&bytes) {
+            memory.add_all(zip::unpack(&bytes).map_err(|why| format!("`{name}`: {why}"))?);
+        } else {
+            memory.insert(&name, bytes);
+        }
+    }
+    of_memory(memory, page)
+}
+
+fn of_memory(memory: MemoryFiles, page: PageFiles) -> Result<Given, String> {
+    let gathered = gather(&memory.names(), &memory)?;
+    // Scenes name built-in models too, which the page has fetched.
+    let files = Arc::new(Layered { first: Arc::new(memory), then: Arc::new(page) });
+    Ok(Given { inputs: gathered.inputs, environment: gathered.environment, files })
+}
+
+impl Platform for Web {
+    fn files(&self) -> Arc<dyn FileSource> {
+        Arc::new(self.files.clone())
+    }
+
+    fn first(&self) -> Option<Result<Given, String>> {
+        let text = link::scene_file(&document::fragment())?;
+        Some(text.and_then(|text| {
+            let mut memory = MemoryFiles::default();
+            memory.insert("linked.toml", text.into_bytes());
+            of_memory(memory, self.files.clone())
+        }))
+    }
+
+    fn choose_files(&mut self, ctx: &egui::Context) -> Asked {
+        let web = Web { files: self.files.clone(), events: self.events.clone() };
+        let inner = ctx.clone();
+        if let Err(why) = document::choose(move |files| web.take(files, &inner)) {
+            self.events.borrow_mut().push(Event::Failed(why));
+            ctx.request_repaint();
+        }
+        Asked::BySystem
+    }
+
+    fn open_paths(&mut self, paths: Vec<String>, ctx: &egui::Context) {
+        let why = format!("a page cannot open {} by its path; drop the file on the page", paths.join(", "));
+        self.events.borrow_mut().push(Event::Failed(why));
+        ctx.request_repaint();
+    }
+
+    fn choose_place(&mut self, product: Product, name: &str, ctx: &egui::Context) -> Asked {
+        // The browser asks, or puts it where downloads go.
+        self.events.borrow_mut().push(Event::SaveTo(product, name.to_owned()));
+        ctx.request_repaint();
+        Asked::BySystem
+    }
+
+    fn poll(&mut self, ctx: &egui::Context) -> Vec<Event> {
+        let dropped = ctx.input(|i| i.raw.dropped_files.clone());
+        if !dropped.is_empty() {
+            self.take(dropped.into_iter().map(document::NamedFile::dropped).collect(), ctx);
+        }
+        std::mem::take(&mut *self.events.borrow_mut())
+    }
+
+    fn write(&mut self, place: &str, bytes: &[u8]) -> Result<String, String> {
+        document::download(place, bytes).map(|()| place.to_owned())
+    }
+
+    fn link(&self, fragment: &str) -> String {
+        format!("{}#{fragment}", document::address())
+    }
+
+    /// A browser asks for another frame when the last one is on its way to the screen, however long that takes.
+    fn shown(&mut self, ctx: &egui::Context) -> Shown {
+        let (seen, ctx) = (Rc::new(Cell::new(false)), ctx.clone());
+        let told = seen.clone();
+        wasm_bindgen_futures::spawn_local(async move {
+            document::frame_shown(MOMENT).await;
+            told.set(true);
+            ctx.request_repaint();
+        });
+        Box::new(move |_| seen.get())
+    }
+
+    fn settings(&self) -> Settings {
+        document::kept().map_or_else(Settings::default, |text| Settings::from_text(&text))
+    }
+
+    fn keep(&mut self, settings: &Settings) {
+        document::keep(&settings.to_text());
+    }
+}

@@ -1,0 +1,270 @@
+//! The probe: which pixel is asked for, and every number of it.
+//!
+//! The numbers come from the CPU reference, in f64 through the pixel's centre; what OpenGL draws there stands beside
+//! them. The reference's tree of boxes is built once for a geometry, beside the window where there are threads; moving a
+//! light or choosing a colour needs no other.
+
+use gonio_reference::{Probe, ReferenceGeometry, ReferenceScene};
+use gonio_scene::{DisplayMap, Frame, LoadedScene};
+use serde::Serialize;
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, TryRecvError, channel};
+
+/// What of the picture is probed, and what is known about it.
+#[derive(Default)]
+pub struct Probing {
+    /// The pixel under the pointer is probed wherever that goes.
+    pub follows: bool,
+    /// A place that is kept: shares of the picture's width (from the left) and height (from the top).
+    pub pinned: Option<[f64; 2]>,
+    /// The place under the pointer, alike.
+    pub hovered: Option<[f64; 2]>,
+    /// The pane that is probed.
+    pub pane: usize,
+    geometry: Option<Arc<ReferenceGeometry>>,
+    building: Option<Building>,
+    reading: Option<Arc<Reading>>,
+}
+
+/// A tree of boxes that is being built, and the scene it is for.
+struct Building {
+    scene: Arc<LoadedScene>,
+    result: Receiver<ReferenceGeometry>,
+}
+
+/// What is known about a pixel. Colours are linear, premultiplied RGBA.
+#[derive(Clone, Serialize)]
+pub struct Reading {
+    /// Column, from the left.
+    pub x: u32,
+    /// Row, from the top.
+    pub y: u32,
+    /// Pixels of the picture.
+    pub width: u32,
+    /// Pixels of the picture.
+    pub height: u32,
+    /// Every term, where a surface is seen.
+    pub probe: Option<Probe>,
+    /// The pixel by the CPU reference.
+    pub reference: [f64; 4],
+    /// The same as displayed: sRGB or direct, 8 bits.
+    pub displayed: [u8; 3],
+    /// What OpenGL draws there.
+    pub gpu: Option<GpuValue>,
+    /// The moment it was read at.
+    #[serde(skip)]
+    pub frame: Frame,
+    /// The scene it was read from.
+    #[serde(skip)]
+    pub loaded: Arc<LoadedScene>,
+}
+
+/// What OpenGL draws at a pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct GpuValue {
+    /// With one sample, through the pixel's centre.
+    pub value: [f32; 4],
+    /// As displayed.
+    pub displayed: [u8; 3],
+    /// The largest absolute difference of the four from the reference.
+    pub difference: f64,
+}
+
+impl Probing {
+    /// The place that is probed: the pinned one, else the one under the pointer if it is followed.
+    pub fn place(&self) -> Option<[f64; 2]> {
+        self.pinned.or(self.hovered.filter(|_| self.follows))
+    }
+
+    /// What is known about that place, once it is.
+    pub fn reading(&self) -> Option<&Arc<Reading>> {
+        self.reading.as_ref().filter(|_| self.place().is_some())
+    }
+
+    /// Whether the reference is being built.
+    pub fn is_building(&self) -> bool {
+        self.building.is_some()
+    }
+
+    /// Forgets everything about the scene before.
+    pub fn forget(&mut self) {
+        *self = Probing { follows: self.follows, ..Probing::default() };
+    }
+
+    /// Reads the place anew if anything changed: the pixel, the scene or its moment. `gpu` is asked for OpenGL's value
+    /// of a column and row of `frame` then.
+    pub fn update(
+        &mut self,
+        ctx: &egui::Context,
+        loaded: &Arc<LoadedScene>,
+        frame: &Frame,
+        gpu: impl FnOnce(u32, u32) -> Option<[f32; 4]>,
+    ) {
+        let Some(place) = self.place() else { return };
+        let [x, y] = pixel_at(place, [frame.width, frame.height]);
+        let is_current = self.reading.as_ref().is_some_and(|reading| {
+            // A debug view or the number of samples does not change what the pixel's light is.
+            let same_moment = Frame { samples: frame.samples, ..reading.frame.clone() } == *frame;
+            (reading.x, reading.y) == (x, y) && same_moment && Arc::ptr_eq(&reading.loaded, loaded)
+        });
+        if is_current {
+            return;
+        }
+        self.geometry = self.geometry.take().filter(|geometry| geometry.fits(loaded));
+        if self.geometry.is_none() {
+            self.build(ctx, loaded);
+        }
+        let Some(geometry) = &self.geometry else { return };
+        let Some(reference) = ReferenceScene::with_geometry(loaded, geometry.clone()) else { return };
+        self.reading = Some(Arc::new(Reading::of(&reference, loaded, frame, [x, y], gpu)));
+        // The panel was shown before.
+        ctx.request_repaint();
+    }
+
+    /// Takes the tree of boxes that was built, or begins to build one.
+    fn build(&mut self, ctx: &egui::Context, loaded: &Arc<LoadedScene>) {
+        if let Some(building) = &self.building {
+            match building.result.try_recv() {
+                Ok(geometry) => {
+                    self.building = None;
+                    if geometry.fits(loaded) {
+                        self.geometry = Some(Arc::new(geometry));
+                        return;
+                    }
+                }
+                // It is for a scene that is no more: that one has to end before the next begins.
+                Err(TryRecvError::Empty) => return,
+                Err(TryRecvError::Disconnected) => self.building = None,
+            }
+        }
+        let (sender, result) = channel();
+        self.building = Some(Building { scene: loaded.clone(), result });
+        let (ctx, scene) = (ctx.clone(), loaded.clone());
+        let build = move || {
+            // The window may be closed by now.
+            let _ = sender.send(ReferenceGeometry::new(&scene));
+            ctx.request_repaint();
+        };
+        #[cfg(not(target_arch = "wasm32"))]
+        std::thread::spawn(build);
+        // The frame that says so is shown first.
+        #[cfg(target_arch = "wasm32")]
+        build();
+    }
+
+    /// Triangles of what is being built.
+    pub fn building_triangles(&self) -> usize {
+        let scene = self.building.as_ref().map(|building| &building.scene);
+        scene.map_or(0, |scene| scene.meshes.iter().map(|mesh| mesh.triangle_count()).sum())
+    }
+}
+
+impl Reading {
+    /// Reads a pixel.
+    fn of(
+        reference: &ReferenceScene,
+        loaded: &Arc<LoadedScene>,
+        frame: &Frame,
+        [x, y]: [u32; 2],
+        gpu: impl FnOnce(u32, u32) -> Option<[f32; 4]>,
+    ) -> Self {
+        let frame = Frame { samples: 1, ..frame.clone() };
+        let probe = reference.probe(&frame, x, y);
+        let value = probe.as_ref().map_or_else(|| reference.behind(&frame, x, y), |probe| probe.total.to_array());
+        let gpu = gpu(x, y).map(|pixel| GpuValue {
+            value: pixel,
+            displayed: displayed(&frame, pixel),
+            difference: (0..4).map(|c| (f64::from(pixel[c]) - value[c]).abs()).fold(0.0, f64::max),
+        });
+        Reading {
+            x,
+            y,
+            width: frame.width,
+            height: frame.height,
+            probe,
+            reference: value,
+            displayed: displayed(&frame, value.map(|v| v as f32)),
+            gpu,
+            frame,
+            loaded: loaded.clone(),
+        }
+    }
+}
+
+/// Column and row of a place.
+fn pixel_at(place: [f64; 2], size: [u32; 2]) -> [u32; 2] {
+    // Pointers stand on whole pixels, and their share of a width is an f32: rounding must not make it the pixel before.
+    let along = |share: f64, count: u32| ((share * f64::from(count) + 1e-3).max(0.0) as u32).min(count.max(1) - 1);
+    [along(place[0], size[0]), along(place[1], size[1])]
+}
+
+/// A pixel as the picture shows it.
+fn displayed(frame: &Frame, pixel: [f32; 4]) -> [u8; 3] {
+    let [red, green, blue, _] = DisplayMap::for_view(None, frame).apply(pixel).map(|v| (v * 255.0 + 0.5) as u8);
+    [red, green, blue]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use gonio_scene::files::Disk;
+    use gonio_scene::load;
+    use std::path::Path;
+
+    fn still_life() -> Arc<LoadedScene> {
+        let described = load::describe(&["builtin:still-life"], &Disk).unwrap_or_else(|why| panic!("{why}"));
+        Arc::new(load::load(described, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}")))
+    }
+
+    /// Frames until the reading is there; the thread has as many as it needs.
+    fn read(probing: &mut Probing, loaded: &Arc<LoadedScene>, frame: &Frame) -> Arc<Reading> {
+        let ctx = egui::Context::default();
+        loop {
+            probing.update(&ctx, loaded, frame, |_, _| Some([0.25; 4]));
+            match probing.reading() {
+                Some(reading) if Arc::ptr_eq(&reading.loaded, loaded) => return reading.clone(),
+                _ => std::thread::yield_now(),
+            }
+        }
+    }
+
+    #[test]
+    fn its_numbers_are_the_reference_s() {
+        let loaded = still_life();
+        let frame = Frame { width: 200, height: 120, ..loaded.frame(0.0) };
+        let mut probing = Probing { pinned: Some([0.5, 0.55]), ..Probing::default() };
+        let reading = read(&mut probing, &loaded, &frame);
+        assert_eq!((reading.x, reading.y), (100, 66));
+        let expected = ReferenceScene::new(&loaded).probe(&Frame { samples: 1, ..frame }, 100, 66);
+        assert!(expected.is_some() && reading.probe == expected);
+        assert_eq!(reading.reference, expected.map_or([0.0; 4], |probe| probe.total.to_array()));
+        let difference = reading.gpu.map_or(0.0, |gpu| gpu.difference);
+        assert!(
+            (difference - reading.reference.map(|v| (v - 0.25).abs()).into_iter().fold(0.0, f64::max)).abs() < 1e-12
+        );
+    }
+
+    #[test]
+    fn a_pinned_pixel_follows_a_light_with_the_same_tree() {
+        let loaded = still_life();
+        let frame = Frame { width: 200, height: 120, ..loaded.frame(0.0) };
+        let mut probing = Probing { pinned: Some([0.5, 0.55]), ..Probing::default() };
+        let before = read(&mut probing, &loaded, &frame);
+        let tree = probing.geometry.clone();
+        let mut darker = (*loaded).clone();
+        darker.scene.lights.clear();
+        let darker = Arc::new(darker);
+        let frame = Frame { width: 200, height: 120, ..darker.frame(0.0) };
+        let after = read(&mut probing, &darker, &frame);
+        assert!(after.reference[1] < before.reference[1], "{:?} {:?}", after.reference, before.reference);
+        let same = tree.zip(probing.geometry.clone()).is_some_and(|(a, b)| Arc::ptr_eq(&a, &b));
+        assert!(same && !probing.is_building(), "the tree of boxes was built again");
+    }
+
+    #[test]
+    fn places_become_pixels_within_the_picture() {
+        assert_eq!(pixel_at([0.0, 0.999], [10, 5]), [0, 4]);
+        assert_eq!(pixel_at([1.0, -0.2], [10, 5]), [9, 0]);
+        assert_eq!(pixel_at([0.5, 0.5], [0, 0]), [0, 0]);
+    }
+}

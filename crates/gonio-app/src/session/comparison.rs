@@ -1,0 +1,95 @@
+//! What was measured of the panes: plain numbers, for panel and picture.
+
+use gonio_scene::description::Shading;
+use gonio_scene::difference::{Spread, Tally};
+
+/// What one pane took.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PaneFacts {
+    /// Triangles of all objects.
+    pub triangles: usize,
+    /// Vertices lit or carried on: counted by the GPU, or else those that the index buffers ask for at most.
+    pub vertices: Option<u64>,
+    /// Fragments shaded, counted by the GPU; `None` where the driver cannot count.
+    pub fragments: Option<u64>,
+    /// Whether the vertices were counted by the GPU.
+    pub counted: bool,
+    /// Milliseconds that the last picture took that was waited for.
+    pub ms: f64,
+    /// Its meshes are being simplified.
+    pub preparing: bool,
+}
+
+/// How the pair differs, pictures as displayed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DifferenceFacts {
+    /// Of the map, pixels.
+    pub size: [u32; 2],
+    /// 8-bit steps.
+    pub spread: Spread,
+    /// Pixels with a colour that differs by more than one step.
+    pub differing: u64,
+    /// Decibels; `None` where nothing differs.
+    pub psnr_db: Option<f64>,
+    /// Column and row of the pixel that differs most, if any does.
+    pub worst: Option<[u32; 2]>,
+}
+
+impl DifferenceFacts {
+    /// Of a tally over a picture.
+    pub fn new(tally: &Tally, size: [u32; 2]) -> Self {
+        let width = size[0].max(1) as usize;
+        let place = |index: usize| [(index % width) as u32, (index / width) as u32];
+        DifferenceFacts {
+            size,
+            spread: tally.spread(),
+            differing: tally.differing(),
+            psnr_db: tally.psnr_db(),
+            worst: tally.worst().map(place),
+        }
+    }
+
+    /// The share of pixels that differ, percent.
+    pub fn percent(&self) -> f64 {
+        100.0 * self.differing as f64 / (f64::from(self.size[0]) * f64::from(self.size[1])).max(1.0)
+    }
+}
+
+/// One picture of the curve of errors.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CurvePoint {
+    /// Where the equation was evaluated.
+    pub shading: Shading,
+    /// Of all objects.
+    pub triangles: usize,
+    /// Root of the mean square of the difference from the finest, 8-bit steps.
+    pub rms: f64,
+    /// Vertices, as counted by the GPU.
+    pub vertices: Option<u64>,
+    /// Fragments, as counted by the GPU.
+    pub fragments: Option<u64>,
+}
+
+/// The error against the finest, for rows of triangle counts.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Curve {
+    /// It is asked for, and not finished.
+    pub running: bool,
+    /// Pictures drawn, and how many there are.
+    pub progress: [usize; 2],
+    /// What is known so far, by shading, then from coarse to fine.
+    pub points: Vec<CurvePoint>,
+    /// The picture that all are held against, in words.
+    pub against: String,
+}
+
+/// What was measured.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Comparison {
+    /// Of each pane.
+    pub panes: Vec<PaneFacts>,
+    /// Of the pair, where its difference is shown.
+    pub difference: Option<DifferenceFacts>,
+    /// Error against the number of triangles.
+    pub curve: Curve,
+}

@@ -1,0 +1,98 @@
+//! What of the equation is looked at.
+
+use std::fmt;
+
+/// A part of the light equation that can be pointed at.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Term {
+    /// `A`
+    Ambient,
+    /// `E`
+    Emitted,
+    /// Light of the environment.
+    Environment,
+    /// `diff`
+    Diffuse,
+    /// `spec_i`
+    #[default]
+    Specular,
+    /// `L_i`
+    Light,
+    /// `att_i`
+    Attenuation,
+    /// `spot_i`
+    Spot,
+    /// `cos theta_i`
+    Cosine,
+}
+
+impl Term {
+    /// In the order of the equation.
+    pub const ALL: [Term; 9] = [
+        Term::Ambient,
+        Term::Emitted,
+        Term::Environment,
+        Term::Diffuse,
+        Term::Specular,
+        Term::Light,
+        Term::Attenuation,
+        Term::Spot,
+        Term::Cosine,
+    ];
+
+    /// As ids and announcements call it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Term::Ambient => "ambient",
+            Term::Emitted => "emitted",
+            Term::Environment => "environment",
+            Term::Diffuse => "diffuse",
+            Term::Specular => "specular",
+            Term::Light => "light",
+            Term::Attenuation => "attenuation",
+            Term::Spot => "spot",
+            Term::Cosine => "cosine",
+        }
+    }
+
+    /// What it is, in a sentence.
+    pub const fn description(self) -> &'static str {
+        match self {
+            Term::Ambient => "A, ambient light: what comes from everywhere, never weakened",
+            Term::Emitted => "E, what the surface emits",
+            Term::Environment => "Light of the environment: diffuse, and its glossy reflection",
+            Term::Diffuse => "diff, the diffuse term: the same to every side",
+            Term::Specular => "spec, the specular term: the highlight",
+            Term::Light => "L_i, the colour of light i times its intensity",
+            Term::Attenuation => "att, attenuation: how light weakens with distance",
+            Term::Spot => "spot, the edge of a spot's cone",
+            Term::Cosine => "cos \u{3b8}, the cosine between the normal and the way to the light",
+        }
+    }
+}
+
+impl fmt::Display for Term {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// How the bar with the equation stands.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct EquationView {
+    /// Whose parameters are shown.
+    pub selected: Term,
+    /// Whether all definitions are shown.
+    pub open: bool,
+    /// What was on before a term was shown alone, to come back to.
+    pub before_alone: Option<BeforeAlone>,
+}
+
+/// What was on before a term was shown alone.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BeforeAlone {
+    /// Each of the other summands, and whether it was.
+    pub terms: Vec<(Term, bool)>,
+    /// Lights that were on and had to go out, by their indices.
+    pub lights: Vec<usize>,
+}

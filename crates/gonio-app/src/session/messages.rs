@@ -1,0 +1,85 @@
+//! What a person has to be told: it stays until it was read.
+
+/// How bad it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// Worth knowing.
+    Note,
+    /// Survived, but not as expected.
+    Warning,
+    /// Not done.
+    Error,
+}
+
+/// One sentence: what, where, what to do.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Message {
+    /// To dismiss it by.
+    pub id: u64,
+    /// How bad it is.
+    pub severity: Severity,
+    /// The sentence.
+    pub text: String,
+    /// How often it was said.
+    pub times: u32,
+}
+
+/// Said and not yet read.
+#[derive(Clone, Debug, Default)]
+pub struct Messages {
+    list: Vec<Message>,
+    next: u64,
+}
+
+impl Messages {
+    /// Says something; what stands there already is counted.
+    pub fn say(&mut self, severity: Severity, text: impl Into<String>) {
+        let text = text.into();
+        if let Some(known) = self.list.iter_mut().find(|m| m.severity == severity && m.text == text) {
+            known.times += 1;
+            return;
+        }
+        self.list.push(Message { id: self.next, severity, text, times: 1 });
+        self.next += 1;
+    }
+
+    /// Takes one away.
+    pub fn dismiss(&mut self, id: u64) {
+        self.list.retain(|message| message.id != id);
+    }
+
+    /// Takes all away but errors: they are about what was open before.
+    pub fn forget_remarks(&mut self) {
+        self.list.retain(|message| message.severity == Severity::Error);
+    }
+
+    /// In the order in which they were said.
+    pub fn list(&self) -> &[Message] {
+        &self.list
+    }
+
+    /// The last error that was not read.
+    pub fn last_error(&self) -> Option<&str> {
+        self.list.iter().rev().find(|m| m.severity == Severity::Error).map(|m| m.text.as_str())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_message_stays_until_it_is_read_and_is_said_once() {
+        let mut messages = Messages::default();
+        messages.say(Severity::Error, "no such file");
+        messages.say(Severity::Error, "no such file");
+        messages.say(Severity::Note, "lit by its own light");
+        assert_eq!(messages.list().len(), 2);
+        assert_eq!(messages.list()[0].times, 2);
+        messages.forget_remarks();
+        assert_eq!(messages.last_error(), Some("no such file"));
+        assert_eq!(messages.list().len(), 1);
+        messages.dismiss(messages.list()[0].id);
+        assert_eq!(messages.last_error(), None);
+    }
+}

@@ -1,0 +1,67 @@
+//! What the side panel is about.
+
+/// What was clicked last, in the equation, the lists or the picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Selection {
+    /// Nothing.
+    #[default]
+    None,
+    /// A light of the scene, by its index.
+    Light(usize),
+    /// An object of the scene, by its index.
+    Object(usize),
+    /// The camera.
+    Camera,
+}
+
+/// The tabs of the side panel.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Tab {
+    /// The lights: the rows of the sum.
+    #[default]
+    Lights,
+    /// Objects and their materials.
+    Objects,
+    /// The camera and its matrices.
+    Camera,
+    /// What surrounds the scene, and the picture.
+    Picture,
+    /// The equation at a pixel.
+    Probe,
+    /// Panes side by side.
+    Compare,
+    /// The frame taken apart.
+    Frame,
+}
+
+impl Tab {
+    /// In the order in which they are shown.
+    pub const ALL: [Tab; 7] =
+        [Tab::Lights, Tab::Objects, Tab::Camera, Tab::Picture, Tab::Probe, Tab::Compare, Tab::Frame];
+
+    /// As written on it.
+    pub fn title(self) -> &'static str {
+        match self {
+            Tab::Lights => "Lights",
+            Tab::Objects => "Objects",
+            Tab::Camera => "Camera",
+            Tab::Picture => "Picture",
+            Tab::Probe => "Probe",
+            Tab::Compare => "Compare",
+            Tab::Frame => "Frame",
+        }
+    }
+
+    /// What is behind it, in a sentence.
+    pub fn description(self) -> &'static str {
+        match self {
+            Tab::Lights => "The lights: each is a row of the sum",
+            Tab::Objects => "Models, their place and their material",
+            Tab::Camera => "The eye and its matrices",
+            Tab::Picture => "Environment, background and the way from light to the picture",
+            Tab::Probe => "The equation at one pixel, with its numbers",
+            Tab::Compare => "The same scene in one to four ways",
+            Tab::Frame => "What the GPU was asked to do for this picture",
+        }
+    }
+}

@@ -1,0 +1,219 @@
+//! Keys, and the list of them.
+
+use crate::action::{Action, Overlay};
+use crate::document::Document;
+use crate::saving::Product;
+use crate::session::Session;
+use crate::viewport::navigation;
+use egui::{Event, Key, KeyboardShortcut, Modifiers, Ui};
+use gonio_light::Quantity;
+use gonio_scene::{SpecialView, ViewSpec};
+
+/// The quantities on the number keys: 0 is the picture, then these from 1 on.
+pub const VIEW_KEYS: [Quantity; 9] = [
+    Quantity::Normal,
+    Quantity::Light,
+    Quantity::View,
+    Quantity::Reflection,
+    Quantity::Half,
+    Quantity::Diffuse,
+    Quantity::Specular,
+    Quantity::Depth,
+    Quantity::Uv,
+];
+
+/// A key of the table: what it does, and in which words the list says so.
+struct Shortcut {
+    /// Its room in the list.
+    group: &'static str,
+    /// As the list writes it; empty where another row says it too.
+    written: &'static str,
+    /// What it does, in the list.
+    what: &'static str,
+    /// The key itself; nothing where the viewport or egui listens to it.
+    key: Option<Pressed>,
+}
+
+/// A key with what is held down besides, and what is asked for by it.
+type Pressed = (Modifiers, Key, fn() -> Action);
+
+const fn row(group: &'static str, written: &'static str, what: &'static str) -> Shortcut {
+    Shortcut { group, written, what, key: None }
+}
+
+impl Shortcut {
+    const fn on(self, modifiers: Modifiers, key: Key, action: fn() -> Action) -> Self {
+        Shortcut { key: Some((modifiers, key, action)), ..self }
+    }
+}
+
+const SHIFTED: Modifiers = Modifiers { shift: true, ..Modifiers::COMMAND };
+const PICTURE: &str = "In the picture";
+const WINDOW: &str = "The window";
+const FILES: &str = "Files";
+
+/// The one table: what is listed is what is done. The longer combination of a key goes first, for the shorter would take
+/// it.
+const TABLE: &[Shortcut] = &[
+    row(PICTURE, "Drag", "turn around the point looked at"),
+    row(PICTURE, "Shift + drag", "move sideways"),
+    row(PICTURE, "Right button + drag", "look around"),
+    row(PICTURE, "Wheel", "nearer, farther"),
+    row(PICTURE, "w a s d, z q s d, arrows", "fly; e and c up and down; with Shift faster"),
+    row(PICTURE, "F", "everything into the picture").on(Modifiers::NONE, Key::F, || Action::Frame),
+    row(PICTURE, "Space", "let time run, or stop it").on(Modifiers::NONE, Key::Space, || Action::PlayOrPause),
+    row(PICTURE, "P", "probe the pixel under the pointer; a click pins it, Esc lets it go").on(
+        Modifiers::NONE,
+        Key::P,
+        || Action::ToggleProbe,
+    ),
+    row(PICTURE, "O", "the camera from outside").on(Modifiers::NONE, Key::O, || Action::ToggleOutside),
+    row(PICTURE, "Shift + W", "wireframe").on(Modifiers::SHIFT, Key::W, || Action::Overlay(Overlay::Wireframe)),
+    row(PICTURE, "Shift + N", "normals").on(Modifiers::SHIFT, Key::N, || Action::Overlay(Overlay::Normals)),
+    row(PICTURE, "Shift + B", "boxes").on(Modifiers::SHIFT, Key::B, || Action::Overlay(Overlay::Boxes)),
+    row(PICTURE, "Shift + U", "texture coordinates as a checker")
+        .on(Modifiers::SHIFT, Key::U, || Action::Special(SpecialView::UvChecker)),
+    row(PICTURE, "Shift + V", "overdraw: fragments at each pixel")
+        .on(Modifiers::SHIFT, Key::V, || Action::Special(SpecialView::Overdraw)),
+    row(WINDOW, "Ctrl + Y, Ctrl + Shift + Z", "redo").on(SHIFTED, Key::Z, || Action::Redo),
+    row(WINDOW, "", "").on(Modifiers::COMMAND, Key::Y, || Action::Redo),
+    row(WINDOW, "Ctrl + Z", "undo").on(Modifiers::COMMAND, Key::Z, || Action::Undo),
+    row(WINDOW, "Double click on a value", "back to what it was in the file"),
+    row(WINDOW, "Ctrl + plus, Ctrl + minus", "larger, smaller; Ctrl + 0 as it was"),
+    row(WINDOW, "T", "light or dark").on(Modifiers::NONE, Key::T, || Action::ToggleTheme),
+    row(WINDOW, "?", "this list").on(Modifiers::NONE, Key::Questionmark, || Action::ToggleHelp),
+    row(WINDOW, "Esc", "close what is open"),
+    row(FILES, "Ctrl + O", "open files; or drop them on the window")
+        .on(Modifiers::COMMAND, Key::O, || Action::ChooseFiles),
+    row(FILES, "Ctrl + Shift + S", "save the scene").on(SHIFTED, Key::S, || Action::Save(Product::Scene)),
+    row(FILES, "Ctrl + S", "save the picture").on(Modifiers::COMMAND, Key::S, || Action::Save(Product::Picture)),
+];
+
+/// Groups of keys with what they do, for the list.
+pub fn list() -> Vec<(&'static str, Vec<(&'static str, String)>)> {
+    let in_group = |group: &str| {
+        let rows = TABLE.iter().filter(|row| row.group == group && !row.written.is_empty());
+        rows.map(|row| (row.written, row.what.to_owned())).collect()
+    };
+    const DIGITS: [&str; 9] = ["1", "2", "3", "4", "5", "6", "7", "8", "9"];
+    let mut views = vec![("0", "the picture".to_owned())];
+    for (digit, quantity) in DIGITS.into_iter().zip(VIEW_KEYS) {
+        let symbol = quantity.symbol().map(|s| format!(" ({s})")).unwrap_or_default();
+        views.push((digit, format!("{quantity}{symbol} as a colour")));
+    }
+    vec![
+        (PICTURE, in_group(PICTURE)),
+        ("Instead of the picture", views),
+        (WINDOW, in_group(WINDOW)),
+        (FILES, in_group(FILES)),
+    ]
+}
+
+/// What the keys of this frame ask for.
+pub fn handle(ui: &Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
+    navigation::note_combinations(ui);
+    // Letters and digits belong to whatever is being typed into.
+    let is_typing = ui.ctx().memory(|m| m.focused().is_some());
+    for (modifiers, key, action) in TABLE.iter().filter_map(|row| row.key) {
+        let pressed = match key {
+            // Where it lies, with Shift or without, is the keyboard's own affair.
+            Key::Questionmark => !is_typing && struck(ui, key, |_| true),
+            _ if !modifiers.command => !is_typing && struck(ui, key, |held| held.matches_exact(modifiers)),
+            _ => ui.input_mut(|i| i.consume_shortcut(&KeyboardShortcut::new(modifiers, key))),
+        };
+        if pressed {
+            actions.push(action());
+        }
+    }
+    if is_typing {
+        return;
+    }
+    let pressed = |key: Key| struck(ui, key, |held| !held.any());
+    if pressed(Key::Escape) {
+        session.help = false;
+        session.probing.pinned = None;
+    }
+    const DIGITS: [Key; 10] =
+        [Key::Num0, Key::Num1, Key::Num2, Key::Num3, Key::Num4, Key::Num5, Key::Num6, Key::Num7, Key::Num8, Key::Num9];
+    for (number, key) in DIGITS.into_iter().enumerate() {
+        if pressed(key)
+            && let Some(pane) = document.panes.current_mut()
+        {
+            let quantity = number.checked_sub(1).and_then(|n| VIEW_KEYS.get(n));
+            pane.view = quantity.map(|&quantity| ViewSpec { quantity, light: None });
+            pane.special = None;
+        }
+    }
+}
+
+/// Whether a key went down in this frame while what was held besides is as wanted. What is held at the frame's end may be
+/// another thing: where frames are slow, all of a combination lies within one.
+fn struck(ui: &Ui, wanted: Key, besides: impl Fn(Modifiers) -> bool) -> bool {
+    ui.input(|i| {
+        i.events.iter().any(|event| match event {
+            Event::Key { key, pressed: true, repeat: false, modifiers, .. } => *key == wanted && besides(*modifiers),
+            _ => false,
+        })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What one frame with these events asks for, and the quantity that is shown then.
+    fn asked_in_a_frame(events: Vec<Event>) -> (Vec<Action>, Option<Quantity>) {
+        let (mut document, mut session, mut actions) = (Document::default(), Session::default(), Vec::new());
+        let ctx = egui::Context::default();
+        let input = egui::RawInput { events, ..Default::default() };
+        // Nobody shows what was drawn.
+        ctx.run_ui(input, |ui| handle(ui, &mut document, &mut session, &mut actions)).textures_delta.clear();
+        (actions, document.panes.current().and_then(|pane| pane.view).map(|view| view.quantity))
+    }
+
+    fn key(key: Key, pressed: bool, modifiers: Modifiers) -> Event {
+        Event::Key { key, physical_key: None, pressed, repeat: false, modifiers }
+    }
+
+    #[test]
+    fn a_combination_that_is_over_within_a_frame_counts() {
+        let struck = |modifiers: Modifiers, which: Key| {
+            asked_in_a_frame(vec![
+                key(which, true, modifiers),
+                key(which, false, modifiers),
+                key(Key::A, false, Modifiers::NONE),
+            ])
+        };
+        let (actions, _) = struck(Modifiers::SHIFT, Key::W);
+        assert!(matches!(actions.as_slice(), [Action::Overlay(Overlay::Wireframe)]), "{actions:?}");
+        let (actions, _) = struck(Modifiers::NONE, Key::F);
+        assert!(matches!(actions.as_slice(), [Action::Frame]), "{actions:?}");
+        assert_eq!(struck(Modifiers::NONE, Key::Num1).1, Some(VIEW_KEYS[0]));
+        assert_eq!(struck(Modifiers::SHIFT, Key::Num1).1, None);
+        assert!(struck(Modifiers::SHIFT, Key::F).0.is_empty());
+    }
+
+    #[test]
+    fn every_key_is_listed_and_does_one_thing() {
+        let listed: Vec<&str> = list().iter().flat_map(|(_, rows)| rows.iter().map(|(key, _)| *key)).collect();
+        let keys: Vec<_> = TABLE.iter().filter_map(|row| row.key.map(|(modifiers, key, _)| (modifiers, key))).collect();
+        for (index, (modifiers, key)) in keys.iter().enumerate() {
+            assert!(!keys[..index].contains(&(*modifiers, *key)), "{key:?} twice");
+            // The last part of a combination is the key, as egui calls it or as it is printed on it.
+            let names = [key.name(), key.symbol_or_name()];
+            let of_key = |written: &&str| {
+                written.split(", ").filter_map(|keys| keys.split(" + ").last()).any(|last| names.contains(&last))
+            };
+            assert!(listed.iter().any(of_key), "{key:?} is not listed");
+        }
+    }
+
+    #[test]
+    fn longer_combinations_of_a_key_go_first() {
+        let keys: Vec<_> = TABLE.iter().filter_map(|row| row.key).collect();
+        for (index, (modifiers, key, _)) in keys.iter().enumerate() {
+            let later = keys[index + 1..].iter().any(|(more, other, _)| other == key && more.shift && !modifiers.shift);
+            assert!(!later, "{key:?}");
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! Colours that mean something: the same term and the same vector has the same colour wherever it is shown.
+
+use egui::{Color32, Ui};
+
+/// A colour in the light and in the dark.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tint {
+    light: Color32,
+    dark: Color32,
+}
+
+impl Tint {
+    const fn new(light: [u8; 3], dark: [u8; 3]) -> Self {
+        Tint {
+            light: Color32::from_rgb(light[0], light[1], light[2]),
+            dark: Color32::from_rgb(dark[0], dark[1], dark[2]),
+        }
+    }
+
+    /// As it is shown in the dark, or in the light.
+    pub fn in_theme(self, dark: bool) -> Color32 {
+        if dark { self.dark } else { self.light }
+    }
+
+    /// As it is shown in `ui`.
+    pub fn of(self, ui: &Ui) -> Color32 {
+        self.in_theme(ui.visuals().dark_mode)
+    }
+}
+
+/// What is selected, and what asks to be pressed.
+pub const ACCENT: Tint = Tint::new([0x1f, 0x6f, 0xd6], [0x6c, 0xb0, 0xff]);
+/// The ambient term, A.
+pub const AMBIENT: Tint = Tint::new([0x5b, 0x7a, 0x2e], [0xa9, 0xcf, 0x73]);
+/// The emitted term, E.
+pub const EMITTED: Tint = Tint::new([0xb4, 0x4d, 0x12], [0xff, 0xa2, 0x66]);
+/// The diffuse term.
+pub const DIFFUSE: Tint = Tint::new([0x1a, 0x6c, 0xb8], [0x76, 0xb8, 0xff]);
+/// The specular term.
+pub const SPECULAR: Tint = Tint::new([0x9a, 0x32, 0x9c], [0xe6, 0x92, 0xe8]);
+/// A light's own: L, its position and its colour.
+pub const LIGHT: Tint = Tint::new([0x9c, 0x6a, 0x00], [0xff, 0xd0, 0x5e]);
+/// The environment's light.
+pub const ENVIRONMENT: Tint = Tint::new([0x0c, 0x7c, 0x78], [0x5f, 0xd6, 0xcf]);
+/// The normal, N.
+pub const NORMAL: Tint = Tint::new([0x13, 0x7d, 0x3b], [0x63, 0xdb, 0x8c]);
+/// The direction to the viewer, V.
+pub const VIEW: Tint = Tint::new([0x1f, 0x6f, 0xd6], [0x6c, 0xb0, 0xff]);
+/// The mirrored direction, R.
+pub const REFLECTION: Tint = Tint::new([0xc0, 0x2b, 0x3a], [0xff, 0x7f, 0x8a]);
+/// The half vector, H.
+pub const HALF: Tint = Tint::new([0x7a, 0x3f, 0xc4], [0xbc, 0x98, 0xff]);
+/// A warning.
+pub const WARNING: Tint = Tint::new([0x9a, 0x62, 0x00], [0xff, 0xc0, 0x4d]);
+/// An error.
+pub const ERROR: Tint = Tint::new([0xb8, 0x1f, 0x2f], [0xff, 0x8a, 0x8f]);
+/// The x axis.
+pub const AXIS_X: Tint = REFLECTION;
+/// The y axis.
+pub const AXIS_Y: Tint = NORMAL;
+/// The z axis.
+pub const AXIS_Z: Tint = VIEW;

@@ -1,0 +1,192 @@
+//! Where each piece of a formula stands.
+//!
+//! | distance | ems | TeX's name |
+//! |---|---|---|
+//! | height of the axis, on which fractions and sums are centred | 0.25 | sigma_22 |
+//! | an exponent's baseline | 0.413 | sigma_13 |
+//! | an index's baseline, alone and below an exponent | 0.15, 0.247 | sigma_16, sigma_17 |
+//! | a fraction's upper and lower baseline in a line | 0.394, 0.345 | sigma_9, sigma_12 |
+//! | thickness of its line | 0.04 | xi_8 |
+//! | least gap below a sum's sign | 0.166 | xi_10 |
+//! | size of an index | 0.7 | scriptstyle of a 10 point font |
+
+use super::node::{Face, Node, Tag};
+use super::{Extent, Measure};
+use egui::{Rect, Vec2, pos2, vec2};
+
+const AXIS: f32 = 0.25;
+const EXPONENT: f32 = 0.413;
+const INDEX: f32 = 0.15;
+const INDEX_BELOW_EXPONENT: f32 = 0.247;
+const OVER: f32 = 0.394;
+const UNDER: f32 = 0.345;
+const RULE: f32 = 0.04;
+const SUM_GAP: f32 = 0.166;
+const SCRIPT: f32 = 0.7;
+/// What TeX leaves beside scripts and fractions.
+const SCRIPT_SPACE: f32 = 0.05;
+const FRACTION_SIDE: f32 = 0.12;
+/// Smaller letters would not be read.
+const SMALLEST: f32 = 8.5;
+
+/// What is drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape {
+    /// Characters; their size is points for an em.
+    Text(String, Face, f32),
+    /// A line, of this size.
+    Rule(Vec2),
+}
+
+/// A piece of a formula in its place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Piece {
+    /// What.
+    pub shape: Shape,
+    /// The start of its baseline (of a rule: its upper left corner), from the start of the formula's; y down.
+    pub at: Vec2,
+    /// The innermost part that it belongs to.
+    pub tag: Option<Tag>,
+}
+
+/// A formula that was laid out. Its baseline starts at the origin; y down.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Laid {
+    /// Points.
+    pub width: f32,
+    /// Above the baseline.
+    pub ascent: f32,
+    /// Below the baseline.
+    pub descent: f32,
+    /// What is drawn.
+    pub pieces: Vec<Piece>,
+    /// Tagged parts; a tag may have several.
+    pub tagged: Vec<(Tag, Rect)>,
+}
+
+impl Laid {
+    /// Points.
+    pub fn size(&self) -> Vec2 {
+        vec2(self.width, self.ascent + self.descent)
+    }
+
+    fn of(extent: Extent) -> Self {
+        Laid { width: extent.width, ascent: extent.ascent, descent: extent.descent, ..Laid::default() }
+    }
+
+    /// Puts another one at a place; does not make room for it to the right.
+    fn place(&mut self, other: Laid, at: Vec2) {
+        self.ascent = self.ascent.max(other.ascent - at.y);
+        self.descent = self.descent.max(other.descent + at.y);
+        self.pieces.extend(other.pieces.into_iter().map(|piece| Piece { at: piece.at + at, ..piece }));
+        self.tagged.extend(other.tagged.into_iter().map(|(tag, rect)| (tag, rect.translate(at))));
+    }
+
+    fn append(&mut self, other: Laid) {
+        let (at, width) = (self.width, other.width);
+        self.place(other, vec2(at, 0.0));
+        self.width = at + width;
+    }
+}
+
+/// Lays out a formula with `size` points for an em.
+pub fn lay(node: &Node, size: f32, fonts: &mut dyn Measure) -> Laid {
+    match node {
+        Node::Text(text, face) => {
+            let mut laid = Laid::of(fonts.measure(text, *face, size));
+            let shape = Shape::Text(text.clone(), *face, size);
+            laid.pieces.push(Piece { shape, at: Vec2::ZERO, tag: None });
+            laid
+        }
+        Node::Space(ems) => Laid { width: ems * size, ..Laid::default() },
+        Node::Row(nodes) => {
+            let mut row = Laid::default();
+            for node in nodes {
+                row.append(lay(node, size, fonts));
+            }
+            row
+        }
+        Node::Scripts { base, below, above } => scripts(base, below.as_deref(), above.as_deref(), size, fonts),
+        Node::Fraction(over, under) => fraction(over, under, size, fonts),
+        Node::Sum(below) => sum(below, size, fonts),
+        Node::Tagged(tag, inner) => {
+            let mut laid = lay(inner, size, fonts);
+            laid.pieces.iter_mut().for_each(|piece| piece.tag = piece.tag.or(Some(*tag)));
+            let rect = Rect::from_min_max(pos2(0.0, -laid.ascent), pos2(laid.width, laid.descent));
+            laid.tagged.push((*tag, rect));
+            laid
+        }
+    }
+}
+
+fn scripts(base: &Node, below: Option<&Node>, above: Option<&Node>, size: f32, fonts: &mut dyn Measure) -> Laid {
+    let mut laid = lay(base, size, fonts);
+    let small = (SCRIPT * size).max(SMALLEST.min(size));
+    let (start, mut end) = (laid.width, laid.width);
+    let index = if above.is_some() { INDEX_BELOW_EXPONENT } else { INDEX };
+    for (script, down) in [(below, index * size), (above, -EXPONENT * size)] {
+        let Some(script) = script else { continue };
+        let script = lay(script, small, fonts);
+        end = end.max(start + script.width + SCRIPT_SPACE * size);
+        laid.place(script, vec2(start, down));
+    }
+    laid.width = end;
+    laid
+}
+
+fn fraction(over: &Node, under: &Node, size: f32, fonts: &mut dyn Measure) -> Laid {
+    let small = (SCRIPT * size).max(SMALLEST.min(size));
+    let (over, under) = (lay(over, small, fonts), lay(under, small, fonts));
+    let inner = over.width.max(under.width) + 2.0 * SCRIPT_SPACE * size;
+    let side = FRACTION_SIDE * size;
+    let rule = (RULE * size).max(1.0);
+    let clear = rule + 0.06 * size;
+    let axis = AXIS * size;
+    // Both keep clear of the line.
+    let up = (OVER * size).max(axis + clear + over.descent);
+    let down = (UNDER * size).max(under.ascent + clear - axis);
+    let mut laid = Laid { width: inner + 2.0 * side, ..Laid::default() };
+    let place_of = |width: f32| side + 0.5 * (inner - width);
+    let (over_at, under_at) = (place_of(over.width), place_of(under.width));
+    laid.place(over, vec2(over_at, -up));
+    laid.place(under, vec2(under_at, down));
+    let shape = Shape::Rule(vec2(inner, rule));
+    laid.pieces.push(Piece { shape, at: vec2(side, -axis - 0.5 * rule), tag: None });
+    laid
+}
+
+fn sum(below: &Node, size: f32, fonts: &mut dyn Measure) -> Laid {
+    let small = (SCRIPT * size).max(SMALLEST.min(size));
+    let sign = lay(&Node::large("\u{2211}"), size, fonts);
+    let below = lay(below, small, fonts);
+    let width = sign.width.max(below.width);
+    // Centred on the axis, whatever the font's glyph is.
+    let shift = 0.5 * (sign.ascent - sign.descent) - AXIS * size;
+    let bottom = sign.descent + shift;
+    let mut laid = Laid { width, ..Laid::default() };
+    let (sign_at, below_at) = (0.5 * (width - sign.width), 0.5 * (width - below.width));
+    let down = bottom + SUM_GAP * size + below.ascent;
+    laid.place(sign, vec2(sign_at, shift));
+    laid.place(below, vec2(below_at, down));
+    laid
+}
+
+/// A formula of parts between which it may be broken, in as many lines as `width` asks for; lines after the first are
+/// indented. Each part is laid out on its own.
+pub fn broken(parts: &[Node], size: f32, width: f32, fonts: &mut dyn Measure) -> Vec<Laid> {
+    const INDENT: f32 = 1.2;
+    let mut lines: Vec<Laid> = Vec::new();
+    for part in parts {
+        let part = lay(part, size, fonts);
+        match lines.last_mut() {
+            Some(line) if line.width + part.width <= width => line.append(part),
+            last => {
+                let indent = if last.is_some() { INDENT * size } else { 0.0 };
+                let mut line = Laid { width: indent, ..Laid::default() };
+                line.append(part);
+                lines.push(line);
+            }
+        }
+    }
+    lines
+}

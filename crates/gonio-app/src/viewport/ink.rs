@@ -1,0 +1,76 @@
+//! Lines and words over the picture: legible on whatever is behind them.
+
+use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Ui, Vec2, vec2};
+
+/// Under everything that is drawn: it separates light ink from a light picture.
+const SHADE: Color32 = Color32::from_black_alpha(150);
+
+/// A line with a dark rim.
+pub fn line(painter: &Painter, points: [Pos2; 2], width: f32, color: Color32) {
+    painter.line_segment(points, Stroke::new(width + 2.0, SHADE));
+    painter.line_segment(points, Stroke::new(width, color));
+}
+
+/// A line through many points, with a dark rim. Where a point is missing (behind the eye) there is a gap.
+pub fn curve(painter: &Painter, points: &[Option<Pos2>], width: f32, color: Color32) {
+    for run in points.split(Option::is_none) {
+        let run: Vec<Pos2> = run.iter().flatten().copied().collect();
+        if run.len() > 1 {
+            painter.add(Shape::line(run.clone(), Stroke::new(width + 2.0, SHADE)));
+            painter.add(Shape::line(run, Stroke::new(width, color)));
+        }
+    }
+}
+
+/// Dashes with a dark rim.
+pub fn dashes(painter: &Painter, points: [Pos2; 2], width: f32, color: Color32) {
+    painter.extend(Shape::dashed_line(&points, Stroke::new(width + 1.5, SHADE), 5.0, 4.0));
+    painter.extend(Shape::dashed_line(&points, Stroke::new(width, color), 5.0, 4.0));
+}
+
+/// An arrow with a filled head and a dark rim.
+pub fn arrow(painter: &Painter, from: Pos2, to: Pos2, width: f32, color: Color32) {
+    let way = to - from;
+    let length = way.length();
+    if length < 1.0 {
+        painter.circle(from, width + 1.0, color, Stroke::new(1.0, SHADE));
+        return;
+    }
+    let head = (4.0 + 2.5 * width).min(0.6 * length);
+    let ahead = way / length;
+    let side = ahead.rot90() * (0.42 * head);
+    let neck = to - ahead * head;
+    painter.line_segment([from, neck], Stroke::new(width + 2.0, SHADE));
+    let triangle = vec![to, neck + side, neck - side];
+    painter.add(Shape::convex_polygon(triangle, color, Stroke::new(1.0, SHADE)));
+    painter.line_segment([from, neck + ahead], Stroke::new(width, color));
+}
+
+/// A disc of a light's colour, with a white and a dark ring; only the rings where it is `hollow`.
+pub fn disc(painter: &Painter, center: Pos2, radius: f32, color: Color32, hollow: bool) {
+    painter.circle_filled(center, radius + 2.6, SHADE);
+    if hollow {
+        painter.circle(center, radius, Color32::from_black_alpha(120), Stroke::new(2.0, color));
+    } else {
+        painter.circle(center, radius, color, Stroke::new(1.6, Color32::WHITE));
+    }
+}
+
+/// Words on a plate, kept within `within`. `align` says which corner of the plate is at `place`.
+pub fn label(ui: &Ui, painter: &Painter, within: Rect, place: Pos2, align: Align2, text: &str, color: Color32) -> Rect {
+    let font = FontId::proportional(12.0);
+    let galley = painter.layout_no_wrap(text.to_owned(), font, color);
+    let padding = vec2(5.0, 2.0);
+    let rect = align.anchor_size(place, galley.size() + 2.0 * padding);
+    let rect = rect.translate(back_inside(rect, within));
+    painter.rect_filled(rect, 4.0, ui.visuals().window_fill.gamma_multiply(0.86));
+    painter.galley(rect.min + padding, galley, color);
+    rect
+}
+
+/// The way that brings a rectangle into another, if it fits.
+fn back_inside(rect: Rect, within: Rect) -> Vec2 {
+    let x = (within.left() - rect.left()).max(0.0) - (rect.right() - within.right()).max(0.0);
+    let y = (within.top() - rect.top()).max(0.0) - (rect.bottom() - within.bottom()).max(0.0);
+    vec2(x, y)
+}

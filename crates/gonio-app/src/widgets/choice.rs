@@ -1,0 +1,121 @@
+//! One of several words: side by side where there are few, in a list where there are many.
+
+use crate::exported::{self, Role};
+use crate::theme::colors;
+use egui::{Button, ComboBox, RichText, Ui, WidgetInfo, vec2};
+
+/// The variants of a `named_enum!` as options: value, word, sentence.
+macro_rules! named_options {
+    ($Enum:ty) => {
+        <$Enum>::ALL.iter().map(|v| (*v, v.name(), v.description())).collect::<Vec<_>>()
+    };
+}
+pub(crate) use named_options;
+
+/// One of `options` (value, word, sentence), side by side; whether it was changed. A double click chooses `default`.
+pub fn choice<T: Copy + PartialEq>(
+    ui: &mut Ui,
+    id: &str,
+    label: &str,
+    value: &mut T,
+    options: &[(T, &str, &str)],
+    default: T,
+) -> bool {
+    let words: Vec<(&str, &str)> = options.iter().map(|(_, word, tip)| (*word, *tip)).collect();
+    let chosen = options.iter().position(|(option, ..)| option == value);
+    match segments(ui, id, label, &words, chosen) {
+        Asked::Nothing => false,
+        Asked::Default => replace(value, default),
+        Asked::Option(index) => options.get(index).is_some_and(|(option, ..)| replace(value, *option)),
+    }
+}
+
+/// The same as a list that opens.
+pub fn dropdown<T: Copy + PartialEq>(
+    ui: &mut Ui,
+    id: &str,
+    label: &str,
+    value: &mut T,
+    options: &[(T, &str, &str)],
+) -> bool {
+    let words: Vec<(&str, &str)> = options.iter().map(|(_, word, tip)| (*word, *tip)).collect();
+    let chosen = options.iter().position(|(option, ..)| option == value);
+    let asked = list(ui, id, label, &words, chosen);
+    asked.and_then(|index| options.get(index)).is_some_and(|(option, ..)| replace(value, *option))
+}
+
+fn replace<T: PartialEq>(value: &mut T, with: T) -> bool {
+    let changed = *value != with;
+    *value = with;
+    changed
+}
+
+/// A word as a part of an id: kebab-case.
+pub fn slug(word: &str) -> String {
+    let words = word.split(|c: char| !c.is_alphanumeric()).filter(|part| !part.is_empty());
+    words.map(str::to_lowercase).collect::<Vec<_>>().join("-")
+}
+
+enum Asked {
+    Nothing,
+    Default,
+    Option(usize),
+}
+
+fn segments(ui: &mut Ui, id: &str, label: &str, words: &[(&str, &str)], chosen: Option<usize>) -> Asked {
+    let mut asked = Asked::Nothing;
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = vec2(2.0, 2.0);
+        ui.spacing_mut().button_padding = vec2(4.5, 2.0);
+        for (index, (word, tip)) in words.iter().enumerate() {
+            let is_chosen = chosen == Some(index);
+            let text = if is_chosen {
+                RichText::new(*word).color(ui.visuals().strong_text_color())
+            } else {
+                RichText::new(*word).color(ui.visuals().weak_text_color())
+            };
+            let mut button = Button::new(text).min_size(vec2(0.0, 22.0)).frame_when_inactive(is_chosen);
+            if is_chosen {
+                button = button.fill(colors::ACCENT.of(ui).gamma_multiply(0.28));
+            }
+            let response = ui.add(button);
+            let name = format!("{label}: {word}");
+            response.widget_info(|| WidgetInfo::selected(egui::Role::RadioButton, true, is_chosen, &name));
+            let own_id = format!("{id}-{}", slug(word));
+            exported::note(ui, &response, &own_id, Role::Choice, &name, is_chosen);
+            if response.double_clicked() {
+                asked = Asked::Default;
+            } else if response.clicked() {
+                asked = Asked::Option(index);
+            }
+            if !tip.is_empty() {
+                response.on_hover_text(*tip);
+            }
+        }
+    });
+    asked
+}
+
+fn list(ui: &mut Ui, id: &str, label: &str, words: &[(&str, &str)], chosen: Option<usize>) -> Option<usize> {
+    let mut asked = None;
+    let shown = chosen.and_then(|index| words.get(index)).map_or("", |(word, _)| word);
+    let width = ui.available_width().clamp(80.0, 200.0);
+    let combo = ComboBox::from_id_salt(id).selected_text(shown).width(width).height(420.0);
+    let response = combo
+        .show_ui(ui, |ui| {
+            for (index, (word, tip)) in words.iter().enumerate() {
+                let entry = ui.selectable_label(chosen == Some(index), *word);
+                exported::note(ui, &entry, &format!("{id}-{}", slug(word)), Role::Choice, word, chosen == Some(index));
+                if entry.clicked() {
+                    asked = Some(index);
+                }
+                if !tip.is_empty() {
+                    entry.on_hover_text(*tip);
+                }
+            }
+        })
+        .response;
+    response.widget_info(|| WidgetInfo::labeled(egui::Role::ComboBox, true, label));
+    exported::note(ui, &response, id, Role::Choice, label, shown);
+    asked
+}

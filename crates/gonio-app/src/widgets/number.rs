@@ -1,0 +1,212 @@
+//! A number: dragged, typed, or reset by a double click.
+
+use crate::exported::{self, Role};
+use egui::{DragValue, Response, Sense, TextStyle, Ui, UiBuilder, vec2};
+use std::ops::RangeInclusive;
+
+/// A number and what is known of it.
+#[derive(Clone, Debug)]
+pub struct Number<'a> {
+    id: &'a str,
+    label: &'a str,
+    tip: &'a str,
+    unit: &'static str,
+    range: RangeInclusive<f64>,
+    default: Option<f64>,
+    step: Option<f64>,
+    width: f32,
+    whole: bool,
+}
+
+impl<'a> Number<'a> {
+    /// Any finite number. `id` is stable and kebab-case, `label` what it is called.
+    pub fn new(id: &'a str, label: &'a str) -> Self {
+        Number {
+            id,
+            label,
+            tip: "",
+            unit: "",
+            range: -1e15..=1e15,
+            default: None,
+            step: None,
+            width: 78.0,
+            whole: false,
+        }
+    }
+
+    /// What it is, with its symbol.
+    pub fn tip(self, tip: &'a str) -> Self {
+        Number { tip, ..self }
+    }
+
+    /// Shown after it.
+    pub fn unit(self, unit: &'static str) -> Self {
+        Number { unit, ..self }
+    }
+
+    /// What it may be; both ends are allowed.
+    pub fn range(self, range: RangeInclusive<f64>) -> Self {
+        Number { range, ..self }
+    }
+
+    /// What a double click makes of it.
+    pub fn default(self, default: f64) -> Self {
+        Number { default: Some(default), ..self }
+    }
+
+    /// Change for each point that is dragged; left out, it goes by the number's size.
+    pub fn step(self, step: f64) -> Self {
+        Number { step: Some(step), ..self }
+    }
+
+    /// Points.
+    pub fn width(self, width: f32) -> Self {
+        Number { width, ..self }
+    }
+
+    /// No digits behind the point.
+    pub fn whole(self) -> Self {
+        Number { whole: true, ..self }
+    }
+
+    /// Shows it.
+    pub fn show(self, ui: &mut Ui, value: &mut f64) -> Response {
+        let before = *value;
+        let step = self.step.unwrap_or_else(|| step_of(before, &self.range));
+        let whole = self.whole;
+        let mut edited = before;
+        // Room of exactly this size: what is beside it stays on one line with it, and nothing jumps while it changes.
+        let size = vec2(self.width, ui.spacing().interact_size.y);
+        let (room, _) = ui.allocate_exact_size(size, Sense::hover());
+        let response = ui
+            .scope_builder(UiBuilder::new().max_rect(room).id_salt(self.id), |ui| {
+                let style = ui.style_mut();
+                style.drag_value_text_style = TextStyle::Monospace;
+                style.spacing.button_padding = vec2(4.0, 2.0);
+                let drag = DragValue::new(&mut edited)
+                    .range(self.range.clone())
+                    .clamp_existing_to_range(false)
+                    .speed(step)
+                    .min_size(size)
+                    .clip_text(true)
+                    .update_while_editing(false)
+                    .custom_formatter(move |v, _| if whole { format!("{v:.0}") } else { compact(v) })
+                    .custom_parser(parsed)
+                    .suffix(self.unit);
+                ui.put(room, drag)
+            })
+            .inner;
+        if edited.is_finite() && edited != before {
+            *value = if whole { edited.round() } else { edited };
+        }
+        if let Some(default) = self.default
+            && response.double_clicked()
+        {
+            *value = default;
+            // The first click of the two began to type.
+            response.surrender_focus();
+        }
+        // -0 is what dragging past zero leaves.
+        *value += 0.0;
+        let response = response.accessible_name(self.label);
+        exported::note(ui, &response, self.id, Role::Number, self.label, *value);
+        let tip = self.explanation();
+        response.on_hover_ui(|ui| {
+            ui.label(tip);
+        })
+    }
+
+    /// The same for 32 bits.
+    pub fn show_f32(self, ui: &mut Ui, value: &mut f32) -> Response {
+        let mut wide = f64::from(*value);
+        let response = self.show(ui, &mut wide);
+        if wide != f64::from(*value) {
+            *value = wide as f32;
+        }
+        response
+    }
+
+    fn explanation(&self) -> String {
+        let mut text = if self.tip.is_empty() { self.label.to_owned() } else { self.tip.to_owned() };
+        let (low, high) = (*self.range.start(), *self.range.end());
+        let unit = self.unit;
+        if high < 1e14 {
+            text += &format!("\nFrom {}{unit} to {}{unit}", compact(low), compact(high));
+        } else if low >= 0.0 {
+            text += &format!("\nAt least {}{unit}", compact(low));
+        }
+        if let Some(default) = self.default {
+            text += &format!("\nDouble click: {}{unit}", compact(default));
+        }
+        text
+    }
+}
+
+/// About a hundredth of the number for each point, and of its range where that is small.
+fn step_of(value: f64, range: &RangeInclusive<f64>) -> f64 {
+    let extent = range.end() - range.start();
+    if extent <= 200.0 {
+        return extent / 300.0;
+    }
+    (0.01 * value.abs()).clamp(0.01, 1e12)
+}
+
+/// A number as it is shown: up to four digits behind the point, and never more than seven characters or so.
+pub fn compact(v: f64) -> String {
+    let size = v.abs();
+    if size != 0.0 && !(1e-4..1e6).contains(&size) {
+        return format!("{v:.2e}");
+    }
+    let decimals = match size {
+        s if s >= 10_000.0 => 0,
+        s if s >= 1000.0 => 1,
+        s if s >= 100.0 => 2,
+        s if s >= 1.0 => 3,
+        _ => 4,
+    };
+    let text = format!("{v:.decimals$}");
+    let text = if decimals > 0 { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+/// What was typed: a point or a comma, the unit or not; nothing that is not finite.
+fn parsed(text: &str) -> Option<f64> {
+    let text = text.trim().replace(',', ".").replace('\u{2212}', "-");
+    let text = text.trim_end_matches(|c: char| c.is_whitespace() || c == '\u{b0}' || (c.is_alphabetic()));
+    text.trim().parse::<f64>().ok().filter(|v| v.is_finite())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short_and_true() {
+        for (value, shown) in [
+            (0.0, "0"),
+            (-0.0, "0"),
+            (1.5, "1.5"),
+            (0.125, "0.125"),
+            (-2.0, "-2"),
+            (123.456, "123.46"),
+            (1e-7, "1.00e-7"),
+            (12_345_678.0, "1.23e7"),
+            (100.0, "100"),
+            (40_000.0, "40000"),
+        ] {
+            assert_eq!(compact(value), shown);
+        }
+    }
+
+    #[test]
+    fn what_is_typed_is_read_with_comma_and_unit() {
+        assert_eq!(parsed(" 1,5 "), Some(1.5));
+        assert_eq!(parsed("45\u{b0}"), Some(45.0));
+        assert_eq!(parsed("2 s"), Some(2.0));
+        assert_eq!(parsed("1e3"), Some(1000.0));
+        assert_eq!(parsed("\u{2212}3"), Some(-3.0));
+        for nothing in ["", "inf", "NaN", "abc", "1 2"] {
+            assert_eq!(parsed(nothing), None, "{nothing}");
+        }
+    }
+}

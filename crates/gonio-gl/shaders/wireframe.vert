@@ -1,0 +1,13 @@
+// Each triangle has three vertices of its own, drawn in order: a vertex' number says which corner it is.
+
+in vec3 position;
+
+uniform mat4 clip_from_model;
+
+out vec3 v_corner;   // barycentric coordinates
+
+void main() {
+    gl_Position = clip_from_model * vec4(position, 1.0);
+    int corner = gl_VertexID % 3;
+    v_corner = vec3(corner == 0, corner == 1, corner == 2);
+}

@@ -1,0 +1,497 @@
+//! What a frame did, as plain data: passes, draws, programs, textures. No OpenGL.
+//!
+//! Objects are named by **id**: OpenGL's own name of the object, the small number that `glGen…` gave. WebGL shows no such
+//! numbers; there they are counted in the order of creation, as drivers do it.
+
+use serde::Serialize;
+
+/// All that happened while a recording ran, in order.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct FrameRecord {
+    /// How many texture units the driver has, over all stages.
+    pub texture_units: u32,
+    /// Runs of commands that draw into one framebuffer.
+    pub passes: Vec<PassRecord>,
+    /// Draw calls, in order.
+    pub draws: Vec<DrawRecord>,
+    /// Programs that drew, in order of their first draw.
+    pub programs: Vec<ProgramRecord>,
+    /// Every texture that there is, by id: also those that no draw reads.
+    pub textures: Vec<TextureRecord>,
+    /// Draw calls beyond the most that are kept ([`super::MOST_DRAWS`]).
+    pub draws_left_out: usize,
+    /// What else is worth knowing, a sentence each.
+    pub notes: Vec<String>,
+}
+
+impl FrameRecord {
+    /// The texture of an id.
+    pub fn texture(&self, id: u32) -> Option<&TextureRecord> {
+        self.textures.iter().find(|t| t.id == id)
+    }
+
+    /// The program that a draw used.
+    pub fn program_of(&self, draw: &DrawRecord) -> Option<&ProgramRecord> {
+        self.programs.get(draw.program?)
+    }
+}
+
+/// Consecutive commands into one framebuffer.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PassRecord {
+    /// The outermost debug group, or what is drawn into.
+    pub name: String,
+    /// What is drawn into.
+    pub target: TargetRecord,
+    /// What the pass cleared, where it did.
+    pub cleared: Option<ClearRecord>,
+    /// The framebuffer into which its samples were averaged (`glBlitFramebuffer`).
+    pub resolved_into: Option<String>,
+    /// Its first draw.
+    pub first_draw: usize,
+    /// How many draws.
+    pub draw_count: usize,
+}
+
+/// A framebuffer.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct TargetRecord {
+    /// Its id; 0 is the window.
+    pub id: u32,
+    /// Its label.
+    pub name: String,
+    /// Pixels; 0 where it is not known, as of a window.
+    pub width: u32,
+    /// Pixels.
+    pub height: u32,
+    /// Per pixel, at least 1.
+    pub samples: u32,
+    /// The format of its first colour, in OpenGL's words.
+    pub format: Option<String>,
+    /// Where its colours and depths are.
+    pub attachments: Vec<AttachmentRecord>,
+}
+
+/// What is attached to a framebuffer.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AttachmentRecord {
+    /// `color 0`, `depth`, ...
+    pub point: String,
+    /// `None` where it is a renderbuffer.
+    pub texture: Option<u32>,
+    /// Of the texture.
+    pub level: u32,
+    /// Its label.
+    pub name: String,
+    /// In OpenGL's words, for example `RGBA16F`.
+    pub format: String,
+}
+
+/// `glClear`.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct ClearRecord {
+    /// To which colour.
+    pub color: Option<[f32; 4]>,
+    /// To which depth.
+    pub depth: Option<f32>,
+}
+
+/// One draw call, with all that it read.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DrawRecord {
+    /// Its place among all draws of the record.
+    pub index: usize,
+    /// The pass that it belongs to.
+    pub pass: usize,
+    /// Debug groups around it, the outermost first.
+    pub groups: Vec<String>,
+    /// What is drawn, where the caller has said so.
+    pub subject: Option<Subject>,
+    /// Its program, an index into [`FrameRecord::programs`]; `None` where none was in use.
+    pub program: Option<usize>,
+    /// `triangles`, `lines`, ...
+    pub primitive: String,
+    /// Vertices, or indices where it is indexed.
+    pub count: u32,
+    /// The first vertex, or the first index.
+    pub first: u32,
+    /// Whether vertices come through an index buffer.
+    pub indexed: bool,
+    /// The highest vertex that is read; `None` where it is not known, or none is.
+    pub highest_vertex: Option<u32>,
+    /// How many times all of it is drawn.
+    pub instances: u32,
+    /// How often the vertex shader ran, as counted by the GPU; `None` where the driver cannot count.
+    pub vertices_shaded: Option<u64>,
+    /// How often the fragment shader ran, likewise: whole 2 x 2 blocks, and every sample where all are shaded.
+    pub fragments_shaded: Option<u64>,
+    /// Fixed functions.
+    pub state: StateRecord,
+    /// Values of the uniforms that are not samplers.
+    pub uniforms: Vec<UniformValue>,
+    /// What the samplers read.
+    pub samplers: Vec<SamplerRecord>,
+    /// What feeds the vertex shader.
+    pub attributes: Vec<AttributeRecord>,
+    /// Textures that are bound, to whichever unit.
+    pub units: Vec<BindingRecord>,
+    /// Textures that were bound between the draw before and this one.
+    pub bound: Vec<BindingRecord>,
+    /// Errors that OpenGL reported since the draw before, or at this one, for example `INVALID_OPERATION`.
+    pub errors: Vec<String>,
+}
+
+impl DrawRecord {
+    /// For people: the object, its part and its material; else the innermost debug group; else `draw 3`.
+    pub fn title(&self) -> String {
+        match (&self.subject, self.groups.last()) {
+            (Some(subject), _) => subject.to_string(),
+            (None, Some(group)) => group.clone(),
+            (None, None) => format!("draw {}", self.index),
+        }
+    }
+}
+
+/// What a draw shows.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Subject {
+    /// The object's name.
+    pub object: String,
+    /// The part's name; may be empty.
+    pub part: String,
+    /// The material's name.
+    pub material: String,
+}
+
+impl std::fmt::Display for Subject {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Subject { object, part, material } = self;
+        f.write_str(object)?;
+        if !part.is_empty() && part != object {
+            write!(f, " {part}")?;
+        }
+        if material.is_empty() { Ok(()) } else { write!(f, " [{material}]") }
+    }
+}
+
+/// The fixed functions around a draw.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct StateRecord {
+    /// `None` where blending is off.
+    pub blend: Option<BlendRecord>,
+    /// `less`, ...; `None` where depth is not tested.
+    pub depth_test: Option<String>,
+    /// Whether depth is written.
+    pub depth_mask: bool,
+    /// `back`, ...; `None` where nothing is culled.
+    pub cull: Option<String>,
+    /// `counter-clockwise` or `clockwise`.
+    pub front_face: String,
+    /// Which of red, green, blue and alpha are written.
+    pub color_mask: [bool; 4],
+    /// x, y of the lower left corner, width, height, in pixels.
+    pub viewport: [i32; 4],
+    /// The same; `None` where nothing is cut off.
+    pub scissor: Option<[i32; 4]>,
+}
+
+/// How a fragment is mixed with what is there.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct BlendRecord {
+    /// Factors of the source's and the destination's colour, for example `one`, `one minus source alpha`.
+    pub color: [String; 2],
+    /// The same of alpha.
+    pub alpha: [String; 2],
+}
+
+/// A program.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct ProgramRecord {
+    /// Its id.
+    pub id: u32,
+    /// Its label.
+    pub name: String,
+    /// GLSL; empty where it was compiled before the recording and nobody knows it any more.
+    pub vertex_source: String,
+    /// GLSL of the fragment shader.
+    pub fragment_source: String,
+    /// Attributes that the vertex shader reads.
+    pub attributes: Vec<AttributeDeclaration>,
+    /// Uniforms, samplers among them, that the program needs.
+    pub uniforms: Vec<UniformDeclaration>,
+}
+
+/// An active attribute.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AttributeDeclaration {
+    /// In GLSL.
+    pub name: String,
+    /// Its GLSL type.
+    pub glsl_type: String,
+    /// Where the vertex array feeds it.
+    pub location: u32,
+}
+
+/// An active uniform.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct UniformDeclaration {
+    /// In GLSL, without `[0]`.
+    pub name: String,
+    /// Its GLSL type.
+    pub glsl_type: String,
+    /// OpenGL's number of it; `None` on the web, which has none, and for members of blocks.
+    pub location: Option<u32>,
+    /// Elements; 1 where it is no array.
+    pub array_size: u32,
+}
+
+/// A uniform at a draw.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct UniformValue {
+    /// In GLSL, without `[0]`.
+    pub name: String,
+    /// Its GLSL type, of one element.
+    pub glsl_type: String,
+    /// Whether it was set since its program was linked.
+    pub sent: bool,
+    /// Its numbers; those of an array one after the other, matrices column by column.
+    pub value: Numbers,
+}
+
+/// Numbers of a uniform.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Numbers {
+    /// `float`, vectors and matrices.
+    Float(Vec<f32>),
+    /// `int` and vectors of it.
+    Int(Vec<i32>),
+    /// `uint` and vectors of it.
+    Uint(Vec<u32>),
+    /// `bool` and vectors of it.
+    Bool(Vec<bool>),
+}
+
+impl Numbers {
+    /// How many.
+    pub fn len(&self) -> usize {
+        match self {
+            Numbers::Float(v) => v.len(),
+            Numbers::Int(v) => v.len(),
+            Numbers::Uint(v) => v.len(),
+            Numbers::Bool(v) => v.len(),
+        }
+    }
+
+    /// Whether there are none: the value could not be read.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Whether all are 0 or false: what OpenGL gives a uniform that was never set.
+    pub fn is_zero(&self) -> bool {
+        match self {
+            Numbers::Float(v) => v.iter().all(|v| *v == 0.0),
+            Numbers::Int(v) => v.iter().all(|v| *v == 0),
+            Numbers::Uint(v) => v.iter().all(|v| *v == 0),
+            Numbers::Bool(v) => v.iter().all(|v| !v),
+        }
+    }
+
+    /// The floats, where they are.
+    pub fn floats(&self) -> Option<&[f32]> {
+        if let Numbers::Float(v) = self { Some(v) } else { None }
+    }
+}
+
+/// A sampler at a draw: sampler, unit, texture.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SamplerRecord {
+    /// In GLSL; an element of an array as `name[1]`.
+    pub name: String,
+    /// Its GLSL type, for example `sampler2D`.
+    pub glsl_type: String,
+    /// The unit that it reads.
+    pub unit: u32,
+    /// What `glUniform1i` was last given for it, which OpenGL refuses where there is no such unit; `None` where it was
+    /// never set, or set before the recording.
+    pub sent: Option<i32>,
+    /// Whether it was set since its program was linked.
+    pub was_set: bool,
+    /// The texture of the sampler's kind that is bound to the unit, by id.
+    pub texture: Option<u32>,
+    /// How it is sampled.
+    pub sampling: Option<SamplingRecord>,
+    /// What the texture lacks for that, at this draw: then it reads black.
+    pub incomplete: Option<String>,
+    /// Ids of textures of other kinds that are bound to the unit.
+    pub others: Vec<u32>,
+    /// Where an earlier draw of something else bound the texture for itself: that draw's subject.
+    pub bound_for: Option<Subject>,
+}
+
+/// A texture's parameters at a draw: they are the texture's state, and may be others at the next draw.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct SamplingRecord {
+    /// `nearest`, `linear`, `linear mipmap linear`, ...
+    pub min_filter: String,
+    /// `nearest` or `linear`.
+    pub mag_filter: String,
+    /// `repeat`, `clamp to edge`, ... along s and t.
+    pub wrap: [String; 2],
+    /// The first level that may be read.
+    pub base_level: u32,
+    /// The last one; 1000 where nobody has set it.
+    pub max_level: u32,
+}
+
+/// A texture and the unit that it is bound to.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct BindingRecord {
+    /// To which unit.
+    pub unit: u32,
+    /// `2D`, `cube`, ...
+    pub kind: String,
+    /// By id; `None` where nothing is bound from there on.
+    pub texture: Option<u32>,
+}
+
+/// An attribute at a draw.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AttributeRecord {
+    /// In GLSL.
+    pub name: String,
+    /// Its GLSL type.
+    pub glsl_type: String,
+    /// Where the vertex array feeds it.
+    pub location: u32,
+    /// What feeds it.
+    pub source: AttributeSource,
+}
+
+/// What feeds an attribute.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum AttributeSource {
+    /// A value of its own for each vertex.
+    Array(ArraySource),
+    /// The same value for all vertices.
+    Constant {
+        /// x, y, z, w.
+        value: [f32; 4],
+        /// Whether somebody has set it (`glVertexAttrib4f`); else it is what OpenGL begins with.
+        set: bool,
+    },
+}
+
+/// `glVertexAttribPointer`.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct ArraySource {
+    /// The buffer's id; 0 where none was bound.
+    pub buffer: u32,
+    /// The buffer's label.
+    pub buffer_name: String,
+    /// Bytes in the buffer.
+    pub buffer_bytes: u64,
+    /// Numbers for each vertex, 1 to 4.
+    pub components: u32,
+    /// `float`, `unsigned byte`, ...
+    pub component_type: String,
+    /// Bytes of all components of one vertex.
+    pub element_bytes: u32,
+    /// Whether integers are mapped to -1 to 1 or 0 to 1.
+    pub normalized: bool,
+    /// Bytes from one vertex to the next as given; 0 means tightly packed.
+    pub stride: u32,
+    /// The first vertex's first byte.
+    pub offset: u32,
+    /// 0: a value for each vertex; n: one for each n instances.
+    pub divisor: u32,
+}
+
+impl ArraySource {
+    /// Bytes from one vertex to the next as OpenGL takes them.
+    pub fn effective_stride(&self) -> u32 {
+        if self.stride == 0 { self.element_bytes } else { self.stride }
+    }
+}
+
+/// What is read and how, in a line.
+impl std::fmt::Display for ArraySource {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let (stride, offset) = (self.effective_stride(), self.offset);
+        write!(
+            f,
+            "{} x {} from `{}`, offset {offset}, stride {stride}",
+            self.components, self.component_type, self.buffer_name
+        )
+    }
+}
+
+/// A texture.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct TextureRecord {
+    /// Its id.
+    pub id: u32,
+    /// Its label.
+    pub name: String,
+    /// `2D`, `cube`, `2D array`, `3D`, `2D multisample`; empty where it was never bound.
+    pub kind: String,
+    /// Texels of the largest level.
+    pub width: u32,
+    /// Texels.
+    pub height: u32,
+    /// Layers of an array, slices of a 3-D texture, else 1.
+    pub depth: u32,
+    /// Per texel, at least 1.
+    pub samples: u32,
+    /// In OpenGL's words, for example `SRGB8_ALPHA8`.
+    pub format: String,
+    /// Its levels, the largest first.
+    pub levels: Vec<LevelRecord>,
+    /// How its texels hold what they mean.
+    pub content: Content,
+    /// A small picture of it, where one was asked for.
+    #[serde(skip)]
+    pub thumbnail: Option<Thumbnail>,
+}
+
+/// One level of a texture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct LevelRecord {
+    /// 0 is the largest.
+    pub level: u32,
+    /// Texels.
+    pub width: u32,
+    /// Texels.
+    pub height: u32,
+    /// How many faces of a cubemap have it; 1 of any other texture.
+    pub faces: u32,
+}
+
+/// How a texture's texels hold what they mean.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Content {
+    /// As they are.
+    #[default]
+    Plain,
+    /// A number t from 0 to 1 as 2 t - 1.
+    SignedHalves,
+}
+
+/// A small picture: rows from the top, RGBA of 8 bits, at most [`Thumbnail::MOST`] along a side.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Thumbnail {
+    /// Pixels.
+    pub width: u32,
+    /// Pixels.
+    pub height: u32,
+    /// Four bytes a pixel, sRGB, alpha not premultiplied.
+    pub rgba: Vec<u8>,
+}
+
+impl Thumbnail {
+    /// Pixels along the longer side.
+    pub const MOST: u32 = 64;
+}

@@ -1,0 +1,150 @@
+//! What is wrong with a frame: looked up in its record alone.
+//!
+//! A rule finds what OpenGL draws without a word although it is hardly what was meant. For each sampler, and for each
+//! draw, the cause is told and not what follows from it.
+
+mod samplers;
+mod uniforms;
+mod vertices;
+
+use super::data::{DrawRecord, FrameRecord};
+use serde::Serialize;
+
+/// Declares an enum with a written name for each variant. (`named_enum!` gives more, and a JSON Schema, which findings
+/// have not.)
+macro_rules! named {
+    ($(#[$meta:meta])* $Enum:ident { $($(#[$doc:meta])* $Variant:ident = $name:literal,)+ }) => {
+        $(#[$meta])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+        pub enum $Enum {
+            $($(#[$doc])* #[serde(rename = $name)] $Variant,)+
+        }
+
+        impl $Enum {
+            /// Every variant.
+            pub const ALL: &'static [$Enum] = &[$($Enum::$Variant),+];
+
+            /// As reports write it.
+            pub const fn name(self) -> &'static str {
+                match self { $($Enum::$Variant => $name),+ }
+            }
+        }
+    };
+}
+
+named! {
+    /// What can be wrong.
+    Rule {
+        /// A sampler was set to a texture's name, not to the unit that the texture is bound to.
+        TextureNameAsUnit = "texture-name-as-unit",
+        /// A sampler was never set, so it reads unit 0.
+        SamplerNeverSet = "sampler-never-set",
+        /// Samplers of two types read one unit.
+        TwoSamplerTypes = "two-sampler-types",
+        /// A draw reads a texture that is attached to the framebuffer it draws into.
+        FeedbackLoop = "feedback-loop",
+        /// A draw reads the texture that was bound for something else drawn before.
+        StaleTexture = "stale-texture",
+        /// A sampler reads a unit with a texture of another kind only.
+        WrongTextureKind = "wrong-texture-kind",
+        /// A sampler reads a unit with no texture.
+        UnboundUnit = "unbound-unit",
+        /// A texture lacks levels or faces that its filter wants, and reads as black.
+        IncompleteTexture = "incomplete-texture",
+        /// A uniform was never set, so it is 0.
+        UniformNeverSent = "uniform-never-sent",
+        /// Normals are multiplied with a matrix that does not fit an uneven scale of the model.
+        NormalMatrix = "normal-matrix",
+        /// An attribute has no array and no constant.
+        AttributeWithoutArray = "attribute-without-array",
+        /// The distance from vertex to vertex does not fit the data.
+        WrongStride = "wrong-stride",
+        /// A draw reads vertices beyond the end of a buffer.
+        BeyondBuffer = "beyond-buffer",
+        /// A draw that cannot leave anything in the picture.
+        NothingToDraw = "nothing-to-draw",
+        /// OpenGL reported an error that none of the other rules explains.
+        OpenGlError = "opengl-error",
+    }
+}
+
+named! {
+    /// How bad it is.
+    Severity {
+        /// It may be meant.
+        Warning = "warning",
+        /// It cannot be meant.
+        Error = "error",
+    }
+}
+
+/// Something that is wrong.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Finding {
+    /// Which rule found it.
+    pub rule: Rule,
+    /// How bad it is.
+    pub severity: Severity,
+    /// The first draw that has it, an index into [`FrameRecord::draws`].
+    pub draw: usize,
+    /// How many draws have it.
+    pub draws: usize,
+    /// That draw, for people: [`DrawRecord::title`].
+    pub draw_title: String,
+    /// What is wrong: one sentence, with names and numbers.
+    pub message: String,
+    /// What to do: one sentence.
+    pub advice: String,
+}
+
+/// What a rule says about one draw.
+struct Said {
+    rule: Rule,
+    severity: Severity,
+    message: String,
+    advice: String,
+}
+
+impl Said {
+    fn error(rule: Rule, message: String, advice: impl Into<String>) -> Said {
+        Said { rule, severity: Severity::Error, message, advice: advice.into() }
+    }
+
+    fn warning(rule: Rule, message: String, advice: impl Into<String>) -> Said {
+        Said { rule, severity: Severity::Warning, message, advice: advice.into() }
+    }
+}
+
+/// All that is wrong with a frame, in the order of the draws; what several draws have, once.
+pub fn lint(record: &FrameRecord) -> Vec<Finding> {
+    let mut findings: Vec<Finding> = Vec::new();
+    for draw in &record.draws {
+        for said in of_draw(record, draw) {
+            let known = findings.iter_mut().find(|f| f.rule == said.rule && f.message == said.message);
+            if let Some(known) = known {
+                known.draws += 1;
+                continue;
+            }
+            let Said { rule, severity, message, advice } = said;
+            let (draw, draw_title) = (draw.index, draw.title());
+            findings.push(Finding { rule, severity, draw, draws: 1, draw_title, message, advice });
+        }
+    }
+    findings
+}
+
+fn of_draw(record: &FrameRecord, draw: &DrawRecord) -> Vec<Said> {
+    let mut said = Vec::new();
+    samplers::check(record, draw, &mut said);
+    uniforms::check(draw, &mut said);
+    vertices::check(draw, &mut said);
+    let is_explained = said.iter().any(|said| said.severity == Severity::Error);
+    if !draw.errors.is_empty() && !is_explained {
+        said.push(Said::error(
+            Rule::OpenGlError,
+            format!("OpenGL reported {} on the way to this draw, or at it", draw.errors.join(", ")),
+            "look at the calls since the draw before: one of them was refused",
+        ));
+    }
+    said
+}

@@ -1,0 +1,147 @@
+//! What feeds the vertex shader, and whether anything can come of a draw.
+
+use super::super::data::{ArraySource, AttributeRecord, AttributeSource, DrawRecord};
+use super::{Rule, Said};
+
+/// Checks a draw and its attributes.
+pub fn check(draw: &DrawRecord, said: &mut Vec<Said>) {
+    if let Some(finding) = nothing_to_draw(draw) {
+        // Nothing is read then.
+        said.push(finding);
+        return;
+    }
+    for (place, attribute) in draw.attributes.iter().enumerate() {
+        let finding = match &attribute.source {
+            AttributeSource::Constant { set: true, .. } => None,
+            AttributeSource::Constant { value: [x, y, z, w], .. } => Some(Said::error(
+                Rule::AttributeWithoutArray,
+                format!(
+                    "the attribute `{}` (location {}) has no array: every vertex reads ({x}, {y}, {z}, {w})",
+                    attribute.name, attribute.location
+                ),
+                "describe it (glVertexAttribPointer) and enable it (glEnableVertexAttribArray) in the vertex array",
+            )),
+            AttributeSource::Array(array) => without_buffer(attribute, array)
+                .or_else(|| short_stride(attribute, array))
+                .or_else(|| interleaved_wrongly(draw, place, attribute, array))
+                .or_else(|| beyond_buffer(draw, attribute, array)),
+        };
+        said.extend(finding);
+    }
+}
+
+fn nothing_to_draw(draw: &DrawRecord) -> Option<Said> {
+    let [.., width, height] = draw.state.viewport;
+    let (why, advice) = if draw.program.is_none() {
+        ("no program is in use", "use one (glUseProgram) before drawing")
+    } else if draw.count == 0 {
+        ("it has 0 vertices", "give the number of vertices, or of indices")
+    } else if draw.instances == 0 {
+        ("it has 0 instances", "give at least 1")
+    } else if width == 0 || height == 0 {
+        ("the viewport has no pixels", "set it to the picture's size (glViewport)")
+    } else if draw.primitive.starts_with("triangle") && draw.state.cull.as_deref() == Some("front and back") {
+        ("front and back faces are culled", "cull back faces only (glCullFace), or none")
+    } else if draw.state.color_mask == [false; 4] && !draw.state.depth_mask {
+        ("neither colours nor depths are written", "allow one of them (glColorMask, glDepthMask)")
+    } else {
+        return None;
+    };
+    Some(Said::warning(Rule::NothingToDraw, format!("nothing can come of this draw: {why}"), advice))
+}
+
+fn without_buffer(attribute: &AttributeRecord, array: &ArraySource) -> Option<Said> {
+    (array.buffer == 0).then(|| {
+        Said::error(
+            Rule::AttributeWithoutArray,
+            format!("the attribute `{}` is enabled, but no buffer was bound when it was described", attribute.name),
+            "bind the buffer to GL_ARRAY_BUFFER before glVertexAttribPointer",
+        )
+    })
+}
+
+fn short_stride(attribute: &AttributeRecord, array: &ArraySource) -> Option<Said> {
+    (array.stride != 0 && array.stride < array.element_bytes).then(|| {
+        Said::error(
+            Rule::WrongStride,
+            format!(
+                "the attribute `{}` has a stride of {} bytes, less than the {} bytes of its {} x {}",
+                attribute.name, array.stride, array.element_bytes, array.components, array.component_type
+            ),
+            "the stride is the distance from one vertex to the next: at least the size of all that a vertex has in the \
+             buffer; 0 means tightly packed",
+        )
+    })
+}
+
+/// Two attributes in one buffer read each other's bytes.
+fn interleaved_wrongly(draw: &DrawRecord, place: usize, me: &AttributeRecord, mine: &ArraySource) -> Option<Said> {
+    let highest = draw.highest_vertex?;
+    let end = |a: &ArraySource| u64::from(a.offset) + span(a, highest);
+    for other in draw.attributes.get(..place)? {
+        let AttributeSource::Array(theirs) = &other.source else { continue };
+        let is_same = [theirs.offset, theirs.effective_stride(), theirs.element_bytes]
+            == [mine.offset, mine.effective_stride(), mine.element_bytes];
+        if theirs.buffer != mine.buffer || theirs.divisor != mine.divisor || is_same {
+            continue;
+        }
+        let apart = end(theirs) <= u64::from(mine.offset) || end(mine) <= u64::from(theirs.offset);
+        let (first, second) = if theirs.offset <= mine.offset { (theirs, mine) } else { (mine, theirs) };
+        let side_by_side = first.effective_stride() == second.effective_stride()
+            && first.offset + first.element_bytes <= second.offset
+            && second.offset + second.element_bytes - first.offset <= first.effective_stride();
+        if apart || side_by_side {
+            continue;
+        }
+        return Some(Said::error(
+            Rule::WrongStride,
+            format!(
+                "`{}` (offset {}, stride {}) and `{}` (offset {}, stride {}) read each other's bytes in the buffer {}",
+                other.name,
+                theirs.offset,
+                theirs.effective_stride(),
+                me.name,
+                mine.offset,
+                mine.effective_stride(),
+                buffer_name(mine)
+            ),
+            format!(
+                "where attributes alternate in a buffer, the stride of each is the size of all of them: {} bytes here, \
+                 if there are no others",
+                theirs.element_bytes + mine.element_bytes
+            ),
+        ));
+    }
+    None
+}
+
+fn beyond_buffer(draw: &DrawRecord, attribute: &AttributeRecord, array: &ArraySource) -> Option<Said> {
+    let highest = match array.divisor {
+        0 => draw.highest_vertex?,
+        divisor => (draw.instances.max(1) - 1) / divisor,
+    };
+    let wanted = u64::from(array.offset) + span(array, highest);
+    (wanted > array.buffer_bytes).then(|| {
+        Said::error(
+            Rule::BeyondBuffer,
+            format!(
+                "`{}` is read up to byte {wanted} (vertex {highest}, offset {}, stride {}), and the buffer {} has {}",
+                attribute.name,
+                array.offset,
+                array.effective_stride(),
+                buffer_name(array),
+                array.buffer_bytes
+            ),
+            "check the number of vertices, the indices, the stride and the offset",
+        )
+    })
+}
+
+/// Bytes from an array's first to the end of its vertex `highest`.
+fn span(array: &ArraySource, highest: u32) -> u64 {
+    u64::from(array.effective_stride()) * u64::from(highest) + u64::from(array.element_bytes)
+}
+
+fn buffer_name(array: &ArraySource) -> String {
+    if array.buffer_name.is_empty() { array.buffer.to_string() } else { format!("`{}`", array.buffer_name) }
+}

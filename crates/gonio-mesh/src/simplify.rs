@@ -1,0 +1,114 @@
+//! Fewer triangles: edges collapse, cheapest first, by the quadric error metric.
+//!
+//! M. Garland, P. S. Heckbert, "Surface simplification using quadric error metrics" (SIGGRAPH 1997). An edge collapses
+//! onto one of its ends (their "subset placement"), so that every vertex that stays keeps its place, its normal, its
+//! texture coordinates and its colour: what is compared then differs by its triangles only.
+
+mod quadric;
+mod surface;
+
+use crate::{Mesh, normals};
+use quadric::Quadric;
+use std::cmp::Ordering;
+use std::collections::{BinaryHeap, HashSet};
+use surface::Surface;
+
+/// The mesh with at most `triangles` triangles, or with as few as can be: outlines, seams of textures and normals, and
+/// borders between materials only lose vertices along themselves, and that late; nothing folds over, no hole closes, and
+/// what was closed stays closed (though of very few triangles it may be flat). A corner where three seams meet stays, so a
+/// cube of one normal per face keeps twelve.
+///
+/// Parts stay in order, and all stay: one that has lost its triangles has none. A mesh of one normal per triangle gets new
+/// ones; all others keep those of the vertices that are left, which are those of the fine surface. Triangles without area
+/// are left out first.
+pub fn simplify(mesh: &Mesh, triangles: usize) -> Mesh {
+    if mesh.triangle_count() <= triangles {
+        return mesh.clone();
+    }
+    let faceted = is_faceted(mesh);
+    let mut surface = Surface::new(mesh, !faceted);
+    let mut quadrics = surface.quadrics();
+    // A pass may be stopped by edges that could not collapse at their turn, and can now.
+    while surface.live > triangles && pass(&mut surface, &mut quadrics, triangles) {}
+    let simplified = surface.into_mesh(mesh, !faceted);
+    if faceted { normals::make_flat(&simplified) } else { simplified }
+}
+
+/// Whether nearly each face has normals of its own: then they say nothing about where the surface has edges. A cube's
+/// corners have three normals each, those of a ball of quads four, of triangles six.
+fn is_faceted(mesh: &Mesh) -> bool {
+    let (place_of_vertex, places) = crate::weld::places(&mesh.positions);
+    let corners = place_of_vertex.iter().zip(&mesh.normals);
+    let distinct: HashSet<(u32, [u32; 3])> =
+        corners.map(|(place, n)| (*place, n.map(|v| (v + 0.0).to_bits()))).collect();
+    2 * distinct.len() > 7 * places
+}
+
+/// An edge that may collapse: `from` onto `onto`.
+struct Candidate {
+    cost: f64,
+    from: u32,
+    onto: u32,
+    /// Of both ends, when the cost was found.
+    versions: [u32; 2],
+}
+
+impl PartialEq for Candidate {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Candidate {}
+
+impl PartialOrd for Candidate {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Candidate {
+    /// The cheapest is the greatest, for the heap's sake; equal costs in the order of the vertices, so that the result is
+    /// the same on every machine.
+    fn cmp(&self, other: &Self) -> Ordering {
+        let key = |c: &Candidate| (c.from, c.onto);
+        other.cost.total_cmp(&self.cost).then_with(|| key(other).cmp(&key(self)))
+    }
+}
+
+/// Collapses edges until enough are gone or none is left that can; whether any did.
+fn pass(surface: &mut Surface, quadrics: &mut [Quadric], triangles: usize) -> bool {
+    let mut versions = vec![0_u32; quadrics.len()];
+    let mut heap = BinaryHeap::new();
+    for from in 0..quadrics.len() as u32 {
+        for onto in surface.neighbours(from) {
+            heap.extend(candidate(surface, quadrics, &versions, from, onto));
+        }
+    }
+    let mut any = false;
+    while surface.live > triangles {
+        let Some(Candidate { from, onto, versions: seen, .. }) = heap.pop() else { break };
+        if seen != [versions[from as usize], versions[onto as usize]] || !surface.collapse(from, onto) {
+            continue;
+        }
+        any = true;
+        quadrics[onto as usize] = quadrics[onto as usize] + quadrics[from as usize];
+        versions[from as usize] += 1;
+        versions[onto as usize] += 1;
+        for next in surface.neighbours(onto) {
+            heap.extend(candidate(surface, quadrics, &versions, onto, next));
+            heap.extend(candidate(surface, quadrics, &versions, next, onto));
+        }
+    }
+    any
+}
+
+fn candidate(surface: &Surface, quadrics: &[Quadric], versions: &[u32], from: u32, onto: u32) -> Option<Candidate> {
+    let sum = *quadrics.get(from as usize)? + *quadrics.get(onto as usize)?;
+    let cost = sum.error_at(*surface.places.get(onto as usize)?);
+    let versions = [*versions.get(from as usize)?, *versions.get(onto as usize)?];
+    Some(Candidate { cost, from, onto, versions })
+}
+
+#[cfg(test)]
+mod tests;

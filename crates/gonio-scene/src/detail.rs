@@ -1,0 +1,77 @@
+//! The same scene with coarser meshes: how the picture depends on the number of triangles.
+
+use crate::description::ObjectSpec;
+use crate::files::{self, BUILTIN};
+use crate::load::{NormalChoice, with_normals};
+use crate::loaded::{LoadedScene, ObjectPart};
+use gonio_mesh::{Mesh, simplify, sphere, tangents, topology};
+use std::sync::{Arc, OnceLock};
+
+/// How finely objects are drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Detail {
+    /// Each mesh simplified to this share of its triangles, above 0, at most 1.
+    Share(f64),
+    /// Each built-in sphere as one of about so many triangles: of the next of 8, 32, 72, ... 8 f².
+    Sphere(usize),
+}
+
+impl Detail {
+    /// A mesh of an object in this detail; `None` where it stays what it is.
+    ///
+    /// Simplifying a large mesh takes seconds: it is meant to be done beside the window.
+    pub fn of(self, mesh: &Mesh, object: &ObjectSpec) -> Option<Mesh> {
+        let other = match self {
+            Detail::Share(share) => {
+                let wanted = (share.clamp(0.0, 1.0) * mesh.triangle_count() as f64).round() as usize;
+                if wanted >= mesh.triangle_count() {
+                    return None;
+                }
+                simplify::simplify(mesh, wanted)
+            }
+            Detail::Sphere(triangles) => {
+                if !is_sphere(object) {
+                    return None;
+                }
+                let sphere = sphere::sphere(sphere::nearest_frequency(triangles));
+                with_normals(sphere, NormalChoice::of(object)).0
+            }
+        };
+        let wants_tangents = !mesh.tangents.is_empty() && other.tangents.is_empty();
+        let with_tangents = if wants_tangents { tangents::with_tangents(&other) } else { None };
+        Some(with_tangents.unwrap_or(other))
+    }
+}
+
+/// Whether an object is a built-in sphere, of whatever triangles.
+pub fn is_sphere(object: &ObjectSpec) -> bool {
+    let name = object.model.strip_prefix(BUILTIN).map(|name| name.replace('_', "-"));
+    name.is_some_and(|name| matches!(name.as_str(), "sphere-smooth" | "sphere-coarse" | "sphere-coarse-averaged"))
+        || files::sphere_of(&object.model).is_some()
+}
+
+/// The scene with other meshes, one for each object in order; what is beyond either's end stays as it is. A mesh has
+/// the parts of the one it replaces, or fewer.
+pub fn with_meshes(loaded: &LoadedScene, meshes: &[Arc<Mesh>]) -> LoadedScene {
+    let mut next = loaded.clone();
+    next.known_bounds = OnceLock::new();
+    for (object, mesh) in next.objects.iter_mut().zip(meshes) {
+        let same = loaded.meshes.get(object.mesh).is_some_and(|before| Arc::ptr_eq(before, mesh));
+        if same {
+            continue;
+        }
+        let known = next.meshes.iter().position(|known| Arc::ptr_eq(known, mesh));
+        object.mesh = known.unwrap_or_else(|| {
+            next.meshes.push(mesh.clone());
+            next.meshes.len() - 1
+        });
+        object.closed = object.closed && topology::is_closed_outward(mesh);
+        let parts = mesh.parts.iter().zip(&object.parts).map(|(part, before)| ObjectPart {
+            first_triangle: part.first_triangle,
+            triangle_count: part.triangle_count,
+            ..before.clone()
+        });
+        object.parts = parts.collect();
+    }
+    next
+}

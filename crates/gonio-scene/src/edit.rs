@@ -1,0 +1,147 @@
+//! A loaded scene after its description was edited, without reading its files again.
+//!
+//! A window edits the effective description (a light is dragged, a colour is chosen) many times a second. Everything
+//! that does not need another file or other normals follows from what [`crate::load`] left in the scene's
+//! [`crate::Stock`].
+
+use crate::assemble::assemble;
+use crate::description::{ObjectSpec, Scene};
+use crate::framing;
+use crate::load::{self, NormalChoice, lacks_surroundings, world_from_model};
+use crate::loaded::LoadedScene;
+use crate::material_binding::MaterialBinder;
+use crate::validate::{self, Problem};
+use gonio_mesh::Diagnostic;
+use std::sync::{Arc, OnceLock};
+
+/// What [`apply`] gives.
+#[derive(Debug)]
+pub enum Edited {
+    /// The scene as it is described now.
+    Done(Box<Applied>),
+    /// The description, unchanged: it wants what has not been read, so [`crate::load::load`] is to be asked.
+    NeedsFiles(Box<Scene>),
+}
+
+/// A scene after an edit.
+#[derive(Debug)]
+pub struct Applied {
+    /// As it is described now. Meshes, textures and environment are those of the scene before wherever they can be.
+    pub loaded: LoadedScene,
+    /// Triangles have come, gone or moved, became transparent or opaque, or belong to other materials.
+    pub geometry_changed: bool,
+    /// A material, or the texture of one, is another.
+    pub materials_changed: bool,
+}
+
+/// The scene that an edited effective description stands for.
+///
+/// Needs no files for: picture, camera, background, equation; lights, as they come, go and change; how the environment
+/// takes part, and whether there is one; objects' places, shading and names, objects taken out, and copies of those that
+/// are there; the numbers of a material, and textures that were there before. It needs files for other models, normals,
+/// environments and textures that were never read.
+///
+/// The description is taken at its word: what it leaves out is filled in as by [`crate::load::load`], but for lights, of
+/// which there are none where none are given. An error is one sentence that names the key, and nothing has changed then.
+pub fn apply(loaded: &LoadedScene, mut scene: Scene) -> Result<Edited, Problem> {
+    validate::check(&scene)?;
+    let stock = &loaded.stock;
+    let known: Option<Vec<(usize, usize)>> = scene.objects.iter().map(|object| stock.find(object)).collect();
+    let environment = scene.environment.as_ref().map(|spec| stock.environment(spec));
+    let Some(known) = known.filter(|_| scene.camera.from_model.is_none() && !matches!(environment, Some(None))) else {
+        return Ok(Edited::NeedsFiles(Box::new(scene)));
+    };
+    for (object, (model, _)) in scene.objects.iter_mut().zip(&known) {
+        if object.name.is_empty() {
+            object.name = stock.models[*model].object_name();
+        }
+    }
+    let same_things = loaded.scene.objects.len() == scene.objects.len()
+        && loaded.objects.len() == scene.objects.len()
+        && loaded.scene.objects.iter().zip(&scene.objects).all(|(before, now)| is_same_thing(before, now));
+    let next = if same_things { Some(moved(loaded, &scene)) } else { rebound(loaded, &scene, &known) };
+    let Some(mut next) = next else { return Ok(Edited::NeedsFiles(Box::new(scene))) };
+
+    next.environment = environment.flatten();
+    if let Some(spec) = &mut scene.environment {
+        spec.light.get_or_insert(scene.lights.is_empty());
+    }
+    let about = lacks_surroundings();
+    next.diagnostics.retain(|d| d.message != about.message);
+    if next.environment.is_none() && next.materials.iter().any(|m| !m.optics.is_plain()) {
+        next.diagnostics.push(about);
+    }
+    let geometry_changed = !same_things && !has_same_triangles(loaded, &next) || has_moved(loaded, &next);
+    next.known_bounds = if geometry_changed { OnceLock::new() } else { loaded.known_bounds.clone() };
+    next.camera_was_framed = scene.camera.position.is_none();
+    load::fill_camera(&mut scene, &next);
+    scene.lights.iter_mut().for_each(framing::fill_light);
+    load::fill_equation(&mut scene);
+    next.scene = scene;
+    let materials_changed =
+        !same_things && (next.materials != loaded.materials || !are_same(&next.textures, &loaded.textures));
+    Ok(Edited::Done(Box::new(Applied { loaded: next, geometry_changed, materials_changed })))
+}
+
+/// Whether an object has the same mesh and the same materials as before.
+fn is_same_thing(before: &ObjectSpec, now: &ObjectSpec) -> bool {
+    before.model == now.model && before.material == now.material && NormalChoice::of(before) == NormalChoice::of(now)
+}
+
+/// The same objects, where they are now.
+fn moved(loaded: &LoadedScene, scene: &Scene) -> LoadedScene {
+    let mut next = loaded.clone();
+    for (object, spec) in next.objects.iter_mut().zip(&scene.objects) {
+        object.name.clone_from(&spec.name);
+        object.shading = spec.shading;
+        object.world_from_model = world_from_model(spec);
+    }
+    next
+}
+
+/// Other objects or materials, of what is known; `None` where something is not.
+fn rebound(loaded: &LoadedScene, scene: &Scene, known: &[(usize, usize)]) -> Option<LoadedScene> {
+    let mut stock = (*loaded.stock).clone();
+    let mut binder = MaterialBinder::of_stock(&stock.textures);
+    let first_material: Vec<usize> = scene
+        .objects
+        .iter()
+        .zip(known)
+        .map(|(object, &(model, _))| stock.models[model].bind(model, &object.material, &mut binder))
+        .collect();
+    let bound = binder.recall(&stock.textures)?;
+    let mesh_of_object: Vec<usize> = known.iter().map(|&(_, mesh)| mesh).collect();
+    let mut next = LoadedScene {
+        materials: bound.materials,
+        textures: bound.textures,
+        diagnostics: loaded.diagnostics.clone(),
+        ..LoadedScene::default()
+    };
+    let mut told: Vec<Diagnostic> = Vec::new();
+    assemble(&mut next, scene, &mut stock.meshes, &mesh_of_object, &first_material, &mut told);
+    told.retain(|new| !loaded.diagnostics.contains(new));
+    next.diagnostics.append(&mut told);
+    next.stock = Arc::new(stock);
+    Some(next)
+}
+
+fn are_same<T>(a: &[Arc<T>], b: &[Arc<T>]) -> bool {
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| Arc::ptr_eq(a, b))
+}
+
+/// Whether both have the same triangles, of materials that hide or show what is behind alike, in whatever place.
+fn has_same_triangles(before: &LoadedScene, now: &LoadedScene) -> bool {
+    are_same(&before.meshes, &now.meshes)
+        && before.objects.len() == now.objects.len()
+        && before.objects.iter().zip(&now.objects).all(|(a, b)| {
+            (a.mesh, a.closed, &a.parts) == (b.mesh, b.closed, &b.parts)
+                && a.parts.iter().all(|part| {
+                    let is_transparent = |of: &LoadedScene| of.materials.get(part.material).map(|m| m.is_transparent());
+                    is_transparent(before) == is_transparent(now)
+                })
+        })
+}
+
+fn has_moved(before: &LoadedScene, now: &LoadedScene) -> bool {
+    before.objects.iter().zip(&now.objects).any(|(a, b)| a.world_from_model != b.world_from_model)
+}

@@ -1,0 +1,134 @@
+//! What a loaded scene was made of: kept with it, so that most edits need no file.
+
+use crate::description::{EnvironmentSpec, MaterialOverride, ObjectSpec};
+use crate::environment::LoadedEnvironment;
+use crate::files;
+use crate::load::NormalChoice;
+use crate::material_binding::MaterialBinder;
+use crate::model_file::ModelFile;
+use crate::texture_library::TextureStock;
+use gonio_mesh::{EmbeddedImage, Format, Material, Mesh, Model};
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// What a loaded scene was made of: materials before the scene changed them, meshes by their normals, textures by what
+/// they were made from, the environment. Geometry and texels are shared with the scene, not copied.
+#[derive(Clone, Debug, Default)]
+pub struct Stock {
+    /// What the scene's paths are relative to.
+    pub(crate) base: PathBuf,
+    pub(crate) models: Vec<ModelStock>,
+    pub(crate) meshes: Vec<MeshStock>,
+    pub(crate) textures: TextureStock,
+    /// As it is described, complete, and as it was read; also where the scene is without it for a while.
+    pub(crate) environment: Option<(EnvironmentSpec, Arc<LoadedEnvironment>)>,
+}
+
+/// A model file's materials, as they stand in the file.
+#[derive(Clone, Debug)]
+pub(crate) struct ModelStock {
+    /// As the user knows it.
+    pub name: String,
+    pub path: PathBuf,
+    pub format: Format,
+    /// Where its textures are sought.
+    pub folders: Vec<PathBuf>,
+    pub materials: Vec<Material>,
+    /// By material: whether any triangle has it.
+    pub used: Vec<bool>,
+}
+
+/// A model's mesh with one choice of normals.
+#[derive(Clone, Debug)]
+pub(crate) struct MeshStock {
+    /// Index into [`Stock::models`].
+    pub model: usize,
+    pub normals: NormalChoice,
+    /// Its surface is closed, and faces outwards.
+    pub closed: bool,
+    /// At least one of the two is there.
+    pub plain: Option<Arc<Mesh>>,
+    pub with_tangents: Option<Arc<Mesh>>,
+}
+
+/// Where materials come from: a model file that was just read, or what is kept of it.
+pub(crate) struct MaterialSource<'a> {
+    pub name: &'a str,
+    pub format: Format,
+    pub folders: &'a [PathBuf],
+    pub materials: &'a [Material],
+    pub used: &'a [bool],
+    pub images: &'a [EmbeddedImage],
+}
+
+impl<'a> MaterialSource<'a> {
+    /// Of a file, with [`ModelFile::texture_folders`] and [`used_materials`].
+    pub fn of_file(file: &'a ModelFile, folders: &'a [PathBuf], used: &'a [bool]) -> Self {
+        let model = &file.model;
+        let (name, format) = (file.name.as_str(), file.format);
+        MaterialSource { name, format, folders, materials: &model.materials, used, images: &model.images }
+    }
+}
+
+/// By material of a model: whether any triangle has it.
+pub(crate) fn used_materials(model: &Model) -> Vec<bool> {
+    let mut used = vec![false; model.materials.len()];
+    for part in model.mesh.parts.iter().filter(|part| part.triangle_count > 0) {
+        if let Some(used) = used.get_mut(part.material) {
+            *used = true;
+        }
+    }
+    used
+}
+
+impl ModelStock {
+    /// What is kept of a file; its materials and its pictures are bound already.
+    pub fn of_file(file: &mut ModelFile, used: Vec<bool>) -> Self {
+        ModelStock {
+            name: file.name.clone(),
+            path: file.path.clone(),
+            format: file.format,
+            folders: file.texture_folders(),
+            materials: std::mem::take(&mut file.model.materials),
+            used,
+        }
+    }
+
+    /// What an object of it is called that has no other name.
+    pub fn object_name(&self) -> String {
+        self.path.file_stem().map_or_else(|| "object".into(), |stem| stem.to_string_lossy().into_owned())
+    }
+
+    /// Binds its materials, of which it is model number `index`; gives the index of the first.
+    pub fn bind(&self, index: usize, with: &MaterialOverride, binder: &mut MaterialBinder<'_>) -> usize {
+        let source = MaterialSource {
+            name: &self.name,
+            format: self.format,
+            folders: &self.folders,
+            materials: &self.materials,
+            used: &self.used,
+            images: &[],
+        };
+        binder.add(index, with, &source)
+    }
+}
+
+impl Stock {
+    /// The model and the mesh of an object, where they are known.
+    pub fn find(&self, object: &ObjectSpec) -> Option<(usize, usize)> {
+        let path = files::resolve(&self.base, &object.model);
+        let model = self.models.iter().position(|m| m.path == path)?;
+        let normals = NormalChoice::of(object);
+        let mesh = self.meshes.iter().position(|m| m.model == model && m.normals == normals)?;
+        Some((model, mesh))
+    }
+
+    /// The environment of a description, where it is known: what is read does not depend on how it is turned.
+    pub fn environment(&self, spec: &EnvironmentSpec) -> Option<Arc<LoadedEnvironment>> {
+        let (known, environment) = self.environment.as_ref()?;
+        let same = known.image == spec.image
+            && known.background == spec.background
+            && (known.layout, known.size) == (spec.layout, spec.size);
+        same.then(|| environment.clone())
+    }
+}

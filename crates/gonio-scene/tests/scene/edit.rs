@@ -1,0 +1,253 @@
+//! What an edit gives without files is what loading the edited description gives.
+
+use crate::memory::{Memory, TRIANGLE, png};
+use gonio_light::{Convention, Specular, Surfaces};
+use gonio_scene::color_value::Color;
+use gonio_scene::description::{LightSourceKind, LightSpec, Normals, ObjectSpec, Shading};
+use gonio_scene::edit::{Applied, Edited, apply};
+use gonio_scene::load::load;
+use gonio_scene::{LoadedScene, Maps, Scene};
+use std::path::Path;
+use std::sync::Arc;
+
+const SCENE: &str = "[environment]\nimage = \"debug\"\nsize = 4\n[camera]\nposition = [0, 0, 4]\n\
+                     [[light]]\nkind = \"point\"\nposition = [1, 2, 3]\n\
+                     [[object]]\nmodel = \"t.obj\"\n\
+                     [[object]]\nmodel = \"builtin:cube\"\nmaterial.reflectivity = 0.5\n\
+                     [[object]]\nmodel = \"t.obj\"\nname = \"again\"\ntranslate = [1, 0, 0]\nshading = \"flat\"\n";
+const MTL: &str = "newmtl m\nKd 0.5 0.6 0.7\nmap_Kd wood.png\nmap_Ks -bm 1 shine.png\nnorm bumps.png\nNs 20\n";
+
+fn files() -> Memory {
+    Memory::default()
+        .with("t.obj", TRIANGLE)
+        .with("t.mtl", MTL)
+        .with("wood.png", png(2, 2, |x, y| [90, 100 * x as u8, 100 * y as u8, 255]))
+        .with("shine.png", png(1, 1, |_, _| [200; 4]))
+        .with("bumps.png", png(1, 1, |_, _| [128, 128, 255, 255]))
+}
+
+fn read(text: &str) -> Scene {
+    gonio_scene::toml_reader::read(text).unwrap()
+}
+
+fn loaded(scene: Scene) -> LoadedScene {
+    load(scene, Path::new(""), &files()).unwrap()
+}
+
+fn done(edited: Edited) -> Applied {
+    match edited {
+        Edited::Done(applied) => *applied,
+        Edited::NeedsFiles(_) => panic!("it needs files"),
+    }
+}
+
+/// A corner as it is drawn: tangents apart, which meshes keep for materials that no longer want them.
+type Corner = ([f32; 3], [f32; 3], [f32; 2]);
+
+/// Everything that is drawn of an object, without the numbers of meshes, materials and textures.
+fn drawn(scene: &LoadedScene) -> Vec<String> {
+    let with_textures = |maps: &Maps| {
+        let all = [&maps.diffuse, &maps.specular, &maps.emitted, &maps.shininess, &maps.opacity, &maps.normal];
+        let texels = |b: &gonio_scene::BoundTexture| {
+            let texture = &scene.textures[b.texture];
+            (texture.name.clone(), texture.rgba.clone(), b.scale, b.rotation, b.offset, b.wrap)
+        };
+        format!("{:?} {:?}", all.map(|map| map.as_ref().map(texels)), maps.roughness)
+    };
+    let mut all = Vec::new();
+    for object in &scene.objects {
+        let mesh = &scene.meshes[object.mesh];
+        let corner = |v: u32| -> Corner {
+            let v = v as usize;
+            (mesh.positions[v], mesh.normals[v], mesh.tex_coords.get(v).copied().unwrap_or_default())
+        };
+        let corners: Vec<Corner> = mesh.indices.iter().map(|&v| corner(v)).collect();
+        let wants_tangents = object.parts.iter().any(|p| scene.materials[p.material].maps.normal.is_some());
+        assert!(!wants_tangents || mesh.tangents.len() == mesh.positions.len());
+        let parts: Vec<_> = object.parts.iter().map(|p| (&p.name, p.first_triangle, p.triangle_count)).collect();
+        let materials: Vec<_> = object
+            .parts
+            .iter()
+            .map(|p| &scene.materials[p.material])
+            .map(|m| (&m.material, m.optics, with_textures(&m.maps)))
+            .collect();
+        let (name, shading, closed) = (&object.name, object.shading, object.closed);
+        let place = object.world_from_model;
+        all.push(format!("{name} {shading} {closed} {place:?} {parts:?} {materials:?} {corners:?}"));
+    }
+    all
+}
+
+type Edit = (&'static str, fn(&mut Scene), [bool; 2]);
+
+/// Each edit, and whether it changes the geometry and the materials.
+const EDITS: [Edit; 22] = [
+    ("nothing", |_| (), [false, false]),
+    ("the picture", |s| (s.picture.width, s.picture.exposure) = (64, 1.0), [false, false]),
+    ("the camera", |s| (s.camera.position, s.camera.fov_y) = (Some([1.0, 2.0, 5.0]), None), [false, false]),
+    ("a camera to be framed", |s| s.camera = Default::default(), [false, false]),
+    ("the background", |s| s.background.top = Color::grey(0.9), [false, false]),
+    ("the equation", |s| (s.equation.specular, s.equation.diffuse) = (Specular::Phong, false), [false, false]),
+    (
+        "the convention",
+        |s| (s.equation.convention, s.equation.cosine_weighted) = (Convention::Physical, None),
+        [false; 2],
+    ),
+    ("a light moved", |s| s.lights[0].position = Some([0.0, 1.0, 0.0]), [false, false]),
+    (
+        "a light more",
+        |s| s.lights.push(LightSpec { kind: LightSourceKind::Ambient, ..LightSpec::default() }),
+        [false, false],
+    ),
+    ("the environment turned", |s| environment(s).rotate = [10.0, 20.0, 30.0], [false, false]),
+    ("the environment lights", |s| environment(s).light = Some(true), [false, false]),
+    ("no environment", |s| s.environment = None, [false, false]),
+    ("an object moved", |s| s.objects[0].translate = [1.0, 1.0, -1.0], [true, false]),
+    ("an object mirrored", |s| s.objects[1].scale = [-1.0, 2.0, 1.0], [true, false]),
+    ("a name left out", |s| s.objects[2].name.clear(), [false, false]),
+    ("shading", |s| s.objects[0].shading = Shading::Gouraud, [false, false]),
+    ("an object removed", |s| drop(s.objects.remove(1)), [true, true]),
+    (
+        "an object copied",
+        |s| s.objects.push(ObjectSpec { rotate: [0.0, 90.0, 0.0], ..s.objects[1].clone() }),
+        [true, false],
+    ),
+    ("a colour", |s| s.objects[1].material.specular = Some(Color::grey(0.1)), [false, true]),
+    ("a transparent body", |s| s.objects[1].material.opacity = Some(0.5), [true, true]),
+    (
+        "optics",
+        |s| (s.objects[1].material.surfaces, s.objects[1].material.transmission) = (Some(Surfaces::Two), Some(0.5)),
+        [false, true],
+    ),
+    (
+        "no textures on both",
+        |s| [0, 2].map(|i| s.objects[i].material.textures = Some(false)).iter().for_each(|()| ()),
+        [false, true],
+    ),
+];
+
+fn environment(scene: &mut Scene) -> &mut gonio_scene::description::EnvironmentSpec {
+    scene.environment.as_mut().unwrap()
+}
+
+#[test]
+fn an_edit_is_what_loading_the_edited_description_gives() {
+    let before = loaded(read(SCENE));
+    for (what, edit, [geometry, materials]) in EDITS {
+        let mut scene = before.scene.clone();
+        edit(&mut scene);
+        let applied = done(apply(&before, scene.clone()).unwrap());
+        let afresh = loaded(scene);
+        assert_eq!(drawn(&applied.loaded), drawn(&afresh), "{what}");
+        assert_eq!(applied.loaded.scene, afresh.scene, "{what}");
+        assert_eq!(applied.loaded.frame(1.5), afresh.frame(1.5), "{what}");
+        assert_eq!(applied.loaded.camera_was_framed, afresh.camera_was_framed, "{what}");
+        assert_eq!(applied.loaded.environment.is_some(), afresh.environment.is_some(), "{what}");
+        // What an edit adds to what was said before.
+        let warns = |s: &LoadedScene| s.diagnostics.iter().any(|d| d.message.starts_with("mirrors and glass"));
+        assert_eq!(warns(&applied.loaded), warns(&afresh), "{what}");
+        assert_eq!([applied.geometry_changed, applied.materials_changed], [geometry, materials], "{what}");
+        if !geometry && !materials {
+            assert!(applied.loaded.meshes.iter().zip(&before.meshes).all(|(a, b)| Arc::ptr_eq(a, b)), "{what}");
+        }
+    }
+}
+
+/// One edit after another and all the way back, as undo does it: nothing is lost on the way.
+#[test]
+fn edits_can_be_taken_back_without_files() {
+    let before = loaded(read(SCENE));
+    for (what, edit, _) in EDITS {
+        let mut scene = before.scene.clone();
+        edit(&mut scene);
+        let there = done(apply(&before, scene).unwrap()).loaded;
+        let back = done(apply(&there, before.scene.clone()).unwrap()).loaded;
+        assert_eq!(drawn(&back), drawn(&before), "{what}");
+        assert_eq!(back.frame(0.0), before.frame(0.0), "{what}");
+        assert!(back.textures.iter().zip(&before.textures).all(|(a, b)| Arc::ptr_eq(a, b)), "{what}");
+        assert!(back.environment.zip(before.environment.clone()).is_some_and(|(a, b)| Arc::ptr_eq(&a, &b)), "{what}");
+    }
+}
+
+#[test]
+fn what_was_not_read_needs_files() {
+    let plain = loaded(read("[[object]]\nmodel = \"t.obj\"\nmaterial.textures = false\n"));
+    let before = loaded(read(SCENE));
+    type Edit<'a> = (&'a str, &'a LoadedScene, fn(&mut Scene));
+    let edits: [Edit; 7] = [
+        ("another model", &before, |s| s.objects[0].model = "builtin:suzanne".into()),
+        ("other normals", &before, |s| s.objects[0].normals = Normals::Flat),
+        ("a crease angle", &before, |s| s.objects[0].crease_angle = Some(30.0)),
+        ("another environment", &before, |s| environment(s).image = "sky".into()),
+        ("another size of it", &before, |s| environment(s).size = Some(8)),
+        ("a model's camera", &before, |s| s.camera.from_model = Some("1".into())),
+        ("textures that were never read", &plain, |s| s.objects[0].material.textures = None),
+    ];
+    for (what, before, edit) in edits {
+        let mut scene = before.scene.clone();
+        edit(&mut scene);
+        match apply(before, scene.clone()).unwrap() {
+            Edited::NeedsFiles(same) => assert_eq!(*same, scene, "{what}"),
+            Edited::Done(_) => panic!("{what}: nothing was read for it"),
+        }
+    }
+}
+
+#[test]
+fn what_may_not_be_is_said_in_a_sentence() {
+    let before = loaded(read(SCENE));
+    let mut scene = before.scene.clone();
+    scene.camera.fov_y = Some(-3.0);
+    let problem = apply(&before, scene).unwrap_err();
+    assert_eq!(problem.path, "camera.fov_y");
+    assert!(problem.message.contains("fov_y"), "{problem}");
+    let mut scene = before.scene.clone();
+    scene.objects.clear();
+    assert!(apply(&before, scene).is_err(), "a scene has an object");
+}
+
+/// Lights that were all taken out are not put back: whoever edits sees them gone.
+#[test]
+fn without_lights_it_is_dark() {
+    let before = loaded(read("[[object]]\nmodel = \"builtin:cube\"\n"));
+    assert!(!before.scene.lights.is_empty());
+    let mut scene = before.scene.clone();
+    scene.lights.clear();
+    assert!(done(apply(&before, scene).unwrap()).loaded.frame(0.0).lights.is_empty());
+}
+
+/// A light that is off sends nothing and leaves the others their numbers; the scene file remembers it.
+#[test]
+fn a_light_that_is_off_keeps_its_place() {
+    let before = loaded(read(SCENE));
+    let mut scene = before.scene.clone();
+    let other = LightSpec { intensity: Some(2.0), ..scene.lights[0].clone() };
+    scene.lights.push(other);
+    scene.lights[0].enabled = Some(false);
+    let after = done(apply(&before, scene).unwrap()).loaded;
+    let lights = after.frame(0.0).lights;
+    assert_eq!(lights.len(), 2);
+    assert_eq!(lights[0].color.to_array(), [0.0; 3]);
+    assert_eq!(lights[0].kind, lights[1].kind);
+    assert_eq!(lights[1].color.to_array(), [2.0; 3]);
+    let text = after.scene.to_toml_string();
+    assert_eq!(text.matches("enabled = false").count(), 1, "{text}");
+    assert_eq!(read(&text).lights, after.scene.lights);
+}
+
+/// What a file says of a material is known under what the scene puts in its place.
+#[test]
+fn the_materials_of_the_file_are_remembered() {
+    let before = loaded(read(SCENE));
+    let mut scene = before.scene.clone();
+    scene.objects[0].material.diffuse = Some(Color([0.1, 0.2, 0.3]));
+    let after = done(apply(&before, scene).unwrap()).loaded;
+    for scene in [&before, &after] {
+        let materials = scene.materials_in_file(0);
+        assert_eq!(materials.len(), 1);
+        // Three decimals of a file of 32-bit numbers.
+        assert!((materials[0].diffuse[1] - 0.6).abs() < 1e-3, "{:?}", materials[0].diffuse);
+        assert_eq!(materials[0].shininess, 20.0);
+        assert!(scene.materials_in_file(7).is_empty());
+    }
+}

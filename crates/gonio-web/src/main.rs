@@ -1,0 +1,8 @@
+//! The lab window as a web page: the thin entry that a browser calls.
+//!
+//! What the page's loader (`web/page/main.js`) calls stands in `page`; elsewhere there is nothing to run.
+
+#[cfg(target_arch = "wasm32")]
+mod page;
+
+fn main() {}

@@ -1,0 +1,155 @@
+//! What the page's loader calls: files in, the application started, its state out.
+
+use eframe::egui;
+use gonio_app::Lab;
+use gonio_app::platform::web::{PageFiles, Web, gl_of};
+use std::cell::RefCell;
+use std::rc::Rc;
+use wasm_bindgen::prelude::*;
+
+/// What lives as long as the page.
+#[derive(Default)]
+struct Page {
+    files: PageFiles,
+    runner: Option<eframe::WebRunner>,
+    context: Option<egui::Context>,
+    /// Outlives the runner: where the browser takes the graphics away, a new runner goes on with the same application.
+    lab: Option<Rc<RefCell<Lab>>>,
+}
+
+thread_local! {
+    // The loader calls plain functions; there is one page, and one thread.
+    static PAGE: RefCell<Page> = RefCell::default();
+}
+
+fn with_page<T>(act: impl FnOnce(&mut Page) -> T) -> T {
+    PAGE.with(|page| act(&mut page.borrow_mut()))
+}
+
+/// A built-in file has come, or, without bytes, could not be fetched; `name` is its path below `assets`.
+#[wasm_bindgen]
+pub fn give(name: String, bytes: Option<Vec<u8>>) {
+    with_page(|page| {
+        page.files.give(name, bytes);
+        // Something may wait for it.
+        if let Some(context) = &page.context {
+            context.request_repaint();
+        }
+    });
+}
+
+/// A file will be given that is no sample: `name` is its path below `builtin:`.
+#[wasm_bindgen]
+pub fn expect(name: String) {
+    with_page(|page| page.files.expect(name));
+}
+
+/// Starts the application in the canvas with `inputs` to open (none: the first scene), or goes on with it after
+/// [`pause`]. Fails where the canvas has no WebGL 2.
+#[wasm_bindgen]
+pub async fn start(canvas: web_sys::HtmlCanvasElement, inputs: Vec<String>) -> Result<(), JsValue> {
+    let runner = eframe::WebRunner::new();
+    with_page(|page| page.runner = Some(runner.clone()));
+    let options = eframe::WebOptions {
+        webgl_context_option: eframe::WebGlContextOption::WebGl2,
+        // The pictures are to be those of `gonio render`, to the last bit.
+        dithering: false,
+        ..Default::default()
+    };
+    runner.start(canvas, options, Box::new(|creation| Ok(Box::new(with_page(|page| page.app(creation, inputs)))))).await
+}
+
+/// The graphics are gone: nothing is drawn until the next [`start`].
+#[wasm_bindgen]
+pub fn pause() {
+    let (runner, lab) = with_page(|page| (page.runner.take(), page.lab.clone()));
+    if let Some(lab) = lab {
+        // Now: when there is a new context, what was of the old one can no longer be deleted. eframe's web runner does
+        // not say that it ends.
+        eframe::App::on_exit(&mut *lab.borrow_mut(), None);
+    }
+    // Not while the page is borrowed: the runner's end drops its part of the application.
+    if let Some(runner) = runner {
+        runner.destroy();
+    }
+}
+
+/// How many pictures of the scene were drawn since the page was loaded.
+#[wasm_bindgen]
+pub fn pictures() -> f64 {
+    with_page(|page| page.lab.as_ref().map_or(0.0, |lab| lab.borrow().session().facts.pictures as f64))
+}
+
+/// The application's state as JSON: `gonio_app::exported`. Before it is started and after a panic: `null`.
+#[wasm_bindgen]
+pub fn state() -> String {
+    let state = with_page(|page| Some(page.lab.as_ref()?.try_borrow().ok()?.state(page.context.as_ref()?).to_string()));
+    state.unwrap_or_else(|| "null".to_owned())
+}
+
+/// What the application said when it panicked, and where; nothing while it is well.
+#[wasm_bindgen]
+pub fn last_panic() -> Option<String> {
+    // A panic leaves what it had borrowed borrowed: nothing here may insist.
+    let runner = PAGE.with(|page| page.try_borrow().ok()?.runner.clone())?;
+    runner.panic_summary().map(|summary| format!("{}\n\n{}", summary.message(), summary.callstack()))
+}
+
+impl Page {
+    fn app(&mut self, creation: &eframe::CreationContext<'_>, inputs: Vec<String>) -> Shell {
+        let context = creation.egui_ctx.clone();
+        if let Some(before) = self.context.replace(context.clone()) {
+            // Where panels were scrolled to, and what was open.
+            let memory = before.memory(Clone::clone);
+            context.memory_mut(|new| *new = memory);
+        }
+        let gl = gl_of(creation);
+        let lab = match &self.lab {
+            Some(lab) => {
+                lab.borrow_mut().resume(&context, gl);
+                lab.clone()
+            }
+            None => {
+                let platform = Box::new(Web::new(self.files.clone()));
+                Rc::new(RefCell::new(Lab::new(&context, gl, platform, inputs)))
+            }
+        };
+        self.lab = Some(lab.clone());
+        Shell { lab, said: String::new() }
+    }
+}
+
+/// The application as eframe wants it.
+struct Shell {
+    lab: Rc<RefCell<Lab>>,
+    /// What the page's live region holds.
+    said: String,
+}
+
+impl Shell {
+    /// Tells those who hear the screen what changed.
+    fn say(&mut self, announcement: &str) {
+        if announcement == self.said {
+            return;
+        }
+        announcement.clone_into(&mut self.said);
+        let region = web_sys::window().and_then(|w| w.document()).and_then(|d| d.get_element_by_id("said"));
+        if let Some(region) = region {
+            region.set_text_content(Some(announcement));
+        }
+    }
+}
+
+impl eframe::App for Shell {
+    // The panels stand on it and fill nothing themselves.
+    fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
+        eframe::App::clear_color(&*self.lab.borrow(), visuals)
+    }
+
+    fn ui(&mut self, ui: &mut egui::Ui, _: &mut eframe::Frame) {
+        let lab = self.lab.clone();
+        let mut lab = lab.borrow_mut();
+        Lab::ui(&mut lab, ui);
+        self.say(&lab.session().announcement);
+    }
+}

@@ -1,0 +1,161 @@
+//! One draw with all that it read, or one program.
+
+use super::text::{self, HEADING, counted, heading, numbers, table};
+use gonio_gl::record::{
+    AttributeRecord, AttributeSource, DrawRecord, Finding, FrameRecord, Numbers, ProgramRecord, SamplerRecord,
+    UniformValue,
+};
+use std::fmt::Write;
+
+/// Width of the names on the left.
+const NAME: usize = 18;
+/// Vectors of an array that are printed.
+const MOST_ELEMENTS: usize = 16;
+
+/// A draw.
+pub fn draw(record: &FrameRecord, draw: &DrawRecord, findings: &[Finding]) -> String {
+    let mut page = String::new();
+    let _ = writeln!(page, "{HEADING}draw {}: {}{HEADING:#}", draw.index, draw.title());
+    let mut line = |name: &str, value: String| {
+        // Writing to a String cannot fail.
+        let _ = writeln!(page, "  {name:NAME$}{value}");
+    };
+    if let Some(pass) = record.passes.get(draw.pass) {
+        line("pass", format!("{} {}, into `{}`", draw.pass, pass.name, pass.target.name));
+    }
+    if let (Some(number), Some(program)) = (draw.program, record.program_of(draw)) {
+        line("program", format!("{number} {}", program.name));
+    }
+    let how = if draw.indexed { "indices" } else { "vertices" };
+    line("drawn", format!("{}: {} {how} from {}", text::primitives(draw), draw.count, draw.first));
+    if let (Some(vertices), Some(fragments)) = (draw.vertices_shaded, draw.fragments_shaded) {
+        line("counted by GPU", format!("{vertices} vertices, {fragments} fragments"));
+    }
+    line("state", text::state(draw).join(", "));
+    let [x, y, width, height] = draw.state.viewport;
+    line("viewport", format!("{width} x {height} pixels from {x}, {y}"));
+    let mine: Vec<Finding> = findings.iter().filter(|finding| finding.draw == draw.index).cloned().collect();
+    text::findings(&mut page, &mine);
+    attributes(&mut page, &draw.attributes);
+    samplers(&mut page, record, &draw.samplers);
+    heading(&mut page, "uniforms");
+    for uniform in &draw.uniforms {
+        self::uniform(&mut page, uniform);
+    }
+    page
+}
+
+fn attributes(page: &mut String, attributes: &[AttributeRecord]) {
+    heading(page, "attributes");
+    if attributes.is_empty() {
+        page.push_str("  none: vertices are made from their numbers\n");
+    }
+    let rows = attributes.iter().map(|attribute| {
+        let fed = match &attribute.source {
+            AttributeSource::Array(array) => array.to_string(),
+            AttributeSource::Constant { value, .. } => format!("{} for all vertices", numbers(value)),
+        };
+        (vec![attribute.location.to_string(), attribute.name.clone(), attribute.glsl_type.clone()], fed)
+    });
+    // The last column may be long, and is not cut.
+    let (rows, fed): (Vec<_>, Vec<_>) = rows.unzip();
+    let mut text = String::new();
+    table(&mut text, "rll", &[], rows.into_iter());
+    for (line, fed) in text.lines().zip(fed) {
+        let _ = writeln!(page, "{line:36}  {fed}");
+    }
+}
+
+fn samplers(page: &mut String, record: &FrameRecord, samplers: &[SamplerRecord]) {
+    heading(page, "samplers");
+    if samplers.is_empty() {
+        page.push_str("  none\n");
+    }
+    let rows = samplers.iter().map(|sampler| {
+        let texture = sampler.texture.and_then(|id| record.texture(id));
+        vec![
+            sampler.name.clone(),
+            sampler.glsl_type.clone(),
+            format!("unit {}", sampler.unit),
+            texture.map_or("nothing".to_owned(), |texture| format!("texture {} `{}`", texture.id, texture.name)),
+            texture.map_or(String::new(), |t| format!("{} {} {}", t.kind, text::size(t), t.format)),
+            texture.map_or(String::new(), |t| counted(t.levels.len(), "level")),
+            text::sampled(sampler),
+        ]
+    });
+    table(page, "lllllrl", &[], rows);
+}
+
+/// A matrix row by row, an array element by element.
+fn uniform(page: &mut String, uniform: &UniformValue) {
+    let mark = if uniform.sent { "" } else { "   (never sent)" };
+    let name = format!("{} {}", uniform.glsl_type, uniform.name);
+    let rows = rows(uniform);
+    let rest = rows.len().saturating_sub(MOST_ELEMENTS);
+    let mut name = name.as_str();
+    for row in rows.iter().take(MOST_ELEMENTS) {
+        let _ = writeln!(page, "{}", format!("  {name:32}{row}{mark}").trim_end());
+        name = "";
+    }
+    if rest > 0 {
+        let _ = writeln!(page, "  {:32}and {rest} more, all 0 or not shown", "");
+    }
+}
+
+fn rows(uniform: &UniformValue) -> Vec<String> {
+    let number = |v: &f32| match v.abs() {
+        0.0 => format!("{:>12}", "0"),
+        size if (1e-4..1e6).contains(&size) => format!("{v:>12.5}"),
+        _ => format!("{v:>12.3e}"),
+    };
+    let joined = |values: &[f32]| values.iter().map(number).collect::<String>();
+    let kind = uniform.glsl_type.as_str();
+    match &uniform.value {
+        value if value.is_empty() => vec!["not known".to_owned()],
+        Numbers::Float(values) => {
+            if let Some([columns, rows]) = matrix(kind) {
+                // OpenGL has columns; people read rows.
+                return (0..rows)
+                    .map(|row| joined(&(0..columns).map(|column| values[column * rows + row]).collect::<Vec<_>>()))
+                    .collect();
+            }
+            let each = kind.strip_prefix("vec").and_then(|n| n.parse().ok()).unwrap_or(1);
+            values.chunks(each).map(joined).collect()
+        }
+        Numbers::Int(values) => vec![values.iter().map(|v| format!("{v:>12}")).collect()],
+        Numbers::Uint(values) => vec![values.iter().map(|v| format!("{v:>12}")).collect()],
+        Numbers::Bool(values) => vec![values.iter().map(|v| format!("{v:>12}")).collect()],
+    }
+}
+
+/// Columns and rows of `mat3`, `mat3x2` and so on.
+fn matrix(kind: &str) -> Option<[usize; 2]> {
+    let sides: Vec<usize> = kind.strip_prefix("mat")?.split('x').filter_map(|side| side.parse().ok()).collect();
+    match sides.as_slice() {
+        [side] => Some([*side, *side]),
+        [columns, rows] => Some([*columns, *rows]),
+        _ => None,
+    }
+}
+
+/// A program.
+pub fn program(number: usize, program: &ProgramRecord) -> String {
+    let mut page = String::new();
+    let _ = writeln!(page, "{HEADING}program {number}: {}{HEADING:#}", program.name);
+    heading(&mut page, "attributes");
+    let rows = program.attributes.iter().map(|a| vec![a.location.to_string(), a.name.clone(), a.glsl_type.clone()]);
+    table(&mut page, "rll", &[], rows);
+    heading(&mut page, "uniforms");
+    let rows = program.uniforms.iter().map(|uniform| {
+        let size = if uniform.array_size == 1 { String::new() } else { format!("[{}]", uniform.array_size) };
+        let location = uniform.location.map_or(String::new(), |location| location.to_string());
+        vec![location, format!("{}{size}", uniform.name), uniform.glsl_type.clone()]
+    });
+    table(&mut page, "rll", &[], rows);
+    for (stage, source) in [("vertex shader", &program.vertex_source), ("fragment shader", &program.fragment_source)] {
+        heading(&mut page, stage);
+        page.push_str(source.trim_end());
+        page.push('\n');
+    }
+    page
+}

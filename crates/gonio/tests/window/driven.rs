@@ -1,0 +1,180 @@
+//! The program with its window, pressed and typed into.
+
+use crate::screen::Screen;
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Output, Stdio};
+use std::time::{Duration, Instant};
+
+/// Nothing here is judged by the clock: this is when a test gives up on a machine that does many things at once.
+const PATIENCE: Duration = Duration::from_secs(120);
+/// How often the state is looked at.
+const PERIOD: Duration = Duration::from_millis(50);
+
+/// A running window.
+pub struct Window {
+    program: Child,
+    screen: Screen,
+    pub folder: tempfile::TempDir,
+}
+
+impl Window {
+    /// Opens a window that fills a screen of this size, and waits for the first picture.
+    pub fn open(width: u32, height: u32, inputs: &[&str]) -> Window {
+        Window::open_in(tempfile::tempdir().unwrap(), width, height, inputs)
+    }
+
+    /// The same in a folder that has files.
+    pub fn open_in(folder: tempfile::TempDir, width: u32, height: u32, inputs: &[&str]) -> Window {
+        let screen = Screen::new([width, height]).unwrap();
+        let program = Command::new(env!("CARGO_BIN_EXE_gonio"))
+            .args(["view", "--state", "state.json", "--size", &format!("{width}x{height}")])
+            .args(inputs)
+            .current_dir(folder.path())
+            .env("DISPLAY", &screen.name)
+            .env("XDG_STATE_HOME", folder.path().join("home"))
+            // A dialog program of this machine is not what is tested.
+            .env("PATH", "/nonexistent")
+            .env_remove("WAYLAND_DISPLAY")
+            .stdin(Stdio::null())
+            .spawn()
+            .unwrap();
+        let mut window = Window { program, screen, folder };
+        // A sketch, and then the whole one.
+        window.wait("the first picture", |s| s["frame"]["complete"] == true && s["busy"].is_null());
+        window.focus();
+        window
+    }
+
+    /// Has its keys: there is no window manager that would see to it. The server may show it a moment later than it draws.
+    fn focus(&self) {
+        let start = Instant::now();
+        while !self.xdotool(&["search", "--onlyvisible", "--name", "^gonio$", "windowfocus"]).status.success() {
+            assert!(start.elapsed() < PATIENCE, "the window is not shown");
+            std::thread::sleep(PERIOD);
+        }
+    }
+
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    pub fn write(&self, name: &str, text: &str) {
+        std::fs::write(self.path(name), text).unwrap();
+    }
+
+    /// The state after the last frame.
+    pub fn state(&self) -> Value {
+        std::fs::read(self.path("state.json"))
+            .ok()
+            .and_then(|bytes| serde_json::from_slice(&bytes).ok())
+            .unwrap_or(Value::Null)
+    }
+
+    /// Waits until the state is as wanted, and gives it.
+    #[track_caller]
+    pub fn wait(&mut self, what: &str, wanted: impl Fn(&Value) -> bool) -> Value {
+        let start = Instant::now();
+        loop {
+            let state = self.state();
+            if !state.is_null() && wanted(&state) {
+                return state;
+            }
+            if let Some(status) = self.program.try_wait().unwrap() {
+                panic!("waiting for {what}: the window ended with {status}");
+            }
+            if start.elapsed() > PATIENCE {
+                let mut brief = state;
+                brief["scene"] = Value::Null;
+                panic!("waited in vain for {what}; the state is {brief:#}");
+            }
+            std::thread::sleep(PERIOD);
+        }
+    }
+
+    /// Waits until it paints no more, and gives the state then.
+    pub fn rest(&mut self) -> Value {
+        let mut before = Value::Null;
+        let start = Instant::now();
+        loop {
+            let state = self.state();
+            if !state.is_null() && state["frame"]["frames"] == before["frame"]["frames"] && state["busy"].is_null() {
+                return state;
+            }
+            assert!(start.elapsed() < PATIENCE, "it never rests");
+            before = state;
+            // Longer than anything that moves by itself: tooltips, menus that fade in, the watcher of files.
+            std::thread::sleep(Duration::from_secs(2));
+        }
+    }
+
+    /// Where a widget is, once it is there: its middle, in pixels.
+    pub fn find(&mut self, id: &str) -> (i64, i64) {
+        let of = |state: &Value| state["widgets"].as_array()?.iter().find(|w| w["id"] == id).cloned();
+        let state = self.wait(id, |state| of(state).is_some());
+        let rect: Vec<f64> =
+            of(&state).unwrap()["rect"].as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect();
+        let scale = state["pixels_per_point"].as_f64().unwrap();
+        (((rect[0] + rect[2] / 2.0) * scale) as i64, ((rect[1] + rect[3] / 2.0) * scale) as i64)
+    }
+
+    pub fn click(&mut self, id: &str) {
+        let (x, y) = self.find(id);
+        self.do_it(&["mousemove", &x.to_string(), &y.to_string()]);
+        // What lies under the pointer is known after a frame with the pointer there.
+        std::thread::sleep(Duration::from_millis(300));
+        self.do_it(&["click", "1"]);
+    }
+
+    pub fn key(&self, key: &str) {
+        self.do_it(&["key", key]);
+    }
+
+    pub fn type_text(&self, text: &str) {
+        self.do_it(&["type", "--delay", "30", text]);
+    }
+
+    /// `xdotool` on this screen, which has to succeed.
+    pub fn do_it(&self, args: &[&str]) {
+        let output = self.xdotool(args);
+        assert!(output.status.success(), "xdotool {args:?}: {}", String::from_utf8_lossy(&output.stderr));
+    }
+
+    fn xdotool(&self, args: &[&str]) -> Output {
+        let output = Command::new("xdotool").args(args).env("DISPLAY", &self.screen.name).output();
+        output.unwrap_or_else(|e| panic!("xdotool: {e}; apt-get install xdotool"))
+    }
+
+    /// Seconds of processor time that the program has used.
+    pub fn cpu_seconds(&self) -> f64 {
+        let stat = std::fs::read_to_string(format!("/proc/{}/stat", self.program.id())).unwrap();
+        // After the name in brackets: user and system time are the 12th and 13th of what follows, hundredths of a second.
+        let fields: Vec<&str> = stat.rsplit(')').next().unwrap().split_whitespace().collect();
+        (fields[11].parse::<f64>().unwrap() + fields[12].parse::<f64>().unwrap()) / 100.0
+    }
+}
+
+impl Drop for Window {
+    fn drop(&mut self) {
+        let _ = self.program.kill();
+        let _ = self.program.wait();
+    }
+}
+
+/// `gonio` with these arguments and nothing of this machine's display: exit code and stderr.
+pub fn without_display(args: &[&str], display: Option<&str>) -> (i32, String) {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_gonio"));
+    command.args(args).env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").stdin(Stdio::null());
+    if let Some(display) = display {
+        command.env("DISPLAY", display);
+    }
+    let output = command.output().unwrap();
+    let stderr = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(!stderr.contains("panicked"), "{stderr}");
+    (output.status.code().unwrap_or(-1), stderr)
+}
+
+/// A model that the program carries, as a file of the repository.
+pub fn asset(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/models").join(name)
+}

@@ -1,0 +1,75 @@
+//! Undo, light and dark, small windows, and doing nothing.
+
+use crate::driven::Window;
+use serde_json::Value;
+
+#[test]
+fn what_is_done_is_undone_by_keys() {
+    let mut window = Window::open(1024, 640, &["builtin:cube"]);
+    let before = window.rest();
+    assert_eq!(before["undo"], false);
+    let (x, y) = window.find("pane-0");
+    // In steps, as a hand does: what begins a drag is a press and then a way.
+    let pause = || std::thread::sleep(std::time::Duration::from_millis(300));
+    window.do_it(&["mousemove", &x.to_string(), &y.to_string()]);
+    pause();
+    window.do_it(&["mousedown", "1"]);
+    for step in 1..=4 {
+        pause();
+        window.do_it(&["mousemove", &(x + 15 * step).to_string(), &(y + 5 * step).to_string()]);
+    }
+    pause();
+    window.do_it(&["mouseup", "1"]);
+    let turned = window.wait("a step to undo", |s| s["undo"] == true);
+    assert_ne!(turned["scene"]["camera"], before["scene"]["camera"]);
+    window.key("ctrl+z");
+    let undone = window.wait("a step to redo", |s| s["redo"] == true);
+    assert_eq!(undone["scene"], before["scene"]);
+    window.key("ctrl+y");
+    let again = window.wait("no step to redo", |s| s["redo"] == false);
+    assert_eq!(again["scene"]["camera"], window.state()["scene"]["camera"]);
+    assert_ne!(again["scene"]["camera"], before["scene"]["camera"]);
+}
+
+#[test]
+fn light_or_dark_is_chosen_and_remembered() {
+    let mut window = Window::open(1024, 640, &["builtin:cube"]);
+    let dark = window.state()["dark"].as_bool().unwrap();
+    window.click("theme");
+    window.wait("the other theme", |s| s["dark"] == !dark);
+    let kept = std::fs::read_to_string(window.path("home/gonio/window.json")).unwrap();
+    assert_eq!(serde_json::from_str::<Value>(&kept).unwrap()["dark"], !dark);
+}
+
+#[test]
+fn nothing_is_cut_off_in_small_windows() {
+    for (width, height) in [(1024, 640), (360, 740)] {
+        let mut window = Window::open(width, height, &["builtin:cube"]);
+        let state = window.rest();
+        assert_eq!(state["size"], serde_json::json!([f64::from(width), f64::from(height)]));
+        let widgets = state["widgets"].as_array().unwrap();
+        // The bars; what the side panel holds may be scrolled to.
+        for id in ["undo", "redo", "frame", "theme", "help", "pane-0", "tab-lights", "tab-frame"] {
+            let widget = widgets.iter().find(|w| w["id"] == id).unwrap_or_else(|| panic!("{id} is missing"));
+            let rect: Vec<f64> = widget["rect"].as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect();
+            let inside = rect[0] >= 0.0
+                && rect[1] >= 0.0
+                && rect[0] + rect[2] <= f64::from(width) + 0.5
+                && rect[1] + rect[3] <= f64::from(height) + 0.5;
+            assert!(inside && rect[2] > 4.0 && rect[3] > 4.0, "{id} at {rect:?} in {width}x{height}");
+        }
+    }
+}
+
+#[test]
+fn doing_nothing_costs_nothing() {
+    let mut window = Window::open(1024, 640, &["builtin:cube"]);
+    let before = window.rest();
+    let cpu = window.cpu_seconds();
+    std::thread::sleep(std::time::Duration::from_secs(3));
+    let after = window.state();
+    assert_eq!(after["frame"]["frames"], before["frame"]["frames"], "painted while nothing changed");
+    // The watcher of files looks at two of them twice a second; two hundredths are what the system's clock can tell.
+    let used = window.cpu_seconds() - cpu;
+    assert!(used <= 0.02, "{used} s of processor time in 3 s");
+}

@@ -1,0 +1,12 @@
+//! The window itself, under an X server of its own: pressed and typed into by `xdotool`, looked at by its exported state.
+#![cfg(target_os = "linux")]
+#![allow(clippy::unwrap_used, missing_docs)]
+
+mod driven;
+mod files;
+mod habits;
+mod pointer;
+mod refused;
+// The benches' own.
+#[path = "../../../../benches/src/screen.rs"]
+mod screen;

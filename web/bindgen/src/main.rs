@@ -1,0 +1,26 @@
+//! `gonio-web-bindgen MODULE.wasm FOLDER`: writes `gonio.js` and `gonio_bg.wasm` into the folder.
+//!
+//! What `wasm-bindgen --target web` would do, at the version that the lock file names. `cargo xtask web` runs it.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+use wasm_bindgen_cli_support::Bindgen;
+
+fn main() -> ExitCode {
+    let arguments: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
+    let [module, folder] = arguments.as_slice() else {
+        eprintln!("usage: gonio-web-bindgen MODULE.wasm FOLDER");
+        return ExitCode::from(2);
+    };
+    let written = Bindgen::new().input_path(module).web(true).and_then(|bindgen| {
+        // Whoever loads the module says where it lies: its name has a hash in it.
+        bindgen.out_name("gonio").typescript(false).omit_default_module_path(true).generate(folder)
+    });
+    match written {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("gonio-web-bindgen: {}: {error:#}", module.display());
+            ExitCode::from(2)
+        }
+    }
+}

@@ -1,0 +1,54 @@
+// Keeps the page's files for the next visit: it is there at once, and without a connection.
+//
+// Names with a hash never change their content: they are taken from the cache, always. The page itself (`./`) is
+// asked for anew, so that a new version is seen at once; where no answer comes soon, the kept one is taken.
+
+/** Filled in when the page is built: a hash over everything, and every file that the page may ask for. */
+const VERSION = "%VERSION%";
+const FILES = ["%FILES%"];
+
+const CACHE = `gonio-${VERSION}`;
+/** Milliseconds that the network may take before the kept page is shown. */
+const PATIENCE = 400;
+
+self.addEventListener("install", (event) => {
+  event.waitUntil(
+    caches.open(CACHE).then((cache) => cache.addAll(FILES)).then(() => self.skipWaiting()),
+  );
+});
+
+self.addEventListener("activate", (event) => {
+  event.waitUntil(
+    caches.keys().then((names) => {
+      const ours = names.filter((name) => name.startsWith("gonio-"));
+      // A page of the version before may still be open, and ask for a file later: that version stays too.
+      const old = ours.filter((name) => name !== CACHE).slice(0, -1);
+      return Promise.all(old.map((name) => caches.delete(name)));
+    }).then(() => self.clients.claim()),
+  );
+});
+
+self.addEventListener("fetch", (event) => {
+  const { request } = event;
+  if (request.method !== "GET" || new URL(request.url).origin !== self.location.origin) return;
+  event.respondWith(request.mode === "navigate" ? page(request) : file(request));
+});
+
+/** A file: kept, or else from the network. */
+async function file(request) {
+  return (await caches.match(request, { ignoreSearch: true, ignoreVary: true })) ?? fetch(request);
+}
+
+/** The page: from the network if that answers soon, else kept. */
+async function page(request) {
+  const kept = () => caches.match("./", { ignoreSearch: true, ignoreVary: true, cacheName: CACHE });
+  const fresh = fetch(request);
+  try {
+    const late = new Promise((resolve) => setTimeout(resolve, PATIENCE));
+    const answer = await Promise.race([fresh, late]);
+    if (answer?.ok) return answer;
+  } catch {
+    // No connection.
+  }
+  return (await kept()) ?? fresh;
+}

@@ -1,0 +1,152 @@
+// Files that are dropped on the page.
+
+import assert from "node:assert/strict";
+import { differing } from "./support/png.mjs";
+import { hdr, png, zip } from "./support/made.mjs";
+import { settled, suite } from "./support/lab.mjs";
+
+const { test } = suite();
+
+const options = { viewport: { width: 740, height: 560 } };
+
+/** A square that faces the viewer, its left half green and its right half magenta. */
+const OBJ = `mtllib square.mtl
+v -1 -1 0
+v 1 -1 0
+v 1 1 0
+v -1 1 0
+vt 0 0
+vt 1 0
+vt 1 1
+vt 0 1
+vn 0 0 1
+usemtl painted
+f 1/1/1 2/2/1 3/3/1
+f 1/1/1 3/3/1 4/4/1
+`;
+const MODEL = { name: "square.obj", text: OBJ };
+const MATERIALS = { name: "square.mtl", text: "newmtl painted\nKa 1 1 1\nKd 1 1 1\nmap_Kd paint.png\n" };
+const TEXTURE = { name: "paint.png", bytes: png(16, 16, (x) => (x < 8 ? [0, 255, 0] : [255, 0, 255])) };
+
+const opened = (lab, title) => lab.until((state) => settled(state) && state.title === title);
+
+/** How many pixels are rather green, and rather magenta. */
+const painted = (picture) => {
+  let [green, magenta] = [0, 0];
+  for (let i = 0; i < picture.rgb.length; i += 3) {
+    const [r, g, b] = picture.rgb.subarray(i, i + 3);
+    if (g > r + 60 && g > b + 60) green++;
+    if (r > g + 60 && b > g + 60) magenta++;
+  }
+  return [green, magenta].map((count) => count / (picture.width * picture.height));
+};
+
+test("a model, its materials and its texture are dropped together, in any order, or as a zip", async (lab) => {
+  const first = await lab.until(settled);
+  const seen = [];
+  const folder = [MODEL, MATERIALS, TEXTURE].map((file) => ({ ...file, name: `square/${file.name}` }));
+  for (const [title, ...files] of [
+    ["square.obj", MODEL, MATERIALS, TEXTURE],
+    ["square.obj", TEXTURE, MATERIALS, MODEL],
+    ["square.obj", { name: "square.zip", bytes: zip([MATERIALS, TEXTURE, MODEL]) }],
+    ["square.obj", { name: "archive.zip", bytes: zip(folder) }],
+  ]) {
+    const before = (await lab.state()).generation;
+    await lab.drop(...files);
+    await lab.until((state) => settled(state) && state.generation > before);
+    const state = await lab.rest();
+    const names = files.map(({ name }) => name).join(", ");
+    assert.deepEqual([state.title, state.triangles, state.error, state.messages], [title, 2, null, []], names);
+    const picture = await lab.saved();
+    const [green, magenta] = painted(picture);
+    assert.ok(green > 0.05 && magenta > 0.05, `${names}: ${green} green, ${magenta} magenta`);
+    seen.push(picture);
+  }
+  assert.notDeepEqual((await lab.state()).scene, first.scene);
+  for (const other of seen.slice(1)) assert.equal(differing(seen[0], other, 0), 0);
+}, options);
+
+test("a model without its materials is shown, and the file that lacks is named until that is read", async (lab) => {
+  await lab.until(settled);
+  await lab.drop(MODEL);
+  const state = await opened(lab, "square.obj");
+  assert.deepEqual([state.triangles, state.error], [2, null]);
+  const warnings = state.messages.filter(({ severity }) => severity === "warning");
+  assert.ok(warnings.some(({ text }) => text.includes("square.mtl")), JSON.stringify(state.messages));
+  const [green, magenta] = painted(await lab.saved());
+  assert.deepEqual([green, magenta], [0, 0]);
+  for (const { id } of state.messages) await lab.click(`dismiss-${id}`);
+  assert.deepEqual((await lab.state()).messages, []);
+  // The texture alone is missing.
+  await lab.drop(MODEL, MATERIALS);
+  const told = await lab.until((state) => settled(state) && state.messages.length > 0);
+  assert.ok(told.messages.some(({ severity, text }) => severity === "warning" && text.includes("paint.png")), JSON.stringify(told.messages));
+}, options);
+
+test("a file that cannot be read leaves everything as it was, and says where it is broken", async (lab) => {
+  await lab.until(settled);
+  await lab.click("term-emitted");
+  const before = await lab.park();
+  const picture = await lab.saved();
+  const broken = [
+    // The fourth number of the third line is none; the fourth line has a word that is no key of a scene.
+    [{ name: "broken.obj", text: "v 0 0 0\nv 1 0 0\nv 0 1 x\nf 1 2 3\n" }, /broken\.obj.*\b3:7\b|broken\.obj.*line 3, column 7/],
+    [{ name: "broken.toml", text: "[camera]\nposition = [0, 0, 5]\n[[object]]\nmodle = \"builtin:cube\"\n" }, /broken\.toml.*\b4\b.*\b1\b/],
+    [{ name: "broken.glb", bytes: Buffer.from("glTF\x02\0\0\0\x40\0\0\0", "latin1") }, /broken\.glb/],
+    [{ name: "broken.zip", bytes: zip([MODEL]).subarray(0, 120) }, /broken\.zip/],
+    [{ name: "notes.txt", text: "nothing to see" }, /notes\.txt.*cannot be opened/],
+  ];
+  for (const [file, said] of broken) {
+    await lab.drop(file);
+    const state = await lab.until((state) => state.error !== null && state.busy === null);
+    assert.match(state.error, said);
+    const facts = ({ scene, title, triangles, generation, undo }) => ({ scene, title, triangles, generation, undo });
+    assert.deepEqual(facts(state), facts(before), file.name);
+    for (const { id } of state.messages) await lab.click(`dismiss-${id}`);
+    assert.equal((await lab.rest()).error, null);
+  }
+  assert.equal(differing(picture, await lab.saved(), 0), 0, "the picture is another one");
+  // And what was done before can still be undone.
+  assert.equal((await lab.key("Control+z")).undo, false);
+}, options);
+
+test("a panorama that is dropped is the environment", async (lab) => {
+  await lab.until(settled);
+  const before = await lab.park();
+  const picture = await lab.saved();
+  const sky = png(64, 32, (x, y) => (y < 16 ? [40, 90, 255] : [30, 160, 40]));
+  await lab.drop({ name: "sky.png", bytes: sky });
+  const blue = await lab.until((state) => settled(state) && state.scene.environment?.image === "sky.png");
+  assert.deepEqual([blue.error, blue.messages, blue.title], [null, [], "still-life"]);
+  assert.deepEqual(blue.scene.object, before.scene.object);
+  await lab.rest();
+  const below = await lab.saved();
+  assert.ok(differing(picture, below) > 0.2, "no environment is seen");
+  // The camera looks down: what is seen behind the floor is the lower half.
+  const [r, g, b] = below.at(below.width - 10, below.height - 10);
+  assert.ok(g > r + 40 && g > b + 40, `${[r, g, b]} is not green`);
+  // Another one takes its place: red, from a Radiance picture.
+  await lab.drop({ name: "red.hdr", bytes: hdr(16, 8, () => [200, 20, 20, 128]) });
+  await lab.until((state) => settled(state) && state.scene.environment?.image === "red.hdr");
+  await lab.rest();
+  const red = (await lab.saved()).at(below.width - 10, below.height - 10);
+  assert.ok(red[0] > red[1] + 60 && red[0] > red[2] + 60, `${red} is not red`);
+  await lab.key("Control+z");
+  await lab.until((state) => settled(state) && state.scene.environment?.image === "sky.png");
+  await lab.rest();
+  assert.equal(differing(below, await lab.saved(), 0), 0);
+  await lab.key("Control+z");
+  const back = await lab.until((state) => settled(state) && !state.scene.environment);
+  assert.deepEqual(back.scene, before.scene);
+  await lab.rest();
+  assert.equal(differing(picture, await lab.saved(), 0), 0);
+}, options);
+
+test("a model and a panorama are dropped together", async (lab) => {
+  await lab.until(settled);
+  await lab.drop({ name: "light.hdr", bytes: hdr(16, 8, () => [128, 128, 128, 128]) }, MODEL, TEXTURE, MATERIALS);
+  const state = await opened(lab, "square.obj");
+  assert.deepEqual([state.messages, state.scene.environment.image], [[], "light.hdr"]);
+  const [green, magenta] = painted(await lab.saved());
+  assert.ok(green > 0.05 && magenta > 0.05);
+}, options);

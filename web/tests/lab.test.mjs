@@ -1,0 +1,110 @@
+// The application in the page: the scene, its samples, its graphics taken away and given back.
+
+import assert from "node:assert/strict";
+import { colors, differing } from "./support/png.mjs";
+import { fetched, poll, settled, suite } from "./support/lab.mjs";
+
+const { test } = suite();
+
+test("the first scene is shown, lit, with all its files", async (lab) => {
+  const state = await lab.until(settled);
+  assert.equal(state.title, "still-life");
+  assert.equal(state.triangles, 4618);
+  assert.deepEqual(state.messages, []);
+  assert.equal(state.error, null);
+  const picture = await lab.picture("pane-0");
+  // Shading and textures: many colours; and light from above: the top of the white ball outshines its lower side.
+  assert.ok(colors(picture) > 500, `${colors(picture)} colours`);
+});
+
+test("it draws when something changes, and only then", async (lab) => {
+  const before = await lab.until(settled);
+  // The frame that took the page's own frame away may be followed by some in which panels find their sizes.
+  const calm = await poll(async () => {
+    const first = (await lab.state()).frame.frames;
+    await new Promise((resolve) => setTimeout(resolve, 1000));
+    return [first, (await lab.state()).frame.frames];
+  }, ([first, second]) => first === second);
+  assert.equal((await lab.state()).frame.frames, calm[1]);
+  assert.equal((await lab.state()).frame.pictures, before.frame.pictures);
+  const [x, y] = await lab.middle("pane-0");
+  await lab.page.mouse.move(x, y);
+  await lab.page.mouse.down();
+  await lab.page.mouse.move(x + 80, y + 20, { steps: 4 });
+  await lab.page.mouse.up();
+  const after = await lab.until((state) => state.frame.pictures > before.frame.pictures);
+  assert.notDeepEqual(after.scene.camera, before.scene.camera);
+});
+
+test("every sample opens", async (lab) => {
+  await lab.until(settled);
+  await lab.click("samples");
+  const ids = (await lab.until((state) => state.widgets.some((widget) => widget.id.startsWith("sample-")))).widgets
+    .map((widget) => widget.id).filter((id) => id.startsWith("sample-"));
+  assert.ok(ids.length >= 10, ids.join(" "));
+  await lab.page.keyboard.press("Escape");
+  await fetched(lab);
+  for (const id of ids) {
+    const shut = (state) => !state.widgets.some((widget) => widget.id === id);
+    await lab.until(shut);
+    await lab.click("samples");
+    await lab.until((state) => !shut(state));
+    await lab.click(id);
+    const name = id.replace("sample-", "");
+    const state = await lab.until((state) => state.title === name && settled(state));
+    assert.equal(state.error, null, `${name}: ${state.error}`);
+    assert.deepEqual(state.messages.filter((message) => message.severity !== "note"), [], name);
+    assert.ok(state.triangles > 0, name);
+  }
+});
+
+test("graphics that are taken away and given back bring the same picture", async (lab) => {
+  const before = await lab.until(settled);
+  await lab.click("tab-camera");
+  await lab.until((state) => state.tab === "Camera");
+  const [x, y] = await lab.middle("pane-0");
+  await lab.page.mouse.move(x, y);
+  await lab.page.mouse.down();
+  await lab.page.mouse.move(x + 60, y, { steps: 3 });
+  await lab.page.mouse.up();
+  const turned = await lab.until((state) => state.frame.pictures > before.frame.pictures + 1 && settled(state));
+  await lab.page.mouse.move(2, 2);
+  const picture = await lab.picture("pane-0");
+  await lab.page.evaluate(() => {
+    window.lose = document.getElementById("lab").getContext("webgl2").getExtension("WEBGL_lose_context");
+    window.lose.loseContext();
+  });
+  await poll(() => lab.page.evaluate(() => document.getElementById("lab").getContext("webgl2").isContextLost()), Boolean);
+  await lab.page.evaluate(() => window.lose.restoreContext());
+  const again = await lab.until((state) => state !== null && state.frame.pictures > turned.frame.pictures && settled(state));
+  assert.deepEqual(again.scene, turned.scene);
+  assert.equal(again.tab, "Camera");
+  assert.equal(await lab.trouble(), null);
+  // The same machine and the same numbers: at most the panels' sizes had to be found anew.
+  assert.ok(differing(picture, await lab.picture("pane-0"), 0) === 0, "another picture");
+  // And it goes on: what was undone before can be undone now.
+  await lab.click("undo");
+  await lab.until((state) => JSON.stringify(state.scene.camera) === JSON.stringify(before.scene.camera));
+});
+
+test("what changed is said to those who hear the screen", async (lab) => {
+  await lab.until(settled);
+  assert.match(await lab.page.locator("#said").textContent(), /still-life is open/);
+});
+
+test("the page follows the browser's light or dark look", async (lab) => {
+  assert.equal((await lab.until(settled)).dark, true);
+  const [x, y] = [640, 795];
+  assert.ok((await lab.picture()).at(x, y).every((value) => value < 80), "the status line is dark");
+}, { colorScheme: "dark" });
+
+test("a model beside the page is opened by a link", async (lab) => {
+  const state = await lab.until(settled);
+  assert.equal(state.title, "tetrahedron.obj");
+  assert.equal(state.triangles, 4);
+}, {
+  path: "?open=models/tetrahedron.obj",
+  prepare: (lab) => lab.page.route("**/models/tetrahedron.obj", (route) => route.fulfill({
+    body: "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n",
+  })),
+});

@@ -1,0 +1,87 @@
+//! The page in a browser: its tests, by Node's own runner.
+
+use super::{Build, build_page, node, target_folder};
+use crate::process;
+use crate::report::Findings;
+use std::path::Path;
+
+/// Builds the page. Fails too where a first visit would load more than it may.
+pub fn build(root: &Path, build: Build) -> Findings {
+    match build_page(root, build, &mut |_| {}) {
+        Ok(sizes) => {
+            let bytes = sizes.first_visit();
+            let most = super::sizes::MOST_BYTES / 1000;
+            let remark = format!("{} kB by brotli until the first picture; at most {most}", bytes.div_ceil(1000));
+            // A page for working on is never small.
+            if build == Build::Shipped && bytes > super::sizes::MOST_BYTES {
+                let advice = "web/build/weigh.mjs shows where the bytes go";
+                return Findings::fail(format!("a first visit may load {most} kB; {advice}\n{}", sizes.table()))
+                    .remarking(remark);
+            }
+            Findings::pass().remarking(remark)
+        }
+        Err(error) => Findings::fail(error),
+    }
+}
+
+/// Runs the tests of `web/tests` on the page in `dist`, served by the program itself. `program_is_built`: the tests of
+/// the workspace were, and the program with them. To build it here would give it other features of what it shares with
+/// the window, and all of that would be built again.
+pub fn test(root: &Path, program_is_built: bool) -> Findings {
+    if !program_is_built {
+        let built = process::run(process::cargo(root).args(["build", "--locked", "--workspace", "--bins"]));
+        if !built.success {
+            return Findings::fail(built.text);
+        }
+    }
+    let program = target_folder(root).join("debug").join(format!("gonio{}", std::env::consts::EXE_SUFFIX));
+    let web = root.join("web");
+    let outcome =
+        process::run(node(&web).args(["--test-reporter=tap", "tests/all.mjs"]).env("GONIO_PROGRAM", &program));
+    findings(outcome.success, &outcome.text)
+}
+
+/// From the lines `# pass 3` and the like at the end of what Node's test runner prints (TAP, version 13).
+fn findings(success: bool, text: &str) -> Findings {
+    let number = |what: &str| {
+        let start = format!("# {what} ");
+        text.lines().rev().find_map(|line| line.strip_prefix(&start)?.trim().parse::<usize>().ok()).unwrap_or(0)
+    };
+    let mut findings = Findings { passed: number("pass"), failed: number("fail"), ..Findings::default() };
+    // Neither is a test that passed, and neither may go unseen.
+    findings.failed += number("cancelled") + number("skipped") + number("todo");
+    if findings.failed == 0 && (!success || findings.passed == 0) {
+        findings.failed = 1;
+    }
+    if findings.failed > 0 {
+        findings.details =
+            text.lines().filter(|line| !line.starts_with("ok ")).map(|line| format!("{line}\n")).collect();
+    }
+    findings
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TOTALS: &str =
+        "TAP version 13\nok 1 - opens\n1..2\n# tests 2\n# pass 2\n# fail 0\n# cancelled 0\n# skipped 0\n";
+
+    #[test]
+    fn tests_of_node_are_counted() {
+        let found = findings(true, TOTALS);
+        assert_eq!((found.passed, found.failed), (2, 0));
+        let text = TOTALS.replace("pass 2", "pass 1").replace("fail 0", "fail 1");
+        let found = findings(false, &format!("not ok 2 - closes\n{text}"));
+        assert_eq!((found.passed, found.failed), (1, 1));
+        assert!(found.details.contains("not ok 2 - closes") && !found.details.contains("ok 1 - opens"));
+    }
+
+    #[test]
+    fn tests_that_did_not_run_have_failed() {
+        assert_eq!(findings(true, &TOTALS.replace("skipped 0", "skipped 1")).failed, 1);
+        assert_eq!(findings(true, &TOTALS.replace("cancelled 0", "cancelled 1")).failed, 1);
+        assert_eq!(findings(false, "cannot run `node`\n").failed, 1);
+        assert_eq!(findings(true, "# pass 0\n").failed, 1);
+    }
+}

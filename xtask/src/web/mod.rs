@@ -1,0 +1,155 @@
+//! `cargo xtask web`: the page, from gonio-web and `web/` into `dist/`.
+//!
+//! ```text
+//! crates/gonio-web   cargo, profile `web`    one WebAssembly module
+//!                    web/bindgen             its JavaScript, and the module without what that was made from
+//!                    web/build/profile.mjs   what of it runs until the first picture, in headless Chromium
+//!                    web/split               the module in two: that, and the rest
+//!                    binaryen's wasm-opt     both, smaller and faster
+//! web/page           web/build/pack.mjs      bundled, hashed names, brotli and gzip beside: dist/
+//! ```
+
+pub mod browser;
+mod npm;
+mod sizes;
+mod split;
+
+use crate::{process, root};
+use sizes::Sizes;
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode};
+use std::time::Instant;
+
+/// How the module is built.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Build {
+    /// As people get it.
+    Shipped,
+    /// In a fraction of the time, and several times the size: for working on the page.
+    Dev,
+}
+
+/// Builds the page and says how large it is.
+pub fn run(words: &[&str]) -> ExitCode {
+    let build = match words {
+        [] => Build::Shipped,
+        ["--dev"] => Build::Dev,
+        _ => {
+            eprintln!("xtask: web: `{}` is no option; there is --dev", words.join(" "));
+            return ExitCode::from(2);
+        }
+    };
+    match build_page(&root(), build, &mut |step| println!("{step}")) {
+        Ok(sizes) => {
+            print!("\n{}", sizes.table());
+            println!("\nthe page is in dist; to see it: cargo run --release -- serve --from dist");
+            ExitCode::SUCCESS
+        }
+        Err(error) => {
+            eprintln!("xtask: web: {}", error.trim_end());
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// Where cargo puts what it builds.
+pub fn target_folder(root: &Path) -> PathBuf {
+    std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from)
+}
+
+/// Builds the page into `dist`. `say`: is told each step before it begins.
+pub fn build_page(root: &Path, build: Build, say: &mut dyn FnMut(&str)) -> Result<Sizes, String> {
+    let web = root.join("web");
+    npm::install(&web, say)?;
+    say("building gonio-web for wasm32");
+    let profile = if build == Build::Shipped { "web" } else { "web-dev" };
+    let target = "wasm32-unknown-unknown";
+    checked(process::cargo(root).args(["build", "--locked", "--package", "gonio-web"]).args([
+        "--profile",
+        profile,
+        "--target",
+        target,
+    ]))?;
+    say("writing the JavaScript between both");
+    let folder = target_folder(root);
+    let stage = folder.join("web-page");
+    std::fs::create_dir_all(&stage).map_err(|e| format!("cannot make {}: {e}", stage.display()))?;
+    let module = folder.join(target).join(profile).join("gonio-web.wasm");
+    let tools = Tools::build(root)?;
+    checked(Command::new(tools.bindgen).args([&module, &stage]))?;
+    let (first, rest) = (stage.join("gonio_bg.wasm"), stage.join("gonio_rest.wasm"));
+    // Of a build before.
+    let _ = std::fs::remove_file(&rest);
+    if build == Build::Shipped {
+        split::split(&web, &tools.split, &first, &rest, say)?;
+        say("making the module smaller and faster (wasm-opt)");
+        for half in [&first, &rest].into_iter().filter(|half| half.is_file()) {
+            optimise(&web, half)?;
+        }
+    }
+    say("putting the page together");
+    let packed = process::stdout_of(node(&web).arg("build/pack.mjs").arg(&stage).arg(root.join("dist")))?;
+    let sizes = Sizes::read(&packed)?;
+    // The build script of gonio watches this file's folder: see crates/gonio/build.rs.
+    let mark = web.join("page/.built");
+    std::fs::write(&mark, &sizes.version).map_err(|e| format!("cannot write {}: {e}", mark.display()))?;
+    Ok(sizes)
+}
+
+/// Our own programs that work on modules.
+struct Tools {
+    bindgen: PathBuf,
+    split: PathBuf,
+}
+
+impl Tools {
+    /// Builds them, together: each by itself would get other features of what they share, and all of that twice.
+    fn build(root: &Path) -> Result<Tools, String> {
+        let packages = ["gonio-web-bindgen", "gonio-web-split"];
+        checked(process::cargo(root).args(["build", "--locked", "--package", packages[0], "--package", packages[1]]))?;
+        let [bindgen, split] = packages
+            .map(|name| target_folder(root).join("debug").join(format!("{name}{}", std::env::consts::EXE_SUFFIX)));
+        Ok(Tools { bindgen, split })
+    }
+}
+
+/// Node, in `web/`, where its packages are.
+pub fn node(web: &Path) -> Command {
+    let mut command = Command::new("node");
+    command.current_dir(web);
+    command
+}
+
+/// wasm-opt on a file, in place. The same module in gives the same module out, and it takes a minute: what it was
+/// made from is kept beside it.
+fn optimise(web: &Path, module: &Path) -> Result<(), String> {
+    let (input, output) = (module.with_extension("unoptimised.wasm"), module.with_extension("optimised.wasm"));
+    let fresh = read(module)?;
+    let known = output.is_file() && std::fs::read(&input).is_ok_and(|bytes| bytes == fresh);
+    if !known {
+        let _ = std::fs::remove_file(&output);
+        write(&input, &fresh)?;
+        let start = Instant::now();
+        checked(node(web).arg("node_modules/binaryen/bin/wasm-opt").arg(&input).args(WASM_OPT).arg("-o").arg(&output))?;
+        println!("  {:.0} s", start.elapsed().as_secs_f64());
+    }
+    write(module, &read(&output)?)
+}
+
+fn read(path: &Path) -> Result<Vec<u8>, String> {
+    std::fs::read(path).map_err(|e| format!("cannot read {}: {e}", path.display()))
+}
+
+fn write(path: &Path, bytes: &[u8]) -> Result<(), String> {
+    std::fs::write(path, bytes).map_err(|e| format!("cannot write {}: {e}", path.display()))
+}
+
+/// For size, but inner loops as for speed. The module says itself which features it uses. Brotli likes what belongs
+/// together side by side, and large functions better for themselves than inside the one that calls them.
+const WASM_OPT: &[&str] = &["-O3", "--one-caller-inline-max-function-size", "20", "--reorder-functions-by-name"];
+
+/// Runs a command that has to succeed.
+fn checked(command: &mut Command) -> Result<(), String> {
+    let outcome = process::run(command);
+    if outcome.success { Ok(()) } else { Err(outcome.text) }
+}
