@@ -26,6 +26,8 @@ pub const RULES: &[Rule] = &[
     Rule { krate: "gonio-reference", may_know: BELOW_PICTURES, tests_may_know: &[] },
     // The GPU's pictures are held against the reference's.
     Rule { krate: "gonio-gl", may_know: BELOW_PICTURES, tests_may_know: &["gonio-reference"] },
+    // A language, and nothing of ours.
+    Rule { krate: "gonio-glsl", may_know: &[], tests_may_know: &[] },
     Rule { krate: "gonio-lab", may_know: BELOW_LAB, tests_may_know: &[] },
     Rule { krate: "gonio-app", may_know: BELOW_SHELLS, tests_may_know: &[] },
     // The page is the application and nothing else.
@@ -43,9 +45,17 @@ pub const RULES: &[Rule] = &[
 
 const BELOW_PICTURES: &[&str] = &["gonio-light", "gonio-mesh", "gonio-environment", "gonio-scene"];
 const BELOW_LAB: &[&str] =
-    &["gonio-light", "gonio-mesh", "gonio-environment", "gonio-scene", "gonio-reference", "gonio-gl"];
-const BELOW_SHELLS: &[&str] =
-    &["gonio-light", "gonio-mesh", "gonio-environment", "gonio-scene", "gonio-reference", "gonio-gl", "gonio-lab"];
+    &["gonio-light", "gonio-mesh", "gonio-environment", "gonio-scene", "gonio-reference", "gonio-gl", "gonio-glsl"];
+const BELOW_SHELLS: &[&str] = &[
+    "gonio-light",
+    "gonio-mesh",
+    "gonio-environment",
+    "gonio-scene",
+    "gonio-reference",
+    "gonio-gl",
+    "gonio-glsl",
+    "gonio-lab",
+];
 /// `gonio view` opens the window.
 const COMMAND_LINE: &[&str] = &[
     "gonio-light",
@@ -54,6 +64,7 @@ const COMMAND_LINE: &[&str] = &[
     "gonio-scene",
     "gonio-reference",
     "gonio-gl",
+    "gonio-glsl",
     "gonio-lab",
     "gonio-app",
 ];
