@@ -1,0 +1,64 @@
+//! What the order of statements tells: returns that are missing, variables that are read before they have a value.
+
+use std::collections::HashMap;
+
+use super::{Access, Checker};
+use crate::ast::{Expr, ExprKind, Literal, Statement, StatementKind};
+
+/// Whether no way through these statements reaches their end.
+pub(super) fn always_leaves(list: &[Statement]) -> bool {
+    list.iter().any(leaves)
+}
+
+fn leaves(statement: &Statement) -> bool {
+    match &statement.kind {
+        StatementKind::Return(_) | StatementKind::Discard => true,
+        StatementKind::Block(list) => always_leaves(list),
+        StatementKind::If { then, otherwise: Some(otherwise), .. } => leaves(then) && leaves(otherwise),
+        // `while (true)` ends only by a return, or by a break, which is rare enough to be believed.
+        StatementKind::While { condition, .. } => {
+            matches!(&**condition, crate::ast::Condition::Expr(e) if is_true(e))
+        }
+        StatementKind::For { condition: None, .. } => true,
+        StatementKind::DoWhile { body, .. } => leaves(body),
+        // Each case returning or not: with a default that returns, the switch is taken to be complete.
+        StatementKind::Switch { body, .. } => {
+            let default = body.iter().position(|s| matches!(s.kind, StatementKind::Case(None)));
+            default.is_some_and(|at| always_leaves(&body[at..]))
+        }
+        _ => false,
+    }
+}
+
+fn is_true(expr: &Expr) -> bool {
+    matches!(expr.kind, ExprKind::Literal(Literal::Bool(true)))
+}
+
+impl Checker<'_> {
+    /// Local variables whose first mention reads them. Whatever may have been written before, in a branch or in an earlier
+    /// round of a loop, is believed to have been.
+    pub(super) fn report_unset(&mut self) {
+        let mut of: HashMap<usize, Vec<&Access>> = HashMap::new();
+        for access in &self.accesses {
+            of.entry(access.symbol).or_default().push(access);
+        }
+        let mut found = Vec::new();
+        for (symbol, accesses) in of {
+            let known = &self.symbols[symbol];
+            let Some(first) = accesses.first() else { continue };
+            if known.has_initialiser || first.is_write {
+                continue;
+            }
+            // The loop around the reading that is within the variable's own scope.
+            let around = first.loops.get(known.loops);
+            let is_written_there = |a: &&&Access| a.is_write && a.loops.get(known.loops) == around;
+            if around.is_some() && accesses.iter().any(|a| is_written_there(&a)) {
+                continue;
+            }
+            found.push((first.span, known.name.clone()));
+        }
+        for (span, name) in found {
+            self.strict(span, "unset", format!("`{name}` is used before it has a value"));
+        }
+    }
+}

@@ -1,0 +1,216 @@
+//! What a shader takes, gives and asks for, under the names that OpenGL uses.
+
+use std::collections::HashMap;
+
+use super::scope::storage_of;
+use super::{Checker, Storage};
+use crate::ast::{Declarator, Item, Qualifier, Unit, has};
+use crate::{Span, Type};
+
+/// All that other stages and the program see.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Interface {
+    /// Attributes of a vertex shader, what the vertex shader gave of a fragment shader.
+    pub inputs: Vec<Variable>,
+    /// What is given to the fragment shader, or the colours of a fragment shader.
+    pub outputs: Vec<Variable>,
+    /// What the program sets, without those in blocks.
+    pub uniforms: Vec<Variable>,
+    /// Structs, in their order.
+    pub structs: Vec<StructInfo>,
+    /// Blocks of uniforms, inputs or outputs.
+    pub blocks: Vec<Block>,
+}
+
+/// A variable that others see.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Variable {
+    /// Its name.
+    pub name: String,
+    /// Its type, sizes of arrays included; none if it is not known.
+    pub ty: Option<Type>,
+    /// Where its name stands.
+    pub span: Span,
+    /// `highp`, `mediump` or `lowp`.
+    pub precision: Option<String>,
+    /// `flat`, `smooth` or `noperspective`.
+    pub interpolation: Option<String>,
+    /// `layout(location = ..)`
+    pub location: Option<i32>,
+    /// `layout(binding = ..)`
+    pub binding: Option<i32>,
+    /// Whether the shader reads it, or for an output writes it.
+    pub is_used: bool,
+    /// Whether it has an initialiser.
+    pub initial: bool,
+}
+
+/// A struct.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StructInfo {
+    /// Its name.
+    pub name: String,
+    /// Its members with their types, none where that is not known.
+    pub members: Vec<(String, Option<Type>)>,
+    /// Where its name stands.
+    pub span: Span,
+}
+
+/// A block.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Block {
+    /// Name of the block.
+    pub name: String,
+    /// Name of its instance.
+    pub instance: Option<String>,
+    /// Whether it is of uniforms, inputs or outputs.
+    pub storage: Storage,
+    /// Its members.
+    pub members: Vec<Variable>,
+    /// Where its name stands.
+    pub span: Span,
+}
+
+/// One value that OpenGL knows by a name.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Leaf {
+    /// `light.light_pos`, `lights[0].position`, `colours`: an array of basic values has one name.
+    pub name: String,
+    /// The basic type, without the array.
+    pub ty: Type,
+    /// How many there are: 1 if it is no array.
+    pub count: u32,
+    /// Index in [`Interface::uniforms`].
+    pub uniform: usize,
+}
+
+/// No shader has more uniforms; arrays beyond this are cut off.
+const MOST_LEAVES: usize = 4096;
+/// Structs within structs.
+const MOST_NESTED: usize = 32;
+
+/// The uniforms, taken apart into the names of `glGetUniformLocation` (OpenGL 4.6, section 7.3.1).
+#[must_use]
+pub fn leaves(interface: &Interface) -> Vec<Leaf> {
+    let mut found = Vec::new();
+    let structs: HashMap<&str, &StructInfo> = interface.structs.iter().map(|s| (&*s.name, s)).collect();
+    for (index, uniform) in interface.uniforms.iter().enumerate() {
+        if let Some(ty) = &uniform.ty {
+            leaf(&uniform.name, ty, index, &structs, &mut found, 0);
+        }
+    }
+    found
+}
+
+fn leaf(
+    name: &str,
+    ty: &Type,
+    uniform: usize,
+    structs: &HashMap<&str, &StructInfo>,
+    found: &mut Vec<Leaf>,
+    nested: usize,
+) {
+    if found.len() >= MOST_LEAVES || nested > MOST_NESTED {
+        return;
+    }
+    match ty {
+        Type::Struct(of) => {
+            let members = structs.get(&**of).map_or(&[][..], |s| &s.members);
+            for (member, ty) in members {
+                if let Some(ty) = ty {
+                    leaf(&format!("{name}.{member}"), ty, uniform, structs, found, nested + 1);
+                }
+            }
+        }
+        Type::Array(of, count) if matches!(**of, Type::Struct(_) | Type::Array(..)) => {
+            for index in 0..count.unwrap_or(1) {
+                if found.len() >= MOST_LEAVES {
+                    return;
+                }
+                leaf(&format!("{name}[{index}]"), of, uniform, structs, found, nested + 1);
+            }
+        }
+        Type::Array(of, count) => {
+            found.push(Leaf { name: name.into(), ty: (**of).clone(), count: count.unwrap_or(1), uniform });
+        }
+        _ => found.push(Leaf { name: name.into(), ty: ty.clone(), count: 1, uniform }),
+    }
+}
+
+/// Reads the interface off the tree, once all names are known.
+pub(super) fn collect(checker: &Checker<'_>, unit: &Unit) -> Interface {
+    let mut interface = Interface::default();
+    let symbols: HashMap<u32, usize> =
+        checker.symbols.iter().enumerate().map(|(id, s)| (s.declared.first, id)).collect();
+    for name in &checker.struct_order {
+        interface.structs.extend(checker.structs.get(name).cloned());
+    }
+    for item in &unit.items {
+        match item {
+            Item::Declaration(declaration) => {
+                for declarator in &declaration.declarators {
+                    let variable = variable(checker, &symbols, &declaration.qualifiers, declarator);
+                    match storage_of(&declaration.qualifiers, checker.stage) {
+                        _ if variable.name.starts_with("gl_") => {}
+                        Storage::In => interface.inputs.push(variable),
+                        Storage::Out => interface.outputs.push(variable),
+                        Storage::Uniform => interface.uniforms.push(variable),
+                        _ => {}
+                    }
+                }
+            }
+            Item::Block(block) => {
+                let info = checker.structs.get(&format!("{} (block)", block.name));
+                let used = block.instance.as_ref().and_then(|i| symbols.get(&i.tokens.first));
+                let used = used.is_some_and(|id| !checker.symbols[*id].uses.is_empty());
+                let mut members = Vec::new();
+                for declaration in &block.members {
+                    for declarator in &declaration.declarators {
+                        let mut found = variable(checker, &symbols, &declaration.qualifiers, declarator);
+                        if let Some((_, ty)) = info.and_then(|i| i.members.iter().find(|m| m.0 == found.name)) {
+                            found.ty.clone_from(ty);
+                            found.is_used = used;
+                        }
+                        members.push(found);
+                    }
+                }
+                interface.blocks.push(Block {
+                    name: block.name.clone(),
+                    instance: block.instance.as_ref().map(|i| i.name.clone()),
+                    storage: storage_of(&block.qualifiers, checker.stage),
+                    members,
+                    span: block.name_span,
+                });
+            }
+            _ => {}
+        }
+    }
+    interface
+}
+
+fn variable(
+    checker: &Checker<'_>,
+    symbols: &HashMap<u32, usize>,
+    qualifiers: &[Qualifier],
+    declarator: &Declarator,
+) -> Variable {
+    let word = |words: &[&str]| words.iter().find(|w| has(qualifiers, w)).map(|w| (*w).to_string());
+    let symbol = symbols.get(&declarator.tokens.first).map(|id| &checker.symbols[*id]);
+    Variable {
+        name: declarator.name.clone(),
+        ty: symbol.and_then(|s| s.ty.clone()),
+        span: declarator.span,
+        precision: word(&["highp", "mediump", "lowp"]),
+        interpolation: word(&["flat", "smooth", "noperspective"]),
+        location: layout(qualifiers, "location"),
+        binding: layout(qualifiers, "binding"),
+        is_used: symbol.is_some_and(|s| s.is_read || s.is_written),
+        initial: declarator.initialiser.is_some(),
+    }
+}
+
+fn layout(qualifiers: &[Qualifier], name: &str) -> Option<i32> {
+    let entry = qualifiers.iter().flat_map(|q| &q.layout).find(|e| e.name == name)?;
+    let value = crate::constant::evaluate(entry.value.as_ref()?, &|_| None)?;
+    value.first().map(|v| *v as i32)
+}

@@ -1,0 +1,208 @@
+//! Names, types and rules of a whole shader.
+
+mod calls;
+mod constructors;
+mod expressions;
+mod flow;
+mod interface;
+mod items;
+mod operators;
+mod pair;
+mod scope;
+mod statements;
+mod strict;
+
+use std::collections::{BTreeSet, HashMap};
+
+use crate::constant::Components;
+use crate::{Parsed, Problem, Severity, Span, Stage, TokenRange, Type, Version};
+
+pub(crate) use calls::modern;
+pub use interface::{Block, Interface, Leaf, StructInfo, Variable, leaves};
+pub use pair::check_pair;
+pub use scope::{Storage, Symbol, SymbolKind};
+
+/// A shader whose names and types are known.
+#[derive(Debug, Clone)]
+pub struct Checked {
+    /// What it takes, gives and asks for.
+    pub interface: Interface,
+    /// What is wrong, in the order of the source; the syntax's problems stand in [`Parsed::problems`].
+    pub problems: Vec<Problem>,
+    /// The stage it was checked for.
+    pub stage: Stage,
+    /// All variables and functions it declares, with their uses.
+    pub symbols: Vec<Symbol>,
+    /// Where a value becomes another type by itself.
+    pub conversions: Vec<Conversion>,
+    /// Names of GLSL's own functions that are called.
+    pub functions_used: BTreeSet<String>,
+    /// Names of GLSL's own variables that are used.
+    pub variables_used: BTreeSet<String>,
+    /// The tokens of those variables.
+    pub(crate) variable_uses: Vec<(String, TokenRange)>,
+    /// The names of GLSL's own functions where they are called, with the type of the first argument.
+    pub(crate) function_uses: Vec<(String, TokenRange, Option<Type>)>,
+    /// Symbols that hide a function where it is called.
+    pub(crate) hiding: BTreeSet<usize>,
+    /// Initialiser lists `{..}` with the type they are for.
+    pub(crate) lists: Vec<(TokenRange, Type)>,
+    /// Values of constants and of uniforms' initialisers, by symbol.
+    pub(crate) values: HashMap<usize, Components>,
+    /// Global variables whose initialiser is not constant, by symbol.
+    pub(crate) computed: BTreeSet<usize>,
+}
+
+/// A value that becomes another type by itself, like the 1 of `float x = 1;`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Conversion {
+    /// The value.
+    pub tokens: TokenRange,
+    /// Where it stands.
+    pub span: Span,
+    /// Its type.
+    pub from: Type,
+    /// What it becomes.
+    pub to: Type,
+    /// Whether it is a number written down.
+    pub is_literal: bool,
+}
+
+/// Fills in the types of all expressions, finds what each name means, and tells what is wrong.
+pub fn check(parsed: &mut Parsed, stage: Stage) -> Checked {
+    let mut unit = std::mem::take(&mut parsed.unit);
+    let mut checker = Checker::new(parsed, stage);
+    checker.unit(&mut unit);
+    strict::whole(&mut checker, &unit);
+    let interface = interface::collect(&checker, &unit);
+    let mut problems = checker.problems;
+    problems.sort_by_key(|p| (p.span.start, std::cmp::Reverse(p.severity)));
+    problems.dedup();
+    let checked = Checked {
+        interface,
+        problems,
+        stage,
+        symbols: checker.symbols,
+        conversions: checker.conversions,
+        functions_used: checker.function_uses.iter().map(|u| u.0.clone()).collect(),
+        variables_used: checker.variable_uses.iter().map(|u| u.0.clone()).collect(),
+        variable_uses: checker.variable_uses,
+        function_uses: checker.function_uses,
+        hiding: checker.hiding,
+        lists: checker.lists,
+        values: checker.values,
+        computed: checker.computed,
+    };
+    parsed.unit = unit;
+    checked
+}
+
+/// More than this nobody reads.
+const MOST_PROBLEMS: usize = 200;
+
+/// A function the shader has.
+#[derive(Debug, Clone)]
+struct FunctionInfo {
+    symbol: usize,
+    params: Vec<Option<Type>>,
+    /// Which parameters are written: `out` and `inout`.
+    outs: Vec<bool>,
+    returns: Option<Type>,
+    has_body: bool,
+    span: Span,
+    /// Functions it calls, by name and place among those of that name.
+    calls: Vec<(String, usize)>,
+}
+
+/// A value read or written, in the order of execution as far as the text gives it.
+struct Access {
+    symbol: usize,
+    is_write: bool,
+    span: Span,
+    loops: Vec<u32>,
+}
+
+struct Checker<'p> {
+    parsed: &'p Parsed,
+    version: Version,
+    stage: Stage,
+    problems: Vec<Problem>,
+    symbols: Vec<Symbol>,
+    scopes: Vec<HashMap<String, usize>>,
+    functions: HashMap<String, Vec<FunctionInfo>>,
+    structs: HashMap<String, StructInfo>,
+    struct_order: Vec<String>,
+    conversions: Vec<Conversion>,
+    variable_uses: Vec<(String, TokenRange)>,
+    function_uses: Vec<(String, TokenRange, Option<Type>)>,
+    hiding: BTreeSet<usize>,
+    lists: Vec<(TokenRange, Type)>,
+    values: HashMap<usize, Components>,
+    computed: BTreeSet<usize>,
+    accesses: Vec<Access>,
+    loops: Vec<u32>,
+    loop_count: u32,
+    /// The function being read, by name and place among those of that name.
+    current: Option<(String, usize)>,
+    has_syntax_errors: bool,
+    has_extensions: bool,
+}
+
+impl<'p> Checker<'p> {
+    fn new(parsed: &'p Parsed, stage: Stage) -> Self {
+        let harmless = |d: &crate::Directive| {
+            let text = parsed.text(d.span);
+            text.contains("disable")
+                || text.contains("standard_derivatives")
+                || text.contains("explicit_attrib_location")
+        };
+        Self {
+            parsed,
+            version: parsed.dialect(),
+            stage,
+            problems: Vec::new(),
+            symbols: Vec::new(),
+            scopes: vec![HashMap::new()],
+            functions: HashMap::new(),
+            structs: HashMap::new(),
+            struct_order: Vec::new(),
+            conversions: Vec::new(),
+            variable_uses: Vec::new(),
+            function_uses: Vec::new(),
+            hiding: BTreeSet::new(),
+            lists: Vec::new(),
+            values: HashMap::new(),
+            computed: BTreeSet::new(),
+            accesses: Vec::new(),
+            loops: Vec::new(),
+            loop_count: 0,
+            current: None,
+            has_syntax_errors: parsed.problems.iter().any(|p| p.severity == Severity::Error),
+            has_extensions: parsed.directives.iter().any(|d| d.word == "extension" && !harmless(d)),
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn error(&mut self, span: Span, code: &'static str, message: impl Into<String>) {
+        self.problems.push(Problem::error(span, code, message));
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn strict(&mut self, span: Span, code: &'static str, message: impl Into<String>) {
+        self.problems.push(Problem::strict(span, code, message));
+    }
+
+    /// Whether enough has been told: nobody reads more, and each unknown name is compared with all known ones.
+    fn is_full(&self) -> bool {
+        self.problems.len() >= MOST_PROBLEMS
+    }
+
+    /// An error about something unknown, which after syntax errors may have been lost, and with extensions may come from one.
+    fn unknown(&mut self, problem: Problem) {
+        if !self.has_syntax_errors && !self.has_extensions && !self.is_full() {
+            self.problems.push(problem);
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! Statements: scopes, conditions, what is returned.
+
+use super::{Checker, SymbolKind};
+use crate::ast::{Condition, Expr, Statement, StatementKind};
+use crate::{Problem, Span, Stage, Type};
+
+impl Checker<'_> {
+    pub(super) fn statement(&mut self, statement: &mut Statement, returns: Option<&Type>) {
+        match &mut statement.kind {
+            StatementKind::Declaration(declaration) => self.declaration(declaration, SymbolKind::Local),
+            StatementKind::Expression(expr) => {
+                self.expression(expr);
+            }
+            StatementKind::If { condition, then, otherwise } => {
+                self.condition(condition, "the condition of an `if`");
+                self.in_scope(then, returns);
+                if let Some(otherwise) = otherwise {
+                    self.in_scope(otherwise, returns);
+                }
+            }
+            StatementKind::For { initial, condition, step, body } => {
+                self.push_scope();
+                if let Some(initial) = initial {
+                    self.statement(initial, returns);
+                }
+                self.enter_loop();
+                if let Some(condition) = condition {
+                    self.loop_condition(condition);
+                }
+                self.statement_or_block(body, returns);
+                if let Some(step) = step {
+                    self.expression(step);
+                }
+                self.loops.pop();
+                self.pop_scope();
+            }
+            StatementKind::While { condition, body } => {
+                self.push_scope();
+                self.enter_loop();
+                self.loop_condition(condition);
+                self.statement_or_block(body, returns);
+                self.loops.pop();
+                self.pop_scope();
+            }
+            StatementKind::DoWhile { body, condition } => {
+                self.enter_loop();
+                self.in_scope(body, returns);
+                self.condition(condition, "the condition of a loop");
+                self.loops.pop();
+            }
+            StatementKind::Switch { value, body } => {
+                let found = self.expression(value);
+                if found.is_some_and(|t| t != Type::INT && t != Type::UINT) {
+                    self.error(value.span, "switch-type", "a `switch` wants an `int`");
+                }
+                self.push_scope();
+                // Within a switch the text does not give the order, as little as in a loop.
+                self.enter_loop();
+                for statement in body {
+                    self.statement(statement, returns);
+                }
+                self.loops.pop();
+                self.pop_scope();
+            }
+            StatementKind::Case(value) => {
+                if let Some(value) = value {
+                    self.expression(value);
+                }
+            }
+            StatementKind::Return(value) => self.returned(value.as_mut(), returns, statement.span),
+            StatementKind::Block(list) => {
+                self.push_scope();
+                for statement in list {
+                    self.statement(statement, returns);
+                }
+                self.pop_scope();
+            }
+            StatementKind::Discard => {
+                if self.stage == Stage::Vertex {
+                    self.error(statement.span, "discard-in-vertex", "only a fragment shader can `discard`");
+                }
+            }
+            StatementKind::Break | StatementKind::Continue => {
+                if self.loops.is_empty() {
+                    let message = "there is no loop around this `break` or `continue`";
+                    self.error(statement.span, "outside-loop", message);
+                }
+            }
+            StatementKind::Precision(_) | StatementKind::Empty => {}
+        }
+    }
+
+    fn enter_loop(&mut self) {
+        self.loop_count += 1;
+        self.loops.push(self.loop_count);
+    }
+
+    /// A branch: a scope of its own, with or without `{}`.
+    fn in_scope(&mut self, statement: &mut Statement, returns: Option<&Type>) {
+        self.push_scope();
+        self.statement_or_block(statement, returns);
+        self.pop_scope();
+    }
+
+    /// A loop's body shares the scope of its head.
+    fn statement_or_block(&mut self, statement: &mut Statement, returns: Option<&Type>) {
+        self.push_scope();
+        self.statement(statement, returns);
+        self.pop_scope();
+    }
+
+    fn condition(&mut self, condition: &mut Expr, what: &str) {
+        let found = self.expression(condition);
+        if let Some(found) = found.filter(|t| *t != Type::BOOL) {
+            let message = format!("{what} has to be a `bool`, and this is a `{found}`");
+            let mut problem = Problem::error(condition.span, "condition-type", message);
+            if matches!(condition.kind, crate::ExprKind::Assign { op: None, .. }) {
+                problem = problem.with_help("`==` compares, `=` assigns");
+            }
+            self.problems.push(problem);
+        }
+    }
+
+    fn loop_condition(&mut self, condition: &mut Condition) {
+        match condition {
+            Condition::Expr(expr) => self.condition(expr, "the condition of a loop"),
+            Condition::Declaration(declaration) => self.declaration(declaration, SymbolKind::Local),
+        }
+    }
+
+    fn returned(&mut self, value: Option<&mut Expr>, returns: Option<&Type>, span: Span) {
+        match (value, returns) {
+            (Some(value), Some(Type::Void)) => {
+                let found = self.expression(value);
+                if found != Some(Type::Void) {
+                    self.error(value.span, "return-type", "this function is `void` and cannot return a value");
+                }
+            }
+            (Some(value), returns) => {
+                self.expression(value);
+                self.convert(value, returns, "what is returned");
+            }
+            (None, Some(returns)) if *returns != Type::Void => {
+                self.error(span, "return-type", format!("this function has to return a `{returns}`"));
+            }
+            (None, _) => {}
+        }
+    }
+}

@@ -1,0 +1,289 @@
+//! Tokens into the syntax tree.
+
+mod declarations;
+mod expressions;
+mod items;
+mod statements;
+
+use std::collections::HashSet;
+
+use crate::ast::Unit;
+use crate::lex::{Kind, Token};
+use crate::types::words;
+use crate::{Problem, Span, TokenRange, Version};
+
+/// How deep statements and expressions may stand in one another. No shader a person wrote comes near; a machine's stack does.
+pub(crate) const MOST_NESTED: usize = 128;
+/// After so many syntax errors the rest is not worth reading.
+const MOST_PROBLEMS: usize = 50;
+
+/// A syntax error, told already.
+pub(crate) struct Stop;
+pub(crate) type Parse<T> = Result<T, Stop>;
+
+pub(crate) struct Parser<'p> {
+    tokens: &'p [Token],
+    at: usize,
+    version: Version,
+    problems: &'p mut Vec<Problem>,
+    /// Names of the structs so far.
+    structs: HashSet<String>,
+    nested: usize,
+    /// Where the last error was told: one place, one error.
+    told_at: Option<usize>,
+    told: usize,
+    too_deep: bool,
+}
+
+/// Reads a whole shader; what could not be read is told and left out.
+pub(crate) fn unit(tokens: &[Token], version: Version, problems: &mut Vec<Problem>) -> Unit {
+    let mut parser = Parser {
+        tokens,
+        at: 0,
+        version,
+        problems,
+        structs: HashSet::new(),
+        nested: 0,
+        told_at: None,
+        told: 0,
+        too_deep: false,
+    };
+    parser.unit()
+}
+
+impl<'p> Parser<'p> {
+    fn token(&self) -> &'p Token {
+        self.ahead(0)
+    }
+
+    /// The token so many places on; the last one, the end, goes on for ever.
+    fn ahead(&self, count: usize) -> &'p Token {
+        &self.tokens[(self.at + count).min(self.tokens.len() - 1)]
+    }
+
+    fn before(&self) -> &'p Token {
+        &self.tokens[self.at.saturating_sub(1)]
+    }
+
+    fn advance(&mut self) {
+        if self.at + 1 < self.tokens.len() {
+            self.at += 1;
+        }
+    }
+
+    fn is(&self, text: &str) -> bool {
+        self.token().is(text)
+    }
+
+    fn is_end(&self) -> bool {
+        self.token().kind == Kind::End
+    }
+
+    /// Takes the token if it is this one.
+    fn take(&mut self, text: &str) -> bool {
+        let found = self.is(text);
+        if found {
+            self.advance();
+        }
+        found
+    }
+
+    /// The place of the token here.
+    fn here(&self) -> TokenRange {
+        TokenRange { first: self.at as u32, last: self.at as u32 }
+    }
+
+    /// From a token up to the last one taken.
+    fn since(&self, first: TokenRange) -> TokenRange {
+        TokenRange { first: first.first, last: (self.at.saturating_sub(1) as u32).max(first.first) }
+    }
+
+    fn span_of(&self, range: TokenRange) -> Span {
+        let last = self.tokens.len() - 1;
+        self.tokens[(range.first as usize).min(last)].span.to(self.tokens[(range.last as usize).min(last)].span)
+    }
+
+    /// The place just behind the last token taken, where something is missing.
+    fn behind(&self) -> Span {
+        let span = self.before().span;
+        let width =
+            if self.before().region == 0 { self.before().text.chars().count() as u32 } else { span.end - span.start };
+        Span { start: span.end, end: span.end, line: span.line, column: span.column + width }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn fail<T>(&mut self, span: Span, code: &'static str, message: impl Into<String>) -> Parse<T> {
+        self.tell(Problem::error(span, code, message));
+        Err(Stop)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn tell(&mut self, problem: Problem) {
+        if self.told_at == Some(self.at) || self.too_deep {
+            return;
+        }
+        self.told_at = Some(self.at);
+        self.told += 1;
+        self.problems.push(problem);
+        if self.told >= MOST_PROBLEMS {
+            self.at = self.tokens.len() - 1;
+        }
+    }
+
+    /// The token here, as a person would name it.
+    fn found(&self) -> String {
+        let token = self.token();
+        match token.kind {
+            Kind::End => "the end of the file".into(),
+            Kind::Stray => format!("the character `{}`", token.text.escape_debug()),
+            _ => format!("`{}`", token.text),
+        }
+    }
+
+    /// Takes a closing bracket.
+    #[inline(never)]
+    fn close(&mut self, mark: &str, open: TokenRange) -> Parse<()> {
+        if self.take(mark) {
+            return Ok(());
+        }
+        let opened = self.span_of(open);
+        let open_mark = self.tokens[open.first as usize].text.clone();
+        let line = self.behind().line;
+        let message = if opened.line == line {
+            format!("a `{mark}` is missing here")
+        } else {
+            format!("a `{mark}` is missing here, for the `{open_mark}` of line {}", opened.line)
+        };
+        self.fail(self.behind(), "missing-bracket", message)
+    }
+
+    /// Takes the `;` behind something. Missing at the end of a line, it is told and the reading goes on.
+    #[inline(never)]
+    fn semicolon(&mut self, after: &str) -> Parse<()> {
+        if self.take(";") {
+            return Ok(());
+        }
+        let (next, before) = (self.token(), self.before());
+        if matches!(&*next.text, ")" | "]") && next.kind == Kind::Mark {
+            let message = format!("there is a `{}` too many", next.text);
+            return self.fail(next.span, "stray-bracket", message);
+        }
+        if next.kind == Kind::Stray {
+            return self.stray();
+        }
+        if next.span.line == before.span.line && next.kind != Kind::End && !next.is("}") {
+            let message = format!("{} does not fit here: an operator or a `;` is missing before it", self.found());
+            return self.fail(next.span, "missing-semicolon", message);
+        }
+        self.tell(Problem::error(self.behind(), "missing-semicolon", format!("a `;` is missing after this {after}")));
+        Ok(())
+    }
+
+    fn stray<T>(&mut self) -> Parse<T> {
+        let message = format!("GLSL has no use for {}", self.found());
+        self.fail(self.token().span, "stray-character", message)
+    }
+
+    /// A name that is no keyword.
+    #[inline(never)]
+    fn name(&mut self, of: &str) -> Parse<(String, TokenRange)> {
+        let token = self.token();
+        if token.kind == Kind::Stray {
+            return self.stray();
+        }
+        if token.kind != Kind::Name {
+            let message = format!("the name of {of} is missing: here stands {}", self.found());
+            return self.fail(token.span, "missing-name", message);
+        }
+        if words::is_reserved(&token.text, self.version) {
+            let message = format!("`{}` is a word of GLSL itself and cannot be the name of {of}", token.text);
+            // The tree is as good as with any other name.
+            self.tell(Problem::error(token.span, "reserved-word", message));
+            if words::is_statement(&token.text, self.version) {
+                return Err(Stop);
+            }
+        }
+        let place = self.here();
+        self.advance();
+        Ok((token.text.to_string(), place))
+    }
+
+    /// One step deeper; too deep is an error.
+    fn enter(&mut self) -> Parse<()> {
+        self.nested += 1;
+        if self.nested > MOST_NESTED {
+            return self.fail_too_deep();
+        }
+        Ok(())
+    }
+
+    fn leave(&mut self) {
+        self.nested -= 1;
+    }
+
+    fn fail_too_deep<T>(&mut self) -> Parse<T> {
+        let message = "brackets or statements stand too deeply in one another here";
+        self.tell(Problem::error(self.token().span, "too-deep", message));
+        self.too_deep = true;
+        self.at = self.tokens.len() - 1;
+        Err(Stop)
+    }
+
+    fn is_type_name(&self, token: &Token) -> bool {
+        token.kind == Kind::Name && (words::is_type(&token.text, self.version) || self.structs.contains(&*token.text))
+    }
+
+    /// Whether a declaration begins here: a qualifier, a type, or two names in a row.
+    fn is_declaration(&self) -> bool {
+        let token = self.token();
+        if token.kind != Kind::Name || (words::is_statement(&token.text, self.version) && !self.is_prefix(token)) {
+            return false;
+        }
+        if self.is_prefix(token) {
+            return true;
+        }
+        let next = self.ahead(1);
+        if next.kind == Kind::Name {
+            // `a` and on the next line `b = ..`: an `;` is missing, unless `a` is a type.
+            return self.is_type_name(token) || next.span.line == token.span.line;
+        }
+        if next.is("[") {
+            return self.behind_brackets(1).kind == Kind::Name && self.is_type_name(token);
+        }
+        words::is_type(&token.text, self.version) && !next.is("(") && !next.is(".")
+    }
+
+    fn is_prefix(&self, token: &Token) -> bool {
+        token.is("struct") || words::is_qualifier(&token.text, self.version) && !self.is_used_as_name(token)
+    }
+
+    /// `sample = 1.0`: a word that is a qualifier, but stands where none can.
+    fn is_used_as_name(&self, token: &Token) -> bool {
+        let next = self.ahead(1);
+        matches!(&*token.text, "sample" | "patch" | "buffer" | "shared" | "smooth" | "flat" | "precise")
+            && next.kind == Kind::Mark
+    }
+
+    /// The token behind `[..][..]`, where the first bracket stands so many places ahead.
+    fn behind_brackets(&self, mut ahead: usize) -> &'p Token {
+        let mut depth = 0_usize;
+        // An array's size is short; looking further would make bad files slow.
+        for _ in 0..100 {
+            let token = self.ahead(ahead);
+            if token.is("[") {
+                depth += 1;
+            } else if token.is("]") {
+                depth = depth.saturating_sub(1);
+                if depth == 0 && !self.ahead(ahead + 1).is("[") {
+                    return self.ahead(ahead + 1);
+                }
+            } else if token.kind == Kind::End || token.is(";") {
+                return token;
+            }
+            ahead += 1;
+        }
+        self.ahead(ahead)
+    }
+}

@@ -1,0 +1,351 @@
+//! What stands within functions.
+
+use super::{Parse, Parser};
+use crate::ast::{Condition, Statement, StatementKind};
+use crate::lex::Kind;
+use crate::{Problem, TokenRange};
+
+impl Parser<'_> {
+    /// `{ .. }` of a function.
+    pub(super) fn body(&mut self, name: &str) -> Parse<Vec<Statement>> {
+        let open = self.here();
+        self.advance();
+        let (list, is_closed) = self.statements();
+        if !is_closed {
+            let line = self.span_of(open).line;
+            let message = if self.is_end() {
+                format!("the `{{` of `{name}`, line {line}, or one within it, is never closed: a `}}` is missing")
+            } else {
+                format!("a `}}` is missing before this function: `{name}`, line {line}, is not closed")
+            };
+            self.tell(Problem::error(self.token().span, "missing-bracket", message));
+        }
+        Ok(list)
+    }
+
+    /// Statements up to a `}`, which is taken; whether it was there.
+    #[inline(never)]
+    fn statements(&mut self) -> (Vec<Statement>, bool) {
+        let mut list = Vec::new();
+        loop {
+            if self.take("}") {
+                return (list, true);
+            }
+            // A function cannot stand in a function: the `}` of this one was forgotten.
+            if self.is_end() || self.is_function_with_body() {
+                return (list, false);
+            }
+            let (before, nested) = (self.at, self.nested);
+            match self.statement() {
+                Ok(statement) => list.push(*statement),
+                Err(_) => {
+                    self.nested = nested;
+                    self.recover_statement();
+                }
+            }
+            if self.at == before {
+                self.advance();
+            }
+        }
+    }
+
+    fn is_function_with_body(&self) -> bool {
+        if !self.token().first_on_line || !self.starts_function() {
+            return false;
+        }
+        // `vec3 f(..) {`; without the bracket it may be anything.
+        let mut depth = 0_usize;
+        for ahead in 2..200 {
+            let token = self.ahead(ahead);
+            match &*token.text {
+                "(" => depth += 1,
+                ")" => {
+                    depth = depth.saturating_sub(1);
+                    if depth == 0 {
+                        return self.ahead(ahead + 1).is("{");
+                    }
+                }
+                ";" | "{" | "}" => return false,
+                _ if token.kind == Kind::End => return false,
+                _ => {}
+            }
+        }
+        false
+    }
+
+    /// To the next place where a statement may begin.
+    fn recover_statement(&mut self) {
+        let mut depth = 0_usize;
+        while !self.is_end() {
+            if self.is("{") {
+                depth += 1;
+            } else if self.is("}") {
+                if depth == 0 {
+                    return;
+                }
+                depth -= 1;
+                if depth == 0 {
+                    self.advance();
+                    return;
+                }
+            } else if self.is(";") && depth == 0 {
+                self.advance();
+                return;
+            } else if depth == 0 && self.is_function_with_body() {
+                return;
+            }
+            self.advance();
+        }
+    }
+
+    fn statement(&mut self) -> Parse<Box<Statement>> {
+        self.enter()?;
+        let first = self.here();
+        let statement = self.statement_kind();
+        self.leave();
+        let mut statement = statement?;
+        statement.tokens = self.since(first);
+        statement.span = self.span_of(statement.tokens);
+        Ok(statement)
+    }
+
+    #[inline(never)]
+    fn statement_kind(&mut self) -> Parse<Box<Statement>> {
+        let token = self.token();
+        if token.kind == Kind::Mark && token.is("{") {
+            return self.block_statement();
+        }
+        if token.kind == Kind::Name {
+            match &*token.text {
+                "if" => return self.branch(),
+                "for" => return self.for_loop(),
+                "while" => return self.while_loop(),
+                "do" => return self.do_loop(),
+                "switch" if self.ahead(1).is("(") => return self.switch(),
+                "case" | "default" if self.version.is_at_least(130, 300) => return self.case(),
+                _ => {}
+            }
+        }
+        self.simple_statement()
+    }
+
+    #[inline(never)]
+    fn block_statement(&mut self) -> Parse<Box<Statement>> {
+        let open = self.token().span;
+        self.advance();
+        let (list, is_closed) = self.statements();
+        if !is_closed {
+            let message = format!("the `{{` of line {} is never closed: a `}}` is missing", open.line);
+            self.tell(Problem::error(open, "missing-bracket", message));
+        }
+        Ok(made(StatementKind::Block(list)))
+    }
+
+    /// A statement that holds no other.
+    #[inline(never)]
+    fn simple_statement(&mut self) -> Parse<Box<Statement>> {
+        let token = self.token();
+        if self.take(";") {
+            return Ok(made(StatementKind::Empty));
+        }
+        let word = if token.kind == Kind::Name { &*token.text } else { "" };
+        match word {
+            "return" => {
+                self.advance();
+                let is_bare = self.is(";") || self.is("}");
+                let value = if is_bare { None } else { Some(*self.expression()?) };
+                self.semicolon("return")?;
+                return Ok(made(StatementKind::Return(value)));
+            }
+            "break" => return self.jump(StatementKind::Break),
+            "continue" => return self.jump(StatementKind::Continue),
+            "discard" => return self.jump(StatementKind::Discard),
+            "precision" => return Ok(made(StatementKind::Precision(self.precision()?))),
+            "else" => {
+                let message =
+                    "this `else` has no `if` before it; is there a `;` behind the `if (..)`, or a `}` too many?";
+                return self.fail(token.span, "stray-else", message);
+            }
+            _ => {}
+        }
+        if self.is_declaration() {
+            return Ok(made(StatementKind::Declaration(self.declaration()?)));
+        }
+        let value = self.expression()?;
+        self.semicolon("statement")?;
+        Ok(made(StatementKind::Expression(*value)))
+    }
+
+    fn jump(&mut self, kind: StatementKind) -> Parse<Box<Statement>> {
+        self.advance();
+        self.semicolon("statement")?;
+        Ok(made(kind))
+    }
+
+    /// `(` of a condition.
+    fn open(&mut self, of: &str) -> Parse<TokenRange> {
+        let open = self.here();
+        if self.take("(") {
+            return Ok(open);
+        }
+        let message = format!("a `(` is missing behind this `{of}`");
+        self.fail(self.behind(), "missing-bracket", message)
+    }
+
+    #[inline(never)]
+    fn branch(&mut self) -> Parse<Box<Statement>> {
+        self.advance();
+        let open = self.open("if")?;
+        let condition = self.expression()?;
+        self.close(")", open)?;
+        let then = self.statement()?;
+        let otherwise = if self.take("else") { Some(self.statement()?) } else { None };
+        Ok(made(StatementKind::If { condition: *condition, then, otherwise }))
+    }
+
+    #[inline(never)]
+    fn condition(&mut self) -> Parse<Box<Condition>> {
+        if !self.is_declaration() {
+            return Ok(Box::new(Condition::Expr(*self.expression()?)));
+        }
+        let first = self.here();
+        let qualifiers = self.qualifiers()?;
+        let ty = self.type_name()?;
+        let declarators = vec![self.declarator()?];
+        let tokens = self.since(first);
+        let span = self.span_of(tokens);
+        Ok(Box::new(Condition::Declaration(crate::ast::Declaration { qualifiers, ty, declarators, span, tokens })))
+    }
+
+    #[inline(never)]
+    fn for_loop(&mut self) -> Parse<Box<Statement>> {
+        self.advance();
+        let open = self.open("for")?;
+        match self.for_head(open) {
+            Ok((initial, condition, step)) => {
+                let body = self.statement()?;
+                Ok(made(StatementKind::For { initial, condition, step, body }))
+            }
+            Err(stop) => {
+                if !self.skip_to_close(open) {
+                    return Err(stop);
+                }
+                let body = self.statement()?;
+                Ok(made(StatementKind::For { initial: None, condition: None, step: None, body }))
+            }
+        }
+    }
+
+    /// Past the `)` that belongs to `open`, where the head of a loop could not be read.
+    fn skip_to_close(&mut self, open: TokenRange) -> bool {
+        let mut depth = 0_usize;
+        for at in open.first as usize..self.tokens.len() {
+            let token = &self.tokens[at];
+            if token.is("(") {
+                depth += 1;
+            } else if token.is(")") {
+                depth = depth.saturating_sub(1);
+                if depth == 0 {
+                    self.at = at + 1;
+                    return true;
+                }
+            } else if token.is("{") || token.is("}") {
+                return false;
+            }
+        }
+        false
+    }
+
+    #[allow(clippy::type_complexity)]
+    #[inline(never)]
+    fn for_head(
+        &mut self,
+        open: TokenRange,
+    ) -> Parse<(Option<Box<Statement>>, Option<Box<Condition>>, Option<crate::Expr>)> {
+        let initial = if self.take(";") { None } else { Some(Box::new(self.for_initial()?)) };
+        let condition = if self.is(";") { None } else { Some(self.condition()?) };
+        if !self.take(";") {
+            let message = "the second `;` of this `for (..; ..; ..)` is missing";
+            return self.fail(self.behind(), "missing-semicolon", message);
+        }
+        let step = if self.is(")") { None } else { Some(*self.expression()?) };
+        self.close(")", open)?;
+        Ok((initial, condition, step))
+    }
+
+    #[inline(never)]
+    fn for_initial(&mut self) -> Parse<Statement> {
+        let first = self.here();
+        let kind = if self.is_declaration() {
+            StatementKind::Declaration(self.declaration()?)
+        } else {
+            let value = *self.expression()?;
+            if !self.take(";") {
+                let message = "the first `;` of this `for (..; ..; ..)` is missing";
+                return self.fail(self.behind(), "missing-semicolon", message);
+            }
+            StatementKind::Expression(value)
+        };
+        let tokens = self.since(first);
+        Ok(Statement { kind, span: self.span_of(tokens), tokens })
+    }
+
+    #[inline(never)]
+    fn while_loop(&mut self) -> Parse<Box<Statement>> {
+        self.advance();
+        let open = self.open("while")?;
+        let condition = self.condition()?;
+        self.close(")", open)?;
+        let body = self.statement()?;
+        Ok(made(StatementKind::While { condition, body }))
+    }
+
+    #[inline(never)]
+    fn do_loop(&mut self) -> Parse<Box<Statement>> {
+        self.advance();
+        let body = self.statement()?;
+        if !self.take("while") {
+            return self.fail(self.behind(), "missing-while", "the `while (..)` that belongs to this `do` is missing");
+        }
+        let open = self.open("while")?;
+        let condition = *self.expression()?;
+        self.close(")", open)?;
+        self.semicolon("`do .. while (..)`")?;
+        Ok(made(StatementKind::DoWhile { body, condition }))
+    }
+
+    #[inline(never)]
+    fn switch(&mut self) -> Parse<Box<Statement>> {
+        self.advance();
+        let open = self.open("switch")?;
+        let value = *self.expression()?;
+        self.close(")", open)?;
+        let brace = self.token().span;
+        if !self.take("{") {
+            return self.fail(self.behind(), "missing-bracket", "the `{` of this `switch` is missing");
+        }
+        let (body, is_closed) = self.statements();
+        if !is_closed {
+            let message = "the `{` of this `switch` is never closed";
+            self.tell(Problem::error(brace, "missing-bracket", message));
+        }
+        Ok(made(StatementKind::Switch { value, body }))
+    }
+
+    #[inline(never)]
+    fn case(&mut self) -> Parse<Box<Statement>> {
+        let is_default = self.is("default");
+        self.advance();
+        let value = if is_default { None } else { Some(*self.expression()?) };
+        if !self.take(":") {
+            return self.fail(self.behind(), "missing-colon", "a `:` is missing behind this `case`");
+        }
+        Ok(made(StatementKind::Case(value)))
+    }
+}
+
+/// A statement in its place on the heap, where its size costs the deep recursion nothing; its span comes later.
+#[inline(never)]
+fn made(kind: StatementKind) -> Box<Statement> {
+    Box::new(Statement { kind, span: Default::default(), tokens: TokenRange::default() })
+}

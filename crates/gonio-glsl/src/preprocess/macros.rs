@@ -1,0 +1,202 @@
+//! Replacing macros by what they stand for.
+
+use std::rc::Rc;
+
+use super::{Frame, MOST_NESTED, MOST_STEPS, Macro, Preprocessor};
+use crate::lex::{Kind, Token};
+use crate::{Problem, Span};
+
+impl Preprocessor<'_> {
+    /// The token itself, or nothing if it was a macro, whose text then lies on `frames`.
+    pub(super) fn expand(&mut self, mut token: Token, frames: &mut Vec<Frame>, from_file: bool) -> Option<Token> {
+        if token.kind != Kind::Name || token.frozen {
+            return Some(token);
+        }
+        if let Some(number) = self.predefined(&token) {
+            token.text = number.into();
+            token.kind = Kind::Number;
+            return Some(token);
+        }
+        let Some(found) = self.macros.get(&token.text).cloned() else { return Some(token) };
+        // A frame that is used up still counts: its last token may be the one in hand.
+        let is_open = |frame: &Frame| frame.name.as_ref() == Some(&token.text);
+        if self.disabled.contains(&token.text) || frames.iter().any(is_open) {
+            token.frozen = true;
+            return Some(token);
+        }
+        if self.has_given_up {
+            return Some(token);
+        }
+        let arguments = match &found.parameters {
+            None => Vec::new(),
+            Some(_) if !self.peek_is_open(frames, from_file) => return Some(token),
+            Some(parameters) => {
+                let before = self.at;
+                let Some((arguments, close)) = self.arguments(&token, parameters.len(), frames, from_file) else {
+                    // What was taken for arguments is read as it stands.
+                    self.at = before;
+                    token.frozen = true;
+                    return Some(token);
+                };
+                // Within a macro's text the place is the use of the outermost one already.
+                if close.start > token.span.start && token.region == 0 {
+                    token.span = token.span.to(close);
+                }
+                arguments
+            }
+        };
+        self.regions += 1;
+        // Arguments are worked out on their own, but within the macros that are open here.
+        let open = self.disabled.len();
+        self.disabled.extend(frames.iter().filter_map(|f| f.name.clone()));
+        let tokens = self.substitute(&found, &arguments, &token);
+        self.disabled.truncate(open);
+        self.steps += tokens.len() + 1;
+        if self.steps > MOST_STEPS {
+            self.give_up(token.span, "this macro grows without end");
+            return None;
+        }
+        frames.push(Frame { tokens, at: 0, name: Some(token.text.clone()) });
+        None
+    }
+
+    fn predefined(&self, token: &Token) -> Option<String> {
+        match &*token.text {
+            "__LINE__" => Some(token.span.line.to_string()),
+            "__FILE__" => Some("0".to_string()),
+            "__VERSION__" => Some(self.version.unwrap_or(crate::Version::NONE).number.to_string()),
+            "GL_ES" if self.version.is_some_and(|v| v.es) => Some("1".to_string()),
+            "GL_FRAGMENT_PRECISION_HIGH" if self.version.is_some_and(|v| v.es) => Some("1".to_string()),
+            "GL_core_profile" if self.version.is_some_and(|v| v.number >= 150 && !v.es) => Some("1".to_string()),
+            _ => None,
+        }
+    }
+
+    /// The arguments in brackets behind a macro's name.
+    fn arguments(
+        &mut self,
+        name: &Token,
+        wanted: usize,
+        frames: &mut Vec<Frame>,
+        from_file: bool,
+    ) -> Option<(Vec<Vec<Token>>, Span)> {
+        self.pull(frames, from_file);
+        let mut arguments = vec![Vec::new()];
+        let mut depth = 0;
+        let close = loop {
+            let Some(token) = self.pull(frames, from_file) else {
+                let message = format!("the `(` behind the macro `{}` is never closed", name.text);
+                self.problems.push(Problem::error(name.span, "macro-arguments", message));
+                return None;
+            };
+            match &*token.text {
+                "(" => depth += 1,
+                ")" if depth == 0 => break token.span,
+                ")" => depth -= 1,
+                "," if depth == 0 => {
+                    arguments.push(Vec::new());
+                    continue;
+                }
+                _ => {}
+            }
+            self.steps += 1;
+            if self.steps > MOST_STEPS {
+                self.give_up(name.span, "this macro grows without end");
+                return None;
+            }
+            if let Some(argument) = arguments.last_mut() {
+                argument.push(token);
+            }
+        };
+        if wanted == 0 && arguments.len() == 1 && arguments[0].is_empty() {
+            arguments.clear();
+        }
+        if arguments.len() != wanted {
+            let message = format!("the macro `{}` wants {wanted} arguments and has {}", name.text, arguments.len());
+            self.problems.push(Problem::error(name.span, "macro-arguments", message));
+            arguments.resize(wanted, Vec::new());
+        }
+        Some((arguments, close))
+    }
+
+    /// The macro's text with arguments for parameters, everything pointing to the use.
+    fn substitute(&mut self, found: &Rc<Macro>, arguments: &[Vec<Token>], used: &Token) -> Vec<Token> {
+        let region = self.regions;
+        let parameters = found.parameters.as_deref().unwrap_or(&[]);
+        let index_of = |token: &Token| parameters.iter().position(|p| *p == token.text);
+        let mut expanded: Vec<Option<Vec<Token>>> = vec![None; arguments.len()];
+        let mut out: Vec<Token> = Vec::new();
+        let mut at = 0;
+        while let Some(token) = found.body.get(at) {
+            at += 1;
+            if self.steps + out.len() > MOST_STEPS {
+                break;
+            }
+            if token.is("##") {
+                if let (Some(left), Some(right)) = (out.pop(), found.body.get(at)) {
+                    at += 1;
+                    let right = match index_of(right) {
+                        Some(index) => arguments[index].clone(),
+                        None => vec![right.clone()],
+                    };
+                    out.extend(paste(left, right));
+                }
+                continue;
+            }
+            let Some(index) = index_of(token) else {
+                out.push(Token { region, ..token.clone() });
+                continue;
+            };
+            if found.body.get(at).is_some_and(|next| next.is("##")) {
+                out.extend(arguments[index].iter().cloned());
+                continue;
+            }
+            if expanded[index].is_none() {
+                expanded[index] = Some(self.expand_all(arguments[index].clone()));
+            }
+            out.extend(expanded[index].iter().flatten().cloned());
+        }
+        // A macro that is one word stands for it: what is changed is changed where the macro is used.
+        let is_one = found.parameters.is_none() && out.len() == 1;
+        for token in &mut out {
+            token.span = used.span;
+            if is_one {
+                (token.start, token.end, token.region) = (used.start, used.end, used.region);
+            }
+        }
+        out
+    }
+
+    /// A list of tokens with all its macros replaced.
+    pub(super) fn expand_all(&mut self, tokens: Vec<Token>) -> Vec<Token> {
+        if self.nested >= MOST_NESTED {
+            if let Some(token) = tokens.first() {
+                self.give_up(token.span, "macros stand within macros too deeply here");
+            }
+            return tokens;
+        }
+        self.nested += 1;
+        let mut frames = vec![Frame { tokens, at: 0, name: None }];
+        let mut out = Vec::new();
+        while let Some(token) = self.pull(&mut frames, false) {
+            if let Some(token) = self.expand(token, &mut frames, false) {
+                self.steps += 1;
+                out.push(token);
+            }
+            if self.has_given_up {
+                break;
+            }
+        }
+        self.nested -= 1;
+        out
+    }
+}
+
+/// `left ## right`: one token of both texts.
+fn paste(mut left: Token, right: Vec<Token>) -> Vec<Token> {
+    let mut right = right.into_iter();
+    if let Some(first) = right.next() {
+        left.text = format!("{}{}", left.text, first.text).into();
+    }
+    std::iter::once(left).chain(right).collect()
+}

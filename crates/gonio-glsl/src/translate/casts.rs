@@ -1,0 +1,108 @@
+//! Conversions written out, initialiser lists as constructors, and values of globals that ES wants in `main`.
+
+use super::Translator;
+use crate::ast::Item;
+use crate::{Conversion, Problem, Scalar};
+
+impl Translator<'_> {
+    pub(super) fn casts(&mut self) {
+        for conversion in &self.checked.conversions {
+            if self.needs(conversion) {
+                self.cast(conversion);
+            }
+        }
+        for (tokens, ty) in &self.checked.lists {
+            let Some((start, end)) = self.stretch(*tokens) else { continue };
+            self.edits.replace(start, start + 1, format!("{ty}("));
+            self.edits.replace(end - 1, end, ")");
+        }
+    }
+
+    /// Whether the target does not do it by itself. Before 1.30 all functions were of floats, so that an `int` there means a
+    /// `float` which later versions would not make of it.
+    fn needs(&self, conversion: &Conversion) -> bool {
+        match conversion.to.scalar() {
+            // Doubles become floats.
+            Some(Scalar::Float | Scalar::Double) => {
+                let is_from_float = conversion.from.scalar() == Some(Scalar::Float);
+                !is_from_float && (self.is_es() || !self.parsed.dialect().is_at_least(130, 0))
+            }
+            _ => true,
+        }
+    }
+
+    fn cast(&mut self, conversion: &Conversion) {
+        let ty = match conversion.to.scalar() {
+            Some(Scalar::Double) => conversion.to.with_scalar(Scalar::Float),
+            _ => conversion.to.clone(),
+        };
+        let Some((start, end)) = self.stretch(conversion.tokens) else {
+            let message = "a macro mixes `int` and `float` here";
+            self.problems.push(Problem::strict(conversion.span, "no-translation", message));
+            return;
+        };
+        let text = self.parsed.source.get(start as usize..end as usize).unwrap_or("");
+        let is_plain = conversion.is_literal && text.chars().all(|c| c.is_ascii_digit());
+        if is_plain && matches!(ty.scalar(), Some(Scalar::Float)) && !(text.starts_with('0') && text.len() > 1) {
+            self.edits.replace(start, end, format!("{text}.0"));
+        } else {
+            self.edits.wrap(start, end, &format!("{ty}("));
+        }
+    }
+
+    /// `s.xxx` of a scalar, which 4.20 has: `vec3(s)`.
+    pub(super) fn scalar_components(&mut self) {
+        struct Found(Vec<(crate::TokenRange, crate::TokenRange, usize)>);
+        impl crate::walk::Visitor for Found {
+            fn expression(&mut self, expr: &crate::Expr) -> bool {
+                if let crate::ExprKind::Field { base, name, .. } = &expr.kind
+                    && matches!(base.ty, Some(crate::Type::Scalar(_)))
+                {
+                    self.0.push((expr.tokens, base.tokens, name.len()));
+                }
+                true
+            }
+        }
+        let mut found = Found(Vec::new());
+        crate::walk::walk_unit(&self.parsed.unit, &mut found);
+        for (whole, base, count) in found.0 {
+            let (Some((_, end)), Some((start, middle))) = (self.stretch(whole), self.stretch(base)) else { continue };
+            if count > 1 {
+                self.edits.wrap(start, middle, &format!("vec{count}("));
+            }
+            self.edits.blank(&self.parsed.source, middle, end);
+        }
+    }
+
+    /// A global variable whose value is worked out while the shader runs: ES wants that in `main`.
+    pub(super) fn move_to_main(&mut self, name: u32, equals: u32, value: crate::TokenRange) {
+        let tokens = crate::TokenRange { first: equals, last: value.last };
+        let (Some((start, end)), Some((from, to))) = (self.stretch(tokens), self.stretch(value)) else {
+            self.cannot(self.parsed.tokens[name as usize].span, "this value hides in a macro");
+            return;
+        };
+        let place = self.parsed.tokens[name as usize];
+        let name = self.edits.apply(&self.parsed.source, place.start, place.end);
+        let text = self.edits.apply(&self.parsed.source, from, to);
+        // On one line a comment to its end would take the rest along.
+        let lines: Vec<&str> = text.lines().map(|l| l.split("//").next().unwrap_or("").trim()).collect();
+        self.first_in_main.push_str(&format!(" {name} = {};", lines.join(" ")));
+        self.edits.blank(&self.parsed.source, start, end);
+    }
+
+    pub(super) fn main(&mut self) {
+        if self.first_in_main.is_empty() {
+            return;
+        }
+        for item in &self.parsed.unit.items {
+            if let Item::Function(function) = item
+                && function.name == "main"
+                && function.body.is_some()
+                && let Some((_, end)) = self.stretch(function.open)
+            {
+                self.edits.append(end, &self.first_in_main);
+                return;
+            }
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! No text, however broken, makes the front end panic or hang.
+
+use std::path::PathBuf;
+
+use gonio_glsl::{Stage, Target, check, check_pair, parse, translate};
+
+fn pairs() -> Vec<(String, String)> {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/pairs");
+    let mut names: Vec<_> =
+        std::fs::read_dir(folder).expect("the folder of pairs").map(|e| e.expect("an entry").path()).collect();
+    names.retain(|p| p.extension().is_some_and(|e| e == "vert"));
+    names.sort();
+    let read = |p: PathBuf| std::fs::read_to_string(p).expect("a shader");
+    names.into_iter().map(|p| (read(p.clone()), read(p.with_extension("frag")))).collect()
+}
+
+/// Everything there is to do with a text.
+fn all(source: &str) {
+    let mut both = Vec::new();
+    for stage in [Stage::Vertex, Stage::Fragment] {
+        let mut parsed = parse(source);
+        let checked = check(&mut parsed, stage);
+        for target in [Target::Core330, Target::Es300] {
+            assert!(!translate(&parsed, &checked, target).text.is_empty());
+        }
+        for problem in parsed.problems.iter().chain(&checked.problems) {
+            let (start, end) = (problem.span.start as usize, problem.span.end as usize);
+            assert!(source.is_char_boundary(start) && source.is_char_boundary(end) && start <= end, "{problem}");
+        }
+        both.push(checked);
+    }
+    let _ = check_pair(&both[0], &both[1]);
+}
+
+#[test]
+fn cut_off_anywhere() {
+    let pairs = pairs();
+    assert!(pairs.len() >= 25);
+    for source in pairs.iter().flat_map(|(v, f)| [v, f]) {
+        for end in (0..=source.len()).filter(|end| source.is_char_boundary(*end)) {
+            all(&source[..end]);
+        }
+    }
+}
+
+#[test]
+fn words_taken_away_doubled_and_exchanged() {
+    let mut random = 12345_u64;
+    let mut next = |below: usize| {
+        random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (random >> 33) as usize % below.max(1)
+    };
+    for source in pairs().iter().flat_map(|(v, f)| [v, f]) {
+        let words: Vec<&str> = source.split_inclusive([' ', '\n', '(', ')', ';', '{', '}', ',']).collect();
+        for _ in 0..60 {
+            let mut words = words.clone();
+            for _ in 0..=next(4) {
+                let (a, b) = (next(words.len()), next(words.len()));
+                match next(3) {
+                    0 => drop(words.remove(a)),
+                    1 => words.insert(a, words[b]),
+                    _ => words.swap(a, b),
+                }
+            }
+            all(&words.concat());
+        }
+    }
+}
+
+#[test]
+fn random_bytes() {
+    let mut random = 99_u64;
+    for length in 0..400 {
+        let mut bytes = Vec::new();
+        for _ in 0..length {
+            random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            bytes.push((random >> 40) as u8);
+        }
+        all(&String::from_utf8_lossy(&bytes));
+        let marks = b"(){}[];,.#\\\n\"'+-*/<>=!~&|^?: aA0_x\r\t";
+        let text: Vec<u8> = bytes.iter().map(|b| marks[*b as usize % marks.len()]).collect();
+        all(&String::from_utf8_lossy(&text));
+    }
+}
+
+#[test]
+fn deep_nesting_on_a_small_stack() {
+    let deep = |open: &str, close: &str, count| {
+        format!("void main() {{ float x = {}1.0{}; }}", open.repeat(count), close.repeat(count))
+    };
+    let mut sources = Vec::new();
+    for count in [150, 100_000] {
+        sources.push(deep("(", ")", count));
+        sources.push(deep("-", "", count));
+        sources.push(deep("sin(", ")", count));
+        sources.push(deep("a[", "]", count));
+        sources.push(deep("true ? 1.0 : ", "", count));
+        sources.push(deep("x = ", "", count));
+        sources.push(deep("", " + 1.0", count));
+        sources.push(deep("", ".x", count));
+        sources.push(deep("{", "}", count));
+        sources.push(format!("void main() {{ {} }}", "{".repeat(count)));
+        sources.push(format!("void main() {{ {} ; }}", "if (true) ".repeat(count)));
+        sources.push(format!("void main() {{ {} ; }}", "if (true) ; else ".repeat(count)));
+        sources.push(format!("{} int a; {}", "struct A { ".repeat(count), "};".repeat(count)));
+        sources.push(format!("#if {}1{}\n#endif\n", "(".repeat(count), ")".repeat(count)));
+        sources.push(format!("#define f(x) x\nfloat a = {}1{};", "f(".repeat(count), ")".repeat(count)));
+        sources.push("#if 1\n".repeat(count));
+        sources.push(format!("float{} a;", "[1]".repeat(count)));
+    }
+    // The web's stack is of this size.
+    let thread = std::thread::Builder::new().stack_size(1 << 20).spawn(move || sources.iter().for_each(|s| all(s)));
+    thread.expect("a thread").join().expect("no panic");
+}
+
+#[test]
+fn macros_without_end() {
+    let mut doubling = String::from("#define a0 x\n");
+    for i in 1..60 {
+        doubling += &format!("#define a{i} a{} a{}\n", i - 1, i - 1);
+    }
+    let endless = "#define f(x) f(x) g(x)\n#define g(x) f(x f(x))\n#define A A B\n#define B A A\nint A = f(f(f(f(f(1))))); g(g(g(g(1))))\n";
+    for source in [format!("{doubling}a59"), endless.to_string()] {
+        all(&source);
+    }
+    let parsed = parse(&format!("{doubling}a59"));
+    assert_eq!(parsed.problems[0].code, "macro-endless");
+}
+
+#[test]
+fn ten_megabytes() {
+    let size = 10_000_000;
+    for piece in [
+        "a",
+        "a ",
+        ";",
+        "(",
+        "/*",
+        "// c\n",
+        "\0",
+        "é",
+        "float f() { return 1.0; }\n",
+        "#define a b\n",
+        "1.0+",
+        "{",
+        "\\\n",
+    ] {
+        let parsed = parse(&piece.repeat(size / piece.len()));
+        assert!(parsed.problems.len() < 100, "{piece}: {}", parsed.problems.len());
+    }
+}

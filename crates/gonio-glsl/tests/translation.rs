@@ -1,0 +1,204 @@
+//! Whole pairs, as students write them, in both targets.
+
+use std::path::PathBuf;
+
+use gonio_glsl::{Checked, Parsed, Severity, Stage, Target, Translated, check, check_pair, leaves, parse, translate};
+
+fn pairs() -> Vec<(String, String, String)> {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/pairs");
+    let mut paths: Vec<_> =
+        std::fs::read_dir(folder).expect("the pairs").map(|e| e.expect("an entry").path()).collect();
+    paths.retain(|p| p.extension().is_some_and(|e| e == "vert"));
+    paths.sort();
+    let read = |p: &PathBuf| std::fs::read_to_string(p).expect("a shader");
+    let name = |p: &PathBuf| p.file_stem().expect("a name").to_string_lossy().into_owned();
+    paths.iter().map(|p| (name(p), read(p), read(&p.with_extension("frag")))).collect()
+}
+
+fn read(source: &str, stage: Stage) -> (Parsed, Checked) {
+    let mut parsed = parse(source);
+    let checked = check(&mut parsed, stage);
+    (parsed, checked)
+}
+
+fn into(source: &str, stage: Stage, target: Target) -> Translated {
+    let (parsed, checked) = read(source, stage);
+    translate(&parsed, &checked, target)
+}
+
+/// The lines of the student's part.
+fn body(source: &str, stage: Stage, target: Target) -> String {
+    let found = into(source, stage, target);
+    found.text.lines().skip(found.first_line as usize - 1).collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn no_pair_has_an_error() {
+    let pairs = pairs();
+    assert!(pairs.len() >= 25);
+    for (name, vertex, fragment) in pairs {
+        let (a, b) = (read(&vertex, Stage::Vertex), read(&fragment, Stage::Fragment));
+        let both = check_pair(&a.1, &b.1);
+        let all = [&a.0.problems, &a.1.problems, &b.0.problems, &b.1.problems, &both];
+        for problem in all.into_iter().flatten() {
+            assert!(problem.severity < Severity::Error, "{name}: {problem}");
+        }
+    }
+}
+
+#[test]
+fn a_translation_needs_no_forgiveness() {
+    for (name, vertex, fragment) in pairs() {
+        for target in [Target::Core330, Target::Es300] {
+            let mut checked = Vec::new();
+            for (source, stage) in [(&vertex, Stage::Vertex), (&fragment, Stage::Fragment)] {
+                let found = into(source, stage, target);
+                assert_eq!(found.problems, [], "{name}");
+                let (parsed, again) = read(&found.text, stage);
+                assert_eq!(parsed.dialect().number, target.version().number);
+                let problems: Vec<String> =
+                    parsed.problems.iter().chain(&again.problems).map(ToString::to_string).collect();
+                assert_eq!(problems, [""; 0], "{name}, {target:?}:\n{}", found.text);
+                let lines = source.lines().count() + found.first_line as usize - 1;
+                assert_eq!(found.text.lines().count(), lines, "{name}, {target:?}:\n{}", found.text);
+                checked.push(again);
+            }
+            let both = check_pair(&checked[0], &checked[1]);
+            assert!(both.iter().all(|p| p.severity < Severity::Error), "{name}, {target:?}: {both:?}");
+        }
+    }
+}
+
+#[test]
+fn uniforms_keep_their_names() {
+    for (name, vertex, fragment) in pairs() {
+        for (source, stage) in [(&vertex, Stage::Vertex), (&fragment, Stage::Fragment)] {
+            let before = read(source, stage).1.interface;
+            for target in [Target::Core330, Target::Es300] {
+                let found = into(source, stage, target);
+                let after = read(&found.text, stage).1.interface;
+                for uniform in &before.uniforms {
+                    let rename = found.renames.iter().find(|r| r.is_interface && r.from == uniform.name);
+                    let now = rename.map_or(&uniform.name, |r| &r.to);
+                    assert!(after.uniforms.iter().any(|u| u.name == *now), "{name}: {now}");
+                }
+            }
+        }
+    }
+}
+
+/// One statement of a fragment shader, in 300 es.
+#[test]
+fn es_wants_its_conversions_written_out() {
+    let cases = [
+        ("float a = 1;", "float a = 1.0;"),
+        ("float a = 1 + i;", "float a = float(1 + i);"),
+        ("float a = i * 0.5;", "float a = float(i) * 0.5;"),
+        ("float a = (i) / f;", "float a = float((i)) / f;"),
+        ("float a = -1;", "float a = float(-1);"),
+        ("a = f > 0 ? 1 : 0.5;", "a = f > 0.0 ? 1.0 : 0.5;"),
+        ("a = max(f, 0) + pow(f, 32);", "a = max(f, 0.0) + pow(f, 32.0);"),
+        ("a = clamp(i, 0, 1);", "a = float(clamp(i, 0, 1));"),
+        ("vec3 w = v * 2 / i;", "vec3 w = v * 2.0 / float(i);"),
+        ("vec3 w = vec3(1, 0, i);", "vec3 w = vec3(1, 0, i);"),
+        ("a += 1; a = g(1, i);", "a += 1.0; a = g(1.0, i);"),
+        ("float k[2] = float[](1, 2);", "float k[2] = float[](1.0, 2.0);"),
+        ("if (f == 1) a = f; i++;", "if (f == 1.0) a = f; i++;"),
+        ("for (int n = 0; n < 3; n++) a *= n;", "for (int n = 0; n < 3; n++) a *= float(n);"),
+        (
+            "a = mod(i, 2) + TWO + HALF(i) + HALF(3);",
+            "a = mod(float(i), 2.0) + float(TWO) + HALF(float(i)) + HALF(3.0);",
+        ),
+        ("uint u = 3; u = i;", "uint u = uint(3); u = uint(i);"),
+        ("vec3 w = ivec3(1) * v;", "vec3 w = vec3(ivec3(1)) * v;"),
+    ];
+    for (from, to) in cases {
+        let head = "#version 460\n#define TWO 2\n#define HALF(x) (0.5 * x)\nuniform float f; uniform int i; in vec3 v; out vec4 o;\nfloat g(float x, int n) { return x; }\n";
+        let source = format!("{head}void main() {{ float a; a = 0.;\n{{ {from} }}\no = vec4(a); }}\n");
+        let found = body(&source, Stage::Fragment, Target::Es300);
+        assert_eq!(found.lines().nth(6), Some(&*format!("{{ {to} }}")), "{found}");
+        let found = body(&source, Stage::Fragment, Target::Core330);
+        let kept = if from.starts_with("uint") { to } else { from };
+        assert_eq!(found.lines().nth(6), Some(&*format!("{{ {kept} }}")), "{found}");
+    }
+}
+
+#[test]
+fn declarations_change_their_words() {
+    let cases = [
+        (Stage::Vertex, Target::Core330, "attribute vec3 p;", "in vec3 p;"),
+        (Stage::Vertex, Target::Core330, "varying mediump vec3 p;", "out highp vec3 p;"),
+        (Stage::Fragment, Target::Core330, "varying vec3 p;", "in vec3 p;"),
+        (Stage::Fragment, Target::Es300, "precision lowp float;", "precision highp float;"),
+        (Stage::Vertex, Target::Es300, "layout(location = 2) in vec3 p;", "layout(location = 2) in vec3 p;"),
+        (Stage::Vertex, Target::Es300, "layout(location = 2) out vec3 p;", " out vec3 p;"),
+        (Stage::Vertex, Target::Es300, "noperspective out vec3 p;", "out vec3 p;"),
+        (Stage::Vertex, Target::Es300, "out flat int p;", "flat out int p;"),
+        (Stage::Vertex, Target::Core330, "uniform double k = 2.0lf;", "uniform float k = 2.0;"),
+        (Stage::Vertex, Target::Es300, "uniform float k = 2.0, l;", "uniform float k , l;"),
+        (
+            Stage::Vertex,
+            Target::Es300,
+            "layout(location = 1, binding = 2) uniform sampler2D s;",
+            " uniform sampler2D s;",
+        ),
+        (
+            Stage::Vertex,
+            Target::Core330,
+            "layout(std140, binding = 2) uniform B { vec3 x; };",
+            "layout(std140) uniform B { vec3 x; };",
+        ),
+        (Stage::Vertex, Target::Es300, "float k[2] = {1, 2};", "float k[2] = float[2](1.0, 2.0);"),
+        (Stage::Vertex, Target::Es300, "#extension GL_ARB_x : enable", ""),
+        (Stage::Vertex, Target::Core330, "float k = 1.0;;", "float k = 1.0;"),
+    ];
+    for (stage, target, from, to) in cases {
+        let head = if from.contains("attribute") || from.contains("varying") { "#version 120" } else { "#version 460" };
+        let found = body(&format!("{head}\n{from}\nvoid main() {{}}\n"), stage, target);
+        let line: Vec<&str> = found.lines().nth(1).unwrap_or("none").split_whitespace().collect();
+        assert_eq!(line.join(" "), to.trim(), "{target:?}: {from}");
+    }
+}
+
+#[test]
+fn uniforms_are_taken_apart_like_opengl_does() {
+    let source = "#version 330 core\nstruct L { vec3 p; float k[2]; };\nuniform L light, lights[2]; uniform vec3 colours[4]; uniform mat4 M;\nvoid main() {}\n";
+    let checked = read(source, Stage::Vertex).1;
+    let found: Vec<_> =
+        leaves(&checked.interface).into_iter().map(|l| format!("{} {} {}", l.name, l.ty, l.count)).collect();
+    let wanted = [
+        "light.p vec3 1",
+        "light.k float 2",
+        "lights[0].p vec3 1",
+        "lights[0].k float 2",
+        "lights[1].p vec3 1",
+        "lights[1].k float 2",
+        "colours vec3 4",
+        "M mat4 1",
+    ];
+    assert_eq!(found, wanted);
+}
+
+#[test]
+fn the_interface_is_listed() {
+    let source = "#version 330 core\nlayout(location = 1) in vec3 a;\nin vec2 b;\nflat out highp int c;\nuniform float k = 1.5;\nvoid main() { c = int(a.x * k); }\n";
+    let found = read(source, Stage::Vertex).1.interface;
+    let (a, b) = (&found.inputs[0], &found.inputs[1]);
+    assert_eq!((&*a.name, a.location, a.is_used, a.span.line), ("a", Some(1), true, 2));
+    assert_eq!((&*b.name, b.location, b.is_used, b.span.column), ("b", None, false, 9));
+    let c = &found.outputs[0];
+    assert_eq!((c.interpolation.as_deref(), c.precision.as_deref()), (Some("flat"), Some("highp")));
+    assert!(found.uniforms[0].initial && found.uniforms[0].is_used);
+    let defaults = into(source, Stage::Vertex, Target::Es300).uniform_defaults;
+    assert_eq!(defaults[0].value, Some(vec![1.5]));
+}
+
+#[test]
+fn stages_have_to_agree() {
+    let vertex = "#version 330 core\nin vec3 p;\nout vec3 v_normal;\nout vec2 uv;\nflat out int id;\nuniform vec3 k;\nvoid main() { v_normal = p * k; id = 1; gl_Position = vec4(p, 1.0); }\n";
+    let fragment = "#version 330 core\nin vec3 v_Normal;\nin vec3 uv;\nin int id;\nuniform vec4 k;\nout vec4 o;\nvoid main() { o = vec4(v_Normal + uv, id) * k; }\n";
+    let found = check_pair(&read(vertex, Stage::Vertex).1, &read(fragment, Stage::Fragment).1);
+    let told: Vec<_> = found.iter().map(|p| (p.span.line, p.code)).collect();
+    assert_eq!(told, [(2, "not-given"), (3, "other-type"), (4, "other-interpolation"), (5, "other-type")]);
+    assert_eq!(found[0].help.as_deref(), Some("the vertex shader gives `v_normal`"));
+}
