@@ -1,0 +1,23 @@
+#version 330 core
+// Exercise 03: Gouraud shading, diffuse
+
+in vec3 position; // in the model's own space
+in vec2 tex_coord;
+in vec3 normal; // in the model's own space
+
+uniform mat4 M;   // world from model
+uniform mat4 itM; // the inverse transpose of M
+uniform mat4 V;   // view from world
+uniform mat4 P;   // clip from view
+uniform vec3 u_light_pos; // in the world
+
+out float v_diffuse;
+
+void main() {
+    vec4 frag_coord = M * vec4(position, 1.0);
+    gl_Position = P * V * frag_coord;
+
+    vec3 N = normalize(mat3(itM) * normal);
+    vec3 L = normalize(u_light_pos - frag_coord.xyz);
+    v_diffuse = max(dot(N, L), 0.0);
+}

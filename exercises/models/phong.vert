@@ -1,0 +1,23 @@
+#version 330 core
+// The light equation per fragment, with everything that any exercise asks for. Every line that the bank of mistakes
+// changes stands alone and is written `what = value;`.
+in vec3 position;
+in vec3 normal;
+
+uniform mat4 M;
+uniform mat4 V;
+uniform mat4 P;
+uniform mat4 itM; // the inverse transpose of M
+
+out vec3 world_position;
+out vec3 v_normal;
+out vec3 model_position; // for those who forget M
+
+void main() {
+    vec4 world_place = M * vec4(position, 1.0);
+    world_position = world_place.xyz;
+    model_position = position;
+    vec3 world_normal = mat3(itM) * normal;
+    v_normal = normalize(world_normal);
+    gl_Position = P * V * world_place;
+}
