@@ -30,6 +30,12 @@ impl Gl {
         Gl { functions, mirror: Rc::default(), _context: Some(Rc::new(context)) }
     }
 
+    /// The same functions, with a mirror that knows nothing yet: what is made through it is in no other's records, and
+    /// whoever uses it puts bindings back through the other one when done.
+    pub(crate) fn apart(&self) -> Gl {
+        Gl { functions: self.functions.clone(), mirror: Rc::default(), _context: self._context.clone() }
+    }
+
     /// glow's functions, past our own of the same name: what is called here is not noted.
     pub(crate) fn functions(&self) -> &glow::Context {
         &self.functions

@@ -17,12 +17,14 @@ pub mod conversion;
 mod driver;
 mod environment_on_gpu;
 mod error;
+pub mod foreign;
 mod geometry;
 mod gl;
 pub mod glsl;
 mod half;
 #[cfg(feature = "headless")]
 pub mod headless;
+pub mod host;
 mod light_table;
 mod objects;
 mod presenter;

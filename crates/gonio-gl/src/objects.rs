@@ -47,7 +47,8 @@ macro_rules! object {
         }
 
         impl $Object {
-            fn create(gl: &Gl) -> Result<Self, GlError> {
+            /// One, bound to nothing.
+            pub(crate) fn create(gl: &Gl) -> Result<Self, GlError> {
                 // SAFETY: creating an object has no precondition but a current context, which `Gl` is.
                 let handle = unsafe { gl.$create() }
                     .map_err(|why| GlError::new(format!(concat!("OpenGL gave no ", stringify!($Object), ": {}"), why)))?;

@@ -64,6 +64,14 @@ impl Texture {
         Texture { name: name.into(), width, height, rgba, color_space, levels: OnceLock::new() }
     }
 
+    /// A picture file's texels, as colours: PNG, JPEG, BMP, TGA or GIF by its content. An error says what is wrong with
+    /// the file, without its name.
+    pub fn decode(name: impl Into<String>, bytes: &[u8]) -> Result<Self, String> {
+        let name = name.into();
+        let picture = crate::image_file::decode(bytes, &name)?;
+        Ok(Texture::new(name, picture.width, picture.height, picture.rgba, ColorSpace::Srgb))
+    }
+
     /// The levels below the full picture, halving down to one texel: level 1 first.
     ///
     /// Each texel is the mean, in linear light, of the texels it covers, rounded to 8 bits. A GPU

@@ -155,6 +155,12 @@ impl Gl {
         self.after();
     }
 
+    /// Notes a draw that is not made, because it would read what is not there: the record has all that it would have read.
+    pub(crate) fn refused_draw(&self, mode: u32, first: i32, count: i32, index_type: Option<u32>) {
+        self.before(&Call { mode, first, count, index_type, instances: 1 });
+        self.after();
+    }
+
     fn before(&self, call: &Call) {
         self.recorded(|recorder, state, gl| recorder.before_draw(state, gl, call));
     }

@@ -17,7 +17,7 @@ mod recorder;
 mod snapshot;
 mod state;
 mod thumbnails;
-mod words;
+pub(crate) mod words;
 
 pub use data::{
     ArraySource, AttachmentRecord, AttributeDeclaration, AttributeRecord, AttributeSource, BindingRecord, BlendRecord,

@@ -13,7 +13,7 @@ mod pixel;
 mod record;
 mod sampling;
 mod special;
-mod state;
+pub(crate) mod state;
 mod surroundings;
 mod targets;
 

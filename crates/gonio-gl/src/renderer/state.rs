@@ -18,7 +18,7 @@ const BLENDING: [u32; 4] = [glow::BLEND_SRC_RGB, glow::BLEND_DST_RGB, glow::BLEN
 ///
 /// On the web nothing is asked for: an unbound framebuffer cannot be, and other questions wait for the GPU's process.
 /// There the state becomes that of a new context, which is what egui's painter starts from; no framebuffer is bound.
-pub(super) struct SavedState<'a> {
+pub(crate) struct SavedState<'a> {
     gl: &'a Gl,
     saved: Option<Saved>,
 }
