@@ -1,0 +1,39 @@
+#include <string>
+
+const std::string sourceV =
+    "#version 330 core\n"
+    "in vec3 position;\n"
+    "in vec2 tex_coords;\n"
+    "in vec3 normal;\n"
+    "out vec3 v_normal;\n"
+    "out vec3 v_frag_coord;\n"
+    "uniform mat4 M;\n"
+    "uniform mat4 itM;\n"
+    "uniform mat4 V;\n"
+    "uniform mat4 P;\n"
+    "void main(){\n"
+    "vec4 frag_coord = M*vec4(position, 1.0);\n"
+    "gl_Position = P*V*frag_coord;\n"
+    "v_normal = normalize(vec3(itM * vec4(normal, 1.0)));\n"
+    "v_frag_coord = frag_coord.xyz;\n"
+    "}\n";
+
+const std::string sourceF =
+    "#version 400 core\n"
+    "out vec4 FragColor;\n"
+    "precision mediump float;\n"
+    "in vec3 v_normal;\n"
+    "in vec3 v_frag_coord;\n"
+    "uniform vec3 u_light_pos;\n"
+    "uniform vec3 materialColour;\n"
+    "void main() {\n"
+    "vec3 n = normalize(v_normal);\n"
+    "vec3 l = normalize(u_light_pos - v_frag_coord);\n"
+    "float cosTheta = max(dot(n, l), 0.0);\n"
+    "FragColor = vec4(cosTheta * materialColour, 1.0);\n"
+    "}\n";
+
+int main(int argc, char* argv[]) {
+    Shader shader(sourceV, sourceF);
+    return 0;
+}

@@ -1,0 +1,43 @@
+#include <string>
+
+const std::string sourceV =
+    "#version 330 core\n"
+    "in vec3 aPos;\n"
+    "in vec2 tex_coords;\n"
+    "in vec3 aNormal;\n"
+    "out vec3 v_normal;\n"
+    "out vec3 v_frag_coord;\n"
+    "uniform mat4 model;\n"
+    "uniform mat4 itM;\n"
+    "uniform mat4 view;\n"
+    "uniform mat4 projection;\n"
+    "\n"
+    "\n"
+    "void main(){\n"
+    "vec4 frag_coord = model*vec4(aPos, 1.0);\n"
+    "gl_Position = projection*view*frag_coord;\n"
+    "v_normal = normalize(vec3(model * vec4(aNormal, 0.0))) ;\n"
+    "v_frag_coord = frag_coord.xyz;\n"
+    "}\n";
+
+const std::string sourceF =
+    "#version 400 core\n"
+    "out vec4 FragColor;\n"
+    "precision mediump float;\n"
+    "in vec3 v_normal;\n"
+    "in vec3 v_frag_coord;\n"
+    "uniform vec3 u_light_pos;\n"
+    "uniform vec3 materialColour;\n"
+    "\n"
+    "\n"
+    "void main() {\n"
+    "vec3 n = normalize(v_normal);\n"
+    "vec3 l = normalize(u_light_pos - v_frag_coord);\n"
+    "float cosTheta = max(dot(n, l), 0.0);\n"
+    "FragColor = vec4(cosTheta * materialColour, 1.0);\n"
+    "}\n";
+
+int main(int argc, char* argv[]) {
+    Shader shader(sourceV, sourceF);
+    return 0;
+}

@@ -1,0 +1,21 @@
+#version 300 es
+in vec3 aPos;
+in vec3 aNormal;
+uniform mat4 model;
+uniform mat4 view;
+uniform mat4 projection;
+uniform mat4 itM;
+uniform vec3 u_light_pos;
+uniform vec3 u_view_pos;
+uniform float shininess;
+out float v_diffuse;
+out float v_specular;
+void main() {
+	vec4 w = model * vec4(aPos, 1.0);
+	vec3 n = normalize(mat3(itM) * aNormal);
+	vec3 l = normalize(u_light_pos - aPos);
+	vec3 v = normalize(u_view_pos - aPos);
+	v_diffuse = max(dot(n, l), 0.0);
+	v_specular = pow(max(dot(reflect(-l, n), v), 0.0), shininess);
+	gl_Position = projection * view * w;
+}

@@ -1,0 +1,41 @@
+#include <string>
+
+const std::string sourceV =
+    "#version 130\n"
+    "in vec3 a_Position;\n"
+    "in vec2 tex_coords;\n"
+    "in vec3 a_Normal;\n"
+    "out vec4 v_col;\n"
+    "uniform mat4 M;\n"
+    "uniform mat4 itM;\n"
+    "uniform mat4 V;\n"
+    "uniform mat4 P;\n"
+    "uniform vec3 u_light_pos;\n"
+    "uniform vec3 u_view_pos;\n"
+    "uniform vec3 materialColour;\n"
+    "// TODO clean\n"
+    "void main(){\n"
+    "vec4 frag_coord = M*vec4(a_Position, 1.0);\n"
+    "gl_Position = P*V*frag_coord;\n"
+    "vec3 norm = normalize(vec3(itM * vec4(a_Normal, 1.0)));\n"
+    "vec3 L = normalize(u_light_pos - frag_coord.xyz);\n"
+    "vec3 E = normalize(u_view_pos - frag_coord.xyz);\n"
+    "float diffuse = max(dot(norm, L), 0.0);\n"
+    "float specular = pow(max(dot(reflect(-L, norm), E), 0.0), 32.0);\n"
+    "v_col = vec4(materialColour*(diffuse * specular) , 1.0);\n"
+    "}\n";
+
+const std::string sourceF =
+    "#version 130\n"
+    "out vec4 color_out;\n"
+    "precision mediump float;\n"
+    "in vec4 v_col;\n"
+    "// TODO clean\n"
+    "void main() {\n"
+    "color_out = v_col;\n"
+    "}\n";
+
+int main(int argc, char* argv[]) {
+    Shader shader(sourceV, sourceF);
+    return 0;
+}

@@ -1,0 +1,16 @@
+#version 120
+varying vec3 v_frag_coord;
+varying vec3 v_normal;
+uniform vec3 u_light_pos;
+uniform vec3 u_view_pos;
+uniform vec3 materialColour;
+uniform float shininess;
+
+void main() {
+  vec3 N = normalize(v_normal);
+  vec3 L = normalize(u_light_pos - v_frag_coord);
+  vec3 V = normalize(u_view_pos - v_frag_coord);
+  float diff = max(dot(N, L), 0.0);
+  float spec = pow(max(dot(reflect(-L, N), V), 0.0), shininess);
+  gl_FragColor = vec4(vec3(diff + spec), 1.0);
+}

@@ -1,0 +1,33 @@
+#version 130
+in vec3 v_pos;
+in vec3 v_norm;
+out vec4 FragColor;
+struct Light
+{
+    vec3  light_pos;
+    float ambient_strength, diffuse_strength, specular_strength;
+    float constant, linear, quadratic;
+};
+uniform Light light;
+uniform vec3  u_view_pos;
+uniform vec3  materialColour;
+uniform float shininess;
+
+float power(float base, float e)
+{
+    if (base <= 0.0) return 0.0;      // log2(0) is undefined
+    return exp2(e * log2(base));
+}
+
+void main()
+{
+    vec3 N = normalize(v_norm);
+    vec3 L = normalize(light.light_pos - v_pos);
+    vec3 V = normalize(u_view_pos - v_pos);
+    vec3 R = -reflect(L, N);
+    float D = length(v_pos - light.light_pos);
+    float A = 1.0 / (light.constant + light.linear * D + light.quadratic * D * D);
+    float dif = light.diffuse_strength * clamp(dot(N, L), 0.0, 1.0);
+    float spe = light.specular_strength * power(dot(R, V), shininess);
+    FragColor = vec4(materialColour * (light.ambient_strength + A * (dif + spe)), 1.0);
+}

@@ -1,0 +1,65 @@
+#include <string>
+
+const std::string sourceV =
+    "#version 330 core\n"
+    "in vec3 MvertPos;   // M = in model space\n"
+    "in vec3 MvertNormal;\n"
+    "uniform mat4 M, V, P, itM;\n"
+    "out vec3 WfragPos;  // W = in world space\n"
+    "out vec3 WfragNormal;\n"
+    "// ------------\n"
+    "void main()\n"
+    "{\n"
+    "	WfragPos = vec3(M * vec4(MvertPos, 1.0));\n"
+    "	WfragNormal = normalize(vec3(itM * vec4(MvertNormal, 0.0)));\n"
+    "	gl_Position = P * V * vec4(WfragPos, 1.0);\n"
+    "}\n";
+
+const std::string sourceF =
+    "#version 400 core\n"
+    "in vec3 WfragPos;\n"
+    "in vec3 WfragNormal;\n"
+    "uniform vec3 WeyePos;\n"
+    "struct Light {\n"
+    "	vec3 light_pos;\n"
+    "	float ambient_strength;\n"
+    "	float diffuse_strength;\n"
+    "	float specular_strength;\n"
+    "	float constant;\n"
+    "	float linear;\n"
+    "	float quadratic;\n"
+    "};\n"
+    "uniform Light light;\n"
+    "uniform vec3 materialColour;\n"
+    "uniform float shininess;\n"
+    "out vec4 outColor;\n"
+    "\n"
+    "struct Vectors { vec3 N, L, V, R; };\n"
+    "\n"
+    "Vectors vectors()\n"
+    "{\n"
+    "	Vectors v;\n"
+    "	v.N = normalize(WfragNormal);\n"
+    "	v.L = normalize(light.light_pos - WfragPos);\n"
+    "	v.V = normalize(WeyePos - WfragPos);\n"
+    "	v.R = reflect(-v.L, v.N);\n"
+    "	return v;\n"
+    "}\n"
+    "\n"
+    "// ------------\n"
+    "void main()\n"
+    "{\n"
+    "	Vectors v = vectors();\n"
+    "	float d = distance(WfragPos, light.light_pos);\n"
+    "	vec3 k = vec3(light.constant, light.linear, light.quadratic);\n"
+    "	float att = 1.0 / dot(k, vec3(1.0, d, d * d));\n"
+    "	vec3 result = vec3(light.ambient_strength);\n"
+    "	result *= att * light.diffuse_strength * max(dot(v.N, v.L), 0.0);\n"
+    "	result += att * light.specular_strength * pow(max(dot(v.R, v.V), 0.0), shininess);\n"
+    "	outColor = vec4(result * materialColour, 1.0);\n"
+    "}\n";
+
+int main(int argc, char* argv[]) {
+    Shader shader(sourceV, sourceF);
+    return 0;
+}

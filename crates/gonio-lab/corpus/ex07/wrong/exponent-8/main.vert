@@ -1,0 +1,11 @@
+#version 330 core
+in vec3 position;
+in vec3 normal;
+uniform mat4 M; uniform mat4 V; uniform mat4 P; uniform mat4 itM;
+out vec3 FragPos;
+out vec3 Normal;
+void main() {
+	FragPos = (M * vec4(position, 1.0)).xyz;
+	Normal = normalize((itM * vec4(normal, 0.0)).xyz);
+	gl_Position = P * V * vec4(FragPos, 1.0);
+}

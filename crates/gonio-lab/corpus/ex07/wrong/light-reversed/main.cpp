@@ -1,0 +1,60 @@
+#include <string>
+
+const std::string sourceV =
+    "#version 410 core\n"
+    "in vec3 position;\n"
+    "in vec3 normal;\n"
+    "out vec3 FragPos;\n"
+    "out vec3 Normal;\n"
+    "uniform mat4 M;\n"
+    "uniform mat4 itM;\n"
+    "uniform mat4 V;\n"
+    "uniform mat4 P;\n"
+    "\n"
+    "void main(){\n"
+    "vec4 frag_coord = M*vec4(position, 1.0);\n"
+    "gl_Position = P*V*frag_coord;\n"
+    "Normal = vec3(itM * vec4(normal, 0.0));\n"
+    "Normal = normalize(Normal);\n"
+    "FragPos = frag_coord.xyz;\n"
+    "}\n";
+
+const std::string sourceF =
+    "#version 410 core\n"
+    "out vec4 FragColor;\n"
+    "precision mediump float;\n"
+    "in vec3 FragPos;\n"
+    "in vec3 Normal;\n"
+    "uniform vec3 viewPos;\n"
+    "struct Light{\n"
+    "vec3 light_pos;\n"
+    "float ambient_strength;\n"
+    "float diffuse_strength;\n"
+    "float specular_strength;\n"
+    "float constant;\n"
+    "float linear;\n"
+    "float quadratic;\n"
+    "};\n"
+    "uniform Light light;\n"
+    "uniform float shininess;\n"
+    "uniform vec3 materialColour;\n"
+    "\n"
+    "void main() {\n"
+    "vec3 N = normalize(Normal);\n"
+    "vec3 L = normalize(FragPos - light.light_pos) ;\n"
+    "vec3 V = normalize(viewPos - FragPos);\n"
+    "vec3 R = normalize(2.0*dot(N,L)*N - L);\n"
+    "float spec = pow(max(dot(R,V),0.0), shininess);\n"
+    "float diff = max(dot(N,L), 0.0);\n"
+    "float dist = length(light.light_pos - FragPos);\n"
+    "float att = 1.0/(light.constant + light.linear*dist + light.quadratic*dist*dist);\n"
+    "vec3 amb = vec3(light.ambient_strength)*materialColour;\n"
+    "vec3 dif = vec3(light.diffuse_strength)*diff*materialColour;\n"
+    "vec3 spe = vec3(light.specular_strength)*spec*materialColour;\n"
+    "FragColor = vec4(amb + att*dif + att*spe, 1.0);\n"
+    "}\n";
+
+int main(int argc, char* argv[]) {
+    Shader shader(sourceV, sourceF);
+    return 0;
+}

@@ -1,0 +1,13 @@
+#version 330 core
+in vec3 MvertPos;   // M = in model space
+in vec3 MvertNormal;
+uniform mat4 M, V, P, itM;
+out vec3 WfragPos;  // W = in world space
+out vec3 WfragNormal;
+// ------------
+void main()
+{
+    WfragPos = vec3(M * vec4(MvertPos, 1.0));
+    WfragNormal = normalize(vec3(itM * vec4(MvertNormal, 0.0)));
+    gl_Position = P * V * vec4(WfragPos, 1.0);
+}

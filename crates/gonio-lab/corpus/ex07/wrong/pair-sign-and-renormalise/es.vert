@@ -1,0 +1,17 @@
+#version 300 es
+precision highp float;
+in vec3 position;
+in vec3 normal;
+uniform mat4 M;
+uniform mat4 V;
+uniform mat4 P;
+uniform mat4 itM;
+out vec3 frag_pos;
+out vec3 normal_v;
+// ------------
+void main() {
+  vec4 frag_coord = M * vec4(position, 1.0);
+  gl_Position = P * V * frag_coord;
+  normal_v = normalize(vec3(itM * vec4(normal, 0.0)));
+  frag_pos = frag_coord.xyz;
+}

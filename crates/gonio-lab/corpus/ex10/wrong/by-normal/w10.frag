@@ -1,0 +1,14 @@
+#version 330 core
+in vec3 WvertPos;
+in vec3 WvertNormal;
+uniform vec3 WeyePos;
+uniform samplerCube cubemapSampler;
+out vec4 color_out;
+const float airIndex = 1.0;
+const float glassIndex = 1.52;
+vec3 sky(vec3 direction) { return texture(cubemapSampler, direction).rgb; }
+// ------------
+void main() {
+    vec3 towardsEye = normalize(WeyePos - WvertPos);
+    color_out = vec4(sky(normalize(WvertNormal)), 1.0);
+}

@@ -1,0 +1,15 @@
+#version 300 es
+precision highp float;
+in vec3 vNormal;
+in vec3 v_pos;
+uniform samplerCube u_cubemap;
+uniform vec3 u_view_pos;
+uniform float refractionIndice;
+out vec4 color_out;
+// ------------
+void main()
+{
+    vec3 V = normalize(u_view_pos - v_pos);
+    vec3 T = refract(-V, normalize(vNormal), 1.0 / refractionIndice);
+    color_out = vec4(texture(u_cubemap, T).rgb, 1.0);
+}

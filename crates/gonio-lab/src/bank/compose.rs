@@ -1,0 +1,207 @@
+//! One program for all hypotheses of a model: each line that the bank changes chooses among its ways by a uniform.
+//!
+//! Compiling a program costs a software driver as much as drawing a hundred small pictures with it, and there are a hundred
+//! mistakes: so there is one program, and a hypothesis is a few integers.
+
+use super::{Mistake, Model};
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+/// What may be wrong with a program, and what may be peculiar: changes of different lines of a model.
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Hypothesis {
+    /// Of each line that is changed: its number among the model's changeable ones, and which way (from 1).
+    pub choices: BTreeMap<usize, usize>,
+    /// Indices into [`Hypotheses::mistakes`].
+    pub made_of: Vec<usize>,
+}
+
+impl Hypothesis {
+    /// Both at once; `None` where they change the same line.
+    pub fn and(&self, other: &Hypothesis) -> Option<Hypothesis> {
+        if other.choices.keys().any(|line| self.choices.contains_key(line)) {
+            return None;
+        }
+        let mut both = self.clone();
+        both.choices.extend(&other.choices);
+        both.made_of.extend(&other.made_of);
+        Some(both)
+    }
+}
+
+/// A model with all its changes.
+pub struct Hypotheses {
+    /// Whose.
+    pub model: Model,
+    /// What can be made of it, harmless ones among them.
+    pub mistakes: Vec<&'static Mistake>,
+    /// Each way to make each mistake: the index of the mistake stands in `made_of`.
+    pub singles: Vec<Hypothesis>,
+    /// The changeable lines' variables; the uniform `way_NAME` chooses among the ways of each.
+    pub variables: Vec<String>,
+    sources: [String; 2],
+    alternatives: Vec<Vec<String>>,
+}
+
+/// The variable that a line writes, and what it writes: `vec3 N = normalize(v);` is ("N", "normalize(v)").
+fn assignment(line: &str) -> Option<(&str, &str)> {
+    let code = line.split("//").next()?.trim();
+    let (left, right) = code.strip_suffix(';')?.split_once(" = ")?;
+    Some((left.split_whitespace().last()?, right))
+}
+
+impl Hypotheses {
+    /// Of a model: a mistake that names a variable that the model does not write is left out (a test holds that there is none).
+    pub fn of(model: Model) -> Self {
+        let sources = model.sources();
+        let written: Vec<&str> =
+            sources.iter().flat_map(|source| source.lines()).filter_map(|l| Some(assignment(l)?.0)).collect();
+        let mut all = Hypotheses {
+            model,
+            mistakes: Vec::new(),
+            singles: Vec::new(),
+            variables: Vec::new(),
+            sources: sources.map(str::to_owned),
+            alternatives: Vec::new(),
+        };
+        for mistake in super::of(model) {
+            let index = all.mistakes.len();
+            all.mistakes.push(mistake);
+            for change in &mistake.change {
+                if !change.keys().all(|variable| written.contains(&variable.as_str())) {
+                    continue;
+                }
+                let choices = change.iter().map(|(variable, text)| all.choice(variable, text)).collect();
+                all.singles.push(Hypothesis { choices, made_of: vec![index] });
+            }
+        }
+        all
+    }
+
+    /// The line and the way of a change, new where it was not there.
+    fn choice(&mut self, variable: &str, text: &str) -> (usize, usize) {
+        let line = self.variables.iter().position(|known| known == variable).unwrap_or_else(|| {
+            self.variables.push(variable.to_owned());
+            self.alternatives.push(Vec::new());
+            self.variables.len() - 1
+        });
+        let ways = &mut self.alternatives[line];
+        let way = ways.iter().position(|known| known == text).unwrap_or_else(|| {
+            ways.push(text.to_owned());
+            ways.len() - 1
+        });
+        (line, way + 1)
+    }
+
+    /// The uniform that chooses among the ways of a line.
+    pub fn uniform(&self, line: usize) -> String {
+        format!("way_{}", self.variables[line])
+    }
+
+    /// Vertex and fragment shader that are every hypothesis, `#version 330 core`: with all uniforms `way_...` at 0 the model
+    /// itself.
+    pub fn sources(&self) -> [String; 2] {
+        self.sources.each_ref().map(|source| {
+            self.rewritten(
+                source,
+                |line, right, ways| {
+                    let uniform = self.uniform(line);
+                    let mut chosen = String::new();
+                    for (way, text) in ways.iter().enumerate() {
+                        // Writing into a String cannot fail.
+                        let _ = write!(chosen, "{uniform} == {} ? ({text}) : ", way + 1);
+                    }
+                    format!("{chosen}({right})")
+                },
+                true,
+            )
+        })
+    }
+
+    /// The model with one hypothesis written into it, as a person would read it.
+    pub fn written(&self, hypothesis: &Hypothesis) -> [String; 2] {
+        self.sources.each_ref().map(|source| {
+            self.rewritten(
+                source,
+                |line, right, ways| {
+                    let way = hypothesis.choices.get(&line).copied().unwrap_or(0);
+                    way.checked_sub(1).and_then(|way| ways.get(way)).map_or(right, |text| text).to_owned()
+                },
+                false,
+            )
+        })
+    }
+
+    fn rewritten(&self, source: &str, write: impl Fn(usize, &str, &[String]) -> String, declare: bool) -> String {
+        let mut text = String::new();
+        let mut used = Vec::new();
+        for line in source.lines() {
+            let known = assignment(line)
+                .and_then(|(variable, right)| Some((self.variables.iter().position(|v| v == variable)?, right)));
+            match known {
+                Some((index, right)) => {
+                    let before = &line[..line.find(" = ").map_or(0, |at| at + 3)];
+                    text.push_str(&format!("{before}{};\n", write(index, right, &self.alternatives[index])));
+                    used.push(index);
+                }
+                None => {
+                    text.push_str(line);
+                    text.push('\n');
+                }
+            }
+        }
+        if declare {
+            let uniforms: String = used.iter().map(|&line| format!("uniform int {};\n", self.uniform(line))).collect();
+            if let Some(end) = text.find('\n') {
+                text.insert_str(end + 1, &uniforms);
+            }
+        }
+        text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_is_understood() {
+        assert_eq!(assignment("    vec3 N = normalize(v_normal); // why"), Some(("N", "normalize(v_normal)")));
+        assert_eq!(assignment("gl_Position = P * V;"), Some(("gl_Position", "P * V")));
+        assert_eq!(assignment("if (a == b) {"), None);
+    }
+
+    #[test]
+    fn every_change_finds_its_line() {
+        for model in Model::ALL {
+            let hypotheses = Hypotheses::of(model);
+            let ways: usize = super::super::of(model).map(|mistake| mistake.change.len()).sum();
+            assert_eq!(hypotheses.singles.len(), ways, "{model:?}");
+            assert!(ways > 3, "{model:?}");
+        }
+    }
+
+    #[test]
+    fn without_a_choice_the_model_is_itself() {
+        for model in Model::ALL {
+            let written = Hypotheses::of(model).written(&Hypothesis::default());
+            for (written, source) in written.iter().zip(model.sources()) {
+                let without_remarks = |text: &str| -> Vec<String> {
+                    text.lines().map(|line| line.split(" //").next().unwrap_or_default().to_owned()).collect()
+                };
+                assert_eq!(without_remarks(written), without_remarks(source));
+            }
+        }
+    }
+
+    #[test]
+    fn changes_of_one_line_exclude_each_other() {
+        let hypotheses = Hypotheses::of(Model::Phong);
+        let by_id = |id: &str| hypotheses.singles.iter().find(|h| hypotheses.mistakes[h.made_of[0]].id == id).unwrap();
+        assert!(by_id("diffuse-absolute").and(by_id("diffuse-not-clamped")).is_none());
+        let both = by_id("diffuse-absolute").and(by_id("normal-by-model-matrix")).unwrap();
+        let [vertex, fragment] = hypotheses.written(&both);
+        assert!(vertex.contains("vec3 world_normal = mat3(M) * normal;"), "{vertex}");
+        assert!(fragment.contains("float cos_theta = abs(dot(N, L));"), "{fragment}");
+    }
+}

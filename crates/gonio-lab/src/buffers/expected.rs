@@ -1,0 +1,124 @@
+//! What a right reader makes of a model, and what wrong ones do.
+
+use super::fit::Triangles;
+use super::keys::Keys;
+use super::mistakes::{self, WrongReader};
+use super::reader::{Reader, Triangle};
+use super::source::Source;
+use super::vertex::{Attributes, Vertex, unit};
+use gonio_mesh::{Limits, Mesh, NoSidecars, ReadError};
+use std::sync::OnceLock;
+
+/// A model's vertex buffer as gonio-mesh reads it, with all that is needed to compare others with it.
+pub struct Expected {
+    pub(super) source: Source,
+    pub(super) triangles: Vec<ExpectedTriangle>,
+    pub(super) has: Attributes,
+    pub(super) keys: Keys,
+    /// By [`Attributes::number`] of what is compared.
+    banks: [OnceLock<Bank>; 4],
+}
+
+/// A triangle, and the face that it belongs to where that is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct ExpectedTriangle {
+    pub(super) vertices: [Vertex; 3],
+    pub(super) face: Option<usize>,
+}
+
+/// The wrong readers' buffers.
+pub(super) struct Bank {
+    pub(super) singles: Vec<Hypothesis>,
+    pairs: OnceLock<Vec<Hypothesis>>,
+}
+
+/// A wrong reader and its buffer.
+pub(super) struct Hypothesis {
+    pub(super) wrong: WrongReader,
+    pub(super) made: Triangles,
+}
+
+/// Triangles up to which all pairs of mistakes are kept: some thousands of times as many keys.
+const MOST_FOR_PAIRS: usize = 3000;
+
+impl Expected {
+    /// Reads a model.
+    pub fn of_obj(bytes: &[u8]) -> Result<Self, ReadError> {
+        let model = gonio_mesh::obj::read(bytes, &mut NoSidecars, &Limits::default())?;
+        let source = Source::parse(bytes);
+        let mesh = model.mesh;
+        let has = Attributes { tex_coords: !mesh.tex_coords.is_empty(), normals: !mesh.normals.is_empty() };
+        let keys = Keys::new(&source);
+        let of_mesh = triangles_of(&mesh);
+        // The same triangles, with their faces. Where a file is written in a way that only gonio-mesh understands, its
+        // word counts.
+        let followed: Vec<ExpectedTriangle> = Reader::default().read(&source).iter().filter_map(closed).collect();
+        let triangles = if is_same(&of_mesh, &followed, &keys, has) { followed } else { of_mesh };
+        Ok(Expected { source, triangles, has, keys, banks: Default::default() })
+    }
+
+    /// How many triangles the model has.
+    pub fn triangle_count(&self) -> usize {
+        self.triangles.len()
+    }
+
+    /// Which attributes the model has.
+    pub fn attributes(&self) -> Attributes {
+        self.has
+    }
+
+    /// The vertices of the right buffer, three a triangle.
+    pub fn vertices(&self) -> impl Iterator<Item = Vertex> {
+        self.triangles.iter().flat_map(|triangle| triangle.vertices)
+    }
+
+    pub(super) fn bank(&self, compared: Attributes) -> &Bank {
+        self.banks[compared.number()].get_or_init(|| Bank {
+            singles: mistakes::singles().into_iter().flat_map(|wrong| self.hypotheses(wrong, compared)).collect(),
+            pairs: OnceLock::new(),
+        })
+    }
+
+    /// Two mistakes at once; none for a large model, where trying them all would take too long.
+    pub(super) fn pairs(&self, compared: Attributes) -> &[Hypothesis] {
+        let make = || {
+            if self.triangles.len() > MOST_FOR_PAIRS {
+                return Vec::new();
+            }
+            mistakes::pairs(|_, _| true).into_iter().flat_map(|wrong| self.hypotheses(wrong, compared)).collect()
+        };
+        self.bank(compared).pairs.get_or_init(make)
+    }
+
+    fn hypotheses(&self, wrong: WrongReader, compared: Attributes) -> Vec<Hypothesis> {
+        let all = Triangles::of(&wrong.reader, &self.source, &self.keys, compared);
+        all.into_iter().map(|made| Hypothesis { wrong: wrong.clone(), made }).collect()
+    }
+}
+
+fn triangles_of(mesh: &Mesh) -> Vec<ExpectedTriangle> {
+    let vertex = |index: usize| Vertex {
+        position: mesh.positions[index],
+        tex_coord: mesh.tex_coords.get(index).copied().unwrap_or_default(),
+        normal: mesh.normals.get(index).copied().map_or([0.0; 3], unit),
+    };
+    let triangle = |t: usize| ExpectedTriangle { vertices: mesh.triangle(t).map(vertex), face: None };
+    (0..mesh.triangle_count()).map(triangle).collect()
+}
+
+/// A triangle of a right reader, unless an index leads nowhere.
+fn closed(made: &Triangle) -> Option<ExpectedTriangle> {
+    let vertex = |i: usize| {
+        let corner = made.corners[i];
+        Some(Vertex { position: corner.position?, tex_coord: corner.tex_coord?, normal: corner.normal? })
+    };
+    Some(ExpectedTriangle { vertices: [vertex(0)?, vertex(1)?, vertex(2)?], face: made.face })
+}
+
+fn is_same(a: &[ExpectedTriangle], b: &[ExpectedTriangle], keys: &Keys, compared: Attributes) -> bool {
+    let given = |triangles: &[ExpectedTriangle]| {
+        let vertices: Vec<[Vertex; 3]> = triangles.iter().map(|triangle| triangle.vertices).collect();
+        super::fit::Given::new(&vertices, keys, compared).print
+    };
+    a.len() == b.len() && given(a) == given(b)
+}

@@ -1,0 +1,32 @@
+//! Exercise 02: the vertex buffer that a student's own OBJ reader wrote, against what gonio-mesh reads.
+//!
+//! A buffer comes in whichever format ([`read_buffer`]) and order. It is compared with the model's triangles as a set;
+//! where it differs, it is held against the buffers of readers that make one known mistake, then of readers that make
+//! two ([`compare`]). A mistake is named only if its reader makes the student's buffer.
+
+mod buffer;
+mod compare;
+mod cut;
+mod error;
+mod expected;
+mod fit;
+mod json;
+mod keys;
+mod mistakes;
+mod raw;
+mod reader;
+mod same;
+mod source;
+mod table;
+#[cfg(test)]
+mod tests;
+mod verdict;
+mod vertex;
+
+pub use buffer::{Buffer, MOST_BYTES, read_buffer};
+pub use compare::{choose, compare};
+pub use error::BufferError;
+pub use expected::Expected;
+pub use mistakes::{MistakeName, names};
+pub use verdict::{BufferMistake, BufferVerdict, Example, Shares, Verdict};
+pub use vertex::{Attributes, Vertex};

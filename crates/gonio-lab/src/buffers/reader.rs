@@ -1,0 +1,356 @@
+//! A reader of OBJ files with switches: each switch is a mistake that students make. With none set it reads rightly.
+
+use super::source::{Face, Slots, Source};
+use super::vertex::unit;
+
+/// How to read. The default is right.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Reader {
+    /// For `v`, `vt`, `vn`: the index is used without taking 1 away.
+    pub(super) from_zero: [bool; 3],
+    pub(super) slots: SlotUse,
+    pub(super) flip_v: bool,
+    pub(super) swap_uv: bool,
+    pub(super) polygons: Polygons,
+    pub(super) negative: Negative,
+    pub(super) tex_coord: From,
+    pub(super) normal: From,
+    /// Every position has one texture coordinate and one normal: of the first or last corner that uses it.
+    pub(super) unsplit: Option<Which>,
+    pub(super) order: Order,
+    pub(super) axes: Axes,
+    pub(super) turned_over: bool,
+    pub(super) objects: Option<Which>,
+    /// The first `v`, `vt`, `vn` and `f`.
+    pub(super) skips_first: bool,
+    pub(super) loses_last_face: bool,
+    /// Indices count from the object's own first `v`, `vt`, `vn`.
+    pub(super) anew: bool,
+    pub(super) numbers: Numbers,
+    /// Faces whose corners are not all of the form `v/vt/vn`.
+    pub(super) loses_partial: bool,
+    /// Where a polygon may be cut in several right ways: not as gonio-mesh does.
+    pub(super) other_diagonals: bool,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) enum SlotUse {
+    #[default]
+    Right,
+    /// `v/vn/vt`.
+    Swapped,
+    /// An empty slot is passed over: `v//vn` is taken for `v/vt`.
+    EmptyPassedOver,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) enum Polygons {
+    #[default]
+    Right,
+    /// Around the first corner, though it is concave.
+    Fan,
+    FirstTriangle,
+    /// All that is no triangle.
+    Lost,
+    /// All corners of the file in one row, three at a time.
+    Stream,
+    /// The first four corners of larger ones.
+    FirstQuad,
+    /// More than four corners.
+    LargeLost,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) enum Negative {
+    #[default]
+    Right,
+    /// The sign is lost.
+    Positive,
+    FacesLost,
+    /// Counted from the end of the whole file.
+    FromEnd,
+    /// `list[index - 1]` in a language whose lists count negative numbers from the end.
+    OneTooFar,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) enum From {
+    #[default]
+    Own,
+    /// The position's index.
+    Position,
+    /// The face's first corner.
+    FirstCorner,
+    /// Computed from the triangle (normals alone).
+    Geometry,
+    Constant([f32; 3]),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Which {
+    First,
+    Last,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) enum Order {
+    #[default]
+    Right,
+    /// `v`, `vt`, `vn` side by side as they stand in the file.
+    FacesIgnored,
+    /// Each different corner once.
+    EachOnce,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) enum Axes {
+    #[default]
+    Right,
+    SwappedYz,
+    /// (x, z, -y).
+    ZUp,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) enum Numbers {
+    #[default]
+    Right,
+    Truncated,
+    /// A stream that expects a comma stops at the first point of a line.
+    StoppedAtPoint,
+}
+
+/// A corner as a reader makes it; none where it reads behind the end of a list: anything may come of that.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Corner {
+    pub(super) position: Option<[f32; 3]>,
+    pub(super) tex_coord: Option<[f32; 2]>,
+    pub(super) normal: Option<[f32; 3]>,
+}
+
+/// A triangle as a reader makes it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Triangle {
+    pub(super) corners: [Corner; 3],
+    /// Its place in [`Source::faces`]; none where faces were not followed.
+    pub(super) face: Option<usize>,
+}
+
+/// What a slot leads to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Target {
+    Empty,
+    /// Behind a list's end.
+    Nowhere,
+    At(usize),
+}
+
+impl Reader {
+    /// The triangles that this reader makes of a file.
+    pub(super) fn read(&self, source: &Source) -> Vec<Triangle> {
+        if self.order == Order::FacesIgnored {
+            return self.faces_ignored(source);
+        }
+        let mut faces: Vec<(usize, Vec<[Target; 3]>)> = self
+            .faces(source)
+            .map(|(number, face)| {
+                (number, face.corners.iter().map(|slots| self.targets(source, face, slots)).collect())
+            })
+            .collect();
+        if let Some(which) = self.unsplit {
+            unsplit(&mut faces, source.positions.len(), which);
+        }
+        match (self.order, self.polygons) {
+            (Order::EachOnce, _) => self.each_once(source, &faces),
+            (_, Polygons::Stream) => self.stream(source, &faces),
+            _ => self.triangles(source, &faces),
+        }
+    }
+
+    fn faces<'a>(&self, source: &'a Source) -> impl Iterator<Item = (usize, &'a Face)> {
+        let this = self.clone();
+        let object = match self.objects {
+            None => None,
+            Some(Which::First) => source.faces.first().map(|face| face.object),
+            Some(Which::Last) => source.faces.last().map(|face| face.object),
+        };
+        let count = source.faces.len() - usize::from(self.loses_last_face && !source.faces.is_empty());
+        let faces = source.faces.iter().enumerate().take(count).skip(usize::from(self.skips_first));
+        faces.filter(move |(_, face)| {
+            let corners = &face.corners;
+            object.is_none_or(|object| object == face.object)
+                && !(this.polygons == Polygons::Lost && corners.len() != 3)
+                && !(this.polygons == Polygons::LargeLost && corners.len() > 4)
+                && !(this.loses_partial && corners.iter().flatten().any(Option::is_none))
+                && !(this.negative == Negative::FacesLost && corners.iter().flatten().flatten().any(|index| *index < 0))
+        })
+    }
+
+    fn targets(&self, source: &Source, face: &Face, slots: &Slots) -> [Target; 3] {
+        let [v, vt, vn] = *slots;
+        let slots = match self.slots {
+            SlotUse::Right => [v, vt, vn],
+            SlotUse::Swapped => [v, vn, vt],
+            SlotUse::EmptyPassedOver => [v, vt.or(vn), vn.filter(|_| vt.is_some())],
+        };
+        std::array::from_fn(|kind| slots[kind].map_or(Target::Empty, |index| self.target(source, face, kind, index)))
+    }
+
+    fn target(&self, source: &Source, face: &Face, kind: usize, index: i64) -> Target {
+        let total = [source.positions.len(), source.tex_coords.len(), source.normals.len()][kind];
+        let index = if self.negative == Negative::Positive { index.saturating_abs() } else { index };
+        let before = match self.negative {
+            Negative::Right => face.before[kind] as i64,
+            _ => total as i64,
+        };
+        let place = if index < 0 {
+            before.saturating_add(index).saturating_sub(i64::from(self.negative == Negative::OneTooFar))
+        } else {
+            let start = if self.anew { source.start_of(face.object)[kind] as i64 } else { 0 };
+            let shift = start + i64::from(self.from_zero[kind]) + i64::from(self.skips_first) - 1;
+            index.saturating_add(shift)
+        };
+        usize::try_from(place).ok().filter(|place| *place < total).map_or(Target::Nowhere, Target::At)
+    }
+
+    fn corner(&self, source: &Source, targets: &[Target; 3], first: &[Target; 3]) -> Corner {
+        let position = match targets[0] {
+            Target::At(place) => source.positions.get(place).map(|p| self.turn(self.cut(*p))),
+            _ => None,
+        };
+        let tex_coord = match self.chosen(self.tex_coord, 1, targets, first) {
+            Ok(target) => follow(target, &source.tex_coords).map(|t| self.map(self.cut(t))),
+            Err([u, v, _]) => Some([u, v]),
+        };
+        let normal = match self.chosen(self.normal, 2, targets, first) {
+            Ok(target) => follow(target, &source.normals).map(|n| self.turn(unit(self.cut(n)))),
+            Err(normal) => Some(normal),
+        };
+        Corner { position, tex_coord, normal }
+    }
+
+    fn chosen(&self, from: From, kind: usize, targets: &[Target; 3], first: &[Target; 3]) -> Result<Target, [f32; 3]> {
+        match from {
+            From::Own => Ok(targets[kind]),
+            From::Position => Ok(targets[0]),
+            From::FirstCorner => Ok(first[kind]),
+            From::Geometry => Err([0.0; 3]),
+            From::Constant(value) => Err(value),
+        }
+    }
+
+    fn cut<const N: usize>(&self, values: [f32; N]) -> [f32; N] {
+        match self.numbers {
+            Numbers::Right => values,
+            Numbers::Truncated => values.map(f32::trunc),
+            Numbers::StoppedAtPoint => std::array::from_fn(|i| if i == 0 { values[0].trunc() } else { 0.0 }),
+        }
+    }
+
+    fn map(&self, [u, v]: [f32; 2]) -> [f32; 2] {
+        let [u, v] = if self.swap_uv { [v, u] } else { [u, v] };
+        if self.flip_v { [u, 1.0 - v] } else { [u, v] }
+    }
+
+    fn turn(&self, [x, y, z]: [f32; 3]) -> [f32; 3] {
+        match self.axes {
+            Axes::Right => [x, y, z],
+            Axes::SwappedYz => [x, z, y],
+            Axes::ZUp => [x, z, -y],
+        }
+    }
+
+    fn triangle(&self, mut corners: [Corner; 3], face: Option<usize>) -> Triangle {
+        if self.turned_over {
+            corners.swap(1, 2);
+        }
+        if self.normal == From::Geometry {
+            let normal = match corners.map(|corner| corner.position.map(glam::Vec3::from)) {
+                [Some(a), Some(b), Some(c)] => Some(unit((b - a).cross(c - a).into())),
+                _ => None,
+            };
+            corners.iter_mut().for_each(|corner| corner.normal = normal);
+        }
+        Triangle { corners, face }
+    }
+
+    fn triangles(&self, source: &Source, faces: &[(usize, Vec<[Target; 3]>)]) -> Vec<Triangle> {
+        let mut triangles = Vec::new();
+        for (number, targets) in faces {
+            let corners: Vec<Corner> = targets.iter().map(|corner| self.corner(source, corner, &targets[0])).collect();
+            let n = corners.len();
+            let fan = |n: usize| (1..n - 1).map(|i| [0, i, i + 1]).collect::<Vec<_>>();
+            let face = &source.faces[*number];
+            let cut = match self.polygons {
+                Polygons::Fan => fan(n),
+                Polygons::FirstTriangle => fan(3),
+                Polygons::FirstQuad => fan(n.min(4)),
+                _ if self.other_diagonals && face.is_convex => (0..n - 2).map(|i| [n - 1, i, i + 1]).collect(),
+                _ => face.cut.clone(),
+            };
+            triangles.extend(cut.iter().map(|triangle| self.triangle(triangle.map(|i| corners[i]), Some(*number))));
+        }
+        triangles
+    }
+
+    fn stream(&self, source: &Source, faces: &[(usize, Vec<[Target; 3]>)]) -> Vec<Triangle> {
+        let corners: Vec<(usize, Corner)> = faces
+            .iter()
+            .flat_map(|(number, targets)| {
+                targets.iter().map(move |corner| (*number, self.corner(source, corner, &targets[0])))
+            })
+            .collect();
+        let triangles = corners.as_chunks::<3>().0.iter();
+        triangles.map(|triangle| self.triangle(triangle.map(|(_, corner)| corner), Some(triangle[0].0))).collect()
+    }
+
+    fn each_once(&self, source: &Source, faces: &[(usize, Vec<[Target; 3]>)]) -> Vec<Triangle> {
+        let mut seen = std::collections::HashSet::new();
+        let corners = faces.iter().flat_map(|(_, targets)| targets.iter().map(move |corner| (corner, &targets[0])));
+        let unseen = corners.filter(|(corner, _)| seen.insert(**corner));
+        let vertices: Vec<Corner> = unseen.map(|(corner, first)| self.corner(source, corner, first)).collect();
+        vertices.as_chunks::<3>().0.iter().map(|corners| self.triangle(*corners, None)).collect()
+    }
+
+    fn faces_ignored(&self, source: &Source) -> Vec<Triangle> {
+        let vertex = |i: usize| {
+            let at = |count: usize| if i < count { Target::At(i) } else { Target::Nowhere };
+            let targets = [Target::At(i), at(source.tex_coords.len()), at(source.normals.len())];
+            self.corner(source, &targets, &targets)
+        };
+        let vertices: Vec<Corner> = (usize::from(self.skips_first)..source.positions.len()).map(vertex).collect();
+        vertices.as_chunks::<3>().0.iter().map(|corners| self.triangle(*corners, None)).collect()
+    }
+}
+
+/// The value; zero where the slot is empty.
+fn follow<const N: usize>(target: Target, values: &[[f32; N]]) -> Option<[f32; N]> {
+    match target {
+        Target::Empty => Some([0.0; N]),
+        Target::Nowhere => None,
+        Target::At(place) => values.get(place).copied(),
+    }
+}
+
+/// Gives each position the other two of one corner.
+fn unsplit(faces: &mut [(usize, Vec<[Target; 3]>)], positions: usize, which: Which) {
+    let mut kept: Vec<Option<[Target; 3]>> = vec![None; positions];
+    for corner in faces.iter().flat_map(|(_, corners)| corners) {
+        if let Target::At(place) = corner[0]
+            && let Some(kept) = kept.get_mut(place)
+        {
+            if which == Which::Last {
+                *kept = Some(*corner);
+            } else {
+                kept.get_or_insert(*corner);
+            }
+        }
+    }
+    for corner in faces.iter_mut().flat_map(|(_, corners)| corners) {
+        if let Target::At(place) = corner[0]
+            && let Some(Some(kept)) = kept.get(place)
+        {
+            *corner = *kept;
+        }
+    }
+}

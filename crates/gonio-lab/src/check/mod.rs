@@ -1,0 +1,169 @@
+//! The checker: draws a student's program in situations that tell mistakes apart, and looks for what explains it.
+
+mod compare;
+mod fit;
+mod freedom;
+mod predict;
+mod report;
+mod search;
+mod task;
+
+pub use compare::{Comparison, PIXEL_TOLERANCE, PIXELS_TOLERANCE};
+pub use freedom::{Freedom, Written};
+pub use task::{TASKS, Task};
+
+use crate::bank::{Hypothesis, Model};
+use crate::names::{self, Declared, Kind, NamesFile, Role};
+use crate::stage::{Sheet, Stage};
+use crate::verdict::{Outcome, Verdict};
+use gonio_gl::foreign::ForeignProgram;
+use gonio_gl::{Gl, GlError};
+use predict::{CompiledModel, ModelCast};
+use search::{Found, Search};
+use std::collections::HashMap;
+
+/// A pair of shaders that runs here, and what is known of it beside its pictures.
+pub struct Prepared {
+    /// Uniforms that the source declares, used or not.
+    pub declared: Vec<Declared>,
+    /// What names mean, where nothing else tells.
+    pub names: NamesFile,
+    /// What is written in the source where a uniform could be.
+    pub written: Written,
+    /// Of ambient, diffuse and specular: whether the source computes it and lets it lie.
+    pub in_vain: [bool; 3],
+    /// What the source says of a mistake where pictures are silent: 0 contradicted, 1 the very expression is there.
+    pub looks_like: LooksLike,
+}
+
+/// How far a source supports that it makes a mistake of the bank, in a model.
+pub type LooksLike = Box<dyn Fn(&str, Model) -> f32>;
+
+/// What a check draws: for sheets of pictures beside a verdict.
+#[derive(Clone, Debug)]
+pub struct Evidence {
+    /// The student's.
+    pub seen: Sheet,
+    /// The right answer's.
+    pub reference: Sheet,
+    /// What the named mistakes draw, where there are any.
+    pub predicted: Option<Sheet>,
+    /// The situations' words, in order.
+    pub scenes: Vec<String>,
+}
+
+/// Checks pairs of shaders, one after the other, in one context. What it compiles is kept.
+pub struct Checker {
+    gl: Gl,
+    models: HashMap<Model, CompiledModel>,
+    stages: HashMap<&'static str, (Stage, usize)>,
+}
+
+impl Checker {
+    /// In this context.
+    pub fn new(gl: &Gl) -> Self {
+        Checker { gl: gl.clone(), models: HashMap::new(), stages: HashMap::new() }
+    }
+
+    /// The context.
+    pub fn gl(&self) -> &Gl {
+        &self.gl
+    }
+
+    /// The right answer as this program would have drawn it: with its own strengths, and in its own way.
+    fn reference(
+        &self,
+        task: &Task,
+        stage: &Stage,
+        models: &[&CompiledModel],
+        casts: &[ModelCast],
+        found: &Found<'_>,
+        situations: usize,
+    ) -> Result<Sheet, GlError> {
+        let right = found.right();
+        let Some(best) = found.ranking.first().filter(|best| best.rest.is_same()) else {
+            return Ok(right.prediction.sheet.clone());
+        };
+        let strengths = best.prediction.strengths;
+        if strengths.iter().all(Option::is_none) {
+            return Ok(right.prediction.sheet.clone());
+        }
+        // A term that is not there would have been there with its whole strength.
+        let strength = |term: usize| match strengths[term] {
+            Some(found) if found.iter().any(|s| *s > 1e-3) => found,
+            _ => [if task.wanted[term] { 1.0 } else { 0.0 }; 3],
+        };
+        let peculiar = best.made_of.iter().any(|mistake| mistake.harmless);
+        let hypothesis = if peculiar { right.hypothesis.clone() } else { Hypothesis::default() };
+        let model = right.model;
+        models[model].predict_with(stage, &casts[model], &hypothesis, situations, [0, 1, 2].map(strength))
+    }
+
+    fn prepare(&mut self, task: &'static Task) -> Result<(), GlError> {
+        for model in std::iter::once(task.model).chain(task.other.map(|(model, _)| model)) {
+            if let std::collections::hash_map::Entry::Vacant(entry) = self.models.entry(model) {
+                entry.insert(CompiledModel::new(&self.gl, model)?);
+            }
+        }
+        if !self.stages.contains_key(task.exercise) {
+            let (situations, whole) = task.situations();
+            self.stages.insert(task.exercise, (Stage::new(&self.gl, situations)?, whole));
+        }
+        Ok(())
+    }
+
+    /// Checks a program that was linked. Errors are the driver's, not the student's.
+    pub fn check(
+        &mut self,
+        task: &'static Task,
+        program: &ForeignProgram,
+        prepared: &Prepared,
+    ) -> Result<(Verdict, Option<Evidence>), GlError> {
+        self.prepare(task)?;
+        let (stage, whole) = &self.stages[task.exercise];
+        let bindings = names::bind(&predict::declared(program), &prepared.names);
+        let bound = report::bound(&bindings);
+        if !bindings.bound.iter().any(|b| b.declared.kind == Kind::Attribute && b.role == Role::Position) {
+            let mut verdict = Verdict::new(
+                task.exercise,
+                Outcome::Unsure,
+                "no attribute was found that could be the position; call it `position`, or say in names.toml which it is",
+            );
+            verdict.bound = bound;
+            return Ok((verdict, None));
+        }
+        let declared = names::bind(&prepared.declared, &prepared.names);
+        let freedom = Freedom::of(task, &bindings, &declared, &prepared.written);
+        let cast = stage.cast(program, &bindings, |situation| freedom.apply(situation));
+        let fixed = report::fixed(&bindings);
+        let seen = stage.draw(program, &cast, &fixed, stage.situations().len())?;
+        let models: Vec<&CompiledModel> = std::iter::once(task.model)
+            .chain(task.other.map(|(model, _)| model))
+            .map(|model| &self.models[&model])
+            .collect();
+        let casts: Vec<_> = models.iter().map(|model| model.cast(stage, &freedom)).collect();
+        let search = Search { stage, models: &models, casts: &casts, seen: &seen, situations: *whole };
+        let mut found = search.run()?;
+        found.prefer(|id, model| (prepared.looks_like)(id, models[model].hypotheses.model));
+        let reference = self.reference(task, stage, &models, &casts, &found, *whole)?;
+        let held = Comparison::of(&seen, &reference, *whole);
+        let mut verdict = report::verdict(task, stage, &found, &seen, &held, prepared.in_vain);
+        if task.model.is_lit() {
+            let right = found.right();
+            let all = stage.situations().len();
+            let model = &models[right.model];
+            let reference = model.predict(stage, &casts[right.model], &seen, &right.hypothesis, all)?;
+            verdict.terms = report::terms(stage, &freedom, &Comparison::of(&seen, &reference.sheet, all));
+        }
+        verdict.bound = bound;
+        let predicted =
+            found.ranking.first().filter(|best| !best.made_of.is_empty()).map(|best| best.prediction.sheet.clone());
+        let evidence = Evidence {
+            reference,
+            predicted,
+            scenes: stage.situations().iter().take(*whole).map(|s| s.name.clone()).collect(),
+            seen,
+        };
+        Ok((verdict, Some(evidence)))
+    }
+}

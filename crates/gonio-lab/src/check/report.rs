@@ -1,0 +1,238 @@
+//! From what was found to what is said.
+
+use super::compare::Comparison;
+use super::freedom::Freedom;
+use super::search::{Found, Tried};
+use super::task::Task;
+use crate::names::Bindings;
+use crate::stage::{Sheet, Stage};
+use crate::verdict::{
+    BoundVariable, FoundMistake, Outcome, Peculiarity, RunnerUp, SceneVerdict, TermState, TermVerdict, Verdict,
+};
+
+/// What is wrong scores no more than this, however many scenes it is right in.
+const MOST_FOR_WRONG: f64 = 0.9;
+/// A runner-up is told from this share on.
+const RUNNER_UP_FROM: f64 = 0.25;
+/// A name is given from this share of the difference on, where some of it is left over.
+const NAMED_FROM: f64 = 0.985;
+/// ... and by that much more than the next best.
+const CLEARER_BY: f64 = 0.01;
+
+/// What was bound to what, for people.
+pub fn bound(bindings: &Bindings) -> Vec<BoundVariable> {
+    let known = bindings.bound.iter().map(|b| (&b.declared, Some(b.role.to_string())));
+    let unknown = bindings.unknown.iter().map(|declared| (declared, None));
+    known
+        .chain(unknown)
+        .map(|(declared, role)| BoundVariable {
+            name: declared.name.clone(),
+            glsl_type: declared.glsl_type.clone(),
+            role,
+        })
+        .collect()
+}
+
+/// Uniforms whose values `names.toml` gives.
+pub fn fixed(bindings: &Bindings) -> Vec<(String, Vec<f32>)> {
+    bindings.fixed.iter().map(|fixed| (fixed.declared.name.clone(), fixed.values.clone())).collect()
+}
+
+fn mistake(id: &str, share: f64) -> Option<FoundMistake> {
+    let (name, looks_like, mend, seed, lab_does_it) = match crate::bank::find(id) {
+        Some(m) => (m.name.clone(), m.looks_like.clone(), m.mend.clone(), m.seed.clone(), m.lab_does_it),
+        None => {
+            let (_, name, looks_like, mend) = STRUCTURAL.iter().find(|(known, ..)| *known == id)?;
+            let seed = "Where is the rendering equation computed?";
+            ((*name).to_owned(), (*looks_like).to_owned(), (*mend).to_owned(), seed.to_owned(), false)
+        }
+    };
+    Some(FoundMistake {
+        id: id.to_owned(),
+        name,
+        share_explained: share,
+        file: None,
+        line: None,
+        quoted: None,
+        looks_like,
+        mend,
+        seed,
+        or: Vec::new(),
+        lab_does_it,
+    })
+}
+
+/// Mistakes that are another model, and not a change of a line.
+pub const STRUCTURAL: &[(&str, &str, &str, &str)] = &[
+    (
+        "phong-instead-of-gouraud",
+        "The light is computed for each fragment instead of each vertex",
+        "The picture is smoother than Gouraud shading is.",
+        "Compute the light in the vertex shader and hand the colour over to the fragment shader.",
+    ),
+    (
+        "gouraud-instead-of-phong",
+        "The light is computed for each vertex instead of each fragment",
+        "The light is interpolated across triangles, and highlights are angular or missing.",
+        "Hand position and normal over to the fragment shader, and compute the light there.",
+    ),
+];
+
+/// Everything but what was bound.
+pub fn verdict(
+    task: &Task,
+    stage: &Stage,
+    found: &Found<'_>,
+    seen: &Sheet,
+    held: &Comparison,
+    in_vain: [bool; 3],
+) -> Verdict {
+    let mut verdict = Verdict::new(task.exercise, Outcome::Wrong, "");
+    verdict.scenes = scenes(stage, held);
+    let Some(best) = found.ranking.first() else { return verdict };
+    let right = verdict.scenes.iter().filter(|scene| scene.right).count();
+    verdict.score = (right as f64 / verdict.scenes.len().max(1) as f64).min(MOST_FOR_WRONG);
+    let undefined = undefined_pixels(seen);
+    if undefined > 0 {
+        verdict.warnings.push(format!(
+            "{undefined} pixels are no number (NaN or infinite): a division by 0, a root or a power of something negative"
+        ));
+    }
+    let next = found.ranking.iter().skip(1).find(|tried| !tried.wrong().is_empty());
+    let names_well = best.rest.is_same()
+        || (best.explained >= NAMED_FROM && next.is_none_or(|next| best.explained - next.explained >= CLEARER_BY));
+    let words = structural_words(task, best);
+    let missing = missing_terms(task, best, in_vain);
+    let is_right = best.rest.is_same() && words.is_empty() && best.wrong().is_empty();
+    if is_right && missing.is_empty() {
+        verdict.verdict = Outcome::Correct;
+        verdict.score = 1.0;
+        verdict.peculiarities = peculiarities(task, best);
+        verdict.summary = match verdict.peculiarities.is_empty() {
+            true => "right in every scene".to_owned(),
+            false => "right in every scene, in a way of its own".to_owned(),
+        };
+        return verdict;
+    }
+    // Nothing of it could be explained by a name that was made up: say what fails, and stop there.
+    if !names_well {
+        let wrong: Vec<&str> = verdict.scenes.iter().filter(|s| !s.right).map(|s| s.scene.as_str()).collect();
+        verdict.summary = format!(
+            "wrong, and no mistake that gonio knows explains it; it differs from the reference in: {}",
+            wrong.join(", ")
+        );
+        if !best.wrong().is_empty() && best.explained >= RUNNER_UP_FROM {
+            let ids = best.wrong().into_iter().map(str::to_owned).collect();
+            verdict.runner_up = Some(RunnerUp { ids, share_explained: best.explained });
+        }
+        return verdict;
+    }
+    let share = if best.rest.is_same() { 1.0 } else { best.explained };
+    let ids: Vec<String> =
+        words.into_iter().chain(best.wrong().into_iter().map(str::to_owned)).chain(missing).collect();
+    verdict.mistakes = ids.iter().filter_map(|id| mistake(id, share)).collect();
+    verdict.peculiarities = peculiarities(task, best);
+    for mistake in &mut verdict.mistakes {
+        mistake.or = crate::bank::find(&mistake.id).map_or(Vec::new(), |known| known.looks_the_same_as.clone());
+    }
+    if let [only] = verdict.mistakes.as_mut_slice() {
+        only.or = alternatives(found, best);
+    }
+    let not_the_same =
+        |tried: &&Tried<'_>| !tried.wrong().is_empty() && tried.wrong() != best.wrong() && !tried.rest.is_same();
+    let next = found.ranking.iter().find(not_the_same).filter(|tried| tried.explained >= RUNNER_UP_FROM);
+    verdict.runner_up = next.map(|tried| RunnerUp {
+        ids: tried.wrong().into_iter().map(str::to_owned).collect(),
+        share_explained: tried.explained,
+    });
+    let names: Vec<&str> = verdict.mistakes.iter().map(|m| m.name.as_str()).collect();
+    verdict.summary = names.join("; and: ");
+    verdict
+}
+
+fn undefined_pixels(seen: &Sheet) -> usize {
+    seen.pixels.iter().filter(|p| Sheet::is_drawn(p) && p.iter().take(3).any(|c| !c.is_finite())).count()
+}
+
+fn peculiarities(task: &Task, best: &Tried<'_>) -> Vec<Peculiarity> {
+    let harmless = best.made_of.iter().filter(|m| m.harmless);
+    let mut all: Vec<Peculiarity> = harmless.map(|m| Peculiarity { id: m.id.clone(), name: m.name.clone() }).collect();
+    if let (1, Some((_, None))) = (best.model, task.other) {
+        let name = "The light is computed for each vertex (Gouraud shading)".to_owned();
+        all.push(Peculiarity { id: "light-per-vertex".to_owned(), name });
+    }
+    all
+}
+
+/// The word for another model, where that is a mistake.
+fn structural_words(task: &Task, best: &Tried<'_>) -> Vec<String> {
+    match (best.model, task.other) {
+        (1, Some((_, Some(word)))) => vec![word.to_owned()],
+        _ => Vec::new(),
+    }
+}
+
+/// Terms that have no strength, and that the exercise asks for or the source computes in vain.
+fn missing_terms(task: &Task, best: &Tried<'_>, in_vain: [bool; 3]) -> Vec<String> {
+    const WORDS: [&str; 3] = ["ambient-missing", "diffuse-missing", "specular-missing"];
+    let absent = |strength: &Option<[f64; 3]>| strength.is_some_and(|s| s.iter().all(|s| *s < 1e-3));
+    // Light from everywhere where diffuse light belongs is diffuse light without its cosine.
+    let flat = !task.wanted[0] && best.prediction.strengths[0].is_some_and(|s| s.iter().any(|s| *s > 1e-2));
+    let word = |term: usize| if term == 1 && flat { "diffuse-without-cosine" } else { WORDS[term] };
+    (0..3)
+        .filter(|&term| absent(&best.prediction.strengths[term]))
+        .filter(|&term| task.wanted[term] || in_vain[term])
+        .map(|term| word(term).to_owned())
+        .filter(|word| !best.wrong().contains(&word.as_str()))
+        .collect()
+}
+
+/// Single mistakes that leave just as little over: no picture tells them apart.
+fn alternatives(found: &Found<'_>, best: &Tried<'_>) -> Vec<String> {
+    let mut others: Vec<String> = found
+        .ranking
+        .iter()
+        .filter(|tried| tried.rest.is_same() && tried.model == best.model && tried.wrong() != best.wrong())
+        .filter_map(|tried| match tried.wrong().as_slice() {
+            [id] => Some((*id).to_owned()),
+            _ => None,
+        })
+        .collect();
+    others.dedup();
+    others
+}
+
+/// Scene by scene: `held` compares with the right answer.
+fn scenes(stage: &Stage, held: &Comparison) -> Vec<SceneVerdict> {
+    stage
+        .situations()
+        .iter()
+        .take(held.beyond.len())
+        .enumerate()
+        .map(|(index, situation)| SceneVerdict {
+            scene: situation.name.clone(),
+            shows: situation.shows,
+            right: held.agrees(index),
+            pixels_beyond: held.beyond.get(index).copied().unwrap_or(1.0),
+            worst: held.worst.get(index).copied().unwrap_or(1.0),
+        })
+        .collect()
+}
+
+/// Term by term, by the situations with one term alone. `held` compares with the right answer in all situations.
+pub fn terms(stage: &Stage, freedom: &Freedom, held: &Comparison) -> Vec<TermVerdict> {
+    ["ambient", "diffuse", "specular"]
+        .into_iter()
+        .enumerate()
+        .map(|(index, term)| {
+            let is_alone = |name: &str| name.ends_with(&format!("{term} alone"));
+            let mut alone = stage.situations().iter().enumerate().filter(|(_, s)| is_alone(&s.name));
+            let state = match (freedom.to_find[index], alone.all(|(situation, _)| held.agrees(situation))) {
+                (true, _) => TermState::NotSeparable,
+                (false, true) => TermState::Right,
+                (false, false) => TermState::Wrong,
+            };
+            TermVerdict { term, state }
+        })
+        .collect()
+}

@@ -1,0 +1,364 @@
+//! Which hypothesis explains what a program draws.
+//!
+//! Peculiarities that are right come first, then single mistakes, then pairs of them: the simplest explanation that leaves
+//! nothing over is the one that is named.
+
+use super::compare::Comparison;
+use super::predict::{CompiledModel, ModelCast, Prediction};
+use crate::bank::{Hypothesis, Mistake};
+use crate::stage::{Sheet, Stage};
+use gonio_gl::GlError;
+
+/// A hypothesis that was tried.
+#[derive(Clone, Debug)]
+pub struct Tried<'a> {
+    /// In which of the models that were handed in.
+    pub model: usize,
+    /// What it is made of, harmless peculiarities among it.
+    pub made_of: Vec<&'a Mistake>,
+    /// The choices behind it.
+    pub hypothesis: Hypothesis,
+    /// What it leaves over.
+    pub rest: Comparison,
+    /// What it draws.
+    pub prediction: Prediction,
+    /// How much of the difference it explains: 0 to 1.
+    pub explained: f64,
+}
+
+impl Tried<'_> {
+    /// The words of what is wrong.
+    pub fn wrong(&self) -> Vec<&str> {
+        self.made_of.iter().filter(|m| !m.harmless).map(|m| m.id.as_str()).collect()
+    }
+
+    /// Of the situation that it explains best: how much.
+    fn best_share(&self, difference: &Comparison) -> f64 {
+        let share = |(seen, rest): (&f64, &f64)| if *seen > 1e-6 { 1.0 - rest / seen } else { 0.0 };
+        difference.squares.iter().zip(&self.rest.squares).map(share).fold(0.0, f64::max)
+    }
+
+    /// Simpler and better first.
+    fn order(&self, other: &Self) -> std::cmp::Ordering {
+        let key = |tried: &Self| {
+            let wrong = tried.made_of.iter().filter(|m| !m.harmless).count();
+            let model_is_other = tried.model > 0;
+            (
+                wrong,
+                model_is_other,
+                tried.made_of.len(),
+                tried.prediction.terms_found(),
+                tried.hypothesis.made_of.clone(),
+            )
+        };
+        other
+            .rest
+            .is_same()
+            .cmp(&self.rest.is_same())
+            .then_with(|| if self.rest.is_same() { key(self).cmp(&key(other)) } else { std::cmp::Ordering::Equal })
+            .then_with(|| other.explained.total_cmp(&self.explained))
+    }
+}
+
+/// What was found.
+pub struct Found<'a> {
+    /// The right answer that is nearest.
+    nearest_right: Tried<'a>,
+    /// The best of all that was tried, best first, each set of mistakes once.
+    pub ranking: Vec<Tried<'a>>,
+}
+
+impl Found<'_> {
+    /// The right answer that is nearest, in whichever way it is right: what scenes and terms are held against.
+    pub fn right(&self) -> &Tried<'_> {
+        &self.nearest_right
+    }
+
+    /// Of those that leave nothing over and are equally simple, the source tells which: `looks_like` is 0 where it contradicts
+    /// a mistake in a model and 1 where the very expression is there.
+    pub fn prefer(&mut self, looks_like: impl Fn(&str, usize) -> f32) {
+        let Some(first) = self.ranking.first().filter(|first| first.rest.is_same()) else { return };
+        let (model, count) = (first.model, first.wrong().len());
+        let equal = |tried: &Tried<'_>| tried.rest.is_same() && tried.model == model && tried.wrong().len() == count;
+        let end = self.ranking.iter().position(|tried| !equal(tried)).unwrap_or(self.ranking.len());
+        let support = |tried: &Tried<'_>| {
+            let each = tried.wrong().into_iter().map(|id| looks_like(id, model));
+            each.sum::<f32>()
+        };
+        // Stable: where the source is silent, the bank's order stays.
+        self.ranking[..end].sort_by(|a, b| support(b).total_cmp(&support(a)));
+    }
+}
+
+/// Most singles to which a second mistake is sought.
+const FIRSTS: usize = 8;
+/// The first situations of every exercise tell most: in those many hypotheses are ranked ...
+const TELLING: usize = 4;
+/// ... and so many of the best are then tried in all.
+const KEPT: usize = 16;
+/// Most that are tried again with every peculiarity.
+const TRIED_AGAIN: usize = 10;
+
+/// Everything that a search looks at.
+pub struct Search<'a> {
+    /// Where.
+    pub stage: &'a Stage,
+    /// The right answer's model first, then others that answers may be changes of.
+    pub models: &'a [&'a CompiledModel],
+    /// What each model is given.
+    pub casts: &'a [ModelCast],
+    /// What the program draws.
+    pub seen: &'a Sheet,
+    /// How many situations count: those with one term alone do not where strengths have to be found.
+    pub situations: usize,
+}
+
+impl<'a> Search<'a> {
+    fn attempt(
+        &self,
+        model: usize,
+        hypothesis: Hypothesis,
+        difference: Option<&Comparison>,
+    ) -> Result<Tried<'a>, GlError> {
+        self.attempt_in(model, hypothesis, difference, self.situations)
+    }
+
+    /// Tries many in a few situations.
+    fn in_telling(
+        &self,
+        model: usize,
+        hypotheses: Vec<Hypothesis>,
+        difference: &Comparison,
+    ) -> Result<Vec<Tried<'a>>, GlError> {
+        let few = difference.first(TELLING);
+        let situations = TELLING.min(self.situations);
+        hypotheses.into_iter().map(|h| self.attempt_in(model, h, Some(&few), situations)).collect()
+    }
+
+    /// Of single mistakes those that show, each picture once: in this exercise many may look the same, or like nothing.
+    fn distinct(&self, model: usize, difference: &Comparison) -> Result<Vec<Hypothesis>, GlError> {
+        // Where strengths have to be found, hypotheses that fit badly all end without the term: they look the same, and are not.
+        if self.casts[model].must_find() {
+            return Ok(self.wrong(model).cloned().collect());
+        }
+        let picture = |comparison: &Comparison| -> Vec<i64> {
+            comparison.squares.iter().take(TELLING).map(|square| (square * 1e7).round() as i64).collect()
+        };
+        // What leaves over exactly as much as no mistake at all is not to be seen.
+        let mut known = std::collections::BTreeSet::from([picture(&difference.first(TELLING))]);
+        let tried = self.in_telling(model, self.wrong(model).cloned().collect(), difference)?;
+        Ok(tried.into_iter().filter(|t| known.insert(picture(&t.rest))).map(|t| t.hypothesis).collect())
+    }
+
+    /// Tries many in a few situations, and the best of them in all.
+    fn best_of(
+        &self,
+        model: usize,
+        hypotheses: Vec<Hypothesis>,
+        difference: &Comparison,
+    ) -> Result<Vec<Tried<'a>>, GlError> {
+        if self.situations <= TELLING || hypotheses.len() <= KEPT {
+            return hypotheses.into_iter().map(|h| self.attempt(model, h, Some(difference))).collect();
+        }
+        let mut tried = self.in_telling(model, hypotheses, difference)?;
+        tried.sort_by(|a, b| a.order(b));
+        tried.into_iter().take(KEPT).map(|tried| self.attempt(model, tried.hypothesis, Some(difference))).collect()
+    }
+
+    fn attempt_in(
+        &self,
+        model: usize,
+        hypothesis: Hypothesis,
+        difference: Option<&Comparison>,
+        situations: usize,
+    ) -> Result<Tried<'a>, GlError> {
+        let compiled = self.models[model];
+        let prediction = compiled.predict(self.stage, &self.casts[model], self.seen, &hypothesis, situations)?;
+        let rest = Comparison::of(self.seen, &prediction.sheet, situations);
+        let explained = difference.map_or(0.0, |difference| difference.explained_by(&rest));
+        let made_of = hypothesis.made_of.iter().map(|&index| compiled.hypotheses.mistakes[index]).collect();
+        Ok(Tried { model, made_of, hypothesis, rest, prediction, explained })
+    }
+
+    /// All sets of at most three peculiarities that go together, the empty one first.
+    fn peculiar(&self, model: usize) -> Vec<Hypothesis> {
+        let hypotheses = &self.models[model].hypotheses;
+        let single: Vec<&Hypothesis> =
+            hypotheses.singles.iter().filter(|h| h.made_of.iter().all(|&m| hypotheses.mistakes[m].harmless)).collect();
+        let mut sets = vec![Hypothesis::default()];
+        let mut first_of_last = 0;
+        for _ in 0..3 {
+            let end = sets.len();
+            for index in first_of_last..end {
+                for one in &single {
+                    let comes_later = sets[index].made_of.last().is_none_or(|last| one.made_of[0] > *last);
+                    if let (true, Some(both)) = (comes_later, sets[index].and(one)) {
+                        sets.push(both);
+                    }
+                }
+            }
+            first_of_last = end;
+        }
+        sets
+    }
+
+    fn wrong(&self, model: usize) -> impl Iterator<Item = &'a Hypothesis> {
+        let hypotheses = &self.models[model].hypotheses;
+        hypotheses.singles.iter().filter(|h| h.made_of.iter().all(|&m| !hypotheses.mistakes[m].harmless))
+    }
+
+    /// Looks for the simplest explanation.
+    pub fn run(&self) -> Result<Found<'a>, GlError> {
+        let plain = self.attempt(0, Hypothesis::default(), None)?;
+        let difference = plain.rest.clone();
+        let mut nearest_right = plain.clone();
+        let mut all = vec![plain];
+        // Right in another way?
+        let mut bases: Vec<(usize, Hypothesis)> = Vec::new();
+        for model in 0..self.models.len() {
+            let mut tried = Vec::new();
+            for set in self.peculiar(model) {
+                tried.push(self.attempt(model, set, Some(&difference))?);
+            }
+            tried.sort_by(|a, b| a.order(b));
+            if let Some(best) = tried.first().filter(|best| model == 0 && best.order(&nearest_right).is_lt()) {
+                nearest_right = best.clone();
+            }
+            bases.push((model, Hypothesis::default()));
+            if let Some(best) = tried.first().filter(|best| !best.made_of.is_empty()) {
+                bases.push((model, best.hypothesis.clone()));
+            }
+            // So common that it is never left to chance.
+            let common = tried.iter().find(|t| t.made_of.len() == 1 && t.made_of[0].id == "normal-kept-unnormalised");
+            if let Some(common) = common.filter(|common| bases.iter().all(|(_, base)| *base != common.hypothesis)) {
+                bases.push((model, common.hypothesis.clone()));
+            }
+            all.extend(tried);
+        }
+        if all.iter().any(|tried| tried.rest.is_same() && tried.model == 0) {
+            return Ok(self.found(nearest_right, all));
+        }
+        // One mistake, plain or together with what is peculiar.
+        let mut singles = Vec::new();
+        for (model, base) in &bases {
+            let with_base = self.wrong(*model).filter_map(|one| one.and(base)).collect();
+            singles.extend(self.best_of(*model, with_base, &difference)?);
+        }
+        singles.sort_by(|a, b| a.order(b));
+        let again = self.with_every_peculiarity(&singles, &difference)?;
+        singles.extend(again);
+        singles.sort_by(|a, b| a.order(b));
+        if !singles.iter().any(|tried| tried.rest.is_same()) {
+            let pairs = self.pairs(&difference, &singles)?;
+            all.extend(pairs);
+        }
+        all.extend(singles);
+        Ok(self.found(nearest_right, all))
+    }
+
+    /// The best singles once more, with every set of peculiarities.
+    fn with_every_peculiarity(
+        &self,
+        singles: &[Tried<'a>],
+        difference: &Comparison,
+    ) -> Result<Vec<Tried<'a>>, GlError> {
+        let mut again = Vec::new();
+        if singles.iter().any(|tried| tried.rest.is_same()) {
+            return Ok(again);
+        }
+        for tried in singles.iter().take(TRIED_AGAIN) {
+            let alone = self.without_peculiarities(tried);
+            for set in self.peculiar(tried.model) {
+                if let Some(both) = alone.and(&set) {
+                    again.push(self.attempt(tried.model, both, Some(difference))?);
+                }
+            }
+        }
+        Ok(again)
+    }
+
+    fn without_peculiarities(&self, tried: &Tried<'a>) -> Hypothesis {
+        let hypotheses = &self.models[tried.model].hypotheses;
+        let is_wrong = |h: &&Hypothesis| {
+            h.made_of.iter().all(|&m| !hypotheses.mistakes[m].harmless && tried.hypothesis.made_of.contains(&m))
+                && h.choices.iter().all(|(line, way)| tried.hypothesis.choices.get(line) == Some(way))
+        };
+        hypotheses.singles.iter().find(is_wrong).cloned().unwrap_or_default()
+    }
+
+    /// Two mistakes at once: to each of the best, the one that explains most of what it leaves over.
+    fn pairs(&self, difference: &Comparison, singles: &[Tried<'a>]) -> Result<Vec<Tried<'a>>, GlError> {
+        let mut firsts: Vec<&Tried<'a>> = Vec::new();
+        let mut by_share: Vec<&Tried<'a>> = singles.iter().collect();
+        by_share.sort_by(|a, b| b.best_share(difference).total_cmp(&a.best_share(difference)));
+        // Those that explain most of it all, and those that explain most of some situation.
+        for tried in singles.iter().take(4 * FIRSTS).zip(by_share).flat_map(|(a, b)| [a, b]) {
+            // A mistake's ways count each for itself, what is peculiar beside it does not.
+            let alone = self.without_peculiarities(tried);
+            let known = firsts.iter().any(|o| o.model == tried.model && self.without_peculiarities(o) == alone);
+            if !known && firsts.len() < FIRSTS {
+                firsts.push(tried);
+            }
+        }
+        let mut pairs = Vec::new();
+        let mut seconds: Vec<Option<Vec<Hypothesis>>> = vec![None; self.models.len()];
+        for first in firsts {
+            let seconds = match &mut seconds[first.model] {
+                Some(known) => &*known,
+                unknown => &*unknown.insert(self.distinct(first.model, difference)?),
+            };
+            let alone = self.without_peculiarities(first);
+            let mut best: Option<Tried<'a>> = None;
+            let mut both: Vec<Hypothesis> = Vec::new();
+            for second in seconds {
+                // What is peculiar may stand on the second's line, or be taken for it.
+                for one in [&first.hypothesis, &alone] {
+                    both.extend(one.and(second).filter(|way| !both.contains(way)));
+                }
+            }
+            for mut tried in self.best_of(first.model, both, difference)? {
+                // What the first leaves over may be small beside what it explains.
+                let of_the_rest = first.rest.explained_by(&tried.rest);
+                tried.explained = tried.explained.min(0.5 + 0.5 * of_the_rest).max(tried.explained * of_the_rest);
+                if best.as_ref().is_none_or(|best| tried.order(best).is_lt()) {
+                    best = Some(tried.clone());
+                }
+                if tried.rest.is_same() {
+                    pairs.push(tried);
+                }
+            }
+            let Some(best) = best else { continue };
+            let again = self.pair_with_peculiarities(&best, difference)?;
+            let is_named = best.rest.is_same();
+            pairs.push(best);
+            pairs.extend(again);
+            if is_named {
+                break;
+            }
+        }
+        Ok(pairs)
+    }
+
+    fn pair_with_peculiarities(&self, pair: &Tried<'a>, difference: &Comparison) -> Result<Vec<Tried<'a>>, GlError> {
+        let mut again = Vec::new();
+        if pair.rest.is_same() || pair.explained < 0.5 {
+            return Ok(again);
+        }
+        for set in self.peculiar(pair.model).into_iter().skip(1) {
+            if let Some(both) = pair.hypothesis.and(&set) {
+                again.push(self.attempt(pair.model, both, Some(difference))?);
+            }
+        }
+        Ok(again)
+    }
+
+    fn found(&self, nearest_right: Tried<'a>, mut all: Vec<Tried<'a>>) -> Found<'a> {
+        all.sort_by(|a, b| a.order(b));
+        let mut seen = std::collections::BTreeSet::new();
+        all.retain(|tried| {
+            let words: Vec<String> = tried.wrong().into_iter().map(str::to_owned).collect();
+            seen.insert((tried.model, words))
+        });
+        Found { nearest_right, ranking: all }
+    }
+}

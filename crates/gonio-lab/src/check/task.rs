@@ -1,0 +1,76 @@
+//! What the exercises ask of a pair of shaders.
+
+use crate::bank::Model;
+use crate::stage::{Situation, situation};
+use glam::Vec3;
+
+/// What an exercise asks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Task {
+    /// The exercise's word: `ex04`.
+    pub exercise: &'static str,
+    /// The right answer.
+    pub model: Model,
+    /// Another way to compute it, and the word for doing so where it is a mistake.
+    pub other: Option<(Model, Option<&'static str>)>,
+    /// Whether ambient, diffuse and specular light must be there.
+    pub wanted: [bool; 3],
+    /// Whether light fades with distance.
+    pub attenuated: bool,
+    /// Where the lab's own light is, for programs that have it written in them.
+    pub light_position: Vec3,
+}
+
+const LAMP: Vec3 = Vec3::new(0.5, 0.5, -0.7);
+
+/// All exercises of which a pair of shaders is the answer.
+pub const TASKS: &[Task] = &[
+    task("ex03", Model::Gouraud, Some((Model::Phong, Some("phong-instead-of-gouraud"))), [false, true, false]),
+    task("ex04", Model::Phong, Some((Model::Gouraud, Some("gouraud-instead-of-phong"))), [false, true, false]),
+    task("ex05", Model::Gouraud, Some((Model::Phong, Some("phong-instead-of-gouraud"))), [false, false, true]),
+    task("ex06", Model::Phong, Some((Model::Gouraud, Some("gouraud-instead-of-phong"))), [false, false, true]),
+    Task {
+        attenuated: true,
+        light_position: Vec3::new(1.0, 2.0, 1.5),
+        // The exercise does not say where the equation is to be computed.
+        ..task("ex07", Model::Phong, Some((Model::Gouraud, None)), [true, true, true])
+    },
+    task("ex08", Model::Skybox, None, [false; 3]),
+    task("ex09", Model::Reflection, None, [false; 3]),
+    task("ex10", Model::Refraction, None, [false; 3]),
+];
+
+const fn task(
+    exercise: &'static str,
+    model: Model,
+    other: Option<(Model, Option<&'static str>)>,
+    wanted: [bool; 3],
+) -> Task {
+    Task { exercise, model, other, wanted, attenuated: false, light_position: LAMP }
+}
+
+impl Task {
+    /// Of an exercise.
+    pub fn of(exercise: &str) -> Option<&'static Task> {
+        TASKS.iter().find(|task| task.exercise == exercise)
+    }
+
+    /// Where it is tried: whole, and then one term alone; and how many are whole.
+    pub fn situations(&self) -> (Vec<Situation>, usize) {
+        let mut all = match self.model {
+            Model::Phong | Model::Gouraud => situation::lit(),
+            Model::Reflection | Model::Refraction => situation::mirrored(),
+            Model::Skybox => situation::skies(),
+        };
+        if !self.attenuated {
+            for situation in &mut all {
+                situation.light.attenuation = [1.0, 0.0, 0.0];
+            }
+        }
+        let whole = all.len();
+        if self.model.is_lit() {
+            all.extend(situation::isolated(&all));
+        }
+        (all, whole)
+    }
+}

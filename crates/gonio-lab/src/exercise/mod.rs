@@ -1,0 +1,202 @@
+//! The exercises: their texts, what one starts from, and the references. All of it is part of the program.
+
+mod files;
+
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+
+/// What is handed in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Kind {
+    /// A pair of shaders.
+    Shaders,
+    /// The vertex buffer that a program of any language writes.
+    Buffers,
+    /// A host program's OpenGL calls.
+    HostProgram,
+    /// Six faces of a cubemap, or a shader that makes them.
+    Faces,
+}
+
+/// What an exercise gives.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
+pub struct Inputs {
+    /// By name.
+    #[serde(default)]
+    pub attributes: BTreeMap<String, Input>,
+    /// By OpenGL's name.
+    #[serde(default)]
+    pub uniforms: BTreeMap<String, Input>,
+}
+
+/// An attribute or a uniform that is given.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+pub struct Input {
+    /// Of GLSL.
+    #[serde(rename = "type")]
+    pub glsl_type: String,
+    /// With its space and unit.
+    pub meaning: String,
+    /// The lab's.
+    pub value: String,
+}
+
+/// What to look for in the picture.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+pub struct LookFor {
+    /// A sentence.
+    pub text: String,
+}
+
+#[derive(Deserialize)]
+struct Declaration {
+    id: String,
+    title: String,
+    #[serde(default)]
+    summary: String,
+    kind: Kind,
+    #[serde(default)]
+    seed: String,
+    #[serde(default)]
+    builds_on: Vec<String>,
+    #[serde(default)]
+    look_for: Vec<LookFor>,
+    #[serde(default)]
+    inputs: Inputs,
+}
+
+/// An exercise.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Exercise {
+    /// `ex04`.
+    pub id: String,
+    /// Its folder in `exercises/`.
+    pub folder: &'static str,
+    /// A few words.
+    pub title: String,
+    /// A sentence.
+    pub summary: String,
+    /// What is handed in.
+    pub kind: Kind,
+    /// Where the lecture teaches it.
+    pub seed: String,
+    /// Exercises that should be done before.
+    pub builds_on: Vec<String>,
+    /// What to look for in the picture.
+    pub look_for: Vec<LookFor>,
+    /// What is given.
+    pub inputs: Inputs,
+    files: &'static [(&'static str, &'static str)],
+}
+
+impl Exercise {
+    /// Its text, in Markdown.
+    pub fn text(&self) -> &'static str {
+        self.file("text.md").unwrap_or_default()
+    }
+
+    /// One of its files, by its name in the folder.
+    pub fn file(&self, name: &str) -> Option<&'static str> {
+        self.files.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
+    }
+
+    /// What one starts from: everything but what gives the answer away. Names have folders.
+    pub fn start_files(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
+        let given_away =
+            |name: &str| name.split('/').any(|part| part.starts_with("reference")) || name == "exercise.toml";
+        self.files.iter().copied().filter(move |(name, _)| !given_away(name))
+    }
+
+    /// What the right answer looks like.
+    pub fn reference_files(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
+        self.files.iter().copied().filter(|(name, _)| name.split('/').any(|part| part.starts_with("reference")))
+    }
+}
+
+/// All of them, in their order.
+pub fn all() -> &'static [Exercise] {
+    static ALL: LazyLock<Vec<Exercise>> =
+        LazyLock::new(|| files::FOLDERS.iter().filter_map(|(folder, files)| read(folder, files).ok()).collect());
+    &ALL
+}
+
+/// By its word: `ex04`, `4`, `04`, `EX4`, the folder's name or `s1`.
+pub fn find(word: &str) -> Option<&'static Exercise> {
+    let word = word.to_ascii_lowercase();
+    let number = word.trim_start_matches("ex").trim_start_matches('0');
+    all().iter().find(|exercise| {
+        exercise.id == word
+            || exercise.folder == word
+            || (!number.is_empty() && exercise.id.trim_start_matches("ex").trim_start_matches('0') == number)
+    })
+}
+
+fn read(folder: &'static str, files: &'static [(&'static str, &'static str)]) -> Result<Exercise, String> {
+    let declared = files.iter().find(|(name, _)| *name == "exercise.toml").map_or("", |(_, text)| text);
+    let declared: Declaration = toml::from_str(declared).map_err(|error| format!("{folder}/exercise.toml: {error}"))?;
+    Ok(Exercise {
+        id: declared.id,
+        folder,
+        title: declared.title,
+        summary: declared.summary,
+        kind: declared.kind,
+        seed: declared.seed,
+        builds_on: declared.builds_on,
+        look_for: declared.look_for,
+        inputs: declared.inputs,
+        files,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+
+    #[test]
+    fn every_folder_is_an_exercise_and_every_file_of_it_is_carried() {
+        let top = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../exercises");
+        let mut folders: Vec<String> = std::fs::read_dir(&top)
+            .unwrap()
+            .map(|entry| entry.unwrap())
+            .filter(|entry| entry.path().join("exercise.toml").exists())
+            .map(|entry| entry.file_name().into_string().unwrap())
+            .collect();
+        folders.sort();
+        let carried: Vec<&str> = files::FOLDERS.iter().map(|(folder, _)| *folder).collect();
+        assert_eq!(folders, carried);
+        for (folder, files) in files::FOLDERS {
+            let exercise = read(folder, files).unwrap();
+            assert!(exercise.text().len() > 1000, "{folder}");
+            for (name, text) in *files {
+                assert_eq!(std::fs::read_to_string(top.join(folder).join(name)).unwrap(), *text, "{folder}/{name}");
+            }
+            for name in ["text.md", "start.vert", "start.frag", "reference.vert", "reference.frag"] {
+                let on_disk = top.join(folder).join(name).exists();
+                assert_eq!(exercise.file(name).is_some(), on_disk, "{folder}/{name}");
+            }
+        }
+    }
+
+    #[test]
+    fn an_exercise_is_found_by_what_people_type() {
+        for word in ["ex04", "EX04", "ex4", "4", "04", "ex04-phong-diffuse"] {
+            assert_eq!(find(word).map(|e| e.id.as_str()), Some("ex04"), "{word}");
+        }
+        assert_eq!(find("10").map(|e| e.id.as_str()), Some("ex10"));
+        assert_eq!(find("s1").map(|e| e.id.as_str()), Some("s1"));
+        assert!(find("ex99").is_none() && find("").is_none() && find("ex").is_none());
+    }
+
+    #[test]
+    fn the_answer_is_not_among_what_one_starts_from() {
+        for exercise in all() {
+            for (name, _) in exercise.start_files() {
+                assert!(!name.contains("reference"), "{}: {name}", exercise.id);
+            }
+            assert!(exercise.start_files().count() >= 2, "{}", exercise.id);
+        }
+    }
+}

@@ -1,0 +1,27 @@
+//! What a check says, in the forms that people and machines read: test reports, graders' results, tables, pages, pictures.
+//!
+//! All of it is text or bytes made of data: nothing is written anywhere. What students wrote (names, lines of source,
+//! messages) is taken for hostile: see `text`.
+
+mod graders;
+mod html;
+mod junit;
+mod overview;
+mod page;
+mod picture;
+mod sheet;
+mod similarity;
+mod table;
+mod text;
+
+#[cfg(test)]
+mod tests;
+
+pub use graders::{code_runner, gradescope};
+pub use html::page_name;
+pub use junit::junit;
+pub use overview::overview;
+pub use page::page;
+pub use sheet::sheet;
+pub use similarity::{Fingerprint, similar_pairs, similarity};
+pub use table::{Row, RowMistake, csv};

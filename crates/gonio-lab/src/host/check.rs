@@ -1,0 +1,189 @@
+//! Judges a host program: right, or wrong and why.
+//!
+//! A mistake is named only where the picture is right without it: each suspicion comes with the mended program, and that
+//! is carried out. Where no single one does, they are tried one after the other, the most telling first.
+
+use super::compare::{ENOUGH, Judge};
+use super::files::for_context;
+use super::messages;
+use super::names::name_of;
+use super::program::HostProgram;
+use super::suspects::Suspect;
+use super::verdict::{HostMistake, HostOutcome, HostVerdict, HostWarning};
+use super::warnings;
+use gonio_gl::host::{HostFailure, HostFiles, HostRun, Step};
+use gonio_gl::record::Severity;
+use gonio_gl::{Gl, GlError};
+use std::collections::{BTreeMap, BTreeSet};
+
+const REFERENCE: &str = include_str!("../../../../exercises/ex11-texture-unit/host/reference.txt");
+/// Most mistakes that are looked for in one program.
+const MOST_MISTAKES: usize = 3;
+/// Most pictures that are drawn for one program.
+const MOST_PICTURES: usize = 180;
+/// So many suspicions of each round are followed further.
+const FOLLOWED: usize = 4;
+/// A share of pixels that is no progress.
+const LITTLE: f64 = 1e-4;
+
+/// Judges a host program's text. `files` are the shaders and images that it may name; the reference reads the same ones,
+/// `start.vert`, `start.frag` and `checker.png` among them.
+///
+/// An error where OpenGL itself fails, or one of these is not there.
+pub fn check(gl: &Gl, text: &str, file_name: &str, files: &HostFiles) -> Result<HostVerdict, GlError> {
+    match HostProgram::parse(text, file_name) {
+        Ok(program) => check_program(gl, &program, files),
+        Err(errors) => Ok(HostVerdict::broken(file_name, errors)),
+    }
+}
+
+/// Judges a file's bytes.
+pub fn check_bytes(gl: &Gl, bytes: &[u8], file_name: &str, files: &HostFiles) -> Result<HostVerdict, GlError> {
+    match HostProgram::parse_bytes(bytes, file_name) {
+        Ok(program) => check_program(gl, &program, files),
+        Err(errors) => Ok(HostVerdict::broken(file_name, errors)),
+    }
+}
+
+/// The exercise's own program, which is right.
+pub fn reference() -> Result<HostProgram, GlError> {
+    HostProgram::parse(REFERENCE, "reference.txt").map_err(|errors| {
+        let first = errors.first().map_or(String::new(), ToString::to_string);
+        GlError::new(format!("the exercise's own program cannot be read: {first}"))
+    })
+}
+
+/// Judges a host program that was read.
+pub fn check_program(gl: &Gl, program: &HostProgram, files: &HostFiles) -> Result<HostVerdict, GlError> {
+    let reference = reference()?;
+    let files = &*for_context(gl, files);
+    let mut judge = Judge::new(gl, files, &reference.steps);
+    let run = match judge.run(&program.steps, true) {
+        Ok(run) => run,
+        Err(HostFailure::Driver(error)) => return Err(error),
+        Err(failure) => return Ok(HostVerdict::broken(&program.file, messages::errors(&failure, program, files))),
+    };
+    let share_right = judge.share_right(&run)?;
+    let right = share_right >= ENOUGH;
+    let found = if right { Vec::new() } else { search(&mut judge, &program.steps, &run, share_right)? };
+    let mut mistakes: Vec<HostMistake> = found.iter().filter_map(|suspect| mistake(program, suspect)).collect();
+    mistakes.sort_by_key(|mistake| mistake.line);
+    let warnings = warnings::of(program, &run, right);
+    Ok(HostVerdict {
+        file: program.file.clone(),
+        verdict: if right { HostOutcome::Correct } else { HostOutcome::Wrong },
+        summary: summary(right, &mistakes, &run, &warnings),
+        mistakes,
+        findings: run.findings.clone(),
+        errors: Vec::new(),
+        refused: run.errors.clone(),
+        warnings,
+        share_right,
+        reference: judge.picture(None)?.to_vec(),
+        run: Some(run),
+    })
+}
+
+fn mistake(program: &HostProgram, suspect: &Suspect) -> Option<HostMistake> {
+    let quoted = program.quoted(suspect.line).unwrap_or_default();
+    Some(HostMistake::new(name_of(suspect.id)?, &suspect.said, &suspect.mend, suspect.line, quoted))
+}
+
+fn summary(right: bool, mistakes: &[HostMistake], run: &HostRun, warnings: &[HostWarning]) -> String {
+    if right {
+        return match warnings.len() {
+            0 => "the picture is right".to_owned(),
+            1 => format!("the picture is right; but {}", warnings[0].text),
+            many => format!("the picture is right, and there are {many} warnings"),
+        };
+    }
+    let told: Vec<String> = mistakes.iter().map(|m| format!("line {}: {}", m.line, m.name)).collect();
+    match (told.is_empty(), run.errors.first()) {
+        (false, _) => told.join("; "),
+        (true, Some(error)) => {
+            format!("the picture is wrong, and no known mistake explains it; OpenGL refused a call: {error}")
+        }
+        (true, None) => "the picture is wrong, and no known mistake explains it".to_owned(),
+    }
+}
+
+/// A program on the way to being right.
+struct Attempt {
+    mended: Vec<Suspect>,
+    steps: Vec<Step>,
+    run: HostRun,
+    /// Calls that are refused, and findings that cannot be meant.
+    complaints: BTreeSet<String>,
+    /// How many complaints the last mend has ended; others may have come to light.
+    ended: usize,
+    share: f64,
+}
+
+impl Attempt {
+    fn new(mended: Vec<Suspect>, steps: Vec<Step>, run: HostRun, share: f64) -> Self {
+        let cannot_be = run.findings.iter().filter(|finding| finding.severity == Severity::Error);
+        let refused = run.errors.iter().map(|error| format!("{} {}", error.line, error.call));
+        let complaints = cannot_be.map(|finding| finding.rule.name().to_owned()).chain(refused).collect();
+        Attempt { mended, steps, run, complaints, ended: 0, share }
+    }
+
+    /// Whether it has come nearer. One mistake may hide another: that a complaint gives way to another one counts.
+    fn is_nearer_than(&mut self, before: &Attempt) -> bool {
+        self.ended = before.complaints.difference(&self.complaints).count();
+        self.ended > 0 || self.share > before.share + LITTLE
+    }
+}
+
+/// Mistakes that together make the picture what it is; none where nothing explains it.
+fn search(judge: &mut Judge<'_>, steps: &[Step], run: &HostRun, share: f64) -> Result<Vec<Suspect>, GlError> {
+    let mut round = vec![Attempt::new(Vec::new(), steps.to_vec(), run.clone(), share)];
+    for _ in 0..MOST_MISTAKES {
+        let mut next: Vec<Attempt> = Vec::new();
+        for before in &round {
+            let suspects = judge.case(&before.steps, &before.run).suspects();
+            for suspect in suspects {
+                if judge.drawn >= MOST_PICTURES {
+                    return Ok(Vec::new());
+                }
+                if before.mended.iter().any(|known| known.id == suspect.id && known.line == suspect.line) {
+                    continue;
+                }
+                let run = match judge.run(&suspect.mended, false) {
+                    Ok(run) => run,
+                    Err(HostFailure::Driver(error)) => return Err(error),
+                    Err(_) => continue,
+                };
+                let share = judge.share_right(&run)?;
+                let steps = suspect.mended.clone();
+                let mended = before.mended.iter().cloned().chain([suspect]).collect();
+                let mut attempt = Attempt::new(mended, steps, run, share);
+                if share >= ENOUGH {
+                    return Ok(attempt.mended);
+                }
+                if attempt.is_nearer_than(before) {
+                    next.push(attempt);
+                }
+            }
+        }
+        next.sort_by(|a, b| {
+            let complaints = a.complaints.len().cmp(&b.complaints.len());
+            complaints.then(b.ended.cmp(&a.ended)).then(b.share.total_cmp(&a.share))
+        });
+        round = distinct(next);
+    }
+    Ok(Vec::new())
+}
+
+/// The most promising ones, each state once.
+fn distinct(attempts: Vec<Attempt>) -> Vec<Attempt> {
+    let mut seen: BTreeMap<(BTreeSet<String>, u64), usize> = BTreeMap::new();
+    let mut kept: Vec<Attempt> = Vec::new();
+    for attempt in attempts {
+        let times = seen.entry((attempt.complaints.clone(), attempt.share.to_bits())).or_default();
+        *times += 1;
+        if *times <= 2 && kept.len() < FOLLOWED {
+            kept.push(attempt);
+        }
+    }
+    kept
+}

@@ -1,0 +1,112 @@
+//! The student's picture against the reference's.
+
+use super::suspects::Case;
+use gonio_gl::GlError;
+use gonio_gl::host::{Call, Constant, HostFailure, HostFiles, HostOptions, HostRun, Selector, Step, constant, run};
+use gonio_gl::record::SamplingRecord;
+use std::collections::HashMap;
+
+/// Pixels along each side of the pictures that are compared: enough for the smaller levels of the texture to be read.
+pub const SIDE: u32 = 256;
+/// Two pixels are the same within one step of 8 bits, and a hair for the rounding of that: the exercise's own tolerance.
+const STEP: f32 = 1.01 / 255.0;
+/// So many of all pixels must be the same: the exercise's own tolerance.
+pub const ENOUGH: f64 = 0.99;
+
+/// How the reference is carried out, and what has come of it so far.
+pub struct Judge<'a> {
+    gl: &'a gonio_gl::Gl,
+    files: &'a HostFiles,
+    /// The program that is right.
+    pub reference: &'a [Step],
+    /// Its pictures, by how the texture is sampled.
+    pictures: HashMap<[String; 4], Vec<[f32; 4]>>,
+    /// How many pictures were drawn.
+    pub drawn: usize,
+}
+
+impl<'a> Judge<'a> {
+    /// Has drawn nothing yet.
+    pub fn new(gl: &'a gonio_gl::Gl, files: &'a HostFiles, reference: &'a [Step]) -> Self {
+        Judge { gl, files, reference, pictures: HashMap::new(), drawn: 0 }
+    }
+
+    /// Carries a program out.
+    pub fn run(&mut self, steps: &[Step], thumbnails: bool) -> Result<HostRun, HostFailure> {
+        self.drawn += 1;
+        run(self.gl, steps, self.files, HostOptions { size: [SIDE; 2], float: false, thumbnails })
+    }
+
+    /// The share of a picture's pixels that are as they should be.
+    ///
+    /// The exercise does not ask for a certain filter or wrap: the picture is held against the reference with the same
+    /// ones.
+    pub fn share_right(&mut self, run: &HostRun) -> Result<f64, GlError> {
+        let sampling = run.record.draws.last().and_then(|draw| draw.samplers.first());
+        let sampling = sampling.and_then(|sampler| sampler.sampling.as_ref());
+        let own = share(&run.pixels, self.picture(None)?);
+        if own >= ENOUGH {
+            return Ok(own);
+        }
+        match sampling {
+            Some(sampling) => {
+                let same = share(&run.pixels, self.picture(Some(sampling))?);
+                Ok(own.max(same))
+            }
+            None => Ok(own),
+        }
+    }
+
+    /// The reference's picture, with its own sampling or with another.
+    pub fn picture(&mut self, sampling: Option<&SamplingRecord>) -> Result<&[[f32; 4]], GlError> {
+        let key = sampling.map_or_else(Default::default, |s| {
+            [s.min_filter.clone(), s.mag_filter.clone(), s.wrap[0].clone(), s.wrap[1].clone()]
+        });
+        if !self.pictures.contains_key(&key) {
+            let steps = sampled(self.reference, &key);
+            let run = self.run(&steps, false).map_err(|failure| match failure {
+                HostFailure::Driver(error) => error,
+                other => GlError::new(format!("the exercise's own program cannot be drawn: {other}")),
+            })?;
+            self.pictures.insert(key.clone(), run.pixels);
+        }
+        Ok(self.pictures.get(&key).map(Vec::as_slice).unwrap_or_default())
+    }
+
+    /// What may be wrong with a program.
+    pub fn case<'b>(&'b self, steps: &'b [Step], run: &'b HostRun) -> Case<'b>
+    where
+        'a: 'b,
+    {
+        Case::new(steps, run, self.reference)
+    }
+}
+
+/// The reference with other filters and wraps; empty words change nothing.
+fn sampled(reference: &[Step], words: &[String; 4]) -> Vec<Step> {
+    let parameters = ["TEXTURE_MIN_FILTER", "TEXTURE_MAG_FILTER", "TEXTURE_WRAP_S", "TEXTURE_WRAP_T"];
+    let mut steps = reference.to_vec();
+    for step in &mut steps {
+        let Call::TexParameter { parameter, value, .. } = &mut step.call else { continue };
+        let Some(place) = parameters.iter().position(|name| *name == parameter.name) else { continue };
+        if let Some(constant) = by_words(&words[place]) {
+            *value = Selector::Constant(constant);
+        }
+    }
+    steps
+}
+
+/// A constant by the words that records have for it: `linear mipmap linear`.
+fn by_words(words: &str) -> Option<Constant> {
+    constant(&words.to_uppercase().replace(' ', "_"))
+}
+
+/// The share of pixels that are the same. Alpha is not seen in a window.
+fn share(mine: &[[f32; 4]], right: &[[f32; 4]]) -> f64 {
+    if mine.len() != right.len() || mine.is_empty() {
+        return 0.0;
+    }
+    let same = |(a, b): &(&[f32; 4], &[f32; 4])| (0..3).all(|i| (a[i] - b[i]).abs() <= STEP);
+    let count = mine.iter().zip(right).filter(same).count();
+    count as f64 / mine.len() as f64
+}

@@ -1,0 +1,93 @@
+//! The text of a host program and its calls.
+
+use super::reader;
+use gonio_gl::host::Step;
+use serde::Serialize;
+use std::fmt;
+
+/// Most calls of a host program.
+pub const MOST_CALLS: usize = 1000;
+/// Most bytes of its text.
+pub const MOST_TEXT_BYTES: usize = 4 << 20;
+/// Most bytes that one list of numbers fills.
+pub const MOST_DATA_BYTES: usize = 1 << 20;
+/// Most errors that are told at once.
+pub const MOST_ERRORS: usize = 50;
+
+/// A host program, read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HostProgram {
+    /// The file's name.
+    pub file: String,
+    /// Its calls, in order.
+    pub steps: Vec<Step>,
+    /// Its lines, to be quoted.
+    lines: Vec<String>,
+}
+
+/// Something that is no host program.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct HostError {
+    /// The file's name.
+    pub file: String,
+    /// From 1.
+    pub line: u32,
+    /// From 1, in characters.
+    pub column: u32,
+    /// What is wrong: a sentence without its end.
+    pub message: String,
+    /// What to do, likewise; may be empty.
+    pub help: String,
+}
+
+impl fmt::Display for HostError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}:{}: {}", self.file, self.line, self.column, self.message)?;
+        if self.help.is_empty() { Ok(()) } else { write!(f, "; {}", self.help) }
+    }
+}
+
+impl std::error::Error for HostError {}
+
+impl HostProgram {
+    /// Reads a text. All errors that it has, up to [`MOST_ERRORS`]; never an empty list.
+    pub fn parse(text: &str, file_name: &str) -> Result<Self, Vec<HostError>> {
+        let error = |message: String, help: &str| {
+            vec![HostError { file: file_name.to_owned(), line: 1, column: 1, message, help: help.to_owned() }]
+        };
+        if text.len() > MOST_TEXT_BYTES {
+            let most = MOST_TEXT_BYTES >> 20;
+            return Err(error(format!("the text has {} bytes", text.len()), &format!("{most} MB is the most")));
+        }
+        if text.contains('\0') {
+            return Err(error("this is no text".to_owned(), "give the text of the host program"));
+        }
+        let steps = reader::read(text, file_name)?;
+        let lines = text.lines().map(str::to_owned).collect();
+        Ok(HostProgram { file: file_name.to_owned(), steps, lines })
+    }
+
+    /// Reads a file's bytes.
+    pub fn parse_bytes(bytes: &[u8], file_name: &str) -> Result<Self, Vec<HostError>> {
+        // A byte order mark is no mistake of the student's.
+        let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
+        match std::str::from_utf8(bytes) {
+            Ok(text) => Self::parse(text, file_name),
+            Err(why) => {
+                let line = bytes[..why.valid_up_to()].iter().filter(|byte| **byte == b'\n').count() as u32 + 1;
+                Err(vec![HostError {
+                    file: file_name.to_owned(),
+                    line,
+                    column: 1,
+                    message: "this is no text in UTF-8".to_owned(),
+                    help: "give the text of the host program".to_owned(),
+                }])
+            }
+        }
+    }
+
+    /// A line of the text, from 1, without blanks around it.
+    pub fn quoted(&self, line: u32) -> Option<&str> {
+        self.lines.get((line as usize).checked_sub(1)?).map(|line| line.trim())
+    }
+}

@@ -1,0 +1,225 @@
+//! Textures: bound, filled, filtered, and there when they are read.
+
+use super::{Case, Suspect, known};
+use gonio_gl::host::{Call, Constant, Number, ObjectKind, Selector, Step};
+
+/// Adds what may be wrong with textures.
+pub fn suspect(case: &Case<'_>, found: &mut Vec<Suspect>) {
+    deleted(case, found);
+    targets(case, found);
+    bindings(case, found);
+    filters(case, found);
+    mipmaps(case, found);
+    images(case, found);
+}
+
+/// Also buffers and vertex arrays.
+fn deleted(case: &Case<'_>, found: &mut Vec<Suspect>) {
+    for (at, step) in case.before() {
+        let Call::Delete { kind, .. } = &step.call else { continue };
+        let (id, what) = match kind {
+            ObjectKind::Texture => ("texture-deleted", "texture"),
+            ObjectKind::Buffer => ("buffer-deleted", "buffer"),
+            ObjectKind::VertexArray => ("vertex-array-deleted", "vertex array"),
+        };
+        let said = format!("the {what} is deleted before the draw in line {}", case.line(case.draw));
+        found.push(case.suspect(id, at, said, "delete it after the draw", case.without(at)));
+    }
+}
+
+/// The target of a call for textures.
+fn target_of(call: &mut Call) -> Option<&mut Constant> {
+    match call {
+        Call::BindTexture { target, .. }
+        | Call::TexImage2d { target, .. }
+        | Call::TexParameter { target, .. }
+        | Call::GenerateMipmap { target } => Some(target),
+        _ => None,
+    }
+}
+
+/// Everything that is meant for another kind of texture, and each such call alone.
+fn targets(case: &Case<'_>, found: &mut Vec<Suspect>) {
+    let flat = known("TEXTURE_2D");
+    let is_other = |call: &Call| target_of(&mut call.clone()).is_some_and(|target| *target != flat);
+    let others: Vec<usize> = (0..case.steps.len()).filter(|at| is_other(&case.steps[*at].call)).collect();
+    let turn = |only: Option<usize>| {
+        case.changed(|at, call| {
+            let meant = only.is_none_or(|only| only == at);
+            let other = target_of(call).filter(|target| meant && **target != flat);
+            other.is_some_and(|target| {
+                *target = flat;
+                true
+            })
+        })
+    };
+    let alone = if others.len() > 1 { others.clone() } else { Vec::new() };
+    for only in std::iter::once(None).chain(alone.into_iter().map(Some)) {
+        let Some((at, mended)) = turn(only) else { continue };
+        let written = target_of(&mut case.steps[at].call.clone()).map_or("", |target| target.name);
+        let said = format!("{written} is the target of another kind of texture: the sampler2D reads TEXTURE_2D");
+        let mend = match only {
+            None if others.len() > 1 => "write TEXTURE_2D in this line and in all others for this texture",
+            _ => "write TEXTURE_2D",
+        };
+        found.push(case.suspect("wrong-target", at, said, mend, mended));
+    }
+}
+
+fn bindings(case: &Case<'_>, found: &mut Vec<Suspect>) {
+    let textures = case.objects(ObjectKind::Texture);
+    let binds: Vec<usize> =
+        case.before().filter(|(_, step)| matches!(step.call, Call::BindTexture { .. })).map(|(at, _)| at).collect();
+    let for_texture =
+        |call: &Call| matches!(call, Call::TexImage2d { .. } | Call::TexParameter { .. } | Call::GenerateMipmap { .. });
+    let first_for = case.first(for_texture);
+    if binds.is_empty() {
+        for name in &textures {
+            let call = Call::BindTexture { target: known("TEXTURE_2D"), texture: Number::Variable((*name).to_owned()) };
+            let place = first_for.unwrap_or(case.draw);
+            let line =
+                case.first(|call| matches!(call, Call::Generate { name: made, .. } if made == name)).unwrap_or(0);
+            let mend = format!("write `bind_texture TEXTURE_2D {name}` before the texture's other calls");
+            let said = format!("the texture `{name}` is never bound");
+            found.push(case.suspect("texture-not-bound", line, said, mend, case.inserted(place, [call])));
+        }
+    }
+    if let (Some(&bind), Some(first)) = (binds.first(), first_for)
+        && first < bind
+    {
+        let said =
+            format!("the call in line {} is meant for this texture, and comes before it is bound", case.line(first));
+        let mend = format!("write it before line {}", case.line(first));
+        found.push(case.suspect("texture-bound-late", bind, said, mend, case.moved(bind, first)));
+    }
+    for &at in &binds {
+        let Call::BindTexture { target, texture } = &case.steps[at].call else { continue };
+        if *texture == Number::Literal(0) {
+            let said = "0 unbinds the texture, and the draw reads an empty unit";
+            found.push(case.suspect("texture-unbound", at, said, "leave it out", case.without(at)));
+            continue;
+        }
+        if binds.len() > 1 && binds.first() != Some(&at) {
+            let free = Call::ActiveTexture(Selector::Constant(known("TEXTURE15")));
+            let said = "this texture takes the place of the one that is to be drawn, for the same unit is active";
+            let mend = "call active_texture with another unit before it";
+            found.push(case.suspect("other-texture-bound", at, said, mend, case.inserted(at, [free])));
+            let mend = "leave it out";
+            found.push(case.suspect("other-texture-bound", at, said, mend, case.without(at)));
+        }
+        for name in &textures {
+            if *texture != Number::Variable((*name).to_owned()) {
+                let call = Call::BindTexture { target: *target, texture: Number::Variable((*name).to_owned()) };
+                let said = format!("`{name}` is to be drawn, and something else is bound here");
+                let mend = format!("write `bind_texture {} {name}`", target.name);
+                found.push(case.suspect("other-texture-bound", at, said, mend, case.replaced(at, call)));
+            }
+        }
+    }
+}
+
+fn filters(case: &Case<'_>, found: &mut Vec<Suspect>) {
+    for (at, step) in case.before() {
+        let Call::TexParameter { target, parameter, value } = &step.call else { continue };
+        let Selector::Constant(set) = value else {
+            if parameter.name.ends_with("LEVEL") {
+                let said =
+                    format!("with this {} the levels that are there are not the ones that are read", parameter.name);
+                found.push(case.suspect("level-range-wrong", at, said, "leave it out", case.without(at)));
+            }
+            continue;
+        };
+        if case.refused(at).is_some() && parameter.name == "TEXTURE_MAG_FILTER" && set.name.contains("MIPMAP") {
+            let parameter = known("TEXTURE_MIN_FILTER");
+            let call = Call::TexParameter { target: *target, parameter, value: value.clone() };
+            let said =
+                format!("OpenGL refuses {} for TEXTURE_MAG_FILTER, and TEXTURE_MIN_FILTER stays what it was", set.name);
+            found.push(case.suspect("filter-refused", at, said, "write TEXTURE_MIN_FILTER", case.replaced(at, call)));
+        }
+        if case.refused(at).is_some() && parameter.name == "TEXTURE_MIN_FILTER" {
+            let value = Selector::Constant(known("LINEAR"));
+            let call = Call::TexParameter { target: *target, parameter: *parameter, value };
+            let said = format!("OpenGL refuses {}, and TEXTURE_MIN_FILTER stays what it was", set.name);
+            found.push(case.suspect("filter-refused", at, said, "write LINEAR", case.replaced(at, call)));
+        }
+    }
+}
+
+fn mipmaps(case: &Case<'_>, found: &mut Vec<Suspect>) {
+    let Some(image) = case.last(|call| matches!(call, Call::TexImage2d { .. })) else { return };
+    let Some(made) = case.first(|call| matches!(call, Call::GenerateMipmap { .. })) else {
+        let is_filter = |call: &Call| matches!(call, Call::TexParameter { parameter, .. } if parameter.name == "TEXTURE_MIN_FILTER");
+        let set = case.before().find(|(at, step)| is_filter(&step.call) && case.refused(*at).is_none());
+        let mended = case.inserted(image + 1, [Call::GenerateMipmap { target: known("TEXTURE_2D") }]);
+        found.push(match set {
+            Some((_, step)) => case.suspect(
+                "mipmaps-missing",
+                image,
+                format!("the filter set in line {} wants mipmaps, and this image has none", step.line),
+                "write `generate_mipmap TEXTURE_2D` after it, or take the filter LINEAR",
+                mended,
+            ),
+            None => case.suspect(
+                "filter-never-set",
+                image,
+                "TEXTURE_MIN_FILTER is never set, so it wants mipmaps, and this image has none",
+                "write `tex_parameter TEXTURE_2D TEXTURE_MIN_FILTER LINEAR`, or `generate_mipmap TEXTURE_2D` after it",
+                mended,
+            ),
+        });
+        return;
+    };
+    if made < image {
+        let said = format!("the image comes only in line {}", case.line(image));
+        let mend = format!("write it after line {}", case.line(image));
+        found.push(case.suspect("mipmaps-before-image", made, said, mend, case.moved(made, image + 1)));
+    } else if made > image + 1 {
+        let said = format!("what is bound here is not the texture that got its image in line {}", case.line(image));
+        let mend = format!("write it right after line {}", case.line(image));
+        found.push(case.suspect("mipmaps-misplaced", made, said, mend, case.moved(made, image + 1)));
+    }
+}
+
+fn images(case: &Case<'_>, found: &mut Vec<Suspect>) {
+    let mut any = false;
+    for (at, step) in case.steps.iter().enumerate() {
+        let Call::TexImage2d { target, level, format, image } = &step.call else { continue };
+        any = true;
+        if !["RGB8", "RGBA8", "RGB", "RGBA"].contains(&format.name) {
+            let call = Call::TexImage2d { target: *target, level: *level, format: known("RGB8"), image: image.clone() };
+            let said = format!("the format {} keeps other colours than the image has", format.name);
+            found.push(case.suspect("internal-format-wrong", at, said, "write RGB8", case.replaced(at, call)));
+        }
+        if *level != 0 {
+            let call = Call::TexImage2d { target: *target, level: 0, format: *format, image: image.clone() };
+            let said = format!("the image is given to level {level}, and level 0 stays empty");
+            found.push(case.suspect("image-level-wrong", at, said, "write level 0", case.replaced(at, call)));
+        }
+    }
+    let loads = |steps: &[Step]| {
+        let load = |step: &Step| match &step.call {
+            Call::LoadImage { name, file } => Some((name.clone(), file.clone())),
+            _ => None,
+        };
+        steps.iter().filter_map(load).collect::<Vec<_>>()
+    };
+    // Where the right image is loaded too, the mistake is which of the textures is read.
+    let right = loads(case.reference).into_iter().next();
+    let right = right.filter(|(_, right)| !loads(case.steps).iter().any(|(_, file)| file == right));
+    for (at, step) in case.steps.iter().enumerate() {
+        let (Call::LoadImage { name, file }, Some((_, right))) = (&step.call, &right) else { continue };
+        if file != right {
+            let call = Call::LoadImage { name: name.clone(), file: right.clone() };
+            let said = format!("`{file}` is loaded, and the exercise's image is `{right}`");
+            found.push(case.suspect("image-wrong", at, said, format!("write `{right}`"), case.replaced(at, call)));
+        }
+    }
+    if let (false, Some((image, _))) = (any, loads(case.steps).into_iter().next()) {
+        let bind = case.last(|call| matches!(call, Call::BindTexture { .. })).unwrap_or(0);
+        let call =
+            Call::TexImage2d { target: known("TEXTURE_2D"), level: 0, format: known("RGB8"), image: image.clone() };
+        let mend = format!("write `tex_image_2d TEXTURE_2D 0 RGB8 {image}` after it");
+        let mended = case.inserted(bind + 1, [call]);
+        found.push(case.suspect("image-missing", bind, "this texture never gets an image", mend, mended));
+    }
+}

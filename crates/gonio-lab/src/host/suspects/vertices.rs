@@ -1,0 +1,255 @@
+//! Attributes, and the arrays and buffers that feed them.
+
+use super::{Case, Suspect, known};
+use gonio_gl::host::{Call, Constant, Number, ObjectKind, Pointer, Step};
+
+/// Adds what may be wrong with vertices.
+pub fn suspect(case: &Case<'_>, found: &mut Vec<Suspect>) {
+    fields(case, found);
+    unknown_names(case, found);
+    enabled(case, found);
+    repeated_names(case, found);
+    described(case, found);
+    numbers(case, found);
+}
+
+/// What the reference says of each attribute.
+fn reference(case: &Case<'_>) -> Vec<Pointer> {
+    let pointer =
+        |call: &Call| if let Call::VertexAttribPointer(pointer) = call { Some(pointer.clone()) } else { None };
+    case.reference.iter().filter_map(|step| pointer(&step.call)).collect()
+}
+
+type Change = fn(&mut Pointer, &Pointer) -> bool;
+/// A mistake's word, how it is mended, and the field in words.
+type Field = (&'static str, Change, fn(&Pointer) -> String);
+
+fn changes<T: PartialEq>(mine: &mut T, right: T) -> bool {
+    let other = *mine != right;
+    *mine = right;
+    other
+}
+
+fn fields(case: &Case<'_>, found: &mut Vec<Suspect>) {
+    let right = reference(case);
+    let fields: [Field; 4] = [
+        ("stride-wrong", |mine, right| changes(&mut mine.stride, right.stride), |p| format!("stride {}", p.stride)),
+        ("offset-wrong", |mine, right| changes(&mut mine.offset, right.offset), |p| format!("offset {}", p.offset)),
+        ("attribute-size-wrong", |mine, right| changes(&mut mine.size, right.size), |p| format!("size {}", p.size)),
+        ("attribute-type-wrong", |mine, right| changes(&mut mine.kind, right.kind), |p| p.kind.name.to_owned()),
+    ];
+    for (id, change, words) in fields {
+        let changed = case.changed(|_, call| match call {
+            Call::VertexAttribPointer(mine) => {
+                right.iter().find(|right| right.attribute == mine.attribute).is_some_and(|right| change(mine, right))
+            }
+            _ => false,
+        });
+        let Some((at, mended)) = changed else { continue };
+        let (Call::VertexAttribPointer(was), Call::VertexAttribPointer(is)) = (&case.steps[at].call, &mended[at].call)
+        else {
+            continue;
+        };
+        let said = format!("`{}` has {}, and the data wants {}", was.attribute, words(was), words(is));
+        found.push(case.suspect(id, at, said, format!("write {}", words(is)), mended));
+    }
+}
+
+fn is_switched(case: &Case<'_>, attribute: &str, wanted: bool) -> Option<usize> {
+    case.first(|call| matches!(call, Call::SwitchAttribute { attribute: a, on } if a == attribute && *on == wanted))
+}
+
+fn enabled(case: &Case<'_>, found: &mut Vec<Suspect>) {
+    let mut all = Vec::new();
+    for right in reference(case) {
+        let name = &right.attribute;
+        let described = case.last(|call| matches!(call, Call::VertexAttribPointer(p) if p.attribute == *name));
+        if let (Some(at), None) = (described, is_switched(case, name, true)) {
+            all.push((at, name.clone()));
+        }
+    }
+    if let Some((first, name)) = all.first().cloned() {
+        let mut mended = case.steps.to_vec();
+        for (at, name) in all.iter().rev() {
+            let step = Step { line: case.line(*at), call: Call::SwitchAttribute { attribute: name.clone(), on: true } };
+            mended.insert(at + 1, step);
+        }
+        let names = all.iter().map(|(_, name)| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+        let said = format!("{names}: described here, never enabled");
+        let mend = format!("write `enable_vertex_attrib_array {name}` after it");
+        found.push(case.suspect("attribute-not-enabled", first, said, mend, mended));
+    }
+    for (at, step) in case.before() {
+        if let Call::SwitchAttribute { attribute, on: false } = &step.call {
+            let said = format!("`{attribute}` is disabled before the draw in line {}", case.line(case.draw));
+            found.push(case.suspect("attribute-disabled", at, said, "leave it out", case.without(at)));
+        }
+    }
+}
+
+fn described(case: &Case<'_>, found: &mut Vec<Suspect>) {
+    for right in reference(case) {
+        let name = right.attribute.clone();
+        if case.first(|call| matches!(call, Call::VertexAttribPointer(p) if p.attribute == name)).is_some() {
+            continue;
+        }
+        let place = case
+            .last(|call| matches!(call, Call::VertexAttribPointer(_)))
+            .or(case.last(|call| matches!(call, Call::BufferData { .. })))
+            .unwrap_or(0);
+        let enabled = is_switched(case, &name, true);
+        let mend = format!(
+            "write `vertex_attrib_pointer {name} {} FLOAT FALSE {} {}`",
+            right.size, right.stride, right.offset
+        );
+        let mut calls = vec![Call::VertexAttribPointer(right)];
+        if enabled.is_none() {
+            calls.push(Call::SwitchAttribute { attribute: name.clone(), on: true });
+        }
+        let said = format!("no vertex_attrib_pointer says where `{name}` is");
+        let mended = case.inserted(place + 1, calls);
+        found.push(case.suspect("attribute-not-described", enabled.unwrap_or(place), said, mend, mended));
+    }
+}
+
+/// The attribute that a call is about.
+fn name_of(call: &Call) -> Option<&String> {
+    match call {
+        Call::VertexAttribPointer(pointer) => Some(&pointer.attribute),
+        Call::SwitchAttribute { attribute, .. } => Some(attribute),
+        _ => None,
+    }
+}
+
+/// The same, to be changed.
+fn name_of_mut(call: &mut Call) -> Option<&mut String> {
+    match call {
+        Call::VertexAttribPointer(pointer) => Some(&mut pointer.attribute),
+        Call::SwitchAttribute { attribute, .. } => Some(attribute),
+        _ => None,
+    }
+}
+
+/// Attributes of the reference, and those that the program names.
+fn all_names(case: &Case<'_>) -> [Vec<String>; 2] {
+    let right = reference(case).into_iter().map(|pointer| pointer.attribute).collect();
+    [right, case.steps.iter().filter_map(|step| name_of(&step.call).cloned()).collect()]
+}
+
+/// Names that no attribute has.
+fn unknown_names(case: &Case<'_>, found: &mut Vec<Suspect>) {
+    let [right, named] = all_names(case);
+    let mut unknown: Vec<&String> = named.iter().filter(|name| !right.contains(name)).collect();
+    unknown.dedup();
+    for wrong in unknown {
+        for meant in &right {
+            let changed = case.changed(|_, call| match name_of_mut(call).filter(|name| *name == wrong) {
+                Some(name) => {
+                    meant.clone_into(name);
+                    true
+                }
+                None => false,
+            });
+            if let Some((at, mended)) = changed {
+                let said = format!("the program has no attribute `{wrong}`, and `{meant}` gets nothing");
+                found.push(case.suspect("attribute-name-wrong", at, said, format!("write `{meant}`"), mended));
+            }
+        }
+    }
+}
+
+/// A name that has a call already, in place of one that has none.
+fn repeated_names(case: &Case<'_>, found: &mut Vec<Suspect>) {
+    let [right, named] = all_names(case);
+    for (at, step) in case.before() {
+        let Some(name) = name_of(&step.call) else { continue };
+        for meant in right.iter().filter(|meant| *meant != name && !named.contains(meant)) {
+            let mut call = step.call.clone();
+            if let Some(name) = name_of_mut(&mut call) {
+                meant.clone_into(name);
+            }
+            let said = format!("`{name}` stands here, and nothing is said of `{meant}`");
+            let mended = case.replaced(at, call);
+            found.push(case.suspect("attribute-name-wrong", at, said, format!("write `{meant}`"), mended));
+        }
+    }
+}
+
+/// The numbers in buffers, and those that count them.
+fn numbers(case: &Case<'_>, found: &mut Vec<Suspect>) {
+    let lists = |steps: &[Step]| {
+        let list = |step: &Step| match &step.call {
+            Call::Data { name, numbers } => Some((name.clone(), numbers.clone())),
+            _ => None,
+        };
+        steps.iter().filter_map(list).collect::<Vec<_>>()
+    };
+    let mine = lists(case.steps);
+    for (at, step) in case.before() {
+        if let Call::BufferData { target, data, usage } = &step.call {
+            for (other, _) in mine.iter().filter(|(name, _)| name != data) {
+                let call = Call::BufferData { target: *target, data: other.clone(), usage: *usage };
+                let said = format!("the buffer is filled with `{data}`, and the corners are in `{other}`");
+                found.push(case.suspect("other-data", at, said, format!("write `{other}`"), case.replaced(at, call)));
+            }
+        }
+    }
+    if let Some((_, right)) = lists(case.reference).into_iter().next() {
+        for (at, step) in case.before() {
+            let Call::Data { name, numbers } = &step.call else { continue };
+            if *numbers != right {
+                let call = Call::Data { name: name.clone(), numbers: right.clone() };
+                let said = format!("`{name}` does not hold the exercise's numbers");
+                let mended = case.replaced(at, call);
+                found.push(case.suspect("data-changed", at, said, "put them back as they were", mended));
+            }
+        }
+    }
+    indices(case, found);
+}
+
+fn indices(case: &Case<'_>, found: &mut Vec<Suspect>) {
+    let Some(Call::DrawElements { mode, count, kind, offset }) = case.steps.get(case.draw).map(|step| &step.call)
+    else {
+        return;
+    };
+    let draw = |kind: Constant, offset: i32| {
+        case.replaced(case.draw, Call::DrawElements { mode: *mode, count: *count, kind, offset })
+    };
+    let whole = known("UNSIGNED_INT");
+    if *kind != whole {
+        let said = format!("the index buffer holds UNSIGNED_INT, and is read as {}", kind.name);
+        found.push(case.suspect("index-type-wrong", case.draw, said, "write UNSIGNED_INT", draw(whole, *offset)));
+    }
+    if *offset != 0 {
+        let said = format!("the draw begins at byte {offset} of the index buffer");
+        found.push(case.suspect("index-offset-wrong", case.draw, said, "write 0", draw(*kind, 0)));
+    }
+    for (at, step) in case.before() {
+        let Call::Indices { name, numbers } = &step.call else { continue };
+        if numbers.iter().all(|index| *index > 0) {
+            let from_zero = numbers.iter().map(|index| index - 1).collect();
+            let call = Call::Indices { name: name.clone(), numbers: from_zero };
+            let said = format!("the indices in `{name}` begin with 1, and the first corner has 0");
+            let mended = case.replaced(at, call);
+            found.push(case.suspect("indices-from-one", at, said, "subtract 1 from each", mended));
+        }
+        let mut sorted = numbers.clone();
+        sorted.sort_unstable();
+        // The same corners in another order are no mistake by themselves.
+        if sorted == [0, 1, 2] {
+            continue;
+        }
+        let call = Call::Indices { name: name.clone(), numbers: vec![0, 1, 2] };
+        let said = format!("`{name}` names other corners than 0, 1 and 2");
+        found.push(case.suspect("indices-changed", at, said, "write 0 1 2", case.replaced(at, call)));
+    }
+    for buffer in case.objects(ObjectKind::Buffer) {
+        let call =
+            Call::BindBuffer { target: known("ELEMENT_ARRAY_BUFFER"), buffer: Number::Variable(buffer.to_owned()) };
+        let said = "no ELEMENT_ARRAY_BUFFER, or another one, is bound in the vertex array that is drawn";
+        let mend = format!("write `bind_buffer ELEMENT_ARRAY_BUFFER {buffer}` after bind_vertex_array");
+        let mended = case.inserted(case.draw, [call]);
+        found.push(case.suspect("index-buffer-not-bound", case.draw, said, mend, mended));
+    }
+}

@@ -1,0 +1,126 @@
+//! Where in the student's source a mistake stands, and which numbers are written there: by following every value of the
+//! parsed program from the outputs back to attributes and uniforms.
+//!
+//! The pair is run on symbols (`run`, `eval`), which gives a graph of all values (`graph`). Of each node it is found what
+//! matrix (`matrix`), what vector (`vector`) and which terms of the light equation (`terms`) it is. A rule for each
+//! mistake (`rules`) names the node at fault. Whatever the source is, this returns: loops, calls and depth are limited, and
+//! beyond them nothing is known.
+
+mod eval;
+mod fold;
+mod graph;
+mod matrix;
+mod reading;
+mod rules;
+mod run;
+mod terms;
+mod vector;
+mod written;
+
+#[cfg(test)]
+mod tests;
+
+use crate::bank::Model;
+use crate::check::Written;
+use crate::names::NamesFile;
+use gonio_glsl::{Checked, Parsed, Span, Stage};
+use reading::Reading;
+use rules::Answer;
+
+/// A stage of the student's, parsed and with its names and types known.
+#[derive(Clone, Copy, Debug)]
+pub struct Shader<'a> {
+    /// As it was read.
+    pub parsed: &'a Parsed,
+    /// What the names mean.
+    pub checked: &'a Checked,
+}
+
+/// An expression of the student's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// In which shader.
+    pub stage: Stage,
+    /// Where.
+    pub span: Span,
+    /// From 0 to 1, how far the source shows the mistake there.
+    pub confidence: f32,
+}
+
+/// A pair of shaders that has been read; all questions can be asked of it.
+pub struct Source {
+    reading: Reading,
+}
+
+impl Source {
+    /// Reads a pair. `names` says what names mean where nothing else tells.
+    #[must_use]
+    pub fn read(vertex: &Shader, fragment: &Shader, names: &NamesFile) -> Self {
+        Source { reading: Reading::of(vertex, fragment, names) }
+    }
+
+    /// As [`written`].
+    #[must_use]
+    pub fn written(&self) -> Written {
+        written::written(&self.reading)
+    }
+
+    /// As [`line`].
+    #[must_use]
+    pub fn line(&self, id: &str, model: Model) -> Option<Place> {
+        match rules::answer(&self.reading, id, model) {
+            Answer::At(node, confidence) => self.place(node, confidence),
+            Answer::Not | Answer::Silent => None,
+        }
+    }
+
+    /// As [`looks_like`].
+    #[must_use]
+    pub fn looks_like(&self, id: &str, model: Model) -> f32 {
+        match rules::answer(&self.reading, id, model) {
+            Answer::At(_, support) => support,
+            Answer::Not => 0.0,
+            Answer::Silent => 0.5,
+        }
+    }
+
+    /// As [`in_source_only`].
+    #[must_use]
+    pub fn in_source_only(&self) -> Vec<(&'static str, Place, String)> {
+        let found = rules::power_under_maximum(&self.reading).and_then(|node| self.place(node, 1.0));
+        let sentence = "`pow` of a negative number is undefined: the `max` belongs inside, \
+                        `pow(max(dot(R, V), 0.0), shininess)`";
+        found.map(|place| ("specular-power-of-negative", place, sentence.to_owned())).into_iter().collect()
+    }
+
+    fn place(&self, node: graph::Id, confidence: f32) -> Option<Place> {
+        let node = self.reading.graph.node(node);
+        (node.span.line > 0).then_some(Place { stage: node.stage, span: node.span, confidence })
+    }
+}
+
+/// Constants that stand in the source where a uniform could be, as far as they flow into the colour.
+#[must_use]
+pub fn written(vertex: &Shader, fragment: &Shader) -> Written {
+    Source::read(vertex, fragment, &NamesFile::default()).written()
+}
+
+/// The place in the source that looks like that mistake of the bank, or where what it leaves out belongs. None where
+/// that cannot be told.
+#[must_use]
+pub fn line(id: &str, vertex: &Shader, fragment: &Shader, model: Model) -> Option<Place> {
+    Source::read(vertex, fragment, &NamesFile::default()).line(id, model)
+}
+
+/// How far the source supports that this mistake is made: 1 if the very expression is there, 0 if it is there and right,
+/// 0.5 if nothing can be told.
+#[must_use]
+pub fn looks_like(id: &str, vertex: &Shader, fragment: &Shader, model: Model) -> f32 {
+    Source::read(vertex, fragment, &NamesFile::default()).looks_like(id, model)
+}
+
+/// What is wrong without any picture showing it: id, place, and a sentence for the student.
+#[must_use]
+pub fn in_source_only(vertex: &Shader, fragment: &Shader) -> Vec<(&'static str, Place, String)> {
+    Source::read(vertex, fragment, &NamesFile::default()).in_source_only()
+}

@@ -1,0 +1,283 @@
+#![allow(clippy::unwrap_used)]
+
+use super::*;
+use glam::Vec3;
+use gonio_glsl::{check, parse};
+
+/// A pair from sources.
+fn read(vertex: &str, fragment: &str) -> Source {
+    let (mut vertex, mut fragment) = (parse(vertex), parse(fragment));
+    let checked = [check(&mut vertex, Stage::Vertex), check(&mut fragment, Stage::Fragment)];
+    let shaders =
+        [Shader { parsed: &vertex, checked: &checked[0] }, Shader { parsed: &fragment, checked: &checked[1] }];
+    Source::read(&shaders[0], &shaders[1], &NamesFile::default())
+}
+
+/// A fragment shader with the model's vertex shader before it.
+fn fragment(head: &str, body: &str) -> Source {
+    let given = "in vec3 world_position; in vec3 v_normal; out vec4 FragColor; uniform vec3 u_view_pos;";
+    let text = format!("#version 330 core\n{given}\n{head}\nvoid main() {{\n{body}\n}}\n");
+    let source = read(Model::Phong.sources()[0], &text);
+    assert!(source.reading.colour.is_some(), "{text}");
+    source
+}
+
+#[test]
+fn the_models_themselves_make_no_mistake() {
+    for model in Model::ALL {
+        let [vertex, fragment] = model.sources();
+        let source = read(vertex, fragment);
+        for mistake in crate::bank::of(model).filter(|mistake| !mistake.harmless) {
+            assert_eq!(source.line(&mistake.id, model), None, "{model:?} {}", mistake.id);
+            assert!(source.looks_like(&mistake.id, model) <= 0.5, "{model:?} {}", mistake.id);
+        }
+    }
+}
+
+#[test]
+fn every_mistake_put_into_its_model_is_found_at_its_line() {
+    // The change of a line of the model is the mistake; what it makes of other lines is not.
+    let elsewhere = [
+        // In the line that hands the normal on, not where it is transformed.
+        "normal-not-normalised-in-vertex",
+    ];
+    let (mut right, mut wrong, mut all) = (0, Vec::new(), 0);
+    for model in Model::ALL {
+        for mistake in crate::bank::of(model).filter(|mistake| !mistake.harmless) {
+            for change in mistake.change.iter().filter(|change| change.len() == 1) {
+                let (variable, value) = change.iter().next().unwrap();
+                let mut sources = model.sources().map(str::to_owned);
+                let mut line = None;
+                for source in &mut sources {
+                    let lines: Vec<String> = source
+                        .lines()
+                        .enumerate()
+                        .map(|(at, text)| match text.split_once(" = ") {
+                            Some((left, _)) if left.ends_with(&format!(" {variable}")) && text.starts_with(' ') => {
+                                line = Some(at as u32 + 1);
+                                format!("{left} = {value};")
+                            }
+                            _ => text.to_owned(),
+                        })
+                        .collect();
+                    *source = lines.join("\n");
+                }
+                let Some(line) = line else { continue };
+                all += 1;
+                let found = read(&sources[0], &sources[1]).line(&mistake.id, model).map(|place| place.span.line);
+                if found == Some(line) || elsewhere.contains(&mistake.id.as_str()) && found.is_some() {
+                    right += 1;
+                } else {
+                    wrong.push(format!("{model:?} {} {variable} = {value}: {found:?}, not {line}", mistake.id));
+                }
+            }
+        }
+    }
+    assert!(all >= 200, "{all}");
+    assert!(f64::from(right) >= 0.9 * f64::from(all), "{right} of {all}: {wrong:#?}");
+}
+
+#[test]
+fn exponents_that_are_written_are_found() {
+    let lit = "vec3 N = normalize(v_normal); vec3 L = normalize(vec3(1.0, 2.0, 3.0) - world_position); \
+               vec3 V = normalize(u_view_pos - world_position); float c = max(dot(reflect(-L, N), V), 0.0);";
+    for (head, value, wanted) in [
+        ("", "pow(c, 32.0)", Some(32.0)),
+        ("", "pow(c, 8)", Some(8.0)),
+        ("const float shininess = 4.0 * 8.0;", "pow(c, shininess)", Some(32.0)),
+        ("#define EXPONENT 16.0", "pow(c, EXPONENT)", Some(16.0)),
+        ("float raised(float x, float by) { return pow(x, by); }", "raised(c, 12.0)", Some(12.0)),
+        ("", "exp2(log2(c) * 32.0)", Some(32.0)),
+        ("", "exp(20.0 * log(c))", Some(20.0)),
+        ("float square(float x) { return x * x; }", "square(square(square(square(square(c)))))", Some(32.0)),
+        ("float raised(float x) { for (int i = 0; i < 5; i++) x *= x; return x; }", "raised(c)", Some(32.0)),
+        ("uniform float shininess;", "pow(c, shininess)", None),
+        // Never put out.
+        ("uniform float shininess;", "0.0 * pow(c, 32.0) + pow(c, shininess)", None),
+        // Not of a cosine.
+        ("", "pow(1.0 + world_position.x, 2.2) * c", None),
+        ("", "c", None),
+    ] {
+        let source = fragment(head, &format!("{lit}\nfloat s = {value};\nFragColor = vec4(vec3(s), 1.0);"));
+        let found = source.written().shininess;
+        assert_eq!(found.map(|n| (n * 1000.0).round() / 1000.0), wanted, "{head} {value}");
+    }
+}
+
+#[test]
+fn lights_that_are_written_are_found() {
+    let wanted = Some(Vec3::new(1.0, 2.0, 1.5));
+    for (head, value, wanted) in [
+        ("", "normalize(vec3(1.0, 2.0, 1.5) - world_position)", wanted),
+        ("const vec3 light = vec3(1.0, 2.0, 1.5);", "normalize(light - world_position)", wanted),
+        ("const vec3 lightPos = vec3(1.0, 2.0, 1.5);", "normalize(lightPos)", wanted),
+        ("#define LIGHT vec3(1.0, 2.0, 3.0 / 2.0)", "normalize(LIGHT - world_position)", wanted),
+        ("", "-normalize(world_position - vec3(1.0, 2.0, 1.5))", wanted),
+        ("vec3 to(vec3 p) { return normalize(p - world_position); }", "to(vec3(1, 2, 1.5))", wanted),
+        ("struct Light { vec3 position; };", "normalize(Light(vec3(1.0, 2.0, 1.5)).position - world_position)", wanted),
+        ("uniform vec3 lightPos;", "normalize(lightPos - world_position)", None),
+        ("const vec3 unused = vec3(1.0); uniform vec3 lightPos;", "normalize(lightPos - world_position)", None),
+    ] {
+        let body = format!("vec3 L = {value};\nFragColor = vec4(vec3(max(dot(normalize(v_normal), L), 0.0)), 1.0);");
+        assert_eq!(fragment(head, &body).written().light_position, wanted, "{head} {value}");
+    }
+}
+
+#[test]
+fn attenuations_that_are_written_are_found() {
+    let full = [Some(1.0), Some(0.14), Some(0.07)];
+    for (head, value, wanted) in [
+        ("", "1.0 / (1.0 + 0.14 * d + 0.07 * d * d)", full),
+        ("", "1.0 / (1.0 + 0.14 * d + 0.07 * pow(d, 2.0))", full),
+        ("", "1.0 / (1.0 + (0.14 + 0.07 * d) * d)", full),
+        ("", "1.0 / dot(vec3(1.0, 0.14, 0.07), vec3(1.0, d, d * d))", full),
+        ("const float kc = 1.0, kl = 0.14, kq = 0.07;", "1.0 / (kc + kl * d + kq * (d * d))", full),
+        ("uniform float linear;", "1.0 / (1.0 + linear * d + 0.07 * d * d)", [Some(1.0), None, Some(0.07)]),
+        ("", "1.0 / (1.0 + 0.07 * d * d)", [Some(1.0), None, Some(0.07)]),
+        ("", "1.0 / (d * d)", [None; 3]),
+        ("", "1.0", [None; 3]),
+    ] {
+        let body = format!(
+            "vec3 to = vec3(1.0, 2.0, 3.0) - world_position; float d = length(to);\nfloat a = {value};\n\
+             FragColor = vec4(vec3(a * max(dot(normalize(v_normal), normalize(to)), 0.0)), 1.0);"
+        );
+        assert_eq!(fragment(head, &body).written().attenuation, wanted, "{head} {value}");
+    }
+}
+
+#[test]
+fn indices_that_are_written_are_found() {
+    for (head, value, wanted) in [
+        ("", "1.0 / 1.52", Some(1.52)),
+        ("", "0.658", Some(1.52)),
+        ("const float n1 = 1.0, n2 = 1.33;", "n1 / n2", Some(1.33)),
+        ("", "1.52", Some(1.52)),
+        ("uniform float refractionIndice;", "1.0 / refractionIndice", None),
+        ("", "1.0", None),
+    ] {
+        let head = format!("uniform samplerCube skybox;\n{head}");
+        let body = format!(
+            "vec3 I = normalize(world_position - u_view_pos);\nfloat ratio = {value};\n\
+             FragColor = texture(skybox, refract(I, normalize(v_normal), ratio));"
+        );
+        let found = fragment(&head, &body).written().refraction_index;
+        assert_eq!(found.map(|n| (n * 100.0).round() / 100.0), wanted, "{head} {value}");
+    }
+}
+
+#[test]
+fn what_no_picture_tells_apart_the_source_does() {
+    let highlight = |reflected: &str, eye: &str| {
+        fragment(
+            "uniform vec3 lightPos;",
+            &format!(
+                "vec3 N = normalize(v_normal); vec3 L = normalize(lightPos - world_position);\nvec3 V = normalize({eye});\n\
+                 vec3 R = {reflected};\nFragColor = vec4(vec3(pow(max(dot(R, V), 0.0), 32.0)), 1.0);"
+            ),
+        )
+    };
+    let (towards, away) = ("u_view_pos - world_position", "world_position - u_view_pos");
+    for (reflected, eye, sign, view) in [
+        ("reflect(-L, N)", towards, 0.0, 0.0),
+        ("reflect(L, N)", towards, 1.0, 0.0),
+        ("reflect(-L, N)", away, 0.0, 1.0),
+        ("reflect(L, N)", away, 0.0, 0.0),
+        ("2.0 * dot(N, L) * N - L", towards, 0.0, 0.0),
+        ("L - 2.0 * dot(N, L) * N", towards, 1.0, 0.0),
+    ] {
+        let source = highlight(reflected, eye);
+        let found = ["specular-reflect-sign", "view-direction-reversed"].map(|id| source.looks_like(id, Model::Phong));
+        assert_eq!(found, [sign, view], "{reflected}, {eye}");
+    }
+    let diffuse = |n: &str, l: &str| {
+        fragment(
+            "uniform vec3 lightPos;",
+            &format!(
+                "vec3 N = normalize(v_normal); vec3 L = normalize(lightPos - world_position);\n\
+                 FragColor = vec4(vec3(max(dot({n}, {l}), 0.0)), 1.0);"
+            ),
+        )
+    };
+    for (n, l, normal, light) in
+        [("N", "L", 0.0, 0.0), ("-N", "L", 1.0, 0.0), ("N", "-L", 0.0, 1.0), ("-N", "-L", 0.0, 0.0)]
+    {
+        let source = diffuse(n, l);
+        let found = ["normal-reversed", "light-direction-reversed"].map(|id| source.looks_like(id, Model::Phong));
+        assert_eq!(found, [normal, light], "{n}, {l}");
+    }
+}
+
+#[test]
+fn a_maximum_around_the_power_is_told() {
+    for (value, is_told) in [
+        ("max(pow(dot(R, V), 32.0), 0.0)", true),
+        ("clamp(pow(dot(R, V), 32.0), 0.0, 1.0)", true),
+        ("pow(max(dot(R, V), 0.0), 32.0)", false),
+        ("max(pow(max(dot(R, V), 0.0), 32.0), 0.0)", false),
+        // That one a picture shows.
+        ("pow(dot(R, V), 32.0)", false),
+    ] {
+        let source = fragment(
+            "uniform vec3 lightPos;",
+            &format!(
+                "vec3 N = normalize(v_normal); vec3 L = normalize(lightPos - world_position);\n\
+                 vec3 V = normalize(u_view_pos - world_position); vec3 R = reflect(-L, N);\n\
+                 float s = {value};\nFragColor = vec4(vec3(s), 1.0);"
+            ),
+        );
+        let told = source.in_source_only();
+        assert_eq!(told.len(), usize::from(is_told), "{value}");
+        for (id, place, sentence) in told {
+            assert_eq!((id, place.stage, place.span.line), ("specular-power-of-negative", Stage::Fragment, 7));
+            assert!(sentence.contains("max"));
+        }
+    }
+}
+
+#[test]
+fn no_source_makes_it_panic_or_hang() {
+    let deep = |open: &str, close: &str, count: usize| format!("{}x{}", open.repeat(count), close.repeat(count));
+    let bodies = [
+        String::new(),
+        "float x = x; x = x + x;".into(),
+        "float x = 1.0; for (;;) { x *= x; }".into(),
+        "float x = 1.0; while (x > 0.0) x = f(x);".into(),
+        "for (int i = 0; i < 8; i++) for (int j = 0; j < 8; j++) for (int k = 0; k < 8; k++) for (int l = 0; l < 8; l++) \
+         for (int m = 0; m < 8; m++) c += c * f(float(i));"
+            .into(),
+        "v.q = 1.0; v.xyzwxyzw = v; v[7] = 1.0; v[-1] = 2.0; v.x.y.z = 1.0;".into(),
+        "float a[3]; a[1000000] = 1.0; a[-5] = 2.0; c = vec4(a[2000000000]);".into(),
+        "return; c = vec4(1.0);".into(),
+        "c = vec4(); c = vec3(1.0); c = pow(); c = dot(1.0); c = reflect(v); c = max(1.0); c = clamp(1.0, 2.0);".into(),
+        "int i = 0; i = i / i; i = 1 % 0; c = vec4(i / 0, 1.0 / 0.0, 0.0 / 0.0, pow(-1.0, 0.5));".into(),
+        "switch (1) { case 0: c = v; break; default: c = -v; }".into(),
+        "do { c = v; continue; } while (true);".into(),
+        format!("float x = 1.0; c = vec4({});", deep("(", ")", 150)),
+        format!("float x = 1.0; c = vec4({});", deep("-", "", 190)),
+        format!("float x = 1.0; c = vec4({});", vec!["x"; 5000].join(" + ")),
+        format!("float x = 1.0; {} c = vec4(x);", "x = x * x + x;".repeat(3000)),
+        format!("vec4 x; {} c = vec4(x.x);", "x.y = x.x; x.z = 1.0;".repeat(3000)),
+        format!("{} c = v; {}", "if (v.x > 0.0) {".repeat(150), "}".repeat(150)),
+        "c = ".into(),
+        "}}}} {{{{".into(),
+    ];
+    let head = "#version 330\nin vec4 v; out vec4 c; struct S { S s; float x; }; uniform S s; const float k = k;\n\
+                float f(float x) { return f(x) + f(x * 2.0); } float g(float x) { return f(g(x)); }\n";
+    for body in &bodies {
+        let text = format!("{head}void main() {{ {body} }}");
+        for (vertex, fragment) in [(text.as_str(), text.as_str()), ("", text.as_str()), (text.as_str(), "\u{feff}")] {
+            let source = read(vertex, fragment);
+            assert!(source.written().shininess.is_none_or(f32::is_finite));
+            assert!(source.in_source_only().len() <= 1);
+            for mistake in crate::bank::all() {
+                for model in &mistake.models {
+                    let support = source.looks_like(&mistake.id, *model);
+                    assert!((0.0..=1.0).contains(&support), "{}", mistake.id);
+                    let place = source.line(&mistake.id, *model);
+                    assert!(place.is_none_or(|place| place.span.line > 0), "{}", mistake.id);
+                }
+            }
+        }
+    }
+    assert_eq!(read("", "").looks_like("no-such-mistake", Model::Phong), 0.5);
+}

@@ -1,0 +1,123 @@
+//! Numbers that stand in the source where a uniform could be.
+
+use super::graph::{Id, Op};
+use super::reading::Reading;
+use super::rules::attenuation::falloff;
+use super::terms::{DIFFUSE, SPECULAR};
+use super::vector::Kind;
+use crate::check::Written;
+use glam::Vec3;
+use gonio_glsl::ast::BinaryOp;
+
+/// All of them that flow into the colour.
+pub(super) fn written(reading: &Reading) -> Written {
+    Written {
+        light_position: light_position(reading),
+        shininess: shininess(reading),
+        attenuation: attenuation(reading),
+        refraction_index: refraction_index(reading),
+    }
+}
+
+fn vec3(reading: &Reading, id: Id) -> Option<Vec3> {
+    match reading.graph.number(id)?[..] {
+        [x, y, z] | [x, y, z, _] => Some(Vec3::new(x as f32, y as f32, z as f32)).filter(|v| v.is_finite()),
+        _ => None,
+    }
+}
+
+/// The first place written down that a direction to the light starts from.
+fn light_position(reading: &Reading) -> Option<Vec3> {
+    let lights = reading.lights();
+    for light in &lights {
+        let Some(vector) = reading.vector(*light) else { continue };
+        let found = match (vector.kind, reading.graph.op(vector.at)) {
+            (Kind::ToLight(None, _) | Kind::LightMinusNormal, Op::Binary(_, a, b)) => {
+                vec3(reading, *a).or_else(|| vec3(reading, *b))
+            }
+            (Kind::Light(None), _) => vec3(reading, vector.at),
+            _ => None,
+        };
+        // The first counts: the diffuse term's.
+        if found.is_some() || matches!(vector.kind, Kind::ToLight(Some(_), _) | Kind::Light(Some(_))) {
+            return found;
+        }
+    }
+    if !lights.is_empty() {
+        return None;
+    }
+    // A direction written down that meets the normal.
+    reading.diffuse_dots().iter().flat_map(|(_, a, b)| [*a, *b]).find_map(|id| {
+        let vector = reading.vector(id).filter(|v| v.kind == Kind::Constant)?;
+        vec3(reading, vector.at)
+    })
+}
+
+/// The exponent of a cosine, however it is written: `pow`, `exp2(log2(x) * c)`, or multiplied by itself.
+fn shininess(reading: &Reading) -> Option<f32> {
+    let is_highlight = |id: Id| reading.bits(id) & (DIFFUSE | SPECULAR) == SPECULAR;
+    let mut best: Option<f64> = None;
+    let mut exponents: Vec<Option<(Id, f64)>> = vec![None; reading.graph.len()];
+    for id in &reading.tree {
+        let of = |id: Id| exponents[id.0 as usize].unwrap_or((reading.graph.core(id), 1.0));
+        let found = match reading.graph.op(*id) {
+            Op::Copy(inner, _) | Op::Interpolated(inner) => exponents[inner.0 as usize],
+            Op::Call(name, parts) => match (name.as_str(), &parts[..]) {
+                ("pow", [base, exponent]) => reading.graph.scalar(*exponent).map(|n| (of(*base).0, of(*base).1 * n)),
+                ("exp2" | "exp", [of_log]) => logarithm(reading, *of_log, if name == "exp2" { "log2" } else { "log" }),
+                _ => None,
+            },
+            Op::Binary(BinaryOp::Multiply, a, b) if is_highlight(*a) && is_highlight(*b) => {
+                let (a, b) = (of(*a), of(*b));
+                (a.0 == b.0).then_some((a.0, a.1 + b.1))
+            }
+            _ => None,
+        };
+        // Neither a half Lambert's square nor what is still to be multiplied by itself.
+        let found = found.filter(|(_, exponent)| exponent.is_finite() && *exponent > 0.0);
+        let found = found.filter(|(base, _)| is_highlight(*id) || is_highlight(*base));
+        exponents[id.0 as usize] = found;
+        // Not the gamma curve of a colour.
+        if let Some((base, exponent)) = found
+            && reading.graph.node(base).width <= 1
+        {
+            best = best.filter(|best| *best >= exponent).or(Some(exponent));
+        }
+    }
+    best.map(|exponent| exponent as f32)
+}
+
+fn logarithm(reading: &Reading, id: Id, log: &str) -> Option<(Id, f64)> {
+    let (a, b) = reading.sides(reading.graph.plain(id), BinaryOp::Multiply)?;
+    [(a, b), (b, a)].into_iter().find_map(|(log_side, number)| {
+        let base = *reading.graph.call(log_side, log)?.first()?;
+        Some((reading.graph.core(base), reading.graph.scalar(number)?))
+    })
+}
+
+fn attenuation(reading: &Reading) -> [Option<f32>; 3] {
+    let mut found = [None; 3];
+    if let Some(falloff) = falloff(reading) {
+        for part in &falloff.parts {
+            let Some(place) = [0.0, 1.0, 2.0].iter().position(|degree| *degree == part.degree) else { continue };
+            if let Some(number) = part.number.filter(|n| n.is_finite()) {
+                found[place] = Some(found[place].unwrap_or(0.0) + number as f32);
+            }
+        }
+        // A bare 1 / d^2 has no constants that could have been uniforms.
+        if falloff.parts.len() < 2 {
+            return [None; 3];
+        }
+    }
+    found
+}
+
+/// Of the object against air: the inverse of a ratio below 1.
+fn refraction_index(reading: &Reading) -> Option<f32> {
+    let ratio = reading.lit.iter().find_map(|id| match reading.graph.op(*id) {
+        Op::Call(name, parts) if name == "refract" => reading.graph.scalar(*parts.get(2)?),
+        _ => None,
+    })?;
+    let index = if ratio < 1.0 { 1.0 / ratio } else { ratio };
+    (index.is_finite() && index > 1.0 && ratio > 0.0).then_some(index as f32)
+}

@@ -1,0 +1,461 @@
+//! The usual messages of GLSL compilers in plain words.
+
+/// One kind of message: texts that all must be in it (small letters), and what it means.
+struct Usual {
+    /// Any one of these lists, whole.
+    signs: &'static [&'static [&'static str]],
+    means: &'static str,
+}
+
+const fn usual(signs: &'static [&'static [&'static str]], means: &'static str) -> Usual {
+    Usual { signs, means }
+}
+
+/// The first that fits is told: what is special stands before what is general. `{name}` is the name in the message.
+const USUAL: &[Usual] = &[
+    usual(
+        &[&["gl_fragcolor"], &["gl_fragdata"]],
+        "`gl_FragColor` does not exist any more from version 330 core on: declare `out vec4 FragColor;` and write to that.",
+    ),
+    usual(
+        &[&["texture2d"], &["texturecube"]],
+        "`texture2D` and `textureCube` are called `texture` from version 330 core on.",
+    ),
+    usual(
+        &[&["`attribute'"], &["'attribute'"], &["\"attribute\""], &["'varying'"], &["`varying'"], &["\"varying\""]],
+        "`attribute` and `varying` are words of old GLSL: from version 330 core on write `in` and `out`.",
+    ),
+    usual(
+        &[
+            &["glsl", "is not supported"],
+            &["version", "not supported"],
+            &["unsupported version"],
+            &["unknown version"],
+            &["invalid version"],
+            &["unrecognized", "#version"],
+            &["bad #version"],
+            &["version", "unsupported"],
+        ],
+        "This computer's OpenGL does not know that `#version`: write `#version 330 core`, which every one knows.",
+    ),
+    usual(
+        &[
+            &["#version", "first"],
+            &["#version must"],
+            &["#version", "before"],
+            &["version", "must occur"],
+            &["version directive"],
+        ],
+        "`#version` must be the first line of the shader; only comments and empty lines may stand before it.",
+    ),
+    usual(
+        &[
+            &["missing main"],
+            &["no main"],
+            &["main() not"],
+            &["main", "not defined"],
+            &["lacks main"],
+            &["lacks `main'"],
+            &["missing entry point"],
+            &["entry point not found"],
+            &["no function with a body for main"],
+            &["main function"],
+            &["does not contain `main'"],
+            &["no `main'"],
+            &["doesn't contain a main"],
+        ],
+        "There is no `void main()`: every shader needs one, spelt exactly so.",
+    ),
+    usual(
+        &[&["must write to gl_position"], &["gl_position", "not written"], &["does not write to `gl_position"]],
+        "The vertex shader never writes `gl_Position`: that is where the vertex goes.",
+    ),
+    usual(
+        &[
+            &["not an array", "index"],
+            &["subscripted value"],
+            &["left of '['", "not"],
+            &["cannot dereference non-array"],
+            &["non-array", "dereference"],
+            &["not of array"],
+        ],
+        "Square brackets stand behind something that is no array, vector or matrix.",
+    ),
+    usual(
+        &[
+            &["array", "size", "must"],
+            &["unsized array"],
+            &["array size"],
+            &["implicitly sized"],
+            &["array", "unsized"],
+        ],
+        "An array needs its size when it is declared, a constant: `vec3 lights[4];`.",
+    ),
+    usual(
+        &[&["index", "out of bounds"], &["index", "out of range"], &["index", "bounds"], &["array index"]],
+        "The index lies outside of the array or matrix; the first element has index 0, the last one less than the size.",
+    ),
+    usual(
+        &[
+            &["illegal vector field"],
+            &["vector swizzle"],
+            &["invalid swizzle"],
+            &["swizzle"],
+            &["no such field"],
+            &["field selection"],
+            &["illegal", "selection"],
+            &["cannot access field"],
+            &["invalid field"],
+            &["unknown field"],
+            &["not a field"],
+            &["no field"],
+            &["not a member"],
+        ],
+        "What stands behind the dot does not exist there: a vec3 has x y z (or r g b) and no w; a struct has only its own \
+         fields.",
+    ),
+    usual(
+        &[
+            &["too many arguments"],
+            &["too many parameters to"],
+            &["too many components"],
+            &["constructor", "too many"],
+            &["too much data"],
+        ],
+        "Too many values in the parentheses: vec3 takes three numbers, or vectors that together have three.",
+    ),
+    usual(
+        &[
+            &["too few", "construct"],
+            &["not enough data"],
+            &["too little data"],
+            &["not enough", "construct"],
+            &["insufficient"],
+            &["too few components"],
+            &["constructor", "not enough"],
+        ],
+        "Too few values in the parentheses: vec4 takes four numbers, for example `vec4(v, 1.0)` for a vec3 v.",
+    ),
+    usual(
+        &[&["initializer", "type"], &["initializer of type"], &["cannot initialize"]],
+        "The value on the right has another type than the variable on the left: make it one, for example `vec3(v4)` or \
+         `v4.xyz` for a vec4, `vec4(v3, 1.0)` for a vec3.",
+    ),
+    usual(
+        &[
+            &["l-value"],
+            &["lvalue"],
+            &["read-only"],
+            &["read only"],
+            &["cannot modify"],
+            &["can't modify"],
+            &["is not assignable"],
+            &["assignment to", "`in'"],
+            &["assign", "shader input"],
+            &["assignment to varying"],
+            &["const", "assign"],
+        ],
+        "`{name}` cannot be changed: an `in`, a `uniform` and a `const` are read only. Copy it into a variable of its own and \
+         change that.",
+    ),
+    usual(
+        &[
+            &["no matching function"],
+            &["no matching overloaded"],
+            &["no overload"],
+            &["unable to find compatible overloaded"],
+            &["no function with", "name"],
+            &["invalid call"],
+            &["can't find", "function"],
+            &["no matching constructor"],
+            &["parameter types do not match"],
+        ],
+        "No function `{name}` takes arguments of these types: look at the type of each. `dot`, `reflect`, `cross` and `max` want \
+         both of one type (vec3 with vec3), `texture` a sampler and a vec2 (a vec3 for a cubemap).",
+    ),
+    usual(
+        &[
+            &["fragment", "input", "not", "vertex"],
+            &["not declared", "previous stage"],
+            &["not written by"],
+            &["not an output"],
+            &["no matching output"],
+            &["has no corresponding output"],
+            &["does not match any output"],
+            &["not declared in input from previous"],
+            &["input", "no", "output"],
+            &["varying", "not declared"],
+            &["undeclared in vertex"],
+            &["varying", "not written"],
+        ],
+        "The fragment shader reads `{name}`, but the vertex shader has no `out` of that name: both must have the same name and \
+         type.",
+    ),
+    usual(
+        &[
+            &["type mismatch", "varying"],
+            &["varying", "mismatch"],
+            &["varyings", "differ"],
+            &["types of", "differ"],
+            &["output", "but", "input", "type"],
+            &["declared as type", "but", "input"],
+            &["declared with type", "but", "input"],
+            &["interface", "mismatch"],
+        ],
+        "`{name}` is declared in both stages, but not with the same type: make the vertex shader's `out` and the fragment \
+         shader's `in` alike.",
+    ),
+    usual(
+        &[&["interpolation qualif"], &["flat", "must"], &["qualified as flat"]],
+        "`flat` must stand in both stages or in neither; a varying of whole numbers must have it.",
+    ),
+    usual(
+        &[
+            &["uniform", "differ"],
+            &["uniform", "mismatch"],
+            &["uniform", "declared as type"],
+            &["uniform", "declared as"],
+        ],
+        "The uniform `{name}` stands in both stages with different types: they must be alike.",
+    ),
+    usual(
+        &[
+            &["redeclar"],
+            &["redefin"],
+            &["already declared"],
+            &["already defined"],
+            &["previously declared"],
+            &["duplicate"],
+            &["previous declaration"],
+        ],
+        "`{name}` is declared twice in the same place: leave out one, or give it another name.",
+    ),
+    usual(
+        &[
+            &["reserved word"],
+            &["reserved keyword"],
+            &["is reserved"],
+            &["reserved built-in"],
+            &["illegal use of reserved"],
+            &["identifier", "reserved"],
+            &["keyword", "identifier"],
+        ],
+        "`{name}` is a word that GLSL keeps for itself (as `input`, `output`, `sample`, `filter`, `texture`, names with `gl_` or \
+         two underscores): give it another name.",
+    ),
+    usual(&[&["division by zero"], &["divide by zero"]], "A constant is divided by zero here."),
+    usual(
+        &[
+            &["wrong operand types"],
+            &["operands", "of type"],
+            &["arithmetic operators"],
+            &["vector", "size", "mismatch"],
+            &["size mismatch"],
+            &["no operation"],
+            &["operator", "operand"],
+            &["not supported on operand"],
+            &["invalid operands"],
+            &["does not operate on"],
+            &["operands to"],
+            &["matrix multiplication"],
+            &["multiply"],
+        ],
+        "The two sides of the operator do not fit: vectors must have the same size (vec3 with vec3), mat4 multiplies a vec4 (write \
+         `vec4(v, 1.0)`), numbers need a point (`2.0` for `2`).",
+    ),
+    usual(
+        &[
+            &["implicit", "int", "float"],
+            &["implicit conversion"],
+            &["implicit cast"],
+            &["implicitly convert"],
+            &["cannot convert", "'const int' to"],
+            &["cannot convert", "int", "float"],
+            &["global implicit"],
+        ],
+        "A whole number stands where a float is wanted: write it with a point, `2.0` for `2`.",
+    ),
+    usual(
+        &[
+            &["value of type", "cannot be assigned"],
+            &["cannot convert"],
+            &["cannot be assigned"],
+            &["type mismatch"],
+            &["incompatible types in"],
+            &["can't convert"],
+            &["cannot assign"],
+            &["assigning", "incompatible"],
+            &["no conversion"],
+            &["unable to convert"],
+            &["conversion"],
+            &["does not match variable"],
+        ],
+        "The value has another type than the variable that it is given to: take the part that fits (`v4.xyz`, `vec3(v4)`) or fill up \
+         (`vec4(v3, 1.0)`).",
+    ),
+    usual(
+        &[
+            &["return", "type"],
+            &["non-void", "return"],
+            &["must return"],
+            &["return with"],
+            &["`return'"],
+            &["'return'"],
+        ],
+        "What the function returns is not of the type that stands in front of its name.",
+    ),
+    usual(
+        &[
+            &["condition", "bool"],
+            &["if-statement"],
+            &["boolean expression"],
+            &["must be scalar boolean"],
+            &["scalar boolean"],
+        ],
+        "A condition must be true or false: compare something, for example `if (x > 0.0)`.",
+    ),
+    usual(
+        &[&["sampler", "uniform"], &["sampler", "must be"], &["opaque"]],
+        "A sampler can only be a `uniform` or a function's parameter, not a variable or a varying.",
+    ),
+    usual(
+        &[&["no precision"], &["precision", "declared"], &["default precision"], &["precision", "must"]],
+        "GLSL ES wants a precision: write `precision mediump float;` under the `#version`.",
+    ),
+    usual(
+        &[&["in", "out", "qualifier", "not"], &["storage qualifier"], &["qualifier"]],
+        "A word in front of the declaration does not fit here: `in`, `out` and `uniform` belong outside of functions, each once, \
+         and `layout(location = 0)` in a fragment shader's `in` needs version 410.",
+    ),
+    usual(
+        &[&["used uninitialized"], &["might be used before"], &["uninitialized"], &["use of uninitialised"]],
+        "`{name}` is read before anything is written to it: its value is then left to chance.",
+    ),
+    usual(&[&["recursion"], &["recursive"]], "A function calls itself; GLSL does not allow that."),
+    usual(&[&["#include"], &["extension", "include"]], "GLSL has no `#include`: put the text into the file."),
+    usual(
+        &[
+            &["extension", "not supported"],
+            &["extension", "unsupported"],
+            &["unknown extension"],
+            &["unsupported extension"],
+        ],
+        "This computer does not have that extension: leave the `#extension` line out.",
+    ),
+    usual(
+        &[
+            &["non-ascii"],
+            &["illegal character"],
+            &["invalid character"],
+            &["unexpected character"],
+            &["illegal non-ascii"],
+        ],
+        "There is a character that GLSL does not know, perhaps a quotation mark, a dash or a space copied from a web page or a \
+         text document: type it anew.",
+    ),
+    usual(
+        &[
+            &["unterminated"],
+            &["#endif"],
+            &["without #if"],
+            &["unexpected eof"],
+            &["end of file"],
+            &["unexpected end"],
+            &["unexpected $end"],
+            &["$undefined"],
+            &["premature end"],
+        ],
+        "The text ends too early: a `}`, a `*/` or an `#endif` is missing.",
+    ),
+    usual(
+        &[&["linking with uncompiled"], &["uncompiled"], &["not successfully compiled"], &["unspecialized shader"]],
+        "The program cannot be put together because one of its shaders did not compile: mend that first.",
+    ),
+];
+
+/// What an undeclared name means.
+const UNDECLARED: &str = "`{name}` is not declared here: declare it (`uniform`, `in`, or a variable before this line), or look \
+                          whether it is spelt the same elsewhere, capitals too.";
+
+/// What a message of syntax means.
+const SYNTAX: &str = "The compiler cannot read this. Often the reason is a semicolon or a bracket that is missing at the end of the \
+                      line before.";
+
+/// A plain explanation of a usual message; `None` for others.
+#[must_use]
+pub fn explain(text: &str) -> Option<String> {
+    let lower = text.to_lowercase();
+    let fits = |usual: &&Usual| usual.signs.iter().any(|signs| signs.iter().all(|sign| lower.contains(sign)));
+    let usual = USUAL.iter().find(fits).map(|usual| usual.means);
+    // A name may hold any sign, so these two go by the whole message.
+    let means = if is_undeclared(text) && !usual.is_some_and(|means| means.contains("330 core on")) {
+        UNDECLARED
+    } else if let Some(means) = usual {
+        means
+    } else if is_syntax(text) {
+        SYNTAX
+    } else {
+        return None;
+    };
+    Some(match quoted_names(text).into_iter().next() {
+        Some(name) => means.replace("{name}", &name),
+        None => means.replace(" `{name}`", "").replace("`{name}`", "It"),
+    })
+}
+
+/// Whether a message says that a name is not declared.
+pub(super) fn is_undeclared(text: &str) -> bool {
+    let lower = text.to_lowercase();
+    [
+        "undeclared identifier",
+        "undefined variable",
+        "' undeclared",
+        "no such variable",
+        "undeclared variable",
+        "is not declared",
+    ]
+    .iter()
+    .any(|sign| lower.contains(sign))
+        || lower.ends_with("undeclared")
+}
+
+/// Whether a message says that the text cannot be read.
+pub(super) fn is_syntax(text: &str) -> bool {
+    let lower = text.to_lowercase();
+    ["syntax error", "unexpected", "expected token", "expecting", "expected ", "parse error"]
+        .iter()
+        .any(|sign| lower.contains(sign))
+}
+
+/// The names that a message has in quotation marks, or behind its last colon.
+pub(super) fn quoted_names(text: &str) -> Vec<String> {
+    let mut names = Vec::new();
+    let mut rest = text;
+    while let Some(open) = rest.find(['`', '\'', '"']) {
+        let inside = &rest[open + 1..];
+        let Some(close) = inside.find(['\'', '"', '`']) else { break };
+        // `dot(vec3, vec4)` is `dot`.
+        let name = inside[..close].split(['(', '[']).next().unwrap_or_default().trim();
+        // glslang's words for what is being done.
+        if is_name(name) && !matches!(name, "assign" | "constructor" | "return" | "initializer") {
+            names.push(name.to_owned());
+        }
+        rest = &inside[close + 1..];
+        if names.len() >= 8 {
+            break;
+        }
+    }
+    if names.is_empty()
+        && let Some((_, last)) = text.rsplit_once(": ")
+        && is_name(last.trim())
+    {
+        names.push(last.trim().to_owned());
+    }
+    names
+}
+
+fn is_name(text: &str) -> bool {
+    text.len() < 200
+        && text.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
+        && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '.')
+}

@@ -1,0 +1,241 @@
+//! The roles of a shader's variables together: each by its own name first, then what the others leave open.
+
+use super::lights::{self, Place};
+use super::role::Role;
+use super::rules::{self, Shape, shape};
+use super::words::Words;
+use super::{Declared, How, Kind};
+
+/// A variable with its name taken apart.
+struct Read<'a> {
+    declared: &'a Declared,
+    shape: Shape,
+    words: Words,
+    light: Place,
+    found: Option<(Role, How)>,
+    open: bool,
+}
+
+impl<'a> Read<'a> {
+    fn new(declared: &'a Declared) -> Self {
+        let shape = shape(&declared.glsl_type);
+        let name = declared.name.strip_suffix("[0]").unwrap_or(&declared.name);
+        let mut parts: Vec<&str> = name.split('.').collect();
+        let field = parts.pop().unwrap_or_default();
+        let (field_name, mut bracket) = without_index(field);
+        let mut words = Words::of(field_name);
+        let mut light = Place { number: words.number, ..Place::default() };
+        for part in parts.into_iter().rev().take(4) {
+            let (part, index) = without_index(part);
+            bracket = bracket.or(index);
+            let of_part = Words::of(part);
+            if of_part.has("light") {
+                light.group = part.trim_end_matches(|c: char| c.is_ascii_digit() || c == '_').to_owned();
+                light.number = of_part.number.or(light.number);
+            }
+            inherit(&mut words, &of_part, shape);
+        }
+        light.bracket = bracket;
+        if shape != Shape::Matrix && (words.has("mat") || words.has("object")) {
+            words.tokens.push("material");
+        }
+        Self { declared, shape, words, light, found: None, open: true }
+    }
+
+    fn is(&self, role: Role) -> bool {
+        self.found.is_some_and(|(found, _)| found.with_light(0) == role)
+    }
+
+    fn has_only(&self, tokens: &[&str]) -> bool {
+        !self.words.tokens.is_empty() && self.words.tokens.iter().all(|token| tokens.contains(token))
+    }
+}
+
+/// A name without its index, and the index.
+fn without_index(part: &str) -> (&str, Option<u32>) {
+    match part.split_once('[') {
+        Some((name, index)) => (name, index.trim_end_matches(']').parse().ok()),
+        None => (part, None),
+    }
+}
+
+/// What a struct's name adds to its field's.
+fn inherit(words: &mut Words, container: &Words, shape: Shape) {
+    if shape == Shape::Matrix {
+        // `camera.projection` is no matrix of the camera and the projection; `camera.matrix` is the camera's.
+        if !words.tokens.iter().any(|token| !matches!(*token, "matrix" | "mat")) {
+            words.tokens.extend(container.tokens.iter().filter(|token| **token != "transform"));
+        }
+        return;
+    }
+    for token in ["light", "material", "camera", "view"] {
+        let in_container =
+            container.has(token) || token == "material" && (container.has("mat") || container.has("object"));
+        if in_container && !words.has(token) {
+            words.tokens.push(token);
+            if token == "light" {
+                words.tokens.push("struct");
+            }
+        }
+    }
+}
+
+/// The role of each variable. `given` are those of `names.toml`; those not `open` are not looked at.
+pub(super) fn roles(declared: &[&Declared], given: &[Option<Role>], open: &[bool]) -> Vec<Option<(Role, How)>> {
+    let mut all: Vec<Read<'_>> = declared.iter().map(|declared| Read::new(declared)).collect();
+    for ((read, given), open) in all.iter_mut().zip(given).zip(open) {
+        read.open = *open;
+        read.found =
+            if *open { by_name(read).map(|role| (role, How::Name)) } else { given.map(|r| (r, How::NamesFile)) };
+    }
+    attributes_by_type(&mut all);
+    matrices(&mut all);
+    view(&mut all);
+    terms(&mut all);
+    samplers(&mut all);
+    number_lights(&mut all);
+    all.into_iter().map(|read| read.found).collect()
+}
+
+fn by_name(read: &Read<'_>) -> Option<Role> {
+    match read.declared.kind {
+        Kind::Attribute => rules::attribute(read.shape, &read.words),
+        Kind::Uniform => rules::uniform(read.shape, &read.words, 0),
+    }
+}
+
+/// Among attributes whose names say nothing: the first vec3 is the position, the next the normal; a vec2 is the
+/// texture coordinate.
+fn attributes_by_type(all: &mut [Read<'_>]) {
+    for role in [Role::Position, Role::Normal, Role::TexCoord] {
+        if all.iter().any(|read| read.is(role)) {
+            continue;
+        }
+        let fits = |read: &&mut Read<'_>| {
+            let is_type = match role {
+                Role::TexCoord => read.declared.glsl_type == "vec2",
+                _ => matches!(read.declared.glsl_type.as_str(), "vec3" | "vec4"),
+            };
+            read.declared.kind == Kind::Attribute
+                && read.open
+                && read.found.is_none()
+                && is_type
+                && !read.words.has("blocked")
+        };
+        if let Some(read) = all.iter_mut().find(fits) {
+            read.found = Some((role, How::Type));
+        }
+    }
+}
+
+fn matrices(all: &mut [Read<'_>]) {
+    let has = |all: &[Read<'_>], roles: &[Role]| all.iter().any(|read| roles.iter().any(|role| read.is(*role)));
+    // three.js: `normalMatrix` beside `modelViewMatrix` belongs to that one.
+    if has(all, &[Role::ModelView]) {
+        for read in all.iter_mut().filter(|read| read.open && read.is(Role::NormalMatrix)) {
+            let says_model = ["model", "world", "object", "m"].iter().any(|word| read.words.has(word));
+            if !says_model && !read.words.letters.contains(&'m') {
+                read.found = Some((Role::NormalMatrixOfModelView, How::Use));
+            }
+        }
+    }
+    // `camMatrix` without a projection beside it brings its own.
+    let projects = has(all, &[Role::Projection, Role::ViewProjection, Role::ModelViewProjection]);
+    if !projects && has(all, &[Role::Model]) {
+        for read in all.iter_mut().filter(|read| read.open && read.is(Role::View) && read.words.has("camera")) {
+            read.found = Some((Role::ViewProjection, How::Use));
+        }
+    }
+    // `transform` and `u_matrix` say nothing: what the others lack.
+    let projects = has(all, &[Role::Projection, Role::ViewProjection, Role::ModelViewProjection]);
+    let role = if projects { Role::Model } else { Role::ModelViewProjection };
+    if has(all, &[role]) || !projects && has(all, &[Role::View, Role::ModelView]) {
+        return;
+    }
+    if has(all, &[Role::ModelViewProjection, Role::ModelView]) {
+        return;
+    }
+    let mut open = all.iter_mut().filter(|read| {
+        let is_mat4 = read.declared.glsl_type == "mat4" && read.declared.kind == Kind::Uniform;
+        is_mat4 && read.open && read.found.is_none() && read.has_only(&["matrix", "mat", "transform", "trans"])
+    });
+    if let (Some(read), None) = (open.next(), open.next()) {
+        read.found = Some((role, How::Use));
+    }
+}
+
+/// `viewDir` holds the camera's place, as students use it, unless another variable does.
+fn view(all: &mut [Read<'_>]) {
+    let is_dir = |read: &Read<'_>| read.is(Role::ViewPos) && read.words.has("dir") && !read.words.has("pos");
+    if all.iter().any(|read| read.is(Role::ViewPos) && !is_dir(read)) {
+        for read in all.iter_mut().filter(|read| read.open && is_dir(read)) {
+            read.found = Some((Role::ViewFront, How::Use));
+        }
+    }
+}
+
+/// `diffuseColor` alone is the material's; beside `objectColor` it is the light's. `ratio` is one of refraction where
+/// there is an environment.
+fn terms(all: &mut [Read<'_>]) {
+    let has_color = all.iter().any(|read| read.is(Role::MaterialColor));
+    let has_cube = all.iter().any(|read| read.shape == Shape::SamplerCube);
+    for read in all.iter_mut().filter(|read| read.open) {
+        let says_material = read.words.has("material");
+        match read.found {
+            Some((Role::MaterialDiffuse, How::Name)) if has_color && !says_material => {
+                read.found = Some((Role::DiffuseColor(0), How::Use));
+            }
+            Some((Role::MaterialSpecular, How::Name)) if has_color && !says_material && !read.words.has("ks") => {
+                read.found = Some((Role::SpecularColor(0), How::Use));
+            }
+            None if has_cube && read.shape == Shape::Scalar && read.has_only(&["ratio"]) => {
+                read.found = Some((Role::RefractionRatio, How::Use));
+            }
+            None if has_cube && read.shape == Shape::Scalar && read.has_only(&["index"]) => {
+                read.found = Some((Role::RefractionIndex, How::Use));
+            }
+            _ => {}
+        }
+    }
+}
+
+fn samplers(all: &mut [Read<'_>]) {
+    // The only one of its type can be but one thing.
+    for (shape, role) in [(Shape::SamplerCube, Role::Cubemap), (Shape::Sampler2D, Role::DiffuseTexture)] {
+        let mut of_type = all.iter_mut().filter(|read| read.shape == shape && read.declared.kind == Kind::Uniform);
+        if let (Some(only), None) = (of_type.next(), of_type.next())
+            && only.open
+            && only.found.is_none()
+            && (shape == Shape::SamplerCube || !only.words.has("blocked") && !only.words.has("light"))
+        {
+            only.found = Some((role, How::Type));
+        }
+    }
+    // Of `texture1` and `texture2` one is the object's colour; of `diffuseMap` and `tex` the one that says so.
+    let says_so = |read: &Read<'_>| ["diffuse", "albedo", "color"].iter().any(|word| read.words.has(word));
+    let is_open = |read: &Read<'_>| read.is(Role::DiffuseTexture) && read.open;
+    let first = all
+        .iter()
+        .enumerate()
+        .filter(|(_, read)| read.is(Role::DiffuseTexture))
+        .min_by_key(|(at, read)| (!says_so(read), read.words.number, *at))
+        .map(|(at, _)| at);
+    for (at, read) in all.iter_mut().enumerate() {
+        if is_open(read) && Some(at) != first && !says_so(read) {
+            read.found = None;
+        }
+    }
+}
+
+fn number_lights(all: &mut [Read<'_>]) {
+    let of_lights: Vec<usize> = (0..all.len())
+        .filter(|&at| all[at].open && all[at].found.is_some_and(|(role, _)| role.light().is_some()))
+        .collect();
+    let places: Vec<(Role, Place)> =
+        of_lights.iter().filter_map(|&at| all[at].found.map(|(role, _)| (role, all[at].light.clone()))).collect();
+    for (&at, index) in of_lights.iter().zip(lights::indices(&places)) {
+        if let Some((role, _)) = &mut all[at].found {
+            *role = role.with_light(index);
+        }
+    }
+}

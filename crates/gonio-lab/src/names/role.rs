@@ -1,0 +1,291 @@
+//! What a shader's variable can mean to the laboratory.
+
+use std::fmt;
+use std::str::FromStr;
+
+/// What an attribute or a uniform means. Numbers are a light's index, from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Role {
+    /// Attribute: a vertex's place, in the model's space.
+    Position,
+    /// Attribute: a vertex's normal, in the model's space.
+    Normal,
+    /// Attribute: texture coordinates.
+    TexCoord,
+    /// Attribute: a colour per vertex.
+    Color,
+    /// Attribute: the tangent.
+    Tangent,
+    /// M: world from model.
+    Model,
+    /// V: view from world.
+    View,
+    /// P: clip from view.
+    Projection,
+    /// V M.
+    ModelView,
+    /// P V.
+    ViewProjection,
+    /// P V M.
+    ModelViewProjection,
+    /// The inverse transpose of M.
+    NormalMatrix,
+    /// The inverse transpose of V M.
+    NormalMatrixOfModelView,
+    /// The camera's place, in world space.
+    ViewPos,
+    /// The direction that the camera looks in, in world space.
+    ViewFront,
+    /// A light's place, in world space.
+    LightPos(u32),
+    /// A light's place, in view space.
+    LightPosInView(u32),
+    /// The direction in which a light shines.
+    LightDirection(u32),
+    /// A light's colour.
+    LightColor(u32),
+    /// A light's ambient part, as a colour.
+    AmbientColor(u32),
+    /// A light's diffuse part, as a colour.
+    DiffuseColor(u32),
+    /// A light's specular part, as a colour.
+    SpecularColor(u32),
+    /// A light's ambient strength.
+    AmbientStrength(u32),
+    /// A light's diffuse strength.
+    DiffuseStrength(u32),
+    /// A light's specular strength.
+    SpecularStrength(u32),
+    /// A light's constant attenuation.
+    AttenuationConstant(u32),
+    /// A light's attenuation with the distance.
+    AttenuationLinear(u32),
+    /// A light's attenuation with the square of the distance.
+    AttenuationQuadratic(u32),
+    /// How many lights there are.
+    LightCount,
+    /// The exponent of the specular term.
+    Shininess,
+    /// The object's colour.
+    MaterialColor,
+    /// The material's ambient reflectance.
+    MaterialAmbient,
+    /// The material's diffuse reflectance.
+    MaterialDiffuse,
+    /// The material's specular reflectance.
+    MaterialSpecular,
+    /// Light that the material gives off.
+    Emitted,
+    /// Index of refraction, such as 1.52.
+    RefractionIndex,
+    /// Ratio of the indices, such as 1 / 1.52.
+    RefractionRatio,
+    /// Seconds since the start.
+    Time,
+    /// The exponent of a gamma correction, such as 2.2.
+    Gamma,
+    /// The environment as a cubemap.
+    Cubemap,
+    /// The texture of the object's colour.
+    DiffuseTexture,
+    /// The texture of its specular reflectance.
+    SpecularTexture,
+    /// Its normal map.
+    NormalTexture,
+    /// The environment as a panorama (equirectangular).
+    Panorama,
+    /// Width and height of the picture in pixels.
+    Resolution,
+}
+
+/// A role's name, with how it is made where it belongs to a light.
+enum Named {
+    Plain(Role),
+    Light(fn(u32) -> Role),
+}
+
+use Named::{Light, Plain};
+
+const NAMES: [(&str, Named); 45] = [
+    ("position", Plain(Role::Position)),
+    ("normal", Plain(Role::Normal)),
+    ("tex-coord", Plain(Role::TexCoord)),
+    ("color", Plain(Role::Color)),
+    ("tangent", Plain(Role::Tangent)),
+    ("model", Plain(Role::Model)),
+    ("view", Plain(Role::View)),
+    ("projection", Plain(Role::Projection)),
+    ("model-view", Plain(Role::ModelView)),
+    ("view-projection", Plain(Role::ViewProjection)),
+    ("model-view-projection", Plain(Role::ModelViewProjection)),
+    ("normal-matrix", Plain(Role::NormalMatrix)),
+    ("normal-matrix-of-model-view", Plain(Role::NormalMatrixOfModelView)),
+    ("view-pos", Plain(Role::ViewPos)),
+    ("view-front", Plain(Role::ViewFront)),
+    ("light-pos", Light(Role::LightPos)),
+    ("light-pos-in-view", Light(Role::LightPosInView)),
+    ("light-direction", Light(Role::LightDirection)),
+    ("light-color", Light(Role::LightColor)),
+    ("ambient-color", Light(Role::AmbientColor)),
+    ("diffuse-color", Light(Role::DiffuseColor)),
+    ("specular-color", Light(Role::SpecularColor)),
+    ("ambient-strength", Light(Role::AmbientStrength)),
+    ("diffuse-strength", Light(Role::DiffuseStrength)),
+    ("specular-strength", Light(Role::SpecularStrength)),
+    ("attenuation-constant", Light(Role::AttenuationConstant)),
+    ("attenuation-linear", Light(Role::AttenuationLinear)),
+    ("attenuation-quadratic", Light(Role::AttenuationQuadratic)),
+    ("light-count", Plain(Role::LightCount)),
+    ("shininess", Plain(Role::Shininess)),
+    ("material-color", Plain(Role::MaterialColor)),
+    ("material-ambient", Plain(Role::MaterialAmbient)),
+    ("material-diffuse", Plain(Role::MaterialDiffuse)),
+    ("material-specular", Plain(Role::MaterialSpecular)),
+    ("emitted", Plain(Role::Emitted)),
+    ("refraction-index", Plain(Role::RefractionIndex)),
+    ("refraction-ratio", Plain(Role::RefractionRatio)),
+    ("time", Plain(Role::Time)),
+    ("gamma", Plain(Role::Gamma)),
+    ("cubemap", Plain(Role::Cubemap)),
+    ("diffuse-texture", Plain(Role::DiffuseTexture)),
+    ("specular-texture", Plain(Role::SpecularTexture)),
+    ("normal-texture", Plain(Role::NormalTexture)),
+    ("panorama", Plain(Role::Panorama)),
+    ("resolution", Plain(Role::Resolution)),
+];
+
+impl Role {
+    /// Every role, those of lights for light 0.
+    pub fn all() -> impl Iterator<Item = Self> {
+        NAMES.iter().map(|(_, named)| named.with_light(0))
+    }
+
+    /// The light that it belongs to.
+    #[must_use]
+    pub const fn light(self) -> Option<u32> {
+        match self {
+            Self::LightPos(i)
+            | Self::LightPosInView(i)
+            | Self::LightDirection(i)
+            | Self::LightColor(i)
+            | Self::AmbientColor(i)
+            | Self::DiffuseColor(i)
+            | Self::SpecularColor(i)
+            | Self::AmbientStrength(i)
+            | Self::DiffuseStrength(i)
+            | Self::SpecularStrength(i)
+            | Self::AttenuationConstant(i)
+            | Self::AttenuationLinear(i)
+            | Self::AttenuationQuadratic(i) => Some(i),
+            _ => None,
+        }
+    }
+
+    /// The same role of another light; a role of no light stays as it is.
+    #[must_use]
+    pub fn with_light(self, light: u32) -> Self {
+        if self.light().is_none() {
+            return self;
+        }
+        let of_first = |named: &Named| std::mem::discriminant(&named.with_light(0)) == std::mem::discriminant(&self);
+        NAMES.iter().find(|(_, named)| of_first(named)).map_or(self, |(_, named)| named.with_light(light))
+    }
+
+    /// Whether it is an attribute's.
+    #[must_use]
+    pub const fn is_attribute(self) -> bool {
+        matches!(self, Self::Position | Self::Normal | Self::TexCoord | Self::Color | Self::Tangent)
+    }
+}
+
+impl Named {
+    fn with_light(&self, light: u32) -> Role {
+        match self {
+            Plain(role) => *role,
+            Light(role) => role(light),
+        }
+    }
+}
+
+impl fmt::Display for Role {
+    /// The written name; from the second light on with its index, `light-pos-1`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let first = self.with_light(0);
+        let name = NAMES.iter().find(|(_, named)| named.with_light(0) == first).map_or("", |&(name, _)| name);
+        match self.light() {
+            None | Some(0) => f.write_str(name),
+            Some(light) => write!(f, "{name}-{light}"),
+        }
+    }
+}
+
+/// A word that names no role.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownRole {
+    /// The word.
+    pub given: String,
+    /// The name most like it.
+    pub nearest: &'static str,
+}
+
+impl fmt::Display for UnknownRole {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "there is no role `{}`: did you mean `{}`?", self.given, self.nearest)
+    }
+}
+
+impl std::error::Error for UnknownRole {}
+
+impl FromStr for Role {
+    type Err = UnknownRole;
+
+    fn from_str(given: &str) -> Result<Self, UnknownRole> {
+        let (name, light) = match given.rsplit_once('-').map(|(name, light)| (name, light.parse::<u32>())) {
+            Some((name, Ok(light))) => (name, Some(light)),
+            _ => (given, None),
+        };
+        match (NAMES.iter().find(|(written, _)| *written == name), light) {
+            (Some((_, named @ Light(_))), light) => Ok(named.with_light(light.unwrap_or(0))),
+            (Some((_, Plain(role))), None) => Ok(*role),
+            _ => {
+                let nearest = super::nearest(name, NAMES.iter().map(|&(name, _)| name)).unwrap_or("position");
+                Err(UnknownRole { given: given.to_owned(), nearest })
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+
+    use super::*;
+
+    #[test]
+    fn names_are_read_as_they_are_written() {
+        assert_eq!(Role::all().count(), 45);
+        for role in Role::all() {
+            assert_eq!(role.to_string().parse(), Ok(role));
+            let third = role.with_light(2);
+            assert_eq!(third.to_string().parse(), Ok(third));
+            assert_eq!(third.light(), role.light().map(|_| 2));
+        }
+        assert_eq!(Role::LightPos(3).to_string(), "light-pos-3");
+        assert_eq!("light-pos-0".parse(), Ok(Role::LightPos(0)));
+        assert_eq!(Role::ModelViewProjection.to_string(), "model-view-projection");
+    }
+
+    #[test]
+    fn unknown_words_name_the_nearest() {
+        for (given, nearest) in [
+            ("ligth-pos", "light-pos"),
+            ("lightpos", "light-pos"),
+            ("Model", "model"),
+            ("model-1", "model"),
+            ("", "view"),
+        ] {
+            let error = given.parse::<Role>().unwrap_err();
+            assert_eq!((error.given.as_str(), error.nearest), (given, nearest));
+        }
+    }
+}

@@ -1,0 +1,248 @@
+//! What a name's words mean for a variable of its type, on its own; `context` then looks at its neighbours.
+
+use super::role::Role;
+use super::words::Words;
+
+/// What kind of value a GLSL type holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Shape {
+    Scalar,
+    Vector,
+    Matrix,
+    Sampler2D,
+    SamplerCube,
+    /// Flags and what gonio never sets.
+    Other,
+}
+
+/// The shape of a type by its GLSL name.
+pub(super) fn shape(glsl_type: &str) -> Shape {
+    match glsl_type {
+        "float" | "int" | "uint" | "double" | "half" => Shape::Scalar,
+        "vec2" | "vec3" | "vec4" | "dvec2" | "dvec3" | "dvec4" | "ivec2" | "ivec3" | "ivec4" | "uvec2" => Shape::Vector,
+        "mat3" | "mat4" | "mat3x3" | "mat4x4" | "dmat3" | "dmat4" => Shape::Matrix,
+        "sampler2D" => Shape::Sampler2D,
+        "samplerCube" => Shape::SamplerCube,
+        _ => Shape::Other,
+    }
+}
+
+/// Words that must be there, words that must not, and the role then, of a light's index.
+struct Rule {
+    all: &'static [&'static str],
+    none: &'static [&'static str],
+    role: fn(u32) -> Role,
+}
+
+const fn rule(all: &'static [&'static str], none: &'static [&'static str], role: fn(u32) -> Role) -> Rule {
+    Rule { all, none, role }
+}
+
+/// A vector's, first match first. `struct` marks a field of a light's struct whose own name does not say *light*.
+const VECTORS: &[Rule] = &[
+    rule(&["light", "pos", "view", "space"], &["world"], Role::LightPosInView),
+    rule(&["light", "pos", "camera", "space"], &["world"], Role::LightPosInView),
+    rule(&["struct", "view", "pos"], &[], |_| Role::ViewPos),
+    rule(&["light", "pos", "view"], &["world"], Role::LightPosInView),
+    rule(&["light", "pos", "camera"], &["world"], Role::LightPosInView),
+    rule(&["light", "pos"], &[], Role::LightPos),
+    rule(&["light", "dir"], &[], Role::LightDirection),
+    rule(&["light", "ambient", "strength"], &["color"], Role::AmbientStrength),
+    rule(&["light", "diffuse", "strength"], &["color"], Role::DiffuseStrength),
+    rule(&["light", "specular", "strength"], &["color"], Role::SpecularStrength),
+    rule(&["light", "ambient"], &[], Role::AmbientColor),
+    rule(&["light", "diffuse"], &[], Role::DiffuseColor),
+    rule(&["light", "specular"], &[], Role::SpecularColor),
+    rule(&["light", "color"], &[], Role::LightColor),
+    rule(&["light", "strength"], &[], Role::LightColor),
+    rule(&["light", "power"], &[], Role::LightColor),
+    rule(&["view", "front"], &[], |_| Role::ViewFront),
+    rule(&["camera", "front"], &[], |_| Role::ViewFront),
+    rule(&["camera", "dir"], &[], |_| Role::ViewFront),
+    // Students call the camera's place a direction.
+    rule(&["view", "dir"], &[], |_| Role::ViewPos),
+    rule(&["view"], &["color", "screen", "size"], |_| Role::ViewPos),
+    rule(&["camera"], &["color", "screen", "size"], |_| Role::ViewPos),
+    rule(&["material", "ambient"], &["strength"], |_| Role::MaterialAmbient),
+    rule(&["material", "diffuse"], &["strength"], |_| Role::MaterialDiffuse),
+    rule(&["material", "specular"], &["strength"], |_| Role::MaterialSpecular),
+    rule(&["emitted"], &[], |_| Role::Emitted),
+    rule(&["ka"], &[], |_| Role::MaterialAmbient),
+    rule(&["kd"], &[], |_| Role::MaterialColor),
+    rule(&["ks"], &[], |_| Role::MaterialSpecular),
+    rule(&["ambient", "strength"], &["color"], Role::AmbientStrength),
+    rule(&["diffuse", "strength"], &["color"], Role::DiffuseStrength),
+    rule(&["specular", "strength"], &["color"], Role::SpecularStrength),
+    rule(&["ambient"], &[], Role::AmbientColor),
+    rule(&["diffuse"], &[], |_| Role::MaterialDiffuse),
+    rule(&["specular"], &[], |_| Role::MaterialSpecular),
+    rule(&["albedo"], &[], |_| Role::MaterialColor),
+    rule(&["color"], &["sky"], |_| Role::MaterialColor),
+    rule(&["screen"], &[], |_| Role::Resolution),
+    rule(&["material"], &["pos", "dir", "normal"], |_| Role::MaterialColor),
+    rule(&["light"], &["space", "attenuation", "size", "constant", "struct"], Role::LightPos),
+];
+
+const SCALARS: &[Rule] = &[
+    rule(&["light", "count"], &[], |_| Role::LightCount),
+    rule(&["shininess"], &["strength"], |_| Role::Shininess),
+    rule(&["exponent"], &[], |_| Role::Shininess),
+    rule(&["specular", "power"], &["strength"], |_| Role::Shininess),
+    rule(&["power"], &["light", "ambient", "diffuse"], |_| Role::Shininess),
+    rule(&["shininess"], &[], |_| Role::Shininess),
+    rule(&["ambient"], &[], Role::AmbientStrength),
+    rule(&["diffuse"], &[], Role::DiffuseStrength),
+    rule(&["specular"], &[], Role::SpecularStrength),
+    rule(&["ka"], &[], Role::AmbientStrength),
+    rule(&["kd"], &[], Role::DiffuseStrength),
+    rule(&["ks"], &[], Role::SpecularStrength),
+    rule(&["constant"], &[], Role::AttenuationConstant),
+    rule(&["linear"], &[], Role::AttenuationLinear),
+    rule(&["quadratic"], &[], Role::AttenuationQuadratic),
+    rule(&["refraction", "ratio"], &[], |_| Role::RefractionRatio),
+    rule(&["refraction"], &["strength"], |_| Role::RefractionIndex),
+    rule(&["gamma"], &[], |_| Role::Gamma),
+    rule(&["time"], &["light"], |_| Role::Time),
+];
+
+const SAMPLERS_2D: &[Rule] = &[
+    rule(&["normal"], &[], |_| Role::NormalTexture),
+    rule(&["specular"], &[], |_| Role::SpecularTexture),
+    rule(&["panorama"], &[], |_| Role::Panorama),
+    rule(&["env"], &[], |_| Role::Panorama),
+    rule(&["sky"], &[], |_| Role::Panorama),
+    rule(&["diffuse"], &[], |_| Role::DiffuseTexture),
+    rule(&["albedo"], &[], |_| Role::DiffuseTexture),
+    rule(&["color"], &[], |_| Role::DiffuseTexture),
+    rule(&["tex"], &["emitted", "ambient", "light", "screen", "reflect", "shininess"], |_| Role::DiffuseTexture),
+];
+
+const SAMPLERS_CUBE: &[Rule] = &[
+    rule(&["cube"], &[], |_| Role::Cubemap),
+    rule(&["sky"], &[], |_| Role::Cubemap),
+    rule(&["env"], &[], |_| Role::Cubemap),
+    rule(&["reflect"], &[], |_| Role::Cubemap),
+    rule(&["tex"], &[], |_| Role::Cubemap),
+];
+
+const ATTRIBUTES: &[Rule] = &[
+    rule(&["tangent"], &["blocked"], |_| Role::Tangent),
+    rule(&["normal"], &["blocked"], |_| Role::Normal),
+    rule(&["color"], &[], |_| Role::Color),
+    rule(&["tex"], &[], |_| Role::TexCoord),
+    rule(&["coord"], &["model", "world", "vertex", "pos"], |_| Role::TexCoord),
+    rule(&["pos"], &["blocked"], |_| Role::Position),
+    rule(&["vertex"], &["blocked"], |_| Role::Position),
+    rule(&["coord"], &[], |_| Role::Position),
+];
+
+/// An attribute's role by its name.
+pub(super) fn attribute(shape: Shape, words: &Words) -> Option<Role> {
+    if shape != Shape::Vector {
+        return None;
+    }
+    first(ATTRIBUTES, words, 0)
+}
+
+/// A uniform's role by its name and type.
+pub(super) fn uniform(shape: Shape, words: &Words, light: u32) -> Option<Role> {
+    if shape == Shape::Matrix {
+        return matrix(words);
+    }
+    if words.has("blocked") {
+        return None;
+    }
+    // A letter that counts (`nLights`) or is the whole name (`t`).
+    if shape == Shape::Scalar {
+        match words.letters[..] {
+            [.., 'n'] if words.has("light") && words.tokens.len() == 1 => return Some(Role::LightCount),
+            ['t'] | ['u', 't'] if words.tokens.is_empty() => return Some(Role::Time),
+            _ => {}
+        }
+    }
+    let rules = match shape {
+        Shape::Scalar => SCALARS,
+        Shape::Vector => VECTORS,
+        Shape::Sampler2D => SAMPLERS_2D,
+        Shape::SamplerCube => SAMPLERS_CUBE,
+        Shape::Matrix | Shape::Other => return None,
+    };
+    // A colour is no vec2 and a picture's size no vec4, but the names are clear enough.
+    first(rules, words, light)
+}
+
+fn first(rules: &[Rule], words: &Words, light: u32) -> Option<Role> {
+    let fits =
+        |rule: &&Rule| rule.all.iter().all(|word| words.has(word)) && !rule.none.iter().any(|word| words.has(word));
+    rules.iter().find(fits).map(|rule| (rule.role)(light))
+}
+
+/// A matrix's role: which of M, V and P it holds.
+fn matrix(words: &Words) -> Option<Role> {
+    // A matrix of a light is one of shadows.
+    if words.has("blocked") || words.has("light") || words.has("tex") {
+        return None;
+    }
+    if let Some(role) = between_spaces(&words.order) {
+        return Some(role);
+    }
+    let spelt = |word: &str| words.has(word);
+    // Beside words, a letter is a prefix (`mModel`, `u_model`); alone, it is the matrix (`M`, `u_M`, `itM`).
+    let has_words =
+        ["model", "world", "object", "view", "camera", "proj", "normal", "mv", "vp", "mvp"].iter().any(|w| spelt(w));
+    let letter = |c: char| !has_words && words.letters.contains(&c);
+    let joined =
+        |c: &str| words.tokens.iter().any(|token| matches!(*token, "m" | "mv" | "vp" | "mvp") && token.contains(c));
+    let m = spelt("model") || spelt("world") || spelt("object") || joined("m") || letter('m') || letter('w');
+    // `cameraMatrix` may be P V as well: `context` decides.
+    let v = spelt("view") || spelt("camera") || joined("v") || letter('v');
+    let p = spelt("proj") || joined("p") || letter('p');
+    let inverse_transpose = spelt("inverse") && (spelt("transpose") || spelt("trans") || letter('t'))
+        || spelt("transpose")
+        || letter('i') && letter('t');
+    if spelt("normal") || letter('n') || inverse_transpose {
+        return match (v, p) {
+            (_, true) => None,
+            (true, false) => Some(Role::NormalMatrixOfModelView),
+            (false, false) => Some(Role::NormalMatrix),
+        };
+    }
+    if spelt("inverse") || spelt("trans") && !(m || v || p) {
+        return None;
+    }
+    match (m, v, p) {
+        (true, false, false) => Some(Role::Model),
+        (false, true, false) => Some(Role::View),
+        (false, false, true) => Some(Role::Projection),
+        (true, true, false) => Some(Role::ModelView),
+        (false, true, true) => Some(Role::ViewProjection),
+        (true, true, true) => Some(Role::ModelViewProjection),
+        (true, false, true) | (false, false, false) => None,
+    }
+}
+
+/// `world_from_model`, `modelToWorld`.
+fn between_spaces(order: &[&str]) -> Option<Role> {
+    let at = order.iter().position(|word| matches!(*word, "from" | "to"))?;
+    let space = |word: Option<&&str>| {
+        Some(match *word? {
+            "model" | "object" => 0,
+            "world" => 1,
+            "view" | "camera" => 2,
+            "clip" | "proj" | "screen" => 3,
+            _ => return None,
+        })
+    };
+    let (before, behind) = (space(order.get(at.checked_sub(1)?)), space(order.get(at + 1)));
+    let (source, target): (u8, u8) =
+        if order.get(at) == Some(&"from") { (behind?, before?) } else { (before?, behind?) };
+    Some(match (source, target) {
+        (0, 1) => Role::Model,
+        (1, 2) => Role::View,
+        (2, 3) => Role::Projection,
+        (0, 2) => Role::ModelView,
+        (1, 3) => Role::ViewProjection,
+        (0, 3) => Role::ModelViewProjection,
+        _ => return None,
+    })
+}

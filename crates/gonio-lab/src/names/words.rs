@@ -1,0 +1,273 @@
+//! A variable's name as words with one meaning each, whatever the dialect: `u_lightPos`, `LightPosition_worldspace`,
+//! `lights[1].pos` and `posLumiere` all say *light* and *pos*.
+
+use crate::submission::words::words_of;
+
+/// Spellings and what they mean. What stands here with an empty meaning says nothing.
+const MEANINGS: &[(&str, &str)] = &[
+    // What is lit, by what, seen by whom.
+    (
+        "light lights lighting lightning lamp lamps lampe lum luminaire lumiere lumieres lumière lumières sun soleil spotlight spot pointlight licht lightsource",
+        "light",
+    ),
+    ("view eye eyes viewer observer observateur oeil œil vue regard", "view"),
+    ("camera cam caméra kamera", "camera"),
+    ("material materiau matériau mtl surface surf", "material"),
+    ("mat", "mat"),
+    ("object obj objet objekt mesh", "object"),
+    ("model modele modèle modell local", "model"),
+    ("world monde ws wc", "world"),
+    ("vertex vert vertices vertexes sommet sommets vtx", "vertex"),
+    // Kinds of quantity.
+    ("pos position positions postion postition posn location loc place origin", "pos"),
+    ("dir direction directions dirs vec vector vect", "dir"),
+    ("front forward look avant devant", "front"),
+    ("color colour colors colours col couleur couleurs clr rgb rgba tint teinte farbe", "color"),
+    (
+        "strength intensity intensite intensité factor coefficient coeff coef coeffs coefs amount force strenght level",
+        "strength",
+    ),
+    ("count num number nb nbr nombre nr total", "count"),
+    ("space espace", "space"),
+    // The terms of the light equation.
+    ("ambient amb ambiant ambiante ambience ambiance", "ambient"),
+    ("diffuse diff dif diffus difuse diffused diffusion", "diffuse"),
+    ("specular spec speculaire spéculaire specularity specu", "specular"),
+    ("emissive emission emitted emit emissif ke", "emitted"),
+    ("albedo base", "albedo"),
+    ("ka", "ka"),
+    ("kd", "kd"),
+    ("ks", "ks"),
+    ("la", "light ambient"),
+    ("ld", "light diffuse"),
+    ("ls", "light specular"),
+    ("attenuation att atten attenuations falloff", "attenuation"),
+    ("constant const cst constante kc", "constant"),
+    ("linear linéaire lineaire lin kl", "linear"),
+    ("quadratic quad quadratique quadr kq", "quadratic"),
+    (
+        "shininess shine shiny shinines shinyness shinness shinniness gloss glossiness brillance brilliance ns",
+        "shininess",
+    ),
+    ("exponent exponant exposant exp expo", "exponent"),
+    ("power pow puissance", "power"),
+    ("gamma", "gamma"),
+    ("refraction refract refractive refr refrac réfraction", "refraction"),
+    ("index indice indices idx", "index"),
+    ("ior", "refraction index"),
+    ("ratio rapport", "ratio"),
+    ("eta", "refraction ratio"),
+    // Matrices.
+    ("proj projection perspective persp", "proj"),
+    ("matrix matrice mtx matrixs", "matrix"),
+    ("transform transformation transf transforms xform", "transform"),
+    ("inv inverse inversed invert inverted", "inverse"),
+    ("transpose transp transposed transposee tr", "transpose"),
+    ("trans", "trans"),
+    ("it ti invtr invt tinv", "inverse transpose"),
+    ("itm tim mit invtm", "inverse transpose m"),
+    ("itmv timv mvit", "inverse transpose mv"),
+    ("mv vm wv modelview", "mv"),
+    ("vp pv projview viewproj", "vp"),
+    ("mvp pvm wvp pmv mpv vmp", "mvp"),
+    // Textures.
+    ("tex texture textures txt sampler map maps image img", "tex"),
+    ("uv uvs st texcoord texcoords texcoor", "tex coord"),
+    ("coord coords coordinate coordinates coordonnees", "coord"),
+    ("normal normals normale normales norm nrm nor bump", "normal"),
+    ("tangent tangents tangente tan", "tangent"),
+    ("bitangent binormal bitan", "blocked"),
+    ("cube cubemap cubic", "cube"),
+    ("skybox", "cube sky"),
+    ("sky ciel", "sky"),
+    ("env environment environnement envmap", "env"),
+    ("reflect reflection reflexion", "reflect"),
+    ("panorama pano equirect equirectangular equi latlong hdr hdri spherical skydome", "panorama"),
+    // The rest.
+    ("time now temps elapsed clock seconds", "time"),
+    ("resolution viewport screen window fenetre", "screen"),
+    ("size dim dimensions", "size"),
+    ("from", "from"),
+    ("to", "to"),
+    ("clip ndc", "clip"),
+    ("k", "strength"),
+    // Says that the name is of something else than its other words.
+    (
+        "shadow shadows depth bone bones joint prev previous fog near far radius cutoff cut off inner outer cos angle use \
+         has is enable enabled show min max bias offset scale scaling threshold mouse width height aspect fov noise \
+         roughness rough metallic metalness metal ao occlusion alpha opacity transparency background bg clear ground line \
+         outline edge border wire selected highlight hover mode type flag id kernel blur exposure mix blend irradiance \
+         prefilter prefiltered brdf lut displacement parallax reverse reversed target up right bool toggle rotation rot \
+         translation blinn toon speed velocity step steps",
+        "blocked",
+    ),
+    (
+        "u a in v s g uniform attribute attrib value val param input var data current my our your the frag fragment f fs \
+         float source src global scene of for i xyz point points dirlight gl this",
+        "",
+    ),
+];
+
+/// A name's words.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Words {
+    /// What the words mean, once each.
+    pub(super) tokens: Vec<&'static str>,
+    /// A number in the name.
+    pub(super) number: Option<u32>,
+    /// Single letters in order, capital or not: `M`, `V`, `P`, `N`.
+    pub(super) letters: Vec<char>,
+    /// The meanings in order, those of `from` and `to` included.
+    pub(super) order: Vec<&'static str>,
+}
+
+impl Words {
+    pub(super) fn has(&self, token: &str) -> bool {
+        self.tokens.contains(&token)
+    }
+
+    fn add(&mut self, meaning: &'static str) {
+        for token in meaning.split(' ').filter(|token| !token.is_empty()) {
+            self.order.push(token);
+            if !self.has(token) {
+                self.tokens.push(token);
+            }
+        }
+    }
+
+    /// The words of one part of a name (no dots, no brackets).
+    pub(super) fn of(name: &str) -> Self {
+        let mut words = Self::default();
+        let parts = words_of(name);
+        let mut at = 0;
+        while let Some(word) = parts.get(at) {
+            at += 1;
+            if let Ok(number) = word.parse() {
+                words.number = Some(number);
+                continue;
+            }
+            // `K_d`, `k_c`: two letters that belong together.
+            if word == "k"
+                && let Some(next) = parts.get(at).filter(|next| next.len() == 1)
+                && let Some(meaning) = meaning(&format!("k{next}"))
+            {
+                words.add(meaning);
+                at += 1;
+                continue;
+            }
+            match word.chars().next() {
+                Some(letter) if word.len() == 1 && word != "k" => words.letters.push(letter),
+                _ => words.add_word(word),
+            }
+        }
+        words
+    }
+
+    fn add_word(&mut self, word: &str) {
+        if let Some(meaning) = meaning(word) {
+            return self.add(meaning);
+        }
+        if let Some(meanings) = cut(word) {
+            return meanings.into_iter().for_each(|meaning| self.add(meaning));
+        }
+        // A letter for a space or a kind in front: `WeyePos`, `MvertPos`, `vnormal`.
+        let mut rest = word.chars();
+        rest.next();
+        let rest = rest.as_str();
+        if let Some(meanings) = meaning(rest).filter(|_| rest.len() > 2).map(|m| vec![m]).or_else(|| cut(rest)) {
+            return meanings.into_iter().for_each(|meaning| self.add(meaning));
+        }
+        // A word of the student's own beside one that is known: `bunnytexture`.
+        let known =
+            MEANINGS.iter().flat_map(|(spellings, meaning)| spellings.split_whitespace().map(move |s| (s, *meaning)));
+        let mut best = ("", "");
+        for (spelling, meaning) in known {
+            let within = spelling.len() >= 5 && (word.starts_with(spelling) || word.ends_with(spelling));
+            if within && spelling.len() > best.0.len() && meaning != "blocked" {
+                best = (spelling, meaning);
+            }
+        }
+        self.add(best.1);
+    }
+}
+
+fn meaning(word: &str) -> Option<&'static str> {
+    MEANINGS
+        .iter()
+        .find(|(spellings, _)| spellings.split_whitespace().any(|spelling| spelling == word))
+        .map(|&(_, meaning)| meaning)
+}
+
+/// Words written together: `lightpos`, `texcoord`. Every piece must be known and have three letters or be a matrix.
+fn cut(word: &str) -> Option<Vec<&'static str>> {
+    // Longer than any name a person writes.
+    if word.len() > 60 || !word.is_ascii() {
+        return None;
+    }
+    // best[end]: how the first `end` letters are cut, by the fewest pieces.
+    let mut best: Vec<Option<Vec<&'static str>>> = vec![None; word.len() + 1];
+    best[0] = Some(Vec::new());
+    for end in 1..=word.len() {
+        for start in 0..end {
+            let piece = &word[start..end];
+            if piece.len() < 3 && !matches!(piece, "mv" | "vp" | "uv") {
+                continue;
+            }
+            let (Some(before), Some(meaning)) = (&best[start], meaning(piece)) else { continue };
+            if best[end].as_ref().is_none_or(|now| now.len() > before.len() + 1) {
+                let mut longer = before.clone();
+                longer.push(meaning);
+                best[end] = Some(longer);
+            }
+        }
+    }
+    best.pop().flatten()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn dialects_say_the_same() {
+        for (names, tokens) in [
+            (
+                "u_light_pos lightPos LightPosition lightpos posLumiere u_lightPosition LightPos light_location",
+                "light pos",
+            ),
+            ("texcoord tex_coords TexCoord aTexCoords vertexUV? UV in_uv textureCoord", "coord tex"),
+            ("WeyePos eyePos view_pos viewposition", "pos view"),
+            ("ambient_strength ambientStrength ambientstrength k_ambient AmbientCoefficient", "ambient strength"),
+            ("normalMatrix normal_matrix normalmatrix u_NormalMatrix", "matrix normal"),
+            ("Kd k_d K_d", "kd"),
+            ("bunnytexture textureBunny", "tex"),
+            ("refractionIndice ior IOR refractive_index", "index refraction"),
+            ("x foo qwerty", ""),
+        ] {
+            for name in names.split(' ').filter(|name| !name.ends_with('?')) {
+                let mut found = Words::of(name).tokens;
+                found.sort_unstable();
+                assert_eq!(found.join(" "), tokens, "{name}");
+            }
+        }
+    }
+
+    #[test]
+    fn letters_and_numbers_are_kept() {
+        assert_eq!(Words::of("u_M").letters, ['u', 'm']);
+        assert_eq!(Words::of("itM").letters, ['m']);
+        assert_eq!(Words::of("texture12").number, Some(12));
+        assert_eq!(Words::of("tex99999999999").number, None);
+        assert_eq!(Words::of("clip_from_world").order, ["clip", "from", "world"]);
+    }
+
+    #[test]
+    fn every_spelling_stands_once() {
+        let mut spellings: Vec<&str> =
+            MEANINGS.iter().flat_map(|(spellings, _)| spellings.split_whitespace()).collect();
+        let all = spellings.len();
+        spellings.sort_unstable();
+        spellings.dedup();
+        assert_eq!(spellings.len(), all);
+    }
+}

@@ -1,0 +1,89 @@
+//! The checker measured: each mistake of the bank is made in the exercise's model, handed in, and looked for.
+
+use crate::bank::{Hypotheses, Hypothesis};
+use crate::check::{Checker, Task};
+use crate::exercise::Exercise;
+use crate::student::{CheckOptions, check};
+use crate::submission::SourceFile;
+use crate::verdict::{Outcome, Verdict};
+use gonio_gl::GlError;
+use serde::Serialize;
+
+/// How many were named right.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Count {
+    /// Handed in, and to be seen in some scene.
+    pub visible: usize,
+    /// Named right, alone or among names that no picture tells apart.
+    pub named: usize,
+    /// Called wrong without any name.
+    pub unnamed: usize,
+    /// Given another name: what was made, and what was said.
+    pub misnamed: Vec<(String, String)>,
+    /// Not to be seen in this exercise: called right, and rightly so.
+    pub invisible: usize,
+}
+
+impl Count {
+    /// The share named right, of those that can be seen: 1 of none.
+    pub fn share(&self) -> f64 {
+        if self.visible == 0 { 1.0 } else { self.named as f64 / self.visible as f64 }
+    }
+
+    fn add(&mut self, made: &[&str], verdict: &Verdict) {
+        if verdict.verdict == Outcome::Correct {
+            self.invisible += 1;
+            return;
+        }
+        self.visible += 1;
+        let is_said =
+            |id: &&str| verdict.mistakes.iter().any(|found| found.id == **id || found.or.iter().any(|or| or == *id));
+        let said: Vec<&str> = verdict.mistakes.iter().map(|found| found.id.as_str()).collect();
+        if made.iter().all(|id| is_said(&id)) && said.len() == made.len() {
+            self.named += 1;
+        } else if said.is_empty() {
+            self.unnamed += 1;
+        } else {
+            self.misnamed.push((made.join(" and "), said.join(" and ")));
+        }
+    }
+}
+
+/// An exercise's measure.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Score {
+    /// The exercise's word.
+    pub exercise: String,
+    /// Mistakes by themselves.
+    pub single: Count,
+    /// Two at once.
+    pub pairs: Count,
+}
+
+/// Makes every mistake of the bank that an exercise's model can have, every way to make it, and `pairs` pairs of them spread
+/// evenly over all.
+pub fn of_bank(checker: &mut Checker, exercise: &Exercise, pairs: usize) -> Result<Score, GlError> {
+    let mut score = Score { exercise: exercise.id.clone(), ..Score::default() };
+    let Some(task) = Task::of(&exercise.id) else { return Ok(score) };
+    let hypotheses = Hypotheses::of(task.model);
+    let is_wrong = |h: &&Hypothesis| h.made_of.iter().all(|&m| !hypotheses.mistakes[m].harmless);
+    let singles: Vec<&Hypothesis> = hypotheses.singles.iter().filter(is_wrong).collect();
+    let mut hand_in = |hypothesis: &Hypothesis| -> Result<Verdict, GlError> {
+        let [vertex, fragment] = hypotheses.written(hypothesis);
+        let files = vec![SourceFile::new("made.vert", vertex), SourceFile::new("made.frag", fragment)];
+        Ok(check(checker, exercise, files, &CheckOptions::default())?.0)
+    };
+    let ids = |h: &Hypothesis| -> Vec<&str> { h.made_of.iter().map(|&m| hypotheses.mistakes[m].id.as_str()).collect() };
+    for single in &singles {
+        score.single.add(&ids(single), &hand_in(single)?);
+    }
+    let all = singles.len() * singles.len().saturating_sub(1) / 2;
+    let step = (all / pairs.max(1)).max(1);
+    let both = singles.iter().enumerate().flat_map(|(i, a)| singles[i + 1..].iter().map(move |b| (*a, *b)));
+    for (a, b) in both.step_by(step).take(pairs) {
+        if let Some(both) = a.and(b).filter(|both| ids(both).windows(2).all(|pair| pair[0] != pair[1])) {
+            score.pairs.add(&ids(&both), &hand_in(&both)?);
+        }
+    }
+    Ok(score)
+}

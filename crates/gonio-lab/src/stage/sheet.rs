@@ -1,0 +1,157 @@
+//! A program drawn in all situations at once.
+
+use super::{Shape, Situation, numbers, sky};
+use crate::names::{Bindings, Bound, Kind, Role};
+use gonio_gl::foreign::{ForeignMesh, ForeignProgram, ForeignTexture, NOT_DRAWN, Stream, TileTarget};
+use gonio_gl::{Gl, GlError};
+
+/// Pixels along a side of a situation's picture: enough for a hundred triangles, and cheap on a driver without a GPU.
+pub const TILE: u32 = 32;
+
+/// All situations' pictures, one after the other, linear RGBA; [`NOT_DRAWN`] where nothing is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sheet {
+    /// `TILE * TILE` a situation, the bottom row first.
+    pub pixels: Vec<[f32; 4]>,
+}
+
+impl Sheet {
+    /// One situation's pixels.
+    pub fn tile(&self, index: usize) -> &[[f32; 4]] {
+        let size = (TILE * TILE) as usize;
+        self.pixels.get(index * size..(index + 1) * size).unwrap_or_default()
+    }
+
+    /// Whether something was drawn at a pixel.
+    pub fn is_drawn(pixel: &[f32; 4]) -> bool {
+        // Not `!=`: a pixel may hold NaN.
+        pixel[0] != NOT_DRAWN[0] || pixel[3] != NOT_DRAWN[3]
+    }
+}
+
+/// Everything that programs are drawn with, but for themselves.
+pub struct Stage {
+    meshes: Vec<ForeignMesh>,
+    cubemap: ForeignTexture,
+    white: ForeignTexture,
+    target: TileTarget,
+    situations: Vec<Situation>,
+}
+
+/// Units of textures.
+const CUBEMAP_UNIT: u32 = 0;
+const WHITE_UNIT: u32 = 1;
+
+impl Stage {
+    /// For these situations.
+    pub fn new(gl: &Gl, situations: Vec<Situation>) -> Result<Self, GlError> {
+        let mesh = |shape: Shape| {
+            let mesh = shape.mesh();
+            let stream = |name, components, numbers| Stream { name, components, numbers };
+            ForeignMesh::new(
+                gl,
+                &[
+                    stream("position", 3, &mesh.positions),
+                    stream("normal", 3, &mesh.normals),
+                    stream("tex_coord", 2, &mesh.tex_coords),
+                ],
+                &mesh.indices,
+                &format!("{shape:?}"),
+            )
+        };
+        Ok(Stage {
+            meshes: Shape::ALL.into_iter().map(mesh).collect::<Result<_, _>>()?,
+            cubemap: ForeignTexture::cube(gl, sky::SIDE, &sky::faces(), "surroundings")?,
+            white: ForeignTexture::flat(gl, [1, 1], &[[1.0; 4]], "white")?,
+            target: TileTarget::new(gl, TILE, situations.len())?,
+            situations,
+        })
+    }
+
+    /// Where programs are drawn.
+    pub fn situations(&self) -> &[Situation] {
+        &self.situations
+    }
+
+    /// Works out once what a program's attributes and uniforms hold in every situation, each changed by `change` beforehand.
+    pub fn cast(&self, program: &ForeignProgram, bindings: &Bindings, change: impl Fn(&mut Situation)) -> Cast {
+        let feed = bindings
+            .bound
+            .iter()
+            .filter(|bound| bound.declared.kind == Kind::Attribute)
+            .filter_map(|bound| Some((program.attribute_location(&bound.declared.name)?, stream_of(bound.role)?)))
+            .collect();
+        let uniforms: Vec<(usize, &Bound)> = bindings
+            .bound
+            .iter()
+            .filter(|bound| bound.declared.kind == Kind::Uniform)
+            .filter_map(|bound| Some((program.uniform_index(&bound.declared.name)?, bound)))
+            .collect();
+        let values = self
+            .situations
+            .iter()
+            .map(|situation| {
+                let mut situation = situation.clone();
+                change(&mut situation);
+                let value = |&(index, bound): &(usize, &Bound)| {
+                    let glsl_type = bound.declared.glsl_type.as_str();
+                    let values = match glsl_type {
+                        "samplerCube" => Some(vec![CUBEMAP_UNIT as f32]),
+                        "sampler2D" => Some(vec![WHITE_UNIT as f32]),
+                        _ => numbers(bound.role, glsl_type, &situation),
+                    };
+                    Some((index, values?))
+                };
+                uniforms.iter().filter_map(value).collect()
+            })
+            .collect();
+        Cast { feed, values }
+    }
+
+    /// Draws a program in the first `count` situations; `fixed` are uniforms that hold the same in all.
+    pub fn draw(
+        &self,
+        program: &ForeignProgram,
+        cast: &Cast,
+        fixed: &[(String, Vec<f32>)],
+        count: usize,
+    ) -> Result<Sheet, GlError> {
+        self.target.begin();
+        self.cubemap.bind(CUBEMAP_UNIT);
+        self.white.bind(WHITE_UNIT);
+        program.bind();
+        for (name, values) in fixed {
+            program.set(name, values);
+        }
+        for (tile, (situation, values)) in self.situations.iter().zip(&cast.values).take(count).enumerate() {
+            for (index, values) in values {
+                program.set_index(*index, values);
+            }
+            self.target.select(tile);
+            self.meshes[situation.shape.index()].draw(program, &cast.feed);
+        }
+        if let Some(error) = self.target.error() {
+            return Err(error);
+        }
+        Ok(Sheet { pixels: self.target.read(count) })
+    }
+}
+
+/// What a program's attributes and uniforms hold in every situation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cast {
+    /// Locations of attributes, and the streams that feed them.
+    feed: Vec<(u32, usize)>,
+    /// Of each situation: numbers of uniforms, and what they hold.
+    values: Vec<Vec<(usize, Vec<f32>)>>,
+}
+
+/// Which stream of a mesh an attribute reads.
+fn stream_of(role: Role) -> Option<usize> {
+    match role {
+        Role::Position => Some(0),
+        Role::Normal => Some(1),
+        Role::TexCoord => Some(2),
+        _ => None,
+    }
+}

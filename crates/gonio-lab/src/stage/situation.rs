@@ -1,0 +1,240 @@
+//! Scenes made to tell mistakes apart: what each is good for stands beside it.
+
+use super::Shape;
+use glam::{Mat3, Mat4, Quat, Vec3};
+
+/// A light and how it fades. Positions in the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Light {
+    /// In the world.
+    pub position: Vec3,
+    /// Strengths of the terms, 0 to 1.
+    pub ambient: f32,
+    /// See `ambient`.
+    pub diffuse: f32,
+    /// See `ambient`.
+    pub specular: f32,
+    /// kc, kl, kq of 1 / (kc + kl d + kq d^2).
+    pub attenuation: [f32; 3],
+}
+
+/// A scene of one object, one light and a camera.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Situation {
+    /// A word for tables.
+    pub name: String,
+    /// What it shows that others do not.
+    pub shows: &'static str,
+    /// What is drawn.
+    pub shape: Shape,
+    /// M.
+    pub world_from_model: Mat4,
+    /// In the world.
+    pub eye: Vec3,
+    /// What the camera looks at, in the world.
+    pub target: Vec3,
+    /// Which way is up in the picture, in the world.
+    pub up: Vec3,
+    /// Radians, from the lower to the upper edge.
+    pub fov_y_rad: f32,
+    /// The light.
+    pub light: Light,
+    /// Linear RGB.
+    pub material: Vec3,
+    /// The exponent of the highlight.
+    pub shininess: f32,
+    /// Of the object, against air.
+    pub refraction_index: f32,
+    /// Seconds.
+    pub time: f32,
+}
+
+impl Situation {
+    /// V.
+    pub fn view_from_world(&self) -> Mat4 {
+        glam::camera::rh::view::look_at_mat4(self.eye, self.target, self.up)
+    }
+
+    /// P, of a square picture.
+    pub fn clip_from_view(&self) -> Mat4 {
+        glam::camera::rh::proj::opengl::perspective(self.fov_y_rad, 1.0, 0.1, 100.0)
+    }
+
+    /// The inverse transpose of M.
+    pub fn normal_matrix(&self) -> Mat4 {
+        self.world_from_model.inverse().transpose()
+    }
+
+    /// The inverse transpose of V M, for normals in the view's space.
+    pub fn view_normal_matrix(&self) -> Mat3 {
+        Mat3::from_mat4((self.view_from_world() * self.world_from_model).inverse().transpose())
+    }
+}
+
+/// The lab's own values.
+pub const LAB_LIGHT: Light = Light {
+    position: Vec3::new(1.0, 2.0, 1.5),
+    ambient: 0.1,
+    diffuse: 0.5,
+    specular: 0.8,
+    attenuation: [1.0, 0.14, 0.07],
+};
+
+fn base(name: &str, shows: &'static str) -> Situation {
+    Situation {
+        name: name.to_owned(),
+        shows,
+        shape: Shape::Torus,
+        world_from_model: Mat4::IDENTITY,
+        eye: Vec3::new(0.0, 0.0, 3.0),
+        target: Vec3::ZERO,
+        up: Vec3::Y,
+        fov_y_rad: 0.7,
+        light: LAB_LIGHT,
+        material: Vec3::new(0.5, 0.6, 0.8),
+        shininess: 32.0,
+        refraction_index: 1.52,
+        time: 0.0,
+    }
+}
+
+fn placed(at: [f32; 3], turn_deg: [f32; 3], scale: [f32; 3]) -> Mat4 {
+    let [x, y, z] = turn_deg.map(f32::to_radians);
+    let turn = Quat::from_euler(glam::EulerRot::YXZ, y, x, z);
+    Mat4::from_scale_rotation_translation(scale.into(), turn, at.into())
+}
+
+/// For programs that compute light: the nine scenes, whole, and then some with one term alone.
+pub fn lit() -> Vec<Situation> {
+    let mut all = vec![
+        Situation {
+            shape: Shape::Sphere,
+            world_from_model: placed([0.0, 0.0, -2.0], [0.0; 3], [0.5; 3]),
+            eye: Vec3::new(0.0, 0.0, 0.0),
+            target: Vec3::new(0.0, 0.0, -2.0),
+            ..base("lab", "the lab's own scene: a sphere at half its size")
+        },
+        Situation {
+            world_from_model: placed([0.4, -0.3, -0.6], [35.0, 50.0, 20.0], [0.6, 1.2, 0.3]),
+            eye: Vec3::new(1.9, 1.1, 2.0),
+            target: Vec3::new(0.4, -0.3, -0.6),
+            fov_y_rad: 0.42,
+            light: Light { position: Vec3::new(1.6, 2.2, 1.2), ..LAB_LIGHT },
+            ..base("stretched", "a model that is stretched, turned and moved")
+        },
+        Situation {
+            shape: Shape::Sphere,
+            world_from_model: placed([-0.3, 0.2, 0.1], [10.0, 20.0, 0.0], [0.5; 3]),
+            eye: Vec3::new(0.5, 0.5, 1.6),
+            target: Vec3::new(-0.3, 0.2, 0.1),
+            light: Light { position: Vec3::new(0.5, 0.8, 0.9), ..LAB_LIGHT },
+            ..base("coarse", "a coarse sphere close to the light")
+        },
+        Situation {
+            world_from_model: placed([-0.2, 0.1, -0.3], [-60.0, 10.0, 0.0], [0.9; 3]),
+            eye: Vec3::new(0.3, 0.9, 2.4),
+            target: Vec3::new(-0.2, 0.1, -0.3),
+            light: Light { position: Vec3::new(-1.2, 1.0, -2.2), ambient: 0.25, ..LAB_LIGHT },
+            shininess: 6.0,
+            ..base("behind", "the light behind the object")
+        },
+    ];
+    for (name, distance) in [("near", 1.5_f32), ("middle", 3.5), ("far", 8.0)] {
+        let direction = Vec3::new(0.55, 0.6, 0.58).normalize();
+        all.push(Situation {
+            world_from_model: placed([0.2, 0.1, 0.0], [60.0, 15.0, 0.0], [0.8; 3]),
+            eye: Vec3::new(-0.4, 0.6, 2.5),
+            target: Vec3::new(0.2, 0.1, 0.0),
+            light: Light { position: Vec3::new(0.2, 0.1, 0.0) + direction * distance, ambient: 0.35, ..LAB_LIGHT },
+            ..base(name, "the same light at three distances, with much ambient light")
+        });
+    }
+    all.push(Situation {
+        world_from_model: placed([0.6, 0.4, -0.5], [20.0, -40.0, 30.0], [0.7, 0.5, 0.9]),
+        eye: Vec3::new(-1.6, -0.9, -2.2),
+        target: Vec3::new(0.6, 0.4, -0.5),
+        up: Vec3::new(0.5, 1.0, 0.2),
+        fov_y_rad: 0.5,
+        light: Light { position: Vec3::new(-1.5, 1.2, -2.0), ..LAB_LIGHT },
+        ..base("turned", "another camera, turned and tilted")
+    });
+    all.push(Situation {
+        shape: Shape::Sphere,
+        world_from_model: placed([-0.5, -0.4, -0.4], [0.0, 30.0, 40.0], [0.5, 0.8, 0.6]),
+        eye: Vec3::new(0.4, -0.2, 2.2),
+        target: Vec3::new(-0.5, -0.4, -0.4),
+        light: Light { position: Vec3::new(1.2, 0.6, 1.4), ambient: 0.2, ..LAB_LIGHT },
+        material: Vec3::new(0.85, 0.4, 0.15),
+        shininess: 12.0,
+        ..base("coloured", "another material, whose colour is strong")
+    });
+    // Those that tell most stand first: hypotheses are ranked in them.
+    const TELLING: [&str; 4] = ["stretched", "coarse", "behind", "far"];
+    all.sort_by_key(|s| TELLING.iter().position(|name| *name == s.name).unwrap_or(TELLING.len()));
+    all
+}
+
+/// The same with one of the terms alone, for verdicts term by term. Of use where strengths are given from outside.
+pub fn isolated(whole: &[Situation]) -> Vec<Situation> {
+    let mut all = Vec::new();
+    for situation in whole.iter().filter(|s| ["stretched", "behind", "turned"].contains(&s.name.as_str())) {
+        for (term, kept) in [("ambient", [1.0, 0.0, 0.0]), ("diffuse", [0.0, 1.0, 0.0]), ("specular", [0.0, 0.0, 1.0])]
+        {
+            let mut alone = situation.clone();
+            alone.name = format!("{}, {term} alone", situation.name);
+            alone.shows = "one term alone";
+            let light = &mut alone.light;
+            light.ambient *= kept[0];
+            light.diffuse *= kept[1];
+            light.specular *= kept[2];
+            all.push(alone);
+        }
+    }
+    all
+}
+
+/// For mirrors and glass.
+pub fn mirrored() -> Vec<Situation> {
+    vec![
+        Situation { shape: Shape::Sphere, ..base("front", "a sphere in the middle") },
+        Situation {
+            world_from_model: placed([0.4, -0.3, -0.6], [35.0, 50.0, 20.0], [0.6, 1.2, 0.3]),
+            eye: Vec3::new(1.9, 1.1, 2.0),
+            target: Vec3::new(0.4, -0.3, -0.6),
+            ..base("stretched", "a model that is stretched, turned and moved")
+        },
+        Situation {
+            shape: Shape::Sphere,
+            world_from_model: placed([-1.5, 0.8, 0.6], [10.0, 20.0, 0.0], [0.5; 3]),
+            eye: Vec3::new(-0.7, 0.3, 2.6),
+            target: Vec3::new(-1.5, 0.8, 0.6),
+            ..base("coarse", "a coarse sphere at half its size, away from the origin")
+        },
+        Situation {
+            world_from_model: placed([0.6, 0.4, -0.5], [20.0, -40.0, 30.0], [0.7, 0.5, 0.9]),
+            eye: Vec3::new(-1.6, -0.9, -2.2),
+            target: Vec3::new(0.6, 0.4, -0.5),
+            up: Vec3::new(0.5, 1.0, 0.2),
+            refraction_index: 1.33,
+            ..base("turned", "another camera, turned and tilted")
+        },
+    ]
+}
+
+/// For skies: cameras that look elsewhere, and one that has moved.
+pub fn skies() -> Vec<Situation> {
+    let sky = |name: &str, shows, eye: [f32; 3], towards: [f32; 3], up: [f32; 3]| Situation {
+        shape: Shape::Cube,
+        eye: eye.into(),
+        target: Vec3::from(eye) + Vec3::from(towards),
+        up: up.into(),
+        fov_y_rad: 1.2,
+        ..base(name, shows)
+    };
+    vec![
+        sky("ahead", "from the origin, straight ahead", [0.0; 3], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]),
+        sky("right", "from the origin, to the right", [0.0; 3], [1.0, 0.2, -0.3], [0.0, 1.0, 0.0]),
+        sky("moved", "the camera has moved", [0.5, 0.3, 0.4], [-0.6, 0.4, 0.8], [0.0, 1.0, 0.0]),
+        sky("up", "upwards, with a tilted head", [-3.0, 1.0, 2.0], [0.3, 1.0, 0.2], [0.4, 0.0, -1.0]),
+    ]
+}

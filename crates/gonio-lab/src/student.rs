@@ -1,0 +1,307 @@
+//! From a student's files to a verdict.
+
+use crate::bank::{self, Model};
+use crate::check::{Checker, Evidence, Prepared, Task};
+use crate::exercise::{Exercise, Kind};
+use crate::locate::{Place, Shader, Source};
+use crate::messages::{self, Message};
+use crate::names::NamesFile;
+use crate::other;
+use crate::submission::{SourceFile, StageText, Submission};
+use crate::verdict::{CompilerMessage, FoundMistake, Outcome, Peculiarity, Verdict};
+use gonio_gl::foreign::{BrokenProgram, ForeignProgram};
+use gonio_gl::{Gl, GlError};
+use gonio_glsl::{Checked, Parsed, Problem, Severity, Stage, Target, Translated};
+use std::rc::Rc;
+
+/// How a check is made.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct CheckOptions {
+    /// Of several pairs: the one whose file or variable is called so.
+    pub pair: Option<String>,
+    /// Pass what the lab's own solutions do too.
+    pub as_the_lab: bool,
+}
+
+/// A stage as it was read.
+struct ReadStage<'a> {
+    text: &'a StageText,
+    parsed: Parsed,
+    checked: Checked,
+    translated: Translated,
+}
+
+impl<'a> ReadStage<'a> {
+    fn new(text: &'a StageText, stage: Stage, target: Target) -> Self {
+        let mut parsed = gonio_glsl::parse(&text.text);
+        let checked = gonio_glsl::check(&mut parsed, stage);
+        let translated = gonio_glsl::translate(&parsed, &checked, target);
+        ReadStage { text, parsed, checked, translated }
+    }
+
+    fn problems(&self) -> impl Iterator<Item = &Problem> {
+        self.parsed.problems.iter().chain(&self.checked.problems)
+    }
+
+    fn message(&self, problem: &Problem) -> CompilerMessage {
+        let (file, line, column) = self.text.place(problem.span.line, problem.span.column);
+        CompilerMessage {
+            file: file.to_owned(),
+            line: Some(line),
+            column: Some(column),
+            text: problem.message.clone(),
+            quoted: self.text.line(problem.span.line).map(str::to_owned),
+            explanation: problem.help.clone(),
+        }
+    }
+}
+
+/// Most messages of one kind that are told: what follows from the first is no help.
+const MOST_MESSAGES: usize = 12;
+
+/// Checks a student's files. Errors are the driver's; everything that is wrong with the files is a verdict.
+pub fn check(
+    checker: &mut Checker,
+    exercise: &Exercise,
+    files: Vec<SourceFile>,
+    options: &CheckOptions,
+) -> Result<(Verdict, Option<Evidence>), GlError> {
+    match exercise.kind {
+        Kind::Buffers => return Ok((other::buffers(exercise, files), None)),
+        Kind::HostProgram => return Ok((other::host_program(checker.gl(), exercise, files)?, None)),
+        Kind::Shaders | Kind::Faces => {}
+    }
+    let unsure = |sentence: String| Ok((Verdict::new(&exercise.id, Outcome::Unsure, sentence), None));
+    let Some(task) = Task::of(&exercise.id) else {
+        return unsure(format!("{} cannot be checked yet", exercise.id));
+    };
+    // What was handed out beside the shaders is nobody's answer.
+    let handed_out = |name: &str| {
+        let name = name.rsplit(['/', '\\']).next().unwrap_or(name);
+        [".md", ".svg"].iter().any(|end| name.ends_with(end)) && exercise.file(name).is_some()
+    };
+    let files: Vec<SourceFile> = files.into_iter().filter(|file| !handed_out(&file.name)).collect();
+    let hints = [exercise.id.as_str()];
+    let submission = match Submission::gather_with(files, options.pair.as_deref(), &hints) {
+        Ok(submission) => submission,
+        Err(error) => return unsure(error.to_string()),
+    };
+    let names = match submission.names.as_deref().map(NamesFile::parse).transpose() {
+        Ok(names) => names.unwrap_or_default(),
+        Err(error) => return unsure(error.to_string()),
+    };
+    let target = if gonio_gl::foreign::is_embedded(checker.gl()) { Target::Es300 } else { Target::Core330 };
+    let vertex = ReadStage::new(&submission.vertex, Stage::Vertex, target);
+    let fragment = ReadStage::new(&submission.fragment, Stage::Fragment, target);
+    let program = match compile(checker.gl(), &vertex, &fragment) {
+        Ok(program) => program,
+        Err(broken) => {
+            let mut verdict = Verdict::new(&exercise.id, Outcome::DoesNotCompile, "");
+            verdict.messages = compiler_messages(&broken, &vertex, &fragment);
+            verdict.summary = first_message(&verdict.messages, &broken);
+            verdict.warnings = submission.warnings.clone();
+            return Ok((verdict, None));
+        }
+    };
+    let source = Rc::new(Source::read(
+        &Shader { parsed: &vertex.parsed, checked: &vertex.checked },
+        &Shader { parsed: &fragment.parsed, checked: &fragment.checked },
+        &names,
+    ));
+    let asked = Rc::clone(&source);
+    let prepared = Prepared {
+        declared: gonio_glsl::leaves(&vertex.checked.interface)
+            .into_iter()
+            .chain(gonio_glsl::leaves(&fragment.checked.interface))
+            .map(|leaf| crate::names::Declared::uniform(leaf.name.clone(), leaf.ty.written()))
+            .collect(),
+        names,
+        written: source.written(),
+        in_vain: in_vain(&fragment),
+        looks_like: Box::new(move |id, model| asked.looks_like(id, model)),
+    };
+    let (mut verdict, evidence) = checker.check(task, &program, &prepared)?;
+    let place = |found: &mut FoundMistake, place: Place| {
+        let text = if place.stage == Stage::Vertex { &submission.vertex } else { &submission.fragment };
+        let (file, line, _) = text.place(place.span.line, place.span.column);
+        found.file = Some(file.to_owned());
+        found.line = Some(line);
+        found.quoted = text.line(place.span.line).map(str::to_owned);
+    };
+    by_the_source(&mut verdict, &source, task.model);
+    for found in &mut verdict.mistakes {
+        if let Some(at) = source.line(&found.id, task.model) {
+            place(found, at);
+        }
+    }
+    for (id, at, sentence) in source.in_source_only() {
+        let Some(mut found) = in_source(id, sentence, task.model) else { continue };
+        place(&mut found, at);
+        if verdict.verdict == Outcome::Correct {
+            verdict.verdict = Outcome::Wrong;
+            verdict.summary = format!("{}; the picture is right here by luck", found.name);
+            verdict.score = verdict.score.min(0.9);
+        }
+        if verdict.mistakes.iter().all(|known| known.id != found.id) {
+            verdict.mistakes.push(found);
+        }
+    }
+    if options.as_the_lab {
+        pass_as_the_lab(&mut verdict);
+    }
+    verdict.warnings.extend(submission.warnings.iter().cloned());
+    verdict.warnings.extend(strictness(&vertex, &fragment));
+    Ok((verdict, evidence))
+}
+
+/// From this support by the source on a mistake counts that the picture leaves open.
+const SURE: f32 = 0.95;
+
+/// What pictures leave open, and the source tells: which of two names, and what looks right because it is another right way.
+fn by_the_source(verdict: &mut Verdict, source: &Source, model: Model) {
+    // A diffuse term without its cosine is light from everywhere, and so is ambient light alone.
+    let flat = "diffuse-without-cosine";
+    let missing = "diffuse-missing";
+    if let Some(found) = verdict.mistakes.iter_mut().find(|found| found.id == flat)
+        && source.looks_like(missing, model) > source.looks_like(flat, model)
+        && let Some(other) = in_source(missing, String::new(), model)
+    {
+        let share_explained = found.share_explained;
+        let mend = bank::find(missing).map_or(String::new(), |known| known.mend.clone());
+        *found = FoundMistake { share_explained, mend, or: vec![flat.to_owned()], ..other };
+        verdict.summary = found.name.clone();
+    }
+    // The product of diffuse and specular light is specular light weighted by the cosine.
+    let weighted = verdict.peculiarities.iter().any(|p| p.id == "specular-cosine-weighted");
+    let product = "terms-multiplied";
+    if verdict.verdict == Outcome::Correct
+        && weighted
+        && source.looks_like(product, model) > SURE
+        && let Some(mut found) = in_source(product, String::new(), model)
+    {
+        found.mend = bank::find(product).map_or(String::new(), |known| known.mend.clone());
+        found.share_explained = 1.0;
+        verdict.verdict = Outcome::Wrong;
+        verdict.score = 0.5;
+        verdict.summary = found.name.clone();
+        verdict.mistakes.push(found);
+    }
+}
+
+/// Of ambient, diffuse and specular: whether the vertex shader hands it over and the fragment shader lets it lie.
+fn in_vain(fragment: &ReadStage<'_>) -> [bool; 3] {
+    let unused = |word: &str| {
+        let inputs = fragment.checked.interface.inputs.iter();
+        inputs.filter(|input| !input.is_used).any(|input| input.name.to_ascii_lowercase().contains(word))
+    };
+    ["amb", "diff", "spec"].map(unused)
+}
+
+/// A mistake that only the source shows.
+fn in_source(id: &str, sentence: String, model: Model) -> Option<FoundMistake> {
+    let mistake = bank::of(model).find(|mistake| mistake.id == id)?;
+    Some(FoundMistake {
+        id: mistake.id.clone(),
+        name: mistake.name.clone(),
+        share_explained: 0.0,
+        file: None,
+        line: None,
+        quoted: None,
+        looks_like: mistake.looks_like.clone(),
+        mend: sentence,
+        seed: mistake.seed.clone(),
+        or: Vec::new(),
+        lab_does_it: false,
+    })
+}
+
+/// What the lab's own solutions do passes, and is said all the same.
+fn pass_as_the_lab(verdict: &mut Verdict) {
+    if verdict.verdict != Outcome::Wrong
+        || verdict.mistakes.is_empty()
+        || !verdict.mistakes.iter().all(|m| m.lab_does_it)
+    {
+        return;
+    }
+    let passed = std::mem::take(&mut verdict.mistakes);
+    verdict.peculiarities.extend(passed.into_iter().map(|m| Peculiarity { id: m.id, name: m.name }));
+    verdict.verdict = Outcome::Correct;
+    verdict.summary = "right as the lab's own solution is".to_owned();
+    verdict.score = 1.0;
+}
+
+fn compile(gl: &Gl, vertex: &ReadStage<'_>, fragment: &ReadStage<'_>) -> Result<ForeignProgram, BrokenProgram> {
+    let program = ForeignProgram::new(gl, &vertex.translated.text, &fragment.translated.text)?;
+    // Where the translation mended what every compiler refuses, the student's own text tells.
+    let refused = |stage: &ReadStage<'_>| stage.problems().any(|problem| problem.severity == Severity::Error);
+    if refused(vertex) || refused(fragment) {
+        ForeignProgram::new(gl, &vertex.text.text, &fragment.text.text)?;
+    }
+    Ok(program)
+}
+
+/// What the driver says, at the student's lines; what our own reader found comes first where it is on the same line or where
+/// the driver names none, for it is said in plain words.
+fn compiler_messages(broken: &BrokenProgram, vertex: &ReadStage<'_>, fragment: &ReadStage<'_>) -> Vec<CompilerMessage> {
+    let mut told = Vec::new();
+    for (stage, log) in [(vertex, &broken.vertex_log), (fragment, &broken.fragment_log)] {
+        let Some(log) = log else { continue };
+        let own: Vec<CompilerMessage> =
+            stage.problems().filter(|p| p.severity == Severity::Error).map(|p| stage.message(p)).collect();
+        if own.is_empty() {
+            let messages = messages::to_messages(log, stage.text, stage.translated.first_line);
+            told.extend(messages.into_iter().take(MOST_MESSAGES).map(of_driver));
+        } else {
+            told.extend(own.into_iter().take(MOST_MESSAGES));
+        }
+    }
+    if let Some(log) = &broken.link_log {
+        let own: Vec<CompilerMessage> = gonio_glsl::check_pair(&vertex.checked, &fragment.checked)
+            .iter()
+            .filter(|p| p.severity == Severity::Error)
+            .map(|p| fragment.message(p))
+            .collect();
+        if own.is_empty() {
+            let messages = messages::link_messages(log, vertex.text, fragment.text);
+            told.extend(messages.into_iter().take(MOST_MESSAGES).map(of_driver));
+        } else {
+            told.extend(own.into_iter().take(MOST_MESSAGES));
+        }
+    }
+    told
+}
+
+fn of_driver(message: Message) -> CompilerMessage {
+    CompilerMessage {
+        file: message.file,
+        line: message.line,
+        column: message.column,
+        text: message.text,
+        quoted: message.quoted,
+        explanation: message.explanation,
+    }
+}
+
+fn first_message(messages: &[CompilerMessage], broken: &BrokenProgram) -> String {
+    match messages.first() {
+        Some(CompilerMessage { file, line: Some(line), text, .. }) => format!("{file}:{line}: {text}"),
+        Some(message) => format!("{}: {}", message.file, message.text),
+        None => broken.to_string(),
+    }
+}
+
+/// What this driver takes and others may not.
+fn strictness(vertex: &ReadStage<'_>, fragment: &ReadStage<'_>) -> Vec<String> {
+    let said = |stage: &ReadStage<'_>, problem: &Problem| {
+        let (file, line, _) = stage.text.place(problem.span.line, problem.span.column);
+        format!("{file}:{line}: {}; other compilers may refuse it", problem.message)
+    };
+    let mut warnings: Vec<String> = Vec::new();
+    for stage in [vertex, fragment] {
+        warnings.extend(stage.problems().filter(|p| p.severity != Severity::Hint).map(|p| said(stage, p)));
+    }
+    let pair = gonio_glsl::check_pair(&vertex.checked, &fragment.checked);
+    warnings.extend(pair.iter().filter(|p| p.severity != Severity::Hint).map(|p| said(fragment, p)));
+    warnings.truncate(MOST_MESSAGES);
+    warnings
+}

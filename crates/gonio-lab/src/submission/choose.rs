@@ -1,0 +1,226 @@
+//! Which of several shaders are the pair.
+
+use super::error::{IntakeError, list};
+use super::stage::{Stage, stage_of_word};
+use super::text::StageText;
+use super::words::words_of;
+
+/// One shader that was found.
+#[derive(Clone, Debug)]
+pub(super) struct Candidate {
+    pub(super) stage: Stage,
+    pub(super) text: StageText,
+    /// The variable that a program gives it to.
+    pub(super) variable: Option<String>,
+    /// A remark that matters only if it is chosen.
+    pub(super) warning: Option<String>,
+}
+
+impl Candidate {
+    /// How it is called in messages: file, or file and variable.
+    fn shown(&self) -> String {
+        match &self.variable {
+            Some(variable) if !variable.is_empty() => format!("{} `{variable}`", self.text.file),
+            Some(_) => format!("{} line {}", self.text.file, self.text.place(1, 1).1),
+            None => self.text.file.clone(),
+        }
+    }
+
+    /// The words of its name that are no stage's and no filling; two shaders with the same belong together.
+    fn stem(&self) -> Vec<String> {
+        let base = self.text.file.rsplit(['/', '\\']).next().unwrap_or_default();
+        let name = match &self.variable {
+            Some(variable) => variable,
+            None => base.split_once('.').map_or(base, |(stem, _)| stem),
+        };
+        let mut words = words_of(name);
+        words.retain(|word| {
+            stage_of_word(word).is_none()
+                && !matches!(
+                    word.as_str(),
+                    "v" | "f"
+                        | "shader"
+                        | "shaders"
+                        | "source"
+                        | "src"
+                        | "code"
+                        | "text"
+                        | "str"
+                        | "string"
+                        | "glsl"
+                        | "k"
+                        | "g"
+                        | "m"
+                        | "id"
+                        | "type"
+                        | "x"
+                        | "program"
+                        | "data"
+                )
+        });
+        for word in &mut words {
+            for filling in ["vertexshader", "fragmentshader", "vertex", "fragment", "vert", "frag", "shader"] {
+                if word.len() > filling.len() {
+                    *word = word.replace(filling, "");
+                }
+            }
+        }
+        words
+    }
+
+    /// The folder, without those that only say the stage.
+    fn folder(&self) -> String {
+        let file = self.text.file.replace('\\', "/");
+        let folder = file.rsplit_once('/').map_or("", |(folder, _)| folder);
+        folder.split('/').filter(|part| stage_of_word(&part.to_lowercase()).is_none()).collect::<Vec<_>>().join("/")
+    }
+
+    /// Everything that a caller's word may be found in, in small letters and without marks.
+    fn searched(&self) -> String {
+        plain(&format!("{} {}", self.text.file, self.variable.as_deref().unwrap_or_default()))
+    }
+}
+
+fn plain(text: &str) -> String {
+    text.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect()
+}
+
+/// What every candidate is measured by, prepared once.
+struct Measured<'a> {
+    candidate: &'a Candidate,
+    order: usize,
+    /// How many of its stage stand before it.
+    rank: usize,
+    stem: Vec<String>,
+    folder: String,
+    wanted: bool,
+    hint: usize,
+    /// The object rather than the things around it.
+    liking: i32,
+}
+
+impl<'a> Measured<'a> {
+    fn new(order: usize, candidate: &'a Candidate, wanted: Option<&str>, hints: &[&str]) -> Self {
+        let searched = candidate.searched();
+        let hint = hints
+            .iter()
+            .position(|hint| !plain(hint).is_empty() && searched.contains(&plain(hint)))
+            .map_or(0, |at| hints.len() - at);
+        let name = candidate
+            .variable
+            .clone()
+            .unwrap_or_else(|| candidate.text.file.rsplit(['/', '\\']).next().unwrap_or_default().to_owned());
+        let name = plain(&name);
+        let has = |words: &[&str]| words.iter().any(|word| name.contains(word));
+        let liking = i32::from(has(&["obj", "model", "mesh", "phong", "light", "main", "sphere"]))
+            - 2 * i32::from(has(&[
+                "sky",
+                "cubemap",
+                "lamp",
+                "lightcube",
+                "lightsource",
+                "lightbox",
+                "screen",
+                "quad",
+                "text",
+                "outline",
+                "depth",
+                "shadow",
+                "debug",
+                "axis",
+                "grid",
+                "post",
+                "old",
+                "backup",
+                "copy",
+                "test",
+                "panorama",
+            ]));
+        Self {
+            candidate,
+            order,
+            rank: 0,
+            stem: candidate.stem(),
+            folder: candidate.folder(),
+            wanted: wanted.is_some_and(|wanted| !plain(wanted).is_empty() && searched.contains(&plain(wanted))),
+            hint,
+            liking,
+        }
+    }
+}
+
+/// How well two belong together and to what was asked for; the greatest wins, of equals the last.
+type Score = (usize, usize, bool, bool, bool, i32, usize, bool, usize);
+
+fn score(vertex: &Measured<'_>, fragment: &Measured<'_>) -> Score {
+    let prefix = vertex.stem.iter().zip(&fragment.stem).take_while(|(a, b)| a == b).count();
+    (
+        usize::from(vertex.wanted) + usize::from(fragment.wanted),
+        vertex.hint + fragment.hint,
+        vertex.folder == fragment.folder && vertex.stem == fragment.stem,
+        vertex.candidate.variable.is_none() && fragment.candidate.variable.is_none(),
+        vertex.candidate.text.file == fragment.candidate.text.file,
+        vertex.liking + fragment.liking + i32::from(vertex.folder == fragment.folder),
+        prefix,
+        // Of pairs without names the last complete one: the second vertex shader goes with the second fragment shader.
+        vertex.rank == fragment.rank,
+        vertex.order.min(fragment.order),
+    )
+}
+
+/// Beyond so many of one stage only the last are looked at: pairs grow with the square.
+const MOST: usize = 300;
+
+/// The pair: vertex, fragment, and warnings.
+pub(super) fn choose(
+    candidates: &[Candidate],
+    wanted: Option<&str>,
+    hints: &[&str],
+) -> Result<(Candidate, Candidate, Vec<String>), IntakeError> {
+    let of = |stage: Stage| -> Vec<Measured<'_>> {
+        let all = candidates.iter().enumerate().filter(|(_, c)| c.stage == stage).enumerate();
+        let all: Vec<_> = all.collect();
+        let last = all.get(all.len().saturating_sub(MOST)..).unwrap_or_default();
+        let measured = |&(rank, (order, candidate)): &(usize, (usize, _))| Measured {
+            rank,
+            ..Measured::new(order, candidate, wanted, hints)
+        };
+        last.iter().map(measured).collect()
+    };
+    let (vertices, fragments) = (of(Stage::Vertex), of(Stage::Fragment));
+    for (these, others, stage) in [(&vertices, &fragments, Stage::Vertex), (&fragments, &vertices, Stage::Fragment)] {
+        if others.is_empty() && !these.is_empty() {
+            let found: Vec<String> = these.iter().map(|m| m.candidate.shown()).collect();
+            return Err(if found.len() == 1 {
+                IntakeError::MissingStage { missing: stage.other(), found }
+            } else {
+                IntakeError::SameStageTwice { stage, found }
+            });
+        }
+    }
+    if let Some(wanted) = wanted
+        && !vertices.iter().chain(&fragments).any(|m| m.wanted)
+    {
+        let candidates = candidates.iter().map(Candidate::shown).collect();
+        return Err(IntakeError::NotFound { wanted: wanted.to_owned(), candidates });
+    }
+    let pairs = vertices.iter().flat_map(|v| fragments.iter().map(move |f| (score(v, f), v, f)));
+    let Some((_, vertex, fragment)) = pairs.max_by_key(|&(score, _, _)| score) else {
+        return Err(IntakeError::NoShader { files: Vec::new() });
+    };
+    let (vertex, fragment) = (vertex.candidate, fragment.candidate);
+    let mut warnings: Vec<String> =
+        [vertex, fragment].into_iter().filter_map(|candidate| candidate.warning.clone()).collect();
+    warnings.dedup();
+    if candidates.len() > 2 {
+        let all: Vec<String> = candidates.iter().map(|c| format!("{} ({})", c.shown(), c.stage)).collect();
+        warnings.push(format!(
+            "there are several shaders: {}; taken were {} and {}. If that is the wrong pair, hand in only the right \
+             one or say its name.",
+            list(&all),
+            vertex.shown(),
+            fragment.shown()
+        ));
+    }
+    Ok((vertex.clone(), fragment.clone(), warnings))
+}

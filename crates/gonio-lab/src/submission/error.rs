@@ -1,0 +1,116 @@
+//! Why files cannot be taken as a pair of shaders.
+
+use super::stage::Stage;
+use std::fmt;
+
+/// Why files cannot be taken as a pair of shaders. Each message says what, where and what to do.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum IntakeError {
+    /// Nothing was handed in.
+    NoFiles,
+    /// A file without any text.
+    Empty {
+        /// The file.
+        file: String,
+    },
+    /// A file that is not text.
+    Binary {
+        /// The file.
+        file: String,
+        /// What shows it, for example "a zero byte at offset 8".
+        because: String,
+    },
+    /// A file of a word processor.
+    RichText {
+        /// The file.
+        file: String,
+    },
+    /// A file above the limit.
+    TooLarge {
+        /// The file.
+        file: String,
+        /// Its size in bytes.
+        bytes: usize,
+    },
+    /// No file holds a shader.
+    NoShader {
+        /// What was looked at.
+        files: Vec<String>,
+    },
+    /// One stage only.
+    MissingStage {
+        /// The stage that no file holds.
+        missing: Stage,
+        /// What was found of the other stage.
+        found: Vec<String>,
+    },
+    /// Two or more of one stage and none of the other.
+    SameStageTwice {
+        /// The stage that was found.
+        stage: Stage,
+        /// Where.
+        found: Vec<String>,
+    },
+    /// No pair is called what the caller asked for.
+    NotFound {
+        /// What was asked for.
+        wanted: String,
+        /// What there is.
+        candidates: Vec<String>,
+    },
+}
+
+/// Names for a sentence: the first eight, and how many more.
+pub(super) fn list(names: &[String]) -> String {
+    const SHOWN: usize = 8;
+    let mut text = names.iter().take(SHOWN).cloned().collect::<Vec<_>>().join(", ");
+    if names.len() > SHOWN {
+        text.push_str(&format!(" and {} more", names.len() - SHOWN));
+    }
+    text
+}
+
+impl fmt::Display for IntakeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoFiles => write!(f, "no files were handed in: name a vertex and a fragment shader"),
+            Self::Empty { file } => write!(f, "{file} is empty: save the shader in your editor and hand it in again"),
+            Self::Binary { file, because } => {
+                write!(f, "{file} is not a text file ({because}): hand in the shader's source as plain text")
+            }
+            Self::RichText { file } => write!(
+                f,
+                "{file} is a word processor's document, not plain text: save it as plain text (.txt) and hand that in"
+            ),
+            Self::TooLarge { file, bytes } => write!(
+                f,
+                "{file} has {bytes} bytes, more than the {} that a shader may have: hand in the shader's source alone",
+                super::decode::LARGEST
+            ),
+            Self::NoShader { files } => write!(
+                f,
+                "there is no shader in {}: hand in a vertex and a fragment shader, or the program that holds both as \
+                 strings",
+                list(files)
+            ),
+            Self::MissingStage { missing, found } => write!(
+                f,
+                "the {missing} shader is missing, there is only {} ({}): hand in both stages",
+                list(found),
+                missing.other()
+            ),
+            Self::SameStageTwice { stage, found } => write!(
+                f,
+                "{} are all {stage} shaders and there is no {} shader: hand in one of each",
+                list(found),
+                stage.other()
+            ),
+            Self::NotFound { wanted, candidates } => {
+                write!(f, "no pair of shaders is called `{wanted}`: choose one of {}", list(candidates))
+            }
+        }
+    }
+}
+
+impl std::error::Error for IntakeError {}

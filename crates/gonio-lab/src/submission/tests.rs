@@ -1,0 +1,297 @@
+//! Submissions as students hand them in.
+
+#![allow(clippy::unwrap_used)]
+
+use super::*;
+
+const V: &str = "#version 330 core\nin vec3 p;\nvoid main() { gl_Position = vec4(p, 1.0); }\n";
+const F: &str = "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n";
+
+fn files(list: &[(&str, &str)]) -> Vec<SourceFile> {
+    list.iter().map(|(name, text)| SourceFile::new(*name, *text)).collect()
+}
+
+/// A stage of that number, so that it can be told which one was taken.
+fn v(mark: u32) -> String {
+    format!("// {mark}\n{V}")
+}
+
+fn f(mark: u32) -> String {
+    format!("// {mark}\n{F}")
+}
+
+fn gathered(list: &[(&str, &str)]) -> Submission {
+    Submission::gather(files(list)).unwrap_or_else(|error| panic!("{error}: {list:?}"))
+}
+
+/// Which files were taken.
+fn taken(submission: &Submission) -> (&str, &str) {
+    (&submission.vertex.file, &submission.fragment.file)
+}
+
+#[test]
+fn two_files_of_any_names_in_any_order() {
+    for (vertex, fragment) in [
+        ("shader.vert", "shader.frag"),
+        ("phong.vs", "phong.fs"),
+        ("a.vsh", "b.fsh"),
+        ("vertex.glsl", "fragment.glsl"),
+        ("vertex.txt", "fragment.txt"),
+        ("basic.vert.glsl", "basic.frag.glsl"),
+        ("basic.vertexshader", "basic.fragmentshader"),
+        ("vertex", "fragment"),
+        ("one.glsl", "two.glsl"),
+        ("one", "two"),
+        ("Dupont/ex 04/v.txt", "Dupont/ex 04/f.txt"),
+        ("C:\\work\\Vert.txt", "C:\\work\\Frag.txt"),
+        ("sommet.txt", "pixel.txt"),
+    ] {
+        for list in [[(vertex, V), (fragment, F)], [(fragment, F), (vertex, V)]] {
+            let submission = gathered(&list);
+            assert_eq!(taken(&submission), (vertex, fragment));
+            assert_eq!((submission.vertex.text.as_str(), submission.fragment.text.as_str()), (V, F));
+            assert_eq!(submission.warnings, [""; 0], "{vertex}");
+        }
+    }
+}
+
+#[test]
+fn content_mends_names() {
+    let turned = gathered(&[("a.vert", "void main() { gl_FragColor = vec4(1.0); }"), ("a.frag", V)]);
+    assert_eq!(taken(&turned), ("a.frag", "a.vert"));
+    assert_eq!(turned.warnings.len(), 2, "{:?}", turned.warnings);
+    assert!(turned.warnings[0].contains("taken as the vertex shader"), "{:?}", turned.warnings);
+    let partner = gathered(&[("a.glsl", "uniform vec3 x;\nvoid main() { }"), ("b.glsl", V)]);
+    assert_eq!(taken(&partner), ("b.glsl", "a.glsl"));
+    assert!(partner.warnings[0].contains("taken as the fragment shader"), "{:?}", partner.warnings);
+    // Without `main`, the name still says what it was meant to be: the compiler will say the rest.
+    assert_eq!(taken(&gathered(&[("a.vert", "in vec3 p;"), ("a.frag", F)])), ("a.vert", "a.frag"));
+}
+
+#[test]
+fn one_file_may_hold_both() {
+    let text = format!("#shader vertex\n{V}#shader fragment\n{F}");
+    let submission = gathered(&[("phong.shader", &text)]);
+    assert_eq!((submission.vertex.text.as_str(), submission.fragment.text.as_str()), (V, F));
+    assert_eq!(submission.fragment.place(3, 15), ("phong.shader", 8, 15));
+    assert_eq!(submission.warnings, [""; 0]);
+    // And a stage written as a C++ string to be included.
+    let submission = gathered(&[("a.vert", &format!("R\"({V})\"")), ("a.frag", F)]);
+    assert_eq!(submission.vertex.text, V);
+    assert_eq!(submission.vertex.place(2, 1), ("a.vert", 2, 1));
+}
+
+#[test]
+fn a_program_with_several_pairs() {
+    let quoted = |text: &str| text.lines().map(|line| format!("    \"{line}\\n\"\n")).collect::<String>();
+    let object = format!("std::string sourceV = {};\nstd::string sourceF = {};\n", quoted(&v(1)), quoted(&f(1)));
+    let sky =
+        format!("std::string sourceVCubeMap = {};\nstd::string sourceFCubeMap = {};\n", quoted(&v(2)), quoted(&f(2)));
+    for source in [format!("{object}{sky}"), format!("{sky}{object}")] {
+        let submission = gathered(&[("main.cpp", &source)]);
+        assert_eq!((submission.vertex.text, submission.fragment.text), (v(1), f(1)));
+        let warning = &submission.warnings[0];
+        for part in ["sourceV`", "sourceF`", "sourceVCubeMap", "sourceFCubeMap", "(vertex)", "taken were"] {
+            assert!(warning.contains(part), "{part}: {warning}");
+        }
+        let wanted = Submission::gather_choosing(files(&[("main.cpp", &source)]), "cubemap").unwrap();
+        assert_eq!((wanted.vertex.text, wanted.fragment.text), (v(2), f(2)));
+        let hinted = Submission::gather_with(files(&[("main.cpp", &source)]), None, &["nothing", "cube_map"]).unwrap();
+        assert_eq!((hinted.vertex.text, hinted.fragment.text), (v(2), f(2)));
+    }
+    let many = format!(
+        "auto aVertex = {}; auto aFragment = {}; auto bVertex = {}; auto bFragment = {}; auto cVertex = {};",
+        quoted(&v(1)),
+        quoted(&f(1)),
+        quoted(&v(2)),
+        quoted(&f(2)),
+        quoted(&v(3))
+    );
+    let last = gathered(&[("main.cpp", &many)]);
+    assert_eq!((last.vertex.text, last.fragment.text), (v(2), f(2)));
+    for order in [[v(1), f(1), v(2), f(2), v(3)], [f(1), v(1), f(2), v(2), f(3)]] {
+        let nameless: String = order.iter().map(|text| format!("make(R\"({text})\");\n")).collect();
+        let last = gathered(&[("main.cpp", &nameless)]);
+        assert_eq!((last.vertex.text, last.fragment.text), (v(2), f(2)));
+    }
+    let named = gathered(&[("m.cpp", &many.replace("aVertex", "objectVertex").replace("aFragment", "objectFragment"))]);
+    assert_eq!((named.vertex.text, named.fragment.text), (v(1), f(1)));
+
+    let error = Submission::gather_choosing(files(&[("main.cpp", &many)]), "sky").unwrap_err().to_string();
+    assert!(error.starts_with("no pair of shaders is called `sky`: choose one of main.cpp `aVertex`"), "{error}");
+}
+
+#[test]
+fn a_folder_with_many_files() {
+    let list = [
+        ("p/skybox.vert", V),
+        ("p/skybox.frag", F),
+        ("p/phong.vert", V),
+        ("p/phong.frag", F),
+        ("p/lamp.vs", V),
+        ("p/lamp.fs", F),
+        ("p/README.md", "void main"),
+        ("p/sky.png", "\0\0"),
+        ("p/.DS_Store", "\0"),
+        ("__MACOSX/p/._phong.vert", "\0"),
+        (".git/config", "x"),
+        ("build/phong.vert", V),
+        ("CMakeLists.txt", "project(p)"),
+        ("main.cpp", "int main() {}"),
+        ("model.bin", "\0"),
+        ("notes.txt", "the vertex shader is nice"),
+    ];
+    let submission = gathered(&list);
+    assert_eq!(taken(&submission), ("p/phong.vert", "p/phong.frag"));
+    let aside = submission.warnings.last().unwrap();
+    for part in ["p/README.md", "p/sky.png", "build/phong.vert", "CMakeLists.txt", "main.cpp", "model.bin", "notes.txt"]
+    {
+        assert!(aside.contains(part), "{part}: {aside}");
+    }
+    assert!(!aside.contains("DS_Store") && !aside.contains(".git"), "{aside}");
+    for (hints, stem) in [(vec!["skybox"], "skybox"), (vec!["ex09", "lamp"], "lamp"), (vec!["lamp", "skybox"], "lamp")]
+    {
+        let submission = Submission::gather_with(files(&list), None, &hints).unwrap();
+        assert!(submission.vertex.file.contains(stem) && submission.fragment.file.contains(stem), "{hints:?}");
+    }
+}
+
+#[test]
+fn pairs_belong_together() {
+    // The vertex stage is shared: the fragment stage of the hint.
+    let shared = files(&[("basic.vert", V), ("phong.frag", F), ("gouraud.frag", F)]);
+    let submission = Submission::gather_with(shared, None, &["phong"]).unwrap();
+    assert_eq!(taken(&submission), ("basic.vert", "phong.frag"));
+    // Equal names in several folders stay together.
+    let list = [
+        ("ex03/s.vert", V),
+        ("ex04/s.vert", V),
+        ("ex05/s.vert", V),
+        ("ex05/s.frag", F),
+        ("ex04/s.frag", F),
+        ("ex03/s.frag", F),
+    ];
+    for exercise in ["ex03", "ex04", "ex05"] {
+        let submission = Submission::gather_with(files(&list), None, &[exercise]).unwrap();
+        assert!(submission.vertex.file.starts_with(exercise) && submission.fragment.file.starts_with(exercise));
+    }
+    // Files go before the strings of a program.
+    let program = format!("auto vs = R\"({})\"; auto fs = R\"({})\";", v(1), f(1));
+    assert_eq!(taken(&gathered(&[("s.vert", V), ("main.cpp", &program), ("s.frag", F)])), ("s.vert", "s.frag"));
+}
+
+#[test]
+fn names_come_along_and_mended_files_are_told() {
+    let submission = gathered(&[("a.vert", V), ("a.frag", &format!("\u{FEFF}{F}")), ("names.toml", "[names]\n")]);
+    assert_eq!(submission.names.as_deref(), Some("[names]\n"));
+    assert_eq!(submission.fragment.text, F);
+    assert_eq!(submission.warnings.len(), 1);
+    assert!(submission.warnings[0].contains("byte order mark"), "{:?}", submission.warnings);
+}
+
+#[test]
+fn each_error_is_a_sentence() {
+    let big = " ".repeat(decode::LARGEST + 1);
+    for (list, message) in [
+        (vec![], "no files were handed in: name a vertex and a fragment shader"),
+        (vec![("a.vert", V)], "the fragment shader is missing, there is only a.vert (vertex): hand in both stages"),
+        (
+            vec![("a.frag", F), ("b.md", "")],
+            "the vertex shader is missing, there is only a.frag (fragment): hand in both stages",
+        ),
+        (
+            vec![("a.vert", V), ("b.vert", V)],
+            "a.vert, b.vert are all vertex shaders and there is no fragment shader: hand in one of each",
+        ),
+        (vec![("a.vert", V), ("a.frag", "")], "a.frag is empty: save the shader in your editor and hand it in again"),
+        (
+            vec![("a.vert", V), ("a.frag", "\0")],
+            "a.frag is not a text file (a zero byte at offset 0): hand in the shader's source as plain text",
+        ),
+        (
+            vec![("a.vert", V), ("a.frag", &big)],
+            "a.frag has 10485761 bytes, more than the 10485760 that a shader may have: hand in the shader's source alone",
+        ),
+        (
+            vec![("a.md", ""), ("main.cpp", "int main() {}")],
+            "there is no shader in a.md, main.cpp: hand in a vertex and a fragment shader, or the program that holds \
+             both as strings",
+        ),
+    ] {
+        assert_eq!(Submission::gather(files(&list)).unwrap_err().to_string(), message);
+    }
+}
+
+#[test]
+fn an_unreadable_file_does_not_spoil_a_pair() {
+    let submission = gathered(&[("a.vert", V), ("a.frag", F), ("b.frag", ""), ("x", "\0")]);
+    assert_eq!(taken(&submission), ("a.vert", "a.frag"));
+    assert!(
+        submission.warnings.iter().any(|w| w.starts_with("left aside: b.frag is empty")),
+        "{:?}",
+        submission.warnings
+    );
+}
+
+#[test]
+fn no_mixture_of_pieces_panics() {
+    const PIECES: [&str; 34] = [
+        "\"",
+        "'",
+        "`",
+        "R\"(",
+        ")\"",
+        "\"\"\"",
+        "${",
+        "}",
+        "{",
+        "\\",
+        "\n",
+        "void main(){",
+        "gl_Position=",
+        "#version 330\n",
+        "//VERTEX\n",
+        "#ifdef FRAG\n",
+        "#else\n",
+        "/*",
+        "*/",
+        "é",
+        "=",
+        ",",
+        ";",
+        "vs",
+        "out vec4 c;",
+        "<script type=\"vertex\">",
+        "</script>",
+        "(",
+        "+",
+        "\u{FEFF}",
+        " ",
+        "discard;",
+        "#shader fragment\n",
+        "uniform",
+    ];
+    // A linear congruential generator (Knuth, MMIX), so that each run sees the same texts.
+    let mut state = 1u64;
+    let mut next = |below: usize| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        usize::try_from(state >> 33).unwrap() % below
+    };
+    let mut pairs = 0;
+    for _ in 0..4000 {
+        let text: String = (0..next(60)).map(|_| PIECES[next(PIECES.len())]).collect();
+        for name in ["a.cpp", "a.js", "a.py", "a.html", "a.glsl"] {
+            let partner = if next(2) == 0 { ("b.frag", F) } else { ("b.vert", V) };
+            if let Ok(submission) = Submission::gather(files(&[(name, &text), partner])) {
+                pairs += 1;
+                for stage in [&submission.vertex, &submission.fragment] {
+                    let lines = stage.text.lines().count();
+                    let (_, line, _) = stage.place(u32::try_from(lines).unwrap(), 1);
+                    let source = if stage.file == name { text.as_str() } else { V };
+                    assert!(usize::try_from(line).unwrap() <= source.split('\n').count(), "{text}");
+                }
+            }
+        }
+    }
+    assert!(pairs > 500, "{pairs}");
+}

@@ -1,0 +1,197 @@
+//! A stage's text and where each of its characters stands in the student's own file.
+
+/// From here on, to the end of the text's line, the text stands at one stretch in the file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Stretch {
+    text_line: u32,
+    text_column: u32,
+    file_line: u32,
+    file_column: u32,
+}
+
+/// One stage's text, as the compiler shall see it, with the way back to the student's file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct StageText {
+    /// The text: lines end in `\n`, nothing else is changed.
+    pub text: String,
+    /// The file that it stands in, named as the student named it.
+    pub file: String,
+    /// In the text's order; empty where the text is the whole file, line by line.
+    stretches: Vec<Stretch>,
+}
+
+impl StageText {
+    /// A text that is the whole of its file.
+    #[must_use]
+    pub fn whole(file: impl Into<String>, text: impl Into<String>) -> Self {
+        Self { text: text.into(), file: file.into(), stretches: Vec::new() }
+    }
+
+    /// The file, line and column of a line and column of the text, all from 1, columns in characters.
+    ///
+    /// Column 0 means the line as a whole and gives the column of its first character. A place behind the end of the
+    /// text gives the last place known in the file.
+    #[must_use]
+    pub fn place(&self, line: u32, column: u32) -> (&str, u32, u32) {
+        let (line, column) = (line.max(1), column.max(1));
+        let after = self.stretches.partition_point(|s| (s.text_line, s.text_column) <= (line, column));
+        let Some(stretch) = after.checked_sub(1).and_then(|i| self.stretches.get(i)) else {
+            return match self.stretches.first() {
+                None => (&self.file, line, column),
+                Some(first) => (&self.file, first.file_line, first.file_column),
+            };
+        };
+        if stretch.text_line == line {
+            (&self.file, stretch.file_line, stretch.file_column.saturating_add(column - stretch.text_column))
+        } else {
+            (&self.file, stretch.file_line, stretch.file_column)
+        }
+    }
+
+    /// A line of the text, from 1, without its end.
+    #[must_use]
+    pub fn line(&self, line: u32) -> Option<&str> {
+        self.text.lines().nth(usize::try_from(line.checked_sub(1)?).ok()?)
+    }
+}
+
+/// Builds a [`StageText`] character by character.
+#[derive(Clone, Debug)]
+pub(super) struct Builder {
+    pub(super) text: String,
+    stretches: Vec<Stretch>,
+    line: u32,
+    column: u32,
+    /// Where the next character must stand in the file to go on with the present stretch.
+    next_in_file: Option<(u32, u32)>,
+}
+
+impl Builder {
+    pub(super) fn new() -> Self {
+        Self { text: String::new(), stretches: Vec::new(), line: 1, column: 1, next_in_file: None }
+    }
+
+    /// Appends a character that stands at `line` and `column` of the file.
+    pub(super) fn push(&mut self, c: char, line: u32, column: u32) {
+        if self.column == 1 || self.next_in_file != Some((line, column)) {
+            self.stretches.push(Stretch {
+                text_line: self.line,
+                text_column: self.column,
+                file_line: line,
+                file_column: column,
+            });
+        }
+        self.text.push(c);
+        if c == '\n' {
+            self.line = self.line.saturating_add(1);
+            self.column = 1;
+            self.next_in_file = None;
+        } else {
+            self.column = self.column.saturating_add(1);
+            self.next_in_file = Some((line, column.saturating_add(1)));
+        }
+    }
+
+    /// Appends lines of the file from `first` (from 0) up to but without `end`.
+    pub(super) fn push_lines(&mut self, lines: &[&str], first: usize, end: usize) {
+        for (index, text) in lines.iter().enumerate().take(end).skip(first) {
+            self.push_line(text, number(index + 1));
+        }
+    }
+
+    /// Appends one line and its end, standing at `line` of the file.
+    pub(super) fn push_line(&mut self, text: &str, line: u32) {
+        let mut column = 1u32;
+        for c in text.chars() {
+            self.push(c, line, column);
+            column = column.saturating_add(1);
+        }
+        self.push('\n', line, column);
+    }
+
+    /// Appends the text of another builder.
+    pub(super) fn append(&mut self, other: &Builder) {
+        // The stretches of the other begin anew at its lines' starts, so they only have to be moved.
+        let (line, column) = (self.line - 1, self.column - 1);
+        self.stretches.extend(other.stretches.iter().map(|s| Stretch {
+            text_line: s.text_line.saturating_add(line),
+            text_column: if s.text_line == 1 { s.text_column.saturating_add(column) } else { s.text_column },
+            ..*s
+        }));
+        self.text.push_str(&other.text);
+        self.column = if other.line == 1 { self.column.saturating_add(other.column - 1) } else { other.column };
+        self.line = self.line.saturating_add(other.line - 1);
+        self.next_in_file = other.next_in_file;
+    }
+
+    /// Leaves out the white space that the text begins with.
+    pub(super) fn trim_start(&mut self) {
+        if !self.text.starts_with(char::is_whitespace) {
+            return;
+        }
+        let whole = std::mem::replace(self, Self::new()).finish("");
+        let (mut line, mut column) = (1, 1);
+        for c in whole.text.chars() {
+            if !(self.text.is_empty() && c.is_whitespace()) {
+                let (_, file_line, file_column) = whole.place(line, column);
+                self.push(c, file_line, file_column);
+            }
+            (line, column) = if c == '\n' { (line + 1, 1) } else { (line, column + 1) };
+        }
+    }
+
+    pub(super) fn finish(self, file: &str) -> StageText {
+        StageText { text: self.text, file: file.to_owned(), stretches: self.stretches }
+    }
+}
+
+/// A count as a line or column number.
+pub(super) fn number(count: usize) -> u32 {
+    u32::try_from(count).unwrap_or(u32::MAX)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_whole_file_is_its_own_place() {
+        let text = StageText::whole("a.vert", "one\ntwo\n");
+        assert_eq!(text.place(2, 3), ("a.vert", 2, 3));
+        assert_eq!(text.place(0, 0), ("a.vert", 1, 1));
+        assert_eq!(text.line(2), Some("two"));
+        assert_eq!((text.line(0), text.line(3)), (None, None));
+    }
+
+    #[test]
+    fn characters_are_found_where_they_stood() {
+        let mut builder = Builder::new();
+        for (c, line, column) in [('a', 3, 9), ('b', 3, 10), ('\t', 3, 11), ('c', 3, 13), ('\n', 3, 14), ('d', 5, 2)] {
+            builder.push(c, line, column);
+        }
+        let text = builder.finish("main.cpp");
+        assert_eq!(text.text, "ab\tc\nd");
+        assert_eq!(text.place(1, 2), ("main.cpp", 3, 10));
+        assert_eq!(text.place(1, 4), ("main.cpp", 3, 13));
+        assert_eq!(text.place(2, 0), ("main.cpp", 5, 2));
+        assert_eq!(text.place(90, 7), ("main.cpp", 5, 2));
+    }
+
+    #[test]
+    fn appended_text_keeps_its_places() {
+        let mut first = Builder::new();
+        first.push('a', 1, 5);
+        let mut second = Builder::new();
+        for (c, column) in [('b', 8), ('\n', 9), ('c', 11)] {
+            second.push(c, 2, column);
+        }
+        first.append(&second);
+        first.push('d', 7, 1);
+        let text = first.finish("f");
+        assert_eq!(text.text, "ab\ncd");
+        assert_eq!(text.place(1, 1), ("f", 1, 5));
+        assert_eq!(text.place(1, 2), ("f", 2, 8));
+        assert_eq!(text.place(2, 1), ("f", 2, 11));
+        assert_eq!(text.place(2, 2), ("f", 7, 1));
+    }
+}

@@ -1,0 +1,186 @@
+//! What a check says, for people and for machines.
+
+use serde::{Deserialize, Serialize};
+
+/// The word for it all.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Outcome {
+    /// As the exercise asks, or as right in another way.
+    Correct,
+    /// Something is wrong, named or not.
+    Wrong,
+    /// A compiler refuses it.
+    DoesNotCompile,
+    /// It could not be judged: what is missing is said.
+    Unsure,
+}
+
+/// A mistake that was found.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FoundMistake {
+    /// The bank's word.
+    pub id: String,
+    /// What is wrong, in half a sentence.
+    pub name: String,
+    /// How much of the difference it explains, together with the others that were found: 0 to 1.
+    pub share_explained: f64,
+    /// The student's file and line that look like it, where they were found.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub file: Option<String>,
+    /// See `file`; from 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line: Option<u32>,
+    /// The line itself.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub quoted: Option<String>,
+    /// What it looks like.
+    pub looks_like: String,
+    /// How to mend it.
+    pub mend: String,
+    /// The section of the lecture that teaches it.
+    pub seed: String,
+    /// Mistakes whose pictures are the same: it may be any of them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub or: Vec<String>,
+    /// The lab's own solutions do the same.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub lab_does_it: bool,
+}
+
+/// How a term of the equation fares, where it could be looked at alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum TermState {
+    /// As the reference has it.
+    Right,
+    /// Not so.
+    Wrong,
+    /// Its strength is not given from outside, so it cannot be looked at alone.
+    NotSeparable,
+}
+
+/// A term and how it fares.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct TermVerdict {
+    /// `ambient`, `diffuse` or `specular`.
+    pub term: &'static str,
+    /// How it fares.
+    pub state: TermState,
+}
+
+/// A situation and how it fares.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SceneVerdict {
+    /// The situation's word.
+    pub scene: String,
+    /// What it shows that others do not.
+    pub shows: &'static str,
+    /// Whether the pictures are the same.
+    pub right: bool,
+    /// The share of the object's pixels that differ by more than a step of 8 bits.
+    pub pixels_beyond: f64,
+    /// The largest difference of a channel, 0 to 1.
+    pub worst: f32,
+}
+
+/// A message of a compiler, at the student's own line.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct CompilerMessage {
+    /// The student's file.
+    pub file: String,
+    /// From 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line: Option<u32>,
+    /// From 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub column: Option<u32>,
+    /// What the compiler says.
+    pub text: String,
+    /// The line itself.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub quoted: Option<String>,
+    /// What it means.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub explanation: Option<String>,
+}
+
+/// What a variable of the program was taken for, and what it was given.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct BoundVariable {
+    /// OpenGL's name for it.
+    pub name: String,
+    /// Its type.
+    #[serde(rename = "type")]
+    pub glsl_type: String,
+    /// What it was taken for; `None` where nothing fits, and it holds 0.
+    pub role: Option<String>,
+}
+
+/// What a check says.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Verdict {
+    /// The exercise's word.
+    pub exercise: String,
+    /// The word for it all.
+    pub verdict: Outcome,
+    /// In one sentence.
+    pub summary: String,
+    /// What is wrong, the most telling first.
+    pub mistakes: Vec<FoundMistake>,
+    /// The next best explanation, where a name was given or nearly so.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub runner_up: Option<RunnerUp>,
+    /// Right, but worth knowing: `id: sentence`.
+    pub peculiarities: Vec<Peculiarity>,
+    /// What may go wrong elsewhere.
+    pub warnings: Vec<String>,
+    /// Term by term.
+    pub terms: Vec<TermVerdict>,
+    /// Situation by situation.
+    pub scenes: Vec<SceneVerdict>,
+    /// Where it does not compile.
+    pub messages: Vec<CompilerMessage>,
+    /// What was bound to what.
+    pub bound: Vec<BoundVariable>,
+    /// Right answers are 1, wrong ones by the share of situations that are right; 0 where it does not compile.
+    pub score: f64,
+}
+
+/// The next best explanation.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RunnerUp {
+    /// The bank's words.
+    pub ids: Vec<String>,
+    /// How much of the difference it explains.
+    pub share_explained: f64,
+}
+
+/// Something right that is done in another way.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Peculiarity {
+    /// The bank's word.
+    pub id: String,
+    /// In half a sentence.
+    pub name: String,
+}
+
+impl Verdict {
+    /// A verdict that says no more than this.
+    pub fn new(exercise: &str, verdict: Outcome, summary: impl Into<String>) -> Self {
+        Verdict {
+            exercise: exercise.to_owned(),
+            verdict,
+            summary: summary.into(),
+            mistakes: Vec::new(),
+            runner_up: None,
+            peculiarities: Vec::new(),
+            warnings: Vec::new(),
+            terms: Vec::new(),
+            scenes: Vec::new(),
+            messages: Vec::new(),
+            bound: Vec::new(),
+            score: if verdict == Outcome::Correct { 1.0 } else { 0.0 },
+        }
+    }
+}
