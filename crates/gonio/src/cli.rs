@@ -33,6 +33,9 @@ Models:
 Environments:
   environment  Convert panoramas and cubemaps into one another; check which way round they are
 
+Laboratory:
+  lab      Exercises, students' own shaders, and a checker that names the mistake
+
 Understanding:
   inspect  What a model file holds, how each part and line was understood, what is odd
   probe    The light equation at one pixel, term by term and light by light
@@ -75,6 +78,9 @@ pub enum Command {
     Diff(commands::diff::DiffArgs),
     /// Say what a model file holds and how each part of it was understood.
     Inspect(commands::inspect::InspectArgs),
+    /// Exercises, students' own shaders, and a checker that names the mistake.
+    #[command(subcommand)]
+    Lab(commands::lab::LabCommand),
     /// Print the complete effective scene of an input, or the JSON Schema of scene files.
     Scene(Box<commands::scene::SceneArgs>),
     /// Serve the lab as a web page, on this machine alone.
@@ -96,6 +102,7 @@ impl Command {
             Command::Environment(_) => "environment",
             Command::Diff(_) => "diff",
             Command::Inspect(_) => "inspect",
+            Command::Lab(_) => "lab",
             Command::Scene(_) => "scene",
             Command::Serve(_) => "serve",
             Command::Tour(_) => "tour",
@@ -122,6 +129,7 @@ impl Command {
             Command::Environment(command) => command.words(),
             Command::Diff(args) => &args.words,
             Command::Inspect(args) => &args.words,
+            Command::Lab(command) => command.words(),
             Command::Scene(args) => &args.words,
             Command::Serve(args) => &args.words,
             Command::Tour(args) => &args.words,

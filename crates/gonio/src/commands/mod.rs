@@ -5,6 +5,7 @@ pub mod diff;
 pub mod environment;
 pub mod frame;
 pub mod inspect;
+pub mod lab;
 pub mod probe;
 pub mod render;
 pub mod scene;
@@ -25,6 +26,7 @@ pub fn run(command: &Command, reporter: &Reporter) -> Result<Outcome, CliError> 
         Command::Environment(command) => environment::run(command, reporter),
         Command::Diff(args) => diff::run(args, reporter),
         Command::Inspect(args) => inspect::run(args, reporter),
+        Command::Lab(command) => lab::run(command, reporter),
         Command::Scene(args) => scene::run(args, reporter),
         Command::Serve(args) => serve::run(args, reporter),
         Command::Tour(args) => tour::run(args, reporter),

@@ -1,0 +1,78 @@
+//! `gonio lab mistakes`: the bank.
+
+use crate::cli::WordOptions;
+use crate::report::{CliError, Outcome, Reporter};
+use anstyle::Style;
+use clap::Args;
+use gonio_lab::bank::{self, Hypotheses, Mistake};
+
+/// Every mistake that the checker knows, or one of them with its explanation.
+#[derive(Args, Debug)]
+pub struct MistakesArgs {
+    /// One of them.
+    #[arg(value_name = "ID")]
+    pub id: Option<String>,
+    /// What is said.
+    #[command(flatten)]
+    pub words: WordOptions,
+}
+
+/// Lists them, or tells of one.
+pub fn run(args: &MistakesArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
+    let Some(id) = &args.id else { return list(reporter) };
+    let Some(mistake) = bank::find(id) else {
+        let nearest = bank::all().iter().min_by_key(|m| strsim::levenshtein(&m.id, id)).map_or("", |m| &m.id);
+        return Err(CliError::new(format!(
+            "there is no mistake `{id}`: did you mean `{nearest}`? `gonio lab mistakes` lists them"
+        )));
+    };
+    if reporter.json() {
+        reporter.report(mistake)?;
+    } else {
+        reporter.text(&told(mistake))?;
+    }
+    Ok(Outcome::Done)
+}
+
+fn list(reporter: &Reporter) -> Result<Outcome, CliError> {
+    if reporter.json() {
+        reporter.report(&bank::all())?;
+        return Ok(Outcome::Done);
+    }
+    let (bold, dim) = (Style::new().bold(), Style::new().dimmed());
+    let width = bank::all().iter().map(|m| m.id.len()).max().unwrap_or(0);
+    let mut text = String::new();
+    let mut seen = std::collections::BTreeSet::new();
+    for mistake in bank::all().iter().filter(|m| seen.insert(m.id.as_str())) {
+        let mark = if mistake.harmless { format!(" {dim}(harmless){dim:#}") } else { String::new() };
+        text.push_str(&format!("{bold}{:<width$}{bold:#}  {}{mark}\n", mistake.id, mistake.name));
+    }
+    reporter.text(&text)?;
+    Ok(Outcome::Done)
+}
+
+fn told(mistake: &Mistake) -> String {
+    let bold = Style::new().bold();
+    let mut text = format!("{bold}{}{bold:#}\n{}.\n", mistake.id, mistake.name);
+    for (what, said) in
+        [("What it looks like", &mistake.looks_like), ("To mend it", &mistake.mend), ("In the lecture", &mistake.seed)]
+    {
+        if !said.is_empty() {
+            text.push_str(&format!("\n{bold}{what}{bold:#}\n  {said}\n"));
+        }
+    }
+    if let Some(model) = mistake.models.first() {
+        let hypotheses = Hypotheses::of(*model);
+        let right = hypotheses.written(&gonio_lab::bank::Hypothesis::default());
+        let this = |h: &&gonio_lab::bank::Hypothesis| hypotheses.mistakes[h.made_of[0]].id == mistake.id;
+        for hypothesis in hypotheses.singles.iter().filter(this) {
+            text.push('\n');
+            for (wrong, right) in hypotheses.written(hypothesis).iter().zip(&right) {
+                for (wrong, right) in wrong.lines().zip(right.lines()).filter(|(wrong, right)| wrong != right) {
+                    text.push_str(&format!("  - {}\n  + {}\n", wrong.trim(), right.trim()));
+                }
+            }
+        }
+    }
+    text
+}

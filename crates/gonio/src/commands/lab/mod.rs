@@ -1,0 +1,81 @@
+//! `gonio lab`: the exercises, and the checker that names the mistake.
+
+mod batch;
+mod check;
+mod exercises;
+mod files;
+mod mistakes;
+mod score;
+mod text;
+
+use crate::cli::WordOptions;
+use crate::report::{CliError, Outcome, Reporter};
+use clap::Subcommand;
+use gonio_lab::exercise::{self, Exercise};
+
+/// Exercises, students' own shaders, and a checker that names the mistake.
+#[derive(Subcommand, Debug)]
+#[command(after_help = "\
+Examples:
+  gonio lab list
+  gonio lab show ex04
+  gonio lab start ex04 mine
+      The text and the files to start from, in the folder `mine`.
+  gonio lab check ex04 mine
+      What is right and what is wrong with it, by name and line.
+  gonio lab mistakes
+      Everything that the checker knows by name.
+
+`gonio lab check --help` tells more.")]
+pub enum LabCommand {
+    /// The exercises, a line each.
+    List(exercises::ListArgs),
+    /// An exercise's text.
+    Show(exercises::ShowArgs),
+    /// Write an exercise's text and the files to start from into a folder.
+    Start(exercises::StartArgs),
+    /// Print or write the right answer.
+    Reference(exercises::ReferenceArgs),
+    /// Check a pair of shaders: what is right, what is wrong, and the mistake's name and line.
+    Check(Box<check::CheckArgs>),
+    /// Every mistake that the checker knows, or one of them with its explanation.
+    Mistakes(mistakes::MistakesArgs),
+    /// Measure the checker: the share of the bank's mistakes that it names right, and its false alarms.
+    Score(score::ScoreArgs),
+}
+
+impl LabCommand {
+    /// What is said.
+    pub fn words(&self) -> &WordOptions {
+        match self {
+            LabCommand::List(args) => &args.words,
+            LabCommand::Show(args) => &args.words,
+            LabCommand::Start(args) => &args.words,
+            LabCommand::Reference(args) => &args.words,
+            LabCommand::Check(args) => &args.words,
+            LabCommand::Mistakes(args) => &args.words,
+            LabCommand::Score(args) => &args.words,
+        }
+    }
+}
+
+/// Does it.
+pub fn run(command: &LabCommand, reporter: &Reporter) -> Result<Outcome, CliError> {
+    match command {
+        LabCommand::List(args) => exercises::list(args, reporter),
+        LabCommand::Show(args) => exercises::show(args, reporter),
+        LabCommand::Start(args) => exercises::start(args, reporter),
+        LabCommand::Reference(args) => exercises::reference(args, reporter),
+        LabCommand::Check(args) => check::run(args, reporter),
+        LabCommand::Mistakes(args) => mistakes::run(args, reporter),
+        LabCommand::Score(args) => score::run(args, reporter),
+    }
+}
+
+/// The exercise that somebody named.
+fn exercise(word: &str) -> Result<&'static Exercise, CliError> {
+    exercise::find(word).ok_or_else(|| {
+        let ids: Vec<&str> = exercise::all().iter().map(|exercise| exercise.id.as_str()).collect();
+        CliError::new(format!("there is no exercise `{word}`; there are {}", ids.join(", ")))
+    })
+}
