@@ -39,7 +39,7 @@ impl Count {
         let is_said =
             |id: &&str| verdict.mistakes.iter().any(|found| found.id == **id || found.or.iter().any(|or| or == *id));
         let said: Vec<&str> = verdict.mistakes.iter().map(|found| found.id.as_str()).collect();
-        if made.iter().all(|id| is_said(&id)) && said.len() == made.len() {
+        if made.iter().all(is_said) && said.len() == made.len() {
             self.named += 1;
         } else if said.is_empty() {
             self.unnamed += 1;

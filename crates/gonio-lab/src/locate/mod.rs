@@ -65,7 +65,7 @@ impl Source {
         written::written(&self.reading)
     }
 
-    /// As [`line`].
+    /// As [`line()`].
     #[must_use]
     pub fn line(&self, id: &str, model: Model) -> Option<Place> {
         match rules::answer(&self.reading, id, model) {
