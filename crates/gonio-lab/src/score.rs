@@ -22,6 +22,8 @@ pub struct Count {
     pub misnamed: Vec<(String, String)>,
     /// Not to be seen in this exercise: called right, and rightly so.
     pub invisible: usize,
+    /// Pairs of which one hides the other, and alone explains the whole picture.
+    pub hidden: usize,
 }
 
 impl Count {
@@ -33,6 +35,12 @@ impl Count {
     fn add(&mut self, made: &[&str], verdict: &Verdict) {
         if verdict.verdict == Outcome::Correct {
             self.invisible += 1;
+            return;
+        }
+        let whole =
+            verdict.mistakes.iter().all(|found| found.share_explained >= 1.0 && made.contains(&found.id.as_str()));
+        if whole && !verdict.mistakes.is_empty() && verdict.mistakes.len() < made.len() {
+            self.hidden += 1;
             return;
         }
         self.visible += 1;

@@ -1,0 +1,84 @@
+//! `gonio lab`: exercises, single checks and batches, for people and for machines.
+#![allow(clippy::unwrap_used, missing_docs)]
+
+mod common;
+
+use common::Lab;
+
+/// The right answer of an exercise in `folder`, one line of its vertex shader changed.
+fn hand_in(lab: &Lab, exercise: &str, folder: &str, from: &str, to: &str) {
+    let path = lab.path(folder).to_string_lossy().into_owned();
+    lab.run(&["lab", "reference", exercise, "-o", &path]).good();
+    let name = format!("{folder}/reference.vert");
+    let text = String::from_utf8(lab.read(&name)).unwrap();
+    assert!(text.contains(from), "{text}");
+    lab.write(&name, text.replace(from, to));
+}
+
+#[test]
+fn exercises_are_listed_shown_and_begun_once() {
+    let lab = Lab::new();
+    let run = lab.run(&["lab", "list"]).good();
+    for word in ["ex01", "ex07", "ex11", "s1", "The light equation"] {
+        assert!(run.text().contains(word), "{word}");
+    }
+    assert!(lab.run(&["lab", "show", "4"]).good().text().contains("gonio lab check ex04"));
+    let folder = lab.path("mine").to_string_lossy().into_owned();
+    lab.run(&["lab", "start", "ex04", &folder]).good();
+    assert!(lab.path("mine/start.frag").exists() && !lab.path("mine/reference.frag").exists());
+    lab.write("mine/start.frag", "mine");
+    lab.run(&["lab", "start", "ex04", &folder]).refused(&["is there already"]);
+    assert_eq!(lab.read("mine/start.frag"), b"mine");
+    lab.run(&["lab", "show", "ex99"]).refused(&["there is no exercise `ex99`", "ex01"]);
+}
+
+#[test]
+fn a_mistake_is_named_with_its_line_and_a_right_answer_passes() {
+    let lab = Lab::new();
+    hand_in(&lab, "ex04", "wrong", "mat3(itM)", "mat3(M)");
+    hand_in(&lab, "ex04", "right", "mat3(itM) * normal", "(itM * vec4(normal, 1.0)).xyz");
+    let run = lab.run(&["lab", "check", "ex04", &lab.path("wrong").to_string_lossy(), "--json"]);
+    let verdict = run.json();
+    assert_eq!(verdict["verdict"], "wrong");
+    assert_eq!(verdict["mistakes"][0]["id"], "normal-by-model-matrix");
+    assert_eq!(verdict["mistakes"][0]["file"], "reference.vert");
+    let line = verdict["mistakes"][0]["quoted"].as_str().unwrap();
+    assert!(line.contains("mat3(M)"), "{line}");
+    let run = lab.run(&["lab", "check", "ex04", &lab.path("right").to_string_lossy()]).good();
+    assert!(run.text().contains("correct"), "{}", run.text());
+}
+
+#[test]
+fn a_batch_ends_whatever_is_in_it_and_goes_on_where_it_stopped() {
+    let lab = Lab::new();
+    hand_in(&lab, "ex04", "all/ann", "mat3(itM)", "mat3(M)");
+    hand_in(&lab, "ex04", "all/bob", "mat3(itM)", "mat3(itM)");
+    std::fs::create_dir_all(lab.path("all/cyd")).unwrap();
+    lab.write("all/cyd/a.vert", [0_u8, 159, 146, 150, 0, 0]);
+    lab.write("all/dan.zip", "PK\x03\x04 and no more");
+    hand_in(&lab, "ex04", "all/eve", "void main() {", "void main() { while (true) { gl_Position.x += 1.0; }");
+    let (all, results) = (lab.path("all").to_string_lossy().into_owned(), lab.path("results"));
+    let out = results.to_string_lossy().into_owned();
+    let batch = || {
+        let run = lab.run(&["lab", "check", "ex04", &all, "-o", &out, "--patience", "4", "--json"]);
+        run.json().as_array().unwrap().iter().map(|row| row["verdict"].as_str().unwrap().to_owned()).collect::<Vec<_>>()
+    };
+    let first = batch();
+    assert_eq!(first[..4], ["wrong", "correct", "unsure", "unsure"]);
+    assert_ne!(first[4], "correct");
+    for name in ["index.html", "table.csv", "ann.html", "bob.html", "cyd.html"] {
+        assert!(results.join(name).exists(), "{name}");
+    }
+    // What was found is kept: a page that was not made again shows it.
+    std::fs::write(results.join("ann.html"), "kept").unwrap();
+    hand_in_again(&lab);
+    assert_eq!(batch()[..2], ["wrong", "wrong"]);
+    assert_eq!(std::fs::read(results.join("ann.html")).unwrap(), b"kept");
+}
+
+/// Bob spoils his answer.
+fn hand_in_again(lab: &Lab) {
+    let name = "all/bob/reference.vert";
+    let text = String::from_utf8(lab.read(name)).unwrap();
+    lab.write(name, text.replace("mat3(itM)", "mat3(M)"));
+}
