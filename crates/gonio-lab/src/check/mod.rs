@@ -8,7 +8,7 @@ mod report;
 mod search;
 mod task;
 
-pub use compare::{Comparison, PIXEL_TOLERANCE, PIXELS_TOLERANCE};
+pub use compare::{Comparison, PIXEL_TOLERANCE, PIXELS_TOLERANCE, pixel_difference};
 pub use freedom::{Freedom, Written};
 pub use task::{TASKS, Task};
 

@@ -1,6 +1,6 @@
 //! Pictures of situations as bytes that screens show, and as PNG.
 
-use crate::check::{Evidence, PIXEL_TOLERANCE};
+use crate::check::{Evidence, PIXEL_TOLERANCE, pixel_difference};
 use crate::stage::{Sheet, TILE};
 use crate::verdict::{Outcome, Verdict};
 
@@ -150,19 +150,6 @@ impl<'a> Pictures<'a> {
 
 fn is_nan(pixel: &[f32; 4]) -> bool {
     Sheet::is_drawn(pixel) && pixel.iter().take(3).any(|channel| channel.is_nan())
-}
-
-/// The checker's measure: above 1 nothing is told apart, and an outline that is elsewhere is as different as can be.
-fn pixel_difference(a: &[f32; 4], b: &[f32; 4]) -> f32 {
-    if Sheet::is_drawn(a) != Sheet::is_drawn(b) {
-        return 1.0;
-    }
-    let channel = |(a, b): (&f32, &f32)| match (a.is_nan(), b.is_nan()) {
-        (true, true) => 0.0,
-        (false, false) => (a.min(1.0) - b.min(1.0)).abs().min(1.0),
-        _ => 1.0,
-    };
-    a.iter().zip(b).take(3).map(channel).fold(0.0, f32::max)
 }
 
 /// The scale of the differences, the same in all scenes: a half, a quarter and so on, as small as leaves no more than one in
