@@ -17,6 +17,10 @@ const TARGETS: &[(&str, &[&str])] = &[
     ("explain", &["crates/gonio-mesh/tests/corpus", "crates/gonio-mesh/tests/mtl"]),
     ("environment", &["crates/gonio-environment/tests/seeds"]),
     ("face_names", &["crates/gonio-environment/tests/names"]),
+    ("glsl", &["crates/gonio-glsl/tests/pairs", "exercises/models"]),
+    ("submission", &["crates/gonio-glsl/tests/pairs", "exercises/ex07-light-equation"]),
+    ("buffer", &["crates/gonio-lab/tests/ex02"]),
+    ("host", &["exercises/ex11-texture-unit/host"]),
 ];
 
 const USUAL_MINUTES: u64 = 20;
@@ -86,6 +90,8 @@ fn arguments(words: &[&str]) -> Result<(Vec<Target>, u64), String> {
 fn found_in(name: &str) -> &'static str {
     match name {
         "environment" | "face_names" => "crates/gonio-environment/tests/found",
+        "glsl" => "crates/gonio-glsl/tests/found",
+        "submission" | "buffer" | "host" => "crates/gonio-lab/tests/found",
         _ => "crates/gonio-mesh/tests/found",
     }
 }

@@ -5,6 +5,7 @@ mod checks;
 mod fuzz;
 mod process;
 mod report;
+mod score;
 mod setup;
 mod test;
 mod web;
@@ -31,6 +32,7 @@ cargo xtask fuzz [TARGET...] [--minutes N]
                              made-up files for every reader, 20 minutes each; wants cargo-fuzz and nightly
 cargo xtask web [--dev]      builds the web page into dist and says how large it is; wants node and npm
 cargo xtask schema           brings assets/scene.schema.json up to date with the code
+cargo xtask score            measures the laboratory's checker, and writes its table into exercises/README.md
 cargo xtask help             this text
 
 Exit code: 0 done, 1 a check failed, 2 error.
@@ -50,6 +52,7 @@ fn main() -> ExitCode {
         ["fuzz", words @ ..] => fuzz::run(words),
         ["web", words @ ..] => web::run(words),
         ["schema"] => schema(),
+        ["score"] => score::run(),
         [] | ["help" | "--help" | "-h"] => {
             print!("{HELP}");
             ExitCode::SUCCESS

@@ -7,10 +7,10 @@ use crate::student::{CheckOptions, check};
 use crate::submission::SourceFile;
 use crate::verdict::{Outcome, Verdict};
 use gonio_gl::GlError;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// How many were named right.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Count {
     /// Handed in, and to be seen in some scene.
     pub visible: usize,
@@ -58,7 +58,7 @@ impl Count {
 }
 
 /// An exercise's measure.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Score {
     /// The exercise's word.
     pub exercise: String,

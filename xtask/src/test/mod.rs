@@ -5,7 +5,7 @@ mod cargo_output;
 use crate::checks::{dependencies, examples, length, output, paths, tree, unsafe_code};
 use crate::report::{Findings, Report};
 use crate::web::{Build, browser};
-use crate::{process, root, setup};
+use crate::{process, root, score, setup};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -79,6 +79,7 @@ fn cargo_steps(report: &mut Report, root: &Path, extent: Extent) -> bool {
     });
     if built {
         report.step("tests", || cargo_test(root));
+        report.step("checker, measured", || score::check(root));
     } else {
         report.step("tests", || Findings::fail("they were not run, for they did not build"));
     }

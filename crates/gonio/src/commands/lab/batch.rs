@@ -1,6 +1,7 @@
 //! Many submissions at once: each in a process of its own, so that none can harm the others.
 
 use super::check::CheckArgs;
+use super::child::{self, Ended};
 use super::{files, text};
 use crate::output::atomic;
 use crate::report::{CliError, Outcome, Reporter};
@@ -9,18 +10,14 @@ use gonio_lab::formats::{self, Fingerprint, Row, page_name};
 use gonio_lab::submission::Submission;
 use gonio_lab::verdict::{Outcome as Word, Verdict};
 use serde::{Deserialize, Serialize};
-use std::collections::hash_map::DefaultHasher;
-use std::hash::{Hash, Hasher};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 /// From this share on two submissions are called similar.
 const SIMILAR: f64 = 0.85;
-/// Address space of a child, in kilobytes: a software driver wants two gigabytes of it.
-const MOST_KILOBYTES: u64 = 6 * 1024 * 1024;
 
 /// What was found before, and of which content.
 #[derive(Serialize, Deserialize)]
@@ -106,12 +103,9 @@ fn one(
     let kept_path = results.join("kept").join(format!("{}.json", page_name(&label)));
     let content = match files::read(&[submission.to_owned()]) {
         Ok(files) => {
-            let mut hasher = DefaultHasher::new();
-            (&exercise.id, args.as_the_lab, env!("CARGO_PKG_VERSION")).hash(&mut hasher);
-            for file in &files {
-                (&file.name, &file.bytes).hash(&mut hasher);
-            }
-            hasher.finish()
+            let asked = [exercise.id.as_str(), if args.as_the_lab { "lab" } else { "book" }, env!("CARGO_PKG_VERSION")];
+            let asked = asked.iter().map(|word| word.as_bytes());
+            fingerprint(asked.chain(files.iter().flat_map(|file| [file.name.as_bytes(), &file.bytes])))
         }
         // A damaged zip, say: that is this submission's verdict and nobody else's.
         Err(error) => {
@@ -128,17 +122,24 @@ fn one(
     let row_path = results.join("kept").join(format!("{}.row", page_name(&label)));
     // Left by a run that was stopped.
     let _ = std::fs::remove_file(&row_path);
-    let ended = child(args, exercise, submission, &label, &page, &row_path, program)?;
+    let ended = checked(args, exercise, submission, &label, &page, &row_path, program)?;
     let row = std::fs::read(&row_path).ok().and_then(|bytes| serde_json::from_slice::<Row>(&bytes).ok());
     let _ = std::fs::remove_file(&row_path);
     let row = match row {
         Some(row) => row,
         None => {
-            let verdict = if ended {
-                let summary = "checking it ended the program that checks: too much memory, or a driver's fault";
-                Verdict::new(&exercise.id, Word::Unsure, summary)
-            } else {
-                endless(&exercise.id, args.patience)
+            let verdict = match ended {
+                Ended::ByItself => Verdict::new(
+                    &exercise.id,
+                    Word::Unsure,
+                    "checking it ended the program that checks: a driver's fault, or too much memory",
+                ),
+                Ended::TooLong => endless(&exercise.id, args.patience),
+                Ended::TooLarge => Verdict::new(
+                    &exercise.id,
+                    Word::Unsure,
+                    "checking it took more than a gigabyte of memory, and was stopped; is there a giant array?",
+                ),
             };
             atomic::write(&page, formats::page(&label, &verdict, None).as_bytes())?;
             Row::of(&label, &verdict, start.elapsed().as_secs_f64())
@@ -150,8 +151,8 @@ fn one(
     Ok(row)
 }
 
-/// Runs a child; false where it had to be stopped.
-fn child(
+/// Checks in a child, which leaves a page and a row.
+fn checked(
     args: &CheckArgs,
     exercise: &Exercise,
     submission: &Path,
@@ -159,42 +160,30 @@ fn child(
     page: &Path,
     row: &Path,
     program: &Path,
-) -> Result<bool, CliError> {
-    let mut command = limited(program);
+) -> Result<Ended, CliError> {
+    let mut command = child::command(program);
     command.args(["lab", "check", &exercise.id]).arg(submission).arg("--page").arg(page).arg("--row").arg(row);
     command.args(["--label", label, "--quiet", "--patience", &args.patience.to_string()]);
     if args.as_the_lab {
         command.arg("--as-the-lab");
     }
-    // A core each: drivers on the CPU otherwise start as many threads as there are cores in every child.
-    command.env("LP_NUM_THREADS", "1").stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
-    let mut child =
-        command.spawn().map_err(|error| CliError::io("gonio could not start itself for a check", &error))?;
     // The child gives up by itself; this is for one that cannot.
-    let end = Instant::now() + Duration::from_secs(args.patience + 10);
-    loop {
-        match child.try_wait() {
-            Ok(Some(_)) => return Ok(true),
-            Ok(None) if Instant::now() < end => std::thread::sleep(Duration::from_millis(5)),
-            _ => {
-                // It may have ended between the question and now.
-                let _ = child.kill();
-                let _ = child.wait();
-                return Ok(false);
-            }
-        }
-    }
+    child::run(command.stdout(Stdio::null()), Duration::from_secs(args.patience + 10))
 }
 
-/// Our own program, with a limit on its memory where the system has a shell to set one.
-fn limited(program: &Path) -> Command {
-    if cfg!(unix) {
-        let mut command = Command::new("sh");
-        let script = format!("ulimit -v {MOST_KILOBYTES} 2>/dev/null; exec \"$0\" \"$@\"");
-        command.args(["-c", &script]).arg(program);
-        return command;
+/// The same for the same pieces, on every machine and with every compiler: what was found stays known (FNV-1a, 64 bits).
+fn fingerprint<'a>(pieces: impl Iterator<Item = &'a [u8]>) -> u64 {
+    let mut sum: u64 = 0xcbf2_9ce4_8422_2325;
+    let mut take = |bytes: &[u8]| {
+        for byte in bytes {
+            sum = (sum ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3);
+        }
+    };
+    for piece in pieces {
+        take(&(piece.len() as u64).to_le_bytes());
+        take(piece);
     }
-    Command::new(program)
+    sum
 }
 
 /// Submissions that are alike, apart from what the exercise hands out.
@@ -210,4 +199,18 @@ fn similar(exercise: &Exercise, submissions: &[PathBuf]) -> Vec<(String, String,
         })
         .collect();
     formats::similar_pairs(&fingerprints, SIMILAR)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_fingerprint_knows_where_a_piece_ends_and_stays_what_it_was() {
+        let of = |pieces: &[&str]| fingerprint(pieces.iter().map(|piece| piece.as_bytes()));
+        assert_ne!(of(&["ab", "c"]), of(&["a", "bc"]));
+        assert_ne!(of(&["ab"]), of(&["ab", ""]));
+        // FNV-1a of no byte is its offset basis: Fowler, Noll, Vo (draft-eastlake-fnv), section 5.
+        assert_eq!(of(&[]), 0xcbf2_9ce4_8422_2325);
+    }
 }

@@ -45,7 +45,7 @@ pub struct CheckArgs {
     #[arg(long, short, value_name = "FOLDER", help_heading = "Output")]
     pub output: Option<PathBuf>,
     /// Write the verdict as a web page with pictures.
-    #[arg(long, value_name = "FILE.html", help_heading = "Output")]
+    #[arg(long, visible_alias = "html", value_name = "FILE.html", help_heading = "Output")]
     pub page: Option<PathBuf>,
     /// Write the pictures: yours, the reference's, the difference, the mistake's; a column a scene.
     #[arg(long, value_name = "FILE.png", help_heading = "Output")]

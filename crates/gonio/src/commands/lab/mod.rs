@@ -2,6 +2,7 @@
 
 mod batch;
 mod check;
+mod child;
 mod exercises;
 mod files;
 mod mistakes;

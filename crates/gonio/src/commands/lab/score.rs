@@ -1,16 +1,20 @@
 //! `gonio lab score`: the checker measured.
 
-use super::{exercise, files};
+use super::{child, exercise, files};
 use crate::cli::WordOptions;
 use crate::report::{CliError, Outcome, Reporter};
 use clap::Args;
 use gonio_gl::HeadlessContext;
 use gonio_lab::CheckOptions;
 use gonio_lab::check::{Checker, TASKS};
+use gonio_lab::exercise::Exercise;
 use gonio_lab::score::{Score, of_bank};
 use gonio_lab::verdict::Outcome as Word;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
+use std::process::Stdio;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Measure the checker: the share of the bank's mistakes that it names right, and its false alarms.
 #[derive(Args, Debug)]
@@ -34,7 +38,7 @@ pub struct ScoreArgs {
     pub words: WordOptions,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, Deserialize)]
 struct Row {
     #[serde(flatten)]
     score: Score,
@@ -42,45 +46,96 @@ struct Row {
     false_alarms: Vec<String>,
 }
 
+impl Row {
+    fn reaches_the_goals(&self) -> bool {
+        self.score.single.share() >= 0.97 && self.score.pairs.share() >= 0.85 && self.false_alarms.is_empty()
+    }
+}
+
 /// Measures.
 pub fn run(args: &ScoreArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
-    let context = HeadlessContext::new()?;
-    let mut checker = Checker::new(context.gl());
-    let words: Vec<String> = match args.exercises.as_slice() {
-        [] => TASKS.iter().map(|task| task.exercise.to_owned()).collect(),
-        named => named.to_vec(),
+    let exercises = match args.exercises.as_slice() {
+        [] => TASKS.iter().map(|task| exercise(task.exercise)).collect::<Result<Vec<_>, _>>()?,
+        named => named.iter().map(|word| exercise(word)).collect::<Result<Vec<_>, _>>()?,
     };
-    let progress = reporter.progress("measuring");
-    let mut rows = Vec::new();
-    for (index, word) in words.iter().enumerate() {
-        let exercise = exercise(word)?;
-        let score = of_bank(&mut checker, exercise, args.pairs)?;
-        let mut row = Row { score, right_answers: 0, false_alarms: Vec::new() };
-        if let Some(corpus) = &args.corpus {
-            let right = corpus.join(&exercise.id).join("correct");
-            for submission in files::submissions(&right)?.unwrap_or_default() {
-                let mut submitted = files::read(std::slice::from_ref(&submission))?;
-                submitted.retain(|file| !file.name.ends_with("expected.toml"));
-                let (verdict, _) = gonio_lab::check(&mut checker, exercise, submitted, &CheckOptions::default())?;
-                row.right_answers += 1;
-                if verdict.verdict != Word::Correct {
-                    row.false_alarms.push(name(&submission));
-                }
-            }
-        }
-        rows.push(row);
-        progress.set((index + 1) as f64 / words.len() as f64);
-    }
-    drop(progress);
-    std::mem::forget((checker, context));
+    let rows = match exercises.as_slice() {
+        [one] => vec![measure(args, one)?],
+        several => measure_apart(args, several, reporter)?,
+    };
     if reporter.json() {
         reporter.report(&rows)?;
     } else {
         reporter.text(&table(&rows))?;
     }
-    let reached =
-        |row: &Row| row.score.single.share() >= 0.97 && row.score.pairs.share() >= 0.85 && row.false_alarms.is_empty();
-    Ok(if rows.iter().all(reached) { Outcome::Done } else { Outcome::CheckFailed })
+    Ok(if rows.iter().all(Row::reaches_the_goals) { Outcome::Done } else { Outcome::CheckFailed })
+}
+
+/// One exercise, here.
+fn measure(args: &ScoreArgs, exercise: &Exercise) -> Result<Row, CliError> {
+    let context = HeadlessContext::new()?;
+    let mut checker = Checker::new(context.gl());
+    let score = of_bank(&mut checker, exercise, args.pairs)?;
+    let mut row = Row { score, right_answers: 0, false_alarms: Vec::new() };
+    if let Some(corpus) = &args.corpus {
+        let right = corpus.join(&exercise.id).join("correct");
+        for submission in files::submissions(&right)?.unwrap_or_default() {
+            let mut submitted = files::read(std::slice::from_ref(&submission))?;
+            submitted.retain(|file| !file.name.ends_with("expected.toml"));
+            let (verdict, _) = gonio_lab::check(&mut checker, exercise, submitted, &CheckOptions::default())?;
+            row.right_answers += 1;
+            if verdict.verdict != Word::Correct {
+                row.false_alarms.push(name(&submission));
+            }
+        }
+    }
+    // As in render: the process ends next.
+    std::mem::forget((checker, context));
+    Ok(row)
+}
+
+/// Each exercise in a process of its own, as many at once as there are cores: a driver on the CPU makes better use of them so
+/// than by drawing small pictures with all of them.
+fn measure_apart(args: &ScoreArgs, exercises: &[&Exercise], reporter: &Reporter) -> Result<Vec<Row>, CliError> {
+    let program = std::env::current_exe().map_err(|error| CliError::io("gonio's own program was not found", &error))?;
+    let next = AtomicUsize::new(0);
+    let done: Mutex<Vec<(usize, Result<Row, CliError>)>> = Mutex::default();
+    let progress = reporter.progress("measuring");
+    std::thread::scope(|scope| {
+        for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
+            scope.spawn(|| {
+                loop {
+                    let index = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(exercise) = exercises.get(index) else { return };
+                    let row = measure_in_child(args, exercise, &program);
+                    if let Ok(mut done) = done.lock() {
+                        done.push((index, row));
+                        progress.set(done.len() as f64 / exercises.len() as f64);
+                    }
+                }
+            });
+        }
+    });
+    drop(progress);
+    let mut done = done.into_inner().unwrap_or_default();
+    done.sort_by_key(|(index, _)| *index);
+    done.into_iter().map(|(_, row)| row).collect()
+}
+
+fn measure_in_child(args: &ScoreArgs, exercise: &Exercise, program: &Path) -> Result<Row, CliError> {
+    let mut command = child::command(program);
+    command.args(["lab", "score", &exercise.id, "--json", "--pairs", &args.pairs.to_string()]);
+    if let Some(corpus) = &args.corpus {
+        command.arg("--corpus").arg(corpus);
+    }
+    let output = command
+        .stderr(Stdio::piped())
+        .output()
+        .map_err(|error| CliError::io("gonio could not start itself to measure", &error))?;
+    let rows = serde_json::from_slice::<Vec<Row>>(&output.stdout).unwrap_or_default();
+    rows.into_iter().next().ok_or_else(|| {
+        let said = String::from_utf8_lossy(&output.stderr);
+        CliError::new(format!("{} could not be measured: {}", exercise.id, said.trim()))
+    })
 }
 
 fn name(path: &Path) -> String {

@@ -1,0 +1,20 @@
+//! A vertex buffer as a student's program writes it: CSV, JSON or raw floats, held against the cube.
+
+#![no_main]
+
+use gonio_lab::buffers::{Expected, compare, read_buffer};
+use libfuzzer_sys::fuzz_target;
+use std::sync::LazyLock;
+
+static CUBE: LazyLock<Expected> = LazyLock::new(|| {
+    let cube = include_bytes!("../../exercises/ex02-object-reader/models/cube.obj");
+    Expected::of_obj(cube).expect("the exercise's own cube")
+});
+
+fuzz_target!(|data: &[u8]| {
+    for name in ["cube.csv", "cube.json", "cube.raw"] {
+        if let Ok(buffer) = read_buffer(name, data) {
+            compare(&CUBE, &buffer);
+        }
+    }
+});

@@ -1,0 +1,24 @@
+//! GLSL as students write it: read, checked and translated for both targets. Places are places in the text.
+
+#![no_main]
+
+use gonio_glsl::{Stage, Target, check, check_pair, leaves, parse, translate};
+use libfuzzer_sys::fuzz_target;
+
+fuzz_target!(|data: &[u8]| {
+    let Ok(text) = std::str::from_utf8(data) else { return };
+    let both = [Stage::Vertex, Stage::Fragment].map(|stage| {
+        let mut parsed = parse(text);
+        let checked = check(&mut parsed, stage);
+        for target in [Target::Core330, Target::Es300] {
+            let translated = translate(&parsed, &checked, target);
+            assert!(!translated.text.is_empty());
+        }
+        for problem in parsed.problems.iter().chain(&checked.problems) {
+            assert!(text.get(problem.span.start as usize..problem.span.end as usize).is_some());
+        }
+        leaves(&checked.interface);
+        checked
+    });
+    check_pair(&both[0], &both[1]);
+});

@@ -1,0 +1,51 @@
+//! What a student hands in, a file of any kind: gathered into a pair, its names and lines found.
+
+#![no_main]
+
+use gonio_glsl::{Stage, check, parse};
+use gonio_lab::bank::{self, Model};
+use gonio_lab::locate::{Shader, Source};
+use gonio_lab::messages::{link_messages, to_messages};
+use gonio_lab::names::NamesFile;
+use gonio_lab::submission::{SourceFile, Submission};
+use libfuzzer_sys::fuzz_target;
+
+const MODELS: [Model; 5] = [Model::Gouraud, Model::Phong, Model::Reflection, Model::Refraction, Model::Skybox];
+
+fuzz_target!(|data: &[u8]| {
+    // The first byte says as what it is handed in, the rest is the file; a second file is cut off at the first zero.
+    let Some((kind, rest)) = data.split_first() else { return };
+    let end = rest.iter().position(|byte| *byte == 0).unwrap_or(rest.len());
+    let (first, second) = (&rest[..end], rest.get(end + 1..).unwrap_or_default());
+    let names = [["a.vert", "a.frag"], ["main.cpp", "b.txt"], ["both.glsl", "names.toml"], ["x", "y"]][usize::from(kind % 4)];
+    let files = vec![SourceFile::new(names[0], first), SourceFile::new(names[1], second)];
+    let Ok(submission) = Submission::gather(files) else { return };
+    let given = submission.names.as_deref().map(NamesFile::parse).transpose();
+    let Ok(given) = given.map(Option::unwrap_or_default) else { return };
+    let mut vertex = parse(&submission.vertex.text);
+    let mut fragment = parse(&submission.fragment.text);
+    let checked = [check(&mut vertex, Stage::Vertex), check(&mut fragment, Stage::Fragment)];
+    let source = Source::read(
+        &Shader { parsed: &vertex, checked: &checked[0] },
+        &Shader { parsed: &fragment, checked: &checked[1] },
+        &given,
+    );
+    source.written();
+    source.in_source_only();
+    for model in MODELS {
+        for mistake in bank::of(model) {
+            let support = source.looks_like(&mistake.id, model);
+            assert!((0.0..=1.0).contains(&support), "{}: {support}", mistake.id);
+            if let Some(at) = source.line(&mistake.id, model) {
+                let stage = if at.stage == Stage::Vertex { &submission.vertex } else { &submission.fragment };
+                let (file, _, _) = stage.place(at.span.line, at.span.column);
+                assert!(names.contains(&file), "{file}");
+            }
+        }
+    }
+    // A driver's log may be anything too.
+    if let Ok(log) = std::str::from_utf8(second) {
+        to_messages(log, &submission.vertex, 1);
+        link_messages(log, &submission.vertex, &submission.fragment);
+    }
+});

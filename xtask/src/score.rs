@@ -1,0 +1,149 @@
+//! The checker measured: `gonio lab score`, held against the table in `exercises/README.md`, which it made.
+
+use crate::report::Findings;
+use crate::{process, root};
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode};
+
+const DOCUMENT: &str = "exercises/README.md";
+const BEGIN: &str = "<!-- made by `cargo xtask score` -->\n";
+const END: &str = "<!-- end of what is made -->\n";
+/// Right answers in many styles.
+const CORPUS: &str = "crates/gonio-lab/corpus";
+/// By so many a count may be another one: drivers differ in the last bit, and a mistake at the edge of what 8 bits show is seen
+/// by one and not by the other.
+const STEPS: usize = 2;
+
+/// `cargo xtask score`: measures, and writes the table. `program` is built by whoever calls.
+pub fn run() -> ExitCode {
+    let root = root();
+    let built = process::run(process::cargo(&root).args(["build", "--locked", "--release"]));
+    if !built.success {
+        eprintln!("{}", built.text);
+        return ExitCode::from(2);
+    }
+    let program = crate::web::target_folder(&root).join("release").join(program_name());
+    let outcome = measure(&root, &program).and_then(|(table, reached)| {
+        let path = root.join(DOCUMENT);
+        let document = std::fs::read_to_string(&path).map_err(|error| format!("cannot read {DOCUMENT}: {error}"))?;
+        let (before, _, after) = parts(&document)?;
+        std::fs::write(&path, format!("{before}{}{after}", rows_only(&table)))
+            .map_err(|error| format!("cannot write {DOCUMENT}: {error}"))?;
+        println!("{table}");
+        Ok(reached)
+    });
+    match outcome {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::from(1),
+        Err(error) => {
+            eprintln!("xtask: {error}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// Measures with the program that was built for the tests: whether the goals are reached, and the document says what is so.
+pub fn check(root: &Path) -> Findings {
+    let program = crate::web::target_folder(root).join("debug").join(program_name());
+    let measured = measure(root, &program);
+    let document = std::fs::read_to_string(root.join(DOCUMENT)).map_err(|error| format!("{DOCUMENT}: {error}"));
+    match (measured, document) {
+        (Ok((table, true)), Ok(document)) => match parts(&document).and_then(|(_, said, _)| compare(said, &table)) {
+            Ok(rows) => Findings::pass().remarking(format!("{rows} exercises")),
+            Err(error) => Findings::fail(format!("{error}\n{table}")),
+        },
+        (Ok((table, false)), _) => Findings::fail(format!("the goals are missed\n{table}")),
+        (Err(error), _) | (_, Err(error)) => Findings::fail(error),
+    }
+}
+
+fn program_name() -> PathBuf {
+    PathBuf::from(format!("gonio{}", std::env::consts::EXE_SUFFIX))
+}
+
+/// What `gonio lab score` prints, and whether its goals were reached.
+fn measure(root: &Path, program: &Path) -> Result<(String, bool), String> {
+    let mut command = Command::new(program);
+    command.args(["lab", "score", "--quiet", "--corpus", CORPUS]).current_dir(root);
+    let output = command.output().map_err(|error| format!("cannot run {}: {error}", program.display()))?;
+    let table = String::from_utf8_lossy(&output.stdout).into_owned();
+    match output.status.code() {
+        Some(0) => Ok((table, true)),
+        Some(1) => Ok((table, false)),
+        _ => Err(String::from_utf8_lossy(&output.stderr).into_owned()),
+    }
+}
+
+/// Before the table, the table, and after it.
+fn parts(document: &str) -> Result<(&str, &str, &str), String> {
+    let lacking = |mark: &str| format!("{DOCUMENT} lacks the line {}", mark.trim());
+    let begin = document.find(BEGIN).ok_or_else(|| lacking(BEGIN))? + BEGIN.len();
+    let end = begin + document[begin..].find(END).ok_or_else(|| lacking(END))?;
+    Ok((&document[..begin], &document[begin..end], &document[end..]))
+}
+
+/// The table without what stands below it.
+fn rows_only(text: &str) -> String {
+    text.lines().filter(|line| line.starts_with('|')).map(|line| format!("{line}\n")).collect()
+}
+
+/// The numbers of each row, but for shares, which follow from them.
+fn numbers(table: &str) -> Vec<(String, Vec<usize>)> {
+    let rows = table.lines().filter(|line| line.starts_with('|')).skip(2);
+    rows.filter_map(|row| {
+        let mut cells = row.trim_matches('|').split('|');
+        let name = cells.next()?.trim().to_owned();
+        let counts = cells.flat_map(|cell| {
+            let counts = cell.split('(').next().unwrap_or_default();
+            counts.split_whitespace().filter_map(|word| word.parse().ok()).collect::<Vec<usize>>()
+        });
+        Some((name, counts.collect()))
+    })
+    .collect()
+}
+
+/// How many rows the two have, where they say the same.
+fn compare(said: &str, measured: &str) -> Result<usize, String> {
+    let mend = "`cargo xtask score` brings it up to date";
+    let (said, measured) = (numbers(said), numbers(measured));
+    if measured.is_empty() || said.len() != measured.len() {
+        return Err(format!("{DOCUMENT} has {} exercises, {} were measured; {mend}", said.len(), measured.len()));
+    }
+    for ((name, said), (measured_name, measured)) in said.iter().zip(&measured) {
+        let same = said.len() == measured.len() && said.iter().zip(measured).all(|(a, b)| a.abs_diff(*b) <= STEPS);
+        if name != measured_name || !same {
+            return Err(format!("{DOCUMENT} says {said:?} of {name}, measured is {measured:?}; {mend}"));
+        }
+    }
+    Ok(said.len())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TABLE: &str = "\
+| exercise | single, named right | pairs, named right | right answers | false alarms |
+|---|---|---|---|---|
+| ex03 | 20 of 20 (100 %) | 18 of 19 (95 %) | 12 | 0 |
+| ex04 | 30 of 31 (97 %) | 15 of 16 (94 %) | 14 | 0 |
+";
+
+    #[test]
+    fn numbers_of_a_table() {
+        assert_eq!(numbers(TABLE)[1], ("ex04".to_owned(), vec![30, 31, 15, 16, 14, 0]));
+    }
+
+    #[test]
+    fn what_is_said_must_be_what_is_measured() {
+        assert_eq!(compare(TABLE, TABLE), Ok(2));
+        assert_eq!(compare(TABLE, &TABLE.replace("30 of 31", "29 of 31")), Ok(2));
+        assert!(compare(TABLE, &TABLE.replace("30 of 31", "27 of 31")).is_err());
+        assert!(compare(TABLE, &TABLE.replace("| ex04", "| ex05")).is_err());
+        assert!(compare(TABLE, "").is_err());
+        let document = format!("a\n{BEGIN}{TABLE}{END}b\n");
+        assert_eq!(parts(&document), Ok((format!("a\n{BEGIN}").as_str(), TABLE, format!("{END}b\n").as_str())));
+        assert!(parts("nothing").is_err());
+        assert_eq!(rows_only(&format!("{TABLE}\nex03: a was called b\n")), TABLE);
+    }
+}
