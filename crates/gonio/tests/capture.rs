@@ -303,3 +303,23 @@ fn the_exit_code_and_stdout_are_those_of_an_ordinary_run() {
     assert!(lab.read("a.rdc").starts_with(b"RDOC"));
     assert_eq!(lab.names(), ["a.rdc"]);
 }
+
+#[test]
+fn the_black_triangle_is_found_in_a_capture() {
+    let lab = Lab::new();
+    let folder = lab.path("mine").to_string_lossy().into_owned();
+    lab.run(&["lab", "start", "ex11", &folder]).good();
+    let unit = |program: &str, name: &str| {
+        lab.run(&["lab", "draw", "ex11", &format!("{folder}/host/{program}.txt"), "--capture", name]).good();
+        let capture = Capture::open(&lab, name);
+        let draws = capture.draws();
+        let draw = *draws.iter().find(|draw| !draw.0["samplers"]["ourTexture"].is_null()).unwrap();
+        let sampler = &draw.0["samplers"]["ourTexture"];
+        (sampler["unit"].as_u64().unwrap(), sampler["texture"].clone())
+    };
+    // The lab's own: the texture's name where its unit belongs. There nothing is.
+    assert_eq!(unit("texture-name-as-unit", "name.rdc").0, 1);
+    // Right in this, and wrong in something else.
+    let (right, texture) = unit("stride-wrong", "stride.rdc");
+    assert_eq!((right, texture.is_null()), (0, false));
+}

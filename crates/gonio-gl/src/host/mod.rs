@@ -140,6 +140,10 @@ pub fn run(gl: &Gl, steps: &[Step], files: &HostFiles, options: HostOptions) -> 
         false => window.read8(gl).into_iter().map(|byte| f32::from(byte) / 255.0).collect(),
     };
     let mut record = if options.thumbnails { recording.finish_with_thumbnails()? } else { recording.finish() };
+    // A recorder does not know how large a window is.
+    for target in record.passes.iter_mut().map(|pass| &mut pass.target).filter(|target| target.id == 0) {
+        [target.width, target.height] = size;
+    }
     let draw_lines = runner.draws.iter().map(|(line, _)| *line).collect();
     let errors = merge(&mut record, &runner, steps);
     let findings = lint(&record);

@@ -108,28 +108,19 @@ pub fn run(args: &FrameArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
             warnings: &scene.diagnostics,
         })?;
     } else {
-        let page = match (args.draw, args.program) {
-            (Some(number), _) => {
-                let draw = record.draws.get(number).ok_or_else(|| missing("draw", number, record.draws.len()))?;
-                details::draw(&record, draw, &findings)
-            }
-            (None, Some(number)) => {
-                let program =
-                    record.programs.get(number).ok_or_else(|| missing("program", number, record.programs.len()))?;
-                details::program(number, program)
-            }
-            (None, None) => {
-                let about = format!(
-                    "frame of {}, {} x {} pixels, by OpenGL ({})",
-                    args.inputs.join(", "),
-                    frame.width,
-                    frame.height,
-                    info.renderer
-                );
-                text::frame(&about, &record, &findings)
-            }
+        let about = format!(
+            "frame of {}, {} x {} pixels, by OpenGL ({})",
+            args.inputs.join(", "),
+            frame.width,
+            frame.height,
+            info.renderer
+        );
+        let shown = match (args.draw, args.program) {
+            (Some(number), _) => Shown::Draw(number),
+            (None, Some(number)) => Shown::Program(number),
+            (None, None) => Shown::Everything,
         };
-        reporter.text(&page)?;
+        reporter.text(&page(&about, &record, &findings, shown)?)?;
     }
     std::mem::forget((renderer, context, scene));
     let errors = findings.iter().filter(|finding| finding.severity == Severity::Error).count();
@@ -141,6 +132,33 @@ pub fn run(args: &FrameArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
         _ => format!("{errors} things are wrong with this frame"),
     });
     Ok(Outcome::CheckFailed)
+}
+
+/// What of a frame is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shown {
+    /// All of it, briefly.
+    Everything,
+    /// One draw with all that it read.
+    Draw(usize),
+    /// A program with its GLSL.
+    Program(usize),
+}
+
+/// A frame as text. An error where there is no such draw or program.
+pub fn page(about: &str, record: &FrameRecord, findings: &[Finding], shown: Shown) -> Result<String, CliError> {
+    match shown {
+        Shown::Everything => Ok(text::frame(about, record, findings)),
+        Shown::Draw(number) => {
+            let draw = record.draws.get(number).ok_or_else(|| missing("draw", number, record.draws.len()))?;
+            Ok(details::draw(record, draw, findings))
+        }
+        Shown::Program(number) => {
+            let program =
+                record.programs.get(number).ok_or_else(|| missing("program", number, record.programs.len()))?;
+            Ok(details::program(number, program))
+        }
+    }
 }
 
 fn missing(what: &str, number: usize, count: usize) -> CliError {

@@ -3,6 +3,7 @@
 mod batch;
 mod check;
 mod child;
+mod draw;
 mod exercises;
 mod files;
 mod mistakes;
@@ -39,6 +40,8 @@ pub enum LabCommand {
     Reference(exercises::ReferenceArgs),
     /// Check a pair of shaders: what is right, what is wrong, and the mistake's name and line.
     Check(Box<check::CheckArgs>),
+    /// Draw what a student's files draw, and take the frame apart.
+    Draw(draw::DrawArgs),
     /// Every mistake that the checker knows, or one of them with its explanation.
     Mistakes(mistakes::MistakesArgs),
     /// Measure the checker: the share of the bank's mistakes that it names right, and its false alarms.
@@ -54,6 +57,7 @@ impl LabCommand {
             LabCommand::Start(args) => &args.words,
             LabCommand::Reference(args) => &args.words,
             LabCommand::Check(args) => &args.words,
+            LabCommand::Draw(args) => &args.words,
             LabCommand::Mistakes(args) => &args.words,
             LabCommand::Score(args) => &args.words,
         }
@@ -68,6 +72,7 @@ pub fn run(command: &LabCommand, reporter: &Reporter) -> Result<Outcome, CliErro
         LabCommand::Start(args) => exercises::start(args, reporter),
         LabCommand::Reference(args) => exercises::reference(args, reporter),
         LabCommand::Check(args) => check::run(args, reporter),
+        LabCommand::Draw(args) => draw::run(args, reporter),
         LabCommand::Mistakes(args) => mistakes::run(args, reporter),
         LabCommand::Score(args) => score::run(args, reporter),
     }

@@ -1,0 +1,109 @@
+//! A host program: its calls made, its picture, its frame.
+
+use super::DrawArgs;
+use crate::capture::Recorder;
+use crate::commands::frame;
+use crate::report::{CliError, Outcome, Reporter};
+use gonio_gl::host::{HostOptions, HostRun};
+use gonio_gl::record::Severity;
+use gonio_lab::host::{self, HostProgram};
+use gonio_lab::submission::SourceFile;
+use serde_json::json;
+
+/// Draws it, and shows what was asked for.
+pub fn run(args: &DrawArgs, files: Vec<SourceFile>, reporter: &Reporter) -> Result<Outcome, CliError> {
+    let program = the_program(&files)?;
+    let recorder = args.capture.as_deref().map(Recorder::new).transpose()?;
+    let context = super::context()?;
+    let run = carried_out(args, &program, &files, recorder, &context)?;
+    super::write_picture(args, run.size, &run.pixels)?;
+    if reporter.json() {
+        let refused = |error: &gonio_gl::host::CallError| {
+            json!({
+                "file": program.file, "line": error.line, "call": error.call, "error": error.code, "why": error.why,
+            })
+        };
+        reporter.report(&json!({
+            "command": "lab draw",
+            "exercise": "ex11",
+            "file": program.file,
+            "size": run.size,
+            "refused": run.errors.iter().map(refused).collect::<Vec<_>>(),
+            "draw_lines": run.draw_lines,
+            "findings": run.findings,
+            "frame": run.record,
+        }))?;
+    } else {
+        for error in &run.errors {
+            reporter.warning(format!(
+                "{}:{}: OpenGL refuses {} ({}): {}",
+                program.file, error.line, error.call, error.code, error.why
+            ));
+        }
+        if let Some(shown) = args.shown() {
+            reporter.text(&page(&program, &run, shown)?)?;
+        }
+    }
+    std::mem::forget(context);
+    Ok(Outcome::Done)
+}
+
+fn the_program(files: &[SourceFile]) -> Result<HostProgram, CliError> {
+    let programs: Vec<&SourceFile> = files.iter().filter(|file| file.name.ends_with(".txt")).collect();
+    let [file] = programs.as_slice() else {
+        return Err(CliError::new(match programs.len() {
+            0 => "there is no host program among the files; it is a .txt as the exercise's text says".to_owned(),
+            count => format!("there are {count} host programs among the files; name the one that is to be drawn"),
+        }));
+    };
+    HostProgram::parse_bytes(&file.bytes, &file.name).map_err(|errors| {
+        let told: Vec<String> = errors.iter().map(ToString::to_string).collect();
+        CliError::new(told.join("\n"))
+    })
+}
+
+fn carried_out(
+    args: &DrawArgs,
+    program: &HostProgram,
+    files: &[SourceFile],
+    recorder: Option<Recorder>,
+    context: &gonio_gl::HeadlessContext,
+) -> Result<HostRun, CliError> {
+    let mut known = host::exercise_files();
+    // Shaders of one's own, by their names without folders: `create_program` looks for them beside the program.
+    for file in files.iter().filter(|file| !file.name.ends_with(".txt")) {
+        let name = file.name.rsplit(['/', '\\']).next().unwrap_or(&file.name);
+        if let Ok(text) = std::str::from_utf8(&file.bytes) {
+            known.shaders.insert(name.to_owned(), text.to_owned());
+        }
+    }
+    let known = host::for_context(context.gl(), &known);
+    let options = HostOptions { size: [args.size; 2], float: false, thumbnails: false };
+    let mut recorder = recorder;
+    if let Some(recorder) = &mut recorder {
+        recorder.start();
+    }
+    let run = host::run(context.gl(), &program.steps, &known, options);
+    if let Some(recorder) = recorder {
+        recorder.finish(context.gl())?;
+    }
+    run.map_err(|failure| CliError::new(format!("{}: {failure}", program.file)))
+}
+
+/// The frame as text, and the program's line of each draw.
+fn page(program: &HostProgram, run: &HostRun, shown: frame::Shown) -> Result<String, CliError> {
+    let about = format!("frame of {}, {} x {} pixels", program.file, run.size[0], run.size[1]);
+    let mut text = frame::page(&about, &run.record, &run.findings, shown)?;
+    if shown == frame::Shown::Everything {
+        let wrong = run.findings.iter().any(|finding| finding.severity == Severity::Error);
+        for (number, line) in run.draw_lines.iter().enumerate() {
+            let quoted = program.quoted(*line).unwrap_or_default();
+            text.push_str(&format!("\ndraw {number} is line {line}: {quoted}"));
+        }
+        text.push('\n');
+        if wrong {
+            text.push_str("`--draw 0` shows all that the first one read.\n");
+        }
+    }
+    Ok(text)
+}

@@ -1,0 +1,112 @@
+//! `gonio lab draw`: what a student's files draw, and how.
+
+mod host;
+
+use super::{exercise, files};
+use crate::capture;
+use crate::cli::WordOptions;
+use crate::commands::frame::Shown;
+use crate::output::{atomic, png};
+use crate::report::{CliError, Outcome, Reporter};
+use crate::values;
+use clap::Args;
+use gonio_gl::HeadlessContext;
+use gonio_lab::exercise::Kind;
+use gonio_lab::submission::SourceFile;
+use gonio_scene::picture::EncodedPicture;
+use std::path::PathBuf;
+
+/// Draw what a student's files draw, and take the frame apart.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  gonio lab draw ex11 host/texture-name-as-unit.txt -o triangle.png
+      The picture of a host program: its OpenGL calls are really made.
+  gonio lab draw ex11 host/texture-name-as-unit.txt --frame
+      The frame taken apart: which sampler reads which unit, what lies there, and what is wrong with it.
+  gonio lab draw ex11 host/texture-name-as-unit.txt --capture triangle.rdc
+      For RenderDoc's own window.
+  gonio lab draw ex11 -o right.png
+      Without files: the right answer.")]
+pub struct DrawArgs {
+    /// Which: ex11, or 11.
+    #[arg(value_name = "EX")]
+    pub exercise: String,
+    /// The student's files, or the folder or zip that they are in; the right answer, where none is named.
+    #[arg(value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// Write the picture here.
+    #[arg(long, short, value_name = "FILE.png", help_heading = "Output")]
+    pub output: Option<PathBuf>,
+    /// Pixels along each side of the picture.
+    #[arg(long, value_name = "PIXELS", default_value_t = 512, value_parser = clap::value_parser!(u32).range(16..=4096),
+          help_heading = "Output")]
+    pub size: u32,
+    /// Also write a RenderDoc capture of it, for RenderDoc's own window.
+    #[arg(long, value_name = "FILE.rdc", help_heading = "Output")]
+    pub capture: Option<PathBuf>,
+    /// Of a host program: the frame taken apart, draws, samplers, textures and programs.
+    #[arg(long, help_heading = "Details")]
+    pub frame: bool,
+    /// Of a host program: one draw with all that it read, by its number.
+    #[arg(long, value_name = "N", help_heading = "Details", conflicts_with = "program")]
+    pub draw: Option<usize>,
+    /// Of a host program: a program with its GLSL, by its number.
+    #[arg(long, value_name = "N", help_heading = "Details")]
+    pub program: Option<usize>,
+    /// Seconds: where a moving light is.
+    #[arg(long, value_name = "SECONDS", value_parser = values::number, allow_negative_numbers = true, default_value = "0",
+          help_heading = "Details")]
+    pub time: f64,
+    /// What is said.
+    #[command(flatten)]
+    pub words: WordOptions,
+}
+
+impl DrawArgs {
+    /// What of the frame is asked for.
+    fn shown(&self) -> Option<Shown> {
+        match (self.draw, self.program) {
+            (Some(number), _) => Some(Shown::Draw(number)),
+            (None, Some(number)) => Some(Shown::Program(number)),
+            (None, None) => self.frame.then_some(Shown::Everything),
+        }
+    }
+}
+
+/// Draws.
+pub fn run(args: &DrawArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
+    let exercise = exercise(&args.exercise)?;
+    if let Some(target) = &args.capture {
+        capture::prepare(target)?;
+    }
+    if args.output.is_none() && args.capture.is_none() && args.shown().is_none() && !reporter.json() {
+        return Err(CliError::new("nothing was asked for; `-o picture.png` writes the picture"));
+    }
+    let submitted = match args.files.as_slice() {
+        [] => exercise.reference_files().map(|(name, text)| SourceFile::new(name, text)).collect(),
+        named => files::read(named)?,
+    };
+    match exercise.kind {
+        Kind::HostProgram => host::run(args, submitted, reporter),
+        _ => Err(CliError::new(format!("{} has no picture to draw", exercise.id))),
+    }
+}
+
+/// A context; with what stands in the way where there is none.
+fn context() -> Result<HeadlessContext, CliError> {
+    HeadlessContext::new().map_err(|why| CliError::new(why.message.replace("; `--backend cpu` needs none", "")))
+}
+
+/// Writes pixels whose bottom row comes first, 0 to 1, as they are: the lab's colours are written without any encoding.
+fn write_picture(args: &DrawArgs, size: [u32; 2], pixels: &[[f32; 4]]) -> Result<(), CliError> {
+    let Some(path) = &args.output else { return Ok(()) };
+    if !path.extension().is_some_and(|end| end.eq_ignore_ascii_case("png")) {
+        return Err(CliError::new(format!("`{}`: a picture is a .png file", path.display())));
+    }
+    let rows = pixels.chunks_exact(size[0] as usize).rev();
+    let byte = |channel: &f32| (channel.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
+    let rgba = rows.flatten().flat_map(|[r, g, b, _]| [byte(r), byte(g), byte(b), u8::MAX]).collect();
+    let picture = EncodedPicture { width: size[0], height: size[1], rgba };
+    atomic::write(path, &png::encode8(&picture, png::Meaning::Srgb)?)
+}
