@@ -4,6 +4,7 @@
 pub mod ast;
 mod builtins;
 mod check;
+mod classify;
 mod constant;
 mod lex;
 mod nearest;
@@ -21,6 +22,7 @@ pub use check::{
     Block, Checked, Conversion, Interface, Leaf, Storage, StructInfo, Symbol, SymbolKind, Variable, check, check_pair,
     leaves,
 };
+pub use classify::{Class, Classified, classify};
 pub use constant::{Components, evaluate};
 pub use preprocess::Directive;
 pub use problem::{Problem, Severity};
