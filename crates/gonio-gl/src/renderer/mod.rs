@@ -5,6 +5,7 @@ mod bands;
 #[cfg(feature = "bench")]
 mod bare;
 mod difference;
+mod foreign;
 mod output;
 mod overlays;
 mod paint;

@@ -42,6 +42,17 @@ impl Look {
         Look { premultiplied: true, ..self }
     }
 
+    /// Of numbers that are shown as they are, in a window.
+    pub fn of_numbers() -> Self {
+        Look {
+            display: DisplayMap::Affine { scale: DVec3::ONE, bias: DVec3::ZERO },
+            background_top: DVec3::ZERO,
+            background_bottom: DVec3::ZERO,
+            background_alpha: 1.0,
+            premultiplied: true,
+        }
+    }
+
     /// Of a view whose values are the numbers to be shown.
     pub fn as_it_is(frame: &Frame) -> Self {
         let display = DisplayMap::Affine { scale: DVec3::ONE, bias: DVec3::ZERO };
