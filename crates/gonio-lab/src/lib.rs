@@ -7,6 +7,7 @@ pub mod check;
 pub mod exercise;
 pub mod formats;
 pub mod host;
+pub mod live;
 pub mod locate;
 pub mod messages;
 pub mod names;

@@ -24,26 +24,26 @@ pub struct CheckOptions {
 }
 
 /// A stage as it was read.
-struct ReadStage<'a> {
-    text: &'a StageText,
+pub(crate) struct ReadStage<'a> {
+    pub(crate) text: &'a StageText,
     parsed: Parsed,
-    checked: Checked,
+    pub(crate) checked: Checked,
     translated: Translated,
 }
 
 impl<'a> ReadStage<'a> {
-    fn new(text: &'a StageText, stage: Stage, target: Target) -> Self {
+    pub(crate) fn new(text: &'a StageText, stage: Stage, target: Target) -> Self {
         let mut parsed = gonio_glsl::parse(&text.text);
         let checked = gonio_glsl::check(&mut parsed, stage);
         let translated = gonio_glsl::translate(&parsed, &checked, target);
         ReadStage { text, parsed, checked, translated }
     }
 
-    fn problems(&self) -> impl Iterator<Item = &Problem> {
+    pub(crate) fn problems(&self) -> impl Iterator<Item = &Problem> {
         self.parsed.problems.iter().chain(&self.checked.problems)
     }
 
-    fn message(&self, problem: &Problem) -> CompilerMessage {
+    pub(crate) fn message(&self, problem: &Problem) -> CompilerMessage {
         let (file, line, column) = self.text.place(problem.span.line, problem.span.column);
         CompilerMessage {
             file: file.to_owned(),
@@ -230,7 +230,11 @@ fn pass_as_the_lab(verdict: &mut Verdict) {
     verdict.score = 1.0;
 }
 
-fn compile(gl: &Gl, vertex: &ReadStage<'_>, fragment: &ReadStage<'_>) -> Result<ForeignProgram, BrokenProgram> {
+pub(crate) fn compile(
+    gl: &Gl,
+    vertex: &ReadStage<'_>,
+    fragment: &ReadStage<'_>,
+) -> Result<ForeignProgram, BrokenProgram> {
     let program = ForeignProgram::new(gl, &vertex.translated.text, &fragment.translated.text)?;
     // Where the translation mended what every compiler refuses, the student's own text tells.
     let refused = |stage: &ReadStage<'_>| stage.problems().any(|problem| problem.severity == Severity::Error);
@@ -242,7 +246,11 @@ fn compile(gl: &Gl, vertex: &ReadStage<'_>, fragment: &ReadStage<'_>) -> Result<
 
 /// What the driver says, at the student's lines; what our own reader found comes first where it is on the same line or where
 /// the driver names none, for it is said in plain words.
-fn compiler_messages(broken: &BrokenProgram, vertex: &ReadStage<'_>, fragment: &ReadStage<'_>) -> Vec<CompilerMessage> {
+pub(crate) fn compiler_messages(
+    broken: &BrokenProgram,
+    vertex: &ReadStage<'_>,
+    fragment: &ReadStage<'_>,
+) -> Vec<CompilerMessage> {
     let mut told = Vec::new();
     for (stage, log) in [(vertex, &broken.vertex_log), (fragment, &broken.fragment_log)] {
         let Some(log) = log else { continue };

@@ -1,6 +1,7 @@
 //! What a check says, for people and for machines.
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
+use std::borrow::Cow;
 
 /// The word for it all.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -17,13 +18,14 @@ pub enum Outcome {
 }
 
 /// A mistake that was found.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FoundMistake {
     /// The bank's word.
     pub id: String,
     /// What is wrong, in half a sentence.
     pub name: String,
     /// How much of the difference it explains, together with the others that were found: 0 to 1.
+    #[serde(deserialize_with = "or_infinite")]
     pub share_explained: f64,
     /// The student's file and line that look like it, where they were found.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -41,15 +43,15 @@ pub struct FoundMistake {
     /// The section of the lecture that teaches it.
     pub seed: String,
     /// Mistakes whose pictures are the same: it may be any of them.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub or: Vec<String>,
     /// The lab's own solutions do the same.
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub lab_does_it: bool,
 }
 
 /// How a term of the equation fares, where it could be looked at alone.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum TermState {
     /// As the reference has it.
@@ -61,31 +63,33 @@ pub enum TermState {
 }
 
 /// A term and how it fares.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct TermVerdict {
     /// `ambient`, `diffuse` or `specular`.
-    pub term: &'static str,
+    pub term: Cow<'static, str>,
     /// How it fares.
     pub state: TermState,
 }
 
 /// A situation and how it fares.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SceneVerdict {
     /// The situation's word.
     pub scene: String,
     /// What it shows that others do not.
-    pub shows: &'static str,
+    pub shows: Cow<'static, str>,
     /// Whether the pictures are the same.
     pub right: bool,
     /// The share of the object's pixels that differ by more than a step of 8 bits.
+    #[serde(deserialize_with = "or_infinite")]
     pub pixels_beyond: f64,
     /// The largest difference of a channel, 0 to 1.
+    #[serde(deserialize_with = "or_infinite")]
     pub worst: f32,
 }
 
 /// A message of a compiler, at the student's own line.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CompilerMessage {
     /// The student's file.
     pub file: String,
@@ -106,7 +110,7 @@ pub struct CompilerMessage {
 }
 
 /// What a variable of the program was taken for, and what it was given.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct BoundVariable {
     /// OpenGL's name for it.
     pub name: String,
@@ -118,7 +122,7 @@ pub struct BoundVariable {
 }
 
 /// What a check says.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Verdict {
     /// The exercise's word.
     pub exercise: String,
@@ -144,20 +148,22 @@ pub struct Verdict {
     /// What was bound to what.
     pub bound: Vec<BoundVariable>,
     /// Right answers are 1, wrong ones by the share of situations that are right; 0 where it does not compile.
+    #[serde(deserialize_with = "or_infinite")]
     pub score: f64,
 }
 
 /// The next best explanation.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RunnerUp {
     /// The bank's words.
     pub ids: Vec<String>,
     /// How much of the difference it explains.
+    #[serde(deserialize_with = "or_infinite")]
     pub share_explained: f64,
 }
 
 /// Something right that is done in another way.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Peculiarity {
     /// The bank's word.
     pub id: String,
@@ -182,5 +188,54 @@ impl Verdict {
             bound: Vec::new(),
             score: if verdict == Outcome::Correct { 1.0 } else { 0.0 },
         }
+    }
+}
+
+/// A number as JSON has it, which knows no infinite ones: it writes `null` for them, and for what is no number.
+fn or_infinite<'de, T, D>(deserializer: D) -> Result<T, D::Error>
+where
+    T: Deserialize<'de> + From<f32>,
+    D: Deserializer<'de>,
+{
+    Ok(Option::<T>::deserialize(deserializer)?.unwrap_or_else(|| T::from(f32::INFINITY)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_verdict_is_read_as_it_was_written() {
+        let mut verdict = Verdict::new("ex04", Outcome::Wrong, "The normal is not transformed");
+        verdict.mistakes = vec![FoundMistake {
+            id: "normal-raw".into(),
+            name: "The normal is not transformed".into(),
+            share_explained: 0.997,
+            file: Some("a.vert".into()),
+            line: Some(3),
+            quoted: None,
+            looks_like: "the light turns with the model".into(),
+            mend: "multiply".into(),
+            seed: "3.1".into(),
+            or: Vec::new(),
+            lab_does_it: false,
+        }];
+        verdict.terms = vec![TermVerdict { term: "diffuse".into(), state: TermState::NotSeparable }];
+        let scene = |worst| SceneVerdict {
+            scene: "lab".into(),
+            shows: "the lab's own".into(),
+            right: false,
+            pixels_beyond: 0.25,
+            worst,
+        };
+        verdict.scenes = vec![scene(0.5)];
+        let read = |verdict: &Verdict| {
+            serde_json::from_str::<Verdict>(&serde_json::to_string(verdict).unwrap_or_default())
+                .map_err(|e| e.to_string())
+        };
+        assert_eq!(read(&verdict), Ok(verdict.clone()));
+        // What a program divides by zero is no number in JSON.
+        verdict.scenes = vec![scene(f32::NAN)];
+        assert_eq!(read(&verdict).map(|read| read.scenes[0].worst), Ok(f32::INFINITY));
     }
 }

@@ -10,6 +10,7 @@ mod task;
 
 pub use compare::{Comparison, PIXEL_TOLERANCE, PIXELS_TOLERANCE, pixel_difference};
 pub use freedom::{Freedom, Written};
+pub(crate) use predict::declared;
 pub use task::{TASKS, Task};
 
 use crate::bank::{Hypothesis, Model};

@@ -211,7 +211,7 @@ fn scenes(stage: &Stage, held: &Comparison) -> Vec<SceneVerdict> {
         .enumerate()
         .map(|(index, situation)| SceneVerdict {
             scene: situation.name.clone(),
-            shows: situation.shows,
+            shows: situation.shows.into(),
             right: held.agrees(index),
             pixels_beyond: held.beyond.get(index).copied().unwrap_or(1.0),
             worst: held.worst.get(index).copied().unwrap_or(1.0),
@@ -232,7 +232,7 @@ pub fn terms(stage: &Stage, freedom: &Freedom, held: &Comparison) -> Vec<TermVer
                 (false, true) => TermState::Right,
                 (false, false) => TermState::Wrong,
             };
-            TermVerdict { term, state }
+            TermVerdict { term: term.into(), state }
         })
         .collect()
 }

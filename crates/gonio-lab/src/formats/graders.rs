@@ -25,7 +25,7 @@ pub fn gradescope(verdict: &Verdict, max_score: f64) -> String {
     }
     for term in &verdict.terms {
         let mut test = json!({
-            "name": format!("{} term", line(term.term)),
+            "name": format!("{} term", line(&term.term)),
             "output": term_words(term.state),
             "visibility": "visible",
         });
@@ -70,7 +70,7 @@ pub fn code_runner(verdict: &Verdict) -> String {
     for term in &verdict.terms {
         // A row has a tick or a cross: a term that was not looked at has neither.
         if let Some(right) = is_right(term.state) {
-            results.push(row(right, format!("{} term", line(term.term)), term_words(term.state).to_owned()));
+            results.push(row(right, format!("{} term", line(&term.term)), term_words(term.state).to_owned()));
         }
     }
     for scene in &verdict.scenes {
@@ -108,12 +108,12 @@ fn term_words(state: TermState) -> &'static str {
 
 fn scene_words(scene: &SceneVerdict) -> String {
     match scene.right {
-        true => format!("the same as the reference ({})", line(scene.shows)),
+        true => format!("the same as the reference ({})", line(&scene.shows)),
         false => format!(
             "{} of the pixels differ from the reference, by up to {:.3} ({})",
             percent(scene.pixels_beyond),
             scene.worst,
-            line(scene.shows)
+            line(&scene.shows)
         ),
     }
 }

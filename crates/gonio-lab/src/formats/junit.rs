@@ -88,14 +88,14 @@ fn suite(label: &str, verdict: &Verdict) -> (String, Counts) {
         let end = match term.state {
             TermState::Right => End::Passed,
             TermState::Wrong => {
-                End::Failure(format!("<failure message=\"the {} term is wrong\"/>", escaped_line(term.term)))
+                End::Failure(format!("<failure message=\"the {} term is wrong\"/>", escaped_line(&term.term)))
             }
             TermState::NotSeparable => {
                 let message = "its strength is not given from outside, so it cannot be looked at alone";
                 End::Skipped(format!("<skipped message=\"{message}\"/>"))
             }
         };
-        case(&format!("term: {}", escaped_line(term.term)), "", end);
+        case(&format!("term: {}", escaped_line(&term.term)), "", end);
     }
     for scene in &verdict.scenes {
         let end = match scene.right {
@@ -104,7 +104,7 @@ fn suite(label: &str, verdict: &Verdict) -> (String, Counts) {
                 "<failure message=\"{} of the pixels differ, by up to {:.3}\">{}</failure>",
                 percent(scene.pixels_beyond),
                 scene.worst,
-                escaped(scene.shows)
+                escaped(&scene.shows)
             )),
         };
         case(&format!("scene: {}", escaped_line(&scene.scene)), "", end);

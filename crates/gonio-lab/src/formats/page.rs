@@ -52,7 +52,7 @@ fn terms(terms: &[TermVerdict]) -> String {
             html,
             "<li class=\"{class}\">{}<span><b>{}</b> {words}</span></li>",
             icon.svg(),
-            escaped_line(term.term)
+            escaped_line(&term.term)
         );
     }
     html.push_str("</ul>\n");
@@ -146,7 +146,7 @@ fn scene_head(scene: &SceneVerdict) -> String {
         "<th role=\"rowheader\" scope=\"row\"><span class=\"name {class}\">{}<span><b>{}</b> {class}</span></span><span class=\"shows\">{}</span>{measure}</th>",
         icon.svg(),
         escaped_line(&scene.scene),
-        escaped_line(scene.shows)
+        escaped_line(&scene.shows)
     )
 }
 

@@ -35,13 +35,13 @@ fn evil(outcome: Outcome) -> Verdict {
     verdict.peculiarities = vec![Peculiarity { id: evil(), name: evil() }];
     verdict.warnings = vec![evil()];
     verdict.terms = vec![
-        TermVerdict { term: "ambient", state: TermState::Right },
-        TermVerdict { term: "diffuse", state: TermState::Wrong },
-        TermVerdict { term: "specular", state: TermState::NotSeparable },
+        TermVerdict { term: "ambient".into(), state: TermState::Right },
+        TermVerdict { term: "diffuse".into(), state: TermState::Wrong },
+        TermVerdict { term: "specular".into(), state: TermState::NotSeparable },
     ];
     let scene = |scene: &str, right, pixels_beyond, worst| SceneVerdict {
         scene: scene.to_owned(),
-        shows: "what others do not",
+        shows: "what others do not".into(),
         right,
         pixels_beyond,
         worst,
@@ -370,7 +370,7 @@ fn a_page_says_all_and_runs_nothing() {
 #[test]
 fn a_page_of_a_right_answer_has_no_word_of_mistakes() {
     let mut verdict = Verdict::new("ex04", Outcome::Correct, "right in every scene");
-    verdict.terms = vec![TermVerdict { term: "diffuse", state: TermState::Right }];
+    verdict.terms = vec![TermVerdict { term: "diffuse".into(), state: TermState::Right }];
     let markup = read_page(&page("ada", &verdict, None));
     assert!(markup.text.contains("Right in every scene.") && markup.text.contains("Correct"));
     assert!(

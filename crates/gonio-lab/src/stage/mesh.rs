@@ -67,7 +67,7 @@ fn grid(across: usize, down: usize, vertex: impl Fn(f32, f32) -> ([f32; 3], [f32
     mesh
 }
 
-fn sphere(segments: usize, rings: usize) -> StageMesh {
+pub(crate) fn sphere(segments: usize, rings: usize) -> StageMesh {
     grid(segments, rings, |u, v| {
         let (longitude, colatitude) = (u * TAU, PI - v * PI);
         let p = [colatitude.sin() * longitude.cos(), colatitude.cos(), -colatitude.sin() * longitude.sin()];
@@ -75,7 +75,7 @@ fn sphere(segments: usize, rings: usize) -> StageMesh {
     })
 }
 
-fn torus(around: usize, tube: usize) -> StageMesh {
+pub(crate) fn torus(around: usize, tube: usize) -> StageMesh {
     grid(around, tube, |u, v| {
         let (phi, theta) = (u * TAU, v * TAU);
         let normal = [theta.cos() * phi.cos(), theta.sin(), -theta.cos() * phi.sin()];

@@ -1,12 +1,13 @@
 //! Where programs are tried: meshes, situations that tell mistakes apart, and the drawing of all of them at once.
 
-mod mesh;
+pub(crate) mod mesh;
 mod sheet;
 pub mod situation;
-mod sky;
+pub(crate) mod sky;
 mod values;
 
 pub use mesh::{Shape, StageMesh};
+pub(crate) use sheet::stream_of;
 pub use sheet::{Cast, Sheet, Stage, TILE};
 pub use situation::{Light, Situation};
 pub use values::numbers;

@@ -147,7 +147,7 @@ pub struct Cast {
 }
 
 /// Which stream of a mesh an attribute reads.
-fn stream_of(role: Role) -> Option<usize> {
+pub(crate) fn stream_of(role: Role) -> Option<usize> {
     match role {
         Role::Position => Some(0),
         Role::Normal => Some(1),
