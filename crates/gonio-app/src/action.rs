@@ -49,6 +49,12 @@ pub enum Action {
     ToggleTheme,
     /// Records what OpenGL is told for the current pane's picture.
     TakeApart,
+    /// Shows the laboratory: the exercises, or the one that is worked on.
+    Laboratory,
+    /// Shows the laboratory's list of exercises.
+    Exercises,
+    /// Begins an exercise in the laboratory: its word.
+    Exercise(String),
     /// A message was read.
     Dismiss(u64),
 }

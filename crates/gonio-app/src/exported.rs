@@ -105,6 +105,7 @@ pub fn triangles(session: &Session) -> usize {
 /// | `undo`, `redo` | whether there is a step |
 /// | `time`, `playing` | seconds of the scene, and whether they run |
 /// | `dark`, `pixels_per_point`, `size` | how it looks; the window's width and height in points |
+/// | `laboratory` | added by [`crate::Lab::state`]: the exercise that is worked on, what was said of it, the verdict |
 /// | `recent` | files that were opened before |
 /// | `triangles`, `frame` | of the scene; facts about the last picture: `pictures` and `frames` stand still when idle, |
 /// | | and `complete` is true then: with all of the scene's samples |

@@ -1,5 +1,6 @@
 //! The application: one frame from files, keys and panels to the picture.
 
+mod exercises;
 mod outgoing;
 
 use crate::action::Action;
@@ -7,6 +8,7 @@ use crate::document::{Document, History};
 use crate::drawing::Studio;
 use crate::files::{Layered, link};
 use crate::jobs::{Finished, Jobs, Opening, Wanted, surrounded_by};
+use crate::laboratory::{Laboratory, Start};
 use crate::platform::{Asked, Event, Given, Platform, Shown};
 use crate::session::{PathField, Session, Severity, Tab, TakenApart};
 use crate::{exported, panels, shortcuts, theme, viewport};
@@ -38,8 +40,13 @@ pub struct Lab {
     opened_camera: CameraSpec,
     /// What changed on disk and has not been read again.
     changed: Vec<PathBuf>,
+    /// Files of the open scene that are watched on disk; the laboratory has its own.
+    read: Vec<PathBuf>,
+    /// Those of the laboratory that are watched.
+    watched: Vec<PathBuf>,
     platform: Box<dyn Platform>,
     studio: Option<Studio>,
+    laboratory: Laboratory,
     /// Of a sketch that was drawn. Until it is seen the whole picture waits: drawing that may keep the GPU from showing it.
     sketched: Option<Shown>,
 }
@@ -79,8 +86,11 @@ impl Lab {
             opened: Opening::default(),
             opened_camera: CameraSpec::default(),
             changed: Vec::new(),
+            read: Vec::new(),
+            watched: Vec::new(),
             platform,
             studio,
+            laboratory: Laboratory::default(),
             sketched: None,
         };
         let mut files = lab.files.clone();
@@ -102,6 +112,7 @@ impl Lab {
     /// graphics away and give them back later. Nothing that is edited or open is lost.
     pub fn resume(&mut self, ctx: &egui::Context, gl: Option<Gl>) {
         theme::install(ctx);
+        self.laboratory.release();
         self.studio = None;
         match gl.map(Studio::new) {
             Some(Ok(studio)) => {
@@ -125,7 +136,7 @@ impl Lab {
 
     /// The state as JSON: [`exported::state`].
     pub fn state(&self, ctx: &egui::Context) -> serde_json::Value {
-        exported::state(ctx, &self.document, &self.session, &self.history)
+        with_laboratory(exported::state(ctx, &self.document, &self.session, &self.history), &self.laboratory)
     }
 
     /// Begins to read what `inputs` name.
@@ -149,6 +160,9 @@ impl Lab {
         }
         if let Some(finished) = self.jobs.poll() {
             self.take(&ctx, finished);
+        }
+        if self.laboratory.is_open {
+            return self.laboratory_ui(ui);
         }
         self.read_again(&ctx);
         self.session.progress = self.jobs.progress();
@@ -180,8 +194,14 @@ impl Lab {
             self.act(&ctx, action);
         }
         self.settle(&ctx);
-        let (document, session, history) = (&self.document, &self.session, &self.history);
-        self.platform.publish(&|| exported::state(&ctx, document, session, history));
+        self.publish(&ctx);
+    }
+
+    /// Hands the state to whoever watches it.
+    fn publish(&mut self, ctx: &egui::Context) {
+        let (document, session, history, laboratory) = (&self.document, &self.session, &self.history, &self.laboratory);
+        let state = || with_laboratory(exported::state(ctx, document, session, history), laboratory);
+        self.platform.publish(&state);
     }
 
     fn hear(&mut self, ctx: &egui::Context, event: Event) {
@@ -198,7 +218,7 @@ impl Lab {
             }
             Event::Open(_) => {}
             Event::SaveTo(product, place) => self.save(product, &place),
-            Event::Changed(paths) => self.changed.extend(paths),
+            Event::Changed(paths) => self.changed_on_disk(ctx, paths),
             Event::Failed(why) => self.session.messages.say(Severity::Error, why),
         }
     }
@@ -236,7 +256,8 @@ impl Lab {
             }
         };
         self.files = finished.files;
-        self.platform.watch(finished.paths, ctx);
+        self.read = finished.paths;
+        self.watch(ctx);
         for found in &loaded.diagnostics {
             let severity = match found.severity {
                 Found::Note => continue,
@@ -397,6 +418,9 @@ impl Lab {
             }
             Action::TakeApart => self.take_apart(ctx),
             Action::Dismiss(id) => self.session.messages.dismiss(id),
+            Action::Laboratory => self.laboratory.is_open = true,
+            Action::Exercises => self.list_exercises(),
+            Action::Exercise(exercise) => self.begin_exercise(ctx, Start { exercise, files: Vec::new() }),
         }
         ctx.request_repaint();
     }
@@ -427,6 +451,12 @@ impl Lab {
             ctx.request_repaint();
         }
     }
+}
+
+/// The state with the laboratory's part.
+fn with_laboratory(mut state: serde_json::Value, laboratory: &Laboratory) -> serde_json::Value {
+    state["laboratory"] = laboratory.state();
+    state
 }
 
 /// Files by their names alone.
@@ -465,6 +495,7 @@ impl eframe::App for Lab {
 
     fn on_exit(&mut self, _: Option<&eframe::glow::Context>) {
         // Buffers and textures go while their context is still there.
+        self.laboratory.release();
         self.studio = None;
     }
 

@@ -15,6 +15,7 @@
 //! | `jobs` | reading files without blocking the window |
 //! | [`files`] | files that a person gives: dropped, chosen, packed |
 //! | [`saving`] | pictures and scenes as files |
+//! | [`laboratory`] | the exercises: students' files, their picture, the checker; apart from the scene |
 //! | [`platform`] | what desktop and web do each in their own way |
 //! | [`widgets`] | numbers, colours, choices: what panels are made of |
 //! | [`typeset`] | formulas as a textbook sets them |
@@ -28,6 +29,7 @@ pub mod exported;
 pub mod files;
 mod jobs;
 mod lab;
+pub mod laboratory;
 pub mod panels;
 pub mod platform;
 pub mod probing;

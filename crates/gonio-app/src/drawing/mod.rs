@@ -16,7 +16,7 @@ use crate::session::{FrameFacts, Session, Tab};
 use curve::CurveRun;
 use details::Details;
 use gonio_gl::record::FrameRecord;
-use gonio_gl::{Gl, GlError, Presentation, Presenter, Renderer, View};
+use gonio_gl::{Canvas, Gl, GlError, Presentation, Presenter, Renderer, View};
 use gonio_scene::{Frame, LoadedScene};
 use pair::PairDrawing;
 use pane::PaneDrawing;
@@ -49,6 +49,21 @@ impl Studio {
             curve: None,
             outside: None,
         })
+    }
+
+    /// What draws; the laboratory draws other people's programs with it.
+    pub fn renderer(&mut self) -> &mut Renderer {
+        &mut self.renderer
+    }
+
+    /// The window's OpenGL.
+    pub fn gl(&self) -> &Gl {
+        &self.gl
+    }
+
+    /// A canvas without holes, to be shown by a paint callback.
+    pub fn presented(&self, canvas: &Canvas) -> Presentation {
+        self.presenter.of(canvas.texture()).opaque()
     }
 
     /// The driver, as it calls itself.

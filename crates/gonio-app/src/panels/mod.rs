@@ -66,6 +66,11 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, history
     path_field::show(ui, session, actions);
 }
 
+/// The messages alone, over whatever is shown.
+pub fn messages(ui: &Ui, session: &Session, actions: &mut Vec<Action>) {
+    messages::show(ui, session, actions);
+}
+
 /// The tabs and what the chosen one shows.
 fn side(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
     tabs(ui, session, actions);

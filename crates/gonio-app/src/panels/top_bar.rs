@@ -11,6 +11,8 @@ use gonio_scene::files;
 
 /// Below this width (points) the files are behind one button.
 const NARROW: f32 = 560.0;
+/// What the laboratory is, in a sentence.
+const LABORATORY: &str = "Exercises: write shaders, see them beside the right answer, and have them checked";
 
 /// Shows it.
 pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &History, actions: &mut Vec<Action>) {
@@ -27,6 +29,8 @@ pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &Histo
                 ui.separator();
                 samples_entries(ui, actions);
                 recent_entries(ui, session, actions);
+                ui.separator();
+                entry(ui, "laboratory", "Laboratory", LABORATORY, Action::Laboratory, actions);
             });
         } else {
             if icon(ui, "open", icons::FOLDER_OPEN, "Open a model or a scene (Ctrl + O)", true) {
@@ -41,6 +45,11 @@ pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &Histo
                 menu(ui, "recent", "Recent".into(), "What was opened before", |ui| {
                     recent_entries(ui, session, actions);
                 });
+            }
+            let button = ui.add(egui::Button::new("Laboratory").frame_when_inactive(false));
+            exported::note(ui, &button, "laboratory", Role::Button, "Laboratory", "");
+            if button.on_hover_text(LABORATORY).clicked() {
+                actions.push(Action::Laboratory);
             }
             ui.add_space(6.0);
         }

@@ -1,11 +1,13 @@
 //! What the desktop and the web do each in their own way.
 
+mod checking;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod desktop;
 mod settings;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
 
+pub use checking::{CheckRequest, Checking, Refused};
 pub use settings::Settings;
 
 use crate::saving::Product;
@@ -78,6 +80,10 @@ pub trait Platform {
     fn watch(&mut self, paths: Vec<PathBuf>, ctx: &egui::Context) {
         let _ = (paths, ctx);
     }
+    /// Whether there are folders to save into; otherwise what is written goes to where downloads go.
+    fn has_folders(&self) -> bool {
+        cfg!(not(target_arch = "wasm32"))
+    }
     /// How an input can be opened again another day; `None` where it cannot.
     fn lasting(&self, input: &str) -> Option<String> {
         let _ = input;
@@ -99,6 +105,11 @@ pub trait Platform {
         };
         shown(ctx);
         Box::new(shown)
+    }
+    /// Begins to check a student's files, where nothing that they do can harm or hold up the window.
+    fn check(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Checking> {
+        let _ = (request, ctx);
+        Box::new(Refused::new("nothing can be checked here; `gonio lab check` does it on the command line"))
     }
     /// The state after a frame, for whoever watches it.
     fn publish(&mut self, state: &dyn Fn() -> Value) {

@@ -10,7 +10,8 @@ pub struct Tint {
 }
 
 impl Tint {
-    const fn new(light: [u8; 3], dark: [u8; 3]) -> Self {
+    /// A colour in the light, and the same in the dark: sRGB.
+    pub const fn new(light: [u8; 3], dark: [u8; 3]) -> Self {
         Tint {
             light: Color32::from_rgb(light[0], light[1], light[2]),
             dark: Color32::from_rgb(dark[0], dark[1], dark[2]),

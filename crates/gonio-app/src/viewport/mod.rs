@@ -116,7 +116,7 @@ fn drawn(
     session: &mut Session,
     studio: &mut Studio,
 ) -> Result<Option<Presentation>, GlError> {
-    let size = pixels(rect, ui.ctx().pixels_per_point());
+    let size = picture_size(rect, ui.ctx().pixels_per_point());
     let mut facts = std::mem::take(&mut session.facts);
     let picture = studio.picture(index, document, session, size, &mut facts);
     facts.size = size;
@@ -126,7 +126,7 @@ fn drawn(
 
 /// Columns and rows of the window that a rectangle takes: as egui rounds them for a paint callback, so that a picture is
 /// shown pixel for pixel.
-fn pixels(rect: Rect, pixels_per_point: f32) -> [u32; 2] {
+pub(crate) fn picture_size(rect: Rect, pixels_per_point: f32) -> [u32; 2] {
     let side = |from: f32, to: f32| (to * pixels_per_point).round() - (from * pixels_per_point).round();
     [side(rect.left(), rect.right()), side(rect.top(), rect.bottom())].map(|side| side.max(0.0) as u32)
 }
@@ -217,7 +217,8 @@ fn aim(ui: &Ui, projection: &Projection, document: &Document, loaded: &LoadedSce
 }
 
 /// Shows a picture in a rectangle.
-fn present(ui: &Ui, rect: Rect, picture: Presentation) {
+/// Shows a finished picture in a rectangle of its size.
+pub(crate) fn present(ui: &Ui, rect: Rect, picture: Presentation) {
     let callback = egui_glow::CallbackFn::new(move |_, painter| picture.draw(painter.gl()));
     ui.painter().add(egui::PaintCallback { rect, callback: Arc::new(callback) });
 }
@@ -236,11 +237,11 @@ mod tests {
             let [left, top] = [0.37, 0.61].map(|share| share * step as f32);
             let rect = Rect::from_min_size(Pos2::new(left, top), vec2(300.3 + left, 200.7));
             let room = ViewportInPixels::from_points(&rect, pixels_per_point, [4000, 4000]);
-            let size = pixels(rect, pixels_per_point);
+            let size = picture_size(rect, pixels_per_point);
             assert_eq!(size, [room.width_px as u32, room.height_px as u32], "{rect:?} at {pixels_per_point}");
             fractional += usize::from(size[1] != (rect.height() * pixels_per_point).round() as u32);
         }
         assert!(fractional > 20, "only {fractional} sizes are not simply rounded");
-        assert_eq!(pixels(Rect::NOTHING, 1.0), [0, 0]);
+        assert_eq!(picture_size(Rect::NOTHING, 1.0), [0, 0]);
     }
 }

@@ -141,6 +141,35 @@ pub fn handle(ui: &Ui, response: &Response, document: &mut Document, session: &S
     }
 }
 
+/// What the pointer over a picture and the keys do to a camera that is nobody's document: it turns around `middle` where it
+/// has no target of its own, or where it stands (`looks_around`), and flies in steps of a scene that is `extent` wide. True
+/// where it moved.
+pub fn steer(
+    ui: &Ui,
+    response: &Response,
+    camera: &mut CameraSpec,
+    middle: DVec3,
+    extent: f64,
+    looks_around: bool,
+) -> bool {
+    let mut rig = Rig::new(camera, middle);
+    let projection = Projection::new(&rig.camera, response.rect);
+    let mut moved = false;
+    if looks_around && response.is_dragged_by(PointerButton::Primary) {
+        let (way, angle) = (response.way(), DEGREES_PER_POINT.to_radians());
+        rig.look_around(-f64::from(way.x) * 0.5 * angle, -f64::from(way.y) * 0.5 * angle);
+        moved = way != egui::Vec2::ZERO;
+    } else {
+        moved |= drag(ui, response, &mut rig, &projection);
+        moved |= wheel(ui, response, &mut rig, &projection);
+    }
+    moved |= fly(ui, response, &mut rig, extent);
+    if moved {
+        rig.write(camera);
+    }
+    moved
+}
+
 /// Makes the document's camera look along a direction (unit, world space) at what it looks at.
 pub fn look_along(document: &mut Document, session: &Session, direction: DVec3) {
     let Some(loaded) = &session.loaded else { return };

@@ -1,7 +1,7 @@
 //! The camera from outside: the same scene from a second eye, with the first one's frustum, axes and position.
 
 use super::dragging::Dragging;
-use super::{Projection, ink, pixels, present};
+use super::{Projection, ink, picture_size, present};
 use crate::drawing::Studio;
 use crate::exported::{self, Role};
 use crate::theme::{self, colors, icons};
@@ -110,7 +110,7 @@ pub fn show(
         }
     }
     let camera = outside.camera(frame, aspect);
-    let size = pixels(rect, ui.ctx().pixels_per_point()).map(|side| side.max(1));
+    let size = picture_size(rect, ui.ctx().pixels_per_point()).map(|side| side.max(1));
     if let Some(picture) = studio.seen_by(pane, camera, size)? {
         present(ui, rect, picture);
     }

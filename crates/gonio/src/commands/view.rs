@@ -44,8 +44,15 @@ pub fn run(args: &ViewArgs) -> Result<Outcome, CliError> {
     let options = SceneOptions { size: None, ..args.scene.clone() };
     let limits = options.limits.limits();
     let adjust = Arc::new(move |scene: &mut Scene| options.apply(scene));
-    let window =
-        WindowOptions { inputs: args.inputs.clone(), size, adjust: Some(adjust), limits, state: args.state.clone() };
+    let window = WindowOptions {
+        inputs: args.inputs.clone(),
+        size,
+        adjust: Some(adjust),
+        limits,
+        state: args.state.clone(),
+        program: std::env::current_exe().ok(),
+        exercise: None,
+    };
     desktop::run(window).map_err(CliError::new)?;
     Ok(Outcome::Done)
 }

@@ -26,9 +26,26 @@ impl Window {
 
     /// The same in a folder that has files.
     pub fn open_in(folder: tempfile::TempDir, width: u32, height: u32, inputs: &[&str]) -> Window {
+        let mut window = Window::start(folder, [width, height], &["view"], inputs);
+        // A sketch, and then the whole one.
+        window.wait("the first picture", |s| s["frame"]["complete"] == true && s["busy"].is_null());
+        window.focus();
+        window
+    }
+
+    /// An exercise in a folder that has files: `gonio lab open`.
+    pub fn exercise_in(folder: tempfile::TempDir, width: u32, height: u32, arguments: &[&str]) -> Window {
+        let mut window = Window::start(folder, [width, height], &["lab", "open"], arguments);
+        window.wait("the laboratory", |s| s["laboratory"]["open"] == true && s["laboratory"]["exercise"].is_string());
+        window.focus();
+        window
+    }
+
+    fn start(folder: tempfile::TempDir, [width, height]: [u32; 2], command: &[&str], inputs: &[&str]) -> Window {
         let screen = Screen::new([width, height]).unwrap();
         let program = Command::new(env!("CARGO_BIN_EXE_gonio"))
-            .args(["view", "--state", "state.json", "--size", &format!("{width}x{height}")])
+            .args(command)
+            .args(["--state", "state.json", "--size", &format!("{width}x{height}")])
             .args(inputs)
             .current_dir(folder.path())
             .env("DISPLAY", &screen.name)
@@ -39,11 +56,7 @@ impl Window {
             .stdin(Stdio::null())
             .spawn()
             .unwrap();
-        let mut window = Window { program, screen, folder };
-        // A sketch, and then the whole one.
-        window.wait("the first picture", |s| s["frame"]["complete"] == true && s["busy"].is_null());
-        window.focus();
-        window
+        Window { program, screen, folder }
     }
 
     /// Has its keys: there is no window manager that would see to it. The server may show it a moment later than it draws.

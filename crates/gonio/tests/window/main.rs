@@ -5,6 +5,7 @@
 mod driven;
 mod files;
 mod habits;
+mod laboratory;
 mod pointer;
 mod refused;
 // The benches' own.

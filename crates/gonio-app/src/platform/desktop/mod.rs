@@ -1,5 +1,6 @@
 //! The desktop: a window of its own, files on disk.
 
+mod check;
 mod dialog;
 mod display;
 mod home;
@@ -9,7 +10,8 @@ mod write;
 
 pub use display::has_display;
 
-use super::{Asked, Event, Platform, Settings};
+use super::{Asked, CheckRequest, Checking, Event, Platform, Refused, Settings};
+use crate::laboratory::Start;
 use crate::saving::Product;
 use crate::{Adjust, Lab, Opening};
 use gonio_gl::Gl;
@@ -34,6 +36,10 @@ pub struct WindowOptions {
     pub limits: Limits,
     /// Where the state is written after every frame ([`crate::exported`]), for tests.
     pub state: Option<PathBuf>,
+    /// gonio's own program, for checks in a process of their own. Without it nothing is checked.
+    pub program: Option<PathBuf>,
+    /// An exercise to be worked on at once, in the laboratory.
+    pub exercise: Option<Start>,
 }
 
 /// Opens the window, and returns when it is closed. An error is one sentence: no display, no OpenGL.
@@ -64,8 +70,12 @@ pub fn run_within(
         let gl = creation.gl.clone().map(Gl::of_window);
         let opening =
             Opening { inputs: options.inputs, adjust: options.adjust, limits: options.limits, ..Opening::default() };
-        let platform = Box::new(Desktop::new(options.state));
-        Ok(around(Lab::opening(&creation.egui_ctx, gl.clone(), platform, opening), gl))
+        let platform = Box::new(Desktop::new(options.state, options.program));
+        let mut lab = Lab::opening(&creation.egui_ctx, gl.clone(), platform, opening);
+        if let Some(start) = options.exercise {
+            lab.begin_exercise(&creation.egui_ctx, start);
+        }
+        Ok(around(lab, gl))
     };
     eframe::run_native("gonio", native, Box::new(created)).map_err(display::sentence)
 }
@@ -75,12 +85,13 @@ struct Desktop {
     receiver: Receiver<Event>,
     watcher: Option<Watcher>,
     state: Option<PathBuf>,
+    program: Option<PathBuf>,
 }
 
 impl Desktop {
-    fn new(state: Option<PathBuf>) -> Self {
+    fn new(state: Option<PathBuf>, program: Option<PathBuf>) -> Self {
         let (sender, receiver) = channel();
-        Desktop { sender, receiver, watcher: None, state }
+        Desktop { sender, receiver, watcher: None, state, program }
     }
 }
 
@@ -129,6 +140,17 @@ impl Platform for Desktop {
         }
         let path = std::path::absolute(input).ok()?;
         path.is_file().then(|| path.to_string_lossy().into_owned())
+    }
+
+    fn check(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Checking> {
+        let begun = match &self.program {
+            Some(program) => check::begin(program, &request, ctx),
+            None => Err("gonio's own program was not found; run `gonio lab check` in a terminal".into()),
+        };
+        match begun {
+            Ok(checking) => Box::new(checking),
+            Err(why) => Box::new(Refused::new(why)),
+        }
     }
 
     fn settings(&self) -> Settings {

@@ -2,7 +2,7 @@
 
 mod document;
 
-use super::{Asked, Event, Given, MOMENT, Platform, Settings, Shown};
+use super::{Asked, CheckRequest, Checking, Event, Given, MOMENT, Platform, Refused, Settings, Shown};
 use crate::files::{Layered, MemoryFiles, gather, link, zip};
 use crate::saving::Product;
 use gonio_gl::Gl;
@@ -178,6 +178,10 @@ impl Platform for Web {
             ctx.request_repaint();
         });
         Box::new(move |_| seen.get())
+    }
+
+    fn check(&mut self, _: CheckRequest, _: &egui::Context) -> Box<dyn Checking> {
+        Box::new(Refused::new("a page cannot check yet; `gonio lab check` does it on the command line"))
     }
 
     fn settings(&self) -> Settings {

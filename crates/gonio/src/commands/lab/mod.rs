@@ -7,6 +7,7 @@ mod draw;
 mod exercises;
 mod files;
 mod mistakes;
+mod open;
 mod score;
 mod text;
 
@@ -23,6 +24,8 @@ Examples:
   gonio lab show ex04
   gonio lab start ex04 mine
       The text and the files to start from, in the folder `mine`.
+  gonio lab open ex04 mine
+      The same in a window: an editor, the picture beside the right answer's, and the checker.
   gonio lab check ex04 mine
       What is right and what is wrong with it, by name and line.
   gonio lab mistakes
@@ -36,6 +39,8 @@ pub enum LabCommand {
     Show(exercises::ShowArgs),
     /// Write an exercise's text and the files to start from into a folder.
     Start(exercises::StartArgs),
+    /// Work on an exercise in the window: editor, picture, checker.
+    Open(Box<open::OpenArgs>),
     /// Print or write the right answer.
     Reference(exercises::ReferenceArgs),
     /// Check a pair of shaders: what is right, what is wrong, and the mistake's name and line.
@@ -55,6 +60,7 @@ impl LabCommand {
             LabCommand::List(args) => &args.words,
             LabCommand::Show(args) => &args.words,
             LabCommand::Start(args) => &args.words,
+            LabCommand::Open(args) => &args.words,
             LabCommand::Reference(args) => &args.words,
             LabCommand::Check(args) => &args.words,
             LabCommand::Draw(args) => &args.words,
@@ -70,6 +76,7 @@ pub fn run(command: &LabCommand, reporter: &Reporter) -> Result<Outcome, CliErro
         LabCommand::List(args) => exercises::list(args, reporter),
         LabCommand::Show(args) => exercises::show(args, reporter),
         LabCommand::Start(args) => exercises::start(args, reporter),
+        LabCommand::Open(args) => open::run(args),
         LabCommand::Reference(args) => exercises::reference(args, reporter),
         LabCommand::Check(args) => check::run(args, reporter),
         LabCommand::Draw(args) => draw::run(args, reporter),

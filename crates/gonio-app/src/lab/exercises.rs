@@ -1,0 +1,73 @@
+//! The laboratory within the application.
+
+use super::Lab;
+use crate::laboratory::{Laboratory, Start};
+use crate::panels;
+use crate::session::Severity;
+use egui::Ui;
+use std::path::PathBuf;
+
+impl Lab {
+    /// The laboratory: what is worked on.
+    pub fn laboratory(&self) -> &Laboratory {
+        &self.laboratory
+    }
+
+    /// Shows the laboratory with an exercise and a student's files. What goes wrong is said in the window.
+    pub fn begin_exercise(&mut self, ctx: &egui::Context, start: Start) {
+        if let Some(work) = &self.laboratory.work
+            && work.exercise.id != start.exercise
+            && !self.laboratory.put_away()
+        {
+            self.session.messages.say(Severity::Warning, UNSAVED);
+            return;
+        }
+        if let Err(why) = self.laboratory.begin(start) {
+            self.session.messages.say(Severity::Error, why);
+        }
+        self.watch(ctx);
+    }
+
+    /// Shows the list of exercises.
+    pub(super) fn list_exercises(&mut self) {
+        if !self.laboratory.put_away() {
+            self.session.messages.say(Severity::Warning, UNSAVED);
+        }
+    }
+
+    /// A frame with the laboratory in place of the scene, which stays as it is.
+    pub(super) fn laboratory_ui(&mut self, ui: &mut Ui) {
+        let ctx = ui.ctx().clone();
+        let mut actions = Vec::new();
+        let said = self.laboratory.ui(ui, self.studio.as_mut(), self.platform.as_mut(), &mut actions);
+        for sentence in said {
+            self.session.messages.say(Severity::Error, sentence);
+        }
+        panels::messages(ui, &self.session, &mut actions);
+        for action in actions {
+            self.act(&ctx, action);
+        }
+        let paths = self.laboratory.paths();
+        if paths != self.watched {
+            self.watch(&ctx);
+        }
+        self.publish(&ctx);
+    }
+
+    /// Watches the files of the scene and those of the laboratory.
+    pub(super) fn watch(&mut self, ctx: &egui::Context) {
+        self.watched = self.laboratory.paths();
+        let all = self.read.iter().chain(&self.watched).cloned().collect();
+        self.platform.watch(all, ctx);
+    }
+
+    /// Files that other programs changed: the laboratory reads its own again, the others are the scene's.
+    pub(super) fn changed_on_disk(&mut self, ctx: &egui::Context, paths: Vec<PathBuf>) {
+        for sentence in self.laboratory.changed(ctx, &paths) {
+            self.session.messages.say(Severity::Error, sentence);
+        }
+        self.changed.extend(paths.into_iter().filter(|path| self.read.contains(path)));
+    }
+}
+
+const UNSAVED: &str = "there is text that was not saved; save it (Ctrl + S) before you go to another exercise";

@@ -1,0 +1,325 @@
+//! What is done with the work: pairs compiled as they are written, checks begun and heard, files saved and read again.
+
+use super::drawing::Easel;
+use super::work::{Judged, Page, ProgramFacts, Work};
+use super::{Wish, editor};
+use crate::drawing::Studio;
+use crate::platform::{CheckRequest, Checking, Platform};
+use egui::Context;
+use gonio_lab::exercise::Kind;
+use gonio_lab::live::{Note, NoteKind, Source};
+use gonio_lab::submission::SourceFile;
+use gonio_lab::verdict::{Outcome, Verdict};
+use std::path::PathBuf;
+use std::time::Duration;
+use web_time::Instant;
+
+/// After the last key a pair is compiled: sooner, and half-written words would be errors.
+const PAUSE: Duration = Duration::from_millis(300);
+
+/// A pair that may never end, tried where that harms nobody.
+struct Trial {
+    of: Vec<SourceFile>,
+    checking: Box<dyn Checking>,
+}
+
+/// What is under way.
+#[derive(Default)]
+pub struct Desk {
+    easel: Option<Easel>,
+    /// The texts as they were seen last, and since when they are these.
+    seen: Option<(Vec<SourceFile>, Instant)>,
+    /// Those that were compiled.
+    compiled: Option<Vec<SourceFile>>,
+    trial: Option<Trial>,
+    /// Texts that were tried and came to an end.
+    harmless: Option<Vec<SourceFile>>,
+    checking: Option<(Vec<SourceFile>, Box<dyn Checking>)>,
+    failed: bool,
+}
+
+impl Desk {
+    /// What is on the GPU.
+    pub fn easel(&self) -> Option<&Easel> {
+        self.easel.as_ref()
+    }
+
+    /// What is on the GPU, to be drawn.
+    pub fn easel_mut(&mut self) -> Option<&mut Easel> {
+        self.easel.as_mut()
+    }
+
+    /// Forgets what lay on the GPU; it is made anew when there is one.
+    pub fn release(&mut self) {
+        (self.easel, self.compiled, self.failed) = (None, None, false);
+    }
+
+    /// To be called in every frame: compiles what was written a moment ago, and hears what came of checks.
+    pub fn follow(
+        &mut self,
+        ctx: &Context,
+        work: &mut Work,
+        studio: Option<&Studio>,
+        platform: &mut dyn Platform,
+        said: &mut Vec<String>,
+    ) {
+        if let (None, Some(studio), false) = (&self.easel, studio, self.failed) {
+            match Easel::new(studio.gl(), work) {
+                Ok(easel) => self.easel = Some(easel),
+                Err(why) => {
+                    // Told once, not in every frame.
+                    self.failed = true;
+                    said.push(why.to_string());
+                }
+            }
+        }
+        self.hear(work);
+        let content = work.content();
+        match &self.seen {
+            Some((seen, since)) if *seen == content => {
+                let waited = since.elapsed();
+                if self.compiled.as_ref() != Some(&content) && waited < PAUSE {
+                    ctx.request_repaint_after(PAUSE - waited);
+                    return;
+                }
+            }
+            // What was opened is compiled at once; what is being written, after a pause.
+            seen => {
+                let is_first = seen.is_none();
+                self.seen = Some((content.clone(), Instant::now()));
+                if !is_first {
+                    ctx.request_repaint_after(PAUSE);
+                    return;
+                }
+            }
+        }
+        if self.compiled.as_ref() != Some(&content) {
+            self.compile(ctx, work, content, platform);
+        }
+    }
+
+    fn compile(&mut self, ctx: &Context, work: &mut Work, content: Vec<SourceFile>, platform: &mut dyn Platform) {
+        if work.exercise.kind != Kind::Shaders {
+            self.compiled = Some(content);
+            return;
+        }
+        let source = match Source::gather(work.exercise, content.clone()) {
+            Ok(source) => source,
+            Err(why) => {
+                let is_drawn = work.program.is_drawn;
+                let given = std::mem::take(&mut work.program.given);
+                work.program =
+                    ProgramFacts { unusable: Some(why), is_drawn, is_old: is_drawn, given, ..ProgramFacts::default() };
+                self.compiled = Some(content);
+                return;
+            }
+        };
+        if source.is_risky() && self.harmless.as_ref() != Some(&content) {
+            if self.trial.as_ref().is_none_or(|trial| trial.of != content) {
+                let checking = platform.check(request(work, &content), ctx);
+                self.trial = Some(Trial { of: content, checking });
+                work.program.is_tried = true;
+            }
+            return;
+        }
+        self.compiled = Some(content);
+        self.trial = None;
+        work.program.is_tried = false;
+        let Some(easel) = &mut self.easel else {
+            // To be compiled when there is something to draw with.
+            self.compiled = None;
+            return;
+        };
+        let given = std::mem::take(&mut work.program.given);
+        work.program = match easel.compile(&source) {
+            Ok(pair) => ProgramFacts {
+                notes: pair.notes.clone(),
+                warnings: pair.warnings.clone(),
+                unusable: (!pair.has_position()).then(|| {
+                    "Nothing is seen: no attribute was found that could be the position. Call it `position`, or say in \
+                     names.toml which it is"
+                        .to_owned()
+                }),
+                is_drawn: true,
+                ..ProgramFacts::default()
+            },
+            Err(notes) => {
+                let is_drawn = work.program.is_drawn;
+                ProgramFacts {
+                    notes: without_repeats(notes),
+                    is_drawn,
+                    is_old: is_drawn,
+                    given,
+                    ..ProgramFacts::default()
+                }
+            }
+        };
+    }
+
+    /// What came of the trial and of the check.
+    fn hear(&mut self, work: &mut Work) {
+        if let Some(trial) = &mut self.trial
+            && let Some(answer) = trial.checking.poll()
+        {
+            let of = std::mem::take(&mut trial.of);
+            self.trial = None;
+            work.program.is_tried = false;
+            self.heard_of_trial(work, of, answer);
+        }
+        if let Some((_, checking)) = &mut self.checking
+            && let Some(verdict) = checking.poll()
+            && let Some((of, _)) = self.checking.take()
+        {
+            work.judged = Some(Judged { verdict, of });
+            work.checking = false;
+            work.page = Page::Verdict;
+        }
+    }
+
+    fn heard_of_trial(&mut self, work: &mut Work, of: Vec<SourceFile>, answer: Result<Verdict, String>) {
+        let why = match answer {
+            // It was drawn there, and that ended; or no driver takes it, and then none of ours will either.
+            Ok(Verdict { verdict: Outcome::Correct | Outcome::Wrong | Outcome::DoesNotCompile, .. }) => {
+                self.harmless = Some(of);
+                return;
+            }
+            Ok(verdict) => verdict.summary,
+            Err(why) => why,
+        };
+        let program = &mut work.program;
+        program.unusable = Some(format!("It is not drawn here, for it may never end: {why}"));
+        program.is_old = program.is_drawn;
+        self.compiled = Some(of);
+    }
+
+    /// Does what was asked for.
+    pub fn grant(
+        &mut self,
+        ctx: &Context,
+        work: &mut Work,
+        wish: Wish,
+        platform: &mut dyn Platform,
+        said: &mut Vec<String>,
+    ) {
+        let current = work.current;
+        match wish {
+            Wish::Check => {
+                let content = work.content();
+                self.checking = Some((content.clone(), platform.check(request(work, &content), ctx)));
+                work.checking = true;
+                work.page = Page::Verdict;
+            }
+            Wish::StopChecking => {
+                self.checking = None;
+                work.checking = false;
+            }
+            Wish::Save => said.extend(save(work, platform)),
+            Wish::SaveInto(folder) => said.extend(save_into(work, &folder, platform)),
+            Wish::Undo | Wish::Redo => {
+                if let Some(file) = work.files.get_mut(current) {
+                    editor::step(ctx, file, wish == Wish::Redo);
+                }
+            }
+            Wish::TakeOther(index) => {
+                if let Some(file) = work.files.get_mut(index)
+                    && let Some(other) = file.other.take()
+                {
+                    editor::remember(ctx, file);
+                    file.take(other);
+                }
+            }
+            Wish::KeepMine(index) => {
+                if let Some(file) = work.files.get_mut(index) {
+                    // It is on the disk, so it is what a change is told against.
+                    if let Some(other) = file.other.take() {
+                        file.saved = other;
+                    }
+                    said.extend(save(work, platform));
+                }
+            }
+            Wish::Begin(_) | Wish::List | Wish::Leave | Wish::Theme => {}
+        }
+    }
+}
+
+fn request(work: &Work, content: &[SourceFile]) -> CheckRequest {
+    let files = content.iter().map(|file| (file.name.clone(), file.bytes.clone())).collect();
+    CheckRequest { exercise: work.exercise.id.clone(), files, as_the_lab: work.as_the_lab }
+}
+
+/// What both compilers say of a line is said once.
+fn without_repeats(notes: Vec<Note>) -> Vec<Note> {
+    let mut kept: Vec<Note> = Vec::new();
+    for note in notes {
+        let is_known = kept.iter().any(|known| known.kind == NoteKind::Error && known.message == note.message);
+        if !is_known {
+            kept.push(note);
+        }
+    }
+    kept
+}
+
+/// Saves the files that were changed: on the disk to where they lie, in memory to where the person says. What could not be
+/// saved is a sentence each.
+fn save(work: &mut Work, platform: &mut dyn Platform) -> Vec<String> {
+    let in_memory = work.files.iter().all(|file| file.path.is_none());
+    if in_memory && platform.has_folders() {
+        work.asking = Some(work.exercise.id.clone());
+        return Vec::new();
+    }
+    let mut said = Vec::new();
+    let current = work.current;
+    for (index, file) in work.files.iter_mut().enumerate() {
+        // What changed on the disk meanwhile is not written over before the person has chosen.
+        if file.locked || file.other.is_some() || !(file.is_changed() || (in_memory && index == current)) {
+            continue;
+        }
+        let bytes = file.text.clone().into_bytes();
+        let place = file.path.as_ref().map_or(file.name.clone().into(), |path| path.to_string_lossy());
+        match platform.write(&place, &bytes) {
+            Ok(_) => file.saved = bytes,
+            Err(why) => said.push(why),
+        }
+    }
+    said
+}
+
+/// Saves files that are in memory into a folder, which is made where it is not there; nothing is written over.
+fn save_into(work: &mut Work, folder: &str, platform: &mut dyn Platform) -> Vec<String> {
+    let folder = PathBuf::from(folder);
+    let place = |name: &str| folder.join(name);
+    if let Some(file) = work.files.iter().find(|file| place(&file.name).exists()) {
+        return vec![format!("{} is there already; name another folder", place(&file.name).display())];
+    }
+    for file in &mut work.files {
+        let path = place(&file.name);
+        let made = path.parent().map_or(Ok(()), std::fs::create_dir_all);
+        if let Err(why) = made {
+            return vec![format!("{} could not be made: {why}", folder.display())];
+        }
+        let bytes = file.content();
+        match platform.write(&path.to_string_lossy(), &bytes) {
+            Ok(_) => (file.saved, file.path) = (bytes, Some(path)),
+            Err(why) => return vec![why],
+        }
+    }
+    Vec::new()
+}
+
+/// Reads files again that another program changed. What could not be read is a sentence each.
+pub fn read_again(ctx: &Context, work: &mut Work, paths: &[PathBuf]) -> Vec<String> {
+    let mut said = Vec::new();
+    for file in &mut work.files {
+        let Some(path) = file.path.as_ref().filter(|path| paths.contains(path)) else { continue };
+        match std::fs::read(path) {
+            Ok(bytes) => {
+                let before = file.clone();
+                if file.is_now(bytes) {
+                    editor::remember(ctx, &before);
+                }
+            }
+            Err(why) => said.push(format!("{} cannot be read again: {why}", path.display())),
+        }
+    }
+    said
+}

@@ -1,0 +1,291 @@
+//! The laboratory in the window: an exercise's text, the student's files in an editor, their picture beside the right answer's,
+//! and what the checker says.
+//!
+//! | file | what |
+//! |---|---|
+//! | `work` | what is worked on: plain data |
+//! | `desk` | what is done with it: files read and saved, pairs compiled, checks begun and heard |
+//! | `drawing` | the pictures |
+//! | `editor`, `highlight` | the files' texts |
+//! | `bar`, `list`, `pictures` | the bar at the top, the exercises, the pictures and their settings |
+//! | `markdown`, `verdict`, `given` | the pages beside: the text, the verdict, the variables |
+//! | `told` | its part of the exported state |
+//!
+//! It is apart from the scene and its document: entering and leaving it leaves them as they are.
+
+mod bar;
+mod desk;
+mod drawing;
+mod editor;
+mod given;
+mod highlight;
+mod list;
+mod markdown;
+mod pictures;
+mod told;
+mod verdict;
+mod work;
+
+pub use drawing::Picture;
+pub use work::{GivenFile, Judged, Mark, MarkKind, OpenFile, Page, ProgramFacts, Shown, Start, Work};
+
+use crate::action::Action;
+use crate::drawing::Studio;
+use crate::exported::{self, Role};
+use crate::platform::Platform;
+use crate::theme::colors;
+use desk::Desk;
+use egui::{Frame, Margin, Panel, ScrollArea, Ui};
+
+/// Below this width (points) everything lies one above the other: a phone held upright.
+const NARROW: f32 = 720.0;
+
+/// What a person asks for in the laboratory.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Wish {
+    /// Begin an exercise: its word.
+    Begin(String),
+    /// The list of exercises.
+    List,
+    /// Back to the scene.
+    Leave,
+    /// Check what is in the editor.
+    Check,
+    /// No longer wait for the check.
+    StopChecking,
+    /// Save the files that were changed.
+    Save,
+    /// Save the files that are in memory into this folder.
+    SaveInto(String),
+    /// A step back in the current file.
+    Undo,
+    /// A step forth in the current file.
+    Redo,
+    /// The current file as it is on the disk.
+    TakeOther(usize),
+    /// The file as it is in the editor, also on the disk.
+    KeepMine(usize),
+    /// Light or dark.
+    Theme,
+}
+
+/// The laboratory.
+#[derive(Default)]
+pub struct Laboratory {
+    /// Whether it is shown in place of the scene.
+    pub is_open: bool,
+    /// What is worked on; the list of exercises where there is nothing.
+    pub work: Option<Work>,
+    desk: Desk,
+}
+
+impl Laboratory {
+    /// Begins an exercise, or goes on where these files are open already. A word that names none is one sentence.
+    pub fn begin(&mut self, start: Start) -> Result<(), String> {
+        let exercise = gonio_lab::exercise::find(&start.exercise)
+            .ok_or_else(|| format!("there is no exercise `{}`; the list names them all", start.exercise))?;
+        self.is_open = true;
+        if start.files.is_empty() && self.work.as_ref().is_some_and(|work| work.exercise.id == exercise.id) {
+            return Ok(());
+        }
+        self.desk = Desk::default();
+        self.work = Some(Work::new(exercise, start.files));
+        Ok(())
+    }
+
+    /// Files on the disk that are to be watched.
+    pub fn paths(&self) -> Vec<std::path::PathBuf> {
+        self.work.iter().flat_map(|work| work.files.iter().filter_map(|file| file.path.clone())).collect()
+    }
+
+    /// Its part of the state: see [`exported::state`].
+    pub fn state(&self) -> serde_json::Value {
+        told::state(self)
+    }
+
+    /// Forgets what lay on the GPU: its context is gone, or will be.
+    pub fn release(&mut self) {
+        self.desk.release();
+    }
+
+    /// A picture's pixels as they were drawn last, for tests: [`drawing::Easel::pixels`].
+    pub fn pixels(&self, picture: Picture) -> Option<(Vec<u8>, [u32; 2])> {
+        self.desk.easel()?.pixels(picture)
+    }
+
+    /// How many pictures were drawn since it was begun.
+    pub fn pictures(&self) -> u64 {
+        self.desk.easel().map_or(0, |easel| easel.pictures)
+    }
+
+    /// One frame of it, in all the room there is. Sentences that are to be said come back as errors.
+    pub fn ui(
+        &mut self,
+        ui: &mut Ui,
+        studio: Option<&mut Studio>,
+        platform: &mut dyn Platform,
+        actions: &mut Vec<Action>,
+    ) -> Vec<String> {
+        let mut said = Vec::new();
+        let mut wishes = Vec::new();
+        let ctx = ui.ctx().clone();
+        bar::keys(ui, self.work.as_ref(), &mut wishes);
+        let Some(work) = &mut self.work else {
+            bar::show(ui, None, &mut wishes);
+            list::show(ui, &mut wishes);
+            self.grant(&ctx, wishes, platform, actions, &mut said);
+            return said;
+        };
+        let seconds = ctx.input(|i| f64::from(i.stable_dt));
+        work.clock.advance(seconds);
+        self.desk.follow(&ctx, work, studio.as_deref(), platform, &mut said);
+        bar::show(ui, Some(work), &mut wishes);
+        let mut studio = studio;
+        let drawn = if ui.available_width() < NARROW {
+            narrow(ui, work, self.desk.easel_mut(), studio.as_deref_mut(), &mut wishes)
+        } else {
+            wide(ui, work, self.desk.easel_mut(), studio.as_deref_mut(), &mut wishes)
+        };
+        if let Err(why) = drawn {
+            said.push(why.to_string());
+        }
+        if work.clock.playing {
+            ctx.request_repaint();
+        }
+        self.grant(&ctx, wishes, platform, actions, &mut said);
+        said
+    }
+
+    /// Does what was asked for.
+    fn grant(
+        &mut self,
+        ctx: &egui::Context,
+        wishes: Vec<Wish>,
+        platform: &mut dyn Platform,
+        actions: &mut Vec<Action>,
+        said: &mut Vec<String>,
+    ) {
+        for wish in wishes {
+            ctx.request_repaint();
+            match wish {
+                Wish::Begin(exercise) => actions.push(Action::Exercise(exercise)),
+                Wish::List => actions.push(Action::Exercises),
+                Wish::Leave => self.is_open = false,
+                Wish::Theme => actions.push(Action::ToggleTheme),
+                other => {
+                    if let Some(work) = &mut self.work {
+                        self.desk.grant(ctx, work, other, platform, said);
+                    }
+                }
+            }
+        }
+    }
+
+    /// The list of exercises, in place of the one that is worked on. False where that has text that was not saved: it stays.
+    pub fn put_away(&mut self) -> bool {
+        if self.work.as_ref().is_some_and(Work::is_changed) {
+            return false;
+        }
+        self.desk = Desk::default();
+        self.work = None;
+        true
+    }
+
+    /// Files on the disk were changed by another program.
+    pub fn changed(&mut self, ctx: &egui::Context, paths: &[std::path::PathBuf]) -> Vec<String> {
+        self.work.as_mut().map_or_else(Vec::new, |work| desk::read_again(ctx, work, paths))
+    }
+}
+
+type Drawn = Result<(), gonio_gl::GlError>;
+
+/// The editor at the left, the picture above a page at the right.
+fn wide(
+    ui: &mut Ui,
+    work: &mut Work,
+    easel: Option<&mut drawing::Easel>,
+    studio: Option<&mut Studio>,
+    wishes: &mut Vec<Wish>,
+) -> Drawn {
+    if work.page == Page::Editor {
+        work.page = Page::Text;
+    }
+    let inside = Frame::NONE.inner_margin(Margin::symmetric(10, 6));
+    let width = 0.48 * ui.available_width();
+    Panel::left("laboratory files").frame(inside).default_size(width).size_range(280.0..=1200.0).show(ui, |ui| {
+        edit(ui, work, wishes);
+    });
+    let height = 0.5 * ui.available_height();
+    let page = Panel::bottom("laboratory page").frame(inside).default_size(height).size_range(120.0..=1200.0);
+    page.resizable(true).show(ui, |ui| {
+        pages(ui, work, &[Page::Text, Page::Verdict, Page::Given]);
+        page_of(ui, work, wishes);
+    });
+    egui::CentralPanel::no_frame().show(ui, |ui| pictures::show(ui, work, easel, studio)).inner
+}
+
+/// The picture above, and one page below.
+fn narrow(
+    ui: &mut Ui,
+    work: &mut Work,
+    easel: Option<&mut drawing::Easel>,
+    studio: Option<&mut Studio>,
+    wishes: &mut Vec<Wish>,
+) -> Drawn {
+    let height = (0.36 * ui.available_height()).max(120.0);
+    let drawn = Panel::top("laboratory picture").frame(Frame::NONE).exact_size(height).resizable(false);
+    let drawn = drawn.show(ui, |ui| pictures::show(ui, work, easel, studio)).inner;
+    let inside = Frame::NONE.inner_margin(Margin::symmetric(10, 6));
+    egui::CentralPanel::default().frame(inside).show(ui, |ui| {
+        pages(ui, work, &[Page::Editor, Page::Text, Page::Verdict, Page::Given]);
+        if work.page == Page::Editor {
+            edit(ui, work, wishes);
+        } else {
+            page_of(ui, work, wishes);
+        }
+    });
+    drawn
+}
+
+fn edit(ui: &mut Ui, work: &mut Work, wishes: &mut Vec<Wish>) {
+    match editor::show(ui, work) {
+        Some(editor::Asked::TakeOther(file)) => wishes.push(Wish::TakeOther(file)),
+        Some(editor::Asked::KeepMine(file)) => wishes.push(Wish::KeepMine(file)),
+        None => {}
+    }
+}
+
+/// The names of the pages, of which one is shown.
+fn pages(ui: &mut Ui, work: &mut Work, pages: &[Page]) {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        for &page in pages {
+            let (name, id) = match page {
+                Page::Editor => ("Files", "files"),
+                Page::Text => ("Exercise", "text"),
+                Page::Verdict => ("Verdict", "verdict"),
+                Page::Given => ("Variables", "given"),
+            };
+            let chosen = work.page == page;
+            let mut text = egui::RichText::new(name);
+            if chosen {
+                text = text.color(colors::ACCENT.of(ui));
+            }
+            let button = ui.add(egui::Button::new(text).selected(chosen).frame_when_inactive(false));
+            exported::note(ui, &button, &format!("page-{id}"), Role::Tab, name, chosen);
+            if button.clicked() {
+                work.page = page;
+            }
+        }
+    });
+    ui.separator();
+}
+
+fn page_of(ui: &mut Ui, work: &mut Work, wishes: &mut Vec<Wish>) {
+    let salt = (work.exercise.id.as_str(), work.page as u8);
+    ScrollArea::vertical().id_salt(salt).auto_shrink([false, false]).show(ui, |ui| match work.page {
+        Page::Text | Page::Editor => markdown::show(ui, work.exercise.text(), work.exercise.folder),
+        Page::Verdict => verdict::show(ui, work, wishes),
+        Page::Given => given::show(ui, work),
+    });
+}

@@ -1,0 +1,200 @@
+//! The pictures beside the editor: which of them, in which scene, seen from where.
+
+use super::drawing::{Easel, Picture, situations};
+use super::work::{Shown, Work};
+use crate::drawing::Studio;
+use crate::exported::{self, Role};
+use crate::theme::icons;
+use crate::viewport::{navigation, picture_size, present};
+use crate::widgets;
+use egui::{Align2, Color32, CornerRadius, Label, Rect, RichText, Sense, TextStyle, Ui, vec2};
+use glam::DVec3;
+use gonio_gl::GlError;
+use gonio_lab::exercise::Kind;
+
+/// What captions stand on, over any picture.
+const GROUND: Color32 = Color32::from_black_alpha(150);
+const INK: Color32 = Color32::from_gray(0xf2);
+
+/// Shows them in all the room there is.
+pub fn show(
+    ui: &mut Ui,
+    work: &mut Work,
+    easel: Option<&mut Easel>,
+    studio: Option<&mut Studio>,
+) -> Result<(), GlError> {
+    let whole = ui.available_rect_before_wrap();
+    ui.painter().rect_filled(whole, 0.0, ui.visuals().extreme_bg_color);
+    if work.exercise.kind != Kind::Shaders {
+        sentence(ui, whole, without_picture(work.exercise.kind));
+        return Ok(());
+    }
+    let (Some(easel), Some(studio)) = (easel, studio) else {
+        sentence(ui, whole, "There is no OpenGL here, so nothing is drawn.");
+        return Ok(());
+    };
+    settings(ui, work, easel);
+    let room = ui.available_rect_before_wrap();
+    let pictures = work.shown.pictures();
+    for (index, &picture) in pictures.iter().enumerate() {
+        let rect = part(room, index, pictures.len());
+        let size = picture_size(rect, ui.ctx().pixels_per_point());
+        let response = ui.allocate_rect(rect, Sense::click_and_drag());
+        let name = caption(picture);
+        exported::note(ui, &response, &format!("picture-{}", widgets::slug(name)), Role::Picture, name, "");
+        steer(ui, &response, work);
+        match easel.picture(picture, work, size, studio)? {
+            Some(shown) => present(ui, rect, shown),
+            None => sentence(ui, rect, nothing_yet(picture, work)),
+        }
+        if pictures.len() > 1 {
+            written(ui, rect, Align2::LEFT_BOTTOM, name, GROUND);
+        }
+        if picture == Picture::Yours && index == 0 {
+            let seen = situations(work, size);
+            if let (Some(pair), Some((_, first))) = (easel.pair(), seen.first()) {
+                work.program.given = pair.given(first);
+            }
+        }
+    }
+    over(ui, room, work);
+    Ok(())
+}
+
+/// What is said over the pictures: that an older program is seen, that one is tried elsewhere.
+fn over(ui: &Ui, room: Rect, work: &Work) {
+    let text = if work.program.is_tried {
+        "There are loops: it is tried elsewhere first, and drawn when it came to an end"
+    } else if work.program.is_old {
+        "The last program that compiled is shown"
+    } else {
+        return;
+    };
+    let rect = written(ui, room, Align2::CENTER_TOP, text, Color32::from_rgb(0x8a, 0x4b, 0x00));
+    let response = ui.interact(rect, ui.scope_id().with("older program"), Sense::hover());
+    exported::note(ui, &response, "older-program", Role::Text, text, "");
+}
+
+fn caption(picture: Picture) -> &'static str {
+    match picture {
+        Picture::Yours => "Yours",
+        Picture::Reference => "Reference",
+        Picture::Difference => "Difference",
+    }
+}
+
+fn nothing_yet(picture: Picture, work: &Work) -> &'static str {
+    match picture {
+        Picture::Yours if work.program.is_tried => "",
+        Picture::Yours => "Your program does not compile yet: what is wrong stands below the text.",
+        Picture::Reference => "This exercise has no picture of its own.",
+        Picture::Difference => "There is no difference to be seen before your program compiles.",
+    }
+}
+
+fn without_picture(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Buffers => {
+            "Your program, in any language, writes a vertex buffer. Save it as .csv, .json or raw floats beside your files: \
+             `gonio lab open ex02 cube.csv` shows it here, and Check says which triangles are wrong and why."
+        }
+        Kind::HostProgram => {
+            "This exercise's program is a list of OpenGL calls. Mend the text, and press Check: gonio carries it out call by \
+             call. `gonio lab check ex11 FILE.txt` does the same on the command line."
+        }
+        Kind::Shaders | Kind::Faces => {
+            "Six faces are the answer here: press Check, or use `gonio lab check` on the command line."
+        }
+    }
+}
+
+/// Which pictures, which scene, and whether time runs.
+fn settings(ui: &mut Ui, work: &mut Work, easel: &Easel) {
+    ui.add_space(4.0);
+    ui.horizontal_wrapped(|ui| {
+        ui.add_space(8.0);
+        ui.spacing_mut().item_spacing = vec2(6.0, 2.0);
+        if easel.has_reference() {
+            let options = [
+                (Shown::Yours, "yours", "What your program draws"),
+                (Shown::Reference, "reference", "What the right answer draws"),
+                (Shown::Both, "both", "Both side by side"),
+                (Shown::Difference, "difference", "Where they differ: dark is the same"),
+            ];
+            widgets::choice(ui, "shown", "Picture", &mut work.shown, &options, Shown::Yours);
+        }
+        if work.scenes.len() > 1 {
+            ui.separator();
+            let mut scene = work.scene;
+            let options: Vec<(usize, &str, &str)> =
+                work.scenes.iter().enumerate().map(|(index, scene)| (index, scene.name, scene.shows)).collect();
+            if widgets::choice(ui, "scene", "Scene", &mut scene, &options, 0) {
+                work.look_at(scene);
+            }
+        }
+        let playing = work.clock.playing;
+        let (icon, tip) = if playing { (icons::PAUSE, "Let time stand still") } else { (icons::PLAY, "Let time run") };
+        if widgets::icon_button(ui, "play", icon, tip).clicked() {
+            work.clock.playing = !playing;
+        }
+        if widgets::icon_button(ui, "frame", icons::FRAME_CORNERS, "Look from where it was looked from first").clicked()
+        {
+            let clock = work.clock;
+            work.look_at(work.scene);
+            work.clock = clock;
+        }
+    });
+    ui.add_space(2.0);
+}
+
+fn steer(ui: &Ui, response: &egui::Response, work: &mut Work) {
+    let Some(scene) = work.scene() else { return };
+    let looks_around = scene.looks_around;
+    let middle = scene.eye.target.as_dvec3();
+    let extent = f64::from(scene.eye.position.distance(scene.eye.target)).max(0.5);
+    let camera = &mut work.camera;
+    if navigation::steer(ui, response, camera, DVec3::from(middle), extent, looks_around) {
+        ui.ctx().request_repaint();
+    }
+}
+
+/// One of several rectangles side by side, or one above the other where the room is upright.
+fn part(room: Rect, index: usize, count: usize) -> Rect {
+    let along = vec2(1.0, 0.0) * f32::from(room.width() >= room.height())
+        + vec2(0.0, 1.0) * f32::from(room.height() > room.width());
+    let step = room.size() * along / count.max(1) as f32;
+    let size = step + room.size() * (vec2(1.0, 1.0) - along);
+    Rect::from_min_size(room.min + step * index as f32, size).shrink2(along)
+}
+
+/// A sentence in the middle of where a picture would be.
+fn sentence(ui: &mut Ui, rect: Rect, text: &str) {
+    let width = (rect.width() - 40.0).clamp(60.0, 460.0);
+    let place = Rect::from_center_size(rect.center(), vec2(width, 90.0_f32.min(rect.height())));
+    let mut inner = ui.new_child(egui::UiBuilder::new().max_rect(place));
+    inner.add(Label::new(RichText::new(text).weak()).wrap());
+}
+
+/// Words over a picture; where they stand.
+fn written(ui: &Ui, rect: Rect, align: Align2, text: &str, ground: Color32) -> Rect {
+    let room = rect.shrink(8.0);
+    let style = TextStyle::Body.resolve(ui.style());
+    let mut job = egui::text::LayoutJob::simple(text.to_owned(), style, INK, (room.width() - 16.0).max(20.0));
+    job.halign = egui::Align::LEFT;
+    let galley = ui.painter().layout_job(job);
+    let place = align.align_size_within_rect(galley.size() + vec2(16.0, 8.0), room);
+    let painter = ui.painter().with_clip_rect(rect);
+    painter.rect_filled(place, CornerRadius::same(6), ground);
+    painter.galley(place.min + vec2(8.0, 4.0), galley, INK);
+    place
+}
+
+/// A word for tests of what is shown.
+pub fn word(shown: Shown) -> &'static str {
+    match shown {
+        Shown::Yours => "yours",
+        Shown::Reference => "reference",
+        Shown::Both => "both",
+        Shown::Difference => "difference",
+    }
+}

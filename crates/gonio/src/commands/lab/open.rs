@@ -1,0 +1,80 @@
+//! `gonio lab open`: an exercise in the window.
+
+use super::{exercise, files};
+use crate::cli::WordOptions;
+use crate::report::{CliError, Outcome};
+use crate::values;
+use clap::Args;
+use gonio_app::laboratory::{GivenFile, Start};
+use gonio_app::platform::desktop::{self, WindowOptions};
+use std::path::{Path, PathBuf};
+
+/// Work on an exercise in the window: an editor, the picture beside the right answer's, and the checker.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  gonio lab open ex04
+      The files to start from, in memory; Ctrl + S saves them into a folder.
+  gonio lab open ex04 mine
+      The files in the folder `mine`: they may be changed in any editor, and the window follows.
+  gonio lab open ex07 light.vert light.frag --size 1600x1000
+
+Ctrl + Enter checks, Ctrl + S saves. Exit codes: 0 the window was closed, 2 error (no display, no such file).")]
+pub struct OpenArgs {
+    /// Which: ex04, or 4.
+    #[arg(value_name = "EX")]
+    pub exercise: String,
+    /// Your files, or the folder that they are in; without any the ones to start from.
+    #[arg(value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// Size of the window.
+    #[arg(long, value_name = "WxH", value_parser = values::size)]
+    pub size: Option<(u32, u32)>,
+    /// Write the window's state to this file after every frame, as JSON (for tests).
+    #[arg(long, value_name = "FILE", hide = true)]
+    pub state: Option<PathBuf>,
+    /// What is said.
+    #[command(flatten)]
+    pub words: WordOptions,
+}
+
+/// Opens it, and returns when it is closed.
+pub fn run(args: &OpenArgs) -> Result<Outcome, CliError> {
+    let exercise = exercise(&args.exercise)?;
+    let mut given = Vec::new();
+    for path in &args.files {
+        given.extend(read(path)?);
+    }
+    if given.is_empty() && !args.files.is_empty() {
+        let places: Vec<String> = args.files.iter().map(|path| path.display().to_string()).collect();
+        return Err(CliError::new(format!(
+            "there are no files in {}; `gonio lab start {} {}` begins the exercise there",
+            places.join(", "),
+            exercise.id,
+            places.join(" ")
+        )));
+    }
+    let window = WindowOptions {
+        size: args.size.map(|(width, height)| [width as f32, height as f32]),
+        state: args.state.clone(),
+        program: std::env::current_exe().ok(),
+        exercise: Some(Start { exercise: exercise.id.clone(), files: given }),
+        ..WindowOptions::default()
+    };
+    desktop::run(window).map_err(CliError::new)?;
+    Ok(Outcome::Done)
+}
+
+/// The files of a path: of a folder those within it, by their names there; of a zip in memory.
+fn read(path: &Path) -> Result<Vec<GivenFile>, CliError> {
+    let found = files::read(std::slice::from_ref(&path.to_owned()))?;
+    let given = |file: gonio_lab::submission::SourceFile| {
+        let place = if path.is_dir() { path.join(&file.name) } else { path.to_owned() };
+        let is_itself = place.is_file() && (path.is_dir() || Path::new(&file.name) == path);
+        let own = Path::new(&file.name).file_name().map(|name| name.to_string_lossy().into_owned());
+        let name = if path.is_dir() { file.name } else { own.unwrap_or(file.name) };
+        let absolute = || std::path::absolute(&place).unwrap_or_else(|_| place.clone());
+        GivenFile { name, path: is_itself.then(absolute), bytes: file.bytes }
+    };
+    Ok(found.into_iter().map(given).collect())
+}
