@@ -419,7 +419,7 @@ impl Lab {
             Action::TakeApart => self.take_apart(ctx),
             Action::Dismiss(id) => self.session.messages.dismiss(id),
             Action::Laboratory => self.laboratory.is_open = true,
-            Action::Exercises => self.list_exercises(),
+            Action::Exercises => self.laboratory.list(),
             Action::Exercise(exercise) => self.begin_exercise(ctx, Start { exercise, files: Vec::new() }),
         }
         ctx.request_repaint();

@@ -15,24 +15,10 @@ impl Lab {
 
     /// Shows the laboratory with an exercise and a student's files. What goes wrong is said in the window.
     pub fn begin_exercise(&mut self, ctx: &egui::Context, start: Start) {
-        if let Some(work) = &self.laboratory.work
-            && work.exercise.id != start.exercise
-            && !self.laboratory.put_away()
-        {
-            self.session.messages.say(Severity::Warning, UNSAVED);
-            return;
-        }
         if let Err(why) = self.laboratory.begin(start) {
             self.session.messages.say(Severity::Error, why);
         }
         self.watch(ctx);
-    }
-
-    /// Shows the list of exercises.
-    pub(super) fn list_exercises(&mut self) {
-        if !self.laboratory.put_away() {
-            self.session.messages.say(Severity::Warning, UNSAVED);
-        }
     }
 
     /// A frame with the laboratory in place of the scene, which stays as it is.
@@ -69,5 +55,3 @@ impl Lab {
         self.changed.extend(paths.into_iter().filter(|path| self.read.contains(path)));
     }
 }
-
-const UNSAVED: &str = "there is text that was not saved; save it (Ctrl + S) before you go to another exercise";

@@ -31,6 +31,9 @@ pub fn keys(ui: &Ui, work: Option<&Work>, wishes: &mut Vec<Wish>) {
         if is_editors_own && (is_writing || work.asking.is_some()) {
             continue;
         }
+        if wish == Wish::StopChecking && !work.checking {
+            continue;
+        }
         if ui.input_mut(|i| i.consume_shortcut(&KeyboardShortcut::new(modifiers, key))) {
             wishes.push(wish);
         }

@@ -243,7 +243,12 @@ impl Desk {
 }
 
 fn request(work: &Work, content: &[SourceFile]) -> CheckRequest {
-    let files = content.iter().map(|file| (file.name.clone(), file.bytes.clone())).collect();
+    // Of several host programs the one in the editor is meant.
+    let of_host = work.exercise.kind == Kind::HostProgram;
+    let in_editor = work.files.get(work.current).map(|file| file.name.as_str()).filter(|name| name.ends_with(".txt"));
+    let is_meant = |name: &str| !of_host || in_editor.is_none_or(|meant| meant == name || !name.ends_with(".txt"));
+    let meant = content.iter().filter(|file| is_meant(&file.name));
+    let files = meant.map(|file| (file.name.clone(), file.bytes.clone())).collect();
     CheckRequest { exercise: work.exercise.id.clone(), files, as_the_lab: work.as_the_lab }
 }
 

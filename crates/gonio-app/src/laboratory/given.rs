@@ -50,7 +50,6 @@ fn row(ui: &mut Ui, given: &Given) {
         match &given.role {
             Some((role, how)) => {
                 ui.label(RichText::new(role).font(theme::bold(13.0)).color(colors::ACCENT.of(ui))).on_hover_text(how);
-                ui.label(RichText::new(how).small().weak());
             }
             None => {
                 ui.label(RichText::new("not known").color(colors::WARNING.of(ui)));
@@ -61,7 +60,7 @@ fn row(ui: &mut Ui, given: &Given) {
         }
     });
     if given.value.contains('\n') {
-        ui.indent(&given.name, |ui| ui.label(RichText::new(columns(&given.value)).monospace().small()));
+        ui.indent(&given.name, |ui| ui.label(RichText::new(columns(&given.value)).monospace().size(11.0)));
     }
 }
 

@@ -1,16 +1,18 @@
 //! The exercises, to be chosen from.
 
 use super::Wish;
+use super::work::Work;
 use crate::exported::{self, Role};
 use crate::theme::{self, colors};
 use egui::{CentralPanel, CornerRadius, Frame, Label, Margin, RichText, ScrollArea, Sense, Ui, UiBuilder};
 use gonio_lab::exercise;
+use gonio_lab::verdict::Outcome;
 
 /// Points that lines of text should not be longer than.
 const WIDTH: f32 = 720.0;
 
-/// Shows them, a card each.
-pub fn show(ui: &mut Ui, wishes: &mut Vec<Wish>) {
+/// Shows them, a card each; `begun` are those that something was done for.
+pub fn show(ui: &mut Ui, begun: &[&Work], wishes: &mut Vec<Wish>) {
     let inside = Frame::NONE.inner_margin(Margin::symmetric(14, 10));
     CentralPanel::default().frame(inside).show(ui, |ui| {
         ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
@@ -25,7 +27,8 @@ pub fn show(ui: &mut Ui, wishes: &mut Vec<Wish>) {
                     ui.add(Label::new(RichText::new(sentence).weak()).wrap());
                     ui.add_space(8.0);
                     for exercise in exercise::all() {
-                        card(ui, exercise, wishes);
+                        let begun = begun.iter().find(|work| work.exercise.id == exercise.id);
+                        card(ui, exercise, begun.map(|work| state_of(work)), wishes);
                     }
                 });
             });
@@ -33,7 +36,17 @@ pub fn show(ui: &mut Ui, wishes: &mut Vec<Wish>) {
     });
 }
 
-fn card(ui: &mut Ui, exercise: &exercise::Exercise, wishes: &mut Vec<Wish>) {
+/// What was done for an exercise, in a word.
+fn state_of(work: &Work) -> &'static str {
+    let outcome = work.judged.as_ref().and_then(|judged| judged.verdict.as_ref().ok()).map(|found| found.verdict);
+    match outcome {
+        Some(Outcome::Correct) => "correct",
+        _ if work.is_changed() => "not saved",
+        _ => "begun",
+    }
+}
+
+fn card(ui: &mut Ui, exercise: &exercise::Exercise, state: Option<&str>, wishes: &mut Vec<Wish>) {
     let builder = UiBuilder::new().id_salt(&exercise.id).sense(Sense::click());
     let response = ui
         .scope_builder(builder, |ui| {
@@ -48,6 +61,10 @@ fn card(ui: &mut Ui, exercise: &exercise::Exercise, wishes: &mut Vec<Wish>) {
                     ui.add(words(
                         RichText::new(&exercise.title).font(theme::bold(14.5)).color(ui.visuals().strong_text_color()),
                     ));
+                    if let Some(state) = state {
+                        let color = if state == "correct" { colors::NORMAL } else { colors::WARNING };
+                        ui.add(words(RichText::new(state).small().color(color.of(ui))));
+                    }
                 });
                 ui.add(words(RichText::new(&exercise.summary)).wrap());
             });

@@ -74,8 +74,11 @@ fn code_block(ui: &mut Ui, code: &str, index: usize) {
 fn table(ui: &mut Ui, rows: &[Vec<&str>]) {
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0).max(1);
     let longest = |column: usize| {
-        let lengths = rows.iter().map(|row| row.get(column).map_or(0, |cell| cell.chars().count()));
-        lengths.max().unwrap_or(0).clamp(4, 46) as f32
+        let cells = || rows.iter().filter_map(|row| row.get(column));
+        let whole = cells().map(|cell| cell.chars().count()).max().unwrap_or(0).min(40);
+        // No word is broken where that can be helped.
+        let word = cells().flat_map(|cell| cell.split(' ')).map(|word| word.chars().count()).max().unwrap_or(0);
+        whole.max(word + 2).max(5) as f32
     };
     let weights: Vec<f32> = (0..columns).map(longest).collect();
     let gap = 10.0;

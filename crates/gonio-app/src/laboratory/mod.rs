@@ -74,28 +74,48 @@ pub enum Wish {
 pub struct Laboratory {
     /// Whether it is shown in place of the scene.
     pub is_open: bool,
-    /// What is worked on; the list of exercises where there is nothing.
+    /// What is worked on.
     pub work: Option<Work>,
+    /// Other exercises that were begun, with everything that was written there.
+    aside: Vec<Work>,
+    /// The list of exercises is shown, and not what is worked on.
+    is_listing: bool,
     desk: Desk,
 }
 
 impl Laboratory {
-    /// Begins an exercise, or goes on where these files are open already. A word that names none is one sentence.
+    /// Begins an exercise with these files; without any, goes on where it was left, or begins with the files to start from. A
+    /// word that names none is one sentence.
     pub fn begin(&mut self, start: Start) -> Result<(), String> {
         let exercise = gonio_lab::exercise::find(&start.exercise)
             .ok_or_else(|| format!("there is no exercise `{}`; the list names them all", start.exercise))?;
-        self.is_open = true;
+        (self.is_open, self.is_listing) = (true, false);
         if start.files.is_empty() && self.work.as_ref().is_some_and(|work| work.exercise.id == exercise.id) {
             return Ok(());
         }
+        let known = self.aside.iter().position(|work| start.files.is_empty() && work.exercise.id == exercise.id);
+        let next = match known {
+            Some(index) => self.aside.remove(index).resumed(),
+            None => Work::new(exercise, start.files),
+        };
         self.desk = Desk::default();
-        self.work = Some(Work::new(exercise, start.files));
+        self.aside.extend(self.work.replace(next));
         Ok(())
+    }
+
+    /// Shows the list of exercises; what is worked on stays as it is.
+    pub fn list(&mut self) {
+        (self.is_open, self.is_listing) = (true, true);
+    }
+
+    /// Everything that was begun.
+    pub fn works(&self) -> impl Iterator<Item = &Work> {
+        self.work.iter().chain(&self.aside)
     }
 
     /// Files on the disk that are to be watched.
     pub fn paths(&self) -> Vec<std::path::PathBuf> {
-        self.work.iter().flat_map(|work| work.files.iter().filter_map(|file| file.path.clone())).collect()
+        self.works().flat_map(|work| work.files.iter().filter_map(|file| file.path.clone())).collect()
     }
 
     /// Its part of the state: see [`exported::state`].
@@ -129,10 +149,12 @@ impl Laboratory {
         let mut said = Vec::new();
         let mut wishes = Vec::new();
         let ctx = ui.ctx().clone();
-        bar::keys(ui, self.work.as_ref(), &mut wishes);
-        let Some(work) = &mut self.work else {
+        let work = self.work.as_mut().filter(|_| !self.is_listing);
+        bar::keys(ui, work.as_deref(), &mut wishes);
+        let Some(work) = work else {
             bar::show(ui, None, &mut wishes);
-            list::show(ui, &mut wishes);
+            let begun: Vec<&Work> = self.works().collect();
+            list::show(ui, &begun, &mut wishes);
             self.grant(&ctx, wishes, platform, actions, &mut said);
             return said;
         };
@@ -181,19 +203,10 @@ impl Laboratory {
         }
     }
 
-    /// The list of exercises, in place of the one that is worked on. False where that has text that was not saved: it stays.
-    pub fn put_away(&mut self) -> bool {
-        if self.work.as_ref().is_some_and(Work::is_changed) {
-            return false;
-        }
-        self.desk = Desk::default();
-        self.work = None;
-        true
-    }
-
     /// Files on the disk were changed by another program.
     pub fn changed(&mut self, ctx: &egui::Context, paths: &[std::path::PathBuf]) -> Vec<String> {
-        self.work.as_mut().map_or_else(Vec::new, |work| desk::read_again(ctx, work, paths))
+        let works = self.work.iter_mut().chain(&mut self.aside);
+        works.flat_map(|work| desk::read_again(ctx, work, paths)).collect()
     }
 }
 

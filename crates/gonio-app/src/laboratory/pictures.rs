@@ -14,6 +14,8 @@ use gonio_lab::exercise::Kind;
 
 /// What captions stand on, over any picture.
 const GROUND: Color32 = Color32::from_black_alpha(150);
+/// Below this width (points) the scenes have a row of their own.
+const NARROW: f32 = 480.0;
 const INK: Color32 = Color32::from_gray(0xf2);
 
 /// Shows them in all the room there is.
@@ -110,10 +112,9 @@ fn without_picture(kind: Kind) -> &'static str {
 
 /// Which pictures, which scene, and whether time runs.
 fn settings(ui: &mut Ui, work: &mut Work, easel: &Easel) {
+    let narrow = ui.available_width() < NARROW;
     ui.add_space(4.0);
-    ui.horizontal_wrapped(|ui| {
-        ui.add_space(8.0);
-        ui.spacing_mut().item_spacing = vec2(6.0, 2.0);
+    let which = |ui: &mut Ui, work: &mut Work| {
         if easel.has_reference() {
             let options = [
                 (Shown::Yours, "yours", "What your program draws"),
@@ -121,30 +122,48 @@ fn settings(ui: &mut Ui, work: &mut Work, easel: &Easel) {
                 (Shown::Both, "both", "Both side by side"),
                 (Shown::Difference, "difference", "Where they differ: dark is the same"),
             ];
-            widgets::choice(ui, "shown", "Picture", &mut work.shown, &options, Shown::Yours);
+            widgets::choice(ui, "shown", "Picture", &mut work.shown, &options, Shown::default());
         }
-        if work.scenes.len() > 1 {
+    };
+    let row = |ui: &mut Ui, content: &mut dyn FnMut(&mut Ui)| {
+        ui.horizontal(|ui| {
+            ui.add_space(6.0);
+            ui.spacing_mut().item_spacing.x = 6.0;
+            content(ui);
+        });
+    };
+    if narrow {
+        row(ui, &mut |ui| which(ui, work));
+        row(ui, &mut |ui| scene_and_time(ui, work));
+    } else {
+        row(ui, &mut |ui| {
+            which(ui, work);
             ui.separator();
-            let mut scene = work.scene;
-            let options: Vec<(usize, &str, &str)> =
-                work.scenes.iter().enumerate().map(|(index, scene)| (index, scene.name, scene.shows)).collect();
-            if widgets::choice(ui, "scene", "Scene", &mut scene, &options, 0) {
-                work.look_at(scene);
-            }
-        }
-        let playing = work.clock.playing;
-        let (icon, tip) = if playing { (icons::PAUSE, "Let time stand still") } else { (icons::PLAY, "Let time run") };
-        if widgets::icon_button(ui, "play", icon, tip).clicked() {
-            work.clock.playing = !playing;
-        }
-        if widgets::icon_button(ui, "frame", icons::FRAME_CORNERS, "Look from where it was looked from first").clicked()
-        {
-            let clock = work.clock;
-            work.look_at(work.scene);
-            work.clock = clock;
-        }
-    });
+            scene_and_time(ui, work);
+        });
+    }
     ui.add_space(2.0);
+}
+
+fn scene_and_time(ui: &mut Ui, work: &mut Work) {
+    if work.scenes.len() > 1 {
+        let mut scene = work.scene;
+        let options: Vec<(usize, &str, &str)> =
+            work.scenes.iter().enumerate().map(|(index, scene)| (index, scene.name, scene.shows)).collect();
+        if widgets::choice(ui, "scene", "Scene", &mut scene, &options, 0) {
+            work.look_at(scene);
+        }
+    }
+    let playing = work.clock.playing;
+    let (icon, tip) = if playing { (icons::PAUSE, "Let time stand still") } else { (icons::PLAY, "Let time run") };
+    if widgets::icon_button(ui, "play", icon, tip).clicked() {
+        work.clock.playing = !playing;
+    }
+    if widgets::icon_button(ui, "frame", icons::FRAME_CORNERS, "Look from where it was looked from first").clicked() {
+        let clock = work.clock;
+        work.look_at(work.scene);
+        work.clock = clock;
+    }
 }
 
 fn steer(ui: &Ui, response: &egui::Response, work: &mut Work) {

@@ -107,11 +107,11 @@ fn decoded(bytes: &[u8]) -> (String, bool) {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Shown {
     /// The student's.
-    #[default]
     Yours,
     /// The right answer's.
     Reference,
     /// Both side by side.
+    #[default]
     Both,
     /// Where they differ.
     Difference,
@@ -225,6 +225,11 @@ impl Work {
         };
         work.look_at(0);
         work
+    }
+
+    /// The same, put aside and taken up again: nothing is compiled yet.
+    pub fn resumed(self) -> Self {
+        Work { program: ProgramFacts::default(), checking: false, ..self }
     }
 
     /// Goes to another scene, and looks at it from its own place.

@@ -156,7 +156,7 @@ fn three_spheres(light: Light) -> Scene {
     };
     let parts = vec![part(Body::ExtremelyCoarse, -1.15), part(Body::Coarse, 0.0), part(Body::Smooth, 1.15)];
     let shows = "the lab's own: a sphere of few triangles, one of more, one of many";
-    scene("the lab's", shows, parts, light, eye([0.0, 0.35, 2.2], [0.0, 0.0, -2.0], 44.0))
+    scene("the lab's", shows, parts, light, eye([0.0, 0.35, 2.2], [0.0, 0.0, -2.0], 52.0))
 }
 
 /// What a model that is scaled evenly and not turned hides.
