@@ -44,6 +44,8 @@ pub struct Lab {
     read: Vec<PathBuf>,
     /// Those of the laboratory that are watched.
     watched: Vec<PathBuf>,
+    /// The window was to be closed, and there was text that was not saved.
+    asked_to_close: bool,
     platform: Box<dyn Platform>,
     studio: Option<Studio>,
     laboratory: Laboratory,
@@ -88,6 +90,7 @@ impl Lab {
             changed: Vec::new(),
             read: Vec::new(),
             watched: Vec::new(),
+            asked_to_close: false,
             platform,
             studio,
             laboratory: Laboratory::default(),
@@ -161,6 +164,7 @@ impl Lab {
         if let Some(finished) = self.jobs.poll() {
             self.take(&ctx, finished);
         }
+        self.before_closing(&ctx);
         if self.laboratory.is_open {
             return self.laboratory_ui(ui);
         }

@@ -300,7 +300,7 @@ fn the_exercises_are_listed_begun_and_left_and_the_scene_stays() {
         assert!(names.contains(&"start.vert".into()), "{names:?}");
         window.click("leave");
         assert_eq!(window.state()["open"], false);
-        window.widget("equation");
+        window.widget("term-diffuse");
         assert_eq!(window.lab().document().panes, scene.panes);
     }
 }

@@ -33,11 +33,28 @@ impl Lab {
         for action in actions {
             self.act(&ctx, action);
         }
+        self.asked_to_close &= self.laboratory.works().any(|work| work.is_changed());
         let paths = self.laboratory.paths();
         if paths != self.watched {
             self.watch(&ctx);
         }
         self.publish(&ctx);
+    }
+
+    /// A window with text that was not saved closes when it is asked a second time.
+    pub(super) fn before_closing(&mut self, ctx: &egui::Context) {
+        if !ctx.input(|i| i.viewport().close_requested()) || self.asked_to_close {
+            return;
+        }
+        let Some(work) = self.laboratory.works().find(|work| work.is_changed()) else { return };
+        let sentence = format!(
+            "what you wrote for {} is not saved; Ctrl + S saves it, and to close again throws it away",
+            work.exercise.id
+        );
+        ctx.send_viewport_cmd(egui::ViewportCommand::CancelClose);
+        self.asked_to_close = true;
+        self.laboratory.is_open = true;
+        self.session.messages.say(Severity::Warning, sentence);
     }
 
     /// Watches the files of the scene and those of the laboratory.

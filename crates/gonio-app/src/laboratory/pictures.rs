@@ -7,7 +7,7 @@ use crate::exported::{self, Role};
 use crate::theme::icons;
 use crate::viewport::{navigation, picture_size, present};
 use crate::widgets;
-use egui::{Align2, Color32, CornerRadius, Label, Rect, RichText, Sense, TextStyle, Ui, vec2};
+use egui::{Align2, Color32, CornerRadius, Label, Rect, RichText, Sense, TextStyle, Ui, pos2, vec2};
 use glam::DVec3;
 use gonio_gl::GlError;
 use gonio_lab::exercise::Kind;
@@ -39,7 +39,7 @@ pub fn show(
     let room = ui.available_rect_before_wrap();
     let pictures = work.shown.pictures();
     for (index, &picture) in pictures.iter().enumerate() {
-        let rect = part(room, index, pictures.len());
+        let rect = part(room, index, pictures.len(), ui.ctx().pixels_per_point());
         let size = picture_size(rect, ui.ctx().pixels_per_point());
         let response = ui.allocate_rect(rect, Sense::click_and_drag());
         let name = caption(picture);
@@ -177,13 +177,20 @@ fn steer(ui: &Ui, response: &egui::Response, work: &mut Work) {
     }
 }
 
-/// One of several rectangles side by side, or one above the other where the room is upright.
-fn part(room: Rect, index: usize, count: usize) -> Rect {
-    let along = vec2(1.0, 0.0) * f32::from(room.width() >= room.height())
-        + vec2(0.0, 1.0) * f32::from(room.height() > room.width());
-    let step = room.size() * along / count.max(1) as f32;
-    let size = step + room.size() * (vec2(1.0, 1.0) - along);
-    Rect::from_min_size(room.min + step * index as f32, size).shrink2(along)
+/// One of several rectangles side by side, or one above the other where the room is upright. All have as many pixels: their
+/// pictures are compared.
+fn part(room: Rect, index: usize, count: usize, pixels_per_point: f32) -> Rect {
+    let whole = |points: f32| (points * pixels_per_point).floor() / pixels_per_point;
+    let min = pos2(whole(room.left()), whole(room.top()));
+    let share = |side: f32| whole(side / count.max(1) as f32);
+    let index = index as f32;
+    if room.width() >= room.height() {
+        let width = share(room.width());
+        Rect::from_min_size(min + vec2(index * width, 0.0), vec2(width, whole(room.height())))
+    } else {
+        let height = share(room.height());
+        Rect::from_min_size(min + vec2(0.0, index * height), vec2(whole(room.width()), height))
+    }
 }
 
 /// A sentence in the middle of where a picture would be.
@@ -215,5 +222,21 @@ pub fn word(shown: Shown) -> &'static str {
         Shown::Reference => "reference",
         Shown::Both => "both",
         Shown::Difference => "difference",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pictures_side_by_side_have_as_many_pixels() {
+        for step in 0..200 {
+            let pixels_per_point = [1.0, 1.25, 1.5, 2.0, 1.1][step % 5];
+            let [left, top] = [0.37, 0.61].map(|share| share * step as f32);
+            let room = Rect::from_min_size(pos2(left, top), vec2(300.3 + left, 400.7 - 2.0 * top));
+            let sizes = [0, 1].map(|index| picture_size(part(room, index, 2, pixels_per_point), pixels_per_point));
+            assert_eq!(sizes[0], sizes[1], "{room:?} at {pixels_per_point}");
+        }
     }
 }

@@ -4,6 +4,7 @@ mod compile;
 mod conversion;
 mod difference;
 mod environment;
+mod foreign;
 mod overlays;
 mod paint;
 mod record;
