@@ -68,7 +68,9 @@ pub fn check(
 ) -> Result<(Verdict, Option<Evidence>), GlError> {
     match exercise.kind {
         Kind::Buffers => return Ok((other::buffers(exercise, files), None)),
-        Kind::HostProgram => return Ok((other::host_program(checker.gl(), exercise, files)?, None)),
+        Kind::HostProgram => {
+            return Ok((other::host_program(checker.gl(), exercise, files, &checker.host_files())?, None));
+        }
         Kind::Shaders | Kind::Faces => {}
     }
     let unsure = |sentence: String| Ok((Verdict::new(&exercise.id, Outcome::Unsure, sentence), None));

@@ -14,14 +14,17 @@ pub(crate) use predict::declared;
 pub use task::{TASKS, Task};
 
 use crate::bank::{Hypothesis, Model};
+use crate::host;
 use crate::names::{self, Declared, Kind, NamesFile, Role};
 use crate::stage::{Sheet, Stage};
 use crate::verdict::{Outcome, Verdict};
 use gonio_gl::foreign::ForeignProgram;
+use gonio_gl::host::{HostFiles, HostImage};
 use gonio_gl::{Gl, GlError};
 use predict::{CompiledModel, ModelCast};
 use search::{Found, Search};
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
+use std::sync::Arc;
 
 /// A pair of shaders that runs here, and what is known of it beside its pictures.
 pub struct Prepared {
@@ -58,12 +61,28 @@ pub struct Checker {
     gl: Gl,
     models: HashMap<Model, CompiledModel>,
     stages: HashMap<&'static str, (Stage, usize)>,
+    images: BTreeMap<String, Arc<HostImage>>,
 }
 
 impl Checker {
     /// In this context.
     pub fn new(gl: &Gl) -> Self {
-        Checker { gl: gl.clone(), models: HashMap::new(), stages: HashMap::new() }
+        Checker { gl: gl.clone(), models: HashMap::new(), stages: HashMap::new(), images: BTreeMap::new() }
+    }
+
+    /// Gives an image that host programs may name: PNG, JPEG, BMP, TGA or GIF. Wanted on the web, where the program carries
+    /// none. An error says why it cannot be read.
+    pub fn give_image(&mut self, name: &str, bytes: &[u8]) -> Result<(), String> {
+        let image = HostImage::decode(name, bytes).map_err(|why| format!("{name}: {why}"))?;
+        self.images.insert(name.to_owned(), Arc::new(image));
+        Ok(())
+    }
+
+    /// What host programs may name.
+    pub(crate) fn host_files(&self) -> HostFiles {
+        let mut files = host::exercise_files();
+        files.images.extend(self.images.clone());
+        files
     }
 
     /// The context.
