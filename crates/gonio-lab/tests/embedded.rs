@@ -76,3 +76,32 @@ fn verdicts_are_the_same_in_opengl_es() {
         .collect();
     assert!(differ.is_empty(), "{} of {}:\n{}", differ.len(), sample.len(), differ.join("\n"));
 }
+
+#[test]
+fn a_loop_without_end_ends_in_a_verdict() {
+    let context = HeadlessContext::with_options(&HeadlessOptions { es: true, ..Default::default() })
+        .unwrap_or_else(|why| panic!("{why}"));
+    let mut checker = Checker::new(context.gl());
+    let right =
+        submissions("correct").into_iter().find(|submission| submission.name == "ex04/correct/lab-plain").unwrap();
+    let endless = |stage: &str, body: &str| {
+        let mut files = right.files.clone();
+        let file = files.iter_mut().find(|file| file.name.contains(stage)).unwrap();
+        let text = String::from_utf8(file.bytes.clone()).unwrap();
+        let (head, main) = text.split_once("main").unwrap();
+        let (open, rest) = main.split_once('{').unwrap();
+        file.bytes = format!("{head}main{open}{{ {body}{rest}").into_bytes();
+        Submission { files, name: String::new(), exercise: right.exercise.clone(), expected: toml::Table::new() }
+    };
+    for stage in ["vert", "frag"] {
+        for body in ["while (true) { }", "for (;;) ;", "int i = 0; do { i = 0; } while (i < 1);"] {
+            let verdict = endless(stage, body).check(&mut checker);
+            assert_eq!(verdict.verdict, Outcome::Unsure, "{stage}: {body}: {}", verdict.summary);
+            assert!(verdict.summary.contains("never ends"), "{stage}: {body}: {}", verdict.summary);
+        }
+        // What ends is no mistake, and is no variable of the student's.
+        let verdict = endless(stage, "for (int i = 0; i < 500; i++) { if (i > 400) continue; }").check(&mut checker);
+        assert_eq!(verdict.verdict, Outcome::Correct, "{stage}: {}", verdict.summary);
+        assert!(verdict.bound.iter().all(|bound| !bound.name.contains("gonio")), "{:?}", verdict.bound);
+    }
+}

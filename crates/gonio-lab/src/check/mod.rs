@@ -16,7 +16,7 @@ pub use task::{TASKS, Task};
 use crate::bank::{Hypothesis, Model};
 use crate::host;
 use crate::names::{self, Declared, Kind, NamesFile, Role};
-use crate::stage::{Sheet, Stage};
+use crate::stage::{Cast, Sheet, Stage};
 use crate::verdict::{Outcome, Verdict};
 use gonio_gl::foreign::ForeignProgram;
 use gonio_gl::host::{HostFiles, HostImage};
@@ -54,6 +54,24 @@ pub struct Evidence {
     pub predicted: Option<Sheet>,
     /// The situations' words, in order.
     pub scenes: Vec<String>,
+}
+
+/// Whether a program whose loops were bounded left one of them for that: then not all that it draws was `seen`.
+fn never_ends(
+    stage: &Stage,
+    program: &ForeignProgram,
+    cast: &Cast,
+    fixed: &[(String, Vec<f32>)],
+    seen: &Sheet,
+) -> Result<bool, GlError> {
+    let name = gonio_glsl::DRAWN_ALL_THE_SAME;
+    if program.uniform_index(name).is_none() {
+        return Ok(false);
+    }
+    let mut fixed = fixed.to_vec();
+    fixed.push((name.to_owned(), vec![1.0]));
+    let all = stage.draw(program, cast, &fixed, stage.situations().len())?;
+    Ok(seen.pixels.iter().zip(&all.pixels).any(|(seen, all)| Sheet::is_drawn(seen) != Sheet::is_drawn(all)))
 }
 
 /// Checks pairs of shaders, one after the other, in one context. What it compiles is kept.
@@ -157,6 +175,11 @@ impl Checker {
         let cast = stage.cast(program, &bindings, |situation| freedom.apply(situation));
         let fixed = report::fixed(&bindings);
         let seen = stage.draw(program, &cast, &fixed, stage.situations().len())?;
+        if never_ends(stage, program, &cast, &fixed, &seen)? {
+            let mut verdict = Verdict::new(task.exercise, Outcome::Unsure, "a loop in a shader never ends");
+            verdict.bound = bound;
+            return Ok((verdict, None));
+        }
         let models: Vec<&CompiledModel> = std::iter::once(task.model)
             .chain(task.other.map(|(model, _)| model))
             .map(|model| &self.models[&model])
