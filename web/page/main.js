@@ -108,7 +108,7 @@ async function run() {
 /** Starts the application, or goes on with it after its graphics were gone. */
 async function start(inputs = []) {
   try {
-    await application.start(canvas, inputs);
+    await application.start(canvas, inputs, beginCheck);
   } catch (error) {
     stopped(error, application.last_panic());
     return;
