@@ -51,10 +51,10 @@ function replaceAll(text, pairs) {
 /** What wasm-bindgen's JavaScript keeps for itself, and `main.js` needs to add an import to the module. */
 const INNER = "\nexport { __wbg_get_imports as moduleImports, __wbg_finalize_init as moduleReady };\n";
 
-/** The loader, what it imports, and wasm-bindgen's JavaScript, as one module. */
-async function bundledLoader() {
+/** A script of the page, what it imports, and wasm-bindgen's JavaScript, as one module. */
+async function bundled(name) {
   const bundle = await build({
-    entryPoints: [join(page, "main.js")],
+    entryPoints: [join(page, name)],
     bundle: true,
     minify: true,
     write: false,
@@ -116,12 +116,15 @@ const module = addHashed("gonio.wasm", await readFile(join(moduleFolder, "gonio_
 /** The module's second half; a page for working on has none. */
 const restBytes = await readFile(join(moduleFolder, "gonio_rest.wasm")).catch(() => undefined);
 const rest = restBytes && addHashed("gonio-rest.wasm", restBytes, { first: false });
-const main = addHashed("main.js", await bundledLoader(), { first: true });
+const main = addHashed("main.js", await bundled("main.js"), { first: true });
+/** What checks students' files, in a thread of its own. */
+const checker = addHashed("checker.js", await bundled("checker.js"), { first: false });
 
 const index = replaceAll(withoutComments(await read("index.html")), [
   ['<meta name="builtin-files">', builtin],
   ['"gonio.wasm"', `"${module}"`],
   ['<meta id="rest" content="gonio-rest.wasm">', rest ? `<meta id="rest" content="${rest}">` : ""],
+  ['"checker.js"', `"${checker}"`],
   ['"page.css"', `"${css}"`],
   ['"main.js"', `"${main}"`],
   ['"icon.svg"', `"${icon}"`],

@@ -1,5 +1,6 @@
 // Loads the application and starts it in the canvas.
 
+import { begin as beginCheck, prepare as prepareChecks } from "./checking.js";
 import { trustDevicePixelRatio } from "./emulated.js";
 import * as application from "./gonio.js";
 import { askForRest, firstHalf, imports as rest, loadRest, streams } from "./rest.js";
@@ -34,6 +35,7 @@ async function begin(response) {
     : WebAssembly.instantiate(await response.arrayBuffer(), imports));
   firstHalf(instance.exports);
   application.moduleReady(instance, module);
+  prepareChecks(module, urlOf, application.endless_check);
 }
 
 /** The built-in files of one kind: `first` are those of the first scene, which the page's head has asked for already. */
@@ -42,6 +44,11 @@ function builtinFiles(kind) {
     name: element.dataset.builtin,
     url: element.getAttribute("href") ?? element.getAttribute("content"),
   }));
+}
+
+/** Where a built-in file is to be had, by its name. */
+function urlOf(name) {
+  return [...builtinFiles("first"), ...builtinFiles("later")].find((file) => file.name === name)?.url;
 }
 
 /** Hands a built-in file to the application. */
@@ -101,7 +108,7 @@ async function run() {
 /** Starts the application, or goes on with it after its graphics were gone. */
 async function start(inputs = []) {
   try {
-    await application.start(canvas, inputs);
+    await application.start(canvas, inputs, beginCheck);
   } catch (error) {
     stopped(error, application.last_panic());
     return;
@@ -165,6 +172,11 @@ window.addEventListener("unhandledrejection", (event) => onError(event.reason));
 /** For tests, and for whoever wants to look: the application's state as plain data. */
 window.gonio = {
   state: () => JSON.parse(application.state()),
+  /** A promise of the verdict on students' files, each a `name`, and `text` or `bytes`. */
+  check: async (exercise, files) => {
+    const packed = files.map(({ name, text, bytes }) => ({ name, bytes: bytes ?? new TextEncoder().encode(text) }));
+    return JSON.parse(await beginCheck(exercise, packed).answer);
+  },
 };
 
 run();

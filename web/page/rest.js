@@ -57,6 +57,13 @@ export async function loadRest() {
   there = true;
 }
 
+/** The second half, compiled, once it is there; nothing where the page has none. */
+export async function restModule() {
+  if (url === undefined) return undefined;
+  await loadRest();
+  return compiled;
+}
+
 /** Whether a module may be compiled while it arrives: browsers do so only with the right type. */
 export const streams = (response) => response.headers.get("content-type") === "application/wasm";
 

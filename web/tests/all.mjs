@@ -13,6 +13,7 @@ import "./samples.test.mjs";
 import "./link.test.mjs";
 import "./phone.test.mjs";
 import "./parity.test.mjs";
+import "./check.test.mjs";
 import "./trouble.test.mjs";
 import "./again.test.mjs";
 import "./rest.test.mjs";

@@ -2,7 +2,10 @@
 
 use std::path::PathBuf;
 
-use gonio_glsl::{Checked, Parsed, Severity, Stage, Target, Translated, check, check_pair, leaves, parse, translate};
+use gonio_glsl::{
+    Checked, LoopBound, Parsed, Severity, Stage, Target, Translated, check, check_pair, leaves, parse, translate,
+    translate_bounded,
+};
 
 fn pairs() -> Vec<(String, String, String)> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/pairs");
@@ -201,4 +204,35 @@ fn stages_have_to_agree() {
     let told: Vec<_> = found.iter().map(|p| (p.span.line, p.code)).collect();
     assert_eq!(told, [(2, "not-given"), (3, "other-type"), (4, "other-interpolation"), (5, "other-type")]);
     assert_eq!(found[0].help.as_deref(), Some("the vertex shader gives `v_normal`"));
+}
+
+/// What stands in a bounded shader, in which no line has moved.
+fn bounded(source: &str, stage: Stage) -> String {
+    let (parsed, checked) = read(source, stage);
+    let found = translate_bounded(&parsed, &checked, Target::Es300, Some(LoopBound { turns: 50 }));
+    let (parsed, again) = read(&found.text, stage);
+    let problems: Vec<String> = parsed.problems.iter().chain(&again.problems).map(ToString::to_string).collect();
+    assert_eq!(problems, [""; 0], "{}", found.text);
+    found.text.lines().skip(found.first_line as usize - 1).collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn loops_end_where_they_are_told_to() {
+    let source = "#version 330 core\nout vec4 c;\nvoid main() {\n  float x = 0.0;\n  \
+                  for (int i = 0; i < 3; i++) for (;;) x += 1;\n  while (x > 0.0) {\n    x -= 0.5;\n  }\n  \
+                  do x *= 2; while (x < 9.0);\n  if (x > 1.0) return;\n  c = vec4(x);\n} // end";
+    let found = bounded(source, Stage::Fragment);
+    let turn = "{ if (++gonio_turns > 50) break; ";
+    let lines: Vec<&str> = found.lines().collect();
+    assert_eq!(lines[4], format!("  for (int i = 0; i < 3; i++) {turn}for (;;) {turn}x += 1.0; }} }}"));
+    assert_eq!(lines[5], format!("  while (x > 0.0) {turn}{{"));
+    assert_eq!(lines[7], "  } }");
+    assert_eq!(lines[8], format!("  do {turn}x *= 2.0; }} while (x < 9.0);"));
+    assert_eq!(lines[2], "void gonio_main() {");
+    assert!(lines[12].contains("gonio_main();") && lines[12].contains("discard"), "{found}");
+    let vertex = bounded("void main() { for (;;) { } gl_Position = vec4(1.0); }", Stage::Vertex);
+    assert!(vertex.contains("gl_Position = vec4(2.0, 2.0, 2.0, 1.0)"), "{vertex}");
+    // Without loops nothing is changed.
+    let plain = "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }";
+    assert_eq!(bounded(plain, Stage::Fragment), body(plain, Stage::Fragment, Target::Es300));
 }

@@ -2,7 +2,7 @@
 
 use crate::buffers::{self, Expected};
 use crate::exercise::Exercise;
-use crate::host::{self, HostOutcome};
+use crate::host::{self, HostFiles, HostOutcome};
 use crate::submission::SourceFile;
 use crate::verdict::{CompilerMessage, FoundMistake, Outcome, Verdict};
 use gonio_gl::{Gl, GlError};
@@ -79,8 +79,13 @@ pub fn buffers(exercise: &Exercise, files: Vec<SourceFile>) -> Verdict {
     verdict
 }
 
-/// A host program, carried out.
-pub fn host_program(gl: &Gl, exercise: &Exercise, files: Vec<SourceFile>) -> Result<Verdict, GlError> {
+/// A host program, carried out; `given` are the files that it may name.
+pub fn host_program(
+    gl: &Gl,
+    exercise: &Exercise,
+    files: Vec<SourceFile>,
+    given: &HostFiles,
+) -> Result<Verdict, GlError> {
     let answers = answers(&files, &[".txt"]);
     let [answer] = answers.as_slice() else {
         let summary = match answers.len() {
@@ -89,7 +94,7 @@ pub fn host_program(gl: &Gl, exercise: &Exercise, files: Vec<SourceFile>) -> Res
         };
         return Ok(Verdict::new(&exercise.id, Outcome::Unsure, summary));
     };
-    let found = host::check_bytes(gl, &answer.bytes, &answer.name, &host::exercise_files())?;
+    let found = host::check_bytes(gl, &answer.bytes, &answer.name, given)?;
     let outcome = match found.verdict {
         HostOutcome::Correct => Outcome::Correct,
         HostOutcome::Wrong => Outcome::Wrong,

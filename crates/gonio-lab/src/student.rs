@@ -11,7 +11,7 @@ use crate::submission::{SourceFile, StageText, Submission};
 use crate::verdict::{CompilerMessage, FoundMistake, Outcome, Peculiarity, Verdict};
 use gonio_gl::foreign::{BrokenProgram, ForeignProgram};
 use gonio_gl::{Gl, GlError};
-use gonio_glsl::{Checked, Parsed, Problem, Severity, Stage, Target, Translated};
+use gonio_glsl::{Checked, LoopBound, Parsed, Problem, Severity, Stage, Target, Translated};
 use std::rc::Rc;
 
 /// How a check is made.
@@ -35,7 +35,9 @@ impl<'a> ReadStage<'a> {
     pub(crate) fn new(text: &'a StageText, stage: Stage, target: Target) -> Self {
         let mut parsed = gonio_glsl::parse(&text.text);
         let checked = gonio_glsl::check(&mut parsed, stage);
-        let translated = gonio_glsl::translate(&parsed, &checked, target);
+        // In a browser nobody else ends a loop: a draw without end would hold up all that is on the screen.
+        let bound = (target == Target::Es300).then_some(LoopBound { turns: MOST_TURNS });
+        let translated = gonio_glsl::translate_bounded(&parsed, &checked, target, bound);
         ReadStage { text, parsed, checked, translated }
     }
 
@@ -56,6 +58,10 @@ impl<'a> ReadStage<'a> {
     }
 }
 
+/// Turns that the loops of a shader may take in OpenGL ES, for one vertex or fragment: a thousand times what students' loops
+/// over lights take, and a second on a driver without a GPU.
+const MOST_TURNS: u32 = 10_000;
+
 /// Most messages of one kind that are told: what follows from the first is no help.
 const MOST_MESSAGES: usize = 12;
 
@@ -68,7 +74,9 @@ pub fn check(
 ) -> Result<(Verdict, Option<Evidence>), GlError> {
     match exercise.kind {
         Kind::Buffers => return Ok((other::buffers(exercise, files), None)),
-        Kind::HostProgram => return Ok((other::host_program(checker.gl(), exercise, files)?, None)),
+        Kind::HostProgram => {
+            return Ok((other::host_program(checker.gl(), exercise, files, &checker.host_files())?, None));
+        }
         Kind::Shaders | Kind::Faces => {}
     }
     let unsure = |sentence: String| Ok((Verdict::new(&exercise.id, Outcome::Unsure, sentence), None));

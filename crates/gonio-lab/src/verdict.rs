@@ -189,6 +189,13 @@ impl Verdict {
             score: if verdict == Outcome::Correct { 1.0 } else { 0.0 },
         }
     }
+
+    /// Of a check that was ended because it never would have: after so many seconds.
+    pub fn endless(exercise: &str, seconds: u64) -> Self {
+        let summary =
+            format!("it did not finish within {seconds} seconds; is there a loop in a shader that never ends?");
+        Verdict::new(exercise, Outcome::Unsure, summary)
+    }
 }
 
 /// A number as JSON has it, which knows no infinite ones: it writes `null` for them, and for what is no number.

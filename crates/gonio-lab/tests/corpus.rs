@@ -3,67 +3,17 @@
 //! The tolerances are the project's sixth issue's: no false alarm at all, single mistakes 97 %, pairs 85 %.
 #![allow(clippy::unwrap_used)]
 
+mod submissions;
+
 use gonio_gl::HeadlessContext;
 use gonio_lab::check::Checker;
-use gonio_lab::submission::SourceFile;
 use gonio_lab::verdict::{Outcome, Verdict};
-use gonio_lab::{CheckOptions, exercise};
-use std::path::{Path, PathBuf};
+use submissions::{Submission, submissions};
 
-/// A submission, and what is expected of it.
-struct Submission {
-    name: String,
-    exercise: String,
-    files: Vec<SourceFile>,
-    expected: toml::Table,
-}
-
-impl Submission {
-    fn list(&self, key: &str) -> Vec<String> {
-        let words = self.expected.get(key).and_then(toml::Value::as_array).cloned().unwrap_or_default();
-        words.iter().map(|word| word.as_str().unwrap().to_owned()).collect()
-    }
-
-    fn check(&self, checker: &mut Checker) -> Verdict {
-        let exercise = exercise::find(&self.exercise).unwrap();
-        gonio_lab::check(checker, exercise, self.files.clone(), &CheckOptions::default()).unwrap().0
-    }
-}
-
-fn folders(of: &Path) -> Vec<PathBuf> {
-    let mut folders: Vec<PathBuf> = std::fs::read_dir(of)
-        .unwrap_or_else(|error| panic!("{}: {error}", of.display()))
-        .map(|entry| entry.unwrap().path())
-        .filter(|path| path.is_dir())
-        .collect();
-    folders.sort();
-    folders
-}
-
-/// All of a kind: `correct` or `wrong`.
-fn submissions(kind: &str) -> Vec<Submission> {
-    let top = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus");
-    let mut all = Vec::new();
-    for exercise in folders(&top) {
-        for folder in folders(&exercise.join(kind)) {
-            let mut submission = Submission {
-                name: folder.strip_prefix(&top).unwrap().to_string_lossy().into_owned(),
-                exercise: exercise.file_name().unwrap().to_string_lossy().into_owned(),
-                files: Vec::new(),
-                expected: toml::Table::new(),
-            };
-            for entry in std::fs::read_dir(&folder).unwrap() {
-                let path = entry.unwrap().path();
-                let name = path.file_name().unwrap().to_string_lossy().into_owned();
-                match name.as_str() {
-                    "expected.toml" => submission.expected = std::fs::read_to_string(&path).unwrap().parse().unwrap(),
-                    _ => submission.files.push(SourceFile::new(name, std::fs::read(&path).unwrap())),
-                }
-            }
-            all.push(submission);
-        }
-    }
-    all
+/// The words of a list in `expected.toml`.
+fn list(submission: &Submission, key: &str) -> Vec<String> {
+    let words = submission.expected.get(key).and_then(toml::Value::as_array).cloned().unwrap_or_default();
+    words.iter().map(|word| word.as_str().unwrap().to_owned()).collect()
 }
 
 fn checker() -> (HeadlessContext, Checker) {
@@ -85,7 +35,7 @@ fn what_is_right_is_never_called_wrong() {
 
 /// Whether the names are those expected, or ones that no picture tells from them.
 fn is_named(submission: &Submission, verdict: &Verdict) -> bool {
-    let (wanted, also) = (submission.list("mistakes"), submission.list("also_right"));
+    let (wanted, also) = (list(submission, "mistakes"), list(submission, "also_right"));
     let answers = |want: &String| {
         verdict.mistakes.iter().any(|found| found.id == *want || found.or.contains(want) || also.contains(&found.id))
     };
@@ -105,7 +55,7 @@ fn mistakes_are_named() {
         if does_not_compile {
             continue;
         }
-        let count = if submission.list("mistakes").len() > 1 { &mut pairs } else { &mut single };
+        let count = if list(&submission, "mistakes").len() > 1 { &mut pairs } else { &mut single };
         let named = is_named(&submission, &verdict);
         *count = (count.0 + usize::from(named), count.1 + 1);
         if !named {

@@ -1,7 +1,10 @@
 //! The lab window as a web page: the thin entry that a browser calls.
 //!
-//! What the page's loader (`web/page/main.js`) calls stands in `page`; elsewhere there is nothing to run.
+//! What the page's loader (`web/page/main.js`) calls stands in `page`, and what its worker (`web/page/checker.js`) calls in
+//! `check`; elsewhere there is nothing to run.
 
+#[cfg(target_arch = "wasm32")]
+mod check;
 #[cfg(target_arch = "wasm32")]
 mod page;
 

@@ -2,7 +2,7 @@
 
 use eframe::egui;
 use gonio_app::Lab;
-use gonio_app::platform::web::{PageFiles, Web, gl_of};
+use gonio_app::platform::web::{PageChecks, PageFiles, Web, gl_of};
 use std::cell::RefCell;
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
@@ -45,9 +45,13 @@ pub fn expect(name: String) {
 }
 
 /// Starts the application in the canvas with `inputs` to open (none: the first scene), or goes on with it after
-/// [`pause`]. Fails where the canvas has no WebGL 2.
+/// [`pause`]. `check` begins a check of a student's files (`web/page/checking.js`). Fails where the canvas has no WebGL 2.
 #[wasm_bindgen]
-pub async fn start(canvas: web_sys::HtmlCanvasElement, inputs: Vec<String>) -> Result<(), JsValue> {
+pub async fn start(
+    canvas: web_sys::HtmlCanvasElement,
+    inputs: Vec<String>,
+    check: js_sys::Function,
+) -> Result<(), JsValue> {
     let runner = eframe::WebRunner::new();
     with_page(|page| page.runner = Some(runner.clone()));
     let options = eframe::WebOptions {
@@ -56,7 +60,11 @@ pub async fn start(canvas: web_sys::HtmlCanvasElement, inputs: Vec<String>) -> R
         dithering: false,
         ..Default::default()
     };
-    runner.start(canvas, options, Box::new(|creation| Ok(Box::new(with_page(|page| page.app(creation, inputs)))))).await
+    let checks = PageChecks::new(check);
+    let created = |creation: &eframe::CreationContext<'_>| -> Result<Box<dyn eframe::App>, _> {
+        Ok(Box::new(with_page(|page| page.app(creation, inputs, checks))))
+    };
+    runner.start(canvas, options, Box::new(created)).await
 }
 
 /// The graphics are gone: nothing is drawn until the next [`start`].
@@ -96,7 +104,7 @@ pub fn last_panic() -> Option<String> {
 }
 
 impl Page {
-    fn app(&mut self, creation: &eframe::CreationContext<'_>, inputs: Vec<String>) -> Shell {
+    fn app(&mut self, creation: &eframe::CreationContext<'_>, inputs: Vec<String>, checks: PageChecks) -> Shell {
         let context = creation.egui_ctx.clone();
         if let Some(before) = self.context.replace(context.clone()) {
             // Where panels were scrolled to, and what was open.
@@ -110,7 +118,7 @@ impl Page {
                 lab.clone()
             }
             None => {
-                let platform = Box::new(Web::new(self.files.clone()));
+                let platform = Box::new(Web::new(self.files.clone(), checks));
                 Rc::new(RefCell::new(Lab::new(&context, gl, platform, inputs)))
             }
         };

@@ -30,8 +30,8 @@ pub const RULES: &[Rule] = &[
     Rule { krate: "gonio-glsl", may_know: &[], tests_may_know: &[] },
     Rule { krate: "gonio-lab", may_know: BELOW_LAB, tests_may_know: &[] },
     Rule { krate: "gonio-app", may_know: BELOW_SHELLS, tests_may_know: &[] },
-    // The page is the application and nothing else.
-    Rule { krate: "gonio-web", may_know: &["gonio-app"], tests_may_know: &[] },
+    // The page is the application, and the checker in a worker beside it.
+    Rule { krate: "gonio-web", may_know: &["gonio-app", "gonio-gl", "gonio-lab"], tests_may_know: &[] },
     Rule { krate: "gonio", may_know: COMMAND_LINE, tests_may_know: &[] },
     // It measures the window too, as the command line opens it.
     Rule { krate: "gonio-bench", may_know: COMMAND_LINE, tests_may_know: &[] },

@@ -48,6 +48,12 @@ impl Edits {
         self.after.entry(end).or_default().push((start, ")".to_string()));
     }
 
+    /// `open` and `close` around a stretch and whatever stands around it so far.
+    pub fn surround(&mut self, start: u32, end: u32, open: &str, close: &str) {
+        self.before.entry(start).or_default().insert_str(0, open);
+        self.after.entry(end).or_default().push((start, close.to_string()));
+    }
+
     /// The source between two bytes with all changes.
     pub fn apply(&self, source: &str, start: u32, end: u32) -> String {
         let mut places: Vec<u32> = self.replaced.range(start..end).map(|(at, _)| *at).collect();

@@ -4,6 +4,7 @@ mod casts;
 mod declarations;
 mod edits;
 mod legacy;
+mod loops;
 mod names;
 mod text;
 
@@ -12,6 +13,8 @@ use std::collections::BTreeSet;
 use crate::constant::Components;
 use crate::{Checked, Parsed, Problem, Span, Stage, Target, TokenRange, Type};
 use edits::Edits;
+
+pub use loops::{DRAWN_ALL_THE_SAME, LoopBound};
 
 /// A shader in another version of the language.
 #[derive(Debug, Clone, PartialEq)]
@@ -67,6 +70,8 @@ struct Translator<'t> {
     preamble: BTreeSet<String>,
     /// Statements that come first in `main`.
     first_in_main: String,
+    /// Lines behind the student's.
+    last: String,
     /// Blocks between the stages that were taken apart so far.
     blocks: usize,
 }
@@ -74,6 +79,12 @@ struct Translator<'t> {
 /// Writes a shader for another version. The tree has to be the one that `checked` was made of.
 #[must_use]
 pub fn translate(parsed: &Parsed, checked: &Checked, target: Target) -> Translated {
+    translate_bounded(parsed, checked, target, None)
+}
+
+/// The same with loops that end, where a bound is given: see [`DRAWN_ALL_THE_SAME`].
+#[must_use]
+pub fn translate_bounded(parsed: &Parsed, checked: &Checked, target: Target, bound: Option<LoopBound>) -> Translated {
     let mut translator = Translator {
         parsed,
         checked,
@@ -84,6 +95,7 @@ pub fn translate(parsed: &Parsed, checked: &Checked, target: Target) -> Translat
         defaults: Vec::new(),
         preamble: BTreeSet::new(),
         first_in_main: String::new(),
+        last: String::new(),
         blocks: 0,
     };
     translator.directives();
@@ -95,6 +107,9 @@ pub fn translate(parsed: &Parsed, checked: &Checked, target: Target) -> Translat
     translator.casts();
     translator.declarations();
     translator.main();
+    if let Some(bound) = bound {
+        translator.bound_loops(bound);
+    }
     translator.finish()
 }
 
@@ -121,6 +136,7 @@ impl Translator<'_> {
         if !text.ends_with('\n') {
             text.push('\n');
         }
+        text.push_str(&self.last);
         Translated { text, first_line, problems: self.problems, renames: self.renames, uniform_defaults: self.defaults }
     }
 

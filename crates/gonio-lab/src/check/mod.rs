@@ -14,14 +14,17 @@ pub(crate) use predict::declared;
 pub use task::{TASKS, Task};
 
 use crate::bank::{Hypothesis, Model};
+use crate::host;
 use crate::names::{self, Declared, Kind, NamesFile, Role};
-use crate::stage::{Sheet, Stage};
+use crate::stage::{Cast, Sheet, Stage};
 use crate::verdict::{Outcome, Verdict};
 use gonio_gl::foreign::ForeignProgram;
+use gonio_gl::host::{HostFiles, HostImage};
 use gonio_gl::{Gl, GlError};
 use predict::{CompiledModel, ModelCast};
 use search::{Found, Search};
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
+use std::sync::Arc;
 
 /// A pair of shaders that runs here, and what is known of it beside its pictures.
 pub struct Prepared {
@@ -53,17 +56,51 @@ pub struct Evidence {
     pub scenes: Vec<String>,
 }
 
+/// Whether a program whose loops were bounded left one of them for that: then not all that it draws was `seen`.
+fn never_ends(
+    stage: &Stage,
+    program: &ForeignProgram,
+    cast: &Cast,
+    fixed: &[(String, Vec<f32>)],
+    seen: &Sheet,
+) -> Result<bool, GlError> {
+    let name = gonio_glsl::DRAWN_ALL_THE_SAME;
+    if program.uniform_index(name).is_none() {
+        return Ok(false);
+    }
+    let mut fixed = fixed.to_vec();
+    fixed.push((name.to_owned(), vec![1.0]));
+    let all = stage.draw(program, cast, &fixed, stage.situations().len())?;
+    Ok(seen.pixels.iter().zip(&all.pixels).any(|(seen, all)| Sheet::is_drawn(seen) != Sheet::is_drawn(all)))
+}
+
 /// Checks pairs of shaders, one after the other, in one context. What it compiles is kept.
 pub struct Checker {
     gl: Gl,
     models: HashMap<Model, CompiledModel>,
     stages: HashMap<&'static str, (Stage, usize)>,
+    images: BTreeMap<String, Arc<HostImage>>,
 }
 
 impl Checker {
     /// In this context.
     pub fn new(gl: &Gl) -> Self {
-        Checker { gl: gl.clone(), models: HashMap::new(), stages: HashMap::new() }
+        Checker { gl: gl.clone(), models: HashMap::new(), stages: HashMap::new(), images: BTreeMap::new() }
+    }
+
+    /// Gives an image that host programs may name: PNG, JPEG, BMP, TGA or GIF. Wanted on the web, where the program carries
+    /// none. An error says why it cannot be read.
+    pub fn give_image(&mut self, name: &str, bytes: &[u8]) -> Result<(), String> {
+        let image = HostImage::decode(name, bytes).map_err(|why| format!("{name}: {why}"))?;
+        self.images.insert(name.to_owned(), Arc::new(image));
+        Ok(())
+    }
+
+    /// What host programs may name.
+    pub(crate) fn host_files(&self) -> HostFiles {
+        let mut files = host::exercise_files();
+        files.images.extend(self.images.clone());
+        files
     }
 
     /// The context.
@@ -138,6 +175,11 @@ impl Checker {
         let cast = stage.cast(program, &bindings, |situation| freedom.apply(situation));
         let fixed = report::fixed(&bindings);
         let seen = stage.draw(program, &cast, &fixed, stage.situations().len())?;
+        if never_ends(stage, program, &cast, &fixed, &seen)? {
+            let mut verdict = Verdict::new(task.exercise, Outcome::Unsure, "a loop in a shader never ends");
+            verdict.bound = bound;
+            return Ok((verdict, None));
+        }
         let models: Vec<&CompiledModel> = std::iter::once(task.model)
             .chain(task.other.map(|(model, _)| model))
             .map(|model| &self.models[&model])

@@ -170,5 +170,6 @@ pub fn declared(program: &ForeignProgram) -> Vec<Declared> {
             kind,
         }
     };
-    program.attributes().map(of(Kind::Attribute)).chain(program.uniforms().map(of(Kind::Uniform))).collect()
+    let uniforms = program.uniforms().filter(|uniform| uniform.name != gonio_glsl::DRAWN_ALL_THE_SAME);
+    program.attributes().map(of(Kind::Attribute)).chain(uniforms.map(of(Kind::Uniform))).collect()
 }

@@ -1,6 +1,9 @@
 //! The browser: a canvas of a page, files that are dropped on it.
 
+mod check;
 mod document;
+
+pub use check::{PageCheck, PageChecks};
 
 use super::{Asked, CheckRequest, Checking, Event, Given, MOMENT, Platform, Refused, Settings, Shown};
 use crate::files::{Layered, MemoryFiles, gather, link, zip};
@@ -73,14 +76,15 @@ pub fn gl_of(creation: &eframe::CreationContext<'_>) -> Option<Gl> {
 /// The browser's side of the application.
 pub struct Web {
     files: PageFiles,
+    checks: PageChecks,
     /// What came since it was last asked for. Files are read between two frames.
     events: Rc<RefCell<Vec<Event>>>,
 }
 
 impl Web {
-    /// With the files that the page fetches.
-    pub fn new(files: PageFiles) -> Self {
-        Web { files, events: Rc::default() }
+    /// With the files that the page fetches, and what checks there.
+    pub fn new(files: PageFiles, checks: PageChecks) -> Self {
+        Web { files, checks, events: Rc::default() }
     }
 
     /// Reads files and tells what they are.
@@ -130,7 +134,7 @@ impl Platform for Web {
     }
 
     fn choose_files(&mut self, ctx: &egui::Context) -> Asked {
-        let web = Web { files: self.files.clone(), events: self.events.clone() };
+        let web = Web { files: self.files.clone(), checks: self.checks.clone(), events: self.events.clone() };
         let inner = ctx.clone();
         if let Err(why) = document::choose(move |files| web.take(files, &inner)) {
             self.events.borrow_mut().push(Event::Failed(why));
@@ -180,8 +184,11 @@ impl Platform for Web {
         Box::new(move |_| seen.get())
     }
 
-    fn check(&mut self, _: CheckRequest, _: &egui::Context) -> Box<dyn Checking> {
-        Box::new(Refused::new("a page cannot check yet; `gonio lab check` does it on the command line"))
+    fn check(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Checking> {
+        match self.checks.begin(&request, ctx) {
+            Ok(checking) => Box::new(checking),
+            Err(why) => Box::new(Refused::new(why)),
+        }
     }
 
     fn settings(&self) -> Settings {

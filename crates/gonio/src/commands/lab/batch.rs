@@ -26,12 +26,6 @@ struct Kept {
     row: Row,
 }
 
-/// The verdict of a check that never ends.
-pub fn endless(exercise: &str, seconds: u64) -> Verdict {
-    let summary = format!("it did not finish within {seconds} seconds; is there a loop in a shader that never ends?");
-    Verdict::new(exercise, Word::Unsure, summary)
-}
-
 /// Checks all, and writes pages, table and overview.
 pub fn run(
     args: &CheckArgs,
@@ -134,7 +128,7 @@ fn one(
                     Word::Unsure,
                     "checking it ended the program that checks: a driver's fault, or too much memory",
                 ),
-                Ended::TooLong => endless(&exercise.id, args.patience),
+                Ended::TooLong => Verdict::endless(&exercise.id, args.patience),
                 Ended::TooLarge => Verdict::new(
                     &exercise.id,
                     Word::Unsure,

@@ -1,0 +1,85 @@
+//! What the page's worker calls (`web/page/checker.js`): a student's files in, a verdict out.
+//!
+//! The worker runs the same module as the page, in a thread and with an OpenGL of its own: a shader that takes for ever holds
+//! up nobody, and ends with the worker.
+
+use eframe::glow;
+use gonio_gl::Gl;
+use gonio_lab::CheckOptions;
+use gonio_lab::check::Checker;
+use gonio_lab::exercise;
+use gonio_lab::submission::SourceFile;
+use gonio_lab::verdict::Verdict;
+use std::sync::Arc;
+use wasm_bindgen::prelude::*;
+use web_sys::{OffscreenCanvas, WebGl2RenderingContext};
+
+/// Checks in a canvas of its own, one submission after the other. What it compiles of the laboratory's own is kept.
+#[wasm_bindgen]
+pub struct PageChecker {
+    checker: Checker,
+    context: WebGl2RenderingContext,
+}
+
+#[wasm_bindgen]
+impl PageChecker {
+    /// In this canvas, of any size: nothing is drawn into it, but into textures beside. Fails, with a sentence, where the
+    /// browser offers no WebGL 2 here, or no textures of floats to draw into.
+    #[wasm_bindgen(constructor)]
+    pub fn new(canvas: &OffscreenCanvas) -> Result<PageChecker, String> {
+        let context = canvas.get_context("webgl2").ok().flatten();
+        let context: WebGl2RenderingContext = context
+            .and_then(|context| context.dyn_into().ok())
+            .ok_or("this browser offers no WebGL 2 beside the page; try another one, or `gonio lab check`")?;
+        if !matches!(context.get_extension("EXT_color_buffer_float"), Ok(Some(_))) {
+            return Err(
+                "this browser cannot draw into textures of floats (EXT_color_buffer_float), which the checker \
+                        compares; try another one, or `gonio lab check`"
+                    .to_owned(),
+            );
+        }
+        // As egui has it, for whom it is shared between threads where there are any.
+        #[allow(clippy::arc_with_non_send_sync)]
+        let functions = Arc::new(glow::Context::from_webgl2_context(context.clone()));
+        Ok(PageChecker { checker: Checker::new(&Gl::of_window(functions)), context })
+    }
+
+    /// An image that host programs may name, as a file. Fails where it is none.
+    pub fn give_image(&mut self, name: &str, bytes: &[u8]) -> Result<(), String> {
+        self.checker.give_image(name, bytes)
+    }
+
+    /// Checks files: `names`, and as many `contents`, each a `Uint8Array`. Gives the verdict as JSON, as `gonio lab check
+    /// --json` writes it. Fails, with a sentence, where the browser's graphics do.
+    pub fn check(
+        &mut self,
+        exercise: &str,
+        names: Vec<String>,
+        contents: js_sys::Array,
+        as_the_lab: bool,
+    ) -> Result<String, String> {
+        let exercise = exercise::find(exercise).ok_or_else(|| format!("there is no exercise `{exercise}`"))?;
+        let bytes = contents.iter().map(|content| js_sys::Uint8Array::new(&content).to_vec());
+        let files = names.into_iter().zip(bytes).map(|(name, bytes)| SourceFile::new(name, bytes)).collect();
+        let options = CheckOptions { as_the_lab, ..CheckOptions::default() };
+        let outcome = gonio_lab::check(&mut self.checker, exercise, files, &options);
+        if self.context.is_context_lost() {
+            return Err(
+                "the browser took the graphics away during the check; is there a loop in a shader that never ends?"
+                    .to_owned(),
+            );
+        }
+        let (verdict, _) = outcome.map_err(|error| error.to_string())?;
+        json(&verdict)
+    }
+}
+
+/// The verdict on a check that was ended after so many seconds, as JSON.
+#[wasm_bindgen]
+pub fn endless_check(exercise: &str, seconds: u32) -> Result<String, String> {
+    json(&Verdict::endless(exercise, u64::from(seconds)))
+}
+
+fn json(verdict: &Verdict) -> Result<String, String> {
+    serde_json::to_string(verdict).map_err(|error| format!("the verdict cannot be written: {error}"))
+}

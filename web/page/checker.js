@@ -1,0 +1,31 @@
+// Checks students' files in a thread of its own, with the page's module and an OpenGL of its own: what a shader does
+// there holds up nobody, and ends with this worker. `checking.js` starts it, and asks.
+
+import * as application from "./gonio.js";
+
+let checker;
+
+/** Makes the module run that the page has compiled. Its second half is there from the start. */
+function begin({ first, rest, images }) {
+  const load = () => {};
+  const instance = new WebAssembly.Instance(first, Object.assign(application.moduleImports(), { rest: { load } }));
+  if (rest !== undefined) new WebAssembly.Instance(rest, { primary: instance.exports });
+  application.moduleReady(instance, first);
+  checker = new application.PageChecker(new OffscreenCanvas(1, 1));
+  for (const { name, bytes } of images) checker.give_image(name, bytes);
+}
+
+function check({ exercise, files, asTheLab }) {
+  return checker.check(exercise, files.map(({ name }) => name), files.map(({ bytes }) => bytes), asTheLab);
+}
+
+/** What is asked, and its answer; whatever fails is a sentence. */
+const DO = { begin, check };
+
+self.onmessage = ({ data: { what, ...asked } }) => {
+  try {
+    self.postMessage({ answer: DO[what](asked) });
+  } catch (error) {
+    self.postMessage({ failed: typeof error === "string" ? error : String(error) });
+  }
+};

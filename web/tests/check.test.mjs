@@ -1,0 +1,116 @@
+// The checker in the page: the verdicts of `gonio lab check`, and checks that end whatever a shader does.
+
+import assert from "node:assert/strict";
+import { execFile } from "node:child_process";
+import { readFile, readdir } from "node:fs/promises";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { promisify } from "node:util";
+import { settled, suite } from "./support/lab.mjs";
+
+const { test } = suite();
+
+const ROOT = join(dirname(fileURLToPath(import.meta.url)), "../..");
+const CORPUS = "crates/gonio-lab/corpus";
+const BUFFERS = "crates/gonio-lab/tests/ex02";
+const HOST = "exercises/ex11-texture-unit/host";
+
+/** What students hand in, by exercise: right and wrong, one mistake and two, what does not compile; GLSL of every age, shaders
+ * in C++, buffers and host programs. */
+const SUBMISSIONS = {
+  ex02: [`${BUFFERS}/house.reference.csv`, `${BUFFERS}/house.start.csv`],
+  ex03: [`${CORPUS}/ex03/correct/cpp`, `${CORPUS}/ex03/wrong/normal-raw-fr`, `${CORPUS}/ex03/wrong/broken-vec`],
+  ex04: [`${CORPUS}/ex04/correct/webgl1`, `${CORPUS}/ex04/wrong/normal-mv`],
+  ex05: [`${CORPUS}/ex05/correct/struct-and-block`, `${CORPUS}/ex05/wrong/pair-sign-and-clamp`],
+  ex06: [`${CORPUS}/ex06/correct/ternary-exp2`, `${CORPUS}/ex06/wrong/power-of-negative`, `${CORPUS}/ex06/wrong/broken-version-texture`],
+  ex07: [
+    `${CORPUS}/ex07/correct/lights-loop-two`,
+    `${CORPUS}/ex07/wrong/attenuation-inverse-square`,
+    `${CORPUS}/ex07/wrong/pair-m-and-attenuation`,
+  ],
+  ex08: [`${CORPUS}/ex08/wrong/keeps-translation`],
+  ex09: [`${CORPUS}/ex09/correct/unnormalised-view`, `${CORPUS}/ex09/wrong/normal-m`],
+  ex10: [`${CORPUS}/ex10/wrong/ratio-inverted`],
+  ex11: [`${HOST}/reference.txt`, `${HOST}/texture-name-as-unit.txt`, `${HOST}/stride-wrong.txt`],
+};
+
+/** A submission's folder, and its files but for what is expected of it. */
+async function found(path) {
+  const at = join(ROOT, path);
+  if (/\.\w+$/.test(path)) return { folder: dirname(at), names: [path.slice(path.lastIndexOf("/") + 1)] };
+  const names = (await readdir(at)).filter((name) => name !== "expected.toml").sort();
+  return { folder: at, names };
+}
+
+/** By the program, which ends with 1 where something is not right. */
+async function native(exercise, { folder, names }) {
+  const run = promisify(execFile)(process.env.GONIO_PROGRAM, ["lab", "check", exercise, ...names, "--json"], { cwd: folder });
+  const { stdout, code, stderr } = await run.catch((ended) => ended);
+  assert.ok(code === undefined || code === 1, stderr);
+  return JSON.parse(stdout);
+}
+
+/** By the page, in its worker. */
+async function inPage(lab, exercise, { folder, names }) {
+  const files = await Promise.all(names.map(async (name) => ({ name, base64: (await readFile(join(folder, name))).toString("base64") })));
+  return lab.page.evaluate(({ exercise, files }) => window.gonio.check(exercise, files.map(({ name, base64 }) => ({
+    name,
+    bytes: Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)),
+  }))), { exercise, files });
+}
+
+/** What has to be the same. What a compiler says after its first message, and in which words, is its own affair. */
+const said = (verdict) => ({
+  verdict: verdict.verdict,
+  mistakes: verdict.mistakes.map(({ id, file, line, or }) => ({ id, file, line, or })),
+  peculiarities: verdict.peculiarities.map(({ id }) => id),
+  terms: verdict.terms,
+  scenes: verdict.scenes.map(({ scene, right }) => ({ scene, right })),
+  message: verdict.messages.slice(0, 1).map(({ file, line }) => ({ file, line })),
+  score: verdict.score,
+});
+
+for (const [exercise, submissions] of Object.entries(SUBMISSIONS)) {
+  test(`${exercise}: the page and the program give the same verdicts`, async (lab) => {
+    await lab.until(settled);
+    for (const path of submissions) {
+      const submission = await found(path);
+      const [page, program] = [await inPage(lab, exercise, submission), await native(exercise, submission)];
+      assert.deepEqual(said(page), said(program), path);
+    }
+  });
+}
+
+/** Right answers, with what `body` does at the start of the fragment shader's `main`. */
+async function withBody(body) {
+  const folder = join(ROOT, CORPUS, "ex04/correct/lab-plain");
+  const text = (name) => readFile(join(folder, name), "utf8");
+  const fragment = (await text("ex04.frag")).replace(/(main\s*\(\s*\)\s*\{)/, `$1 ${body}`);
+  return [{ name: "ex04.vert", text: await text("ex04.vert") }, { name: "ex04.frag", text: fragment }];
+}
+
+test("a loop without end ends, and the page lives on", async (lab) => {
+  await lab.until(settled);
+  const verdict = await lab.page.evaluate((files) => window.gonio.check("ex04", files), await withBody("for (;;) { }"));
+  assert.equal(verdict.verdict, "unsure");
+  assert.match(verdict.summary, /never ends/);
+  // The same worker goes on with the next one, and the page draws.
+  const next = await lab.page.evaluate((files) => window.gonio.check("ex04", files), await withBody(""));
+  assert.equal(next.verdict, "correct", next.summary);
+  const before = (await lab.state()).frame.pictures;
+  const [x, y] = await lab.middle("pane-0");
+  await lab.drag([x, y], [x + 80, y + 20]);
+  await lab.until((state) => state.frame.pictures > before);
+});
+
+test("checks may run side by side, and what is no exercise is said", async (lab) => {
+  await lab.until(settled);
+  const files = await withBody("");
+  const [first, second, failed] = await lab.page.evaluate(async (files) => {
+    const failed = window.gonio.check("ex99", files).catch((error) => error.message);
+    return Promise.all([window.gonio.check("ex04", files), window.gonio.check("ex04", files.slice(1)), failed]);
+  }, files);
+  assert.equal(first.verdict, "correct", first.summary);
+  assert.equal(second.verdict, "unsure", second.summary);
+  assert.match(failed, /no exercise `ex99`/);
+});
