@@ -24,13 +24,12 @@ pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &Histo
             let text = RichText::new(icons::LIST).font(theme::icon_font(17.0));
             menu(ui, "menu", text, "Files", |ui| {
                 entry(ui, "open", "Open...", "Open a model or a scene (Ctrl + O)", Action::ChooseFiles, actions);
+                entry(ui, "laboratory", "Laboratory", LABORATORY, Action::Laboratory, actions);
                 ui.separator();
                 save_entries(ui, actions);
                 ui.separator();
                 samples_entries(ui, actions);
                 recent_entries(ui, session, actions);
-                ui.separator();
-                entry(ui, "laboratory", "Laboratory", LABORATORY, Action::Laboratory, actions);
             });
         } else {
             if icon(ui, "open", icons::FOLDER_OPEN, "Open a model or a scene (Ctrl + O)", true) {
