@@ -16,6 +16,7 @@ pub mod score;
 pub mod stage;
 mod student;
 pub mod submission;
+pub mod twin;
 pub mod verdict;
 
 pub use student::{CheckOptions, check};

@@ -1,5 +1,6 @@
 //! The checker: draws a student's program in situations that tell mistakes apart, and looks for what explains it.
 
+mod canvas;
 mod compare;
 mod fit;
 mod freedom;
@@ -21,7 +22,8 @@ use crate::verdict::{Outcome, Verdict};
 use gonio_gl::foreign::ForeignProgram;
 use gonio_gl::host::{HostFiles, HostImage};
 use gonio_gl::{Gl, GlError};
-use predict::{CompiledModel, ModelCast};
+use canvas::Canvases;
+use predict::CompiledModel;
 use search::{Found, Search};
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
@@ -109,38 +111,33 @@ impl Checker {
     }
 
     /// The right answer as this program would have drawn it: with its own strengths, and in its own way.
-    fn reference(
-        &self,
-        task: &Task,
-        stage: &Stage,
-        models: &[&CompiledModel],
-        casts: &[ModelCast],
-        found: &Found<'_>,
-        situations: usize,
-    ) -> Result<Sheet, GlError> {
-        let right = found.right();
-        let Some(best) = found.ranking.first().filter(|best| best.rest.is_same()) else {
-            return Ok(right.prediction.sheet.clone());
+    fn reference(&self, task: &Task, search: &Search<'_>, found: &Found<'_>) -> Result<Sheet, GlError> {
+        let right = &found.nearest_right;
+        let best = found.ranking.first().filter(|best| best.rest.is_same());
+        let Some(strengths) = best.map(|best| best.strengths).filter(|s| s.iter().any(Option::is_some)) else {
+            return match &right.sheet {
+                Some(sheet) => Ok(sheet.clone()),
+                None => {
+                    let drawn = search.drawn(right.model, right.hypothesis.clone(), search.situations)?;
+                    Ok(drawn.sheet.unwrap_or_else(|| search.seen.clone()))
+                }
+            };
         };
-        let strengths = best.prediction.strengths;
-        if strengths.iter().all(Option::is_none) {
-            return Ok(right.prediction.sheet.clone());
-        }
         // A term that is not there would have been there with its whole strength.
         let strength = |term: usize| match strengths[term] {
             Some(found) if found.iter().any(|s| *s > 1e-3) => found,
             _ => [if task.wanted[term] { 1.0 } else { 0.0 }; 3],
         };
-        let peculiar = best.made_of.iter().any(|mistake| mistake.harmless);
+        let peculiar = best.is_some_and(|best| best.made_of.iter().any(|mistake| mistake.harmless));
         let hypothesis = if peculiar { right.hypothesis.clone() } else { Hypothesis::default() };
-        let model = right.model;
-        models[model].predict_with(stage, &casts[model], &hypothesis, situations, [0, 1, 2].map(strength))
+        let (model, cast) = (search.models[right.model], &search.casts[right.model]);
+        model.predict_with(search.stage, cast, &hypothesis, search.situations, [0, 1, 2].map(strength))
     }
 
     fn prepare(&mut self, task: &'static Task) -> Result<(), GlError> {
         for model in std::iter::once(task.model).chain(task.other.map(|(model, _)| model)) {
             if let std::collections::hash_map::Entry::Vacant(entry) = self.models.entry(model) {
-                entry.insert(CompiledModel::new(&self.gl, model)?);
+                entry.insert(CompiledModel::new(&self.gl, model));
             }
         }
         if !self.stages.contains_key(task.exercise) {
@@ -184,23 +181,32 @@ impl Checker {
             .chain(task.other.map(|(model, _)| model))
             .map(|model| &self.models[&model])
             .collect();
-        let casts: Vec<_> = models.iter().map(|model| model.cast(stage, &freedom)).collect();
-        let search = Search { stage, models: &models, casts: &casts, seen: &seen, situations: *whole };
-        let mut found = search.run()?;
-        found.prefer(|id, model| (prepared.looks_like)(id, models[model].hypotheses.model));
-        let reference = self.reference(task, stage, &models, &casts, &found, *whole)?;
+        let casts: Vec<_> = models.iter().map(|model| model.cast(&freedom)).collect();
+        let canvases: Vec<_> = models
+            .iter()
+            .zip(&casts)
+            .map(|(model, cast)| Canvases::new(stage, model, cast, &seen, *whole))
+            .collect();
+        let search =
+            Search { stage, models: &models, casts: &casts, canvases: &canvases, seen: &seen, situations: *whole };
+        let found = search.run(&|id, model| (prepared.looks_like)(id, models[model].hypotheses.model))?;
+        let reference = self.reference(task, &search, &found)?;
         let held = Comparison::of(&seen, &reference, *whole);
         let mut verdict = report::verdict(task, stage, &found, &seen, &held, prepared.in_vain);
         if task.model.is_lit() {
-            let right = found.right();
+            let right = &found.nearest_right;
             let all = stage.situations().len();
-            let model = &models[right.model];
-            let reference = model.predict(stage, &casts[right.model], &seen, &right.hypothesis, all)?;
-            verdict.terms = report::terms(stage, &freedom, &Comparison::of(&seen, &reference.sheet, all));
+            // Where nothing can be looked at alone there is nothing to draw.
+            let alone = match freedom.to_find {
+                [true, true, true] => None,
+                _ => search.drawn(right.model, right.hypothesis.clone(), all)?.sheet,
+            };
+            let held = alone.map(|reference| Comparison::of(&seen, &reference, all));
+            verdict.terms = report::terms(stage, &freedom, held.as_ref());
         }
         verdict.bound = bound;
         let predicted =
-            found.ranking.first().filter(|best| !best.made_of.is_empty()).map(|best| best.prediction.sheet.clone());
+            found.ranking.first().filter(|best| !best.made_of.is_empty()).and_then(|best| best.sheet.clone());
         let evidence = Evidence {
             reference,
             predicted,
@@ -210,3 +216,6 @@ impl Checker {
         Ok((verdict, Some(evidence)))
     }
 }
+
+#[cfg(test)]
+mod canvas_tests;

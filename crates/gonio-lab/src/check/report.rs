@@ -177,10 +177,10 @@ fn missing_terms(task: &Task, best: &Tried<'_>, in_vain: [bool; 3]) -> Vec<Strin
     const WORDS: [&str; 3] = ["ambient-missing", "diffuse-missing", "specular-missing"];
     let absent = |strength: &Option<[f64; 3]>| strength.is_some_and(|s| s.iter().all(|s| *s < 1e-3));
     // Light from everywhere where diffuse light belongs is diffuse light without its cosine.
-    let flat = !task.wanted[0] && best.prediction.strengths[0].is_some_and(|s| s.iter().any(|s| *s > 1e-2));
+    let flat = !task.wanted[0] && best.strengths[0].is_some_and(|s| s.iter().any(|s| *s > 1e-2));
     let word = |term: usize| if term == 1 && flat { "diffuse-without-cosine" } else { WORDS[term] };
     (0..3)
-        .filter(|&term| absent(&best.prediction.strengths[term]))
+        .filter(|&term| absent(&best.strengths[term]))
         .filter(|&term| task.wanted[term] || in_vain[term])
         .map(|term| word(term).to_owned())
         .filter(|word| !best.wrong().contains(&word.as_str()))
@@ -220,17 +220,17 @@ fn scenes(stage: &Stage, held: &Comparison) -> Vec<SceneVerdict> {
 }
 
 /// Term by term, by the situations with one term alone. `held` compares with the right answer in all situations.
-pub fn terms(stage: &Stage, freedom: &Freedom, held: &Comparison) -> Vec<TermVerdict> {
+pub fn terms(stage: &Stage, freedom: &Freedom, held: Option<&Comparison>) -> Vec<TermVerdict> {
     ["ambient", "diffuse", "specular"]
         .into_iter()
         .enumerate()
         .map(|(index, term)| {
             let is_alone = |name: &str| name.ends_with(&format!("{term} alone"));
             let mut alone = stage.situations().iter().enumerate().filter(|(_, s)| is_alone(&s.name));
-            let state = match (freedom.to_find[index], alone.all(|(situation, _)| held.agrees(situation))) {
-                (true, _) => TermState::NotSeparable,
-                (false, true) => TermState::Right,
-                (false, false) => TermState::Wrong,
+            let state = match held.filter(|_| !freedom.to_find[index]) {
+                None => TermState::NotSeparable,
+                Some(held) if alone.all(|(situation, _)| held.agrees(situation)) => TermState::Right,
+                Some(_) => TermState::Wrong,
             };
             TermVerdict { term: term.into(), state }
         })
