@@ -11,6 +11,7 @@ pub mod live;
 pub mod locate;
 pub mod messages;
 pub mod names;
+mod nearest;
 mod other;
 pub mod score;
 pub mod stage;

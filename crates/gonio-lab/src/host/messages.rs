@@ -1,6 +1,6 @@
 //! Why a host program gives no picture at all: at its line, or at the shader's.
 
-use super::nearest::nearest;
+use crate::nearest::nearest;
 use super::program::{HostError, HostProgram};
 use gonio_gl::host::{HostFailure, HostFiles};
 
