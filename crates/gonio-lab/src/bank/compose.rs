@@ -98,6 +98,14 @@ impl Hypotheses {
         format!("way_{}", self.variables[line])
     }
 
+    /// Whether what a hypothesis writes has a word in it.
+    pub fn mentions(&self, hypothesis: &Hypothesis, word: &str) -> bool {
+        hypothesis.choices.iter().any(|(line, way)| {
+            let ways = self.alternatives.get(*line);
+            ways.and_then(|ways| ways.get(way.checked_sub(1)?)).is_some_and(|text| text.contains(word))
+        })
+    }
+
     /// What a hypothesis writes to a variable, of the model's text or of one of its ways; `None` where no line writes it.
     pub fn text_of(&self, variable: &str, hypothesis: &Hypothesis) -> Option<&str> {
         let chosen = self.variables.iter().position(|known| known == variable).and_then(|line| {

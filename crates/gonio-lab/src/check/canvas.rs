@@ -2,14 +2,14 @@
 
 use super::compare::{Comparison, Tally, channel_difference};
 use super::fit::{Plane, strengths};
-use super::predict::{CompiledModel, ModelCast, Strengths};
+use super::predict::{CompiledModel, Lit, ModelCast, Strengths, model_names};
 use crate::bank::Hypothesis;
-use crate::names::{self, Declared, NamesFile};
+use crate::names::{self, Declared};
 use crate::stage::{Sheet, Situation, Stage, TILE, numbers};
 use crate::twin::{Cast, Plan, Points, Run, Value};
 use gonio_gl::GlError;
 use std::cell::{OnceCell, RefCell};
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 
 /// How closely it is looked.
@@ -31,10 +31,12 @@ pub struct Canvases<'a> {
     points: Rc<Points>,
     /// The terms whose strengths have to be found.
     terms: Vec<usize>,
-    /// Without those terms, and then each of them alone.
+    /// Of each light: without those terms, and then each of them alone.
     casts: Rc<Vec<Cast>>,
-    /// All of them together.
+    /// Of each light: all of them together.
     whole: Rc<Vec<Cast>>,
+    /// Of each light: whether a hypothesis holds in it.
+    is_changed: Vec<bool>,
     /// By what is written to `gl_Position`.
     known: RefCell<HashMap<(String, Detail), Rc<Canvas>>>,
 }
@@ -59,9 +61,12 @@ impl<'a> Canvases<'a> {
         situations: usize,
     ) -> Option<Self> {
         let plan = Rc::clone(model.plan.as_ref()?);
-        let lit = |term| given(&plan, stage, cast, |situation| cast.freedom.apply_to_model(situation, term));
-        let casts = std::iter::once(lit(None)).chain(cast.terms.iter().map(|&term| lit(Some(term)))).collect();
-        let whole = vec![given(&plan, stage, cast, |situation| cast.freedom.apply_whole(situation))];
+        let lights = cast.lights.each();
+        let given = |light: usize, lit| given(&plan, stage, cast, |situation| cast.apply(situation, light, lit));
+        let lit = || std::iter::once(Lit::Known).chain(cast.terms.iter().map(|&term| Lit::Term(term)));
+        let casts = lights.iter().flat_map(|&(light, _)| lit().map(move |lit| (light, lit)));
+        let casts = casts.map(|(light, lit)| given(light, lit)).collect();
+        let whole = lights.iter().map(|&(light, _)| given(light, Lit::Whole)).collect();
         Some(Canvases {
             stage,
             model,
@@ -71,6 +76,7 @@ impl<'a> Canvases<'a> {
             terms: cast.terms.clone(),
             casts: Rc::new(casts),
             whole: Rc::new(whole),
+            is_changed: lights.iter().map(|(_, is_changed)| *is_changed).collect(),
             plan,
             known: RefCell::default(),
         })
@@ -89,31 +95,26 @@ impl<'a> Canvases<'a> {
         } else {
             &canvas.by_terms
         };
-        let mut colours = run.colours(&hypothesis.choices).into_iter();
+        let colours = self.colours(run, hypothesis);
         let spans = &canvas.surface.drawn.spans;
+        let count = if is_whole { 1 } else { self.terms.len() };
         // What is to be found is a factor for it all: then nothing is known.
-        let known = if is_whole { None } else { colours.next() };
-        let colours: Vec<Rc<Value>> = colours.collect();
+        let first_term = usize::from(!is_whole);
         let mut predicted: Vec<Plane> = Vec::with_capacity(3);
-        let mut found = vec![[0.0; 3]; colours.len()];
-        let mut shows = vec![false; colours.len()];
+        let (mut found, mut shows) = (vec![[0.0; 3]; count], vec![false; count]);
         for channel in 0..3 {
-            let known = match &known {
-                Some(known) => known.plane(channel, spans),
-                None => vec![0.0; canvas.surface.places.len()],
-            };
-            let planes: Vec<Plane> = colours.iter().map(|colour| colour.plane(channel, spans)).collect();
+            let added = |cast: usize| added(&colours, cast, first_term + count, channel, spans);
+            let known = if is_whole { vec![0.0; canvas.surface.places.len()] } else { added(0) };
+            let planes: Vec<Plane> = (0..count).map(|term| added(first_term + term)).collect();
             let terms: Vec<&[f32]> = planes.iter().map(Vec::as_slice).collect();
             let mut sum = known.clone();
-            if !terms.is_empty() {
-                let strengths = strengths(&canvas.seen[channel], &known, &terms);
-                for (index, (term, strength)) in terms.iter().zip(strengths).enumerate() {
-                    found[index][channel] = strength;
-                    shows[index] |= term.iter().zip(&known).any(|(a, b)| a != b);
-                    let strength = strength as f32;
-                    for (sum, (term, known)) in sum.iter_mut().zip(term.iter().zip(&known)) {
-                        *sum += strength * (term - known);
-                    }
+            let strengths = if count == 0 { Vec::new() } else { strengths(&canvas.seen[channel], &known, &terms) };
+            for (index, (term, strength)) in terms.iter().zip(strengths).enumerate() {
+                found[index][channel] = strength;
+                shows[index] |= term.iter().zip(&known).any(|(a, b)| a != b);
+                let strength = strength as f32;
+                for (sum, (term, known)) in sum.iter_mut().zip(term.iter().zip(&known)) {
+                    *sum += strength * (term - known);
                 }
             }
             predicted.push(sum);
@@ -125,6 +126,19 @@ impl<'a> Canvases<'a> {
             }
         }
         Ok((canvas.comparison(&predicted), strengths))
+    }
+
+    /// What the model puts out, light by light and cast by cast.
+    fn colours(&self, run: &Run, hypothesis: &Hypothesis) -> Vec<Rc<Value>> {
+        let changed = run.colours(&hypothesis.choices);
+        if self.is_changed.iter().all(|is_changed| *is_changed) {
+            return changed;
+        }
+        let own = run.colours(&BTreeMap::new());
+        let per_light = (own.len() / self.is_changed.len().max(1)).max(1);
+        let is_changed = |cast: usize| self.is_changed.get(cast / per_light).copied().unwrap_or(true);
+        let both = changed.into_iter().zip(own).enumerate();
+        both.map(|(cast, (changed, own))| if is_changed(cast) { changed } else { own }).collect()
     }
 
     fn canvas(&self, place: &str, detail: Detail) -> Result<Rc<Canvas>, GlError> {
@@ -180,6 +194,16 @@ impl Canvas {
     }
 }
 
+/// A cast's channel, of all lights together; there are `casts` casts a light.
+fn added(colours: &[Rc<Value>], cast: usize, casts: usize, channel: usize, spans: &[std::ops::Range<usize>]) -> Plane {
+    let mut lights = colours.iter().skip(cast).step_by(casts.max(1)).map(|colour| colour.plane(channel, spans));
+    let mut sum = lights.next().unwrap_or_default();
+    for light in lights {
+        sum.iter_mut().zip(light).for_each(|(sum, light)| *sum += light);
+    }
+    sum
+}
+
 /// What every input of a model holds.
 fn given(plan: &Plan, stage: &Stage, cast: &ModelCast, change: impl Fn(&mut Situation)) -> Cast {
     let declared: Vec<Declared> = plan
@@ -189,7 +213,7 @@ fn given(plan: &Plan, stage: &Stage, cast: &ModelCast, change: impl Fn(&mut Situ
         .map(|input| Declared::uniform(&input.name, &input.glsl_type))
         .collect();
     let roles: HashMap<String, _> =
-        names::bind(&declared, &NamesFile::default()).bound.into_iter().map(|b| (b.declared.name, b.role)).collect();
+        names::bind(&declared, &model_names()).bound.into_iter().map(|b| (b.declared.name, b.role)).collect();
     let situations: Vec<Situation> = stage
         .situations()
         .iter()
@@ -206,7 +230,8 @@ fn given(plan: &Plan, stage: &Stage, cast: &ModelCast, change: impl Fn(&mut Situ
             None => Vec::new(),
         };
         let numbers = situations.iter().map(of);
-        let padded = |numbers: Vec<f32>| -> [f32; 16] { std::array::from_fn(|i| numbers.get(i).copied().unwrap_or(0.0)) };
+        let padded =
+            |numbers: Vec<f32>| -> [f32; 16] { std::array::from_fn(|i| numbers.get(i).copied().unwrap_or(0.0)) };
         match glsl_type {
             "mat4" => Value::Matrix(4, numbers.map(|n| glam::Mat4::from_cols_array(&padded(n))).collect()),
             _ => {

@@ -4,7 +4,7 @@
 
 use super::canvas::{Canvases, Detail};
 use super::compare::Comparison;
-use super::freedom::{Freedom, Written};
+use super::freedom::{Freedom, Lights, Written};
 use super::predict::CompiledModel;
 use super::task::Task;
 use crate::names::Bindings;
@@ -20,13 +20,13 @@ fn every_hypothesis_is_on_the_cpu_what_the_driver_draws() {
     let mut tried = 0;
     for exercise in ["ex05", "ex07"] {
         let task = Task::of(exercise).unwrap();
-        let (situations, whole) = task.situations();
+        let (situations, [whole, _]) = task.situations();
         let stage = Stage::new(context.gl(), situations).unwrap();
         // Nothing is given from outside: every strength has to be found.
         let freedom = Freedom::of(task, &Bindings::default(), &Bindings::default(), &Written::default());
         for model in [Some(task.model), task.other.map(|(model, _)| model)].into_iter().flatten() {
             let compiled = CompiledModel::new(context.gl(), model);
-            let cast = compiled.cast(&freedom);
+            let cast = compiled.cast(&freedom, Lights::One);
             for hypothesis in compiled.hypotheses.singles.iter().step_by(3) {
                 let black = crate::stage::Sheet { pixels: vec![[0.5, 0.25, 0.125, 1.0]; whole * 1024] };
                 let driver = compiled.predict(&stage, &cast, &black, hypothesis, whole).unwrap();

@@ -5,12 +5,13 @@ mod compare;
 mod fit;
 mod freedom;
 mod predict;
+mod properties;
 mod report;
 mod search;
 mod task;
 
 pub use compare::{Comparison, PIXEL_TOLERANCE, PIXELS_TOLERANCE, pixel_difference};
-pub use freedom::{Freedom, Written};
+pub use freedom::{Freedom, Lights, Second, Written};
 pub(crate) use predict::declared;
 pub use task::{TASKS, Task};
 
@@ -19,12 +20,12 @@ use crate::host;
 use crate::names::{self, Declared, Kind, NamesFile, Role};
 use crate::stage::{Cast, Sheet, Stage};
 use crate::verdict::{Outcome, Verdict};
+use canvas::Canvases;
 use gonio_gl::foreign::ForeignProgram;
 use gonio_gl::host::{HostFiles, HostImage};
 use gonio_gl::{Gl, GlError};
-use canvas::Canvases;
 use predict::CompiledModel;
-use search::{Found, Search};
+use search::{Entry, Found, Search};
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
@@ -80,7 +81,7 @@ fn never_ends(
 pub struct Checker {
     gl: Gl,
     models: HashMap<Model, CompiledModel>,
-    stages: HashMap<&'static str, (Stage, usize)>,
+    stages: HashMap<&'static str, (Stage, [usize; 2])>,
     images: BTreeMap<String, Arc<HostImage>>,
 }
 
@@ -155,7 +156,7 @@ impl Checker {
         prepared: &Prepared,
     ) -> Result<(Verdict, Option<Evidence>), GlError> {
         self.prepare(task)?;
-        let (stage, whole) = &self.stages[task.exercise];
+        let (stage, [whole, of_two]) = &self.stages[task.exercise];
         let bindings = names::bind(&predict::declared(program), &prepared.names);
         let bound = report::bound(&bindings);
         if !bindings.bound.iter().any(|b| b.declared.kind == Kind::Attribute && b.role == Role::Position) {
@@ -177,22 +178,26 @@ impl Checker {
             verdict.bound = bound;
             return Ok((verdict, None));
         }
-        let models: Vec<&CompiledModel> = std::iter::once(task.model)
-            .chain(task.other.map(|(model, _)| model))
-            .map(|model| &self.models[&model])
-            .collect();
-        let casts: Vec<_> = models.iter().map(|model| model.cast(&freedom)).collect();
-        let canvases: Vec<_> = models
-            .iter()
-            .zip(&casts)
-            .map(|(model, cast)| Canvases::new(stage, model, cast, &seen, *whole))
-            .collect();
-        let search =
-            Search { stage, models: &models, casts: &casts, canvases: &canvases, seen: &seen, situations: *whole };
+        let whole = whole + if freedom.second == Second::None { 0 } else { *of_two };
+        let entries = entries(task, &freedom);
+        let models: Vec<&CompiledModel> = entries.iter().map(|entry| &self.models[&entry.model]).collect();
+        let casts: Vec<_> =
+            models.iter().zip(&entries).map(|(model, entry)| model.cast(&freedom, entry.lights)).collect();
+        let canvases: Vec<_> =
+            models.iter().zip(&casts).map(|(model, cast)| Canvases::new(stage, model, cast, &seen, whole)).collect();
+        let search = Search {
+            stage,
+            entries: &entries,
+            models: &models,
+            casts: &casts,
+            canvases: &canvases,
+            seen: &seen,
+            situations: whole,
+        };
         let found = search.run(&|id, model| (prepared.looks_like)(id, models[model].hypotheses.model))?;
         let reference = self.reference(task, &search, &found)?;
-        let held = Comparison::of(&seen, &reference, *whole);
-        let mut verdict = report::verdict(task, stage, &found, &seen, &held, prepared.in_vain);
+        let held = Comparison::of(&seen, &reference, whole);
+        let mut verdict = report::verdict(task, &search, &found, &held, prepared.in_vain);
         if task.model.is_lit() {
             let right = &found.nearest_right;
             let all = stage.situations().len();
@@ -203,6 +208,9 @@ impl Checker {
             };
             let held = alone.map(|reference| Comparison::of(&seen, &reference, all));
             verdict.terms = report::terms(stage, &freedom, held.as_ref());
+            let student = properties::Student { stage, program, bindings: &bindings, fixed: &fixed, freedom: &freedom };
+            verdict.properties = student.properties(&seen, whole)?;
+            properties::tell(&mut verdict);
         }
         verdict.bound = bound;
         let predicted =
@@ -210,11 +218,34 @@ impl Checker {
         let evidence = Evidence {
             reference,
             predicted,
-            scenes: stage.situations().iter().take(*whole).map(|s| s.name.clone()).collect(),
+            scenes: stage.situations().iter().take(whole).map(|s| s.name.clone()).collect(),
             seen,
         };
         Ok((verdict, Some(evidence)))
     }
+}
+
+/// The ways that an answer may take, the usual one first.
+fn entries(task: &Task, freedom: &Freedom) -> Vec<Entry> {
+    let mut entries: Vec<Entry> = Vec::new();
+    let right = freedom.right_lights();
+    for &lights in right {
+        entries.push(Entry { model: task.model, lights, is_right: true, word: None });
+    }
+    if let (Some((model, word)), Some(&lights)) = (task.other, right.first()) {
+        entries.push(Entry { model, lights, is_right: word.is_none(), word });
+    }
+    for &lights in freedom.wrong_lights() {
+        // A light that cannot be switched may be there for the one term that is wrong, or for nothing.
+        let word = match lights {
+            Lights::First if freedom.second == Second::Switched => Some("second-light-missing"),
+            Lights::Second => Some("lights-overwritten"),
+            Lights::EachAmbient => Some("ambient-twice"),
+            _ => None,
+        };
+        entries.push(Entry { model: task.model, lights, is_right: false, word });
+    }
+    entries
 }
 
 #[cfg(test)]

@@ -1,10 +1,10 @@
 //! What a model draws under a hypothesis, by the driver.
 
 use super::fit::{Fit, fit};
-use super::freedom::Freedom;
+use super::freedom::{Freedom, Lights};
 use crate::bank::{Hypotheses, Hypothesis, Model};
 use crate::names::{self, Bindings, Declared, Kind, NamesFile};
-use crate::stage::{Sheet, Stage, for_context};
+use crate::stage::{Sheet, Situation, Stage, for_context};
 use crate::twin::Plan;
 use gonio_gl::foreign::ForeignProgram;
 use gonio_gl::{Gl, GlError};
@@ -65,22 +65,23 @@ impl CompiledModel {
             .into_iter()
             .filter(|declared| !declared.name.starts_with("way_") && declared.name != "written_exponent")
             .collect();
-        let bindings = names::bind(&known, &NamesFile::default());
+        let bindings = names::bind(&known, &model_names());
         let program = Rc::new(Program { program, bindings });
         self.programs.borrow_mut().insert(choices, Rc::clone(&program));
         Ok(program)
     }
 
     /// What it is given: nothing but hypotheses changes afterwards.
-    pub fn cast(&self, freedom: &Freedom) -> ModelCast {
+    pub fn cast(&self, freedom: &Freedom, lights: Lights) -> ModelCast {
         ModelCast {
             terms: (0..3).filter(|&term| freedom.to_find[term]).collect(),
             exponent: freedom.written_exponent.unwrap_or(1.0),
             freedom: freedom.clone(),
+            lights,
         }
     }
 
-    /// Draws it without the terms whose strengths have to be found, or with one of them alone, or with all.
+    /// Draws it without the terms whose strengths have to be found, or with one of them alone, or with all; light is added up.
     fn draw(
         &self,
         stage: &Stage,
@@ -89,13 +90,23 @@ impl CompiledModel {
         hypothesis: &Hypothesis,
         situations: usize,
     ) -> Result<Sheet, GlError> {
-        let Program { program, bindings } = &*self.program(hypothesis)?;
-        let given = stage.cast(program, bindings, |situation| match lit {
-            Lit::Known => cast.freedom.apply_to_model(situation, None),
-            Lit::Term(term) => cast.freedom.apply_to_model(situation, Some(term)),
-            Lit::Whole => cast.freedom.apply_whole(situation),
-        });
-        stage.draw(program, &given, &self.ways(cast, hypothesis), situations)
+        let mut sum: Option<Sheet> = None;
+        for &(light, is_changed) in cast.lights.each() {
+            let plain = Hypothesis::default();
+            let hypothesis = if is_changed { hypothesis } else { &plain };
+            let Program { program, bindings } = &*self.program(hypothesis)?;
+            let given = stage.cast(program, bindings, |situation| cast.apply(situation, light, lit));
+            let sheet = stage.draw(program, &given, &self.ways(cast, hypothesis), situations)?;
+            match &mut sum {
+                None => sum = Some(sheet),
+                Some(sum) => {
+                    for (sum, pixel) in sum.pixels.iter_mut().zip(&sheet.pixels).filter(|(s, _)| Sheet::is_drawn(s)) {
+                        sum.iter_mut().zip(pixel).take(3).for_each(|(sum, light)| *sum += light);
+                    }
+                }
+            }
+        }
+        sum.ok_or_else(|| GlError::new("a model without any light"))
     }
 
     /// What it draws. `seen` is what strengths are found for.
@@ -171,11 +182,20 @@ impl CompiledModel {
     }
 }
 
+/// What the names mean that models have for what belongs to no one: the place of the light that is not being added.
+pub fn model_names() -> NamesFile {
+    let meaning = crate::names::Meaning::Role(crate::names::Role::LightPos(1));
+    NamesFile { names: [("other_light_pos".to_owned(), meaning)].into() }
+}
+
 /// Which terms of those whose strengths have to be found are lit.
 #[derive(Clone, Copy)]
-enum Lit {
+pub enum Lit {
+    /// None of them.
     Known,
+    /// One alone.
     Term(usize),
+    /// All.
     Whole,
 }
 
@@ -187,9 +207,20 @@ pub struct ModelCast {
     pub freedom: Freedom,
     /// The exponent that stands in the student's source.
     pub exponent: f32,
+    /// What it is lit by.
+    pub lights: Lights,
 }
 
 impl ModelCast {
+    /// Changes a situation to what the model is given for one of its lights.
+    pub fn apply(&self, situation: &mut Situation, light: usize, lit: Lit) {
+        match lit {
+            Lit::Known => self.freedom.apply_to_model(situation, self.lights, light, None),
+            Lit::Term(term) => self.freedom.apply_to_model(situation, self.lights, light, Some(term)),
+            Lit::Whole => self.freedom.apply_whole(situation, self.lights, light),
+        }
+    }
+
     /// Whether some strengths have to be found.
     pub fn must_find(&self) -> bool {
         !self.terms.is_empty()

@@ -2,7 +2,7 @@
 
 use super::compare::Comparison;
 use super::freedom::Freedom;
-use super::search::{Found, Tried};
+use super::search::{Entry, Found, Search, Tried};
 use super::task::Task;
 use crate::names::Bindings;
 use crate::stage::{Sheet, Stage};
@@ -79,17 +79,12 @@ pub const STRUCTURAL: &[(&str, &str, &str, &str)] = &[
 ];
 
 /// Everything but what was bound.
-pub fn verdict(
-    task: &Task,
-    stage: &Stage,
-    found: &Found<'_>,
-    seen: &Sheet,
-    held: &Comparison,
-    in_vain: [bool; 3],
-) -> Verdict {
+pub fn verdict(task: &Task, search: &Search<'_>, found: &Found<'_>, held: &Comparison, in_vain: [bool; 3]) -> Verdict {
+    let (stage, seen) = (search.stage, search.seen);
     let mut verdict = Verdict::new(task.exercise, Outcome::Wrong, "");
     verdict.scenes = scenes(stage, held);
     let Some(best) = found.ranking.first() else { return verdict };
+    let entry = search.entries.get(best.model);
     let right = verdict.scenes.iter().filter(|scene| scene.right).count();
     verdict.score = (right as f64 / verdict.scenes.len().max(1) as f64).min(MOST_FOR_WRONG);
     let undefined = undefined_pixels(seen);
@@ -101,13 +96,13 @@ pub fn verdict(
     let next = found.ranking.iter().skip(1).find(|tried| !tried.wrong().is_empty());
     let names_well = best.rest.is_same()
         || (best.explained >= NAMED_FROM && next.is_none_or(|next| best.explained - next.explained >= CLEARER_BY));
-    let words = structural_words(task, best);
+    let words: Vec<String> = entry.and_then(|entry| entry.word).map(str::to_owned).into_iter().collect();
     let missing = missing_terms(task, best, in_vain);
     let is_right = best.rest.is_same() && words.is_empty() && best.wrong().is_empty();
     if is_right && missing.is_empty() {
         verdict.verdict = Outcome::Correct;
         verdict.score = 1.0;
-        verdict.peculiarities = peculiarities(task, best);
+        verdict.peculiarities = peculiarities(task, best, entry);
         verdict.summary = match verdict.peculiarities.is_empty() {
             true => "right in every scene".to_owned(),
             false => "right in every scene, in a way of its own".to_owned(),
@@ -131,7 +126,7 @@ pub fn verdict(
     let ids: Vec<String> =
         words.into_iter().chain(best.wrong().into_iter().map(str::to_owned)).chain(missing).collect();
     verdict.mistakes = ids.iter().filter_map(|id| mistake(id, share)).collect();
-    verdict.peculiarities = peculiarities(task, best);
+    verdict.peculiarities = peculiarities(task, best, entry);
     for mistake in &mut verdict.mistakes {
         mistake.or = crate::bank::find(&mistake.id).map_or(Vec::new(), |known| known.looks_the_same_as.clone());
     }
@@ -154,22 +149,25 @@ fn undefined_pixels(seen: &Sheet) -> usize {
     seen.pixels.iter().filter(|p| Sheet::is_drawn(p) && p.iter().take(3).any(|c| !c.is_finite())).count()
 }
 
-fn peculiarities(task: &Task, best: &Tried<'_>) -> Vec<Peculiarity> {
+fn peculiarities(task: &Task, best: &Tried<'_>, entry: Option<&Entry>) -> Vec<Peculiarity> {
     let harmless = best.made_of.iter().filter(|m| m.harmless);
     let mut all: Vec<Peculiarity> = harmless.map(|m| Peculiarity { id: m.id.clone(), name: m.name.clone() }).collect();
-    if let (1, Some((_, None))) = (best.model, task.other) {
+    if entry.is_some_and(|entry| entry.is_right && entry.model != task.model) {
         let name = "The light is computed for each vertex (Gouraud shading)".to_owned();
         all.push(Peculiarity { id: "light-per-vertex".to_owned(), name });
     }
-    all
-}
-
-/// The word for another model, where that is a mistake.
-fn structural_words(task: &Task, best: &Tried<'_>) -> Vec<String> {
-    match (best.model, task.other) {
-        (1, Some((_, Some(word)))) => vec![word.to_owned()],
-        _ => Vec::new(),
+    // Who goes ahead of the exercise is not wrong; diffuse light belongs to a highlight as a matter of course.
+    const AHEAD: [(usize, &str, &str); 2] = [
+        (0, "ambient-added", "Ambient light is added, which the exercise does not ask for"),
+        (2, "specular-added", "A highlight is added, which the exercise does not ask for"),
+    ];
+    for (term, id, name) in AHEAD {
+        let is_there = best.strengths[term].is_some_and(|strength| strength.iter().any(|s| *s > 1e-2));
+        if is_there && !task.wanted[term] {
+            all.push(Peculiarity { id: id.to_owned(), name: name.to_owned() });
+        }
     }
+    all
 }
 
 /// Terms that have no strength, and that the exercise asks for or the source computes in vain.

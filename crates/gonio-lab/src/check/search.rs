@@ -5,8 +5,9 @@
 
 use super::canvas::{Canvases, Detail};
 use super::compare::Comparison;
+use super::freedom::Lights;
 use super::predict::{CompiledModel, ModelCast, Strengths};
-use crate::bank::{Hypothesis, Mistake};
+use crate::bank::{Hypothesis, Mistake, Model};
 use crate::stage::{Sheet, Stage};
 use gonio_gl::GlError;
 
@@ -51,13 +52,7 @@ impl Tried<'_> {
         let key = |tried: &Self| {
             let wrong = tried.made_of.iter().filter(|m| !m.harmless).count();
             let model_is_other = tried.model > 0;
-            (
-                wrong,
-                model_is_other,
-                tried.made_of.len(),
-                tried.terms_found(),
-                tried.hypothesis.made_of.clone(),
-            )
+            (wrong, model_is_other, tried.made_of.len(), tried.terms_found(), tried.hypothesis.made_of.clone())
         };
         other
             .rest
@@ -118,11 +113,26 @@ impl Difference {
     }
 }
 
+/// A way to answer, right or wrong, that answers may be changes of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Entry {
+    /// What is computed.
+    pub model: Model,
+    /// Of which lights.
+    pub lights: Lights,
+    /// Whether an answer may be so.
+    pub is_right: bool,
+    /// The word for it, where it is a mistake.
+    pub word: Option<&'static str>,
+}
+
 /// Everything that a search looks at.
 pub struct Search<'a> {
     /// Where.
     pub stage: &'a Stage,
-    /// The right answer's model first, then others that answers may be changes of.
+    /// The right answer first, then others that answers may be changes of.
+    pub entries: &'a [Entry],
+    /// The model of each.
     pub models: &'a [&'a CompiledModel],
     /// What each model is given.
     pub casts: &'a [ModelCast],
@@ -147,7 +157,8 @@ impl<'a> Search<'a> {
         // What leaves over exactly as much as no mistake at all is not to be seen.
         let mut known = std::collections::BTreeSet::from([picture(&difference.coarse)]);
         let wrong = self.wrong(model).cloned();
-        let tried: Vec<_> = wrong.map(|h| self.attempt_in(model, h, difference, Detail::Coarse)).collect::<Result<_, _>>()?;
+        let tried: Vec<_> =
+            wrong.map(|h| self.attempt_in(model, h, difference, Detail::Coarse)).collect::<Result<_, _>>()?;
         Ok(tried.into_iter().filter(|t| known.insert(picture(&t.rest))).map(|t| t.hypothesis).collect())
     }
 
@@ -167,12 +178,7 @@ impl<'a> Search<'a> {
         tried.into_iter().take(KEPT).map(|tried| self.attempt(model, tried.hypothesis, difference)).collect()
     }
 
-    fn attempt(
-        &self,
-        model: usize,
-        hypothesis: Hypothesis,
-        difference: &Difference,
-    ) -> Result<Tried<'a>, GlError> {
+    fn attempt(&self, model: usize, hypothesis: Hypothesis, difference: &Difference) -> Result<Tried<'a>, GlError> {
         self.attempt_in(model, hypothesis, difference, Detail::Full)
     }
 
@@ -253,7 +259,13 @@ impl<'a> Search<'a> {
 
     fn wrong(&self, model: usize) -> impl Iterator<Item = &'a Hypothesis> {
         let hypotheses = &self.models[model].hypotheses;
-        hypotheses.singles.iter().filter(|h| h.made_of.iter().all(|&m| !hypotheses.mistakes[m].harmless))
+        let another = self.casts[model].freedom.knows_another();
+        hypotheses
+            .singles
+            .iter()
+            .filter(|h| h.made_of.iter().all(|&m| !hypotheses.mistakes[m].harmless))
+            // Where there is no other light, nothing comes from it.
+            .filter(move |h| another || !hypotheses.mentions(h, "other_light_pos"))
     }
 
     /// Looks for the simplest explanation; where pictures are silent, what the source looks like decides.
@@ -274,11 +286,12 @@ impl<'a> Search<'a> {
             let tried = sets.map(|set| self.attempt(model, set, &difference));
             let mut tried = tried.collect::<Result<Vec<_>, _>>()?;
             tried.sort_by(|a, b| a.order(b));
-            if let Some(best) = tried.first_mut().filter(|best| model == 0 && best.rest.is_same()) {
+            if let Some(best) = tried.first_mut().filter(|best| best.rest.is_same()) {
                 let drawn = self.drawn(model, best.hypothesis.clone(), self.situations)?;
                 *best = Tried { explained: best.explained, ..drawn };
             }
-            if let Some(best) = tried.first().filter(|best| model == 0 && best.order(&nearest_right).is_lt()) {
+            let is_right = self.entries.get(model).is_some_and(|entry| entry.is_right);
+            if let Some(best) = tried.first().filter(|best| is_right && best.order(&nearest_right).is_lt()) {
                 nearest_right = best.clone();
             }
             bases.push((model, Hypothesis::default()));
@@ -290,8 +303,9 @@ impl<'a> Search<'a> {
             if let Some(common) = common.filter(|common| bases.iter().all(|(_, base)| *base != common.hypothesis)) {
                 bases.push((model, common.hypothesis.clone()));
             }
+            let is_same = tried.first().is_some_and(|best| best.rest.is_same());
             all.extend(tried);
-            if nearest_right.rest.is_same() {
+            if is_same {
                 return Ok(self.found(nearest_right, all));
             }
         }

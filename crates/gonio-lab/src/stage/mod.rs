@@ -12,7 +12,7 @@ pub(crate) use sheet::stream_of;
 pub use sheet::{Cast, Sheet, Stage, TILE};
 pub use situation::{Light, Situation};
 pub use surface::Surface;
-pub use values::numbers;
+pub use values::{numbers, numbers_of_array};
 
 /// Our own programs are written as 330 core; as 300 es they are the same with another first line.
 pub fn for_context(gl: &gonio_gl::Gl, source: &str) -> String {

@@ -1,7 +1,7 @@
 //! A program drawn in all situations at once.
 
 use super::surface::{Numbered, Surface};
-use super::{Shape, Situation, numbers, sky};
+use super::{Shape, Situation, numbers_of_array, sky};
 use crate::names::{Bindings, Bound, Kind, Role};
 use gonio_gl::foreign::{ForeignMesh, ForeignProgram, ForeignTexture, NOT_DRAWN, Stream, TileTarget};
 use gonio_gl::{Gl, GlError};
@@ -109,7 +109,7 @@ impl Stage {
                     let values = match glsl_type {
                         "samplerCube" => Some(vec![CUBEMAP_UNIT as f32]),
                         "sampler2D" => Some(vec![WHITE_UNIT as f32]),
-                        _ => numbers(bound.role, glsl_type, &situation),
+                        _ => numbers_of_array(bound.role, glsl_type, bound.declared.array, &situation),
                     };
                     Some((index, values?))
                 };

@@ -89,9 +89,7 @@ impl Function {
             (Self::Min, Some(b)) => a.zip(b, spans, f32::min),
             // As drivers have it: the power of a negative number is no number.
             (Self::Pow, Some(b)) => a.zip(b, spans, |a, b| (b * a.log2()).exp2()),
-            (Self::Clamp, Some(low)) => {
-                a.zip(low, spans, f32::max).zip(arguments.get(2)?, spans, f32::min)
-            }
+            (Self::Clamp, Some(low)) => a.zip(low, spans, f32::max).zip(arguments.get(2)?, spans, f32::min),
             _ => return None,
         })
     }

@@ -14,4 +14,3 @@ mod value;
 pub use plan::{Input, Plan};
 pub use run::{Cast, Drawn, Points, Run};
 pub use value::Value;
-

@@ -2,8 +2,8 @@
 
 use super::functions::Function;
 use crate::bank::Hypotheses;
-use gonio_glsl::ast::BinaryOp;
 use gonio_glsl::Stage;
+use gonio_glsl::ast::BinaryOp;
 
 /// A uniform that a model reads.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -53,7 +53,8 @@ impl Run {
         let varying = (0..plan.inputs.len())
             .map(|input| casts.windows(2).any(|pair| pair[0].get(input) != pair[1].get(input)))
             .collect();
-        let mut run = Run { plan: Rc::clone(&plan), points, drawn, casts, varying, own: Vec::with_capacity(plan.slots) };
+        let mut run =
+            Run { plan: Rc::clone(&plan), points, drawn, casts, varying, own: Vec::with_capacity(plan.slots) };
         for step in &plan.steps {
             let value = run.step(step, 0, &|slot| run.own.get(slot).map_or(&[][..], |of| of));
             run.own.push(value);
@@ -68,9 +69,7 @@ impl Run {
             let way = step.line.and_then(|line| choices.get(&line)).copied().unwrap_or(0);
             let touched = |slot: &usize| changed[*slot].is_some();
             let is_new = match &step.act {
-                Act::Write(ways) => {
-                    way > 0 || ways.first().is_some_and(|way| way.slots.iter().any(touched))
-                }
+                Act::Write(ways) => way > 0 || ways.first().is_some_and(|way| way.slots.iter().any(touched)),
                 Act::Interpolate(from) => touched(from),
             };
             if is_new {
@@ -115,13 +114,7 @@ impl Run {
         Rc::new(Value::Each(planes.iter().map(interpolate).collect()))
     }
 
-    fn node<'v>(
-        &self,
-        node: &Node,
-        stage: Stage,
-        cast: usize,
-        known: &dyn Fn(usize) -> &'v [Rc<Value>],
-    ) -> Rc<Value> {
+    fn node<'v>(&self, node: &Node, stage: Stage, cast: usize, known: &dyn Fn(usize) -> &'v [Rc<Value>]) -> Rc<Value> {
         let spans = self.spans(stage);
         let of = |node: &Node| self.node(node, stage, cast, known);
         let nothing = || Rc::new(Value::number(0.0, spans.len()));
@@ -141,9 +134,7 @@ impl Run {
                 let [condition, then, otherwise] = &**parts;
                 Some(of(condition).select(&of(then), &of(otherwise), spans))
             }
-            Node::Call(function, arguments) => {
-                function.call(&arguments.iter().map(of).collect::<Vec<_>>(), spans)
-            }
+            Node::Call(function, arguments) => function.call(&arguments.iter().map(of).collect::<Vec<_>>(), spans),
         };
         found.map_or_else(nothing, Rc::new)
     }
