@@ -101,7 +101,7 @@ impl Student<'_> {
         }
         let turn = Quat::from_euler(EulerRot::YXZ, 0.7, 0.5, 0.3);
         let turned = self.draw(|situation| *situation = situation.turned(turn))?;
-        Ok(Some(failing(seen, |tile, index, channel| turned.tile(tile)[index][channel])))
+        Ok(failing(seen, |tile, index, channel| turned.tile(tile)[index][channel]))
     }
 
     fn linear(&self, seen: &Sheet) -> Result<Option<Vec<usize>>, GlError> {
@@ -134,10 +134,10 @@ impl Student<'_> {
             }
         };
         let (half, none) = (self.draw(scaled(0.5))?, self.draw(scaled(0.0))?);
-        Ok(Some(failing(seen, |tile, index, channel| {
+        Ok(failing(seen, |tile, index, channel| {
             let none = none.tile(tile)[index][channel];
             none + 2.0 * (half.tile(tile)[index][channel] - none)
-        })))
+        }))
     }
 
     fn additive(&self) -> Result<Option<Vec<usize>>, GlError> {
@@ -153,10 +153,10 @@ impl Student<'_> {
             })
         };
         let (both, first, second, none) = (lit(true, true)?, lit(true, false)?, lit(false, true)?, lit(false, false)?);
-        Ok(Some(failing(&both, |tile, index, channel| {
+        Ok(failing(&both, |tile, index, channel| {
             let of = |sheet: &Sheet| sheet.tile(tile)[index][channel];
             of(&first) + of(&second) - of(&none)
-        })))
+        }))
     }
 
     fn attenuated(&self, seen: &Sheet) -> Result<Option<Vec<usize>>, GlError> {
@@ -176,19 +176,20 @@ impl Student<'_> {
             }
         };
         let (twice, far) = (self.draw(scaled(2.0))?, self.draw(scaled(FAR))?);
-        Ok(Some(failing(seen, |tile, index, channel| {
+        Ok(failing(seen, |tile, index, channel| {
             let far = far.tile(tile)[index][channel];
             far + 2.0 * (twice.tile(tile)[index][channel] - far)
-        })))
+        }))
     }
 }
 
-/// The tiles in which a picture is not what it has to be. Where it is burnt out, or no number, nothing can be told.
-fn failing(seen: &Sheet, expected: impl Fn(usize, usize, usize) -> f32) -> Vec<usize> {
-    let fails = |tile: &usize| {
+/// The tiles in which a picture is not what it has to be. Where it is burnt out, or no number, nothing can be told; `None` where
+/// it is so everywhere.
+fn failing(seen: &Sheet, expected: impl Fn(usize, usize, usize) -> f32) -> Option<Vec<usize>> {
+    let counted = |tile: usize| {
         let (mut all, mut beyond) = (0_usize, 0_usize);
-        for (index, pixel) in seen.tile(*tile).iter().enumerate() {
-            let expected = [0, 1, 2].map(|channel| expected(*tile, index, channel));
+        for (index, pixel) in seen.tile(tile).iter().enumerate() {
+            let expected = [0, 1, 2].map(|channel| expected(tile, index, channel));
             let [r, g, b] = expected;
             let is_usable = |pixel: &[f32; 4]| {
                 Sheet::is_drawn(pixel) && pixel.iter().take(3).all(|c| c.is_finite() && *c < 1.0 && *c > -1e3)
@@ -200,9 +201,11 @@ fn failing(seen: &Sheet, expected: impl Fn(usize, usize, usize) -> f32) -> Vec<u
                 beyond += usize::from(difference > PIXEL_TOLERANCE);
             }
         }
-        beyond as f64 > MOST_BEYOND * all as f64
+        (all, beyond)
     };
-    (0..SITUATIONS).filter(fails).collect()
+    let counts: Vec<(usize, usize)> = (0..SITUATIONS).map(counted).collect();
+    let fails = |tile: &usize| counts[*tile].1 as f64 > MOST_BEYOND * counts[*tile].0 as f64;
+    counts.iter().any(|(all, _)| *all > 0).then(|| (0..SITUATIONS).filter(fails).collect())
 }
 
 /// Where nothing has a name, what does not hold says at least where to look.
