@@ -144,6 +144,7 @@ pub struct Verdict {
     /// Situation by situation.
     pub scenes: Vec<SceneVerdict>,
     /// What needs no reference: tried with programs that compute light.
+    #[serde(default)]
     pub properties: Vec<PropertyVerdict>,
     /// Where it does not compile.
     pub messages: Vec<CompilerMessage>,

@@ -130,8 +130,13 @@ pub fn verdict(task: &Task, search: &Search<'_>, found: &Found<'_>, held: &Compa
     for mistake in &mut verdict.mistakes {
         mistake.or = crate::bank::find(&mistake.id).map_or(Vec::new(), |known| known.looks_the_same_as.clone());
     }
-    if let [only] = verdict.mistakes.as_mut_slice() {
-        only.or = alternatives(found, best);
+    let count = verdict.mistakes.len();
+    for mistake in verdict.mistakes.iter_mut().filter(|_| best.wrong().len() == count) {
+        for other in alternatives(found, best, &mistake.id) {
+            if !mistake.or.contains(&other) {
+                mistake.or.push(other);
+            }
+        }
     }
     let not_the_same =
         |tried: &&Tried<'_>| !tried.wrong().is_empty() && tried.wrong() != best.wrong() && !tried.rest.is_same();
@@ -185,19 +190,28 @@ fn missing_terms(task: &Task, best: &Tried<'_>, in_vain: [bool; 3]) -> Vec<Strin
         .collect()
 }
 
-/// Single mistakes that leave just as little over: no picture tells them apart.
-fn alternatives(found: &Found<'_>, best: &Tried<'_>) -> Vec<String> {
-    let mut others: Vec<String> = found
-        .ranking
-        .iter()
-        .filter(|tried| tried.rest.is_same() && tried.model == best.model && tried.wrong() != best.wrong())
-        .filter_map(|tried| match tried.wrong().as_slice() {
-            [id] => Some((*id).to_owned()),
-            _ => None,
-        })
-        .collect();
-    others.dedup();
-    others
+/// Mistakes that leave just as little over in the place of this one: no picture tells them apart.
+fn alternatives(found: &Found<'_>, best: &Tried<'_>, id: &str) -> Vec<String> {
+    let others: Vec<&str> = best.wrong().into_iter().filter(|other| *other != id).collect();
+    let same = |tried: &&Tried<'_>| {
+        tried.rest.is_same() && tried.model == best.model && tried.wrong().len() == others.len() + 1
+    };
+    let mut names: Vec<String> = Vec::new();
+    for tried in found.ranking.iter().filter(same) {
+        let mut wrong = tried.wrong();
+        for other in &others {
+            if let Some(at) = wrong.iter().position(|word| word == other) {
+                wrong.remove(at);
+            }
+        }
+        if let [only] = wrong[..]
+            && only != id
+            && !names.iter().any(|known| known == only)
+        {
+            names.push(only.to_owned());
+        }
+    }
+    names
 }
 
 /// Scene by scene: `held` compares with the right answer.
