@@ -91,7 +91,7 @@ impl Found<'_> {
 }
 
 /// Most singles to which a second mistake is sought.
-const FIRSTS: usize = 8;
+const FIRSTS: usize = 14;
 /// The first situations of every exercise tell most: in those many hypotheses are ranked ...
 const TELLING: usize = 4;
 /// ... and so many of the best are then tried in all.
