@@ -22,6 +22,7 @@ uniform float shininess;
 uniform float written_exponent; // a number that stands where the shininess belongs
 uniform vec3 materialColour;
 uniform vec3 u_view_pos;
+uniform vec3 other_light_pos; // of another light than the one that is added up here
 
 out vec3 v_col;
 

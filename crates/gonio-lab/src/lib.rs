@@ -11,11 +11,13 @@ pub mod live;
 pub mod locate;
 pub mod messages;
 pub mod names;
+mod nearest;
 mod other;
 pub mod score;
 pub mod stage;
 mod student;
 pub mod submission;
+pub mod twin;
 pub mod verdict;
 
 pub use student::{CheckOptions, check};

@@ -37,8 +37,11 @@ impl Count {
             self.invisible += 1;
             return;
         }
-        let whole =
-            verdict.mistakes.iter().all(|found| found.share_explained >= 1.0 && made.contains(&found.id.as_str()));
+        // Under its own name, or under one that no picture tells from it.
+        let is_made = |found: &crate::verdict::FoundMistake| {
+            made.iter().any(|id| found.id == *id || found.or.iter().any(|or| or == id))
+        };
+        let whole = verdict.mistakes.iter().all(|found| found.share_explained >= 1.0 && is_made(found));
         if whole && !verdict.mistakes.is_empty() && verdict.mistakes.len() < made.len() {
             self.hidden += 1;
             return;

@@ -249,8 +249,20 @@ pub(crate) fn compile(
     if refused(vertex) || refused(fragment) {
         ForeignProgram::new(gl, &vertex.text.text, &fragment.text.text)?;
     }
-    Ok(program)
+    // This driver may be more lenient than all others: what the version does not have is wrong in any case.
+    let missing = |stage: &ReadStage<'_>| {
+        let is_missing = |p: &Problem| p.severity == Severity::Error && NOT_IN_VERSION.contains(&p.code);
+        stage.problems().any(is_missing).then(String::new)
+    };
+    match (missing(vertex), missing(fragment)) {
+        (None, None) => Ok(program),
+        (vertex_log, fragment_log) => Err(BrokenProgram { vertex_log, fragment_log, ..BrokenProgram::default() }),
+    }
 }
+
+/// Problems that Mesa does not see: `texture2D` in `#version 300 es` (GLSL ES 3.00, section 8.8 has no such function; the
+/// reference compiler and browsers refuse it).
+const NOT_IN_VERSION: [&str; 1] = ["old-function"];
 
 /// What the driver says, at the student's lines; what our own reader found comes first where it is on the same line or where
 /// the driver names none, for it is said in plain words.

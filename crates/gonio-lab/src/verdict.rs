@@ -143,6 +143,9 @@ pub struct Verdict {
     pub terms: Vec<TermVerdict>,
     /// Situation by situation.
     pub scenes: Vec<SceneVerdict>,
+    /// What needs no reference: tried with programs that compute light.
+    #[serde(default)]
+    pub properties: Vec<PropertyVerdict>,
     /// Where it does not compile.
     pub messages: Vec<CompilerMessage>,
     /// What was bound to what.
@@ -150,6 +153,31 @@ pub struct Verdict {
     /// Right answers are 1, wrong ones by the share of situations that are right; 0 where it does not compile.
     #[serde(deserialize_with = "or_infinite")]
     pub score: f64,
+}
+
+/// Whether something holds that has to hold of every light equation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PropertyState {
+    /// It does.
+    Right,
+    /// It does not.
+    Wrong,
+    /// The program does not take from outside what would have to be varied.
+    NotApplicable,
+}
+
+/// What was tried with the student's program alone, without any reference.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct PropertyVerdict {
+    /// A stable kebab-case word.
+    pub id: String,
+    /// What holds or does not, in one sentence.
+    pub sentence: String,
+    /// Which of the two.
+    pub state: PropertyState,
+    /// The situations in which it does not hold.
+    pub scenes: Vec<String>,
 }
 
 /// The next best explanation.
@@ -184,6 +212,7 @@ impl Verdict {
             warnings: Vec::new(),
             terms: Vec::new(),
             scenes: Vec::new(),
+            properties: Vec::new(),
             messages: Vec::new(),
             bound: Vec::new(),
             score: if verdict == Outcome::Correct { 1.0 } else { 0.0 },

@@ -98,6 +98,24 @@ impl Hypotheses {
         format!("way_{}", self.variables[line])
     }
 
+    /// Whether what a hypothesis writes has a word in it.
+    pub fn mentions(&self, hypothesis: &Hypothesis, word: &str) -> bool {
+        hypothesis.choices.iter().any(|(line, way)| {
+            let ways = self.alternatives.get(*line);
+            ways.and_then(|ways| ways.get(way.checked_sub(1)?)).is_some_and(|text| text.contains(word))
+        })
+    }
+
+    /// What a hypothesis writes to a variable, of the model's text or of one of its ways; `None` where no line writes it.
+    pub fn text_of(&self, variable: &str, hypothesis: &Hypothesis) -> Option<&str> {
+        let chosen = self.variables.iter().position(|known| known == variable).and_then(|line| {
+            let way = hypothesis.choices.get(&line)?.checked_sub(1)?;
+            self.alternatives.get(line)?.get(way).map(String::as_str)
+        });
+        let lines = || self.sources.iter().flat_map(|source| source.lines());
+        chosen.or_else(|| lines().filter_map(assignment).find(|(name, _)| *name == variable).map(|(_, text)| text))
+    }
+
     /// Vertex and fragment shader that are every hypothesis, `#version 330 core`: with all uniforms `way_...` at 0 the model
     /// itself.
     pub fn sources(&self) -> [String; 2] {

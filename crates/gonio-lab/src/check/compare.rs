@@ -18,12 +18,56 @@ pub fn pixel_difference(a: &[f32; 4], b: &[f32; 4]) -> f32 {
         (true, true) => {}
         _ => return 1.0,
     }
-    let channel = |(&a, &b): (&f32, &f32)| match (a.is_nan(), b.is_nan()) {
+    a.iter().zip(b).take(3).map(|(&a, &b)| channel_difference(a, b)).fold(0.0, f32::max)
+}
+
+/// How two numbers of a channel differ: 0 to 1.
+pub fn channel_difference(a: f32, b: f32) -> f32 {
+    match (a.is_nan(), b.is_nan()) {
         (true, true) => 0.0,
         (false, false) => (a.min(1.0) - b.min(1.0)).abs().min(1.0),
         _ => 1.0,
-    };
-    a.iter().zip(b).take(3).map(channel).fold(0.0, f32::max)
+    }
+}
+
+/// A situation's differences, added up.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Tally {
+    drawn: usize,
+    beyond: usize,
+    squares: f64,
+    worst: f32,
+}
+
+impl Tally {
+    /// One pixel more.
+    pub fn add(&mut self, difference: f32) {
+        self.drawn += 1;
+        self.beyond += usize::from(difference > PIXEL_TOLERANCE);
+        self.squares += f64::from(difference * difference);
+        self.worst = self.worst.max(difference);
+    }
+
+    /// So many pixels that only one of the two pictures has.
+    pub fn add_lost(&mut self, count: usize) {
+        self.drawn += count;
+        self.beyond += count;
+        self.squares += count as f64;
+        self.worst = if count > 0 { 1.0 } else { self.worst };
+    }
+}
+
+impl FromIterator<Tally> for Comparison {
+    fn from_iter<T: IntoIterator<Item = Tally>>(tallies: T) -> Self {
+        let mut comparison = Comparison { beyond: Vec::new(), squares: Vec::new(), worst: Vec::new() };
+        for tally in tallies {
+            let drawn = tally.drawn.max(1) as f64;
+            comparison.beyond.push(tally.beyond as f64 / drawn);
+            comparison.squares.push(tally.squares / drawn);
+            comparison.worst.push(tally.worst);
+        }
+        comparison
+    }
 }
 
 /// Two sheets side by side, situation by situation.
@@ -40,25 +84,16 @@ pub struct Comparison {
 impl Comparison {
     /// Compares as many situations as there are.
     pub fn of(a: &Sheet, b: &Sheet, situations: usize) -> Self {
-        let mut comparison = Comparison { beyond: Vec::new(), squares: Vec::new(), worst: Vec::new() };
-        for tile in 0..situations {
-            let (mut drawn, mut beyond, mut squares, mut worst) = (0_usize, 0_usize, 0.0, 0.0_f32);
+        let tally = |tile: usize| {
+            let mut tally = Tally::default();
             for (p, q) in a.tile(tile).iter().zip(b.tile(tile)) {
-                if !Sheet::is_drawn(p) && !Sheet::is_drawn(q) {
-                    continue;
+                if Sheet::is_drawn(p) || Sheet::is_drawn(q) {
+                    tally.add(pixel_difference(p, q));
                 }
-                let difference = pixel_difference(p, q);
-                drawn += 1;
-                beyond += usize::from(difference > PIXEL_TOLERANCE);
-                squares += f64::from(difference).powi(2);
-                worst = worst.max(difference);
             }
-            let drawn = drawn.max(1) as f64;
-            comparison.beyond.push(beyond as f64 / drawn);
-            comparison.squares.push(squares / drawn);
-            comparison.worst.push(worst);
-        }
-        comparison
+            tally
+        };
+        (0..situations).map(tally).collect()
     }
 
     /// Of the first situations alone.

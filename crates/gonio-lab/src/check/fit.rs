@@ -16,30 +16,50 @@ pub struct Fit {
     pub predicted: Sheet,
 }
 
-/// Brings `known + sum strength * term` nearest to `seen`, in the situations that `known` and `terms` have.
-pub fn fit(seen: &Sheet, known: &Sheet, terms: &[Sheet]) -> Fit {
+/// A channel's numbers at the pixels that count.
+pub type Plane = Vec<f32>;
+
+/// The strengths that bring `known + sum strength * (term - known)` nearest to `seen`, of one channel.
+pub fn strengths(seen: &[f32], known: &[f32], terms: &[&[f32]]) -> Vec<f64> {
     let count = terms.len();
-    let mut strengths = vec![[0.0; 3]; count];
-    for channel in 0..3 {
-        let (mut matrix, mut right) = (vec![0.0_f64; count * count], vec![0.0_f64; count]);
-        for (index, (s, k)) in seen.pixels.iter().zip(&known.pixels).enumerate() {
-            let usable = |p: &[f32; 4]| Sheet::is_drawn(p) && p[channel].is_finite();
-            // What is burnt out tells only that it is bright.
-            if !usable(s) || !usable(k) || s[channel] >= 1.0 || !terms.iter().all(|t| usable(&t.pixels[index])) {
-                continue;
-            }
-            let wanted = f64::from(s[channel] - k[channel]);
-            for row in 0..count {
-                let a = f64::from(terms[row].pixels[index][channel] - k[channel]);
-                right[row] += a * wanted;
-                for column in 0..count {
-                    let b = f64::from(terms[column].pixels[index][channel] - k[channel]);
-                    matrix[row * count + column] += a * b;
-                }
+    let (mut matrix, mut right) = (vec![0.0_f64; count * count], vec![0.0_f64; count]);
+    let mut beyond_known = vec![0.0_f64; count];
+    for (index, (&s, &k)) in seen.iter().zip(known).enumerate() {
+        // What is burnt out tells only that it is bright.
+        if !(s.is_finite() && k.is_finite() && s < 1.0) {
+            continue;
+        }
+        for (beyond, term) in beyond_known.iter_mut().zip(terms) {
+            *beyond = f64::from(term.get(index).copied().unwrap_or(f32::NAN) - k);
+        }
+        if !beyond_known.iter().all(|x| x.is_finite()) {
+            continue;
+        }
+        let wanted = f64::from(s - k);
+        for (row, a) in beyond_known.iter().enumerate() {
+            right[row] += a * wanted;
+            for (sum, b) in matrix[row * count..].iter_mut().zip(&beyond_known) {
+                *sum += a * b;
             }
         }
-        for (term, strength) in solve(matrix, right).into_iter().enumerate() {
-            strengths[term][channel] = strength;
+    }
+    solve(matrix, right)
+}
+
+/// Brings `known + sum strength * term` nearest to `seen`, in the situations that `known` and `terms` have.
+pub fn fit(seen: &Sheet, known: &Sheet, terms: &[Sheet]) -> Fit {
+    let mut found = vec![[0.0; 3]; terms.len()];
+    let is_everywhere = |index: usize, s: &[f32; 4], k: &[f32; 4]| {
+        Sheet::is_drawn(s) && Sheet::is_drawn(k) && terms.iter().all(|term| Sheet::is_drawn(&term.pixels[index]))
+    };
+    let pixels = seen.pixels.iter().zip(&known.pixels).enumerate();
+    let counting: Vec<usize> = pixels.filter(|(index, (s, k))| is_everywhere(*index, s, k)).map(|(i, _)| i).collect();
+    for channel in 0..3 {
+        let plane = |sheet: &Sheet| -> Plane { counting.iter().map(|&index| sheet.pixels[index][channel]).collect() };
+        let planes: Vec<Plane> = terms.iter().map(plane).collect();
+        let planes: Vec<&[f32]> = planes.iter().map(Vec::as_slice).collect();
+        for (term, strength) in strengths(&plane(seen), &plane(known), &planes).into_iter().enumerate() {
+            found[term][channel] = strength;
         }
     }
     let mut predicted = known.clone();
@@ -49,13 +69,13 @@ pub fn fit(seen: &Sheet, known: &Sheet, terms: &[Sheet]) -> Fit {
             continue;
         }
         let zero = *pixel;
-        for (term, strength) in terms.iter().zip(&strengths) {
+        for (term, strength) in terms.iter().zip(&found) {
             for channel in 0..3 {
                 pixel[channel] += strength[channel] as f32 * (term.pixels[index][channel] - zero[channel]);
             }
         }
     }
-    Fit { strengths, predicted }
+    Fit { strengths: found, predicted }
 }
 
 /// Solves a small symmetric system; unknowns that the equations say nothing of are 0, and so are negative ones.

@@ -2,7 +2,7 @@
 
 use super::task::Task;
 use crate::names::{Bindings, Role};
-use crate::stage::Situation;
+use crate::stage::{Light, Situation};
 use glam::Vec3;
 
 /// Numbers that stand in the student's source where a uniform could be.
@@ -10,12 +10,59 @@ use glam::Vec3;
 pub struct Written {
     /// In the world.
     pub light_position: Option<Vec3>,
+    /// Where the light comes from outside: another place of a light that is written all the same.
+    pub other_light: Option<Vec3>,
     /// The exponent.
     pub shininess: Option<f32>,
     /// kc, kl, kq, where all three are there.
     pub attenuation: [Option<f32>; 3],
     /// Against air.
     pub refraction_index: Option<f32>,
+}
+
+/// Whether a program has a second light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Second {
+    /// It has not.
+    None,
+    /// It has, and the light can be switched off from outside.
+    Switched,
+    /// It has no more than the light's place.
+    Always,
+}
+
+/// Which lights a model is lit by, and in which of them a hypothesis holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lights {
+    /// There is only one.
+    One,
+    /// Both, added up.
+    Both,
+    /// Only the first of two.
+    First,
+    /// Only the second of two.
+    Second,
+    /// Both, with an ambient term that belongs to neither.
+    OneAmbient,
+    /// Both, with one ambient term for all that is counted again for each.
+    EachAmbient,
+    /// Both, and the first of them is as it should be.
+    WrongInSecond,
+    /// Both, and the second of them is as it should be.
+    WrongInFirst,
+}
+
+impl Lights {
+    /// The lights that count, each with whether the hypothesis holds in it.
+    pub fn each(self) -> &'static [(usize, bool)] {
+        match self {
+            Lights::One | Lights::First => &[(0, true)],
+            Lights::Second => &[(1, true)],
+            Lights::Both | Lights::OneAmbient | Lights::EachAmbient => &[(0, true), (1, true)],
+            Lights::WrongInSecond => &[(0, false), (1, true)],
+            Lights::WrongInFirst => &[(0, true), (1, false)],
+        }
+    }
 }
 
 /// What may be varied, and what is fixed to which value.
@@ -35,6 +82,15 @@ pub struct Freedom {
     pub written_exponent: Option<f32>,
     attenuation: [Option<f32>; 3],
     refraction_index: Option<f32>,
+    /// Whether there is a second light.
+    pub second: Second,
+    /// Of the second light, what it has of its own: ambient, diffuse, specular, attenuation.
+    own: [bool; 4],
+    /// Whether it has a colour of its own.
+    coloured: bool,
+    /// Whether the number of lights is given.
+    counted: bool,
+    other_light: Option<Vec3>,
 }
 
 impl Freedom {
@@ -60,6 +116,33 @@ impl Freedom {
             std::array::from_fn(|term| task.model.is_lit() && !(given[term] && material && task.wanted[term]));
         let lit_from_outside =
             has(&|role| matches!(role, Role::LightPos(_) | Role::LightPosInView(_) | Role::LightDirection(_)));
+        let of_second = |wanted: &dyn Fn(Role) -> bool| {
+            bindings.bound.iter().any(|bound| {
+                // An array's elements are the lights' from the first on.
+                let last = bound.role.light().map(|first| first.saturating_add(bound.declared.array.max(1) - 1));
+                last.is_some_and(|last| last >= 1) && wanted(bound.role)
+            })
+        };
+        let is_place = |role| matches!(role, Role::LightPos(_) | Role::LightPosInView(_) | Role::LightDirection(_));
+        let coloured = of_second(&|role| matches!(role, Role::LightColor(_)));
+        let own = [
+            of_second(&|role| matches!(role, Role::AmbientStrength(_) | Role::AmbientColor(_))),
+            of_second(&|role| matches!(role, Role::DiffuseStrength(_) | Role::DiffuseColor(_))),
+            of_second(&|role| matches!(role, Role::SpecularStrength(_) | Role::SpecularColor(_))),
+            of_second(&|role| {
+                matches!(
+                    role,
+                    Role::AttenuationConstant(_) | Role::AttenuationLinear(_) | Role::AttenuationQuadratic(_)
+                )
+            }),
+        ];
+        let second = if !of_second(&is_place) {
+            Second::None
+        } else if coloured || own[1] || own[2] || has(&|role| role == Role::LightCount) {
+            Second::Switched
+        } else {
+            Second::Always
+        };
         let fixed = |given: bool, written: Option<f32>, usual: f32| (!given).then(|| written.unwrap_or(usual));
         let usual = if task.attenuated { [1.0, 0.14, 0.07] } else { [1.0, 0.0, 0.0] };
         Freedom {
@@ -81,7 +164,47 @@ impl Freedom {
                 written.refraction_index,
                 1.52,
             ),
+            second,
+            own,
+            coloured,
+            counted: has(&|role| role == Role::LightCount),
+            other_light: written.other_light.filter(|_| lit_from_outside),
         }
+    }
+
+    /// In which ways a right answer may be lit: where the ambient term is not said to be a light's, it may be each one's or none's.
+    pub fn right_lights(&self) -> &'static [Lights] {
+        match self.second {
+            Second::None => &[Lights::One],
+            _ if self.coloured && !self.own[0] => &[Lights::Both, Lights::OneAmbient],
+            _ => &[Lights::Both],
+        }
+    }
+
+    /// In which other ways an answer is looked at: what is wrong with one of two lights alone.
+    pub fn wrong_lights(&self) -> &'static [Lights] {
+        match self.second {
+            Second::None => &[],
+            _ if self.counted && !self.own[0] => {
+                &[Lights::First, Lights::Second, Lights::EachAmbient, Lights::WrongInSecond, Lights::WrongInFirst]
+            }
+            _ => &[Lights::First, Lights::Second, Lights::WrongInSecond, Lights::WrongInFirst],
+        }
+    }
+
+    /// Whether the second light can be dimmed by itself.
+    pub fn dims_second(&self) -> bool {
+        self.second == Second::Switched && (self.coloured || self.own[1])
+    }
+
+    /// Whether a program knows of another light than the one that it is lit by.
+    pub fn knows_another(&self) -> bool {
+        self.second != Second::None || self.other_light.is_some()
+    }
+
+    /// Whether the light stands where the source says and nowhere else.
+    pub fn has_written_light(&self) -> bool {
+        self.light_position.is_some() || self.other_light.is_some()
     }
 
     /// Whether some strengths have to be found.
@@ -89,29 +212,55 @@ impl Freedom {
         self.to_find.iter().any(|find| *find)
     }
 
-    /// Changes a situation for the model: of the terms whose strengths have to be found, all but `term` are dark.
-    pub fn apply_to_model(&self, situation: &mut Situation, term: Option<usize>) {
-        self.apply(situation);
-        let light = &mut situation.light;
-        let strengths = [&mut light.ambient, &mut light.diffuse, &mut light.specular];
-        for (index, strength) in strengths.into_iter().enumerate().filter(|(index, _)| self.to_find[*index]) {
+    /// Changes a situation for the model, lit by one of the lights: of the terms whose strengths have to be found, all but
+    /// `term` are dark.
+    pub fn apply_to_model(&self, situation: &mut Situation, lights: Lights, light: usize, term: Option<usize>) {
+        self.apply_for(situation, lights, light, |index, given, strength| {
             if term != Some(index) {
-                *strength = 0.0;
-            } else if !self.given[index] {
-                *strength = 1.0;
+                0.0
+            } else if given {
+                strength
+            } else {
+                1.0
             }
-        }
+        });
     }
 
-    /// Changes a situation for the model: terms whose strengths have to be found are of equal strength.
-    pub fn apply_whole(&self, situation: &mut Situation) {
+    /// Changes a situation for the model, lit by one of the lights: terms whose strengths have to be found are of equal strength.
+    pub fn apply_whole(&self, situation: &mut Situation, lights: Lights, light: usize) {
+        let usual = |index: usize, given: bool, strength: f32| if given { strength } else { self.usual[index] };
+        self.apply_for(situation, lights, light, usual);
+    }
+
+    fn apply_for(
+        &self,
+        situation: &mut Situation,
+        lights: Lights,
+        light: usize,
+        strength_of: impl Fn(usize, bool, f32) -> f32,
+    ) {
         self.apply(situation);
+        // The last of the lights that there are.
+        let is_second = light > 0 && !(lights == Lights::Second && self.counted && situation.other.is_none());
+        let is_missing = is_second && situation.other.is_none();
+        if is_second {
+            let first = situation.light;
+            situation.light = situation.other.unwrap_or_else(|| first.dark());
+            situation.other = Some(first);
+        }
+        let is_one_ambient = lights == Lights::OneAmbient || !self.own[0] && !self.coloured;
         let light = &mut situation.light;
+        let brightness = if self.coloured { light.brightness } else { 1.0 };
         let strengths = [&mut light.ambient, &mut light.diffuse, &mut light.specular];
-        for (index, strength) in strengths.into_iter().enumerate().filter(|(index, _)| self.to_find[*index]) {
-            if !self.given[index] {
-                *strength = self.usual[index];
+        for (index, strength) in strengths.into_iter().enumerate() {
+            if self.to_find[index] {
+                *strength = strength_of(index, self.given[index], *strength);
             }
+            *strength *= match index {
+                0 if is_one_ambient && lights != Lights::EachAmbient => f32::from(u8::from(!is_second)),
+                _ if is_missing => 0.0,
+                _ => brightness,
+            };
         }
     }
 
@@ -127,6 +276,20 @@ impl Freedom {
         situation.refraction_index = self.refraction_index.unwrap_or(situation.refraction_index);
         for (constant, fixed) in situation.light.attenuation.iter_mut().zip(self.attenuation) {
             *constant = fixed.unwrap_or(*constant);
+        }
+        let (light, elsewhere) = (situation.light, situation.elsewhere());
+        match self.second {
+            Second::None => situation.other = self.other_light.map(|position| Light { position, ..light.dark() }),
+            Second::Always => situation.other = Some(Light { position: elsewhere, ..light }),
+            // What it has not of its own it shares with the first.
+            Second::Switched => {
+                if let Some(other) = &mut situation.other {
+                    other.diffuse = if self.own[1] { other.diffuse } else { light.diffuse };
+                    other.specular = if self.own[2] { other.specular } else { light.specular };
+                    other.attenuation = if self.own[3] { other.attenuation } else { light.attenuation };
+                    other.ambient = if self.own[0] { other.ambient } else { light.ambient };
+                }
+            }
         }
     }
 }

@@ -1,15 +1,17 @@
 //! The checker: draws a student's program in situations that tell mistakes apart, and looks for what explains it.
 
+mod canvas;
 mod compare;
 mod fit;
 mod freedom;
 mod predict;
+mod properties;
 mod report;
 mod search;
 mod task;
 
 pub use compare::{Comparison, PIXEL_TOLERANCE, PIXELS_TOLERANCE, pixel_difference};
-pub use freedom::{Freedom, Written};
+pub use freedom::{Freedom, Lights, Second, Written};
 pub(crate) use predict::declared;
 pub use task::{TASKS, Task};
 
@@ -18,11 +20,12 @@ use crate::host;
 use crate::names::{self, Declared, Kind, NamesFile, Role};
 use crate::stage::{Cast, Sheet, Stage};
 use crate::verdict::{Outcome, Verdict};
+use canvas::Canvases;
 use gonio_gl::foreign::ForeignProgram;
 use gonio_gl::host::{HostFiles, HostImage};
 use gonio_gl::{Gl, GlError};
-use predict::{CompiledModel, ModelCast};
-use search::{Found, Search};
+use predict::CompiledModel;
+use search::{Entry, Found, Search};
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
@@ -78,7 +81,7 @@ fn never_ends(
 pub struct Checker {
     gl: Gl,
     models: HashMap<Model, CompiledModel>,
-    stages: HashMap<&'static str, (Stage, usize)>,
+    stages: HashMap<&'static str, (Stage, [usize; 2])>,
     images: BTreeMap<String, Arc<HostImage>>,
 }
 
@@ -109,38 +112,33 @@ impl Checker {
     }
 
     /// The right answer as this program would have drawn it: with its own strengths, and in its own way.
-    fn reference(
-        &self,
-        task: &Task,
-        stage: &Stage,
-        models: &[&CompiledModel],
-        casts: &[ModelCast],
-        found: &Found<'_>,
-        situations: usize,
-    ) -> Result<Sheet, GlError> {
-        let right = found.right();
-        let Some(best) = found.ranking.first().filter(|best| best.rest.is_same()) else {
-            return Ok(right.prediction.sheet.clone());
+    fn reference(&self, task: &Task, search: &Search<'_>, found: &Found<'_>) -> Result<Sheet, GlError> {
+        let right = &found.nearest_right;
+        let best = found.ranking.first().filter(|best| best.rest.is_same());
+        let Some(strengths) = best.map(|best| best.strengths).filter(|s| s.iter().any(Option::is_some)) else {
+            return match &right.sheet {
+                Some(sheet) => Ok(sheet.clone()),
+                None => {
+                    let drawn = search.drawn(right.model, right.hypothesis.clone(), search.situations)?;
+                    Ok(drawn.sheet.unwrap_or_else(|| search.seen.clone()))
+                }
+            };
         };
-        let strengths = best.prediction.strengths;
-        if strengths.iter().all(Option::is_none) {
-            return Ok(right.prediction.sheet.clone());
-        }
         // A term that is not there would have been there with its whole strength.
         let strength = |term: usize| match strengths[term] {
             Some(found) if found.iter().any(|s| *s > 1e-3) => found,
             _ => [if task.wanted[term] { 1.0 } else { 0.0 }; 3],
         };
-        let peculiar = best.made_of.iter().any(|mistake| mistake.harmless);
+        let peculiar = best.is_some_and(|best| best.made_of.iter().any(|mistake| mistake.harmless));
         let hypothesis = if peculiar { right.hypothesis.clone() } else { Hypothesis::default() };
-        let model = right.model;
-        models[model].predict_with(stage, &casts[model], &hypothesis, situations, [0, 1, 2].map(strength))
+        let (model, cast) = (search.models[right.model], &search.casts[right.model]);
+        model.predict_with(search.stage, cast, &hypothesis, search.situations, [0, 1, 2].map(strength))
     }
 
     fn prepare(&mut self, task: &'static Task) -> Result<(), GlError> {
         for model in std::iter::once(task.model).chain(task.other.map(|(model, _)| model)) {
             if let std::collections::hash_map::Entry::Vacant(entry) = self.models.entry(model) {
-                entry.insert(CompiledModel::new(&self.gl, model)?);
+                entry.insert(CompiledModel::new(&self.gl, model));
             }
         }
         if !self.stages.contains_key(task.exercise) {
@@ -158,7 +156,7 @@ impl Checker {
         prepared: &Prepared,
     ) -> Result<(Verdict, Option<Evidence>), GlError> {
         self.prepare(task)?;
-        let (stage, whole) = &self.stages[task.exercise];
+        let (stage, [whole, of_two]) = &self.stages[task.exercise];
         let bindings = names::bind(&predict::declared(program), &prepared.names);
         let bound = report::bound(&bindings);
         if !bindings.bound.iter().any(|b| b.declared.kind == Kind::Attribute && b.role == Role::Position) {
@@ -180,33 +178,75 @@ impl Checker {
             verdict.bound = bound;
             return Ok((verdict, None));
         }
-        let models: Vec<&CompiledModel> = std::iter::once(task.model)
-            .chain(task.other.map(|(model, _)| model))
-            .map(|model| &self.models[&model])
-            .collect();
-        let casts: Vec<_> = models.iter().map(|model| model.cast(stage, &freedom)).collect();
-        let search = Search { stage, models: &models, casts: &casts, seen: &seen, situations: *whole };
-        let mut found = search.run()?;
-        found.prefer(|id, model| (prepared.looks_like)(id, models[model].hypotheses.model));
-        let reference = self.reference(task, stage, &models, &casts, &found, *whole)?;
-        let held = Comparison::of(&seen, &reference, *whole);
-        let mut verdict = report::verdict(task, stage, &found, &seen, &held, prepared.in_vain);
+        let whole = whole + if freedom.second == Second::None { 0 } else { *of_two };
+        let entries = entries(task, &freedom);
+        let models: Vec<&CompiledModel> = entries.iter().map(|entry| &self.models[&entry.model]).collect();
+        let casts: Vec<_> =
+            models.iter().zip(&entries).map(|(model, entry)| model.cast(&freedom, entry.lights)).collect();
+        let canvases: Vec<_> =
+            models.iter().zip(&casts).map(|(model, cast)| Canvases::new(stage, model, cast, &seen, whole)).collect();
+        let search = Search {
+            stage,
+            entries: &entries,
+            models: &models,
+            casts: &casts,
+            canvases: &canvases,
+            seen: &seen,
+            situations: whole,
+        };
+        let found = search.run(&|id, model| (prepared.looks_like)(id, models[model].hypotheses.model))?;
+        let reference = self.reference(task, &search, &found)?;
+        let held = Comparison::of(&seen, &reference, whole);
+        let mut verdict = report::verdict(task, &search, &found, &held, prepared.in_vain);
         if task.model.is_lit() {
-            let right = found.right();
+            let right = &found.nearest_right;
             let all = stage.situations().len();
-            let model = &models[right.model];
-            let reference = model.predict(stage, &casts[right.model], &seen, &right.hypothesis, all)?;
-            verdict.terms = report::terms(stage, &freedom, &Comparison::of(&seen, &reference.sheet, all));
+            // Where nothing can be looked at alone there is nothing to draw.
+            let alone = match freedom.to_find {
+                [true, true, true] => None,
+                _ => search.drawn(right.model, right.hypothesis.clone(), all)?.sheet,
+            };
+            let held = alone.map(|reference| Comparison::of(&seen, &reference, all));
+            verdict.terms = report::terms(stage, &freedom, held.as_ref());
+            let student = properties::Student { stage, program, bindings: &bindings, fixed: &fixed, freedom: &freedom };
+            verdict.properties = student.properties(&seen, whole)?;
+            properties::tell(&mut verdict);
         }
         verdict.bound = bound;
         let predicted =
-            found.ranking.first().filter(|best| !best.made_of.is_empty()).map(|best| best.prediction.sheet.clone());
+            found.ranking.first().filter(|best| !best.made_of.is_empty()).and_then(|best| best.sheet.clone());
         let evidence = Evidence {
             reference,
             predicted,
-            scenes: stage.situations().iter().take(*whole).map(|s| s.name.clone()).collect(),
+            scenes: stage.situations().iter().take(whole).map(|s| s.name.clone()).collect(),
             seen,
         };
         Ok((verdict, Some(evidence)))
     }
 }
+
+/// The ways that an answer may take, the usual one first.
+fn entries(task: &Task, freedom: &Freedom) -> Vec<Entry> {
+    let mut entries: Vec<Entry> = Vec::new();
+    let right = freedom.right_lights();
+    for &lights in right {
+        entries.push(Entry { model: task.model, lights, is_right: true, word: None });
+    }
+    if let (Some((model, word)), Some(&lights)) = (task.other, right.first()) {
+        entries.push(Entry { model, lights, is_right: word.is_none(), word });
+    }
+    for &lights in freedom.wrong_lights() {
+        // A light that cannot be switched may be there for the one term that is wrong, or for nothing.
+        let word = match lights {
+            Lights::First if freedom.second == Second::Switched => Some("second-light-missing"),
+            Lights::Second => Some("lights-overwritten"),
+            Lights::EachAmbient => Some("ambient-twice"),
+            _ => None,
+        };
+        entries.push(Entry { model: task.model, lights, is_right: false, word });
+    }
+    entries
+}
+
+#[cfg(test)]
+mod canvas_tests;

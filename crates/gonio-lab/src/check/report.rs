@@ -2,7 +2,7 @@
 
 use super::compare::Comparison;
 use super::freedom::Freedom;
-use super::search::{Found, Tried};
+use super::search::{Entry, Found, Search, Tried};
 use super::task::Task;
 use crate::names::Bindings;
 use crate::stage::{Sheet, Stage};
@@ -79,17 +79,12 @@ pub const STRUCTURAL: &[(&str, &str, &str, &str)] = &[
 ];
 
 /// Everything but what was bound.
-pub fn verdict(
-    task: &Task,
-    stage: &Stage,
-    found: &Found<'_>,
-    seen: &Sheet,
-    held: &Comparison,
-    in_vain: [bool; 3],
-) -> Verdict {
+pub fn verdict(task: &Task, search: &Search<'_>, found: &Found<'_>, held: &Comparison, in_vain: [bool; 3]) -> Verdict {
+    let (stage, seen) = (search.stage, search.seen);
     let mut verdict = Verdict::new(task.exercise, Outcome::Wrong, "");
     verdict.scenes = scenes(stage, held);
     let Some(best) = found.ranking.first() else { return verdict };
+    let entry = search.entries.get(best.model);
     let right = verdict.scenes.iter().filter(|scene| scene.right).count();
     verdict.score = (right as f64 / verdict.scenes.len().max(1) as f64).min(MOST_FOR_WRONG);
     let undefined = undefined_pixels(seen);
@@ -101,13 +96,13 @@ pub fn verdict(
     let next = found.ranking.iter().skip(1).find(|tried| !tried.wrong().is_empty());
     let names_well = best.rest.is_same()
         || (best.explained >= NAMED_FROM && next.is_none_or(|next| best.explained - next.explained >= CLEARER_BY));
-    let words = structural_words(task, best);
+    let words: Vec<String> = entry.and_then(|entry| entry.word).map(str::to_owned).into_iter().collect();
     let missing = missing_terms(task, best, in_vain);
     let is_right = best.rest.is_same() && words.is_empty() && best.wrong().is_empty();
     if is_right && missing.is_empty() {
         verdict.verdict = Outcome::Correct;
         verdict.score = 1.0;
-        verdict.peculiarities = peculiarities(task, best);
+        verdict.peculiarities = peculiarities(task, best, entry);
         verdict.summary = match verdict.peculiarities.is_empty() {
             true => "right in every scene".to_owned(),
             false => "right in every scene, in a way of its own".to_owned(),
@@ -131,12 +126,17 @@ pub fn verdict(
     let ids: Vec<String> =
         words.into_iter().chain(best.wrong().into_iter().map(str::to_owned)).chain(missing).collect();
     verdict.mistakes = ids.iter().filter_map(|id| mistake(id, share)).collect();
-    verdict.peculiarities = peculiarities(task, best);
+    verdict.peculiarities = peculiarities(task, best, entry);
     for mistake in &mut verdict.mistakes {
         mistake.or = crate::bank::find(&mistake.id).map_or(Vec::new(), |known| known.looks_the_same_as.clone());
     }
-    if let [only] = verdict.mistakes.as_mut_slice() {
-        only.or = alternatives(found, best);
+    let count = verdict.mistakes.len();
+    for mistake in verdict.mistakes.iter_mut().filter(|_| best.wrong().len() == count) {
+        for other in alternatives(found, best, &mistake.id) {
+            if !mistake.or.contains(&other) {
+                mistake.or.push(other);
+            }
+        }
     }
     let not_the_same =
         |tried: &&Tried<'_>| !tried.wrong().is_empty() && tried.wrong() != best.wrong() && !tried.rest.is_same();
@@ -154,22 +154,25 @@ fn undefined_pixels(seen: &Sheet) -> usize {
     seen.pixels.iter().filter(|p| Sheet::is_drawn(p) && p.iter().take(3).any(|c| !c.is_finite())).count()
 }
 
-fn peculiarities(task: &Task, best: &Tried<'_>) -> Vec<Peculiarity> {
+fn peculiarities(task: &Task, best: &Tried<'_>, entry: Option<&Entry>) -> Vec<Peculiarity> {
     let harmless = best.made_of.iter().filter(|m| m.harmless);
     let mut all: Vec<Peculiarity> = harmless.map(|m| Peculiarity { id: m.id.clone(), name: m.name.clone() }).collect();
-    if let (1, Some((_, None))) = (best.model, task.other) {
+    if entry.is_some_and(|entry| entry.is_right && entry.model != task.model) {
         let name = "The light is computed for each vertex (Gouraud shading)".to_owned();
         all.push(Peculiarity { id: "light-per-vertex".to_owned(), name });
     }
-    all
-}
-
-/// The word for another model, where that is a mistake.
-fn structural_words(task: &Task, best: &Tried<'_>) -> Vec<String> {
-    match (best.model, task.other) {
-        (1, Some((_, Some(word)))) => vec![word.to_owned()],
-        _ => Vec::new(),
+    // Who goes ahead of the exercise is not wrong; diffuse light belongs to a highlight as a matter of course.
+    const AHEAD: [(usize, &str, &str); 2] = [
+        (0, "ambient-added", "Ambient light is added, which the exercise does not ask for"),
+        (2, "specular-added", "A highlight is added, which the exercise does not ask for"),
+    ];
+    for (term, id, name) in AHEAD {
+        let is_there = best.strengths[term].is_some_and(|strength| strength.iter().any(|s| *s > 1e-2));
+        if is_there && !task.wanted[term] {
+            all.push(Peculiarity { id: id.to_owned(), name: name.to_owned() });
+        }
     }
+    all
 }
 
 /// Terms that have no strength, and that the exercise asks for or the source computes in vain.
@@ -177,29 +180,38 @@ fn missing_terms(task: &Task, best: &Tried<'_>, in_vain: [bool; 3]) -> Vec<Strin
     const WORDS: [&str; 3] = ["ambient-missing", "diffuse-missing", "specular-missing"];
     let absent = |strength: &Option<[f64; 3]>| strength.is_some_and(|s| s.iter().all(|s| *s < 1e-3));
     // Light from everywhere where diffuse light belongs is diffuse light without its cosine.
-    let flat = !task.wanted[0] && best.prediction.strengths[0].is_some_and(|s| s.iter().any(|s| *s > 1e-2));
+    let flat = !task.wanted[0] && best.strengths[0].is_some_and(|s| s.iter().any(|s| *s > 1e-2));
     let word = |term: usize| if term == 1 && flat { "diffuse-without-cosine" } else { WORDS[term] };
     (0..3)
-        .filter(|&term| absent(&best.prediction.strengths[term]))
+        .filter(|&term| absent(&best.strengths[term]))
         .filter(|&term| task.wanted[term] || in_vain[term])
         .map(|term| word(term).to_owned())
         .filter(|word| !best.wrong().contains(&word.as_str()))
         .collect()
 }
 
-/// Single mistakes that leave just as little over: no picture tells them apart.
-fn alternatives(found: &Found<'_>, best: &Tried<'_>) -> Vec<String> {
-    let mut others: Vec<String> = found
-        .ranking
-        .iter()
-        .filter(|tried| tried.rest.is_same() && tried.model == best.model && tried.wrong() != best.wrong())
-        .filter_map(|tried| match tried.wrong().as_slice() {
-            [id] => Some((*id).to_owned()),
-            _ => None,
-        })
-        .collect();
-    others.dedup();
-    others
+/// Mistakes that leave just as little over in the place of this one: no picture tells them apart.
+fn alternatives(found: &Found<'_>, best: &Tried<'_>, id: &str) -> Vec<String> {
+    let others: Vec<&str> = best.wrong().into_iter().filter(|other| *other != id).collect();
+    let same = |tried: &&Tried<'_>| {
+        tried.rest.is_same() && tried.model == best.model && tried.wrong().len() == others.len() + 1
+    };
+    let mut names: Vec<String> = Vec::new();
+    for tried in found.ranking.iter().filter(same) {
+        let mut wrong = tried.wrong();
+        for other in &others {
+            if let Some(at) = wrong.iter().position(|word| word == other) {
+                wrong.remove(at);
+            }
+        }
+        if let [only] = wrong[..]
+            && only != id
+            && !names.iter().any(|known| known == only)
+        {
+            names.push(only.to_owned());
+        }
+    }
+    names
 }
 
 /// Scene by scene: `held` compares with the right answer.
@@ -220,17 +232,17 @@ fn scenes(stage: &Stage, held: &Comparison) -> Vec<SceneVerdict> {
 }
 
 /// Term by term, by the situations with one term alone. `held` compares with the right answer in all situations.
-pub fn terms(stage: &Stage, freedom: &Freedom, held: &Comparison) -> Vec<TermVerdict> {
+pub fn terms(stage: &Stage, freedom: &Freedom, held: Option<&Comparison>) -> Vec<TermVerdict> {
     ["ambient", "diffuse", "specular"]
         .into_iter()
         .enumerate()
         .map(|(index, term)| {
             let is_alone = |name: &str| name.ends_with(&format!("{term} alone"));
             let mut alone = stage.situations().iter().enumerate().filter(|(_, s)| is_alone(&s.name));
-            let state = match (freedom.to_find[index], alone.all(|(situation, _)| held.agrees(situation))) {
-                (true, _) => TermState::NotSeparable,
-                (false, true) => TermState::Right,
-                (false, false) => TermState::Wrong,
+            let state = match held.filter(|_| !freedom.to_find[index]) {
+                None => TermState::NotSeparable,
+                Some(held) if alone.all(|(situation, _)| held.agrees(situation)) => TermState::Right,
+                Some(_) => TermState::Wrong,
             };
             TermVerdict { term: term.into(), state }
         })

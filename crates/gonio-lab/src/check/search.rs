@@ -3,9 +3,11 @@
 //! Peculiarities that are right come first, then single mistakes, then pairs of them: the simplest explanation that leaves
 //! nothing over is the one that is named.
 
+use super::canvas::{Canvases, Detail};
 use super::compare::Comparison;
-use super::predict::{CompiledModel, ModelCast, Prediction};
-use crate::bank::{Hypothesis, Mistake};
+use super::freedom::Lights;
+use super::predict::{CompiledModel, ModelCast, Strengths};
+use crate::bank::{Hypothesis, Mistake, Model};
 use crate::stage::{Sheet, Stage};
 use gonio_gl::GlError;
 
@@ -20,8 +22,10 @@ pub struct Tried<'a> {
     pub hypothesis: Hypothesis,
     /// What it leaves over.
     pub rest: Comparison,
-    /// What it draws.
-    pub prediction: Prediction,
+    /// The strengths that were found for it.
+    pub strengths: Strengths,
+    /// What it draws, where the driver was asked.
+    pub sheet: Option<Sheet>,
     /// How much of the difference it explains: 0 to 1.
     pub explained: f64,
 }
@@ -30,6 +34,11 @@ impl Tried<'_> {
     /// The words of what is wrong.
     pub fn wrong(&self) -> Vec<&str> {
         self.made_of.iter().filter(|m| !m.harmless).map(|m| m.id.as_str()).collect()
+    }
+
+    /// How many strengths were found to be there: of two equal predictions that with fewer is the simpler.
+    fn terms_found(&self) -> usize {
+        self.strengths.iter().flatten().filter(|strength| strength.iter().any(|s| s.abs() > 1e-3)).count()
     }
 
     /// Of the situation that it explains best: how much.
@@ -43,13 +52,7 @@ impl Tried<'_> {
         let key = |tried: &Self| {
             let wrong = tried.made_of.iter().filter(|m| !m.harmless).count();
             let model_is_other = tried.model > 0;
-            (
-                wrong,
-                model_is_other,
-                tried.made_of.len(),
-                tried.prediction.terms_found(),
-                tried.hypothesis.made_of.clone(),
-            )
+            (wrong, model_is_other, tried.made_of.len(), tried.terms_found(), tried.hypothesis.made_of.clone())
         };
         other
             .rest
@@ -63,20 +66,17 @@ impl Tried<'_> {
 /// What was found.
 pub struct Found<'a> {
     /// The right answer that is nearest.
-    nearest_right: Tried<'a>,
+    pub nearest_right: Tried<'a>,
     /// The best of all that was tried, best first, each set of mistakes once.
     pub ranking: Vec<Tried<'a>>,
 }
 
-impl Found<'_> {
-    /// The right answer that is nearest, in whichever way it is right: what scenes and terms are held against.
-    pub fn right(&self) -> &Tried<'_> {
-        &self.nearest_right
-    }
+/// What the source says of a mistake in a model: 0 where it contradicts it, 1 where the very expression is there.
+pub type Support<'s> = &'s dyn Fn(&str, usize) -> f32;
 
-    /// Of those that leave nothing over and are equally simple, the source tells which: `looks_like` is 0 where it contradicts
-    /// a mistake in a model and 1 where the very expression is there.
-    pub fn prefer(&mut self, looks_like: impl Fn(&str, usize) -> f32) {
+impl Found<'_> {
+    /// Of those that leave nothing over and are equally simple, the source tells which.
+    fn prefer(&mut self, looks_like: Support<'_>) {
         let Some(first) = self.ranking.first().filter(|first| first.rest.is_same()) else { return };
         let (model, count) = (first.model, first.wrong().len());
         let equal = |tried: &Tried<'_>| tried.rest.is_same() && tried.model == model && tried.wrong().len() == count;
@@ -91,22 +91,53 @@ impl Found<'_> {
 }
 
 /// Most singles to which a second mistake is sought.
-const FIRSTS: usize = 8;
+const FIRSTS: usize = 14;
 /// The first situations of every exercise tell most: in those many hypotheses are ranked ...
 const TELLING: usize = 4;
 /// ... and so many of the best are then tried in all.
 const KEPT: usize = 16;
 /// Most that are tried again with every peculiarity.
 const TRIED_AGAIN: usize = 10;
+/// Most that the driver is asked to draw before a verdict.
+const MOST_DRAWN: usize = 12;
+
+/// What there is to be explained: what the plain model leaves over.
+struct Difference {
+    full: Comparison,
+    coarse: Comparison,
+}
+
+impl Difference {
+    fn of(&self, detail: Detail) -> &Comparison {
+        if detail == Detail::Full { &self.full } else { &self.coarse }
+    }
+}
+
+/// A way to answer, right or wrong, that answers may be changes of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Entry {
+    /// What is computed.
+    pub model: Model,
+    /// Of which lights.
+    pub lights: Lights,
+    /// Whether an answer may be so.
+    pub is_right: bool,
+    /// The word for it, where it is a mistake.
+    pub word: Option<&'static str>,
+}
 
 /// Everything that a search looks at.
 pub struct Search<'a> {
     /// Where.
     pub stage: &'a Stage,
-    /// The right answer's model first, then others that answers may be changes of.
+    /// The right answer first, then others that answers may be changes of.
+    pub entries: &'a [Entry],
+    /// The model of each.
     pub models: &'a [&'a CompiledModel],
     /// What each model is given.
     pub casts: &'a [ModelCast],
+    /// Each model on the CPU, where it can be worked out there.
+    pub canvases: &'a [Option<Canvases<'a>>],
     /// What the program draws.
     pub seen: &'a Sheet,
     /// How many situations count: those with one term alone do not where strengths have to be found.
@@ -114,70 +145,94 @@ pub struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn attempt(
-        &self,
-        model: usize,
-        hypothesis: Hypothesis,
-        difference: Option<&Comparison>,
-    ) -> Result<Tried<'a>, GlError> {
-        self.attempt_in(model, hypothesis, difference, self.situations)
-    }
-
-    /// Tries many in a few situations.
-    fn in_telling(
-        &self,
-        model: usize,
-        hypotheses: Vec<Hypothesis>,
-        difference: &Comparison,
-    ) -> Result<Vec<Tried<'a>>, GlError> {
-        let few = difference.first(TELLING);
-        let situations = TELLING.min(self.situations);
-        hypotheses.into_iter().map(|h| self.attempt_in(model, h, Some(&few), situations)).collect()
-    }
-
     /// Of single mistakes those that show, each picture once: in this exercise many may look the same, or like nothing.
-    fn distinct(&self, model: usize, difference: &Comparison) -> Result<Vec<Hypothesis>, GlError> {
+    fn distinct(&self, model: usize, difference: &Difference) -> Result<Vec<Hypothesis>, GlError> {
         // Where strengths have to be found, hypotheses that fit badly all end without the term: they look the same, and are not.
         if self.casts[model].must_find() {
             return Ok(self.wrong(model).cloned().collect());
         }
         let picture = |comparison: &Comparison| -> Vec<i64> {
-            comparison.squares.iter().take(TELLING).map(|square| (square * 1e7).round() as i64).collect()
+            comparison.squares.iter().map(|square| (square * 1e7).round() as i64).collect()
         };
         // What leaves over exactly as much as no mistake at all is not to be seen.
-        let mut known = std::collections::BTreeSet::from([picture(&difference.first(TELLING))]);
-        let tried = self.in_telling(model, self.wrong(model).cloned().collect(), difference)?;
+        let mut known = std::collections::BTreeSet::from([picture(&difference.coarse)]);
+        let wrong = self.wrong(model).cloned();
+        let tried: Vec<_> =
+            wrong.map(|h| self.attempt_in(model, h, difference, Detail::Coarse)).collect::<Result<_, _>>()?;
         Ok(tried.into_iter().filter(|t| known.insert(picture(&t.rest))).map(|t| t.hypothesis).collect())
     }
 
-    /// Tries many in a few situations, and the best of them in all.
+    /// Tries many at a glance, and the best of them closely.
     fn best_of(
         &self,
         model: usize,
         hypotheses: Vec<Hypothesis>,
-        difference: &Comparison,
+        difference: &Difference,
     ) -> Result<Vec<Tried<'a>>, GlError> {
         if self.situations <= TELLING || hypotheses.len() <= KEPT {
-            return hypotheses.into_iter().map(|h| self.attempt(model, h, Some(difference))).collect();
+            return hypotheses.into_iter().map(|h| self.attempt(model, h, difference)).collect();
         }
-        let mut tried = self.in_telling(model, hypotheses, difference)?;
+        let tried = hypotheses.into_iter().map(|h| self.attempt_in(model, h, difference, Detail::Coarse));
+        let mut tried = tried.collect::<Result<Vec<_>, _>>()?;
         tried.sort_by(|a, b| a.order(b));
-        tried.into_iter().take(KEPT).map(|tried| self.attempt(model, tried.hypothesis, Some(difference))).collect()
+        tried.into_iter().take(KEPT).map(|tried| self.attempt(model, tried.hypothesis, difference)).collect()
+    }
+
+    fn attempt(&self, model: usize, hypothesis: Hypothesis, difference: &Difference) -> Result<Tried<'a>, GlError> {
+        self.attempt_in(model, hypothesis, difference, Detail::Full)
     }
 
     fn attempt_in(
         &self,
         model: usize,
         hypothesis: Hypothesis,
-        difference: Option<&Comparison>,
-        situations: usize,
+        difference: &Difference,
+        detail: Detail,
     ) -> Result<Tried<'a>, GlError> {
+        let mut tried = self.unrated(model, hypothesis, detail)?;
+        tried.explained = difference.of(detail).explained_by(&tried.rest);
+        Ok(tried)
+    }
+
+    /// On the CPU where that can be, else by the driver.
+    fn unrated(&self, model: usize, hypothesis: Hypothesis, detail: Detail) -> Result<Tried<'a>, GlError> {
+        let Some(canvases) = self.canvases.get(model).and_then(Option::as_ref) else {
+            let situations = if detail == Detail::Full { self.situations } else { TELLING.min(self.situations) };
+            return self.drawn(model, hypothesis, situations);
+        };
+        let (rest, strengths) = canvases.compare(&hypothesis, detail)?;
+        let made_of = self.made_of(model, &hypothesis);
+        Ok(Tried { model, made_of, hypothesis, rest, strengths, sheet: None, explained: 0.0 })
+    }
+
+    /// By the driver.
+    pub fn drawn(&self, model: usize, hypothesis: Hypothesis, situations: usize) -> Result<Tried<'a>, GlError> {
         let compiled = self.models[model];
         let prediction = compiled.predict(self.stage, &self.casts[model], self.seen, &hypothesis, situations)?;
         let rest = Comparison::of(self.seen, &prediction.sheet, situations);
-        let explained = difference.map_or(0.0, |difference| difference.explained_by(&rest));
-        let made_of = hypothesis.made_of.iter().map(|&index| compiled.hypotheses.mistakes[index]).collect();
-        Ok(Tried { model, made_of, hypothesis, rest, prediction, explained })
+        let made_of = self.made_of(model, &hypothesis);
+        let (strengths, sheet) = (prediction.strengths, Some(prediction.sheet));
+        Ok(Tried { model, made_of, hypothesis, rest, strengths, sheet, explained: 0.0 })
+    }
+
+    fn made_of(&self, model: usize, hypothesis: &Hypothesis) -> Vec<&'a Mistake> {
+        hypothesis.made_of.iter().map(|&index| self.models[model].hypotheses.mistakes[index]).collect()
+    }
+
+    /// What was worked out on the CPU is drawn by the driver before it is said: until the best of all is one that was drawn.
+    fn confirm(&self, found: &mut Found<'a>, difference: &Comparison, looks_like: Support<'_>) -> Result<(), GlError> {
+        for _ in 0..MOST_DRAWN {
+            found.prefer(looks_like);
+            let Some(first) = found.ranking.first_mut().filter(|first| first.sheet.is_none()) else { break };
+            let drawn = self.drawn(first.model, first.hypothesis.clone(), self.situations)?;
+            let stays = drawn.rest.is_same() == first.rest.is_same();
+            let explained = if stays { first.explained } else { difference.explained_by(&drawn.rest) };
+            *first = Tried { explained, ..drawn };
+            if !stays {
+                found.ranking.sort_by(|a, b| a.order(b));
+            }
+        }
+        Ok(())
     }
 
     /// All sets of at most three peculiarities that go together, the empty one first.
@@ -204,24 +259,39 @@ impl<'a> Search<'a> {
 
     fn wrong(&self, model: usize) -> impl Iterator<Item = &'a Hypothesis> {
         let hypotheses = &self.models[model].hypotheses;
-        hypotheses.singles.iter().filter(|h| h.made_of.iter().all(|&m| !hypotheses.mistakes[m].harmless))
+        let another = self.casts[model].freedom.knows_another();
+        hypotheses
+            .singles
+            .iter()
+            .filter(|h| h.made_of.iter().all(|&m| !hypotheses.mistakes[m].harmless))
+            // Where there is no other light, nothing comes from it.
+            .filter(move |h| another || !hypotheses.mentions(h, "other_light_pos"))
     }
 
-    /// Looks for the simplest explanation.
-    pub fn run(&self) -> Result<Found<'a>, GlError> {
-        let plain = self.attempt(0, Hypothesis::default(), None)?;
-        let difference = plain.rest.clone();
+    /// Looks for the simplest explanation; where pictures are silent, what the source looks like decides.
+    pub fn run(&self, looks_like: Support<'_>) -> Result<Found<'a>, GlError> {
+        // Most answers are right, and right in the usual way.
+        let plain = self.drawn(0, Hypothesis::default(), self.situations)?;
+        if plain.rest.is_same() {
+            return Ok(Found { nearest_right: plain.clone(), ranking: vec![plain] });
+        }
+        let coarse = self.unrated(0, Hypothesis::default(), Detail::Coarse)?.rest;
+        let difference = Difference { full: plain.rest.clone(), coarse };
         let mut nearest_right = plain.clone();
         let mut all = vec![plain];
         // Right in another way?
         let mut bases: Vec<(usize, Hypothesis)> = Vec::new();
         for model in 0..self.models.len() {
-            let mut tried = Vec::new();
-            for set in self.peculiar(model) {
-                tried.push(self.attempt(model, set, Some(&difference))?);
-            }
+            let sets = self.peculiar(model).into_iter();
+            let tried = sets.map(|set| self.attempt(model, set, &difference));
+            let mut tried = tried.collect::<Result<Vec<_>, _>>()?;
             tried.sort_by(|a, b| a.order(b));
-            if let Some(best) = tried.first().filter(|best| model == 0 && best.order(&nearest_right).is_lt()) {
+            if let Some(best) = tried.first_mut().filter(|best| best.rest.is_same()) {
+                let drawn = self.drawn(model, best.hypothesis.clone(), self.situations)?;
+                *best = Tried { explained: best.explained, ..drawn };
+            }
+            let is_right = self.entries.get(model).is_some_and(|entry| entry.is_right);
+            if let Some(best) = tried.first().filter(|best| is_right && best.order(&nearest_right).is_lt()) {
                 nearest_right = best.clone();
             }
             bases.push((model, Hypothesis::default()));
@@ -233,10 +303,11 @@ impl<'a> Search<'a> {
             if let Some(common) = common.filter(|common| bases.iter().all(|(_, base)| *base != common.hypothesis)) {
                 bases.push((model, common.hypothesis.clone()));
             }
+            let is_same = tried.first().is_some_and(|best| best.rest.is_same());
             all.extend(tried);
-        }
-        if all.iter().any(|tried| tried.rest.is_same() && tried.model == 0) {
-            return Ok(self.found(nearest_right, all));
+            if is_same {
+                return Ok(self.found(nearest_right, all));
+            }
         }
         // One mistake, plain or together with what is peculiar.
         let mut singles = Vec::new();
@@ -253,14 +324,16 @@ impl<'a> Search<'a> {
             all.extend(pairs);
         }
         all.extend(singles);
-        Ok(self.found(nearest_right, all))
+        let mut found = self.found(nearest_right, all);
+        self.confirm(&mut found, &difference.full, looks_like)?;
+        Ok(found)
     }
 
     /// The best singles once more, with every set of peculiarities.
     fn with_every_peculiarity(
         &self,
         singles: &[Tried<'a>],
-        difference: &Comparison,
+        difference: &Difference,
     ) -> Result<Vec<Tried<'a>>, GlError> {
         let mut again = Vec::new();
         if singles.iter().any(|tried| tried.rest.is_same()) {
@@ -270,7 +343,7 @@ impl<'a> Search<'a> {
             let alone = self.without_peculiarities(tried);
             for set in self.peculiar(tried.model) {
                 if let Some(both) = alone.and(&set) {
-                    again.push(self.attempt(tried.model, both, Some(difference))?);
+                    again.push(self.attempt(tried.model, both, difference)?);
                 }
             }
         }
@@ -287,10 +360,10 @@ impl<'a> Search<'a> {
     }
 
     /// Two mistakes at once: to each of the best, the one that explains most of what it leaves over.
-    fn pairs(&self, difference: &Comparison, singles: &[Tried<'a>]) -> Result<Vec<Tried<'a>>, GlError> {
+    fn pairs(&self, difference: &Difference, singles: &[Tried<'a>]) -> Result<Vec<Tried<'a>>, GlError> {
         let mut firsts: Vec<&Tried<'a>> = Vec::new();
         let mut by_share: Vec<&Tried<'a>> = singles.iter().collect();
-        by_share.sort_by(|a, b| b.best_share(difference).total_cmp(&a.best_share(difference)));
+        by_share.sort_by(|a, b| b.best_share(&difference.full).total_cmp(&a.best_share(&difference.full)));
         // Those that explain most of it all, and those that explain most of some situation.
         for tried in singles.iter().take(4 * FIRSTS).zip(by_share).flat_map(|(a, b)| [a, b]) {
             // A mistake's ways count each for itself, what is peculiar beside it does not.
@@ -339,14 +412,14 @@ impl<'a> Search<'a> {
         Ok(pairs)
     }
 
-    fn pair_with_peculiarities(&self, pair: &Tried<'a>, difference: &Comparison) -> Result<Vec<Tried<'a>>, GlError> {
+    fn pair_with_peculiarities(&self, pair: &Tried<'a>, difference: &Difference) -> Result<Vec<Tried<'a>>, GlError> {
         let mut again = Vec::new();
         if pair.rest.is_same() || pair.explained < 0.5 {
             return Ok(again);
         }
         for set in self.peculiar(pair.model).into_iter().skip(1) {
             if let Some(both) = pair.hypothesis.and(&set) {
-                again.push(self.attempt(pair.model, both, Some(difference))?);
+                again.push(self.attempt(pair.model, both, difference)?);
             }
         }
         Ok(again)

@@ -55,22 +55,28 @@ impl Task {
         TASKS.iter().find(|task| task.exercise == exercise)
     }
 
-    /// Where it is tried: whole, and then one term alone; and how many are whole.
-    pub fn situations(&self) -> (Vec<Situation>, usize) {
+    /// Where it is tried: whole, then those for programs with several lights, and then with one term alone; and how many of the
+    /// first and of the second kind.
+    pub fn situations(&self) -> (Vec<Situation>, [usize; 2]) {
         let mut all = match self.model {
             Model::Phong | Model::Gouraud => situation::lit(),
             Model::Reflection | Model::Refraction => situation::mirrored(),
             Model::Skybox => situation::skies(),
         };
+        let whole = all.len();
+        let mut of_two = 0;
+        if self.model.is_lit() {
+            let isolated = situation::isolated(&all);
+            let by_two = situation::lit_by_two();
+            of_two = by_two.len();
+            all.extend(by_two);
+            all.extend(isolated);
+        }
         if !self.attenuated {
-            for situation in &mut all {
-                situation.light.attenuation = [1.0, 0.0, 0.0];
+            for light in all.iter_mut().flat_map(|s| std::iter::once(&mut s.light).chain(&mut s.other)) {
+                light.attenuation = [1.0, 0.0, 0.0];
             }
         }
-        let whole = all.len();
-        if self.model.is_lit() {
-            all.extend(situation::isolated(&all));
-        }
-        (all, whole)
+        (all, [whole, of_two])
     }
 }

@@ -1,7 +1,7 @@
 //! The frame that pages stand in, and the parts of a verdict that pages and graders show alike.
 
 use super::text::{count, escaped, escaped_line, line, percent, word, words};
-use crate::verdict::{CompilerMessage, FoundMistake, Outcome, Verdict};
+use crate::verdict::{CompilerMessage, FoundMistake, Outcome, PropertyState, PropertyVerdict, Verdict};
 use std::fmt::Write as _;
 
 /// Of a list that a student's file makes as long as it likes, no more is shown.
@@ -282,9 +282,30 @@ fn message_html(message: &CompilerMessage) -> String {
     }
 }
 
-/// What is right in another way, and what may go wrong elsewhere.
+/// What was tried with the program alone; nothing of what could not be tried.
+fn properties_html(verdict: &Verdict) -> String {
+    let tried: Vec<&PropertyVerdict> =
+        verdict.properties.iter().filter(|property| property.state != PropertyState::NotApplicable).collect();
+    if tried.is_empty() {
+        return String::new();
+    }
+    let each = |property: &&PropertyVerdict| {
+        let (word, scenes) = match property.state {
+            PropertyState::Wrong if !property.scenes.is_empty() => {
+                ("Wrong", format!(" <small>{}</small>", escaped_line(&property.scenes.join(", "))))
+            }
+            PropertyState::Wrong => ("Wrong", String::new()),
+            _ => ("Right", String::new()),
+        };
+        format!("<li><strong>{word}</strong>: {}{scenes}</li>\n", prose(&property.sentence))
+    };
+    let list = shown(&tried, each, |more| format!("<li>And {more} more.</li>\n"));
+    format!("<section>\n<h2>Held against itself</h2>\n<ul class=\"notes\">\n{list}</ul>\n</section>\n")
+}
+
+/// What holds without any reference, what is right in another way, and what may go wrong elsewhere.
 pub fn notes_html(verdict: &Verdict) -> String {
-    let mut html = String::new();
+    let mut html = properties_html(verdict);
     let more = |more: usize| format!("<li>And {more} more.</li>\n");
     if !verdict.peculiarities.is_empty() {
         let each = |known: &crate::verdict::Peculiarity| {

@@ -1,7 +1,7 @@
 //! Why a host program gives no picture at all: at its line, or at the shader's.
 
-use super::nearest::nearest;
 use super::program::{HostError, HostProgram};
+use crate::nearest::nearest;
 use gonio_gl::host::{HostFailure, HostFiles};
 
 /// Errors of a failure.

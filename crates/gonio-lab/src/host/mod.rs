@@ -7,7 +7,6 @@ mod compare;
 mod files;
 mod messages;
 mod names;
-mod nearest;
 mod program;
 mod reader;
 mod signature;

@@ -1,8 +1,8 @@
 //! Reads host programs: a call to a line, words between blanks.
 
-use super::nearest::nearest;
 use super::program::{HostError, MOST_CALLS, MOST_DATA_BYTES, MOST_ERRORS};
 use super::signature::{self, WORDS};
+use crate::nearest::nearest;
 use gonio_gl::host::{Call, Step};
 use std::collections::HashMap;
 

@@ -1,7 +1,7 @@
 //! What each call wants, word by word.
 
-use super::nearest::nearest;
 use super::reader::{Named, Problem, Word, is_name, no_call, shown};
+use crate::nearest::nearest;
 use gonio_gl::host::{CONSTANTS, Call, Constant, Given, Number, ObjectKind, Pointer, Selector, constant};
 use std::collections::HashMap;
 

@@ -102,6 +102,7 @@ impl Scene {
             up: eye.up,
             fov_y_rad,
             light,
+            other: None,
             material: Vec3::new(0.5, 0.6, 0.8),
             shininess: 32.0,
             refraction_index: 1.52,

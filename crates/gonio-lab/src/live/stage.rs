@@ -2,7 +2,7 @@
 
 use super::{Body, Pair, Scene};
 use crate::names::{Bound, Kind, Role};
-use crate::stage::{Situation, numbers, sky, stream_of};
+use crate::stage::{Situation, numbers_of_array, sky, stream_of};
 use gonio_gl::foreign::{ForeignMesh, ForeignTexture, Stream};
 use gonio_gl::{Gl, GlError};
 use std::cell::RefCell;
@@ -98,7 +98,7 @@ fn held(bound: &Bound, situation: &Situation) -> Option<Vec<f32>> {
     match bound.declared.glsl_type.as_str() {
         "samplerCube" => Some(vec![CUBEMAP_UNIT as f32]),
         "sampler2D" => Some(vec![WHITE_UNIT as f32]),
-        glsl_type => numbers(bound.role, glsl_type, situation),
+        glsl_type => numbers_of_array(bound.role, glsl_type, bound.declared.array, situation),
     }
 }
 

@@ -13,6 +13,7 @@ use gonio_glsl::ast::BinaryOp;
 pub(super) fn written(reading: &Reading) -> Written {
     Written {
         light_position: light_position(reading),
+        other_light: other_light(reading),
         shininess: shininess(reading),
         attenuation: attenuation(reading),
         refraction_index: refraction_index(reading),
@@ -50,6 +51,19 @@ fn light_position(reading: &Reading) -> Option<Vec3> {
     reading.diffuse_dots().iter().flat_map(|(_, a, b)| [*a, *b]).find_map(|id| {
         let vector = reading.vector(id).filter(|v| v.kind == Kind::Constant)?;
         vec3(reading, vector.at)
+    })
+}
+
+/// A place written down that a direction to the light starts from, where others come from outside.
+fn other_light(reading: &Reading) -> Option<Vec3> {
+    let lights = reading.lights();
+    let kinds = || lights.iter().filter_map(|light| reading.vector(*light));
+    if !kinds().any(|vector| matches!(vector.kind, Kind::ToLight(Some(_), _))) {
+        return None;
+    }
+    kinds().find_map(|vector| match (vector.kind, reading.graph.op(vector.at)) {
+        (Kind::ToLight(None, _), Op::Binary(_, a, b)) => vec3(reading, *a).or_else(|| vec3(reading, *b)),
+        _ => None,
     })
 }
 

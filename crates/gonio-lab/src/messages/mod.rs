@@ -9,7 +9,7 @@ mod tests;
 pub use explain::explain;
 pub use log::{LogLine, Severity, read_log};
 
-use crate::names::distance;
+use crate::nearest::distance;
 use crate::submission::{StageText, without_comments};
 use std::collections::BTreeSet;
 

@@ -18,7 +18,11 @@ type RoleKind = std::mem::Discriminant<Role>;
 
 /// The lights' indices: from 0 without gaps, and each struct its own lights where two say the same thing.
 pub(super) fn indices(lights: &[(Role, Place)]) -> Vec<u32> {
-    let mut groups: BTreeMap<(u8, &str), Vec<usize>> = BTreeMap::new();
+    let mut sizes: BTreeMap<&str, usize> = BTreeMap::new();
+    for (_, place) in lights {
+        *sizes.entry(&place.group).or_default() += 1;
+    }
+    let mut groups: BTreeMap<(u8, std::cmp::Reverse<usize>, &str), Vec<usize>> = BTreeMap::new();
     for (at, (_, place)) in lights.iter().enumerate() {
         let lower = place.group.to_lowercase();
         // The order of OpenGL's list is the driver's; this one is not.
@@ -29,7 +33,9 @@ pub(super) fn indices(lights: &[(Role, Place)]) -> Vec<u32> {
         } else {
             0
         };
-        groups.entry((rank, &place.group)).or_default().push(at);
+        // The light of which most is said is the first: another's place may stand beside it.
+        let said = sizes.get(place.group.as_str()).copied().unwrap_or(0);
+        groups.entry((rank, std::cmp::Reverse(said), &place.group)).or_default().push(at);
     }
     let mut indices = vec![0; lights.len()];
     let mut taken: Vec<(RoleKind, u32)> = Vec::new();

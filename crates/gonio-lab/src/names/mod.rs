@@ -149,31 +149,3 @@ pub fn bind(declared: &[Declared], file: &NamesFile) -> Bindings {
     }
     bindings
 }
-
-/// The word most like a given one.
-pub(crate) fn nearest<'a>(given: &str, words: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    words.min_by_key(|word| distance(&given.to_lowercase(), &word.to_lowercase()))
-}
-
-/// How many letters must be put in, left out, changed or swapped with their neighbour.
-pub(crate) fn distance(a: &str, b: &str) -> usize {
-    // Longer than any name a person writes: do not spend the square of it.
-    let a: Vec<char> = a.chars().take(100).collect();
-    let b: Vec<char> = b.chars().take(100).collect();
-    let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
-    for i in 0..=a.len() {
-        for j in 0..=b.len() {
-            rows[i][j] = if i == 0 || j == 0 {
-                i + j
-            } else {
-                let changed = rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
-                let mut least = changed.min(rows[i - 1][j] + 1).min(rows[i][j - 1] + 1);
-                if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
-                    least = least.min(rows[i - 2][j - 2] + 1);
-                }
-                least
-            };
-        }
-    }
-    rows[a.len()][b.len()]
-}

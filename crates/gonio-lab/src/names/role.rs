@@ -248,7 +248,8 @@ impl FromStr for Role {
             (Some((_, named @ Light(_))), light) => Ok(named.with_light(light.unwrap_or(0))),
             (Some((_, Plain(role))), None) => Ok(*role),
             _ => {
-                let nearest = super::nearest(name, NAMES.iter().map(|&(name, _)| name)).unwrap_or("position");
+                let nearest =
+                    crate::nearest::most_like(name, NAMES.iter().map(|&(name, _)| name)).unwrap_or("position");
                 Err(UnknownRole { given: given.to_owned(), nearest })
             }
         }

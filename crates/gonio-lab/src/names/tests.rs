@@ -444,12 +444,3 @@ fn hostile_names_end_soon() {
     let many: Vec<Declared> = (0..3000).map(|i| Declared::uniform(format!("lights[{i}].pos"), "vec3")).collect();
     assert_eq!(bind(&many, &NamesFile::default()).bound[2999].role, Role::LightPos(2999));
 }
-
-#[test]
-fn distances_count_slips() {
-    for (a, b, slips) in
-        [("light", "light", 0), ("ligth", "light", 1), ("lght", "light", 1), ("", "abc", 3), ("ab", "cd", 2)]
-    {
-        assert_eq!(distance(a, b), slips);
-    }
-}

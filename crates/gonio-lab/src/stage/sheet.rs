@@ -1,9 +1,13 @@
 //! A program drawn in all situations at once.
 
-use super::{Shape, Situation, numbers, sky};
+use super::surface::{Numbered, Surface};
+use super::{Shape, Situation, numbers_of_array, sky};
 use crate::names::{Bindings, Bound, Kind, Role};
 use gonio_gl::foreign::{ForeignMesh, ForeignProgram, ForeignTexture, NOT_DRAWN, Stream, TileTarget};
 use gonio_gl::{Gl, GlError};
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::rc::Rc;
 
 /// Pixels along a side of a situation's picture: enough for a hundred triangles, and cheap on a driver without a GPU.
 pub const TILE: u32 = 32;
@@ -31,11 +35,15 @@ impl Sheet {
 
 /// Everything that programs are drawn with, but for themselves.
 pub struct Stage {
+    pub(super) gl: Gl,
     meshes: Vec<ForeignMesh>,
+    pub(super) numbered: Numbered,
     cubemap: ForeignTexture,
     white: ForeignTexture,
-    target: TileTarget,
+    pub(super) target: TileTarget,
     situations: Vec<Situation>,
+    /// By what is written to `gl_Position`.
+    pub(super) surfaces: RefCell<HashMap<String, Rc<Surface>>>,
 }
 
 /// Units of textures.
@@ -60,11 +68,14 @@ impl Stage {
             )
         };
         Ok(Stage {
+            gl: gl.clone(),
+            numbered: Numbered::new(gl)?,
             meshes: Shape::ALL.into_iter().map(mesh).collect::<Result<_, _>>()?,
             cubemap: ForeignTexture::cube(gl, sky::SIDE, &sky::faces(), "surroundings")?,
             white: ForeignTexture::flat(gl, [1, 1], &[[1.0; 4]], "white")?,
             target: TileTarget::new(gl, TILE, situations.len())?,
             situations,
+            surfaces: RefCell::default(),
         })
     }
 
@@ -98,7 +109,7 @@ impl Stage {
                     let values = match glsl_type {
                         "samplerCube" => Some(vec![CUBEMAP_UNIT as f32]),
                         "sampler2D" => Some(vec![WHITE_UNIT as f32]),
-                        _ => numbers(bound.role, glsl_type, &situation),
+                        _ => numbers_of_array(bound.role, glsl_type, bound.declared.array, &situation),
                     };
                     Some((index, values?))
                 };

@@ -16,9 +16,23 @@ pub struct Light {
     pub specular: f32,
     /// kc, kl, kq of 1 / (kc + kl d + kq d^2).
     pub attenuation: [f32; 3],
+    /// Of programs that have a colour for the light: how bright it is. Models know strengths alone, so it is 1 where they are asked.
+    pub brightness: f32,
 }
 
-/// A scene of one object, one light and a camera.
+impl Light {
+    /// The same light, switched off.
+    pub fn dark(self) -> Self {
+        Light { ambient: 0.0, diffuse: 0.0, specular: 0.0, brightness: 0.0, ..self }
+    }
+
+    /// Whether it gives any light.
+    pub fn is_dark(&self) -> bool {
+        self.ambient == 0.0 && self.diffuse == 0.0 && self.specular == 0.0
+    }
+}
+
+/// A scene of one object, a light or two, and a camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Situation {
     /// A word for tables.
@@ -39,6 +53,8 @@ pub struct Situation {
     pub fov_y_rad: f32,
     /// The light.
     pub light: Light,
+    /// Another one, which only programs with several lights are given.
+    pub other: Option<Light>,
     /// Linear RGB.
     pub material: Vec3,
     /// The exponent of the highlight.
@@ -60,6 +76,27 @@ impl Situation {
         glam::camera::rh::proj::opengl::perspective(self.fov_y_rad, 1.0, 0.1, 100.0)
     }
 
+    /// A place for a second light: the first one's, carried round the object.
+    pub fn elsewhere(&self) -> Vec3 {
+        let centre = self.world_from_model.w_axis.truncate();
+        centre + Quat::from_rotation_y(2.0) * (self.light.position - centre)
+    }
+
+    /// The whole world turned about its origin: object, lights and camera together, so that the picture stays.
+    #[must_use]
+    pub fn turned(&self, turn: Quat) -> Self {
+        let turned = |light: Light| Light { position: turn * light.position, ..light };
+        Situation {
+            world_from_model: Mat4::from_quat(turn) * self.world_from_model,
+            eye: turn * self.eye,
+            target: turn * self.target,
+            up: turn * self.up,
+            light: turned(self.light),
+            other: self.other.map(turned),
+            ..self.clone()
+        }
+    }
+
     /// The inverse transpose of M.
     pub fn normal_matrix(&self) -> Mat4 {
         self.world_from_model.inverse().transpose()
@@ -78,6 +115,7 @@ pub const LAB_LIGHT: Light = Light {
     diffuse: 0.5,
     specular: 0.8,
     attenuation: [1.0, 0.14, 0.07],
+    brightness: 1.0,
 };
 
 fn base(name: &str, shows: &'static str) -> Situation {
@@ -91,6 +129,7 @@ fn base(name: &str, shows: &'static str) -> Situation {
         up: Vec3::Y,
         fov_y_rad: 0.7,
         light: LAB_LIGHT,
+        other: None,
         material: Vec3::new(0.5, 0.6, 0.8),
         shininess: 32.0,
         refraction_index: 1.52,
@@ -172,6 +211,26 @@ pub fn lit() -> Vec<Situation> {
     const TELLING: [&str; 4] = ["stretched", "coarse", "behind", "far"];
     all.sort_by_key(|s| TELLING.iter().position(|name| *name == s.name).unwrap_or(TELLING.len()));
     all
+}
+
+/// For programs with several lights: two of different place and strength, and the second one alone.
+pub fn lit_by_two() -> Vec<Situation> {
+    let other = Light { position: Vec3::new(-1.3, 0.4, 1.5), ambient: 0.04, diffuse: 0.35, specular: 0.6, ..LAB_LIGHT };
+    let both = Situation {
+        world_from_model: placed([0.4, -0.3, -0.6], [35.0, 50.0, 20.0], [0.7, 1.0, 0.5]),
+        eye: Vec3::new(1.4, 0.7, 2.2),
+        target: Vec3::new(0.4, -0.3, -0.6),
+        fov_y_rad: 0.5,
+        light: Light { position: Vec3::new(1.9, 1.2, 0.6), ..LAB_LIGHT },
+        other: Some(other),
+        shininess: 8.0,
+        ..base("two lights", "two lights of different place and strength")
+    };
+    let mut second = both.clone();
+    second.name = "second light".to_owned();
+    second.shows = "the second of two lights alone";
+    second.light = Light { brightness: 0.0, ..second.light.dark() };
+    vec![both, second]
 }
 
 /// The same with one of the terms alone, for verdicts term by term. Of use where strengths are given from outside.

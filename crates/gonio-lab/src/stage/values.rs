@@ -4,12 +4,14 @@ use super::Situation;
 use crate::names::Role;
 use glam::{Mat4, Vec3};
 
-/// The light that a situation has; lights of other numbers give none.
-const THE_LIGHT: u32 = 0;
-
 /// The numbers for a uniform of this meaning and type; `None` where the situation has nothing to say of it.
 pub fn numbers(role: Role, glsl_type: &str, situation: &Situation) -> Option<Vec<f32>> {
-    let light = &situation.light;
+    // Lights that a program has besides are dark.
+    let light_of = |index: u32| match (index, situation.other) {
+        (0, _) => situation.light,
+        (1, Some(other)) => other,
+        _ => situation.light.dark(),
+    };
     let view = situation.view_from_world();
     let model = situation.world_from_model;
     let projection = situation.clip_from_view();
@@ -25,8 +27,6 @@ pub fn numbers(role: Role, glsl_type: &str, situation: &Situation) -> Option<Vec
         _ => vec![x, x, x, 1.0],
     };
     let colour = |c: Vec3| vec![c.x, c.y, c.z, 1.0];
-    // Lights that a program has besides are dark.
-    let on = |index: u32, x: f32| if index == THE_LIGHT { x } else { 0.0 };
     Some(match role {
         Role::Model => matrix(model),
         Role::View => matrix(view),
@@ -38,19 +38,19 @@ pub fn numbers(role: Role, glsl_type: &str, situation: &Situation) -> Option<Vec
         Role::NormalMatrixOfModelView => matrix(Mat4::from_mat3(situation.view_normal_matrix())),
         Role::ViewPos => point(situation.eye),
         Role::ViewFront => direction((situation.target - situation.eye).normalize()),
-        Role::LightPos(_) => point(light.position),
-        Role::LightPosInView(_) => point(view.transform_point3(light.position)),
-        Role::LightDirection(_) => {
-            direction((situation.world_from_model.w_axis.truncate() - light.position).normalize())
+        Role::LightPos(index) => point(light_of(index).position),
+        Role::LightPosInView(index) => point(view.transform_point3(light_of(index).position)),
+        Role::LightDirection(index) => {
+            direction((situation.world_from_model.w_axis.truncate() - light_of(index).position).normalize())
         }
-        Role::LightColor(index) => grey(on(index, 1.0)),
-        Role::AmbientColor(index) | Role::AmbientStrength(index) => grey(on(index, light.ambient)),
-        Role::DiffuseColor(index) | Role::DiffuseStrength(index) => grey(on(index, light.diffuse)),
-        Role::SpecularColor(index) | Role::SpecularStrength(index) => grey(on(index, light.specular)),
-        Role::AttenuationConstant(_) => grey(light.attenuation[0]),
-        Role::AttenuationLinear(_) => grey(light.attenuation[1]),
-        Role::AttenuationQuadratic(_) => grey(light.attenuation[2]),
-        Role::LightCount => vec![1.0],
+        Role::LightColor(index) => grey(light_of(index).brightness),
+        Role::AmbientColor(index) | Role::AmbientStrength(index) => grey(light_of(index).ambient),
+        Role::DiffuseColor(index) | Role::DiffuseStrength(index) => grey(light_of(index).diffuse),
+        Role::SpecularColor(index) | Role::SpecularStrength(index) => grey(light_of(index).specular),
+        Role::AttenuationConstant(index) => grey(light_of(index).attenuation[0]),
+        Role::AttenuationLinear(index) => grey(light_of(index).attenuation[1]),
+        Role::AttenuationQuadratic(index) => grey(light_of(index).attenuation[2]),
+        Role::LightCount => vec![if situation.other.is_some() { 2.0 } else { 1.0 }],
         Role::Shininess => grey(situation.shininess),
         Role::MaterialColor | Role::MaterialAmbient | Role::MaterialDiffuse | Role::MaterialSpecular => match glsl_type
         {
@@ -64,4 +64,24 @@ pub fn numbers(role: Role, glsl_type: &str, situation: &Situation) -> Option<Vec
         Role::Gamma => grey(1.0),
         _ => return None,
     })
+}
+
+/// The numbers of an array, element after element: those of lights are the lights' from the first on, others hold all the
+/// same.
+pub fn numbers_of_array(role: Role, glsl_type: &str, elements: u32, situation: &Situation) -> Option<Vec<f32>> {
+    if elements <= 1 {
+        return numbers(role, glsl_type, situation);
+    }
+    let size = match glsl_type.strip_prefix("vec").and_then(|digits| digits.parse().ok()) {
+        Some(size) => size,
+        None => numbers(role, glsl_type, situation)?.len(),
+    };
+    let first = role.light().unwrap_or(0);
+    // No driver has more uniforms.
+    let elements = (0..elements.min(256)).map(|element| {
+        let mut numbers = numbers(role.with_light(first.saturating_add(element)), glsl_type, situation)?;
+        numbers.resize(size, 0.0);
+        Some(numbers)
+    });
+    elements.collect::<Option<Vec<_>>>().map(|elements| elements.concat())
 }

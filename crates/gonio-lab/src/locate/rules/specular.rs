@@ -218,6 +218,10 @@ fn other_light(reading: &Reading) -> Answer {
     if diffuse.is_empty() || specular.is_empty() {
         return Silent;
     }
-    let found = specular.iter().find(|(light, _)| !diffuse.contains(light));
+    let is_left_out = diffuse.iter().any(|light| specular.iter().all(|(of, _)| of != light));
+    // Of two lights' terms, one that stands for the other's: the later one was copied.
+    let again = |at: &usize| specular[..*at].iter().any(|(light, _)| *light == specular[*at].0);
+    let copied = || (0..specular.len()).filter(again).find(|_| is_left_out).and_then(|at| specular.get(at));
+    let found = specular.iter().find(|(light, _)| !diffuse.contains(light)).or_else(copied);
     Answer::of(found.map(|(_, at)| *at), 1.0, Not)
 }

@@ -2,7 +2,7 @@
 
 use anstyle::{AnsiColor, Style};
 use gonio_lab::formats::Row;
-use gonio_lab::verdict::{FoundMistake, Outcome, TermState, Verdict};
+use gonio_lab::verdict::{FoundMistake, Outcome, PropertyState, TermState, Verdict};
 use std::fmt::Write as _;
 
 const BOLD: Style = Style::new().bold();
@@ -60,6 +60,13 @@ pub fn verdict(verdict: &Verdict) -> String {
             false => format!("{} {RED}wrong{RED:#} ({:.0} %)", scene.scene, 100.0 * scene.pixels_beyond),
         });
         let _ = writeln!(text, "  {BOLD}Scenes{BOLD:#}  {}", words.collect::<Vec<_>>().join(", "));
+    }
+    let fails: Vec<_> = verdict.properties.iter().filter(|p| p.state == PropertyState::Wrong).collect();
+    if !fails.is_empty() {
+        let _ = writeln!(text, "\n  {BOLD}Held against itself{BOLD:#}");
+        for property in fails {
+            let _ = writeln!(text, "    {} ({})", property.sentence, property.scenes.join(", "));
+        }
     }
     if !verdict.peculiarities.is_empty() {
         let _ = writeln!(text, "\n  {BOLD}Right, in a way of its own{BOLD:#}");
