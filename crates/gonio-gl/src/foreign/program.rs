@@ -3,6 +3,7 @@
 use crate::record::words;
 use crate::{Gl, GlError};
 use glow::HasContext;
+use std::cell::RefCell;
 use std::fmt;
 
 /// Why a pair of shaders is no program, in the driver's words; at least one of them is there.
@@ -57,6 +58,8 @@ pub struct ForeignProgram {
     handle: glow::Program,
     attributes: Vec<(ForeignVariable, u32)>,
     uniforms: Vec<(ForeignVariable, Vec<glow::UniformLocation>)>,
+    /// What each uniform was last given, for a call costs something, most of all in a browser; empty where nothing was.
+    given: RefCell<Vec<Vec<f32>>>,
 }
 
 impl ForeignProgram {
@@ -66,7 +69,13 @@ impl ForeignProgram {
         // once the program holds them, and the program is owned before anything can fail.
         unsafe {
             let handle = gl.create_program().map_err(GlError::new)?;
-            let mut program = ForeignProgram { gl: gl.clone(), handle, attributes: Vec::new(), uniforms: Vec::new() };
+            let mut program = ForeignProgram {
+                gl: gl.clone(),
+                handle,
+                attributes: Vec::new(),
+                uniforms: Vec::new(),
+                given: RefCell::default(),
+            };
             let mut shaders = Vec::new();
             for (kind, source) in [(glow::VERTEX_SHADER, vertex), (glow::FRAGMENT_SHADER, fragment)] {
                 let shader = gl.create_shader(kind).map_err(GlError::new)?;
@@ -130,6 +139,7 @@ impl ForeignProgram {
         }
         self.attributes.sort_by_key(|(_, location)| *location);
         self.uniforms.sort_by(|(a, _), (b, _)| a.name.cmp(&b.name));
+        self.given = RefCell::new(vec![Vec::new(); self.uniforms.len()]);
     }
 
     /// What it reads of each vertex, in order of location.
@@ -172,6 +182,12 @@ impl ForeignProgram {
     /// The same by the uniform's number.
     pub fn set_index(&self, index: usize, values: &[f32]) -> bool {
         let Some((variable, locations)) = self.uniforms.get(index) else { return false };
+        if let Some(given) = self.given.borrow_mut().get_mut(index) {
+            if !values.is_empty() && given == values {
+                return true;
+            }
+            values.clone_into(given);
+        }
         let size = words::layout(variable.code).map_or(1, |(_, numbers)| numbers);
         for (element, location) in locations.iter().enumerate() {
             let mut numbers = [0.0_f32; 16];

@@ -173,6 +173,7 @@ impl Checker {
         let cast = stage.cast(program, &bindings, |situation| freedom.apply(situation));
         let fixed = report::fixed(&bindings);
         let seen = stage.draw(program, &cast, &fixed, stage.situations().len())?;
+        stage.complaint()?;
         if never_ends(stage, program, &cast, &fixed, &seen)? {
             let mut verdict = Verdict::new(task.exercise, Outcome::Unsure, "a loop in a shader never ends");
             verdict.bound = bound;
@@ -212,6 +213,7 @@ impl Checker {
             verdict.properties = student.properties(&seen, whole)?;
             properties::tell(&mut verdict);
         }
+        stage.complaint()?;
         verdict.bound = bound;
         let predicted =
             found.ranking.first().filter(|best| !best.made_of.is_empty()).and_then(|best| best.sheet.clone());

@@ -119,7 +119,13 @@ impl Stage {
         Cast { feed, values }
     }
 
-    /// Draws a program in the first `count` situations; `fixed` are uniforms that hold the same in all.
+    /// What OpenGL complained of since this was last asked. In a browser the question costs as much as many a draw.
+    pub fn complaint(&self) -> Result<(), GlError> {
+        self.target.error().map_or(Ok(()), Err)
+    }
+
+    /// Draws a program in the first `count` situations; `fixed` are uniforms that hold the same in all. Whether OpenGL complained
+    /// of it is to be asked: [`Stage::complaint`].
     pub fn draw(
         &self,
         program: &ForeignProgram,
@@ -140,9 +146,6 @@ impl Stage {
             }
             self.target.select(tile);
             self.meshes[situation.shape.index()].draw(program, &cast.feed);
-        }
-        if let Some(error) = self.target.error() {
-            return Err(error);
         }
         Ok(Sheet { pixels: self.target.read(count) })
     }
