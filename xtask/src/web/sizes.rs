@@ -2,9 +2,10 @@
 
 use serde_json::Value;
 
-/// The most that a first visit may load until its first picture, all files together, compressed by brotli: what was
-/// reached, and a little, so that the page does not grow unnoticed. The project's fifth issue asks for 1.0 MB.
-pub const MOST_BYTES: u64 = 850_000;
+/// The most that a first visit may load until its first picture, all files together, compressed by brotli: so that the
+/// page does not grow unnoticed. The project's fifth issue asks for 1.0 MB. The laboratory's exercises and its bank of
+/// mistakes are 45 kB of it: data stays in the module's first half.
+pub const MOST_BYTES: u64 = 950_000;
 
 /// One file of the page.
 pub struct Size {
