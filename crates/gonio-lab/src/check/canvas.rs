@@ -101,7 +101,7 @@ impl<'a> Canvases<'a> {
         // What is to be found is a factor for it all: then nothing is known.
         let first_term = usize::from(!is_whole);
         let mut predicted: Vec<Plane> = Vec::with_capacity(3);
-        let (mut found, mut shows) = (vec![[0.0; 3]; count], vec![false; count]);
+        let (mut found, mut shows) = (vec![Vec::with_capacity(3); count], vec![false; count]);
         for channel in 0..3 {
             let added = |cast: usize| added(&colours, cast, first_term + count, channel, spans);
             let known = if is_whole { vec![0.0; canvas.surface.places.len()] } else { added(0) };
@@ -110,7 +110,7 @@ impl<'a> Canvases<'a> {
             let mut sum = known.clone();
             let strengths = if count == 0 { Vec::new() } else { strengths(&canvas.seen[channel], &known, &terms) };
             for (index, (term, strength)) in terms.iter().zip(strengths).enumerate() {
-                found[index][channel] = strength;
+                found[index].push(strength);
                 shows[index] |= term.iter().zip(&known).any(|(a, b)| a != b);
                 let strength = strength as f32;
                 for (sum, (term, known)) in sum.iter_mut().zip(term.iter().zip(&known)) {
@@ -122,7 +122,7 @@ impl<'a> Canvases<'a> {
         let mut strengths = [None; 3];
         if !is_whole {
             for ((&term, found), shows) in self.terms.iter().zip(found).zip(shows) {
-                strengths[term] = shows.then_some(found);
+                strengths[term] = <[f64; 3]>::try_from(found).ok().filter(|_| shows);
             }
         }
         Ok((canvas.comparison(&predicted), strengths))

@@ -11,8 +11,8 @@ use crate::names::Bindings;
 use crate::stage::Stage;
 use gonio_gl::HeadlessContext;
 
-/// Set by the arithmetic of drivers: a hundredth of what counts as a difference.
-const SAME: f64 = 1e-3;
+/// The share of pixels that may differ: half of what a verdict allows. Set by rounding, at the edge of what counts as a difference.
+const MOST_BEYOND: f64 = 0.005;
 
 #[test]
 fn every_hypothesis_is_on_the_cpu_what_the_driver_draws() {
@@ -34,12 +34,12 @@ fn every_hypothesis_is_on_the_cpu_what_the_driver_draws() {
                 let (rest, _) = canvases.compare(hypothesis, Detail::Full).unwrap();
                 let id = &compiled.hypotheses.mistakes[hypothesis.made_of[0]].id;
                 let worst = rest.beyond.iter().copied().fold(0.0, f64::max);
-                assert!(rest.is_same() && worst <= SAME.max(0.005), "{exercise} {model:?} {id}: {rest:?}");
+                assert!(rest.is_same() && worst <= MOST_BEYOND, "{exercise} {model:?} {id}: {rest:?}");
                 let plain = compiled.predict(&stage, &cast, &black, &Default::default(), whole).unwrap();
                 let shows = !Comparison::of(&plain.sheet, &driver.sheet, whole).is_same();
                 tried += usize::from(shows);
             }
         }
     }
-    assert!(tried > 60, "{tried}");
+    assert!(tried >= 40, "{tried}");
 }

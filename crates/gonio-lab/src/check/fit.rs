@@ -48,20 +48,19 @@ pub fn strengths(seen: &[f32], known: &[f32], terms: &[&[f32]]) -> Vec<f64> {
 
 /// Brings `known + sum strength * term` nearest to `seen`, in the situations that `known` and `terms` have.
 pub fn fit(seen: &Sheet, known: &Sheet, terms: &[Sheet]) -> Fit {
-    let mut found = vec![[0.0; 3]; terms.len()];
     let is_everywhere = |index: usize, s: &[f32; 4], k: &[f32; 4]| {
         Sheet::is_drawn(s) && Sheet::is_drawn(k) && terms.iter().all(|term| Sheet::is_drawn(&term.pixels[index]))
     };
     let pixels = seen.pixels.iter().zip(&known.pixels).enumerate();
     let counting: Vec<usize> = pixels.filter(|(index, (s, k))| is_everywhere(*index, s, k)).map(|(i, _)| i).collect();
-    for channel in 0..3 {
+    let of_channel = |channel: usize| {
         let plane = |sheet: &Sheet| -> Plane { counting.iter().map(|&index| sheet.pixels[index][channel]).collect() };
         let planes: Vec<Plane> = terms.iter().map(plane).collect();
         let planes: Vec<&[f32]> = planes.iter().map(Vec::as_slice).collect();
-        for (term, strength) in strengths(&plane(seen), &plane(known), &planes).into_iter().enumerate() {
-            found[term][channel] = strength;
-        }
-    }
+        strengths(&plane(seen), &plane(known), &planes)
+    };
+    let [red, green, blue] = [0, 1, 2].map(of_channel);
+    let found: Vec<[f64; 3]> = red.iter().zip(green).zip(blue).map(|((r, g), b)| [*r, g, b]).collect();
     let mut predicted = known.clone();
     for (index, pixel) in predicted.pixels.iter_mut().enumerate() {
         if !Sheet::is_drawn(pixel) {
