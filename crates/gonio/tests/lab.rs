@@ -113,3 +113,25 @@ fn a_host_program_is_drawn_and_its_frame_taken_apart() {
     lab.write("mine/host/new.txt", "draw_arays TRIANGLES 0 3\n");
     lab.run(&["lab", "draw", "ex11", &program("new"), "-o", &right]).refused(&["new.txt:1:1", "draw_arrays"]);
 }
+
+#[test]
+fn a_pair_of_shaders_is_drawn_and_what_does_not_compile_is_told_by_line() {
+    let lab = Lab::new();
+    let path = |name: &str| lab.path(name).to_string_lossy().into_owned();
+    lab.run(&["lab", "start", "ex04", &path("mine")]).good();
+    lab.run(&["lab", "draw", "ex04", "-o", &path("right.png")]).good();
+    // The goal is what the right answer draws, and not what one starts from.
+    assert_eq!(lab.picture("mine/goal.png"), lab.picture("right.png"));
+    lab.run(&["lab", "draw", "ex04", &path("mine"), "-o", &path("mine.png")]).good();
+    assert_ne!(lab.picture("mine.png"), lab.picture("right.png"));
+    lab.run(&["lab", "draw", "ex04", "-o", &path("ring.png"), "--scene", "stretched"]).good();
+    assert_ne!(lab.picture("ring.png"), lab.picture("right.png"));
+    lab.run(&["lab", "draw", "ex04", "-o", &path("x.png"), "--scene", "moon"]).refused(&["`moon`", "stretched"]);
+    lab.run(&["lab", "draw", "ex04", "-o", &path("x.png"), "--frame"]).refused(&["host program"]);
+
+    hand_in(&lab, "ex04", "broken", "mat3(itM) * normal", "mat3(itM) * norml");
+    let broken = [path("broken/reference.vert"), path("broken/reference.frag")];
+    lab.run(&["lab", "draw", "ex04", &broken[0], &broken[1], "-o", &path("x.png")])
+        .refused(&["reference.vert:", "norml"]);
+    assert!(!lab.path("x.png").exists());
+}

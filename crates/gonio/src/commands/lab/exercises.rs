@@ -1,13 +1,18 @@
 //! The exercises themselves: listed, shown, begun.
 
-use super::exercise;
+use super::{draw, exercise};
 use crate::cli::WordOptions;
+use crate::output::atomic;
 use crate::report::{CliError, Outcome, Reporter};
 use anstyle::Style;
 use clap::Args;
 use gonio_lab::exercise::{self as exercises, Exercise};
+use gonio_lab::live;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
+
+/// What the right answer looks like.
+const GOAL: &str = "goal.png";
 
 /// The exercises, a line each.
 #[derive(Args, Debug)]
@@ -112,14 +117,27 @@ pub fn show(args: &ShowArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
 /// Writes an exercise's text and the files to start from.
 pub fn start(args: &StartArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let exercise = exercise(&args.exercise)?;
-    let written = write_all(exercise.start_files(), &args.folder)?;
+    let mut written = write_all(exercise.start_files(), &args.folder)?;
+    let goal = args.folder.join(GOAL);
+    let is_drawn = live::is_drawn(exercise) && !goal.exists();
+    if is_drawn {
+        match draw::goal(exercise) {
+            Ok(picture) => {
+                atomic::write(&goal, &picture)?;
+                written.push(GOAL.to_owned());
+            }
+            // Everything else is there, and is no worse for it.
+            Err(why) => reporter.warning(format!("{GOAL}, the picture of what to reach, was not drawn: {why}")),
+        }
+    }
     if reporter.json() {
         reporter.report(&serde_json::json!({ "exercise": exercise.id, "folder": args.folder, "files": written }))?;
         return Ok(Outcome::Done);
     }
     let folder = args.folder.display();
+    let look = if is_drawn { format!(", and look at {GOAL}") } else { String::new() };
     reporter.text(&format!(
-        "{}: {}\n\n{folder}: {}\n\nRead text.md first; then change the files and ask as often as you like:\n  gonio lab check {} {folder}\n",
+        "{}: {}\n\n{folder}: {}\n\nRead text.md first{look}; then change the files and ask as often as you like:\n  gonio lab check {} {folder}\n",
         exercise.id,
         exercise.title,
         written.join(", "),
@@ -165,7 +183,7 @@ fn write_all<'a>(files: impl Iterator<Item = (&'a str, &'a str)>, folder: &Path)
         let parent = path.parent().unwrap_or(folder);
         let failed = |error: std::io::Error| CliError::io(format!("{} could not be written", path.display()), &error);
         std::fs::create_dir_all(parent).map_err(failed)?;
-        crate::output::atomic::write(&path, content.as_bytes())?;
+        atomic::write(&path, content.as_bytes())?;
     }
     Ok(files.into_iter().map(|(name, _)| name.to_owned()).collect())
 }

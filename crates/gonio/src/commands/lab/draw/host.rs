@@ -16,7 +16,7 @@ pub fn run(args: &DrawArgs, files: Vec<SourceFile>, reporter: &Reporter) -> Resu
     let recorder = args.capture.as_deref().map(Recorder::new).transpose()?;
     let context = super::context()?;
     let run = carried_out(args, &program, &files, recorder, &context)?;
-    super::write_picture(args, run.size, &run.pixels)?;
+    super::write_picture(args, run.size, upright(&run))?;
     if reporter.json() {
         let refused = |error: &gonio_gl::host::CallError| {
             json!({
@@ -46,6 +46,13 @@ pub fn run(args: &DrawArgs, files: Vec<SourceFile>, reporter: &Reporter) -> Resu
     }
     std::mem::forget(context);
     Ok(Outcome::Done)
+}
+
+/// Its pixels in 8 bits, the top row first.
+fn upright(run: &HostRun) -> Vec<u8> {
+    let rows = run.pixels.chunks_exact(run.size[0] as usize).rev();
+    let byte = |channel: f32| (channel.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
+    rows.flatten().flat_map(|&[r, g, b, _]| [byte(r), byte(g), byte(b), u8::MAX]).collect()
 }
 
 fn the_program(files: &[SourceFile]) -> Result<HostProgram, CliError> {

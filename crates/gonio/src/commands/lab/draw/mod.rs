@@ -1,6 +1,9 @@
 //! `gonio lab draw`: what a student's files draw, and how.
 
 mod host;
+mod shaders;
+
+pub use shaders::goal;
 
 use super::{exercise, files};
 use crate::capture;
@@ -12,6 +15,7 @@ use crate::values;
 use clap::Args;
 use gonio_gl::HeadlessContext;
 use gonio_lab::exercise::Kind;
+use gonio_lab::live;
 use gonio_lab::submission::SourceFile;
 use gonio_scene::picture::EncodedPicture;
 use std::path::PathBuf;
@@ -20,6 +24,8 @@ use std::path::PathBuf;
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
+  gonio lab draw ex07 mine -o mine.png
+      What a pair of shaders draws, in the lab's own scene; --scene stretched shows what that hides.
   gonio lab draw ex11 host/texture-name-as-unit.txt -o triangle.png
       The picture of a host program: its OpenGL calls are really made.
   gonio lab draw ex11 host/texture-name-as-unit.txt --frame
@@ -45,6 +51,9 @@ pub struct DrawArgs {
     /// Also write a RenderDoc capture of it, for RenderDoc's own window.
     #[arg(long, value_name = "FILE.rdc", help_heading = "Output")]
     pub capture: Option<PathBuf>,
+    /// Of a pair of shaders: the scene, by its name; the lab's own, where none is named.
+    #[arg(long, value_name = "NAME", help_heading = "Details")]
+    pub scene: Option<String>,
     /// Of a host program: the frame taken apart, draws, samplers, textures and programs.
     #[arg(long, help_heading = "Details")]
     pub frame: bool,
@@ -89,6 +98,7 @@ pub fn run(args: &DrawArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     };
     match exercise.kind {
         Kind::HostProgram => host::run(args, submitted, reporter),
+        Kind::Shaders if live::is_drawn(exercise) => shaders::run(args, exercise, submitted, reporter),
         _ => Err(CliError::new(format!("{} has no picture to draw", exercise.id))),
     }
 }
@@ -98,15 +108,15 @@ fn context() -> Result<HeadlessContext, CliError> {
     HeadlessContext::new().map_err(|why| CliError::new(why.message.replace("; `--backend cpu` needs none", "")))
 }
 
-/// Writes pixels whose bottom row comes first, 0 to 1, as they are: the lab's colours are written without any encoding.
-fn write_picture(args: &DrawArgs, size: [u32; 2], pixels: &[[f32; 4]]) -> Result<(), CliError> {
+/// Writes RGBA, the top row first, where a picture was asked for. The lab's colours are written without any encoding.
+fn write_picture(args: &DrawArgs, size: [u32; 2], rgba: Vec<u8>) -> Result<(), CliError> {
     let Some(path) = &args.output else { return Ok(()) };
     if !path.extension().is_some_and(|end| end.eq_ignore_ascii_case("png")) {
         return Err(CliError::new(format!("`{}`: a picture is a .png file", path.display())));
     }
-    let rows = pixels.chunks_exact(size[0] as usize).rev();
-    let byte = |channel: &f32| (channel.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
-    let rgba = rows.flatten().flat_map(|[r, g, b, _]| [byte(r), byte(g), byte(b), u8::MAX]).collect();
-    let picture = EncodedPicture { width: size[0], height: size[1], rgba };
-    atomic::write(path, &png::encode8(&picture, png::Meaning::Srgb)?)
+    atomic::write(path, &encoded(size, rgba)?)
+}
+
+fn encoded([width, height]: [u32; 2], rgba: Vec<u8>) -> Result<Vec<u8>, CliError> {
+    png::encode8(&EncodedPicture { width, height, rgba }, png::Meaning::Srgb)
 }

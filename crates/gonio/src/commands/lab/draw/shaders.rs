@@ -1,0 +1,171 @@
+//! A pair of shaders, drawn in the exercise's scene.
+
+use super::DrawArgs;
+use crate::capture::Recorder;
+use crate::report::{CliError, Outcome, Reporter};
+use gonio_gl::{Canvas, HeadlessContext, Renderer};
+use gonio_lab::exercise::Exercise;
+use gonio_lab::live::{self, Body, Given, LiveStage, Note, NoteKind, Pair, Scene, Source};
+use gonio_lab::submission::SourceFile;
+use serde_json::json;
+use std::sync::mpsc;
+use std::time::Duration;
+
+/// Where nothing is drawn: the window's own dark grey.
+const BACKGROUND: [f32; 3] = [0.13, 0.14, 0.16];
+/// Seconds that a pair may take: a loop that never ends takes more.
+const PATIENCE: u64 = 30;
+
+/// Pixels along each side of the picture of a goal.
+const GOAL: u32 = 512;
+
+/// What came of a pair.
+struct Drawn {
+    /// RGBA, the top row first.
+    rgba: Vec<u8>,
+    notes: Vec<Note>,
+    warnings: Vec<String>,
+    given: Vec<Given>,
+}
+
+/// Draws it.
+pub fn run(
+    args: &DrawArgs,
+    exercise: &'static Exercise,
+    files: Vec<SourceFile>,
+    reporter: &Reporter,
+) -> Result<Outcome, CliError> {
+    if args.shown().is_some() {
+        return Err(CliError::new(
+            "--frame, --draw and --program take a host program's frame apart; a pair of shaders has one draw a body",
+        ));
+    }
+    let source = Source::gather(exercise, files).map_err(CliError::new)?;
+    let scene = scene(args, exercise)?;
+    let recorder = args.capture.as_deref().map(Recorder::new).transpose()?;
+    let size = [args.size; 2];
+    let drawn = within_patience(args.size, args.time, source, scene.clone(), recorder)?;
+    for note in drawn.notes.iter().filter(|note| note.kind == NoteKind::Warning) {
+        reporter.warning(told(note));
+    }
+    for warning in &drawn.warnings {
+        reporter.warning(warning);
+    }
+    super::write_picture(args, size, drawn.rgba)?;
+    if reporter.json() {
+        let given = |given: &Given| {
+            let role = given.role.as_ref().map(|(role, _)| role);
+            json!({ "name": given.name, "type": given.glsl_type, "role": role, "value": given.value })
+        };
+        reporter.report(&json!({
+            "command": "lab draw",
+            "exercise": exercise.id,
+            "scene": scene.name,
+            "size": size,
+            "bound": drawn.given.iter().map(given).collect::<Vec<_>>(),
+            "warnings": drawn.notes.iter().map(told).chain(drawn.warnings.iter().cloned()).collect::<Vec<_>>(),
+        }))?;
+    }
+    Ok(Outcome::Done)
+}
+
+/// What the right answer draws, as PNG; an error where it cannot be drawn here.
+pub fn goal(exercise: &'static Exercise) -> Result<Vec<u8>, CliError> {
+    let source = live::reference(exercise).map_err(CliError::new)?;
+    let scene = live::scenes(exercise).into_iter().next();
+    let scene = scene.ok_or_else(|| CliError::new(format!("{} has no scene", exercise.id)))?;
+    let drawn = within_patience(GOAL, 0.0, source, scene, None)?;
+    super::encoded([GOAL; 2], drawn.rgba)
+}
+
+/// The scene that was named, or the lab's own.
+fn scene(args: &DrawArgs, exercise: &Exercise) -> Result<Scene, CliError> {
+    let scenes = live::scenes(exercise);
+    let Some(wanted) = &args.scene else {
+        return scenes.into_iter().next().ok_or_else(|| CliError::new(format!("{} has no scene", exercise.id)));
+    };
+    let names: Vec<&str> = scenes.iter().map(|scene| scene.name).collect();
+    let known = format!("{} has no scene `{wanted}`; it has {}", exercise.id, names.join(", "));
+    scenes.into_iter().find(|scene| scene.name == *wanted).ok_or_else(|| CliError::new(known))
+}
+
+/// In a thread of its own: a shader with an endless loop never comes back.
+fn within_patience(
+    size: u32,
+    time: f64,
+    source: Source,
+    scene: Scene,
+    recorder: Option<Recorder>,
+) -> Result<Drawn, CliError> {
+    let (done, drawn) = mpsc::channel();
+    std::thread::spawn(move || {
+        // Whoever waited may have given up.
+        let _ = done.send(draw(size, time, &source, &scene, recorder));
+    });
+    drawn.recv_timeout(Duration::from_secs(PATIENCE)).unwrap_or_else(|_| {
+        Err(CliError::new(format!(
+            "it did not finish within {PATIENCE} seconds; is there a loop in a shader that never ends?"
+        )))
+    })
+}
+
+fn draw(
+    size: u32,
+    time: f64,
+    source: &Source,
+    scene: &Scene,
+    mut recorder: Option<Recorder>,
+) -> Result<Drawn, CliError> {
+    let context: HeadlessContext = super::context()?;
+    let gl = context.gl();
+    let pair = source.compile(gl).map_err(refused)?;
+    if !pair.has_position() {
+        return Err(CliError::new(
+            "no attribute was found that could be the position; call it `position`, or say in names.toml which it is",
+        ));
+    }
+    let sky = match scene.has_sky {
+        true => live::sky().ok().and_then(|sky| sky.compile(gl).ok()),
+        false => None,
+    };
+    let mut renderer = Renderer::new(gl.clone())?;
+    let mut canvas = Canvas::new(gl, [size; 2])?;
+    let stage = LiveStage::new(gl)?;
+    stage.prepare(scene)?;
+    let bodies = scene.situations(&scene.eye, time as f32, [size; 2]);
+    if let Some(recorder) = &mut recorder {
+        recorder.start();
+    }
+    renderer.paint_foreign(&mut canvas, [size; 2], BACKGROUND, || {
+        if let (Some(sky), Some((_, first))) = (&sky, bodies.first()) {
+            stage.draw(sky, &[(Body::Cube, first.clone())]);
+        }
+        stage.draw(&pair, &bodies);
+    })?;
+    let rgba = canvas.read8();
+    if let Some(recorder) = recorder {
+        recorder.finish(gl)?;
+    }
+    let given = bodies.first().map(|(_, situation)| pair.given(situation)).unwrap_or_default();
+    let Pair { notes, warnings, .. } = pair;
+    // As in render: the process ends next.
+    std::mem::forget((renderer, canvas, stage, sky, context));
+    Ok(Drawn { rgba, notes, warnings, given })
+}
+
+/// What does not compile, a line each.
+fn refused(notes: Vec<Note>) -> CliError {
+    CliError::new(notes.iter().map(told).collect::<Vec<_>>().join("\n"))
+}
+
+/// A message at the student's own line.
+fn told(note: &Note) -> String {
+    let message = &note.message;
+    let place = match (message.line, message.column) {
+        (Some(line), Some(column)) => format!("{}:{line}:{column}", message.file),
+        (Some(line), None) => format!("{}:{line}", message.file),
+        _ => message.file.clone(),
+    };
+    let explained = message.explanation.as_ref().map_or(String::new(), |why| format!("; {why}"));
+    format!("{place}: {}{explained}", message.text)
+}
