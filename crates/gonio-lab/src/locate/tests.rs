@@ -28,7 +28,9 @@ fn the_models_themselves_make_no_mistake() {
         let [vertex, fragment] = model.sources();
         let source = read(vertex, fragment);
         for mistake in crate::bank::of(model).filter(|mistake| !mistake.harmless) {
-            assert_eq!(source.line(&mistake.id, model), None, "{model:?} {}", mistake.id);
+            // Where a picture tells that it is made, the source tells at most where.
+            let line = source.line(&mistake.id, model).filter(|place| place.confidence >= 0.5);
+            assert_eq!(line, None, "{model:?} {}", mistake.id);
             assert!(source.looks_like(&mistake.id, model) <= 0.5, "{model:?} {}", mistake.id);
         }
     }

@@ -1,0 +1,133 @@
+//! Mistakes with a panorama's angles and with single faces of a cubemap.
+
+use super::{Answer, At, Not, Silent};
+use crate::bank::faces::FACES;
+use crate::locate::graph::{Graph, Id, Op, component};
+use crate::locate::reading::Reading;
+use crate::names::Role;
+use gonio_glsl::ast::BinaryOp;
+use std::f64::consts::{PI, TAU};
+
+/// Pictures tell these mistakes; the source tells where, and does not say by itself that it is wrong there.
+const WHERE: f32 = 0.45;
+
+pub(super) fn answer(reading: &Reading, id: &str) -> Answer {
+    let there = |found: Option<Id>| Answer::of(found, WHERE, Silent);
+    match id {
+        "longitude-z-not-negated" => arctangent(reading, |_, y, x| y == (0, 1.0) && x == (2, 1.0)),
+        "longitude-arguments-swapped" => arctangent(reading, |_, y, x| y.0 == 2 && x.0 == 0 && y.1 != x.1),
+        "panorama-turned-quarter" => arctangent(reading, |_, y, x| y.0 == 2 && x.0 == 0 && y.1 == x.1),
+        "panorama-mirrored" => arctangent(reading, |_, y, x| y == (0, -1.0) && x == (2, -1.0))
+            .or(|| there(scaled(reading, "atan", |_| true))),
+        "panorama-turned-half" => arctangent(reading, |_, y, x| y == (0, -1.0) && x == (2, 1.0))
+            .or(|| there(scaled(reading, "atan", |_| true))),
+        "longitude-divided-by-pi" => Answer::of(scaled(reading, "atan", |by| near(by, PI)), 1.0, Not),
+        "latitude-divided-by-two-pi" => Answer::of(
+            scaled(reading, "asin", |by| near(by, TAU)).or(scaled(reading, "acos", |by| near(by, TAU))),
+            1.0,
+            Not,
+        ),
+        "panorama-upside-down" | "latitude-asin-acos" => {
+            there(scaled(reading, "asin", |_| true).or(scaled(reading, "acos", |_| true)).or_else(|| height(reading)))
+        }
+        "latitude-without-arcsine" => there(reading.lookups().first().map(|(_, place)| *place)),
+        "direction-not-normalised" => match reading.lit.iter().any(|id| reading.graph.call(*id, "normalize").is_some())
+        {
+            true => Not,
+            false => there(height(reading).or_else(|| call(reading, "atan"))),
+        },
+        "faces-too-bright" | "faces-too-dark" => there(call(reading, "pow")),
+        "faces-red-and-blue-swapped" => there(reading.put_out()),
+        _ if id.starts_with("face") => there(face(reading, id)),
+        _ => Silent,
+    }
+}
+
+fn near(a: f64, b: f64) -> bool {
+    (a / b - 1.0).abs() < 0.01
+}
+
+fn call(reading: &Reading, name: &str) -> Option<Id> {
+    reading.lit.iter().copied().find(|id| matches!(reading.graph.op(*id), Op::Call(called, _) if called == name))
+}
+
+/// The call that makes an angle of the height.
+fn height(reading: &Reading) -> Option<Id> {
+    call(reading, "asin").or_else(|| call(reading, "acos"))
+}
+
+/// Which component of a direction a number is, and its sign.
+fn side(graph: &Graph, id: Id) -> Option<(usize, f64)> {
+    match graph.op(graph.plain(id)) {
+        Op::Neg(inner) => side(graph, *inner).map(|(axis, sign)| (axis, -sign)),
+        Op::Swizzle(_, letters) if letters.len() == 1 => Some((component(letters.chars().next()?)?, 1.0)),
+        Op::Binary(BinaryOp::Multiply, a, b) => match (graph.scalar(*a), graph.scalar(*b)) {
+            (Some(number), _) => side(graph, *b).map(|(axis, sign)| (axis, sign * number.signum())),
+            (_, Some(number)) => side(graph, *a).map(|(axis, sign)| (axis, sign * number.signum())),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// The longitude, by what its two arguments are.
+fn arctangent(reading: &Reading, is: impl Fn(Id, (usize, f64), (usize, f64)) -> bool) -> Answer {
+    let graph = &reading.graph;
+    let Some(id) = call(reading, "atan") else { return Silent };
+    let Some([y, x]) = graph.call(id, "atan") else { return Silent };
+    match (side(graph, *y), side(graph, *x)) {
+        (Some(y), Some(x)) if is(id, y, x) => At(id, 1.0),
+        (Some(_), Some(_)) => Not,
+        _ => Silent,
+    }
+}
+
+/// Where an angle is divided by a number that is meant.
+fn scaled(reading: &Reading, angle: &str, is: impl Fn(f64) -> bool) -> Option<Id> {
+    let graph = &reading.graph;
+    let is_angle = |id: Id| graph.call(id, angle).is_some();
+    reading.lit.iter().copied().find(|id| match graph.op(*id) {
+        Op::Binary(BinaryOp::Divide, a, b) => is_angle(*a) && graph.scalar(*b).is_some_and(&is),
+        Op::Binary(BinaryOp::Multiply, a, b) => {
+            let by = |number: Id| graph.scalar(number).is_some_and(|by| is(1.0 / by));
+            is_angle(*a) && by(*b) || is_angle(*b) && by(*a)
+        }
+        _ => false,
+    })
+}
+
+/// The case of the first face that an id names: `if (face == 2) return ...`.
+fn face(reading: &Reading, id: &str) -> Option<Id> {
+    let number = FACES.iter().position(|(word, _)| id.split('-').any(|part| part == *word))?;
+    let graph = &reading.graph;
+    // What a test tells: the number that the face is compared with.
+    let compared = |test: Id| match graph.op(graph.plain(test)) {
+        Op::Binary(BinaryOp::Equal | BinaryOp::Less | BinaryOp::LessEqual, a, b) => {
+            let is_face = |id: &Id| reading.role(graph.plain(*id)) == Some(Role::Face);
+            let other = if is_face(a) {
+                b
+            } else if is_face(b) {
+                a
+            } else {
+                return None;
+            };
+            graph.scalar(*other)
+        }
+        _ => None,
+    };
+    let mut otherwise = None;
+    for id in &reading.lit {
+        if let Op::Select(test, then, other) = graph.op(*id)
+            && let Some(known) = compared(*test)
+        {
+            if (known - number as f64).abs() < 0.6 && known >= number as f64 {
+                return Some(*then);
+            }
+            // The last face is what is left over.
+            if number == 5 && (known - 4.0).abs() < 0.6 {
+                otherwise = Some(*other);
+            }
+        }
+    }
+    otherwise
+}
