@@ -195,7 +195,10 @@ impl<'a> Search<'a> {
             made_of.map(|&m| self.task.hypotheses.mistakes[m].id.clone()).collect()
         };
         let support = |candidate: &Candidate| -> f32 {
-            ids(candidate).iter().map(|id| (self.task.looks_like)(id, Model::Panorama)).sum()
+            let ids = ids(candidate);
+            let sum: f32 = ids.iter().map(|id| (self.task.looks_like)(id, Model::Panorama)).sum();
+            // Nothing speaks for or against single faces.
+            if ids.is_empty() { 0.5 } else { sum / ids.len() as f32 }
         };
         let mut equal: Vec<&Candidate> = candidates.iter().filter(|candidate| candidate.cost() == least).collect();
         // Stable: where the source is silent, the bank's order stays.

@@ -78,11 +78,11 @@ pub fn pictures(
     };
     let stage = FaceStage::of_panorama(checker.gl(), FINE, &handed.panorama)?;
     let model = checker.model(Model::Panorama)?;
-    let seen = handed.tiles(TILE as usize).encoded();
+    let seen = handed.tiles(TILE as usize).encoded().softened();
     let silent: crate::check::LooksLike = Box::new(|id, _| if id == "layout-photographic" { 0.6 } else { 0.5 });
     let task = Task { hypotheses: &model.hypotheses, tolerance: Tolerance::FILES, looks_like: &silent };
     let draw = |hypothesis: &Hypothesis| Ok::<Tiles, GlError>(stage.draw_model(model, hypothesis)?.held_to_screens());
-    let mut predict = |hypothesis: &Hypothesis| Ok(draw(hypothesis)?.smaller(TILE as usize).encoded());
+    let mut predict = |hypothesis: &Hypothesis| Ok(draw(hypothesis)?.smaller(TILE as usize).encoded().softened());
     let explanation = Explanation::of(&task, &seen, &mut predict)?;
     let (mut verdict, evidence) = verdict::verdict(&exercise.id, &explanation, &seen, |tiles| tiles.decoded().sheet());
     if verdict.verdict == Outcome::Correct {

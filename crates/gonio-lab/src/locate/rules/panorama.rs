@@ -22,20 +22,31 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Answer {
         "panorama-turned-half" => arctangent(reading, |_, y, x| y == (0, -1.0) && x == (2, 1.0))
             .or(|| there(scaled(reading, "atan", |_| true))),
         "longitude-divided-by-pi" => Answer::of(scaled(reading, "atan", |by| near(by, PI)), 1.0, Not),
-        "latitude-divided-by-two-pi" => Answer::of(
-            scaled(reading, "asin", |by| near(by, TAU)).or(scaled(reading, "acos", |by| near(by, TAU))),
-            1.0,
-            Not,
-        ),
+        "latitude-divided-by-two-pi" => match latitude_by_two_pi(reading) {
+            Some(at) => At(at, 1.0),
+            // Of two angles that atan makes the latitude is the later one.
+            None => there(scaled(reading, "atan", |by| near(by, TAU))),
+        },
         "panorama-upside-down" | "latitude-asin-acos" => {
             there(scaled(reading, "asin", |_| true).or(scaled(reading, "acos", |_| true)).or_else(|| height(reading)))
         }
-        "latitude-without-arcsine" => there(reading.lookups().first().map(|(_, place)| *place)),
+        "latitude-without-arcsine" => {
+            let is_height = |id: &Id| {
+                let is_product = matches!(reading.graph.op(*id), Op::Binary(BinaryOp::Multiply, ..));
+                is_product && side(&reading.graph, *id).is_some_and(|(axis, _)| axis == 1)
+            };
+            let place = reading.lookups().first().map(|(_, place)| *place);
+            there(reading.lit.iter().copied().find(is_height).or(place))
+        }
         "direction-not-normalised" => match reading.lit.iter().any(|id| reading.graph.call(*id, "normalize").is_some())
         {
             true => Not,
-            false => there(height(reading).or_else(|| call(reading, "atan"))),
+            false => there(direction(reading).or_else(|| height(reading)).or_else(|| call(reading, "atan"))),
         },
+        "layout-photographic" => Answer::of(mirrored_in_z(reading), 1.0, Silent),
+        "face-from-zero-to-one" | "face-from-minus-half" => there(coordinate(reading)),
+        "faces-flipped" => there(turned_component(reading, 1).or_else(|| coordinate(reading))),
+        "faces-mirrored" | "faces-turned-half" => there(turned_component(reading, 0).or_else(|| coordinate(reading))),
         "faces-too-bright" | "faces-too-dark" => there(call(reading, "pow")),
         "faces-red-and-blue-swapped" => there(reading.put_out()),
         _ if id.starts_with("face") => there(face(reading, id)),
@@ -54,6 +65,57 @@ fn call(reading: &Reading, name: &str) -> Option<Id> {
 /// The call that makes an angle of the height.
 fn height(reading: &Reading) -> Option<Id> {
     call(reading, "asin").or_else(|| call(reading, "acos"))
+}
+
+fn latitude_by_two_pi(reading: &Reading) -> Option<Id> {
+    let by = |by: f64| near(by, TAU);
+    scaled(reading, "asin", by).or_else(|| scaled(reading, "acos", by))
+}
+
+/// The vector whose height an angle is made of.
+fn direction(reading: &Reading) -> Option<Id> {
+    let graph = &reading.graph;
+    let mut id = height(reading)?;
+    for _ in 0..20 {
+        id = match graph.op(id) {
+            Op::Call(_, parts) => *parts.first()?,
+            Op::Copy(inner, _) | Op::Neg(inner) => *inner,
+            Op::Swizzle(base, _) => return Some(*base),
+            _ => return None,
+        };
+    }
+    None
+}
+
+/// A direction multiplied by (1, 1, -1).
+fn mirrored_in_z(reading: &Reading) -> Option<Id> {
+    let graph = &reading.graph;
+    let is = |id: Id| graph.number(id).is_some_and(|number| number.as_slice() == [1.0, 1.0, -1.0]);
+    reading.lit.iter().copied().find(|id| match graph.op(*id) {
+        Op::Binary(BinaryOp::Multiply, a, b) => is(*a) || is(*b),
+        _ => false,
+    })
+}
+
+/// Where the place on the face is first read in the fragment shader.
+fn coordinate(reading: &Reading) -> Option<Id> {
+    let is = |id: &Id| matches!(reading.graph.op(*id), Op::Interpolated(_)) && reading.graph.node(*id).width == 2;
+    reading.lit.iter().copied().find(is)
+}
+
+/// Where a component of the place on the face is turned round.
+fn turned_component(reading: &Reading, wanted: usize) -> Option<Id> {
+    let graph = &reading.graph;
+    let is_place = |id: Id| graph.node(id).width == 2 || matches!(reading.role(graph.plain(id)), Some(Role::Position));
+    reading.lit.iter().copied().find(|id| match graph.op(*id) {
+        Op::Neg(inner) => match graph.op(graph.plain(*inner)) {
+            Op::Swizzle(base, letters) => {
+                letters.len() == 1 && letters.chars().next().and_then(component) == Some(wanted) && is_place(*base)
+            }
+            _ => false,
+        },
+        _ => false,
+    })
 }
 
 /// Which component of a direction a number is, and its sign.
@@ -96,9 +158,13 @@ fn scaled(reading: &Reading, angle: &str, is: impl Fn(f64) -> bool) -> Option<Id
     })
 }
 
-/// The case of the first face that an id names: `if (face == 2) return ...`.
+/// The case of a face that an id names, the first that there is: `if (face == 2) return ...`.
 fn face(reading: &Reading, id: &str) -> Option<Id> {
-    let number = FACES.iter().position(|(word, _)| id.split('-').any(|part| part == *word))?;
+    let is_named = |word: &str| id.split('-').any(|part| part == word);
+    (0..6).filter(|&number| is_named(FACES[number].0)).find_map(|number| case(reading, number))
+}
+
+fn case(reading: &Reading, number: usize) -> Option<Id> {
     let graph = &reading.graph;
     // What a test tells: the number that the face is compared with.
     let compared = |test: Id| match graph.op(graph.plain(test)) {
