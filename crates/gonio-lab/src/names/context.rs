@@ -172,7 +172,13 @@ fn camera(all: &mut [Read<'_>]) {
     if !axes.iter().any(|axis| has(all, *axis)) {
         return;
     }
-    let lone = [("pos", Role::ViewPos), ("from", Role::ViewPos), ("dir", Role::ViewFront), ("to", Role::ViewTarget)];
+    let lone = [
+        ("pos", Role::ViewPos),
+        ("from", Role::ViewPos),
+        ("dir", Role::ViewFront),
+        ("to", Role::ViewTarget),
+        ("centre", Role::ViewTarget),
+    ];
     for (word, role) in lone {
         if has(all, role) {
             continue;

@@ -163,12 +163,8 @@ pub(super) fn uniform(shape: Shape, words: &Words, light: u32) -> Option<Role> {
     if words.has("blocked") {
         return None;
     }
-    if words.has("face") {
-        return match (shape, words.has("size") || words.has("screen")) {
-            (Shape::Scalar, false) => Some(Role::Face),
-            (Shape::Scalar | Shape::Vector, true) => Some(Role::Resolution),
-            _ => None,
-        };
+    if words.has("face") && (words.has("size") || words.has("screen")) {
+        return matches!(shape, Shape::Scalar | Shape::Vector).then_some(Role::Resolution);
     }
     if says_axis(words) {
         return if shape == Shape::Vector { axis(words) } else { None };
