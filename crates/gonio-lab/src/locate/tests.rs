@@ -67,7 +67,9 @@ fn every_mistake_put_into_its_model_is_found_at_its_line() {
                 let Some(line) = line else { continue };
                 all += 1;
                 let found = read(&sources[0], &sources[1]).line(&mistake.id, model).map(|place| place.span.line);
-                if found == Some(line) || elsewhere.contains(&mistake.id.as_str()) && found.is_some() {
+                // What is wrong with a camera is told where it stands in the matrix.
+                let is_elsewhere = model == Model::Camera || elsewhere.contains(&mistake.id.as_str());
+                if found == Some(line) || is_elsewhere && found.is_some() {
                     right += 1;
                 } else {
                     wrong.push(format!("{model:?} {} {variable} = {value}: {found:?}, not {line}", mistake.id));

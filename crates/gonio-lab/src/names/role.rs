@@ -304,7 +304,7 @@ mod tests {
             ("lightpos", "light-pos"),
             ("Model", "model"),
             ("model-1", "model"),
-            ("", "view"),
+            ("", "yaw"),
         ] {
             let error = given.parse::<Role>().unwrap_err();
             assert_eq!((error.given.as_str(), error.nearest), (given, nearest));

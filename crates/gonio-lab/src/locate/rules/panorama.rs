@@ -168,7 +168,7 @@ fn case(reading: &Reading, number: usize) -> Option<Id> {
     let graph = &reading.graph;
     // What a test tells: the number that the face is compared with.
     let compared = |test: Id| match graph.op(graph.plain(test)) {
-        Op::Binary(BinaryOp::Equal | BinaryOp::Less | BinaryOp::LessEqual, a, b) => {
+        Op::Binary(BinaryOp::Equal, a, b) => {
             let is_face = |id: &Id| reading.role(graph.plain(*id)) == Some(Role::Face);
             let other = if is_face(a) {
                 b
@@ -181,19 +181,14 @@ fn case(reading: &Reading, number: usize) -> Option<Id> {
         }
         _ => None,
     };
-    let mut otherwise = None;
-    for id in &reading.lit {
-        if let Op::Select(test, then, other) = graph.op(*id)
-            && let Some(known) = compared(*test)
-        {
-            if (known - number as f64).abs() < 0.6 && known >= number as f64 {
-                return Some(*then);
-            }
-            // The last face is what is left over.
-            if number == 5 && (known - 4.0).abs() < 0.6 {
-                otherwise = Some(*other);
-            }
-        }
-    }
-    otherwise
+    let chosen = reading.lit.iter().filter_map(|id| match graph.op(*id) {
+        Op::Select(test, then, other) => Some((compared(*test)?, *then, *other)),
+        _ => None,
+    });
+    let chosen: Vec<(f64, Id, Id)> = chosen.collect();
+    let of = |number: usize| chosen.iter().find(|(known, ..)| *known == number as f64);
+    let is_choice = |id: Id| matches!(graph.op(graph.plain(id)), Op::Select(..));
+    // What is left over of two, or of all, is the other side of the one before.
+    let left_over = || of(number.checked_sub(1)?).map(|(.., other)| *other).filter(|other| !is_choice(*other));
+    of(number).map(|(_, then, _)| *then).or_else(left_over)
 }
