@@ -115,7 +115,7 @@ fn scenes(explanation: &Explanation) -> Vec<SceneVerdict> {
     };
     let scene = |(face, fit): (usize, &super::tiles::Fit)| SceneVerdict {
         scene: format!("{} {}", FACES[face].1, FACES[face].0),
-        shows: SHOWS[face],
+        shows: SHOWS[face].into(),
         right: !is_wrong(face),
         pixels_beyond: fit.beyond,
         worst: fit.worst,
