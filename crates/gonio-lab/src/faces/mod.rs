@@ -57,7 +57,7 @@ pub fn program(
     let is_cube = !has(Role::Face) && (has(Role::View) || has(Role::ViewProjection) || has(Role::ModelViewProjection));
     let fixed = crate::check::fixed(&bindings);
     let seen = stage.draw_student(program, &bindings, &fixed, is_cube)?;
-    let model = checker.model(Model::Panorama)?;
+    let model = checker.model(Model::Panorama);
     let task = Task { hypotheses: &model.hypotheses, tolerance: Tolerance::DRAWN, looks_like: &prepared.looks_like };
     let mut predict = |hypothesis: &Hypothesis| stage.draw_model(model, hypothesis);
     let explanation = Explanation::of(&task, &seen, &mut predict)?;
@@ -77,7 +77,7 @@ pub fn pictures(
         Err(sentence) => return Ok((Verdict::new(&exercise.id, Outcome::Unsure, sentence), None)),
     };
     let stage = FaceStage::of_panorama(checker.gl(), FINE, &handed.panorama)?;
-    let model = checker.model(Model::Panorama)?;
+    let model = checker.model(Model::Panorama);
     let seen = handed.tiles(TILE as usize).encoded().softened();
     let silent: crate::check::LooksLike = Box::new(|id, _| if id == "layout-photographic" { 0.6 } else { 0.5 });
     let task = Task { hypotheses: &model.hypotheses, tolerance: Tolerance::FILES, looks_like: &silent };

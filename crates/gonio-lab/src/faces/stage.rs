@@ -98,7 +98,9 @@ impl FaceStage {
 
     /// What the model draws under a hypothesis.
     pub fn draw_model(&self, model: &CompiledModel, hypothesis: &Hypothesis) -> Result<Tiles, GlError> {
-        let (program, bindings) = (model.program(), model.bindings());
+        // Without a choice it is the one program of all hypotheses.
+        let made = model.program(&Hypothesis::default())?;
+        let (program, bindings) = (&made.program, &made.bindings);
         let feed = feed(program, bindings);
         self.together.begin();
         self.panorama.bind(PANORAMA_UNIT);
