@@ -73,9 +73,8 @@ pub fn mistakes() -> Vec<Mistake> {
             ));
         }
     }
-    for a in 0..6 {
-        for b in a + 1..6 {
-            let ((word_a, name_a), (word_b, name_b)) = (FACES[a], FACES[b]);
+    for (a, (word_a, name_a)) in FACES.into_iter().enumerate() {
+        for (b, (word_b, name_b)) in FACES.into_iter().enumerate().skip(a + 1) {
             all.push(mistake(
                 swapped_id(a, b),
                 format!("Faces {name_a} and {name_b} are swapped"),

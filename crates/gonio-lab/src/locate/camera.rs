@@ -97,14 +97,14 @@ impl Reading {
             Op::Construct(parts) if !graph.node(id).is_matrix => match parts.as_slice() {
                 [one] => of(one),
                 [first, last] if graph.node(*first).width == 3 && graph.node(*last).width == 1 => of(first),
-                _ => self.from_angles(id),
+                _ => self.made_of_angles(id),
             },
             _ => None,
         }
     }
 
     /// Front made of yaw and pitch.
-    fn from_angles(&self, id: Id) -> Option<(Axis, f64)> {
+    fn made_of_angles(&self, id: Id) -> Option<(Axis, f64)> {
         let made_of = self.graph.reachable(&[id], |_| true);
         made_of.iter().any(|id| self.role(*id) == Some(Role::Yaw)).then_some((Axis::Front, 1.0))
     }

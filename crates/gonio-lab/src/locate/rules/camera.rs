@@ -91,7 +91,7 @@ impl Product {
         let point = self.parts.iter().map(|(id, _)| *id).find(|id| !graph.node(*id).is_matrix);
         match point.map(|id| (id, graph.op(graph.plain(id)))) {
             Some((id, Op::Construct(parts))) => match parts.last().and_then(|last| graph.scalar(*last)) {
-                Some(w) if w == 0.0 => At(id, 1.0),
+                Some(0.0) => At(id, 1.0),
                 _ => Not,
             },
             _ => Silent,
