@@ -5,6 +5,7 @@ pub mod bank;
 pub mod buffers;
 pub mod check;
 pub mod exercise;
+mod faces;
 pub mod formats;
 pub mod host;
 pub mod live;

@@ -1,8 +1,9 @@
 //! From a student's files to a verdict.
 
 use crate::bank::{self, Model};
-use crate::check::{Checker, Evidence, Prepared, Task};
+use crate::check::{Checker, Evidence, PLACES, Prepared, Task};
 use crate::exercise::{Exercise, Kind};
+use crate::faces;
 use crate::locate::{Place, Shader, Source};
 use crate::messages::{self, Message};
 use crate::names::NamesFile;
@@ -77,6 +78,7 @@ pub fn check(
         Kind::HostProgram => {
             return Ok((other::host_program(checker.gl(), exercise, files, &checker.host_files())?, None));
         }
+        Kind::Faces if answers_with_pictures(exercise, &files) => return faces::pictures(checker, exercise, &files),
         Kind::Shaders | Kind::Faces => {}
     }
     let unsure = |sentence: String| Ok((Verdict::new(&exercise.id, Outcome::Unsure, sentence), None));
@@ -88,7 +90,8 @@ pub fn check(
         let name = name.rsplit(['/', '\\']).next().unwrap_or(name);
         [".md", ".svg"].iter().any(|end| name.ends_with(end)) && exercise.file(name).is_some()
     };
-    let files: Vec<SourceFile> = files.into_iter().filter(|file| !handed_out(&file.name)).collect();
+    let files: Vec<SourceFile> =
+        files.into_iter().filter(|file| !handed_out(&file.name) && !is_given_picture(exercise, file)).collect();
     let hints = [exercise.id.as_str()];
     let submission = match Submission::gather_with(files, options.pair.as_deref(), &hints) {
         Ok(submission) => submission,
@@ -128,7 +131,15 @@ pub fn check(
         in_vain: in_vain(&fragment),
         looks_like: Box::new(move |id, model| asked.looks_like(id, model)),
     };
-    let (mut verdict, evidence) = checker.check(task, &program, &prepared)?;
+    let (mut verdict, mut evidence) = match task.model {
+        Model::Panorama => faces::program(checker, task.exercise, &program, &prepared)?,
+        _ => checker.check(task, &program, &prepared)?,
+    };
+    if task.model == Model::Camera
+        && let Some((by_places, seen)) = by_places(checker, &verdict, &vertex, &prepared)?
+    {
+        (verdict, evidence) = (by_places, seen);
+    }
     let place = |found: &mut FoundMistake, place: Place| {
         let text = if place.stage == Stage::Vertex { &submission.vertex } else { &submission.fragment };
         let (file, line, _) = text.place(place.span.line, place.span.column);
@@ -154,12 +165,56 @@ pub fn check(
             verdict.mistakes.push(found);
         }
     }
+    if let Some((at, sentence)) = source.seam_by_mipmaps().filter(|_| task.model == Model::Panorama) {
+        let text = if at.stage == Stage::Vertex { &submission.vertex } else { &submission.fragment };
+        let (file, line, _) = text.place(at.span.line, at.span.column);
+        verdict.warnings.push(format!("{file}:{line}: {sentence}"));
+    }
     if options.as_the_lab {
         pass_as_the_lab(&mut verdict);
     }
     verdict.warnings.extend(submission.warnings.iter().cloned());
     verdict.warnings.extend(strictness(&vertex, &fragment));
     Ok((verdict, evidence))
+}
+
+/// Whether there are pictures among the files beside what was handed out, so that they are the answer.
+fn answers_with_pictures(exercise: &Exercise, files: &[SourceFile]) -> bool {
+    let pictures = files.iter().filter(|file| faces::is_picture(file) && !is_given_picture(exercise, file)).count();
+    // One that lies beside shaders is a texture or a screenshot.
+    pictures > 1 || pictures > 0 && files.iter().all(|file| faces::is_picture(file) || file.name.ends_with(".md"))
+}
+
+/// What was handed out, as it was.
+fn is_given_picture(exercise: &Exercise, file: &SourceFile) -> bool {
+    exercise.pictures().any(|(_, bytes)| file.bytes == bytes)
+}
+
+/// Where colours are none of the vertices', a camera can be judged all the same: by how far away things are drawn.
+/// `None` where the colours tell, or places tell no more.
+fn by_places(
+    checker: &mut Checker,
+    verdict: &Verdict,
+    vertex: &ReadStage<'_>,
+    prepared: &Prepared,
+) -> Result<Option<(Verdict, Option<Evidence>)>, GlError> {
+    let unexplained = verdict.verdict == Outcome::Wrong && verdict.mistakes.is_empty();
+    if !unexplained {
+        return Ok(None);
+    }
+    let fragment = checker.places_fragment();
+    let Ok(program) = ForeignProgram::new(checker.gl(), &vertex.translated.text, &fragment) else { return Ok(None) };
+    let (mut by_places, evidence) = checker.check(PLACES, &program, prepared)?;
+    if by_places.verdict == Outcome::Wrong && by_places.mistakes.is_empty() {
+        return Ok(None);
+    }
+    by_places.bound.clone_from(&verdict.bound);
+    by_places.warnings.push(
+        "the colours are not those of the vertices (`color`); only where things are drawn was judged, which is what \
+         this exercise asks, and the pictures show distances"
+            .to_owned(),
+    );
+    Ok(Some((by_places, evidence)))
 }
 
 /// From this support by the source on a mistake counts that the picture leaves open.

@@ -65,6 +65,8 @@ fn folders(path: &Path) -> Vec<PathBuf> {
 
 fn model(exercise: &str) -> Model {
     match exercise {
+        "ex01" => Model::Camera,
+        "s1" => Model::Panorama,
         "ex03" | "ex05" => Model::Gouraud,
         "ex04" | "ex06" | "ex07" => Model::Phong,
         "ex08" => Model::Skybox,

@@ -28,6 +28,9 @@ fn exercises_are_listed_shown_and_begun_once() {
     assert!(lab.path("mine/start.frag").exists() && !lab.path("mine/reference.frag").exists());
     lab.write("mine/start.frag", "mine");
     lab.run(&["lab", "start", "ex04", &folder]).refused(&["is there already"]);
+    let panorama = lab.path("pano").to_string_lossy().into_owned();
+    lab.run(&["lab", "start", "s1", &panorama]).good();
+    assert!(lab.read("pano/panorama.png").starts_with(b"\x89PNG"));
     assert_eq!(lab.read("mine/start.frag"), b"mine");
     lab.run(&["lab", "show", "ex99"]).refused(&["there is no exercise `ex99`", "ex01"]);
 }

@@ -20,6 +20,14 @@ impl ForeignTexture {
         Ok(ForeignTexture { gl: gl.clone(), object, target: glow::TEXTURE_2D })
     }
 
+    /// A panorama: repeated along its rows, held at its first and its last one. The first row lies at t = 0.
+    pub fn panorama(gl: &Gl, size: [usize; 2], rgba: &[[f32; 4]], name: &str) -> Result<Self, GlError> {
+        let panorama = Self::flat(gl, size, rgba, name)?;
+        // SAFETY: the texture was bound when it was made.
+        unsafe { gl.tex_parameter_i32(glow::TEXTURE_2D, glow::TEXTURE_WRAP_T, glow::CLAMP_TO_EDGE as i32) };
+        Ok(panorama)
+    }
+
     /// A cubemap: six faces +X -X +Y -Y +Z -Z in OpenGL's layout, each with the rows from t = 0.
     pub fn cube(gl: &Gl, side: usize, faces: &[Vec<[f32; 4]>; 6], name: &str) -> Result<Self, GlError> {
         let object = TextureObject::cube(gl, name)?;

@@ -1,6 +1,7 @@
 //! The bank of mistakes: each a small change to one of the models, with its name, what it looks like and how to mend it.
 
 mod compose;
+pub mod faces;
 mod model;
 
 pub use compose::{Hypotheses, Hypothesis};
@@ -45,25 +46,31 @@ pub struct Mistake {
     pub change: Vec<BTreeMap<String, String>>,
 }
 
-const TEXT: &str = include_str!("../../../../exercises/mistakes.toml");
+/// The bank's files: one for all that is light, and those of single exercises.
+const TEXTS: [&str; 3] = [
+    include_str!("../../../../exercises/mistakes.toml"),
+    include_str!("../../../../exercises/ex01-camera/mistakes.toml"),
+    include_str!("../../../../exercises/s1-panorama-to-cubemap/mistakes.toml"),
+];
 
 #[derive(Deserialize)]
 struct File {
     mistake: Vec<Mistake>,
 }
 
-/// All of them, in the order of the file; an id stands more than once where it is another change in another model.
+/// All of them, in the order of the files, and those of single faces; an id stands more than once where it is another change in another model.
 pub fn all() -> &'static [Mistake] {
     static ALL: LazyLock<Vec<Mistake>> = LazyLock::new(|| {
-        // The file is part of the program; a test reads it.
-        toml::from_str::<File>(TEXT).map(|file| file.mistake).unwrap_or_default()
+        // The files are part of the program; a test reads them.
+        let files = TEXTS.iter().filter_map(|text| toml::from_str::<File>(text).ok());
+        files.flat_map(|file| file.mistake).chain(faces::mistakes()).collect()
     });
     &ALL
 }
 
 /// What can be made of a model.
 pub fn of(model: Model) -> impl Iterator<Item = &'static Mistake> {
-    all().iter().filter(move |mistake| mistake.models.contains(&model))
+    all().iter().filter(move |mistake| mistake.models.contains(&model.with_mistakes_of()))
 }
 
 /// The first of that id.
@@ -77,10 +84,11 @@ mod tests {
     use std::collections::BTreeSet;
 
     #[test]
-    fn the_file_can_be_read() {
-        let file: File = toml::from_str(TEXT).unwrap();
-        assert!(file.mistake.len() > 90, "{}", file.mistake.len());
-        assert_eq!(file.mistake, all());
+    fn the_files_can_be_read() {
+        let files = TEXTS.map(|text| toml::from_str::<File>(text).unwrap().mistake);
+        assert!(files[0].len() > 90, "{}", files[0].len());
+        assert!(files.iter().all(|file| file.len() > 20));
+        assert_eq!([files.concat(), faces::mistakes()].concat(), all());
     }
 
     #[test]

@@ -16,6 +16,12 @@ pub enum Model {
     Refraction,
     /// The sky around everything.
     Skybox,
+    /// A camera built from its position, Front and Up.
+    Camera,
+    /// The same without colours: what is drawn is how far everything is. Its mistakes are the camera's.
+    Places,
+    /// The faces of a cubemap, from a panorama.
+    Panorama,
 }
 
 macro_rules! shader {
@@ -25,8 +31,16 @@ macro_rules! shader {
 }
 
 impl Model {
-    /// Every one.
-    pub const ALL: [Model; 5] = [Model::Phong, Model::Gouraud, Model::Reflection, Model::Refraction, Model::Skybox];
+    /// Every one that has mistakes of its own.
+    pub const ALL: [Model; 7] = [
+        Model::Phong,
+        Model::Gouraud,
+        Model::Reflection,
+        Model::Refraction,
+        Model::Skybox,
+        Model::Camera,
+        Model::Panorama,
+    ];
 
     /// Vertex and fragment shader, `#version 330 core`.
     pub fn sources(self) -> [&'static str; 2] {
@@ -36,11 +50,27 @@ impl Model {
             Model::Reflection => [shader!("mirror.vert"), shader!("reflection.frag")],
             Model::Refraction => [shader!("mirror.vert"), shader!("refraction.frag")],
             Model::Skybox => [shader!("skybox.vert"), shader!("skybox.frag")],
+            Model::Camera => [shader!("camera.vert"), shader!("camera.frag")],
+            Model::Places => [shader!("camera.vert"), shader!("places.frag")],
+            Model::Panorama => [shader!("panorama.vert"), shader!("panorama.frag")],
         }
     }
 
     /// Whether it computes light from lights.
     pub fn is_lit(self) -> bool {
         matches!(self, Model::Phong | Model::Gouraud)
+    }
+
+    /// Whose mistakes can be made in it.
+    pub fn with_mistakes_of(self) -> Model {
+        match self {
+            Model::Places => Model::Camera,
+            other => other,
+        }
+    }
+
+    /// Whether it is about where things are drawn: two mistakes then have a picture that neither of them hints at.
+    pub fn is_of_places(self) -> bool {
+        matches!(self, Model::Camera | Model::Places)
     }
 }

@@ -91,6 +91,22 @@ pub struct Freedom {
     /// Whether the number of lights is given.
     counted: bool,
     other_light: Option<Vec3>,
+    /// Nothing says which way is up: the program has Y written in it.
+    upright: bool,
+}
+
+/// Whether a role tells which way is up for the camera.
+fn says_up(role: Role) -> bool {
+    matches!(
+        role,
+        Role::WorldUp
+            | Role::ViewUp
+            | Role::ViewRight
+            | Role::View
+            | Role::ModelView
+            | Role::ViewProjection
+            | Role::ModelViewProjection
+    )
 }
 
 impl Freedom {
@@ -169,6 +185,7 @@ impl Freedom {
             coloured,
             counted: has(&|role| role == Role::LightCount),
             other_light: written.other_light.filter(|_| lit_from_outside),
+            upright: task.model.is_of_places() && !has(&says_up),
         }
     }
 
@@ -271,6 +288,9 @@ impl Freedom {
         }
         if let Some(position) = self.light_position {
             situation.light.position = position;
+        }
+        if self.upright {
+            situation.up = Vec3::Y;
         }
         situation.shininess = self.shininess.unwrap_or(situation.shininess);
         situation.refraction_index = self.refraction_index.unwrap_or(situation.refraction_index);

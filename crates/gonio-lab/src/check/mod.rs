@@ -12,8 +12,9 @@ mod task;
 
 pub use compare::{Comparison, PIXEL_TOLERANCE, PIXELS_TOLERANCE, pixel_difference};
 pub use freedom::{Freedom, Lights, Second, Written};
-pub(crate) use predict::declared;
-pub use task::{TASKS, Task};
+pub use predict::{CompiledModel, declared};
+pub(crate) use report::{bound, fixed};
+pub use task::{PLACES, TASKS, Task};
 
 use crate::bank::{Hypothesis, Model};
 use crate::host;
@@ -24,7 +25,6 @@ use canvas::Canvases;
 use gonio_gl::foreign::ForeignProgram;
 use gonio_gl::host::{HostFiles, HostImage};
 use gonio_gl::{Gl, GlError};
-use predict::CompiledModel;
 use search::{Entry, Found, Search};
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
@@ -111,6 +111,18 @@ impl Checker {
         &self.gl
     }
 
+    /// A model, compiled when it is first asked for.
+    pub fn model(&mut self, model: Model) -> &CompiledModel {
+        let gl = &self.gl;
+        self.models.entry(model).or_insert_with(|| CompiledModel::new(gl, model))
+    }
+
+    /// A fragment shader for this context that shows how far away everything is, whatever colours there are.
+    pub fn places_fragment(&self) -> String {
+        let [_, fragment] = Model::Places.sources();
+        crate::stage::for_context(&self.gl, fragment)
+    }
+
     /// The right answer as this program would have drawn it: with its own strengths, and in its own way.
     fn reference(&self, task: &Task, search: &Search<'_>, found: &Found<'_>) -> Result<Sheet, GlError> {
         let right = &found.nearest_right;
@@ -137,9 +149,7 @@ impl Checker {
 
     fn prepare(&mut self, task: &'static Task) -> Result<(), GlError> {
         for model in std::iter::once(task.model).chain(task.other.map(|(model, _)| model)) {
-            if let std::collections::hash_map::Entry::Vacant(entry) = self.models.entry(model) {
-                entry.insert(CompiledModel::new(&self.gl, model));
-            }
+            self.model(model);
         }
         if !self.stages.contains_key(task.exercise) {
             let (situations, whole) = task.situations();

@@ -24,9 +24,11 @@ pub struct CompiledModel {
 }
 
 /// A program and what its uniforms mean.
-struct Program {
-    program: ForeignProgram,
-    bindings: Bindings,
+pub struct Program {
+    /// Linked.
+    pub program: ForeignProgram,
+    /// But for those that choose among hypotheses.
+    pub bindings: Bindings,
 }
 
 /// What a model draws, and the strengths that had to be found for it.
@@ -45,12 +47,14 @@ impl CompiledModel {
     /// Reads it. What the driver makes of it shows when it is drawn.
     pub fn new(gl: &Gl, model: Model) -> Self {
         let hypotheses = Hypotheses::of(model);
-        let plan = Plan::of(&hypotheses).map(Rc::new);
+        // The CPU knows how surfaces are lit, and not where else they are drawn.
+        let is_lit_surface = !model.is_of_places() && model != Model::Panorama;
+        let plan = is_lit_surface.then(|| Plan::of(&hypotheses)).flatten().map(Rc::new);
         CompiledModel { hypotheses, plan, gl: gl.clone(), programs: RefCell::default() }
     }
 
     /// 330 core, or 300 es where the context is such.
-    fn program(&self, hypothesis: &Hypothesis) -> Result<Rc<Program>, GlError> {
+    pub fn program(&self, hypothesis: &Hypothesis) -> Result<Rc<Program>, GlError> {
         let is_own = self.plan.is_some();
         let choices = if is_own { hypothesis.choices.clone() } else { BTreeMap::new() };
         if let Some(known) = self.programs.borrow().get(&choices) {
@@ -171,12 +175,16 @@ impl CompiledModel {
         Ok(sheet)
     }
 
-    /// What chooses a hypothesis, where one program is all of them.
-    fn ways(&self, cast: &ModelCast, hypothesis: &Hypothesis) -> Vec<(String, Vec<f32>)> {
+    /// What chooses a hypothesis, for whoever draws it alone.
+    pub fn ways_of(&self, hypothesis: &Hypothesis) -> Vec<(String, Vec<f32>)> {
         let way = |line: usize| hypothesis.choices.get(&line).copied().unwrap_or(0);
         let lines = if self.plan.is_some() { 0..0 } else { 0..self.hypotheses.variables.len() };
-        let mut ways: Vec<(String, Vec<f32>)> =
-            lines.map(|line| (self.hypotheses.uniform(line), vec![way(line) as f32])).collect();
+        lines.map(|line| (self.hypotheses.uniform(line), vec![way(line) as f32])).collect()
+    }
+
+    /// What chooses a hypothesis, where one program is all of them.
+    fn ways(&self, cast: &ModelCast, hypothesis: &Hypothesis) -> Vec<(String, Vec<f32>)> {
+        let mut ways = self.ways_of(hypothesis);
         ways.push(("written_exponent".to_owned(), vec![cast.exponent]));
         ways
     }

@@ -361,6 +361,9 @@ impl<'a> Search<'a> {
 
     /// Two mistakes at once: to each of the best, the one that explains most of what it leaves over.
     fn pairs(&self, difference: &Difference, singles: &[Tried<'a>]) -> Result<Vec<Tried<'a>>, GlError> {
+        if self.models.iter().all(|model| model.hypotheses.model.is_of_places()) {
+            return self.all_pairs(difference);
+        }
         let mut firsts: Vec<&Tried<'a>> = Vec::new();
         let mut by_share: Vec<&Tried<'a>> = singles.iter().collect();
         by_share.sort_by(|a, b| b.best_share(&difference.full).total_cmp(&a.best_share(&difference.full)));
@@ -410,6 +413,25 @@ impl<'a> Search<'a> {
             }
         }
         Ok(pairs)
+    }
+
+    /// Every two mistakes of the first model: where things are drawn elsewhere, a picture with one of two mistakes is no
+    /// nearer to the one with both.
+    fn all_pairs(&self, difference: &Difference) -> Result<Vec<Tried<'a>>, GlError> {
+        let singles: Vec<&Hypothesis> = self.wrong(0).collect();
+        let later = |at: usize| singles.iter().skip(at + 1);
+        let both = singles.iter().enumerate().flat_map(|(at, one)| {
+            later(at).filter(|other| other.made_of != one.made_of).filter_map(|other| one.and(other))
+        });
+        // At a glance: in one situation.
+        let first = difference.full.first(1);
+        let at_a_glance = |both: Hypothesis| {
+            let tried = self.drawn(0, both, 1)?;
+            Ok(Tried { explained: first.explained_by(&tried.rest), ..tried })
+        };
+        let mut tried = both.map(at_a_glance).collect::<Result<Vec<Tried<'a>>, GlError>>()?;
+        tried.sort_by(|a, b| a.order(b));
+        tried.into_iter().take(KEPT).map(|tried| self.attempt(0, tried.hypothesis, difference)).collect()
     }
 
     fn pair_with_peculiarities(&self, pair: &Tried<'a>, difference: &Difference) -> Result<Vec<Tried<'a>>, GlError> {

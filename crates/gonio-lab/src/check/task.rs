@@ -25,6 +25,7 @@ const LAMP: Vec3 = Vec3::new(0.5, 0.5, -0.7);
 
 /// All exercises of which a pair of shaders is the answer.
 pub const TASKS: &[Task] = &[
+    task("ex01", Model::Camera, None, [false; 3]),
     task("ex03", Model::Gouraud, Some((Model::Phong, Some("phong-instead-of-gouraud"))), [false, true, false]),
     task("ex04", Model::Phong, Some((Model::Gouraud, Some("gouraud-instead-of-phong"))), [false, true, false]),
     task("ex05", Model::Gouraud, Some((Model::Phong, Some("phong-instead-of-gouraud"))), [false, false, true]),
@@ -38,7 +39,11 @@ pub const TASKS: &[Task] = &[
     task("ex08", Model::Skybox, None, [false; 3]),
     task("ex09", Model::Reflection, None, [false; 3]),
     task("ex10", Model::Refraction, None, [false; 3]),
+    task("s1", Model::Panorama, None, [false; 3]),
 ];
+
+/// Exercise 01 by its places alone: for programs whose colours are none of the vertices'.
+pub const PLACES: &Task = &task("ex01", Model::Places, None, [false; 3]);
 
 const fn task(
     exercise: &'static str,
@@ -62,6 +67,8 @@ impl Task {
             Model::Phong | Model::Gouraud => situation::lit(),
             Model::Reflection | Model::Refraction => situation::mirrored(),
             Model::Skybox => situation::skies(),
+            Model::Camera | Model::Places => situation::cameras(),
+            Model::Panorama => (0..6).map(situation::face).collect(),
         };
         let whole = all.len();
         let mut of_two = 0;

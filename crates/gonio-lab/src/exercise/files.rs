@@ -23,3 +23,10 @@ pub const FOLDERS: &[Folder] = &[
     folder!("ex11-texture-unit": "exercise.toml" "host/attribute-not-enabled.txt" "host/mipmaps-missing.txt" "host/offset-wrong.txt" "host/reference.txt" "host/stride-wrong.txt" "host/texture-name-as-unit.txt" "host/unbound-unit.txt" "host/uniform-before-use-program.txt" "host/wrong-target.txt" "start.frag" "start.vert" "text.md" "texture-units.svg"),
     folder!("s1-panorama-to-cubemap": "exercise.toml" "faces.svg" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md"),
 ];
+
+/// Pictures: the folder, the name, the file.
+pub const PICTURES: &[(&str, &str, &[u8])] = &[(
+    "s1-panorama-to-cubemap",
+    "panorama.png",
+    include_bytes!("../../../../exercises/s1-panorama-to-cubemap/panorama.png"),
+)];

@@ -109,6 +109,12 @@ impl Exercise {
         self.files.iter().copied().filter(move |(name, _)| !given_away(name))
     }
 
+    /// Pictures that one starts from, by their names.
+    pub fn pictures(&self) -> impl Iterator<Item = (&'static str, &'static [u8])> {
+        let of_this = files::PICTURES.iter().filter(|(folder, ..)| *folder == self.folder);
+        of_this.map(|(_, name, bytes)| (*name, *bytes))
+    }
+
     /// What the right answer looks like.
     pub fn reference_files(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
         self.files.iter().copied().filter(|(name, _)| name.split('/').any(|part| part.starts_with("reference")))

@@ -6,6 +6,7 @@
 //! mistake (`rules`) names the node at fault. Whatever the source is, this returns: loops, calls and depth are limited, and
 //! beyond them nothing is known.
 
+mod camera;
 mod eval;
 mod fold;
 mod graph;
@@ -91,6 +92,22 @@ impl Source {
         let sentence = "`pow` of a negative number is undefined: the `max` belongs inside, \
                         `pow(max(dot(R, V), 0.0), shininess)`";
         found.map(|place| ("specular-power-of-negative", place, sentence.to_owned())).into_iter().collect()
+    }
+
+    /// Where a panorama is looked up at an angle that jumps from one edge to the other, by a function that chooses its
+    /// mipmap by how fast that changes: harmless as long as there are no mipmaps.
+    #[must_use]
+    pub fn seam_by_mipmaps(&self) -> Option<(Place, String)> {
+        let graph = &self.reading.graph;
+        let jumps = |place: graph::Id| {
+            let parts = graph.reachable(&[place], |_| true);
+            parts.iter().any(|id| matches!(graph.op(*id), graph::Op::Call(name, _) if name == "atan"))
+        };
+        let by_itself = |call: graph::Id| matches!(graph.op(call), graph::Op::Call(name, _) if matches!(name.as_str(), "texture" | "texture2D"));
+        let (call, _) = self.reading.lookups().into_iter().find(|(call, at)| by_itself(*call) && jumps(*at))?;
+        let sentence = "with mipmaps there would be a line behind you, where u jumps from 1 to 0; \
+                        `textureLod(panorama, place, 0.0)` never shows it";
+        Some((self.place(call, 1.0)?, sentence.to_owned()))
     }
 
     fn place(&self, node: graph::Id, confidence: f32) -> Option<Place> {

@@ -90,6 +90,7 @@ pub(super) fn roles(declared: &[&Declared], given: &[Option<Role>], open: &[bool
     }
     attributes_by_type(&mut all);
     matrices(&mut all);
+    camera(&mut all);
     view(&mut all);
     terms(&mut all);
     samplers(&mut all);
@@ -161,6 +162,46 @@ fn matrices(all: &mut [Read<'_>]) {
     });
     if let (Some(read), None) = (open.next(), open.next()) {
         read.found = Some((role, How::Use));
+    }
+}
+
+/// A camera's `Position`, `Front`, `Up`, `Right` and `WorldUp`: names that say nothing alone, and something together.
+fn camera(all: &mut [Read<'_>]) {
+    let has = |all: &[Read<'_>], role: Role| all.iter().any(|read| read.is(role));
+    let axes = [Role::ViewFront, Role::WorldUp, Role::ViewRight, Role::ViewTarget];
+    if !axes.iter().any(|axis| has(all, *axis)) {
+        return;
+    }
+    let lone = [
+        ("pos", Role::ViewPos),
+        ("from", Role::ViewPos),
+        ("dir", Role::ViewFront),
+        ("to", Role::ViewTarget),
+        ("centre", Role::ViewTarget),
+    ];
+    for (word, role) in lone {
+        if has(all, role) {
+            continue;
+        }
+        let fits = |read: &&mut Read<'_>| {
+            read.open
+                && read.found.is_none()
+                && read.shape == Shape::Vector
+                && read.declared.kind == Kind::Uniform
+                && read.words.order.contains(&word)
+                && read.words.order.iter().all(|token| *token == word)
+        };
+        if let Some(read) = all.iter_mut().find(fits) {
+            read.found = Some((role, How::Use));
+        }
+    }
+    // Beside Right, or beside another that is the world's, Up is the camera's own.
+    let ups = all.iter().filter(|read| read.is(Role::WorldUp)).count();
+    if ups > 1 || has(all, Role::ViewRight) {
+        let is_own = |read: &&mut Read<'_>| read.open && read.is(Role::WorldUp) && !read.words.has("world");
+        if let Some(read) = all.iter_mut().find(is_own) {
+            read.found = Some((Role::ViewUp, How::Use));
+        }
     }
 }
 

@@ -36,6 +36,18 @@ pub enum Role {
     ViewPos,
     /// The direction that the camera looks in, in world space.
     ViewFront,
+    /// The camera's own Up, perpendicular to where it looks, in world space.
+    ViewUp,
+    /// What is roughly upwards for the camera, in world space.
+    WorldUp,
+    /// The camera's own Right, in world space.
+    ViewRight,
+    /// A place that the camera looks at, in world space.
+    ViewTarget,
+    /// The camera's turn to the side in degrees: -90 is straight ahead, towards -Z.
+    Yaw,
+    /// The camera's turn upwards in degrees.
+    Pitch,
     /// A light's place, in world space.
     LightPos(u32),
     /// A light's place, in view space.
@@ -96,6 +108,8 @@ pub enum Role {
     Panorama,
     /// Width and height of the picture in pixels.
     Resolution,
+    /// Which face of a cubemap is drawn, 0 to 5.
+    Face,
 }
 
 /// A role's name, with how it is made where it belongs to a light.
@@ -106,7 +120,7 @@ enum Named {
 
 use Named::{Light, Plain};
 
-const NAMES: [(&str, Named); 45] = [
+const NAMES: [(&str, Named); 52] = [
     ("position", Plain(Role::Position)),
     ("normal", Plain(Role::Normal)),
     ("tex-coord", Plain(Role::TexCoord)),
@@ -122,6 +136,12 @@ const NAMES: [(&str, Named); 45] = [
     ("normal-matrix-of-model-view", Plain(Role::NormalMatrixOfModelView)),
     ("view-pos", Plain(Role::ViewPos)),
     ("view-front", Plain(Role::ViewFront)),
+    ("view-up", Plain(Role::ViewUp)),
+    ("world-up", Plain(Role::WorldUp)),
+    ("view-right", Plain(Role::ViewRight)),
+    ("view-target", Plain(Role::ViewTarget)),
+    ("yaw", Plain(Role::Yaw)),
+    ("pitch", Plain(Role::Pitch)),
     ("light-pos", Light(Role::LightPos)),
     ("light-pos-in-view", Light(Role::LightPosInView)),
     ("light-direction", Light(Role::LightDirection)),
@@ -152,6 +172,7 @@ const NAMES: [(&str, Named); 45] = [
     ("normal-texture", Plain(Role::NormalTexture)),
     ("panorama", Plain(Role::Panorama)),
     ("resolution", Plain(Role::Resolution)),
+    ("face", Plain(Role::Face)),
 ];
 
 impl Role {
@@ -264,7 +285,7 @@ mod tests {
 
     #[test]
     fn names_are_read_as_they_are_written() {
-        assert_eq!(Role::all().count(), 45);
+        assert_eq!(Role::all().count(), 52);
         for role in Role::all() {
             assert_eq!(role.to_string().parse(), Ok(role));
             let third = role.with_light(2);
@@ -283,7 +304,7 @@ mod tests {
             ("lightpos", "light-pos"),
             ("Model", "model"),
             ("model-1", "model"),
-            ("", "view"),
+            ("", "yaw"),
         ] {
             let error = given.parse::<Role>().unwrap_err();
             assert_eq!((error.given.as_str(), error.nearest), (given, nearest));

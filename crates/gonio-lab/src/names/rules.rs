@@ -56,9 +56,11 @@ const VECTORS: &[Rule] = &[
     rule(&["light", "color"], &[], Role::LightColor),
     rule(&["light", "strength"], &[], Role::LightColor),
     rule(&["light", "power"], &[], Role::LightColor),
+    rule(&["front", "at"], &["light"], |_| Role::ViewTarget),
     rule(&["view", "front"], &[], |_| Role::ViewFront),
     rule(&["camera", "front"], &[], |_| Role::ViewFront),
     rule(&["camera", "dir"], &[], |_| Role::ViewFront),
+    rule(&["front"], &["light", "struct", "color"], |_| Role::ViewFront),
     // Students call the camera's place a direction.
     rule(&["view", "dir"], &[], |_| Role::ViewPos),
     rule(&["view"], &["color", "screen", "size"], |_| Role::ViewPos),
@@ -103,6 +105,9 @@ const SCALARS: &[Rule] = &[
     rule(&["refraction"], &["strength"], |_| Role::RefractionIndex),
     rule(&["gamma"], &[], |_| Role::Gamma),
     rule(&["time"], &["light"], |_| Role::Time),
+    rule(&["screen"], &["light"], |_| Role::Resolution),
+    rule(&["yaw"], &["light"], |_| Role::Yaw),
+    rule(&["pitch"], &["light"], |_| Role::Pitch),
 ];
 
 const SAMPLERS_2D: &[Rule] = &[
@@ -138,7 +143,7 @@ const ATTRIBUTES: &[Rule] = &[
 
 /// An attribute's role by its name.
 pub(super) fn attribute(shape: Shape, words: &Words) -> Option<Role> {
-    if shape != Shape::Vector {
+    if shape != Shape::Vector || says_axis(words) {
         return None;
     }
     first(ATTRIBUTES, words, 0)
@@ -149,8 +154,20 @@ pub(super) fn uniform(shape: Shape, words: &Words, light: u32) -> Option<Role> {
     if shape == Shape::Matrix {
         return matrix(words);
     }
+    // `faceId` is no name of anything else.
+    let is_only_face =
+        shape == Shape::Scalar && words.tokens.iter().all(|t| matches!(*t, "face" | "blocked" | "index"));
+    if words.has("face") && is_only_face {
+        return Some(Role::Face);
+    }
     if words.has("blocked") {
         return None;
+    }
+    if words.has("face") && (words.has("size") || words.has("screen")) {
+        return matches!(shape, Shape::Scalar | Shape::Vector).then_some(Role::Resolution);
+    }
+    if says_axis(words) {
+        return if shape == Shape::Vector { axis(words) } else { None };
     }
     // A letter that counts (`nLights`) or is the whole name (`t`).
     if shape == Shape::Scalar {
@@ -171,6 +188,24 @@ pub(super) fn uniform(shape: Shape, words: &Words, light: u32) -> Option<Role> {
     first(rules, words, light)
 }
 
+/// Words of a camera's axes, which say nothing of anything else.
+fn says_axis(words: &Words) -> bool {
+    ["up", "right", "target"].iter().any(|word| words.has(word))
+}
+
+/// A camera's axis, or what it looks at. `context` tells the camera's own Up from what is roughly upwards.
+fn axis(words: &Words) -> Option<Role> {
+    const OF_CAMERAS: [&str; 10] = ["up", "right", "target", "view", "camera", "world", "pos", "dir", "front", "at"];
+    if !words.tokens.iter().all(|token| OF_CAMERAS.contains(token)) {
+        return None;
+    }
+    Some(match (words.has("target"), words.has("right")) {
+        (true, _) => Role::ViewTarget,
+        (false, true) => Role::ViewRight,
+        (false, false) => Role::WorldUp,
+    })
+}
+
 fn first(rules: &[Rule], words: &Words, light: u32) -> Option<Role> {
     let fits =
         |rule: &&Rule| rule.all.iter().all(|word| words.has(word)) && !rule.none.iter().any(|word| words.has(word));
@@ -180,7 +215,7 @@ fn first(rules: &[Rule], words: &Words, light: u32) -> Option<Role> {
 /// A matrix's role: which of M, V and P it holds.
 fn matrix(words: &Words) -> Option<Role> {
     // A matrix of a light is one of shadows.
-    if words.has("blocked") || words.has("light") || words.has("tex") {
+    if words.has("blocked") || words.has("light") || words.has("tex") || says_axis(words) {
         return None;
     }
     if let Some(role) = between_spaces(&words.order) {

@@ -392,6 +392,40 @@ const DIALECTS: &[(&str, &str)] = &[
         "own words",
         "vec3 bunnyColor material-color\n sampler2D yokohamaTexture diffuse-texture\n vec3 myLightPosition light-pos\n vec3 sunDir light-direction",
     ),
+    (
+        "the camera's own words",
+        "vec3 Position view-pos
+         vec3 Front view-front
+         vec3 Up view-up
+         vec3 Right view-right
+         vec3 WorldUp world-up
+         float yaw yaw
+         float u_pitch pitch",
+    ),
+    (
+        "the camera of exercise 01",
+        "vec3 u_view_pos view-pos\n vec3 u_front view-front\n vec3 u_up world-up\n mat4 M model\n mat4 P projection",
+    ),
+    ("what gluLookAt takes", "vec3 eye view-pos\n vec3 center view-target\n vec3 up world-up"),
+    ("from and to", "vec3 from view-pos\n vec3 to view-target\n vec3 upVector world-up"),
+    (
+        "a camera as a struct",
+        "vec3 camera.position view-pos\n vec3 camera.direction view-front\n vec3 camera.up world-up",
+    ),
+    (
+        "a camera in French",
+        "vec3 positionCamera view-pos\n vec3 devant view-front\n vec3 haut world-up\n vec3 cible view-target",
+    ),
+    ("no camera", "vec3 center -\n vec3 Position -\n vec3 faceColor material-color\n vec3 lightUp -"),
+    (
+        "a panorama's faces",
+        "in vec2 aPos position
+         sampler2D equirectangularMap panorama
+         int faceIndex face
+         vec2 faceSize resolution",
+    ),
+    ("more names of faces", "int u_face face\n sampler2D pano panorama"),
+    ("and one by its number", "int faceId face\n float u_side face"),
     ("wrong types", "vec3 model -\n float viewPos -\n mat4 lightPos -\n int skybox -"),
 ];
 

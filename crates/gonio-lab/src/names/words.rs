@@ -21,7 +21,14 @@ const MEANINGS: &[(&str, &str)] = &[
     // Kinds of quantity.
     ("pos position positions postion postition posn location loc place origin", "pos"),
     ("dir direction directions dirs vec vector vect", "dir"),
-    ("front forward look avant devant", "front"),
+    ("front forward look avant devant vorne gaze", "front"),
+    ("up upward upwards haut oben", "up"),
+    ("right droite rechts", "right"),
+    ("target cible ziel lookat", "target"),
+    ("center centre", "centre"),
+    ("at", "at"),
+    ("yaw lacet", "yaw"),
+    ("pitch tangage", "pitch"),
     ("color colour colors colours col couleur couleurs clr rgb rgba tint teinte farbe", "color"),
     (
         "strength intensity intensite intensité factor coefficient coeff coef coeffs coefs amount force strenght level",
@@ -87,6 +94,7 @@ const MEANINGS: &[(&str, &str)] = &[
     ("time now temps elapsed clock seconds", "time"),
     ("resolution viewport screen window fenetre", "screen"),
     ("size dim dimensions", "size"),
+    ("face faces side cubeface layer seite", "face"),
     ("from", "from"),
     ("to", "to"),
     ("clip ndc", "clip"),
@@ -97,7 +105,7 @@ const MEANINGS: &[(&str, &str)] = &[
          has is enable enabled show min max bias offset scale scaling threshold mouse width height aspect fov noise \
          roughness rough metallic metalness metal ao occlusion alpha opacity transparency background bg clear ground line \
          outline edge border wire selected highlight hover mode type flag id kernel blur exposure mix blend irradiance \
-         prefilter prefiltered brdf lut displacement parallax reverse reversed target up right bool toggle rotation rot \
+         prefilter prefiltered brdf lut displacement parallax reverse reversed bool toggle rotation rot \
          translation blinn toon speed velocity step steps",
         "blocked",
     ),

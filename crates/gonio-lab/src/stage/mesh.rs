@@ -11,11 +11,15 @@ pub enum Shape {
     Torus,
     /// From -1 to 1: a skybox.
     Cube,
+    /// A small one, its corners in five colours: what the first exercise draws.
+    Pyramid,
+    /// The same within a globe of many colours: wherever a camera looks, its picture tells where that is.
+    Landmarks,
 }
 
 impl Shape {
     /// Every one, by its number in [`Shape::index`].
-    pub const ALL: [Shape; 3] = [Shape::Sphere, Shape::Torus, Shape::Cube];
+    pub const ALL: [Shape; 5] = [Shape::Sphere, Shape::Torus, Shape::Cube, Shape::Pyramid, Shape::Landmarks];
 
     /// Its place in [`Shape::ALL`].
     pub fn index(self) -> usize {
@@ -28,6 +32,8 @@ impl Shape {
             Shape::Sphere => sphere(8, 6),
             Shape::Torus => torus(14, 8),
             Shape::Cube => cube(),
+            Shape::Pyramid => pyramid(),
+            Shape::Landmarks => landmarks(),
         }
     }
 }
@@ -41,6 +47,8 @@ pub struct StageMesh {
     pub normals: Vec<f32>,
     /// u v.
     pub tex_coords: Vec<f32>,
+    /// Linear RGB; white on all that is lit.
+    pub colors: Vec<f32>,
     /// Three a triangle.
     pub indices: Vec<u32>,
 }
@@ -55,6 +63,7 @@ fn grid(across: usize, down: usize, vertex: impl Fn(f32, f32) -> ([f32; 3], [f32
             mesh.positions.extend(position);
             mesh.normals.extend(normal);
             mesh.tex_coords.extend([u, v]);
+            mesh.colors.extend([1.0; 3]);
         }
     }
     let at = |row: usize, column: usize| (row * (across + 1) + column) as u32;
@@ -93,11 +102,49 @@ fn cube() -> StageMesh {
         mesh.positions.extend(position);
         mesh.normals.extend(position.map(|x| x / 3.0_f32.sqrt()));
         mesh.tex_coords.extend([position[0] * 0.5 + 0.5, position[1] * 0.5 + 0.5]);
+        mesh.colors.extend([1.0; 3]);
     }
     for quad in [[1, 3, 7, 5], [0, 4, 6, 2], [2, 6, 7, 3], [0, 1, 5, 4], [4, 5, 7, 6], [0, 2, 3, 1]] {
         let [a, b, c, d] = quad;
         mesh.indices.extend([a, b, c, a, c, d]);
     }
+    mesh
+}
+
+/// Four corners of its base and the top, shared; normals outwards from the middle.
+fn pyramid() -> StageMesh {
+    let mut mesh = StageMesh::default();
+    let corners = [
+        ([-0.5, -0.4, 0.5], [0.9, 0.1, 0.1]),
+        ([0.5, -0.4, 0.5], [0.1, 0.8, 0.2]),
+        ([0.5, -0.4, -0.5], [0.1, 0.2, 0.9]),
+        ([-0.5, -0.4, -0.5], [0.9, 0.8, 0.1]),
+        ([0.0, 0.6, 0.0], [0.95, 0.9, 0.95]),
+    ];
+    for (position, color) in corners {
+        let length = position.iter().map(|x: &f32| x * x).sum::<f32>().sqrt();
+        mesh.positions.extend(position);
+        mesh.normals.extend(position.map(|x| x / length));
+        mesh.tex_coords.extend([position[0] + 0.5, position[2] + 0.5]);
+        mesh.colors.extend::<[f32; 3]>(color);
+    }
+    for triangle in [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [0, 3, 2], [0, 2, 1]] {
+        mesh.indices.extend(triangle);
+    }
+    mesh
+}
+
+/// The pyramid, and around it a globe of radius 3 in the colours of the surroundings.
+fn landmarks() -> StageMesh {
+    let (mut mesh, globe) = (pyramid(), sphere(12, 8));
+    let first = (mesh.positions.len() / 3) as u32;
+    mesh.positions.extend(globe.positions.iter().map(|x| 3.0 * x));
+    mesh.normals.extend(&globe.normals);
+    mesh.tex_coords.extend(&globe.tex_coords);
+    for direction in globe.normals.chunks_exact(3) {
+        mesh.colors.extend(super::sky::radiance(glam::Vec3::from_slice(direction)));
+    }
+    mesh.indices.extend(globe.indices.iter().map(|index| first + index));
     mesh
 }
 

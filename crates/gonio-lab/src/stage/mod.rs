@@ -11,6 +11,7 @@ pub use mesh::{Shape, StageMesh};
 pub(crate) use sheet::stream_of;
 pub use sheet::{Cast, Sheet, Stage, TILE};
 pub use situation::{Light, Situation};
+pub(crate) use sky::radiance;
 pub use surface::Surface;
 pub use values::{numbers, numbers_of_array};
 

@@ -62,6 +62,7 @@ impl Stage {
                     stream("position", 3, &mesh.positions),
                     stream("normal", 3, &mesh.normals),
                     stream("tex_coord", 2, &mesh.tex_coords),
+                    stream("color", 3, &mesh.colors),
                 ],
                 &mesh.indices,
                 &format!("{shape:?}"),
@@ -166,6 +167,7 @@ pub(crate) fn stream_of(role: Role) -> Option<usize> {
         Role::Position => Some(0),
         Role::Normal => Some(1),
         Role::TexCoord => Some(2),
+        Role::Color => Some(3),
         _ => None,
     }
 }

@@ -71,6 +71,16 @@ impl Situation {
         glam::camera::rh::view::look_at_mat4(self.eye, self.target, self.up)
     }
 
+    /// Where the camera looks: a unit vector in the world.
+    pub fn front(&self) -> Vec3 {
+        (self.target - self.eye).normalize()
+    }
+
+    /// The camera's own Right: a unit vector in the world.
+    pub fn right(&self) -> Vec3 {
+        self.front().cross(self.up).normalize()
+    }
+
     /// P, of a square picture.
     pub fn clip_from_view(&self) -> Mat4 {
         glam::camera::rh::proj::opengl::perspective(self.fov_y_rad, 1.0, 0.1, 100.0)
@@ -297,3 +307,106 @@ pub fn skies() -> Vec<Situation> {
         sky("up", "upwards, with a tilted head", [-3.0, 1.0, 2.0], [0.3, 1.0, 0.2], [0.4, 0.0, -1.0]),
     ]
 }
+
+/// For cameras: turned, above, tilted, off centre, on models far from the identity.
+pub fn cameras() -> Vec<Situation> {
+    let model = placed([0.3, -0.2, -0.4], [40.0, 25.0, 15.0], [0.8, 1.1, 0.6]);
+    let camera = |name: &str, shows, eye: [f32; 3], target: [f32; 3], up: [f32; 3]| Situation {
+        shape: Shape::Landmarks,
+        world_from_model: model,
+        eye: eye.into(),
+        target: target.into(),
+        up: up.into(),
+        fov_y_rad: FOV_Y_RAD,
+        ..base(name, shows)
+    };
+    vec![
+        camera(
+            "turned",
+            "a camera that is turned to the side and looks down",
+            [1.1, 0.7, 1.0],
+            [0.2, -0.1, -0.4],
+            [0.0, 1.0, 0.0],
+        ),
+        Situation {
+            world_from_model: placed([-0.4, 0.2, 0.1], [-70.0, 10.0, -30.0], [0.7; 3]),
+            ..camera(
+                "above",
+                "from above: up and Front are far from perpendicular",
+                [-0.7, 1.4, 0.5],
+                [-0.3, 0.1, 0.1],
+                [0.0, 1.0, 0.0],
+            )
+        },
+        camera("tilted", "a tilted head: up is not Y", [-0.9, -0.5, -1.2], [0.5, 0.2, -0.3], [0.48, 0.8, 0.36]),
+        Situation {
+            world_from_model: placed([2.0, -1.1, 0.6], [15.0, -35.0, 60.0], [0.9, 0.6, 1.2]),
+            ..camera(
+                "off centre",
+                "everything far from the origin, and the camera looks past it",
+                [2.6, -0.2, 1.7],
+                [2.3, -0.9, 0.2],
+                [0.0, 1.0, 0.0],
+            )
+        },
+        Situation {
+            shape: Shape::Pyramid,
+            world_from_model: Mat4::IDENTITY,
+            ..camera(
+                "lab",
+                "the lab's own scene: M is the identity, the camera has not turned",
+                [0.0, 0.0, 2.0],
+                [0.0, 0.0, 1.0],
+                [0.0, 1.0, 0.0],
+            )
+        },
+        Situation {
+            shape: Shape::Pyramid,
+            world_from_model: Mat4::IDENTITY,
+            ..camera(
+                "to the right",
+                "the same, and the camera has walked to the right",
+                [0.5, 0.0, 2.0],
+                [0.5, 0.0, 1.0],
+                [0.0, 1.0, 0.0],
+            )
+        },
+        Situation {
+            world_from_model: placed([0.1, 0.3, -0.2], [200.0, 0.0, 0.0], [1.0, 1.0, 1.0]),
+            ..camera(
+                "behind",
+                "from behind and below, looking up",
+                [-0.6, -0.7, -1.5],
+                [0.0, 0.6, -0.1],
+                [0.0, 1.0, 0.0],
+            )
+        },
+        Situation {
+            world_from_model: placed([0.0, 0.1, 0.0], [30.0, 0.0, 0.0], [0.5; 3]),
+            ..camera("close", "close to the pyramid", [0.5, 0.3, 0.7], [-0.4, -0.1, -0.5], [0.0, 1.0, 0.0])
+        },
+    ]
+}
+
+/// What the camera of a cubemap's face sees, of OpenGL's order: 90 degrees, from the origin.
+pub fn face(face: usize) -> Situation {
+    let (ahead, up) = match face {
+        0 => (Vec3::X, Vec3::NEG_Y),
+        1 => (Vec3::NEG_X, Vec3::NEG_Y),
+        2 => (Vec3::Y, Vec3::Z),
+        3 => (Vec3::NEG_Y, Vec3::NEG_Z),
+        4 => (Vec3::Z, Vec3::NEG_Y),
+        _ => (Vec3::NEG_Z, Vec3::NEG_Y),
+    };
+    Situation {
+        shape: Shape::Cube,
+        eye: Vec3::ZERO,
+        target: ahead,
+        up,
+        fov_y_rad: std::f32::consts::FRAC_PI_2,
+        ..base("face", "one face of a cubemap")
+    }
+}
+
+/// 45 radians, which is what the lab hands over, from the lower to the upper edge: 58.3 degrees.
+const FOV_Y_RAD: f32 = 1.0177;

@@ -6,7 +6,7 @@ use glam::Vec3;
 pub const SIDE: usize = 32;
 
 /// The light from a direction, linear RGB, each between 0.05 and 0.95.
-fn radiance(direction: Vec3) -> [f32; 3] {
+pub fn radiance(direction: Vec3) -> [f32; 3] {
     let d = direction.normalize();
     let wave = |frequency: Vec3, phase: f32| 0.5 + 0.45 * (d.dot(frequency) + phase).sin();
     [wave(Vec3::new(1.9, 0.7, 0.4), 0.3), wave(Vec3::new(-0.5, 2.1, 0.8), 1.1), wave(Vec3::new(0.6, -0.9, 2.3), -0.7)]

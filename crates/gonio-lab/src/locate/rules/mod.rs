@@ -2,10 +2,12 @@
 
 mod ambient;
 pub(super) mod attenuation;
+mod camera;
 mod diffuse;
 mod directions;
 mod environment;
 mod normals;
+mod panorama;
 mod places;
 mod specular;
 
@@ -38,6 +40,12 @@ impl Answer {
 
 /// The answer for a mistake of the bank.
 pub(super) fn answer(reading: &Reading, id: &str, model: Model) -> Answer {
+    if model.is_of_places() {
+        return camera::answer(reading, id);
+    }
+    if model == Model::Panorama {
+        return panorama::answer(reading, id);
+    }
     let found = normals::answer(reading, id)
         .or_else(|| places::answer(reading, id, model))
         .or_else(|| directions::answer(reading, id, model))

@@ -117,7 +117,8 @@ pub fn show(args: &ShowArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
 /// Writes an exercise's text and the files to start from.
 pub fn start(args: &StartArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let exercise = exercise(&args.exercise)?;
-    let mut written = write_all(exercise.start_files(), &args.folder)?;
+    let texts = exercise.start_files().map(|(name, text)| (name, text.as_bytes()));
+    let mut written = write_all(texts.chain(exercise.pictures()), &args.folder)?;
     let goal = args.folder.join(GOAL);
     let is_drawn = live::is_drawn(exercise) && !goal.exists();
     if is_drawn {
@@ -150,7 +151,7 @@ pub fn start(args: &StartArgs, reporter: &Reporter) -> Result<Outcome, CliError>
 pub fn reference(args: &ReferenceArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let exercise: &Exercise = exercise(&args.exercise)?;
     if let Some(folder) = &args.output {
-        let written = write_all(exercise.reference_files(), folder)?;
+        let written = write_all(exercise.reference_files().map(|(name, text)| (name, text.as_bytes())), folder)?;
         reporter.note(format!("wrote {} into {}", written.join(", "), folder.display()));
         return Ok(Outcome::Done);
     }
@@ -170,8 +171,8 @@ pub fn reference(args: &ReferenceArgs, reporter: &Reporter) -> Result<Outcome, C
 }
 
 /// Writes files into a folder that none of them is in; nothing is written where one is.
-fn write_all<'a>(files: impl Iterator<Item = (&'a str, &'a str)>, folder: &Path) -> Result<Vec<String>, CliError> {
-    let files: Vec<(&str, &str)> = files.collect();
+fn write_all<'a>(files: impl Iterator<Item = (&'a str, &'a [u8])>, folder: &Path) -> Result<Vec<String>, CliError> {
+    let files: Vec<(&str, &[u8])> = files.collect();
     if let Some((name, _)) = files.iter().find(|(name, _)| folder.join(name).exists()) {
         return Err(CliError::new(format!(
             "{} is there already, and nothing is written over; name another folder",
@@ -183,7 +184,7 @@ fn write_all<'a>(files: impl Iterator<Item = (&'a str, &'a str)>, folder: &Path)
         let parent = path.parent().unwrap_or(folder);
         let failed = |error: std::io::Error| CliError::io(format!("{} could not be written", path.display()), &error);
         std::fs::create_dir_all(parent).map_err(failed)?;
-        atomic::write(&path, content.as_bytes())?;
+        atomic::write(&path, content)?;
     }
     Ok(files.into_iter().map(|(name, _)| name.to_owned()).collect())
 }

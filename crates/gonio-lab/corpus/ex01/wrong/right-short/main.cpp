@@ -1,0 +1,40 @@
+#include <glad/glad.h>
+#include <GLFW/glfw3.h>
+
+const char *vertexShaderSource =
+    "#version 330 core\n"
+    "in vec3 position; // in the model's own space\n"
+    "in vec3 color;\n"
+    "\n"
+    "uniform mat4 M; // world from model\n"
+    "uniform mat4 P; // clip from view\n"
+    "uniform vec3 u_view_pos;\n"
+    "uniform vec3 u_front;\n"
+    "uniform vec3 u_up;\n"
+    "\n"
+    "out vec3 v_col;\n"
+    "\n"
+    "mat4 view_matrix(vec3 eye, vec3 front, vec3 up) {\n"
+    "    vec3 right = cross(front, up);\n"
+    "    vec3 newUp = cross(right, front);\n"
+    "    return mat4(\n"
+    "        right.x, newUp.x, -front.x, 0.0,\n"
+    "        right.y, newUp.y, -front.y, 0.0,\n"
+    "        right.z, newUp.z, -front.z, 0.0,\n"
+    "        -dot(right, eye), -dot(newUp, eye), dot(front, eye), 1.0\n"
+    "    );\n"
+    "}\n"
+    "\n"
+    "void main() {\n"
+    "    mat4 V = view_matrix(u_view_pos, u_front, u_up);\n"
+    "    v_col = color;\n"
+    "    gl_Position = P * V * M * vec4(position, 1.0);\n"
+    "}\n";
+const char *fragmentShaderSource =
+    "#version 330 core\n"
+    "in vec3 v_col;\n"
+    "out vec4 FragColor;\n"
+    "\n"
+    "void main() {\n"
+    "    FragColor = vec4(v_col, 1.0);\n"
+    "}\n";

@@ -1,0 +1,115 @@
+//! Mistakes with single faces of a cubemap, made from the table of faces: turned, mirrored, swapped.
+
+use super::{Mistake, Model};
+use std::collections::BTreeMap;
+
+/// The six faces in OpenGL's order: the word of each, and its name for people.
+pub const FACES: [(&str, &str); 6] =
+    [("posx", "+X"), ("negx", "-X"), ("posy", "+Y"), ("negy", "-Y"), ("posz", "+Z"), ("negz", "-Z")];
+
+/// What can be done to a square picture but leaving it as it is: the word, what is said of it, and where (s, t) of the
+/// picture that is there lie in the one that should be, as GLSL.
+pub const TURNS: [(&str, &str, [&str; 2]); 7] = [
+    ("turned-left", "turned by 90 degrees to the left", ["-t", "s"]),
+    ("turned-half", "turned by 180 degrees", ["-s", "-t"]),
+    ("turned-right", "turned by 90 degrees to the right", ["t", "-s"]),
+    ("mirrored", "mirrored left to right", ["-s", "t"]),
+    ("flipped", "upside down, mirrored top to bottom", ["s", "-t"]),
+    ("transposed", "mirrored about its diagonal: rows and columns are swapped", ["t", "s"]),
+    ("transposed-back", "mirrored about its other diagonal: rows and columns are swapped", ["-t", "-s"]),
+];
+
+/// The table of the specification: where s and t stand on each face, as GLSL.
+fn direction(face: usize, s: &str, t: &str) -> String {
+    let less = |x: &str| x.strip_prefix('-').map_or_else(|| format!("-{x}"), str::to_owned);
+    let [x, y, z] = match face {
+        0 => ["1.0".to_owned(), less(t), less(s)],
+        1 => ["-1.0".to_owned(), less(t), s.to_owned()],
+        2 => [s.to_owned(), "1.0".to_owned(), t.to_owned()],
+        3 => [s.to_owned(), "-1.0".to_owned(), less(t)],
+        4 => [s.to_owned(), less(t), "1.0".to_owned()],
+        _ => [less(s), less(t), "-1.0".to_owned()],
+    };
+    format!("vec3({x}, {y}, {z})")
+}
+
+fn mistake(id: String, name: String, looks_like: &str, mend: &str, change: BTreeMap<String, String>) -> Mistake {
+    Mistake {
+        id,
+        name,
+        models: vec![Model::Panorama],
+        harmless: false,
+        lab_does_it: false,
+        looks_like: looks_like.to_owned(),
+        mend: mend.to_owned(),
+        seed: "Equirectangular to cubemap".to_owned(),
+        whole: false,
+        looks_the_same_as: Vec::new(),
+        change: vec![change],
+    }
+}
+
+/// The id of a face that is turned: `face-posy-turned-left`.
+pub fn turned_id(face: usize, turn: usize) -> String {
+    format!("face-{}-{}", FACES[face % 6].0, TURNS[turn % 7].0)
+}
+
+/// The id of two faces that are swapped, the earlier one first: `faces-posz-negz-swapped`.
+pub fn swapped_id(a: usize, b: usize) -> String {
+    format!("faces-{}-{}-swapped", FACES[a.min(b) % 6].0, FACES[a.max(b) % 6].0)
+}
+
+/// All of them.
+pub fn mistakes() -> Vec<Mistake> {
+    let mut all = Vec::new();
+    for (face, (word, name)) in FACES.iter().enumerate() {
+        for (turn, (_, said, [s, t])) in TURNS.iter().enumerate() {
+            all.push(mistake(
+                turned_id(face, turn),
+                format!("Face {name} is {said}"),
+                "Seams along the edges of that face.",
+                &format!("Say its row of the table aloud: where do s and t run on {name}?"),
+                BTreeMap::from([((*word).to_owned(), direction(face, s, t))]),
+            ));
+        }
+    }
+    for (a, (word_a, name_a)) in FACES.into_iter().enumerate() {
+        for (b, (word_b, name_b)) in FACES.into_iter().enumerate().skip(a + 1) {
+            all.push(mistake(
+                swapped_id(a, b),
+                format!("Faces {name_a} and {name_b} are swapped"),
+                "Seams along the edges of both faces.",
+                "The order of OpenGL's faces is +X, -X, +Y, -Y, +Z, -Z.",
+                BTreeMap::from([
+                    (word_a.to_owned(), direction(b, "s", "t")),
+                    (word_b.to_owned(), direction(a, "s", "t")),
+                ]),
+            ));
+        }
+    }
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn faces_as_they_should_be_are_the_models_own() {
+        let [_, fragment] = Model::Panorama.sources();
+        for (face, (word, _)) in FACES.iter().enumerate() {
+            let line = format!("vec3 {word} = {};", direction(face, "s", "t"));
+            assert!(fragment.contains(&line), "{line}");
+        }
+    }
+
+    #[test]
+    fn there_is_one_for_every_turn_and_every_two_faces() {
+        let all = mistakes();
+        assert_eq!(all.len(), 6 * 7 + 15);
+        let turned = all.iter().find(|mistake| mistake.id == "face-posy-turned-left").unwrap();
+        assert_eq!(turned.name, "Face +Y is turned by 90 degrees to the left");
+        assert_eq!(turned.change[0]["posy"], "vec3(-t, 1.0, s)");
+        assert!(all.iter().any(|mistake| mistake.id == "faces-posz-negz-swapped"));
+    }
+}
