@@ -18,6 +18,7 @@ pub mod stage;
 mod student;
 pub mod submission;
 pub mod twin;
+mod unexplained;
 pub mod verdict;
 
 pub use student::{CheckOptions, check};
