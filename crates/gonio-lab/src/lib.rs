@@ -19,6 +19,7 @@ pub mod stage;
 mod student;
 pub mod submission;
 pub mod twin;
+mod unexplained;
 pub mod verdict;
 
 pub use student::{CheckOptions, check};

@@ -9,6 +9,7 @@ use crate::messages::{self, Message};
 use crate::names::NamesFile;
 use crate::other;
 use crate::submission::{SourceFile, StageText, Submission};
+use crate::unexplained;
 use crate::verdict::{CompilerMessage, FoundMistake, Outcome, Peculiarity, Verdict};
 use gonio_gl::foreign::{BrokenProgram, ForeignProgram};
 use gonio_gl::{Gl, GlError};
@@ -114,6 +115,9 @@ pub fn check(
             return Ok((verdict, None));
         }
     };
+    if let Some(verdict) = does_not_link(&exercise.id, &vertex, &fragment) {
+        return Ok((verdict, None));
+    }
     let source = Rc::new(Source::read(
         &Shader { parsed: &vertex.parsed, checked: &vertex.checked },
         &Shader { parsed: &fragment.parsed, checked: &fragment.checked },
@@ -148,6 +152,7 @@ pub fn check(
         found.quoted = text.line(place.span.line).map(str::to_owned);
     };
     by_the_source(&mut verdict, &source, task.model);
+    unexplained::mend(&mut verdict, evidence.as_ref(), &source, task);
     for found in &mut verdict.mistakes {
         if let Some(at) = source.line(&found.id, task.model) {
             place(found, at);
@@ -218,7 +223,7 @@ fn by_places(
 }
 
 /// From this support by the source on a mistake counts that the picture leaves open.
-const SURE: f32 = 0.95;
+pub(crate) const SURE: f32 = 0.95;
 
 /// What pictures leave open, and the source tells: which of two names, and what looks right because it is another right way.
 fn by_the_source(verdict: &mut Verdict, source: &Source, model: Model) {
@@ -261,7 +266,7 @@ fn in_vain(fragment: &ReadStage<'_>) -> [bool; 3] {
 }
 
 /// A mistake that only the source shows.
-fn in_source(id: &str, sentence: String, model: Model) -> Option<FoundMistake> {
+pub(crate) fn in_source(id: &str, sentence: String, model: Model) -> Option<FoundMistake> {
     let mistake = bank::of(model).find(|mistake| mistake.id == id)?;
     Some(FoundMistake {
         id: mistake.id.clone(),
@@ -318,6 +323,21 @@ pub(crate) fn compile(
 /// Problems that Mesa does not see: `texture2D` in `#version 300 es` (GLSL ES 3.00, section 8.8 has no such function; the
 /// reference compiler and browsers refuse it).
 const NOT_IN_VERSION: [&str; 1] = ["old-function"];
+/// A varying that is read and that the vertex shader does not have: the specification has it refused, and not every driver does.
+fn does_not_link(exercise: &str, vertex: &ReadStage<'_>, fragment: &ReadStage<'_>) -> Option<Verdict> {
+    let problems = gonio_glsl::check_pair(&vertex.checked, &fragment.checked);
+    let refused = |p: &&Problem| p.severity == Severity::Error && p.code == "not-given";
+    let messages: Vec<CompilerMessage> =
+        problems.iter().filter(refused).take(MOST_MESSAGES).map(|p| fragment.message(p)).collect();
+    let first = messages.first()?;
+    let mut verdict = Verdict::new(exercise, Outcome::DoesNotCompile, "");
+    verdict.summary = match first.line {
+        Some(line) => format!("{}:{line}: {}", first.file, first.text),
+        None => format!("{}: {}", first.file, first.text),
+    };
+    verdict.messages = messages;
+    Some(verdict)
+}
 
 /// What the driver says, at the student's lines; what our own reader found comes first where it is on the same line or where
 /// the driver names none, for it is said in plain words.

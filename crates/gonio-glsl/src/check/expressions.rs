@@ -366,6 +366,12 @@ fn cure(from: &Type, to: &Type) -> Option<String> {
         (Type::Vector(Scalar::Float, 3), Type::Vector(Scalar::Float, 4)) => {
             Some("`vec4(.., 1.0)` makes four of three".into())
         }
+        (Type::Scalar(_), Type::Vector(Scalar::Float, _)) => Some(format!(
+            "is it meant to be one number? Then declare a `{from}`; `{to}(..)` puts it into every component"
+        )),
+        (Type::Vector(Scalar::Float, _), Type::Scalar(Scalar::Float)) => {
+            Some("take one component, such as `.x`, or a `dot` or a `length` of it; or declare a vector".into())
+        }
         (Type::Scalar(_), Type::Scalar(_)) => Some(format!("`{to}(..)` converts it")),
         (Type::Matrix { columns: 4, rows: 4, .. }, Type::Matrix { columns: 3, rows: 3, .. }) => {
             Some("`mat3(..)` takes its upper left part".into())

@@ -5,6 +5,9 @@ use crate::names::{Bindings, Role};
 use crate::stage::{Light, Situation};
 use glam::Vec3;
 
+/// The exponent that the lab's programs have.
+const USUAL_EXPONENT: f32 = 32.0;
+
 /// Numbers that stand in the student's source where a uniform could be.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Written {
@@ -119,9 +122,12 @@ impl Freedom {
         // Only one exercise gives strengths; elsewhere one that is declared and not used is a leftover.
         let has_or_declares =
             |wanted: &dyn Fn(Role) -> bool| has(wanted) || (task.attenuated && bindings_or_source(wanted));
-        let material = bindings_or_source(&|role| {
+        let is_material = |role| {
             matches!(role, Role::MaterialColor | Role::MaterialAmbient | Role::MaterialDiffuse | Role::MaterialSpecular)
-        });
+        };
+        // Where a texture gives the colour, a colour that is declared and not used is a leftover.
+        let is_textured = has(&|role| role == Role::DiffuseTexture);
+        let material = if is_textured { has(&is_material) } else { bindings_or_source(&is_material) };
         let given = [
             has_or_declares(&|role| matches!(role, Role::AmbientStrength(_) | Role::AmbientColor(_))),
             has_or_declares(&|role| matches!(role, Role::DiffuseStrength(_) | Role::DiffuseColor(_))),
@@ -139,7 +145,8 @@ impl Freedom {
                 last.is_some_and(|last| last >= 1) && wanted(bound.role)
             })
         };
-        let is_place = |role| matches!(role, Role::LightPos(_) | Role::LightPosInView(_) | Role::LightDirection(_));
+        // A direction alone is a sun's, and the exercises know lamps: it stays dark.
+        let is_place = |role| matches!(role, Role::LightPos(_) | Role::LightPosInView(_));
         let coloured = of_second(&|role| matches!(role, Role::LightColor(_)));
         let own = [
             of_second(&|role| matches!(role, Role::AmbientStrength(_) | Role::AmbientColor(_))),
@@ -168,7 +175,11 @@ impl Freedom {
             material,
             light_position: (!lit_from_outside).then(|| written.light_position.unwrap_or(task.light_position)),
             // The exercises give the exponent: another one that is written is no choice but a mistake.
-            shininess: fixed(has(&|role| role == Role::Shininess), None, 32.0),
+            // The lab's own, written for one light and taken from outside for another, is one and the same.
+            shininess: match written.shininess {
+                Some(exponent) if exponent == USUAL_EXPONENT => written.shininess,
+                _ => fixed(has(&|role| role == Role::Shininess), None, USUAL_EXPONENT),
+            },
             written_exponent: written.shininess,
             attenuation: [
                 fixed(has(&|role| matches!(role, Role::AttenuationConstant(_))), written.attenuation[0], usual[0]),

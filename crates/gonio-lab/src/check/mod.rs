@@ -4,6 +4,7 @@ mod canvas;
 mod compare;
 mod fit;
 mod freedom;
+mod guided;
 mod predict;
 mod properties;
 mod report;
@@ -13,6 +14,7 @@ mod task;
 pub use compare::{Comparison, PIXEL_TOLERANCE, PIXELS_TOLERANCE, pixel_difference};
 pub use freedom::{Freedom, Lights, Second, Written};
 pub use predict::{CompiledModel, declared};
+pub use report::mistake as named;
 pub(crate) use report::{bound, fixed};
 pub use task::{PLACES, TASKS, Task};
 

@@ -38,7 +38,8 @@ pub fn fixed(bindings: &Bindings) -> Vec<(String, Vec<f32>)> {
     bindings.fixed.iter().map(|fixed| (fixed.declared.name.clone(), fixed.values.clone())).collect()
 }
 
-fn mistake(id: &str, share: f64) -> Option<FoundMistake> {
+/// A mistake of the bank, or one that is no change of a line, by its word.
+pub fn mistake(id: &str, share: f64) -> Option<FoundMistake> {
     let (name, looks_like, mend, seed, lab_does_it) = match crate::bank::find(id) {
         Some(m) => (m.name.clone(), m.looks_like.clone(), m.mend.clone(), m.seed.clone(), m.lab_does_it),
         None => {
@@ -76,6 +77,12 @@ pub const STRUCTURAL: &[(&str, &str, &str, &str)] = &[
         "The light is interpolated across triangles, and highlights are angular or missing.",
         "Hand position and normal over to the fragment shader, and compute the light there.",
     ),
+    (
+        "lookup-mixed",
+        "The colour of the cubemap is mixed with another colour",
+        "The surroundings are there, and in the right place, but paler, darker or tinted.",
+        "Put out what the cubemap gives, unchanged. For a project of your own there is nothing to mend.",
+    ),
 ];
 
 /// Everything but what was bound.
@@ -112,10 +119,8 @@ pub fn verdict(task: &Task, search: &Search<'_>, found: &Found<'_>, held: &Compa
     // Nothing of it could be explained by a name that was made up: say what fails, and stop there.
     if !names_well {
         let wrong: Vec<&str> = verdict.scenes.iter().filter(|s| !s.right).map(|s| s.scene.as_str()).collect();
-        verdict.summary = format!(
-            "wrong, and no mistake that gonio knows explains it; it differs from the reference in: {}",
-            wrong.join(", ")
-        );
+        verdict.summary =
+            format!("no mistake that gonio knows explains it; it differs from the reference in: {}", wrong.join(", "));
         if !best.wrong().is_empty() && best.explained >= RUNNER_UP_FROM {
             let ids = best.wrong().into_iter().map(str::to_owned).collect();
             verdict.runner_up = Some(RunnerUp { ids, share_explained: best.explained });

@@ -102,7 +102,7 @@ const TRIED_AGAIN: usize = 10;
 const MOST_DRAWN: usize = 12;
 
 /// What there is to be explained: what the plain model leaves over.
-struct Difference {
+pub(super) struct Difference {
     full: Comparison,
     coarse: Comparison,
 }
@@ -163,7 +163,7 @@ impl<'a> Search<'a> {
     }
 
     /// Tries many at a glance, and the best of them closely.
-    fn best_of(
+    pub(super) fn best_of(
         &self,
         model: usize,
         hypotheses: Vec<Hypothesis>,
@@ -178,7 +178,12 @@ impl<'a> Search<'a> {
         tried.into_iter().take(KEPT).map(|tried| self.attempt(model, tried.hypothesis, difference)).collect()
     }
 
-    fn attempt(&self, model: usize, hypothesis: Hypothesis, difference: &Difference) -> Result<Tried<'a>, GlError> {
+    pub(super) fn attempt(
+        &self,
+        model: usize,
+        hypothesis: Hypothesis,
+        difference: &Difference,
+    ) -> Result<Tried<'a>, GlError> {
         self.attempt_in(model, hypothesis, difference, Detail::Full)
     }
 
@@ -257,7 +262,7 @@ impl<'a> Search<'a> {
         sets
     }
 
-    fn wrong(&self, model: usize) -> impl Iterator<Item = &'a Hypothesis> {
+    pub(super) fn wrong(&self, model: usize) -> impl Iterator<Item = &'a Hypothesis> {
         let hypotheses = &self.models[model].hypotheses;
         let another = self.casts[model].freedom.knows_another();
         hypotheses
@@ -321,6 +326,9 @@ impl<'a> Search<'a> {
         singles.sort_by(|a, b| a.order(b));
         if !singles.iter().any(|tried| tried.rest.is_same()) {
             let pairs = self.pairs(&difference, &singles)?;
+            if !pairs.iter().any(|tried| tried.rest.is_same()) {
+                all.extend(self.guided(&bases, &difference, looks_like)?);
+            }
             all.extend(pairs);
         }
         all.extend(singles);
@@ -434,7 +442,11 @@ impl<'a> Search<'a> {
         tried.into_iter().take(KEPT).map(|tried| self.attempt(0, tried.hypothesis, difference)).collect()
     }
 
-    fn pair_with_peculiarities(&self, pair: &Tried<'a>, difference: &Difference) -> Result<Vec<Tried<'a>>, GlError> {
+    pub(super) fn pair_with_peculiarities(
+        &self,
+        pair: &Tried<'a>,
+        difference: &Difference,
+    ) -> Result<Vec<Tried<'a>>, GlError> {
         let mut again = Vec::new();
         if pair.rest.is_same() || pair.explained < 0.5 {
             return Ok(again);

@@ -215,11 +215,14 @@ fn mistake_html(mistake: &FoundMistake, together: bool) -> String {
         html.push_str("<dt>By the way</dt><dd>The lab’s own solutions do the same; the textbook does not.</dd>\n");
     }
     let others = if together { "together with the others, it" } else { "it" };
+    let facts = match mistake.share_explained > 0.0 {
+        true => format!("{others} explains {} of the difference", percent(mistake.share_explained)),
+        false => "the source shows it".to_owned(),
+    };
     let _ = write!(
         html,
-        "</dl>\n<p class=\"facts\"><code>{}</code> · {others} explains {} of the difference</p>\n</article>\n",
+        "</dl>\n<p class=\"facts\"><code>{}</code> · {facts}</p>\n</article>\n",
         escaped_line(&mistake.id),
-        percent(mistake.share_explained)
     );
     html
 }

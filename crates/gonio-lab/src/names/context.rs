@@ -36,6 +36,8 @@ impl<'a> Read<'a> {
             inherit(&mut words, &of_part, shape);
         }
         light.bracket = bracket;
+        let lower = name.to_lowercase();
+        light.is_another = ["other", "second", "autre", "zweit", "extra"].iter().any(|word| lower.contains(word));
         if shape != Shape::Matrix && (words.has("mat") || words.has("object")) {
             words.tokens.push("material");
         }

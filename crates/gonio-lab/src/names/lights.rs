@@ -12,6 +12,8 @@ pub(super) struct Place {
     pub(super) bracket: Option<u32>,
     /// A number in the name, from 0 or from 1 as the student likes.
     pub(super) number: Option<u32>,
+    /// Whether the name says that it is another light's: `otherLightPos`.
+    pub(super) is_another: bool,
 }
 
 type RoleKind = std::mem::Discriminant<Role>;
@@ -41,6 +43,9 @@ pub(super) fn indices(lights: &[(Role, Place)]) -> Vec<u32> {
     let mut taken: Vec<(RoleKind, u32)> = Vec::new();
     for members in groups.values() {
         within_group(lights, members, &mut indices);
+        if groups.len() > 1 && is_only_a_place(lights, members) {
+            continue;
+        }
         let kind = |at: usize| std::mem::discriminant(&lights[at].0);
         let collides = members.iter().any(|&at| taken.contains(&(kind(at), indices[at])));
         let offset = if collides { taken.iter().map(|(_, index)| index + 1).max().unwrap_or(0) } else { 0 };
@@ -51,6 +56,16 @@ pub(super) fn indices(lights: &[(Role, Place)]) -> Vec<u32> {
         taken.extend(members.iter().take(1000).map(|&at| (kind(at), indices[at])));
     }
     indices
+}
+
+/// A place alone beside a struct, and not called another's: it is the struct's, `lightPos` in the vertex shader and
+/// `light.position` in the fragment shader.
+fn is_only_a_place(lights: &[(Role, Place)], members: &[usize]) -> bool {
+    members.iter().all(|&at| {
+        let (role, place) = &lights[at];
+        let stands_alone = place.group.is_empty() && place.number.is_none() && !place.is_another;
+        stands_alone && matches!(role, Role::LightPos(_) | Role::LightPosInView(_))
+    })
 }
 
 fn within_group(lights: &[(Role, Place)], members: &[usize], indices: &mut [u32]) {

@@ -98,6 +98,8 @@ const SCALARS: &[Rule] = &[
     rule(&["ka"], &[], Role::AmbientStrength),
     rule(&["kd"], &[], Role::DiffuseStrength),
     rule(&["ks"], &[], Role::SpecularStrength),
+    rule(&["light", "strength"], &["attenuation", "constant", "linear", "quadratic", "material"], Role::LightColor),
+    rule(&["light", "power"], &["attenuation"], Role::LightColor),
     rule(&["constant"], &[], Role::AttenuationConstant),
     rule(&["linear"], &[], Role::AttenuationLinear),
     rule(&["quadratic"], &[], Role::AttenuationQuadratic),

@@ -178,7 +178,7 @@ const DIALECTS: &[(&str, &str)] = &[
          mat4 M model
          vec3 LightPosition_worldspace light-pos
          vec3 LightColor light-color
-         float LightPower -
+         float LightPower light-color
          sampler2D myTextureSampler diffuse-texture",
     ),
     (
@@ -323,6 +323,28 @@ const DIALECTS: &[(&str, &str)] = &[
         "two numbered lights",
         "vec3 lightPos1 light-pos\n vec3 lightPos2 light-pos-1\n vec3 lightColor1 light-color\n vec3 lightColor2 light-color-1",
     ),
+    (
+        "a place in the vertex shader, and a struct in the other",
+        "vec3 LightPosition_worldspace light-pos
+         vec3 light.light_pos light-pos
+         float light.constant attenuation-constant
+         float light.ambient_strength ambient-strength",
+    ),
+    (
+        "a place for the shadows, a lamp and a sun",
+        "vec3 lightPos light-pos
+         vec3 pointLights[0].position light-pos
+         vec3 pointLights[0].ambient ambient-color
+         vec3 dirLight.direction light-direction-1
+         vec3 dirLight.ambient ambient-color-1",
+    ),
+    (
+        "another light's place beside a struct",
+        "vec3 light.light_pos light-pos
+         float light.constant attenuation-constant
+         vec3 other_light_pos light-pos-1",
+    ),
+    ("short", "vec3 lPos light-pos\n vec3 viewing_pos view-pos\n float lightIntensity light-color"),
     ("a second light", "vec3 lightPos light-pos\n vec3 lightPos2 light-pos-1\n vec3 lightColor light-color"),
     (
         "numbered structs",

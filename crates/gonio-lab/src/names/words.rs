@@ -10,7 +10,7 @@ const MEANINGS: &[(&str, &str)] = &[
         "light lights lighting lightning lamp lamps lampe lum luminaire lumiere lumieres lumière lumières sun soleil spotlight spot pointlight licht lightsource",
         "light",
     ),
-    ("view eye eyes viewer observer observateur oeil œil vue regard", "view"),
+    ("view eye eyes viewer viewing observer observateur oeil œil vue regard", "view"),
     ("camera cam caméra kamera", "camera"),
     ("material materiau matériau mtl surface surf", "material"),
     ("mat", "mat"),
@@ -163,7 +163,11 @@ impl Words {
                 at += 1;
                 continue;
             }
+            // `lPos`, `l_dir`: the light's.
+            let is_light = word == "l"
+                && parts.get(at).and_then(|next| meaning(next)).is_some_and(|m| matches!(m, "pos" | "dir" | "color"));
             match word.chars().next() {
+                Some(_) if is_light => words.add("light"),
                 Some(letter) if word.len() == 1 && word != "k" => words.letters.push(letter),
                 _ => words.add_word(word),
             }

@@ -29,6 +29,14 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
             let loose = || reading.deepest(&[Multiply, Divide], |a, b| has_ambient(a) && has(b, ATTENUATION));
             Answer::of(found.or_else(loose), 1.0, known)
         }
+        "terms-not-put-out" => {
+            let terms = reading.sum().iter().fold(0, |all, product| all | product.bits) & (LIT | AMBIENT);
+            match reading.put_out() {
+                Some(id) if terms == DIFFUSE => At(id, 0.9),
+                Some(_) => Not,
+                None => Silent,
+            }
+        }
         "ambient-twice" => twice(reading),
         "ambient-times-diffuse" => {
             let found = reading.deepest(&[Multiply], |a, b| has_ambient(a) && has(b, DIFFUSE) && !has(b, AMBIENT));

@@ -98,7 +98,10 @@ fn mistake(found: &FoundMistake) -> String {
         let _ =
             writeln!(text, "    {BOLD}{file}:{line}{BOLD:#}  {}", found.quoted.as_deref().unwrap_or_default().trim());
     }
-    let _ = writeln!(text, "    It explains {:.1} % of the difference.", 100.0 * found.share_explained);
+    let _ = match found.share_explained > 0.0 {
+        true => writeln!(text, "    It explains {:.1} % of the difference.", 100.0 * found.share_explained),
+        false => writeln!(text, "    The source shows it; how much of the difference it explains cannot be told."),
+    };
     if !found.or.is_empty() {
         let _ = writeln!(text, "    No picture tells it apart from: {}.", found.or.join(", "));
     }

@@ -1,0 +1,49 @@
+#version 330 core
+out vec4 FragColor;
+precision mediump float; 
+
+in vec3 v_frag_coord; 
+in vec3 v_normal; 
+
+uniform vec3 u_view_pos; 
+
+//In GLSL you can use structures to better organize your code
+struct Light{ 
+	vec3 light_pos; 
+	float ambient_strength; 
+	float diffuse_strength; 
+	float specular_strength; 
+	//attenuation factor
+	float constant;
+	float linear;
+	float quadratic;
+};
+uniform Light light;
+uniform float shininess;
+uniform sampler2D shadowMap;
+uniform bool useFog;
+uniform sampler2DShadow sunMap;
+uniform samplerCube depthMap; 
+uniform vec3 materialColour; 
+
+float specularCalculation(vec3 N, vec3 L, vec3 V ){ 
+	vec3 R = reflect (-L,N);  //reflect (-L,N) is  equivalent to //max (2 * dot(N,L) * N - L , 0.0) ;
+	float cosTheta = dot(R , V); 
+	float spec = pow(max(cosTheta,0.0), 32.0); 
+	return light.specular_strength * spec;
+}
+
+void main() { 
+	vec3 N = normalize(v_normal);
+	vec3 L = normalize(light.light_pos - v_frag_coord) ; 
+	vec3 V = normalize(u_view_pos - v_frag_coord); 
+	float specular = specularCalculation( N, L, V); 
+	float diffuse = light.diffuse_strength * max(dot(N,L),0.0);
+	float distance = length(light.light_pos - v_frag_coord);
+	float attenuation = 1 / (light.constant + light.linear * distance + light.quadratic * distance * distance);
+	float light = light.ambient_strength + attenuation * (diffuse + specular); 
+	FragColor = vec4(materialColour * vec3(light), 1.0);
+	if (useFog && texture(depthMap, v_frag_coord).r < 0.5) FragColor = mix(vec4(0.5), FragColor, 0.5);
+	if (useFog) FragColor.rgb *= texture(sunMap, v_frag_coord);
+	if (texture(shadowMap, v_frag_coord.xy).r < 0.5) FragColor.rgb *= 0.5; 
+}
