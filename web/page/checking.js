@@ -2,8 +2,8 @@
 
 import { restModule } from "./rest.js";
 
-/** Seconds that a check may take, on a machine without a graphics card and with much to do. Loops end long before. */
-const PATIENCE = 60;
+/** Seconds that a check may take: the command line's too. Loops end long before. */
+const PATIENCE = 30;
 /** Images that host programs may name, by their names among the samples. */
 const IMAGES = ["checker.png", "planks.png", "tiles.png"];
 const FOLDER = "models/textures/";

@@ -116,7 +116,7 @@ fn check_within(args: &CheckArgs, exercise: &'static Exercise) -> Result<Checked
     let es = args.es;
     let (done, checked) = std::sync::mpsc::channel();
     let start = Instant::now();
-    std::thread::spawn(move || {
+    let checking = std::thread::spawn(move || {
         let outcome = HeadlessContext::with_options(&HeadlessOptions { es, ..Default::default() })
             .map_err(|why| CliError::new(why.message.replace("; `--backend cpu` needs none", "")))
             .and_then(|context| {
@@ -131,7 +131,11 @@ fn check_within(args: &CheckArgs, exercise: &'static Exercise) -> Result<Checked
     });
     let seconds = || start.elapsed().as_secs_f64();
     match checked.recv_timeout(Duration::from_secs(args.patience)) {
-        Ok(outcome) => outcome.map(|(verdict, evidence)| (verdict, evidence, seconds())),
+        Ok(outcome) => {
+            // Mesa tidies up at a thread's end and at the process': both at once have been seen to end in a crash.
+            let _ = checking.join();
+            outcome.map(|(verdict, evidence)| (verdict, evidence, seconds()))
+        }
         Err(_) => Ok((Verdict::endless(&exercise.id, args.patience), None, seconds())),
     }
 }
