@@ -13,8 +13,8 @@ let page;
 /** A worker that has compiled the laboratory's own and has nothing to do, ready for the next check. */
 let idle;
 
-/** Says what workers need: the module, compiled; `urls`: of a sample by its name; `endless`: the verdict on a check that
- * was ended after so many seconds. */
+/** Says what workers need: the module, compiled; `urls`: of a sample by its name; `endless`: the verdict on a check
+ * that was ended after so many seconds. */
 export function prepare(module, urls, endless) {
   page = { module, urls, endless };
 }
@@ -75,7 +75,8 @@ export function begin(exercise, files, asTheLab = false) {
   };
   const run = async () => {
     if (!Checker.supported()) {
-      throw new Error("this browser cannot draw beside the page (OffscreenCanvas); try another one, or `gonio lab check`");
+      const why = "this browser cannot draw beside the page (OffscreenCanvas)";
+      throw new Error(`${why}; try another one, or \`gonio lab check\``);
     }
     if (checker === undefined) {
       checker = new Checker();

@@ -1,7 +1,7 @@
 //! What the page's worker calls (`web/page/checker.js`): a student's files in, a verdict out.
 //!
-//! The worker runs the same module as the page, in a thread and with an OpenGL of its own: a shader that takes for ever holds
-//! up nobody, and ends with the worker.
+//! The worker runs the same module as the page, in a thread and with an OpenGL of its own: a shader that takes for ever
+//! holds up nobody, and ends with the worker.
 
 use eframe::glow;
 use gonio_gl::Gl;
@@ -23,8 +23,8 @@ pub struct PageChecker {
 
 #[wasm_bindgen]
 impl PageChecker {
-    /// In this canvas, of any size: nothing is drawn into it, but into textures beside. Fails, with a sentence, where the
-    /// browser offers no WebGL 2 here, or no textures of floats to draw into.
+    /// In this canvas, of any size: nothing is drawn into it, but into textures beside. Fails, with a sentence, where
+    /// the browser offers no WebGL 2 here, or no textures of floats to draw into.
     #[wasm_bindgen(constructor)]
     pub fn new(canvas: &OffscreenCanvas) -> Result<PageChecker, String> {
         let context = canvas.get_context("webgl2").ok().flatten();
@@ -49,8 +49,8 @@ impl PageChecker {
         self.checker.give_image(name, bytes)
     }
 
-    /// Checks files: `names`, and as many `contents`, each a `Uint8Array`. Gives the verdict as JSON, as `gonio lab check
-    /// --json` writes it. Fails, with a sentence, where the browser's graphics do.
+    /// Checks files: `names`, and as many `contents`, each a `Uint8Array`. Gives the verdict as JSON, as `gonio lab
+    /// check --json` writes it. Fails, with a sentence, where the browser's graphics do.
     pub fn check(
         &mut self,
         exercise: &str,

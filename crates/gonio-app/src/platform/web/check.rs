@@ -8,9 +8,9 @@ use std::rc::Rc;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 
-/// The page's function that begins a check: it is given the exercise's word, an array of files, each with `name` and `bytes`,
-/// and whether the lab's own ways pass. It gives an object: `answer`, a promise of the verdict as JSON, and `end`, a function
-/// that gives the check up.
+/// The page's function that begins a check: it is given the exercise's word, an array of files, each with `name` and
+/// `bytes`, and whether the lab's own ways pass. It gives an object: `answer`, a promise of the verdict as JSON, and
+/// `end`, a function that gives the check up.
 #[derive(Clone)]
 pub struct PageChecks(Function);
 
