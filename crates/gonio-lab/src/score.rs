@@ -1,7 +1,7 @@
 //! The checker measured: each mistake of the bank is made in the exercise's model, handed in, and looked for.
 
 use crate::bank::{Hypotheses, Hypothesis};
-use crate::check::{Checker, Task};
+use crate::check::{Checker, Comparison, Evidence, Task};
 use crate::exercise::Exercise;
 use crate::student::{CheckOptions, check};
 use crate::submission::SourceFile;
@@ -79,22 +79,38 @@ pub fn of_bank(checker: &mut Checker, exercise: &Exercise, pairs: usize) -> Resu
     let hypotheses = Hypotheses::of(task.model);
     let is_wrong = |h: &&Hypothesis| h.made_of.iter().all(|&m| !hypotheses.mistakes[m].harmless);
     let singles: Vec<&Hypothesis> = hypotheses.singles.iter().filter(is_wrong).collect();
-    let mut hand_in = |hypothesis: &Hypothesis| -> Result<Verdict, GlError> {
+    let mut hand_in = |hypothesis: &Hypothesis| -> Result<(Verdict, Option<Evidence>), GlError> {
         let [vertex, fragment] = hypotheses.written(hypothesis);
         let files = vec![SourceFile::new("made.vert", vertex), SourceFile::new("made.frag", fragment)];
-        Ok(check(checker, exercise, files, &CheckOptions::default())?.0)
+        check(checker, exercise, files, &CheckOptions::default())
     };
     let ids = |h: &Hypothesis| -> Vec<&str> { h.made_of.iter().map(|&m| hypotheses.mistakes[m].id.as_str()).collect() };
+    // Those that show by themselves: nothing else can be one of two.
+    let mut shown: Vec<(&Hypothesis, Option<Evidence>)> = Vec::new();
     for single in &singles {
-        score.single.add(&ids(single), &hand_in(single)?);
+        let (verdict, evidence) = hand_in(single)?;
+        score.single.add(&ids(single), &verdict);
+        if verdict.verdict != Outcome::Correct {
+            shown.push((single, evidence));
+        }
     }
-    let all = singles.len() * singles.len().saturating_sub(1) / 2;
+    let all = shown.len() * shown.len().saturating_sub(1) / 2;
     let step = (all / pairs.max(1)).max(1);
-    let both = singles.iter().enumerate().flat_map(|(i, a)| singles[i + 1..].iter().map(move |b| (*a, *b)));
-    for (a, b) in both.step_by(step).take(pairs) {
-        if let Some(both) = a.and(b).filter(|both| ids(both).windows(2).all(|pair| pair[0] != pair[1])) {
-            score.pairs.add(&ids(&both), &hand_in(&both)?);
+    let both = shown.iter().enumerate().flat_map(|(i, a)| shown[i + 1..].iter().map(move |b| (a, b)));
+    for ((a, drawn_by_a), (b, drawn_by_b)) in both.step_by(step).take(pairs) {
+        let Some(both) = a.and(b).filter(|both| ids(both).windows(2).all(|pair| pair[0] != pair[1])) else { continue };
+        let (verdict, evidence) = hand_in(&both)?;
+        if [drawn_by_a, drawn_by_b].into_iter().any(|alone| is_same_picture(&evidence, alone)) {
+            score.pairs.hidden += 1;
+        } else {
+            score.pairs.add(&ids(&both), &verdict);
         }
     }
     Ok(score)
+}
+
+/// Whether one of two mistakes draws the same by itself: then no picture tells that there are two.
+fn is_same_picture(both: &Option<Evidence>, alone: &Option<Evidence>) -> bool {
+    let (Some(both), Some(alone)) = (both, alone) else { return false };
+    Comparison::of(&both.seen, &alone.seen, both.scenes.len()).is_same()
 }

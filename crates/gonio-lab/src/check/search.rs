@@ -329,6 +329,10 @@ impl<'a> Search<'a> {
             if !pairs.iter().any(|tried| tried.rest.is_same()) {
                 all.extend(self.guided(&bases, &difference, looks_like)?);
             }
+            let named = pairs.iter().filter(|tried| tried.rest.is_same()).min_by(|a, b| a.order(b));
+            if let Some(named) = named.cloned() {
+                all.extend(self.in_their_place(&named, &difference)?);
+            }
             all.extend(pairs);
         }
         all.extend(singles);
@@ -421,6 +425,38 @@ impl<'a> Search<'a> {
             }
         }
         Ok(pairs)
+    }
+
+    /// Of two mistakes that leave nothing over each once more, with any other in the place of the second: of what leaves just as
+    /// little over no picture tells which it is, and the verdict says so.
+    fn in_their_place(&self, pair: &Tried<'a>, difference: &Difference) -> Result<Vec<Tried<'a>>, GlError> {
+        let model = pair.model;
+        // Where the driver has to draw each, it would take too long.
+        if self.canvases.get(model).and_then(Option::as_ref).is_none() {
+            return Ok(Vec::new());
+        }
+        let is_part = |h: &&Hypothesis| {
+            let is_chosen = |(line, way): (_, _)| pair.hypothesis.choices.get(line) == Some(way);
+            h.made_of.iter().all(|m| pair.hypothesis.made_of.contains(m)) && h.choices.iter().all(is_chosen)
+        };
+        let peculiar = |h: &&Hypothesis| {
+            let mistakes = &self.models[model].hypotheses.mistakes;
+            is_part(h) && h.made_of.iter().all(|&m| mistakes[m].harmless)
+        };
+        let set = self.models[model].hypotheses.singles.iter().filter(peculiar);
+        let set = set.fold(Hypothesis::default(), |all, one| all.and(one).unwrap_or(all));
+        let mut same = Vec::new();
+        for part in self.wrong(model).filter(is_part) {
+            let Some(first) = part.and(&set) else { continue };
+            for other in self.wrong(model).filter(|h| !is_part(h) && h.made_of != part.made_of) {
+                let Some(both) = first.and(other) else { continue };
+                if self.attempt_in(model, both.clone(), difference, Detail::Coarse)?.rest.is_same() {
+                    let tried = self.attempt(model, both, difference)?;
+                    same.extend(Some(tried).filter(|tried| tried.rest.is_same()));
+                }
+            }
+        }
+        Ok(same)
     }
 
     /// Every two mistakes of the first model: where things are drawn elsewhere, a picture with one of two mistakes is no
