@@ -162,11 +162,10 @@ impl Laboratory {
         work.clock.advance(seconds);
         self.desk.follow(&ctx, work, studio.as_deref(), platform, &mut said);
         bar::show(ui, Some(work), &mut wishes);
-        let mut studio = studio;
         let drawn = if ui.available_width() < NARROW {
-            narrow(ui, work, self.desk.easel_mut(), studio.as_deref_mut(), &mut wishes)
+            narrow(ui, work, self.desk.easel_mut(), studio, &mut wishes)
         } else {
-            wide(ui, work, self.desk.easel_mut(), studio.as_deref_mut(), &mut wishes)
+            wide(ui, work, self.desk.easel_mut(), studio, &mut wishes)
         };
         if let Err(why) = drawn {
             said.push(why.to_string());

@@ -8,7 +8,6 @@ use crate::theme::icons;
 use crate::viewport::{navigation, picture_size, present};
 use crate::widgets;
 use egui::{Align2, Color32, CornerRadius, Label, Rect, RichText, Sense, TextStyle, Ui, pos2, vec2};
-use glam::DVec3;
 use gonio_gl::GlError;
 use gonio_lab::exercise::Kind;
 
@@ -172,7 +171,7 @@ fn steer(ui: &Ui, response: &egui::Response, work: &mut Work) {
     let middle = scene.eye.target.as_dvec3();
     let extent = f64::from(scene.eye.position.distance(scene.eye.target)).max(0.5);
     let camera = &mut work.camera;
-    if navigation::steer(ui, response, camera, DVec3::from(middle), extent, looks_around) {
+    if navigation::steer(ui, response, camera, middle, extent, looks_around) {
         ui.ctx().request_repaint();
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::check::Task;
 use crate::exercise::Exercise;
-use crate::stage::{Light, Situation, StageMesh, mesh, situation::LAB_LIGHT};
+use crate::stage::{Light, Shape, Situation, StageMesh, mesh, situation::LAB_LIGHT};
 use glam::{Mat4, Quat, Vec3};
 
 /// What is drawn.
@@ -18,11 +18,16 @@ pub enum Body {
     Torus,
     /// From -1 to 1: a skybox.
     Cube,
+    /// A small pyramid, its corners in five colours.
+    Pyramid,
+    /// The same within a globe of many colours.
+    Landmarks,
 }
 
 impl Body {
     /// Every one, by its number in [`Body::index`].
-    pub const ALL: [Body; 5] = [Body::ExtremelyCoarse, Body::Coarse, Body::Smooth, Body::Torus, Body::Cube];
+    pub const ALL: [Body; 7] =
+        [Body::ExtremelyCoarse, Body::Coarse, Body::Smooth, Body::Torus, Body::Cube, Body::Pyramid, Body::Landmarks];
 
     /// Its place in [`Body::ALL`].
     pub fn index(self) -> usize {
@@ -36,7 +41,9 @@ impl Body {
             Body::Coarse => mesh::sphere(20, 12),
             Body::Smooth => mesh::sphere(72, 48),
             Body::Torus => mesh::torus(96, 48),
-            Body::Cube => crate::stage::Shape::Cube.mesh(),
+            Body::Cube => Shape::Cube.mesh(),
+            Body::Pyramid => Shape::Pyramid.mesh(),
+            Body::Landmarks => Shape::Landmarks.mesh(),
         }
     }
 }
@@ -95,7 +102,7 @@ impl Scene {
         let situation = |part: &Part| Situation {
             name: self.name.to_owned(),
             shows: self.shows,
-            shape: crate::stage::Shape::Sphere,
+            shape: Shape::Sphere,
             world_from_model: part.world_from_model,
             eye: eye.position,
             target: eye.target,
@@ -115,6 +122,7 @@ impl Scene {
 /// The lab's scene of an exercise first; at least one.
 pub fn scenes(exercise: &Exercise) -> Vec<Scene> {
     match exercise.id.as_str() {
+        "ex01" => vec![pyramid(), landmarks()],
         "ex08" => vec![sky()],
         "ex09" | "ex10" => vec![mirrored(Body::Smooth), mirrored(Body::Torus)],
         id => {
@@ -139,6 +147,25 @@ fn eye(position: [f32; 3], target: [f32; 3], fov_deg: f32) -> Eye {
 fn scene(name: &'static str, shows: &'static str, parts: Vec<Part>, light: Light, eye: Eye) -> Scene {
     Scene { name, shows, parts, light, swing: Vec3::ZERO, eye, has_sky: false, looks_around: false }
 }
+
+/// Exercise 01's: the camera stands before it and looks straight ahead.
+fn pyramid() -> Scene {
+    let parts = vec![Part { body: Body::Pyramid, world_from_model: Mat4::IDENTITY }];
+    let shows = "the lab's own: a pyramid at the origin";
+    scene("the lab's", shows, parts, LAB_LIGHT, eye([0.0, 0.0, 2.0], [0.0; 3], LAB_FOV_DEG))
+}
+
+/// What a pyramid at the origin and a camera that does not turn hide.
+fn landmarks() -> Scene {
+    let turn = Quat::from_euler(glam::EulerRot::YXZ, 25f32.to_radians(), 40f32.to_radians(), 15f32.to_radians());
+    let model = Mat4::from_scale_rotation_translation(Vec3::new(0.8, 1.1, 0.6), turn, Vec3::new(0.3, -0.2, -0.4));
+    let parts = vec![Part { body: Body::Landmarks, world_from_model: model }];
+    let shows = "the pyramid turned and moved within a globe of many colours, seen by a camera that is turned too";
+    scene("turned", shows, parts, LAB_LIGHT, eye([1.1, 0.7, 1.0], [0.2, -0.1, -0.4], LAB_FOV_DEG))
+}
+
+/// What the lab's 45 radians come to, degrees.
+const LAB_FOV_DEG: f32 = 58.3;
 
 /// Exercise 07's.
 fn one_sphere(light: Light) -> Scene {

@@ -59,6 +59,7 @@ impl LiveStage {
             stream("position", 3, &mesh.positions[..]),
             stream("normal", 3, &mesh.normals),
             stream("tex_coord", 2, &mesh.tex_coords),
+            stream("color", 3, &mesh.colors),
         ];
         let made = Rc::new(ForeignMesh::new(&self.gl, &streams, &mesh.indices, &format!("{body:?}"))?);
         self.meshes.borrow_mut()[body.index()] = Some(made.clone());
