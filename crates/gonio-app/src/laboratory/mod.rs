@@ -128,7 +128,7 @@ impl Laboratory {
         self.desk.release();
     }
 
-    /// A picture's pixels as they were drawn last, for tests: [`drawing::Easel::pixels`].
+    /// A picture's pixels as they were drawn last, for tests: RGBA, the top row first, and how many columns and rows.
     pub fn pixels(&self, picture: Picture) -> Option<(Vec<u8>, [u32; 2])> {
         self.desk.easel()?.pixels(picture)
     }

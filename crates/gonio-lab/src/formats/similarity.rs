@@ -266,9 +266,11 @@ uniform vec3 lampe;   out vec4 couleur; in vec3 normale;
             corpus().into_iter().map(|(name, sources)| (name, Fingerprint::of(&texts(&sources), &known))).collect();
         let pairs = similar_pairs(&all, 0.0);
         assert_eq!(pairs.len(), all.len() * (all.len() - 1) / 2);
-        // All of the 31 were written by one author: two pairs are the same thoughts in another dialect.
-        let alike: Vec<_> = pairs.iter().filter(|(.., share)| *share > 0.55).collect();
-        assert!(alike.len() <= 2, "{alike:?}");
+        // From 0.85 on a batch calls two alike. All of these were written by few authors: some are the same thoughts in another
+        // dialect, or with one thing more.
+        let above = |least: f64| -> Vec<_> { pairs.iter().filter(|(.., share)| *share > least).collect() };
+        assert!(above(0.85).is_empty(), "{:?}", above(0.85));
+        assert!(above(0.55).len() * 50 <= pairs.len(), "{:?}", above(0.55));
         let median = pairs[pairs.len() / 2].2;
         assert!(median < 0.1, "{median}");
         for (name, print) in &all {
