@@ -27,17 +27,22 @@ const MODELS = {
   "triangles.obj": "# one\no thing\nv 0 0 0\nv 1 0 0.5\nv 0 1 0\nvt 0 0\nvn 0 0 1\ns 1\nf 1/1/1 2/1/1 3/1/1\nf 1//1 3//1 2//1\n",
 };
 
-/** Who comes for the first time. Links with scenes and to other kinds of models have the whole module loaded at once:
+/** Who comes, for the first time and for the second. Links with scenes and to other kinds of models have the whole module loaded at once:
  * `main.js`. */
 const VISITS = [
   { path: "?open=ball.obj", viewport: { width: 1280, height: 800 } },
   { path: "?open=quads.obj", viewport: { width: 1280, height: 800 } },
   { path: "?open=triangles.obj", viewport: { width: 1280, height: 800 } },
   { viewport: { width: 1280, height: 800 }, colorScheme: "light" },
+  // Files come in any order; a scene that was read too early is read again, and finds textures that it knows.
+  { late: /\.mtl$/, viewport: { width: 1280, height: 800 } },
+  { late: /\.(png|jpg)$/, viewport: { width: 1280, height: 800 } },
   { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true, colorScheme: "dark" },
 ];
 /** Milliseconds that the application runs on after its first picture: its panels find their sizes, and it falls still. */
 const A_MOMENT = 1500;
+/** Milliseconds by which a file comes late. */
+const LATE = 1000;
 /** Milliseconds after which a visit has failed. */
 const PATIENCE = 180_000;
 
@@ -76,12 +81,28 @@ function said() {
   return trouble === null || trouble.hidden ? null : trouble.innerText;
 }
 
-/** Visits the page, and gives `whatRan`. */
-async function visit(browser, top, { path = "", ...options }) {
+/** Visits the page twice, and gives what of `whatRan` ran in either. */
+async function visit(browser, top, { path = "", late, ...options }) {
   const context = await browser.newContext({ ...options, serviceWorkers: "block" });
   const tab = await context.newPage();
   await tab.addInitScript(keepExports);
+  if (late !== undefined) {
+    await tab.route(late, async (route) => {
+      await new Promise((resolve) => setTimeout(resolve, LATE));
+      await route.continue();
+    });
+  }
   await tab.goto(top + path, { waitUntil: "commit" });
+  const first = await untilStill(tab, options);
+  // Who comes again has settings that are read.
+  await tab.reload({ waitUntil: "commit" });
+  const second = await untilStill(tab, options);
+  await context.close();
+  return first.map((value, n) => value | second[n]);
+}
+
+/** Waits until the first picture is shown and nothing moves any more, and gives `whatRan`. */
+async function untilStill(tab, options) {
   const end = Date.now() + PATIENCE;
   const shown = () => performance.getEntriesByName("gonio-first-picture").length > 0;
   while (!await tab.evaluate(shown)) {
@@ -93,9 +114,7 @@ async function visit(browser, top, { path = "", ...options }) {
   // A pointer that comes by; the picture and the panels answer.
   if (!options.isMobile) await tab.mouse.move(options.viewport.width / 2, options.viewport.height / 2, { steps: 5 });
   await new Promise((resolve) => setTimeout(resolve, A_MOMENT));
-  const ran = await tab.evaluate(whatRan);
-  await context.close();
-  return ran;
+  return tab.evaluate(whatRan);
 }
 
 await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));

@@ -22,4 +22,4 @@ pub mod twin;
 mod unexplained;
 pub mod verdict;
 
-pub use student::{CheckOptions, check};
+pub use student::{CheckOptions, GOAL, check};

@@ -16,6 +16,9 @@ use gonio_gl::{Gl, GlError};
 use gonio_glsl::{Checked, LoopBound, Parsed, Problem, Severity, Stage, Target, Translated};
 use std::rc::Rc;
 
+/// The picture of the right answer that an exercise is begun with.
+pub const GOAL: &str = "goal.png";
+
 /// How a check is made.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct CheckOptions {
@@ -89,7 +92,7 @@ pub fn check(
     // What was handed out beside the shaders is nobody's answer.
     let handed_out = |name: &str| {
         let name = name.rsplit(['/', '\\']).next().unwrap_or(name);
-        [".md", ".svg"].iter().any(|end| name.ends_with(end)) && exercise.file(name).is_some()
+        name == GOAL || [".md", ".svg"].iter().any(|end| name.ends_with(end)) && exercise.file(name).is_some()
     };
     let files: Vec<SourceFile> =
         files.into_iter().filter(|file| !handed_out(&file.name) && !is_given_picture(exercise, file)).collect();
@@ -178,9 +181,30 @@ pub fn check(
     if options.as_the_lab {
         pass_as_the_lab(&mut verdict);
     }
+    if verdict.verdict == Outcome::Wrong && is_unchanged(exercise, &submission) {
+        tell_unchanged(&mut verdict);
+    }
     verdict.warnings.extend(submission.warnings.iter().cloned());
     verdict.warnings.extend(strictness(&vertex, &fragment));
     Ok((verdict, evidence))
+}
+
+/// Whether it is what was handed out, to the letter.
+fn is_unchanged(exercise: &Exercise, submission: &Submission) -> bool {
+    let is_same = |name: &str, text: &str| exercise.file(name).is_some_and(|start| start.lines().eq(text.lines()));
+    is_same("start.vert", &submission.vertex.text) && is_same("start.frag", &submission.fragment.text)
+}
+
+/// Names that were found stay: they are what there is to do first. Guesses do not.
+fn tell_unchanged(verdict: &mut Verdict) {
+    verdict.summary = match verdict.mistakes.first() {
+        Some(first) => {
+            format!("these are the files one starts from, and nothing in them is changed yet; {}", first.name)
+        }
+        None => "these are the files one starts from, and nothing in them is changed yet".to_owned(),
+    };
+    verdict.runner_up = None;
+    verdict.peculiarities.clear();
 }
 
 /// Whether there are pictures among the files beside what was handed out, so that they are the answer.

@@ -98,6 +98,7 @@ pub fn mend(verdict: &mut Verdict, evidence: Option<&Evidence>, source: &Source,
         // Everything that puts the light out explains it, so only the source can name it.
         if !verdict.mistakes.iter().all(|found| is_supported(&found.id)) || verdict.mistakes.is_empty() {
             verdict.mistakes.clear();
+            verdict.peculiarities.clear();
             verdict.summary = blank.sentence().to_owned();
             verdict.runner_up = None;
         }

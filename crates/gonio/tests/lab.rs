@@ -26,6 +26,11 @@ fn exercises_are_listed_shown_and_begun_once() {
     let folder = lab.path("mine").to_string_lossy().into_owned();
     lab.run(&["lab", "start", "ex04", &folder]).good();
     assert!(lab.path("mine/start.frag").exists() && !lab.path("mine/reference.frag").exists());
+    // Nothing is done yet, and that is what is said: neither a guess, nor a word about what was handed out.
+    let run = lab.run(&["lab", "check", "ex04", &folder, "--json"]).json();
+    let (summary, warnings) = (run["summary"].as_str().unwrap(), run["warnings"].as_array().unwrap());
+    assert!(run["verdict"] == "wrong" && summary.contains("nothing in them is changed yet"), "{run}");
+    assert!(warnings.is_empty() && run["runner_up"].is_null(), "{run}");
     lab.write("mine/start.frag", "mine");
     lab.run(&["lab", "start", "ex04", &folder]).refused(&["is there already"]);
     let panorama = lab.path("pano").to_string_lossy().into_owned();

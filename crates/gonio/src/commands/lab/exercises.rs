@@ -7,12 +7,9 @@ use crate::report::{CliError, Outcome, Reporter};
 use anstyle::Style;
 use clap::Args;
 use gonio_lab::exercise::{self as exercises, Exercise};
-use gonio_lab::live;
+use gonio_lab::{GOAL, live};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
-
-/// What the right answer looks like.
-const GOAL: &str = "goal.png";
 
 /// The exercises, a line each.
 #[derive(Args, Debug)]
