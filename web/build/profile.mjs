@@ -34,15 +34,10 @@ const VISITS = [
   { path: "?open=quads.obj", viewport: { width: 1280, height: 800 } },
   { path: "?open=triangles.obj", viewport: { width: 1280, height: 800 } },
   { viewport: { width: 1280, height: 800 }, colorScheme: "light" },
-  // Files come in any order; a scene that was read too early is read again, and finds textures that it knows.
-  { late: /\.mtl$/, viewport: { width: 1280, height: 800 } },
-  { late: /\.(png|jpg)$/, viewport: { width: 1280, height: 800 } },
   { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true, colorScheme: "dark" },
 ];
 /** Milliseconds that the application runs on after its first picture: its panels find their sizes, and it falls still. */
 const A_MOMENT = 1500;
-/** Milliseconds by which a file comes late. */
-const LATE = 1000;
 /** Milliseconds after which a visit has failed. */
 const PATIENCE = 180_000;
 
@@ -82,16 +77,10 @@ function said() {
 }
 
 /** Visits the page twice, and gives what of `whatRan` ran in either. */
-async function visit(browser, top, { path = "", late, ...options }) {
+async function visit(browser, top, { path = "", ...options }) {
   const context = await browser.newContext({ ...options, serviceWorkers: "block" });
   const tab = await context.newPage();
   await tab.addInitScript(keepExports);
-  if (late !== undefined) {
-    await tab.route(late, async (route) => {
-      await new Promise((resolve) => setTimeout(resolve, LATE));
-      await route.continue();
-    });
-  }
   await tab.goto(top + path, { waitUntil: "commit" });
   const first = await untilStill(tab, options);
   // Who comes again has settings that are read.

@@ -2,15 +2,11 @@
 
 use super::{Body, Pair, Scene};
 use crate::names::{Bound, Kind, Role};
-use crate::stage::{Situation, numbers_of_array, sky, stream_of};
+use crate::stage::{CUBEMAP_UNIT, Situation, WHITE_UNIT, numbers_of_array, samplers, sky, stream_of, unit};
 use gonio_gl::foreign::{ForeignMesh, ForeignTexture, Stream};
 use gonio_gl::{Gl, GlError};
 use std::cell::RefCell;
 use std::rc::Rc;
-
-/// Units of textures.
-const CUBEMAP_UNIT: u32 = 0;
-const WHITE_UNIT: u32 = 1;
 
 /// What an attribute or a uniform of a program was taken for, and what it holds.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -74,11 +70,14 @@ impl LiveStage {
         self.cubemap.bind(CUBEMAP_UNIT);
         self.white.bind(WHITE_UNIT);
         pair.program.bind();
+        for (index, values) in samplers(&pair.program, &pair.bindings) {
+            pair.program.set_index(index, &values);
+        }
         for fixed in &pair.bindings.fixed {
             pair.program.set(&fixed.declared.name, &fixed.values);
         }
         for (body, situation) in bodies {
-            for bound in of_kind(pair, Kind::Uniform) {
+            for bound in of_kind(pair, Kind::Uniform).filter(|bound| unit(&bound.declared.glsl_type).is_none()) {
                 if let Some(values) = held(bound, situation) {
                     pair.program.set(&bound.declared.name, &values);
                 }
@@ -96,10 +95,10 @@ fn of_kind(pair: &Pair, kind: Kind) -> impl Iterator<Item = &Bound> {
 
 /// A uniform's numbers.
 fn held(bound: &Bound, situation: &Situation) -> Option<Vec<f32>> {
-    match bound.declared.glsl_type.as_str() {
-        "samplerCube" => Some(vec![CUBEMAP_UNIT as f32]),
-        "sampler2D" => Some(vec![WHITE_UNIT as f32]),
-        glsl_type => numbers_of_array(bound.role, glsl_type, bound.declared.array, situation),
+    let glsl_type = bound.declared.glsl_type.as_str();
+    match unit(glsl_type) {
+        Some(unit) => Some(vec![unit as f32]),
+        None => numbers_of_array(bound.role, glsl_type, bound.declared.array, situation),
     }
 }
 
@@ -180,5 +179,33 @@ mod tests {
         // By columns in memory, by rows on paper.
         assert_eq!(written("mat2", &[1.0, 2.0, 3.0, 4.0]), "1  3\n2  4");
         assert_eq!(written("samplerCube", &[0.0]), "unit 0: the laboratory's sky");
+    }
+
+    #[test]
+    fn samplers_of_two_types_beside_each_other_draw() {
+        use crate::submission::SourceFile;
+        let exercise = crate::exercise::find("ex09").unwrap();
+        let reference = |name: &str| exercise.file(name).unwrap().to_owned();
+        // Nothing is known of the second sampler: were it to read unit 0, which the sky has, no draw would be valid.
+        let fragment = reference("reference.frag")
+            .replace("uniform vec3 u_view_pos;", "uniform sampler2D qqq; uniform vec3 u_view_pos;")
+            .replace("void main() {", "void main() { vec4 leftover = texture(qqq, vec2(0.5)) - 1.0;")
+            .replace("FragColor = ", "FragColor = leftover + ");
+        assert!(fragment.matches("leftover").count() == 2 && fragment.contains("sampler2D qqq"), "{fragment}");
+        let files = [("a.vert", reference("reference.vert")), ("a.frag", fragment)];
+        let files = files.map(|(name, text)| SourceFile::new(name, text)).into();
+        let context = gonio_gl::HeadlessContext::new().unwrap();
+        let gl = context.gl();
+        let pair = crate::live::Source::gather(exercise, files).unwrap().compile(gl).unwrap();
+        let scene = crate::live::scenes(exercise).remove(0);
+        let stage = LiveStage::new(gl).unwrap();
+        stage.prepare(&scene).unwrap();
+        let target = gonio_gl::foreign::TileTarget::new(gl, 32, 1).unwrap();
+        target.begin();
+        target.select(0);
+        stage.draw(&pair, &scene.situations(&scene.eye, 0.0, [32, 32]));
+        assert_eq!(target.error(), None);
+        let middle = target.read(1)[16 * 32 + 16];
+        assert!(middle.iter().take(3).any(|channel| *channel > 0.05), "{middle:?}");
     }
 }

@@ -5,6 +5,7 @@ mod sheet;
 pub mod situation;
 pub(crate) mod sky;
 mod surface;
+mod units;
 mod values;
 
 pub use mesh::{Shape, StageMesh};
@@ -13,6 +14,7 @@ pub use sheet::{Cast, Sheet, Stage, TILE};
 pub use situation::{Light, Situation};
 pub(crate) use sky::radiance;
 pub use surface::Surface;
+pub(crate) use units::{CUBEMAP_UNIT, WHITE_UNIT, samplers, unit};
 pub use values::{numbers, numbers_of_array};
 
 /// Our own programs are written as 330 core; as 300 es they are the same with another first line.

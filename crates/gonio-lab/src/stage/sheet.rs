@@ -1,7 +1,7 @@
 //! A program drawn in all situations at once.
 
 use super::surface::{Numbered, Surface};
-use super::{Shape, Situation, numbers_of_array, sky};
+use super::{CUBEMAP_UNIT, Shape, Situation, WHITE_UNIT, numbers_of_array, samplers, sky, unit};
 use crate::names::{Bindings, Bound, Kind, Role};
 use gonio_gl::foreign::{ForeignMesh, ForeignProgram, ForeignTexture, NOT_DRAWN, Stream, TileTarget};
 use gonio_gl::{Gl, GlError};
@@ -44,35 +44,6 @@ pub struct Stage {
     situations: Vec<Situation>,
     /// By what is written to `gl_Position`.
     pub(super) surfaces: RefCell<HashMap<String, Rc<Surface>>>,
-}
-
-/// Units of textures.
-const CUBEMAP_UNIT: u32 = 0;
-const WHITE_UNIT: u32 = 1;
-/// No honest array of samplers is longer.
-const MOST_ELEMENTS: u32 = 64;
-
-/// The unit of a sampler of that type: each type its own, for no unit may be read in two ways. What gonio has no texture for
-/// reads an empty unit, which is black; a 2D texture that nothing is known of is white, as a shadow map without shadows is.
-fn unit(glsl_type: &str) -> Option<u32> {
-    const EMPTY: [&str; 8] = [
-        "sampler2DShadow",
-        "samplerCubeShadow",
-        "sampler2DArray",
-        "sampler3D",
-        "sampler1D",
-        "sampler2DArrayShadow",
-        "sampler2DMS",
-        "samplerBuffer",
-    ];
-    match glsl_type {
-        "samplerCube" => Some(CUBEMAP_UNIT),
-        "sampler2D" => Some(WHITE_UNIT),
-        _ => {
-            let place = EMPTY.iter().position(|known| *known == glsl_type).unwrap_or(EMPTY.len());
-            glsl_type.contains("sampler").then_some(2 + place as u32)
-        }
-    }
 }
 
 impl Stage {
@@ -124,14 +95,7 @@ impl Stage {
             .filter(|bound| bound.declared.kind == Kind::Uniform)
             .filter_map(|bound| Some((program.uniform_index(&bound.declared.name)?, bound)))
             .collect();
-        let unknown = bindings.unknown.iter().filter(|declared| declared.kind == Kind::Uniform);
-        let all = bindings.bound.iter().map(|bound| &bound.declared).chain(unknown);
-        let samplers: Vec<(usize, Vec<f32>)> = all
-            .filter_map(|declared| {
-                let elements = declared.array.clamp(1, MOST_ELEMENTS) as usize;
-                Some((program.uniform_index(&declared.name)?, vec![unit(&declared.glsl_type)? as f32; elements]))
-            })
-            .collect();
+        let samplers = samplers(program, bindings);
         let values = self
             .situations
             .iter()
