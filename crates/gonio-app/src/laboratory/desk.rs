@@ -119,6 +119,7 @@ impl Desk {
                 let checking = platform.check(request(work, &content), ctx);
                 self.trial = Some(Trial { of: content, checking });
                 work.program.is_tried = true;
+                work.trials += 1;
             }
             return;
         }

@@ -15,6 +15,7 @@ use serde_json::{Value, json};
 /// | `said` | what is said of lines of all files: `file`, `line`, `kind` (error, warning, mistake), `text` |
 /// | `unusable` | why there is no pair of shaders, or null |
 /// | `drawn`, `older`, `tried` | a pair is drawn; it is an older one; the newer one is tried elsewhere |
+/// | `trials` | how many pairs were tried elsewhere first, for they might never have ended |
 /// | `pictures` | how many were drawn |
 /// | `checking` | a check is under way |
 /// | `verdict` | null before the first check, else `word`, `summary`, `mistakes` (ids), `error` (why there is none), `stale` |
@@ -78,6 +79,7 @@ fn of_work(work: &Work) -> Value {
         "drawn": work.program.is_drawn,
         "older": work.program.is_old,
         "tried": work.program.is_tried,
+        "trials": work.trials,
         "checking": work.checking,
         "verdict": verdict,
     })

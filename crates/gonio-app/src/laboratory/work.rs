@@ -184,6 +184,8 @@ pub struct Work {
     pub as_the_lab: bool,
     /// Of the pair in the editor.
     pub program: ProgramFacts,
+    /// How many pairs were tried elsewhere before they were drawn, or not drawn, here.
+    pub trials: u32,
     /// What the last check said.
     pub judged: Option<Judged>,
     /// A check is under way.
@@ -218,6 +220,7 @@ impl Work {
             clock: Clock::default(),
             as_the_lab: false,
             program: ProgramFacts::default(),
+            trials: 0,
             judged: None,
             checking: false,
             jump: None,
