@@ -27,7 +27,10 @@ pub use constant::{Components, evaluate};
 pub use preprocess::Directive;
 pub use problem::{Problem, Severity};
 pub use span::{Span, TokenPlace, TokenRange};
-pub use translate::{DRAWN_ALL_THE_SAME, LoopBound, Rename, Translated, UniformDefault, translate, translate_bounded};
+pub use translate::{
+    DRAWN_ALL_THE_SAME, Lookup, LoopBound, Rename, Translated, UniformDefault, lookups, translate, translate_bounded,
+    translate_showing,
+};
 pub use types::{Scalar, Type};
 pub use version::{Stage, Target, Version};
 

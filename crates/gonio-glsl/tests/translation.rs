@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use gonio_glsl::{
-    Checked, LoopBound, Parsed, Severity, Stage, Target, Translated, check, check_pair, leaves, parse, translate,
-    translate_bounded,
+    Checked, LoopBound, Parsed, Severity, Stage, Target, Translated, check, check_pair, leaves, lookups, parse,
+    translate, translate_bounded, translate_showing,
 };
 
 fn pairs() -> Vec<(String, String, String)> {
@@ -145,11 +145,12 @@ fn declarations_change_their_words() {
             "layout(location = 1, binding = 2) uniform sampler2D s;",
             " uniform sampler2D s;",
         ),
+        (Stage::Vertex, Target::Core330, "layout(std140, binding = 2) uniform B { vec3 x; };", "uniform vec3 x;"),
         (
             Stage::Vertex,
-            Target::Core330,
-            "layout(std140, binding = 2) uniform B { vec3 x; };",
-            "layout(std140) uniform B { vec3 x; };",
+            Target::Es300,
+            "uniform B { layout(offset = 16) vec3 x; mat4 m[2]; } b; float f() { return b.x.y + (b.m)[1][0].x; }",
+            "uniform vec3 B_x; uniform mat4 B_m[2]; float f() { return B_x.y + B_m[1][0].x; }",
         ),
         (Stage::Vertex, Target::Es300, "float k[2] = {1, 2};", "float k[2] = float[2](1.0, 2.0);"),
         (Stage::Vertex, Target::Es300, "#extension GL_ARB_x : enable", ""),
@@ -235,4 +236,30 @@ fn loops_end_where_they_are_told_to() {
     // Without loops nothing is changed.
     let plain = "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }";
     assert_eq!(bounded(plain, Stage::Fragment), body(plain, Stage::Fragment, Target::Es300));
+}
+
+#[test]
+fn a_look_up_is_put_out_in_the_place_of_what_is_made_of_it() {
+    let sources = [
+        "#version 330 core\nin vec3 d; out vec3 colour; uniform samplerCube s; uniform sampler2D t;\nvoid main() {\n if (d.x > 2.0) return;\n colour = 0.5 * texture(s, d).rgb + texture(t, d.xy).rgb + textureLod(s, -d, 0.0).rgb;\n}\n",
+        "varying vec3 d; uniform samplerCube s;\nvoid main() { gl_FragColor = mix(textureCube(s, d), textureCube(s, -d), 0.5); }\n",
+        "#version 330 core\n#define LOOK(x) texture(s, x)\nin vec3 d; out vec4 o; uniform samplerCube s;\nvoid main() { for (int i = 0; i < 2; ++i) o += LOOK(d) * texture(s, d.zyx); }\n",
+    ];
+    for source in sources {
+        let (parsed, checked) = read(source, Stage::Fragment);
+        let found = lookups(&parsed);
+        assert_eq!(found.len(), 2, "{source}");
+        for target in [Target::Core330, Target::Es300] {
+            for lookup in &found {
+                let bound = Some(LoopBound { turns: 9 });
+                let text = translate_showing(&parsed, &checked, target, bound, Some(*lookup)).text;
+                let (again, of_it) = read(&text, Stage::Fragment);
+                let problems: Vec<_> = again.problems.iter().chain(&of_it.problems).map(ToString::to_string).collect();
+                assert_eq!(problems, [""; 0], "{target:?}\n{text}");
+                assert_eq!(text.matches("gonio_shows(").count(), 2, "{text}");
+                let ours = text.lines().last().unwrap_or_default();
+                assert!(ours.starts_with("void main()") && ours.contains("= gonio_shown"), "{text}");
+            }
+        }
+    }
 }

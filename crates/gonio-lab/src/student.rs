@@ -5,15 +5,17 @@ use crate::check::{Checker, Evidence, PLACES, Prepared, Task};
 use crate::exercise::{Exercise, Kind};
 use crate::faces;
 use crate::locate::{Place, Shader, Source};
+use crate::looked_up;
 use crate::messages::{self, Message};
-use crate::names::NamesFile;
+use crate::names::{Meaning, NamesFile};
 use crate::other;
+use crate::other_programs;
 use crate::submission::{SourceFile, StageText, Submission};
 use crate::unexplained;
 use crate::verdict::{CompilerMessage, FoundMistake, Outcome, Peculiarity, Verdict};
 use gonio_gl::foreign::{BrokenProgram, ForeignProgram};
 use gonio_gl::{Gl, GlError};
-use gonio_glsl::{Checked, LoopBound, Parsed, Problem, Severity, Stage, Target, Translated};
+use gonio_glsl::{Checked, Lookup, LoopBound, Parsed, Problem, Severity, Stage, Target, Translated};
 use std::rc::Rc;
 
 /// The picture of the right answer that an exercise is begun with.
@@ -33,7 +35,8 @@ pub(crate) struct ReadStage<'a> {
     pub(crate) text: &'a StageText,
     parsed: Parsed,
     pub(crate) checked: Checked,
-    translated: Translated,
+    pub(crate) translated: Translated,
+    target: Target,
 }
 
 impl<'a> ReadStage<'a> {
@@ -43,7 +46,18 @@ impl<'a> ReadStage<'a> {
         // In a browser nobody else ends a loop: a draw without end would hold up all that is on the screen.
         let bound = (target == Target::Es300).then_some(LoopBound { turns: MOST_TURNS });
         let translated = gonio_glsl::translate_bounded(&parsed, &checked, target, bound);
-        ReadStage { text, parsed, checked, translated }
+        ReadStage { text, parsed, checked, translated, target }
+    }
+
+    /// The text of the stage, putting out what it looks up there.
+    pub(crate) fn showing(&self, lookup: Lookup) -> String {
+        let bound = (self.target == Target::Es300).then_some(LoopBound { turns: MOST_TURNS });
+        gonio_glsl::translate_showing(&self.parsed, &self.checked, self.target, bound, Some(lookup)).text
+    }
+
+    /// Where it looks cubemaps up.
+    pub(crate) fn lookups(&self) -> Vec<Lookup> {
+        gonio_glsl::lookups(&self.parsed)
     }
 
     pub(crate) fn problems(&self) -> impl Iterator<Item = &Problem> {
@@ -101,7 +115,7 @@ pub fn check(
         Ok(submission) => submission,
         Err(error) => return unsure(error.to_string()),
     };
-    let names = match submission.names.as_deref().map(NamesFile::parse).transpose() {
+    let mut names = match submission.names.as_deref().map(NamesFile::parse).transpose() {
         Ok(names) => names.unwrap_or_default(),
         Err(error) => return unsure(error.to_string()),
     };
@@ -121,11 +135,20 @@ pub fn check(
     if let Some(verdict) = does_not_link(&exercise.id, &vertex, &fragment) {
         return Ok((verdict, None));
     }
-    let source = Rc::new(Source::read(
-        &Shader { parsed: &vertex.parsed, checked: &vertex.checked },
-        &Shader { parsed: &fragment.parsed, checked: &fragment.checked },
-        &names,
-    ));
+    let read = |names: &NamesFile| {
+        let [vertex, fragment] =
+            [&vertex, &fragment].map(|stage| Shader { parsed: &stage.parsed, checked: &stage.checked });
+        Source::read(&vertex, &fragment, names)
+    };
+    let mut source = read(&names);
+    let by_use = if task.model.is_of_places() { Vec::new() } else { source.matrices_by_use() };
+    if !by_use.is_empty() {
+        for (name, role) in by_use {
+            names.names.entry(name).or_insert(Meaning::Role(role));
+        }
+        source = read(&names);
+    }
+    let source = Rc::new(source);
     let asked = Rc::clone(&source);
     let prepared = Prepared {
         declared: gonio_glsl::leaves(&vertex.checked.interface)
@@ -147,6 +170,11 @@ pub fn check(
     {
         (verdict, evidence) = (by_places, seen);
     }
+    if let Some((of_lookup, seen)) =
+        looked_up::judge(checker, task, [&vertex, &fragment], &prepared, &source, &verdict)?
+    {
+        (verdict, evidence) = (of_lookup, seen);
+    }
     let place = |found: &mut FoundMistake, place: Place| {
         let text = if place.stage == Stage::Vertex { &submission.vertex } else { &submission.fragment };
         let (file, line, _) = text.place(place.span.line, place.span.column);
@@ -154,6 +182,9 @@ pub fn check(
         found.line = Some(line);
         found.quoted = text.line(place.span.line).map(str::to_owned);
     };
+    if task.model == Model::Skybox {
+        other_programs::trust(&mut verdict, &source);
+    }
     by_the_source(&mut verdict, &source, task.model);
     unexplained::mend(&mut verdict, evidence.as_ref(), &source, task);
     for found in &mut verdict.mistakes {

@@ -1,12 +1,11 @@
-//! What is said where pictures name no mistake: a picture without light on it, a mirror that is tinted, and what stands in the
-//! source all the same.
+//! What is said where pictures name no mistake: a picture without light on it, and what stands in the source all the same.
 
 use crate::bank;
-use crate::check::{Evidence, PIXEL_TOLERANCE, PIXELS_TOLERANCE, Task, named};
+use crate::check::{Evidence, PIXEL_TOLERANCE, Task, named};
 use crate::locate::Source;
 use crate::stage::Sheet;
 use crate::student::{SURE, in_source};
-use crate::verdict::{Outcome, Verdict};
+use crate::verdict::{FoundMistake, Outcome, Verdict};
 
 /// More names at once than a student can use.
 const MOST_NAMES: usize = 4;
@@ -25,11 +24,11 @@ const BEYOND_DOUBT: &[&str] = &[
     "normal-not-renormalised",
     "position-in-clip-space",
     "light-direction-minus-normal",
+    "light-direction-reversed",
     "light-position-as-direction",
     "diffuse-floor",
     "diffuse-half-lambert",
     "specular-without-power",
-    "specular-exponent-wrong",
     "ambient-attenuated",
     "ambient-twice",
     "albedo-squared",
@@ -42,7 +41,15 @@ const BEYOND_DOUBT: &[&str] = &[
     "refraction-ratio-inverted",
     "skybox-keeps-translation",
     "matrix-order",
+    "terms-not-put-out",
+    "position-not-transformed",
+    "position-without-translation",
+    "view-position-at-origin",
+    "output-normal",
 ];
+
+/// What no model of the bank has, and the source shows.
+const WITHOUT_MODEL: &[&str] = &["ambient-in-cone", "attenuation-other-formula"];
 
 /// A picture that says nothing about mistakes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -106,17 +113,11 @@ pub fn mend(verdict: &mut Verdict, evidence: Option<&Evidence>, source: &Source,
     if !verdict.mistakes.is_empty() {
         return;
     }
-    if let Some(found) =
-        evidence.filter(|evidence| !task.model.is_lit() && is_mixed(evidence)).and(named("lookup-mixed", 1.0))
-    {
-        verdict.summary = found.name.clone();
-        verdict.mistakes = vec![found];
-        return;
-    }
     let is_shown = |id: &str| BEYOND_DOUBT.contains(&id) && source.looks_like(id, model) >= SURE;
     let shown: Vec<_> = bank::of(model)
         .filter(|mistake| is_shown(&mistake.id) && source.line(&mistake.id, model).is_some())
         .filter_map(|mistake| in_source(&mistake.id, mistake.mend.clone(), model))
+        .chain(without_model(source, task))
         .take(MOST_NAMES)
         .collect();
     if !shown.is_empty() {
@@ -126,29 +127,9 @@ pub fn mend(verdict: &mut Verdict, evidence: Option<&Evidence>, source: &Source,
     }
 }
 
-/// Whether the picture is the right one, each channel times a number plus a number: `mix(lookup, colour, 0.3)`.
-fn is_mixed(evidence: &Evidence) -> bool {
-    let both = || {
-        let pairs = evidence.seen.pixels.iter().zip(&evidence.reference.pixels);
-        pairs.filter(|(a, b)| Sheet::is_drawn(a) && Sheet::is_drawn(b))
-    };
-    (0..3).all(|channel| {
-        let (mut n, mut x, mut y, mut xx, mut xy) = (0.0_f64, 0.0, 0.0, 0.0, 0.0);
-        for (seen, right) in both() {
-            let (a, b) = (f64::from(right[channel]), f64::from(seen[channel]));
-            (n, x, y, xx, xy) = (n + 1.0, x + a, y + b, xx + a * a, xy + a * b);
-        }
-        let spread = n * xx - x * x;
-        let factor = (n * xy - x * y) / spread;
-        let offset = (y - factor * x) / n;
-        // A share of what was looked up must be left, and no more.
-        if !(spread > 1e-6 && (0.02..=1.0).contains(&factor) && offset.is_finite()) {
-            return false;
-        }
-        let beyond = both().filter(|(seen, right)| {
-            let rest = f64::from(seen[channel]) - factor * f64::from(right[channel]) - offset;
-            rest.abs() > 2.0 * f64::from(PIXEL_TOLERANCE)
-        });
-        beyond.count() as f64 <= 2.0 * PIXELS_TOLERANCE * n
-    })
+/// Of programs that do more than any exercise asks.
+fn without_model<'a>(source: &'a Source, task: &'a Task) -> impl Iterator<Item = FoundMistake> + 'a {
+    let is_asked = |id: &str| task.model.is_lit() && (task.attenuated || !id.starts_with("attenuation"));
+    let is_shown = |id: &str| source.looks_like(id, task.model) >= SURE && source.line(id, task.model).is_some();
+    WITHOUT_MODEL.iter().filter(move |id| is_asked(id) && is_shown(id)).filter_map(|id| named(id, 0.0))
 }

@@ -251,11 +251,8 @@ impl Translator<'_> {
             self.cannot(block.span, "storage buffers need version 430");
             return;
         }
-        if place == Place::Uniform {
-            self.qualifiers(&block.qualifiers, place, None);
-            return;
-        }
-        if self.is_es() {
+        // Whoever runs this has no buffers to bind.
+        if place == Place::Uniform || self.is_es() {
             self.take_apart(block, place);
             return;
         }
@@ -273,9 +270,14 @@ impl Translator<'_> {
         }
     }
 
-    /// ES 3.00 has no blocks between the stages: each member becomes a varying of its own, `Block_member`.
+    /// Each member becomes a variable of its own, `Block_member` where the block has a name to call it by: ES 3.00 has no blocks
+    /// between the stages, and uniforms are set one by one.
     fn take_apart(&mut self, block: &InterfaceBlock, place: Place) {
-        let word = if self.stage() == Stage::Vertex { "out" } else { "in" };
+        let word = match (place, self.stage()) {
+            (Place::Uniform, _) => "uniform",
+            (_, Stage::Vertex) => "out",
+            (_, Stage::Fragment) => "in",
+        };
         let (Some((start, _)), Some((_, end))) = (self.stretch(block.tokens), self.stretch(block.tokens)) else {
             self.cannot(block.span, "this block hides in a macro");
             return;
@@ -293,10 +295,15 @@ impl Translator<'_> {
                 Type::named(&member.ty.name).is_some_and(|t| matches!(t.scalar(), Some(Scalar::Int | Scalar::UInt)));
             let has_flat = has(&qualifiers, "flat") || has(&block.qualifiers, "flat");
             qualifiers.retain(|q| q.word != "in" && q.word != "out");
-            self.qualifiers(&member.qualifiers, place, None);
+            if place == Place::Uniform {
+                self.drop_layout(&member.qualifiers);
+            } else {
+                self.qualifiers(&member.qualifiers, place, None);
+            }
+            let is_integer = is_integer && place != Place::Uniform;
             let flat =
                 if has_flat && !has(&member.qualifiers, "flat") || is_integer && !has_flat { "flat " } else { "" };
-            let is_said = has(&member.qualifiers, "in") || has(&member.qualifiers, "out");
+            let is_said = ["in", "out", "uniform"].iter().any(|word| has(&member.qualifiers, word));
             let word = if is_said { "" } else { word };
             self.edits.insert(at, &format!("{flat}{word} "));
             if block.instance.is_some() {

@@ -1,7 +1,7 @@
 //! Loops that end after so many turns, for contexts in which nobody could end them from outside.
 
 use super::Translator;
-use crate::ast::{Item, Statement, StatementKind};
+use crate::ast::{Statement, StatementKind};
 use crate::walk::{Visitor, walk_unit};
 use crate::{Stage, TokenRange};
 
@@ -16,7 +16,6 @@ pub struct LoopBound {
 pub const DRAWN_ALL_THE_SAME: &str = "gonio_drawn_all_the_same";
 
 const COUNT: &str = "gonio_turns";
-const MAIN: &str = "gonio_main";
 
 impl Translator<'_> {
     /// Each body counts a turn, and leaves its loop from one turn on. Shaders without loops stay as they are.
@@ -44,18 +43,10 @@ impl Translator<'_> {
         for (start, end) in stretches {
             self.edits.surround(start, end, &format!("{{ if (++{COUNT} > {turns}) break; "), " }");
         }
-        for item in &self.parsed.unit.items {
-            if let Item::Function(function) = item
-                && function.name == "main"
-            {
-                self.replace_token(function.name_tokens.first, MAIN);
-            }
-        }
         self.preamble.insert(format!("int {COUNT} = 0;"));
         self.preamble.insert(format!("uniform bool {DRAWN_ALL_THE_SAME};"));
         // A vertex outside of the picture, or no fragment.
         let vanish = if self.stage() == Stage::Vertex { "gl_Position = vec4(2.0, 2.0, 2.0, 1.0)" } else { "discard" };
-        self.last =
-            format!("void main() {{ {MAIN}(); if ({COUNT} > {turns} && !{DRAWN_ALL_THE_SAME}) {{ {vanish}; }} }}\n");
+        self.after_main.push_str(&format!("if ({COUNT} > {turns} && !{DRAWN_ALL_THE_SAME}) {{ {vanish}; }} "));
     }
 }

@@ -6,15 +6,18 @@ mod edits;
 mod legacy;
 mod loops;
 mod names;
+mod show;
 mod text;
 
 use std::collections::BTreeSet;
 
+use crate::ast::Item;
 use crate::constant::Components;
 use crate::{Checked, Parsed, Problem, Span, Stage, Target, TokenRange, Type};
 use edits::Edits;
 
 pub use loops::{DRAWN_ALL_THE_SAME, LoopBound};
+pub use show::{Lookup, lookups};
 
 /// A shader in another version of the language.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,6 +61,9 @@ pub struct UniformDefault {
 /// The output that stands for `gl_FragColor`.
 const COLOUR: &str = "gonio_FragColor";
 
+/// The student's `main`, where ours goes around it.
+const MAIN: &str = "gonio_main";
+
 struct Translator<'t> {
     parsed: &'t Parsed,
     checked: &'t Checked,
@@ -70,8 +76,8 @@ struct Translator<'t> {
     preamble: BTreeSet<String>,
     /// Statements that come first in `main`.
     first_in_main: String,
-    /// Lines behind the student's.
-    last: String,
+    /// Statements that come when `main` has ended, wherever it did.
+    after_main: String,
     /// Blocks between the stages that were taken apart so far.
     blocks: usize,
 }
@@ -85,6 +91,18 @@ pub fn translate(parsed: &Parsed, checked: &Checked, target: Target) -> Translat
 /// The same with loops that end, where a bound is given: see [`DRAWN_ALL_THE_SAME`].
 #[must_use]
 pub fn translate_bounded(parsed: &Parsed, checked: &Checked, target: Target, bound: Option<LoopBound>) -> Translated {
+    translate_showing(parsed, checked, target, bound, None)
+}
+
+/// The same for a fragment shader that puts out what a look-up gives, where one is named.
+#[must_use]
+pub fn translate_showing(
+    parsed: &Parsed,
+    checked: &Checked,
+    target: Target,
+    bound: Option<LoopBound>,
+    shown: Option<Lookup>,
+) -> Translated {
     let mut translator = Translator {
         parsed,
         checked,
@@ -95,7 +113,7 @@ pub fn translate_bounded(parsed: &Parsed, checked: &Checked, target: Target, bou
         defaults: Vec::new(),
         preamble: BTreeSet::new(),
         first_in_main: String::new(),
-        last: String::new(),
+        after_main: String::new(),
         blocks: 0,
     };
     translator.directives();
@@ -107,9 +125,13 @@ pub fn translate_bounded(parsed: &Parsed, checked: &Checked, target: Target, bou
     translator.casts();
     translator.declarations();
     translator.main();
+    if let Some(lookup) = shown {
+        translator.show(lookup);
+    }
     if let Some(bound) = bound {
         translator.bound_loops(bound);
     }
+    translator.around_main();
     translator.finish()
 }
 
@@ -136,8 +158,24 @@ impl Translator<'_> {
         if !text.ends_with('\n') {
             text.push('\n');
         }
-        text.push_str(&self.last);
+        if !self.after_main.is_empty() {
+            text.push_str(&format!("void main() {{ {MAIN}(); {}}}\n", self.after_main));
+        }
         Translated { text, first_line, problems: self.problems, renames: self.renames, uniform_defaults: self.defaults }
+    }
+
+    /// Makes room for a `main` of ours around the student's, where statements come after it.
+    fn around_main(&mut self) {
+        if self.after_main.is_empty() {
+            return;
+        }
+        for item in &self.parsed.unit.items {
+            if let Item::Function(function) = item
+                && function.name == "main"
+            {
+                self.replace_token(function.name_tokens.first, MAIN);
+            }
+        }
     }
 
     fn is_es(&self) -> bool {

@@ -61,6 +61,11 @@ impl Model {
         matches!(self, Model::Phong | Model::Gouraud)
     }
 
+    /// Whether it puts out what a cubemap gives in a direction.
+    pub fn is_looked_up(self) -> bool {
+        matches!(self, Model::Skybox | Model::Reflection | Model::Refraction)
+    }
+
     /// Whose mistakes can be made in it.
     pub fn with_mistakes_of(self) -> Model {
         match self {

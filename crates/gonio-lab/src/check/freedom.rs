@@ -3,7 +3,7 @@
 use super::task::Task;
 use crate::names::{Bindings, Role};
 use crate::stage::{Light, Situation};
-use glam::Vec3;
+use glam::{Mat3, Vec3};
 
 /// The exponent that the lab's programs have.
 const USUAL_EXPONENT: f32 = 32.0;
@@ -21,6 +21,19 @@ pub struct Written {
     pub attenuation: [Option<f32>; 3],
     /// Against air.
     pub refraction_index: Option<f32>,
+    /// Where the light is a direction from outside: whether it is used as the one towards the light.
+    pub points_to_light: Option<bool>,
+    /// A direction towards the light that is written down, and that nothing calls a place.
+    pub sun: Option<WrittenSun>,
+}
+
+/// A direction towards the light, of length 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WrittenSun {
+    /// In the world, or in the view's space.
+    pub to_light: Vec3,
+    /// The light turns with the camera.
+    pub in_view: bool,
 }
 
 /// Whether a program has a second light.
@@ -94,6 +107,10 @@ pub struct Freedom {
     /// Whether the number of lights is given.
     counted: bool,
     other_light: Option<Vec3>,
+    /// The light is a direction and no place: a sun. Whether the direction is the one towards it.
+    sun: Option<bool>,
+    /// The same, written down.
+    written_sun: Option<WrittenSun>,
     /// Nothing says which way is up: the program has Y written in it.
     upright: bool,
 }
@@ -127,7 +144,9 @@ impl Freedom {
         };
         // Where a texture gives the colour, a colour that is declared and not used is a leftover.
         let is_textured = has(&|role| role == Role::DiffuseTexture);
-        let material = if is_textured { has(&is_material) } else { bindings_or_source(&is_material) };
+        // One for the highlight alone is none of the object's.
+        let is_whole = |role| is_material(role) && role != Role::MaterialSpecular;
+        let material = if is_textured { has(&is_whole) } else { bindings_or_source(&is_whole) };
         let given = [
             has_or_declares(&|role| matches!(role, Role::AmbientStrength(_) | Role::AmbientColor(_))),
             has_or_declares(&|role| matches!(role, Role::DiffuseStrength(_) | Role::DiffuseColor(_))),
@@ -155,7 +174,10 @@ impl Freedom {
             of_second(&|role| {
                 matches!(
                     role,
-                    Role::AttenuationConstant(_) | Role::AttenuationLinear(_) | Role::AttenuationQuadratic(_)
+                    Role::AttenuationConstant(_)
+                        | Role::AttenuationLinear(_)
+                        | Role::AttenuationQuadratic(_)
+                        | Role::Attenuation(_)
                 )
             }),
         ];
@@ -167,7 +189,13 @@ impl Freedom {
             Second::Always
         };
         let fixed = |given: bool, written: Option<f32>, usual: f32| (!given).then(|| written.unwrap_or(usual));
-        let usual = if task.attenuated { [1.0, 0.14, 0.07] } else { [1.0, 0.0, 0.0] };
+        // Beside a place, a direction is where a lamp is turned to.
+        let sun = has(&|role| matches!(role, Role::LightDirection(_))) && !has(&is_place);
+        // The place of the exercise's own lamp is no direction.
+        let is_lamp = |sun: &WrittenSun| sun.to_light.dot(task.light_position.normalize_or_zero()) > 0.9999;
+        let written_sun = written.sun.filter(|sun| !lit_from_outside && !is_lamp(sun));
+        // A sun is as bright here as there.
+        let usual = if task.attenuated && !sun && written_sun.is_none() { [1.0, 0.14, 0.07] } else { [1.0, 0.0, 0.0] };
         Freedom {
             to_find,
             given,
@@ -182,9 +210,21 @@ impl Freedom {
             },
             written_exponent: written.shininess,
             attenuation: [
-                fixed(has(&|role| matches!(role, Role::AttenuationConstant(_))), written.attenuation[0], usual[0]),
-                fixed(has(&|role| matches!(role, Role::AttenuationLinear(_))), written.attenuation[1], usual[1]),
-                fixed(has(&|role| matches!(role, Role::AttenuationQuadratic(_))), written.attenuation[2], usual[2]),
+                fixed(
+                    has(&|role| matches!(role, Role::AttenuationConstant(_) | Role::Attenuation(_))),
+                    written.attenuation[0],
+                    usual[0],
+                ),
+                fixed(
+                    has(&|role| matches!(role, Role::AttenuationLinear(_) | Role::Attenuation(_))),
+                    written.attenuation[1],
+                    usual[1],
+                ),
+                fixed(
+                    has(&|role| matches!(role, Role::AttenuationQuadratic(_) | Role::Attenuation(_))),
+                    written.attenuation[2],
+                    usual[2],
+                ),
             ],
             refraction_index: fixed(
                 has(&|role| matches!(role, Role::RefractionIndex | Role::RefractionRatio)),
@@ -196,6 +236,8 @@ impl Freedom {
             coloured,
             counted: has(&|role| role == Role::LightCount),
             other_light: written.other_light.filter(|_| lit_from_outside),
+            sun: sun.then(|| written.points_to_light.unwrap_or(false)),
+            written_sun,
             upright: task.model.is_of_places() && !has(&says_up),
         }
     }
@@ -307,6 +349,16 @@ impl Freedom {
         situation.refraction_index = self.refraction_index.unwrap_or(situation.refraction_index);
         for (constant, fixed) in situation.light.attenuation.iter_mut().zip(self.attenuation) {
             *constant = fixed.unwrap_or(*constant);
+        }
+        if let Some(points_to_light) = self.sun {
+            let centre = situation.world_from_model.w_axis.truncate();
+            situation.light = Light { points_to_light, ..situation.light.as_sun(centre) };
+        }
+        if let Some(sun) = self.written_sun {
+            let centre = situation.world_from_model.w_axis.truncate();
+            let to_world = Mat3::from_mat4(situation.view_from_world()).transpose();
+            let to_light = if sun.in_view { to_world * sun.to_light } else { sun.to_light };
+            situation.light = Light { position: centre + to_light, ..situation.light }.as_sun(centre);
         }
         let (light, elsewhere) = (situation.light, situation.elsewhere());
         match self.second {

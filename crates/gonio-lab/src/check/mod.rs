@@ -12,7 +12,7 @@ mod search;
 mod task;
 
 pub use compare::{Comparison, PIXEL_TOLERANCE, PIXELS_TOLERANCE, pixel_difference};
-pub use freedom::{Freedom, Lights, Second, Written};
+pub use freedom::{Freedom, Lights, Second, Written, WrittenSun};
 pub use predict::{CompiledModel, declared};
 pub use report::mistake as named;
 pub(crate) use report::{bound, fixed};

@@ -78,10 +78,16 @@ pub const STRUCTURAL: &[(&str, &str, &str, &str)] = &[
         "Hand position and normal over to the fragment shader, and compute the light there.",
     ),
     (
-        "lookup-mixed",
-        "The colour of the cubemap is mixed with another colour",
-        "The surroundings are there, and in the right place, but paler, darker or tinted.",
-        "Put out what the cubemap gives, unchanged. For a project of your own there is nothing to mend.",
+        "ambient-in-cone",
+        "The spot light's cone cuts the ambient term too",
+        "Outside of the cone it is black, where ambient light should be left.",
+        "Multiply only the diffuse and the specular term by what the cone leaves of the light.",
+    ),
+    (
+        "attenuation-other-formula",
+        "The light fades by another formula than 1 / (kc + kl d + kq d^2)",
+        "The light is too bright or too dark at most distances, or ends all at once.",
+        "`1.0 / (constant + linear * d + quadratic * d * d)`. In a project of your own it may be meant so.",
     ),
 ];
 

@@ -6,6 +6,7 @@
 //! mistake (`rules`) names the node at fault. Whatever the source is, this returns: loops, calls and depth are limited, and
 //! beyond them nothing is known.
 
+mod by_use;
 mod camera;
 mod eval;
 mod fold;
@@ -23,7 +24,7 @@ mod tests;
 
 use crate::bank::Model;
 use crate::check::Written;
-use crate::names::NamesFile;
+use crate::names::{NamesFile, Role};
 use gonio_glsl::{Checked, Parsed, Span, Stage};
 use reading::Reading;
 use rules::Answer;
@@ -66,6 +67,23 @@ impl Source {
         written::written(&self.reading)
     }
 
+    /// Whether V is cut down to its rotation somewhere, used or not.
+    #[must_use]
+    pub fn turns_only(&self) -> bool {
+        let graph = &self.reading.graph;
+        let is_view = |id: graph::Id| self.reading.role(graph.core(id)) == Some(Role::View);
+        graph.ids().any(|id| match graph.op(id) {
+            graph::Op::Construct(parts) => graph.node(id).is_matrix && parts.len() == 1 && is_view(parts[0]),
+            _ => false,
+        })
+    }
+
+    /// Matrices whose names say nothing, and what they must be for the position to be what it is.
+    #[must_use]
+    pub fn matrices_by_use(&self) -> Vec<(String, Role)> {
+        by_use::matrices(&self.reading)
+    }
+
     /// As [`line()`].
     #[must_use]
     pub fn line(&self, id: &str, model: Model) -> Option<Place> {
@@ -92,6 +110,16 @@ impl Source {
         let sentence = "`pow` of a negative number is undefined: the `max` belongs inside, \
                         `pow(max(dot(R, V), 0.0), shininess)`";
         found.map(|place| ("specular-power-of-negative", place, sentence.to_owned())).into_iter().collect()
+    }
+
+    /// Whether the function that is called at that place looks something up that flows into the colour.
+    #[must_use]
+    pub fn puts_out_lookup(&self, name: Span) -> bool {
+        let graph = &self.reading.graph;
+        self.reading.lookups().into_iter().any(|(call, _)| {
+            let node = graph.node(call);
+            node.stage == Stage::Fragment && node.span.start <= name.start && name.end <= node.span.end
+        })
     }
 
     /// Where a panorama is looked up at an angle that jumps from one edge to the other, by a function that chooses its

@@ -206,6 +206,29 @@ impl Reading {
             .collect()
     }
 
+    /// Whether a cosine with those bits is computed and does not flow into the colour.
+    pub fn computes_in_vain(&self, bits: Bits) -> bool {
+        let is_of_light = |id: Id| {
+            let graph = &self.graph;
+            let Op::Call(name, parts) = graph.op(id) else { return false };
+            let known = parts.iter().all(|part| self.vector(*part).is_some());
+            name == "dot" && known && self.bits(id) & bits != 0 && !self.lit.contains(&id)
+        };
+        self.graph.ids().any(is_of_light)
+    }
+
+    /// The cosines between a spot light's axis and the direction to it.
+    pub fn cones(&self) -> Vec<Id> {
+        let is = |id: Id, wanted: &dyn Fn(Kind) -> bool| self.vector(id).is_some_and(|v| wanted(v.kind));
+        let is_cone = |id: &Id| match self.graph.call(*id, "dot") {
+            Some(&[a, b]) => [(a, b), (b, a)].into_iter().any(|(axis, light)| {
+                is(axis, &|kind| kind == Kind::LightDirection) && is(light, &|kind| matches!(kind, Kind::ToLight(..)))
+            }),
+            _ => false,
+        };
+        self.lit.iter().copied().filter(is_cone).collect()
+    }
+
     /// What stands where a normal belongs.
     pub fn normals(&self) -> Vec<Id> {
         let mut found = Vec::new();
@@ -258,7 +281,9 @@ impl Reading {
             let mut looked_up = lookups.iter().filter_map(|(_, id)| self.vector(*id));
             looked_up.any(|v| matches!(v.kind, Kind::Reflected(_) | Kind::Refracted(_)) && v.end == Space::World)
         };
-        ends(self.lights()) || self.lights().is_empty() && back() && ends(self.eyes())
+        // A mirror's direction has to come back into the world; a highlight's need not.
+        ends(self.lights())
+            || self.lights().is_empty() && ends(self.eyes()) && (self.lookups_of_cubes().is_empty() || back())
     }
 
     /// Whether both vectors of the diffuse cosine are turned round, or a refracted direction and its normal.
@@ -324,6 +349,17 @@ impl Reading {
                 _ => None,
             })
             .collect()
+    }
+
+    /// Those of cubemaps alone.
+    fn lookups_of_cubes(&self) -> Vec<Id> {
+        let is_cube = |id: &Id| match self.graph.op(*id) {
+            Op::Call(_, parts) => {
+                parts.first().is_some_and(|sampler| self.role(self.graph.plain(*sampler)) == Some(Role::Cubemap))
+            }
+            _ => false,
+        };
+        self.lookups().into_iter().map(|(call, _)| call).filter(is_cube).collect()
     }
 
     /// The last variable called so among what the colour's value is made of for which that holds of its value.

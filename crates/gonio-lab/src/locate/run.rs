@@ -66,8 +66,10 @@ impl Program {
         let named = ["gl_FragColor", "gl_FragData"].iter().find_map(|name| colours.remove(*name));
         let declared = fragment.checked.interface.outputs.iter();
         // Not a second one, such as a brightness for blooming.
-        let colour = declared.filter_map(|output| colours.get(&output.name).copied()).next().or(named);
-        Program { graph, position, colour: colour.filter(|id| *id != Graph::UNKNOWN) }
+        let mut known =
+            declared.filter_map(|output| colours.get(&output.name).copied()).filter(|id| *id != Graph::UNKNOWN);
+        let colour = known.next().or(named.filter(|id| *id != Graph::UNKNOWN));
+        Program { graph, position, colour }
     }
 }
 

@@ -118,7 +118,10 @@ fn by_role(role: Role) -> Bits {
         Role::MaterialAmbient => AMBIENT | ALBEDO,
         Role::DiffuseStrength(_) | Role::DiffuseColor(_) => DIFFUSE_STRENGTH,
         Role::SpecularStrength(_) | Role::SpecularColor(_) => SPECULAR_STRENGTH,
-        Role::AttenuationConstant(_) | Role::AttenuationLinear(_) | Role::AttenuationQuadratic(_) => ATTENUATION,
+        Role::AttenuationConstant(_)
+        | Role::AttenuationLinear(_)
+        | Role::AttenuationQuadratic(_)
+        | Role::Attenuation(_) => ATTENUATION,
         Role::MaterialColor | Role::MaterialDiffuse => ALBEDO,
         _ => 0,
     }
@@ -145,6 +148,10 @@ fn dot(a: Option<Vector>, b: Option<Vector>) -> Bits {
         };
     };
     let either = |is: &dyn Fn(&Vector) -> bool| is(&a) || is(&b);
+    // A spot light's cone: its axis against the direction to it.
+    if a.is_light() && b.is_light() {
+        return 0;
+    }
     if either(&|v| matches!(v.kind, Kind::Reflected(_) | Kind::Refracted(_) | Kind::Half)) || either(&Vector::is_eye) {
         SPECULAR
     } else if either(&Vector::is_light) || either(&Vector::is_normal) {

@@ -285,3 +285,67 @@ fn no_source_makes_it_panic_or_hang() {
     }
     assert_eq!(read("", "").looks_like("no-such-mistake", Model::Phong), 0.5);
 }
+
+fn by_use(uniforms: &str, position: &str) -> Vec<(String, Role)> {
+    let vertex = format!(
+        "#version 330 core\nin vec3 position; {uniforms}\nvoid main() {{ vec4 p = vec4(position, 1.0); gl_Position = {position}; }}"
+    );
+    read(&vertex, "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }").matrices_by_use()
+}
+
+#[test]
+fn matrices_are_told_by_how_they_are_multiplied() {
+    let found = by_use("uniform mat4 camera, transform;", "camera * transform * p");
+    assert_eq!(found, [("camera".to_owned(), Role::ViewProjection), ("transform".to_owned(), Role::Model)]);
+    let found = by_use("uniform mat4 one, two, three;", "one * (two * (three * p))");
+    let roles: Vec<Role> = found.into_iter().map(|(_, role)| role).collect();
+    assert_eq!(roles, [Role::Projection, Role::View, Role::Model]);
+    assert_eq!(by_use("uniform mat4 it;", "it * p"), [("it".to_owned(), Role::ModelViewProjection)]);
+    // What names say stays, in whatever order: it may be the mistake.
+    assert_eq!(by_use("uniform mat4 P, V, M;", "M * V * P * p"), []);
+    assert_eq!(by_use("uniform mat4 M, thing;", "M * thing * p"), []);
+    assert_eq!(by_use("uniform mat4 one, two;", "one * two * two * one * p"), []);
+}
+
+#[test]
+fn a_sun_is_a_direction_that_nothing_calls_a_place() {
+    let sun = |head: &str, body: &str| {
+        let body = format!("{body}\nFragColor = vec4(max(dot(normalize(v_normal), L), 0.0));");
+        fragment(head, &body).written()
+    };
+    let found = sun("", "vec3 L = normalize(vec3(0.0, 3.0, 4.0));").sun.unwrap();
+    assert!((found.to_light - Vec3::new(0.0, 0.6, 0.8)).length() < 1e-6 && !found.in_view);
+    assert!(sun("const vec3 sunDir = vec3(1.0, 0.0, 0.0);", "vec3 L = -sunDir;").sun.unwrap().to_light.x < -0.9);
+    assert_eq!(sun("", "vec3 lightPos = vec3(0.0, 3.0, 4.0); vec3 L = normalize(lightPos);").sun, None);
+    assert_eq!(sun("", "vec3 L = normalize(vec3(0.0, 3.0, 4.0) - world_position);").sun, None);
+    assert_eq!(sun("uniform vec3 lightDir;", "vec3 L = normalize(-lightDir);").points_to_light, Some(false));
+    assert_eq!(sun("uniform vec3 lightDir;", "vec3 L = normalize(lightDir);").points_to_light, Some(true));
+}
+
+#[test]
+fn a_cone_is_no_diffuse_term() {
+    let head = "uniform vec3 lightDir, lightPos; uniform float ambientStrength;";
+    let body = |sum: &str| {
+        format!(
+            "vec3 L = normalize(lightPos - world_position); float diffuse = max(dot(normalize(v_normal), L), 0.0);
+            float cone = smoothstep(0.8, 0.9, dot(-L, normalize(lightDir)));
+            FragColor = vec4(vec3({sum}), 1.0);"
+        )
+    };
+    let looks = |sum: &str| fragment(head, &body(sum)).looks_like("ambient-in-cone", Model::Phong);
+    assert_eq!(looks("cone * (ambientStrength + diffuse)"), 1.0);
+    assert_eq!(looks("ambientStrength + cone * diffuse"), 0.0);
+    assert_eq!(looks("ambientStrength + diffuse"), 0.5);
+    let turned = fragment(head, &body("cone * diffuse")).looks_like("light-direction-reversed", Model::Phong);
+    assert_eq!(turned, 0.0);
+}
+
+#[test]
+fn who_cuts_the_translation_off_knows_that_it_comes() {
+    let turns = |place: &str| {
+        let vertex = format!("#version 330 core\nin vec3 position; uniform mat4 V, P;\nvoid main() {{ {place} }}");
+        read(&vertex, "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }").turns_only()
+    };
+    assert!(turns("mat4 turned = mat4(mat3(V)); gl_Position = P * V * vec4(position, 1.0);"));
+    assert!(!turns("gl_Position = P * V * vec4(position, 1.0);"));
+}

@@ -197,7 +197,9 @@ impl Vectors<'_> {
             Op::Call(name, parts) => self.called(id, name, parts),
             Op::Select(_, a, b) => match (self.of(*a), self.of(*b)) {
                 // Of a normal and the same turned round, to face the eye.
-                (Some(a), Some(b)) => Some(if a.sign < b.sign { b } else { a }),
+                (Some(a), Some(b)) if a.kind == b.kind => Some(if a.sign < b.sign { b } else { a }),
+                // Of a sun's direction and the one to a lamp, the latter tells more.
+                (Some(a), Some(b)) => Some(if matches!(b.kind, Kind::ToLight(..)) { b } else { a }),
                 (a, b) => a.or(b),
             },
             Op::Write(base, letters, value) if is_leading(letters) => self.of(*value).or(self.of(*base)),
@@ -265,7 +267,9 @@ impl Vectors<'_> {
                 let vector = self.of(a)?;
                 let divisor = self.graph.plain(b);
                 match self.graph.op(divisor) {
-                    Op::Call(name, _) if matches!(name.as_str(), "length" | "sqrt" | "distance") => {
+                    Op::Call(name, _) if is_length(name) => Some(Vector { is_unit: true, is_between: false, ..vector }),
+                    // Never divided by 0.
+                    Op::Call(name, parts) if name == "max" && parts.iter().any(|part| self.is_measured(*part)) => {
                         Some(Vector { is_unit: true, is_between: false, ..vector })
                     }
                     // Out of homogeneous coordinates.
@@ -277,6 +281,10 @@ impl Vectors<'_> {
             BinaryOp::Subtract => self.sum(id, self.of(a), self.of(b), -1.0, a, b),
             _ => None,
         }
+    }
+
+    fn is_measured(&self, id: Id) -> bool {
+        matches!(self.graph.op(self.graph.plain(id)), Op::Call(name, _) if is_length(name))
     }
 
     fn scaled(&self, id: Id, vector: Vector, by: Id) -> Option<Vector> {
@@ -444,6 +452,10 @@ fn normal_by(before: By, matrix: &Matrix, w: Option<f64>) -> By {
 }
 
 /// What a place written down is, by the name of what holds it.
+fn is_length(name: &str) -> bool {
+    matches!(name, "length" | "sqrt" | "distance")
+}
+
 fn named_place(name: &str) -> Option<Kind> {
     let name = name.to_lowercase();
     let has = |words: &[&str]| words.iter().any(|word| name.contains(word));

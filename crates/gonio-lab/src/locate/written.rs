@@ -4,19 +4,23 @@ use super::graph::{Id, Op};
 use super::reading::Reading;
 use super::rules::attenuation::falloff;
 use super::terms::{DIFFUSE, SPECULAR};
-use super::vector::Kind;
-use crate::check::Written;
+use super::vector::{By, Kind};
+use crate::check::{Written, WrittenSun};
 use glam::Vec3;
 use gonio_glsl::ast::BinaryOp;
 
 /// All of them that flow into the colour.
 pub(super) fn written(reading: &Reading) -> Written {
+    let sun = sun(reading);
     Written {
-        light_position: light_position(reading),
+        // A direction is no place.
+        light_position: light_position(reading).filter(|_| sun.is_none()),
         other_light: other_light(reading),
         shininess: shininess(reading),
         attenuation: attenuation(reading),
         refraction_index: refraction_index(reading),
+        points_to_light: points_to_light(reading),
+        sun,
     }
 }
 
@@ -67,6 +71,46 @@ fn other_light(reading: &Reading) -> Option<Vec3> {
     })
 }
 
+/// How a direction from outside is used: as it is, or turned round. The first counts: the diffuse term's.
+fn points_to_light(reading: &Reading) -> Option<bool> {
+    let vectors = reading.lights().into_iter().filter_map(|light| reading.vector(light));
+    vectors.filter(|vector| vector.kind == Kind::LightDirection).map(|vector| vector.sign > 0.0).next()
+}
+
+/// A direction that is written down and meets the normal, if nothing on its way calls it a place.
+fn sun(reading: &Reading) -> Option<WrittenSun> {
+    let of_dots = reading.diffuse_dots().into_iter().flat_map(|(_, a, b)| [a, b]);
+    let slots: Vec<Id> = reading.lights().into_iter().chain(of_dots).collect();
+    let (slot, vector) = slots.into_iter().find_map(|slot| {
+        let vector = reading.vector(slot)?;
+        matches!(vector.kind, Kind::Constant | Kind::Light(None) | Kind::LightDirection).then_some((slot, vector))
+    })?;
+    let is_place = |name: &str| name.to_lowercase().contains("pos");
+    if names(reading, slot).into_iter().any(is_place) {
+        return None;
+    }
+    let towards = vec3(reading, vector.at)? * vector.sign as f32;
+    let normals: Vec<_> = reading.normals().into_iter().filter_map(|id| reading.vector(id)).collect();
+    let in_view = !normals.is_empty() && normals.iter().all(|v| matches!(v.kind, Kind::Normal(By::View { .. })));
+    Some(WrittenSun { to_light: towards.try_normalize()?, in_view })
+}
+
+/// The variables that a vector went through since it was made.
+fn names(reading: &Reading, mut id: Id) -> Vec<&str> {
+    let mut names = Vec::new();
+    loop {
+        id = match reading.graph.op(id) {
+            Op::Copy(inner, name) => {
+                names.push(name.as_str());
+                *inner
+            }
+            Op::Interpolated(inner) | Op::Neg(inner) | Op::Swizzle(inner, _) => *inner,
+            Op::Construct(parts) | Op::Call(_, parts) if !parts.is_empty() => parts[0],
+            _ => return names,
+        };
+    }
+}
+
 /// The exponent of a cosine, however it is written: `pow`, `exp2(log2(x) * c)`, or multiplied by itself.
 fn shininess(reading: &Reading) -> Option<f32> {
     let is_highlight = |id: Id| reading.bits(id) & (DIFFUSE | SPECULAR) == SPECULAR;
@@ -77,6 +121,7 @@ fn shininess(reading: &Reading) -> Option<f32> {
         let found = match reading.graph.op(*id) {
             Op::Copy(inner, _) | Op::Interpolated(inner) => exponents[inner.0 as usize],
             Op::Call(name, parts) => match (name.as_str(), &parts[..]) {
+                ("pow", [base, _]) if is_rest(reading, *base) => None,
                 ("pow", [base, exponent]) => reading.graph.scalar(*exponent).map(|n| (of(*base).0, of(*base).1 * n)),
                 ("exp2" | "exp", [of_log]) => logarithm(reading, *of_log, if name == "exp2" { "log2" } else { "log" }),
                 _ => None,
@@ -99,6 +144,12 @@ fn shininess(reading: &Reading) -> Option<f32> {
         }
     }
     best.map(|exponent| exponent as f32)
+}
+
+/// `1.0 - cosine`: how much is mirrored at an edge, and no highlight.
+fn is_rest(reading: &Reading, base: Id) -> bool {
+    let core = reading.graph.core(base);
+    reading.sides(core, BinaryOp::Subtract).is_some_and(|(one, _)| reading.graph.number(one).is_some())
 }
 
 fn logarithm(reading: &Reading, id: Id, log: &str) -> Option<(Id, f64)> {

@@ -63,6 +63,10 @@ fn without_index(part: &str) -> (&str, Option<u32>) {
 
 /// What a struct's name adds to its field's.
 fn inherit(words: &mut Words, container: &Words, shape: Shape) {
+    // `fog.color` is no colour of the object's.
+    if container.has("blocked") && !["light", "material", "camera"].iter().any(|known| container.has(known)) {
+        words.tokens.push("blocked");
+    }
     if shape == Shape::Matrix {
         // `camera.projection` is no matrix of the camera and the projection; `camera.matrix` is the camera's.
         if !words.tokens.iter().any(|token| !matches!(*token, "matrix" | "mat")) {

@@ -74,6 +74,8 @@ pub enum Role {
     AttenuationLinear(u32),
     /// A light's attenuation with the square of the distance.
     AttenuationQuadratic(u32),
+    /// All three of them in one vector, the constant first.
+    Attenuation(u32),
     /// How many lights there are.
     LightCount,
     /// The exponent of the specular term.
@@ -120,7 +122,7 @@ enum Named {
 
 use Named::{Light, Plain};
 
-const NAMES: [(&str, Named); 52] = [
+const NAMES: [(&str, Named); 53] = [
     ("position", Plain(Role::Position)),
     ("normal", Plain(Role::Normal)),
     ("tex-coord", Plain(Role::TexCoord)),
@@ -155,6 +157,7 @@ const NAMES: [(&str, Named); 52] = [
     ("attenuation-constant", Light(Role::AttenuationConstant)),
     ("attenuation-linear", Light(Role::AttenuationLinear)),
     ("attenuation-quadratic", Light(Role::AttenuationQuadratic)),
+    ("attenuation", Light(Role::Attenuation)),
     ("light-count", Plain(Role::LightCount)),
     ("shininess", Plain(Role::Shininess)),
     ("material-color", Plain(Role::MaterialColor)),
@@ -197,7 +200,8 @@ impl Role {
             | Self::SpecularStrength(i)
             | Self::AttenuationConstant(i)
             | Self::AttenuationLinear(i)
-            | Self::AttenuationQuadratic(i) => Some(i),
+            | Self::AttenuationQuadratic(i)
+            | Self::Attenuation(i) => Some(i),
             _ => None,
         }
     }

@@ -45,6 +45,7 @@ const VECTORS: &[Rule] = &[
     rule(&["struct", "view", "pos"], &[], |_| Role::ViewPos),
     rule(&["light", "pos", "view"], &["world"], Role::LightPosInView),
     rule(&["light", "pos", "camera"], &["world"], Role::LightPosInView),
+    rule(&["attenuation"], &["pos", "dir", "color"], Role::Attenuation),
     rule(&["light", "pos"], &[], Role::LightPos),
     rule(&["light", "dir"], &[], Role::LightDirection),
     rule(&["light", "ambient", "strength"], &["color"], Role::AmbientStrength),

@@ -82,6 +82,7 @@ const MEANINGS: &[(&str, &str)] = &[
     ("uv uvs st texcoord texcoords texcoor", "tex coord"),
     ("coord coords coordinate coordinates coordonnees", "coord"),
     ("normal normals normale normales norm nrm nor bump", "normal"),
+    ("nm nmat nmatrix", "normal matrix"),
     ("tangent tangents tangente tan", "tangent"),
     ("bitangent binormal bitan", "blocked"),
     ("cube cubemap cubic", "cube"),
@@ -101,7 +102,7 @@ const MEANINGS: &[(&str, &str)] = &[
     ("k", "strength"),
     // Says that the name is of something else than its other words.
     (
-        "shadow shadows depth bone bones joint prev previous fog near far radius cutoff cut off inner outer cos angle use \
+        "shadow shadows property properties props depth bone bones joint prev previous fog near far radius cutoff cut off inner outer cos angle use \
          has is enable enabled show min max bias offset scale scaling threshold mouse width height aspect fov noise \
          roughness rough metallic metalness metal ao occlusion alpha opacity transparency background bg clear ground line \
          outline edge border wire selected highlight hover mode type flag id kernel blur exposure mix blend irradiance \

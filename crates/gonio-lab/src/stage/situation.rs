@@ -3,6 +3,9 @@
 use super::Shape;
 use glam::{Mat3, Mat4, Quat, Vec3};
 
+/// So far away, in the world's units, that its rays are parallel: to 1/10000 of a radian all over a model.
+const SUN_DISTANCE: f32 = 1e5;
+
 /// A light and how it fades. Positions in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Light {
@@ -18,12 +21,20 @@ pub struct Light {
     pub attenuation: [f32; 3],
     /// Of programs that have a colour for the light: how bright it is. Models know strengths alone, so it is 1 where they are asked.
     pub brightness: f32,
+    /// Whether a program that takes a direction instead of a place takes the one towards the light, not the one from it.
+    pub points_to_light: bool,
 }
 
 impl Light {
     /// The same light, switched off.
     pub fn dark(self) -> Self {
         Light { ambient: 0.0, diffuse: 0.0, specular: 0.0, brightness: 0.0, ..self }
+    }
+
+    /// The same light as a sun: endlessly far away from `centre`, in the world, and as bright there as here.
+    pub fn as_sun(self, centre: Vec3) -> Self {
+        let position = centre + (self.position - centre).normalize_or(Vec3::Y) * SUN_DISTANCE;
+        Light { position, ..self }
     }
 
     /// Whether it gives any light.
@@ -126,6 +137,7 @@ pub const LAB_LIGHT: Light = Light {
     specular: 0.8,
     attenuation: [1.0, 0.14, 0.07],
     brightness: 1.0,
+    points_to_light: false,
 };
 
 fn base(name: &str, shows: &'static str) -> Situation {

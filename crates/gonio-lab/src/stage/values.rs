@@ -47,7 +47,9 @@ pub fn numbers(role: Role, glsl_type: &str, situation: &Situation) -> Option<Vec
         Role::LightPos(index) => point(light_of(index).position),
         Role::LightPosInView(index) => point(view.transform_point3(light_of(index).position)),
         Role::LightDirection(index) => {
-            direction((situation.world_from_model.w_axis.truncate() - light_of(index).position).normalize())
+            let light = light_of(index);
+            let from_light = (situation.world_from_model.w_axis.truncate() - light.position).normalize();
+            direction(if light.points_to_light { -from_light } else { from_light })
         }
         Role::LightColor(index) => grey(light_of(index).brightness),
         Role::AmbientColor(index) | Role::AmbientStrength(index) => grey(light_of(index).ambient),
@@ -56,6 +58,7 @@ pub fn numbers(role: Role, glsl_type: &str, situation: &Situation) -> Option<Vec
         Role::AttenuationConstant(index) => grey(light_of(index).attenuation[0]),
         Role::AttenuationLinear(index) => grey(light_of(index).attenuation[1]),
         Role::AttenuationQuadratic(index) => grey(light_of(index).attenuation[2]),
+        Role::Attenuation(index) => light_of(index).attenuation.to_vec(),
         Role::LightCount => vec![if situation.other.is_some() { 2.0 } else { 1.0 }],
         Role::Shininess => grey(situation.shininess),
         Role::MaterialColor | Role::MaterialAmbient | Role::MaterialDiffuse | Role::MaterialSpecular => match glsl_type

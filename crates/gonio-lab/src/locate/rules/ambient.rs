@@ -32,11 +32,13 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
         "terms-not-put-out" => {
             let terms = reading.sum().iter().fold(0, |all, product| all | product.bits) & (LIT | AMBIENT);
             match reading.put_out() {
+                Some(id) if terms & LIT == 0 && reading.computes_in_vain(LIT) => At(id, 1.0),
                 Some(id) if terms == DIFFUSE => At(id, 0.9),
                 Some(_) => Not,
                 None => Silent,
             }
         }
+        "ambient-in-cone" => in_cone(reading),
         "ambient-twice" => twice(reading),
         "ambient-times-diffuse" => {
             let found = reading.deepest(&[Multiply], |a, b| has_ambient(a) && has(b, DIFFUSE) && !has(b, AMBIENT));
@@ -109,6 +111,26 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
         "phong-instead-of-gouraud" => per(reading, Stage::Fragment),
         _ => return None,
     })
+}
+
+/// Where the ambient term is multiplied by what a spot light's cone leaves of its light, or is only there within the cone.
+fn in_cone(reading: &Reading) -> Answer {
+    let cones = reading.cones();
+    let of_cone = |id: Id| reading.graph.reachable(&[id], |_| true).iter().any(|part| cones.contains(part));
+    let has_ambient = |id: Id| reading.products(id).iter().any(|p| p.bits & AMBIENT != 0);
+    if cones.is_empty() {
+        return Silent;
+    }
+    let cut = reading.deepest(&[Multiply], |a, b| {
+        has_ambient(a) && reading.bits(b) & (LIT | AMBIENT) == 0 && !of_cone(a) && of_cone(b)
+    });
+    let chosen = || {
+        reading.tree.iter().copied().find(|id| match reading.graph.op(*id) {
+            Op::Select(test, a, b) => of_cone(*test) && has_ambient(*a) != has_ambient(*b),
+            _ => false,
+        })
+    };
+    Answer::of(cut.or_else(chosen), 1.0, Not)
 }
 
 fn twice(reading: &Reading) -> Answer {

@@ -31,6 +31,7 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
             })
         }),
         "attenuation-not-inverted" => not_inverted(reading),
+        "attenuation-other-formula" => other_formula(reading),
         "attenuation-added" => {
             let is_part = |id: &Id| reading.bits(*id) & ATTENUATION != 0 || reading.graph.scalar(*id) == Some(1.0);
             let is_bare =
@@ -206,6 +207,19 @@ fn missing(reading: &Reading) -> Answer {
         Some(id) => At(id, 1.0),
         None => Answer::of(reading.meeting(), 0.9, Silent),
     }
+}
+
+/// Light that fades with the distance, and is divided by nothing that grows with it.
+fn other_formula(reading: &Reading) -> Answer {
+    let fades = |p: &super::super::terms::Product| p.bits & ATTENUATION != 0 && p.bits & (DIFFUSE | SPECULAR) != 0;
+    if falloff(reading).is_some() || !reading.sum().iter().any(fades) {
+        return Silent;
+    }
+    if let At(..) = not_inverted(reading) {
+        return Not;
+    }
+    let found = reading.tree.iter().copied().rfind(|id| reading.bits(*id) == ATTENUATION);
+    Answer::of(found, 1.0, Silent)
 }
 
 /// The sum of constants times powers of the distance that multiplies.

@@ -20,7 +20,13 @@ pub(super) fn answer(reading: &Reading, id: &str, model: Model) -> Option<Answer
         }
         "light-direction-not-normalised" => light(&|v| matches!(v.kind, Kind::ToLight(..)) && !v.is_unit),
         "light-direction-minus-normal" => light(&|v| v.kind == Kind::LightMinusNormal),
-        "light-position-as-direction" => light(&|v| matches!(v.kind, Kind::Light(_))).or(|| constant_light(reading)),
+        "light-position-as-direction" => light(&|v| matches!(v.kind, Kind::Light(Some(_))))
+            .or(|| match light(&|v| v.kind == Kind::Light(None)) {
+                // A place that is written down may be meant as a direction.
+                At(id, _) => At(id, 0.9),
+                answer => answer,
+            })
+            .or(|| constant_light(reading)),
         "view-direction-reversed" => {
             let eyes: Vec<Id> = eyes(reading, model).into_iter().filter(|id| in_highlight(reading, *id)).collect();
             if specular::signs_cancel(reading) { Not } else { reversed(reading, &eyes) }

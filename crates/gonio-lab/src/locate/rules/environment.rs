@@ -15,10 +15,6 @@ pub(super) fn answer(reading: &Reading, id: &str, model: Model) -> Option<Answer
         "reflection-by-position" => looked_up(reading, |kind| matches!(kind, Kind::Point(_)))
             .or(|| looked_up(reading, |kind| matches!(kind, Kind::ToEye(_) | Kind::Eye))),
         "reflection-by-view" => looked_up(reading, |kind| matches!(kind, Kind::ToEye(_) | Kind::Eye)),
-        "lookup-mixed" => match reading.put_out() {
-            Some(id) if !reading.lookups().is_empty() => At(id, 0.9),
-            _ => Silent,
-        },
         "refraction-instead-of-reflection" => called(reading, "refract", "reflect"),
         "reflection-instead-of-refraction" => called(reading, "reflect", "refract"),
         "refraction-ratio-inverted" => ratio(reading, is_inverted),

@@ -9,7 +9,7 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
     Some(match id {
         "normal-by-model-matrix" => by(reading, |by| match by {
             By::Model => Some(1.0),
-            By::View { by_model: true } => Some(0.9),
+            By::View { by_model: true } => Some(if reading.is_in_view() { 1.0 } else { 0.9 }),
             _ => None,
         }),
         "normal-by-model-view" => {

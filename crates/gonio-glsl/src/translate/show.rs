@@ -1,0 +1,71 @@
+//! A fragment shader that puts out what one of its cubemap look-ups gives, instead of what it makes of it.
+
+use super::{COLOUR, Translator};
+use crate::ast::{Call, Expr, ExprKind};
+use crate::walk::{Visitor, walk_unit};
+use crate::{Parsed, Span, TokenRange, Type};
+
+/// An expression that looks a cubemap up.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Lookup {
+    /// Where the name of the function stands.
+    pub span: Span,
+    tokens: TokenRange,
+}
+
+/// What the look-up gave last.
+const SHOWN: &str = "gonio_shown";
+/// Hands a colour on and keeps it.
+const SHOW: &str = "gonio_shows";
+
+/// All look-ups of cubemaps in a shader, in the order of its text. The tree has to be checked, for types to be known.
+#[must_use]
+pub fn lookups(parsed: &Parsed) -> Vec<Lookup> {
+    struct Found(Vec<Lookup>);
+    impl Visitor for Found {
+        fn expression(&mut self, expr: &Expr) -> bool {
+            if let ExprKind::Call(call) = &expr.kind
+                && is_lookup(call)
+                && expr.ty.as_ref().is_some_and(|ty| ty.written() == "vec4")
+            {
+                self.0.push(Lookup { span: call.name_span, tokens: expr.tokens });
+            }
+            true
+        }
+    }
+    let mut found = Found(Vec::new());
+    walk_unit(&parsed.unit, &mut found);
+    found.0
+}
+
+fn is_lookup(call: &Call) -> bool {
+    let of_cube = |arg: &Expr| arg.ty.as_ref().map(Type::written).is_some_and(|ty| ty == "samplerCube");
+    call.name.starts_with("texture") && call.args.first().is_some_and(of_cube)
+}
+
+impl Translator<'_> {
+    /// Puts `lookup` out. What cannot be changed, since it hides in a macro, stays as it is.
+    pub(super) fn show(&mut self, lookup: Lookup) {
+        let Some((start, end)) = self.stretch(lookup.tokens) else { return };
+        let Some((output, ty)) = self.output() else { return };
+        self.edits.wrap(start, end, &format!("{SHOW}("));
+        self.preamble.insert(format!("vec4 {SHOWN} = vec4(0.0);"));
+        self.preamble.insert(format!("vec4 {SHOW}(vec4 colour) {{ {SHOWN} = colour; return colour; }}"));
+        let letters = match ty.as_str() {
+            "vec3" => ".rgb",
+            "vec4" => "",
+            _ => return,
+        };
+        self.after_main.push_str(&format!("{output} = {SHOWN}{letters}; "));
+    }
+
+    /// The first colour that is put out: its name in the text, and its type.
+    fn output(&self) -> Option<(String, String)> {
+        let outputs = &self.checked.interface.outputs;
+        let first = outputs.iter().find(|o| o.location == Some(0)).or_else(|| outputs.iter().find(|o| o.is_used));
+        let Some(output) = first else { return Some((COLOUR.to_owned(), "vec4".to_owned())) };
+        let renamed = self.renames.iter().find(|rename| rename.from == output.name).map(|rename| rename.to.clone());
+        let ty = output.ty.as_ref().map_or_else(|| "vec4".to_owned(), |ty| ty.written().to_string());
+        Some((renamed.unwrap_or_else(|| output.name.clone()), ty))
+    }
+}
