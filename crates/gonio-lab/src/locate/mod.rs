@@ -7,6 +7,7 @@
 //! beyond them nothing is known.
 
 mod camera;
+mod choice;
 mod eval;
 mod fold;
 mod graph;
