@@ -262,6 +262,12 @@ impl Verdict {
             format!("it did not finish within {seconds} seconds; is there a loop in a shader that never ends?");
         Verdict::new(exercise, Outcome::Unsure, summary)
     }
+
+    /// Of a check that was ended because of the memory it took.
+    pub fn too_large(exercise: &str) -> Self {
+        let summary = "checking it took more than a gigabyte of memory, and was stopped; is there a giant array?";
+        Verdict::new(exercise, Outcome::Unsure, summary)
+    }
 }
 
 /// A number as JSON has it, which knows no infinite ones: it writes `null` for them, and for what is no number.
