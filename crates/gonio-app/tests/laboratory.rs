@@ -1,80 +1,15 @@
 //! The laboratory as a student uses it: the whole application, with OpenGL but without a window, checks in a thread.
 #![allow(missing_docs, clippy::unwrap_used)]
 
-use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Vec2, pos2, vec2};
-use egui_kittest::Harness;
-use gonio_app::exported::{self, Widget};
+mod support;
+
+use egui::{Event, Key, Modifiers, Vec2, vec2};
+use gonio_app::exported;
 use gonio_app::laboratory::{GivenFile, Picture, Shown, Start};
-use gonio_app::platform::{Asked, CheckRequest, Checking, Event as FromOutside, Platform, Settings};
-use gonio_app::saving::Product;
-use gonio_app::{Lab, theme};
-use gonio_gl::HeadlessContext;
-use gonio_lab::check::Checker;
 use gonio_lab::exercise;
-use gonio_lab::submission::SourceFile;
-use gonio_lab::verdict::Verdict;
-use gonio_scene::files::{Disk, FileSource};
 use serde_json::Value;
-use std::sync::Arc;
-use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
-
-/// A platform that checks in a thread with a context of its own, as no program is there to be started.
-struct Here;
-
-struct Thread(Receiver<Result<Verdict, String>>);
-
-impl Checking for Thread {
-    fn poll(&mut self) -> Option<Result<Verdict, String>> {
-        self.0.try_recv().ok()
-    }
-}
-
-impl Platform for Here {
-    fn files(&self) -> Arc<dyn FileSource> {
-        Arc::new(Disk)
-    }
-    fn choose_files(&mut self, _: &egui::Context) -> Asked {
-        Asked::ByNobody
-    }
-    fn open_paths(&mut self, _: Vec<String>, _: &egui::Context) {}
-    fn choose_place(&mut self, _: Product, _: &str, _: &egui::Context) -> Asked {
-        Asked::ByNobody
-    }
-    fn poll(&mut self, _: &egui::Context) -> Vec<FromOutside> {
-        Vec::new()
-    }
-    fn write(&mut self, place: &str, bytes: &[u8]) -> Result<String, String> {
-        std::fs::write(place, bytes).map(|()| place.to_owned()).map_err(|why| why.to_string())
-    }
-    fn link(&self, fragment: &str) -> String {
-        fragment.to_owned()
-    }
-    fn settings(&self) -> Settings {
-        Settings::default()
-    }
-    fn keep(&mut self, _: &Settings) {}
-    fn check(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Checking> {
-        let (sender, receiver) = channel();
-        let ctx = ctx.clone();
-        std::thread::spawn(move || {
-            let context = HeadlessContext::new().unwrap();
-            let exercise = exercise::find(&request.exercise).unwrap();
-            let files = request.files.into_iter().map(|(name, bytes)| SourceFile { name, bytes }).collect();
-            let options = gonio_lab::CheckOptions { pair: None, as_the_lab: request.as_the_lab };
-            let verdict = gonio_lab::check(&mut Checker::new(context.gl()), exercise, files, &options);
-            let _ = sender.send(verdict.map(|(verdict, _)| verdict).map_err(|why| why.to_string()));
-            ctx.request_repaint();
-        });
-        Box::new(Thread(receiver))
-    }
-}
-
-struct Window {
-    harness: Harness<'static, Option<Lab>>,
-    // The application's OpenGL; it goes last.
-    _context: HeadlessContext,
-}
+use support::Window;
 
 /// The right answer of an exercise, changed.
 fn answer(id: &str, change: impl Fn(&str, &str) -> String) -> Start {
@@ -101,30 +36,12 @@ impl Window {
     }
 
     fn empty(size: Vec2) -> Self {
-        let context = HeadlessContext::new().unwrap_or_else(|why| panic!("{why}"));
-        let gl = context.gl().clone();
-        let mut harness = Harness::builder().with_size(size).with_context_setup(theme::install).build_ui_state(
-            move |ui, lab: &mut Option<Lab>| {
-                let new = || Lab::new(ui.ctx(), Some(gl.clone()), Box::new(Here), vec!["builtin:cube".to_owned()]);
-                lab.get_or_insert_with(new).ui(ui);
-            },
-            None,
-        );
-        harness.run_steps(2);
-        Window { harness, _context: context }
-    }
-
-    fn lab(&self) -> &Lab {
-        self.harness.state().as_ref().unwrap()
+        Window::with("builtin:cube", size)
     }
 
     /// The laboratory's part of the state.
     fn state(&self) -> Value {
         self.lab().state(&self.harness.ctx)["laboratory"].clone()
-    }
-
-    fn steps(&mut self, steps: usize) {
-        self.harness.run_steps(steps);
     }
 
     /// Goes on until it is so: a check takes its time, and a text is compiled after a pause.
@@ -141,37 +58,11 @@ impl Window {
         panic!("waited in vain for {what}: {:#}", self.state());
     }
 
-    fn widget(&self, id: &str) -> Widget {
-        let widgets = exported::widgets(&self.harness.ctx);
-        let found = widgets.iter().find(|widget| widget.id == id).cloned();
-        found.unwrap_or_else(|| panic!("no `{id}` among {:?}", widgets.iter().map(|w| &w.id).collect::<Vec<_>>()))
-    }
-
-    fn center(&self, id: &str) -> Pos2 {
-        let [x, y, width, height] = self.widget(id).rect;
-        Rect::from_min_size(pos2(x, y), vec2(width, height)).center()
-    }
-
-    fn click_at(&mut self, at: Pos2) {
-        self.harness.event(Event::PointerMoved(at));
-        self.steps(1);
-        for pressed in [true, false] {
-            let (button, modifiers) = (PointerButton::Primary, Modifiers::NONE);
-            self.harness.event(Event::PointerButton { pos: at, button, pressed, modifiers });
-            self.steps(1);
-        }
-        // The next click is another one, and none of a double click.
-        self.steps(30);
-    }
-
     fn click(&mut self, id: &str) {
         let at = self.center(id);
         self.click_at(at);
-    }
-
-    fn press(&mut self, modifiers: Modifiers, key: Key) {
-        self.harness.key_press_modifiers(modifiers, key);
-        self.steps(2);
+        // The next click is another one, and none of a double click.
+        self.steps(30);
     }
 
     fn text(&self) -> String {
@@ -329,21 +220,7 @@ fn a_camera_turns_around_the_object_and_both_pictures_follow() {
     window.steps(2);
     let (before, _) = window.pixels(Picture::Yours);
     let from = window.center("picture-yours");
-    window.harness.event(Event::PointerMoved(from));
-    window.steps(1);
-    let press = |pos, pressed| Event::PointerButton {
-        pos,
-        button: PointerButton::Primary,
-        pressed,
-        modifiers: Modifiers::NONE,
-    };
-    window.harness.event(press(from, true));
-    for part in 1..=4 {
-        window.harness.event(Event::PointerMoved(from + vec2(30.0 * part as f32, 0.0)));
-        window.steps(1);
-    }
-    window.harness.event(press(from + vec2(120.0, 0.0), false));
-    window.steps(2);
+    window.drag(from, vec2(120.0, 0.0));
     assert!(differing(&window.pixels(Picture::Yours).0, &before) > 5000);
 }
 

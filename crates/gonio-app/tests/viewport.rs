@@ -1,20 +1,17 @@
 //! The picture as a person uses it: the whole application, with OpenGL but without a window.
+#![allow(clippy::unwrap_used)]
 
-use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Vec2, pos2, vec2};
-use egui_kittest::Harness;
+mod support;
+
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2, vec2};
 use glam::DVec3;
-use gonio_app::exported::{self, Widget};
-use gonio_app::platform::{Asked, Event as FromOutside, Platform, Settings};
-use gonio_app::saving::Product;
+use gonio_app::exported;
 use gonio_app::session::{Selection, Tab};
-use gonio_app::{Lab, theme};
-use gonio_gl::HeadlessContext;
 use gonio_reference::ReferenceScene;
 use gonio_scene::Frame;
 use gonio_scene::description::CameraSpec;
-use gonio_scene::files::{Disk, FileSource};
-use std::sync::Arc;
 use std::time::Duration;
+use support::Window;
 
 /// A sphere, a lamp beside it, a sun, a spot from above.
 const SCENE: &str = r#"
@@ -39,41 +36,6 @@ position = [-1.2, 1.4, 1.0]
 direction = [1.0, -1.0, -1.0]
 "#;
 
-struct Files;
-
-impl Platform for Files {
-    fn files(&self) -> Arc<dyn FileSource> {
-        Arc::new(Disk)
-    }
-    fn choose_files(&mut self, _: &egui::Context) -> Asked {
-        Asked::ByNobody
-    }
-    fn open_paths(&mut self, _: Vec<String>, _: &egui::Context) {}
-    fn choose_place(&mut self, _: Product, _: &str, _: &egui::Context) -> Asked {
-        Asked::ByNobody
-    }
-    fn poll(&mut self, _: &egui::Context) -> Vec<FromOutside> {
-        Vec::new()
-    }
-    fn write(&mut self, _: &str, _: &[u8]) -> Result<String, String> {
-        Err("nothing is saved here".into())
-    }
-    fn link(&self, fragment: &str) -> String {
-        fragment.to_owned()
-    }
-    fn settings(&self) -> Settings {
-        Settings::default()
-    }
-    fn keep(&mut self, _: &Settings) {}
-}
-
-/// The application with the scene open and drawn.
-struct Window {
-    harness: Harness<'static, Option<Lab>>,
-    // The application's OpenGL; it goes last.
-    _context: HeadlessContext,
-}
-
 impl Window {
     fn open(name: &str) -> Self {
         Window::showing(name, SCENE, vec2(1100.0, 720.0))
@@ -81,73 +43,23 @@ impl Window {
 
     /// A scene in a window of this size.
     fn showing(name: &str, scene: &str, size: Vec2) -> Self {
-        let context = HeadlessContext::new().unwrap_or_else(|why| panic!("{why}"));
-        let gl = context.gl().clone();
         let folder = std::env::temp_dir().join(format!("gonio-viewport-{name}-{}", std::process::id()));
         std::fs::create_dir_all(&folder).unwrap_or_else(|why| panic!("{why}"));
         let file = folder.join("scene.toml");
         std::fs::write(&file, scene).unwrap_or_else(|why| panic!("{why}"));
-        let input = file.to_string_lossy().into_owned();
-        let mut harness = Harness::builder().with_size(size).with_context_setup(theme::install).build_ui_state(
-            move |ui, lab: &mut Option<Lab>| {
-                let new = || Lab::new(ui.ctx(), Some(gl.clone()), Box::new(Files), vec![input.clone()]);
-                lab.get_or_insert_with(new).ui(ui);
-            },
-            None,
-        );
+        let mut window = Window::with(&file.to_string_lossy(), size);
         // Read in a thread: a minute at most, on a machine that has much else to do.
         for _ in 0..600 {
-            harness.step();
-            if harness.state().as_ref().is_some_and(|lab| lab.session().facts.pictures > 0) {
+            window.steps(1);
+            if window.pictures() > 0 {
                 break;
             }
             std::thread::sleep(Duration::from_millis(100));
         }
         let _ = std::fs::remove_dir_all(&folder);
-        let mut window = Window { harness, _context: context };
         window.steps(3);
         assert_eq!(window.lab().session().messages.list(), &[], "nothing had to be said");
         window
-    }
-
-    fn lab(&self) -> &Lab {
-        self.harness.state().as_ref().unwrap_or_else(|| panic!("the application was not made"))
-    }
-
-    fn steps(&mut self, steps: usize) {
-        self.harness.run_steps(steps);
-    }
-
-    fn widget(&self, id: &str) -> Widget {
-        let widgets = exported::widgets(&self.harness.ctx);
-        let found = widgets.iter().find(|widget| widget.id == id).cloned();
-        found.unwrap_or_else(|| panic!("no `{id}` among {:?}", widgets.iter().map(|w| &w.id).collect::<Vec<_>>()))
-    }
-
-    fn center(&self, id: &str) -> Pos2 {
-        let [x, y, width, height] = self.widget(id).rect;
-        Rect::from_min_size(pos2(x, y), vec2(width, height)).center()
-    }
-
-    fn button(&mut self, at: Pos2, pressed: bool) {
-        let (button, modifiers) = (PointerButton::Primary, Modifiers::NONE);
-        self.harness.event(Event::PointerButton { pos: at, button, pressed, modifiers });
-        self.steps(2);
-    }
-
-    fn move_to(&mut self, at: Pos2) {
-        self.harness.event(Event::PointerMoved(at));
-        self.steps(2);
-    }
-
-    fn drag(&mut self, from: Pos2, way: Vec2) {
-        self.move_to(from);
-        self.button(from, true);
-        for part in 1..=4 {
-            self.move_to(from + way * (part as f32 / 4.0));
-        }
-        self.button(from + way, false);
-        self.steps(3);
     }
 
     /// A drag whose last way, `more`, comes in the same frame as the release: as where a frame takes long.
@@ -161,18 +73,6 @@ impl Window {
         // Of one frame: the harness would give each a frame of its own.
         let released = Event::PointerButton { pos: at, button, pressed: false, modifiers };
         self.harness.input_mut().events.extend([Event::PointerMoved(at), released]);
-        self.steps(3);
-    }
-
-    fn click(&mut self, at: Pos2) {
-        self.move_to(at);
-        self.button(at, true);
-        self.button(at, false);
-        self.steps(2);
-    }
-
-    fn press(&mut self, modifiers: Modifiers, key: Key) {
-        self.harness.key_press_modifiers(modifiers, key);
         self.steps(3);
     }
 
@@ -229,7 +129,7 @@ fn what_is_dragged_is_left_where_it_is_released() {
 fn a_chosen_light_has_arms_along_the_axes() {
     let mut window = Window::open("arms");
     let lamp = window.center("light-0-handle");
-    window.click(lamp);
+    window.click_at(lamp);
     assert_eq!(window.lab().session().selection, Selection::Light(0));
     let (before, arm) = (window.lab().document().scene.lights[0].position, window.center("light-0-x"));
     window.drag(arm, vec2(50.0, 25.0));
@@ -249,7 +149,7 @@ fn a_sun_turns_and_a_spot_opens() {
     assert!(y > -0.2, "it shines from farther below: {y}");
 
     let spot = window.center("light-2-handle");
-    window.click(spot);
+    window.click_at(spot);
     let before = window.lab().document().scene.lights[2].clone();
     let (end, rim) = (window.center("light-2-axis"), window.center("light-2-angle"));
     window.drag(rim, 0.3 * (rim - end));
@@ -274,7 +174,7 @@ fn a_click_pins_the_probe_and_both_renderers_agree_there() {
     }
     window.steps(3);
     let at = window.center("pane-0") + vec2(31.0, -42.0);
-    window.click(at);
+    window.click_at(at);
     assert_eq!(window.lab().session().tab, Tab::Probe);
     let reading = loop {
         window.steps(1);
@@ -311,7 +211,7 @@ fn a_click_pins_the_probe_and_both_renderers_agree_there() {
 fn the_axes_the_views_and_the_second_camera() {
     let mut window = Window::open("views");
     let end = window.center("look-along-x");
-    window.click(end);
+    window.click_at(end);
     let [x, y, z] = window.lab().document().scene.camera.position.unwrap_or_default();
     assert!((x - 6.0).abs() < 1e-6 && y.abs() < 1e-6 && z.abs() < 1e-6, "from the end of x: {x}, {y}, {z}");
     // Letters go to the picture while the pointer is over it and nothing is typed into.
@@ -331,7 +231,7 @@ fn the_axes_the_views_and_the_second_camera() {
     window.drag(inset, vec2(40.0, 10.0));
     assert_eq!(window.lab().document().scene.camera, camera, "turning the second eye moves the first");
     let close = window.center("outside-close");
-    window.click(close);
+    window.click_at(close);
     assert!(exported::widgets(&window.harness.ctx).iter().all(|widget| widget.id != "outside-view"));
 }
 

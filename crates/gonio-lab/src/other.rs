@@ -61,18 +61,15 @@ pub fn buffers(exercise: &Exercise, files: Vec<SourceFile>) -> Verdict {
     verdict.mistakes = found
         .mistakes
         .iter()
-        .map(|mistake| FoundMistake {
-            id: mistake.id.to_owned(),
-            name: mistake.name.to_owned(),
-            share_explained: mistake.share_explained,
-            file: mistake.example.as_ref().and(Some(model.clone())),
-            line: mistake.example.as_ref().and_then(|example| u32::try_from(example.line?).ok()),
-            quoted: mistake.example.as_ref().map(|example| example.line_text.clone()),
-            looks_like: mistake.explanation.to_owned(),
-            mend: mistake.how_to_mend.to_owned(),
-            seed: exercise.seed.clone(),
-            or: or.clone(),
-            lab_does_it: false,
+        .map(|mistake| {
+            let known = FoundMistake::new(mistake.id, mistake.name, mistake.share_explained);
+            let known = known.taught(mistake.explanation, mistake.how_to_mend, &exercise.seed);
+            let line = |example: &buffers::Example| u32::try_from(example.line?).ok();
+            let placed = match &mistake.example {
+                Some(example) => known.at(model, line(example), &example.line_text),
+                None => known,
+            };
+            FoundMistake { or: or.clone(), ..placed }
         })
         .collect();
     verdict.warnings = found.warnings.iter().chain(&buffer.warnings).cloned().collect();
@@ -105,18 +102,10 @@ pub fn host_program(
     verdict.mistakes = found
         .mistakes
         .into_iter()
-        .map(|mistake| FoundMistake {
-            id: mistake.id,
-            name: mistake.name,
-            share_explained: 1.0,
-            file: Some(answer.name.clone()),
-            line: Some(mistake.line),
-            quoted: Some(mistake.quoted),
-            looks_like: mistake.looks_like,
-            mend: mistake.mend,
-            seed: exercise.seed.clone(),
-            or: Vec::new(),
-            lab_does_it: false,
+        .map(|mistake| {
+            FoundMistake::new(mistake.id, mistake.name, 1.0)
+                .taught(mistake.looks_like, mistake.mend, &exercise.seed)
+                .at(&answer.name, Some(mistake.line), mistake.quoted)
         })
         .collect();
     verdict.messages = found

@@ -287,11 +287,10 @@ fn by_the_source(verdict: &mut Verdict, source: &Source, model: Model) {
     let missing = "diffuse-missing";
     if let Some(found) = verdict.mistakes.iter_mut().find(|found| found.id == flat)
         && source.looks_like(missing, model) > source.looks_like(flat, model)
-        && let Some(other) = in_source(missing, String::new(), model)
+        && let Some(other) = bank::of(model).find(|mistake| mistake.id == missing)
     {
-        let share_explained = found.share_explained;
-        let mend = bank::find(missing).map_or(String::new(), |known| known.mend.clone());
-        *found = FoundMistake { share_explained, mend, or: vec![flat.to_owned()], ..other };
+        let other = FoundMistake::of_bank(other, found.share_explained);
+        *found = FoundMistake { or: vec![flat.to_owned()], ..other };
         verdict.summary = found.name.clone();
     }
     // The product of diffuse and specular light is specular light weighted by the cosine.
@@ -300,10 +299,9 @@ fn by_the_source(verdict: &mut Verdict, source: &Source, model: Model) {
     if verdict.verdict == Outcome::Correct
         && weighted
         && source.looks_like(product, model) > SURE
-        && let Some(mut found) = in_source(product, String::new(), model)
+        && let Some(mistake) = bank::of(model).find(|mistake| mistake.id == product)
     {
-        found.mend = bank::find(product).map_or(String::new(), |known| known.mend.clone());
-        found.share_explained = 1.0;
+        let found = FoundMistake::of_bank(mistake, 1.0);
         verdict.verdict = Outcome::Wrong;
         verdict.score = 0.5;
         verdict.summary = found.name.clone();
@@ -320,22 +318,10 @@ fn in_vain(fragment: &ReadStage<'_>) -> [bool; 3] {
     ["amb", "diff", "spec"].map(unused)
 }
 
-/// A mistake that only the source shows.
-pub(crate) fn in_source(id: &str, sentence: String, model: Model) -> Option<FoundMistake> {
+/// A mistake that only the source shows; `sentence` says how to mend it there.
+fn in_source(id: &str, sentence: String, model: Model) -> Option<FoundMistake> {
     let mistake = bank::of(model).find(|mistake| mistake.id == id)?;
-    Some(FoundMistake {
-        id: mistake.id.clone(),
-        name: mistake.name.clone(),
-        share_explained: 0.0,
-        file: None,
-        line: None,
-        quoted: None,
-        looks_like: mistake.looks_like.clone(),
-        mend: sentence,
-        seed: mistake.seed.clone(),
-        or: Vec::new(),
-        lab_does_it: false,
-    })
+    Some(FoundMistake { mend: sentence, ..FoundMistake::of_bank(mistake, 0.0) })
 }
 
 /// What the lab's own solutions do passes, and is said all the same.

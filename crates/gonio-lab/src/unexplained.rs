@@ -4,7 +4,7 @@ use crate::bank;
 use crate::check::{Evidence, PIXEL_TOLERANCE, Task, named};
 use crate::locate::Source;
 use crate::stage::Sheet;
-use crate::student::{SURE, in_source};
+use crate::student::SURE;
 use crate::verdict::{FoundMistake, Outcome, Verdict};
 
 /// More names at once than a student can use.
@@ -116,7 +116,7 @@ pub fn mend(verdict: &mut Verdict, evidence: Option<&Evidence>, source: &Source,
     let is_shown = |id: &str| BEYOND_DOUBT.contains(&id) && source.looks_like(id, model) >= SURE;
     let shown: Vec<_> = bank::of(model)
         .filter(|mistake| is_shown(&mistake.id) && source.line(&mistake.id, model).is_some())
-        .filter_map(|mistake| in_source(&mistake.id, mistake.mend.clone(), model))
+        .map(|mistake| FoundMistake::of_bank(mistake, 0.0))
         .chain(without_model(source, task))
         .take(MOST_NAMES)
         .collect();

@@ -1,5 +1,6 @@
 //! What a check says, for people and for machines.
 
+use crate::bank::Mistake;
 use serde::{Deserialize, Deserializer, Serialize};
 use std::borrow::Cow;
 
@@ -48,6 +49,42 @@ pub struct FoundMistake {
     /// The lab's own solutions do the same.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub lab_does_it: bool,
+}
+
+impl FoundMistake {
+    /// A mistake of which no more is known yet than its word, its name and its share, 0 to 1.
+    pub fn new(id: impl Into<String>, name: impl Into<String>, share_explained: f64) -> Self {
+        FoundMistake {
+            id: id.into(),
+            name: name.into(),
+            share_explained,
+            file: None,
+            line: None,
+            quoted: None,
+            looks_like: String::new(),
+            mend: String::new(),
+            seed: String::new(),
+            or: Vec::new(),
+            lab_does_it: false,
+        }
+    }
+
+    /// One of the bank's, as the bank teaches it. What looks the same, and whether the lab does it too, is for who
+    /// compared pictures to say.
+    pub fn of_bank(mistake: &Mistake, share_explained: f64) -> Self {
+        let Mistake { id, name, looks_like, mend, seed, .. } = mistake;
+        FoundMistake::new(id, name, share_explained).taught(looks_like, mend, seed)
+    }
+
+    /// With what it looks like, how to mend it, and the section of the lecture that teaches it.
+    pub fn taught(self, looks_like: impl Into<String>, mend: impl Into<String>, seed: impl Into<String>) -> Self {
+        FoundMistake { looks_like: looks_like.into(), mend: mend.into(), seed: seed.into(), ..self }
+    }
+
+    /// With the file that it stands in, its line from 1 and the line itself.
+    pub fn at(self, file: impl Into<String>, line: Option<u32>, quoted: impl Into<String>) -> Self {
+        FoundMistake { file: Some(file.into()), line, quoted: Some(quoted.into()), ..self }
+    }
 }
 
 /// How a term of the equation fares, where it could be looked at alone.
@@ -225,6 +262,12 @@ impl Verdict {
             format!("it did not finish within {seconds} seconds; is there a loop in a shader that never ends?");
         Verdict::new(exercise, Outcome::Unsure, summary)
     }
+
+    /// Of a check that was ended because of the memory it took.
+    pub fn too_large(exercise: &str) -> Self {
+        let summary = "checking it took more than a gigabyte of memory, and was stopped; is there a giant array?";
+        Verdict::new(exercise, Outcome::Unsure, summary)
+    }
 }
 
 /// A number as JSON has it, which knows no infinite ones: it writes `null` for them, and for what is no number.
@@ -243,19 +286,9 @@ mod tests {
     #[test]
     fn a_verdict_is_read_as_it_was_written() {
         let mut verdict = Verdict::new("ex04", Outcome::Wrong, "The normal is not transformed");
-        verdict.mistakes = vec![FoundMistake {
-            id: "normal-raw".into(),
-            name: "The normal is not transformed".into(),
-            share_explained: 0.997,
-            file: Some("a.vert".into()),
-            line: Some(3),
-            quoted: None,
-            looks_like: "the light turns with the model".into(),
-            mend: "multiply".into(),
-            seed: "3.1".into(),
-            or: Vec::new(),
-            lab_does_it: false,
-        }];
+        let found = FoundMistake::new("normal-raw", "The normal is not transformed", 0.997);
+        let found = found.taught("the light turns with the model", "multiply", "3.1");
+        verdict.mistakes = vec![found.clone().at("a.vert", Some(3), "v = normal;"), found];
         verdict.terms = vec![TermVerdict { term: "diffuse".into(), state: TermState::NotSeparable }];
         let scene = |worst| SceneVerdict {
             scene: "lab".into(),

@@ -7,6 +7,9 @@ use std::collections::BTreeMap;
 pub const FACES: [(&str, &str); 6] =
     [("posx", "+X"), ("negx", "-X"), ("posy", "+Y"), ("negy", "-Y"), ("posz", "+Z"), ("negz", "-Z")];
 
+/// The section of the lecture that teaches which face shows what.
+pub const SEED: &str = "Equirectangular to cubemap";
+
 /// What can be done to a square picture but leaving it as it is: the word, what is said of it, and where (s, t) of the
 /// picture that is there lie in the one that should be, as GLSL.
 pub const TURNS: [(&str, &str, [&str; 2]); 7] = [
@@ -42,7 +45,7 @@ fn mistake(id: String, name: String, looks_like: &str, mend: &str, change: BTree
         lab_does_it: false,
         looks_like: looks_like.to_owned(),
         mend: mend.to_owned(),
-        seed: "Equirectangular to cubemap".to_owned(),
+        seed: SEED.to_owned(),
         whole: false,
         looks_the_same_as: Vec::new(),
         change: vec![change],

@@ -40,27 +40,12 @@ pub fn fixed(bindings: &Bindings) -> Vec<(String, Vec<f32>)> {
 
 /// A mistake of the bank, or one that is no change of a line, by its word.
 pub fn mistake(id: &str, share: f64) -> Option<FoundMistake> {
-    let (name, looks_like, mend, seed, lab_does_it) = match crate::bank::find(id) {
-        Some(m) => (m.name.clone(), m.looks_like.clone(), m.mend.clone(), m.seed.clone(), m.lab_does_it),
-        None => {
-            let (_, name, looks_like, mend) = STRUCTURAL.iter().find(|(known, ..)| *known == id)?;
-            let seed = "Where is the rendering equation computed?";
-            ((*name).to_owned(), (*looks_like).to_owned(), (*mend).to_owned(), seed.to_owned(), false)
-        }
-    };
-    Some(FoundMistake {
-        id: id.to_owned(),
-        name,
-        share_explained: share,
-        file: None,
-        line: None,
-        quoted: None,
-        looks_like,
-        mend,
-        seed,
-        or: Vec::new(),
-        lab_does_it,
-    })
+    if let Some(known) = crate::bank::find(id) {
+        return Some(FoundMistake { lab_does_it: known.lab_does_it, ..FoundMistake::of_bank(known, share) });
+    }
+    let (_, name, looks_like, mend) = STRUCTURAL.iter().find(|(known, ..)| *known == id)?;
+    let seed = "Where is the rendering equation computed?";
+    Some(FoundMistake::new(id, *name, share).taught(*looks_like, *mend, seed))
 }
 
 /// Mistakes that are another model, and not a change of a line.

@@ -2,7 +2,10 @@
 
 use super::explain::Explanation;
 use super::tiles::Tiles;
-use crate::bank::{self, faces::FACES};
+use crate::bank::{
+    self,
+    faces::{FACES, SEED},
+};
 use crate::check::Evidence;
 use crate::verdict::{FoundMistake, Outcome, SceneVerdict, Verdict};
 
@@ -10,34 +13,18 @@ use crate::verdict::{FoundMistake, Outcome, SceneVerdict, Verdict};
 const BLURRED: f64 = 0.45;
 
 fn found(id: &str, share: f64) -> FoundMistake {
-    let blank = |name: String, mend: &str| FoundMistake {
-        id: id.to_owned(),
-        name,
-        share_explained: share,
-        file: None,
-        line: None,
-        quoted: None,
-        looks_like: String::new(),
-        mend: mend.to_owned(),
-        seed: "Equirectangular to cubemap".to_owned(),
-        or: Vec::new(),
-        lab_does_it: false,
-    };
     match bank::find(id) {
-        Some(mistake) => FoundMistake {
-            looks_like: mistake.looks_like.clone(),
-            or: mistake.looks_the_same_as.clone(),
-            ..blank(mistake.name.clone(), &mistake.mend)
-        },
+        Some(mistake) => {
+            FoundMistake { or: mistake.looks_the_same_as.clone(), ..FoundMistake::of_bank(mistake, share) }
+        }
         None => {
             // `face-posx-shows-negx`
             let name = |word: &str| FACES.iter().find(|(known, _)| *known == word).map_or("?", |(_, name)| name);
             let mut words = id.split('-').skip(1);
             let (face, shown) = (words.next().unwrap_or_default(), words.nth(1).unwrap_or_default());
-            blank(
-                format!("Face {} shows what belongs on {}", name(face), name(shown)),
-                "The order of OpenGL's faces is +X, -X, +Y, -Y, +Z, -Z.",
-            )
+            let sentence = format!("Face {} shows what belongs on {}", name(face), name(shown));
+            let mend = "The order of OpenGL's faces is +X, -X, +Y, -Y, +Z, -Z.";
+            FoundMistake::new(id, sentence, share).taught("", mend, SEED)
         }
     }
 }

@@ -18,18 +18,11 @@ const EVIL: &str = "</script><script>alert('1')</script>\"'&amp;<!--]]>\0\u{1b}[
 fn evil(outcome: Outcome) -> Verdict {
     let evil = || EVIL.to_owned();
     let mut verdict = Verdict::new("ex04", outcome, EVIL);
+    let found = FoundMistake::new("normal-by-model-matrix", EVIL, 0.9971).taught(EVIL, EVIL, EVIL);
     verdict.mistakes = vec![FoundMistake {
-        id: "normal-by-model-matrix".to_owned(),
-        name: evil(),
-        share_explained: 0.9971,
-        file: Some(evil()),
-        line: Some(14),
-        quoted: Some(evil()),
-        looks_like: evil(),
-        mend: evil(),
-        seed: evil(),
         or: vec![evil(), "diffuse-absolute".to_owned()],
         lab_does_it: true,
+        ..found.at(EVIL, Some(14), EVIL)
     }];
     verdict.runner_up = Some(RunnerUp { ids: vec![evil()], share_explained: 0.5 });
     verdict.peculiarities = vec![Peculiarity { id: evil(), name: evil() }];

@@ -8,6 +8,7 @@
 
 mod by_use;
 mod camera;
+mod choice;
 mod eval;
 mod fold;
 mod graph;

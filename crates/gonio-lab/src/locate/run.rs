@@ -25,15 +25,18 @@ const MOST_CALLS: usize = 12;
 /// Rounds of a loop whose count is known; of others one is run.
 const MOST_ROUNDS: usize = 8;
 
-type Scope = HashMap<String, Id>;
+/// In the order of their names: what comes first of several that could be named is the same in every run.
+type Scope = BTreeMap<String, Id>;
 
 /// What inputs mean, by their names.
 pub(super) type Roles = HashMap<String, Role>;
 
 /// What a statement leaves to be done.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Flow {
+pub(super) enum Flow {
     Next,
+    /// No statement after it in the loop or the `switch` is run.
+    Broke,
     /// No statement after it in the function, or in the loop, is run.
     Left,
 }
@@ -48,7 +51,7 @@ pub(super) struct Runner<'a> {
     structs: HashMap<&'a str, &'a [(String, Option<Type>)]>,
     /// Returned values of the function that runs, each with its condition.
     returned: Vec<(Option<Id>, Id)>,
-    conditions: Vec<Id>,
+    pub(super) conditions: Vec<Id>,
     /// Where `main` ends early: the condition and what the globals are there.
     exits: Vec<(Id, Scope)>,
     steps: usize,
@@ -282,23 +285,24 @@ impl<'a> Runner<'a> {
         self.deep -= 1;
     }
 
-    fn statements(&mut self, list: &'a [Statement]) -> Flow {
+    pub(super) fn statements(&mut self, list: &'a [Statement]) -> Flow {
         for statement in list {
-            if self.statement(statement) == Flow::Left {
-                return Flow::Left;
+            let flow = self.statement(statement);
+            if flow != Flow::Next {
+                return flow;
             }
         }
         Flow::Next
     }
 
-    fn in_scope(&mut self, run: impl FnOnce(&mut Self) -> Flow) -> Flow {
+    pub(super) fn in_scope(&mut self, run: impl FnOnce(&mut Self) -> Flow) -> Flow {
         self.scopes.push(Scope::new());
         let flow = run(self);
         self.scopes.pop();
         flow
     }
 
-    fn statement(&mut self, statement: &'a Statement) -> Flow {
+    pub(super) fn statement(&mut self, statement: &'a Statement) -> Flow {
         let flow = if self.enter() { self.statement_within(statement) } else { Flow::Left };
         self.leave();
         flow
@@ -324,16 +328,7 @@ impl<'a> Runner<'a> {
             }
             StatementKind::While { condition, body } => return self.rounds(Some(condition), body, None, false),
             StatementKind::DoWhile { body, .. } => return self.rounds(None, body, None, true),
-            StatementKind::Switch { value, body } => {
-                self.expression(value);
-                // Which of them is not known: all, as if none ended.
-                self.in_scope(|runner| {
-                    for statement in body {
-                        runner.statement(statement);
-                    }
-                    Flow::Next
-                });
-            }
+            StatementKind::Switch { value, body } => return self.switch(value, body),
             StatementKind::Return(value) => {
                 if let Some(value) = value {
                     let value = self.expression(value);
@@ -343,7 +338,8 @@ impl<'a> Runner<'a> {
                 }
                 return Flow::Left;
             }
-            StatementKind::Break | StatementKind::Continue | StatementKind::Discard => return Flow::Left,
+            StatementKind::Break => return Flow::Broke,
+            StatementKind::Continue | StatementKind::Discard => return Flow::Left,
             StatementKind::Case(_) | StatementKind::Precision(_) | StatementKind::Empty => {}
         }
         Flow::Next
@@ -367,41 +363,6 @@ impl<'a> Runner<'a> {
         if let Some(scope) = self.scopes.last_mut() {
             scope.insert(name.to_owned(), id);
         }
-    }
-
-    fn branch(&mut self, condition: &'a Expr, then: &'a Statement, otherwise: Option<&'a Statement>) -> Flow {
-        let test = self.expression(condition);
-        let empty: &[Statement] = &[];
-        let run = |runner: &mut Self, statement: Option<&'a Statement>| {
-            runner.in_scope(|runner| match statement {
-                Some(statement) => runner.statement(statement),
-                None => runner.statements(empty),
-            })
-        };
-        if let Some(known) = self.graph.scalar(test) {
-            return run(self, if known != 0.0 { Some(then) } else { otherwise });
-        }
-        let before = self.scopes.clone();
-        self.conditions.push(test);
-        let first = run(self, Some(then));
-        let after = std::mem::replace(&mut self.scopes, before);
-        let second = run(self, otherwise);
-        self.conditions.pop();
-        for (index, scope) in after.into_iter().enumerate() {
-            for (name, a) in scope {
-                let Some(b) = self.scopes.get(index).and_then(|scope| scope.get(&name)).copied() else { continue };
-                // A branch that left does not go on with its locals, but outputs stay as they are.
-                let merged = match (first, second) {
-                    (Flow::Left, Flow::Next) if index > 0 => b,
-                    (Flow::Next, Flow::Left) if index > 0 => a,
-                    _ if a == b || a == Graph::UNKNOWN => b,
-                    _ if b == Graph::UNKNOWN => a,
-                    _ => self.graph.push_like(Op::Select(test, a, b), a, self.stage, condition.span),
-                };
-                self.scopes[index].insert(name, merged);
-            }
-        }
-        if first == Flow::Left && second == Flow::Left { Flow::Left } else { Flow::Next }
     }
 
     fn rounds(
@@ -432,7 +393,7 @@ impl<'a> Runner<'a> {
             if let Some(step) = step {
                 self.expression(step);
             }
-            if known.is_none() || once || flow == Flow::Left {
+            if known.is_none() || once || flow != Flow::Next {
                 break;
             }
         }

@@ -238,6 +238,76 @@ fn a_maximum_around_the_power_is_told() {
     }
 }
 
+/// The line of what a `face` is given, in a function of `face` and `st` whose lines begin with the second; 0 where none is found.
+fn line_of_face(head: &str, lines: &[&str], id: &str) -> u32 {
+    let text = format!(
+        "#version 330 core\nin vec2 st; uniform int face; uniform sampler2D panorama; out vec4 FragColor; {head} vec3 ray() {{\n{}\n}}\n\
+         void main() {{ vec3 d = normalize(ray());\n\
+         FragColor = texture(panorama, vec2(atan(d.x, -d.z) / 6.2831853 + 0.5, acos(d.y) / 3.14159265)); }}",
+        lines.join("\n")
+    );
+    let vertex = "#version 330 core\nin vec3 position; out vec2 st;\n\
+                  void main() { st = position.xy; gl_Position = vec4(position, 1.0); }";
+    read(vertex, &text).line(id, Model::Panorama).map_or(0, |place| place.span.line)
+}
+
+#[test]
+fn the_case_of_a_face_is_found_however_it_is_chosen() {
+    const ID: [&str; 3] = ["face-posx-mirrored", "face-posy-flipped", "face-negz-transposed"];
+    let found = |head: &str, lines: &[&str]| ID.map(|id| line_of_face(head, lines, id));
+    let (x, y, z) = ("vec3(1.0, -st.y, -st.x)", "vec3(st.x, 1.0, st.y)", "vec3(-st.x, -st.y, -1.0)");
+    let other = "vec3(st.x, -1.0, -st.y)";
+    let chain = [
+        &format!("if (face == 0) return {x};"),
+        &format!("else if (2 == face) return {y};"),
+        &format!("else if (face == 1 || face == 3 || face == 4) return {other};"),
+        &format!("return {z};"),
+    ];
+    assert_eq!(found("", &chain.map(String::as_str)), [3, 4, 6], "if, with what is left over");
+    let returned = [
+        "switch (face) {",
+        &format!("case 0: return {x};"),
+        &format!("case 2: return {y};"),
+        &format!("case 1: case 3: case 4: return {other};"),
+        &format!("default: return {z}; }}"),
+    ];
+    assert_eq!(found("", &returned), [4, 5, 7], "returned");
+    let written = [
+        "vec3 d; switch (int(face)) {",
+        &format!("default: d = {z}; break;"),
+        &format!("case UP: {{ float t = st.y; d = {y}; break; }}"),
+        &format!("case A: case B: case C: d = {other}; break;"),
+        &format!("case RIGHT: d = {x}; }}"),
+        "return d;",
+    ];
+    let head = "const int RIGHT = 0; const int A = 1, UP = A + 1, B = 3, C = 4;";
+    assert_eq!(found(head, &written), [7, 5, 4], "written, by constants, `default` first");
+    let fallen = [
+        "vec3 d; float side = 1.0; switch (face) {",
+        "case 5: side = -1.0;",
+        "case 4: d = vec3(side * st.x, -st.y, side); break;",
+        "case 3: side = -1.0;",
+        "case 2: d = vec3(st.x, side, side * st.y); break;",
+        "case 1: side = -1.0;",
+        "case 0: d = vec3(side, -st.y, -side * st.x); }",
+        "return d;",
+    ];
+    assert_eq!(found("", &fallen), [9, 7, 5], "fallen through");
+    let apart = [
+        "float x = 0.0, y = -st.y, z = 0.0; switch (face) { case 0:",
+        "x = 1.0;",
+        "z = -st.x; break; case 2:",
+        "x = st.x;",
+        "y = 1.0; z = st.y; break; case 5:",
+        "x = -st.x;",
+        "z = -1.0; }",
+        "return vec3(x, y, z);",
+    ];
+    assert_eq!(found("", &apart), [4, 6, 8], "number by number");
+    // A `switch` over something else says nothing of a face.
+    assert_eq!(found("uniform int mode;", &["switch (mode) { case 0: return st.xyx; } return st.yxy;"]), [0, 0, 0]);
+}
+
 #[test]
 fn no_source_makes_it_panic_or_hang() {
     let deep = |open: &str, close: &str, count: usize| format!("{}x{}", open.repeat(count), close.repeat(count));
@@ -255,6 +325,15 @@ fn no_source_makes_it_panic_or_hang() {
         "c = vec4(); c = vec3(1.0); c = pow(); c = dot(1.0); c = reflect(v); c = max(1.0); c = clamp(1.0, 2.0);".into(),
         "int i = 0; i = i / i; i = 1 % 0; c = vec4(i / 0, 1.0 / 0.0, 0.0 / 0.0, pow(-1.0, 0.5));".into(),
         "switch (1) { case 0: c = v; break; default: c = -v; }".into(),
+        "switch (int(v.x)) { } switch (int(v.x)) { c = v; } switch (int(v.x)) { case 0: } switch (int(v.x)) { case: default: }".into(),
+        format!("switch (int(v.x)) {{ {} }}", (0..3000).map(|i| format!("case {i}: c.x = v.x * {i}.0;")).collect::<String>()),
+        format!("switch (int(v.x)) {{ {} c = v; }}", (0..5000).map(|i| format!("case {i}:")).collect::<String>()),
+        format!("{} c = v; {}", "switch (int(v.x)) { case 1: case 2: c = -v; default: ".repeat(60), "}".repeat(60)),
+        format!(
+            "{} c = v; {}",
+            format!("switch (int(v.x)) {{ {} case 40: ", "case 1: c += v; break;".repeat(31)).repeat(60),
+            "}".repeat(60)
+        ),
         "do { c = v; continue; } while (true);".into(),
         format!("float x = 1.0; c = vec4({});", deep("(", ")", 150)),
         format!("float x = 1.0; c = vec4({});", deep("-", "", 190)),

@@ -1,22 +1,21 @@
 //! A check in a process of its own: `gonio lab check`, which may be ended whatever a shader does.
 
+use super::child::{self, Ended};
 use crate::platform::{CheckRequest, Checking};
 use gonio_lab::verdict::Verdict;
 use std::fs::File;
 use std::io::Error;
 use std::path::{Component, Path, PathBuf};
-use std::process::{Child, Command, ExitStatus, Stdio};
+use std::process::Child;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, channel};
 use std::sync::{Arc, mpsc::TryRecvError};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Seconds after which the process gives up by itself, and says so in a verdict.
 const PATIENCE_S: u64 = 25;
 /// After which it is ended.
 const MOST: Duration = Duration::from_secs(30);
-/// Between two looks at it.
-const PERIOD: Duration = Duration::from_millis(10);
 
 /// A process that checks, and the thread that waits for it.
 pub struct Process {
@@ -34,11 +33,11 @@ pub fn begin(program: &Path, request: &CheckRequest, ctx: &egui::Context) -> Res
     let mut child = start(program, request, &folder).map_err(|why| format!("the check could not be started: {why}"))?;
     let (sender, answers) = channel();
     let given_up = Arc::new(AtomicBool::new(false));
-    let (stop, ctx) = (given_up.clone(), ctx.clone());
+    let (stop, ctx, exercise) = (given_up.clone(), ctx.clone(), request.exercise.clone());
     std::thread::spawn(move || {
-        let ended = wait(&mut child, &stop);
+        let ended = child::wait(&mut child, MOST, || stop.load(Ordering::Relaxed));
         // Nobody may listen any more.
-        let _ = sender.send(answer(ended, &folder));
+        let _ = sender.send(answer(ended, &exercise, &folder));
         ctx.request_repaint();
     });
     Ok(Process { answers, given_up, answered: false })
@@ -66,7 +65,7 @@ impl Drop for Process {
 }
 
 fn start(program: &Path, request: &CheckRequest, folder: &Folder) -> Result<Child, Error> {
-    let mut command = Command::new(program);
+    let mut command = child::command(program)?;
     command.args(["lab", "check", &request.exercise, "--json", "--patience", &PATIENCE_S.to_string()]);
     if request.as_the_lab {
         command.arg("--as-the-lab");
@@ -74,29 +73,17 @@ fn start(program: &Path, request: &CheckRequest, folder: &Folder) -> Result<Chil
     // By their names in their folder: they are called so in what is said.
     command.arg("--").args(request.files.iter().map(|(name, _)| name)).current_dir(folder.files());
     let [said, complained] = [folder.said(), folder.complained()].map(File::create);
-    command.stdin(Stdio::null()).stdout(said?).stderr(complained?).spawn()
+    command.stdout(said?).stderr(complained?).spawn()
 }
 
-/// How it ended; `None` where it had to be ended.
-fn wait(child: &mut Child, stop: &AtomicBool) -> Option<ExitStatus> {
-    let end = Instant::now() + MOST;
-    loop {
-        match child.try_wait() {
-            Ok(Some(status)) => return Some(status),
-            Ok(None) if Instant::now() < end && !stop.load(Ordering::Relaxed) => std::thread::sleep(PERIOD),
-            _ => {
-                // It may have ended between the question and now.
-                let _ = child.kill();
-                let _ = child.wait();
-                return None;
-            }
+fn answer(ended: Result<Ended, Error>, exercise: &str, folder: &Folder) -> Result<Verdict, String> {
+    let ended = match ended.map_err(|why| format!("what became of the check is not known: {why}"))? {
+        Ended::ByItself(status) => status,
+        Ended::TooLong => {
+            return Err(format!("the check did not end within {} seconds and was stopped", MOST.as_secs()));
         }
-    }
-}
-
-fn answer(ended: Option<ExitStatus>, folder: &Folder) -> Result<Verdict, String> {
-    let Some(ended) = ended else {
-        return Err(format!("the check did not end within {} seconds and was stopped", MOST.as_secs()));
+        Ended::TooLarge => return Ok(Verdict::too_large(exercise)),
+        Ended::GivenUp => return Err("the check was given up".into()),
     };
     let read = |path: PathBuf| std::fs::read(path).map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
     match ended.code() {
@@ -163,25 +150,35 @@ impl Drop for Folder {
 mod tests {
     use super::*;
 
-    fn request(name: &str) -> CheckRequest {
-        CheckRequest { exercise: "ex04".into(), files: vec![(name.into(), b"x".to_vec())], as_the_lab: false }
+    fn request(name: &str, bytes: &[u8]) -> CheckRequest {
+        CheckRequest { exercise: "ex04".into(), files: vec![(name.into(), bytes.to_vec())], as_the_lab: false }
     }
 
     /// A program that is there everywhere that these tests run, and is not gonio.
-    fn ask(program: &str, name: &str) -> Result<Verdict, String> {
-        let mut process = begin(Path::new(program), &request(name), &egui::Context::default())?;
+    fn ask(program: &str, name: &str, bytes: &[u8]) -> Result<Verdict, String> {
+        let mut process = begin(Path::new(program), &request(name, bytes), &egui::Context::default())?;
         loop {
             if let Some(answer) = process.poll() {
                 assert_eq!(process.poll(), None, "it answers once");
                 return answer;
             }
-            std::thread::sleep(PERIOD);
+            std::thread::sleep(Duration::from_millis(10));
         }
+    }
+
+    /// The memory is the process's own: the limit that the command line sets holds here too.
+    #[test]
+    #[cfg(target_os = "linux")]
+    fn what_takes_too_much_memory_is_stopped_and_said() {
+        // Asked to `lab check`, a shell runs the file `lab`: it doubles a word until it is stopped.
+        let doubles = b"a=xxxxxxxx; while :; do a=$a$a; done\n";
+        assert_eq!(ask("/bin/sh", "lab", doubles), Ok(Verdict::too_large("ex04")));
     }
 
     #[test]
     fn what_is_no_verdict_is_a_sentence() {
-        let said = |program, name| ask(program, name).map_err(|why| why.split(':').next().unwrap_or("").to_owned());
+        let said =
+            |program, name| ask(program, name, b"x").map_err(|why| why.split(':').next().unwrap_or("").to_owned());
         assert_eq!(said("/nowhere/gonio", "a.vert"), Err("the check could not be started".into()));
         assert_eq!(said("/bin/echo", "a.vert"), Err("the verdict could not be understood".into()));
         for name in ["../a.vert", "/etc/a.vert", ""] {

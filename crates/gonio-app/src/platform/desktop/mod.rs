@@ -1,6 +1,7 @@
 //! The desktop: a window of its own, files on disk.
 
 mod check;
+pub mod child;
 mod dialog;
 mod display;
 mod home;

@@ -164,31 +164,60 @@ fn face(reading: &Reading, id: &str) -> Option<Id> {
     (0..6).filter(|&number| is_named(FACES[number].0)).find_map(|number| case(reading, number))
 }
 
+/// A choice by the face's number.
+struct Chosen {
+    /// What the face is compared with.
+    numbers: Vec<f64>,
+    test: Id,
+    /// The value for these faces, and for the others.
+    then: Id,
+    other: Id,
+}
+
 fn case(reading: &Reading, number: usize) -> Option<Id> {
     let graph = &reading.graph;
-    // What a test tells: the number that the face is compared with.
-    let compared = |test: Id| match graph.op(graph.plain(test)) {
-        Op::Binary(BinaryOp::Equal, a, b) => {
-            let is_face = |id: &Id| reading.role(graph.plain(*id)) == Some(Role::Face);
-            let other = if is_face(a) {
-                b
-            } else if is_face(b) {
-                a
-            } else {
-                return None;
-            };
-            graph.scalar(*other)
+    let mut chosen: Vec<Chosen> = Vec::new();
+    for id in &reading.lit {
+        if let Op::Select(test, then, other) = graph.op(*id) {
+            let numbers = compared(reading, *test);
+            if !numbers.is_empty() {
+                chosen.push(Chosen { numbers, test: *test, then: *then, other: *other });
+            }
         }
-        _ => None,
+    }
+    // Where a case writes several variables, the direction, or else what it writes first; not what it leaves as it was.
+    let of = |number: usize| {
+        let fitting = chosen.iter().filter(|chosen| chosen.numbers.contains(&(number as f64)));
+        fitting.min_by_key(|chosen| {
+            let then = graph.node(chosen.then);
+            (then.span.start < graph.node(chosen.test).span.start, then.width != 3, then.span.start)
+        })
     };
-    let chosen = reading.lit.iter().filter_map(|id| match graph.op(*id) {
-        Op::Select(test, then, other) => Some((compared(*test)?, *then, *other)),
-        _ => None,
-    });
-    let chosen: Vec<(f64, Id, Id)> = chosen.collect();
-    let of = |number: usize| chosen.iter().find(|(known, ..)| *known == number as f64);
     let is_choice = |id: Id| matches!(graph.op(graph.plain(id)), Op::Select(..));
     // What is left over of two, or of all, is the other side of the one before.
-    let left_over = || of(number.checked_sub(1)?).map(|(.., other)| *other).filter(|other| !is_choice(*other));
-    of(number).map(|(_, then, _)| *then).or_else(left_over)
+    let left_over = || of(number.checked_sub(1)?).map(|chosen| chosen.other).filter(|other| !is_choice(*other));
+    // In another order of cases, what all the others leave: `default`.
+    let last = || {
+        let is_only_one = (0..6).all(|other| of(other).is_some() != (other == number));
+        chosen.iter().map(|chosen| chosen.other).find(|other| is_only_one && !is_choice(*other))
+    };
+    of(number).map(|chosen| chosen.then).or_else(left_over).or_else(last)
+}
+
+/// The numbers that a test compares the face with: `face == 2`, `face == 2 || face == 3`.
+fn compared(reading: &Reading, test: Id) -> Vec<f64> {
+    let graph = &reading.graph;
+    // `int(face)` is the face as well.
+    let is_face = |id: Id| reading.role(graph.core(id)) == Some(Role::Face);
+    let mut numbers = Vec::new();
+    let mut open = vec![test];
+    while let Some(test) = open.pop() {
+        match graph.op(graph.plain(test)) {
+            Op::Binary(BinaryOp::Or, a, b) => open.extend([*a, *b]),
+            Op::Binary(BinaryOp::Equal, a, b) if is_face(*a) => numbers.extend(graph.scalar(*b)),
+            Op::Binary(BinaryOp::Equal, a, b) if is_face(*b) => numbers.extend(graph.scalar(*a)),
+            _ => {}
+        }
+    }
+    numbers
 }

@@ -1,10 +1,10 @@
 //! Many submissions at once: each in a process of its own, so that none can harm the others.
 
 use super::check::CheckArgs;
-use super::child::{self, Ended};
 use super::{files, text};
 use crate::output::atomic;
 use crate::report::{CliError, Outcome, Reporter};
+use gonio_app::platform::desktop::child::{self, Ended};
 use gonio_lab::exercise::Exercise;
 use gonio_lab::formats::{self, Fingerprint, Row, page_name};
 use gonio_lab::submission::Submission;
@@ -123,17 +123,13 @@ fn one(
         Some(row) => row,
         None => {
             let verdict = match ended {
-                Ended::ByItself => Verdict::new(
+                Ended::ByItself(_) | Ended::GivenUp => Verdict::new(
                     &exercise.id,
                     Word::Unsure,
                     "checking it ended the program that checks: a driver's fault, or too much memory",
                 ),
                 Ended::TooLong => Verdict::endless(&exercise.id, args.patience),
-                Ended::TooLarge => Verdict::new(
-                    &exercise.id,
-                    Word::Unsure,
-                    "checking it took more than a gigabyte of memory, and was stopped; is there a giant array?",
-                ),
+                Ended::TooLarge => Verdict::too_large(&exercise.id),
             };
             atomic::write(&page, formats::page(&label, &verdict, None).as_bytes())?;
             Row::of(&label, &verdict, start.elapsed().as_secs_f64())
@@ -155,14 +151,17 @@ fn checked(
     row: &Path,
     program: &Path,
 ) -> Result<Ended, CliError> {
-    let mut command = child::command(program);
+    let not_started = |error| CliError::io("gonio could not start itself for a check", &error);
+    let mut command = child::command(program).map_err(not_started)?;
     command.args(["lab", "check", &exercise.id]).arg(submission).arg("--page").arg(page).arg("--row").arg(row);
     command.args(["--label", label, "--quiet", "--patience", &args.patience.to_string()]);
     if args.as_the_lab {
         command.arg("--as-the-lab");
     }
     // The child gives up by itself; this is for one that cannot.
-    child::run(command.stdout(Stdio::null()), Duration::from_secs(args.patience + 10))
+    let mut child = command.stdout(Stdio::null()).spawn().map_err(not_started)?;
+    child::wait(&mut child, Duration::from_secs(args.patience + 10), || false)
+        .map_err(|error| CliError::io("gonio lost sight of a check", &error))
 }
 
 /// The same for the same pieces, on every machine and with every compiler: what was found stays known (FNV-1a, 64 bits).

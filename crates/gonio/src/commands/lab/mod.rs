@@ -2,7 +2,6 @@
 
 mod batch;
 mod check;
-mod child;
 mod draw;
 mod exercises;
 mod files;

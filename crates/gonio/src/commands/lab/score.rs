@@ -1,9 +1,10 @@
 //! `gonio lab score`: the checker measured.
 
-use super::{child, exercise, files};
+use super::{exercise, files};
 use crate::cli::WordOptions;
 use crate::report::{CliError, Outcome, Reporter};
 use clap::Args;
+use gonio_app::platform::desktop::child;
 use gonio_gl::HeadlessContext;
 use gonio_lab::CheckOptions;
 use gonio_lab::check::{Checker, TASKS};
@@ -122,15 +123,13 @@ fn measure_apart(args: &ScoreArgs, exercises: &[&Exercise], reporter: &Reporter)
 }
 
 fn measure_in_child(args: &ScoreArgs, exercise: &Exercise, program: &Path) -> Result<Row, CliError> {
-    let mut command = child::command(program);
+    let not_started = |error| CliError::io("gonio could not start itself to measure", &error);
+    let mut command = child::command(program).map_err(not_started)?;
     command.args(["lab", "score", &exercise.id, "--json", "--pairs", &args.pairs.to_string()]);
     if let Some(corpus) = &args.corpus {
         command.arg("--corpus").arg(corpus);
     }
-    let output = command
-        .stderr(Stdio::piped())
-        .output()
-        .map_err(|error| CliError::io("gonio could not start itself to measure", &error))?;
+    let output = command.stderr(Stdio::piped()).output().map_err(not_started)?;
     let rows = serde_json::from_slice::<Vec<Row>>(&output.stdout).unwrap_or_default();
     rows.into_iter().next().ok_or_else(|| {
         let said = String::from_utf8_lossy(&output.stderr);

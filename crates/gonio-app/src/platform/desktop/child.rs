@@ -1,0 +1,126 @@
+//! gonio's own program in a process of its own, with limits on time and memory: what the window and the command line both
+//! check submissions in, whatever a shader does.
+
+use std::io::Error;
+use std::path::Path;
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::time::{Duration, Instant};
+
+/// Address space of a child, in kilobytes: a software driver reserves two gigabytes of it without using them.
+const MOST_ADDRESSES_KB: u64 = 6 * 1024 * 1024;
+/// What a child may really use. A check uses 0.2 gigabytes; the largest a submission has any reason for is a few more images.
+const MOST_RESIDENT_KB: u64 = 1024 * 1024;
+/// How often a child is looked at.
+const LOOK: Duration = Duration::from_millis(5);
+/// How often its memory is.
+const LOOK_AT_MEMORY: Duration = Duration::from_millis(50);
+
+/// How a child ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ended {
+    /// By itself, well or not.
+    ByItself(ExitStatus),
+    /// It was stopped after the time it had.
+    TooLong,
+    /// It was stopped because of the memory it took.
+    TooLarge,
+    /// It was stopped because nobody wants its answer any more.
+    GivenUp,
+}
+
+/// Our own program, with one core and a limit on its memory where the system has a shell to set one. Nothing is read, and
+/// what it complains of goes nowhere. An error where there is no such program: a shell would start all the same.
+pub fn command(program: &Path) -> Result<Command, Error> {
+    std::fs::metadata(program)?;
+    let mut command = if cfg!(unix) {
+        let mut command = Command::new("sh");
+        let script = format!("ulimit -v {MOST_ADDRESSES_KB} 2>/dev/null; exec \"$0\" \"$@\"");
+        command.args(["-c", &script]).arg(program);
+        command
+    } else {
+        Command::new(program)
+    };
+    // A core each: drivers on the CPU otherwise start as many threads as there are cores in every child.
+    command.env("LP_NUM_THREADS", "1").stdin(Stdio::null()).stderr(Stdio::null());
+    Ok(command)
+}
+
+/// Waits for its end, or for the end of what it may take: this time, a gigabyte, and nobody's having `given_up` on it. An
+/// error is the system's, which does not say what became of the child; it is ended then too.
+pub fn wait(child: &mut Child, patience: Duration, given_up: impl Fn() -> bool) -> Result<Ended, Error> {
+    let end = Instant::now() + patience;
+    let mut next_look = Instant::now() + LOOK_AT_MEMORY;
+    loop {
+        match child.try_wait() {
+            Ok(Some(status)) => return Ok(Ended::ByItself(status)),
+            Ok(None) => {}
+            Err(why) => {
+                stop(child);
+                return Err(why);
+            }
+        }
+        let now = Instant::now();
+        let looks_at_memory = now >= next_look;
+        if looks_at_memory {
+            next_look = now + LOOK_AT_MEMORY;
+        }
+        let ended = if now >= end {
+            Ended::TooLong
+        } else if given_up() {
+            Ended::GivenUp
+        } else if looks_at_memory && resident_kb(child.id()).is_some_and(|kb| kb > MOST_RESIDENT_KB) {
+            Ended::TooLarge
+        } else {
+            std::thread::sleep(LOOK);
+            continue;
+        };
+        stop(child);
+        return Ok(ended);
+    }
+}
+
+/// It may have ended between the question and now: that is as good.
+fn stop(child: &mut Child) {
+    let _ = child.kill();
+    let _ = child.wait();
+}
+
+/// What a process really uses; `None` where the system does not tell it in a file.
+fn resident_kb(process: u32) -> Option<u64> {
+    let status = std::fs::read_to_string(format!("/proc/{process}/status")).ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
+    line.trim().trim_end_matches("kB").trim().parse().ok()
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    /// How a program of the system's ended.
+    fn run(program: &str, words: &[&str], patience: Duration, given_up: bool) -> Ended {
+        let mut child = command(Path::new(program)).and_then(|mut command| command.args(words).spawn()).unwrap();
+        wait(&mut child, patience, || given_up).unwrap()
+    }
+
+    #[test]
+    #[cfg(target_os = "linux")]
+    fn what_takes_too_much_memory_or_time_is_stopped() {
+        const MINUTE: Duration = Duration::from_secs(60);
+        // A shell that doubles a word until it is stopped.
+        let doubles = "a=xxxxxxxx; while :; do a=$a$a; done";
+        assert_eq!(run("/bin/sh", &["-c", doubles], MINUTE, false), Ended::TooLarge);
+        assert_eq!(run("/bin/sleep", &["60"], Duration::from_millis(50), false), Ended::TooLong);
+        assert_eq!(run("/bin/sleep", &["60"], MINUTE, true), Ended::GivenUp);
+        let Ended::ByItself(status) = run("/bin/sh", &["-c", "exit 3"], MINUTE, false) else {
+            panic!("it was stopped")
+        };
+        assert_eq!(status.code(), Some(3));
+    }
+
+    #[test]
+    fn what_is_not_there_is_not_started() {
+        let found = command(Path::new("/nowhere/gonio")).map_err(|why| why.kind());
+        assert_eq!(found.err(), Some(std::io::ErrorKind::NotFound));
+    }
+}

@@ -1,0 +1,144 @@
+//! The whole application with OpenGL but without a window, and a person's hands on it. What only one file of tests does with
+//! it stands there, in a further `impl Window`.
+
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Vec2, pos2, vec2};
+use egui_kittest::Harness;
+use gonio_app::exported::{self, Widget};
+use gonio_app::platform::{Asked, CheckRequest, Checking, Event as FromOutside, Platform, Settings};
+use gonio_app::saving::Product;
+use gonio_app::{Lab, theme};
+use gonio_gl::HeadlessContext;
+use gonio_lab::check::Checker;
+use gonio_lab::exercise;
+use gonio_lab::submission::SourceFile;
+use gonio_lab::verdict::Verdict;
+use gonio_scene::files::{Disk, FileSource};
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, channel};
+
+/// A platform that checks in a thread with a context of its own, as no program is there to be started.
+struct Here;
+
+struct Thread(Receiver<Result<Verdict, String>>);
+
+impl Checking for Thread {
+    fn poll(&mut self) -> Option<Result<Verdict, String>> {
+        self.0.try_recv().ok()
+    }
+}
+
+impl Platform for Here {
+    fn files(&self) -> Arc<dyn FileSource> {
+        Arc::new(Disk)
+    }
+    fn choose_files(&mut self, _: &egui::Context) -> Asked {
+        Asked::ByNobody
+    }
+    fn open_paths(&mut self, _: Vec<String>, _: &egui::Context) {}
+    fn choose_place(&mut self, _: Product, _: &str, _: &egui::Context) -> Asked {
+        Asked::ByNobody
+    }
+    fn poll(&mut self, _: &egui::Context) -> Vec<FromOutside> {
+        Vec::new()
+    }
+    fn write(&mut self, place: &str, bytes: &[u8]) -> Result<String, String> {
+        std::fs::write(place, bytes).map(|()| place.to_owned()).map_err(|why| why.to_string())
+    }
+    fn link(&self, fragment: &str) -> String {
+        fragment.to_owned()
+    }
+    fn settings(&self) -> Settings {
+        Settings::default()
+    }
+    fn keep(&mut self, _: &Settings) {}
+    fn check(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Checking> {
+        let (sender, receiver) = channel();
+        let ctx = ctx.clone();
+        std::thread::spawn(move || {
+            let context = HeadlessContext::new().unwrap();
+            let exercise = exercise::find(&request.exercise).unwrap();
+            let files = request.files.into_iter().map(|(name, bytes)| SourceFile { name, bytes }).collect();
+            let options = gonio_lab::CheckOptions { pair: None, as_the_lab: request.as_the_lab };
+            let verdict = gonio_lab::check(&mut Checker::new(context.gl()), exercise, files, &options);
+            let _ = sender.send(verdict.map(|(verdict, _)| verdict).map_err(|why| why.to_string()));
+            ctx.request_repaint();
+        });
+        Box::new(Thread(receiver))
+    }
+}
+
+/// The application, painted at least twice.
+pub struct Window {
+    pub harness: Harness<'static, Option<Lab>>,
+    // The application's OpenGL; it goes last.
+    _context: HeadlessContext,
+}
+
+impl Window {
+    /// In a window of this size, in points, with a model or a scene that is being read.
+    pub fn with(input: &str, size: Vec2) -> Self {
+        let context = HeadlessContext::new().unwrap_or_else(|why| panic!("{why}"));
+        let (gl, input) = (context.gl().clone(), input.to_owned());
+        let mut harness = Harness::builder().with_size(size).with_context_setup(theme::install).build_ui_state(
+            move |ui, lab: &mut Option<Lab>| {
+                let new = || Lab::new(ui.ctx(), Some(gl.clone()), Box::new(Here), vec![input.clone()]);
+                lab.get_or_insert_with(new).ui(ui);
+            },
+            None,
+        );
+        harness.run_steps(2);
+        Window { harness, _context: context }
+    }
+
+    pub fn lab(&self) -> &Lab {
+        self.harness.state().as_ref().unwrap_or_else(|| panic!("the application was not made"))
+    }
+
+    pub fn steps(&mut self, steps: usize) {
+        self.harness.run_steps(steps);
+    }
+
+    pub fn widget(&self, id: &str) -> Widget {
+        let widgets = exported::widgets(&self.harness.ctx);
+        let found = widgets.iter().find(|widget| widget.id == id).cloned();
+        found.unwrap_or_else(|| panic!("no `{id}` among {:?}", widgets.iter().map(|w| &w.id).collect::<Vec<_>>()))
+    }
+
+    pub fn center(&self, id: &str) -> Pos2 {
+        let [x, y, width, height] = self.widget(id).rect;
+        Rect::from_min_size(pos2(x, y), vec2(width, height)).center()
+    }
+
+    pub fn move_to(&mut self, at: Pos2) {
+        self.harness.event(Event::PointerMoved(at));
+        self.steps(2);
+    }
+
+    pub fn button(&mut self, at: Pos2, pressed: bool) {
+        let (button, modifiers) = (PointerButton::Primary, Modifiers::NONE);
+        self.harness.event(Event::PointerButton { pos: at, button, pressed, modifiers });
+        self.steps(2);
+    }
+
+    pub fn drag(&mut self, from: Pos2, way: Vec2) {
+        self.move_to(from);
+        self.button(from, true);
+        for part in 1..=4 {
+            self.move_to(from + way * (part as f32 / 4.0));
+        }
+        self.button(from + way, false);
+        self.steps(3);
+    }
+
+    pub fn click_at(&mut self, at: Pos2) {
+        self.move_to(at);
+        self.button(at, true);
+        self.button(at, false);
+        self.steps(2);
+    }
+
+    pub fn press(&mut self, modifiers: Modifiers, key: Key) {
+        self.harness.key_press_modifiers(modifiers, key);
+        self.steps(3);
+    }
+}
