@@ -5,7 +5,7 @@ use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Vec2, pos2, vec2};
 use egui_kittest::Harness;
 use gonio_app::exported::{self, Widget};
 use gonio_app::laboratory::{GivenFile, Picture, Shown, Start};
-use gonio_app::platform::{Asked, CheckRequest, Checking, Event as FromOutside, Platform, Settings};
+use gonio_app::platform::{Asked, CheckRequest, Checking, Event as FromOutside, Platform, Purpose, Settings};
 use gonio_app::saving::Product;
 use gonio_app::{Lab, theme};
 use gonio_gl::HeadlessContext;
@@ -15,12 +15,20 @@ use gonio_lab::submission::SourceFile;
 use gonio_lab::verdict::Verdict;
 use gonio_scene::files::{Disk, FileSource};
 use serde_json::Value;
+use std::cell::RefCell;
+use std::rc::Rc;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
 
 /// A platform that checks in a thread with a context of its own, as no program is there to be started.
-struct Here;
+#[derive(Clone, Default)]
+struct Here {
+    /// What is to come from outside next.
+    coming: Rc<RefCell<Vec<FromOutside>>>,
+    /// What files were wanted for that were asked for last.
+    asked: Rc<RefCell<Option<Purpose>>>,
+}
 
 struct Thread(Receiver<Result<Verdict, String>>);
 
@@ -34,15 +42,16 @@ impl Platform for Here {
     fn files(&self) -> Arc<dyn FileSource> {
         Arc::new(Disk)
     }
-    fn choose_files(&mut self, _: &egui::Context) -> Asked {
+    fn choose_files(&mut self, purpose: Purpose, _: &egui::Context) -> Asked {
+        *self.asked.borrow_mut() = Some(purpose);
         Asked::ByNobody
     }
-    fn open_paths(&mut self, _: Vec<String>, _: &egui::Context) {}
+    fn open_paths(&mut self, _: Vec<String>, _: Purpose, _: &egui::Context) {}
     fn choose_place(&mut self, _: Product, _: &str, _: &egui::Context) -> Asked {
         Asked::ByNobody
     }
-    fn poll(&mut self, _: &egui::Context) -> Vec<FromOutside> {
-        Vec::new()
+    fn poll(&mut self, _: Purpose, _: &egui::Context) -> Vec<FromOutside> {
+        std::mem::take(&mut *self.coming.borrow_mut())
     }
     fn write(&mut self, place: &str, bytes: &[u8]) -> Result<String, String> {
         std::fs::write(place, bytes).map(|()| place.to_owned()).map_err(|why| why.to_string())
@@ -72,6 +81,7 @@ impl Platform for Here {
 
 struct Window {
     harness: Harness<'static, Option<Lab>>,
+    here: Here,
     // The application's OpenGL; it goes last.
     _context: HeadlessContext,
 }
@@ -103,15 +113,32 @@ impl Window {
     fn empty(size: Vec2) -> Self {
         let context = HeadlessContext::new().unwrap_or_else(|why| panic!("{why}"));
         let gl = context.gl().clone();
+        let here = Here::default();
+        let platform = here.clone();
         let mut harness = Harness::builder().with_size(size).with_context_setup(theme::install).build_ui_state(
             move |ui, lab: &mut Option<Lab>| {
-                let new = || Lab::new(ui.ctx(), Some(gl.clone()), Box::new(Here), vec!["builtin:cube".to_owned()]);
+                let new = || {
+                    Lab::new(ui.ctx(), Some(gl.clone()), Box::new(platform.clone()), vec!["builtin:cube".to_owned()])
+                };
                 lab.get_or_insert_with(new).ui(ui);
             },
             None,
         );
         harness.run_steps(2);
-        Window { harness, _context: context }
+        Window { harness, here, _context: context }
+    }
+
+    /// Files come, as from a drop.
+    fn hand(&mut self, files: &[(&str, &[u8])]) {
+        let given =
+            |(name, bytes): &(&str, &[u8])| GivenFile { name: (*name).into(), path: None, bytes: bytes.to_vec() };
+        self.here.coming.borrow_mut().push(FromOutside::Handed(files.iter().map(given).collect()));
+        self.steps(2);
+    }
+
+    /// What is said over the picture and was not read.
+    fn messages(&self) -> Vec<String> {
+        self.lab().session().messages.list().iter().map(|message| message.text.clone()).collect()
     }
 
     fn lab(&self) -> &Lab {
@@ -356,7 +383,7 @@ fn every_page_of_every_exercise_fits_a_phone() {
             window.click(&format!("page-{page}"));
             for widget in exported::widgets(&window.harness.ctx) {
                 let [left, _, width, _] = widget.rect;
-                let is_scrolled = widget.id == "editor";
+                let is_scrolled = widget.id == "editor" || widget.id.starts_with("figure-");
                 assert!(
                     is_scrolled || (left >= 0.0 && left + width <= PHONE.x + 1.0),
                     "{}: {page}: {widget:?}",
@@ -380,4 +407,114 @@ fn a_word_for_each_way_to_look() {
     window.click("shown-difference");
     let (map, _) = window.pixels(Picture::Difference);
     assert!(map.chunks(4).all(|pixel| pixel == &map[..4]));
+}
+
+const GREEN: &[u8] = b"#version 330 core\nout vec4 FragColor;\nvoid main() { FragColor = vec4(0.0, 1.0, 0.0, 1.0); }\n";
+
+#[test]
+fn ones_own_file_takes_the_place_of_its_kind_and_what_was_written_comes_back() {
+    let mut window = Window::open(Start { exercise: "ex04".into(), files: Vec::new() }, DESK);
+    window.wait("the program", |s| s["drawn"] == true);
+    window.click("editor");
+    window.harness.event(Event::Text("// not saved\n".into()));
+    window.steps(2);
+    let written = window.text();
+    window.hand(&[("My shader.txt", GREEN), ("notes.md", b"to do")]);
+    let state = window.wait("the picture", |s| s["file"] == "My shader.txt" && s["drawn"] == true);
+    let shown: Vec<&Value> = state["files"].as_array().unwrap().iter().filter(|f| f["shown"] == true).collect();
+    assert_eq!(shown.iter().map(|f| f["name"].as_str().unwrap()).collect::<Vec<_>>(), ["start.vert", "My shader.txt"]);
+    assert!(window.messages().iter().any(|m| m.contains("notes.md")), "{:?}", window.messages());
+    window.steps(2);
+    let (pixels, _) = window.pixels(Picture::Yours);
+    assert!(pixels.chunks(4).any(|pixel| pixel[..3] == [0, 255, 0]), "it is drawn");
+    window.click("put-back");
+    assert_eq!((window.text(), window.state()["file"].as_str()), (written.clone(), Some("start.frag")));
+    // And that is its own undo again.
+    window.click("undo");
+    assert_ne!(window.text(), written);
+    window.click("put-back");
+    assert_eq!(window.text().as_bytes(), GREEN);
+}
+
+#[test]
+fn a_pair_in_a_program_takes_the_place_of_both_and_a_model_is_left_for_the_scene() {
+    let mut window = Window::open(Start { exercise: "ex04".into(), files: Vec::new() }, PHONE);
+    let exercise = exercise::find("ex04").unwrap();
+    let [vertex, fragment] = ["reference.vert", "reference.frag"].map(|name| exercise.file(name).unwrap());
+    let program = format!("const char* vs = R\"({vertex})\";\nconst char* fs = R\"({fragment})\";\n");
+    window.hand(&[("main.cpp", program.as_bytes())]);
+    let state = window.wait("the picture", |s| s["file"] == "main.cpp" && s["drawn"] == true);
+    assert_eq!(state["files"].as_array().unwrap().iter().filter(|f| f["shown"] == true).count(), 1);
+    let scene = window.lab().document().clone();
+    window.hand(&[("cow.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")]);
+    assert!(window.messages().iter().any(|m| m.starts_with("cow.obj is a model")), "{:?}", window.messages());
+    assert_eq!((window.state()["open"].as_bool(), window.state()["file"].as_str()), (Some(true), Some("main.cpp")));
+    assert!(window.lab().document().scene == scene.scene);
+    // The button asks for files for the exercise, and the list wants to know which exercise they are for.
+    window.click("open-files");
+    assert_eq!(window.here.asked.take(), Some(Purpose::Exercise));
+    window.click("path-cancel");
+    window.click("exercises");
+    window.hand(&[("a.frag", GREEN)]);
+    assert!(window.messages().iter().any(|m| m.starts_with("choose the exercise first")), "{:?}", window.messages());
+}
+
+#[test]
+fn of_several_buffers_the_one_in_the_editor_is_checked() {
+    let mut window = Window::open(Start { exercise: "ex02".into(), files: Vec::new() }, DESK);
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../gonio-lab/tests/ex02");
+    let [right, wrong] =
+        ["house.reference.csv", "house.start.csv"].map(|name| std::fs::read(folder.join(name)).unwrap());
+    let floats = [0_u8; 96];
+    window.hand(&[("house.csv", &right), ("house2.csv", &wrong), ("cube.bin", &floats)]);
+    for (tab, word) in [("house.csv", "correct"), ("house2.csv", "wrong")] {
+        let work = window.lab().laboratory().work.as_ref().unwrap();
+        let index = work.file_named(tab).unwrap();
+        window.click(&format!("file-{index}"));
+        window.press(Modifiers::COMMAND, Key::Enter);
+        let state = window.wait(tab, |s| s["checking"] == false && s["verdict"]["stale"] == false);
+        assert_eq!(state["verdict"]["word"], word, "{tab}: {}", state["verdict"]);
+    }
+    let work = window.lab().laboratory().work.as_ref().unwrap();
+    assert_eq!(work.files[work.file_named("cube.bin").unwrap()].text, "96 bytes that are no text.\n");
+}
+
+#[test]
+fn one_begins_again_without_losing_what_was_written() {
+    let mut window = Window::open(right("ex08"), DESK);
+    let before = window.text();
+    // The button stands below the text.
+    window.click("page-text");
+    let middle = window.center("page-text") + vec2(0.0, 80.0);
+    window.harness.event(Event::PointerMoved(middle));
+    for _ in 0..60 {
+        window.harness.event(Event::MouseWheel {
+            unit: egui::MouseWheelUnit::Point,
+            delta: vec2(0.0, -400.0),
+            phase: egui::TouchPhase::Move,
+            source: egui::MouseWheelSource::Unknown,
+            modifiers: Modifiers::NONE,
+        });
+        window.steps(1);
+    }
+    window.steps(30);
+    window.click("begin-again");
+    assert_eq!(window.state()["file"], "start.frag");
+    window.click("put-back");
+    assert_eq!((window.state()["file"].as_str(), window.text()), (Some("reference.frag"), before));
+}
+
+#[test]
+fn every_text_shows_its_figures() {
+    for size in [DESK, PHONE] {
+        for exercise in exercise::all() {
+            let figures: Vec<&str> = exercise.start_files().map(|(n, _)| n).filter(|n| n.ends_with(".svg")).collect();
+            let mut window = Window::open(Start { exercise: exercise.id.clone(), files: Vec::new() }, size);
+            window.click("page-text");
+            for figure in figures {
+                let [_, _, width, height] = window.widget(&format!("figure-{figure}")).rect;
+                assert!(width > 300.0 && height > 100.0, "{figure}: {width} x {height}");
+            }
+        }
+    }
 }

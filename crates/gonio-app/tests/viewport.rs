@@ -4,7 +4,7 @@ use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Vec2, pos2, vec2};
 use egui_kittest::Harness;
 use glam::DVec3;
 use gonio_app::exported::{self, Widget};
-use gonio_app::platform::{Asked, Event as FromOutside, Platform, Settings};
+use gonio_app::platform::{Asked, Event as FromOutside, Platform, Purpose, Settings};
 use gonio_app::saving::Product;
 use gonio_app::session::{Selection, Tab};
 use gonio_app::{Lab, theme};
@@ -45,14 +45,14 @@ impl Platform for Files {
     fn files(&self) -> Arc<dyn FileSource> {
         Arc::new(Disk)
     }
-    fn choose_files(&mut self, _: &egui::Context) -> Asked {
+    fn choose_files(&mut self, _: Purpose, _: &egui::Context) -> Asked {
         Asked::ByNobody
     }
-    fn open_paths(&mut self, _: Vec<String>, _: &egui::Context) {}
+    fn open_paths(&mut self, _: Vec<String>, _: Purpose, _: &egui::Context) {}
     fn choose_place(&mut self, _: Product, _: &str, _: &egui::Context) -> Asked {
         Asked::ByNobody
     }
-    fn poll(&mut self, _: &egui::Context) -> Vec<FromOutside> {
+    fn poll(&mut self, _: Purpose, _: &egui::Context) -> Vec<FromOutside> {
         Vec::new()
     }
     fn write(&mut self, _: &str, _: &[u8]) -> Result<String, String> {

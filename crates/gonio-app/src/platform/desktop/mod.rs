@@ -3,6 +3,7 @@
 mod check;
 mod dialog;
 mod display;
+mod handed;
 mod home;
 mod opened;
 mod watch;
@@ -10,7 +11,7 @@ mod write;
 
 pub use display::has_display;
 
-use super::{Asked, CheckRequest, Checking, Event, Platform, Refused, Settings};
+use super::{Asked, CheckRequest, Checking, Event, Platform, Purpose, Refused, Settings};
 use crate::laboratory::Start;
 use crate::saving::Product;
 use crate::{Adjust, Lab, Opening};
@@ -100,23 +101,23 @@ impl Platform for Desktop {
         Arc::new(Disk)
     }
 
-    fn choose_files(&mut self, ctx: &egui::Context) -> Asked {
-        dialog::open(self.sender.clone(), ctx)
+    fn choose_files(&mut self, purpose: Purpose, ctx: &egui::Context) -> Asked {
+        dialog::open(purpose, self.sender.clone(), ctx)
     }
 
-    fn open_paths(&mut self, paths: Vec<String>, ctx: &egui::Context) {
-        opened::in_thread(paths, self.sender.clone(), ctx);
+    fn open_paths(&mut self, paths: Vec<String>, purpose: Purpose, ctx: &egui::Context) {
+        opened::in_thread(paths, purpose, self.sender.clone(), ctx);
     }
 
     fn choose_place(&mut self, product: Product, name: &str, ctx: &egui::Context) -> Asked {
         dialog::save(product, name, self.sender.clone(), ctx)
     }
 
-    fn poll(&mut self, ctx: &egui::Context) -> Vec<Event> {
+    fn poll(&mut self, purpose: Purpose, ctx: &egui::Context) -> Vec<Event> {
         let dropped = ctx.input(|i| i.raw.dropped_files.clone());
         if !dropped.is_empty() {
             let paths = dropped.iter().map(|file| file.path().to_string_lossy().into_owned()).collect();
-            self.open_paths(paths, ctx);
+            self.open_paths(paths, purpose, ctx);
         }
         self.receiver.try_iter().collect()
     }
