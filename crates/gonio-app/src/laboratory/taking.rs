@@ -73,7 +73,7 @@ impl Work {
     pub fn begin_again(&mut self) {
         self.sets += 1;
         let files = Work::start_files(self.exercise, self.sets);
-        let current = Work::first_shown(&files);
+        let current = Work::first_shown(self.exercise, &files);
         self.replace(FileSet { files, current });
     }
 

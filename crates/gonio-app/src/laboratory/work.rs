@@ -3,7 +3,7 @@
 use super::taking::FileSet;
 use crate::session::Clock;
 use egui::Id;
-use gonio_lab::exercise::Exercise;
+use gonio_lab::exercise::{Exercise, Kind};
 use gonio_lab::live::{Given, Note, NoteKind, Scene, scenes};
 use gonio_lab::submission::SourceFile;
 use gonio_lab::verdict::Verdict;
@@ -233,7 +233,7 @@ impl Work {
             true => Work::start_files(exercise, 0),
             false => files.into_iter().enumerate().map(opened).collect(),
         };
-        let current = Work::first_shown(&files);
+        let current = Work::first_shown(exercise, &files);
         let scenes = scenes(exercise);
         let mut work = Work {
             exercise,
@@ -267,10 +267,14 @@ impl Work {
         exercise.start_files().map(file).enumerate().map(opened).collect()
     }
 
-    /// The one of several files that is in the editor at first.
-    pub(super) fn first_shown(files: &[OpenFile]) -> usize {
-        let ends = |end: &str| files.iter().position(|file| file.is_shown() && file.name.ends_with(end));
-        ends(".frag").or_else(|| files.iter().position(OpenFile::is_shown)).unwrap_or(0)
+    /// The one of several files that is in the editor at first: where there is something to do.
+    pub(super) fn first_shown(exercise: &Exercise, files: &[OpenFile]) -> usize {
+        let answers = if exercise.kind == Kind::HostProgram { ".txt" } else { ".frag" };
+        let is_answer = |file: &OpenFile| file.is_shown() && file.name.ends_with(answers);
+        let has_to_do = |file: &OpenFile| file.is_shown() && file.text.contains("TODO");
+        let to_do = files.iter().position(|file| is_answer(file) && has_to_do(file));
+        let to_do = to_do.or_else(|| files.iter().position(has_to_do)).or_else(|| files.iter().position(is_answer));
+        to_do.or_else(|| files.iter().position(OpenFile::is_shown)).unwrap_or(0)
     }
 
     /// The same, put aside and taken up again: nothing is compiled yet.
@@ -420,6 +424,11 @@ mod tests {
         let shown: Vec<&str> = work.files.iter().filter(|f| f.is_shown()).map(|f| f.name.as_str()).collect();
         assert_eq!(shown, ["start.frag", "start.vert"]);
         assert_eq!(work.files[work.current].name, "start.frag");
+        // There is nothing to do in the fragment shader of the camera, and nothing but programs in the black triangle.
+        for (id, end) in [("ex01", "start.vert"), ("ex11", ".txt")] {
+            let work = Work::new(exercise::find(id).unwrap(), Vec::new());
+            assert!(work.files[work.current].name.ends_with(end), "{}", work.files[work.current].name);
+        }
         assert!(!work.is_changed() && !work.scenes.is_empty());
     }
 }

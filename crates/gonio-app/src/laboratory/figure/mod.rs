@@ -36,6 +36,21 @@ pub fn show(ui: &mut Ui, name: &str, shows: &str, text: &str) {
     });
 }
 
+/// The letters of a kind, in points.
+fn font(letters: Letters, size: f32) -> FontId {
+    match letters {
+        Letters::Plain => FontId::proportional(size),
+        Letters::Bold => theme::bold(size),
+        Letters::Math => theme::math_italic_font(size),
+        Letters::Code => FontId::monospace(size),
+    }
+}
+
+/// A sign that the fonts lack is another one with a line through it.
+fn parts(sign: char) -> (char, bool) {
+    if sign == '\u{2260}' { ('=', true) } else { (sign, false) }
+}
+
 /// Where a figure is painted.
 struct Place<'a> {
     ui: &'a Ui,
@@ -112,26 +127,28 @@ impl Place<'_> {
     fn text(&self, text: &Text) {
         let painter = self.ui.painter();
         let color = self.color(text.color);
-        let font = |size: f32| match text.letters {
-            Letters::Plain => FontId::proportional(size),
-            Letters::Bold => theme::bold(size),
-            Letters::Math => theme::math_italic_font(size),
-            Letters::Code => FontId::monospace(size),
-        };
         let laid_out: Vec<_> = text
             .pieces
             .iter()
             .map(|(step, size, words)| {
-                (*step * self.scale, painter.layout_no_wrap(words.clone(), font(size * self.scale), color))
+                let letters: String = words.chars().map(|c| parts(c).0).collect();
+                let galley = painter.layout_no_wrap(letters, font(text.letters, size * self.scale), color);
+                (*step * self.scale, words, galley)
             })
             .collect();
-        let width: f32 = laid_out.iter().map(|(step, galley)| step.x + galley.size().x).sum();
+        let width: f32 = laid_out.iter().map(|(step, _, galley)| step.x + galley.size().x).sum();
         let mut at = self.at(text.at) - vec2(text.anchor * width, 0.0);
-        for (step, galley) in laid_out {
+        for (step, words, galley) in laid_out {
             at += step;
             // A figure says where the line stands, and egui where the letters' box begins.
             let first = galley.rows.first().and_then(|row| Some(row.pos.y + row.row.glyphs.first()?.pos.y));
             let width = galley.size().x;
+            let glyphs = galley.rows.iter().flat_map(|row| &row.row.glyphs);
+            for (glyph, _) in glyphs.zip(words.chars()).filter(|(_, c)| parts(*c).1) {
+                let middle = at + vec2(glyph.pos.x + 0.5 * glyph.advance_width, -0.3 * glyph.line_height);
+                let half = vec2(0.12, -0.3) * glyph.line_height;
+                painter.line_segment([middle - half, middle + half], Stroke::new(0.07 * glyph.line_height, color));
+            }
             painter.galley(at - vec2(0.0, first.unwrap_or(0.0)), galley, color);
             at.x += width;
         }
@@ -148,25 +165,20 @@ mod tests {
     fn the_fonts_have_every_letter() {
         let ctx = egui::Context::default();
         theme::install(&ctx);
-        let _ = ctx.run_ui(egui::RawInput::default(), |ui| {
-            for (name, text) in
-                exercise::all().iter().flat_map(|e| e.start_files()).filter(|(n, _)| n.ends_with(".svg"))
-            {
+        let mut output = ctx.run_ui(egui::RawInput::default(), |ui| {
+            let all = exercise::all().iter().flat_map(|exercise| exercise.start_files());
+            for (name, text) in all.filter(|(name, _)| name.ends_with(".svg")) {
                 let figure = read::figure(text).unwrap_or_else(|| panic!("{name}"));
                 for shape in &figure.shapes {
                     let Shape::Text(text) = shape else { continue };
-                    for (_, _, words) in &text.pieces {
-                        let font = match text.letters {
-                            Letters::Plain => FontId::proportional(15.0),
-                            Letters::Bold => theme::bold(15.0),
-                            Letters::Math => theme::math_italic_font(15.0),
-                            Letters::Code => FontId::monospace(15.0),
-                        };
-                        let is_there = ui.fonts_mut(|fonts| fonts.has_glyphs(&font, words));
-                        assert!(is_there, "{name}: {words}");
-                    }
+                    let (font, pieces) = (font(text.letters, 15.0), text.pieces.iter());
+                    let letters: String = pieces.flat_map(|(_, _, words)| words.chars()).map(|c| parts(c).0).collect();
+                    let lacks = |c: &char| !ui.fonts_mut(|fonts| fonts.has_glyph(&font, *c));
+                    assert_eq!(letters.chars().filter(lacks).collect::<String>(), "", "{name}: {letters}");
                 }
             }
         });
+        // Nobody uploads them.
+        output.textures_delta.clear();
     }
 }

@@ -305,7 +305,7 @@ mod tests {
                     let element = element.split([' ', '>']).next().unwrap();
                     assert!(known.contains(&element), "{name}: {element}");
                 }
-                for word in ["transform=", "style=", "class=", "opacity"] {
+                for word in [" transform=", " style=", " class=", "opacity"] {
                     assert!(!text.contains(word), "{name}: {word}");
                 }
                 figures += 1;
