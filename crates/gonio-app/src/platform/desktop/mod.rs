@@ -177,3 +177,46 @@ impl Platform for Desktop {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::laboratory::GivenFile;
+
+    #[derive(Debug)]
+    struct Dropped(PathBuf);
+
+    impl egui::DroppedFile for Dropped {
+        fn path(&self) -> &Path {
+            &self.0
+        }
+        fn bytes(&self) -> Result<Vec<u8>, String> {
+            std::fs::read(&self.0).map_err(|why| why.to_string())
+        }
+    }
+
+    /// What comes of a file that is dropped on the window while files are wanted for `purpose`.
+    fn dropped(path: &Path, purpose: Purpose) -> Event {
+        let mut desktop = Desktop::new(None, None);
+        let ctx = egui::Context::default();
+        let input = egui::RawInput { dropped_files: vec![Arc::new(Dropped(path.to_owned()))], ..Default::default() };
+        let mut events = Vec::new();
+        ctx.run_ui(input, |ui| events.extend(desktop.poll(purpose, ui.ctx()))).textures_delta.clear();
+        // A thread reads it.
+        events.into_iter().next().unwrap_or_else(|| desktop.receiver.recv().unwrap())
+    }
+
+    #[test]
+    fn a_file_that_is_dropped_goes_to_where_files_are_wanted() {
+        let path = std::env::temp_dir().join(format!("gonio-dropped-{}.obj", std::process::id()));
+        std::fs::write(&path, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+        let Event::Open(given) = dropped(&path, Purpose::Scene) else { panic!("no model") };
+        assert_eq!(given.inputs, [path.to_string_lossy()]);
+        let Event::Handed(files) = dropped(&path, Purpose::Exercise) else { panic!("no file") };
+        let name = path.file_name().unwrap().to_string_lossy().into_owned();
+        let bytes = std::fs::read(&path).unwrap();
+        assert_eq!(files, [GivenFile { name, path: Some(path.clone()), bytes }]);
+        std::fs::remove_file(&path).unwrap();
+    }
+}
