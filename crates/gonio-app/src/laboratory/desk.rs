@@ -221,7 +221,12 @@ impl Desk {
                 self.checking = None;
                 work.checking = false;
             }
-            Wish::Save => said.extend(save(work, platform)),
+            Wish::Save => {
+                said.extend(save(work, platform));
+                if work.asking.is_some() {
+                    editor::let_go(ctx, work);
+                }
+            }
             Wish::SaveInto(folder) => said.extend(save_into(work, &folder, platform)),
             Wish::Undo | Wish::Redo => {
                 if let Some(file) = work.files.get_mut(current) {

@@ -300,6 +300,13 @@ pub fn remember(ctx: &egui::Context, file: &OpenFile) {
     state.store(ctx, id);
 }
 
+/// Lets the keys go to another field.
+pub fn let_go(ctx: &egui::Context, work: &Work) {
+    if let Some(file) = work.files.get(work.current) {
+        ctx.memory_mut(|memory| memory.surrender_focus(file.id()));
+    }
+}
+
 /// Whether there is a step back, and whether there is one forth.
 pub fn can_step(ctx: &egui::Context, file: &OpenFile) -> [bool; 2] {
     let Some(state) = TextEditState::load(ctx, file.id()).filter(|_| !file.locked) else { return [false; 2] };

@@ -218,7 +218,11 @@ impl Laboratory {
             match wish {
                 Wish::Begin(exercise) => actions.push(Action::Exercise(exercise)),
                 Wish::List => actions.push(Action::Exercises),
-                Wish::Open => actions.push(Action::ChooseFiles),
+                Wish::Open => {
+                    // Where a path is asked for, that is what is written next.
+                    self.work.as_ref().inspect(|work| editor::let_go(ctx, work));
+                    actions.push(Action::ChooseFiles);
+                }
                 Wish::Leave => self.is_open = false,
                 Wish::Theme => actions.push(Action::ToggleTheme),
                 other => {
