@@ -16,6 +16,9 @@ const text = (name) => readFile(join(EXERCISES, name), "utf8");
 
 const GREEN = "#version 330 core\nout vec4 FragColor;\nvoid main() { FragColor = vec4(0.0, 1.0, 0.0, 1.0); }\n";
 
+/** With room for the whole list of exercises. */
+const tall = { viewport: { width: 1280, height: 1100 } };
+
 /** Begins an exercise, and waits for its picture where it has one. */
 async function begin(lab, exercise) {
   await lab.until(settled);
@@ -45,7 +48,7 @@ test("files that are dropped take the place of their kind, and what was written 
   const files = await Promise.all(["reference.vert", "reference.frag", "text.md"].map(async (name) => ({ name: `mine/${name}`, text: await text(`ex04-phong-diffuse/${name}`) })));
   await lab.drop({ name: "mine.zip", bytes: zip(files) });
   const pair = await lab.until(({ laboratory }) => laboratory.file === "mine/reference.frag" && laboratory.drawn && !laboratory.older);
-  assert.deepEqual([shown(pair), pair.laboratory.before, pair.messages], [["mine/reference.vert", "mine/reference.frag"], 2, []]);
+  assert.deepEqual([shown(pair), pair.laboratory.before, pair.messages], [["mine/reference.frag", "mine/reference.vert"], 2, []]);
   await lab.rest();
   assert.ok(differing(green, await lab.picture("picture-yours")) > 0.05, "it is drawn anew");
   await lab.click("check");
@@ -95,7 +98,7 @@ test("files are chosen by a button, also six pictures and a buffer", async (lab)
   await lab.click("exercise-ex02");
   await choose({ name: "cube.csv", text: "1,2,3\n4,5,6\n7,8,9\n" });
   await lab.until(({ laboratory }) => laboratory.exercise === "ex02" && laboratory.file === "cube.csv");
-});
+}, tall);
 
 test("a file is saved as it is, and all that one starts from as a zip", async (lab) => {
   await begin(lab, "s1");
@@ -117,7 +120,7 @@ test("a file is saved as it is, and all that one starts from as a zip", async (l
     assert.ok(bytes.includes(sum), inside);
   }
   assert.ok(!bytes.includes("reference.frag"), "the answer is not among them");
-});
+}, tall);
 
 test("on a phone files are opened and put back, and figures are shown", async (lab) => {
   await begin(lab, "ex04");

@@ -356,5 +356,5 @@ fn start_files(ui: &mut Ui, work: &Work, wishes: &mut Vec<Wish>) {
             button("start-files", &label, tip, Wish::StartFiles);
         }
     });
-    ui.add_space(20.0);
+    ui.add_space(40.0);
 }
