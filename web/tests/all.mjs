@@ -14,6 +14,7 @@ import "./link.test.mjs";
 import "./phone.test.mjs";
 import "./parity.test.mjs";
 import "./check.test.mjs";
+import "./exercise.test.mjs";
 import "./trouble.test.mjs";
 import "./again.test.mjs";
 import "./rest.test.mjs";

@@ -158,7 +158,7 @@ impl Lab {
         let ctx = ui.ctx().clone();
         exported::begin(&ctx);
         self.session.facts.frames += 1;
-        for event in self.platform.poll(&ctx) {
+        for event in self.platform.poll(self.purpose(), &ctx) {
             self.hear(&ctx, event);
         }
         if let Some(finished) = self.jobs.poll() {
@@ -221,6 +221,7 @@ impl Lab {
                 self.document.scene.environment = Some(surrounded_by(&image, before));
             }
             Event::Open(_) => {}
+            Event::Handed(files) => self.hand_in(files),
             Event::SaveTo(product, place) => self.save(product, &place),
             Event::Changed(paths) => self.changed_on_disk(ctx, paths),
             Event::Failed(why) => self.session.messages.say(Severity::Error, why),
@@ -355,9 +356,9 @@ impl Lab {
                 let files = self.platform.files();
                 self.open(ctx, inputs, files);
             }
-            Action::OpenPaths(paths) => self.platform.open_paths(paths, ctx),
+            Action::OpenPaths(paths) => self.platform.open_paths(paths, self.purpose(), ctx),
             Action::ChooseFiles => {
-                if self.platform.choose_files(ctx) == Asked::ByNobody {
+                if self.platform.choose_files(self.purpose(), ctx) == Asked::ByNobody {
                     self.session.asking = Some(PathField { saves: None, text: String::new() });
                 }
             }

@@ -6,6 +6,7 @@ mod support;
 use egui::{Event, Key, Modifiers, Vec2, vec2};
 use gonio_app::exported;
 use gonio_app::laboratory::{GivenFile, Picture, Shown, Start};
+use gonio_app::platform::{Event as FromOutside, Purpose};
 use gonio_lab::exercise;
 use serde_json::Value;
 use std::time::Duration;
@@ -37,6 +38,19 @@ impl Window {
 
     fn empty(size: Vec2) -> Self {
         Window::with("builtin:cube", size)
+    }
+
+    /// Files come, as from a drop.
+    fn hand(&mut self, files: &[(&str, &[u8])]) {
+        let given =
+            |(name, bytes): &(&str, &[u8])| GivenFile { name: (*name).into(), path: None, bytes: bytes.to_vec() };
+        self.here.coming.borrow_mut().push(FromOutside::Handed(files.iter().map(given).collect()));
+        self.steps(2);
+    }
+
+    /// What is said over the picture and was not read.
+    fn messages(&self) -> Vec<String> {
+        self.lab().session().messages.list().iter().map(|message| message.text.clone()).collect()
     }
 
     /// The laboratory's part of the state.
@@ -233,7 +247,7 @@ fn every_page_of_every_exercise_fits_a_phone() {
             window.click(&format!("page-{page}"));
             for widget in exported::widgets(&window.harness.ctx) {
                 let [left, _, width, _] = widget.rect;
-                let is_scrolled = widget.id == "editor";
+                let is_scrolled = widget.id == "editor" || widget.id.starts_with("figure-");
                 assert!(
                     is_scrolled || (left >= 0.0 && left + width <= PHONE.x + 1.0),
                     "{}: {page}: {widget:?}",
@@ -257,4 +271,114 @@ fn a_word_for_each_way_to_look() {
     window.click("shown-difference");
     let (map, _) = window.pixels(Picture::Difference);
     assert!(map.chunks(4).all(|pixel| pixel == &map[..4]));
+}
+
+const GREEN: &[u8] = b"#version 330 core\nout vec4 FragColor;\nvoid main() { FragColor = vec4(0.0, 1.0, 0.0, 1.0); }\n";
+
+#[test]
+fn ones_own_file_takes_the_place_of_its_kind_and_what_was_written_comes_back() {
+    let mut window = Window::open(Start { exercise: "ex04".into(), files: Vec::new() }, DESK);
+    window.wait("the program", |s| s["drawn"] == true);
+    window.click("editor");
+    window.harness.event(Event::Text("// not saved\n".into()));
+    window.steps(2);
+    let written = window.text();
+    window.hand(&[("My shader.txt", GREEN), ("notes.md", b"to do")]);
+    let state = window.wait("the picture", |s| s["file"] == "My shader.txt" && s["drawn"] == true);
+    let shown: Vec<&Value> = state["files"].as_array().unwrap().iter().filter(|f| f["shown"] == true).collect();
+    assert_eq!(shown.iter().map(|f| f["name"].as_str().unwrap()).collect::<Vec<_>>(), ["start.vert", "My shader.txt"]);
+    assert!(window.messages().iter().any(|m| m.contains("notes.md")), "{:?}", window.messages());
+    window.steps(2);
+    let (pixels, _) = window.pixels(Picture::Yours);
+    assert!(pixels.chunks(4).any(|pixel| pixel[..3] == [0, 255, 0]), "it is drawn");
+    window.click("put-back");
+    assert_eq!((window.text(), window.state()["file"].as_str()), (written.clone(), Some("start.frag")));
+    // And that is its own undo again.
+    window.click("undo");
+    assert_ne!(window.text(), written);
+    window.click("put-back");
+    assert_eq!(window.text().as_bytes(), GREEN);
+}
+
+#[test]
+fn a_pair_in_a_program_takes_the_place_of_both_and_a_model_is_left_for_the_scene() {
+    let mut window = Window::open(Start { exercise: "ex04".into(), files: Vec::new() }, PHONE);
+    let exercise = exercise::find("ex04").unwrap();
+    let [vertex, fragment] = ["reference.vert", "reference.frag"].map(|name| exercise.file(name).unwrap());
+    let program = format!("const char* vs = R\"({vertex})\";\nconst char* fs = R\"({fragment})\";\n");
+    window.hand(&[("main.cpp", program.as_bytes())]);
+    let state = window.wait("the picture", |s| s["file"] == "main.cpp" && s["drawn"] == true);
+    assert_eq!(state["files"].as_array().unwrap().iter().filter(|f| f["shown"] == true).count(), 1);
+    let scene = window.lab().document().clone();
+    window.hand(&[("cow.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")]);
+    assert!(window.messages().iter().any(|m| m.starts_with("cow.obj is a model")), "{:?}", window.messages());
+    assert_eq!((window.state()["open"].as_bool(), window.state()["file"].as_str()), (Some(true), Some("main.cpp")));
+    assert!(window.lab().document().scene == scene.scene);
+    // The button asks for files for the exercise, and the list wants to know which exercise they are for.
+    window.click("open-files");
+    assert_eq!(window.here.asked.take(), Some(Purpose::Exercise));
+    window.click("path-cancel");
+    window.click("exercises");
+    window.hand(&[("a.frag", GREEN)]);
+    assert!(window.messages().iter().any(|m| m.starts_with("choose the exercise first")), "{:?}", window.messages());
+}
+
+#[test]
+fn of_several_buffers_the_one_in_the_editor_is_checked() {
+    let mut window = Window::open(Start { exercise: "ex02".into(), files: Vec::new() }, DESK);
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../gonio-lab/tests/ex02");
+    let [right, wrong] =
+        ["house.reference.csv", "house.start.csv"].map(|name| std::fs::read(folder.join(name)).unwrap());
+    let floats = [0_u8; 96];
+    window.hand(&[("house.csv", &right), ("house2.csv", &wrong), ("cube.bin", &floats)]);
+    for (tab, word) in [("house.csv", "correct"), ("house2.csv", "wrong")] {
+        let work = window.lab().laboratory().work.as_ref().unwrap();
+        let index = work.file_named(tab).unwrap();
+        window.click(&format!("file-{index}"));
+        window.press(Modifiers::COMMAND, Key::Enter);
+        let state = window.wait(tab, |s| s["checking"] == false && s["verdict"]["stale"] == false);
+        assert_eq!(state["verdict"]["word"], word, "{tab}: {}", state["verdict"]);
+    }
+    let work = window.lab().laboratory().work.as_ref().unwrap();
+    assert_eq!(work.files[work.file_named("cube.bin").unwrap()].text, "96 bytes that are no text.\n");
+}
+
+#[test]
+fn one_begins_again_without_losing_what_was_written() {
+    let mut window = Window::open(right("ex08"), DESK);
+    let before = window.text();
+    // The button stands below the text.
+    window.click("page-text");
+    let middle = window.center("page-text") + vec2(0.0, 80.0);
+    window.harness.event(Event::PointerMoved(middle));
+    for _ in 0..60 {
+        window.harness.event(Event::MouseWheel {
+            unit: egui::MouseWheelUnit::Point,
+            delta: vec2(0.0, -400.0),
+            phase: egui::TouchPhase::Move,
+            source: egui::MouseWheelSource::Unknown,
+            modifiers: Modifiers::NONE,
+        });
+        window.steps(1);
+    }
+    window.steps(30);
+    window.click("begin-again");
+    assert_eq!(window.state()["file"], "start.frag");
+    window.click("put-back");
+    assert_eq!((window.state()["file"].as_str(), window.text()), (Some("reference.frag"), before));
+}
+
+#[test]
+fn every_text_shows_its_figures() {
+    for size in [DESK, PHONE] {
+        for exercise in exercise::all() {
+            let figures: Vec<&str> = exercise.start_files().map(|(n, _)| n).filter(|n| n.ends_with(".svg")).collect();
+            let mut window = Window::open(Start { exercise: exercise.id.clone(), files: Vec::new() }, size);
+            window.click("page-text");
+            for figure in figures {
+                let [_, _, width, height] = window.widget(&format!("figure-{figure}")).rect;
+                assert!(width > 300.0 && height > 100.0, "{figure}: {width} x {height}");
+            }
+        }
+    }
 }

@@ -5,7 +5,7 @@
 //! | `memory` | files that lie in memory, with folders |
 //! | `layered` | one place of files over another |
 //! | `recording` | which files were read, so that they can be watched |
-//! | `zip` | what a zip holds |
+//! | `zip`, `packed` | what a zip holds; files as a zip |
 //! | `gathered` | which of several files is the model |
 //! | `link` | a scene in the address of a page |
 
@@ -13,10 +13,12 @@ mod gathered;
 mod layered;
 pub mod link;
 mod memory;
+mod packed;
 mod recording;
 pub mod zip;
 
 pub use gathered::{Gathered, gather};
 pub use layered::Layered;
 pub use memory::MemoryFiles;
+pub use packed::pack;
 pub use recording::Recording;

@@ -1,8 +1,9 @@
 //! The laboratory within the application.
 
 use super::Lab;
-use crate::laboratory::{Laboratory, Start};
+use crate::laboratory::{GivenFile, Laboratory, Start};
 use crate::panels;
+use crate::platform::Purpose;
 use crate::session::Severity;
 use egui::Ui;
 use std::path::PathBuf;
@@ -21,6 +22,23 @@ impl Lab {
         self.watch(ctx);
     }
 
+    /// What files are for that are opened now.
+    pub(super) fn purpose(&self) -> Purpose {
+        if self.laboratory.is_open { Purpose::Exercise } else { Purpose::Scene }
+    }
+
+    /// Puts a student's files in place of those that are for the same. What was left aside is said.
+    pub(super) fn hand_in(&mut self, files: Vec<GivenFile>) {
+        let taken = self.laboratory.take(files);
+        let severity = if taken.announcement.is_some() { Severity::Warning } else { Severity::Error };
+        if let Some(announcement) = taken.announcement {
+            self.session.announcement = announcement;
+        }
+        if let Some(aside) = taken.aside {
+            self.session.messages.say(severity, aside);
+        }
+    }
+
     /// A frame with the laboratory in place of the scene, which stays as it is.
     pub(super) fn laboratory_ui(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
@@ -30,10 +48,11 @@ impl Lab {
             self.session.messages.say(Severity::Error, sentence);
         }
         panels::messages(ui, &self.session, &mut actions);
+        panels::path_field(ui, &mut self.session, Purpose::Exercise, &mut actions);
         for action in actions {
             self.act(&ctx, action);
         }
-        self.asked_to_close &= self.laboratory.works().any(|work| work.is_changed());
+        self.asked_to_close &= self.laboratory.works().any(|work| work.is_changed() || work.has_unsaved_before());
         let paths = self.laboratory.paths();
         if paths != self.watched {
             self.watch(&ctx);
@@ -46,11 +65,20 @@ impl Lab {
         if !ctx.input(|i| i.viewport().close_requested()) || self.asked_to_close {
             return;
         }
-        let Some(work) = self.laboratory.works().find(|work| work.is_changed()) else { return };
-        let sentence = format!(
-            "what you wrote for {} is not saved; Ctrl + S saves it, and to close again throws it away",
-            work.exercise.id
-        );
+        let changed = self.laboratory.works().find(|work| work.is_changed());
+        let before = || self.laboratory.works().find(|work| work.has_unsaved_before());
+        let sentence = match (changed, before()) {
+            (Some(work), _) => format!(
+                "what you wrote for {} is not saved; Ctrl + S saves it, and to close again throws it away",
+                work.exercise.id
+            ),
+            (None, Some(work)) => format!(
+                "what you wrote for {} before you opened other files is not saved; `Put back` brings it back, and to \
+                 close again throws it away",
+                work.exercise.id
+            ),
+            (None, None) => return,
+        };
         ctx.send_viewport_cmd(egui::ViewportCommand::CancelClose);
         self.asked_to_close = true;
         self.laboratory.is_open = true;

@@ -13,9 +13,10 @@ use egui::{
 const NARROW: f32 = 620.0;
 
 /// Keys of the laboratory. Undo and redo in the editor are its own, where it has the focus.
-const KEYS: [(Modifiers, Key, Wish); 6] = [
+const KEYS: [(Modifiers, Key, Wish); 7] = [
     (Modifiers::COMMAND, Key::Enter, Wish::Check),
     (Modifiers::COMMAND, Key::S, Wish::Save),
+    (Modifiers::COMMAND, Key::O, Wish::Open),
     (Modifiers { shift: true, ..Modifiers::COMMAND }, Key::Z, Wish::Redo),
     (Modifiers::COMMAND, Key::Y, Wish::Redo),
     (Modifiers::COMMAND, Key::Z, Wish::Undo),
@@ -97,6 +98,10 @@ fn check(ui: &mut Ui, work: &Work, narrow: bool, wishes: &mut Vec<Wish>) {
 }
 
 fn files(ui: &mut Ui, work: &Work, wishes: &mut Vec<Wish>) {
+    let tip = "Open your own files in place of these (Ctrl + O); or drop them here";
+    if icon(ui, "open-files", icons::FOLDER_OPEN, tip, true) {
+        wishes.push(Wish::Open);
+    }
     let in_memory = work.files.iter().all(|file| file.path.is_none());
     if icon(ui, "save-files", icons::FLOPPY_DISK, "Save the files (Ctrl + S)", in_memory || work.is_changed()) {
         wishes.push(Wish::Save);

@@ -1,9 +1,10 @@
 //! What is done with the work: pairs compiled as they are written, checks begun and heard, files saved and read again.
 
 use super::drawing::Easel;
-use super::work::{Judged, Page, ProgramFacts, Work};
+use super::work::{Judged, OpenFile, Page, ProgramFacts, Work};
 use super::{Wish, editor};
 use crate::drawing::Studio;
+use crate::files;
 use crate::platform::{CheckRequest, Checking, Platform};
 use egui::Context;
 use gonio_lab::exercise::Kind;
@@ -54,6 +55,11 @@ impl Desk {
         (self.easel, self.compiled, self.failed) = (None, None, false);
     }
 
+    /// Other files are open: they are compiled at once, not after a pause.
+    pub fn begin_anew(&mut self) {
+        self.seen = None;
+    }
+
     /// To be called in every frame: compiles what was written a moment ago, and hears what came of checks.
     pub fn follow(
         &mut self,
@@ -73,6 +79,7 @@ impl Desk {
                 }
             }
         }
+        work.downloads = !platform.has_folders();
         self.hear(work);
         let content = work.content();
         match &self.seen {
@@ -214,7 +221,12 @@ impl Desk {
                 self.checking = None;
                 work.checking = false;
             }
-            Wish::Save => said.extend(save(work, platform)),
+            Wish::Save => {
+                said.extend(save(work, platform));
+                if work.asking.is_some() {
+                    editor::let_go(ctx, work);
+                }
+            }
             Wish::SaveInto(folder) => said.extend(save_into(work, &folder, platform)),
             Wish::Undo | Wish::Redo => {
                 if let Some(file) = work.files.get_mut(current) {
@@ -238,17 +250,45 @@ impl Desk {
                     said.extend(save(work, platform));
                 }
             }
-            Wish::Begin(_) | Wish::List | Wish::Leave | Wish::Theme => {}
+            Wish::PutBack => {
+                work.put_back();
+                self.begin_anew();
+                // Nobody watched them while they were away.
+                let paths: Vec<PathBuf> = work.files.iter().filter_map(|file| file.path.clone()).collect();
+                said.extend(read_again(ctx, work, &paths));
+            }
+            Wish::BeginAgain => {
+                work.begin_again();
+                self.begin_anew();
+            }
+            Wish::StartFiles => {
+                let name = format!("{}.zip", work.exercise.id);
+                said.extend(platform.write(&name, &start_files(work)).err());
+            }
+            Wish::Begin(_) | Wish::List | Wish::Leave | Wish::Open | Wish::Theme => {}
         }
     }
 }
 
+/// What one starts from, as one file: texts and pictures.
+fn start_files(work: &Work) -> Vec<u8> {
+    let texts = work.exercise.start_files().map(|(name, text)| (name, text.as_bytes()));
+    files::pack(&texts.chain(work.exercise.pictures()).collect::<Vec<_>>())
+}
+
 fn request(work: &Work, content: &[SourceFile]) -> CheckRequest {
-    // Of several host programs the one in the editor is meant.
-    let of_host = work.exercise.kind == Kind::HostProgram;
-    let in_editor = work.files.get(work.current).map(|file| file.name.as_str()).filter(|name| name.ends_with(".txt"));
-    let is_meant = |name: &str| !of_host || in_editor.is_none_or(|meant| meant == name || !name.ends_with(".txt"));
-    let meant = content.iter().filter(|file| is_meant(&file.name));
+    // Of several host programs or buffers the one in the editor is meant.
+    let endings: &[&str] = match work.exercise.kind {
+        Kind::HostProgram => &[".txt"],
+        Kind::Buffers => &[".csv", ".tsv", ".json", ".bin", ".raw", ".f32"],
+        Kind::Shaders | Kind::Faces => &[],
+    };
+    let is_one = |name: &str| endings.iter().any(|ending| name.to_ascii_lowercase().ends_with(ending));
+    let in_editor = work.files.get(work.current).map(|file| file.name.as_str()).filter(|name| is_one(name));
+    let is_meant = |name: &str| in_editor.is_none_or(|meant| meant == name || !is_one(name));
+    // A single picture is the answer where nothing but pictures is handed in.
+    let is_paper = |name: &str| name.ends_with(".svg") && work.exercise.file(name).is_some();
+    let meant = content.iter().filter(|file| is_meant(&file.name) && !is_paper(&file.name));
     let files = meant.map(|file| (file.name.clone(), file.bytes.clone())).collect();
     CheckRequest { exercise: work.exercise.id.clone(), files, as_the_lab: work.as_the_lab }
 }
@@ -269,11 +309,15 @@ fn without_repeats(notes: Vec<Note>) -> Vec<Note> {
 /// saved is a sentence each.
 fn save(work: &mut Work, platform: &mut dyn Platform) -> Vec<String> {
     let in_memory = work.files.iter().all(|file| file.path.is_none());
-    if in_memory && platform.has_folders() {
-        work.asking = Some(work.exercise.id.clone());
-        return Vec::new();
-    }
     let mut said = Vec::new();
+    if platform.has_folders() && work.files.iter().any(|file| file.path.is_none() && (in_memory || file.is_changed())) {
+        // Beside those that have a place already.
+        let beside = work.files.iter().find_map(|file| Some(file.path.as_ref()?.parent()?.display().to_string()));
+        work.asking = Some(beside.unwrap_or_else(|| work.exercise.id.clone()));
+        if in_memory {
+            return said;
+        }
+    }
     let current = work.current;
     for (index, file) in work.files.iter_mut().enumerate() {
         // What changed on the disk meanwhile is not written over before the person has chosen.
@@ -281,7 +325,12 @@ fn save(work: &mut Work, platform: &mut dyn Platform) -> Vec<String> {
             continue;
         }
         let bytes = file.text.clone().into_bytes();
-        let place = file.path.as_ref().map_or(file.name.clone().into(), |path| path.to_string_lossy());
+        let place = match &file.path {
+            Some(path) => path.to_string_lossy(),
+            None if platform.has_folders() => continue,
+            // A download has no folders.
+            None => file.name.rsplit('/').next().unwrap_or_default().into(),
+        };
         match platform.write(&place, &bytes) {
             Ok(_) => file.saved = bytes,
             Err(why) => said.push(why),
@@ -290,14 +339,17 @@ fn save(work: &mut Work, platform: &mut dyn Platform) -> Vec<String> {
     said
 }
 
-/// Saves files that are in memory into a folder, which is made where it is not there; nothing is written over.
+/// Saves files that are in memory into a folder, which is made where it is not there; nothing is written over. Where others
+/// have a place already, those that nothing was written in stay in memory.
 fn save_into(work: &mut Work, folder: &str, platform: &mut dyn Platform) -> Vec<String> {
     let folder = PathBuf::from(folder);
     let place = |name: &str| folder.join(name);
-    if let Some(file) = work.files.iter().find(|file| place(&file.name).exists()) {
+    let in_memory = work.files.iter().all(|file| file.path.is_none());
+    let is_meant = |file: &OpenFile| file.path.is_none() && (in_memory || file.is_changed());
+    if let Some(file) = work.files.iter().find(|file| is_meant(file) && place(&file.name).exists()) {
         return vec![format!("{} is there already; name another folder", place(&file.name).display())];
     }
-    for file in &mut work.files {
+    for file in work.files.iter_mut().filter(|file| is_meant(file)) {
         let path = place(&file.name);
         let made = path.parent().map_or(Ok(()), std::fs::create_dir_all);
         if let Err(why) = made {

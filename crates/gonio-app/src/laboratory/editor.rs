@@ -26,13 +26,15 @@ pub enum Asked {
     TakeOther(usize),
     /// What was written here stays, and is saved over what is on the disk.
     KeepMine(usize),
+    /// The files that were open before these.
+    PutBack,
 }
 
 /// Shows the files' tabs, the current one's text and what is said of it. True with what was asked for; the texts are edited
 /// in place.
 pub fn show(ui: &mut Ui, work: &mut Work) -> Option<Asked> {
     tabs(ui, work);
-    let asked = conflict(ui, work);
+    let asked = conflict(ui, work).or(put_back(ui, work));
     let marks = work.marks(work.current);
     let jump = work.jump.take_if(|(file, _)| *file == work.current).map(|(_, line)| line);
     let below = messages_height(ui, &marks, work);
@@ -107,6 +109,21 @@ fn conflict(ui: &mut Ui, work: &Work) -> Option<Asked> {
         },
     );
     asked
+}
+
+/// What was open before these files, to be had again.
+fn put_back(ui: &mut Ui, work: &Work) -> Option<Asked> {
+    let before = work.before.last()?;
+    ui.horizontal_wrapped(|ui| {
+        let unsaved = if before.files.iter().any(OpenFile::is_changed) { ", with what is not saved there" } else { "" };
+        let sentence = format!("Before: {}{unsaved}.", before.names_beside(&work.files));
+        ui.add(Label::new(RichText::new(sentence).small().weak()).wrap());
+        let button = ui.small_button("Put back");
+        exported::note(ui, &button, "put-back", Role::Button, "Put back", work.before.len());
+        let tip = "The files that were open before these; these can then be put back in the same way";
+        button.on_hover_text(tip).clicked().then_some(Asked::PutBack)
+    })
+    .inner
 }
 
 /// The text with its numbers and marks.
@@ -281,6 +298,13 @@ pub fn remember(ctx: &egui::Context, file: &OpenFile) {
     undoer.add_undo(&(range, file.text.clone()));
     state.set_undoer(undoer);
     state.store(ctx, id);
+}
+
+/// Lets the keys go to another field.
+pub fn let_go(ctx: &egui::Context, work: &Work) {
+    if let Some(file) = work.files.get(work.current) {
+        ctx.memory_mut(|memory| memory.surrender_focus(file.id()));
+    }
 }
 
 /// Whether there is a step back, and whether there is one forth.

@@ -1,8 +1,10 @@
 //! An exercise's text: what of Markdown the exercises use, in the window's own letters.
 
+use super::figure;
 use crate::theme;
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Color32, FontId, Frame, Label, Margin, RichText, TextStyle, Ui, vec2};
+use gonio_lab::exercise::Exercise;
 
 /// A part of a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -28,10 +30,10 @@ enum Style {
     Code,
 }
 
-/// Shows a text; `folder` is where its figures are.
-pub fn show(ui: &mut Ui, text: &str, folder: &str) {
+/// Shows an exercise's text with its figures.
+pub fn show(ui: &mut Ui, exercise: &Exercise) {
     ui.spacing_mut().item_spacing.y = 7.0;
-    for (index, block) in blocks(text).iter().enumerate() {
+    for (index, block) in blocks(exercise.text()).iter().enumerate() {
         match block {
             Block::Heading(level, words) => {
                 ui.add_space(if *level == 1 { 2.0 } else { 8.0 });
@@ -52,8 +54,11 @@ pub fn show(ui: &mut Ui, text: &str, folder: &str) {
             Block::Code(code) => code_block(ui, code, index),
             Block::Table(rows) => table(ui, rows),
             Block::Figure(shows, file) => {
-                let sentence = format!("Figure: {shows} (exercises/{folder}/{file}; `gonio lab start` writes it out)");
-                ui.add(Label::new(RichText::new(sentence).weak().italics()).wrap());
+                // What it shows is said below it, and where it cannot be drawn in its place.
+                if let Some(text) = exercise.file(file) {
+                    figure::show(ui, file, shows, text);
+                }
+                ui.add(Label::new(RichText::new(*shows).weak().italics()).wrap());
             }
         }
     }
@@ -194,7 +199,7 @@ fn blocks(text: &str) -> Vec<Block<'_>> {
                 lines.next();
             }
             found.push(Block::Table(rows));
-        } else if let Some((shows, file)) = figure(trimmed) {
+        } else if let Some((shows, file)) = named_figure(trimmed) {
             found.push(Block::Figure(shows, file));
         } else if let Some((dot, words)) = item(trimmed) {
             found.push(Block::Item(indent, dot, words.to_owned()));
@@ -231,7 +236,7 @@ fn row_of(line: &str) -> Vec<&str> {
     cells
 }
 
-fn figure(line: &str) -> Option<(&str, &str)> {
+fn named_figure(line: &str) -> Option<(&str, &str)> {
     let (shows, rest) = line.strip_prefix("![")?.split_once("](")?;
     Some((shows, rest.split(')').next()?))
 }

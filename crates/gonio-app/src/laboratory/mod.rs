@@ -4,11 +4,12 @@
 //! | file | what |
 //! |---|---|
 //! | `work` | what is worked on: plain data |
+//! | `taking` | a student's own files, in place of those that are open |
 //! | `desk` | what is done with it: files read and saved, pairs compiled, checks begun and heard |
 //! | `drawing` | the pictures |
 //! | `editor`, `highlight` | the files' texts |
 //! | `bar`, `list`, `pictures` | the bar at the top, the exercises, the pictures and their settings |
-//! | `markdown`, `verdict`, `given` | the pages beside: the text, the verdict, the variables |
+//! | `markdown`, `figure`, `verdict`, `given` | the pages beside: the text and its figures, the verdict, the variables |
 //! | `told` | its part of the exported state |
 //!
 //! It is apart from the scene and its document: entering and leaving it leaves them as they are.
@@ -17,16 +18,19 @@ mod bar;
 mod desk;
 mod drawing;
 mod editor;
+mod figure;
 mod given;
 mod highlight;
 mod list;
 mod markdown;
 mod pictures;
+mod taking;
 mod told;
 mod verdict;
 mod work;
 
 pub use drawing::Picture;
+pub use taking::{FileSet, Taken};
 pub use work::{GivenFile, Judged, Mark, MarkKind, OpenFile, Page, ProgramFacts, Shown, Start, Work};
 
 use crate::action::Action;
@@ -53,6 +57,14 @@ pub enum Wish {
     Check,
     /// No longer wait for the check.
     StopChecking,
+    /// Open files in place of these.
+    Open,
+    /// The files that were open before these.
+    PutBack,
+    /// The files to start from in place of these.
+    BeginAgain,
+    /// The files to start from, handed out as they are.
+    StartFiles,
     /// Save the files that were changed.
     Save,
     /// Save the files that are in memory into this folder.
@@ -116,6 +128,21 @@ impl Laboratory {
     /// Files on the disk that are to be watched.
     pub fn paths(&self) -> Vec<std::path::PathBuf> {
         self.works().flat_map(|work| work.files.iter().filter_map(|file| file.path.clone())).collect()
+    }
+
+    /// Puts a student's own files in place of those that are for the same.
+    pub fn take(&mut self, files: Vec<GivenFile>) -> Taken {
+        match self.work.as_mut().filter(|_| !self.is_listing) {
+            Some(work) => {
+                let taken = work.take(files);
+                self.desk.begin_anew();
+                taken
+            }
+            None => {
+                let aside = "choose the exercise first that your files are for, and then give them again";
+                Taken { announcement: None, aside: Some(aside.to_owned()) }
+            }
+        }
     }
 
     /// Its part of the state: see [`exported::state`].
@@ -191,6 +218,11 @@ impl Laboratory {
             match wish {
                 Wish::Begin(exercise) => actions.push(Action::Exercise(exercise)),
                 Wish::List => actions.push(Action::Exercises),
+                Wish::Open => {
+                    // Where a path is asked for, that is what is written next.
+                    self.work.as_ref().inspect(|work| editor::let_go(ctx, work));
+                    actions.push(Action::ChooseFiles);
+                }
                 Wish::Leave => self.is_open = false,
                 Wish::Theme => actions.push(Action::ToggleTheme),
                 other => {
@@ -263,6 +295,7 @@ fn edit(ui: &mut Ui, work: &mut Work, wishes: &mut Vec<Wish>) {
     match editor::show(ui, work) {
         Some(editor::Asked::TakeOther(file)) => wishes.push(Wish::TakeOther(file)),
         Some(editor::Asked::KeepMine(file)) => wishes.push(Wish::KeepMine(file)),
+        Some(editor::Asked::PutBack) => wishes.push(Wish::PutBack),
         None => {}
     }
 }
@@ -296,8 +329,32 @@ fn pages(ui: &mut Ui, work: &mut Work, pages: &[Page]) {
 fn page_of(ui: &mut Ui, work: &mut Work, wishes: &mut Vec<Wish>) {
     let salt = (work.exercise.id.as_str(), work.page as u8);
     ScrollArea::vertical().id_salt(salt).auto_shrink([false, false]).show(ui, |ui| match work.page {
-        Page::Text | Page::Editor => markdown::show(ui, work.exercise.text(), work.exercise.folder),
+        Page::Text | Page::Editor => {
+            markdown::show(ui, work.exercise);
+            start_files(ui, work, wishes);
+        }
         Page::Verdict => verdict::show(ui, work, wishes),
         Page::Given => given::show(ui, work),
     });
+}
+
+/// The files to start from, to be had again.
+fn start_files(ui: &mut Ui, work: &Work, wishes: &mut Vec<Wish>) {
+    ui.horizontal_wrapped(|ui| {
+        let mut button = |id: &str, label: &str, tip: &str, wish: Wish| {
+            let button = ui.button(label);
+            exported::note(ui, &button, id, Role::Button, label, "");
+            if button.on_hover_text(tip).clicked() {
+                wishes.push(wish);
+            }
+        };
+        let tip = "The files to start from in place of those that are open, which can be put back";
+        button("begin-again", "Begin again", tip, Wish::BeginAgain);
+        if work.downloads {
+            let label = format!("Download {}.zip", work.exercise.id);
+            let tip = "This text, its figures and the files to start from, as they are";
+            button("start-files", &label, tip, Wish::StartFiles);
+        }
+    });
+    ui.add_space(40.0);
 }

@@ -96,15 +96,16 @@ fn nothing_yet(picture: Picture, work: &Work) -> &'static str {
 fn without_picture(kind: Kind) -> &'static str {
     match kind {
         Kind::Buffers => {
-            "Your program, in any language, writes a vertex buffer. Save it as .csv, .json or raw floats beside your files: \
-             `gonio lab open ex02 cube.csv` shows it here, and Check says which triangles are wrong and why."
+            "Your program, in any language, writes a vertex buffer as .csv, .json or raw floats (.bin). Drop that file here, \
+             and press Check: it says which triangles are wrong and why."
         }
         Kind::HostProgram => {
             "This exercise's program is a list of OpenGL calls. Mend the text, and press Check: gonio carries it out call by \
              call. `gonio lab check ex11 FILE.txt` does the same on the command line."
         }
         Kind::Shaders | Kind::Faces => {
-            "Six faces are the answer here: press Check, or use `gonio lab check` on the command line."
+            "Six faces are the answer here. Write the shader that draws them, or drop the six pictures that your own \
+             program made, and press Check."
         }
     }
 }

@@ -11,6 +11,7 @@ use serde_json::{Value, json};
 /// | `open` | whether it is shown in place of the scene |
 /// | `exercise` | the exercise's word, or null: the list is shown |
 /// | `files` | of each `name`, whether it is `changed` (not saved), in `conflict` with the disk, and `shown` in a tab |
+/// | `before` | how many sets of files were open before these, and can be put back |
 /// | `file`, `page`, `shown`, `scene` | the file in the editor; the page beside; which picture; in which scene |
 /// | `said` | what is said of lines of all files: `file`, `line`, `kind` (error, warning, mistake), `text` |
 /// | `unusable` | why there is no pair of shaders, or null |
@@ -70,6 +71,7 @@ fn of_work(work: &Work) -> Value {
     json!({
         "exercise": work.exercise.id,
         "files": files,
+        "before": work.before.len(),
         "file": work.files.get(work.current).map(|file| &file.name),
         "page": page,
         "shown": pictures::word(work.shown),

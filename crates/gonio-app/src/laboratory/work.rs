@@ -1,8 +1,9 @@
 //! What is being worked on: an exercise, the student's files, what was said of them. Plain data.
 
+use super::taking::FileSet;
 use crate::session::Clock;
 use egui::Id;
-use gonio_lab::exercise::Exercise;
+use gonio_lab::exercise::{Exercise, Kind};
 use gonio_lab::live::{Given, Note, NoteKind, Scene, scenes};
 use gonio_lab::submission::SourceFile;
 use gonio_lab::verdict::Verdict;
@@ -44,12 +45,33 @@ pub struct OpenFile {
     pub other: Option<Vec<u8>>,
     /// Why it cannot be written to: it is no text.
     pub locked: bool,
+    /// Of the editor's widget.
+    id: Id,
+    /// Whether it has a tab.
+    is_shown: bool,
 }
 
+/// Endings of what is handed out with an exercise and is no answer.
+const PAPERS: [&str; 5] = [".md", ".svg", ".obj", ".png", ".jpg"];
+
 impl OpenFile {
-    fn new(file: GivenFile) -> Self {
+    /// As it was given: `number` tells it from files of the same name that were open at other times.
+    pub(super) fn new(exercise: &Exercise, file: GivenFile, number: (u64, usize)) -> Self {
         let (text, locked) = decoded(&file.bytes);
-        OpenFile { name: file.name, path: file.path, text, saved: file.bytes, other: None, locked }
+        let id = Id::unique("laboratory editor").with((&exercise.id, number, &file.name));
+        let name = file.name.to_ascii_lowercase();
+        let is_shown = !PAPERS.iter().any(|end| name.ends_with(end));
+        OpenFile { name: file.name, path: file.path, text, saved: file.bytes, other: None, locked, id, is_shown }
+    }
+
+    /// The same with a tab, whatever it is called: it was given as an answer.
+    pub(super) fn shown(self) -> Self {
+        OpenFile { is_shown: true, ..self }
+    }
+
+    /// Whether this is what it was read from, and nothing was written in it.
+    pub(super) fn is_same(&self, file: &GivenFile) -> bool {
+        self.path == file.path && self.name == file.name && self.saved == file.bytes && !self.is_changed()
     }
 
     /// Whether there is something to save.
@@ -59,8 +81,7 @@ impl OpenFile {
 
     /// Whether it has a tab: what is handed out with an exercise and is no answer has none.
     pub fn is_shown(&self) -> bool {
-        let name = self.name.to_ascii_lowercase();
-        ![".md", ".svg", ".obj", ".png", ".jpg"].iter().any(|end| name.ends_with(end))
+        self.is_shown
     }
 
     /// What it holds for a check: a file that is no text as it is.
@@ -70,7 +91,7 @@ impl OpenFile {
 
     /// Of the editor's widget: its undo is this file's own.
     pub fn id(&self) -> Id {
-        Id::unique("laboratory editor").with(&self.name)
+        self.id
     }
 
     /// It is another file on the disk now. True where the editor's text became it; where there is text that was not saved,
@@ -98,6 +119,8 @@ impl OpenFile {
 /// A text, and whether it is none that could be written back as it was.
 fn decoded(bytes: &[u8]) -> (String, bool) {
     match std::str::from_utf8(bytes) {
+        // Numbers and pictures as letters are no help, and their lines may be endless.
+        _ if bytes.contains(&0) => (format!("{} bytes that are no text.\n", bytes.len()), true),
         Ok(text) => (text.to_owned(), false),
         Err(_) => (String::from_utf8_lossy(bytes).into_owned(), true),
     }
@@ -194,19 +217,23 @@ pub struct Work {
     pub jump: Option<(usize, u32)>,
     /// A folder is asked for, to save into: as far as it is written.
     pub asking: Option<String>,
+    /// Files that were open before these, the latest last.
+    pub before: Vec<FileSet>,
+    /// Files are saved as downloads here, for there are no folders.
+    pub downloads: bool,
+    /// Counts the sets of files that were opened.
+    pub(super) sets: u64,
 }
 
 impl Work {
     /// Begins. Without files with the exercise's own ones to start from.
     pub fn new(exercise: &'static Exercise, files: Vec<GivenFile>) -> Self {
-        let own = || {
-            let file = |(name, text): (&str, &str)| GivenFile { name: name.into(), path: None, bytes: text.into() };
-            exercise.start_files().map(file).collect()
+        let opened = |(index, file)| OpenFile::new(exercise, file, (0, index));
+        let files: Vec<OpenFile> = match files.is_empty() {
+            true => Work::start_files(exercise, 0),
+            false => files.into_iter().enumerate().map(opened).collect(),
         };
-        let given: Vec<GivenFile> = if files.is_empty() { own() } else { files };
-        let files: Vec<OpenFile> = given.into_iter().map(OpenFile::new).collect();
-        let ends = |end: &str| files.iter().position(|file| file.is_shown() && file.name.ends_with(end));
-        let current = ends(".frag").or_else(|| files.iter().position(OpenFile::is_shown)).unwrap_or(0);
+        let current = Work::first_shown(exercise, &files);
         let scenes = scenes(exercise);
         let mut work = Work {
             exercise,
@@ -225,9 +252,29 @@ impl Work {
             checking: false,
             jump: None,
             asking: None,
+            before: Vec::new(),
+            downloads: false,
+            sets: 0,
         };
         work.look_at(0);
         work
+    }
+
+    /// The exercise's own files to start from, as the set of this number.
+    pub(super) fn start_files(exercise: &Exercise, set: u64) -> Vec<OpenFile> {
+        let file = |(name, text): (&str, &str)| GivenFile { name: name.into(), path: None, bytes: text.into() };
+        let opened = |(index, file)| OpenFile::new(exercise, file, (set, index));
+        exercise.start_files().map(file).enumerate().map(opened).collect()
+    }
+
+    /// The one of several files that is in the editor at first: where there is something to do.
+    pub(super) fn first_shown(exercise: &Exercise, files: &[OpenFile]) -> usize {
+        let answers = if exercise.kind == Kind::HostProgram { ".txt" } else { ".frag" };
+        let is_answer = |file: &OpenFile| file.is_shown() && file.name.ends_with(answers);
+        let has_to_do = |file: &OpenFile| file.is_shown() && file.text.contains("TODO");
+        let to_do = files.iter().position(|file| is_answer(file) && has_to_do(file));
+        let to_do = to_do.or_else(|| files.iter().position(has_to_do)).or_else(|| files.iter().position(is_answer));
+        to_do.or_else(|| files.iter().position(OpenFile::is_shown)).unwrap_or(0)
     }
 
     /// The same, put aside and taken up again: nothing is compiled yet.
@@ -340,7 +387,12 @@ mod tests {
     use gonio_lab::exercise;
 
     fn file(text: &str) -> OpenFile {
-        OpenFile::new(GivenFile { name: "a.vert".into(), path: None, bytes: text.into() })
+        opened(text.into())
+    }
+
+    fn opened(bytes: Vec<u8>) -> OpenFile {
+        let ex04 = exercise::find("ex04").unwrap();
+        OpenFile::new(ex04, GivenFile { name: "a.vert".into(), path: None, bytes }, (0, 0))
     }
 
     #[test]
@@ -358,9 +410,12 @@ mod tests {
     #[test]
     fn what_is_no_text_is_shown_and_left_as_it_is() {
         let bytes = b"// caf\xe9".to_vec();
-        let file = OpenFile::new(GivenFile { name: "a.vert".into(), path: None, bytes: bytes.clone() });
+        let file = opened(bytes.clone());
         assert!(file.locked && !file.is_changed());
         assert_eq!(file.content(), bytes);
+        let floats = opened([0.5_f32, -1.0].iter().flat_map(|number| number.to_le_bytes()).collect());
+        assert!(floats.locked && floats.content().len() == 8);
+        assert_eq!(floats.text, "8 bytes that are no text.\n");
     }
 
     #[test]
@@ -369,6 +424,11 @@ mod tests {
         let shown: Vec<&str> = work.files.iter().filter(|f| f.is_shown()).map(|f| f.name.as_str()).collect();
         assert_eq!(shown, ["start.frag", "start.vert"]);
         assert_eq!(work.files[work.current].name, "start.frag");
+        // There is nothing to do in the fragment shader of the camera, and nothing but programs in the black triangle.
+        for (id, end) in [("ex01", "start.vert"), ("ex11", ".txt")] {
+            let work = Work::new(exercise::find(id).unwrap(), Vec::new());
+            assert!(work.files[work.current].name.ends_with(end), "{}", work.files[work.current].name);
+        }
         assert!(!work.is_changed() && !work.scenes.is_empty());
     }
 }

@@ -18,6 +18,7 @@ mod top_bar;
 use crate::action::Action;
 use crate::document::{Document, History};
 use crate::exported::{self, Role};
+use crate::platform::Purpose;
 use crate::session::{Session, Tab};
 use crate::theme::colors;
 use egui::{Color32, FontId, Frame, Margin, Panel, Rect, ScrollArea, Sense, Ui, Visuals, WidgetInfo, vec2};
@@ -63,12 +64,17 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, history
     }
     messages::show(ui, session, actions);
     help::show(ui, session);
-    path_field::show(ui, session, actions);
+    path_field::show(ui, session, Purpose::Scene, actions);
 }
 
 /// The messages alone, over whatever is shown.
 pub fn messages(ui: &Ui, session: &Session, actions: &mut Vec<Action>) {
     messages::show(ui, session, actions);
+}
+
+/// The field for a path alone, where one is asked for.
+pub fn path_field(ui: &Ui, session: &mut Session, purpose: Purpose, actions: &mut Vec<Action>) {
+    path_field::show(ui, session, purpose, actions);
 }
 
 /// The tabs and what the chosen one shows.

@@ -2,14 +2,18 @@
 
 use crate::action::Action;
 use crate::exported::{self, Role};
+use crate::platform::Purpose;
 use crate::session::Session;
 use egui::{Align2, Key, Label, RichText, TextEdit, Ui, Window, vec2};
 use gonio_scene::files::BUILTIN;
 
-/// Shows it where one is asked for.
-pub fn show(ui: &Ui, session: &mut Session, actions: &mut Vec<Action>) {
+/// Shows it where one is asked for; files that it names are wanted for `purpose`.
+pub fn show(ui: &Ui, session: &mut Session, purpose: Purpose, actions: &mut Vec<Action>) {
     let Some(mut asking) = session.asking.take() else { return };
     let (title, hint, verb) = match asking.saves {
+        None if purpose == Purpose::Exercise => {
+            ("Open", "Path of your file, or of a folder or a zip with your files; or drop them on the window", "Open")
+        }
         Some(_) => ("Save as", "Path of the file to write", "Save"),
         None => ("Open", "Path of a model, a scene, a zip or a picture; or drop files on the window", "Open"),
     };

@@ -10,6 +10,7 @@ pub mod web;
 pub use checking::{CheckRequest, Checking, Refused};
 pub use settings::Settings;
 
+use crate::laboratory::GivenFile;
 use crate::saving::Product;
 use gonio_scene::files::FileSource;
 use serde_json::Value;
@@ -29,10 +30,21 @@ pub struct Given {
     pub files: Arc<dyn FileSource>,
 }
 
+/// What files are wanted for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// Models and scenes, to be looked at.
+    Scene,
+    /// A student's own files, for the exercise that is worked on.
+    Exercise,
+}
+
 /// What came from outside since it was last asked.
 pub enum Event {
     /// Files to open.
     Open(Given),
+    /// Files for the exercise, as they are: those in folders and zips too.
+    Handed(Vec<GivenFile>),
     /// Where something is to be saved.
     SaveTo(Product, String),
     /// Files that were read are others now.
@@ -65,13 +77,13 @@ pub trait Platform {
         None
     }
     /// Asks a person for files.
-    fn choose_files(&mut self, ctx: &egui::Context) -> Asked;
+    fn choose_files(&mut self, purpose: Purpose, ctx: &egui::Context) -> Asked;
     /// Opens files that a person named by hand.
-    fn open_paths(&mut self, paths: Vec<String>, ctx: &egui::Context);
+    fn open_paths(&mut self, paths: Vec<String>, purpose: Purpose, ctx: &egui::Context);
     /// Asks a person where to save; `name` is proposed.
     fn choose_place(&mut self, product: Product, name: &str, ctx: &egui::Context) -> Asked;
-    /// What came since.
-    fn poll(&mut self, ctx: &egui::Context) -> Vec<Event>;
+    /// What came since; files that were dropped in this frame are wanted for `purpose`.
+    fn poll(&mut self, purpose: Purpose, ctx: &egui::Context) -> Vec<Event>;
     /// Hands a file out: where it went, or one sentence.
     fn write(&mut self, place: &str, bytes: &[u8]) -> Result<String, String>;
     /// The address of this page with another part after `#`, or a text that says where to put it.

@@ -4,7 +4,7 @@
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Vec2, pos2, vec2};
 use egui_kittest::Harness;
 use gonio_app::exported::{self, Widget};
-use gonio_app::platform::{Asked, CheckRequest, Checking, Event as FromOutside, Platform, Settings};
+use gonio_app::platform::{Asked, CheckRequest, Checking, Event as FromOutside, Platform, Purpose, Settings};
 use gonio_app::saving::Product;
 use gonio_app::{Lab, theme};
 use gonio_gl::HeadlessContext;
@@ -13,11 +13,19 @@ use gonio_lab::exercise;
 use gonio_lab::submission::SourceFile;
 use gonio_lab::verdict::Verdict;
 use gonio_scene::files::{Disk, FileSource};
+use std::cell::RefCell;
+use std::rc::Rc;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
 
 /// A platform that checks in a thread with a context of its own, as no program is there to be started.
-struct Here;
+#[derive(Clone, Default)]
+pub struct Here {
+    /// What is to come from outside next.
+    pub coming: Rc<RefCell<Vec<FromOutside>>>,
+    /// What files were wanted for that were asked for last.
+    pub asked: Rc<RefCell<Option<Purpose>>>,
+}
 
 struct Thread(Receiver<Result<Verdict, String>>);
 
@@ -31,15 +39,16 @@ impl Platform for Here {
     fn files(&self) -> Arc<dyn FileSource> {
         Arc::new(Disk)
     }
-    fn choose_files(&mut self, _: &egui::Context) -> Asked {
+    fn choose_files(&mut self, purpose: Purpose, _: &egui::Context) -> Asked {
+        *self.asked.borrow_mut() = Some(purpose);
         Asked::ByNobody
     }
-    fn open_paths(&mut self, _: Vec<String>, _: &egui::Context) {}
+    fn open_paths(&mut self, _: Vec<String>, _: Purpose, _: &egui::Context) {}
     fn choose_place(&mut self, _: Product, _: &str, _: &egui::Context) -> Asked {
         Asked::ByNobody
     }
-    fn poll(&mut self, _: &egui::Context) -> Vec<FromOutside> {
-        Vec::new()
+    fn poll(&mut self, _: Purpose, _: &egui::Context) -> Vec<FromOutside> {
+        std::mem::take(&mut *self.coming.borrow_mut())
     }
     fn write(&mut self, place: &str, bytes: &[u8]) -> Result<String, String> {
         std::fs::write(place, bytes).map(|()| place.to_owned()).map_err(|why| why.to_string())
@@ -70,6 +79,7 @@ impl Platform for Here {
 /// The application, painted at least twice.
 pub struct Window {
     pub harness: Harness<'static, Option<Lab>>,
+    pub here: Here,
     // The application's OpenGL; it goes last.
     _context: HeadlessContext,
 }
@@ -79,15 +89,17 @@ impl Window {
     pub fn with(input: &str, size: Vec2) -> Self {
         let context = HeadlessContext::new().unwrap_or_else(|why| panic!("{why}"));
         let (gl, input) = (context.gl().clone(), input.to_owned());
+        let here = Here::default();
+        let platform = here.clone();
         let mut harness = Harness::builder().with_size(size).with_context_setup(theme::install).build_ui_state(
             move |ui, lab: &mut Option<Lab>| {
-                let new = || Lab::new(ui.ctx(), Some(gl.clone()), Box::new(Here), vec![input.clone()]);
+                let new = || Lab::new(ui.ctx(), Some(gl.clone()), Box::new(platform.clone()), vec![input.clone()]);
                 lab.get_or_insert_with(new).ui(ui);
             },
             None,
         );
         harness.run_steps(2);
-        Window { harness, _context: context }
+        Window { harness, here, _context: context }
     }
 
     pub fn lab(&self) -> &Lab {

@@ -1,10 +1,12 @@
 //! A pair of shaders as it runs in a window: read while it is being written, its variables given what they mean, drawn in
 //! the exercise's scene. What it draws is for the eye; verdicts are the checker's ([`crate::check()`]).
 
+mod handed;
 mod scene;
 mod source;
 mod stage;
 
+pub use handed::{Handed, Use, handed, makes_way};
 pub use scene::{Body, Eye, Part, Scene, scenes};
 pub use source::{Note, NoteKind, Pair, Source};
 pub use stage::{Given, LiveStage};

@@ -87,6 +87,34 @@ impl Submission {
     }
 }
 
+/// What of a pair a file holds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Holds {
+    /// A vertex shader.
+    pub(crate) vertex: bool,
+    /// A fragment shader.
+    pub(crate) fragment: bool,
+    /// What names mean.
+    pub(crate) names: bool,
+}
+
+/// What of a pair this file holds. One whose stage nothing tells counts as both.
+///
+/// # Errors
+/// An [`IntakeError`] where it was meant to be a shader and cannot be read.
+pub(crate) fn holds(file: &SourceFile) -> Result<Holds, IntakeError> {
+    if kind(&file.name) == Kind::Perhaps && decode::decode(&file.name, &file.bytes).is_err() {
+        return Ok(Holds::default());
+    }
+    let mut intake = Intake { few: true, ..Intake::default() };
+    intake.take(file);
+    if let Some(error) = intake.errors.into_iter().next() {
+        return Err(error);
+    }
+    let has = |stage| !intake.undecided.is_empty() || intake.candidates.iter().any(|found| found.stage == stage);
+    Ok(Holds { vertex: has(Stage::Vertex), fragment: has(Stage::Fragment), names: intake.names.is_some() })
+}
+
 /// What has been found so far.
 #[derive(Default)]
 struct Intake {

@@ -2,6 +2,7 @@
 
 use crate::driven::Window;
 use serde_json::Value;
+use std::path::Path;
 use std::process::Command;
 
 /// A folder `mine` with exercise 04's right answer.
@@ -105,4 +106,74 @@ fn a_shader_that_never_ends_does_not_hold_up_the_window() {
     window.wait("another page", |s| s["laboratory"]["page"] == "given");
     window.write("mine/reference.frag", &text);
     window.wait("the one that ends", |s| s["laboratory"]["drawn"] == true && s["laboratory"]["tried"] == false);
+}
+
+/// Opens files by the field that asks for a path where the system has no dialogs.
+fn open(window: &mut Window, path: &str) {
+    window.key("ctrl+o");
+    window.find("path");
+    window.type_text(path);
+    window.key("Return");
+}
+
+#[test]
+fn ones_own_files_are_opened_in_place_followed_on_the_disk_and_saved_where_they_lie() {
+    let mut window = Window::exercise_in(answered(), 1100, 700, &["ex04"]);
+    window.wait("the program", |s| s["laboratory"]["drawn"] == true && s["laboratory"]["file"] == "start.frag");
+    window.click("editor");
+    window.key("ctrl+Home");
+    window.type_text("// not saved yet ");
+    window.wait("a change", |s| {
+        s["laboratory"]["files"].as_array().is_some_and(|f| f.iter().any(|f| f["changed"] == true))
+    });
+    open(&mut window, "mine");
+    let state = window.wait("the files", |s| s["laboratory"]["file"] == "reference.frag");
+    assert_eq!((&state["laboratory"]["before"], &state["error"]), (&1.into(), &Value::Null));
+    window.wait("the picture", |s| s["laboratory"]["drawn"] == true && s["laboratory"]["older"] == false);
+    // They are those on the disk: another editor's changes are followed, and what is written here is saved there.
+    let path = window.path("mine/reference.frag");
+    let text = std::fs::read_to_string(&path).unwrap();
+    std::fs::write(&path, text.replacen("void main()", "void mian()", 1)).unwrap();
+    window.wait("the error", |s| s["laboratory"]["older"] == true);
+    std::fs::write(&path, &text).unwrap();
+    window.wait("it to be mended", |s| s["laboratory"]["older"] == false);
+    window.click("editor");
+    window.key("ctrl+End");
+    window.type_text("// mine");
+    window.key("ctrl+s");
+    window.wait("it to be saved", |s| {
+        s["laboratory"]["files"].as_array().is_some_and(|f| f.iter().all(|f| f["changed"] == false))
+    });
+    assert!(std::fs::read_to_string(&path).unwrap().ends_with("// mine"));
+    // What was written before is there all the same.
+    window.click("put-back");
+    let state = window.wait("what was before", |s| s["laboratory"]["file"] == "start.frag");
+    assert!(state["laboratory"]["files"].as_array().unwrap().iter().any(|f| f["changed"] == true));
+    // What is nothing for the exercise is one sentence, and changes nothing.
+    window.write("photo.dat", "\u{0}\u{1}");
+    open(&mut window, "photo.dat");
+    let state = window.wait("the sentence", |s| s["error"].is_string());
+    assert!(state["error"].as_str().unwrap().starts_with("photo.dat is nothing that ex04 reads"), "{}", state["error"]);
+    assert_eq!(state["laboratory"]["file"], "start.frag");
+}
+
+#[test]
+fn six_faces_are_given_and_checked() {
+    let folder = tempfile::tempdir().unwrap();
+    let panorama = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../exercises/s1-panorama-to-cubemap/panorama.png");
+    let status = Command::new(env!("CARGO_BIN_EXE_gonio"))
+        .args(["environment", "convert", &panorama.to_string_lossy(), "faces", "--quiet"])
+        .current_dir(folder.path())
+        .status()
+        .unwrap();
+    assert!(status.success());
+    let mut window = Window::exercise_in(folder, 1100, 700, &["s1"]);
+    window.wait("the exercise", |s| s["laboratory"]["file"] == "start.frag");
+    open(&mut window, "faces");
+    let state = window.wait("the faces", |s| s["laboratory"]["before"] == 1);
+    let shown = state["laboratory"]["files"].as_array().unwrap().iter().filter(|file| file["shown"] == true).count();
+    assert_eq!(shown, 6, "{}", state["laboratory"]["files"]);
+    window.key("ctrl+Return");
+    let state = window.wait("a verdict", |s| s["laboratory"]["verdict"].is_object());
+    assert_eq!(state["laboratory"]["verdict"]["word"], "correct", "{}", state["laboratory"]["verdict"]);
 }

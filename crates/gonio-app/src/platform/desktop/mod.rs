@@ -4,6 +4,7 @@ mod check;
 pub mod child;
 mod dialog;
 mod display;
+mod handed;
 mod home;
 mod opened;
 mod watch;
@@ -11,7 +12,7 @@ mod write;
 
 pub use display::has_display;
 
-use super::{Asked, CheckRequest, Checking, Event, Platform, Refused, Settings};
+use super::{Asked, CheckRequest, Checking, Event, Platform, Purpose, Refused, Settings};
 use crate::laboratory::Start;
 use crate::saving::Product;
 use crate::{Adjust, Lab, Opening};
@@ -101,23 +102,23 @@ impl Platform for Desktop {
         Arc::new(Disk)
     }
 
-    fn choose_files(&mut self, ctx: &egui::Context) -> Asked {
-        dialog::open(self.sender.clone(), ctx)
+    fn choose_files(&mut self, purpose: Purpose, ctx: &egui::Context) -> Asked {
+        dialog::open(purpose, self.sender.clone(), ctx)
     }
 
-    fn open_paths(&mut self, paths: Vec<String>, ctx: &egui::Context) {
-        opened::in_thread(paths, self.sender.clone(), ctx);
+    fn open_paths(&mut self, paths: Vec<String>, purpose: Purpose, ctx: &egui::Context) {
+        opened::in_thread(paths, purpose, self.sender.clone(), ctx);
     }
 
     fn choose_place(&mut self, product: Product, name: &str, ctx: &egui::Context) -> Asked {
         dialog::save(product, name, self.sender.clone(), ctx)
     }
 
-    fn poll(&mut self, ctx: &egui::Context) -> Vec<Event> {
+    fn poll(&mut self, purpose: Purpose, ctx: &egui::Context) -> Vec<Event> {
         let dropped = ctx.input(|i| i.raw.dropped_files.clone());
         if !dropped.is_empty() {
             let paths = dropped.iter().map(|file| file.path().to_string_lossy().into_owned()).collect();
-            self.open_paths(paths, ctx);
+            self.open_paths(paths, purpose, ctx);
         }
         self.receiver.try_iter().collect()
     }
@@ -175,5 +176,48 @@ impl Platform for Desktop {
             let _ = self.sender.send(Event::Failed(why));
             self.state = None;
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::laboratory::GivenFile;
+
+    #[derive(Debug)]
+    struct Dropped(PathBuf);
+
+    impl egui::DroppedFile for Dropped {
+        fn path(&self) -> &Path {
+            &self.0
+        }
+        fn bytes(&self) -> Result<Vec<u8>, String> {
+            std::fs::read(&self.0).map_err(|why| why.to_string())
+        }
+    }
+
+    /// What comes of a file that is dropped on the window while files are wanted for `purpose`.
+    fn dropped(path: &Path, purpose: Purpose) -> Event {
+        let mut desktop = Desktop::new(None, None);
+        let ctx = egui::Context::default();
+        let input = egui::RawInput { dropped_files: vec![Arc::new(Dropped(path.to_owned()))], ..Default::default() };
+        let mut events = Vec::new();
+        ctx.run_ui(input, |ui| events.extend(desktop.poll(purpose, ui.ctx()))).textures_delta.clear();
+        // A thread reads it.
+        events.into_iter().next().unwrap_or_else(|| desktop.receiver.recv().unwrap())
+    }
+
+    #[test]
+    fn a_file_that_is_dropped_goes_to_where_files_are_wanted() {
+        let path = std::env::temp_dir().join(format!("gonio-dropped-{}.obj", std::process::id()));
+        std::fs::write(&path, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+        let Event::Open(given) = dropped(&path, Purpose::Scene) else { panic!("no model") };
+        assert_eq!(given.inputs, [path.to_string_lossy()]);
+        let Event::Handed(files) = dropped(&path, Purpose::Exercise) else { panic!("no file") };
+        let name = path.file_name().unwrap().to_string_lossy().into_owned();
+        let bytes = std::fs::read(&path).unwrap();
+        assert_eq!(files, [GivenFile { name, path: Some(path.clone()), bytes }]);
+        std::fs::remove_file(&path).unwrap();
     }
 }

@@ -1,17 +1,23 @@
-//! Files on disk that a person gave: which of them is the model, and what a zip among them holds.
+//! Files on disk that a person gave, looked at beside the window; which of them is the model, and what a zip among them
+//! holds.
 
+use super::handed;
 use crate::files::{Layered, MemoryFiles, gather, zip};
-use crate::platform::{Event, Given};
+use crate::platform::{Event, Given, Purpose};
 use gonio_scene::files::{Disk, FileSource};
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::mpsc::Sender;
 
 /// Looks at them beside the window: a zip takes its time.
-pub fn in_thread(paths: Vec<String>, sender: Sender<Event>, ctx: &egui::Context) {
+pub fn in_thread(paths: Vec<String>, purpose: Purpose, sender: Sender<Event>, ctx: &egui::Context) {
     let ctx = ctx.clone();
     std::thread::spawn(move || {
-        let event = given(paths).map_or_else(Event::Failed, Event::Open);
+        let event = match purpose {
+            Purpose::Scene => given(paths).map(Event::Open),
+            Purpose::Exercise => handed::read(&paths).map(Event::Handed),
+        };
+        let event = event.unwrap_or_else(Event::Failed);
         // The window may be closed by now.
         let _ = sender.send(event);
         ctx.request_repaint();

@@ -5,8 +5,9 @@ mod document;
 
 pub use check::{PageCheck, PageChecks};
 
-use super::{Asked, CheckRequest, Checking, Event, Given, MOMENT, Platform, Refused, Settings, Shown};
+use super::{Asked, CheckRequest, Checking, Event, Given, MOMENT, Platform, Purpose, Refused, Settings, Shown};
 use crate::files::{Layered, MemoryFiles, gather, link, zip};
+use crate::laboratory::GivenFile;
 use crate::saving::Product;
 use gonio_gl::Gl;
 use gonio_scene::files::{FileBytes, FileSource, is_builtin};
@@ -88,17 +89,23 @@ impl Web {
     }
 
     /// Reads files and tells what they are.
-    fn take(&self, files: Vec<document::NamedFile>, ctx: &egui::Context) {
+    fn take(&self, files: Vec<document::NamedFile>, purpose: Purpose, ctx: &egui::Context) {
         let (page, events, ctx) = (self.files.clone(), self.events.clone(), ctx.clone());
         wasm_bindgen_futures::spawn_local(async move {
-            let event = given(files, page).await.map_or_else(Event::Failed, Event::Open);
+            let event = match (unpacked(files).await, purpose) {
+                (Ok(memory), Purpose::Scene) => of_memory(memory, page).map(Event::Open),
+                (Ok(memory), Purpose::Exercise) => handed(&memory).map(Event::Handed),
+                (Err(why), _) => Err(why),
+            };
+            let event = event.unwrap_or_else(Event::Failed);
             events.borrow_mut().push(event);
             ctx.request_repaint();
         });
     }
 }
 
-async fn given(files: Vec<document::NamedFile>, page: PageFiles) -> Result<Given, String> {
+/// The files' contents, and those of zips among them.
+async fn unpacked(files: Vec<document::NamedFile>) -> Result<MemoryFiles, String> {
     let mut memory = MemoryFiles::default();
     for file in files {
         let name = file.name.clone();
@@ -109,7 +116,16 @@ async fn given(files: Vec<document::NamedFile>, page: PageFiles) -> Result<Given
             memory.insert(&name, bytes);
         }
     }
-    of_memory(memory, page)
+    Ok(memory)
+}
+
+/// The files as they are: a page knows no places.
+fn handed(memory: &MemoryFiles) -> Result<Vec<GivenFile>, String> {
+    let file = |name: String| {
+        let bytes = memory.read(Path::new(&name)).map_err(|why| format!("`{name}` cannot be read: {why}"))?.to_vec();
+        Ok(GivenFile { name, path: None, bytes })
+    };
+    memory.names().into_iter().map(file).collect()
 }
 
 fn of_memory(memory: MemoryFiles, page: PageFiles) -> Result<Given, String> {
@@ -133,17 +149,17 @@ impl Platform for Web {
         }))
     }
 
-    fn choose_files(&mut self, ctx: &egui::Context) -> Asked {
+    fn choose_files(&mut self, purpose: Purpose, ctx: &egui::Context) -> Asked {
         let web = Web { files: self.files.clone(), checks: self.checks.clone(), events: self.events.clone() };
         let inner = ctx.clone();
-        if let Err(why) = document::choose(move |files| web.take(files, &inner)) {
+        if let Err(why) = document::choose(move |files| web.take(files, purpose, &inner)) {
             self.events.borrow_mut().push(Event::Failed(why));
             ctx.request_repaint();
         }
         Asked::BySystem
     }
 
-    fn open_paths(&mut self, paths: Vec<String>, ctx: &egui::Context) {
+    fn open_paths(&mut self, paths: Vec<String>, _: Purpose, ctx: &egui::Context) {
         let why = format!("a page cannot open {} by its path; drop the file on the page", paths.join(", "));
         self.events.borrow_mut().push(Event::Failed(why));
         ctx.request_repaint();
@@ -156,10 +172,10 @@ impl Platform for Web {
         Asked::BySystem
     }
 
-    fn poll(&mut self, ctx: &egui::Context) -> Vec<Event> {
+    fn poll(&mut self, purpose: Purpose, ctx: &egui::Context) -> Vec<Event> {
         let dropped = ctx.input(|i| i.raw.dropped_files.clone());
         if !dropped.is_empty() {
-            self.take(dropped.into_iter().map(document::NamedFile::dropped).collect(), ctx);
+            self.take(dropped.into_iter().map(document::NamedFile::dropped).collect(), purpose, ctx);
         }
         std::mem::take(&mut *self.events.borrow_mut())
     }
