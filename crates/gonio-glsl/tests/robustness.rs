@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use gonio_glsl::{Stage, Target, check, check_pair, parse, translate};
+use gonio_glsl::{Stage, Target, check, check_pair, leaves, parse, translate};
 
 fn pairs() -> Vec<(String, String)> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/pairs");
@@ -125,6 +125,31 @@ fn macros_without_end() {
     }
     let parsed = parse(&format!("{doubling}a59"));
     assert_eq!(parsed.problems[0].code, "macro-endless");
+}
+
+/// The numbers are those of what is found, not of seconds: what is looked at without end would find the rest.
+#[test]
+fn what_grows_faster_than_the_text_is_given_up() {
+    // Each struct holds two of the one before, the first nothing that is known.
+    let uniforms = |nested: usize| {
+        let mut source = String::from("struct S0 { Unknown x; };\n");
+        for i in 1..=nested {
+            source += &format!("struct S{i} {{ S{} a, b; }};\n", i - 1);
+        }
+        let mut parsed = parse(&format!("{source}uniform S{nested} s; uniform float last; void main() {{}}"));
+        leaves(&check(&mut parsed, Stage::Fragment).interface).len()
+    };
+    assert_eq!((uniforms(4), uniforms(20)), (1, 0));
+    // Nothing, very often.
+    let mut parsed = parse("struct E { Unknown x; }; uniform E e[2000000]; uniform float last; void main() {}");
+    assert_eq!(leaves(&check(&mut parsed, Stage::Fragment).interface).len(), 0);
+    // Each function of a name is asked for each call of it.
+    let wrong_calls = |functions: usize| {
+        let calls = |i: usize| format!("float f(float a[{i}]) {{ return f(true); }}\n");
+        let mut parsed = parse(&(1..=functions).map(calls).collect::<String>());
+        check(&mut parsed, Stage::Fragment).problems.iter().filter(|problem| problem.code == "argument-types").count()
+    };
+    assert_eq!((wrong_calls(20), wrong_calls(150)), (20, 128));
 }
 
 #[test]

@@ -5,6 +5,9 @@ use crate::ast::{Call, Expr, ExprKind, UnaryOp};
 use crate::builtins::{self, Signature};
 use crate::{Problem, Scalar, Type};
 
+/// No shader has more functions of one name; which of them a call means is not asked then.
+const MOST_OF_A_NAME: usize = 128;
+
 impl Checker<'_> {
     #[inline(never)]
     pub(super) fn call(&mut self, expr: &mut Expr) -> Option<Type> {
@@ -49,7 +52,10 @@ impl Checker<'_> {
             return None;
         }
         let types: Vec<Option<Type>> = call.args.iter().map(|a| a.ty.clone()).collect();
-        let own: Vec<_> = self.functions.get(&call.name).cloned().unwrap_or_default();
+        let own = self.functions.get(&call.name).map_or(&[][..], Vec::as_slice);
+        if own.len() > MOST_OF_A_NAME {
+            return None;
+        }
         let own_signatures: Vec<Candidate> = own
             .iter()
             .enumerate()

@@ -86,54 +86,63 @@ pub struct Leaf {
 
 /// No shader has more uniforms; arrays beyond this are cut off.
 const MOST_LEAVES: usize = 4096;
+/// Structs that hold two structs each, or nothing, are looked at without a leaf being found.
+const MOST_LOOKS: usize = 8 * MOST_LEAVES;
 /// Structs within structs.
 const MOST_NESTED: usize = 32;
 
 /// The uniforms, taken apart into the names of `glGetUniformLocation` (OpenGL 4.6, section 7.3.1).
 #[must_use]
 pub fn leaves(interface: &Interface) -> Vec<Leaf> {
-    let mut found = Vec::new();
-    let structs: HashMap<&str, &StructInfo> = interface.structs.iter().map(|s| (&*s.name, s)).collect();
+    let structs = interface.structs.iter().map(|s| (&*s.name, s)).collect();
+    let mut taken = Leaves { structs, found: Vec::new(), looks: 0 };
     for (index, uniform) in interface.uniforms.iter().enumerate() {
         if let Some(ty) = &uniform.ty {
-            leaf(&uniform.name, ty, index, &structs, &mut found, 0);
+            taken.apart(&uniform.name, ty, index, 0);
         }
     }
-    found
+    taken.found
 }
 
-fn leaf(
-    name: &str,
-    ty: &Type,
-    uniform: usize,
-    structs: &HashMap<&str, &StructInfo>,
-    found: &mut Vec<Leaf>,
-    nested: usize,
-) {
-    if found.len() >= MOST_LEAVES || nested > MOST_NESTED {
-        return;
+struct Leaves<'a> {
+    structs: HashMap<&'a str, &'a StructInfo>,
+    found: Vec<Leaf>,
+    looks: usize,
+}
+
+impl Leaves<'_> {
+    fn is_full(&self) -> bool {
+        self.found.len() >= MOST_LEAVES || self.looks >= MOST_LOOKS
     }
-    match ty {
-        Type::Struct(of) => {
-            let members = structs.get(&**of).map_or(&[][..], |s| &s.members);
-            for (member, ty) in members {
-                if let Some(ty) = ty {
-                    leaf(&format!("{name}.{member}"), ty, uniform, structs, found, nested + 1);
+
+    fn apart(&mut self, name: &str, ty: &Type, uniform: usize, nested: usize) {
+        self.looks += 1;
+        if self.is_full() || nested > MOST_NESTED {
+            return;
+        }
+        match ty {
+            Type::Struct(of) => {
+                let members = self.structs.get(&**of).map_or(&[][..], |s| &s.members);
+                for (member, ty) in members {
+                    if let Some(ty) = ty {
+                        self.apart(&format!("{name}.{member}"), ty, uniform, nested + 1);
+                    }
                 }
             }
-        }
-        Type::Array(of, count) if matches!(**of, Type::Struct(_) | Type::Array(..)) => {
-            for index in 0..count.unwrap_or(1) {
-                if found.len() >= MOST_LEAVES {
-                    return;
+            Type::Array(of, count) if matches!(**of, Type::Struct(_) | Type::Array(..)) => {
+                for index in 0..count.unwrap_or(1) {
+                    if self.is_full() {
+                        return;
+                    }
+                    self.apart(&format!("{name}[{index}]"), of, uniform, nested + 1);
                 }
-                leaf(&format!("{name}[{index}]"), of, uniform, structs, found, nested + 1);
             }
+            Type::Array(of, count) => {
+                let count = count.unwrap_or(1);
+                self.found.push(Leaf { name: name.into(), ty: (**of).clone(), count, uniform });
+            }
+            _ => self.found.push(Leaf { name: name.into(), ty: ty.clone(), count: 1, uniform }),
         }
-        Type::Array(of, count) => {
-            found.push(Leaf { name: name.into(), ty: (**of).clone(), count: count.unwrap_or(1), uniform });
-        }
-        _ => found.push(Leaf { name: name.into(), ty: ty.clone(), count: 1, uniform }),
     }
 }
 

@@ -117,6 +117,7 @@ impl<'a> Runner<'a> {
         if let Some(known) = self.graph.scalar(test) {
             return if known != 0.0 { then(self) } else { otherwise(self) };
         }
+        self.pay_for(self.scopes.len());
         let before = self.scopes.clone();
         self.conditions.push(test);
         let first = then(self);

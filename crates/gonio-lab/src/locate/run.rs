@@ -18,6 +18,8 @@ pub(super) struct Program {
 
 /// Statements and expressions run, over all: loops and calls in calls end here.
 const MOST_STEPS: usize = 60_000;
+/// Keeping the values of so many names for later is a step.
+const NAMES_A_STEP: usize = 16;
 /// Expressions, statements and calls within one another.
 const MOST_DEEP: usize = 220;
 /// Calls in calls.
@@ -281,6 +283,12 @@ impl<'a> Runner<'a> {
         self.steps < MOST_STEPS && self.deep < MOST_DEEP
     }
 
+    /// Steps for a copy of the outermost scopes: a branch costs more where there are thousands of names.
+    pub(super) fn pay_for(&mut self, scopes: usize) {
+        let names: usize = self.scopes.iter().take(scopes).map(Scope::len).sum();
+        self.steps += names / NAMES_A_STEP;
+    }
+
     pub(super) fn leave(&mut self) {
         self.deep -= 1;
     }
@@ -334,7 +342,9 @@ impl<'a> Runner<'a> {
                     let value = self.expression(value);
                     self.returned.push((self.conditions.last().copied(), value));
                 } else if let (0, Some(test)) = (self.calls, self.conditions.last()) {
-                    self.exits.push((*test, self.scopes[0].clone()));
+                    let test = *test;
+                    self.pay_for(1);
+                    self.exits.push((test, self.scopes[0].clone()));
                 }
                 return Flow::Left;
             }

@@ -308,6 +308,20 @@ fn the_case_of_a_face_is_found_however_it_is_chosen() {
     assert_eq!(found("uniform int mode;", &["switch (mode) { case 0: return st.xyx; } return st.yxy;"]), [0, 0, 0]);
 }
 
+/// Each branch keeps what all names were before it; a few thousand of both were gigabytes and minutes.
+#[test]
+fn many_branches_among_many_names_are_given_up() {
+    let is_read = |names: usize, branch: &str| {
+        let names: String = (0..names).map(|i| format!("float a{i};")).collect();
+        let body = format!("void main() {{ {} c = v; }}", branch.repeat(3000));
+        let head = "#version 330\nin vec4 v; out vec4 c;";
+        read("", &format!("{head} {names} {body}")).reading.colour.map(|_| ())
+    };
+    for branch in ["if (v.x > 0.0) ;", "if (v.x > 0.0) { return; }"] {
+        assert_eq!((is_read(20, branch), is_read(3000, branch)), (Some(()), None), "{branch}");
+    }
+}
+
 #[test]
 fn no_source_makes_it_panic_or_hang() {
     let deep = |open: &str, close: &str, count: usize| format!("{}x{}", open.repeat(count), close.repeat(count));
