@@ -13,11 +13,11 @@ use libfuzzer_sys::fuzz_target;
 const MODELS: [Model; 5] = [Model::Gouraud, Model::Phong, Model::Reflection, Model::Refraction, Model::Skybox];
 
 fuzz_target!(|data: &[u8]| {
-    // The first byte says as what it is handed in, the rest is the file; a second file is cut off at the first zero.
-    let Some((kind, rest)) = data.split_first() else { return };
-    let end = rest.iter().position(|byte| *byte == 0).unwrap_or(rest.len());
-    let (first, second) = (&rest[..end], rest.get(end + 1..).unwrap_or_default());
-    let names = [["a.vert", "a.frag"], ["main.cpp", "b.txt"], ["both.glsl", "names.toml"], ["x", "y"]][usize::from(kind % 4)];
+    // A zero divides two files; without one both are the same, so that a shader by itself is a pair too. The length says as
+    // what they are handed in.
+    let end = data.iter().position(|byte| *byte == 0);
+    let (first, second) = end.map_or((data, data), |end| (&data[..end], &data[end + 1..]));
+    let names = [["a.vert", "a.frag"], ["main.cpp", "b.txt"], ["both.glsl", "names.toml"], ["x", "y"]][data.len() % 4];
     let files = vec![SourceFile::new(names[0], first), SourceFile::new(names[1], second)];
     let Ok(submission) = Submission::gather(files) else { return };
     let given = submission.names.as_deref().map(NamesFile::parse).transpose();
@@ -30,8 +30,8 @@ fuzz_target!(|data: &[u8]| {
         &Shader { parsed: &fragment, checked: &checked[1] },
         &given,
     );
-    source.written();
-    source.in_source_only();
+    let _ = source.written();
+    let _ = source.in_source_only();
     for model in MODELS {
         for mistake in bank::of(model) {
             let support = source.looks_like(&mistake.id, model);
@@ -45,7 +45,7 @@ fuzz_target!(|data: &[u8]| {
     }
     // A driver's log may be anything too.
     if let Ok(log) = std::str::from_utf8(second) {
-        to_messages(log, &submission.vertex, 1);
-        link_messages(log, &submission.vertex, &submission.fragment);
+        let _ = to_messages(log, &submission.vertex, 1);
+        let _ = link_messages(log, &submission.vertex, &submission.fragment);
     }
 });

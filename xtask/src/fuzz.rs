@@ -18,7 +18,7 @@ const TARGETS: &[(&str, &[&str])] = &[
     ("environment", &["crates/gonio-environment/tests/seeds"]),
     ("face_names", &["crates/gonio-environment/tests/names"]),
     ("glsl", &["crates/gonio-glsl/tests/pairs", "exercises/models"]),
-    ("submission", &["crates/gonio-glsl/tests/pairs", "exercises/ex07-light-equation"]),
+    ("submission", &["crates/gonio-glsl/tests/pairs", "exercises", "crates/gonio-lab/corpus"]),
     ("buffer", &["crates/gonio-lab/tests/ex02"]),
     ("host", &["exercises/ex11-texture-unit/host"]),
 ];
