@@ -79,6 +79,8 @@ impl Platform for Here {
 /// The application, painted at least twice.
 pub struct Window {
     pub harness: Harness<'static, Option<Lab>>,
+    // Not in every file of tests do files come from outside.
+    #[allow(dead_code)]
     pub here: Here,
     // The application's OpenGL; it goes last.
     _context: HeadlessContext,
