@@ -57,6 +57,19 @@ fn a_mistake_is_named_with_its_line_and_a_right_answer_passes() {
 }
 
 #[test]
+fn every_word_that_a_verdict_may_say_is_listed_and_explained() {
+    let lab = Lab::new();
+    let all = lab.run(&["lab", "mistakes", "--json"]).json();
+    let ids: Vec<&str> = all.as_array().unwrap().iter().map(|m| m["id"].as_str().unwrap()).collect();
+    for id in ["normal-by-model-matrix", "gouraud-instead-of-phong", "ambient-in-cone", "attenuation-other-formula"] {
+        assert!(ids.contains(&id), "{id}");
+        let run = lab.run(&["lab", "mistakes", id]).good();
+        assert!(run.text().contains("To mend it"), "{}", run.text());
+    }
+    lab.run(&["lab", "mistakes", "ambient-in-cones"]).refused(&["did you mean `ambient-in-cone`"]);
+}
+
+#[test]
 fn a_batch_ends_whatever_is_in_it_and_goes_on_where_it_stopped() {
     let lab = Lab::new();
     hand_in(&lab, "ex04", "all/ann", "mat3(itM)", "mat3(M)");

@@ -14,8 +14,8 @@ mod task;
 pub use compare::{Comparison, PIXEL_TOLERANCE, PIXELS_TOLERANCE, pixel_difference};
 pub use freedom::{Freedom, Lights, Second, Written, WrittenSun};
 pub use predict::{CompiledModel, declared};
-pub use report::mistake as named;
 pub(crate) use report::{bound, fixed};
+pub use report::{mistake as named, structural};
 pub use task::{PLACES, TASKS, Task};
 
 use crate::bank::{Hypothesis, Model};

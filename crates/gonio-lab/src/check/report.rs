@@ -4,6 +4,7 @@ use super::compare::Comparison;
 use super::freedom::Freedom;
 use super::search::{Entry, Found, Search, Tried};
 use super::task::Task;
+use crate::bank::{Mistake, Model};
 use crate::names::Bindings;
 use crate::stage::{Sheet, Stage};
 use crate::verdict::{
@@ -43,13 +44,29 @@ pub fn mistake(id: &str, share: f64) -> Option<FoundMistake> {
     if let Some(known) = crate::bank::find(id) {
         return Some(FoundMistake { lab_does_it: known.lab_does_it, ..FoundMistake::of_bank(known, share) });
     }
-    let (_, name, looks_like, mend) = STRUCTURAL.iter().find(|(known, ..)| *known == id)?;
-    let seed = "Where is the rendering equation computed?";
-    Some(FoundMistake::new(id, *name, share).taught(*looks_like, *mend, seed))
+    structural().into_iter().find(|known| known.id == id).map(|known| FoundMistake::of_bank(&known, share))
 }
 
-/// Mistakes that are another model, and not a change of a line.
-pub const STRUCTURAL: &[(&str, &str, &str, &str)] = &[
+/// Mistakes that are another model, or more than any model has, and not a change of a line.
+pub fn structural() -> Vec<Mistake> {
+    let mistake = |(id, name, looks_like, mend): &(&str, &str, &str, &str)| Mistake {
+        id: (*id).to_owned(),
+        name: (*name).to_owned(),
+        models: vec![Model::Phong, Model::Gouraud],
+        harmless: false,
+        lab_does_it: false,
+        looks_like: (*looks_like).to_owned(),
+        mend: (*mend).to_owned(),
+        seed: "Where is the rendering equation computed?".to_owned(),
+        whole: false,
+        looks_the_same_as: Vec::new(),
+        change: Vec::new(),
+    };
+    STRUCTURAL.iter().map(mistake).collect()
+}
+
+/// Their words, names, looks and mends.
+const STRUCTURAL: &[(&str, &str, &str, &str)] = &[
     (
         "phong-instead-of-gouraud",
         "The light is computed for each fragment instead of each vertex",

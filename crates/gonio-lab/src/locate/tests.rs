@@ -393,7 +393,7 @@ fn matrices_are_told_by_how_they_are_multiplied() {
     let found = by_use("uniform mat4 one, two, three;", "one * (two * (three * p))");
     let roles: Vec<Role> = found.into_iter().map(|(_, role)| role).collect();
     assert_eq!(roles, [Role::Projection, Role::View, Role::Model]);
-    assert_eq!(by_use("uniform mat4 it;", "it * p"), [("it".to_owned(), Role::ModelViewProjection)]);
+    assert_eq!(by_use("uniform mat4 all;", "all * p"), [("all".to_owned(), Role::ModelViewProjection)]);
     // What names say stays, in whatever order: it may be the mistake.
     assert_eq!(by_use("uniform mat4 P, V, M;", "M * V * P * p"), []);
     assert_eq!(by_use("uniform mat4 M, thing;", "M * thing * p"), []);

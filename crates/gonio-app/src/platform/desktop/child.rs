@@ -28,12 +28,14 @@ pub enum Ended {
     GivenUp,
 }
 
-/// Our own program, with one core and a limit on its memory where the system has a shell to set one. Nothing is read, and
+/// Our own program, with one core, and with a limit on its addresses where nothing tells what it really uses and the system has
+/// a shell to set one: the drivers of some graphics cards reserve more than any limit without using it. Nothing is read, and
 /// what it complains of goes nowhere. An error where there is no such program: a shell would start all the same.
 pub fn command(program: &Path) -> Result<Command, Error> {
     std::fs::metadata(program)?;
-    let mut command = if cfg!(unix) {
-        let mut command = Command::new("sh");
+    let mut command = if cfg!(all(unix, not(target_os = "linux"))) {
+        // By its place: where a window is started from a menu, PATH may hold anything.
+        let mut command = Command::new("/bin/sh");
         let script = format!("ulimit -v {MOST_ADDRESSES_KB} 2>/dev/null; exec \"$0\" \"$@\"");
         command.args(["-c", &script]).arg(program);
         command

@@ -5,6 +5,7 @@ use crate::report::{CliError, Outcome, Reporter};
 use anstyle::Style;
 use clap::Args;
 use gonio_lab::bank::{self, Hypotheses, Mistake};
+use gonio_lab::check::structural;
 
 /// Every mistake that the checker knows, or one of them with its explanation.
 #[derive(Args, Debug)]
@@ -20,8 +21,9 @@ pub struct MistakesArgs {
 /// Lists them, or tells of one.
 pub fn run(args: &MistakesArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let Some(id) = &args.id else { return list(reporter) };
-    let Some(mistake) = bank::find(id) else {
-        let nearest = bank::all().iter().min_by_key(|m| strsim::levenshtein(&m.id, id)).map_or("", |m| &m.id);
+    let all = all();
+    let Some(mistake) = all.iter().find(|mistake| mistake.id == *id) else {
+        let nearest = all.iter().min_by_key(|m| strsim::levenshtein(&m.id, id)).map_or("", |m| &m.id);
         return Err(CliError::new(format!(
             "there is no mistake `{id}`: did you mean `{nearest}`? `gonio lab mistakes` lists them"
         )));
@@ -34,16 +36,22 @@ pub fn run(args: &MistakesArgs, reporter: &Reporter) -> Result<Outcome, CliError
     Ok(Outcome::Done)
 }
 
+/// The bank's, and those that are no change of a line.
+fn all() -> Vec<Mistake> {
+    bank::all().iter().cloned().chain(structural()).collect()
+}
+
 fn list(reporter: &Reporter) -> Result<Outcome, CliError> {
+    let all = all();
     if reporter.json() {
-        reporter.report(&bank::all())?;
+        reporter.report(&all)?;
         return Ok(Outcome::Done);
     }
     let (bold, dim) = (Style::new().bold(), Style::new().dimmed());
-    let width = bank::all().iter().map(|m| m.id.len()).max().unwrap_or(0);
+    let width = all.iter().map(|m| m.id.len()).max().unwrap_or(0);
     let mut text = String::new();
     let mut seen = std::collections::BTreeSet::new();
-    for mistake in bank::all().iter().filter(|m| seen.insert(m.id.as_str())) {
+    for mistake in all.iter().filter(|m| seen.insert(m.id.as_str())) {
         let mark = if mistake.harmless { format!(" {dim}(harmless){dim:#}") } else { String::new() };
         text.push_str(&format!("{bold}{:<width$}{bold:#}  {}{mark}\n", mistake.id, mistake.name));
     }
