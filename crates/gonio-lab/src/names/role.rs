@@ -289,7 +289,7 @@ mod tests {
 
     #[test]
     fn names_are_read_as_they_are_written() {
-        assert_eq!(Role::all().count(), 52);
+        assert_eq!(Role::all().count(), 53);
         for role in Role::all() {
             assert_eq!(role.to_string().parse(), Ok(role));
             let third = role.with_light(2);

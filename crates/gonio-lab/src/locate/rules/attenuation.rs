@@ -218,7 +218,8 @@ fn other_formula(reading: &Reading) -> Answer {
     if let At(..) = not_inverted(reading) {
         return Not;
     }
-    let found = reading.tree.iter().copied().rfind(|id| reading.bits(*id) == ATTENUATION);
+    let is_factor = |bits: u16| bits & ATTENUATION != 0 && bits & (DIFFUSE | SPECULAR | AMBIENT) == 0;
+    let found = reading.tree.iter().copied().rfind(|id| is_factor(reading.bits(*id)));
     Answer::of(found, 1.0, Silent)
 }
 
