@@ -19,7 +19,7 @@ fn answers<'a>(files: &'a [SourceFile], endings: &[&str]) -> Vec<&'a SourceFile>
 
 /// A vertex buffer against what the exercise's model holds.
 pub fn buffers(exercise: &Exercise, files: Vec<SourceFile>) -> Verdict {
-    let answers = answers(&files, &[".csv", ".json", ".bin", ".raw", ".f32", ".tsv"]);
+    let answers = answers(&files, &buffers::ENDINGS);
     let [answer] = answers.as_slice() else {
         let summary = match answers.len() {
             0 => "there is no buffer among the files: hand in a .csv, .json or .bin as text.md says".to_owned(),

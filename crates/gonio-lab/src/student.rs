@@ -43,16 +43,14 @@ impl<'a> ReadStage<'a> {
     pub(crate) fn new(text: &'a StageText, stage: Stage, target: Target) -> Self {
         let mut parsed = gonio_glsl::parse(&text.text);
         let checked = gonio_glsl::check(&mut parsed, stage);
-        // In a browser nobody else ends a loop: a draw without end would hold up all that is on the screen.
-        let bound = (target == Target::Es300).then_some(LoopBound { turns: MOST_TURNS });
-        let translated = gonio_glsl::translate_bounded(&parsed, &checked, target, bound);
+        let translated = gonio_glsl::translate_bounded(&parsed, &checked, target, bound(target));
         ReadStage { text, parsed, checked, translated, target }
     }
 
     /// The text of the stage, putting out what it looks up there.
     pub(crate) fn showing(&self, lookup: Lookup) -> String {
-        let bound = (self.target == Target::Es300).then_some(LoopBound { turns: MOST_TURNS });
-        gonio_glsl::translate_showing(&self.parsed, &self.checked, self.target, bound, Some(lookup)).text
+        let (target, bound) = (self.target, bound(self.target));
+        gonio_glsl::translate_showing(&self.parsed, &self.checked, target, bound, Some(lookup)).text
     }
 
     /// Where it looks cubemaps up.
@@ -80,6 +78,11 @@ impl<'a> ReadStage<'a> {
 /// Turns that the loops of a shader may take in OpenGL ES, for one vertex or fragment: a thousand times what students' loops
 /// over lights take, and a second on a driver without a GPU.
 const MOST_TURNS: u32 = 10_000;
+
+/// In a browser nobody else ends a loop: a draw without end would hold up all that is on the screen.
+fn bound(target: Target) -> Option<LoopBound> {
+    (target == Target::Es300).then_some(LoopBound { turns: MOST_TURNS })
+}
 
 /// Most messages of one kind that are told: what follows from the first is no help.
 const MOST_MESSAGES: usize = 12;

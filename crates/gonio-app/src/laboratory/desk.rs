@@ -7,6 +7,7 @@ use crate::drawing::Studio;
 use crate::files;
 use crate::platform::{CheckRequest, Checking, Platform};
 use egui::Context;
+use gonio_lab::buffers;
 use gonio_lab::exercise::Kind;
 use gonio_lab::live::{Note, NoteKind, Source};
 use gonio_lab::submission::SourceFile;
@@ -280,7 +281,7 @@ fn request(work: &Work, content: &[SourceFile]) -> CheckRequest {
     // Of several host programs or buffers the one in the editor is meant.
     let endings: &[&str] = match work.exercise.kind {
         Kind::HostProgram => &[".txt"],
-        Kind::Buffers => &[".csv", ".tsv", ".json", ".bin", ".raw", ".f32"],
+        Kind::Buffers => &buffers::ENDINGS,
         Kind::Shaders | Kind::Faces => &[],
     };
     let is_one = |name: &str| endings.iter().any(|ending| name.to_ascii_lowercase().ends_with(ending));

@@ -44,28 +44,28 @@ fn is_lookup(call: &Call) -> bool {
 }
 
 impl Translator<'_> {
-    /// Puts `lookup` out. What cannot be changed, since it hides in a macro, stays as it is.
+    /// Puts `lookup` out. What cannot be changed, since it hides in a macro or puts out no colour, stays as it is.
     pub(super) fn show(&mut self, lookup: Lookup) {
         let Some((start, end)) = self.stretch(lookup.tokens) else { return };
-        let Some((output, ty)) = self.output() else { return };
-        self.edits.wrap(start, end, &format!("{SHOW}("));
-        self.preamble.insert(format!("vec4 {SHOWN} = vec4(0.0);"));
-        self.preamble.insert(format!("vec4 {SHOW}(vec4 colour) {{ {SHOWN} = colour; return colour; }}"));
+        let (output, ty) = self.output();
         let letters = match ty.as_str() {
             "vec3" => ".rgb",
             "vec4" => "",
             _ => return,
         };
+        self.edits.wrap(start, end, &format!("{SHOW}("));
+        self.preamble.insert(format!("vec4 {SHOWN} = vec4(0.0);"));
+        self.preamble.insert(format!("vec4 {SHOW}(vec4 colour) {{ {SHOWN} = colour; return colour; }}"));
         self.after_main.push_str(&format!("{output} = {SHOWN}{letters}; "));
     }
 
     /// The first colour that is put out: its name in the text, and its type.
-    fn output(&self) -> Option<(String, String)> {
+    fn output(&self) -> (String, String) {
         let outputs = &self.checked.interface.outputs;
         let first = outputs.iter().find(|o| o.location == Some(0)).or_else(|| outputs.iter().find(|o| o.is_used));
-        let Some(output) = first else { return Some((COLOUR.to_owned(), "vec4".to_owned())) };
-        let renamed = self.renames.iter().find(|rename| rename.from == output.name).map(|rename| rename.to.clone());
-        let ty = output.ty.as_ref().map_or_else(|| "vec4".to_owned(), |ty| ty.written().to_string());
-        Some((renamed.unwrap_or_else(|| output.name.clone()), ty))
+        let Some(output) = first else { return (COLOUR.to_owned(), "vec4".to_owned()) };
+        let renamed = self.renames.iter().find(|rename| rename.from == output.name);
+        let ty = output.ty.as_ref().map_or_else(|| "vec4".to_owned(), Type::written);
+        (renamed.map_or(&output.name, |rename| &rename.to).clone(), ty)
     }
 }

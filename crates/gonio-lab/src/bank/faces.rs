@@ -41,14 +41,11 @@ fn mistake(id: String, name: String, looks_like: &str, mend: &str, change: BTree
         id,
         name,
         models: vec![Model::Panorama],
-        harmless: false,
-        lab_does_it: false,
         looks_like: looks_like.to_owned(),
         mend: mend.to_owned(),
         seed: SEED.to_owned(),
-        whole: false,
-        looks_the_same_as: Vec::new(),
         change: vec![change],
+        ..Mistake::default()
     }
 }
 

@@ -30,3 +30,6 @@ pub use expected::Expected;
 pub use mistakes::{MistakeName, names};
 pub use verdict::{BufferMistake, BufferVerdict, Example, Shares, Verdict};
 pub use vertex::{Attributes, Vertex};
+
+/// Endings of buffers among other files; raw floats have no beginning by which they could be known.
+pub const ENDINGS: [&str; 6] = [".csv", ".json", ".bin", ".raw", ".f32", ".tsv"];

@@ -36,6 +36,17 @@ pub struct WrittenSun {
     pub in_view: bool,
 }
 
+/// A light that is a direction and no place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Sun {
+    /// Given from outside.
+    Given {
+        /// Whether it is used as the direction towards the light.
+        points_to_light: bool,
+    },
+    Written(WrittenSun),
+}
+
 /// Whether a program has a second light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Second {
@@ -107,10 +118,7 @@ pub struct Freedom {
     /// Whether the number of lights is given.
     counted: bool,
     other_light: Option<Vec3>,
-    /// The light is a direction and no place: a sun. Whether the direction is the one towards it.
-    sun: Option<bool>,
-    /// The same, written down.
-    written_sun: Option<WrittenSun>,
+    sun: Option<Sun>,
     /// Nothing says which way is up: the program has Y written in it.
     upright: bool,
 }
@@ -190,12 +198,15 @@ impl Freedom {
         };
         let fixed = |given: bool, written: Option<f32>, usual: f32| (!given).then(|| written.unwrap_or(usual));
         // Beside a place, a direction is where a lamp is turned to.
-        let sun = has(&|role| matches!(role, Role::LightDirection(_))) && !has(&is_place);
+        let is_given = has(&|role| matches!(role, Role::LightDirection(_))) && !has(&is_place);
         // The place of the exercise's own lamp is no direction.
         let is_lamp = |sun: &WrittenSun| sun.to_light.dot(task.light_position.normalize_or_zero()) > 0.9999;
-        let written_sun = written.sun.filter(|sun| !lit_from_outside && !is_lamp(sun));
+        let sun = match written.sun.filter(|sun| !lit_from_outside && !is_lamp(sun)) {
+            Some(sun) => Some(Sun::Written(sun)),
+            None => is_given.then(|| Sun::Given { points_to_light: written.points_to_light.unwrap_or(false) }),
+        };
         // A sun is as bright here as there.
-        let usual = if task.attenuated && !sun && written_sun.is_none() { [1.0, 0.14, 0.07] } else { [1.0, 0.0, 0.0] };
+        let usual = if task.attenuated && sun.is_none() { [1.0, 0.14, 0.07] } else { [1.0, 0.0, 0.0] };
         Freedom {
             to_find,
             given,
@@ -209,23 +220,15 @@ impl Freedom {
                 _ => fixed(has(&|role| role == Role::Shininess), None, USUAL_EXPONENT),
             },
             written_exponent: written.shininess,
-            attenuation: [
-                fixed(
-                    has(&|role| matches!(role, Role::AttenuationConstant(_) | Role::Attenuation(_))),
-                    written.attenuation[0],
-                    usual[0],
-                ),
-                fixed(
-                    has(&|role| matches!(role, Role::AttenuationLinear(_) | Role::Attenuation(_))),
-                    written.attenuation[1],
-                    usual[1],
-                ),
-                fixed(
-                    has(&|role| matches!(role, Role::AttenuationQuadratic(_) | Role::Attenuation(_))),
-                    written.attenuation[2],
-                    usual[2],
-                ),
-            ],
+            attenuation: std::array::from_fn(|degree| {
+                let is_given = has(&|role| match role {
+                    Role::AttenuationConstant(_) => degree == 0,
+                    Role::AttenuationLinear(_) => degree == 1,
+                    Role::AttenuationQuadratic(_) => degree == 2,
+                    role => matches!(role, Role::Attenuation(_)),
+                });
+                fixed(is_given, written.attenuation[degree], usual[degree])
+            }),
             refraction_index: fixed(
                 has(&|role| matches!(role, Role::RefractionIndex | Role::RefractionRatio)),
                 written.refraction_index,
@@ -236,8 +239,7 @@ impl Freedom {
             coloured,
             counted: has(&|role| role == Role::LightCount),
             other_light: written.other_light.filter(|_| lit_from_outside),
-            sun: sun.then(|| written.points_to_light.unwrap_or(false)),
-            written_sun,
+            sun,
             upright: task.model.is_of_places() && !has(&says_up),
         }
     }
@@ -350,15 +352,17 @@ impl Freedom {
         for (constant, fixed) in situation.light.attenuation.iter_mut().zip(self.attenuation) {
             *constant = fixed.unwrap_or(*constant);
         }
-        if let Some(points_to_light) = self.sun {
-            let centre = situation.world_from_model.w_axis.truncate();
-            situation.light = Light { points_to_light, ..situation.light.as_sun(centre) };
-        }
-        if let Some(sun) = self.written_sun {
-            let centre = situation.world_from_model.w_axis.truncate();
-            let to_world = Mat3::from_mat4(situation.view_from_world()).transpose();
-            let to_light = if sun.in_view { to_world * sun.to_light } else { sun.to_light };
-            situation.light = Light { position: centre + to_light, ..situation.light }.as_sun(centre);
+        let centre = situation.world_from_model.w_axis.truncate();
+        match self.sun {
+            Some(Sun::Given { points_to_light }) => {
+                situation.light = Light { points_to_light, ..situation.light.as_sun(centre) };
+            }
+            Some(Sun::Written(sun)) => {
+                let to_world = Mat3::from_mat4(situation.view_from_world()).transpose();
+                let to_light = if sun.in_view { to_world * sun.to_light } else { sun.to_light };
+                situation.light = Light { position: centre + to_light, ..situation.light }.as_sun(centre);
+            }
+            None => {}
         }
         let (light, elsewhere) = (situation.light, situation.elsewhere());
         match self.second {

@@ -53,14 +53,10 @@ pub fn structural() -> Vec<Mistake> {
         id: (*id).to_owned(),
         name: (*name).to_owned(),
         models: vec![Model::Phong, Model::Gouraud],
-        harmless: false,
-        lab_does_it: false,
         looks_like: (*looks_like).to_owned(),
         mend: (*mend).to_owned(),
         seed: "Where is the rendering equation computed?".to_owned(),
-        whole: false,
-        looks_the_same_as: Vec::new(),
-        change: Vec::new(),
+        ..Mistake::default()
     };
     STRUCTURAL.iter().map(mistake).collect()
 }

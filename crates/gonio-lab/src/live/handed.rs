@@ -1,5 +1,6 @@
 //! Files that are given to an exercise while it is worked on: what each is for, and which others make way for it.
 
+use crate::buffers;
 use crate::exercise::{Exercise, Kind};
 use crate::faces;
 use crate::submission::{self, Holds, SourceFile};
@@ -31,8 +32,6 @@ pub struct Handed {
     pub aside: Option<String>,
 }
 
-/// Endings of buffers; raw floats have no beginning by which they could be known.
-const BUFFERS: [&str; 6] = ["csv", "tsv", "json", "bin", "raw", "f32"];
 /// Most files that a sentence names.
 const MOST_NAMED: usize = 3;
 
@@ -111,8 +110,9 @@ fn used(exercise: &Exercise, file: &SourceFile) -> Result<Option<Use>, String> {
         let what = if ending == "toml" { "a scene" } else { "a model" };
         return Err(format!("{name} is {what}: leave the laboratory by the arrow at its top left, and open it there"));
     }
+    let is_buffer = || buffers::ENDINGS.iter().any(|known| known.strip_prefix('.') == Some(ending.as_str()));
     let found = match exercise.kind {
-        Kind::Buffers if BUFFERS.contains(&ending.as_str()) => Some(Use { buffer: true, ..Use::default() }),
+        Kind::Buffers if is_buffer() => Some(Use { buffer: true, ..Use::default() }),
         // The program that wrote it, in any language.
         Kind::Buffers if is_text(file) => Some(Use::default()),
         Kind::HostProgram if ending == "txt" && is_text(file) => Some(Use { host_program: true, ..Use::default() }),

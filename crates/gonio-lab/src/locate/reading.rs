@@ -209,24 +209,29 @@ impl Reading {
     /// Whether a cosine with those bits is computed and does not flow into the colour.
     pub fn computes_in_vain(&self, bits: Bits) -> bool {
         let is_of_light = |id: Id| {
-            let graph = &self.graph;
-            let Op::Call(name, parts) = graph.op(id) else { return false };
-            let known = parts.iter().all(|part| self.vector(*part).is_some());
-            name == "dot" && known && self.bits(id) & bits != 0 && !self.lit.contains(&id)
+            let Some(parts) = self.graph.call(id, "dot") else { return false };
+            parts.iter().all(|part| self.vector(*part).is_some()) && self.bits(id) & bits != 0
         };
-        self.graph.ids().any(is_of_light)
+        // `lit` is in the order of its numbers.
+        self.graph.ids().any(|id| is_of_light(id) && self.lit.binary_search_by_key(&id.0, |lit| lit.0).is_err())
     }
 
-    /// The cosines between a spot light's axis and the direction to it.
-    pub fn cones(&self) -> Vec<Id> {
+    /// Of every node, whether a cosine between a spot light's axis and the direction to it flows into it.
+    pub fn of_cones(&self) -> Vec<bool> {
         let is = |id: Id, wanted: &dyn Fn(Kind) -> bool| self.vector(id).is_some_and(|v| wanted(v.kind));
-        let is_cone = |id: &Id| match self.graph.call(*id, "dot") {
+        let is_cone = |id: Id| match self.graph.call(id, "dot") {
             Some(&[a, b]) => [(a, b), (b, a)].into_iter().any(|(axis, light)| {
                 is(axis, &|kind| kind == Kind::LightDirection) && is(light, &|kind| matches!(kind, Kind::ToLight(..)))
             }),
             _ => false,
         };
-        self.lit.iter().copied().filter(is_cone).collect()
+        let mut found = Vec::with_capacity(self.graph.len());
+        // Parts come before what is made of them.
+        for id in self.graph.ids() {
+            let has = |part: Id| found.get(part.0 as usize).copied().unwrap_or(false);
+            found.push(is_cone(id) || self.graph.parts(id).into_iter().any(has));
+        }
+        found
     }
 
     /// What stands where a normal belongs.
@@ -282,8 +287,7 @@ impl Reading {
             looked_up.any(|v| matches!(v.kind, Kind::Reflected(_) | Kind::Refracted(_)) && v.end == Space::World)
         };
         // A mirror's direction has to come back into the world; a highlight's need not.
-        ends(self.lights())
-            || self.lights().is_empty() && ends(self.eyes()) && (self.lookups_of_cubes().is_empty() || back())
+        ends(self.lights()) || self.lights().is_empty() && ends(self.eyes()) && (!self.looks_up_cube() || back())
     }
 
     /// Whether both vectors of the diffuse cosine are turned round, or a refracted direction and its normal.
@@ -351,15 +355,14 @@ impl Reading {
             .collect()
     }
 
-    /// Those of cubemaps alone.
-    fn lookups_of_cubes(&self) -> Vec<Id> {
-        let is_cube = |id: &Id| match self.graph.op(*id) {
+    /// Whether one of them is a cubemap's.
+    fn looks_up_cube(&self) -> bool {
+        self.lookups().into_iter().any(|(call, _)| match self.graph.op(call) {
             Op::Call(_, parts) => {
                 parts.first().is_some_and(|sampler| self.role(self.graph.plain(*sampler)) == Some(Role::Cubemap))
             }
             _ => false,
-        };
-        self.lookups().into_iter().map(|(call, _)| call).filter(is_cube).collect()
+        })
     }
 
     /// The last variable called so among what the colour's value is made of for which that holds of its value.

@@ -451,11 +451,11 @@ fn normal_by(before: By, matrix: &Matrix, w: Option<f64>) -> By {
     }
 }
 
-/// What a place written down is, by the name of what holds it.
 fn is_length(name: &str) -> bool {
     matches!(name, "length" | "sqrt" | "distance")
 }
 
+/// What a place written down is, by the name of what holds it.
 fn named_place(name: &str) -> Option<Kind> {
     let name = name.to_lowercase();
     let has = |words: &[&str]| words.iter().any(|word| name.contains(word));

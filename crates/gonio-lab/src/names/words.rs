@@ -102,8 +102,8 @@ const MEANINGS: &[(&str, &str)] = &[
     ("k", "strength"),
     // Says that the name is of something else than its other words.
     (
-        "shadow shadows property properties props depth bone bones joint prev previous fog near far radius cutoff cut off inner outer cos angle use \
-         has is enable enabled show min max bias offset scale scaling threshold mouse width height aspect fov noise \
+        "shadow shadows property properties props depth bone bones joint prev previous fog near far radius cutoff cut \
+         off inner outer cos angle use has is enable enabled show min max bias offset scale scaling threshold mouse width height aspect fov noise \
          roughness rough metallic metalness metal ao occlusion alpha opacity transparency background bg clear ground line \
          outline edge border wire selected highlight hover mode type flag id kernel blur exposure mix blend irradiance \
          prefilter prefiltered brdf lut displacement parallax reverse reversed bool toggle rotation rot \

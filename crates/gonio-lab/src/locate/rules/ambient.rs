@@ -115,10 +115,10 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
 
 /// Where the ambient term is multiplied by what a spot light's cone leaves of its light, or is only there within the cone.
 fn in_cone(reading: &Reading) -> Answer {
-    let cones = reading.cones();
-    let of_cone = |id: Id| reading.graph.reachable(&[id], |_| true).iter().any(|part| cones.contains(part));
+    let of_cones = reading.of_cones();
+    let of_cone = |id: Id| of_cones.get(id.0 as usize).copied().unwrap_or(false);
     let has_ambient = |id: Id| reading.products(id).iter().any(|p| p.bits & AMBIENT != 0);
-    if cones.is_empty() {
+    if !reading.lit.iter().any(|id| of_cone(*id)) {
         return Silent;
     }
     let cut = reading.deepest(&[Multiply], |a, b| {
