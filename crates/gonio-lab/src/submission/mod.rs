@@ -305,8 +305,31 @@ impl Intake {
         }
     }
 
+    /// Of several shaders that their names call vertex shaders, one that puts out a colour and no position is the fragment
+    /// shader: `vertex lighting.glsl`.
+    fn tell_misnamed_by_content(&mut self) {
+        if self.candidates.len() < 2 || self.candidates.iter().any(|found| found.stage == Stage::Fragment) {
+            return;
+        }
+        let is_fragment = |found: &Candidate| {
+            let evidence = stage::evidence(&stage::without_comments(&found.text.text));
+            evidence.rather_fragment && !evidence.vertex
+        };
+        let misnamed: Vec<usize> = (0..self.candidates.len()).filter(|&at| is_fragment(&self.candidates[at])).collect();
+        if let [at] = misnamed.as_slice() {
+            let found = &mut self.candidates[*at];
+            found.stage = Stage::Fragment;
+            found.warning = Some(format!(
+                "{} is named like a vertex shader, but puts out a colour and no gl_Position: taken as the fragment \
+                 shader. Rename it.",
+                found.text.file
+            ));
+        }
+    }
+
     fn finish(mut self, wanted: Option<&str>, hints: &[&str], files: Vec<String>) -> Result<Submission, IntakeError> {
         self.tell_undecided_by_partner();
+        self.tell_misnamed_by_content();
         let chosen = match choose::choose(&self.candidates, wanted, hints) {
             Ok(chosen) => chosen,
             // A file that could not be read is the better reason.

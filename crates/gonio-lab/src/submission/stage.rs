@@ -84,25 +84,41 @@ pub(super) fn said_by_name(name: &str) -> Said {
 }
 
 fn said_by_words(name: &str) -> Said {
+    match said_by_whole_words(name) {
+        Said::Nothing => said_by_letters(name),
+        said => said,
+    }
+}
+
+/// What `v` and `f` say: little, for `light v2` is a second version.
+fn said_by_letters(name: &str) -> Said {
+    join(words_of(name).iter().filter_map(|word| match word.as_str() {
+        "v" => Some(Stage::Vertex),
+        "f" => Some(Stage::Fragment),
+        _ => None,
+    }))
+}
+
+fn said_by_whole_words(name: &str) -> Said {
     let words = words_of(name);
     let said = join(words.iter().filter_map(|word| stage_of_word(word)));
     if said != Said::Nothing {
         return said;
     }
     // Words written together: `vertexlighting`, `myfragshader`.
-    let within = join(words.iter().flat_map(|word| {
+    join(words.iter().flat_map(|word| {
         let vertex = word.contains("vertex") || word.starts_with("vert") && !word.starts_with("vertical");
         let fragment = word.contains("frag");
         vertex.then_some(Stage::Vertex).into_iter().chain(fragment.then_some(Stage::Fragment))
-    }));
-    if within != Said::Nothing {
-        return within;
-    }
-    join(words.iter().filter_map(|word| match word.as_str() {
-        "v" => Some(Stage::Vertex),
-        "f" => Some(Stage::Fragment),
-        _ => None,
     }))
+}
+
+/// Whether a name tells its stage by a single letter and by nothing else.
+fn is_said_by_letters_alone(name: &str) -> bool {
+    let path = name.replace('\\', "/");
+    let base = path.rsplit('/').next().unwrap_or_default();
+    let by_ending = base.rsplit('.').any(|part| stage_of_word(&part.to_lowercase()).is_some());
+    !by_ending && said_by_whole_words(base) == Said::Nothing && said_by_letters(base) != Said::Nothing
 }
 
 /// How the content of a text speaks for a stage.
@@ -145,6 +161,12 @@ pub(super) fn tell(shown: &str, name: &str, code: &str) -> (Option<Stage>, Optio
         (false, true) => Some(Stage::Fragment),
         _ => None,
     };
+    if is_said_by_letters_alone(name) {
+        let by_all = by_content.or(found.rather_fragment.then_some(Stage::Fragment));
+        if by_all.is_some() {
+            return (by_all, None);
+        }
+    }
     match (said_by_name(name), by_content) {
         (Said::One(named), Some(content))
             if named != content && !(named == Stage::Fragment && found.rather_fragment) =>
@@ -285,6 +307,13 @@ mod tests {
             ("vertex.frag", "void main(){gl_Position=vec4(0);}", Some(Vertex), false),
             ("a.frag", "attribute vec3 p;void main(){gl_Position=vec4(0);}", Some(Vertex), true),
             ("a.vert", "void main(){gl_FragColor=vec4(0);}", Some(Fragment), true),
+            // A version is no stage.
+            ("final v2.glsl", "out vec4 c;void main(){c=vec4(0);}", Some(Fragment), false),
+            ("light_v2.txt", "void main(){gl_FragColor=vec4(0);}", Some(Fragment), false),
+            ("final v2.glsl", "void main(){gl_Position=vec4(0);}", Some(Vertex), false),
+            ("phong_f.glsl", "void main(){gl_Position=vec4(0);}", Some(Vertex), false),
+            ("phong_v.glsl", "in vec3 p;void main(){}", Some(Vertex), false),
+            ("phong_v.frag", "void main(){}", Some(Fragment), false),
             // A slip inside a stage is the compiler's to name.
             ("a.vert", "out vec4 c;void main(){}", Some(Vertex), false),
             ("a.frag", "out vec4 c;void main(){gl_Position=c;}", Some(Fragment), false),

@@ -56,6 +56,22 @@ fn two_files_of_any_names_in_any_order() {
 }
 
 #[test]
+fn a_version_in_a_name_is_no_stage() {
+    for (vertex, fragment) in [("final.glsl", "final v2.glsl"), ("a v1.glsl", "b v2.glsl"), ("v3/a.glsl", "v3/b.glsl")]
+    {
+        let submission = gathered(&[(vertex, V), (fragment, F)]);
+        assert_eq!(taken(&submission), (vertex, fragment));
+    }
+}
+
+#[test]
+fn of_two_vertex_shaders_by_name_the_one_that_puts_out_a_colour_is_the_fragment_shader() {
+    let submission = gathered(&[("vertex lighting.glsl", F), ("vertex.glsl", V)]);
+    assert_eq!(taken(&submission), ("vertex.glsl", "vertex lighting.glsl"));
+    assert!(submission.warnings.iter().any(|warning| warning.contains("taken as the fragment shader")));
+}
+
+#[test]
 fn content_mends_names() {
     let turned = gathered(&[("a.vert", "void main() { gl_FragColor = vec4(1.0); }"), ("a.frag", V)]);
     assert_eq!(taken(&turned), ("a.frag", "a.vert"));
