@@ -4,6 +4,8 @@
 pub mod bank;
 pub mod buffers;
 pub mod check;
+pub mod class;
+mod content_hash;
 pub mod exercise;
 mod faces;
 pub mod formats;
@@ -24,4 +26,5 @@ pub mod twin;
 mod unexplained;
 pub mod verdict;
 
+pub use content_hash::content_hash;
 pub use student::{CheckOptions, GOAL, check};

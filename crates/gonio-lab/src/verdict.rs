@@ -263,6 +263,12 @@ impl Verdict {
         Verdict::new(exercise, Outcome::Unsure, summary)
     }
 
+    /// Of a check whose process crashed.
+    pub fn crashed(exercise: &str) -> Self {
+        let summary = "checking it crashed the process that checks: the graphics driver cannot compile or run it here";
+        Verdict::new(exercise, Outcome::Unsure, summary)
+    }
+
     /// Of a check that was ended because of the memory it took.
     pub fn too_large(exercise: &str) -> Self {
         let summary = "checking it took more than a gigabyte of memory, and was stopped; is there a giant array?";

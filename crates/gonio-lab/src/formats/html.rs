@@ -1,6 +1,7 @@
 //! The frame that pages stand in, and the parts of a verdict that pages and graders show alike.
 
 use super::text::{count, escaped, escaped_line, line, percent, word, words};
+use crate::content_hash;
 use crate::verdict::{CompilerMessage, FoundMistake, Outcome, PropertyState, PropertyVerdict, Verdict};
 use std::fmt::Write as _;
 
@@ -26,12 +27,15 @@ pub fn document(title: &str, body: &str) -> String {
     )
 }
 
-/// The file that a submission's page is to be called, `NAME.html`: the label with what file systems and addresses have other uses
-/// for written as `~` and its number in hexadecimal. Different labels have different names, except beyond 100 characters.
-/// `index` is left free for the overview.
+/// Bytes of a page's name, apart from its ending. File systems allow 255, and other names are made from this one.
+const MAX_NAME_BYTES: usize = 120;
+
+/// The file that a submission's page is to be called, `NAME.html`: the label with what file systems and addresses have other
+/// uses for written as `~` and its number in hexadecimal. Long names are cut and end with a hash of the label, so that
+/// different labels have different names. `index` is left free for the overview.
 pub fn page_name(label: &str) -> String {
     let mut name = String::new();
-    for (at, c) in label.chars().take(100).enumerate() {
+    for (at, c) in label.chars().enumerate() {
         let is_safe = c.is_alphanumeric() || matches!(c, '_' | '-' | ' ' | '+' | ',') || (c == '.' && at > 0);
         if is_safe {
             name.push(c);
@@ -39,12 +43,30 @@ pub fn page_name(label: &str) -> String {
             // Writing into a String cannot fail.
             let _ = write!(name, "~{:x}~", u32::from(c));
         }
+        if name.len() > MAX_NAME_BYTES {
+            break;
+        }
     }
-    if name.is_empty() || name.eq_ignore_ascii_case("index") {
+    if name.len() > MAX_NAME_BYTES {
+        let hash = format!("~{:016x}", content_hash(std::iter::once(label.as_bytes())));
+        name.truncate(name.floor_char_boundary(MAX_NAME_BYTES - hash.len()));
+        name.push_str(&hash);
+    }
+    if is_reserved(&name) {
         name.insert(0, '~');
     }
     name.push_str(".html");
     name
+}
+
+/// Names that mean something else: the overview's, and those of devices on Windows.
+fn is_reserved(name: &str) -> bool {
+    let stem = name.split('.').next().unwrap_or_default().trim_end().to_ascii_lowercase();
+    let is_port = |port: &str| stem.strip_prefix(port).is_some_and(|rest| rest.len() == 1 && rest != "0");
+    name.is_empty()
+        || matches!(stem.as_str(), "index" | "con" | "prn" | "aux" | "nul")
+        || is_port("com")
+        || is_port("lpt")
 }
 
 /// The address of a submission's page from a page beside it.
@@ -349,9 +371,16 @@ mod tests {
             "a\u{202e}b",
             "é",
             "a?b#c",
+            "CON",
+            "lpt1.x",
+            &"\u{1f600}".repeat(60),
+            &"\u{1f600}".repeat(61),
+            &"é".repeat(200),
         ];
         let names: std::collections::BTreeSet<String> = labels.iter().map(|label| page_name(label)).collect();
         assert_eq!(names.len(), labels.len(), "{names:?}");
+        assert!(names.iter().all(|name| name.len() <= 125 && name.ends_with(".html")), "{names:?}");
+        assert!(!names.contains("CON.html") && !names.contains("lpt1.x.html"));
         for name in &names {
             assert!(!name.contains(['/', '\\', '\0', '?', '#', '\u{202e}']) && !name.starts_with('.'), "{name}");
         }

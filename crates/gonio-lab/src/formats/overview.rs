@@ -9,8 +9,9 @@ use std::fmt::Write as _;
 
 /// A page of a batch in one HTML file that loads nothing and runs nothing: how many of each verdict, which mistakes how
 /// often, similar submissions, and all submissions by name, with links to their pages ([`super::page_name`]) beside this one.
-/// `similar` are pairs of labels and how much of the two is the same, as from [`super::similar_pairs`].
-pub fn overview(title: &str, rows: &[Row], similar: &[(String, String, f64)]) -> String {
+/// `similar` are pairs of labels and how much of the two is the same, as from [`super::similar_pairs`]; `skipped` is a line for
+/// each entry that belongs to no submission.
+pub fn overview(title: &str, rows: &[Row], similar: &[(String, String, f64)], skipped: &[String]) -> String {
     let mut rows: Vec<&Row> = rows.iter().collect();
     rows.sort_by(|a, b| by_name(&a.submission, &b.submission).then_with(|| a.exercise.cmp(&b.exercise)));
     let exercises: BTreeSet<&str> = rows.iter().map(|row| row.exercise.as_str()).collect();
@@ -22,6 +23,7 @@ pub fn overview(title: &str, rows: &[Row], similar: &[(String, String, f64)]) ->
     body.push_str(&mistakes(&rows));
     body.push_str(&pairs(similar, &rows));
     body.push_str(&all(&rows, exercises.len() > 1));
+    body.push_str(&not_checked(skipped));
     body.push_str("<footer><p>Checked by gonio’s laboratory.</p></footer>\n");
     document(title, &body)
 }
@@ -157,6 +159,14 @@ fn all(rows: &[&Row], with_exercise: bool) -> String {
     }
     html.push_str("</tbody>\n</table>\n</section>\n");
     html
+}
+
+fn not_checked(skipped: &[String]) -> String {
+    if skipped.is_empty() {
+        return String::new();
+    }
+    let items: String = skipped.iter().map(|entry| format!("<li>{}</li>\n", escaped_line(entry))).collect();
+    format!("<section>\n<h2>Not checked</h2>\n<ul class=\"notes\">\n{items}</ul>\n</section>\n")
 }
 
 /// What there is to say of a submission in a cell.

@@ -394,7 +394,7 @@ fn an_overview_counts_sorts_and_links() {
     rows.push(Row::of("group 9", &evil(Outcome::Wrong), 0.5));
     rows.push(Row::of("", &Verdict::new("ex04", Outcome::Unsure, EVIL), f64::INFINITY));
     let similar = [("group 9".to_owned(), "Group 10".to_owned(), 0.7), (EVIL.to_owned(), "group 9".to_owned(), 0.96)];
-    let page = overview(EVIL, &rows, &similar);
+    let page = overview(EVIL, &rows, &similar, &[EVIL.to_owned()]);
     let markup = read_page(&page);
     let links: Vec<&str> = markup
         .elements
@@ -416,5 +416,5 @@ fn an_overview_counts_sorts_and_links() {
         .filter_map(|(name, value)| (name == "style").then_some(value.as_str()))
         .collect();
     assert_eq!(widths, ["width: 25.0%", "width: 50.0%", "width: 25.0%", "width: 100.0%"]);
-    read_page(&overview("none", &[], &[]));
+    read_page(&overview("none", &[], &[], &[]));
 }

@@ -3,6 +3,7 @@
 use crate::buffers;
 use crate::exercise::{Exercise, Kind};
 use crate::faces;
+use crate::host::HostProgram;
 use crate::submission::{self, Holds, SourceFile};
 use gonio_mesh::Format;
 
@@ -34,6 +35,23 @@ pub struct Handed {
 
 /// Most files that a sentence names.
 const MOST_NAMED: usize = 3;
+
+/// Whether a file is, by its content, something that the exercise can be answered with: a shader, a vertex buffer, a host
+/// program, a picture of a face.
+pub fn is_answer(exercise: &Exercise, file: &SourceFile) -> bool {
+    let Ok(Some(found)) = used(exercise, file) else { return false };
+    match exercise.kind {
+        // Any text could be meant as one: it counts where most of it can be read.
+        Kind::HostProgram => found.host_program && is_host_program(file),
+        Kind::Buffers => found.buffer && buffers::read_buffer(&file.name, &file.bytes).is_ok(),
+        Kind::Shaders | Kind::Faces => found.vertex || found.fragment || found.picture,
+    }
+}
+
+fn is_host_program(file: &SourceFile) -> bool {
+    let lines = file.bytes.split(|byte| *byte == b'\n').filter(|line| !line.trim_ascii().is_empty()).count();
+    HostProgram::parse_bytes(&file.bytes, &file.name).map_or_else(|errors| 2 * errors.len() < lines, |_| true)
+}
 
 /// Tells what these files are for. What is handed out with the exercise and is no answer is left aside without a word, as
 /// long as there is anything else.
