@@ -29,7 +29,7 @@ fn main() {
     let code = match commands::run(&command, &reporter) {
         Ok(Outcome::Done) => 0,
         Ok(Outcome::CheckFailed) => 1,
-        Err(CliError::ClosedPipe) => 2,
+        Err(CliError::ClosedPipe | CliError::AlreadySaid) => 2,
         Err(error) => {
             reporter.error(&error);
             if reporter.json() {

@@ -49,6 +49,8 @@ pub enum CliError {
     Message(String),
     /// Whoever read our stdout has gone: there is nobody left to tell, so nothing is said.
     ClosedPipe,
+    /// A process that did the work has said it.
+    AlreadySaid,
 }
 
 impl CliError {
@@ -68,6 +70,7 @@ impl Display for CliError {
         match self {
             CliError::Message(message) => f.write_str(message),
             CliError::ClosedPipe => f.write_str("stdout was closed before everything was written"),
+            CliError::AlreadySaid => f.write_str("the reason was said before"),
         }
     }
 }

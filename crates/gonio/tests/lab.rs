@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::Lab;
+use common::{Lab, Run};
 
 /// The right answer of an exercise in `folder`, one line of its vertex shader changed.
 fn hand_in(lab: &Lab, exercise: &str, folder: &str, from: &str, to: &str) {
@@ -95,6 +95,133 @@ fn a_batch_ends_whatever_is_in_it_and_goes_on_where_it_stopped() {
     hand_in_again(&lab);
     assert_eq!(batch()[..2], ["wrong", "wrong"]);
     assert_eq!(std::fs::read(results.join("ann.html")).unwrap(), b"kept");
+}
+
+#[test]
+fn a_class_is_checked_whatever_its_folders_look_like_and_nothing_is_written_into_it() {
+    let lab = Lab::new();
+    hand_in(&lab, "ex04", "class/ann/work/shaders", "mat3(itM)", "mat3(itM)");
+    hand_in(&lab, "ex04", "class/-rf", "mat3(itM)", "mat3(M)");
+    let long = format!("class/{}", "\u{1f600}".repeat(60));
+    hand_in(&lab, "ex04", &long, "mat3(itM)", "mat3(itM)");
+    hand_in(&lab, "ex04", "class/_bob", "mat3(itM)", "mat3(itM)");
+    lab.write("class/list.txt", "ann, bob");
+    let before = all_files(&lab.path("class"));
+    // Without `-o` the results lie beside the class, also where it is the current folder.
+    let junit = lab.path("all.xml").to_string_lossy().into_owned();
+    let mut command = lab.command(&["lab", "check", "ex04", ".", "--json", "--junit", &junit]);
+    let run = Run::of(command.current_dir(lab.path("class")).output().unwrap());
+    let verdicts: Vec<(String, String)> = run
+        .json()
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|row| [&row["submission"], &row["verdict"]].map(|word| word.as_str().unwrap().to_owned()).into())
+        .collect();
+    let expected = [("-rf", "wrong"), ("_bob", "correct"), ("ann", "correct"), (&long[6..], "correct")];
+    assert_eq!(verdicts, expected.map(|(label, word)| (label.to_owned(), word.to_owned())));
+    assert!(run.stderr.contains("skipped: list.txt (it holds no answer)"), "{}", run.stderr);
+    assert_eq!(all_files(&lab.path("class")), before);
+    let overview = String::from_utf8(lab.read("class-results/index.html")).unwrap();
+    assert!(overview.contains("Not checked") && overview.contains("list.txt"));
+    assert!(String::from_utf8(lab.read("all.xml")).unwrap().contains("_bob"));
+}
+
+#[test]
+fn a_submission_is_never_a_class_and_a_class_never_one_submission() {
+    let lab = Lab::new();
+    hand_in(&lab, "ex04", "mine/work/shaders", "mat3(itM)", "mat3(itM)");
+    let run = lab.run(&["lab", "check", "ex04", "mine", "--json"]).good();
+    assert_eq!(run.json()["verdict"], "correct");
+    assert!(!lab.path("mine-results").exists());
+    // A flat download: the right answer of one is not everybody's.
+    for (student, to) in [("Ann_1", "mat3(itM)"), ("Ben_2", "mat3(M)")] {
+        hand_in(&lab, "ex04", student, "mat3(itM)", to);
+        for name in ["reference.vert", "reference.frag"] {
+            let bytes = lab.read(&format!("{student}/{name}"));
+            std::fs::create_dir_all(lab.path("flat")).unwrap();
+            lab.write(&format!("flat/{student}_assignsubmission_file_{name}"), bytes);
+        }
+    }
+    let run = lab.run(&["lab", "check", "ex04", "flat", "-o", "results", "--json"]);
+    let verdicts: Vec<String> =
+        run.json().as_array().unwrap().iter().map(|row| row["verdict"].as_str().unwrap().to_owned()).collect();
+    assert_eq!((run.code, verdicts.as_slice()), (1, &["correct".to_owned(), "wrong".to_owned()][..]));
+    assert!(lab.path("results/Ann_1.html").exists());
+
+    for option in ["--page", "--sheet", "--gradescope", "--code-runner"] {
+        lab.run(&["lab", "check", "ex04", "flat", option, "out.file"]).refused(&[option, "one submission", "2"]);
+    }
+    lab.run(&["lab", "check", "ex04", "flat", "-o", "flat/results"]).refused(&["lies in", "outside"]);
+    lab.run(&["lab", "check", "ex04", "mine", "--submissions", "one", "-o", "r"]).refused(&["--page"]);
+    for (option, value) in [("--points", "nan"), ("--points", "-1"), ("--patience", "9223372036854775807")] {
+        assert_eq!(
+            lab.run(&["lab", "check", "ex04", "mine", &format!("{option}={value}")]).code,
+            2,
+            "{option} {value}"
+        );
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_check_ends_with_whoever_asked_for_it() {
+    let lab = Lab::new();
+    // A driver that is given no bound turns around in this for hours.
+    let turns = "void main() { for (int i = 0; i < 60000; i++) for (int j = 0; j < 60000; j++) gl_Position.x += 1.0;";
+    hand_in(&lab, "ex04", "class/ann", "void main() {", turns);
+    hand_in(&lab, "ex04", "class/bob", "void main() {", turns);
+    let folder = lab.path("class").to_string_lossy().into_owned();
+    let mut asked = lab.command(&["lab", "check", "ex04", &folder, "--patience", "600"]).spawn().unwrap();
+    let workers = || -> Vec<u32> {
+        let is_ours = |id: &u32| {
+            let of = |name: &str| std::fs::read(format!("/proc/{id}/{name}")).unwrap_or_default();
+            let stat = String::from_utf8_lossy(&of("stat")).into_owned();
+            let is_dead = stat.rsplit(") ").next().is_some_and(|rest| rest.starts_with('Z'));
+            let command = String::from_utf8_lossy(&of("cmdline")).into_owned();
+            let inside = std::fs::read_link(format!("/proc/{id}/cwd"))
+                .is_ok_and(|cwd| cwd == lab.path("").canonicalize().unwrap());
+            !is_dead && inside && command.contains("check-worker")
+        };
+        std::fs::read_dir("/proc")
+            .unwrap()
+            .filter_map(|e| e.unwrap().file_name().to_str()?.parse().ok())
+            .filter(is_ours)
+            .collect()
+    };
+    until(|| !workers().is_empty());
+    let terminated = std::process::Command::new("kill").arg(asked.id().to_string()).status().unwrap();
+    assert!(terminated.success());
+    asked.wait().unwrap();
+    until(|| workers().is_empty());
+}
+
+/// Waits for something that must come; a minute is far more than it takes.
+fn until(has_come: impl Fn() -> bool) {
+    for _ in 0..6000 {
+        if has_come() {
+            return;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(10));
+    }
+    panic!("it did not come within a minute");
+}
+
+/// Every file below a folder with its content.
+fn all_files(folder: &std::path::Path) -> Vec<(std::path::PathBuf, Vec<u8>)> {
+    let mut found = Vec::new();
+    let mut folders = vec![folder.to_owned()];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            match path.is_dir() {
+                true => folders.push(path),
+                false => found.push((path.clone(), std::fs::read(&path).unwrap())),
+            }
+        }
+    }
+    found.sort();
+    found
 }
 
 /// Bob spoils his answer.

@@ -25,9 +25,22 @@ pub fn is_zip(bytes: &[u8]) -> bool {
     bytes.starts_with(&LOCAL) || bytes.starts_with(&END)
 }
 
-/// The files in it. Folders, and what systems add for themselves (`__MACOSX/`, names that begin with a dot), are left
-/// out. An error is one sentence.
-pub fn unpack(bytes: &[u8]) -> Result<MemoryFiles, String> {
+/// A file in a zip, as the zip's directory describes it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// Its name as it stands there: usually UTF-8, with `/` between folders; a folder's ends with `/`.
+    pub name: Vec<u8>,
+    /// Bytes that it has unpacked, says the directory.
+    pub size: u64,
+    method: u64,
+    is_encrypted: bool,
+    /// Where its own header begins, which its content follows.
+    local: usize,
+    packed: usize,
+}
+
+/// The directory of a zip, without unpacking anything. An error is one sentence.
+pub fn entries(bytes: &[u8]) -> Result<Vec<Entry>, String> {
     let end = find_end(bytes).ok_or("the zip is cut off or damaged: its directory is missing")?;
     let count = number(bytes, end + 10, 2)? as usize;
     let mut at = number(bytes, end + 16, 4)? as usize;
@@ -37,37 +50,57 @@ pub fn unpack(bytes: &[u8]) -> Result<MemoryFiles, String> {
     if count > MOST_FILES {
         return Err(format!("the zip holds {count} files, more than {MOST_FILES}; unpack it and give those wanted"));
     }
-    let mut files = MemoryFiles::default();
-    let mut total = 0;
+    let mut entries = Vec::new();
     for _ in 0..count {
         if part(bytes, at, 4)? != ENTRY {
             return Err(damaged());
         }
-        let flags = number(bytes, at + 8, 2)?;
-        let method = number(bytes, at + 10, 2)?;
-        let packed = number(bytes, at + 20, 4)? as usize;
-        let size = number(bytes, at + 24, 4)?;
         let [name_len, extra_len, comment_len] = [28, 30, 32].map(|offset| number(bytes, at + offset, 2));
         let (name_len, extra_len, comment_len) = (name_len? as usize, extra_len? as usize, comment_len? as usize);
-        let local = number(bytes, at + 42, 4)? as usize;
-        let name = String::from_utf8_lossy(part(bytes, at + ENTRY_SIZE, name_len)?).into_owned();
+        entries.push(Entry {
+            name: part(bytes, at + ENTRY_SIZE, name_len)?.to_vec(),
+            size: number(bytes, at + 24, 4)?,
+            method: number(bytes, at + 10, 2)?,
+            is_encrypted: number(bytes, at + 8, 2)? & 1 != 0,
+            local: number(bytes, at + 42, 4)? as usize,
+            packed: number(bytes, at + 20, 4)? as usize,
+        });
         at += ENTRY_SIZE + name_len + extra_len + comment_len;
+    }
+    Ok(entries)
+}
+
+impl Entry {
+    /// Its content, from the zip that it is in: never more than its size. An error is one sentence.
+    pub fn unpack(&self, zip: &[u8]) -> Result<Vec<u8>, String> {
+        let name = String::from_utf8_lossy(&self.name);
+        if self.is_encrypted {
+            return Err(format!("`{name}` in the zip is encrypted; unpack it and give the files"));
+        }
+        if part(zip, self.local, 4)? != LOCAL {
+            return Err(damaged());
+        }
+        let [name_len, extra_len] = [26, 28].map(|offset| number(zip, self.local + offset, 2));
+        let content = part(zip, self.local + LOCAL_SIZE + name_len? as usize + extra_len? as usize, self.packed)?;
+        inflate(content, self.method, self.size, &name)
+    }
+}
+
+/// The files in it. Folders, and what systems add for themselves (`__MACOSX/`, names that begin with a dot), are left
+/// out. An error is one sentence.
+pub fn unpack(bytes: &[u8]) -> Result<MemoryFiles, String> {
+    let mut files = MemoryFiles::default();
+    let mut total = 0;
+    for entry in entries(bytes)? {
+        let name = String::from_utf8_lossy(&entry.name).into_owned();
         if is_left_out(&name) {
             continue;
         }
-        if flags & 1 != 0 {
-            return Err(format!("`{name}` in the zip is encrypted; unpack it and give the files"));
-        }
-        total += size;
+        total += entry.size;
         if total > MOST_BYTES {
             return Err(format!("the zip holds more than {} MiB; unpack it and give the files", MOST_BYTES >> 20));
         }
-        if part(bytes, local, 4)? != LOCAL {
-            return Err(damaged());
-        }
-        let skip = LOCAL_SIZE + number(bytes, local + 26, 2)? as usize + number(bytes, local + 28, 2)? as usize;
-        let content = part(bytes, local + skip, packed)?;
-        files.insert(&name, inflate(content, method, size, &name)?);
+        files.insert(&name, entry.unpack(bytes)?);
     }
     Ok(files)
 }

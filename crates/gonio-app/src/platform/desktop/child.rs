@@ -13,7 +13,7 @@ const MOST_RESIDENT_KB: u64 = 1024 * 1024;
 /// How often a child is looked at.
 const LOOK: Duration = Duration::from_millis(5);
 /// How often its memory is.
-const LOOK_AT_MEMORY: Duration = Duration::from_millis(50);
+const LOOK_AT_MEMORY: Duration = Duration::from_millis(10);
 
 /// How a child ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,8 +50,8 @@ pub fn command(program: &Path) -> Result<Command, Error> {
 /// Waits for its end, or for the end of what it may take: this time, a gigabyte, and nobody's having `given_up` on it. An
 /// error is the system's, which does not say what became of the child; it is ended then too.
 pub fn wait(child: &mut Child, patience: Duration, given_up: impl Fn() -> bool) -> Result<Ended, Error> {
-    let end = Instant::now() + patience;
-    let mut next_look = Instant::now() + LOOK_AT_MEMORY;
+    let begun = Instant::now();
+    let mut next_look = begun + LOOK_AT_MEMORY;
     loop {
         match child.try_wait() {
             Ok(Some(status)) => return Ok(Ended::ByItself(status)),
@@ -66,7 +66,7 @@ pub fn wait(child: &mut Child, patience: Duration, given_up: impl Fn() -> bool) 
         if looks_at_memory {
             next_look = now + LOOK_AT_MEMORY;
         }
-        let ended = if now >= end {
+        let ended = if now.duration_since(begun) >= patience {
             Ended::TooLong
         } else if given_up() {
             Ended::GivenUp

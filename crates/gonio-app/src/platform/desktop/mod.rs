@@ -8,6 +8,7 @@ mod handed;
 mod home;
 mod opened;
 mod watch;
+pub mod worker;
 mod write;
 
 pub use display::has_display;

@@ -1,46 +1,52 @@
 //! Many submissions at once: each in a process of its own, so that none can harm the others.
 
-use super::check::CheckArgs;
-use super::{files, text};
+use super::check::{CheckArgs, write_junit};
+use super::intake::{Class, Submission};
+use super::text;
 use crate::output::atomic;
-use crate::report::{CliError, Outcome, Reporter};
-use gonio_app::platform::desktop::child::{self, Ended};
+use crate::report::{CliError, Outcome, Reporter, io_reason};
+use gonio_app::platform::desktop::worker;
+use gonio_lab::content_hash;
 use gonio_lab::exercise::Exercise;
 use gonio_lab::formats::{self, Fingerprint, Row, page_name};
-use gonio_lab::submission::Submission;
+use gonio_lab::submission::{self, SourceFile};
 use gonio_lab::verdict::{Outcome as Word, Verdict};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
-use std::process::Stdio;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// From this share on two submissions are called similar.
 const SIMILAR: f64 = 0.85;
+/// Most bytes of a pair of shaders that is compared with others.
+const MAX_COMPARED_BYTES: usize = 256 << 10;
 
-/// What was found before, and of which content.
+/// A verdict of an earlier run, and the content that it is of.
 #[derive(Serialize, Deserialize)]
 struct Kept {
     content: u64,
-    row: Row,
+    seconds: f64,
+    verdict: Verdict,
+}
+
+/// One submission that was checked.
+struct Checked {
+    label: String,
+    verdict: Verdict,
+    seconds: f64,
+    fingerprint: Option<Fingerprint>,
 }
 
 /// Checks all, and writes pages, table and overview.
-pub fn run(
-    args: &CheckArgs,
-    exercise: &Exercise,
-    folder: &Path,
-    submissions: &[PathBuf],
-    reporter: &Reporter,
-) -> Result<Outcome, CliError> {
-    let results = args.output.clone().unwrap_or_else(|| PathBuf::from(format!("{}-results", folder.display())));
+pub fn run(args: &CheckArgs, exercise: &Exercise, class: &Class, reporter: &Reporter) -> Result<Outcome, CliError> {
+    let results = results_folder(args)?;
     let kept = results.join("kept");
     std::fs::create_dir_all(&kept)
         .map_err(|error| CliError::io(format!("the folder `{}` cannot be made", kept.display()), &error))?;
-    let program = std::env::current_exe().map_err(|error| CliError::io("gonio's own program was not found", &error))?;
+    let program = super::own_program()?;
     let next = AtomicUsize::new(0);
-    let rows = Mutex::new(Vec::new());
+    let checked = Mutex::new(Vec::new());
     let progress = reporter.progress("checking");
     let workers = std::thread::available_parallelism().map_or(1, usize::from);
     std::thread::scope(|scope| {
@@ -48,23 +54,47 @@ pub fn run(
             scope.spawn(|| {
                 loop {
                     let index = next.fetch_add(1, Ordering::Relaxed);
-                    let Some(submission) = submissions.get(index) else { return };
-                    let row = one(args, exercise, submission, &results, &program);
-                    if let Ok(mut rows) = rows.lock() {
-                        rows.push(row);
-                        progress.set(rows.len() as f64 / submissions.len() as f64);
+                    let Some(submission) = class.submissions.get(index) else { return };
+                    let one = one(args, exercise, submission, &results, &program);
+                    if let Ok(mut checked) = checked.lock() {
+                        checked.push(one);
+                        progress.set(checked.len() as f64 / class.submissions.len() as f64);
                     }
                 }
             });
         }
     });
     drop(progress);
-    let mut rows = rows.into_inner().unwrap_or_default().into_iter().collect::<Result<Vec<Row>, CliError>>()?;
-    rows.sort_by(|a, b| a.submission.cmp(&b.submission));
-    let similar = similar(exercise, submissions);
+    let checked = checked.into_inner().unwrap_or_default().into_iter().collect::<Result<Vec<Checked>, CliError>>()?;
+    let outcome = report(args, exercise, checked, class, &results, reporter)?;
+    for skipped in &class.skipped {
+        reporter.note(format!("skipped: {skipped}"));
+    }
+    Ok(outcome)
+}
+
+/// Writes and says what belongs to all of them.
+fn report(
+    args: &CheckArgs,
+    exercise: &Exercise,
+    mut checked: Vec<Checked>,
+    class: &Class,
+    results: &Path,
+    reporter: &Reporter,
+) -> Result<Outcome, CliError> {
+    checked.sort_by(|a, b| a.label.cmp(&b.label));
+    let rows: Vec<Row> = checked.iter().map(|one| Row::of(&one.label, &one.verdict, one.seconds)).collect();
+    let fingerprints: Vec<(String, Fingerprint)> =
+        checked.iter_mut().filter_map(|one| Some((one.label.clone(), one.fingerprint.take()?))).collect();
+    let similar = formats::similar_pairs(&fingerprints, SIMILAR);
     let title = format!("{}: {}", exercise.id, exercise.title);
-    atomic::write(&results.join("index.html"), formats::overview(&title, &rows, &similar).as_bytes())?;
+    let overview = formats::overview(&title, &rows, &similar, &class.skipped);
+    atomic::write(&results.join("index.html"), overview.as_bytes())?;
     atomic::write(&results.join("table.csv"), formats::csv(&rows).as_bytes())?;
+    if let Some(path) = &args.junit {
+        let verdicts: Vec<(String, Verdict)> = checked.into_iter().map(|one| (one.label, one.verdict)).collect();
+        write_junit(path, &verdicts)?;
+    }
     if reporter.json() {
         reporter.report(&rows)?;
     } else {
@@ -79,131 +109,118 @@ pub fn run(
     Ok(if right { Outcome::Done } else { Outcome::CheckFailed })
 }
 
-fn label(submission: &Path) -> String {
-    let name = if submission.is_dir() { submission.file_name() } else { submission.file_stem() };
-    name.map_or_else(|| "submission".to_owned(), |name| name.to_string_lossy().into_owned())
+/// The folder for the results: never within the submissions.
+fn results_folder(args: &CheckArgs) -> Result<PathBuf, CliError> {
+    let absolute = |path: &Path| {
+        std::path::absolute(path)
+            .and_then(|path| existing_part_resolved(&path))
+            .map_err(|error| CliError::new(format!("{}: {}", path.display(), io_reason(&error))))
+    };
+    let inputs = args.files.iter().map(|path| absolute(path)).collect::<Result<Vec<PathBuf>, CliError>>()?;
+    let results = match &args.output {
+        Some(folder) => folder.clone(),
+        None => {
+            // Of several, those of the folder that they all lie in: `check ex04 submissions/*`.
+            let place = match inputs.as_slice() {
+                [only] => Some(only.as_path()),
+                [first, rest @ ..] => first.parent().filter(|parent| rest.iter().all(|p| p.parent() == Some(parent))),
+                [] => None,
+            };
+            let beside = place.and_then(|place| {
+                let name = if place.is_dir() { place.file_name() } else { place.file_stem() };
+                Some(place.with_file_name(format!("{}-results", name?.to_string_lossy())))
+            });
+            beside.ok_or_else(|| CliError::new("name a folder for the results: `-o FOLDER`"))?
+        }
+    };
+    let place = absolute(&results)?;
+    match inputs.iter().find(|input| place.starts_with(input)) {
+        Some(input) => Err(CliError::new(format!(
+            "`{}` lies in `{}`, and nothing is written into submissions; name a folder outside: `-o FOLDER`",
+            results.display(),
+            input.display()
+        ))),
+        None => Ok(results),
+    }
 }
 
-/// One of them: as it was found before, or by a child.
+/// An absolute path without links and `..`, also where its end is not there yet.
+fn existing_part_resolved(path: &Path) -> std::io::Result<PathBuf> {
+    match (path.canonicalize(), path.parent(), path.file_name()) {
+        (Ok(resolved), ..) => Ok(resolved),
+        (Err(error), Some(parent), Some(name)) if error.kind() == std::io::ErrorKind::NotFound => {
+            Ok(existing_part_resolved(parent)?.join(name))
+        }
+        (Err(error), ..) => Err(error),
+    }
+}
+
+/// One of them: as it was found before, or by a process of its own.
 fn one(
     args: &CheckArgs,
     exercise: &Exercise,
-    submission: &Path,
+    submission: &Submission,
     results: &Path,
     program: &Path,
-) -> Result<Row, CliError> {
-    let label = label(submission);
+) -> Result<Checked, CliError> {
+    let label = submission.label.clone();
     let page = results.join(page_name(&label));
     let kept_path = results.join("kept").join(format!("{}.json", page_name(&label)));
-    let content = match files::read(&[submission.to_owned()]) {
-        Ok(files) => {
-            let asked = [exercise.id.as_str(), if args.as_the_lab { "lab" } else { "book" }, env!("CARGO_PKG_VERSION")];
-            let asked = asked.iter().map(|word| word.as_bytes());
-            fingerprint(asked.chain(files.iter().flat_map(|file| [file.name.as_bytes(), &file.bytes])))
-        }
-        // A damaged zip, say: that is this submission's verdict and nobody else's.
-        Err(error) => {
-            let verdict = Verdict::new(&exercise.id, Word::Unsure, error.to_string());
-            atomic::write(&page, formats::page(&label, &verdict, None).as_bytes())?;
-            return Ok(Row::of(&label, &verdict, 0.0));
-        }
-    };
+    let gathered = submission.gather();
+    let content = content(args, exercise, &gathered.files, &gathered.left_out);
+    let fingerprint = fingerprint_of(exercise, &gathered.files);
     let known = std::fs::read(&kept_path).ok().and_then(|bytes| serde_json::from_slice::<Kept>(&bytes).ok());
-    if let Some(known) = known.filter(|known| known.content == content && page.exists()) {
-        return Ok(known.row);
+    if let Some(Kept { verdict, seconds, .. }) = known.filter(|known| known.content == content && page.exists()) {
+        return Ok(Checked { label, verdict, seconds, fingerprint });
     }
     let start = Instant::now();
-    let row_path = results.join("kept").join(format!("{}.row", page_name(&label)));
-    // Left by a run that was stopped.
-    let _ = std::fs::remove_file(&row_path);
-    let ended = checked(args, exercise, submission, &label, &page, &row_path, program)?;
-    let row = std::fs::read(&row_path).ok().and_then(|bytes| serde_json::from_slice::<Row>(&bytes).ok());
-    let _ = std::fs::remove_file(&row_path);
-    let row = match row {
-        Some(row) => row,
-        None => {
-            let verdict = match ended {
-                Ended::ByItself(_) | Ended::GivenUp => Verdict::new(
-                    &exercise.id,
-                    Word::Unsure,
-                    "checking it ended the program that checks: a driver's fault, or too much memory",
-                ),
-                Ended::TooLong => Verdict::endless(&exercise.id, args.patience),
-                Ended::TooLarge => Verdict::too_large(&exercise.id),
-            };
-            atomic::write(&page, formats::page(&label, &verdict, None).as_bytes())?;
-            Row::of(&label, &verdict, start.elapsed().as_secs_f64())
-        }
+    let (verdict, made) = match gathered.left_out.first() {
+        // A damaged zip, say: that is this submission's verdict and nobody else's.
+        Some(why) if gathered.files.is_empty() => (Verdict::new(&exercise.id, Word::Unsure, why.clone()), None),
+        _ => checked(args, exercise, gathered, &label, program)?,
     };
-    let kept = serde_json::to_vec(&Kept { content, row: row.clone() })
+    let seconds = start.elapsed().as_secs_f64();
+    let made = made.unwrap_or_else(|| formats::page(&label, &verdict, None).into_bytes());
+    atomic::write(&page, &made)?;
+    let kept = serde_json::to_vec(&Kept { content, seconds, verdict: verdict.clone() })
         .map_err(|error| CliError::new(format!("{} could not be written: {error}", kept_path.display())))?;
     atomic::write(&kept_path, &kept)?;
-    Ok(row)
+    Ok(Checked { label, verdict, seconds, fingerprint })
 }
 
-/// Checks in a child, which leaves a page and a row.
+/// The verdict, and the page where the process came to make one.
 fn checked(
     args: &CheckArgs,
     exercise: &Exercise,
-    submission: &Path,
+    gathered: super::intake::Gathered,
     label: &str,
-    page: &Path,
-    row: &Path,
     program: &Path,
-) -> Result<Ended, CliError> {
+) -> Result<(Verdict, Option<Vec<u8>>), CliError> {
+    let mut request = args.request(exercise, gathered);
+    request.page = Some(label.to_owned());
     let not_started = |error| CliError::io("gonio could not start itself for a check", &error);
-    let mut command = child::command(program).map_err(not_started)?;
-    command.args(["lab", "check", &exercise.id]).arg(submission).arg("--page").arg(page).arg("--row").arg(row);
-    command.args(["--label", label, "--quiet", "--patience", &args.patience.to_string()]);
-    if args.as_the_lab {
-        command.arg("--as-the-lab");
-    }
-    // The child gives up by itself; this is for one that cannot.
-    let mut child = command.stdout(Stdio::null()).spawn().map_err(not_started)?;
-    child::wait(&mut child, Duration::from_secs(args.patience + 10), || false)
-        .map_err(|error| CliError::io("gonio lost sight of a check", &error))
+    let worker = worker::start(program, request, true).map_err(not_started)?;
+    Ok(match worker.wait(args.patience(), || false) {
+        Ok(answer) => (answer.verdict, answer.page),
+        Err(why) => (Verdict::new(&exercise.id, Word::Unsure, why), None),
+    })
 }
 
-/// The same for the same pieces, on every machine and with every compiler: what was found stays known (FNV-1a, 64 bits).
-fn fingerprint<'a>(pieces: impl Iterator<Item = &'a [u8]>) -> u64 {
-    let mut sum: u64 = 0xcbf2_9ce4_8422_2325;
-    let mut take = |bytes: &[u8]| {
-        for byte in bytes {
-            sum = (sum ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3);
-        }
-    };
-    for piece in pieces {
-        take(&(piece.len() as u64).to_le_bytes());
-        take(piece);
-    }
-    sum
+/// A number that differs where a verdict could.
+fn content(args: &CheckArgs, exercise: &Exercise, files: &[SourceFile], left_out: &[String]) -> u64 {
+    let convention = if args.as_the_lab { "lab" } else { "book" };
+    let api = if args.es { "es" } else { "core" };
+    let pair = args.pair.as_deref().unwrap_or_default();
+    let asked = [exercise.id.as_str(), convention, api, pair, env!("CARGO_PKG_VERSION")];
+    let asked = asked.into_iter().chain(left_out.iter().map(String::as_str)).map(str::as_bytes);
+    content_hash(asked.chain(files.iter().flat_map(|file| [file.name.as_bytes(), &file.bytes])))
 }
 
-/// Submissions that are alike, apart from what the exercise hands out.
-fn similar(exercise: &Exercise, submissions: &[PathBuf]) -> Vec<(String, String, f64)> {
+/// What of a submission is compared with others, apart from what the exercise hands out.
+fn fingerprint_of(exercise: &Exercise, files: &[SourceFile]) -> Option<Fingerprint> {
     let known: Vec<&str> = exercise.start_files().map(|(_, text)| text).collect();
-    let fingerprints: Vec<(String, Fingerprint)> = submissions
-        .iter()
-        .filter_map(|path| {
-            let files = files::read(std::slice::from_ref(path)).ok()?;
-            let gathered = Submission::gather(files).ok()?;
-            let sources = [gathered.vertex.text.as_str(), gathered.fragment.text.as_str()];
-            Some((label(path), Fingerprint::of(&sources, &known)))
-        })
-        .collect();
-    formats::similar_pairs(&fingerprints, SIMILAR)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_fingerprint_knows_where_a_piece_ends_and_stays_what_it_was() {
-        let of = |pieces: &[&str]| fingerprint(pieces.iter().map(|piece| piece.as_bytes()));
-        assert_ne!(of(&["ab", "c"]), of(&["a", "bc"]));
-        assert_ne!(of(&["ab"]), of(&["ab", ""]));
-        // FNV-1a of no byte is its offset basis: Fowler, Noll, Vo (draft-eastlake-fnv), section 5.
-        assert_eq!(of(&[]), 0xcbf2_9ce4_8422_2325);
-    }
+    let gathered = submission::Submission::gather(files.to_vec()).ok()?;
+    let sources = [gathered.vertex.text.as_str(), gathered.fragment.text.as_str()];
+    let is_small = sources.iter().map(|text| text.len()).sum::<usize>() <= MAX_COMPARED_BYTES;
+    is_small.then(|| Fingerprint::of(&sources, &known))
 }

@@ -1,18 +1,19 @@
 //! `gonio lab check`.
 
-use super::{batch, exercise, files, text};
+use super::intake::{self, Gathered, Intake, Submissions};
+use super::{batch, exercise, text};
 use crate::cli::WordOptions;
 use crate::output::atomic;
 use crate::report::{CliError, Outcome, Reporter};
+use crate::values;
 use clap::Args;
-use gonio_gl::HeadlessContext;
-use gonio_gl::headless::HeadlessOptions;
-use gonio_lab::check::{Checker, Evidence};
+use gonio_app::platform::desktop::worker::{self, Answer, Request};
+use gonio_lab::CheckOptions;
 use gonio_lab::exercise::Exercise;
-use gonio_lab::formats::{self, Row};
+use gonio_lab::formats;
 use gonio_lab::verdict::{Outcome as Word, Verdict};
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Check a pair of shaders: what is right, what is wrong, and the mistake's name and line.
 #[derive(Args, Debug)]
@@ -24,7 +25,8 @@ Examples:
   gonio lab check ex02 cube.csv
   gonio lab check ex07 submissions -o results
       Each folder and each zip in `submissions` is one: a page for each, a table, an overview. What was checked
-      before and has not changed is not checked again.
+      before and has not changed is not checked again. A zip of the whole class does as well, and so do the downloads
+      of Moodle, Canvas, Blackboard and Brightspace, in folders or flat.
 
 Any names and endings will do, and any `#version`; names of attributes and uniforms are found by their words and types,
 and names.toml beside the files says what gonio could not guess. Exit codes: 0 correct, 1 not, 2 error.")]
@@ -41,7 +43,11 @@ pub struct CheckArgs {
     /// Pass what the lab's own solutions do too, where they differ from the textbook.
     #[arg(long)]
     pub as_the_lab: bool,
-    /// Of many submissions: the folder for pages, table and overview.
+    /// Whether the files are one submission or many, where names and contents tell it wrong.
+    #[arg(long, value_name = "HOW-MANY", default_value = "auto")]
+    pub submissions: Submissions,
+    /// The folder for pages, table and overview of many submissions, outside of theirs; beside theirs, where none is
+    /// named.
     #[arg(long, short, value_name = "FOLDER", help_heading = "Output")]
     pub output: Option<PathBuf>,
     /// Write the verdict as a web page with pictures.
@@ -50,7 +56,7 @@ pub struct CheckArgs {
     /// Write the pictures: yours, the reference's, the difference, the mistake's; a column a scene.
     #[arg(long, value_name = "FILE.png", help_heading = "Output")]
     pub sheet: Option<PathBuf>,
-    /// Write the verdict as JUnit XML.
+    /// Write the verdict, or those of many submissions, as JUnit XML.
     #[arg(long, value_name = "FILE.xml", help_heading = "Output")]
     pub junit: Option<PathBuf>,
     /// Write the verdict as Gradescope's results.json.
@@ -60,17 +66,12 @@ pub struct CheckArgs {
     #[arg(long, value_name = "FILE.json", help_heading = "Output")]
     pub code_runner: Option<PathBuf>,
     /// Points of a right answer, for Gradescope.
-    #[arg(long, value_name = "N", default_value = "100", help_heading = "Output")]
+    #[arg(long, value_name = "N", default_value = "100", value_parser = values::not_negative, help_heading = "Output")]
     pub points: f64,
     /// Seconds that a check may take.
-    #[arg(long, value_name = "SECONDS", default_value_t = 30, help_heading = "Output")]
+    #[arg(long, value_name = "SECONDS", default_value_t = 30, value_parser = clap::value_parser!(u64).range(1..=86_400),
+          help_heading = "Output")]
     pub patience: u64,
-    /// The row of a batch's table goes here.
-    #[arg(long, value_name = "FILE", hide = true)]
-    pub row: Option<PathBuf>,
-    /// What the submission is called in pages.
-    #[arg(long, value_name = "NAME", hide = true)]
-    pub label: Option<String>,
     /// OpenGL ES 3 instead of OpenGL: what a browser has.
     #[arg(long, hide = true)]
     pub es: bool,
@@ -80,78 +81,106 @@ pub struct CheckArgs {
 }
 
 impl CheckArgs {
-    /// What the submission is called: its folder's or first file's name.
+    /// The name of the first folder or file.
     fn label(&self) -> String {
         let first = self.files.first().map_or(Path::new("submission"), PathBuf::as_path);
-        let name = first.file_stem().map(|name| name.to_string_lossy().into_owned());
-        self.label.clone().or(name).unwrap_or_else(|| "submission".to_owned())
+        first.file_stem().map_or_else(|| "submission".to_owned(), |name| name.to_string_lossy().into_owned())
+    }
+
+    /// The options that ask for a file of one submission's verdict.
+    fn options_of_one(&self) -> impl Iterator<Item = &'static str> {
+        let asked = [
+            ("--page", self.page.is_some()),
+            ("--sheet", self.sheet.is_some()),
+            ("--gradescope", self.gradescope.is_some()),
+            ("--code-runner", self.code_runner.is_some()),
+        ];
+        asked.into_iter().filter(|(_, is_asked)| *is_asked).map(|(option, _)| option)
+    }
+
+    /// The check that these options ask for. The page and the sheet that they may ask for are not part of it.
+    pub fn request(&self, exercise: &Exercise, gathered: Gathered) -> Request {
+        Request {
+            exercise: exercise.id.clone(),
+            files: gathered.files,
+            left_out: gathered.left_out,
+            options: CheckOptions { pair: self.pair.clone(), as_the_lab: self.as_the_lab },
+            es: self.es,
+            page: None,
+            sheet: false,
+        }
+    }
+
+    /// How long a check may take.
+    pub fn patience(&self) -> Duration {
+        Duration::from_secs(self.patience)
     }
 }
 
 /// Checks.
 pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let exercise = exercise(&args.exercise)?;
-    if let [folder] = args.files.as_slice()
-        && let Some(submissions) = files::submissions(folder)?
-    {
-        return batch::run(args, exercise, folder, &submissions, reporter);
-    }
-    let (verdict, evidence, seconds) = check_within(args, exercise)?;
-    write(args, &verdict, evidence.as_ref(), seconds)?;
-    if reporter.json() {
-        reporter.report(&verdict)?;
-    } else if args.row.is_none() {
-        reporter.text(&text::verdict(&verdict))?;
-    }
-    Ok(if verdict.verdict == Word::Correct { Outcome::Done } else { Outcome::CheckFailed })
-}
-
-/// What a check gives, and how many seconds it took.
-type Checked = (Verdict, Option<Evidence>, f64);
-
-/// Checks in a thread of its own: a shader with an endless loop never comes back.
-fn check_within(args: &CheckArgs, exercise: &'static Exercise) -> Result<Checked, CliError> {
-    let submitted = files::read(&args.files)?;
-    let options = gonio_lab::CheckOptions { pair: args.pair.clone(), as_the_lab: args.as_the_lab };
-    let es = args.es;
-    let (done, checked) = std::sync::mpsc::channel();
-    let start = Instant::now();
-    let checking = std::thread::spawn(move || {
-        let outcome = HeadlessContext::with_options(&HeadlessOptions { es, ..Default::default() })
-            .map_err(|why| CliError::new(why.message.replace("; `--backend cpu` needs none", "")))
-            .and_then(|context| {
-                let mut checker = Checker::new(context.gl());
-                let outcome = gonio_lab::check(&mut checker, exercise, submitted, &options)?;
-                // As in render: the process ends next.
-                std::mem::forget((checker, context));
-                Ok(outcome)
-            });
-        // Whoever waited may have given up.
-        let _ = done.send(outcome);
-    });
-    let seconds = || start.elapsed().as_secs_f64();
-    match checked.recv_timeout(Duration::from_secs(args.patience)) {
-        Ok(outcome) => {
-            // Mesa tidies up at a thread's end and at the process': both at once have been seen to end in a crash.
-            let _ = checking.join();
-            outcome.map(|(verdict, evidence)| (verdict, evidence, seconds()))
+    let asked = match args.submissions {
+        // A folder for results is a folder for those of a class, be it a class of one.
+        Submissions::Auto if args.output.is_some() => Submissions::Many,
+        Submissions::One if args.output.is_some() => {
+            return Err(CliError::new(
+                "`-o` is the folder for many submissions; `--page FILE.html` writes one's verdict",
+            ));
         }
-        Err(_) => Ok((Verdict::endless(&exercise.id, args.patience), None, seconds())),
+        asked => asked,
+    };
+    match intake::take(&args.files, exercise, asked)? {
+        Intake::Class(class) => {
+            if let Some(option) = args.options_of_one().next() {
+                return Err(CliError::new(format!(
+                    "{option} writes the verdict of one submission, and these are {}; a page for each, a table and an \
+                     overview go to the folder that `-o` names",
+                    class.submissions.len()
+                )));
+            }
+            batch::run(args, exercise, &class, reporter)
+        }
+        Intake::One(gathered) => check_one(args, exercise, gathered, reporter),
     }
 }
 
-fn write(args: &CheckArgs, verdict: &Verdict, evidence: Option<&Evidence>, seconds: f64) -> Result<(), CliError> {
+/// One submission, in a process of its own.
+fn check_one(
+    args: &CheckArgs,
+    exercise: &Exercise,
+    gathered: Gathered,
+    reporter: &Reporter,
+) -> Result<Outcome, CliError> {
     let label = args.label();
+    let mut request = args.request(exercise, gathered);
+    request.page = args.page.is_some().then(|| label.clone());
+    request.sheet = args.sheet.is_some();
+    let program = super::own_program()?;
+    let not_started = |error| CliError::io("gonio could not start itself for a check", &error);
+    let worker = worker::start(&program, request, false).map_err(not_started)?;
+    let answer = worker.wait(args.patience(), || false).map_err(CliError::new)?;
+    write(args, &label, &answer)?;
+    if reporter.json() {
+        reporter.report(&answer.verdict)?;
+    } else {
+        reporter.text(&text::verdict(&answer.verdict))?;
+    }
+    Ok(if answer.verdict.verdict == Word::Correct { Outcome::Done } else { Outcome::CheckFailed })
+}
+
+fn write(args: &CheckArgs, label: &str, Answer { verdict, page, sheet }: &Answer) -> Result<(), CliError> {
     if let Some(path) = &args.page {
-        atomic::write(path, formats::page(&label, verdict, evidence).as_bytes())?;
+        // Of a check that was ended there are no pictures.
+        let page = page.clone().unwrap_or_else(|| formats::page(label, verdict, None).into_bytes());
+        atomic::write(path, &page)?;
     }
     if let Some(path) = &args.sheet {
-        let evidence = evidence
-            .ok_or_else(|| CliError::new(format!("{}: nothing was drawn, so there is no sheet", path.display())))?;
-        atomic::write(path, &formats::sheet(evidence, verdict))?;
+        let nothing = || CliError::new(format!("{}: nothing was drawn, so there is no sheet", path.display()));
+        atomic::write(path, sheet.as_ref().ok_or_else(nothing)?)?;
     }
     if let Some(path) = &args.junit {
-        atomic::write(path, formats::junit(&[(label.clone(), verdict.clone())]).as_bytes())?;
+        write_junit(path, &[(label.to_owned(), verdict.clone())])?;
     }
     if let Some(path) = &args.gradescope {
         atomic::write(path, formats::gradescope(verdict, args.points).as_bytes())?;
@@ -159,10 +188,10 @@ fn write(args: &CheckArgs, verdict: &Verdict, evidence: Option<&Evidence>, secon
     if let Some(path) = &args.code_runner {
         atomic::write(path, formats::code_runner(verdict).as_bytes())?;
     }
-    if let Some(path) = &args.row {
-        let row = serde_json::to_vec(&Row::of(&label, verdict, seconds))
-            .map_err(|error| CliError::new(format!("the row could not be written: {error}")))?;
-        atomic::write(path, &row)?;
-    }
     Ok(())
+}
+
+/// Writes verdicts, each with its label, as JUnit XML.
+pub fn write_junit(path: &Path, verdicts: &[(String, Verdict)]) -> Result<(), CliError> {
+    atomic::write(path, formats::junit(verdicts).as_bytes())
 }

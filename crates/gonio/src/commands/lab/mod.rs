@@ -4,16 +4,19 @@ mod batch;
 mod check;
 mod draw;
 mod exercises;
-mod files;
+mod guard;
+mod intake;
 mod mistakes;
 mod open;
 mod score;
 mod text;
+mod worker;
 
 use crate::cli::WordOptions;
 use crate::report::{CliError, Outcome, Reporter};
 use clap::Subcommand;
 use gonio_lab::exercise::{self, Exercise};
+use std::path::PathBuf;
 
 /// Exercises, students' own shaders, and a checker that names the mistake.
 #[derive(Subcommand, Debug)]
@@ -50,6 +53,9 @@ pub enum LabCommand {
     Mistakes(mistakes::MistakesArgs),
     /// Measure the checker: the share of the bank's mistakes that it names right, and its false alarms.
     Score(score::ScoreArgs),
+    /// The process that a check runs in.
+    #[command(hide = true)]
+    CheckWorker(WordOptions),
 }
 
 impl LabCommand {
@@ -65,6 +71,7 @@ impl LabCommand {
             LabCommand::Draw(args) => &args.words,
             LabCommand::Mistakes(args) => &args.words,
             LabCommand::Score(args) => &args.words,
+            LabCommand::CheckWorker(words) => words,
         }
     }
 }
@@ -81,7 +88,13 @@ pub fn run(command: &LabCommand, reporter: &Reporter) -> Result<Outcome, CliErro
         LabCommand::Draw(args) => draw::run(args, reporter),
         LabCommand::Mistakes(args) => mistakes::run(args, reporter),
         LabCommand::Score(args) => score::run(args, reporter),
+        LabCommand::CheckWorker(_) => worker::run(),
     }
+}
+
+/// gonio's own program, for processes that a shader may crash.
+fn own_program() -> Result<PathBuf, CliError> {
+    std::env::current_exe().map_err(|error| CliError::io("gonio's own program was not found", &error))
 }
 
 /// The exercise that somebody named.

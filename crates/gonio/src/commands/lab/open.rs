@@ -1,6 +1,6 @@
 //! `gonio lab open`: an exercise in the window.
 
-use super::{exercise, files};
+use super::{exercise, intake};
 use crate::cli::WordOptions;
 use crate::report::{CliError, Outcome};
 use crate::values;
@@ -67,7 +67,7 @@ pub fn run(args: &OpenArgs) -> Result<Outcome, CliError> {
 
 /// The files of a path: of a folder those within it, by their names there; of a zip in memory.
 fn read(path: &Path) -> Result<Vec<GivenFile>, CliError> {
-    let found = files::read(std::slice::from_ref(&path.to_owned()))?;
+    let found = intake::read(std::slice::from_ref(&path.to_owned()))?;
     let given = |file: gonio_lab::submission::SourceFile| {
         let place = if path.is_dir() { path.join(&file.name) } else { path.to_owned() };
         let is_itself = place.is_file() && (path.is_dir() || Path::new(&file.name) == path);

@@ -1,6 +1,7 @@
 //! `gonio lab score`: the checker measured.
 
-use super::{exercise, files};
+use super::intake::{self, Intake, Submission, Submissions};
+use super::{exercise, guard};
 use crate::cli::WordOptions;
 use crate::report::{CliError, Outcome, Reporter};
 use clap::Args;
@@ -34,6 +35,9 @@ pub struct ScoreArgs {
     /// Right answers to look for false alarms in: FOLDER/EX/correct/NAME/.
     #[arg(long, value_name = "FOLDER")]
     pub corpus: Option<PathBuf>,
+    /// End when the process that asks for this ends, which holds the other end of stdin.
+    #[arg(long, hide = true)]
+    pub end_with_the_caller: bool,
     /// What is said.
     #[command(flatten)]
     pub words: WordOptions,
@@ -55,6 +59,9 @@ impl Row {
 
 /// Measures.
 pub fn run(args: &ScoreArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
+    if args.end_with_the_caller {
+        guard::end_with_the_caller();
+    }
     let exercises = match args.exercises.as_slice() {
         [] => TASKS.iter().map(|task| exercise(task.exercise)).collect::<Result<Vec<_>, _>>()?,
         named => named.iter().map(|word| exercise(word)).collect::<Result<Vec<_>, _>>()?,
@@ -79,13 +86,13 @@ fn measure(args: &ScoreArgs, exercise: &Exercise) -> Result<Row, CliError> {
     let mut row = Row { score, right_answers: 0, false_alarms: Vec::new() };
     if let Some(corpus) = &args.corpus {
         let right = corpus.join(&exercise.id).join("correct");
-        for submission in files::submissions(&right)?.unwrap_or_default() {
-            let mut submitted = files::read(std::slice::from_ref(&submission))?;
+        for submission in right_answers(&right, exercise)? {
+            let mut submitted = submission.gather().files;
             submitted.retain(|file| !file.name.ends_with("expected.toml"));
             let (verdict, _) = gonio_lab::check(&mut checker, exercise, submitted, &CheckOptions::default())?;
             row.right_answers += 1;
             if verdict.verdict != Word::Correct {
-                row.false_alarms.push(name(&submission));
+                row.false_alarms.push(submission.label);
             }
         }
     }
@@ -97,7 +104,7 @@ fn measure(args: &ScoreArgs, exercise: &Exercise) -> Result<Row, CliError> {
 /// Each exercise in a process of its own, as many at once as there are cores: a driver on the CPU makes better use of them so
 /// than by drawing small pictures with all of them.
 fn measure_apart(args: &ScoreArgs, exercises: &[&Exercise], reporter: &Reporter) -> Result<Vec<Row>, CliError> {
-    let program = std::env::current_exe().map_err(|error| CliError::io("gonio's own program was not found", &error))?;
+    let program = super::own_program()?;
     let next = AtomicUsize::new(0);
     let done: Mutex<Vec<(usize, Result<Row, CliError>)>> = Mutex::default();
     let progress = reporter.progress("measuring");
@@ -125,11 +132,16 @@ fn measure_apart(args: &ScoreArgs, exercises: &[&Exercise], reporter: &Reporter)
 fn measure_in_child(args: &ScoreArgs, exercise: &Exercise, program: &Path) -> Result<Row, CliError> {
     let not_started = |error| CliError::io("gonio could not start itself to measure", &error);
     let mut command = child::command(program).map_err(not_started)?;
-    command.args(["lab", "score", &exercise.id, "--json", "--pairs", &args.pairs.to_string()]);
+    command.args(["lab", "score", &exercise.id, "--json", "--end-with-the-caller"]);
+    command.args(["--pairs", &args.pairs.to_string()]);
     if let Some(corpus) = &args.corpus {
         command.arg("--corpus").arg(corpus);
     }
-    let output = command.stderr(Stdio::piped()).output().map_err(not_started)?;
+    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().map_err(not_started)?;
+    let input = child.stdin.take();
+    let output = child.wait_with_output().map_err(not_started)?;
+    drop(input);
     let rows = serde_json::from_slice::<Vec<Row>>(&output.stdout).unwrap_or_default();
     rows.into_iter().next().ok_or_else(|| {
         let said = String::from_utf8_lossy(&output.stderr);
@@ -137,8 +149,15 @@ fn measure_in_child(args: &ScoreArgs, exercise: &Exercise, program: &Path) -> Re
     })
 }
 
-fn name(path: &Path) -> String {
-    path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
+/// The submissions in a folder; none where there is no folder, for not every exercise has right answers of its own.
+fn right_answers(folder: &Path, exercise: &Exercise) -> Result<Vec<Submission>, CliError> {
+    if !folder.is_dir() {
+        return Ok(Vec::new());
+    }
+    match intake::take(&[folder.to_owned()], exercise, Submissions::Many)? {
+        Intake::Class(class) => Ok(class.submissions),
+        Intake::One(_) => Ok(Vec::new()),
+    }
 }
 
 /// In Markdown, so that it can stand in a document as it is.

@@ -5,7 +5,7 @@ mod shaders;
 
 pub use shaders::goal;
 
-use super::{exercise, files};
+use super::{exercise, guard, intake};
 use crate::capture;
 use crate::cli::WordOptions;
 use crate::commands::frame::Shown;
@@ -67,6 +67,9 @@ pub struct DrawArgs {
     #[arg(long, value_name = "SECONDS", value_parser = values::number, allow_negative_numbers = true, default_value = "0",
           help_heading = "Details")]
     pub time: f64,
+    /// Draw in this process, which the caller guards.
+    #[arg(long, hide = true)]
+    pub in_this_process: bool,
     /// What is said.
     #[command(flatten)]
     pub words: WordOptions,
@@ -86,15 +89,19 @@ impl DrawArgs {
 /// Draws.
 pub fn run(args: &DrawArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let exercise = exercise(&args.exercise)?;
+    if !args.in_this_process {
+        return guard::run_again("--in-this-process");
+    }
     if let Some(target) = &args.capture {
         capture::prepare(target)?;
     }
     if args.output.is_none() && args.capture.is_none() && args.shown().is_none() && !reporter.json() {
         return Err(CliError::new("nothing was asked for; `-o picture.png` writes the picture"));
     }
+    guard::end_with_the_caller();
     let submitted = match args.files.as_slice() {
         [] => exercise.reference_files().map(|(name, text)| SourceFile::new(name, text)).collect(),
-        named => files::read(named)?,
+        named => intake::read(named)?,
     };
     match exercise.kind {
         Kind::HostProgram => host::run(args, submitted, reporter),

@@ -8,13 +8,11 @@ use gonio_lab::exercise::Exercise;
 use gonio_lab::live::{self, Body, Given, LiveStage, Note, NoteKind, Pair, Scene, Source};
 use gonio_lab::submission::SourceFile;
 use serde_json::json;
-use std::sync::mpsc;
-use std::time::Duration;
 
 /// Where nothing is drawn: the window's own dark grey.
 const BACKGROUND: [f32; 3] = [0.13, 0.14, 0.16];
-/// Seconds that a pair may take: a loop that never ends takes more.
-const PATIENCE: u64 = 30;
+/// Only what is touched is really taken.
+const STACK_BYTES: usize = 256 << 20;
 
 /// Pixels along each side of the picture of a goal.
 const GOAL: u32 = 512;
@@ -44,7 +42,7 @@ pub fn run(
     let scene = scene(args, exercise)?;
     let recorder = args.capture.as_deref().map(Recorder::new).transpose()?;
     let size = [args.size; 2];
-    let drawn = within_patience(args.size, args.time, source, scene.clone(), recorder)?;
+    let drawn = on_a_large_stack(args.size, args.time, source, scene.clone(), recorder)?;
     for note in drawn.notes.iter().filter(|note| note.kind == NoteKind::Warning) {
         reporter.warning(told(note));
     }
@@ -74,7 +72,7 @@ pub fn goal(exercise: &'static Exercise) -> Result<Vec<u8>, CliError> {
     let source = live::reference(exercise).map_err(CliError::new)?;
     let scene = live::scenes(exercise).into_iter().next();
     let scene = scene.ok_or_else(|| CliError::new(format!("{} has no scene", exercise.id)))?;
-    let drawn = within_patience(GOAL, 0.0, source, scene, None)?;
+    let drawn = on_a_large_stack(GOAL, 0.0, source, scene, None)?;
     super::encoded([GOAL; 2], drawn.rgba)
 }
 
@@ -89,24 +87,19 @@ fn scene(args: &DrawArgs, exercise: &Exercise) -> Result<Scene, CliError> {
     scenes.into_iter().find(|scene| scene.name == *wanted).ok_or_else(|| CliError::new(known))
 }
 
-/// In a thread of its own: a shader with an endless loop never comes back.
-fn within_patience(
+/// In a thread with a large stack: drivers recurse along a shader's expressions.
+fn on_a_large_stack(
     size: u32,
     time: f64,
     source: Source,
     scene: Scene,
     recorder: Option<Recorder>,
 ) -> Result<Drawn, CliError> {
-    let (done, drawn) = mpsc::channel();
-    std::thread::spawn(move || {
-        // Whoever waited may have given up.
-        let _ = done.send(draw(size, time, &source, &scene, recorder));
-    });
-    drawn.recv_timeout(Duration::from_secs(PATIENCE)).unwrap_or_else(|_| {
-        Err(CliError::new(format!(
-            "it did not finish within {PATIENCE} seconds; is there a loop in a shader that never ends?"
-        )))
-    })
+    let drawing = std::thread::Builder::new().stack_size(STACK_BYTES);
+    let drawing = drawing
+        .spawn(move || draw(size, time, &source, &scene, recorder))
+        .map_err(|error| CliError::io("the drawing could not be started", &error))?;
+    drawing.join().unwrap_or_else(|_| std::process::abort())
 }
 
 fn draw(

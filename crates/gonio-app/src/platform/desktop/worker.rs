@@ -1,0 +1,316 @@
+//! A check in a process of its own, the same for the command line's single checks, its batches and the window.
+//!
+//! The process gets the files through its standard input and answers on its standard output; it opens no file of the
+//! submission and writes none. Its input stays open as long as somebody waits for it: when that ends, however it ends,
+//! the process sees the end of its input and ends too. Both messages are a header (a length as 4 little-endian bytes,
+//! then JSON) followed by the bytes that the header gives lengths of.
+
+use super::child::{self, Ended};
+use gonio_lab::CheckOptions;
+use gonio_lab::submission::SourceFile;
+use gonio_lab::verdict::Verdict;
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+use std::io::{Error, ErrorKind, Read, Write};
+use std::path::Path;
+use std::process::{Child, Stdio};
+use std::thread::JoinHandle;
+use std::time::Duration;
+
+/// The hidden command of `gonio` that [`serve`]s.
+pub const COMMAND: [&str; 2] = ["lab", "check-worker"];
+
+/// Most bytes of a header: a verdict with all that it quotes.
+const MAX_HEADER_BYTES: u64 = 64 << 20;
+/// Most bytes of an answer: a page with its pictures, and the sheet.
+const MAX_ANSWER_BYTES: u64 = 512 << 20;
+
+/// What is to be checked, and what is wanted of it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Request {
+    /// The exercise's word: `ex04`.
+    pub exercise: String,
+    /// The submission.
+    pub files: Vec<SourceFile>,
+    /// Sentences on what of the submission is not among the files; they become warnings of the verdict.
+    pub left_out: Vec<String>,
+    /// See [`CheckOptions`].
+    pub options: CheckOptions,
+    /// OpenGL ES 3 instead of OpenGL.
+    pub es: bool,
+    /// The title of the page that is wanted, if one is.
+    pub page: Option<String>,
+    /// Whether the sheet of pictures is wanted.
+    pub sheet: bool,
+}
+
+/// What a check gave.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answer {
+    /// The verdict.
+    pub verdict: Verdict,
+    /// The verdict as a web page, where it was asked for and could be made.
+    pub page: Option<Vec<u8>>,
+    /// The sheet as PNG, where it was asked for and something was drawn.
+    pub sheet: Option<Vec<u8>>,
+}
+
+#[derive(Serialize, Deserialize)]
+struct RequestHeader {
+    exercise: String,
+    files: Vec<(String, u64)>,
+    left_out: Vec<String>,
+    pair: Option<String>,
+    as_the_lab: bool,
+    es: bool,
+    page: Option<String>,
+    sheet: bool,
+}
+
+#[derive(Serialize, Deserialize)]
+struct AnswerHeader {
+    verdict: Result<Verdict, String>,
+    page: Option<u64>,
+    sheet: Option<u64>,
+}
+
+/// A check that is under way in a process.
+pub struct Worker {
+    child: Child,
+    writer: JoinHandle<Result<std::process::ChildStdin, Error>>,
+    reader: JoinHandle<Result<Option<Answer>, String>>,
+    exercise: String,
+}
+
+/// Starts `program` on a request. With `one_core` the driver is left one core, as befits one of many processes.
+///
+/// # Errors
+/// Those of starting a process.
+pub fn start(program: &Path, request: Request, one_core: bool) -> Result<Worker, Error> {
+    let mut command = child::command(program)?;
+    if !one_core {
+        command.env_remove("LP_NUM_THREADS");
+    }
+    command.args(COMMAND).stdin(Stdio::piped()).stdout(Stdio::piped());
+    let mut child = command.spawn()?;
+    let (Some(mut input), Some(output)) = (child.stdin.take(), child.stdout.take()) else {
+        return Err(Error::other("the process has no input or no output"));
+    };
+    let exercise = request.exercise.clone();
+    let writer = std::thread::spawn(move || {
+        write_request(&mut input, &request)?;
+        input.flush()?;
+        // Not closed: its end would end the process.
+        Ok(input)
+    });
+    let reader = std::thread::spawn(move || read_answer(output));
+    Ok(Worker { child, writer, reader, exercise })
+}
+
+impl Worker {
+    /// Waits for the answer. A check that takes too long or too much memory, or that ends its process, gives the
+    /// verdict that says so.
+    ///
+    /// # Errors
+    /// One sentence: why there is no verdict.
+    pub fn wait(mut self, patience: Duration, given_up: impl Fn() -> bool) -> Result<Answer, String> {
+        let ended = child::wait(&mut self.child, patience, given_up);
+        let answer = self.reader.join().unwrap_or_else(|_| Err("its answer could not be read".into()));
+        // Where the process ended before it had read everything, its answer counts.
+        let _ = self.writer.join();
+        let said = |verdict| Ok(Answer { verdict, page: None, sheet: None });
+        match ended.map_err(|why| format!("what became of the check is not known: {why}"))? {
+            Ended::TooLong => said(Verdict::endless(&self.exercise, patience.as_secs())),
+            Ended::TooLarge => said(Verdict::too_large(&self.exercise)),
+            Ended::GivenUp => Err("the check was given up".into()),
+            Ended::ByItself(status) => match answer {
+                Ok(Some(answer)) => Ok(answer),
+                Ok(None) if status.code().is_none_or(is_crash) => said(Verdict::crashed(&self.exercise)),
+                Ok(None) => Err("the check ended without an answer; try it again".into()),
+                Err(why) => Err(why),
+            },
+        }
+    }
+}
+
+/// Whether a system that has no signals ends a process with this code when it crashes (Windows: 0xC0000005 and the like),
+/// or Rust does when memory runs out or a thread panics.
+fn is_crash(code: i32) -> bool {
+    code < 0 || code == 101 || code == 134
+}
+
+/// Answers one request: what the process itself does. `check` has the driver.
+///
+/// # Errors
+/// Those of the two pipes; whoever waits sees them as the process' end.
+pub fn serve(
+    mut input: impl Read + Send + 'static,
+    mut output: impl Write,
+    check: impl FnOnce(Request) -> Result<Answer, String>,
+) -> Result<(), Error> {
+    let request = read_request(&mut input)?;
+    std::thread::spawn(move || end_with(input));
+    let answer = check(request);
+    let length = |bytes: &Option<Vec<u8>>| bytes.as_ref().map(|bytes| bytes.len() as u64);
+    let (header, page, sheet) = match answer {
+        Ok(Answer { verdict, page, sheet }) => {
+            (AnswerHeader { verdict: Ok(verdict), page: length(&page), sheet: length(&sheet) }, page, sheet)
+        }
+        Err(why) => (AnswerHeader { verdict: Err(why), page: None, sheet: None }, None, None),
+    };
+    write_header(&mut output, &header)?;
+    for bytes in [page, sheet].into_iter().flatten() {
+        output.write_all(&bytes)?;
+    }
+    output.flush()
+}
+
+/// Waits for the end of an input that nobody writes to any more, and ends the process then.
+pub fn end_with(mut input: impl Read) {
+    let _ = input.read(&mut [0]);
+    // Not `exit`, which waits for the driver.
+    std::process::abort();
+}
+
+fn write_request(output: &mut impl Write, request: &Request) -> Result<(), Error> {
+    let header = RequestHeader {
+        exercise: request.exercise.clone(),
+        files: request.files.iter().map(|file| (file.name.clone(), file.bytes.len() as u64)).collect(),
+        left_out: request.left_out.clone(),
+        pair: request.options.pair.clone(),
+        as_the_lab: request.options.as_the_lab,
+        es: request.es,
+        page: request.page.clone(),
+        sheet: request.sheet,
+    };
+    write_header(output, &header)?;
+    request.files.iter().try_for_each(|file| output.write_all(&file.bytes))
+}
+
+fn read_request(input: &mut impl Read) -> Result<Request, Error> {
+    let header: RequestHeader = read_header(input)?.ok_or(ErrorKind::UnexpectedEof)?;
+    let read = |(name, length): (String, u64)| Ok(SourceFile { name, bytes: read_exactly(input, length)? });
+    Ok(Request {
+        files: header.files.into_iter().map(read).collect::<Result<_, Error>>()?,
+        exercise: header.exercise,
+        left_out: header.left_out,
+        options: CheckOptions { pair: header.pair, as_the_lab: header.as_the_lab },
+        es: header.es,
+        page: header.page,
+        sheet: header.sheet,
+    })
+}
+
+/// `None` where the process ended without answering. An error is the process' own sentence.
+fn read_answer(output: impl Read) -> Result<Option<Answer>, String> {
+    let mut output = output.take(MAX_ANSWER_BYTES);
+    let unreadable = |why: Error| format!("the answer of the check could not be understood: {why}");
+    let header = match read_header::<AnswerHeader>(&mut output) {
+        Ok(Some(header)) => header,
+        Ok(None) => return Ok(None),
+        Err(why) if why.kind() == ErrorKind::UnexpectedEof => return Ok(None),
+        Err(why) => return Err(unreadable(why)),
+    };
+    let mut read = |length: Option<u64>| length.map(|length| read_exactly(&mut output, length)).transpose();
+    let (page, sheet) = (read(header.page), read(header.sheet));
+    Ok(Some(Answer { verdict: header.verdict?, page: page.map_err(unreadable)?, sheet: sheet.map_err(unreadable)? }))
+}
+
+fn write_header(output: &mut impl Write, header: &impl Serialize) -> Result<(), Error> {
+    let text = serde_json::to_vec(header)?;
+    let length = u32::try_from(text.len()).map_err(Error::other)?;
+    output.write_all(&length.to_le_bytes())?;
+    output.write_all(&text)
+}
+
+/// `None` at the end of the input.
+fn read_header<T: DeserializeOwned>(input: &mut impl Read) -> Result<Option<T>, Error> {
+    let mut length = [0; 4];
+    let first = input.read(&mut length)?;
+    if first == 0 {
+        return Ok(None);
+    }
+    input.read_exact(&mut length[first..])?;
+    let length = u64::from(u32::from_le_bytes(length));
+    if length > MAX_HEADER_BYTES {
+        return Err(Error::other("its header is too long"));
+    }
+    Ok(Some(serde_json::from_slice(&read_exactly(input, length)?)?))
+}
+
+/// Grows with what really comes, whatever length was announced.
+fn read_exactly(input: &mut impl Read, length: u64) -> Result<Vec<u8>, Error> {
+    let mut bytes = Vec::new();
+    input.take(length).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 == length { Ok(bytes) } else { Err(ErrorKind::UnexpectedEof.into()) }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use gonio_lab::verdict::Outcome;
+
+    fn request() -> Request {
+        Request {
+            exercise: "ex04".into(),
+            files: vec![SourceFile::new("a.vert", "void main() {}"), SourceFile::new("\u{fffd}/b.frag", [0, 255])],
+            left_out: vec!["c.png: too large".into()],
+            options: CheckOptions { pair: Some("phong".into()), as_the_lab: true },
+            es: true,
+            page: Some("anna".into()),
+            sheet: true,
+        }
+    }
+
+    #[test]
+    fn requests_and_answers_arrive_as_they_were_sent() {
+        let (mut sent, mut said) = (Vec::new(), Vec::new());
+        write_request(&mut sent, &request()).unwrap();
+        let answer = Answer {
+            verdict: Verdict::new("ex04", Outcome::Wrong, "as asked"),
+            page: Some(b"<html>".to_vec()),
+            sheet: None,
+        };
+        let answered = answer.clone();
+        // An input without end: the thread that waits for it must not end this process.
+        let input = std::io::Cursor::new(sent.clone()).chain(Endless);
+        serve(input, &mut said, |got| {
+            assert_eq!(got, request());
+            Ok(answered)
+        })
+        .unwrap();
+        assert_eq!(read_answer(said.as_slice()), Ok(Some(answer)));
+        for length in 0..said.len() {
+            let cut = read_answer(&said[..length]);
+            assert!(matches!(cut, Ok(None) | Err(_)), "cut at {length}: {cut:?}");
+        }
+        for length in 0..sent.len() {
+            assert!(read_request(&mut &sent[..length]).is_err(), "cut at {length}");
+        }
+    }
+
+    /// Sends nothing, and never ends.
+    struct Endless;
+
+    impl Read for Endless {
+        fn read(&mut self, _: &mut [u8]) -> Result<usize, Error> {
+            loop {
+                std::thread::park();
+            }
+        }
+    }
+
+    /// Programs that every system with a shell has, instead of ours.
+    fn asked_of(program: &str) -> Result<Answer, String> {
+        start(Path::new(program), request(), true).unwrap().wait(Duration::from_secs(20), || false)
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn a_program_that_does_not_answer_is_a_sentence() {
+        assert_eq!(asked_of("/bin/false").map_err(|why| why.contains("without an answer")), Err(true));
+        assert_eq!(asked_of("/bin/echo").map_err(|why| why.contains("could not be understood")), Err(true));
+        assert!(start(Path::new("/nowhere/gonio"), request(), true).is_err());
+    }
+}

@@ -1,0 +1,101 @@
+//! The files of one submission, within bounds.
+
+use super::tree::Tree;
+use gonio_lab::class::is_noise;
+use gonio_lab::submission::SourceFile;
+
+/// Bytes of all files of a submission: six large faces and a project around them.
+const MAX_BYTES: u64 = 128 << 20;
+/// Files of a submission.
+const MAX_FILES: usize = 2000;
+/// Entries that are looked at, and folders and archives within one another.
+const MAX_VISITED: usize = 20_000;
+const MAX_DEPTH: usize = 32;
+
+/// The files of a submission.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Gathered {
+    /// In order of their places in the submission.
+    pub files: Vec<SourceFile>,
+    /// A sentence on each thing that was left out.
+    pub left_out: Vec<String>,
+}
+
+/// Reads what these trees hold, each under a name of its own: that of a file, or the folder that its files get (empty
+/// for none). Small files are read first, so that no large one keeps a shader out.
+pub fn gather<'a>(roots: impl IntoIterator<Item = (&'a Tree, String)>) -> Gathered {
+    let mut walk = Walk::default();
+    for (tree, name) in roots {
+        walk.visit(tree, name, 0);
+    }
+    let mut gathered = Gathered { files: Vec::new(), left_out: walk.left_out };
+    let mut by_size: Vec<usize> = (0..walk.found.len()).collect();
+    by_size.sort_by_key(|&at| walk.found[at].1.size());
+    let mut total = 0;
+    let mut read: Vec<(usize, SourceFile)> = Vec::new();
+    let mut over = 0;
+    for at in by_size {
+        let (name, tree) = &walk.found[at];
+        if read.len() >= MAX_FILES || total + tree.size() > MAX_BYTES {
+            over += 1;
+            continue;
+        }
+        match tree.bytes() {
+            Ok(bytes) => {
+                total += bytes.len() as u64;
+                read.push((at, SourceFile { name: name.clone(), bytes }));
+            }
+            Err(why) => gathered.left_out.push(format!("left aside: {name}: {why}")),
+        }
+    }
+    if over > 0 {
+        gathered.left_out.push(format!(
+            "left aside: the {over} largest files; {MAX_FILES} files and {} MiB are read of a submission",
+            MAX_BYTES >> 20
+        ));
+    }
+    read.sort_by_key(|(at, _)| *at);
+    gathered.files = read.into_iter().map(|(_, file)| file).collect();
+    gathered
+}
+
+#[derive(Default)]
+struct Walk {
+    found: Vec<(String, Tree)>,
+    left_out: Vec<String>,
+    visited: usize,
+}
+
+impl Walk {
+    fn visit(&mut self, tree: &Tree, name: String, depth: usize) {
+        self.visited += 1;
+        if self.visited == MAX_VISITED {
+            self.left_out.push(format!("left aside: everything after the first {MAX_VISITED} entries"));
+        }
+        if self.visited >= MAX_VISITED {
+            return;
+        }
+        if !tree.is_container() {
+            match tree.unread() {
+                Some(why) => self.left_out.push(format!("left aside: {name}: {why}")),
+                None => self.found.push((name, tree.clone())),
+            }
+            return;
+        }
+        if depth >= MAX_DEPTH {
+            return self.left_out.push(format!("left aside: {name}: folders are read {MAX_DEPTH} deep"));
+        }
+        match tree.children() {
+            Ok(children) => {
+                for child in children.iter().filter(|child| !is_noise(&child.name)) {
+                    let name = if name.is_empty() { child.name.clone() } else { format!("{name}/{}", child.name) };
+                    self.visit(child, name, depth + 1);
+                }
+            }
+            Err(why) => {
+                let name = if name.is_empty() { &tree.name } else { &name };
+                self.left_out.push(format!("left aside: {name}: {why}"));
+            }
+        }
+    }
+}

@@ -1,0 +1,182 @@
+//! From the paths that a person names to submissions: one, or those of a class.
+//!
+//! [`tree`] reads folders and archives, [`gonio_lab::class`] tells submissions apart, [`gather`] reads the files of one.
+
+mod gather;
+mod tree;
+
+#[cfg(test)]
+mod tests;
+
+pub use gather::{Gathered, gather};
+
+use crate::report::CliError;
+use clap::ValueEnum;
+use gonio_lab::class::{self, Entry, Layout, Many};
+use gonio_lab::exercise::Exercise;
+use gonio_lab::live;
+use gonio_lab::submission::SourceFile;
+use std::path::{Path, PathBuf};
+use tree::Tree;
+
+/// How many submissions the paths are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Submissions {
+    /// Tell it from names and contents.
+    #[default]
+    Auto,
+    /// One.
+    One,
+    /// One for each folder, archive and answer, or for each student of a flat download.
+    Many,
+}
+
+/// What the paths are.
+pub enum Intake {
+    /// One submission.
+    One(Gathered),
+    /// Several.
+    Class(Class),
+}
+
+/// Several submissions.
+pub struct Class {
+    /// In order of their labels, which are all different.
+    pub submissions: Vec<Submission>,
+    /// What belongs to no submission: `name (reason)`.
+    pub skipped: Vec<String>,
+}
+
+/// One submission of several; its files are read by [`Submission::gather`].
+pub struct Submission {
+    /// The student's, folder's or archive's name.
+    pub label: String,
+    members: Vec<(Tree, String)>,
+}
+
+impl Submission {
+    /// Its files.
+    pub fn gather(&self) -> Gathered {
+        gather(self.members.iter().map(|(tree, name)| (tree, name.clone())))
+    }
+}
+
+/// The submissions at `paths`. With `Submissions::Many` one submission is a class of one.
+///
+/// # Errors
+/// A path that cannot be read.
+pub fn take(paths: &[PathBuf], exercise: &Exercise, asked: Submissions) -> Result<Intake, CliError> {
+    let trees = paths.iter().map(|path| tree_of(path)).collect::<Result<Vec<Tree>, CliError>>()?;
+    if asked != Submissions::One
+        && let Some(class) = class_of(&trees, exercise, asked)?
+    {
+        return Ok(Intake::Class(class));
+    }
+    let gathered = one(paths, &trees);
+    match gathered.left_out.first() {
+        // A damaged archive, say, and nothing else: that is an error rather than a submission without shaders.
+        Some(why) if gathered.files.is_empty() => {
+            Err(CliError::new(why.strip_prefix("left aside: ").unwrap_or(why).to_owned()))
+        }
+        _ if asked == Submissions::Many => {
+            let label = trees.first().map_or_else(String::new, |tree| tree.name.clone());
+            let members = trees.into_iter().zip(paths).map(|(tree, path)| {
+                let name = root_name(path, &tree, paths.len());
+                (tree, name)
+            });
+            let submissions = vec![Submission { label, members: members.collect() }];
+            Ok(Intake::Class(Class { submissions, skipped: Vec::new() }))
+        }
+        _ => Ok(Intake::One(gathered)),
+    }
+}
+
+/// The files at these paths as one submission, for commands that know nothing of classes.
+///
+/// # Errors
+/// A path that cannot be read, or nothing in them that can.
+pub fn read(paths: &[PathBuf]) -> Result<Vec<SourceFile>, CliError> {
+    let trees = paths.iter().map(|path| tree_of(path)).collect::<Result<Vec<Tree>, CliError>>()?;
+    let gathered = one(paths, &trees);
+    match gathered.left_out.first() {
+        Some(why) if gathered.files.is_empty() => {
+            Err(CliError::new(why.strip_prefix("left aside: ").unwrap_or(why).to_owned()))
+        }
+        _ => Ok(gathered.files),
+    }
+}
+
+fn tree_of(path: &Path) -> Result<Tree, CliError> {
+    Tree::of_path(path).map_err(|why| CliError::new(format!("{}: {why}", tree::shown(path.as_os_str()))))
+}
+
+fn one(paths: &[PathBuf], trees: &[Tree]) -> Gathered {
+    gather(trees.iter().zip(paths).map(|(tree, path)| (tree, root_name(path, tree, paths.len()))))
+}
+
+/// A file is called as the person called it. The files of a folder or an archive are called as within it; of several
+/// folders the names tell which.
+fn root_name(path: &Path, tree: &Tree, count: usize) -> String {
+    match tree.is_container() {
+        false => tree::shown(path.as_os_str()),
+        true if count == 1 => String::new(),
+        true => tree.name.clone(),
+    }
+}
+
+/// The class, if the trees are one.
+fn class_of(trees: &[Tree], exercise: &Exercise, asked: Submissions) -> Result<Option<Class>, CliError> {
+    let mut level: Vec<Tree> = trees.to_vec();
+    let mut skipped = Vec::new();
+    // A folder or an archive named by itself is where the submissions are.
+    let mut within = match trees {
+        [only] if only.is_container() => Some(0),
+        _ => None,
+    };
+    loop {
+        if let Some(at) = within {
+            let outer = &level[at];
+            let rest = level.iter().enumerate().filter(|(other, _)| *other != at);
+            skipped.extend(rest.map(|(_, tree)| format!("{} (it holds no answer)", tree.name)));
+            level = match outer.children() {
+                Ok(children) => children,
+                // What it is then is for whoever gathers it to say.
+                Err(_) => return Ok(None),
+            };
+        }
+        let entry = |tree: &Tree| Entry { name: tree.name.clone(), is_container: tree.is_container() };
+        let entries: Vec<Entry> = level.iter().map(entry).collect();
+        let answers = |at: usize| holds_answer(exercise, &level[at]);
+        match class::layout(&entries, &answers) {
+            Layout::Many(many) => return Ok(Some(of_groups(many, &level, skipped))),
+            Layout::Within(at) => within = Some(at),
+            Layout::One if asked == Submissions::Many && entries.iter().any(|entry| entry.is_container) => {
+                return Ok(Some(of_groups(class::each(&entries, &answers), &level, skipped)));
+            }
+            Layout::One => return Ok(None),
+        }
+    }
+}
+
+fn of_groups(many: Many, level: &[Tree], mut skipped: Vec<String>) -> Class {
+    let reason = |at: usize, why| format!("{} ({})", level[at].name, level[at].unread().unwrap_or(why));
+    skipped.extend(many.skipped.iter().map(|&(at, why)| reason(at, why)));
+    let member = |(at, name): (usize, String)| {
+        let tree = level[at].clone();
+        let name = if name.is_empty() && !tree.is_container() { tree.name.clone() } else { name };
+        (tree, name)
+    };
+    let submission = |group: class::Group| Submission {
+        label: group.label,
+        members: group.members.into_iter().map(member).collect(),
+    };
+    Class { submissions: many.submissions.into_iter().map(submission).collect(), skipped }
+}
+
+fn holds_answer(exercise: &Exercise, tree: &Tree) -> bool {
+    if !tree.is_container() {
+        let file = tree.bytes().map(|bytes| SourceFile { name: tree.name.clone(), bytes });
+        return file.is_ok_and(|file| live::is_answer(exercise, &file));
+    }
+    gather([(tree, String::new())]).files.iter().any(|file| live::is_answer(exercise, file))
+}

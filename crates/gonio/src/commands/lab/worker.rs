@@ -1,0 +1,41 @@
+//! `gonio lab check-worker`: the process that a check runs in (see [`gonio_app::platform::desktop::worker`]).
+
+use super::exercise;
+use crate::report::{CliError, Outcome};
+use gonio_app::platform::desktop::worker::{self, Answer, Request};
+use gonio_gl::HeadlessContext;
+use gonio_gl::headless::HeadlessOptions;
+use gonio_lab::check::Checker;
+use gonio_lab::formats;
+
+/// Stack of the thread that reads, compiles and draws: drivers recurse along the shader, and only what is touched is
+/// really taken.
+const STACK_BYTES: usize = 256 << 20;
+
+/// Answers one request on stdin by one answer on stdout.
+pub fn run() -> Result<Outcome, CliError> {
+    let failed = |error| CliError::io("the check could not be answered", &error);
+    worker::serve(std::io::stdin(), std::io::stdout().lock(), |request| {
+        let checking = std::thread::Builder::new().stack_size(STACK_BYTES).spawn(move || check(request));
+        let checking = checking.map_err(|error| format!("the check could not be started: {error}"))?;
+        // A panic has been said on stderr; without an answer the process counts as crashed.
+        checking.join().unwrap_or_else(|_| std::process::abort())
+    })
+    .map_err(failed)?;
+    Ok(Outcome::Done)
+}
+
+fn check(request: Request) -> Result<Answer, String> {
+    let exercise = exercise(&request.exercise).map_err(|error| error.to_string())?;
+    let context = HeadlessContext::with_options(&HeadlessOptions { es: request.es, ..Default::default() })
+        .map_err(|why| why.message.replace("; `--backend cpu` needs none", ""))?;
+    let mut checker = Checker::new(context.gl());
+    let (mut verdict, evidence) = gonio_lab::check(&mut checker, exercise, request.files, &request.options)
+        .map_err(|error| CliError::from(error).to_string())?;
+    // As in render: the process ends next.
+    std::mem::forget((checker, context));
+    verdict.warnings.extend(request.left_out);
+    let page = request.page.map(|label| formats::page(&label, &verdict, evidence.as_ref()).into_bytes());
+    let sheet = evidence.filter(|_| request.sheet).map(|evidence| formats::sheet(&evidence, &verdict));
+    Ok(Answer { verdict, page, sheet })
+}
