@@ -21,7 +21,11 @@ const TARGETS: &[(&str, &[&str])] = &[
     ("submission", &["crates/gonio-glsl/tests/pairs", "exercises", "crates/gonio-lab/corpus"]),
     ("buffer", &["crates/gonio-lab/tests/ex02"]),
     ("host", &["exercises/ex11-texture-unit/host"]),
+    (BATCH, &["crates/gonio-lab/tests/batches"]),
 ];
+
+/// The target that runs the program itself.
+const BATCH: &str = "batch";
 
 const USUAL_MINUTES: u64 = 20;
 
@@ -91,7 +95,7 @@ fn found_in(name: &str) -> &'static str {
     match name {
         "environment" | "face_names" => "crates/gonio-environment/tests/found",
         "glsl" => "crates/gonio-glsl/tests/found",
-        "submission" | "buffer" | "host" => "crates/gonio-lab/tests/found",
+        "submission" | "buffer" | "host" | BATCH => "crates/gonio-lab/tests/found",
         _ => "crates/gonio-mesh/tests/found",
     }
 }
@@ -106,8 +110,19 @@ fn fuzz_one(root: &Path, name: &str, seeds: &[&str], minutes: u64) -> Result<boo
         seeds.iter().map(|seed| root.join(seed)).chain([found]).filter(|seed| seed.exists()).collect();
     let mut command = Command::new("cargo");
     command.args(["+nightly", "fuzz", "run", name]).arg(&corpus).args(seeds).current_dir(root);
+    // Seconds that an input may take: a batch starts a process for each submission in it.
+    let mut most_seconds = 10;
+    if name == BATCH {
+        let built = process::run(process::cargo(root).args(["build", "--locked", "--package", "gonio"]));
+        if !built.success {
+            return Err(format!("gonio was not built, which the target {BATCH} runs:\n{}", built.text));
+        }
+        command.env("GONIO_PROGRAM", root.join("target/debug/gonio"));
+        most_seconds = 200;
+    }
     // 64 KiB are enough for every structure; 2 GiB and 10 seconds are far more than any such file may take.
-    command.args(["--", "-max_len=65536", "-rss_limit_mb=2048", "-timeout=10", "-print_final_stats=1"]);
+    command.args(["--", "-max_len=65536", "-rss_limit_mb=2048", "-print_final_stats=1"]);
+    command.arg(format!("-timeout={most_seconds}"));
     command.arg(format!("-max_total_time={}", 60 * minutes));
     command.status().map(|status| status.success()).map_err(|e| format!("cannot run cargo fuzz: {e}"))
 }
