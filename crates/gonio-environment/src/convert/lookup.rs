@@ -100,6 +100,16 @@ impl Block {
         }
     }
 
+    /// Asks for the texels that lie `rows` further down than these, if the windows are next to each other.
+    #[inline(always)]
+    fn prefetch_below(&self, source: &impl Source, rows: usize) {
+        let Some(piece) = self.piece else { return };
+        let texels = source.texels(piece);
+        // Four texels share a line of the cache.
+        prefetch(texels, self.first[0] as usize + rows * source.stride());
+        prefetch(texels, self.first[LANES / 2] as usize + rows * source.stride());
+    }
+
     /// Makes the lookups: `found` gets each lane and its pixel.
     #[inline(always)]
     pub fn look_up<S: Simd, const N: usize, F: Mix<N>>(
@@ -161,16 +171,18 @@ pub(super) fn fill_rows<S: Simd, const N: usize, F: Mix<N>, const K: usize>(
 ) {
     let columns = rows.iter().map(|row| row.len()).min().unwrap_or(0);
     let blocks = columns.div_ceil(LANES);
-    let mut ahead = [[Block::EMPTY; K]; RUN];
-    let mut present = [[Block::EMPTY; K]; RUN];
+    let mut runs = [[[Block::EMPTY; K]; RUN]; 2];
+    let [coming, present] = &mut runs;
+    let (mut coming, mut present) = (coming, present);
     let mut located = 0;
     let mut done = 0;
     while done < blocks {
         let next = (located + RUN).min(blocks);
-        for (block, ahead) in (located..next).zip(&mut ahead) {
-            for (cells, ahead) in locate(block * LANES).into_iter().zip(ahead) {
-                ahead.set::<S, N, F>(source, cells);
-                ahead.prefetch::<N>(source);
+        for (block, coming) in (located..next).zip(coming.iter_mut()) {
+            let cells = locate(block * LANES);
+            for k in 0..K {
+                coming[k].set::<S, N, F>(source, cells[k]);
+                coming[k].prefetch::<N>(source);
             }
         }
         for (k, row) in rows.iter_mut().enumerate() {
@@ -192,7 +204,40 @@ pub(super) fn fill_rows<S: Simd, const N: usize, F: Mix<N>, const K: usize>(
         }
         done = located;
         located = next;
-        std::mem::swap(&mut ahead, &mut present);
+        std::mem::swap(&mut coming, &mut present);
+    }
+}
+
+/// Fills `K` rows as [`fill_rows`] does, where the rows below them look `rows_ahead` rows further down in the source: one
+/// prefetch brings a line of the cache for eight lookups, and long before it is looked up.
+#[inline(always)]
+pub(super) fn fill_rows_downwards<S: Simd, const N: usize, F: Mix<N>, const K: usize>(
+    simd: S,
+    source: &impl Source,
+    rows_ahead: usize,
+    mut rows: [&mut [Pixel]; K],
+    locate: impl Fn(usize) -> [Cells<S>; K],
+) {
+    let columns = rows.iter().map(|row| row.len()).min().unwrap_or(0);
+    for first in (0..columns).step_by(LANES) {
+        let cells = locate(first);
+        let end = columns.min(first + LANES);
+        for k in 0..K {
+            let block = Block::new::<S, N, F>(source, cells[k]);
+            block.prefetch_below(source, rows_ahead);
+            fill_block(
+                &mut rows[k][first..end],
+                #[inline(always)]
+                |all| {
+                    block.look_up::<S, N, F>(
+                        simd,
+                        source,
+                        #[inline(always)]
+                        |lane, value| all[lane] = value.into(),
+                    );
+                },
+            );
+        }
     }
 }
 
@@ -262,10 +307,10 @@ impl Mix<4> for Bicubic {
         let mut sum = f32x4::splat(simd, 0.0);
         for (row, high) in down.into_iter().enumerate() {
             let texels = &window[row * stride..row * stride + 4];
-            let [a, b, c, d] = [0, 1, 2, 3].map(
-                #[inline(always)]
-                |i| f32x4::from_slice(simd, &texels[i]),
-            );
+            let a = f32x4::from_slice(simd, &texels[0]);
+            let b = f32x4::from_slice(simd, &texels[1]);
+            let c = f32x4::from_slice(simd, &texels[2]);
+            let d = f32x4::from_slice(simd, &texels[3]);
             sum = sum + (a * along[0] + b * along[1] + c * along[2] + d * along[3]) * high;
         }
         sum.simd_gt(0.0).select(sum, f32x4::splat(simd, 0.0))

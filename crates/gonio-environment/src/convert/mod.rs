@@ -1,7 +1,8 @@
 //! From panoramas to cubemaps, back, and from each to its like: any size, turned if wanted, without seams.
 //!
 //! For each pixel of the target its direction, turned into the source, is looked up there; eight pixels at a time, rows
-//! shared out among all threads. The result does not depend on the number of threads.
+//! shared out among all threads, with the fastest instructions that the CPU has ([`crate::simd`]). The result depends
+//! neither on the number of threads nor on the instructions.
 //!
 //! | filter | a target pixel is |
 //! |---|---|

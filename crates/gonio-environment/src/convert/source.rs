@@ -106,11 +106,13 @@ impl Source for CubeSource<'_> {
         let scale = f32x8::splat(simd, self.half_size) / largest.max(f32::MIN_POSITIVE);
         let offset = self.half_size - 0.5;
         // Rounding may carry a place on an edge over it, and a direction that is not a number anywhere.
-        let held = |v: f32x8<S>| v.max(-0.5).min(self.size as f32 - 0.5);
-        let number = |n: i32| i32x8::splat(simd, n);
-        let plane = by_x.select(number(0), by_y.select(number(2), number(4)));
-        let plane = plane + is_negative.select(number(1), number(0));
-        Places { plane, x: held(s * scale + offset), y: held(t * scale + offset) }
+        let largest_place = self.size as f32 - 0.5;
+        let x = (s * scale + offset).max(-0.5).min(largest_place);
+        let y = (t * scale + offset).max(-0.5).min(largest_place);
+        let zero = i32x8::splat(simd, 0);
+        let positive = by_x.select(zero, by_y.select(i32x8::splat(simd, 2), i32x8::splat(simd, 4)));
+        let plane = positive + is_negative.select(i32x8::splat(simd, 1), zero);
+        Places { plane, x, y }
     }
 
     #[inline(always)]
@@ -120,7 +122,8 @@ impl Source for CubeSource<'_> {
 
     #[inline(always)]
     fn stride(&self) -> usize {
-        self.size as usize
+        // By way of u32, so that the compiler knows that sums of strides do not overflow.
+        self.size as u32 as usize
     }
 
     #[inline(always)]
@@ -128,7 +131,7 @@ impl Source for CubeSource<'_> {
         let ends = self.size - N as i32 + 1;
         let inside = below(x, ends) & below(y, ends) & below(plane, 6);
         let first = (plane * self.size + y) * self.size + x;
-        (inside.all_true() && self.countable).then(|| (0, first.bitcast()))
+        if inside.all_true() && self.countable { Some((0, first.bitcast())) } else { None }
     }
 
     #[cold]
@@ -177,6 +180,11 @@ impl<'a> PanoramaSource<'a> {
         self.width as u32
     }
 
+    /// Rows.
+    pub fn height(&self) -> u32 {
+        self.height as u32
+    }
+
     /// How many columns a place is from the middle of the first one, from the longitude in radians.
     #[inline(always)]
     pub fn across<S: Simd>(&self, longitude: f32x8<S>) -> f32x8<S> {
@@ -216,7 +224,7 @@ impl<'a> PanoramaSource<'a> {
         let n = N as i32;
         let y = y - from;
         let inside = below(x, self.width - n + 1) & below(y, to - from - n + 1);
-        inside.all_true().then(|| (y * self.width + x).bitcast())
+        if inside.all_true() { Some((y * self.width + x).bitcast()) } else { None }
     }
 }
 
@@ -244,7 +252,7 @@ impl Source for PanoramaSource<'_> {
 
     #[inline(always)]
     fn stride(&self) -> usize {
-        self.width as usize
+        self.width as u32 as usize
     }
 
     #[inline(always)]
@@ -254,7 +262,8 @@ impl Source for PanoramaSource<'_> {
         }
         let (averaged, height) = (self.rows_averaged, self.height);
         if averaged == 0 {
-            return self.in_rows::<S, N>(0, height, x, y).map(|first| (PICTURE, first));
+            let Some(first) = self.in_rows::<S, N>(0, height, x, y) else { return None };
+            return Some((PICTURE, first));
         }
         if let Some(first) = self.in_rows::<S, N>(averaged, height - averaged, x, y) {
             let before = (averaged * self.width) as u32;
@@ -263,7 +272,8 @@ impl Source for PanoramaSource<'_> {
         if let Some(first) = self.in_rows::<S, N>(0, averaged, x, y) {
             return Some((TOP, first));
         }
-        self.in_rows::<S, N>(height - averaged, height, x, y).map(|first| (BOTTOM, first))
+        let Some(first) = self.in_rows::<S, N>(height - averaged, height, x, y) else { return None };
+        Some((BOTTOM, first))
     }
 
     #[cold]

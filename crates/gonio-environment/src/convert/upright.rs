@@ -6,7 +6,7 @@
 //!   as below it.
 
 use super::lanes::{LANES, angle, arc_tangent, first_eight};
-use super::lookup::{Bilinear, Cells, fill_rows, split};
+use super::lookup::{Bilinear, Cells, fill_rows, fill_rows_downwards, split};
 use super::source::PanoramaSource;
 use crate::face::{Face, Layout};
 use crate::image::Pixel;
@@ -15,6 +15,7 @@ use crate::simd::{Kernel, SimdLevel};
 use fearless_simd::prelude::*;
 use fearless_simd::{f32x8, i32x8};
 use rayon::prelude::*;
+use std::f32::consts::PI;
 
 /// Fills six faces of `size` texels, in the order of [`Face::ALL`].
 pub(super) fn fill(level: SimdLevel, source: &PanoramaSource<'_>, size: usize, pixels: &mut [Pixel]) {
@@ -55,18 +56,30 @@ impl SideColumns {
     fn new(size: usize, width: u32) -> Self {
         let blocks = size.div_ceil(LANES);
         let s = |i: usize| (2 * i.min(size - 1) + 1) as f64 / size as f64 - 1.0;
-        let across = |face: Face, i: usize| {
-            let (u, _) = place(face.direction(s(i), 0.0, Layout::OpenGl));
-            u * f64::from(width) - 0.5
+        let mut columns = SideColumns {
+            left: [const { Vec::new() }; 4],
+            right_share: [const { Vec::new() }; 4],
+            nearness: Vec::with_capacity(blocks),
         };
-        // A share that f32 rounds up to 1 is still a place in this cell, its right edge.
-        let share = |face: Face, i: usize| (across(face, i) - across(face, i).floor()) as f32;
-        let eight = |block: usize| std::array::from_fn::<usize, LANES, _>(|lane| block * LANES + lane);
-        SideColumns {
-            left: SIDES.map(|face| (0..blocks).map(|b| eight(b).map(|i| across(face, i).floor() as i32)).collect()),
-            right_share: SIDES.map(|face| (0..blocks).map(|b| eight(b).map(|i| share(face, i))).collect()),
-            nearness: (0..blocks).map(|b| eight(b).map(|i| (1.0 / s(i).hypot(1.0)) as f32)).collect(),
+        for block in 0..blocks {
+            let s: [f64; LANES] = std::array::from_fn(|lane| s(block * LANES + lane));
+            columns.nearness.push(s.map(|s| (1.0 / s.hypot(1.0)) as f32));
+            for (side, face) in SIDES.into_iter().enumerate() {
+                let across = s.map(|s| place(face.direction(s, 0.0, Layout::OpenGl)).0 * f64::from(width) - 0.5);
+                columns.left[side].push(across.map(|x| x.floor() as i32));
+                columns.right_share[side].push(across.map(|x| (x - x.floor()) as f32));
+            }
         }
+        columns
+    }
+
+    /// The cells of a block of eight columns of a side, in rows of the panorama that are known already.
+    #[inline(always)]
+    fn cells<S: Simd>(&self, side: usize, block: usize, top: i32x8<S>, lower_share: f32x8<S>) -> Cells<S> {
+        let simd = top.simd;
+        let left = i32x8::from_slice(simd, &self.left[side][block]);
+        let right_share = f32x8::from_slice(simd, &self.right_share[side][block]);
+        Cells { plane: i32x8::splat(simd, 0), left, top, right_share, lower_share }
     }
 }
 
@@ -84,9 +97,12 @@ impl Kernel for SideRows<'_> {
         let SideRows { source, columns, row, pixels } = self;
         // Rows run downwards from t = -1 at the upper edge.
         let t = ((2 * row + 1) as f64 / pixels[0].len() as f64 - 1.0) as f32;
-        fill_rows::<S, 2, Bilinear, 4>(
+        // Three rows of the side: in its middle a row of texels is 2 / size high.
+        let rows_ahead = (6.0 / PI * source.height() as f32 / pixels[0].len() as f32).ceil() as usize;
+        fill_rows_downwards::<S, 2, Bilinear, 4>(
             simd,
             source,
+            rows_ahead,
             pixels,
             #[inline(always)]
             |first| {
@@ -94,15 +110,12 @@ impl Kernel for SideRows<'_> {
                 // At most 45 degrees up or down.
                 let below = arc_tangent(f32x8::from_slice(simd, &columns.nearness[block]) * t);
                 let (top, lower_share) = split(source.down(below));
-                let plane = i32x8::splat(simd, 0);
-                [0, 1, 2, 3].map(
-                    #[inline(always)]
-                    |side| {
-                        let left = i32x8::from_slice(simd, &columns.left[side][block]);
-                        let right_share = f32x8::from_slice(simd, &columns.right_share[side][block]);
-                        Cells { plane, left, top, right_share, lower_share }
-                    },
-                )
+                [
+                    columns.cells(0, block, top, lower_share),
+                    columns.cells(1, block, top, lower_share),
+                    columns.cells(2, block, top, lower_share),
+                    columns.cells(3, block, top, lower_share),
+                ]
             },
         );
     }
@@ -132,13 +145,10 @@ impl Kernel for CapRows<'_> {
                 let (left, right_share) = split(source.across(angle(x, -z)));
                 let height = angle(f32x8::splat(simd, 1.0), (x * x + z * z).sqrt());
                 let plane = i32x8::splat(simd, 0);
-                [-height, height].map(
-                    #[inline(always)]
-                    |below| {
-                        let (top, lower_share) = split(source.down(below));
-                        Cells { plane, left, top, right_share, lower_share }
-                    },
-                )
+                let (top, lower_share) = split(source.down(-height));
+                let above = Cells { plane, left, top, right_share, lower_share };
+                let (top, lower_share) = split(source.down(height));
+                [above, Cells { plane, left, top, right_share, lower_share }]
             },
         );
     }
