@@ -57,10 +57,9 @@ impl SimdLevel {
         {
             let level = Level::new();
             if let (SimdLevel::Avx2, Some(simd)) = (self, level.as_avx2()) {
-                return vectorized(simd, kernel);
-            }
-            if let Some(simd) = level.as_sse2() {
-                return vectorized(simd, kernel);
+                vectorized(simd, kernel);
+            } else if let Some(simd) = level.as_sse2() {
+                vectorized(simd, kernel);
             }
         }
         #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]

@@ -40,7 +40,7 @@ pub(super) fn fill_row<S: Simd>(
                     simd,
                     source,
                     #[inline(always)]
-                    |lane, value| sums[lane] = sums[lane] + value,
+                    |lane, value| sums[lane] += value,
                 );
             }
         }

@@ -31,11 +31,10 @@ pub(super) fn split<S: Simd>(place: f32x8<S>) -> (i32x8<S>, f32x8<S>) {
     (whole - 4, share)
 }
 
-/// Eight lookups, ready to be made.
+/// Eight lookups, ready to be made. Aligned so that no vector of them lies across two lines of the cache.
 #[derive(Clone, Copy)]
+#[repr(align(64))]
 pub(super) struct Block {
-    /// Which piece of the source's memory all windows lie in; `None` where some window goes over an edge.
-    piece: Option<u8>,
     /// The first texel of each window in the piece. Not set without one.
     first: [u32; LANES],
     /// The windows where they go over an edge: plane, column and row of the first texel. Not set with a piece.
@@ -44,6 +43,8 @@ pub(super) struct Block {
     top: [i32; LANES],
     right_share: [f32; LANES],
     lower_share: [f32; LANES],
+    /// Which piece of the source's memory all windows lie in; `None` where some window goes over an edge.
+    piece: Option<u8>,
 }
 
 impl Block {
@@ -215,7 +216,7 @@ pub(super) fn fill_rows_downwards<S: Simd, const N: usize, F: Mix<N>, const K: u
     simd: S,
     source: &impl Source,
     rows_ahead: usize,
-    mut rows: [&mut [Pixel]; K],
+    rows: [&mut [Pixel]; K],
     locate: impl Fn(usize) -> [Cells<S>; K],
 ) {
     let columns = rows.iter().map(|row| row.len()).min().unwrap_or(0);
@@ -311,7 +312,7 @@ impl Mix<4> for Bicubic {
             let b = f32x4::from_slice(simd, &texels[1]);
             let c = f32x4::from_slice(simd, &texels[2]);
             let d = f32x4::from_slice(simd, &texels[3]);
-            sum = sum + (a * along[0] + b * along[1] + c * along[2] + d * along[3]) * high;
+            sum += (a * along[0] + b * along[1] + c * along[2] + d * along[3]) * high;
         }
         sum.simd_gt(0.0).select(sum, f32x4::splat(simd, 0.0))
     }

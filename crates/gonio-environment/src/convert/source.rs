@@ -262,7 +262,7 @@ impl Source for PanoramaSource<'_> {
         }
         let (averaged, height) = (self.rows_averaged, self.height);
         if averaged == 0 {
-            let Some(first) = self.in_rows::<S, N>(0, height, x, y) else { return None };
+            let first = self.in_rows::<S, N>(0, height, x, y)?;
             return Some((PICTURE, first));
         }
         if let Some(first) = self.in_rows::<S, N>(averaged, height - averaged, x, y) {
@@ -272,7 +272,7 @@ impl Source for PanoramaSource<'_> {
         if let Some(first) = self.in_rows::<S, N>(0, averaged, x, y) {
             return Some((TOP, first));
         }
-        let Some(first) = self.in_rows::<S, N>(height - averaged, height, x, y) else { return None };
+        let first = self.in_rows::<S, N>(height - averaged, height, x, y)?;
         Some((BOTTOM, first))
     }
 
