@@ -1,7 +1,7 @@
 """Converts a panorama to six faces of a cubemap in memory with OpenCV: opencv_convert.py PANORAMA.png SIZE ROUNDS
 
 Prints a JSON object of CPU seconds, round by round: with the map computed as a user has to, and with the map there
-already; of 8 bits and of floats. Six faces of SIZE x SIZE, bilinear, into memory that is there already.
+already; of 8 bits and of floats; and the CPU features in use. Six faces of SIZE x SIZE, bilinear, into memory that is there already.
 """
 
 import json
@@ -10,6 +10,11 @@ import time
 
 import cv2
 import numpy as np
+
+try:
+    from numpy._core._multiarray_umath import __cpu_features__ as numpy_features
+except ImportError:
+    numpy_features = {}
 
 # Middle, direction of columns, direction of rows, of each face as OpenGL has it.
 AXES = [
@@ -37,7 +42,8 @@ def main():
     size, rounds = int(sys.argv[2]), int(sys.argv[3])
     # CPU time of one thread is what is asked for.
     cv2.setNumThreads(1)
-    results = {}
+    of_numpy = " ".join(name for name, has in numpy_features.items() if has)
+    results = {"features": f"OpenCV {cv2.getCPUFeaturesLine()}; numpy {of_numpy}"}
     for name, image in (("8 bits", picture), ("floats", picture.astype(np.float32) / 255)):
         height, width = image.shape[:2]
         faces = [np.empty((size, size, 3), image.dtype) for _ in range(6)]

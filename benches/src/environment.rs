@@ -1,11 +1,13 @@
 //! Panorama to cubemap, 4096 x 2048 to six faces of 1024 x 1024, bilinear: the conversion alone, in memory, against OpenCV
 //! and ffmpeg's `v360`; and as a whole process, PNG to six PNG, against ffmpeg.
+//!
+//! gonio and OpenCV are measured twice, as this CPU is and as one without AVX2. All numbers are CPU seconds of one thread.
 
 use crate::measure::{self, Cost};
 use crate::{Places, peers, table};
 use gonio_environment::convert::{Conversion, Filter, From};
 use gonio_environment::encode::png::{self, Depth};
-use gonio_environment::{Cubemap, Panorama, builtin};
+use gonio_environment::{Cubemap, Panorama, SimdLevel, builtin};
 use gonio_light::color::OutputTransform;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -18,8 +20,13 @@ const ROUNDS: usize = 7;
 /// Conversions of each of our rounds: one is too short for the clock.
 const REPEATS: usize = 5;
 
-/// Measures, prints, and says whether the bars were held: 2.2 times OpenCV's map and remap, 12 times `v360`, 2 times
-/// ffmpeg's whole process.
+/// Speed as a multiple of OpenCV's with the map computed, at each level of instructions.
+const BAR_MAP_AND_REMAP: f64 = 2.5;
+/// The same with the map there already.
+const BAR_REMAP: f64 = 1.2;
+
+/// Measures, prints, and says whether the bars were held: OpenCV's at each level, 12 times `v360`, 2 times ffmpeg's whole
+/// process.
 pub fn run(places: &Places) -> Result<bool, String> {
     let picture = panorama_png(&places.out)?;
     let bytes = std::fs::read(&picture).map_err(|e| format!("cannot read {}: {e}", picture.display()))?;
@@ -34,11 +41,17 @@ pub fn run(places: &Places) -> Result<bool, String> {
     let mut rows = Rows::default();
     let mut map = Cubemap::new(SIZE, [0.0; 4]);
     // Page by page the memory is fetched once.
-    ours(&panorama, &mut map, 1)?;
+    ours(SimdLevel::detect(), &panorama, &mut map, 1)?;
     for round in 0..ROUNDS {
-        rows.add("gonio, conversion", ours(&panorama, &mut map, REPEATS)?);
-        for (name, seconds) in opencv(&python, &picture)? {
-            rows.add(&name, seconds);
+        for &level in SimdLevel::available() {
+            rows.add(&gonio_at(level), ours(level, &panorama, &mut map, REPEATS)?);
+            let peer = opencv(&python, &picture, level)?;
+            for (name, seconds) in peer.seconds {
+                rows.add(&name, seconds);
+            }
+            if round == 0 {
+                println!("OpenCV against {}: {}", gonio_at(level), peer.features);
+            }
         }
         rows.add("ffmpeg v360, conversion", ffmpeg.conversion(&picture, places)?);
         let (gonio, other) = (gonio(places, &picture), ffmpeg.faces(&picture, places));
@@ -57,33 +70,62 @@ pub fn run(places: &Places) -> Result<bool, String> {
 }
 
 /// CPU seconds of one conversion, on one thread as all are here: threads that share a core take each other's time.
-fn ours(panorama: &Panorama, map: &mut Cubemap, repeats: usize) -> Result<f64, String> {
+fn ours(level: SimdLevel, panorama: &Panorama, map: &mut Cubemap, repeats: usize) -> Result<f64, String> {
     let conversion = Conversion { filter: Some(Filter::Bilinear), ..Conversion::default() };
     let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().map_err(|e| e.to_string())?;
     let ((), cost) = measure::here(|| {
-        one.install(|| (0..repeats).for_each(|_| conversion.fill_cubemap(From::Panorama(panorama), map)));
+        one.install(|| (0..repeats).for_each(|_| conversion.fill_cubemap_at(level, From::Panorama(panorama), map)));
     });
     Ok(cost.cpu_s / repeats as f64)
 }
 
-/// CPU seconds of one conversion by OpenCV, each way.
-fn opencv(python: &Path, picture: &Path) -> Result<Vec<(String, f64)>, String> {
+/// The name of our conversion at a level.
+fn gonio_at(level: SimdLevel) -> String {
+    format!("gonio, {}", level.name())
+}
+
+/// The name of OpenCV's conversion on a CPU that has a level.
+fn opencv_at(level: SimdLevel, depth: &str, way: &str) -> String {
+    format!("OpenCV for {}, {depth}, {way}", level.name())
+}
+
+const DEPTHS: [&str; 2] = ["8 bits", "floats"];
+const WAYS: [(&str, f64); 2] = [("map and remap", BAR_MAP_AND_REMAP), ("remap", BAR_REMAP)];
+
+/// What OpenCV took, and the CPU features that it and numpy used.
+struct OpenCv {
+    seconds: Vec<(String, f64)>,
+    features: String,
+}
+
+/// What makes OpenCV and numpy take the CPU for one without AVX2.
+const WITHOUT_AVX2: &[(&str, &str)] = &[
+    ("OPENCV_CPU_DISABLE", "AVX512-SKX,AVX2,FP16,AVX"),
+    ("OPENCV_IPP", "disabled"),
+    ("NPY_DISABLE_CPU_FEATURES", "AVX512_SPR,AVX512_ICL,X86_V4,X86_V3"),
+];
+
+/// CPU seconds of one conversion by OpenCV, each way, on a CPU of this level: on this one as it is, or less AVX2.
+fn opencv(python: &Path, picture: &Path, level: SimdLevel) -> Result<OpenCv, String> {
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("peers/opencv_convert.py");
     let mut command = Command::new(python);
     command.arg(script).arg(picture).arg(SIZE.to_string()).arg("3");
+    if level != SimdLevel::detect() {
+        command.envs(WITHOUT_AVX2.iter().copied());
+    }
     let output = command.output().map_err(|e| format!("cannot run {}: {e}", python.display()))?;
     if !output.status.success() {
         return Err(format!("OpenCV failed: {}", String::from_utf8_lossy(&output.stderr).trim()));
     }
-    let said: Value = serde_json::from_slice(&output.stdout).map_err(|e| format!("OpenCV's answer: {e}"))?;
-    let mut found = Vec::new();
-    for depth in ["8 bits", "floats"] {
-        for way in ["map and remap", "remap"] {
-            let seconds = said[depth][way].as_array().into_iter().flatten().filter_map(Value::as_f64);
-            found.push((format!("OpenCV, {depth}, {way}"), measure::median(seconds)));
+    let answer: Value = serde_json::from_slice(&output.stdout).map_err(|e| format!("OpenCV's answer: {e}"))?;
+    let mut seconds = Vec::new();
+    for depth in DEPTHS {
+        for (way, _) in WAYS {
+            let rounds = answer[depth][way].as_array().into_iter().flatten().filter_map(Value::as_f64);
+            seconds.push((opencv_at(level, depth, way), measure::median(rounds)));
         }
     }
-    Ok(found)
+    Ok(OpenCv { seconds, features: answer["features"].as_str().unwrap_or_default().to_owned() })
 }
 
 /// A command that can be made again.
@@ -227,7 +269,7 @@ impl Rows {
         let seconds: Vec<(&str, f64)> =
             self.conversions.iter().map(|(name, all)| (name.as_str(), measure::median(all.iter().copied()))).collect();
         let of = |name: &str| seconds.iter().find(|(known, _)| *known == name).map_or(0.0, |(_, s)| *s);
-        let ours = of("gonio, conversion");
+        let ours = of(&gonio_at(SimdLevel::detect()));
         let mut lines = vec![["", "CPU", "Mpixel per CPU second", "gonio is"].map(String::from).to_vec()];
         lines.extend(seconds.iter().map(|(name, s)| {
             let times = format!("{:.1} x", s / ours);
@@ -243,9 +285,15 @@ impl Rows {
         table::print("the same as a whole process, PNG to six PNG", &lines);
         let cpu = |name: &str| processes.iter().find(|(known, _)| *known == name).map_or(0.0, |(_, c)| c.cpu_s);
         let whole = cpu("ffmpeg") / cpu("gonio environment convert");
-        let mut held =
-            table::bar("against OpenCV, 8 bits", of("OpenCV, 8 bits, map and remap") / ours, " x", 2.2, false);
-        held &= table::bar("against OpenCV, floats", of("OpenCV, floats, map and remap") / ours, " x", 2.2, false);
+        let mut held = true;
+        for &level in SimdLevel::available() {
+            for depth in DEPTHS {
+                for (way, bar) in WAYS {
+                    let name = opencv_at(level, depth, way);
+                    held &= table::bar(&format!("against {name}"), of(&name) / of(&gonio_at(level)), " x", bar, false);
+                }
+            }
+        }
         held &= table::bar("against v360", of("ffmpeg v360, conversion") / ours, " x", 12.0, false);
         held &= table::bar("whole process against ffmpeg, CPU", whole, " x", 2.0, false);
         let value = json!({

@@ -26,6 +26,7 @@
 //! | [`names`] | which of six files is which face |
 //! | [`arrange`] | crosses and strips: six faces in one picture |
 //! | [`limits`] | how much memory a file may ask for |
+//! | [`simd`] | instruction sets that a conversion can run on |
 //! | [`srgb`] | the sRGB curve by table |
 
 pub mod arrange;
@@ -52,6 +53,7 @@ mod placement;
 pub mod prefilter;
 pub mod repair;
 mod seams;
+pub mod simd;
 pub mod sky;
 mod solid_angle;
 pub mod srgb;
@@ -73,3 +75,4 @@ pub use mip::CubeMips;
 pub use panorama::Panorama;
 pub use prefilter::GlossyMips;
 pub use repair::Repair;
+pub use simd::SimdLevel;

@@ -1,7 +1,8 @@
 //! From panoramas to cubemaps, back, and from each to its like: any size, turned if wanted, without seams.
 //!
 //! For each pixel of the target its direction, turned into the source, is looked up there; eight pixels at a time, rows
-//! shared out among all threads. The result does not depend on the number of threads.
+//! shared out among all threads, with the fastest instructions that the CPU has ([`crate::simd`]). The result depends
+//! neither on the number of threads nor on the instructions.
 //!
 //! | filter | a target pixel is |
 //! |---|---|
@@ -16,25 +17,26 @@
 
 mod area;
 mod lanes;
+mod lookup;
 mod sheets;
 mod source;
 mod target;
 mod upright;
 
-use crate::face::Face;
 use crate::image::{Image, Pixel};
+use crate::simd::{Kernel, SimdLevel};
 use crate::{Cubemap, Panorama};
 pub use area::MOST_ALONG;
+use fearless_simd::Simd;
 use glam::{DMat3, DVec3, Mat3};
 use gonio_light::named_enum;
 pub use lanes::ARC_TANGENT;
-use lanes::LANES;
+use lanes::{first_eight, turned};
+use lookup::{Bicubic, Bilinear, Mix, Nearest, fill_rows};
 use rayon::prelude::*;
-pub use sheets::Sheets;
-pub use source::BORDER;
-use source::{CubeSource, PanoramaSource, Places, Source};
+pub use sheets::{BORDER, Sheets};
+use source::{CubeSource, PanoramaSource, Source};
 use target::{CubeTarget, PanoramaTarget, Target};
-use upright::{SideColumns, is_side};
 
 named_enum! {
     /// How a conversion looks up its source.
@@ -133,13 +135,18 @@ impl Conversion {
 
     /// A cubemap of `size` texels along an edge.
     pub fn cubemap(&self, from: From<'_>, size: u32) -> Cubemap {
+        self.cubemap_at(SimdLevel::detect(), from, size)
+    }
+
+    /// [`Self::cubemap`] with the instructions of this level, for tests and benchmarks: the result is the same.
+    pub fn cubemap_at(&self, level: SimdLevel, from: From<'_>, size: u32) -> Cubemap {
         let mut map = Cubemap::new(size, [0.0; 4]);
-        self.fill_cubemap(from, &mut map);
+        self.fill_cubemap_at(level, from, &mut map);
         map
     }
 
-    /// [`Self::cubemap`] into one that is there already.
-    pub fn fill_cubemap(&self, from: From<'_>, map: &mut Cubemap) {
+    /// [`Self::cubemap_at`] into one that is there already.
+    pub fn fill_cubemap_at(&self, level: SimdLevel, from: From<'_>, map: &mut Cubemap) {
         if let From::Cubemap(source) = from
             && source.size() == map.size()
             && self.is_not_turned()
@@ -148,11 +155,16 @@ impl Conversion {
             return;
         }
         let target = CubeTarget::new(map.size());
-        self.fill(from, &target, map.pixels_mut());
+        self.fill(level, from, &target, map.pixels_mut());
     }
 
     /// A panorama of this size; 0 counts as 1.
     pub fn panorama(&self, from: From<'_>, width: u32, height: u32) -> Panorama {
+        self.panorama_at(SimdLevel::detect(), from, width, height)
+    }
+
+    /// [`Self::panorama`] with the instructions of this level, for tests and benchmarks: the result is the same.
+    pub fn panorama_at(&self, level: SimdLevel, from: From<'_>, width: u32, height: u32) -> Panorama {
         let mut image = Image::new(width.max(1), height.max(1), [0.0; 4]);
         if let From::Panorama(source) = from
             && (source.image.width, source.image.height) == (image.width, image.height)
@@ -161,64 +173,77 @@ impl Conversion {
             return source.clone();
         }
         let target = PanoramaTarget::new(image.width, image.height);
-        self.fill(from, &target, &mut image.pixels);
+        self.fill(level, from, &target, &mut image.pixels);
         Panorama { image }
     }
 
-    fn fill(&self, from: From<'_>, target: &impl Target, pixels: &mut [Pixel]) {
+    fn fill(&self, level: SimdLevel, from: From<'_>, target: &impl Target, pixels: &mut [Pixel]) {
         let filter = self.filter_for(&from, target.pixel_angle());
         match from {
-            From::Cubemap(map) => self.fill_from(&CubeSource::new(map), filter, target, pixels),
+            From::Cubemap(map) => self.fill_from(level, &CubeSource::new(map), filter, target, pixels),
             From::Panorama(panorama) => {
                 let source = PanoramaSource::new(panorama, filter);
-                match target.sides().filter(|_| self.is_not_turned() && filter != Filter::Area) {
-                    Some(size) => self.fill_upright(&source, size, filter, target, pixels),
-                    None => self.fill_from(&source, filter, target, pixels),
+                match target.sides().filter(|_| self.is_not_turned() && filter == Filter::Bilinear) {
+                    Some(size) => upright::fill(level, &source, size, pixels),
+                    None => self.fill_from(level, &source, filter, target, pixels),
                 }
             }
         }
     }
 
-    fn fill_from(&self, source: &impl Source, filter: Filter, target: &impl Target, pixels: &mut [Pixel]) {
-        // Some rows at a time: one is too little work to hand to a thread.
-        let rows = pixels.par_chunks_exact_mut(target.row_length()).enumerate().with_min_len(8);
-        rows.for_each(|(row, pixels)| self.fill_row(source, filter, target, row, pixels));
-    }
-
-    /// [`Self::fill_from`] for a cubemap of `size` from a panorama that is not turned.
-    fn fill_upright(
+    fn fill_from(
         &self,
-        source: &PanoramaSource<'_>,
-        size: usize,
+        level: SimdLevel,
+        source: &impl Source,
         filter: Filter,
         target: &impl Target,
         pixels: &mut [Pixel],
     ) {
-        let columns = Face::ALL.map(|face| is_side(face).then(|| SideColumns::new(face, size, source.width())));
-        let rows = pixels.par_chunks_exact_mut(size).enumerate().with_min_len(8);
-        rows.for_each(|(row, pixels)| match &columns[(row / size).min(5)] {
-            Some(columns) => columns.fill_row(source, row % size, pixels, |at, all| looked_up(source, filter, at, all)),
-            None => self.fill_row(source, filter, target, row, pixels),
-        });
-    }
-
-    #[inline(always)]
-    fn fill_row(&self, source: &impl Source, filter: Filter, target: &impl Target, row: usize, pixels: &mut [Pixel]) {
         let turn = self.source_from_target.as_mat3();
         let turn = (turn != Mat3::IDENTITY).then_some(turn);
-        match filter {
-            Filter::Area => area::fill_row(source, target, row, turn, pixels),
-            _ => lanes::fill_row(target, row, turn, pixels, |d, all| looked_up(source, filter, source.places(d), all)),
+        // Some rows at a time: one is too little work to hand to a thread.
+        let rows = pixels.par_chunks_exact_mut(target.row_length()).enumerate().with_min_len(8);
+        rows.for_each(|(row, pixels)| level.run(Row { source, filter, target, turn, row, pixels }));
+    }
+}
+
+/// A row of a target to be filled.
+struct Row<'a, F, T> {
+    source: &'a F,
+    filter: Filter,
+    target: &'a T,
+    turn: Option<Mat3>,
+    row: usize,
+    pixels: &'a mut [Pixel],
+}
+
+impl<F: Source, T: Target> Kernel for Row<'_, F, T> {
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) {
+        match self.filter {
+            Filter::Nearest => self.mix::<S, 1, Nearest>(simd),
+            Filter::Bilinear => self.mix::<S, 2, Bilinear>(simd),
+            Filter::Bicubic => self.mix::<S, 4, Bicubic>(simd),
+            Filter::Area => area::fill_row(simd, self.source, self.target, self.row, self.turn, self.pixels),
         }
     }
 }
 
-/// What a filter that takes one place finds at eight of them.
-#[inline(always)]
-fn looked_up(source: &impl Source, filter: Filter, at: Places, all: &mut [Pixel; LANES]) {
-    match filter {
-        Filter::Nearest => source.nearest(at, |i, value| all[i] = value.to_array()),
-        Filter::Bicubic => source.bicubic(at, |i, value| all[i] = value.to_array()),
-        Filter::Bilinear | Filter::Area => source.bilinear(at, |i, value| all[i] = value.to_array()),
+impl<F: Source, T: Target> Row<'_, F, T> {
+    /// Fills the row by a filter that looks at one place for each pixel.
+    #[inline(always)]
+    fn mix<S: Simd, const N: usize, M: Mix<N>>(self, simd: S) {
+        let Row { source, target, turn, row, pixels, .. } = self;
+        let line = target.row(row);
+        fill_rows::<S, N, M, 1>(
+            simd,
+            source,
+            [pixels],
+            #[inline(always)]
+            |first| {
+                let directions = target.directions(&line, first as f32, first_eight(simd), 0.0);
+                [source.places(turned(directions, turn)).cells(M::SHIFT)]
+            },
+        );
     }
 }

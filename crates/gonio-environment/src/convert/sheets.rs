@@ -1,7 +1,9 @@
 //! A source as a GPU takes it: what the CPU looks up, texel for texel.
 
-use super::source::{BORDER, CubeSource};
+use super::source::texel_about;
 use super::{Filter, From};
+use crate::Cubemap;
+use crate::face::Face;
 use crate::image::Pixel;
 use crate::panorama::reduced_rows;
 use std::borrow::Cow;
@@ -28,7 +30,7 @@ impl<'a> From<'a> {
         match *self {
             From::Cubemap(map) => {
                 let side = map.size() + 2 * BORDER as u32;
-                let texels = Cow::Owned(CubeSource::new(map).into_texels());
+                let texels = Cow::Owned(with_borders(map));
                 Sheets { width: side, height: side, layers: 6, border: BORDER as u32, texels }
             }
             From::Panorama(panorama) => {
@@ -45,4 +47,30 @@ impl<'a> From<'a> {
             }
         }
     }
+}
+
+/// Texels beyond an edge that a cubic spline reaches.
+pub const BORDER: usize = 2;
+
+/// Six faces, each with its neighbours' texels around it.
+fn with_borders(map: &Cubemap) -> Vec<Pixel> {
+    let size = map.size() as usize;
+    let stride = size + 2 * BORDER;
+    let mut texels = vec![[0.0; 4]; 6 * stride * stride];
+    for (face, with_border) in Face::ALL.into_iter().zip(texels.chunks_exact_mut(stride * stride)) {
+        for (y, row) in with_border.chunks_exact_mut(stride).enumerate() {
+            let own = (BORDER..BORDER + size).contains(&y);
+            for (x, texel) in row.iter_mut().enumerate() {
+                if !own || !(BORDER..BORDER + size).contains(&x) {
+                    let at = |v: usize| v as i64 - BORDER as i64;
+                    *texel = texel_about(map, face, at(x), at(y));
+                }
+            }
+            if own {
+                let from = &map.face(face)[(y - BORDER) * size..][..size];
+                row[BORDER..BORDER + size].copy_from_slice(from);
+            }
+        }
+    }
+    texels
 }

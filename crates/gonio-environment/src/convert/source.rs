@@ -1,221 +1,148 @@
-//! Looking up a source in eight directions at once.
+//! Sources: where directions meet them, and how their texels lie in memory.
 
 use super::Filter;
-use super::lanes::{Directions, LANES, angle};
+use super::lanes::{Directions, angle};
+use super::lookup::{Cells, split};
 use crate::face::Face;
 use crate::image::Pixel;
 use crate::panorama::{CROWDED, over_the_pole, reduced_rows};
 use crate::{Cubemap, Panorama};
+use fearless_simd::prelude::*;
+use fearless_simd::{f32x8, i32x8, u32x8};
 use std::f32::consts::PI;
-use wide::{f32x4, f32x8, i32x8};
 
 /// Where eight directions meet a source: a plane (a cubemap's face), and texels from the middle of its first one.
 #[derive(Clone, Copy)]
-pub(super) struct Places {
-    plane: [i32; LANES],
-    x: f32x8,
-    y: f32x8,
+pub(super) struct Places<S: Simd> {
+    plane: i32x8<S>,
+    x: f32x8<S>,
+    y: f32x8<S>,
 }
 
-impl Places {
-    /// Of a source that is one picture.
+impl<S: Simd> Places<S> {
+    /// The cells that the places are in, `shift` texels further right and down.
     #[inline(always)]
-    pub fn on_one_plane(x: f32x8, y: f32x8) -> Places {
-        Places { plane: [0; LANES], x, y }
+    pub fn cells(self, shift: f32) -> Cells<S> {
+        let ((left, right_share), (top, lower_share)) = (split(self.x + shift), split(self.y + shift));
+        Cells { plane: self.plane, left, top, right_share, lower_share }
     }
 }
 
-/// The texel to the left (or above) of each place, and how far beyond it the place is, in [0, 1).
-#[inline(always)]
-fn split(place: f32x8) -> ([i32; LANES], [f32; LANES]) {
-    // Places begin at -0.5; with 4 added all are positive, so cutting off is rounding down.
-    let shifted = place + 4.0;
-    let whole = shifted.fast_trunc_int();
-    let share = shifted - whole.round_float();
-    ((whole - i32x8::splat(4)).to_array(), share.to_array())
-}
-
-/// What directions are looked up in.
+/// What directions are looked up in. Its texels lie in up to three pieces of memory, in rows of one length.
 pub(super) trait Source: Sync {
     /// Where the directions meet it.
-    fn places(&self, d: Directions) -> Places;
+    fn places<S: Simd>(&self, d: Directions<S>) -> Places<S>;
 
-    /// `N` texels of a row from (`x`, `y`) on, and those below them in the `N - 1` rows that follow. Neighbours are those
-    /// on the sphere.
-    fn texels<const N: usize>(&self, plane: i32, x: i32, y: i32) -> [[Pixel; N]; N];
+    /// The texels of a piece.
+    fn texels(&self, piece: u8) -> &[Pixel];
 
-    /// Where the first of `N` x `N` texels is of each lane, where all of them lie in one piece of memory: the texels, how
-    /// many are from a row to the next, and the places among them. `None` where some lane goes over an edge.
-    fn piece<const N: usize>(
-        &self,
-        plane: &[i32; LANES],
-        x: &[i32; LANES],
-        y: &[i32; LANES],
-    ) -> Option<(&[Pixel], usize, [usize; LANES])>;
+    /// Texels from a row to the next, in every piece.
+    fn stride(&self) -> usize;
+
+    /// The piece that eight windows of `N` x `N` texels lie in, and where in it each begins. `None` where a window goes
+    /// over an edge.
+    fn piece<S: Simd, const N: usize>(&self, plane: i32x8<S>, x: i32x8<S>, y: i32x8<S>) -> Option<(u8, u32x8<S>)>;
+
+    /// A window whose first texel is (`x`, `y`). Neighbours are those on the sphere.
+    fn window<const N: usize>(&self, plane: i32, x: i32, y: i32) -> [[Pixel; N]; N];
 
     /// How many radians apart the nearest texels are about unit directions.
-    fn spacing(&self, d: Directions) -> f32x8;
-
-    #[inline(always)]
-    fn nearest(&self, at: Places, mut found: impl FnMut(usize, f32x4)) {
-        let ((x, _), (y, _)) = (split(at.x + 0.5), split(at.y + 0.5));
-        for i in 0..LANES {
-            found(i, f32x4::from(self.texels::<1>(at.plane[i], x[i], y[i])[0][0]));
-        }
-    }
-
-    #[inline(always)]
-    fn bilinear(&self, at: Places, mut found: impl FnMut(usize, f32x4)) {
-        let ((left, right_share), (top, lower_share)) = (split(at.x), split(at.y));
-        let mut between = |i: usize, [a, b]: [Pixel; 2], [c, d]: [Pixel; 2]| {
-            let [a, b, c, d] = [f32x4::from(a), f32x4::from(b), f32x4::from(c), f32x4::from(d)];
-            let upper = a + (b - a) * right_share[i];
-            let lower = c + (d - c) * right_share[i];
-            found(i, upper + (lower - upper) * lower_share[i]);
-        };
-        if let Some((texels, stride, first)) = self.piece::<2>(&at.plane, &left, &top) {
-            for (i, first) in first.into_iter().enumerate() {
-                if let (Some(&[a, b]), Some(&[c, d])) =
-                    (texels.get(first..first + 2), texels.get(first + stride..first + stride + 2))
-                {
-                    between(i, [a, b], [c, d]);
-                }
-            }
-        } else {
-            for i in 0..LANES {
-                let [upper, lower] = self.texels::<2>(at.plane[i], left[i], top[i]);
-                between(i, upper, lower);
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn bicubic(&self, at: Places, mut found: impl FnMut(usize, f32x4)) {
-        let ((left, right_share), (top, lower_share)) = (split(at.x), split(at.y));
-        for i in 0..LANES {
-            let rows = self.texels::<4>(at.plane[i], left[i] - 1, top[i] - 1);
-            let (along, down) = (catmull_rom(right_share[i]), catmull_rom(lower_share[i]));
-            let mut sum = f32x4::ZERO;
-            for (row, high) in rows.iter().zip(down) {
-                let [a, b, c, d] = [f32x4::from(row[0]), f32x4::from(row[1]), f32x4::from(row[2]), f32x4::from(row[3])];
-                sum += (a * along[0] + b * along[1] + c * along[2] + d * along[3]) * high;
-            }
-            found(i, sum.max(f32x4::ZERO));
-        }
-    }
+    fn spacing<S: Simd>(&self, d: Directions<S>) -> f32x8<S>;
 }
 
-/// The weights of four values in a row for a place between the second and the third: the cardinal spline of
-/// E. Catmull and R. Rom, "A class of local interpolating splines", 1974.
-#[inline]
-fn catmull_rom(t: f32) -> [f32; 4] {
-    let (t2, t3) = (t * t, t * t * t);
-    [0.5 * (-t3 + 2.0 * t2 - t), 0.5 * (3.0 * t3 - 5.0 * t2 + 2.0), 0.5 * (-3.0 * t3 + 4.0 * t2 + t), 0.5 * (t3 - t2)]
+/// Whether a source has so few texels that lanes of 32 bits can count them.
+fn is_countable(texels: usize) -> bool {
+    i32::try_from(texels).is_ok()
 }
 
-/// Texels beyond an edge that a cubic spline reaches.
-pub const BORDER: usize = 2;
+/// Which of eight numbers lie in [0, `end`).
+#[inline(always)]
+fn below<S: Simd>(number: i32x8<S>, end: i32) -> fearless_simd::mask32x8<S> {
+    // As numbers without sign, what is before 0 is far beyond the end.
+    let number: u32x8<S> = number.bitcast();
+    number.simd_lt(end.max(0) as u32)
+}
 
-/// A cubemap whose faces have their neighbours' texels around them.
-pub(super) struct CubeSource {
-    size: usize,
+/// A cubemap.
+pub(super) struct CubeSource<'a> {
+    map: &'a Cubemap,
+    size: i32,
     half_size: f32,
-    stride: usize,
-    /// Six faces of `stride * stride` texels.
-    texels: Vec<Pixel>,
+    countable: bool,
 }
 
-impl CubeSource {
-    pub fn new(map: &Cubemap) -> Self {
-        let size = map.size() as usize;
-        let stride = size + 2 * BORDER;
-        let mut texels = vec![[0.0; 4]; 6 * stride * stride];
-        for (face, with_border) in Face::ALL.into_iter().zip(texels.chunks_exact_mut(stride * stride)) {
-            let rows = with_border.chunks_exact_mut(stride);
-            for (y, row) in rows.enumerate() {
-                let own = (BORDER..BORDER + size).contains(&y);
-                for (x, texel) in row.iter_mut().enumerate() {
-                    if !own || !(BORDER..BORDER + size).contains(&x) {
-                        *texel = beyond(map, face, x, y);
-                    }
-                }
-                if own {
-                    let from = &map.face(face)[(y - BORDER) * size..][..size];
-                    row[BORDER..BORDER + size].copy_from_slice(from);
-                }
-            }
-        }
-        CubeSource { size, half_size: 0.5 * size as f32, stride, texels }
+impl<'a> CubeSource<'a> {
+    pub fn new(map: &'a Cubemap) -> Self {
+        let size = map.size() as i32;
+        CubeSource { map, size, half_size: 0.5 * size as f32, countable: is_countable(map.pixels().len()) }
     }
 }
 
-impl CubeSource {
-    /// The bordered faces.
-    pub fn into_texels(self) -> Vec<Pixel> {
-        self.texels
-    }
-}
-
-/// The texel of a bordered face at (`x`, `y`), outside of the face itself. A border reaches at most one face far.
-fn beyond(map: &Cubemap, face: Face, x: usize, y: usize) -> Pixel {
+/// The texel of a face, or of its neighbours where (`x`, `y`) is outside, at most one face far.
+pub(super) fn texel_about(map: &Cubemap, face: Face, x: i64, y: i64) -> Pixel {
     let size = i64::from(map.size());
-    let held = |v: usize| (v as i64 - BORDER as i64).clamp(-size, 2 * size - 1);
+    let held = |v: i64| v.clamp(-size, 2 * size - 1);
+    if (0..size).contains(&x) && (0..size).contains(&y) {
+        return map.at(face, x as u32, y as u32);
+    }
     let [r, g, b] = map.texel(face, held(x), held(y)).as_vec3().to_array();
     [r, g, b, 1.0]
 }
 
-impl Source for CubeSource {
+impl Source for CubeSource<'_> {
     #[inline(always)]
-    fn places(&self, [x, y, z]: Directions) -> Places {
+    fn places<S: Simd>(&self, [x, y, z]: Directions<S>) -> Places<S> {
+        let simd = x.simd;
         let (ax, ay, az) = (x.abs(), y.abs(), z.abs());
         // As `Face::of`: where two are equal the earlier one counts.
         let by_x = ax.simd_ge(ay) & ax.simd_ge(az);
         let by_y = !by_x & ay.simd_ge(az);
         let largest = by_x.select(ax, by_y.select(ay, az));
         let major = by_x.select(x, by_y.select(y, z));
-        let is_negative = major.simd_lt(f32x8::ZERO);
+        let is_negative = major.simd_lt(0.0);
         // OpenGL 4.6, table 8.19: s of +X is -z, of -X z, of +-Y x, of +Z x, of -Z -x; t of +Y is z, of -Y -z, else -y.
         let s = by_x.select(is_negative.select(z, -z), by_y.select(x, is_negative.select(-x, x)));
         let t = by_y.select(is_negative.select(-z, z), -y);
-        let scale = f32x8::splat(self.half_size) / largest.max(f32x8::splat(f32::MIN_POSITIVE));
+        let scale = f32x8::splat(simd, self.half_size) / largest.max(f32::MIN_POSITIVE);
         let offset = self.half_size - 0.5;
         // Rounding may carry a place on an edge over it, and a direction that is not a number anywhere.
-        let held = |v: f32x8| v.max(f32x8::splat(-0.5)).min(f32x8::splat(self.size as f32 - 0.5));
-        let negative = is_negative.select(f32x8::ONE, f32x8::ZERO);
-        let plane = by_x.select(f32x8::ZERO, by_y.select(f32x8::splat(2.0), f32x8::splat(4.0))) + negative;
-        Places { plane: plane.fast_trunc_int().to_array(), x: held(s * scale + offset), y: held(t * scale + offset) }
+        let largest_place = self.size as f32 - 0.5;
+        let x = (s * scale + offset).max(-0.5).min(largest_place);
+        let y = (t * scale + offset).max(-0.5).min(largest_place);
+        let zero = i32x8::splat(simd, 0);
+        let positive = by_x.select(zero, by_y.select(i32x8::splat(simd, 2), i32x8::splat(simd, 4)));
+        let plane = positive + is_negative.select(i32x8::splat(simd, 1), zero);
+        Places { plane, x, y }
     }
 
     #[inline(always)]
-    fn texels<const N: usize>(&self, plane: i32, x: i32, y: i32) -> [[Pixel; N]; N] {
-        let mut found = [[[0.0; 4]; N]; N];
-        let first_row = (plane as usize * self.stride + (y + BORDER as i32) as usize) * self.stride;
-        let first = first_row + (x + BORDER as i32) as usize;
-        for (row, found) in found.iter_mut().enumerate() {
-            if let Some(texels) = self.texels.get(first + row * self.stride..).and_then(|t| t.first_chunk()) {
-                *found = *texels;
-            }
-        }
-        found
+    fn texels(&self, _: u8) -> &[Pixel] {
+        self.map.pixels()
     }
 
     #[inline(always)]
-    fn piece<const N: usize>(
-        &self,
-        plane: &[i32; LANES],
-        x: &[i32; LANES],
-        y: &[i32; LANES],
-    ) -> Option<(&[Pixel], usize, [usize; LANES])> {
-        let mut first = [0; LANES];
-        for i in 0..LANES {
-            let row = plane[i] as usize * self.stride + (y[i] + BORDER as i32) as usize;
-            first[i] = row * self.stride + (x[i] + BORDER as i32) as usize;
-        }
-        Some((&self.texels, self.stride, first))
+    fn stride(&self) -> usize {
+        // By way of u32, so that the compiler knows that sums of strides do not overflow.
+        self.size as u32 as usize
     }
 
-    #[inline]
-    fn spacing(&self, [x, y, z]: Directions) -> f32x8 {
+    #[inline(always)]
+    fn piece<S: Simd, const N: usize>(&self, plane: i32x8<S>, x: i32x8<S>, y: i32x8<S>) -> Option<(u8, u32x8<S>)> {
+        let ends = self.size - N as i32 + 1;
+        let inside = below(x, ends) & below(y, ends) & below(plane, 6);
+        let first = (plane * self.size + y) * self.size + x;
+        if inside.all_true() && self.countable { Some((0, first.bitcast())) } else { None }
+    }
+
+    #[cold]
+    fn window<const N: usize>(&self, plane: i32, x: i32, y: i32) -> [[Pixel; N]; N] {
+        let face = Face::ALL[plane.clamp(0, 5) as usize];
+        let at = |v: i32, i: usize| i64::from(v) + i as i64;
+        std::array::from_fn(|row| std::array::from_fn(|column| texel_about(self.map, face, at(x, column), at(y, row))))
+    }
+
+    #[inline(always)]
+    fn spacing<S: Simd>(&self, [x, y, z]: Directions<S>) -> f32x8<S> {
         // A texel of a cube with half edge 1 lies at 1 / m from the middle, m the largest component of the unit
         // direction, and is seen at an angle with this cosine: m^2 narrower where it is narrowest.
         let m = x.abs().max(y.abs()).max(z.abs());
@@ -223,26 +150,29 @@ impl Source for CubeSource {
     }
 }
 
-/// A panorama, whose crowded rows about the poles may be averaged.
+/// A panorama, whose crowded rows about the poles may be averaged. Its pieces: the picture, the averaged rows at the top,
+/// and those at the bottom.
 pub(super) struct PanoramaSource<'a> {
     panorama: &'a Panorama,
     width: i32,
     height: i32,
     /// How many rows at the top, and how many at the bottom, were averaged along themselves as far as texels crowd; 0
-    /// where that is not wanted.
-    rows_averaged: usize,
+    /// without the area filter.
+    rows_averaged: i32,
     /// The first rows, averaged, ...
     top: Vec<Pixel>,
     /// ... and the last ones.
     bottom: Vec<Pixel>,
+    countable: bool,
 }
 
 impl<'a> PanoramaSource<'a> {
     pub fn new(panorama: &'a Panorama, filter: Filter) -> Self {
         let (top, bottom) = if filter == Filter::Area { reduced_rows(panorama) } else { Default::default() };
         let (width, height) = (panorama.image.width as i32, panorama.image.height as i32);
-        let rows_averaged = top.len() / panorama.image.width.max(1) as usize;
-        PanoramaSource { panorama, width, height, rows_averaged, top, bottom }
+        let rows_averaged = (top.len() / panorama.image.width.max(1) as usize) as i32;
+        let countable = is_countable(panorama.image.pixels.len());
+        PanoramaSource { panorama, width, height, rows_averaged, top, bottom, countable }
     }
 
     /// Columns.
@@ -255,87 +185,110 @@ impl<'a> PanoramaSource<'a> {
         self.height as u32
     }
 
-    /// A row that is there.
+    /// How many columns a place is from the middle of the first one, from the longitude in radians.
     #[inline(always)]
+    pub fn across<S: Simd>(&self, longitude: f32x8<S>) -> f32x8<S> {
+        // Straight ahead is the middle: 0 radians, exactly.
+        longitude * (self.width as f32 / (2.0 * PI)) + (0.5 * self.width as f32 - 0.5)
+    }
+
+    /// How many rows a place is from the middle of the first one, from the angle below the horizon in radians.
+    #[inline(always)]
+    pub fn down<S: Simd>(&self, below: f32x8<S>) -> f32x8<S> {
+        below * (self.height as f32 / PI) + (0.5 * self.height as f32 - 0.5)
+    }
+
+    /// A row that is there.
     fn row(&self, y: i32) -> &[Pixel] {
-        let (width, y) = (self.width as usize, y as usize);
-        let bottom_begins = self.height as usize - self.rows_averaged;
-        let (from, y) = if y < self.rows_averaged {
-            (&self.top, y)
+        let bottom_begins = self.height - self.rows_averaged;
+        let (piece, y) = if y < self.rows_averaged {
+            (TOP, y)
         } else if self.rows_averaged > 0 && y >= bottom_begins {
-            (&self.bottom, y - bottom_begins)
+            (BOTTOM, y - bottom_begins)
         } else {
-            (&self.panorama.image.pixels, y)
+            (PICTURE, y)
         };
-        from.get(y * width..(y + 1) * width).unwrap_or_default()
+        let (width, y) = (self.width as usize, y as usize);
+        self.texels(piece).get(y * width..(y + 1) * width).unwrap_or_default()
     }
 
     /// A texel over the meridian or a pole.
-    #[cold]
-    fn texel_anywhere(&self, x: i32, y: i32) -> Pixel {
-        let (x, y) = over_the_pole(i64::from(x), i64::from(y), i64::from(self.width), i64::from(self.height));
+    fn texel_anywhere(&self, x: i64, y: i64) -> Pixel {
+        let (x, y) = over_the_pole(x, y, i64::from(self.width), i64::from(self.height));
         self.row(y as i32).get(x as usize).copied().unwrap_or_default()
+    }
+
+    /// Where eight windows begin in a piece that has the rows from `from` to before `to`.
+    #[inline(always)]
+    fn in_rows<S: Simd, const N: usize>(&self, from: i32, to: i32, x: i32x8<S>, y: i32x8<S>) -> Option<u32x8<S>> {
+        let n = N as i32;
+        let y = y - from;
+        let inside = below(x, self.width - n + 1) & below(y, to - from - n + 1);
+        if inside.all_true() { Some((y * self.width + x).bitcast()) } else { None }
     }
 }
 
+/// The pieces of a panorama. Of the picture all rows count from 0, the averaged ones too.
+const PICTURE: u8 = 0;
+const TOP: u8 = 1;
+const BOTTOM: u8 = 2;
+
 impl Source for PanoramaSource<'_> {
     #[inline(always)]
-    fn places(&self, [x, y, z]: Directions) -> Places {
+    fn places<S: Simd>(&self, [x, y, z]: Directions<S>) -> Places<S> {
         let longitude = angle(x, -z);
-        let latitude = angle(y, (x * x + z * z).sqrt());
-        let (width, height) = (self.width as f32, self.height as f32);
-        // Straight ahead is the middle: 0 radians, exactly.
-        let x = longitude * (width / (2.0 * PI)) + (0.5 * width - 0.5);
-        let y = latitude * (-height / PI) + (0.5 * height - 0.5);
-        Places::on_one_plane(x, y)
+        let below = angle(-y, (x * x + z * z).sqrt());
+        Places { plane: i32x8::splat(x.simd, 0), x: self.across(longitude), y: self.down(below) }
     }
 
     #[inline(always)]
-    fn texels<const N: usize>(&self, _: i32, x: i32, y: i32) -> [[Pixel; N]; N] {
-        let n = N as i32;
-        let mut found = [[[0.0; 4]; N]; N];
-        if x >= 0 && y >= 0 && x + n <= self.width && y + n <= self.height {
-            for (row, found) in found.iter_mut().enumerate() {
-                if let Some(texels) = self.row(y + row as i32).get(x as usize..).and_then(|t| t.first_chunk()) {
-                    *found = *texels;
-                }
-            }
-        } else {
-            for (row, found) in found.iter_mut().enumerate() {
-                for (column, found) in found.iter_mut().enumerate() {
-                    *found = self.texel_anywhere(x + column as i32, y + row as i32);
-                }
-            }
+    fn texels(&self, piece: u8) -> &[Pixel] {
+        match piece {
+            PICTURE => &self.panorama.image.pixels,
+            TOP => &self.top,
+            _ => &self.bottom,
         }
-        found
     }
 
     #[inline(always)]
-    fn piece<const N: usize>(
-        &self,
-        _: &[i32; LANES],
-        x: &[i32; LANES],
-        y: &[i32; LANES],
-    ) -> Option<(&[Pixel], usize, [usize; LANES])> {
-        let (n, averaged) = (N as i32, self.rows_averaged as i32);
-        // As numbers without sign, what is before the begin is far beyond the end.
-        let columns = (self.width - n + 1).max(0) as u32;
-        let rows = (self.height - 2 * averaged - n + 1).max(0) as u32;
-        let mut inside = true;
-        let mut first = [0; LANES];
-        for i in 0..LANES {
-            inside &= ((x[i] as u32) < columns) & (((y[i] - averaged) as u32) < rows);
-            first[i] = (y[i] as usize).wrapping_mul(self.width as usize).wrapping_add(x[i] as usize);
-        }
-        inside.then_some((&self.panorama.image.pixels, self.width as usize, first))
+    fn stride(&self) -> usize {
+        self.width as u32 as usize
     }
 
-    #[inline]
-    fn spacing(&self, [x, _, z]: Directions) -> f32x8 {
+    #[inline(always)]
+    fn piece<S: Simd, const N: usize>(&self, _: i32x8<S>, x: i32x8<S>, y: i32x8<S>) -> Option<(u8, u32x8<S>)> {
+        if !self.countable {
+            return None;
+        }
+        let (averaged, height) = (self.rows_averaged, self.height);
+        if averaged == 0 {
+            let first = self.in_rows::<S, N>(0, height, x, y)?;
+            return Some((PICTURE, first));
+        }
+        if let Some(first) = self.in_rows::<S, N>(averaged, height - averaged, x, y) {
+            let before = (averaged * self.width) as u32;
+            return Some((PICTURE, first + before));
+        }
+        if let Some(first) = self.in_rows::<S, N>(0, averaged, x, y) {
+            return Some((TOP, first));
+        }
+        let first = self.in_rows::<S, N>(height - averaged, height, x, y)?;
+        Some((BOTTOM, first))
+    }
+
+    #[cold]
+    fn window<const N: usize>(&self, _: i32, x: i32, y: i32) -> [[Pixel; N]; N] {
+        let at = |v: i32, i: usize| i64::from(v) + i as i64;
+        std::array::from_fn(|row| std::array::from_fn(|column| self.texel_anywhere(at(x, column), at(y, row))))
+    }
+
+    #[inline(always)]
+    fn spacing<S: Simd>(&self, [x, _, z]: Directions<S>) -> f32x8<S> {
         // Rows where texels crowd by CROWDED or more were averaged.
+        let simd = x.simd;
         let aspect = self.width as f32 / (2.0 * self.height as f32);
-        let crowd = f32x8::splat(aspect) / (x * x + z * z).sqrt().max(f32x8::splat(1e-6));
-        let crowd = crowd.simd_lt(f32x8::splat(CROWDED as f32)).select(crowd.max(f32x8::ONE), f32x8::ONE);
-        f32x8::splat(PI / self.height as f32) / crowd
+        let crowd = f32x8::splat(simd, aspect) / (x * x + z * z).sqrt().max(1e-6);
+        let crowd = crowd.simd_lt(CROWDED as f32).select(crowd.max(1.0), f32x8::splat(simd, 1.0));
+        f32x8::splat(simd, PI / self.height as f32) / crowd
     }
 }

@@ -1,9 +1,10 @@
 //! Where the pixels of a target look.
 
-use super::lanes::Directions;
+use super::lanes::{Directions, sin_cos};
 use crate::face::{Face, Layout};
+use fearless_simd::f32x8;
+use fearless_simd::prelude::*;
 use std::f64::consts::PI;
-use wide::f32x8;
 
 /// A picture to be filled, row by row.
 pub(super) trait Target: Sync {
@@ -26,7 +27,7 @@ pub(super) trait Target: Sync {
 
     /// The directions, of any length, of eight places in a row: at the columns `first` + `across`, where 0 is the middle
     /// of the first pixel, and `down` pixels below the row's middle.
-    fn directions(&self, row: &Self::Row, first: f32, across: f32x8, down: f32) -> Directions;
+    fn directions<S: Simd>(&self, row: &Self::Row, first: f32, across: f32x8<S>, down: f32) -> Directions<S>;
 }
 
 /// The six faces of a cubemap, OpenGL's layout.
@@ -77,11 +78,12 @@ impl Target for CubeTarget {
         }
     }
 
-    #[inline]
-    fn directions(&self, row: &CubeRow, first: f32, across: f32x8, down: f32) -> Directions {
+    #[inline(always)]
+    fn directions<S: Simd>(&self, row: &CubeRow, first: f32, across: f32x8<S>, down: f32) -> Directions<S> {
         let s = (across + (first + 0.5)) * self.step - 1.0;
         let t = (row.t + down + 0.5) * self.step - 1.0;
-        std::array::from_fn(|i| s * row.along_s[i] + (row.middle[i] + t * row.along_t[i]))
+        let component = |i: usize| s * row.along_s[i] + (row.middle[i] + t * row.along_t[i]);
+        [component(0), component(1), component(2)]
     }
 }
 
@@ -97,9 +99,25 @@ impl PanoramaTarget {
     }
 }
 
-impl Target for PanoramaTarget {
+/// A row of a panorama.
+#[derive(Clone, Copy)]
+pub(super) struct PanoramaRow {
     /// From the top, in rows.
-    type Row = f32;
+    row: f32,
+    /// The sine and the cosine of the angle between the row's middle and the upper pole.
+    polar: [f32; 2],
+}
+
+impl PanoramaTarget {
+    /// The sine and the cosine of the angle from the upper pole, `rows` below the top.
+    fn polar(&self, rows: f32) -> [f32; 2] {
+        let (sin, cos) = (f64::from(rows) * PI / self.height as f64).sin_cos();
+        [sin as f32, cos as f32]
+    }
+}
+
+impl Target for PanoramaTarget {
+    type Row = PanoramaRow;
 
     fn row_length(&self) -> usize {
         self.width
@@ -109,17 +127,17 @@ impl Target for PanoramaTarget {
         PI / self.height as f64
     }
 
-    fn row(&self, row: usize) -> f32 {
-        row as f32
+    fn row(&self, row: usize) -> PanoramaRow {
+        let row = row as f32;
+        PanoramaRow { row, polar: self.polar(row + 0.5) }
     }
 
-    #[inline]
-    fn directions(&self, row: &f32, first: f32, across: f32x8, down: f32) -> Directions {
+    #[inline(always)]
+    fn directions<S: Simd>(&self, row: &PanoramaRow, first: f32, across: f32x8<S>, down: f32) -> Directions<S> {
         // From the middle column: angles near 0 keep their digits where most pictures have their motif.
         let from_middle = across + (first + 0.5 - 0.5 * self.width as f32);
-        let (sin_lon, cos_lon) = (from_middle * (2.0 * PI / self.width as f64) as f32).sin_cos();
-        let polar = f64::from(row + down + 0.5) * PI / self.height as f64;
-        let (sin_polar, cos_polar) = (polar.sin() as f32, polar.cos() as f32);
-        [sin_lon * sin_polar, f32x8::splat(cos_polar), -cos_lon * sin_polar]
+        let (sin_lon, cos_lon) = sin_cos(from_middle * (2.0 * PI / self.width as f64) as f32);
+        let [sin_polar, cos_polar] = if down == 0.0 { row.polar } else { self.polar(row.row + down + 0.5) };
+        [sin_lon * sin_polar, f32x8::splat(across.simd, cos_polar), -cos_lon * sin_polar]
     }
 }

@@ -1,59 +1,155 @@
-//! From a panorama that is not turned to the four sides of a cubemap: there a column of texels looks along a meridian, so
-//! that it has one place across the panorama, and its height follows from one arc tangent.
+//! Bilinear lookups from a panorama that is not turned to a cubemap. Faces share their places then:
+//!
+//! - On the four sides a column of texels looks along a meridian, so that it has one place across the panorama. How far
+//!   down it looks is the same on all four, and follows from one arc tangent.
+//! - A row of the upper face and its mirror image on the lower one look at the same longitudes, as far above the horizon
+//!   as below it.
 
-use super::lanes::{LANES, arc_tangent, fill_block};
-use super::source::{PanoramaSource, Places};
+use super::lanes::{LANES, angle, arc_tangent, first_eight};
+use super::lookup::{Bilinear, Cells, fill_rows, fill_rows_downwards, split};
+use super::source::PanoramaSource;
 use crate::face::{Face, Layout};
 use crate::image::Pixel;
 use crate::panorama::place;
+use crate::simd::{Kernel, SimdLevel};
+use fearless_simd::prelude::*;
+use fearless_simd::{f32x8, i32x8};
+use rayon::prelude::*;
 use std::f32::consts::PI;
-use wide::f32x8;
 
-/// The columns of one side face.
-pub(super) struct SideColumns {
-    /// Where each looks across the panorama, in texels from the middle of the first one.
-    x: Vec<f32>,
-    /// One over the distance of the face from the vertical axis there, for a cube with half edge 1.
-    nearness: Vec<f32>,
+/// Fills six faces of `size` texels, in the order of [`Face::ALL`].
+pub(super) fn fill(level: SimdLevel, source: &PanoramaSource<'_>, size: usize, pixels: &mut [Pixel]) {
+    let mut faces = pixels.chunks_exact_mut(size * size);
+    let Some([pos_x, neg_x, pos_y, neg_y, pos_z, neg_z]) = next_six(&mut faces) else { return };
+    let columns = SideColumns::new(size, source.width());
+    let [pos_x, neg_x, pos_y, neg_y, pos_z, neg_z] =
+        [pos_x, neg_x, pos_y, neg_y, pos_z, neg_z].map(|face| face.par_chunks_exact_mut(size));
+    // Some rows at a time: one is too little work to hand to a thread.
+    let sides = pos_x.zip(neg_x).zip(pos_z.zip(neg_z)).enumerate().with_min_len(8);
+    sides.for_each(|(row, ((pos_x, neg_x), (pos_z, neg_z)))| {
+        level.run(SideRows { source, columns: &columns, row, pixels: [pos_x, neg_x, pos_z, neg_z] });
+    });
+    let caps = pos_y.zip(neg_y.rev()).enumerate().with_min_len(8);
+    caps.for_each(|(row, (upper, lower))| level.run(CapRows { source, row, pixels: [upper, lower] }));
 }
 
-/// Whether a face is a side: its rows run downwards everywhere.
-pub(super) fn is_side(face: Face) -> bool {
-    !matches!(face, Face::PosY | Face::NegY)
+fn next_six<T>(all: &mut impl Iterator<Item = T>) -> Option<[T; 6]> {
+    let mut next = || all.next();
+    Some([next()?, next()?, next()?, next()?, next()?, next()?])
+}
+
+/// The sides in the order of [`Face::ALL`].
+const SIDES: [Face; 4] = [Face::PosX, Face::NegX, Face::PosZ, Face::NegZ];
+
+/// The columns of the sides, eight at a time. The last eight repeat the last column where fewer are left.
+struct SideColumns {
+    /// Of each side the column of the panorama to the left of where each looks.
+    left: [Vec<[i32; LANES]>; 4],
+    /// Of each side how far beyond that column each looks, in columns.
+    right_share: [Vec<[f32; LANES]>; 4],
+    /// One over the distance of the side from the vertical axis there, for a cube with half edge 1.
+    nearness: Vec<[f32; LANES]>,
 }
 
 impl SideColumns {
-    /// Of a side face of `size` texels, in a panorama `width` wide. The rest of a last block of eight repeats its last
-    /// column.
-    pub fn new(face: Face, size: usize, width: u32) -> Self {
-        let column = |i: usize| {
-            let s = (2 * i.min(size - 1) + 1) as f64 / size as f64 - 1.0;
-            let (u, _) = place(face.direction(s, 0.0, Layout::OpenGl));
-            ((u * f64::from(width) - 0.5) as f32, (1.0 / s.hypot(1.0)) as f32)
+    /// Of sides of `size` texels, in a panorama `width` wide.
+    fn new(size: usize, width: u32) -> Self {
+        let blocks = size.div_ceil(LANES);
+        let s = |i: usize| (2 * i.min(size - 1) + 1) as f64 / size as f64 - 1.0;
+        let mut columns = SideColumns {
+            left: [const { Vec::new() }; 4],
+            right_share: [const { Vec::new() }; 4],
+            nearness: Vec::with_capacity(blocks),
         };
-        let (x, nearness) = (0..size.next_multiple_of(LANES)).map(column).unzip();
-        SideColumns { x, nearness }
+        for block in 0..blocks {
+            let s: [f64; LANES] = std::array::from_fn(|lane| s(block * LANES + lane));
+            columns.nearness.push(s.map(|s| (1.0 / s.hypot(1.0)) as f32));
+            for (side, face) in SIDES.into_iter().enumerate() {
+                let across = s.map(|s| place(face.direction(s, 0.0, Layout::OpenGl)).0 * f64::from(width) - 0.5);
+                columns.left[side].push(across.map(|x| x.floor() as i32));
+                columns.right_share[side].push(across.map(|x| (x - x.floor()) as f32));
+            }
+        }
+        columns
     }
 
-    /// Fills a row of the face with what `look_up` finds at eight places at a time.
+    /// The cells of a block of eight columns of a side, in rows of the panorama that are known already.
     #[inline(always)]
-    pub fn fill_row(
-        &self,
-        source: &PanoramaSource<'_>,
-        row: usize,
-        pixels: &mut [Pixel],
-        look_up: impl Fn(Places, &mut [Pixel; LANES]),
-    ) {
-        let height = source.height() as f32;
+    fn cells<S: Simd>(&self, side: usize, block: usize, top: i32x8<S>, lower_share: f32x8<S>) -> Cells<S> {
+        let simd = top.simd;
+        let left = i32x8::from_slice(simd, &self.left[side][block]);
+        let right_share = f32x8::from_slice(simd, &self.right_share[side][block]);
+        Cells { plane: i32x8::splat(simd, 0), left, top, right_share, lower_share }
+    }
+}
+
+/// One row of each side.
+struct SideRows<'a> {
+    source: &'a PanoramaSource<'a>,
+    columns: &'a SideColumns,
+    row: usize,
+    pixels: [&'a mut [Pixel]; 4],
+}
+
+impl Kernel for SideRows<'_> {
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) {
+        let SideRows { source, columns, row, pixels } = self;
         // Rows run downwards from t = -1 at the upper edge.
-        let t = ((2 * row + 1) as f64 / pixels.len() as f64 - 1.0) as f32;
-        let (columns, nearness) = (self.x.chunks_exact(LANES), self.nearness.chunks_exact(LANES));
-        for ((pixels, x), nearness) in pixels.chunks_mut(LANES).zip(columns).zip(nearness) {
-            let lanes = |v: &[f32]| f32x8::from(<[f32; LANES]>::try_from(v).unwrap_or([0.0; LANES]));
-            // At most 45 degrees up or down.
-            let below = arc_tangent(lanes(nearness) * t);
-            let places = Places::on_one_plane(lanes(x), below * (height / PI) + (0.5 * height - 0.5));
-            fill_block(pixels, |all| look_up(places, all));
-        }
+        let t = ((2 * row + 1) as f64 / pixels[0].len() as f64 - 1.0) as f32;
+        // Three rows of the side: in its middle a row of texels is 2 / size high.
+        let rows_ahead = (6.0 / PI * source.height() as f32 / pixels[0].len() as f32).ceil() as usize;
+        fill_rows_downwards::<S, 2, Bilinear, 4>(
+            simd,
+            source,
+            rows_ahead,
+            pixels,
+            #[inline(always)]
+            |first| {
+                let block = first / LANES;
+                // At most 45 degrees up or down.
+                let below = arc_tangent(f32x8::from_slice(simd, &columns.nearness[block]) * t);
+                let (top, lower_share) = split(source.down(below));
+                [
+                    columns.cells(0, block, top, lower_share),
+                    columns.cells(1, block, top, lower_share),
+                    columns.cells(2, block, top, lower_share),
+                    columns.cells(3, block, top, lower_share),
+                ]
+            },
+        );
+    }
+}
+
+/// A row of the upper face, and its mirror image on the lower one: as far from the bottom as the first from the top.
+struct CapRows<'a> {
+    source: &'a PanoramaSource<'a>,
+    row: usize,
+    pixels: [&'a mut [Pixel]; 2],
+}
+
+impl Kernel for CapRows<'_> {
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) {
+        let CapRows { source, row, pixels } = self;
+        let step = 2.0 / pixels[0].len() as f32;
+        // OpenGL's layout: in both rows x grows to the right, and z is t of the upper face.
+        let z = f32x8::splat(simd, (row as f32 + 0.5) * step - 1.0);
+        fill_rows::<S, 2, Bilinear, 2>(
+            simd,
+            source,
+            pixels,
+            #[inline(always)]
+            |first| {
+                let x = (first_eight(simd) + (first as f32 + 0.5)) * step - 1.0;
+                let (left, right_share) = split(source.across(angle(x, -z)));
+                let height = angle(f32x8::splat(simd, 1.0), (x * x + z * z).sqrt());
+                let plane = i32x8::splat(simd, 0);
+                let (top, lower_share) = split(source.down(-height));
+                let above = Cells { plane, left, top, right_share, lower_share };
+                let (top, lower_share) = split(source.down(height));
+                [above, Cells { plane, left, top, right_share, lower_share }]
+            },
+        );
     }
 }
