@@ -11,7 +11,7 @@ fuzz_target!(|data: &[u8]| {
         Err(_) => return,
     };
     let content = unpacked.as_deref().unwrap_or(data);
-    if let Ok(format) = gonio_mesh::Format::detect(content, content.len() as u64, "")
+    if let Ok(format) = gonio_mesh::Format::detect(content, "")
         && let Ok(model) = format.read(content, &mut Echo(content), &limits())
     {
         check(model);

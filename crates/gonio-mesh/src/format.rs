@@ -1,10 +1,15 @@
-//! Which format a file has: told by its content first, by its name second.
+//! The format of a file: told by its content where that decides, by its name where it does not.
 
-use crate::{Limits, Model, ReadError, Sidecars, collada, gltf, medit, obj, ply, stl};
+mod json;
+mod xml;
+
+use crate::{Limits, Model, ReadError, Sidecars, collada, encoding, gltf, medit, obj, ply, stl};
+use memchr::memchr2;
 use serde::Serialize;
+use std::borrow::Cow;
 
-/// How much of a file is looked at.
-pub const LOOKED_AT: usize = 4096;
+/// How much text is searched for statements of a format.
+const SEARCHED: usize = 4096;
 
 /// A format of models that can be read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -69,41 +74,22 @@ impl Format {
         }
     }
 
-    /// What a file named `name` (whose ending decides where the content does not) beginning with `start` is; or what
-    /// it is instead, as `a PNG picture` or, of unknown things, `None`.
+    /// The format of a file with this content, called `name`; or what it is instead, as `a PNG picture`, and `None`
+    /// where that is unknown.
     ///
-    /// `start` is the whole file or at least its first [`LOOKED_AT`] bytes; `size` is that of the whole.
-    pub fn detect(start: &[u8], size: u64, name: &str) -> Result<Format, Option<&'static str>> {
-        if let Some(format) = by_signature(start, size) {
+    /// The content decides, whatever the name is: XML is COLLADA by its root, JSON is glTF where its outermost object has
+    /// a key of glTF's. The ending of the name decides about text without a statement of a known format, about XML that
+    /// breaks off before its root, and about JSON, which is not searched then. Only that search may go through a whole
+    /// file; of others the kilobytes behind the first comments are looked at.
+    pub fn detect(content: &[u8], name: &str) -> Result<Format, Option<&'static str>> {
+        if let Some(format) = by_signature(content) {
             return Ok(format);
         }
-        if let Some(other) = other_by_signature(start) {
+        if let Some(other) = other_by_signature(content) {
             return Err(Some(other));
         }
-        let text = String::from_utf8_lossy(start);
-        let text = text.trim_start_matches('\u{feff}').trim_start();
-        if text.starts_with('<') {
-            // The root may have a prefix, and stand behind a long comment that is cut off here.
-            let is_collada = text.contains("COLLADA") || has_extension(name, Format::Collada);
-            return if is_collada { Ok(Format::Collada) } else { Err(Some("an XML or HTML file")) };
-        }
-        if text.starts_with('{') {
-            let says_gltf = text.contains("\"asset\"") || has_extension(name, Format::Gltf);
-            return if says_gltf { Ok(Format::Gltf) } else { Err(Some("a JSON file that is no glTF")) };
-        }
-        if first_statement(text).is_some_and(|line| line.starts_with("MeshVersionFormatted")) {
-            return Ok(Format::Medit);
-        }
-        // `solid` is a good name for an object too: an STL goes on with `facet`.
-        let lower = text.to_ascii_lowercase();
-        if lower.starts_with("solid") && (lower.contains("facet") || lower.contains("endsolid")) {
-            return Ok(Format::Stl);
-        }
-        if !start.contains(&0) && text.lines().any(is_obj_line) {
-            return Ok(Format::Obj);
-        }
-        // The content says nothing: the name does.
-        Format::ALL.into_iter().find(|format| has_extension(name, *format)).ok_or(None)
+        let named = Format::ALL.into_iter().find(|format| has_extension(name, *format));
+        by_text(without_blanks(&encoding::to_utf8(content).bytes), named)
     }
 
     /// Reads a file of this format; see the module of the same name.
@@ -125,13 +111,54 @@ fn has_extension(name: &str, format: Format) -> bool {
     name.strip_suffix(format.extension()).is_some_and(|rest| rest.ends_with('.'))
 }
 
-fn by_signature(start: &[u8], size: u64) -> Option<Format> {
-    let code = |at: usize| start.get(at..at + 4).map(|b| [b[0], b[1], b[2], b[3]]);
-    if start.starts_with(b"glTF") {
-        return Some(Format::Glb);
+/// Text behind a byte order mark of UTF-8 and blanks.
+fn without_blanks(text: &[u8]) -> &[u8] {
+    text.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(text).trim_ascii_start()
+}
+
+/// The start of what stands behind blanks and whole lines of comment (`#`) at the beginning of a text in UTF-8: enough to
+/// tell what the text is.
+pub fn start_behind_comments(text: &[u8]) -> Cow<'_, str> {
+    let mut rest = without_blanks(text);
+    while rest.starts_with(b"#") {
+        let end = memchr2(b'\n', b'\r', rest).unwrap_or(rest.len());
+        rest = rest[end..].trim_ascii_start();
     }
-    if start.starts_with(b"ply\n") || start.starts_with(b"ply\r") {
-        return Some(Format::Ply);
+    String::from_utf8_lossy(&rest[..rest.len().min(SEARCHED)])
+}
+
+/// The format of text in UTF-8 that begins without blanks; `named` is what the file's name says.
+fn by_text(text: &[u8], named: Option<Format>) -> Result<Format, Option<&'static str>> {
+    if text.strip_prefix(b"ply").is_some_and(|rest| rest.first().is_none_or(u8::is_ascii_whitespace)) {
+        return Ok(Format::Ply);
+    }
+    if text.starts_with(b"<") {
+        let is_collada = xml::root_name(text).map_or(named == Some(Format::Collada), |root| root == b"COLLADA");
+        return if is_collada { Ok(Format::Collada) } else { Err(Some("an XML or HTML file")) };
+    }
+    if text.starts_with(b"{") {
+        let is_gltf = named == Some(Format::Gltf) || json::is_gltf(text);
+        return if is_gltf { Ok(Format::Gltf) } else { Err(Some("a JSON file that is no glTF")) };
+    }
+    let start = start_behind_comments(text);
+    let lower = start.to_ascii_lowercase();
+    if lower.starts_with("meshversionformatted") {
+        return Ok(Format::Medit);
+    }
+    // `solid` is a good name for an object too: an STL goes on with `facet`.
+    if lower.starts_with("solid") && (lower.contains("facet") || lower.contains("endsolid")) {
+        return Ok(Format::Stl);
+    }
+    if !start.contains('\0') && start.lines().any(is_obj_line) {
+        return Ok(Format::Obj);
+    }
+    named.ok_or(None)
+}
+
+fn by_signature(content: &[u8]) -> Option<Format> {
+    let code = |at: usize| content.get(at..at + 4).map(|b| [b[0], b[1], b[2], b[3]]);
+    if content.starts_with(b"glTF") {
+        return Some(Format::Glb);
     }
     // The code 1 in either byte order, then the version.
     if matches!(code(0), Some([1, 0, 0, 0] | [0, 0, 0, 1]))
@@ -141,7 +168,7 @@ fn by_signature(start: &[u8], size: u64) -> Option<Format> {
     }
     // A header of 80 bytes that may say anything, the number of triangles, 50 bytes for each.
     let triangles = u64::from(u32::from_le_bytes(code(80)?));
-    (size == 84 + 50 * triangles).then_some(Format::Stl)
+    (content.len() as u64 == 84 + 50 * triangles).then_some(Format::Stl)
 }
 
 /// Formats that are known by their first bytes and are no models that can be read.
@@ -149,6 +176,7 @@ fn other_by_signature(start: &[u8]) -> Option<&'static str> {
     const SIGNATURES: &[(&[u8], &str)] = &[
         (b"BLENDER", "a Blender file (export it as OBJ or glTF)"),
         (b"Kaydara FBX", "an FBX model (export it as OBJ or glTF)"),
+        (b"\0\x10[MeshSerializer", "an Ogre mesh (export it as OBJ or glTF)"),
         (b"\x89PNG", "a PNG picture"),
         (b"\xff\xd8\xff", "a JPEG picture"),
         (b"GIF8", "a GIF picture"),
@@ -157,15 +185,8 @@ fn other_by_signature(start: &[u8]) -> Option<&'static str> {
         (b"\xfd7zXZ", "compressed with xz (unpack it first)"),
         (b"%PDF", "a PDF document"),
         (b"\x7fELF", "a program"),
-        (b"\xff\xfe", "text in UTF-16 (save it as UTF-8)"),
-        (b"\xfe\xff", "text in UTF-16 (save it as UTF-8)"),
     ];
     SIGNATURES.iter().find(|(signature, _)| start.starts_with(signature)).map(|(_, what)| *what)
-}
-
-/// The first line that is neither empty nor a comment (`#`).
-fn first_statement(text: &str) -> Option<&str> {
-    text.lines().map(str::trim).find(|line| !line.is_empty() && !line.starts_with('#'))
 }
 
 fn is_obj_line(line: &str) -> bool {

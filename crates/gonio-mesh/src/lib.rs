@@ -6,6 +6,7 @@
 pub mod collada;
 pub mod compression;
 pub mod diagnostic;
+pub mod encoding;
 pub mod explain;
 pub mod format;
 pub mod gltf;

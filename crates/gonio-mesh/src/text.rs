@@ -1,5 +1,6 @@
 //! Walking over a text file byte by byte: lines, words, numbers, names, and where they stand.
 
+use crate::encoding::windows_1252;
 use crate::number;
 
 /// A place in a text of statements, one per line, as OBJ and MTL are.
@@ -172,6 +173,16 @@ impl<'a> Cursor<'a> {
         }
     }
 
+    /// Steps over a number that is [`BadNumber::NotFinite`]; returns it in quotes.
+    #[cold]
+    pub(crate) fn skip_not_finite(&mut self) -> String {
+        let what = quote(self.offending_word());
+        while !self.at_word_end() || self.peek() == Some(b'#') && what.contains('#') {
+            self.at += 1;
+        }
+        what
+    }
+
     /// The integer here, stepped over; those beyond `i64` are as if at its edge.
     #[inline]
     pub(crate) fn integer(&mut self) -> Option<i64> {
@@ -248,11 +259,11 @@ impl<'a> Cursor<'a> {
     }
 }
 
-/// Bytes of a name as text: UTF-8, and else Latin-1, as older Windows programs wrote.
+/// Bytes of a name as text: UTF-8, and else Windows-1252, as older Windows programs wrote.
 pub(crate) fn decode(bytes: &[u8]) -> String {
     match std::str::from_utf8(bytes) {
         Ok(text) => text.to_owned(),
-        Err(_) => bytes.iter().map(|&b| char::from(b)).collect(),
+        Err(_) => windows_1252(bytes).into_owned(),
     }
 }
 
@@ -305,8 +316,8 @@ mod tests {
         assert_eq!(name("a#b\\c.png"), "a#b\\c.png");
         assert_eq!(name("long \\\n  name"), "long name");
         assert_eq!(name("# nothing"), "");
-        let mut cursor = Cursor::new(b"fa\xE7ade");
-        assert_eq!(cursor.name(), "fa\u{e7}ade");
+        let mut cursor = Cursor::new(b"fa\xE7ade \x80");
+        assert_eq!(cursor.name(), "fa\u{e7}ade \u{20ac}");
     }
 
     #[test]

@@ -15,7 +15,7 @@ fn read(bytes: &[u8]) -> Result<Model, ReadError> {
 }
 
 fn documents() -> Vec<(String, Vec<u8>)> {
-    files("collada", "dae", 56)
+    files("collada", "dae", 63)
 }
 
 fn document(name: &str) -> Model {

@@ -66,7 +66,7 @@ fn files() -> Vec<(String, Vec<u8>)> {
         .map(|path| (path.file_name().unwrap().to_str().unwrap().to_owned(), std::fs::read(&path).unwrap()))
         .collect();
     files.sort();
-    assert!(files.len() >= 69, "only {} files found: is the corpus there?", files.len());
+    assert!(files.len() >= 75, "only {} files found: is the corpus there?", files.len());
     files
 }
 
@@ -228,10 +228,11 @@ fn contents_are_counted_in_the_words_of_the_file() {
 }
 
 /// Files of which tobj makes something else: it refuses or misreads byte order marks, comments behind numbers, continued
-/// lines, carriage returns alone, names that are no UTF-8, numbers behind the third, indices that point forward or at
+/// lines, carriage returns alone, names that are no UTF-8, UTF-16, colors that are not finite, numbers behind the third, indices that point forward or at
 /// nothing; it makes triangles of lines and points, and of corners that are written twice.
-const NOT_FOR_TOBJ: [&str; 18] = [
+const NOT_FOR_TOBJ: [&str; 23] = [
     "byte_order_mark.obj",
+    "color_not_finite.obj",
     "comments_anywhere.obj",
     "continuation.obj",
     "continuation_at_end.obj",
@@ -247,6 +248,10 @@ const NOT_FOR_TOBJ: [&str; 18] = [
     "names_latin_1.obj",
     "points_forward_and_back.obj",
     "too_few_corners.obj",
+    "utf_16_be.obj",
+    "utf_16_damaged.obj",
+    "utf_16_le.obj",
+    "utf_16_no_mark.obj",
     "vertex_colors_on_some.obj",
     "vertex_weights.obj",
 ];

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 use gonio_mesh::explain::{LineExplanation, LineValue, line, mtl_line};
-use gonio_mesh::{Limits, NoSidecars, Severity, obj};
+use gonio_mesh::{Limits, NoSidecars, Severity, encoding, obj};
 use std::path::Path;
 
 const FILE: &str = "# two faces
@@ -369,7 +369,8 @@ fn the_reader_and_the_explanation_agree() {
 fn every_line_of_every_prefix_is_explained() {
     type Explain = fn(&[u8], u64) -> Result<LineExplanation, gonio_mesh::ReadError>;
     let check = |explain: Explain, bytes: &[u8]| {
-        let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
+        let text = encoding::to_utf8(bytes);
+        let bytes = text.bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(&text.bytes);
         let explained = (1..).map_while(|number| explain(bytes, number).ok()).count();
         let ends =
             bytes.iter().enumerate().filter(|(i, b)| **b == b'\n' || **b == b'\r' && bytes.get(i + 1) != Some(&b'\n'));

@@ -200,8 +200,37 @@ fn colors_of_vertices_are_srgb() {
     assert_eq!(said(&model), ["note: vertex colors reach 188: taken as from 0 to 255"]);
     assert!((model.mesh.colors[0][0] - 0.502_886_5).abs() < 1e-6);
     let expected = "warning: 1 vertex has a colour beyond 0 to 1 (vertex 0 is the first): the nearest is taken";
-    for red in ["-0.5", "1e6", "nan"] {
+    for red in ["-0.5", "1e6"] {
         assert_eq!(said(&of_floats(red)), [expected], "{red}");
+    }
+}
+
+/// A picture can do without colours, normals and texture coordinates: what is not finite is named as what it is.
+#[test]
+fn numbers_that_are_not_finite_are_named_as_what_they_are() {
+    for number in ["nan", "-inf", "1e99"] {
+        let vertices = |properties: &str, first: &str, others: &str| {
+            let header: String = properties.split(' ').map(|name| format!("property float {name}\n")).collect();
+            let lines = format!("0 0 0 {first}\n1 0 0 {others}\n1 1 0 {others}\n0 1 0 {others}\n4 0 1 2 3\n");
+            read(square(&header, "property list uchar int vertex_indices\n", &lines).as_bytes()).unwrap()
+        };
+        let line = 13;
+        let model = vertices("red green blue", &format!("1 {number} 0"), "0 0 1");
+        let what = "1 vertex has a colour that is not finite (vertex 0 is the first): 0 is taken for it";
+        assert_eq!(said(&model), [format!("{line}: warning: {what}")]);
+        assert_eq!(model.mesh.colors[..2], [[1.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0]]);
+        let model = vertices("nx ny nz", &format!("0 0 {number}"), "0 0 2");
+        let what = "1 vertex has a normal that is not finite (vertex 0 is the first): counts as none";
+        assert_eq!(said(&model), [format!("{line}: warning: {what}")]);
+        assert_eq!(model.mesh.normals[..2], [[0.0; 3], [0.0, 0.0, 1.0]]);
+        let faces =
+            "property list uchar int vertex_indices\nproperty float red\nproperty float green\nproperty float blue\n";
+        let lines = format!("0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3 {number} 1 0\n");
+        let model = read(square("", faces, &lines).as_bytes()).unwrap();
+        let what = "1 face has a colour that is not finite (face 0 is the first): 0 is taken for it";
+        assert_eq!(said(&model).len(), 1);
+        assert!(said(&model)[0].ends_with(what), "{:?}", said(&model));
+        assert_eq!(model.mesh.colors[0], [0.0, 1.0, 0.0, 1.0]);
     }
 }
 

@@ -6,7 +6,8 @@ use crate::environment_file;
 use crate::files::{self, FileSource};
 use crate::model_kind::{self, InputKind};
 use crate::toml_reader;
-use gonio_mesh::ReadError;
+use gonio_mesh::{ReadError, encoding};
+use std::borrow::Cow;
 use std::path::Path;
 
 /// Reads what `inputs` name: scene files (`.toml`), bare models, or `builtin:NAME` of either. The
@@ -14,8 +15,8 @@ use std::path::Path;
 /// one, so that [`crate::load::load`] is given an empty base.
 ///
 /// Several inputs become one scene, models in the coordinates of their files; the first scene file
-/// among them gives picture, camera, background and equation. Of a model no more is looked at than its
-/// first few kilobytes.
+/// among them gives picture, camera, background and equation. Of a model no more is looked at than tells
+/// its format.
 pub fn describe(inputs: &[&str], files: &dyn FileSource) -> Result<Scene, ReadError> {
     if inputs.is_empty() {
         return Err(ReadError::new("nothing to read: name a model, a scene file or builtin:suzanne"));
@@ -53,6 +54,7 @@ fn describe_one(input: &str, files: &dyn FileSource) -> Result<(Scene, bool), Re
             Ok((Scene { objects: vec![object], ..Scene::default() }, false))
         }
         InputKind::Scene => {
+            let bytes = scene_text(&bytes)?;
             let text = std::str::from_utf8(&bytes).map_err(|e| not_utf8(&bytes, e.valid_up_to()))?;
             let mut scene = toml_reader::read(text)?;
             let base = path.parent().unwrap_or(Path::new(""));
@@ -68,6 +70,18 @@ fn describe_one(input: &str, files: &dyn FileSource) -> Result<(Scene, bool), Re
             }
             Ok((scene, true))
         }
+    }
+}
+
+/// The text of a scene file as UTF-8: nothing of it may be lost.
+fn scene_text(bytes: &[u8]) -> Result<Cow<'_, [u8]>, ReadError> {
+    let text = encoding::to_utf8(bytes);
+    match text.diagnostics.first() {
+        Some(damage) => {
+            let message = "a scene file must be UTF-8 or UTF-16 text, and here it is neither".to_owned();
+            Err(ReadError { message, file: None, line: damage.line, column: damage.column })
+        }
+        None => Ok(text.bytes),
     }
 }
 

@@ -1,7 +1,7 @@
 //! What an input is: told by its content first, then by its name.
 
 use gonio_environment::decode::FileFormat;
-use gonio_mesh::{Format, compression, format};
+use gonio_mesh::{Format, compression, encoding, format};
 use std::path::Path;
 
 /// What can be read.
@@ -28,20 +28,28 @@ pub(crate) fn tell(bytes: &[u8], name: &Path) -> Result<InputKind, String> {
             what = environment_kind(picture)
         ));
     }
-    let start = &bytes[..bytes.len().min(format::LOOKED_AT)];
     let extension = name.extension().and_then(|e| e.to_str()).unwrap_or("").to_ascii_lowercase();
-    let is_toml = !start.contains(&0) && String::from_utf8_lossy(start).lines().any(is_toml_line);
     // A scene file is one by its name and content; a name alone makes only what is nothing else a scene.
-    match Format::detect(start, bytes.len() as u64, "") {
-        Ok(Format::Obj) if is_toml && extension == "toml" => Ok(InputKind::Scene),
+    let is_toml = has_toml_line(bytes);
+    if is_toml || extension == "toml" {
+        match Format::detect(bytes, "") {
+            Ok(Format::Obj) if is_toml && extension == "toml" => return Ok(InputKind::Scene),
+            Err(None) if is_toml && extension != "obj" || extension == "toml" => return Ok(InputKind::Scene),
+            _ => {}
+        }
+    }
+    match Format::detect(bytes, &name.to_string_lossy()) {
         Ok(_) => Ok(InputKind::Model),
         Err(Some(other)) => Err(format!("this is {other}; {READABLE}")),
-        Err(None) if is_toml && extension != "obj" || extension == "toml" => Ok(InputKind::Scene),
-        Err(None) => match Format::detect(start, bytes.len() as u64, &name.to_string_lossy()) {
-            Ok(_) => Ok(InputKind::Model),
-            Err(_) => Err(unknown(start, &extension)),
-        },
+        Err(None) => Err(unknown(bytes, &extension)),
     }
+}
+
+/// Whether a line near the start of a text is a table's header or a key with a value.
+fn has_toml_line(bytes: &[u8]) -> bool {
+    let text = encoding::start_as_utf8(bytes, 1 << 16);
+    let start = format::start_behind_comments(&text);
+    !start.contains('\0') && start.lines().any(is_toml_line)
 }
 
 /// `a model` or `a scene file` where the content or the name of a file says so.
@@ -71,15 +79,16 @@ pub(crate) fn format_of(bytes: &[u8], name: &str) -> Result<Format, String> {
     if bytes.is_empty() {
         return Err(format!("the file is empty; {READABLE}"));
     }
-    let start = &bytes[..bytes.len().min(format::LOOKED_AT)];
-    Format::detect(start, bytes.len() as u64, name).map_err(|other| match other {
+    Format::detect(bytes, name).map_err(|other| match other {
         Some(other) => format!("this is {other}; {READABLE}"),
-        None => unknown(start, ""),
+        None => unknown(bytes, ""),
     })
 }
 
-fn unknown(start: &[u8], extension: &str) -> String {
-    let what = match (start.contains(&0), extension) {
+fn unknown(bytes: &[u8], extension: &str) -> String {
+    const LOOKED_AT: usize = 4096;
+    let is_binary = bytes[..bytes.len().min(LOOKED_AT)].contains(&0) && !encoding::is_wide(bytes);
+    let what = match (is_binary, extension) {
         (true, _) => "this is binary data of no known kind".to_owned(),
         (false, "") => "this file is of no known kind".to_owned(),
         (false, extension) => format!("this .{extension} file is of no known kind"),

@@ -10,7 +10,7 @@
 
 use gonio_environment::decode::FileFormat;
 use gonio_environment::names;
-use gonio_mesh::{Format, compression, format};
+use gonio_mesh::{Format, compression};
 use gonio_scene::files::FileSource;
 use std::path::Path;
 
@@ -86,12 +86,11 @@ fn kind(name: &str, source: &dyn FileSource) -> Kind {
     // What cannot be read is not left out in silence: a name like a model's is opened, and then says why it cannot.
     let bytes = source.read(Path::new(name)).ok();
     let bytes = bytes.as_deref().unwrap_or(&[]);
-    let start = bytes.get(..format::LOOKED_AT.min(bytes.len())).unwrap_or(bytes);
-    match FileFormat::detect(start) {
+    match FileFormat::detect(bytes) {
         Some(FileFormat::Png | FileFormat::Jpeg) => Kind::Picture,
         Some(_) => Kind::Environment,
-        None if compression::is_compressed(start) => Kind::Model,
-        None if Format::detect(start, bytes.len() as u64, name).is_ok() => Kind::Model,
+        None if compression::is_compressed(bytes) => Kind::Model,
+        None if Format::detect(bytes, name).is_ok() => Kind::Model,
         None if Format::ALL.iter().any(|format| format.extension() == extension(name)) => Kind::Model,
         None => Kind::Other,
     }

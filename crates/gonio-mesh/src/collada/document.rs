@@ -151,7 +151,7 @@ impl<'t> Document<'t> {
 
     /// The numbers in an element.
     pub(super) fn numbers(&self, element: Element<'_>) -> Result<Vec<f64>, ReadError> {
-        element.words().map(|(at, word)| word.parse().map_err(|_| self.no_number(element, at, word))).collect()
+        element.words().map(|(at, word)| word.parse().or_else(|_| self.odd_number(element, at, word))).collect()
     }
 
     /// The one number in an element; finite.
@@ -182,20 +182,24 @@ impl<'t> Document<'t> {
         Ok(numbers)
     }
 
-    /// The numbers of an array, and the byte of the first one that is not finite.
+    /// The numbers of an array.
     pub(super) fn array(&self, element: Element<'_>) -> Result<FloatArray, ReadError> {
-        let mut array = FloatArray::default();
+        let mut array = FloatArray { element: element.index, values: Vec::new(), has_not_finite: false };
         for (at, word) in element.words() {
             let value = match number::f32_prefix(word.as_bytes()) {
                 Some((value, length)) if length == word.len() => value,
-                _ => word.parse().map_err(|_| self.no_number(element, at, word))?,
+                _ => word.parse().or_else(|_| self.odd_number(element, at, word).map(|value| value as f32))?,
             };
-            if !value.is_finite() && array.not_finite.is_none() {
-                array.not_finite = Some(at);
-            }
+            array.has_not_finite |= !value.is_finite();
             array.values.push(value);
         }
         Ok(array)
+    }
+
+    /// The byte of a number of an array.
+    pub(super) fn place_of_number(&self, array: &FloatArray, number: usize) -> Option<usize> {
+        let element = self.tree.elements().nth(array.element as usize)?;
+        element.words().nth(number).map(|(at, _)| at)
     }
 
     /// Indices, none of them negative; those beyond 32 bits are as if at their edge.
@@ -209,6 +213,20 @@ impl<'t> Document<'t> {
             into.push(u32::try_from(value).unwrap_or(u32::MAX));
         }
         Ok(())
+    }
+
+    /// A number with a decimal comma, as programs write it that go by the language of the system.
+    #[cold]
+    fn odd_number(&self, element: Element<'_>, at: usize, word: &str) -> Result<f64, ReadError> {
+        let with_point = word.split_once(',').and_then(|(whole, places)| {
+            let is_plain = places.starts_with(|c: char| c.is_ascii_digit()) && !whole.contains('.');
+            format!("{whole}.{places}").parse().ok().filter(|_| is_plain)
+        });
+        let value = with_point.ok_or_else(|| self.no_number(element, at, word))?;
+        self.add("numbers with a decimal comma", Severity::Warning, at, || {
+            format!("{} in <{}> has a decimal comma: it is read as {value}", quote(word.as_bytes()), element.name())
+        });
+        Ok(value)
     }
 
     #[cold]
@@ -226,11 +244,11 @@ impl<'t> Document<'t> {
 const MISSING: &str = "addresses that lead nowhere";
 
 /// The numbers of a `float_array`.
-#[derive(Default)]
 pub(super) struct FloatArray {
     pub(super) values: Vec<f32>,
-    /// The byte of the first that is not finite.
-    pub(super) not_finite: Option<usize>,
+    pub(super) has_not_finite: bool,
+    /// The index of its element in the tree.
+    element: u32,
 }
 
 /// `%20` and the like as what they stand for, where that is UTF-8.

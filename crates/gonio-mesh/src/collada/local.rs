@@ -210,7 +210,8 @@ impl Assembler<'_, '_> {
         let source = &self.inputs.position.source;
         let [x, y, z, _] = source.row(position as usize);
         if !(x.is_finite() && y.is_finite() && z.is_finite()) {
-            let at = source.not_finite().unwrap_or_else(|| self.primitive.place(self.document, first));
+            let at = source.place_of_not_finite(self.document, position as usize);
+            let at = at.unwrap_or_else(|| self.primitive.place(self.document, first));
             return Err(self.document.error(at, format!("the position {position} is not finite: {x} {y} {z}")));
         }
         let made = self.mesh.positions.len();

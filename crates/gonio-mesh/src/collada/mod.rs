@@ -17,6 +17,7 @@ mod source;
 mod transform;
 mod xml;
 
+use crate::encoding::xml_to_text;
 use crate::line_index::LineIndex;
 use crate::{Diagnostic, Limits, Model, ReadError, Sidecars};
 use document::Document;
@@ -55,19 +56,8 @@ use xml::Tree;
 /// elements nested deeper than 512, what is no number where one should be, positions that are not finite, nodes that
 /// hold themselves, no triangle at all, more than `limits` allow.
 pub fn read(bytes: &[u8], _sidecars: &mut dyn Sidecars, limits: &Limits) -> Result<Model, ReadError> {
-    let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
-    if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") {
-        return Err(ReadError::new("this is text in UTF-16: save it as UTF-8"));
-    }
-    // What is not UTF-8 is Latin-1, as older Windows programs wrote.
-    let latin;
-    let text = match std::str::from_utf8(bytes) {
-        Ok(text) => text,
-        Err(_) => {
-            latin = crate::text::decode(bytes);
-            latin.as_str()
-        }
-    };
+    let (text, encoding) = xml_to_text(bytes);
+    let text = &*text;
     let lines = LineIndex::new(text.as_bytes());
     let tree = Tree::parse(text, &lines, limits)?;
     let document = Document::new(&tree, &lines, limits);
@@ -88,7 +78,8 @@ pub fn read(bytes: &[u8], _sidecars: &mut dyn Sidecars, limits: &Limits) -> Resu
     for part in &mut mesh.parts {
         part.material -= offset;
     }
-    Ok(Model { mesh, materials, images, lights, cameras, contents, diagnostics: document.finish(), ..Model::default() })
+    let diagnostics = encoding.into_iter().chain(document.finish()).collect();
+    Ok(Model { mesh, materials, images, lights, cameras, contents, diagnostics, ..Model::default() })
 }
 
 fn check_version(document: &Document<'_>) {

@@ -3,7 +3,8 @@
 use super::document::{Document, FloatArray};
 use super::xml::Element;
 use crate::{ReadError, Severity};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
+use std::ops::Range;
 use std::rc::Rc;
 
 /// Rows of a `source`.
@@ -34,9 +35,17 @@ impl Source {
         self.columns.iter().flatten().count()
     }
 
-    /// The byte of the array's first number that is not finite.
-    pub(super) fn not_finite(&self) -> Option<usize> {
-        self.array.not_finite
+    /// Which numbers of the array some rows have that are not finite.
+    fn not_finite(&self, rows: Range<usize>) -> impl Iterator<Item = usize> {
+        let row_of = move |row: usize| self.columns.into_iter().flatten().map(move |column| column + row * self.stride);
+        rows.flat_map(row_of)
+            .filter(move |number| self.array.values.get(*number).is_some_and(|value| !value.is_finite()))
+    }
+
+    /// The byte of the first number of a row that is not finite.
+    pub(super) fn place_of_not_finite(&self, document: &Document<'_>, row: usize) -> Option<usize> {
+        let number = self.not_finite(row..row + 1).next()?;
+        document.place_of_number(&self.array, number)
     }
 }
 
@@ -45,6 +54,8 @@ impl Source {
 pub(super) struct Sources {
     arrays: HashMap<u32, Rc<FloatArray>>,
     sources: HashMap<u32, Option<Source>>,
+    /// Sources of which it was told that numbers are not finite.
+    told: HashSet<u32>,
 }
 
 impl Sources {
@@ -115,6 +126,26 @@ impl Sources {
     }
 }
 
+/// Tells once of each source that it has numbers which are not finite. Positions are an error where they are used.
+fn report_not_finite(
+    document: &Document<'_>,
+    sources: &mut Sources,
+    semantic: Semantic,
+    source: &Source,
+    element: Element<'_>,
+) {
+    if semantic == Semantic::Position || !source.array.has_not_finite || !sources.told.insert(element.index) {
+        return;
+    }
+    let Some(first) = source.not_finite(0..source.rows).next() else { return };
+    let count = source.not_finite(0..source.rows).count();
+    let at = document.place_of_number(&source.array, first).unwrap_or(element.at());
+    document.add("sources with numbers that are not finite", Severity::Warning, at, || {
+        let numbers = if count == 1 { "number is" } else { "numbers are" };
+        format!("{count} {numbers} not finite in the {}: 0 is taken instead", semantic.plural())
+    });
+}
+
 const UNREADABLE: &str = "sources that cannot be read";
 const TOO_SHORT: &str = "counts that are not those of what is there";
 
@@ -159,6 +190,17 @@ pub(super) enum Semantic {
     Normal,
     TexCoord,
     Color,
+}
+
+impl Semantic {
+    fn plural(self) -> &'static str {
+        match self {
+            Semantic::Position => "positions",
+            Semantic::Normal => "normals",
+            Semantic::TexCoord => "texture coordinates",
+            Semantic::Color => "colors",
+        }
+    }
 }
 
 /// The inputs of a primitive, those of its `vertices` included, and how many numbers a corner has.
@@ -209,6 +251,7 @@ fn add(
         });
         return Ok(());
     }
+    report_not_finite(document, sources, semantic, &source, element);
     let set = document.count(input, "set").and_then(|set| u32::try_from(set).ok()).unwrap_or(0);
     inputs.push(Input { semantic, set, offset, source, element: element.index });
     Ok(())

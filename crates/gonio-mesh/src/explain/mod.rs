@@ -10,6 +10,7 @@ mod mtl;
 mod obj;
 mod walk;
 
+use crate::encoding::to_utf8;
 use crate::{Diagnostic, ReadError};
 use serde::Serialize;
 
@@ -116,12 +117,25 @@ pub struct InForce {
 
 /// Explains a line (from 1) of an OBJ file. Errors: there is no such line.
 pub fn line(bytes: &[u8], line: u64) -> Result<LineExplanation, ReadError> {
-    obj::explain(bytes, line)
+    explain_utf8(bytes, line, obj::explain)
 }
 
 /// Explains a line (from 1) of a material library. Errors: there is no such line.
 ///
 /// The whole library is read for it, so that what is said is what a model gets.
 pub fn mtl_line(bytes: &[u8], line: u64) -> Result<LineExplanation, ReadError> {
-    mtl::explain(bytes, line)
+    explain_utf8(bytes, line, mtl::explain)
+}
+
+/// Explains a line of the text as UTF-8; what the conversion lost on that line is one of its problems.
+fn explain_utf8(
+    bytes: &[u8],
+    line: u64,
+    explain: impl FnOnce(&[u8], u64) -> Result<LineExplanation, ReadError>,
+) -> Result<LineExplanation, ReadError> {
+    let text = to_utf8(bytes);
+    let mut explanation = explain(&text.bytes, line)?;
+    let lost = text.diagnostics.into_iter().filter(|lost| lost.line == Some(line));
+    explanation.problems.splice(..0, lost);
+    Ok(explanation)
 }

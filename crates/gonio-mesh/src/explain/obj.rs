@@ -4,7 +4,7 @@ use super::face::{self, Element};
 use super::file::{Extent, blank, count, named, note, numbers, say_extent, warning};
 use super::walk::{self, Keyword, State};
 use super::{LineExplanation, LineValue};
-use crate::obj::SmoothingGroup;
+use crate::obj::{SmoothingGroup, not_finite_behind_position};
 use crate::text::{BadNumber, Cursor, quote};
 use crate::{Diagnostic, ReadError};
 use glam::DVec3;
@@ -95,11 +95,17 @@ fn read(
     explanation: &mut LineExplanation,
 ) -> Vec<f32> {
     let mut values = Vec::new();
+    let mut behind_position = None;
     while values.len() < most && cursor.next_word() {
         let (line, column, what) = (cursor.line(), cursor.column(), quote(cursor.offending_word()));
         let message = match cursor.number() {
             Ok(value) => {
                 values.push(value);
+                continue;
+            }
+            Err(BadNumber::NotFinite) if keyword == "v" && values.len() >= least => {
+                behind_position.get_or_insert((line, column, cursor.skip_not_finite()));
+                values.push(0.0);
                 continue;
             }
             Err(BadNumber::NotFinite) if keyword == "v" => {
@@ -109,15 +115,18 @@ fn read(
                 let message = format!("{keyword} has {what}, which is not a finite number: 0 is taken instead");
                 explanation.problems.push(warning(message, line, column));
                 values.push(0.0);
-                while !cursor.at_word_end() || cursor.peek() == Some(b'#') && what.contains('#') {
-                    cursor.advance();
-                }
+                cursor.skip_not_finite();
                 continue;
             }
             Err(BadNumber::Unreadable) => format!("{keyword} has {what} where a number should be"),
         };
         explanation.problems.push(warning(message, line, column));
         return values;
+    }
+    if let Some((line, column, what)) = behind_position
+        && let Some(message) = not_finite_behind_position(values.len() - least, &what)
+    {
+        explanation.problems.push(warning(message, line, column));
     }
     if values.len() < least {
         let needed = count(least as u64, "number", "numbers");

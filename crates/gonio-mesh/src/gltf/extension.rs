@@ -22,6 +22,8 @@ const UNDERSTOOD: &[&str] = &[
 const SURVIVED: &[(&str, &str)] = &[
     ("KHR_animation_pointer", "animations are not played"),
     ("KHR_materials_variants", "each part has its first material"),
+    ("KHR_technique_webgl", "its shaders are not run: the material is shown without them"),
+    ("KHR_techniques_webgl", "its shaders are not run: the material is shown without them"),
     ("KHR_texture_basisu", "KTX2 pictures cannot be read"),
     ("EXT_texture_webp", "a picture in another format beside it is taken, if there is one"),
     ("EXT_texture_avif", "a picture in another format beside it is taken, if there is one"),

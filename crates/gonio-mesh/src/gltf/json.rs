@@ -16,6 +16,9 @@ const MOST_STEPS: usize = 12;
 /// How much of a value is quoted, in bytes.
 const MOST_QUOTED: usize = 100;
 
+/// What an index, a count or a code is, for messages.
+const UNSIGNED: &str = "where a whole number from 0 belongs";
+
 /// A value and where it stands.
 #[derive(Clone, Copy)]
 pub(super) struct At<'v> {
@@ -97,21 +100,27 @@ impl<'v> At<'v> {
         }
     }
 
-    /// A whole number from 0; also where it is written with a fraction of 0.
+    /// The value as a whole number from 0: JSON makes no difference between `1`, `1.0` and `1e0`.
+    pub fn as_unsigned(self) -> Option<u64> {
+        let whole = |v: f64| (v.fract() == 0.0 && (0.0..=9e15).contains(&v)).then_some(v as u64);
+        self.value.as_u64().or_else(|| self.value.as_f64().and_then(whole))
+    }
+
+    /// The same, as an index: what is no index is an error, and what is too large for one is none of any array.
+    pub fn as_index(self) -> Result<usize, ReadError> {
+        let number = self.as_unsigned().ok_or_else(|| self.fault(UNSIGNED))?;
+        Ok(usize::try_from(number).unwrap_or(usize::MAX))
+    }
+
+    /// A whole number from 0.
     pub fn unsigned(self, key: &'v str) -> Result<Option<u64>, ReadError> {
         let Some(at) = self.get(key) else { return Ok(None) };
-        let whole = |v: f64| (v.fract() == 0.0 && (0.0..=9e15).contains(&v)).then_some(v as u64);
-        match at.value.as_u64().or_else(|| at.value.as_f64().and_then(whole)) {
-            Some(number) => Ok(Some(number)),
-            None => Err(at.fault("where a whole number from 0 belongs")),
-        }
+        at.as_unsigned().map(Some).ok_or_else(|| at.fault(UNSIGNED))
     }
 
     /// The same, as an index or a count.
     pub fn index(self, key: &'v str) -> Result<Option<usize>, ReadError> {
-        let Some(number) = self.unsigned(key)? else { return Ok(None) };
-        // What is too large for an index is none of any array.
-        Ok(Some(usize::try_from(number).unwrap_or(usize::MAX)))
+        self.get(key).map(At::as_index).transpose()
     }
 
     /// A number.

@@ -33,6 +33,7 @@ mod texture;
 mod triangles;
 mod uri;
 
+use crate::encoding::read_as_utf8;
 use crate::report::Reports;
 use crate::{Diagnostic, Limits, Material, Model, ReadError, Severity, Sidecars};
 use buffer::Buffers;
@@ -51,6 +52,11 @@ use texture::Textures;
 /// one place; a coordinate that is not finite; no triangle at all; more than `limits` allow. What is wrong with
 /// materials, textures, lights and cameras is a warning.
 pub fn read(bytes: &[u8], sidecars: &mut dyn Sidecars, limits: &Limits) -> Result<Model, ReadError> {
+    read_as_utf8(bytes, |bytes| read_utf8(bytes, sidecars, limits))
+}
+
+/// Reads a binary file, or a JSON document in UTF-8.
+fn read_utf8(bytes: &[u8], sidecars: &mut dyn Sidecars, limits: &Limits) -> Result<Model, ReadError> {
     let mut reports = Reports::default();
     let container = container::open(bytes, &mut reports)?;
     let value: Value = serde_json::from_slice(container.json).map_err(|e| no_json(&e, container.is_binary))?;
@@ -102,6 +108,11 @@ fn version_1() -> ReadError {
 
 fn check_version(root: At<'_>) -> Result<(), ReadError> {
     let asset = root.get("asset");
+    // Early files of glTF 1.0 have a number.
+    if asset.and_then(|asset| asset.get("version")?.value.as_f64()).is_some_and(|version| (0.0..2.0).contains(&version))
+    {
+        return Err(version_1());
+    }
     let Some(version) = asset.map_or(Ok(None), |asset| asset.text("version"))? else {
         return Err(ReadError::new("this is no glTF 2.0 file: its JSON has no asset.version"));
     };

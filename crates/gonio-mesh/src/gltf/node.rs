@@ -21,8 +21,8 @@ pub(super) struct Places {
 
 impl Places {
     /// A node, if it is in the scene.
-    pub fn of_node(&self, node: u64) -> Option<&Placed> {
-        let place = self.place_of_node.get(usize::try_from(node).ok()?)?;
+    pub fn of_node(&self, node: usize) -> Option<&Placed> {
+        let place = self.place_of_node.get(node)?;
         self.placed.get(*place)
     }
 }
@@ -91,9 +91,8 @@ impl<'v> Walk<'v> {
         let first = self.stack.len();
         let Some(list) = at.get(key) else { return Ok(()) };
         for child in at.list(key)? {
-            let index = child.value.as_u64().and_then(|i| usize::try_from(i).ok());
-            let parent = index.and_then(|i| self.parent.get_mut(i));
-            let (Some(index), Some(parent)) = (index, parent) else {
+            let index = child.as_index()?;
+            let Some(parent) = self.parent.get_mut(index) else {
                 let nodes = self.parent.len();
                 return Err(ReadError::new(format!(
                     "{} = {}, but the file has {nodes} nodes",
@@ -117,8 +116,8 @@ impl<'v> Walk<'v> {
         let mut is_child = vec![false; self.parent.len()];
         for node in self.root.list("nodes")? {
             for child in node.list("children")? {
-                if let Some(child) = child.value.as_u64().and_then(|i| is_child.get_mut(usize::try_from(i).ok()?)) {
-                    *child = true;
+                if let Some(is_child) = is_child.get_mut(child.as_index()?) {
+                    *is_child = true;
                 }
             }
         }

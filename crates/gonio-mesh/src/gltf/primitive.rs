@@ -49,7 +49,31 @@ pub(super) struct Counts {
     pub points: u64,
     pub lines: u64,
     pub out_of_range: u64,
-    pub not_finite: u64,
+    pub not_finite: NotFinite,
+}
+
+/// Numbers of attributes that are not finite, by attribute. A picture can do without these attributes.
+#[derive(Default)]
+pub(super) struct NotFinite {
+    normals: Zeroed,
+    tangents: Zeroed,
+    tex_coords: Zeroed,
+    colors: Zeroed,
+}
+
+/// Numbers for which 0 was taken.
+#[derive(Default)]
+struct Zeroed {
+    count: u64,
+}
+
+impl Zeroed {
+    fn finite<const N: usize>(&mut self, vector: [f32; N]) -> [f32; N] {
+        vector.map(|value| {
+            self.count += u64::from(!value.is_finite());
+            if value.is_finite() { value } else { 0.0 }
+        })
+    }
 }
 
 /// How a primitive stands in the model.
@@ -275,15 +299,11 @@ impl<'l> Geometry<'l> {
             }
             self.mesh.positions.push(position);
         }
-        let counts = &mut self.counts;
-        let mut finite = |value: f32| {
-            counts.not_finite += u64::from(!value.is_finite());
-            if value.is_finite() { value } else { 0.0 }
-        };
+        let not_finite = &mut self.counts.not_finite;
         if let Some(normals) = &from.normals {
             self.mesh.normals.resize(first, [0.0; 3]);
             let normals = used.gather(normals.vectors::<3>(used.range.clone(), 0.0));
-            self.mesh.normals.extend(normals.map(|n| map.normal(n.map(&mut finite))));
+            self.mesh.normals.extend(normals.map(|n| map.normal(not_finite.normals.finite(n))));
         } else {
             self.first_without_normals.get_or_insert_with(|| at.path());
         }
@@ -291,7 +311,7 @@ impl<'l> Geometry<'l> {
         if let (Some(tangents), Some(_)) = (&from.tangents, &from.normals) {
             self.mesh.tangents.resize(first, [0.0; 4]);
             let tangents = used.gather(tangents.vectors::<4>(used.range.clone(), 0.0));
-            self.mesh.tangents.extend(tangents.map(|t| map.tangent(t.map(&mut finite))));
+            self.mesh.tangents.extend(tangents.map(|t| map.tangent(not_finite.tangents.finite(t))));
             self.any_has_tangents = true;
         } else {
             self.all_have_tangents = false;
@@ -299,12 +319,14 @@ impl<'l> Geometry<'l> {
         if let Some(tex_coords) = &from.tex_coords {
             self.mesh.tex_coords.resize(first, [0.0; 2]);
             let tex_coords = used.gather(tex_coords.vectors::<2>(used.range.clone(), 0.0));
-            self.mesh.tex_coords.extend(tex_coords.map(|[u, v]| [finite(u), 1.0 - finite(v)]));
+            let tex_coords = tex_coords.map(|t| not_finite.tex_coords.finite(t));
+            self.mesh.tex_coords.extend(tex_coords.map(|[u, v]| [u, 1.0 - v]));
         }
         if let Some(colors) = &from.colors {
             self.mesh.colors.resize(first, [1.0; 4]);
             let colors = used.gather(colors.vectors::<4>(used.range.clone(), 1.0));
-            self.mesh.colors.extend(colors.map(|c| c.map(|v| finite(v).max(0.0))));
+            let colors = colors.map(|c| not_finite.colors.finite(c));
+            self.mesh.colors.extend(colors.map(|c| c.map(|v| v.max(0.0))));
         }
         self.append_triangles(first as u32, corners, placement, map.mirrors);
         Ok(())
@@ -352,11 +374,16 @@ impl<'l> Geometry<'l> {
             );
             reports.push(0, Diagnostic::note(note));
         }
-        if self.counts.not_finite > 0 {
-            let n = self.counts.not_finite;
-            let warning =
-                format!("{n} numbers of normals, tangents, texture coordinates or colors are not finite: 0 is taken");
-            reports.push(0, Diagnostic::warning(warning));
+        let NotFinite { normals, tangents, tex_coords, colors } = &self.counts.not_finite;
+        let kinds =
+            [("normals", normals), ("tangents", tangents), ("texture coordinates", tex_coords), ("colors", colors)];
+        for (kind, Zeroed { count }) in kinds {
+            if *count > 0 {
+                let numbers = if *count == 1 { "number" } else { "numbers" };
+                let verb = if *count == 1 { "is" } else { "are" };
+                let warning = format!("{count} {numbers} of {kind} {verb} not finite: 0 is taken instead");
+                reports.push(0, Diagnostic::warning(warning));
+            }
         }
         self.mesh
     }

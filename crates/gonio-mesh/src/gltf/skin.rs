@@ -16,7 +16,7 @@ pub(super) fn model_from_mesh<'v>(
     places: &Places,
     buffers: &mut Buffers<'v, '_>,
 ) -> Result<Option<DMat4>, ReadError> {
-    let joint = skin.get("joints").and_then(|joints| joints.item(0)?.value.as_u64());
+    let joint = skin.get("joints").and_then(|joints| joints.item(0)).map(At::as_index).transpose()?;
     let Some(joint) = joint.and_then(|joint| places.of_node(joint)) else { return Ok(None) };
     let joint_from_mesh = match Accessor::open(buffers, root, skin, "inverseBindMatrices", &[16])? {
         Some(matrices) if matrices.count > 0 => {

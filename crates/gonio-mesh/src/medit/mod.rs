@@ -8,6 +8,7 @@ mod content;
 mod keywords;
 mod surface;
 
+use crate::encoding::read_as_utf8;
 use crate::report::Reports;
 use crate::{Diagnostic, Limits, Model, ReadError, Severity, Sidecars};
 use content::{Content, Places};
@@ -29,6 +30,11 @@ use content::{Content, Places};
 /// coordinate that is not finite, a count beyond the end of the file, sections that do not follow one another, no face
 /// at all, more than `limits` allow. Places in binary files are told as bytes from 1.
 pub fn read(bytes: &[u8], _sidecars: &mut dyn Sidecars, limits: &Limits) -> Result<Model, ReadError> {
+    read_as_utf8(bytes, |bytes| read_utf8(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes), limits))
+}
+
+/// Reads a binary file, or a text in UTF-8.
+fn read_utf8(bytes: &[u8], limits: &Limits) -> Result<Model, ReadError> {
     let mut reports = Reports::default();
     let (content, places) = if binary::is_binary(bytes) {
         binary::read(bytes, limits, &mut reports)?

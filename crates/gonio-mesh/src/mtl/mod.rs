@@ -7,6 +7,7 @@ mod physical;
 mod rules;
 mod values;
 
+use crate::encoding::to_utf8;
 use crate::report::Reports;
 use crate::text::{Cursor, quote};
 use crate::{Diagnostic, Material, Severity, Source};
@@ -52,6 +53,13 @@ use values::Place;
 /// A file without any `newmtl` has no materials; of more than 65,536 the rest is ignored. Where a name comes twice, the
 /// last one counts, at the first one's place.
 pub fn read(bytes: &[u8]) -> (Vec<Material>, Vec<Diagnostic>) {
+    let text = to_utf8(bytes);
+    let (materials, mut diagnostics) = read_utf8(&text.bytes);
+    diagnostics.splice(..0, text.diagnostics);
+    (materials, diagnostics)
+}
+
+fn read_utf8(bytes: &[u8]) -> (Vec<Material>, Vec<Diagnostic>) {
     let mut reader = Reader::default();
     let mut cursor = Cursor::new(bytes);
     while !cursor.at_end() {

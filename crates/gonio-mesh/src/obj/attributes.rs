@@ -245,18 +245,32 @@ impl Attributes {
         Ok(())
     }
 
-    /// After x y z: w, or r g b, or r g b a (whose a is ignored).
+    /// After x y z: w, or r g b, or r g b a (whose a is ignored). A picture can do without all of them.
     fn more_of_vertex(&mut self, cursor: &mut Cursor<'_>) -> Result<(), ReadError> {
         let line = cursor.line();
         let mut more = [0.0; 4];
         let mut count = 0;
+        let mut first_not_finite = None;
         while count < 4 && cursor.next_word() {
-            more[count] = coordinate(cursor, "v", 3)?;
+            let at = (cursor.line(), cursor.column());
+            more[count] = match cursor.number() {
+                Ok(value) => value,
+                Err(BadNumber::Unreadable) => return Err(unreadable(cursor, "v")),
+                Err(BadNumber::NotFinite) => {
+                    first_not_finite.get_or_insert((at, cursor.skip_not_finite()));
+                    0.0
+                }
+            };
             count += 1;
+        }
+        if let Some(((line, column), what)) = &first_not_finite
+            && let Some(message) = not_finite_behind_position(count, what)
+        {
+            self.reports.add("numbers of v not finite", Severity::Warning, *line, Some(*column), || message);
         }
         match count {
             1 => {
-                if more[0] != 1.0 && self.weighted.is_none() {
+                if more[0] != 1.0 && first_not_finite.is_none() && self.weighted.is_none() {
                     self.weighted = Some(line);
                 }
             }
@@ -293,15 +307,12 @@ impl Attributes {
             Ok(value) => Ok(value),
             Err(BadNumber::Unreadable) => Err(unreadable(cursor, keyword)),
             Err(BadNumber::NotFinite) => {
-                let what = quote(cursor.offending_word());
                 let (line, column) = (cursor.line(), Some(cursor.column()));
+                let what = cursor.skip_not_finite();
                 let kind = if keyword == "vt" { "numbers of vt not finite" } else { "numbers of vn not finite" };
                 self.reports.add(kind, Severity::Warning, line, column, || {
                     format!("{keyword} has {what}, which is not a finite number: 0 is taken instead")
                 });
-                while !cursor.at_word_end() || cursor.peek() == Some(b'#') && what.contains('#') {
-                    cursor.advance();
-                }
                 Ok(0.0)
             }
         }
@@ -382,6 +393,16 @@ fn other_lines(bytes: &[u8], start: usize, end: usize) -> Others {
         at += WINDOW;
     }
     Others { end: line_start, lines, triangles: likely_triangles(blanks.sum(), faces) }
+}
+
+/// What is said of a number that is not finite behind the position of a vertex, where `count` numbers stand there;
+/// nothing where they mean nothing anyway.
+pub(crate) fn not_finite_behind_position(count: usize, what: &str) -> Option<String> {
+    match count {
+        1 => Some(format!("v has the weight {what}, which is not a finite number: it is ignored")),
+        2 => None,
+        _ => Some(format!("v has the color component {what}, which is not a finite number: 0 is taken instead")),
+    }
 }
 
 /// A number without which nothing can be drawn.

@@ -28,8 +28,10 @@ mod tests;
 mod triangles;
 mod vertices;
 
+use crate::encoding::read_as_utf8;
 use crate::report::Reports;
 use crate::{Diagnostic, Limits, Model, ReadError, Sidecars};
+pub(crate) use attributes::not_finite_behind_position;
 use attributes::{Attributes, Segment};
 use faces::Faces;
 use materials::MaterialTable;
@@ -55,12 +57,12 @@ use vertices::{Kind, Vertices};
 /// - Parts are runs of faces with one name (the latest `o` or `g`) and material. Materials are those of all libraries;
 ///   the default material comes first where a face needs it.
 /// - Normals are of unit length, or zero where the file has none for a corner ([`crate::normals::complete`] mends it).
-///   A normal's or texture coordinate's number that is not finite counts as 0.
+///   A number of a normal, a texture coordinate or a colour that is not finite counts as 0.
 /// - Vertex colours are taken for sRGB from 0 to 1, as Blender and MeshLab write them (beyond 1: from 0 to 255).
 ///
 /// Large files are read on as many threads as rayon's current pool has; how many does not change the result.
 pub fn read(bytes: &[u8], sidecars: &mut dyn Sidecars, limits: &Limits) -> Result<Model, ReadError> {
-    read_with(bytes, sidecars, limits, Plan::for_size(bytes.len()))
+    read_as_utf8(bytes, |text| read_with(text, sidecars, limits, Plan::for_size(text.len())))
 }
 
 fn read_with(bytes: &[u8], sidecars: &mut dyn Sidecars, limits: &Limits, plan: Plan) -> Result<Model, ReadError> {
@@ -190,9 +192,6 @@ fn refuse_other_formats(bytes: &[u8]) -> Result<(), ReadError> {
     const ENOUGH: usize = 1 << 16;
     if bytes.trim_ascii().is_empty() {
         return Err(ReadError::new("the file is empty"));
-    }
-    if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") {
-        return Err(ReadError::new("this is text in UTF-16: save it as UTF-8"));
     }
     if let Some((_, what)) = SIGNATURES.iter().find(|(signature, _)| bytes.starts_with(signature)) {
         return Err(ReadError::new(format!("this is no OBJ file, it is {what}")));

@@ -30,6 +30,8 @@ pub(super) struct Faces {
     pub(super) astray: Tally,
     too_short: Tally,
     bad_tex_coords: Tally,
+    /// Faces with a colour that is not finite.
+    colors_not_finite: Tally,
 }
 
 /// What a property of a face is.
@@ -107,7 +109,10 @@ pub(super) fn read(
             faces.textures.push(if face.texture.fract() == 0.0 { face.texture as i64 } else { i64::MAX });
         }
         if has_color {
-            faces.colors.push(linear.rgba(face.color));
+            if !face.color.iter().all(|c| c.is_finite()) {
+                faces.colors_not_finite.add(line, || format!("face {index}"));
+            }
+            faces.colors.push(linear.rgba(face.color.map(|c| if c.is_finite() { c } else { 0.0 })));
         }
     }
     Ok(faces)
@@ -194,6 +199,10 @@ impl Faces {
         self.too_short.report(Severity::Warning, reports, |tally| {
             let faces = tally.counted("polygon has", "polygons have");
             format!("{faces} fewer than 3 corners ({} is the first): left out", tally.first)
+        });
+        self.colors_not_finite.report(Severity::Warning, reports, |tally| {
+            let faces = tally.counted("face has", "faces have");
+            format!("{faces} a colour that is not finite ({} is the first): 0 is taken for it", tally.first)
         });
         self.bad_tex_coords.report(Severity::Warning, reports, |tally| {
             let faces = tally.counted("face has", "faces have");

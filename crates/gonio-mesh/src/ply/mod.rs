@@ -25,6 +25,7 @@ mod scalar;
 mod source;
 mod vertices;
 
+use crate::encoding::read_as_utf8;
 use crate::report::Reports;
 use crate::{Diagnostic, Limits, Material, Model, ReadError, Sidecars, Source as Origin, TextureMap};
 use faces::{Faces, Role};
@@ -40,7 +41,11 @@ use vertices::{Plan, Vertices};
 /// `limits` allow.
 pub fn read(bytes: &[u8], sidecars: &mut dyn Sidecars, limits: &Limits) -> Result<Model, ReadError> {
     let _ = sidecars;
-    let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
+    read_as_utf8(bytes, |bytes| read_utf8(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes), limits))
+}
+
+/// Reads a file whose header is UTF-8, and whose body is too unless the header says otherwise.
+fn read_utf8(bytes: &[u8], limits: &Limits) -> Result<Model, ReadError> {
     let mut reports = Reports::default();
     let header = Header::parse(bytes, &mut reports)?;
     let at = header.end;

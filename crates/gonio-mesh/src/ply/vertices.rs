@@ -170,6 +170,9 @@ impl Vertices {
             self.not_finite += 1;
         }
         if plan.has_normals {
+            if ![nx, ny, nz].iter().all(|c| c.is_finite()) {
+                odd.normals.add(odd.line, || format!("vertex {index}"));
+            }
             let unit = DVec3::new(nx.into(), ny.into(), nz.into()).normalize_or_zero();
             self.normals.push(unit.as_vec3().to_array());
         }
@@ -181,7 +184,11 @@ impl Vertices {
             self.tex_coords.push(if finite { [u, v] } else { [0.0; 2] });
         }
         if plan.has_colors {
-            self.colors.push([r, g, b, a]);
+            let color = [r, g, b, a];
+            if !color.iter().all(|c| c.is_finite()) {
+                odd.colors_not_finite.add(odd.line, || format!("vertex {index}"));
+            }
+            self.colors.push(color.map(|c| if c.is_finite() { c } else { 0.0 }));
         }
     }
 
@@ -211,18 +218,28 @@ impl Vertices {
 #[derive(Default)]
 struct Odd {
     line: Option<u64>,
+    normals: Tally,
     tex_coords: Tally,
+    colors_not_finite: Tally,
     colors: Tally,
 }
 
 impl Odd {
     fn report(&self, reports: &mut Reports) {
+        self.normals.report(Severity::Warning, reports, |tally| {
+            let vertices = tally.counted("vertex has", "vertices have");
+            format!("{vertices} a normal that is not finite ({} is the first): counts as none", tally.first)
+        });
         self.tex_coords.report(Severity::Warning, reports, |tally| {
             let vertices = tally.counted("vertex has", "vertices have");
             format!(
                 "{vertices} texture coordinates that are not finite ({} is the first): (0, 0) is taken",
                 tally.first
             )
+        });
+        self.colors_not_finite.report(Severity::Warning, reports, |tally| {
+            let vertices = tally.counted("vertex has", "vertices have");
+            format!("{vertices} a colour that is not finite ({} is the first): 0 is taken for it", tally.first)
         });
         self.colors.report(Severity::Warning, reports, |tally| {
             let vertices = tally.counted("vertex has", "vertices have");

@@ -17,6 +17,7 @@ mod ascii;
 mod binary;
 mod build;
 
+use crate::encoding::{read_as_utf8, start_as_utf8};
 use crate::report::Reports;
 use crate::tally::Tally;
 use crate::{Limits, Material, Model, ReadError, Sidecars};
@@ -68,12 +69,16 @@ impl Facets {
 /// allow. Everything else is survived.
 pub fn read(bytes: &[u8], sidecars: &mut dyn Sidecars, limits: &Limits) -> Result<Model, ReadError> {
     let _ = sidecars;
+    if is_text(bytes) {
+        return read_as_utf8(bytes, |text| model(limits, |reports| ascii::read(text, limits, reports)));
+    }
+    model(limits, |reports| binary::read(bytes, limits, reports))
+}
+
+/// The model of the facets that `read` gives.
+fn model(limits: &Limits, read: impl FnOnce(&mut Reports) -> Result<Facets, ReadError>) -> Result<Model, ReadError> {
     let mut reports = Reports::default();
-    let facets = if is_text(bytes) {
-        ascii::read(bytes, limits, &mut reports)?
-    } else {
-        binary::read(bytes, limits, &mut reports)?
-    };
+    let facets = read(&mut reports)?;
     facets.not_finite.report(crate::Severity::Warning, &mut reports, |tally| {
         let facets = tally.counted("facet has", "facets have");
         format!("{facets} a corner that is not finite (the first is {}): left out", tally.first)
@@ -93,8 +98,8 @@ fn is_text(bytes: &[u8]) -> bool {
     if binary::has_exact_size(bytes) {
         return false;
     }
-    let start = &bytes[..bytes.len().min(ENOUGH)];
-    let text = start.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(start).trim_ascii_start();
+    let start = start_as_utf8(bytes, ENOUGH);
+    let text = start.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(&start).trim_ascii_start();
     let begins = |word: &[u8]| text.get(..word.len()).is_some_and(|start| start.eq_ignore_ascii_case(word));
     (begins(b"solid") || begins(b"facet")) && !start.contains(&0)
 }

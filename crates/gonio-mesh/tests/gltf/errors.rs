@@ -35,6 +35,11 @@ fn what_is_no_gltf() {
         File::triangle().with("/asset/version", json!(2.0)).error(),
         "asset.version is 2.0, where a text belongs"
     );
+    // Early files of 1.0 have a number instead of a text.
+    for version in [json!(1), json!(1.0), json!(0.8)] {
+        let error = File::triangle().with("/asset/version", version).error();
+        assert_eq!(error, "this is glTF 1.0, which is not read: convert it to glTF 2.0 (gltf-pipeline does)");
+    }
     // A later 2.x that asks for no more than 2.0 is read.
     File::triangle().with("/asset/version", json!("2.1")).with("/asset/minVersion", json!("2.0")).quiet();
 }

@@ -11,4 +11,5 @@ mod nodes;
 mod second_reader;
 mod survived;
 mod textures;
+mod whole_numbers;
 mod write;

@@ -4,6 +4,7 @@
 
 mod bad_input;
 mod camera;
+mod detection;
 mod edit;
 mod environments;
 mod framing;
