@@ -23,7 +23,7 @@ impl LoopBound {
 }
 
 /// The uniform of a bounded shader (a `bool`). While it is false, vertices and fragments with too many turns are not drawn;
-/// while it is true, such fragments are drawn, and such vertices lie at the corners of the whole picture.
+/// while it is true, such fragments are drawn, and such vertices are scattered over the picture.
 pub const DRAWN_ALL_THE_SAME: &str = "gonio_drawn_all_the_same";
 
 const COUNT: &str = "gonio_turns";
@@ -55,12 +55,10 @@ impl Translator<'_> {
         self.preamble.insert(format!("uniform bool {DRAWN_ALL_THE_SAME};"));
         let vanish = match self.stage() {
             Stage::Vertex => {
-                let corner = |number: u32| format!("gl_VertexID % 3 == {number} ? 3.0 : -1.0");
-                format!(
-                    "gl_Position = {DRAWN_ALL_THE_SAME} ? vec4({}, {}, 0.0, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);",
-                    corner(1),
-                    corner(2)
-                )
+                // Scattered all over the picture, so that triangles have an area whatever their vertices' numbers are.
+                let place = |step: &str| format!("fract({step} * float(gl_VertexID)) * 3.0 - 1.5");
+                let scattered = format!("vec4({}, {}, 0.0, 1.0)", place("0.618034"), place("0.754878"));
+                format!("gl_Position = {DRAWN_ALL_THE_SAME} ? {scattered} : vec4(2.0, 2.0, 2.0, 1.0);")
             }
             Stage::Fragment => format!("if (!{DRAWN_ALL_THE_SAME}) discard;"),
         };
