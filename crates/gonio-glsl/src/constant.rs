@@ -40,6 +40,12 @@ pub fn evaluate(expr: &Expr, named: &dyn Fn(&str) -> Option<Components>) -> Opti
             }
             construct(expr.ty.as_ref()?, call.args.first()?.ty.as_ref()?, parts)
         }
+        ExprKind::Length(base) => match base.ty.as_ref()? {
+            Type::Array(_, count) => Some(vec![f64::from((*count)?)]),
+            Type::Vector(_, size) => Some(vec![f64::from(*size)]),
+            Type::Matrix { columns, .. } => Some(vec![f64::from(*columns)]),
+            _ => None,
+        },
         _ => None,
     }
 }
@@ -60,6 +66,11 @@ fn combine(op: BinaryOp, left: &[f64], right: &[f64], is_integer: bool) -> Optio
                 BinaryOp::Divide if is_integer => Some((a / b).trunc()),
                 BinaryOp::Divide => Some(a / b),
                 BinaryOp::Remainder if b != 0.0 => Some(a % b),
+                BinaryOp::ShiftLeft if is_integer && (0.0..32.0).contains(&b) => Some(a * b.exp2()),
+                BinaryOp::ShiftRight if is_integer && (0.0..32.0).contains(&b) => Some((a / b.exp2()).floor()),
+                BinaryOp::BitAnd if is_integer => Some((a as i64 & b as i64) as f64),
+                BinaryOp::BitOr if is_integer => Some((a as i64 | b as i64) as f64),
+                BinaryOp::BitXor if is_integer => Some((a as i64 ^ b as i64) as f64),
                 _ => None,
             }
         })

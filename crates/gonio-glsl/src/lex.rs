@@ -3,10 +3,8 @@
 use std::collections::HashMap;
 use std::rc::Rc;
 
-use crate::{Problem, Span};
-
-/// More tokens than any shader has; a file beyond this is cut off.
-pub(crate) const MOST_TOKENS: usize = 1_000_000;
+use crate::limits::MOST_RAW_TOKENS;
+use crate::{Limit, Problem, Span};
 
 /// What sort of token.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -73,8 +71,8 @@ pub(crate) fn lex(source: &str, problems: &mut Vec<Problem>) -> Vec<Token> {
         let place = (lexer.at, lexer.line, lexer.column);
         let kind = lexer.token();
         let span = Span { start: place.0 as u32, end: lexer.at as u32, line: place.1, column: place.2 };
-        if kind != Kind::End && tokens.len() >= MOST_TOKENS {
-            problems.push(Problem::error(span, "too-long", "this shader is too long: more than a million words"));
+        if kind != Kind::End && tokens.len() >= MOST_RAW_TOKENS {
+            problems.push(Problem::beyond(span, Limit::Tokens));
             lexer.at = lexer.bytes.len();
             continue;
         }

@@ -7,6 +7,7 @@ mod check;
 mod classify;
 mod constant;
 mod lex;
+pub mod limits;
 mod nearest;
 mod parse;
 mod preprocess;
@@ -24,6 +25,7 @@ pub use check::{
 };
 pub use classify::{Class, Classified, classify};
 pub use constant::{Components, evaluate};
+pub use limits::Limit;
 pub use preprocess::Directive;
 pub use problem::{Problem, Severity};
 pub use span::{Span, TokenPlace, TokenRange};
@@ -55,20 +57,27 @@ pub struct Parsed {
     pub(crate) source: String,
 }
 
-/// Files beyond this many bytes are cut off: places are numbers of 32 bits.
-const MOST_BYTES: usize = 1 << 30;
-
 /// Reads a shader. Whatever the text is, this returns; what is wrong stands in `problems`, in the order of the source.
 #[must_use]
 pub fn parse(source: &str) -> Parsed {
-    let mut most = source.len().min(MOST_BYTES);
+    let mut most = source.len().min(limits::MOST_BYTES);
     while !source.is_char_boundary(most) {
         most -= 1;
     }
+    let is_cut = most < source.len();
     let source = &source[..most];
     let mut problems = Vec::new();
-    let raw = lex::lex(source, &mut problems);
-    let found = preprocess::preprocess(raw, &mut problems);
+    let mut raw = lex::lex(source, &mut problems);
+    if is_cut {
+        let end = raw.last().map(|token| token.span).unwrap_or_default();
+        limits::refuse(&mut raw, &mut problems, Limit::Bytes, end);
+    }
+    limits::hold(&mut raw, limits::MOST_RAW_TOKENS, &mut problems);
+    let mut found = preprocess::preprocess(raw, &mut problems);
+    limits::hold(&mut found.tokens, limits::MOST_TOKENS, &mut problems);
+    if problems.iter().any(|problem| problem.limit.is_some()) {
+        found.tokens.drain(..found.tokens.len().saturating_sub(1));
+    }
     let version = found.version.unwrap_or(Version::NONE);
     let unit = parse::unit(&found.tokens, version, &mut problems);
     problems.sort_by_key(|p| p.span.start);
@@ -91,6 +100,12 @@ impl Parsed {
     #[must_use]
     pub fn dialect(&self) -> Version {
         self.version.unwrap_or(Version::NONE)
+    }
+
+    /// The limit that the shader exceeds, where it does: it must not be given to a driver then.
+    #[must_use]
+    pub fn refusal(&self) -> Option<&Problem> {
+        self.problems.iter().find(|problem| problem.limit.is_some())
     }
 
     /// The source within a span.

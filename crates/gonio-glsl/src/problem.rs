@@ -1,6 +1,6 @@
 //! What is wrong with a shader, in one sentence.
 
-use crate::Span;
+use crate::{Limit, Span};
 
 /// How bad a [`Problem`] is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -26,17 +26,24 @@ pub struct Problem {
     pub message: String,
     /// What to do, where that is known.
     pub help: Option<String>,
+    /// The limit that the shader exceeds, where it does. Such a shader must not be given to a driver.
+    pub limit: Option<Limit>,
 }
 
 impl Problem {
     /// A problem of any severity.
     pub fn new(severity: Severity, span: Span, code: &'static str, message: impl Into<String>) -> Self {
-        Self { severity, span, code, message: message.into(), help: None }
+        Self { severity, span, code, message: message.into(), help: None, limit: None }
     }
 
     /// What every compiler refuses.
     pub fn error(span: Span, code: &'static str, message: impl Into<String>) -> Self {
         Self::new(Severity::Error, span, code, message)
+    }
+
+    /// A limit that the shader exceeds here.
+    pub(crate) fn beyond(span: Span, limit: Limit) -> Self {
+        Self { limit: Some(limit), ..Self::error(span, limit.code(), limit.to_string()) }
     }
 
     /// What a strict compiler refuses.

@@ -232,10 +232,80 @@ fn loops_end_where_they_are_told_to() {
     assert_eq!(lines[2], "void gonio_main() {");
     assert!(lines[12].contains("gonio_main();") && lines[12].contains("discard"), "{found}");
     let vertex = bounded("void main() { for (;;) { } gl_Position = vec4(1.0); }", Stage::Vertex);
-    assert!(vertex.contains("gl_Position = vec4(2.0, 2.0, 2.0, 1.0)"), "{vertex}");
+    assert!(vertex.contains(": vec4(2.0, 2.0, 2.0, 1.0)"), "{vertex}");
     // Without loops nothing is changed.
     let plain = "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }";
     assert_eq!(bounded(plain, Stage::Fragment), body(plain, Stage::Fragment, Target::Es300));
+}
+
+#[test]
+fn loops_that_end_by_their_text_are_not_counted() {
+    // With a bound of 50 turns.
+    let is_counted = |globals: &str, body: &str| {
+        let source = format!(
+            "#version 330 core\nout vec4 c;\nuniform int n;\n{globals}\nvoid main() {{ int j = 0; {body} c = vec4(j); }}"
+        );
+        bounded(&source, Stage::Fragment).contains("++gonio_turns > 50")
+    };
+    let function = "const int N = 4; void f() { for (int i = 0; i < N; i++) { } }";
+    for (globals, body) in [
+        ("", "for (int i = 0; i < 48; i++) j += i;"),
+        ("", "for (int i = 48; i > 0; --i) if (i == j) break;"),
+        ("", "for (float x = 0.0; x <= 1.0; x += 0.1) { }"),
+        ("", "for (int i = 0; i < 3; i++) for (int k = 0; k < 3; k += 1) { }"),
+        (function, "f(); for (int i = 0; i < 2; i++) f();"),
+        ("", "for (int i = 9; i < 3; i++) { }"),
+    ] {
+        assert!(!is_counted(globals, body), "{globals} {body}");
+    }
+    for (globals, body) in [
+        ("", "for (int i = 0; i < 60; i++) j += i;"),
+        ("", "for (int i = 0; i < n; i++) { }"),
+        ("", "for (int i = 0; i < 8; i++) i--;"),
+        ("", "for (int i = 0; i < 8; i++) { i = 0; }"),
+        ("", "for (int i = 0; i < 8; i--) { }"),
+        ("", "for (int i = 0; i < 8; j++) { }"),
+        ("", "for (int i = 0; j < 8; i++) { }"),
+        ("", "for (int i = 0; i != 9; i += 2) { }"),
+        ("", "for (uint i = 8u; i >= 0u; i--) { }"),
+        ("", "for (float x = 0.0; x < 1e8; x += 1.0) { }"),
+        ("", "for (int i = 0; i < 2147483647; i++) { }"),
+        ("", "for (int i = 0; ; i++) if (i > 9) break;"),
+        ("", "for (;;) { }"),
+        ("", "while (j < 9) j++;"),
+        ("", "do { j++; } while (j < 9);"),
+        ("", "for (int i = 0; i < 8; i++) for (int k = 0; k < 8; k++) { }"),
+        (function, "for (int i = 0; i < 40; i++) f();"),
+        ("void back(inout int i) { i--; }", "for (int i = 0; i < 8; i++) back(i);"),
+        (
+            "void later(); ",
+            "for (int i = 0; i < 8; i++) later(); } void later() { while (n > 0) { } } void other() { int j = 0;",
+        ),
+        ("const int N = 8;", "const int N = 90; for (int i = 0; i < N; i++) { }"),
+    ] {
+        assert!(is_counted(globals, body), "{globals} {body}");
+    }
+}
+
+#[test]
+fn loops_out_of_macros_are_counted_too() {
+    let count = |source: &str| bounded(source, Stage::Fragment).matches("++gonio_turns > 50").count();
+    let main = |define: &str, body: &str| {
+        format!("#version 330 core\n#define {define}\nout vec4 c;\nvoid main() {{ {body} c = vec4(1.0); }}")
+    };
+    assert_eq!(count(&main("LOOP for (;;)", "LOOP { }")), 1);
+    assert_eq!(count(&main("SPIN while (true) { }", "SPIN SPIN")), 1);
+    assert_eq!(count(&main("REPEAT(body) for (;;) body", "REPEAT({ c.x = 1.0; })")), 1);
+    assert_eq!(count(&main("REPEAT(body) for (;;) { body }", "REPEAT(c.x = 1.0;)")), 1);
+    assert_eq!(count(&main("BEGIN {", "while (true) BEGIN }")), 1);
+    assert_eq!(count(&main("STEP c.x += 1.0", "for (;;) STEP; if (c.x > 1.0) STEP;")), 1);
+}
+
+#[test]
+fn a_fragment_with_too_many_turns_is_not_thrown_away_by_its_own_discard() {
+    let source = "#version 330 core\nout vec4 c;\nin float x;\nvoid main() { while (x < 1.0) { if (x > 0.0) discard; } c = vec4(x); discard; }";
+    let found = bounded(source, Stage::Fragment);
+    assert_eq!(found.matches("{ if (gonio_turns <= 50) discard; }").count(), 2, "{found}");
 }
 
 #[test]

@@ -15,7 +15,7 @@ use crate::unexplained;
 use crate::verdict::{CompilerMessage, FoundMistake, Outcome, Peculiarity, Verdict};
 use gonio_gl::foreign::{BrokenProgram, ForeignProgram};
 use gonio_gl::{Gl, GlError};
-use gonio_glsl::{Checked, Lookup, LoopBound, Parsed, Problem, Severity, Stage, Target, Translated};
+use gonio_glsl::{Checked, Limit, Lookup, LoopBound, Parsed, Problem, Severity, Stage, Target, Translated};
 use std::rc::Rc;
 
 /// The picture of the right answer that an exercise is begun with.
@@ -43,14 +43,14 @@ impl<'a> ReadStage<'a> {
     pub(crate) fn new(text: &'a StageText, stage: Stage, target: Target) -> Self {
         let mut parsed = gonio_glsl::parse(&text.text);
         let checked = gonio_glsl::check(&mut parsed, stage);
-        let translated = gonio_glsl::translate_bounded(&parsed, &checked, target, bound(target));
+        let translated = gonio_glsl::translate_bounded(&parsed, &checked, target, Some(LoopBound::STUDENTS));
         ReadStage { text, parsed, checked, translated, target }
     }
 
     /// The text of the stage, putting out what it looks up there.
     pub(crate) fn showing(&self, lookup: Lookup) -> String {
-        let (target, bound) = (self.target, bound(self.target));
-        gonio_glsl::translate_showing(&self.parsed, &self.checked, target, bound, Some(lookup)).text
+        let bound = Some(LoopBound::STUDENTS);
+        gonio_glsl::translate_showing(&self.parsed, &self.checked, self.target, bound, Some(lookup)).text
     }
 
     /// Where it looks cubemaps up.
@@ -60,6 +60,11 @@ impl<'a> ReadStage<'a> {
 
     pub(crate) fn problems(&self) -> impl Iterator<Item = &Problem> {
         self.parsed.problems.iter().chain(&self.checked.problems)
+    }
+
+    /// The limit of size or depth that it exceeds: no driver must see it then.
+    pub(crate) fn refusal(&self) -> Option<&Problem> {
+        self.parsed.refusal().or(self.checked.refusal())
     }
 
     pub(crate) fn message(&self, problem: &Problem) -> CompilerMessage {
@@ -73,15 +78,6 @@ impl<'a> ReadStage<'a> {
             explanation: problem.help.clone(),
         }
     }
-}
-
-/// Turns that the loops of a shader may take in OpenGL ES, for one vertex or fragment: a thousand times what students' loops
-/// over lights take, and a second on a driver without a GPU.
-const MOST_TURNS: u32 = 10_000;
-
-/// In a browser nobody else ends a loop: a draw without end would hold up all that is on the screen.
-fn bound(target: Target) -> Option<LoopBound> {
-    (target == Target::Es300).then_some(LoopBound { turns: MOST_TURNS })
 }
 
 /// Most messages of one kind that are told: what follows from the first is no help.
@@ -342,11 +338,17 @@ fn pass_as_the_lab(verdict: &mut Verdict) {
     verdict.score = 1.0;
 }
 
+/// Compiles and links, unless our own reader refuses one of the two for its size or depth: drivers have no such limits, and
+/// crash in our process.
 pub(crate) fn compile(
     gl: &Gl,
     vertex: &ReadStage<'_>,
     fragment: &ReadStage<'_>,
 ) -> Result<ForeignProgram, BrokenProgram> {
+    if vertex.refusal().is_some() || fragment.refusal().is_some() {
+        let log = |stage: &ReadStage<'_>| stage.refusal().map(|problem| problem.message.clone());
+        return Err(BrokenProgram { vertex_log: log(vertex), fragment_log: log(fragment), ..BrokenProgram::default() });
+    }
     let program = ForeignProgram::new(gl, &vertex.translated.text, &fragment.translated.text)?;
     // Where the translation mended what every compiler refuses, the student's own text tells.
     let refused = |stage: &ReadStage<'_>| stage.problems().any(|problem| problem.severity == Severity::Error);
@@ -393,6 +395,11 @@ pub(crate) fn compiler_messages(
     let mut told = Vec::new();
     for (stage, log) in [(vertex, &broken.vertex_log), (fragment, &broken.fragment_log)] {
         let Some(log) = log else { continue };
+        if let Some(refusal) = stage.refusal().filter(|refusal| refusal.limit != Some(Limit::SyntaxErrors)) {
+            // What else is wrong may follow from it.
+            told.push(stage.message(refusal));
+            continue;
+        }
         let own: Vec<CompilerMessage> =
             stage.problems().filter(|p| p.severity == Severity::Error).map(|p| stage.message(p)).collect();
         if own.is_empty() {

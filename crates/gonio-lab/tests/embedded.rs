@@ -77,31 +77,75 @@ fn verdicts_are_the_same_in_opengl_es() {
     assert!(differ.is_empty(), "{} of {}:\n{}", differ.len(), sample.len(), differ.join("\n"));
 }
 
-#[test]
-fn a_loop_without_end_ends_in_a_verdict() {
-    let context = HeadlessContext::with_options(&HeadlessOptions { es: true, ..Default::default() })
-        .unwrap_or_else(|why| panic!("{why}"));
-    let mut checker = Checker::new(context.gl());
+/// The right answer of exercise 04 with more text: `globals` before `main` and `body` at its beginning, in one stage.
+fn changed(stage: &str, globals: &str, body: &str) -> Submission {
     let right =
         submissions("correct").into_iter().find(|submission| submission.name == "ex04/correct/lab-plain").unwrap();
-    let endless = |stage: &str, body: &str| {
-        let mut files = right.files.clone();
-        let file = files.iter_mut().find(|file| file.name.contains(stage)).unwrap();
-        let text = String::from_utf8(file.bytes.clone()).unwrap();
-        let (head, main) = text.split_once("main").unwrap();
-        let (open, rest) = main.split_once('{').unwrap();
-        file.bytes = format!("{head}main{open}{{ {body}{rest}").into_bytes();
-        Submission { files, name: String::new(), exercise: right.exercise.clone(), expected: toml::Table::new() }
-    };
-    for stage in ["vert", "frag"] {
-        for body in ["while (true) { }", "for (;;) ;", "int i = 0; do { i = 0; } while (i < 1);"] {
-            let verdict = endless(stage, body).check(&mut checker);
+    let mut files = right.files;
+    let file = files.iter_mut().find(|file| file.name.contains(stage)).unwrap();
+    let text = String::from_utf8(file.bytes.clone()).unwrap();
+    let (head, main) = text.split_once("void main").unwrap();
+    let (open, rest) = main.split_once('{').unwrap();
+    file.bytes = format!("{head}{globals}\nvoid main{open}{{ {body}{rest}").into_bytes();
+    Submission { files, name: String::new(), exercise: right.exercise, expected: toml::Table::new() }
+}
+
+/// Loops that never end: what stands before `main`, and what in it.
+const ENDLESS: &[(&str, &str)] = &[
+    ("", "while (true) { }"),
+    ("", "for (;;) ;"),
+    ("", "int i = 0; do { i = 0; } while (i < 1);"),
+    ("", "for (int i = 0; i < 10; i++) i--;"),
+    ("", "for (int i = 0; ; i++) if (i < 0) break;"),
+    ("", "int i = 0; while (i < 10) { if (i > 20) return; }"),
+    ("void spin() { while (true) { } }", "spin();"),
+    ("uniform float unset;", "for (float x = 0.0; x < 1.0; x += unset) { }"),
+    ("", "for (int i = 0; i < 4; i++) { int j = 0; while (j < 4) { for (int k = 0; k < 4; k++) { } } }"),
+    ("#define FOREVER for (;;) { }", "FOREVER"),
+];
+
+/// Loops that end, and change nothing.
+const ENDING: &[(&str, &str)] = &[
+    ("", "for (int i = 0; i < 500; i++) { if (i > 400) continue; }"),
+    ("", "int i = 0; while (i < 20000) i++;"),
+    ("", "int n = 0; for (int i = 0; i < 20000; i++) n += i; if (n == 1) return;"),
+    (
+        "int f(int n) { int s = 0; for (int i = 0; i < n; i++) s += i; return s; }",
+        "if (f(9999) + f(9999) == 1) return;",
+    ),
+];
+
+fn every_loop_is_judged_by_whether_it_ends(es: bool) {
+    let context = HeadlessContext::with_options(&HeadlessOptions { es, ..Default::default() })
+        .unwrap_or_else(|why| panic!("{why}"));
+    let mut checker = Checker::new(context.gl());
+    let of_fragments = [
+        ("", "if (gl_FragCoord.x < 9.0 && gl_FragCoord.y < 20.0) while (true) { }"),
+        ("", "while (true) { } discard;"),
+        ("", "while (true) { if (gl_FragCoord.x < -1.0) discard; }"),
+    ];
+    let of_vertices = [("", "if (gl_VertexID % 50 == 7) while (true) { }")];
+    for (stage, more) in [("vert", &of_vertices[..]), ("frag", &of_fragments[..])] {
+        for (globals, body) in ENDLESS.iter().chain(more) {
+            let verdict = changed(stage, globals, body).check(&mut checker);
             assert_eq!(verdict.verdict, Outcome::Unsure, "{stage}: {body}: {}", verdict.summary);
             assert!(verdict.summary.contains("never ends"), "{stage}: {body}: {}", verdict.summary);
         }
         // What ends is no mistake, and is no variable of the student's.
-        let verdict = endless(stage, "for (int i = 0; i < 500; i++) { if (i > 400) continue; }").check(&mut checker);
-        assert_eq!(verdict.verdict, Outcome::Correct, "{stage}: {}", verdict.summary);
-        assert!(verdict.bound.iter().all(|bound| !bound.name.contains("gonio")), "{:?}", verdict.bound);
+        for (globals, body) in ENDING {
+            let verdict = changed(stage, globals, body).check(&mut checker);
+            assert_eq!(verdict.verdict, Outcome::Correct, "{stage}: {body}: {}", verdict.summary);
+            assert!(verdict.bound.iter().all(|bound| !bound.name.contains("gonio")), "{:?}", verdict.bound);
+        }
     }
+}
+
+#[test]
+fn a_loop_without_end_ends_in_a_verdict_in_opengl() {
+    every_loop_is_judged_by_whether_it_ends(false);
+}
+
+#[test]
+fn a_loop_without_end_ends_in_a_verdict_in_opengl_es() {
+    every_loop_is_judged_by_whether_it_ends(true);
 }

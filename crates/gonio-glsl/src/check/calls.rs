@@ -3,10 +3,8 @@
 use super::Checker;
 use crate::ast::{Call, Expr, ExprKind, UnaryOp};
 use crate::builtins::{self, Signature};
+use crate::limits::MOST_OVERLOADS;
 use crate::{Problem, Scalar, Type};
-
-/// No shader has more functions of one name; which of them a call means is not asked then.
-const MOST_OF_A_NAME: usize = 128;
 
 impl Checker<'_> {
     #[inline(never)]
@@ -53,7 +51,7 @@ impl Checker<'_> {
         }
         let types: Vec<Option<Type>> = call.args.iter().map(|a| a.ty.clone()).collect();
         let own = self.functions.get(&call.name).map_or(&[][..], Vec::as_slice);
-        if own.len() > MOST_OF_A_NAME {
+        if own.len() > MOST_OVERLOADS {
             return None;
         }
         let own_signatures: Vec<Candidate> = own
@@ -186,6 +184,7 @@ impl Checker<'_> {
         let symbol = &mut self.symbols[info.symbol];
         symbol.uses.push(call.name_tokens);
         symbol.is_read = true;
+        self.count_call(&call.name, index);
         if let Some((name, at)) = &self.current
             && let Some(caller) = self.functions.get_mut(name).and_then(|l| l.get_mut(*at))
         {

@@ -8,6 +8,7 @@ use crate::{Problem, Scalar, Span, Type};
 impl Checker<'_> {
     /// Finds the type of an expression and of everything in it.
     pub(super) fn expression(&mut self, expr: &mut Expr) -> Option<Type> {
+        self.count_expression();
         let ty = self.type_of(expr);
         expr.ty.clone_from(&ty);
         ty

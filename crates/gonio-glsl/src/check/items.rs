@@ -1,5 +1,7 @@
 //! Declarations: functions, variables, structs, blocks.
 
+use std::collections::HashSet;
+
 use super::interface::StructInfo;
 use super::scope::storage_of;
 use super::{Checker, FunctionInfo, Storage, Symbol, SymbolKind};
@@ -87,10 +89,12 @@ impl Checker<'_> {
                     } else if value.is_some_and(|v| v < 1.0) {
                         self.error(size.span, "array-size", "the size of an array has to be at least 1");
                     }
+                    self.hold_size(size, value);
                     value.filter(|v| (1.0..1e9).contains(v)).map(|v| v as u32)
                 }
             };
             ty = Type::Array(Box::new(ty), count);
+            self.hold_type(&ty, size.as_ref().map_or(Span::default(), |size| size.span));
         }
         Some(ty)
     }
@@ -105,17 +109,19 @@ impl Checker<'_> {
 
     fn structure(&mut self, definition: &mut StructDefinition) {
         let mut members: Vec<(String, Option<Type>)> = Vec::new();
+        let mut names = HashSet::new();
         for member in &mut definition.members {
             let of = self.resolve(&mut member.ty);
             for declarator in &mut member.declarators {
                 let ty = of.clone().and_then(|t| self.sized(t, &mut declarator.sizes));
-                if members.iter().any(|(name, _)| *name == declarator.name) {
+                if !names.insert(declarator.name.clone()) {
                     let message = format!("the struct has `{}` already", declarator.name);
                     self.error(declarator.span, "declared-twice", message);
                 }
                 members.push((declarator.name.clone(), ty));
             }
         }
+        self.hold_struct(&definition.name, &members, definition.span);
         if definition.name.is_empty() {
             return;
         }
@@ -284,6 +290,7 @@ impl Checker<'_> {
                 members.push((declarator.name.clone(), ty));
             }
         }
+        self.hold_struct(&format!("{} (block)", block.name), &members, block.name_span);
         let Some(instance) = &mut block.instance else { return };
         // The instance behaves like a struct, whose name no declaration can have.
         let name = format!("{} (block)", block.name);
@@ -307,7 +314,8 @@ impl Checker<'_> {
             None => self.first(function, &name, params.clone(), outs, returns.clone()),
         };
         let Some(body) = &mut function.body else { return };
-        self.current = Some((name, index));
+        self.current = Some((name.clone(), index));
+        self.cost = super::size::Cost::default();
         self.push_scope();
         for (param, ty) in function.params.iter().zip(params) {
             let storage = if has(&param.qualifiers, "const") { Storage::Const } else { Storage::None };
@@ -331,6 +339,10 @@ impl Checker<'_> {
         }
         self.pop_scope();
         self.current = None;
+        let cost = std::mem::take(&mut self.cost);
+        if let Some(info) = self.functions.get_mut(&name).and_then(|list| list.get_mut(index)) {
+            info.cost = cost;
+        }
         if returns.is_some_and(|t| t != Type::Void) && !super::flow::always_leaves(body) && !self.has_syntax_errors {
             let message = format!("`{}` has ways to its end without a `return`", function.name);
             self.strict(function.name_span, "missing-return", message);
@@ -395,6 +407,7 @@ impl Checker<'_> {
             has_body: function.body.is_some(),
             span: function.name_span,
             calls: Vec::new(),
+            cost: Default::default(),
         });
         list.len() - 1
     }

@@ -9,6 +9,7 @@ mod items;
 mod operators;
 mod pair;
 mod scope;
+mod size;
 mod statements;
 mod strict;
 
@@ -53,6 +54,14 @@ pub struct Checked {
     pub(crate) computed: BTreeSet<usize>,
 }
 
+impl Checked {
+    /// The limit that the shader exceeds, where it does: it must not be given to a driver then.
+    #[must_use]
+    pub fn refusal(&self) -> Option<&Problem> {
+        self.problems.iter().find(|problem| problem.limit.is_some())
+    }
+}
+
 /// A value that becomes another type by itself, like the 1 of `float x = 1;`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Conversion {
@@ -73,6 +82,7 @@ pub fn check(parsed: &mut Parsed, stage: Stage) -> Checked {
     let mut unit = std::mem::take(&mut parsed.unit);
     let mut checker = Checker::new(parsed, stage);
     checker.unit(&mut unit);
+    checker.hold_functions();
     strict::whole(&mut checker, &unit);
     let interface = interface::collect(&checker, &unit);
     let mut problems = checker.problems;
@@ -112,6 +122,7 @@ struct FunctionInfo {
     span: Span,
     /// Functions it calls, by name and place among those of that name.
     calls: Vec<(String, usize)>,
+    cost: size::Cost,
 }
 
 /// A value read or written, in the order of execution as far as the text gives it.
@@ -146,6 +157,14 @@ struct Checker<'p> {
     current: Option<(String, usize)>,
     has_syntax_errors: bool,
     has_extensions: bool,
+    /// Whether a limit is exceeded.
+    is_beyond: bool,
+    struct_sizes: HashMap<String, size::StructSize>,
+    all_components: u64,
+    globals: usize,
+    loop_depth: u32,
+    /// What the function being read costs.
+    cost: size::Cost,
 }
 
 impl<'p> Checker<'p> {
@@ -179,6 +198,12 @@ impl<'p> Checker<'p> {
             current: None,
             has_syntax_errors: parsed.problems.iter().any(|p| p.severity == Severity::Error),
             has_extensions: parsed.directives.iter().any(|d| d.word == "extension" && !harmless(d)),
+            is_beyond: parsed.refusal().is_some(),
+            struct_sizes: HashMap::new(),
+            all_components: 0,
+            globals: 0,
+            loop_depth: 0,
+            cost: size::Cost::default(),
         }
     }
 

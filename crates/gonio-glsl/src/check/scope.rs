@@ -96,6 +96,7 @@ impl Checker<'_> {
 
     /// Makes a name known; a second one of the same scope is an error.
     pub(super) fn declare(&mut self, symbol: Symbol) -> usize {
+        self.hold_variable(&symbol);
         let id = self.symbols.len();
         let is_gl = symbol.name.starts_with("gl_");
         // `in vec4 gl_FragCoord` and the like are allowed to say again what there is.

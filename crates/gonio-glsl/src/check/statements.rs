@@ -2,7 +2,8 @@
 
 use super::{Checker, SymbolKind};
 use crate::ast::{Condition, Expr, Statement, StatementKind};
-use crate::{Problem, Span, Stage, Type};
+use crate::limits::MOST_CASES;
+use crate::{Limit, Problem, Span, Stage, Type};
 
 impl Checker<'_> {
     pub(super) fn statement(&mut self, statement: &mut Statement, returns: Option<&Type>) {
@@ -24,6 +25,7 @@ impl Checker<'_> {
                     self.statement(initial, returns);
                 }
                 self.enter_loop();
+                self.count_loop(statement.span);
                 if let Some(condition) = condition {
                     self.loop_condition(condition);
                 }
@@ -32,26 +34,34 @@ impl Checker<'_> {
                     self.expression(step);
                 }
                 self.loops.pop();
+                self.loop_depth -= 1;
                 self.pop_scope();
             }
             StatementKind::While { condition, body } => {
                 self.push_scope();
                 self.enter_loop();
+                self.count_loop(statement.span);
                 self.loop_condition(condition);
                 self.statement_or_block(body, returns);
                 self.loops.pop();
+                self.loop_depth -= 1;
                 self.pop_scope();
             }
             StatementKind::DoWhile { body, condition } => {
                 self.enter_loop();
+                self.count_loop(statement.span);
                 self.in_scope(body, returns);
                 self.condition(condition, "the condition of a loop");
                 self.loops.pop();
+                self.loop_depth -= 1;
             }
             StatementKind::Switch { value, body } => {
                 let found = self.expression(value);
                 if found.is_some_and(|t| t != Type::INT && t != Type::UINT) {
                     self.error(value.span, "switch-type", "a `switch` wants an `int`");
+                }
+                if body.iter().filter(|s| matches!(s.kind, StatementKind::Case(_))).count() > MOST_CASES {
+                    self.beyond(value.span, Limit::Cases);
                 }
                 self.push_scope();
                 // Within a switch the text does not give the order, as little as in a loop.

@@ -1,13 +1,11 @@
 //! Expressions, by the precedence of their operators.
 
-use super::{MOST_NESTED, Parse, Parser};
+use super::{Parse, Parser};
 use crate::ast::{BinaryOp, Call, Expr, ExprKind, Literal, UnaryOp};
 use crate::lex::Kind;
+use crate::limits::{MOST_ARRAY_SIZES, MOST_NESTED};
 use crate::types::words;
-use crate::{Problem, TokenRange, Type};
-
-/// Arrays of arrays of arrays: a type is as deep as it has sizes.
-const MOST_SIZES: usize = 8;
+use crate::{Limit, Problem, TokenRange, Type};
 
 const ASSIGNMENTS: [&str; 11] = ["=", "+=", "-=", "*=", "/=", "%=", "<<=", ">>=", "&=", "^=", "|="];
 
@@ -32,7 +30,7 @@ impl Parser<'_> {
     fn expr(&mut self, kind: ExprKind, tokens: TokenRange) -> Parse<Box<Expr>> {
         let height = height_of(&kind);
         if usize::from(height) > MOST_NESTED {
-            return self.fail_too_deep();
+            return self.fail_beyond(Limit::Nested);
         }
         Ok(Box::new(Expr { kind, span: self.span_of(tokens), ty: None, tokens, height }))
     }
@@ -301,8 +299,8 @@ impl Parser<'_> {
             let size = if self.is("]") { None } else { Some(*self.expression()?) };
             self.close("]", open)?;
             sizes.push(size);
-            if sizes.len() > MOST_SIZES {
-                return self.fail_too_deep();
+            if sizes.len() > MOST_ARRAY_SIZES {
+                return self.fail_beyond(Limit::ArraySizes);
             }
         }
     }

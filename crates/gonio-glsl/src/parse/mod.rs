@@ -9,11 +9,10 @@ use std::collections::HashSet;
 
 use crate::ast::Unit;
 use crate::lex::{Kind, Token};
+use crate::limits::MOST_NESTED;
 use crate::types::words;
-use crate::{Problem, Span, TokenRange, Version};
+use crate::{Limit, Problem, Span, TokenRange, Version};
 
-/// How deep statements and expressions may stand in one another. No shader a person wrote comes near; a machine's stack does.
-pub(crate) const MOST_NESTED: usize = 128;
 /// After so many syntax errors the rest is not worth reading.
 const MOST_PROBLEMS: usize = 50;
 
@@ -32,7 +31,7 @@ pub(crate) struct Parser<'p> {
     /// Where the last error was told: one place, one error.
     told_at: Option<usize>,
     told: usize,
-    too_deep: bool,
+    has_given_up: bool,
 }
 
 /// Reads a whole shader; what could not be read is told and left out.
@@ -46,7 +45,7 @@ pub(crate) fn unit(tokens: &[Token], version: Version, problems: &mut Vec<Proble
         nested: 0,
         told_at: None,
         told: 0,
-        too_deep: false,
+        has_given_up: false,
     };
     parser.unit()
 }
@@ -121,13 +120,16 @@ impl<'p> Parser<'p> {
     #[cold]
     #[inline(never)]
     fn tell(&mut self, problem: Problem) {
-        if self.told_at == Some(self.at) || self.too_deep {
+        if self.told_at == Some(self.at) || self.has_given_up {
             return;
         }
         self.told_at = Some(self.at);
         self.told += 1;
         self.problems.push(problem);
         if self.told >= MOST_PROBLEMS {
+            let span = self.token().span;
+            self.problems.push(Problem::beyond(span, Limit::SyntaxErrors));
+            self.has_given_up = true;
             self.at = self.tokens.len() - 1;
         }
     }
@@ -214,7 +216,7 @@ impl<'p> Parser<'p> {
     fn enter(&mut self) -> Parse<()> {
         self.nested += 1;
         if self.nested > MOST_NESTED {
-            return self.fail_too_deep();
+            return self.fail_beyond(Limit::Nested);
         }
         Ok(())
     }
@@ -223,10 +225,14 @@ impl<'p> Parser<'p> {
         self.nested -= 1;
     }
 
-    fn fail_too_deep<T>(&mut self) -> Parse<T> {
-        let message = "brackets or statements stand too deeply in one another here";
-        self.tell(Problem::error(self.token().span, "too-deep", message));
-        self.too_deep = true;
+    /// Gives up reading, since a limit is exceeded here.
+    #[cold]
+    #[inline(never)]
+    fn fail_beyond<T>(&mut self, limit: Limit) -> Parse<T> {
+        if !self.has_given_up {
+            self.problems.push(Problem::beyond(self.token().span, limit));
+        }
+        self.has_given_up = true;
         self.at = self.tokens.len() - 1;
         Err(Stop)
     }

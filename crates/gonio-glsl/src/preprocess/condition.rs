@@ -2,19 +2,21 @@
 
 use super::Preprocessor;
 use crate::lex::{Kind, Token};
-use crate::{Problem, Span};
+use crate::{Limit, Problem, Span};
 
 /// Brackets and signs within each other.
-const MOST_NESTED: usize = 64;
+const MOST_NESTED: usize = 128;
 
 impl Preprocessor<'_> {
     /// Whether the expression is not zero.
     pub(super) fn evaluate(&mut self, tokens: &[Token], span: Span) -> bool {
         let tokens = self.without_defined(tokens);
         let tokens = self.expand_all(tokens);
-        let mut reader = Reader { tokens: &tokens, at: 0, nested: 0 };
+        let mut reader = Reader { tokens: &tokens, at: 0, nested: 0, is_too_deep: false };
         let value = reader.binary(0).filter(|_| reader.at == tokens.len());
-        if value.is_none() {
+        if reader.is_too_deep {
+            self.give_up(span, Limit::Nested);
+        } else if value.is_none() {
             let message = "this condition cannot be worked out";
             self.problems.push(Problem::error(span, "condition", message));
         }
@@ -46,6 +48,7 @@ struct Reader<'t> {
     tokens: &'t [Token],
     at: usize,
     nested: usize,
+    is_too_deep: bool,
 }
 
 fn rank(mark: &str) -> Option<u8> {
@@ -100,6 +103,7 @@ impl Reader<'_> {
         self.at += 1;
         self.nested += 1;
         if self.nested > MOST_NESTED {
+            self.is_too_deep = true;
             return None;
         }
         let value = match &*token.text {

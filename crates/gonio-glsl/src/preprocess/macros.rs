@@ -2,9 +2,10 @@
 
 use std::rc::Rc;
 
-use super::{Frame, MOST_NESTED, MOST_STEPS, Macro, Preprocessor};
+use super::{Frame, Macro, Preprocessor};
 use crate::lex::{Kind, Token};
-use crate::{Problem, Span};
+use crate::limits::{MOST_EXPANDED, MOST_MACROS_IN_ARGUMENTS, MOST_MACROS_IN_MACROS, MOST_NAME_BYTES};
+use crate::{Limit, Problem, Span};
 
 impl Preprocessor<'_> {
     /// The token itself, or nothing if it was a macro, whose text then lies on `frames`.
@@ -23,6 +24,9 @@ impl Preprocessor<'_> {
         if self.disabled.contains(&token.text) || frames.iter().any(is_open) {
             token.frozen = true;
             return Some(token);
+        }
+        if frames.len() > MOST_MACROS_IN_MACROS {
+            self.give_up(token.span, Limit::Macros);
         }
         if self.has_given_up {
             return Some(token);
@@ -52,8 +56,8 @@ impl Preprocessor<'_> {
         let tokens = self.substitute(&found, &arguments, &token);
         self.disabled.truncate(open);
         self.steps += tokens.len() + 1;
-        if self.steps > MOST_STEPS {
-            self.give_up(token.span, "this macro grows without end");
+        if self.steps > MOST_EXPANDED {
+            self.give_up(token.span, Limit::Macros);
             return None;
         }
         frames.push(Frame { tokens, at: 0, name: Some(token.text.clone()) });
@@ -100,8 +104,8 @@ impl Preprocessor<'_> {
                 _ => {}
             }
             self.steps += 1;
-            if self.steps > MOST_STEPS {
-                self.give_up(name.span, "this macro grows without end");
+            if self.steps > MOST_EXPANDED {
+                self.give_up(name.span, Limit::Macros);
                 return None;
             }
             if let Some(argument) = arguments.last_mut() {
@@ -129,7 +133,7 @@ impl Preprocessor<'_> {
         let mut at = 0;
         while let Some(token) = found.body.get(at) {
             at += 1;
-            if self.steps + out.len() > MOST_STEPS {
+            if self.steps + out.len() > MOST_EXPANDED {
                 break;
             }
             if token.is("##") {
@@ -139,6 +143,10 @@ impl Preprocessor<'_> {
                         Some(index) => arguments[index].clone(),
                         None => vec![right.clone()],
                     };
+                    if left.text.len() > MOST_NAME_BYTES {
+                        self.give_up(used.span, Limit::Name);
+                        break;
+                    }
                     out.extend(paste(left, right));
                 }
                 continue;
@@ -169,9 +177,9 @@ impl Preprocessor<'_> {
 
     /// A list of tokens with all its macros replaced.
     pub(super) fn expand_all(&mut self, tokens: Vec<Token>) -> Vec<Token> {
-        if self.nested >= MOST_NESTED {
+        if self.nested >= MOST_MACROS_IN_ARGUMENTS {
             if let Some(token) = tokens.first() {
-                self.give_up(token.span, "macros stand within macros too deeply here");
+                self.give_up(token.span, Limit::Macros);
             }
             return tokens;
         }

@@ -8,7 +8,7 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use crate::lex::{Kind, Token};
-use crate::{Problem, Span, Version};
+use crate::{Limit, Problem, Span, Version};
 
 /// A line beginning with `#`, for the translation.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -31,11 +31,6 @@ pub(crate) struct Preprocessed {
     /// Names of all macros that were defined, and that the file thus may use as it likes.
     pub macros: Vec<String>,
 }
-
-/// How many tokens macros may make. Honest shaders stay below a few thousand.
-const MOST_STEPS: usize = 500_000;
-/// How deep macros may stand in the arguments of macros.
-const MOST_NESTED: usize = 64;
 
 /// `#define NAME(parameters) body`.
 #[derive(Debug)]
@@ -208,10 +203,10 @@ impl Preprocessor<'_> {
         from_file && self.raw.get(self.at).is_some_and(|t| t.is("("))
     }
 
-    fn give_up(&mut self, span: Span, message: &str) {
+    fn give_up(&mut self, span: Span, limit: Limit) {
         if !self.has_given_up {
             self.has_given_up = true;
-            self.problems.push(Problem::error(span, "macro-endless", message));
+            self.problems.push(Problem::beyond(span, limit));
         }
     }
 }

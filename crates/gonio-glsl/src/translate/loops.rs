@@ -1,52 +1,86 @@
-//! Loops that end after so many turns, for contexts in which nobody could end them from outside.
+//! Loops that end after so many turns. In a browser nobody can end a draw, and other drivers end loops by themselves and
+//! draw on: so the same turns are counted for every context.
+
+use std::collections::BTreeSet;
 
 use super::Translator;
+use super::turns::most_turns;
 use crate::ast::{Statement, StatementKind};
 use crate::walk::{Visitor, walk_unit};
 use crate::{Stage, TokenRange};
 
-/// How loops are made to end.
+/// The number of turns after which loops are made to end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct LoopBound {
     /// Turns that all loops of a shader may take together, for one vertex or fragment.
     pub turns: u32,
 }
 
-/// The uniform of a bounded shader (a `bool`): while it is false, what took too many turns is not drawn.
+impl LoopBound {
+    /// The bound for students' shaders. A thousand times what loops over lights and samples take, and below 65,535: after
+    /// that many turns llvmpipe (Mesa 22.3) leaves all loops without a word, counting for 4 to 16 pixels together.
+    pub const STUDENTS: Self = Self { turns: 50_000 };
+}
+
+/// The uniform of a bounded shader (a `bool`). While it is false, vertices and fragments with too many turns are not drawn;
+/// while it is true, such fragments are drawn, and such vertices are scattered over the picture.
 pub const DRAWN_ALL_THE_SAME: &str = "gonio_drawn_all_the_same";
 
 const COUNT: &str = "gonio_turns";
 
 impl Translator<'_> {
-    /// Each body counts a turn, and leaves its loop from one turn on. Shaders without loops stay as they are.
+    /// Each body counts a turn, and leaves its loop from one turn on. Shaders whose loops end within the bound by their text
+    /// stay as they are, so that compilers unroll them as ever.
     pub(super) fn bound_loops(&mut self, bound: LoopBound) {
-        struct Bodies(Vec<TokenRange>);
-        impl Visitor for Bodies {
-            fn statement(&mut self, statement: &Statement) -> bool {
-                if let StatementKind::For { body, .. }
-                | StatementKind::While { body, .. }
-                | StatementKind::DoWhile { body, .. } = &statement.kind
-                {
-                    self.0.push(body.tokens);
-                }
-                true
-            }
-        }
-        let mut bodies = Bodies(Vec::new());
-        walk_unit(&self.parsed.unit, &mut bodies);
-        // What hides in a macro stays as it is.
-        let stretches: Vec<(u32, u32)> = bodies.0.into_iter().filter_map(|tokens| self.stretch(tokens)).collect();
-        if stretches.is_empty() {
+        let turns = bound.turns;
+        if most_turns(&self.parsed.unit, self.checked).is_some_and(|most| most <= u64::from(turns)) {
             return;
         }
-        let turns = bound.turns;
-        for (start, end) in stretches {
+        let mut found = Found::default();
+        walk_unit(&self.parsed.unit, &mut found);
+        // A place within a macro that is used twice is changed once.
+        let bodies: BTreeSet<_> = found.bodies.into_iter().filter_map(|tokens| self.stretch(tokens)).collect();
+        if bodies.is_empty() {
+            return;
+        }
+        for (start, end) in bodies {
             self.edits.surround(start, end, &format!("{{ if (++{COUNT} > {turns}) break; "), " }");
+        }
+        // A fragment that is thrown away would not tell of its loop.
+        let discards: BTreeSet<_> = found.discards.into_iter().filter_map(|tokens| self.stretch(tokens)).collect();
+        for (start, end) in discards {
+            self.edits.surround(start, end, &format!("{{ if ({COUNT} <= {turns}) "), " }");
         }
         self.preamble.insert(format!("int {COUNT} = 0;"));
         self.preamble.insert(format!("uniform bool {DRAWN_ALL_THE_SAME};"));
-        // A vertex outside of the picture, or no fragment.
-        let vanish = if self.stage() == Stage::Vertex { "gl_Position = vec4(2.0, 2.0, 2.0, 1.0)" } else { "discard" };
-        self.after_main.push_str(&format!("if ({COUNT} > {turns} && !{DRAWN_ALL_THE_SAME}) {{ {vanish}; }} "));
+        let vanish = match self.stage() {
+            Stage::Vertex => {
+                // Scattered all over the picture, so that triangles have an area whatever their vertices' numbers are.
+                let place = |step: &str| format!("fract({step} * float(gl_VertexID)) * 3.0 - 1.5");
+                let scattered = format!("vec4({}, {}, 0.0, 1.0)", place("0.618034"), place("0.754878"));
+                format!("gl_Position = {DRAWN_ALL_THE_SAME} ? {scattered} : vec4(2.0, 2.0, 2.0, 1.0);")
+            }
+            Stage::Fragment => format!("if (!{DRAWN_ALL_THE_SAME}) discard;"),
+        };
+        self.after_main.push_str(&format!("if ({COUNT} > {turns}) {{ {vanish} }} "));
+    }
+}
+
+#[derive(Default)]
+struct Found {
+    bodies: Vec<TokenRange>,
+    discards: Vec<TokenRange>,
+}
+
+impl Visitor for Found {
+    fn statement(&mut self, statement: &Statement) -> bool {
+        match &statement.kind {
+            StatementKind::For { body, .. }
+            | StatementKind::While { body, .. }
+            | StatementKind::DoWhile { body, .. } => self.bodies.push(body.tokens),
+            StatementKind::Discard => self.discards.push(statement.tokens),
+            _ => {}
+        }
+        true
     }
 }

@@ -8,6 +8,7 @@ mod loops;
 mod names;
 mod show;
 mod text;
+mod turns;
 
 use std::collections::BTreeSet;
 

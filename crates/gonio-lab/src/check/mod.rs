@@ -2,6 +2,7 @@
 
 mod canvas;
 mod compare;
+mod endless;
 mod fit;
 mod freedom;
 mod guided;
@@ -12,6 +13,7 @@ mod search;
 mod task;
 
 pub use compare::{Comparison, PIXEL_TOLERANCE, PIXELS_TOLERANCE, pixel_difference};
+pub(crate) use endless::{drawn as drawn_unless_endless, verdict as endless_verdict};
 pub use freedom::{Freedom, Lights, Second, Written, WrittenSun};
 pub use predict::{CompiledModel, declared};
 pub(crate) use report::{bound, fixed};
@@ -21,7 +23,7 @@ pub use task::{PLACES, TASKS, Task};
 use crate::bank::{Hypothesis, Model};
 use crate::host;
 use crate::names::{self, Declared, Kind, NamesFile, Role};
-use crate::stage::{Cast, Sheet, Stage};
+use crate::stage::{Sheet, Stage};
 use crate::verdict::{Outcome, Verdict};
 use canvas::Canvases;
 use gonio_gl::foreign::ForeignProgram;
@@ -59,24 +61,6 @@ pub struct Evidence {
     pub predicted: Option<Sheet>,
     /// The situations' words, in order.
     pub scenes: Vec<String>,
-}
-
-/// Whether a program whose loops were bounded left one of them for that: then not all that it draws was `seen`.
-fn never_ends(
-    stage: &Stage,
-    program: &ForeignProgram,
-    cast: &Cast,
-    fixed: &[(String, Vec<f32>)],
-    seen: &Sheet,
-) -> Result<bool, GlError> {
-    let name = gonio_glsl::DRAWN_ALL_THE_SAME;
-    if program.uniform_index(name).is_none() {
-        return Ok(false);
-    }
-    let mut fixed = fixed.to_vec();
-    fixed.push((name.to_owned(), vec![1.0]));
-    let all = stage.draw(program, cast, &fixed, stage.situations().len())?;
-    Ok(seen.pixels.iter().zip(&all.pixels).any(|(seen, all)| Sheet::is_drawn(seen) != Sheet::is_drawn(all)))
 }
 
 /// Checks pairs of shaders, one after the other, in one context. What it compiles is kept.
@@ -184,13 +168,17 @@ impl Checker {
         let freedom = Freedom::of(task, &bindings, &declared, &prepared.written);
         let cast = stage.cast(program, &bindings, |situation| freedom.apply(situation));
         let fixed = report::fixed(&bindings);
-        let seen = stage.draw(program, &cast, &fixed, stage.situations().len())?;
-        stage.complaint()?;
-        if never_ends(stage, program, &cast, &fixed, &seen)? {
-            let mut verdict = Verdict::new(task.exercise, Outcome::Unsure, "a loop in a shader never ends");
+        let all = stage.situations().len();
+        let drawn = endless::drawn(program, &fixed, &[1, all], |fixed, count| {
+            let seen = stage.draw(program, &cast, fixed, count)?;
+            stage.complaint()?;
+            Ok(seen)
+        })?;
+        let Some(seen) = drawn else {
+            let mut verdict = endless::verdict(task.exercise);
             verdict.bound = bound;
             return Ok((verdict, None));
-        }
+        };
         let whole = whole + if freedom.second == Second::None { 0 } else { *of_two };
         let entries = entries(task, &freedom);
         let models: Vec<&CompiledModel> = entries.iter().map(|entry| &self.models[&entry.model]).collect();
@@ -213,7 +201,6 @@ impl Checker {
         let mut verdict = report::verdict(task, &search, &found, &held, prepared.in_vain);
         if task.model.is_lit() {
             let right = &found.nearest_right;
-            let all = stage.situations().len();
             // Where nothing can be looked at alone there is nothing to draw.
             let alone = match freedom.to_find {
                 [true, true, true] => None,

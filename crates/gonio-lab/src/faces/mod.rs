@@ -24,7 +24,8 @@ use gonio_gl::GlError;
 use gonio_gl::foreign::ForeignProgram;
 use images::Handed;
 use stage::FaceStage;
-use tiles::{Tiles, Tolerance};
+pub(crate) use tiles::Tiles;
+use tiles::Tolerance;
 
 /// Pixels along a face that pictures are held against: fine enough for the lines of a panorama of usual size.
 const FINE: u32 = 128;
@@ -56,7 +57,14 @@ pub fn program(
     // With a face's number one draws a square; with a view matrix a cube around the camera.
     let is_cube = !has(Role::Face) && (has(Role::View) || has(Role::ViewProjection) || has(Role::ModelViewProjection));
     let fixed = crate::check::fixed(&bindings);
-    let seen = stage.draw_student(program, &bindings, &fixed, is_cube)?;
+    let drawn = crate::check::drawn_unless_endless(program, &fixed, &[1, 6], |fixed, faces| {
+        stage.draw_student(program, &bindings, fixed, is_cube, faces)
+    })?;
+    let Some(seen) = drawn else {
+        let mut verdict = crate::check::endless_verdict(exercise);
+        verdict.bound = bound;
+        return Ok((verdict, None));
+    };
     let model = checker.model(Model::Panorama);
     let task = Task { hypotheses: &model.hypotheses, tolerance: Tolerance::DRAWN, looks_like: &prepared.looks_like };
     let mut predict = |hypothesis: &Hypothesis| stage.draw_model(model, hypothesis);
