@@ -15,7 +15,7 @@ use gonio_scene::description::{LightSpec, MaterialOverride, Normals, Shading};
 
 /// The light lab: loads a model, lights it with the light equation, shows every term at every pixel.
 #[derive(Parser, Debug)]
-#[command(name = "gonio", version, propagate_version = true, max_term_width = 110)]
+#[command(name = "gonio", bin_name = "gonio", version, propagate_version = true, max_term_width = 110)]
 #[command(disable_help_subcommand = true)]
 #[command(help_template = "{about-with-newline}\n{usage-heading} {usage}{after-help}\n\nOptions:\n{options}")]
 #[command(after_help = "\

@@ -9,10 +9,12 @@ mod capture;
 mod cli;
 mod cli_environment;
 mod commands;
+mod escapes;
 mod limits;
 mod loading;
 mod output;
 mod overrides;
+mod page;
 mod report;
 mod values;
 
@@ -20,17 +22,24 @@ use clap::{CommandFactory, Parser};
 use report::{CliError, Outcome, Reporter};
 
 fn main() {
+    std::panic::set_hook(Box::new(report::panicked));
+    let arguments = match cli::Cli::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => std::process::exit(report::refused_arguments::<cli::Cli>(&error)),
+    };
     let Some(command) =
-        cli::Cli::parse().command.or_else(|| commands::view::alone().map(|args| cli::Command::View(Box::new(args))))
+        arguments.command.or_else(|| commands::view::alone().map(|args| cli::Command::View(Box::new(args))))
     else {
         std::process::exit(report::help_instead_of_a_window(&mut cli::Cli::command()));
     };
     let reporter = Reporter::new(command.quiet(), command.json());
-    let code = match commands::run(&command, &reporter) {
-        Ok(Outcome::Done) => 0,
-        Ok(Outcome::CheckFailed) => 1,
-        Err(CliError::ClosedPipe | CliError::AlreadySaid) => 2,
-        Err(error) => {
+    // A panic was reported by the hook, and is an error like any other.
+    let ended = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| commands::run(&command, &reporter)));
+    let code = match ended {
+        Ok(Ok(Outcome::Done)) => 0,
+        Ok(Ok(Outcome::CheckFailed)) => 1,
+        Err(_) | Ok(Err(CliError::ClosedPipe | CliError::AlreadySaid)) => 2,
+        Ok(Err(error)) => {
             reporter.error(&error);
             if reporter.json() {
                 // stdout may be what failed; the sentence on stderr has been said.

@@ -2,10 +2,13 @@
 //!
 //! What a command was asked for goes to stdout, as bytes or text or (`--json`) as one JSON object;
 //! everything said *about* it goes to stderr: `error:`, `warning:`, `note:`, one sentence each, and
-//! progress bars where stderr is a terminal.
+//! progress bars where stderr is a terminal. Whatever is printed goes through [`crate::page`], so that nothing that a file
+//! says can move the cursor, hide what was said, or pass for a line of ours.
 #![allow(clippy::print_stderr, clippy::print_stdout)]
 
-use anstyle::{AnsiColor, Style};
+use crate::escapes::json_for_terminal;
+use crate::page::{Page, Style, line_for_terminal};
+use clap::Parser;
 use gonio_gl::GlError;
 use gonio_mesh::{Diagnostic, ReadError, Severity};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -33,6 +36,40 @@ pub fn help_instead_of_a_window(command: &mut clap::Command) -> i32 {
     2
 }
 
+/// Prints why the arguments were refused, or the help that was asked for. The exit code.
+///
+/// What was refused is quoted, so the arguments are read once more with hidden characters as escapes.
+pub fn refused_arguments<C: Parser>(error: &clap::Error) -> i32 {
+    // A closed stream is nobody's error.
+    if !error.use_stderr() {
+        let _ = error.print();
+        return error.exit_code();
+    }
+    let shown = std::env::args_os().map(|word| line_for_terminal(&word.to_string_lossy()));
+    let _ = match C::try_parse_from(shown) {
+        Err(same) if same.kind() == error.kind() => write!(anstream::stderr(), "{}", same.render().ansi()),
+        _ => {
+            let page = Page::of_text(&error.render().to_string());
+            write!(anstream::stderr(), "{}", page.for_terminal())
+        }
+    };
+    error.exit_code()
+}
+
+/// Prints a panic like any other error: its message may quote a file.
+pub fn panicked(panic: &std::panic::PanicHookInfo<'_>) {
+    let place = panic.location().map(ToString::to_string).unwrap_or_default();
+    let message = panic.payload_as_str().unwrap_or("for an unknown reason");
+    let mut page = Page::new();
+    let (red, end) = (Style::Red, Style::Red);
+    page.line(format_args!("{red}error{end:#}: gonio panicked at {place}: {message}; this is a fault of gonio"));
+    let trace = std::backtrace::Backtrace::capture();
+    if trace.status() == std::backtrace::BacktraceStatus::Captured {
+        page.text(&trace.to_string());
+    }
+    let _ = write!(anstream::stderr(), "{}", page.for_terminal());
+}
+
 /// How a command ended that did not fail.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
@@ -47,6 +84,8 @@ pub enum Outcome {
 pub enum CliError {
     /// One sentence: what, where, what to do.
     Message(String),
+    /// Several, a line each: what a compiler says.
+    Lines(Vec<String>),
     /// Whoever read our stdout has gone: there is nobody left to tell, so nothing is said.
     ClosedPipe,
     /// A process that did the work has said it.
@@ -59,6 +98,11 @@ impl CliError {
         CliError::Message(message.into())
     }
 
+    /// An error of several lines.
+    pub fn lines(lines: impl IntoIterator<Item = String>) -> Self {
+        CliError::Lines(lines.into_iter().collect())
+    }
+
     /// `doing`, then why the system refused.
     pub fn io(doing: impl Display, error: &io::Error) -> Self {
         CliError::Message(format!("{doing}: {}", io_reason(error)))
@@ -69,6 +113,7 @@ impl Display for CliError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             CliError::Message(message) => f.write_str(message),
+            CliError::Lines(lines) => f.write_str(&lines.join("\n")),
             CliError::ClosedPipe => f.write_str("stdout was closed before everything was written"),
             CliError::AlreadySaid => f.write_str("the reason was said before"),
         }
@@ -83,7 +128,8 @@ impl From<ReadError> for CliError {
 
 impl From<GlError> for CliError {
     fn from(error: GlError) -> Self {
-        CliError::Message(error.message)
+        // What a driver says of a shader has several lines.
+        CliError::lines(error.message.lines().map(str::to_owned))
     }
 }
 
@@ -132,26 +178,29 @@ impl Reporter {
     }
 
     /// `error: ...`
-    pub fn error(&self, message: impl Display) {
-        Self::say("error", AnsiColor::Red, message);
+    pub fn error(&self, error: &CliError) {
+        match error {
+            CliError::Lines(lines) => Self::say("error", Style::Red, lines),
+            one => Self::say("error", Style::Red, &[one]),
+        }
     }
 
     /// `check failed: ...`: said before exit code 1.
     pub fn check_failed(&self, message: impl Display) {
-        Self::say("check failed", AnsiColor::Red, message);
+        Self::say("check failed", Style::Red, &[message]);
     }
 
     /// `warning: ...`
     pub fn warning(&self, message: impl Display) {
         if !self.quiet {
-            Self::say("warning", AnsiColor::Yellow, message);
+            Self::say("warning", Style::Yellow, &[message]);
         }
     }
 
     /// `note: ...`
     pub fn note(&self, message: impl Display) {
         if !self.quiet {
-            Self::say("note", AnsiColor::Cyan, message);
+            Self::say("note", Style::Cyan, &[message]);
         }
     }
 
@@ -169,10 +218,17 @@ impl Reporter {
         }
     }
 
-    fn say(word: &str, color: AnsiColor, message: impl Display) {
-        let style = Style::new().bold().fg_color(Some(color.into()));
+    /// The word before the first line, the others indented.
+    fn say(word: &str, style: Style, lines: &[impl Display]) {
+        let mut page = Page::new();
+        for (index, line) in lines.iter().enumerate() {
+            match index {
+                0 => page.line(format_args!("{style}{word}{style:#}: {line}")),
+                _ => page.line(format_args!("  {line}")),
+            }
+        }
         // A closed stderr is nobody's error.
-        let _ = writeln!(anstream::stderr(), "{style}{word}{style:#}: {message}");
+        let _ = write!(anstream::stderr(), "{}", page.for_terminal());
     }
 
     /// What was asked for, as bytes.
@@ -182,33 +238,29 @@ impl Reporter {
     }
 
     /// What was asked for, as text; styles are left out where stdout is no terminal.
-    pub fn text(&self, text: &str) -> Result<(), CliError> {
+    pub fn text(&self, page: &Page) -> Result<(), CliError> {
         let mut out = anstream::stdout().lock();
-        out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(stdout_error)
+        out.write_all(page.for_terminal().as_bytes()).and_then(|()| out.flush()).map_err(stdout_error)
     }
 
     /// The report of `--json`: one object, indented.
     pub fn report(&self, value: &impl serde::Serialize) -> Result<(), CliError> {
-        let mut text = serde_json::to_string_pretty(value)
-            .map_err(|e| CliError::new(format!("the report could not be written as JSON: {e}")))?;
-        text.push('\n');
-        self.data(text.as_bytes())
+        self.data(json_text(value)?.as_bytes())
     }
 
     /// A bar for something whose share done is known; it appears when a second has passed.
-    pub fn progress(&self, what: &str) -> Progress {
+    pub fn progress(&self, what: &'static str) -> Progress {
         let bar = self.bars.then(|| (Instant::now(), Mutex::new(None)));
-        Progress { what: what.to_owned(), bar }
+        Progress { what, bar }
     }
 
     /// Something whose share done is not known: a spinner appears when a second has passed, and goes
     /// when the guard is dropped.
-    pub fn busy(&self, what: &str) -> Busy {
+    pub fn busy(&self, what: &'static str) -> Busy {
         if !self.bars {
             return Busy { end: None };
         }
         let (end, ended) = mpsc::channel::<()>();
-        let what = what.to_owned();
         let watcher = std::thread::spawn(move || {
             if ended.recv_timeout(PATIENCE) == Err(mpsc::RecvTimeoutError::Timeout) {
                 let spinner = ProgressBar::new_spinner();
@@ -220,6 +272,13 @@ impl Reporter {
         });
         Busy { end: Some((end, watcher)) }
     }
+}
+
+/// A report as indented JSON, with a newline at its end; characters that a terminal does not show are escaped.
+pub fn json_text(value: &impl serde::Serialize) -> Result<String, CliError> {
+    let text = serde_json::to_string_pretty(value)
+        .map_err(|e| CliError::new(format!("the report could not be written as JSON: {e}")))?;
+    Ok(json_for_terminal(&text) + "\n")
 }
 
 /// A diagnostic as `FILE:LINE: MESSAGE`, without its severity.
@@ -249,7 +308,7 @@ fn stdout_error(error: io::Error) -> CliError {
 
 /// A progress bar that may never be seen.
 pub struct Progress {
-    what: String,
+    what: &'static str,
     bar: Option<(Instant, Mutex<Option<ProgressBar>>)>,
 }
 
@@ -267,7 +326,7 @@ impl Progress {
             if let Ok(style) = ProgressStyle::with_template("{msg} [{bar:40}] {percent}% {eta}") {
                 bar.set_style(style.progress_chars("=> "));
             }
-            bar.set_message(self.what.clone());
+            bar.set_message(self.what);
             bar
         });
         bar.set_position((share.clamp(0.0, 1.0) * 1000.0) as u64);

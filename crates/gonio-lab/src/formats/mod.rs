@@ -1,7 +1,7 @@
 //! What a check says, in the forms that people and machines read: test reports, graders' results, tables, pages, pictures.
 //!
 //! All of it is text or bytes made of data: nothing is written anywhere. What students wrote (names, lines of source,
-//! messages) is taken for hostile: see `text`.
+//! messages) is taken for hostile: see `text` and `visible`.
 
 mod graders;
 mod html;
@@ -13,6 +13,7 @@ mod sheet;
 mod similarity;
 mod table;
 mod text;
+mod visible;
 
 #[cfg(test)]
 mod tests;
@@ -25,3 +26,4 @@ pub use page::page;
 pub use sheet::sheet;
 pub use similarity::{Fingerprint, similar_pairs, similarity};
 pub use table::{Row, RowMistake, csv};
+pub use visible::{is_hidden, push_visible, visible};

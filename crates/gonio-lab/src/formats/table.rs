@@ -1,6 +1,7 @@
 //! Many submissions in a table.
 
-use super::text::{is_invisible, line, place, plain, unit, word};
+use super::text::{line, place, plain, unit, word};
+use super::visible::is_hidden;
 use crate::verdict::{Outcome, Verdict};
 use serde::{Deserialize, Serialize};
 
@@ -107,8 +108,7 @@ pub fn csv(rows: &[Row]) -> String {
 /// A text as a cell.
 fn cell(text: &str) -> String {
     // A spreadsheet looks past blanks, and past what takes no place.
-    let begins =
-        text.trim_start_matches(|c: char| c == ' ' || is_invisible(c) || (c.is_control() && !c.is_whitespace()));
+    let begins = text.trim_start_matches(|c: char| c == ' ' || (is_hidden(c) && !matches!(c, '\t' | '\r' | '\n')));
     let is_formula = begins.starts_with(['=', '+', '-', '@', '\t', '\r', '\n', '＝', '＋', '－', '＠']);
     let text = plain(text);
     let text = if is_formula { format!("'{text}") } else { text };

@@ -1,20 +1,13 @@
 //! Text for formats that would read more into it than a student's file says: escaping, and nothing invisible.
 
+use super::visible::push_visible;
 use crate::verdict::Outcome;
-use std::fmt::Write as _;
 
 /// More than this of one text is not shown.
 const MOST_CHARACTERS: usize = 2000;
 
-/// Marks that turn the direction of text around or take no place: what is read is not what stands there.
-pub fn is_invisible(c: char) -> bool {
-    matches!(c,
-        '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}'
-        | '\u{feff}' | '\u{fff9}'..='\u{fffb}' | '\u{e0000}'..='\u{e007f}')
-}
-
-/// The text with everything invisible made visible: control characters as their pictures (`␀`), marks of direction as
-/// `[U+202E]`, other non-characters as `�`. Line breaks are `\n` and stay, and so do tabs. What is too long is cut off.
+/// The text with hidden characters as escapes (`\x1b`, `\u{202e}`). Line breaks become `\n` and stay, and so do tabs. What is
+/// too long is cut off.
 pub fn plain(text: &str) -> String {
     let mut plain = String::with_capacity(text.len().min(MOST_CHARACTERS));
     let mut characters = text.chars().peekable();
@@ -27,16 +20,7 @@ pub fn plain(text: &str) -> String {
                     plain.push('\n');
                 }
             }
-            '\0'..='\u{1f}' => plain.push(char::from_u32(0x2400 + u32::from(c)).unwrap_or('\u{fffd}')),
-            '\u{7f}' => plain.push('\u{2421}'),
-            '\u{80}'..='\u{9f}' => plain.push('\u{fffd}'),
-            // XML has no such characters.
-            '\u{fffe}' | '\u{ffff}' => plain.push('\u{fffd}'),
-            c if is_invisible(c) => {
-                // Writing into a String cannot fail.
-                let _ = write!(plain, "[U+{:04X}]", u32::from(c));
-            }
-            c => plain.push(c),
+            c => push_visible(&mut plain, c),
         }
     }
     if characters.next().is_some() {
@@ -131,12 +115,12 @@ mod tests {
 
     #[test]
     fn nothing_invisible_is_left() {
-        assert_eq!(plain("a\0b\u{1b}[31m\u{7f}\u{85}"), "a␀b␛[31m␡\u{fffd}");
-        assert_eq!(plain("x\u{202e}y\u{2066}\u{200b}\u{feff}"), "x[U+202E]y[U+2066][U+200B][U+FEFF]");
+        assert_eq!(plain("a\0b\u{1b}[31m\u{7f}\u{85}"), r"a\x00b\x1b[31m\x7f\u{85}");
+        assert_eq!(plain("x\u{202e}y\u{2066}\u{200b}\u{feff}"), r"x\u{202e}y\u{2066}\u{200b}\u{feff}");
         assert_eq!(plain("one\r\ntwo\rthree\tfour"), "one\ntwo\nthree\tfour");
-        assert_eq!(plain("\u{ffff}\u{fffe}"), "\u{fffd}\u{fffd}");
+        assert_eq!(plain("\u{ffff}\u{fffe}"), r"\u{ffff}\u{fffe}");
         assert_eq!(plain("Ünïcode 日本 العربية"), "Ünïcode 日本 العربية");
-        assert_eq!(line("  a\n\tb\u{2029}c "), "a b[U+2029]c");
+        assert_eq!(line("  a\n\tb\u{2029}c "), r"a b\u{2029}c");
     }
 
     #[test]

@@ -1,9 +1,10 @@
 //! `gonio scene`: the complete effective scene of an input, so that any picture can be made again.
 
 use crate::cli::{SceneOptions, WordOptions};
+use crate::escapes::toml_for_terminal;
 use crate::loading;
 use crate::output::atomic;
-use crate::report::{CliError, Outcome, Reporter};
+use crate::report::{CliError, Outcome, Reporter, json_text};
 use clap::Args;
 use gonio_scene::Scene;
 use std::path::{Path, PathBuf};
@@ -77,13 +78,7 @@ fn effective(args: &SceneArgs, reporter: &Reporter) -> Result<String, CliError> 
         });
         return json_text(&report);
     }
-    Ok(loaded.scene.to_toml_string())
-}
-
-fn json_text(value: &impl serde::Serialize) -> Result<String, CliError> {
-    let text = serde_json::to_string_pretty(value)
-        .map_err(|e| CliError::new(format!("the scene could not be written as JSON: {e}")))?;
-    Ok(text + "\n")
+    Ok(toml_for_terminal(&loaded.scene.to_toml_string()))
 }
 
 /// A model's path, relative to this folder until now, as seen from `folder`.

@@ -15,26 +15,9 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), CliError> {
     write_inner(path, bytes).map_err(|e| refused(path, &e))
 }
 
-/// Files directly in `folder`, which is made where it is not there: all of them, or, where one cannot be written, none.
-pub fn write_together(folder: &Path, files: &[(PathBuf, Vec<u8>)]) -> Result<(), CliError> {
-    let is_new = !folder.exists();
-    let write = || {
-        std::fs::create_dir_all(folder)
-            .map_err(|e| CliError::io(format!("the folder `{}` cannot be made", folder.display()), &e))?;
-        let Some((first, _)) = files.first() else { return Ok(()) };
-        let apart = folder_beside(first)?;
-        let finished = |i: usize| apart.path().join(i.to_string());
-        for (i, (path, bytes)) in files.iter().enumerate() {
-            destination(path).and_then(|_| std::fs::write(finished(i), bytes)).map_err(|e| refused(path, &e))?;
-        }
-        files.iter().enumerate().try_for_each(|(i, (path, _))| replace(path, &finished(i)))
-    };
-    write().inspect_err(|_| {
-        if is_new {
-            // Empty again. Where it cannot go either, the error says enough.
-            let _ = std::fs::remove_dir(folder);
-        }
-    })
+/// Finds out whether something is in the way of a file: a folder, say.
+pub fn check_target(path: &Path) -> Result<(), CliError> {
+    destination(path).map(drop).map_err(|e| refused(path, &e))
 }
 
 /// Finds out whether [`write()`] has a chance, before a picture is drawn for it.
@@ -71,7 +54,8 @@ pub fn folder_beside(path: &Path) -> Result<TempDir, CliError> {
     make().map_err(|e| refused(path, &e))
 }
 
-fn refused(path: &Path, error: &io::Error) -> CliError {
+/// `error`, as a sentence about the file that was to be written.
+pub fn refused(path: &Path, error: &io::Error) -> CliError {
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty());
     if error.kind() == io::ErrorKind::NotFound
         && let Some(folder) = folder
@@ -162,28 +146,6 @@ mod tests {
         write(&path, b"two").unwrap();
         assert_eq!(std::fs::read(&path).unwrap(), b"two");
         assert_eq!(names(folder.path()), ["out.bin"]);
-    }
-
-    #[test]
-    fn files_are_written_together_or_not_at_all() {
-        let folder = tempfile::tempdir().unwrap();
-        let new = folder.path().join("new");
-        let files = |last: &str| [(new.join("a"), b"1".to_vec()), (new.join(last), b"2".to_vec())];
-        // No file system has names as long as the second's.
-        write_together(&new, &files(&"b".repeat(9999))).unwrap_err();
-        assert!(names(folder.path()).is_empty());
-        write_together(&new, &files("b")).unwrap();
-        let mut there = names(&new);
-        there.sort();
-        assert_eq!(
-            (there.as_slice(), std::fs::read(new.join("b")).unwrap()),
-            (&["a".into(), "b".into()][..], b"2".to_vec())
-        );
-        // A folder in the way of the second is found before the first is replaced.
-        std::fs::create_dir(new.join("c")).unwrap();
-        let text = write_together(&new, &[(new.join("a"), b"9".to_vec()), (new.join("c"), b"9".to_vec())]).unwrap_err();
-        assert!(text.to_string().contains("it is a folder"), "{text}");
-        assert_eq!(std::fs::read(new.join("a")).unwrap(), b"1");
     }
 
     #[test]

@@ -5,5 +5,7 @@ pub mod atomic;
 pub mod exr;
 pub mod plan;
 pub mod png;
+pub mod set;
 
 pub use plan::{Format, Plan, PlanRequest, Target};
+pub use set::FileSet;

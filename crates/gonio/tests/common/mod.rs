@@ -1,6 +1,8 @@
 //! Runs the program in a folder of its own.
 #![allow(dead_code, clippy::unwrap_used, missing_docs)]
 
+pub mod visible;
+
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 

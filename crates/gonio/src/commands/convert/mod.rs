@@ -3,7 +3,7 @@
 mod textures;
 
 use crate::cli::{LimitOptions, WordOptions};
-use crate::output::atomic;
+use crate::output::{FileSet, atomic};
 use crate::report::{CliError, Outcome, Reporter};
 use clap::Args;
 use gonio_mesh::write::{self, ImageFile};
@@ -112,13 +112,15 @@ fn write_obj(
     let files = write::obj::write(model, &format!("{}.mtl", stem_of(output)));
     diagnostics.extend(files.diagnostics);
     // What the model names is there before it is.
-    let mut outputs = write_images(model, &files.images, output)?;
+    let mut set = FileSet::new();
+    let mut outputs = add_images(&mut set, model, &files.images, output)?;
     if !files.mtl.is_empty() {
         let path = output.with_file_name(&files.mtl_name);
-        atomic::write(&path, &files.mtl)?;
+        set.add(&path, &files.mtl)?;
         outputs.push(path);
     }
-    atomic::write(output, &files.obj)?;
+    set.add(output, &files.obj)?;
+    set.commit()?;
     outputs.push(output.to_owned());
     outputs.reverse();
     Ok(outputs)
@@ -134,8 +136,10 @@ fn write_ply(
     textures.name_for(model, &args.output);
     let files = write::ply::write(model, &stem_of(&args.output), encoding);
     diagnostics.extend(files.diagnostics);
-    let mut outputs = write_images(model, &files.images, &args.output)?;
-    atomic::write(&args.output, &files.ply)?;
+    let mut set = FileSet::new();
+    let mut outputs = add_images(&mut set, model, &files.images, &args.output)?;
+    set.add(&args.output, &files.ply)?;
+    set.commit()?;
     outputs.insert(0, args.output.clone());
     Ok(outputs)
 }
@@ -153,13 +157,13 @@ fn write_glb(
     Ok(vec![output.to_owned()])
 }
 
-/// Writes pictures that were inside the model beside it.
-fn write_images(model: &Model, images: &[ImageFile], output: &Path) -> Result<Vec<PathBuf>, CliError> {
+/// Adds the pictures that were inside the model, beside it. Their files.
+fn add_images(set: &mut FileSet, model: &Model, images: &[ImageFile], output: &Path) -> Result<Vec<PathBuf>, CliError> {
     let mut written = Vec::new();
     for file in images {
         if let Some(image) = model.images.get(file.image) {
             let path = output.with_file_name(&file.name);
-            atomic::write(&path, &image.bytes)?;
+            set.add(&path, &image.bytes)?;
             written.push(path);
         }
     }

@@ -7,15 +7,15 @@ mod read;
 mod sheets;
 
 use crate::cli::WordOptions;
-use crate::output::atomic;
 use crate::output::png::{self, Meaning};
+use crate::output::{FileSet, atomic};
+use crate::page::Page;
 use crate::report::{CliError, Outcome, Reporter};
 use crate::values;
 use clap::Args;
 use measure::Numbers;
 use read::Pixels;
 use serde::Serialize;
-use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 /// Compare two pictures: numbers, difference map, side by side, wipe.
@@ -170,8 +170,9 @@ pub fn run(args: &DiffArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
 fn write_pictures(args: &DiffArgs, a: &Pixels, b: &Pixels, numbers: &Numbers) -> Result<(), CliError> {
     let full_scale = args.scale.unwrap_or(numbers.steps.max.max(1.0));
     let difference = map::map(a, b, full_scale);
-    let write = |path: &Path, picture: &gonio_scene::picture::EncodedPicture<u8>| {
-        atomic::write(path, &png::encode8(picture, Meaning::Srgb)?)
+    let mut set = FileSet::new();
+    let mut write = |path: &Path, picture: &gonio_scene::picture::EncodedPicture<u8>| {
+        set.add(path, &png::encode8(picture, Meaning::Srgb)?)
     };
     if let Some(path) = &args.side_by_side {
         write(path, &sheets::side_by_side(a, b, &difference))?;
@@ -183,7 +184,7 @@ fn write_pictures(args: &DiffArgs, a: &Pixels, b: &Pixels, numbers: &Numbers) ->
         let picture = if args.no_legend { difference } else { map::with_legend(&difference, full_scale) };
         write(path, &picture)?;
     }
-    Ok(())
+    set.commit()
 }
 
 fn checks(args: &DiffArgs, numbers: &Numbers) -> Vec<Check> {
@@ -214,38 +215,39 @@ fn checks(args: &DiffArgs, numbers: &Numbers) -> Vec<Check> {
     checks
 }
 
-fn text(args: &DiffArgs, a: &Pixels, b: &Pixels, n: &Numbers) -> String {
-    let mut text = String::new();
+fn text(args: &DiffArgs, a: &Pixels, b: &Pixels, n: &Numbers) -> Page {
+    let mut page = Page::new();
     let names = [args.a.display().to_string(), args.b.display().to_string()];
     let width = names[0].len().max(names[1].len());
     for (name, pixels) in names.iter().zip([a, b]) {
-        let _ = writeln!(text, "{name:width$}  {}x{}, {}", pixels.width, pixels.height, pixels.depth());
+        page.line(format_args!("{name:width$}  {}x{}, {}", pixels.width, pixels.height, pixels.depth()));
     }
-    let _ = writeln!(text, "\n{:18}{:>14}{:>14}", "", "8-bit steps", "linear");
+    page.blank();
+    page.line(format_args!("{:18}{:>14}{:>14}", "", "8-bit steps", "linear"));
     for (name, steps, linear) in [
         ("mean", n.steps.mean, n.linear.mean),
         ("RMS", n.steps.rms, n.linear.rms),
         ("maximum", n.steps.max, n.linear.max),
     ] {
-        let _ = writeln!(text, "{name:18}{:>14}{:>14}", number(steps), number(linear));
+        page.line(format_args!("{name:18}{:>14}{:>14}", number(steps), number(linear)));
     }
-    let _ = writeln!(
-        text,
+    page.line(format_args!(
         "{:18}{:>14}   {} of {} pixels, by more than {} steps",
         "differing",
         format!("{} %", number(n.differing_percent)),
         n.differing_pixels,
         n.pixels,
         number(n.tolerance)
-    );
-    let _ = writeln!(text, "{:18}{:>14}", "SSIM", number(n.ssim));
+    ));
+    page.line(format_args!("{:18}{:>14}", "SSIM", number(n.ssim)));
     if let Some(worst) = &n.worst {
-        let _ = writeln!(text, "\nlargest at {},{}: {} and {}", worst.x, worst.y, worst.a, worst.b);
+        page.blank();
+        page.line(format_args!("largest at {},{}: {} and {}", worst.x, worst.y, worst.a, worst.b));
     }
     if n.not_finite > 0 {
-        let _ = writeln!(text, "{} pixels are NaN or infinite in one picture and not in the other", n.not_finite);
+        page.line(format_args!("{} pixels are NaN or infinite in one picture and not in the other", n.not_finite));
     }
-    text
+    page
 }
 
 /// Six significant digits, no trailing zeros.

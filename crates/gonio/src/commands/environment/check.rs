@@ -3,6 +3,7 @@
 use super::describe;
 use super::write::{Kind, Look, Plan};
 use crate::cli::{LimitOptions, WordOptions};
+use crate::page::Page;
 use crate::report::{CliError, Outcome, Reporter};
 use crate::values;
 use clap::Args;
@@ -87,10 +88,11 @@ pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
             "warnings": opened.diagnostics,
         }))?;
     } else {
-        let mut text = format!("{}: {}\n", args.input, describe(&opened));
-        found.sentences().iter().for_each(|s| text.push_str(&format!("  {s}\n")));
-        outputs.iter().for_each(|path| text.push_str(&format!("repaired: {}\n", path.display())));
-        reporter.text(&text)?;
+        let mut page = Page::new();
+        page.line(format_args!("{}: {}", args.input, describe(&opened)));
+        found.sentences().iter().for_each(|sentence| page.line(format_args!("  {sentence}")));
+        outputs.iter().for_each(|path| page.line(format_args!("repaired: {}", path.display())));
+        reporter.text(&page)?;
     }
     if found.fits() || args.repair.is_some() {
         return Ok(Outcome::Done);

@@ -1,6 +1,6 @@
 //! An environment to files: what, where to, in which format.
 
-use crate::output::atomic;
+use crate::output::{FileSet, atomic};
 use crate::report::CliError;
 use crate::values::nearest;
 use gonio_environment::arrange::{self, Arrangement};
@@ -298,14 +298,15 @@ impl Plan {
             .collect::<Result<_, EnvironmentError>>()
             .map_err(failed)?;
         let mut written = Written::default();
-        let mut files = Vec::with_capacity(6);
+        let mut files = FileSet::new();
+        files.make_folder(&self.output)?;
         for (face, (bytes, warnings)) in Face::ALL.into_iter().zip(encoded) {
             let path = self.output.join(format!("{}.{extension}", face.name()));
             written.warnings.extend(warnings.into_iter().map(|w| format!("{}: {w}", path.display())));
-            written.outputs.push(path.clone());
-            files.push((path, bytes));
+            files.add(&path, &bytes)?;
+            written.outputs.push(path);
         }
-        atomic::write_together(&self.output, &files)?;
+        files.commit()?;
         // Two sets in a folder are a riddle for whoever reads it.
         let others = Format::ALL.into_iter().map(Format::extension).chain(["jpg"]).filter(|e| *e != extension);
         for other in others.map(|e| self.output.join(format!("posx.{e}"))).filter(|path| path.is_file()) {

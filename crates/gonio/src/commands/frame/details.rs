@@ -1,11 +1,11 @@
 //! One draw with all that it read, or one program.
 
-use super::text::{self, HEADING, counted, heading, numbers, table};
+use super::text::{self, aligned, counted, numbers, table};
+use crate::page::Page;
 use gonio_gl::record::{
     AttributeRecord, AttributeSource, DrawRecord, Finding, FrameRecord, Numbers, ProgramRecord, SamplerRecord,
     UniformValue,
 };
-use std::fmt::Write;
 
 /// Width of the names on the left.
 const NAME: usize = 18;
@@ -13,12 +13,11 @@ const NAME: usize = 18;
 const MOST_ELEMENTS: usize = 16;
 
 /// A draw.
-pub fn draw(record: &FrameRecord, draw: &DrawRecord, findings: &[Finding]) -> String {
-    let mut page = String::new();
-    let _ = writeln!(page, "{HEADING}draw {}: {}{HEADING:#}", draw.index, draw.title());
+pub fn draw(record: &FrameRecord, draw: &DrawRecord, findings: &[Finding]) -> Page {
+    let mut page = Page::new();
+    page.heading(format_args!("draw {}: {}", draw.index, draw.title()));
     let mut line = |name: &str, value: String| {
-        // Writing to a String cannot fail.
-        let _ = writeln!(page, "  {name:NAME$}{value}");
+        page.line(format_args!("  {name:NAME$}{value}"));
     };
     if let Some(pass) = record.passes.get(draw.pass) {
         line("pass", format!("{} {}, into `{}`", draw.pass, pass.name, pass.target.name));
@@ -38,17 +37,17 @@ pub fn draw(record: &FrameRecord, draw: &DrawRecord, findings: &[Finding]) -> St
     text::findings(&mut page, &mine);
     attributes(&mut page, &draw.attributes);
     samplers(&mut page, record, &draw.samplers);
-    heading(&mut page, "uniforms");
+    page.heading("uniforms");
     for uniform in &draw.uniforms {
         self::uniform(&mut page, uniform);
     }
     page
 }
 
-fn attributes(page: &mut String, attributes: &[AttributeRecord]) {
-    heading(page, "attributes");
+fn attributes(page: &mut Page, attributes: &[AttributeRecord]) {
+    page.heading("attributes");
     if attributes.is_empty() {
-        page.push_str("  none: vertices are made from their numbers\n");
+        page.line("  none: vertices are made from their numbers");
     }
     let rows = attributes.iter().map(|attribute| {
         let fed = match &attribute.source {
@@ -59,17 +58,15 @@ fn attributes(page: &mut String, attributes: &[AttributeRecord]) {
     });
     // The last column may be long, and is not cut.
     let (rows, fed): (Vec<_>, Vec<_>) = rows.unzip();
-    let mut text = String::new();
-    table(&mut text, "rll", &[], rows.into_iter());
-    for (line, fed) in text.lines().zip(fed) {
-        let _ = writeln!(page, "{line:36}  {fed}");
+    for (line, fed) in aligned("rll", &[], rows.into_iter()).iter().zip(fed) {
+        page.line(format_args!("{line:36}  {fed}"));
     }
 }
 
-fn samplers(page: &mut String, record: &FrameRecord, samplers: &[SamplerRecord]) {
-    heading(page, "samplers");
+fn samplers(page: &mut Page, record: &FrameRecord, samplers: &[SamplerRecord]) {
+    page.heading("samplers");
     if samplers.is_empty() {
-        page.push_str("  none\n");
+        page.line("  none");
     }
     let rows = samplers.iter().map(|sampler| {
         let texture = sampler.texture.and_then(|id| record.texture(id));
@@ -87,18 +84,18 @@ fn samplers(page: &mut String, record: &FrameRecord, samplers: &[SamplerRecord])
 }
 
 /// A matrix row by row, an array element by element.
-fn uniform(page: &mut String, uniform: &UniformValue) {
+fn uniform(page: &mut Page, uniform: &UniformValue) {
     let mark = if uniform.sent { "" } else { "   (never sent)" };
     let name = format!("{} {}", uniform.glsl_type, uniform.name);
     let rows = rows(uniform);
     let rest = rows.len().saturating_sub(MOST_ELEMENTS);
     let mut name = name.as_str();
     for row in rows.iter().take(MOST_ELEMENTS) {
-        let _ = writeln!(page, "{}", format!("  {name:32}{row}{mark}").trim_end());
+        page.line(format!("  {name:32}{row}{mark}").trim_end());
         name = "";
     }
     if rest > 0 {
-        let _ = writeln!(page, "  {:32}and {rest} more, all 0 or not shown", "");
+        page.line(format_args!("  {:32}and {rest} more, all 0 or not shown", ""));
     }
 }
 
@@ -139,13 +136,13 @@ fn matrix(kind: &str) -> Option<[usize; 2]> {
 }
 
 /// A program.
-pub fn program(number: usize, program: &ProgramRecord) -> String {
-    let mut page = String::new();
-    let _ = writeln!(page, "{HEADING}program {number}: {}{HEADING:#}", program.name);
-    heading(&mut page, "attributes");
+pub fn program(number: usize, program: &ProgramRecord) -> Page {
+    let mut page = Page::new();
+    page.heading(format_args!("program {number}: {}", program.name));
+    page.heading("attributes");
     let rows = program.attributes.iter().map(|a| vec![a.location.to_string(), a.name.clone(), a.glsl_type.clone()]);
     table(&mut page, "rll", &[], rows);
-    heading(&mut page, "uniforms");
+    page.heading("uniforms");
     let rows = program.uniforms.iter().map(|uniform| {
         let size = if uniform.array_size == 1 { String::new() } else { format!("[{}]", uniform.array_size) };
         let location = uniform.location.map_or(String::new(), |location| location.to_string());
@@ -153,9 +150,8 @@ pub fn program(number: usize, program: &ProgramRecord) -> String {
     });
     table(&mut page, "rll", &[], rows);
     for (stage, source) in [("vertex shader", &program.vertex_source), ("fragment shader", &program.fragment_source)] {
-        heading(&mut page, stage);
-        page.push_str(source.trim_end());
-        page.push('\n');
+        page.heading(stage);
+        page.text(source.trim_end());
     }
     page
 }

@@ -6,6 +6,7 @@ mod text;
 use crate::backend::{BackendChoice, open_context};
 use crate::cli::{self, BackendOptions, SceneOptions, WordOptions};
 use crate::loading;
+use crate::page::Page;
 use crate::report::{CliError, Outcome, Reporter, Times};
 use crate::values;
 use clap::Args;
@@ -146,7 +147,7 @@ pub enum Shown {
 }
 
 /// A frame as text. An error where there is no such draw or program.
-pub fn page(about: &str, record: &FrameRecord, findings: &[Finding], shown: Shown) -> Result<String, CliError> {
+pub fn page(about: &str, record: &FrameRecord, findings: &[Finding], shown: Shown) -> Result<Page, CliError> {
     match shown {
         Shown::Everything => Ok(text::frame(about, record, findings)),
         Shown::Draw(number) => {

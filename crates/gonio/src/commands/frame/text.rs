@@ -1,22 +1,20 @@
 //! A frame as a page of text: tables of what was done, in order.
 
-use anstyle::{AnsiColor, Style};
+use crate::page::{Page, Style};
 use gonio_gl::record::{
     DrawRecord, Finding, FrameRecord, PassRecord, ProgramRecord, SamplerRecord, Severity, TextureRecord,
 };
 use std::fmt::Write;
 
-pub(super) const HEADING: Style = Style::new().bold();
-
 /// Columns beyond which a name is cut.
 const WIDEST: usize = 44;
 
 /// Everything, briefly.
-pub fn frame(about: &str, record: &FrameRecord, findings: &[Finding]) -> String {
-    let mut text = String::new();
-    let _ = writeln!(text, "{HEADING}{about}{HEADING:#}");
+pub fn frame(about: &str, record: &FrameRecord, findings: &[Finding]) -> Page {
+    let mut text = Page::new();
+    text.heading(about);
     for note in &record.notes {
-        let _ = writeln!(text, "  note: {note}");
+        text.line(format_args!("  note: {note}"));
     }
     self::findings(&mut text, findings);
     passes(&mut text, &record.passes);
@@ -27,40 +25,34 @@ pub fn frame(about: &str, record: &FrameRecord, findings: &[Finding]) -> String 
     text
 }
 
-pub(super) fn heading(text: &mut String, words: &str) {
-    let _ = writeln!(text, "\n{HEADING}{words}{HEADING:#}");
-}
-
 /// What is wrong.
-pub(super) fn findings(text: &mut String, findings: &[Finding]) {
-    heading(text, "findings");
+pub(super) fn findings(text: &mut Page, findings: &[Finding]) {
+    text.heading("findings");
     if findings.is_empty() {
-        text.push_str("  none: every sampler reads what was bound for it, every uniform was sent\n");
+        text.line("  none: every sampler reads what was bound for it, every uniform was sent");
     }
     for finding in findings {
-        let color = match finding.severity {
-            Severity::Error => AnsiColor::Red,
-            Severity::Warning => AnsiColor::Yellow,
+        let style = match finding.severity {
+            Severity::Error => Style::Red,
+            Severity::Warning => Style::Yellow,
         };
-        let style = Style::new().bold().fg_color(Some(color.into()));
         let more = match finding.draws {
             1 => String::new(),
             n => format!(" (and in {} more)", n - 1),
         };
-        let _ = writeln!(
-            text,
-            "  {style}{}{style:#} {}: draw {}, {}{more}\n    {}\n    {}",
+        text.line(format_args!(
+            "  {style}{}{style:#} {}: draw {}, {}{more}",
             finding.severity.name(),
             finding.rule.name(),
             finding.draw,
-            finding.draw_title,
-            finding.message,
-            finding.advice
-        );
+            finding.draw_title
+        ));
+        text.line(format_args!("    {}", finding.message));
+        text.line(format_args!("    {}", finding.advice));
     }
 }
 
-fn passes(text: &mut String, passes: &[PassRecord]) {
+fn passes(text: &mut Page, passes: &[PassRecord]) {
     let rows = passes.iter().enumerate().map(|(number, pass)| {
         let target = &pass.target;
         let samples = if target.samples == 1 { "1 sample".to_owned() } else { format!("{} samples", target.samples) };
@@ -81,12 +73,12 @@ fn passes(text: &mut String, passes: &[PassRecord]) {
             done.join(", "),
         ]
     });
-    heading(text, "passes");
+    text.heading("passes");
     table(text, "rllrlrrl", &[], rows);
 }
 
-fn draws(text: &mut String, record: &FrameRecord) {
-    heading(text, "draw calls");
+fn draws(text: &mut Page, record: &FrameRecord) {
+    text.heading("draw calls");
     let header = ["", "pass", "what", "program", "primitives", "vertices", "fragments", "state"];
     let row = |draw: &DrawRecord| {
         let count = |count: Option<u64>| count.map_or("-".to_owned(), |count| count.to_string());
@@ -138,7 +130,7 @@ pub(super) fn state(draw: &DrawRecord) -> Vec<String> {
 }
 
 /// Sampler, unit, texture: once for all draws where it is the same.
-fn samplers(text: &mut String, record: &FrameRecord) {
+fn samplers(text: &mut Page, record: &FrameRecord) {
     let mut seen: Vec<(&SamplerRecord, Vec<usize>)> = Vec::new();
     for draw in &record.draws {
         for sampler in &draw.samplers {
@@ -154,9 +146,9 @@ fn samplers(text: &mut String, record: &FrameRecord) {
             }
         }
     }
-    heading(text, "samplers");
+    text.heading("samplers");
     if seen.is_empty() {
-        text.push_str("  none\n");
+        text.line("  none");
     }
     let header = ["sampler", "type", "reads unit", "where texture", "is bound", "sampled", "draws"];
     let rows = seen.iter().map(|(sampler, draws)| {
@@ -182,8 +174,8 @@ pub(super) fn sampled(sampler: &SamplerRecord) -> String {
     format!("{}, {wrap}", sampling.min_filter)
 }
 
-fn textures(text: &mut String, record: &FrameRecord) {
-    heading(text, "textures");
+fn textures(text: &mut Page, record: &FrameRecord) {
+    text.heading("textures");
     let header = ["", "name", "kind", "size", "format", "levels", ""];
     let read = |id: u32| record.draws.iter().flat_map(|draw| &draw.samplers).any(|s| s.texture == Some(id));
     let drawn = |id: u32| {
@@ -222,8 +214,8 @@ pub(super) fn size(texture: &TextureRecord) -> String {
     size
 }
 
-fn programs(text: &mut String, programs: &[ProgramRecord]) {
-    heading(text, "programs");
+fn programs(text: &mut Page, programs: &[ProgramRecord]) {
+    text.heading("programs");
     let rows = programs.iter().enumerate().map(|(number, program)| {
         let samplers = program.uniforms.iter().filter(|uniform| uniform.glsl_type.contains("sampler")).count();
         vec![
@@ -265,7 +257,7 @@ fn ranges(draws: &[usize]) -> String {
 }
 
 /// Aligned columns, `l` to the left and `r` to the right; those that are empty everywhere are left out.
-pub(super) fn table(text: &mut String, columns: &str, header: &[&str], rows: impl Iterator<Item = Vec<String>>) {
+pub(super) fn aligned(columns: &str, header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> Vec<String> {
     let mut rows: Vec<Vec<String>> = rows.collect();
     for cell in rows.iter_mut().flatten() {
         if cell.chars().count() > WIDEST {
@@ -289,7 +281,7 @@ pub(super) fn table(text: &mut String, columns: &str, header: &[&str], rows: imp
             if is_empty { 0 } else { width(column).unwrap_or(0) }
         })
         .collect();
-    for row in &rows {
+    let line = |row: &Vec<String>| {
         let mut line = String::new();
         for ((cell, side), &width) in row.iter().zip(columns.chars()).zip(&widths) {
             if width == 0 {
@@ -300,8 +292,14 @@ pub(super) fn table(text: &mut String, columns: &str, header: &[&str], rows: imp
                 _ => write!(line, "  {cell:width$}"),
             };
         }
-        let _ = writeln!(text, "{}", line.trim_end());
-    }
+        line.trim_end().to_owned()
+    };
+    rows.iter().map(line).collect()
+}
+
+/// A table of such columns.
+pub(super) fn table(text: &mut Page, columns: &str, header: &[&str], rows: impl Iterator<Item = Vec<String>>) {
+    aligned(columns, header, rows).iter().for_each(|line| text.line(line));
 }
 
 #[cfg(test)]
@@ -315,9 +313,9 @@ mod tests {
 
     #[test]
     fn columns_are_aligned_and_empty_ones_left_out() {
-        let mut text = String::new();
+        let mut text = Page::new();
         let rows = [["1", "", "a"], ["10", "", "bcd"]].map(|row| row.map(str::to_owned).to_vec());
         table(&mut text, "rll", &["n", "nothing", "word"], rows.into_iter());
-        assert_eq!(text, "   n  word\n   1  a\n  10  bcd\n");
+        assert_eq!(text.for_terminal(), "   n  word\n   1  a\n  10  bcd\n");
     }
 }

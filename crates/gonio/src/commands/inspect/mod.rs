@@ -42,26 +42,30 @@ pub struct InspectArgs {
 pub fn run(args: &InspectArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let files = DiskAndInput::default();
     let limits = args.limits.limits();
-    let text = match args.line {
+    let page = match args.line {
         Some(line) => {
             let explanation = inspect::explain_line(&args.input, line, &files, &limits)?;
-            if args.words.json { json("line", &explanation)? } else { text::line(&explanation) }
+            if reporter.json() {
+                return json("line", &explanation, reporter);
+            }
+            text::line(&explanation)
         }
         None => {
             let inspection = {
                 let _busy = reporter.busy("reading the model");
                 inspect::inspect(&args.input, &files, &limits)?
             };
-            if args.words.json { json("model", &inspection)? } else { text::inspection(&inspection) }
+            if reporter.json() {
+                return json("model", &inspection, reporter);
+            }
+            text::inspection(&inspection)
         }
     };
-    reporter.text(&text)?;
+    reporter.text(&page)?;
     Ok(Outcome::Done)
 }
 
-fn json(key: &str, value: &impl Serialize) -> Result<String, CliError> {
-    let report = serde_json::json!({ "command": "inspect", key: value });
-    let text = serde_json::to_string_pretty(&report)
-        .map_err(|e| CliError::new(format!("the report could not be written as JSON: {e}")))?;
-    Ok(text + "\n")
+fn json(key: &str, value: &impl Serialize, reporter: &Reporter) -> Result<Outcome, CliError> {
+    reporter.report(&serde_json::json!({ "command": "inspect", key: value }))?;
+    Ok(Outcome::Done)
 }

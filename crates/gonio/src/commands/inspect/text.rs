@@ -1,14 +1,12 @@
 //! An inspection as a page of text.
 
-use anstyle::{AnsiColor, Style};
+use crate::page::{self, Style};
 use gonio_mesh::explain::LineExplanation;
 use gonio_mesh::{Diagnostic, ModelLightKind, NormalSource, Severity};
 use gonio_scene::inspect::{Inspection, MaterialReport};
-use std::fmt::Write;
 
-const HEADING: Style = Style::new().bold();
-const FAINT: Style = Style::new().dimmed();
-const WARNING: Style = AnsiColor::Yellow.on_default().bold();
+const FAINT: Style = Style::Dim;
+const WARNING: Style = Style::Yellow;
 
 /// Width of the names on the left.
 const NAME: usize = 20;
@@ -16,7 +14,7 @@ const NAME: usize = 20;
 const MOST_ROWS: usize = 40;
 
 /// Everything.
-pub fn inspection(i: &Inspection) -> String {
+pub fn inspection(i: &Inspection) -> page::Page {
     let mut page = Page::default();
     let unpacked = i.unpacked_bytes.map_or(String::new(), |b| format!(", {} unpacked", bytes(b)));
     page.heading(&format!("{}: {}, {}{unpacked}", i.file, i.format.name(), bytes(i.bytes)));
@@ -34,7 +32,7 @@ pub fn inspection(i: &Inspection) -> String {
 }
 
 /// One line of a file.
-pub fn line(e: &LineExplanation) -> String {
+pub fn line(e: &LineExplanation) -> page::Page {
     let mut page = Page::default();
     let lines = if e.first_line == e.last_line {
         format!("line {}", e.line)
@@ -42,9 +40,9 @@ pub fn line(e: &LineExplanation) -> String {
         format!("line {} (its statement: lines {} to {})", e.line, e.first_line, e.last_line)
     };
     page.heading(&format!("{lines}: {}", e.text));
-    let _ = writeln!(page.0, "  {}", e.meaning);
+    page.0.line(format_args!("  {}", e.meaning));
     for detail in &e.details {
-        let _ = writeln!(page.0, "    {detail}");
+        page.0.line(format_args!("    {detail}"));
     }
     if !e.in_force.is_empty() {
         page.heading("In force");
@@ -55,17 +53,16 @@ pub fn line(e: &LineExplanation) -> String {
 }
 
 #[derive(Default)]
-struct Page(String);
+struct Page(page::Page);
 
 impl Page {
     fn heading(&mut self, text: &str) {
-        let gap = if self.0.is_empty() { "" } else { "\n" };
-        let _ = writeln!(self.0, "{gap}{HEADING}{text}{HEADING:#}");
+        self.0.heading(text);
     }
 
     fn line(&mut self, name: &str, value: &str) {
         let padding = NAME.saturating_sub(name.chars().count()).max(1);
-        let _ = writeln!(self.0, "  {name}{:padding$}{value}", "");
+        self.0.line(format_args!("  {name}{:padding$}{value}", ""));
     }
 
     /// Items, at most so many of them.
@@ -74,7 +71,7 @@ impl Page {
             row(self, item);
         }
         if items.len() > MOST_ROWS {
-            let _ = writeln!(self.0, "  {FAINT}and {} more (--json has all){FAINT:#}", items.len() - MOST_ROWS);
+            self.0.line(format_args!("  {FAINT}and {} more (--json has all){FAINT:#}", items.len() - MOST_ROWS));
         }
     }
 
@@ -250,7 +247,7 @@ impl Page {
         }
         self.heading("Read differently by others");
         for d in &i.differences {
-            let _ = writeln!(self.0, "  {}: {}; here: {}", d.feature, d.others, d.here);
+            self.0.line(format_args!("  {}: {}; here: {}", d.feature, d.others, d.here));
         }
     }
 
@@ -261,7 +258,7 @@ impl Page {
         self.heading("Warnings and notes");
         self.rows(diagnostics, |page, d| {
             let style = if d.severity == Severity::Warning { WARNING } else { FAINT };
-            let _ = writeln!(page.0, "  {style}{d}{style:#}");
+            page.0.line(format_args!("  {style}{d}{style:#}"));
         });
     }
 

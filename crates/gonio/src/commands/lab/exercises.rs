@@ -2,9 +2,9 @@
 
 use super::{draw, exercise};
 use crate::cli::WordOptions;
-use crate::output::atomic;
+use crate::output::FileSet;
+use crate::page::{Page, Style};
 use crate::report::{CliError, Outcome, Reporter};
-use anstyle::Style;
 use clap::Args;
 use gonio_lab::exercise::{self as exercises, Exercise};
 use gonio_lab::{GOAL, live};
@@ -86,14 +86,15 @@ pub fn list(_: &ListArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
         reporter.report(&listed)?;
         return Ok(Outcome::Done);
     }
-    let (bold, dim) = (Style::new().bold(), Style::new().dimmed());
+    let (bold, dim) = (Style::Bold, Style::Dim);
     let width = all.iter().map(|e| e.title.chars().count()).max().unwrap_or(0);
-    let mut text = String::new();
+    let mut page = Page::new();
     for e in all {
-        text.push_str(&format!("{bold}{:<5}{bold:#} {:<width$}  {dim}{}{dim:#}\n", e.id, e.title, e.summary));
+        page.line(format_args!("{bold}{:<5}{bold:#} {:<width$}  {dim}{}{dim:#}", e.id, e.title, e.summary));
     }
-    text.push_str("\n`gonio lab show ex04` shows one, `gonio lab start ex04 mine` begins it.\n");
-    reporter.text(&text)?;
+    page.blank();
+    page.line("`gonio lab show ex04` shows one, `gonio lab start ex04 mine` begins it.");
+    reporter.text(&page)?;
     Ok(Outcome::Done)
 }
 
@@ -106,7 +107,7 @@ pub fn show(args: &ShowArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
             "look_for": exercise.look_for.iter().map(|l| &l.text).collect::<Vec<_>>(),
         }))?;
     } else {
-        reporter.text(exercise.text())?;
+        reporter.text(&Page::of_text(exercise.text()))?;
     }
     Ok(Outcome::Done)
 }
@@ -115,32 +116,38 @@ pub fn show(args: &ShowArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
 pub fn start(args: &StartArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let exercise = exercise(&args.exercise)?;
     let texts = exercise.start_files().map(|(name, text)| (name, text.as_bytes()));
-    let mut written = write_all(texts.chain(exercise.pictures()), &args.folder)?;
+    let mut set = FileSet::new();
+    let mut written = add_all(&mut set, texts.chain(exercise.pictures()), &args.folder)?;
     let goal = args.folder.join(GOAL);
-    let is_drawn = live::is_drawn(exercise) && !goal.exists();
+    let mut is_drawn = live::is_drawn(exercise) && !goal.exists();
     if is_drawn {
         match draw::goal(exercise) {
             Ok(picture) => {
-                atomic::write(&goal, &picture)?;
+                set.add(&goal, &picture)?;
                 written.push(GOAL.to_owned());
             }
-            // Everything else is there, and is no worse for it.
-            Err(why) => reporter.warning(format!("{GOAL}, the picture of what to reach, was not drawn: {why}")),
+            // Everything else is no worse for it.
+            Err(why) => {
+                is_drawn = false;
+                reporter.warning(format!("{GOAL}, the picture of what to reach, was not drawn: {why}"));
+            }
         }
     }
+    set.commit()?;
     if reporter.json() {
         reporter.report(&serde_json::json!({ "exercise": exercise.id, "folder": args.folder, "files": written }))?;
         return Ok(Outcome::Done);
     }
     let folder = args.folder.display();
     let look = if is_drawn { format!(", and look at {GOAL}") } else { String::new() };
-    reporter.text(&format!(
-        "{}: {}\n\n{folder}: {}\n\nRead text.md first{look}; then change the files and ask as often as you like:\n  gonio lab check {} {folder}\n",
-        exercise.id,
-        exercise.title,
-        written.join(", "),
-        exercise.id
-    ))?;
+    let mut page = Page::new();
+    page.line(format_args!("{}: {}", exercise.id, exercise.title));
+    page.blank();
+    page.line(format_args!("{folder}: {}", written.join(", ")));
+    page.blank();
+    page.line(format_args!("Read text.md first{look}; then change the files and ask as often as you like:"));
+    page.line(format_args!("  gonio lab check {} {folder}", exercise.id));
+    reporter.text(&page)?;
     Ok(Outcome::Done)
 }
 
@@ -148,7 +155,10 @@ pub fn start(args: &StartArgs, reporter: &Reporter) -> Result<Outcome, CliError>
 pub fn reference(args: &ReferenceArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let exercise: &Exercise = exercise(&args.exercise)?;
     if let Some(folder) = &args.output {
-        let written = write_all(exercise.reference_files().map(|(name, text)| (name, text.as_bytes())), folder)?;
+        let mut set = FileSet::new();
+        let files = exercise.reference_files().map(|(name, text)| (name, text.as_bytes()));
+        let written = add_all(&mut set, files, folder)?;
+        set.commit()?;
         reporter.note(format!("wrote {} into {}", written.join(", "), folder.display()));
         return Ok(Outcome::Done);
     }
@@ -158,17 +168,23 @@ pub fn reference(args: &ReferenceArgs, reporter: &Reporter) -> Result<Outcome, C
         reporter.report(&serde_json::json!({ "exercise": exercise.id, "files": files }))?;
         return Ok(Outcome::Done);
     }
-    let style = Style::new().bold();
-    let mut text = String::new();
+    let bold = Style::Bold;
+    let mut page = Page::new();
     for (name, content) in exercise.reference_files() {
-        text.push_str(&format!("{style}// {name}{style:#}\n{content}\n"));
+        page.line(format_args!("{bold}// {name}{bold:#}"));
+        page.text(content);
+        page.blank();
     }
-    reporter.text(&text)?;
+    reporter.text(&page)?;
     Ok(Outcome::Done)
 }
 
-/// Writes files into a folder that none of them is in; nothing is written where one is.
-fn write_all<'a>(files: impl Iterator<Item = (&'a str, &'a [u8])>, folder: &Path) -> Result<Vec<String>, CliError> {
+/// Adds files of a folder that none of them is in; an error where one is.
+fn add_all<'a>(
+    set: &mut FileSet,
+    files: impl Iterator<Item = (&'a str, &'a [u8])>,
+    folder: &Path,
+) -> Result<Vec<String>, CliError> {
     let files: Vec<(&str, &[u8])> = files.collect();
     if let Some((name, _)) = files.iter().find(|(name, _)| folder.join(name).exists()) {
         return Err(CliError::new(format!(
@@ -178,10 +194,8 @@ fn write_all<'a>(files: impl Iterator<Item = (&'a str, &'a [u8])>, folder: &Path
     }
     for (name, content) in &files {
         let path = folder.join(name);
-        let parent = path.parent().unwrap_or(folder);
-        let failed = |error: std::io::Error| CliError::io(format!("{} could not be written", path.display()), &error);
-        std::fs::create_dir_all(parent).map_err(failed)?;
-        atomic::write(&path, content)?;
+        set.make_folder(path.parent().unwrap_or(folder))?;
+        set.add(&path, content)?;
     }
     Ok(files.into_iter().map(|(name, _)| name.to_owned()).collect())
 }

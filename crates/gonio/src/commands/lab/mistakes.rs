@@ -1,8 +1,8 @@
 //! `gonio lab mistakes`: the bank.
 
 use crate::cli::WordOptions;
+use crate::page::{Page, Style};
 use crate::report::{CliError, Outcome, Reporter};
-use anstyle::Style;
 use clap::Args;
 use gonio_lab::bank::{self, Hypotheses, Mistake};
 use gonio_lab::check::structural;
@@ -47,26 +47,28 @@ fn list(reporter: &Reporter) -> Result<Outcome, CliError> {
         reporter.report(&all)?;
         return Ok(Outcome::Done);
     }
-    let (bold, dim) = (Style::new().bold(), Style::new().dimmed());
+    let (bold, dim) = (Style::Bold, Style::Dim);
     let width = all.iter().map(|m| m.id.len()).max().unwrap_or(0);
-    let mut text = String::new();
+    let mut page = Page::new();
     let mut seen = std::collections::BTreeSet::new();
     for mistake in all.iter().filter(|m| seen.insert(m.id.as_str())) {
         let mark = if mistake.harmless { format!(" {dim}(harmless){dim:#}") } else { String::new() };
-        text.push_str(&format!("{bold}{:<width$}{bold:#}  {}{mark}\n", mistake.id, mistake.name));
+        page.line(format_args!("{bold}{:<width$}{bold:#}  {}{mark}", mistake.id, mistake.name));
     }
-    reporter.text(&text)?;
+    reporter.text(&page)?;
     Ok(Outcome::Done)
 }
 
-fn told(mistake: &Mistake) -> String {
-    let bold = Style::new().bold();
-    let mut text = format!("{bold}{}{bold:#}\n{}.\n", mistake.id, mistake.name);
+fn told(mistake: &Mistake) -> Page {
+    let mut page = Page::new();
+    page.heading(&mistake.id);
+    page.line(format_args!("{}.", mistake.name));
     for (what, said) in
         [("What it looks like", &mistake.looks_like), ("To mend it", &mistake.mend), ("In the lecture", &mistake.seed)]
     {
         if !said.is_empty() {
-            text.push_str(&format!("\n{bold}{what}{bold:#}\n  {said}\n"));
+            page.heading(what);
+            page.line(format_args!("  {said}"));
         }
     }
     if let Some(model) = mistake.models.first() {
@@ -74,13 +76,14 @@ fn told(mistake: &Mistake) -> String {
         let right = hypotheses.written(&gonio_lab::bank::Hypothesis::default());
         let this = |h: &&gonio_lab::bank::Hypothesis| hypotheses.mistakes[h.made_of[0]].id == mistake.id;
         for hypothesis in hypotheses.singles.iter().filter(this) {
-            text.push('\n');
+            page.blank();
             for (wrong, right) in hypotheses.written(hypothesis).iter().zip(&right) {
                 for (wrong, right) in wrong.lines().zip(right.lines()).filter(|(wrong, right)| wrong != right) {
-                    text.push_str(&format!("  - {}\n  + {}\n", wrong.trim(), right.trim()));
+                    page.line(format_args!("  - {}", wrong.trim()));
+                    page.line(format_args!("  + {}", right.trim()));
                 }
             }
         }
     }
-    text
+    page
 }

@@ -3,6 +3,7 @@
 use super::intake::{self, Intake, Submission, Submissions};
 use super::{exercise, guard};
 use crate::cli::WordOptions;
+use crate::page::Page;
 use crate::report::{CliError, Outcome, Reporter};
 use clap::Args;
 use gonio_app::platform::desktop::child;
@@ -10,6 +11,7 @@ use gonio_gl::HeadlessContext;
 use gonio_lab::CheckOptions;
 use gonio_lab::check::{Checker, TASKS};
 use gonio_lab::exercise::Exercise;
+use gonio_lab::formats::visible;
 use gonio_lab::score::{Score, of_bank};
 use gonio_lab::verdict::Outcome as Word;
 use serde::{Deserialize, Serialize};
@@ -73,7 +75,7 @@ pub fn run(args: &ScoreArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     if reporter.json() {
         reporter.report(&rows)?;
     } else {
-        reporter.text(&table(&rows))?;
+        reporter.text(&Page::of_text(&table(&rows)))?;
     }
     Ok(if rows.iter().all(Row::reaches_the_goals) { Outcome::Done } else { Outcome::CheckFailed })
 }
@@ -182,7 +184,7 @@ fn table(rows: &[Row]) -> String {
             text.push_str(&format!("\n{}: {made} was called {said}", row.score.exercise));
         }
         for name in &row.false_alarms {
-            text.push_str(&format!("\n{}: {name} is right and was called wrong", row.score.exercise));
+            text.push_str(&format!("\n{}: {} is right and was called wrong", row.score.exercise, visible(name)));
         }
     }
     text.trim_end().to_owned() + "\n"

@@ -140,7 +140,7 @@ pub fn run(args: &ProbeArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     Ok(Outcome::Done)
 }
 
-fn text(report: &Report<'_>, scene: &LoadedScene, frame: &Frame) -> String {
+fn text(report: &Report<'_>, scene: &LoadedScene, frame: &Frame) -> crate::page::Page {
     text::Page::new(scene, frame).write(report)
 }
 

@@ -4,7 +4,6 @@ use super::text::{Page, short};
 use gonio_light::optics::boundary;
 use gonio_light::{Fresnel, Surfaces};
 use gonio_reference::Probe;
-use std::fmt::Write;
 
 impl Page<'_> {
     /// What the environment adds, and the sum with it; nothing where the frame has none.
@@ -87,7 +86,8 @@ impl Page<'_> {
         } else {
             format!("(1-t) [ (1-w) {lit} + w E(R) ] + t [ F E(R) + (1-F) tint E(T) ]")
         };
-        let _ = writeln!(self.text, "\n  L = {symbols}");
+        self.text.blank();
+        self.text.line(format_args!("  L = {symbols}"));
         let (w, t) = (probe.optics.mirror_share(seen.sight.fresnel.y), probe.optics.transmission);
         for (c, channel) in ["red", "green", "blue"].into_iter().enumerate() {
             let terms = [probe.lit[c], seen.diffuse[c], seen.specular[c]].map(short);
@@ -106,7 +106,7 @@ impl Page<'_> {
                     short(t)
                 )
             };
-            let _ = writeln!(self.text, "  {channel:6}{:>9} = {sum}", short(probe.radiance[c]));
+            self.text.line(format_args!("  {channel:6}{:>9} = {sum}", short(probe.radiance[c])));
         }
     }
 }

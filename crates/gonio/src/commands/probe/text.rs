@@ -1,14 +1,12 @@
 //! A probe as a page of text: aligned numbers, and the equation with the numbers in it.
 
 use super::{GpuValue, Report};
-use anstyle::Style;
+use crate::page;
 use glam::DVec3;
 use gonio_light::{Convention, LightKind, LightTerms, Specular, Terms};
 use gonio_reference::Probe;
 use gonio_scene::{Frame, LoadedScene};
-use std::fmt::Write;
-
-const HEADING: Style = Style::new().bold();
+use std::fmt::Write as _;
 
 /// Width of the names on the left.
 const NAME: usize = 18;
@@ -17,17 +15,17 @@ const NAME: usize = 18;
 pub struct Page<'a> {
     pub(super) scene: &'a LoadedScene,
     pub(super) frame: &'a Frame,
-    pub(super) text: String,
+    pub(super) text: page::Page,
 }
 
 impl<'a> Page<'a> {
     /// An empty page.
     pub fn new(scene: &'a LoadedScene, frame: &'a Frame) -> Self {
-        Page { scene, frame, text: String::new() }
+        Page { scene, frame, text: page::Page::new() }
     }
 
     /// Everything.
-    pub(super) fn write(mut self, report: &Report<'_>) -> String {
+    pub(super) fn write(mut self, report: &Report<'_>) -> page::Page {
         let size = format!("pixel {},{} of {}x{}", report.x, report.y, report.width, report.height);
         self.heading(&size);
         match report.probe {
@@ -52,13 +50,12 @@ impl<'a> Page<'a> {
     }
 
     pub(super) fn heading(&mut self, text: &str) {
-        let gap = if self.text.is_empty() { "" } else { "\n" };
-        let _ = writeln!(self.text, "{gap}{HEADING}{text}{HEADING:#}");
+        self.text.heading(text);
     }
 
     pub(super) fn line(&mut self, name: &str, value: &str) {
         let padding = NAME.saturating_sub(name.chars().count());
-        let _ = writeln!(self.text, "  {name}{:padding$}{value}", "");
+        self.text.line(format_args!("  {name}{:padding$}{value}", ""));
     }
 
     pub(super) fn vector(&mut self, name: &str, v: DVec3, remark: &str) {
@@ -267,27 +264,30 @@ impl<'a> Page<'a> {
             Some(_) => "L_o = A + E + k_d diffuse light + k_s specular light",
             None => "L_o = A + E + sum of [ diff k_d <N.L> + k_s spec ] L_i att spot",
         };
-        let _ = writeln!(self.text, "\n  {symbols}");
+        self.text.blank();
+        self.text.line(format_args!("  {symbols}"));
         let (terms, surface) = (&probe.terms, &probe.surface);
         for (c, channel) in ["red", "green", "blue"].into_iter().enumerate() {
             let (a, e, total) = (short(terms.ambient[c]), short(terms.emitted[c]), short(probe.lit[c]));
             let (k_d, k_s) = (short(surface.diffuse[c]), short(surface.specular[c]));
-            let _ = write!(self.text, "  {channel:6}{total:>9} = {a} + {e}");
+            let mut sum = format!("  {channel:6}{total:>9} = {a} + {e}");
             if let Some(sums) = &probe.interpolated {
                 let (diffuse, specular) = (short(sums.diffuse[c]), short(sums.specular[c]));
-                let _ = write!(self.text, " + {k_d} * {diffuse} + {k_s} * {specular}");
-            } else {
+                // Writing into a String cannot fail.
+                let _ = write!(sum, " + {k_d} * {diffuse} + {k_s} * {specular}");
+            }
+            self.text.line(sum);
+            if probe.interpolated.is_none() {
                 for light in &terms.lights {
                     let cosine = short(light.cos_theta.max(0.0));
                     let (diff, spec, incident) = (short(light.diff), short(light.spec), short(light.incident[c]));
                     let product = format!("+ [{diff} * {k_d} * {cosine} + {k_s} * {spec}] * {incident}");
-                    let _ = write!(self.text, "\n{:18}{product:60}light {}", "", light.light);
+                    self.text.line(format_args!("{:18}{product:60}light {}", "", light.light));
                 }
             }
-            self.text.push('\n');
         }
         if self.has_switches() {
-            let _ = writeln!(self.text, "  (terms that are switched off count as 0, attenuation and spot as 1)");
+            self.text.line("  (terms that are switched off count as 0, attenuation and spot as 1)");
         }
     }
 

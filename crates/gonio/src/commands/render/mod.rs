@@ -10,7 +10,7 @@ use crate::loading;
 use crate::output::animation::Animation;
 use crate::output::exr::NamedPicture;
 use crate::output::png::Meaning;
-use crate::output::{Format, Plan, PlanRequest, Target, atomic, exr, png};
+use crate::output::{FileSet, Format, Plan, PlanRequest, Target, exr, png};
 use crate::report::{CliError, Outcome, Reporter, Times};
 use crate::values::{self, DebugView};
 use clap::{ArgAction, Args};
@@ -191,9 +191,10 @@ pub fn run(args: &RenderArgs, reporter: &Reporter) -> Result<Outcome, CliError> 
     if plans.iter().all(|p| p.format != Format::Exr && p.bits == 8) {
         backend.for_eight_bits();
     }
-    let mut work = Work { args, plans: &plans, reporter, times: &times, done: Done::default() };
+    let mut work = Work { args, plans: &plans, reporter, times: &times, set: FileSet::new(), done: Done::default() };
     work.frames(&scene, &mut backend)?;
-    let done = work.done;
+    let Work { set, done, .. } = work;
+    times.measure("write", || set.commit())?;
     for note in &done.notes {
         reporter.note(note);
     }
@@ -212,6 +213,7 @@ struct Work<'a> {
     plans: &'a [Plan],
     reporter: &'a Reporter,
     times: &'a Times,
+    set: FileSet,
     done: Done,
 }
 
@@ -319,7 +321,7 @@ impl Work<'_> {
     fn write(&mut self, plan: &Plan, frame: u32, view: Option<ViewSpec>, bytes: &[u8]) -> Result<(), CliError> {
         self.times.measure("write", || match (&plan.target, plan.path(frame, view)) {
             (Target::File(_), Some(path)) => {
-                atomic::write(&path, bytes)?;
+                self.set.add(&path, bytes)?;
                 self.done.files.push(path);
                 Ok(())
             }

@@ -69,7 +69,7 @@ pub fn run(args: &ServeArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     if reporter.json() {
         reporter.report(&serde_json::json!({ "command": "serve", "url": url, "port": port }))?;
     } else {
-        reporter.text(&format!("{url}\n"))?;
+        reporter.text(&crate::page::Page::of_text(&url))?;
         reporter.note("open this address in a browser; Ctrl-C ends it");
     }
     accept(&listener, &Arc::new(Site { page, port }), reporter);

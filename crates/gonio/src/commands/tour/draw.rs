@@ -7,7 +7,7 @@ use super::layout::{Layout, Place};
 use super::sheet::GROUND;
 use super::{Folder, TourArgs};
 use crate::backend::{Backend, BackendChoice, BackendReport, Counts, Opened};
-use crate::output::{atomic, png};
+use crate::output::png;
 use crate::report::{CliError, Reporter, Times};
 use gonio_light::color::ColorEncoding;
 use gonio_reference::ReferenceScene;
@@ -115,7 +115,7 @@ pub struct Result<'a> {
 /// Draws everything and writes pictures and scenes.
 pub fn all<'a>(
     args: &TourArgs,
-    folder: &Folder,
+    folder: &mut Folder,
     sections: &'a [Section],
     layout: &Layout,
     reporter: &Reporter,
@@ -194,7 +194,7 @@ struct Artist {
 
 /// Converts an environment to a picture of about this width, and writes it.
 fn lay_out<'a>(
-    folder: &Folder,
+    folder: &mut Folder,
     section: usize,
     exhibit: &'a Exhibit,
     converted: Converted,
@@ -205,7 +205,7 @@ fn lay_out<'a>(
     let start = Instant::now();
     let laid_out = times.measure("convert", || converted.lay_out(width))?;
     let ms = start.elapsed().as_secs_f64() * 1e3;
-    times.measure("write", || atomic::write(&folder.picture(&exhibit.name), &laid_out.png()?))?;
+    times.measure("write", || folder.add(&folder.picture(&exhibit.name), &laid_out.png()?))?;
     let picture = laid_out.encoded();
     Ok(Shown {
         section,
@@ -223,7 +223,7 @@ fn lay_out<'a>(
 #[allow(clippy::too_many_arguments)]
 fn one<'a>(
     args: &TourArgs,
-    folder: &Folder,
+    folder: &mut Folder,
     (section, exhibit): (usize, &'a Exhibit),
     loaded: &LoadedScene,
     place: &Place,
@@ -262,8 +262,8 @@ fn one<'a>(
         _ => png::Meaning::Numbers,
     };
     times.measure("write", || -> std::result::Result<(), CliError> {
-        atomic::write(&folder.picture(&exhibit.name), &png::encode8(&picture, meaning)?)?;
-        atomic::write(&folder.scene(&exhibit.name), loaded.scene.to_toml_string().as_bytes())
+        folder.add(&folder.picture(&exhibit.name), &png::encode8(&picture, meaning)?)?;
+        folder.add(&folder.scene(&exhibit.name), loaded.scene.to_toml_string().as_bytes())
     })?;
     let small = times.measure("reduce", || reduced(&picture, place.width, place.height, GROUND));
     let shown = Shown {
@@ -309,7 +309,7 @@ fn compare(
 }
 
 /// The command that draws the picture again, with a path as it was given to the tour.
-fn command(args: &TourArgs, folder: &Folder, exhibit: &Exhibit) -> String {
+fn command(args: &TourArgs, folder: &mut Folder, exhibit: &Exhibit) -> String {
     let quoted = |text: String| if text.contains(char::is_whitespace) { format!("\"{text}\"") } else { text };
     let scene = quoted(folder.scene(&exhibit.name).display().to_string());
     let mut command = format!("gonio render {scene} -o {}.png", exhibit.name);

@@ -15,7 +15,7 @@ mod sections;
 mod sheet;
 
 use crate::cli::{BackendOptions, WordOptions};
-use crate::output::{atomic, png};
+use crate::output::{FileSet, atomic, png};
 use crate::report::{CliError, Outcome, Reporter, Times};
 use crate::values;
 use clap::Args;
@@ -56,13 +56,16 @@ fn scale(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Where the tour's files are.
-pub struct Folder(PathBuf);
+/// Where the tour's files are, and those that will appear there together.
+pub struct Folder {
+    path: PathBuf,
+    set: FileSet,
+}
 
 impl Folder {
     /// Makes what is missing, and finds out whether files can be written.
     fn new(path: &Path) -> Result<Self, CliError> {
-        let folder = Folder(path.to_owned());
+        let mut folder = Folder { path: path.to_owned(), set: FileSet::new() };
         for inner in [path.to_owned(), path.join("pictures"), path.join("scenes")] {
             if inner.exists() && !inner.is_dir() {
                 return Err(CliError::new(format!(
@@ -70,32 +73,36 @@ impl Folder {
                     inner.display()
                 )));
             }
-            std::fs::create_dir_all(&inner)
-                .map_err(|e| CliError::io(format_args!("the folder `{}` cannot be made", inner.display()), &e))?;
+            folder.set.make_folder(&inner)?;
         }
         atomic::check_writable(&folder.sheet())?;
         atomic::check_writable(&folder.page())?;
         Ok(folder)
     }
 
+    /// Adds a file.
+    pub fn add(&mut self, path: &Path, bytes: &[u8]) -> Result<(), CliError> {
+        self.set.add(path, bytes)
+    }
+
     /// A picture's file.
     pub fn picture(&self, name: &str) -> PathBuf {
-        self.0.join("pictures").join(format!("{name}.png"))
+        self.path.join("pictures").join(format!("{name}.png"))
     }
 
     /// A scene's file.
     pub fn scene(&self, name: &str) -> PathBuf {
-        self.0.join("scenes").join(format!("{name}.toml"))
+        self.path.join("scenes").join(format!("{name}.toml"))
     }
 
     /// The contact sheet.
     pub fn sheet(&self) -> PathBuf {
-        self.0.join("sheet.png")
+        self.path.join("sheet.png")
     }
 
     /// The web page.
     pub fn page(&self) -> PathBuf {
-        self.0.join("index.html")
+        self.path.join("index.html")
     }
 }
 
@@ -105,14 +112,15 @@ pub fn run(args: &TourArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let times = Times::default();
     let sections = sections::all()?;
     let layout = layout::Layout::new(&sections, args.scale);
-    let folder = Folder::new(&args.output)?;
-    let drawn = draw::all(args, &folder, &sections, &layout, reporter, &times)?;
+    let mut folder = Folder::new(&args.output)?;
+    let drawn = draw::all(args, &mut folder, &sections, &layout, reporter, &times)?;
     let foot = format!("{} pictures, {}", drawn.shown.len(), drawn.sentence);
     let sheet = times.measure("sheet", || sheet::compose(&sections, &layout, &drawn.shown, &foot))?;
     times.measure("write", || -> Result<(), CliError> {
-        atomic::write(&folder.sheet(), &png::encode8(&sheet.encoded(), png::Meaning::Srgb)?)?;
+        folder.add(&folder.sheet(), &png::encode8(&sheet.encoded(), png::Meaning::Srgb)?)?;
         // The page last: whatever it names is there.
-        atomic::write(&folder.page(), page::write(&sections, &drawn).as_bytes())
+        folder.add(&folder.page(), page::write(&sections, &drawn).as_bytes())?;
+        std::mem::take(&mut folder.set).commit()
     })?;
     times.add("total", start.elapsed());
     if reporter.json() {

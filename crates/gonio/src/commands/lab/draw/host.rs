@@ -3,6 +3,7 @@
 use super::DrawArgs;
 use crate::capture::Recorder;
 use crate::commands::frame;
+use crate::page::Page;
 use crate::report::{CliError, Outcome, Reporter};
 use gonio_gl::host::{HostOptions, HostRun};
 use gonio_gl::record::Severity;
@@ -63,10 +64,8 @@ fn the_program(files: &[SourceFile]) -> Result<HostProgram, CliError> {
             count => format!("there are {count} host programs among the files; name the one that is to be drawn"),
         }));
     };
-    HostProgram::parse_bytes(&file.bytes, &file.name).map_err(|errors| {
-        let told: Vec<String> = errors.iter().map(ToString::to_string).collect();
-        CliError::new(told.join("\n"))
-    })
+    HostProgram::parse_bytes(&file.bytes, &file.name)
+        .map_err(|errors| CliError::lines(errors.iter().map(ToString::to_string)))
 }
 
 fn carried_out(
@@ -98,18 +97,20 @@ fn carried_out(
 }
 
 /// The frame as text, and the program's line of each draw.
-fn page(program: &HostProgram, run: &HostRun, shown: frame::Shown) -> Result<String, CliError> {
+fn page(program: &HostProgram, run: &HostRun, shown: frame::Shown) -> Result<Page, CliError> {
     let about = format!("frame of {}, {} x {} pixels", program.file, run.size[0], run.size[1]);
     let mut text = frame::page(&about, &run.record, &run.findings, shown)?;
     if shown == frame::Shown::Everything {
         let wrong = run.findings.iter().any(|finding| finding.severity == Severity::Error);
         for (number, line) in run.draw_lines.iter().enumerate() {
             let quoted = program.quoted(*line).unwrap_or_default();
-            text.push_str(&format!("\ndraw {number} is line {line}: {quoted}"));
+            if number == 0 {
+                text.blank();
+            }
+            text.line(format_args!("draw {number} is line {line}: {}", quoted.replace('\t', "    ")));
         }
-        text.push('\n');
         if wrong {
-            text.push_str("`--draw 0` shows all that the first one read.\n");
+            text.line("`--draw 0` shows all that the first one read.");
         }
     }
     Ok(text)

@@ -148,7 +148,7 @@ fn draw(
 
 /// What does not compile, a line each.
 fn refused(notes: Vec<Note>) -> CliError {
-    CliError::new(notes.iter().map(told).collect::<Vec<_>>().join("\n"))
+    CliError::lines(notes.iter().map(told))
 }
 
 /// A message at the student's own line.

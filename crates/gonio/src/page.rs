@@ -1,0 +1,230 @@
+//! Text for a terminal, in which nothing of a student's file acts: styles are ours, and every other control character is
+//! shown as an escape.
+//!
+//! A [`Page`] is built line by line. A line may quote anything: newlines in it do not end it, and escape sequences in it are
+//! printed, not obeyed. [`Style`] writes a mark that no input contains, because part of it is a random number of this process;
+//! only these marks become the terminal's sequences.
+
+use gonio_lab::formats::push_visible;
+use std::collections::hash_map::RandomState;
+use std::fmt::{Display, Formatter, Result};
+use std::hash::BuildHasher;
+use std::sync::LazyLock;
+
+/// Characters of a line that are printed; machines get the rest from `--json`.
+const LONGEST_LINE: usize = 2000;
+
+/// What a style's mark begins with: a noncharacter and 64 random bits, so that no file can contain it.
+static MARK: LazyLock<String> = LazyLock::new(|| format!("\u{10ffff}{:016x}", RandomState::new().hash_one("style")));
+
+/// A style within a line: `{Bold}text{Bold:#}`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Style {
+    /// Headings, places.
+    Bold,
+    /// What matters less.
+    Dim,
+    /// What is right.
+    Green,
+    /// What is wrong.
+    Red,
+    /// What is odd.
+    Yellow,
+    /// What is good to know.
+    Cyan,
+}
+
+impl Style {
+    const ALL: [Style; 6] = [Style::Bold, Style::Dim, Style::Green, Style::Red, Style::Yellow, Style::Cyan];
+
+    /// Stands in a mark.
+    fn letter(self) -> char {
+        match self {
+            Style::Bold => 'b',
+            Style::Dim => 'd',
+            Style::Green => 'g',
+            Style::Red => 'r',
+            Style::Yellow => 'y',
+            Style::Cyan => 'c',
+        }
+    }
+
+    fn sequence(self) -> anstyle::Style {
+        use anstyle::{AnsiColor, Style as Ansi};
+        match self {
+            Style::Bold => Ansi::new().bold(),
+            Style::Dim => Ansi::new().dimmed(),
+            Style::Green => AnsiColor::Green.on_default().bold(),
+            Style::Red => AnsiColor::Red.on_default().bold(),
+            Style::Yellow => AnsiColor::Yellow.on_default().bold(),
+            Style::Cyan => AnsiColor::Cyan.on_default().bold(),
+        }
+    }
+}
+
+impl Display for Style {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let letter = if f.alternate() { '#' } else { self.letter() };
+        write!(f, "{}{letter}", *MARK)
+    }
+}
+
+/// Lines for a terminal.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Page {
+    /// Ready to be printed: newlines, and the sequences of our styles.
+    ready: String,
+}
+
+impl Page {
+    /// No line yet.
+    pub fn new() -> Self {
+        Page::default()
+    }
+
+    /// The lines of a text: its newlines are kept, and its tabs are spaces.
+    pub fn of_text(text: &str) -> Self {
+        let mut page = Page::new();
+        page.text(text);
+        page
+    }
+
+    /// Appends one line, whatever is in it.
+    pub fn line(&mut self, line: impl Display) {
+        self.ready.push_str(&line_for_terminal(&line));
+        self.ready.push('\n');
+    }
+
+    /// Appends an empty line.
+    pub fn blank(&mut self) {
+        self.ready.push('\n');
+    }
+
+    /// Appends a heading, apart from what stands above it.
+    pub fn heading(&mut self, words: impl Display) {
+        if !self.is_empty() {
+            self.blank();
+        }
+        self.line(format_args!("{}{words}{:#}", Style::Bold, Style::Bold));
+    }
+
+    /// Appends the lines of a text; its tabs are spaces.
+    pub fn text(&mut self, text: &str) {
+        text.lines().for_each(|line| self.line(line.replace('\t', "    ")));
+    }
+
+    /// Whether there is no line.
+    pub fn is_empty(&self) -> bool {
+        self.ready.is_empty()
+    }
+
+    /// For a terminal with colours; `anstream` takes them out where there are none.
+    pub fn for_terminal(&self) -> &str {
+        &self.ready
+    }
+}
+
+/// One line: our styles as the terminal's sequences, hidden characters as escapes, no command of a build server, and no more
+/// than can be read.
+pub fn line_for_terminal(line: &impl Display) -> String {
+    let line = line.to_string();
+    let mut ready = String::with_capacity(line.len());
+    let mut room = LONGEST_LINE;
+    let mut left_out = 0;
+    let mut styled = false;
+    for (index, piece) in line.split(MARK.as_str()).enumerate() {
+        let mut characters = piece.chars();
+        if index > 0 {
+            let letter = characters.next();
+            let style = Style::ALL.into_iter().find(|style| Some(style.letter()) == letter);
+            let sequence = style.map_or_else(|| format!("{:#}", Style::Bold.sequence()), |s| s.sequence().to_string());
+            ready.push_str(&sequence);
+            styled = style.is_some();
+        }
+        for c in characters {
+            if room == 0 {
+                left_out += 1;
+            } else {
+                room -= 1;
+                push_visible(&mut ready, c);
+            }
+        }
+    }
+    if styled {
+        ready.push_str(&format!("{:#}", Style::Bold.sequence()));
+    }
+    if left_out > 0 {
+        ready.push_str(&format!("... ({left_out} characters more)"));
+    }
+    without_commands(ready)
+}
+
+/// Build servers obey lines of a log: GitHub those that begin with `::`, and `##[` anywhere; Azure `##vso[`, TeamCity
+/// `##teamcity[`.
+fn without_commands(line: String) -> String {
+    let mut ready = String::with_capacity(line.len());
+    for (index, piece) in line.split("##").enumerate() {
+        if index > 0 {
+            let is_command = piece.trim_start_matches(|c: char| c.is_ascii_alphabetic()).starts_with('[');
+            ready.push_str(if is_command { "#\\x23" } else { "##" });
+        }
+        ready.push_str(piece);
+    }
+    let start = ready.len() - ready.trim_start().len();
+    if ready[start..].starts_with("::") {
+        ready.replace_range(start..=start, "\\x3a");
+    }
+    ready
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+
+    fn one(line: impl Display) -> String {
+        line_for_terminal(&line)
+    }
+
+    #[test]
+    fn styles_are_ours_alone() {
+        let forged = "\u{1b}[32mcorrect\u{1b}[0m\u{9b}2K\rx";
+        let (bold, end) = (Style::Bold, Style::Bold);
+        assert_eq!(
+            one(format_args!("{bold}{forged}{end:#}")),
+            "\u{1b}[1m\\x1b[32mcorrect\\x1b[0m\\u{9b}2K\\rx\u{1b}[0m"
+        );
+        // A mark of another process is text.
+        let old = MARK.replace(|c: char| c.is_ascii_hexdigit(), "0");
+        assert_eq!(one(format!("{old}gright")), format!("\\u{{10ffff}}{}gright", &old[4..]));
+        // What is not ended ends with its line.
+        assert_eq!(one(format_args!("{}x", Style::Dim)), "\u{1b}[2mx\u{1b}[0m");
+    }
+
+    #[test]
+    fn a_line_stays_a_line() {
+        let mut page = Page::new();
+        page.line("a\nex04  correct: all of it\u{2028}b\tc");
+        page.text("a\tb\n\nc\r\nd\re");
+        assert_eq!(page.for_terminal(), "a\\nex04  correct: all of it\\u{2028}b\\tc\na    b\n\nc\nd\\re\n");
+    }
+
+    #[test]
+    fn a_long_line_is_cut_and_says_so() {
+        let line = one(format_args!("{}{}{:#}", Style::Red, "é".repeat(LONGEST_LINE + 3), Style::Red));
+        assert!(
+            line.starts_with("\u{1b}[1m\u{1b}[31mé") && line.ends_with("é\u{1b}[0m... (3 characters more)"),
+            "{line}"
+        );
+        assert_eq!(one("x".repeat(LONGEST_LINE)).len(), LONGEST_LINE);
+    }
+
+    #[test]
+    fn a_log_gets_no_commands() {
+        assert_eq!(one("  ::error file=a::b"), "  \\x3a:error file=a::b");
+        assert_eq!(one("::stop-commands::x"), "\\x3a:stop-commands::x");
+        assert_eq!(one("##[error]b ###vso[task.complete]"), "#\\x23[error]b ###vso[task.complete]");
+        assert_eq!(one("a ##teamcity["), "a #\\x23teamcity[");
+        assert_eq!(one("a::b ## heading, x##y[1]"), "a::b ## heading, x#\\x23y[1]");
+    }
+}
