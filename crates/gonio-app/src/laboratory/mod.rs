@@ -29,6 +29,7 @@ mod told;
 mod verdict;
 mod work;
 
+mod trials;
 pub use drawing::Picture;
 pub use taking::{FileSet, Taken};
 pub use work::{GivenFile, Judged, Mark, MarkKind, OpenFile, Page, ProgramFacts, Shown, Start, Work};

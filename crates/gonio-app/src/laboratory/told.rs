@@ -15,8 +15,8 @@ use serde_json::{Value, json};
 /// | `file`, `page`, `shown`, `scene` | the file in the editor; the page beside; which picture; in which scene |
 /// | `said` | what is said of lines of all files: `file`, `line`, `kind` (error, warning, mistake), `text` |
 /// | `unusable` | why there is no pair of shaders, or null |
-/// | `drawn`, `older`, `tried` | a pair is drawn; it is an older one; the newer one is tried elsewhere |
-/// | `trials` | how many pairs were tried elsewhere first, for they might never have ended |
+/// | `drawn`, `older`, `tried` | a pair is drawn; it is an older one; the newer one is tried outside of the window |
+/// | `trials` | how many pairs were tried outside of the window first |
 /// | `pictures` | how many were drawn |
 /// | `checking` | a check is under way |
 /// | `verdict` | null before the first check, else `word`, `summary`, `mistakes` (ids), `error` (why there is none), `stale` |

@@ -167,7 +167,7 @@ pub struct ProgramFacts {
     pub is_drawn: bool,
     /// What is drawn is an earlier one: the one in the editor does not compile.
     pub is_old: bool,
-    /// It is tried elsewhere first, for it may never end.
+    /// It is tried outside of the window first: it may crash the driver, or never end.
     pub is_tried: bool,
     /// What its variables were taken for, as it was drawn last.
     pub given: Vec<Given>,
@@ -190,6 +190,8 @@ pub struct Work {
     /// The student's files.
     pub files: Vec<OpenFile>,
     /// The one in the editor.
+    /// The trial takes so long that it should be announced.
+    pub is_trial_slow: bool,
     pub current: usize,
     /// Which picture is shown.
     pub shown: Shown,
@@ -207,7 +209,7 @@ pub struct Work {
     pub as_the_lab: bool,
     /// Of the pair in the editor.
     pub program: ProgramFacts,
-    /// How many pairs were tried elsewhere before they were drawn, or not drawn, here.
+    /// How many pairs were tried outside of the window before they were drawn, or not drawn, here.
     pub trials: u32,
     /// What the last check said.
     pub judged: Option<Judged>,

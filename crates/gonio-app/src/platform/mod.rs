@@ -4,11 +4,13 @@ mod checking;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod desktop;
 mod settings;
+mod trial;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
 
 pub use checking::{CheckRequest, Checking, Refused};
 pub use settings::Settings;
+pub use trial::{ByCheck, Decided, Trial, TrialOutcome};
 
 use crate::laboratory::GivenFile;
 use crate::saving::Product;
@@ -128,3 +130,12 @@ pub trait Platform {
         let _ = state;
     }
 }
+    /// Whether [`Platform::trial`] runs in a process of its own and is cheap. Then every pair of shaders is tried before the
+    /// window's OpenGL gets it; otherwise only those that may never end.
+    fn tries_every_pair(&self) -> bool {
+        false
+    }
+    /// Begins to compile and draw a pair of shaders where a crash does not end the window.
+    fn trial(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Trial> {
+        Box::new(ByCheck::new(self.check(request, ctx)))
+    }

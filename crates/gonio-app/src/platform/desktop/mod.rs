@@ -8,11 +8,12 @@ mod handed;
 mod home;
 mod opened;
 mod watch;
+pub mod trial;
 mod write;
 
 pub use display::has_display;
 
-use super::{Asked, CheckRequest, Checking, Event, Platform, Purpose, Refused, Settings};
+use super::{Asked, CheckRequest, Checking, Decided, Event, Platform, Purpose, Refused, Settings, Trial, TrialOutcome};
 use crate::laboratory::Start;
 use crate::saving::Product;
 use crate::{Adjust, Lab, Opening};
@@ -158,6 +159,22 @@ impl Platform for Desktop {
     fn settings(&self) -> Settings {
         home::settings_file()
             .and_then(|file| std::fs::read_to_string(file).ok())
+    fn tries_every_pair(&self) -> bool {
+        true
+    }
+
+    fn trial(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Trial> {
+        let ctx = ctx.clone();
+        let begun = match &self.program {
+            Some(program) => trial::begin(program, &request, move || ctx.request_repaint()),
+            None => Err("gonio's own program was not found".into()),
+        };
+        match begun {
+            Ok(trial) => Box::new(trial),
+            Err(why) => Box::new(Decided::new(TrialOutcome::Unavailable(why))),
+        }
+    }
+
             .map_or_else(Settings::default, |text| Settings::from_text(&text))
     }
 

@@ -9,6 +9,7 @@ mod mistakes;
 mod open;
 mod score;
 mod text;
+mod trial;
 
 use crate::cli::WordOptions;
 use crate::report::{CliError, Outcome, Reporter};
@@ -50,6 +51,9 @@ pub enum LabCommand {
     Mistakes(mistakes::MistakesArgs),
     /// Measure the checker: the share of the bank's mistakes that it names right, and its false alarms.
     Score(score::ScoreArgs),
+    /// Compile and draw the pair of shaders that comes from standard input, for the window.
+    #[command(hide = true)]
+    Trial(trial::TrialArgs),
 }
 
 impl LabCommand {
@@ -65,6 +69,7 @@ impl LabCommand {
             LabCommand::Draw(args) => &args.words,
             LabCommand::Mistakes(args) => &args.words,
             LabCommand::Score(args) => &args.words,
+            LabCommand::Trial(args) => &args.words,
         }
     }
 }
@@ -81,6 +86,7 @@ pub fn run(command: &LabCommand, reporter: &Reporter) -> Result<Outcome, CliErro
         LabCommand::Draw(args) => draw::run(args, reporter),
         LabCommand::Mistakes(args) => mistakes::run(args, reporter),
         LabCommand::Score(args) => score::run(args, reporter),
+        LabCommand::Trial(args) => trial::run(args, reporter),
     }
 }
 
