@@ -257,6 +257,13 @@ impl Desk {
                     said.extend(save(work, platform));
                 }
             }
+            Wish::DiscardRestored => {
+                for file in work.files.iter_mut().filter(|file| file.is_restored() && file.other.is_none()) {
+                    editor::remember(ctx, file);
+                    file.take(file.saved.clone());
+                }
+            }
+            Wish::KeepRestored => work.files.iter_mut().for_each(|file| file.restored = None),
             Wish::PutBack => {
                 work.put_back();
                 self.begin_anew();
@@ -277,13 +284,6 @@ impl Desk {
     }
 }
 
-/// What one starts from, as one file: texts and pictures.
-fn start_files(work: &Work) -> Vec<u8> {
-    let texts = work.exercise.start_files().map(|(name, text)| (name, text.as_bytes()));
-    files::pack(&texts.chain(work.exercise.pictures()).collect::<Vec<_>>())
-}
-
-fn request(work: &Work, content: &[SourceFile]) -> CheckRequest {
 /// There is no pair, or none that may be drawn here: the last one that was drawn stays.
 fn refuse(work: &mut Work, why: String) {
     let is_drawn = work.program.is_drawn;
@@ -297,6 +297,13 @@ fn is_start(work: &Work, content: &[SourceFile]) -> bool {
     start.eq(content.iter().map(|file| (file.name.as_str(), file.bytes.as_slice())))
 }
 
+/// What one starts from, as one file: texts and pictures.
+fn start_files(work: &Work) -> Vec<u8> {
+    let texts = work.exercise.start_files().map(|(name, text)| (name, text.as_bytes()));
+    files::pack(&texts.chain(work.exercise.pictures()).collect::<Vec<_>>())
+}
+
+fn request(work: &Work, content: &[SourceFile]) -> CheckRequest {
     // Of several host programs or buffers the one in the editor is meant.
     let endings: &[&str] = match work.exercise.kind {
         Kind::HostProgram => &[".txt"],

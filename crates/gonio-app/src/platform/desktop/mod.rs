@@ -4,11 +4,12 @@ mod check;
 pub mod child;
 mod dialog;
 mod display;
+mod drafts;
 mod handed;
 mod home;
 mod opened;
-mod watch;
 pub mod trial;
+mod watch;
 mod write;
 
 pub use display::has_display;
@@ -17,6 +18,7 @@ use super::{Asked, CheckRequest, Checking, Decided, Event, Platform, Purpose, Re
 use crate::laboratory::Start;
 use crate::saving::Product;
 use crate::{Adjust, Lab, Opening};
+use drafts::DraftFolder;
 use gonio_gl::Gl;
 use gonio_mesh::Limits;
 use gonio_scene::files::{BUILTIN, Disk, FileSource};
@@ -89,12 +91,13 @@ struct Desktop {
     watcher: Option<Watcher>,
     state: Option<PathBuf>,
     program: Option<PathBuf>,
+    drafts: Option<DraftFolder>,
 }
 
 impl Desktop {
     fn new(state: Option<PathBuf>, program: Option<PathBuf>) -> Self {
         let (sender, receiver) = channel();
-        Desktop { sender, receiver, watcher: None, state, program }
+        Desktop { sender, receiver, watcher: None, state, program, drafts: home::drafts_folder().map(DraftFolder::new) }
     }
 }
 
@@ -156,9 +159,6 @@ impl Platform for Desktop {
         }
     }
 
-    fn settings(&self) -> Settings {
-        home::settings_file()
-            .and_then(|file| std::fs::read_to_string(file).ok())
     fn tries_every_pair(&self) -> bool {
         true
     }
@@ -175,6 +175,9 @@ impl Platform for Desktop {
         }
     }
 
+    fn settings(&self) -> Settings {
+        home::settings_file()
+            .and_then(|file| std::fs::read_to_string(file).ok())
             .map_or_else(Settings::default, |text| Settings::from_text(&text))
     }
 
@@ -185,6 +188,21 @@ impl Platform for Desktop {
             // Nothing of a scene is in it: a home that cannot be written to forgets a colour and a list.
             let _ = write::beside_and_renamed(&file, settings.to_text().as_bytes());
         }
+    }
+
+    fn keep_draft(&mut self, key: &str, text: &str) -> Result<(), String> {
+        let drafts = self.drafts.as_mut().ok_or("there is no home folder (HOME is not set)")?;
+        drafts.keep(key, text)
+    }
+
+    fn remove_draft(&mut self, key: &str) {
+        if let Some(drafts) = &mut self.drafts {
+            drafts.remove(key);
+        }
+    }
+
+    fn take_draft(&mut self, key: &str) -> Option<String> {
+        self.drafts.as_mut()?.take(key)
     }
 
     fn publish(&mut self, state: &dyn Fn() -> Value) {
