@@ -168,6 +168,9 @@ impl Lab {
         if self.laboratory.is_open {
             return self.laboratory_ui(ui);
         }
+        for failure in self.laboratory.follow_drafts(&ctx, self.platform.as_mut()) {
+            self.session.messages.say(Severity::Error, failure);
+        }
         self.read_again(&ctx);
         self.session.progress = self.jobs.progress();
         let seconds = ctx.input(|i| f64::from(i.stable_dt));
@@ -499,6 +502,8 @@ impl eframe::App for Lab {
     }
 
     fn on_exit(&mut self, _: Option<&eframe::glow::Context>) {
+        // There is no window left to say what goes wrong.
+        let _ = self.laboratory.flush_drafts(self.platform.as_mut());
         // Buffers and textures go while their context is still there.
         self.laboratory.release();
         self.studio = None;

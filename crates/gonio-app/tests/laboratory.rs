@@ -6,7 +6,7 @@ mod support;
 use egui::{Event, Key, Modifiers, Vec2, vec2};
 use gonio_app::exported;
 use gonio_app::laboratory::{GivenFile, Picture, Shown, Start};
-use gonio_app::platform::{Event as FromOutside, Purpose};
+use gonio_app::platform::{Event as FromOutside, Purpose, TrialOutcome};
 use gonio_lab::exercise;
 use serde_json::Value;
 use std::time::Duration;
@@ -166,6 +166,63 @@ fn what_does_not_compile_is_said_at_its_line_and_the_last_picture_stays() {
     window.wait("it to be well again", |s| s["older"] == false && s["said"].as_array().is_some_and(Vec::is_empty));
     window.click("redo");
     assert_eq!(window.text(), text);
+}
+
+#[test]
+fn nothing_is_given_to_the_windows_opengl_before_its_trial_came_back() {
+    let mut window = Window::empty(DESK);
+    let trials = window.here.trials.clone();
+    trials.borrow_mut().is_on = true;
+    let ctx = window.harness.ctx.clone();
+    window.harness.state_mut().as_mut().unwrap().begin_exercise(&ctx, right("ex04"));
+    window.wait("the trial", |s| s["tried"] == true);
+    window.steps(20);
+    assert_eq!((&window.state()["drawn"], trials.borrow().begun), (&false.into(), 1));
+    trials.borrow_mut().outcome = Some(TrialOutcome::Harmless);
+    window.wait("the program", |s| s["drawn"] == true && s["tried"] == false);
+    window.steps(2);
+    let (before, text) = (window.pixels(Picture::Yours).0, window.text());
+    // A text that is changed while it is tried is of no interest any more: its trial ends.
+    window.click("editor");
+    window.press(Modifiers::COMMAND, Key::End);
+    window.harness.event(Event::Text("// a".into()));
+    window.wait("a trial", |s| s["tried"] == true);
+    window.harness.event(Event::Text("b".into()));
+    window.steps(2);
+    assert_eq!((trials.borrow().begun, trials.borrow().running), (2, 0));
+    window.wait("another trial", |s| s["tried"] == true);
+    trials.borrow_mut().outcome = Some(TrialOutcome::Refused("It crashed.".into()));
+    let state = window.wait("the sentence", |s| s["unusable"].is_string());
+    assert_eq!(
+        (&state["unusable"], &state["older"], &state["tried"]),
+        (&"It crashed.".into(), &true.into(), &false.into())
+    );
+    window.widget("older-program");
+    assert_eq!(differing(&window.pixels(Picture::Yours).0, &before), 0, "the last picture stays");
+    // What was tried once is not tried again.
+    window.steps(90);
+    while window.text() != text {
+        window.press(Modifiers::COMMAND, Key::Z);
+    }
+    let state = window.wait("the program of before", |s| s["older"] == false && s["unusable"].is_null());
+    assert_eq!((&state["drawn"], trials.borrow().begun), (&true.into(), 3));
+}
+
+#[test]
+fn without_trials_what_cannot_hang_is_drawn_and_what_may_is_not() {
+    let outcome = TrialOutcome::Unavailable("there is no OpenGL".into());
+    let looping =
+        |_: &str, text: &str| text.replacen("void main() {", "void main() {\n    for (int i = 0; i < 2; ++i) {}", 1);
+    for (start, is_drawn) in [(right("ex04"), true), (answer("ex04", looping), false)] {
+        let mut window = Window::empty(DESK);
+        *window.here.trials.borrow_mut() =
+            support::Trials { is_on: true, outcome: Some(outcome.clone()), ..Default::default() };
+        let ctx = window.harness.ctx.clone();
+        window.harness.state_mut().as_mut().unwrap().begin_exercise(&ctx, start);
+        let state = window.wait("the end of the trial", |s| s["drawn"] == true || s["unusable"].is_string());
+        assert_eq!(state["drawn"], is_drawn);
+        assert_eq!(is_drawn, state["unusable"].is_null(), "{}", state["unusable"]);
+    }
 }
 
 #[test]

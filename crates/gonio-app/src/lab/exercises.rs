@@ -43,7 +43,9 @@ impl Lab {
     pub(super) fn laboratory_ui(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         let mut actions = Vec::new();
-        let said = self.laboratory.ui(ui, self.studio.as_mut(), self.platform.as_mut(), &mut actions);
+        let mut said = self.laboratory.restore_drafts(&ctx, self.platform.as_mut());
+        said.extend(self.laboratory.ui(ui, self.studio.as_mut(), self.platform.as_mut(), &mut actions));
+        said.extend(self.laboratory.follow_drafts(&ctx, self.platform.as_mut()));
         for sentence in said {
             self.session.messages.say(Severity::Error, sentence);
         }
@@ -60,21 +62,27 @@ impl Lab {
         self.publish(&ctx);
     }
 
-    /// A window with text that was not saved closes when it is asked a second time.
+    /// A window with text that was not saved closes when it is asked a second time. The text is kept as a draft.
     pub(super) fn before_closing(&mut self, ctx: &egui::Context) {
-        if !ctx.input(|i| i.viewport().close_requested()) || self.asked_to_close {
+        if !ctx.input(|i| i.viewport().close_requested()) {
             return;
         }
+        let failures = self.laboratory.flush_drafts(self.platform.as_mut());
+        if self.asked_to_close {
+            return;
+        }
+        let end = match failures.first() {
+            Some(why) => format!("to close again throws it away, because {why}"),
+            None => "to close again keeps it as a draft, which is there when you open these files again".to_owned(),
+        };
         let changed = self.laboratory.works().find(|work| work.is_changed());
         let before = || self.laboratory.works().find(|work| work.has_unsaved_before());
         let sentence = match (changed, before()) {
-            (Some(work), _) => format!(
-                "what you wrote for {} is not saved; Ctrl + S saves it, and to close again throws it away",
-                work.exercise.id
-            ),
+            (Some(work), _) => {
+                format!("what you wrote for {} is not saved; Ctrl + S saves it, and {end}", work.exercise.id)
+            }
             (None, Some(work)) => format!(
-                "what you wrote for {} before you opened other files is not saved; `Put back` brings it back, and to \
-                 close again throws it away",
+                "what you wrote for {} before you opened other files is not saved; `Put back` brings it back, and {end}",
                 work.exercise.id
             ),
             (None, None) => return,

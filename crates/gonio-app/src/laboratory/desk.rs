@@ -1,29 +1,23 @@
 //! What is done with the work: pairs compiled as they are written, checks begun and heard, files saved and read again.
 
 use super::drawing::Easel;
+use super::trials::{ContentKey, Trials};
 use super::work::{Judged, OpenFile, Page, ProgramFacts, Work};
 use super::{Wish, editor};
 use crate::drawing::Studio;
 use crate::files;
-use crate::platform::{CheckRequest, Checking, Platform};
+use crate::platform::{CheckRequest, Checking, Platform, TrialOutcome};
 use egui::Context;
 use gonio_lab::buffers;
 use gonio_lab::exercise::Kind;
 use gonio_lab::live::{Note, NoteKind, Source};
 use gonio_lab::submission::SourceFile;
-use gonio_lab::verdict::{Outcome, Verdict};
 use std::path::PathBuf;
 use std::time::Duration;
 use web_time::Instant;
 
 /// After the last key a pair is compiled: sooner, and half-written words would be errors.
 const PAUSE: Duration = Duration::from_millis(300);
-
-/// A pair that may never end, tried where that harms nobody.
-struct Trial {
-    of: Vec<SourceFile>,
-    checking: Box<dyn Checking>,
-}
 
 /// What is under way.
 #[derive(Default)]
@@ -33,9 +27,7 @@ pub struct Desk {
     seen: Option<(Vec<SourceFile>, Instant)>,
     /// Those that were compiled.
     compiled: Option<Vec<SourceFile>>,
-    trial: Option<Trial>,
-    /// Texts that were tried and came to an end.
-    harmless: Option<Vec<SourceFile>>,
+    trials: Trials,
     checking: Option<(Vec<SourceFile>, Box<dyn Checking>)>,
     failed: bool,
 }
@@ -82,20 +74,24 @@ impl Desk {
         }
         work.downloads = !platform.has_folders();
         self.hear(work);
+        self.announce_trial(ctx, work);
         let content = work.content();
         match &self.seen {
             Some((seen, since)) if *seen == content => {
                 let waited = since.elapsed();
-                if self.compiled.as_ref() != Some(&content) && waited < PAUSE {
+                if self.compiled.as_ref() != Some(&content) && waited < PAUSE && !self.is_tried(&content) {
                     ctx.request_repaint_after(PAUSE - waited);
                     return;
                 }
             }
-            // What was opened is compiled at once; what is being written, after a pause.
+            // What was opened, or undone, is compiled at once; what is being written, after a pause.
             seen => {
                 let is_first = seen.is_none();
                 self.seen = Some((content.clone(), Instant::now()));
-                if !is_first {
+                // The one that is running is of a text that was changed.
+                self.trials.cancel();
+                work.program.is_tried = false;
+                if !is_first && !self.is_tried(&content) {
                     ctx.request_repaint_after(PAUSE);
                     return;
                 }
@@ -106,34 +102,50 @@ impl Desk {
         }
     }
 
+    fn is_tried(&self, content: &[SourceFile]) -> bool {
+        self.trials.known(ContentKey::new(content)).is_some()
+    }
+
+    /// Says that a trial is running only if it takes long: otherwise the words would flash up at each change.
+    fn announce_trial(&self, ctx: &Context, work: &mut Work) {
+        let slow = self.trials.slow();
+        work.program.is_trial_slow = slow == Some(Ok(()));
+        if let Some(Err(left)) = slow {
+            ctx.request_repaint_after(left);
+        }
+    }
+
     fn compile(&mut self, ctx: &Context, work: &mut Work, content: Vec<SourceFile>, platform: &mut dyn Platform) {
         if work.exercise.kind != Kind::Shaders {
             self.compiled = Some(content);
             return;
         }
+        let key = ContentKey::new(&content);
+        let outcome = self.trials.known(key).cloned();
+        if let Some(TrialOutcome::Refused(why)) = outcome {
+            self.compiled = Some(content);
+            return refuse(work, why);
+        }
+        // The exercise's own files are harmless.
+        if outcome.is_none() && platform.tries_every_pair() && !is_start(work, &content) {
+            return self.try_first(ctx, work, key, &content, platform);
+        }
         let source = match Source::gather(work.exercise, content.clone()) {
             Ok(source) => source,
             Err(why) => {
-                let is_drawn = work.program.is_drawn;
-                let given = std::mem::take(&mut work.program.given);
-                work.program =
-                    ProgramFacts { unusable: Some(why), is_drawn, is_old: is_drawn, given, ..ProgramFacts::default() };
                 self.compiled = Some(content);
-                return;
+                return refuse(work, why);
             }
         };
-        if source.is_risky() && self.harmless.as_ref() != Some(&content) {
-            if self.trial.as_ref().is_none_or(|trial| trial.of != content) {
-                let checking = platform.check(request(work, &content), ctx);
-                self.trial = Some(Trial { of: content, checking });
-                work.program.is_tried = true;
-                work.trials += 1;
+        match outcome {
+            None if source.is_risky() => return self.try_first(ctx, work, key, &content, platform),
+            Some(TrialOutcome::Unavailable(why)) if source.is_risky() => {
+                self.compiled = Some(content);
+                return refuse(work, format!("This shader is not drawn, because it could not be tested first: {why}"));
             }
-            return;
+            Some(_) | None => {}
         }
         self.compiled = Some(content);
-        self.trial = None;
-        work.program.is_tried = false;
         let Some(easel) = &mut self.easel else {
             // To be compiled when there is something to draw with.
             self.compiled = None;
@@ -165,16 +177,26 @@ impl Desk {
         };
     }
 
+    /// Begins a trial, unless it is running already; the pair is compiled when that has ended.
+    fn try_first(
+        &mut self,
+        ctx: &Context,
+        work: &mut Work,
+        key: ContentKey,
+        content: &[SourceFile],
+        platform: &mut dyn Platform,
+    ) {
+        if !self.trials.is_running(key) {
+            self.trials.start(key, platform.trial(request(work, content), ctx));
+            work.program.is_tried = true;
+            work.trials += 1;
+        }
+    }
+
     /// What came of the trial and of the check.
     fn hear(&mut self, work: &mut Work) {
-        if let Some(trial) = &mut self.trial
-            && let Some(answer) = trial.checking.poll()
-        {
-            let of = std::mem::take(&mut trial.of);
-            self.trial = None;
-            work.program.is_tried = false;
-            self.heard_of_trial(work, of, answer);
-        }
+        self.trials.poll();
+        work.program.is_tried = self.trials.slow().is_some();
         if let Some((_, checking)) = &mut self.checking
             && let Some(verdict) = checking.poll()
             && let Some((of, _)) = self.checking.take()
@@ -183,22 +205,6 @@ impl Desk {
             work.checking = false;
             work.page = Page::Verdict;
         }
-    }
-
-    fn heard_of_trial(&mut self, work: &mut Work, of: Vec<SourceFile>, answer: Result<Verdict, String>) {
-        let why = match answer {
-            // It was drawn there, and that ended; or no driver takes it, and then none of ours will either.
-            Ok(Verdict { verdict: Outcome::Correct | Outcome::Wrong | Outcome::DoesNotCompile, .. }) => {
-                self.harmless = Some(of);
-                return;
-            }
-            Ok(verdict) => verdict.summary,
-            Err(why) => why,
-        };
-        let program = &mut work.program;
-        program.unusable = Some(format!("It is not drawn here, for it may never end: {why}"));
-        program.is_old = program.is_drawn;
-        self.compiled = Some(of);
     }
 
     /// Does what was asked for.
@@ -251,6 +257,13 @@ impl Desk {
                     said.extend(save(work, platform));
                 }
             }
+            Wish::DiscardRestored => {
+                for file in work.files.iter_mut().filter(|file| file.is_restored() && file.other.is_none()) {
+                    editor::remember(ctx, file);
+                    file.take(file.saved.clone());
+                }
+            }
+            Wish::KeepRestored => work.files.iter_mut().for_each(|file| file.restored = None),
             Wish::PutBack => {
                 work.put_back();
                 self.begin_anew();
@@ -269,6 +282,19 @@ impl Desk {
             Wish::Begin(_) | Wish::List | Wish::Leave | Wish::Open | Wish::Theme => {}
         }
     }
+}
+
+/// There is no pair, or none that may be drawn here: the last one that was drawn stays.
+fn refuse(work: &mut Work, why: String) {
+    let is_drawn = work.program.is_drawn;
+    let given = std::mem::take(&mut work.program.given);
+    work.program = ProgramFacts { unusable: Some(why), is_drawn, is_old: is_drawn, given, ..ProgramFacts::default() };
+}
+
+/// Whether these are the files that the exercise is begun with, unchanged.
+fn is_start(work: &Work, content: &[SourceFile]) -> bool {
+    let start = work.exercise.start_files().map(|(name, text)| (name, text.as_bytes()));
+    start.eq(content.iter().map(|file| (file.name.as_str(), file.bytes.as_slice())))
 }
 
 /// What one starts from, as one file: texts and pictures.

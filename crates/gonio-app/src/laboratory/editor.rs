@@ -1,6 +1,7 @@
 //! The editor: a tab a file, line numbers, marks at lines, what was said below.
 
 use super::highlight;
+use super::taking::listed;
 use super::work::{Mark, MarkKind, OpenFile, Work};
 use crate::exported::{self, Role};
 use crate::theme::{self, colors, icons};
@@ -28,13 +29,17 @@ pub enum Asked {
     KeepMine(usize),
     /// The files that were open before these.
     PutBack,
+    /// The saved texts in place of the drafts that were restored.
+    DiscardRestored,
+    /// The drafts, without the note about them.
+    KeepRestored,
 }
 
 /// Shows the files' tabs, the current one's text and what is said of it. True with what was asked for; the texts are edited
 /// in place.
 pub fn show(ui: &mut Ui, work: &mut Work) -> Option<Asked> {
     tabs(ui, work);
-    let asked = conflict(ui, work).or(put_back(ui, work));
+    let asked = restored(ui, work).or(conflict(ui, work)).or(put_back(ui, work));
     let marks = work.marks(work.current);
     let jump = work.jump.take_if(|(file, _)| *file == work.current).map(|(_, line)| line);
     let below = messages_height(ui, &marks, work);
@@ -84,30 +89,59 @@ fn tabs(ui: &mut Ui, work: &mut Work) {
     });
 }
 
+/// Drafts that an earlier window left, and that are in the editor now.
+fn restored(ui: &mut Ui, work: &Work) -> Option<Asked> {
+    let in_conflict = |file: &OpenFile| file.other.is_some();
+    // The question about the conflict tells of it, and has the same answers.
+    if work.files.get(work.current).is_some_and(|file| file.is_restored() && in_conflict(file)) {
+        return None;
+    }
+    let files: Vec<&OpenFile> = work.files.iter().filter(|file| file.is_restored() && !in_conflict(file)).collect();
+    let age = files.first()?.restored.as_deref()?;
+    let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
+    let sentence = format!("Unsaved text from {age} was restored in {}. It is not saved yet.", listed(&names));
+    let answers =
+        [("discard-restored", "Discard it", Asked::DiscardRestored), ("keep-restored", "Keep it", Asked::KeepRestored)];
+    question(ui, "restored", colors::ACCENT.of(ui), &sentence, answers)
+}
+
 /// A file that was changed on the disk while there is text here that was not saved.
 fn conflict(ui: &mut Ui, work: &Work) -> Option<Asked> {
     let current = work.current;
     let file = work.files.get(current).filter(|file| file.other.is_some())?;
+    let sentence = match file.restored.as_ref().filter(|_| file.is_restored()) {
+        Some(age) => format!(
+            "Unsaved text from {age} was restored in {name}, but {name} has changed on the disk since then. Both texts are \
+             kept until you choose one.",
+            name = file.name
+        ),
+        None => format!("{} was changed on the disk, and what you wrote here is not saved.", file.name),
+    };
+    let answers = [
+        ("take-other", "Take the one on the disk", Asked::TakeOther(current)),
+        ("keep-mine", "Keep mine and save it", Asked::KeepMine(current)),
+    ];
+    question(ui, "conflict", colors::WARNING.of(ui), &sentence, answers)
+}
+
+/// A sentence with buttons to answer it.
+fn question(ui: &mut Ui, id: &str, tint: Color32, sentence: &str, answers: [(&str, &str, Asked); 2]) -> Option<Asked> {
     let mut asked = None;
-    Frame::NONE.fill(colors::WARNING.of(ui).gamma_multiply(0.18)).corner_radius(5).inner_margin(Margin::same(6)).show(
-        ui,
-        |ui| {
-            let sentence = format!("{} was changed on the disk, and what you wrote here is not saved.", file.name);
-            ui.add(Label::new(sentence).wrap());
-            ui.horizontal_wrapped(|ui| {
-                for (id, label, answer) in [
-                    ("take-other", "Take the one on the disk", Asked::TakeOther(current)),
-                    ("keep-mine", "Keep mine and save it", Asked::KeepMine(current)),
-                ] {
-                    let button = ui.button(label);
-                    exported::note(ui, &button, id, Role::Button, label, "");
-                    if button.clicked() {
-                        asked = Some(answer);
-                    }
+    let frame = Frame::NONE.fill(tint.gamma_multiply(0.18)).corner_radius(5).inner_margin(Margin::same(6));
+    let response = frame.show(ui, |ui| {
+        ui.set_min_width(ui.available_width());
+        ui.add(Label::new(sentence).wrap());
+        ui.horizontal_wrapped(|ui| {
+            for (id, label, answer) in answers {
+                let button = ui.button(label);
+                exported::note(ui, &button, id, Role::Button, label, "");
+                if button.clicked() {
+                    asked = Some(answer);
                 }
-            });
-        },
-    );
+            }
+        });
+    });
+    exported::note(ui, &response.response, id, Role::Text, sentence, "");
     asked
 }
 

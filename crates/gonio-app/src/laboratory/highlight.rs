@@ -15,6 +15,9 @@ const COMMENT: Tint = Tint::new([0x5d, 0x77, 0x5e], [0x86, 0xa1, 0x88]);
 const DIRECTIVE: Tint = Tint::new([0x6e, 0x6e, 0x78], [0xa5, 0xa9, 0xb4]);
 const STRAY: Tint = crate::theme::colors::ERROR;
 
+/// Longer texts have one colour: every word in colours costs time in each frame.
+const MOST_COLORED_BYTES: usize = 100_000;
+
 fn color(class: Class, dark: bool, text: Color32) -> Color32 {
     let tint = match class {
         Class::Keyword => KEYWORD,
@@ -62,7 +65,7 @@ fn colored(text: &str, is_glsl: bool, dark: bool, plain: Color32, font: &FontId)
         }
     };
     let mut at = 0;
-    let parts = if is_glsl { gonio_glsl::classify(text) } else { Vec::new() };
+    let parts = if is_glsl && text.len() <= MOST_COLORED_BYTES { gonio_glsl::classify(text) } else { Vec::new() };
     for part in parts {
         let (start, end) = (part.start as usize, part.end as usize);
         append(text.get(at..start).unwrap_or_default(), plain);
@@ -86,5 +89,8 @@ mod tests {
         }
         let job = colored("in vec3 a;", true, true, Color32::WHITE, &font);
         assert!(job.sections.iter().any(|section| section.format.color == KEYWORD.in_theme(true)));
+        let long = "+0.0".repeat(MOST_COLORED_BYTES / 4 + 1);
+        let job = colored(&long, true, true, Color32::WHITE, &font);
+        assert_eq!((job.text.len(), job.sections.len()), (long.len(), 1));
     }
 }

@@ -6,6 +6,8 @@
 //! | `work` | what is worked on: plain data |
 //! | `taking` | a student's own files, in place of those that are open |
 //! | `desk` | what is done with it: files read and saved, pairs compiled, checks begun and heard |
+//! | `trials` | shaders tried outside of the window before its OpenGL gets them |
+//! | `drafts` | unsaved text, kept for the next window |
 //! | `drawing` | the pictures |
 //! | `editor`, `highlight` | the files' texts |
 //! | `bar`, `list`, `pictures` | the bar at the top, the exercises, the pictures and their settings |
@@ -16,6 +18,7 @@
 
 mod bar;
 mod desk;
+mod drafts;
 mod drawing;
 mod editor;
 mod figure;
@@ -26,9 +29,11 @@ mod markdown;
 mod pictures;
 mod taking;
 mod told;
+mod trials;
 mod verdict;
 mod work;
 
+pub use drafts::MOST_AGE as MOST_AGE_OF_DRAFTS;
 pub use drawing::Picture;
 pub use taking::{FileSet, Taken};
 pub use work::{GivenFile, Judged, Mark, MarkKind, OpenFile, Page, ProgramFacts, Shown, Start, Work};
@@ -39,6 +44,7 @@ use crate::exported::{self, Role};
 use crate::platform::Platform;
 use crate::theme::colors;
 use desk::Desk;
+use drafts::Drafts;
 use egui::{Frame, Margin, Panel, ScrollArea, Ui};
 
 /// Below this width (points) everything lies one above the other: a phone held upright.
@@ -77,6 +83,10 @@ pub enum Wish {
     TakeOther(usize),
     /// The file as it is in the editor, also on the disk.
     KeepMine(usize),
+    /// The saved texts in place of the drafts that were restored.
+    DiscardRestored,
+    /// The drafts stay; the note about them goes.
+    KeepRestored,
     /// Light or dark.
     Theme,
 }
@@ -93,6 +103,7 @@ pub struct Laboratory {
     /// The list of exercises is shown, and not what is worked on.
     is_listing: bool,
     desk: Desk,
+    drafts: Drafts,
 }
 
 impl Laboratory {
@@ -123,6 +134,26 @@ impl Laboratory {
     /// Everything that was begun.
     pub fn works(&self) -> impl Iterator<Item = &Work> {
         self.work.iter().chain(&self.aside)
+    }
+
+    /// Puts text that an earlier window left unsaved into the files that are open now. Gives sentences for what went wrong.
+    pub fn restore_drafts(&mut self, ctx: &egui::Context, platform: &mut dyn Platform) -> Vec<String> {
+        self.work.as_mut().map_or_else(Vec::new, |work| self.drafts.restore(ctx, work, platform))
+    }
+
+    /// Keeps unsaved text for the next window, a moment after it was typed: to be called in every frame.
+    pub fn follow_drafts(&mut self, ctx: &egui::Context, platform: &mut dyn Platform) -> Vec<String> {
+        self.drafts.follow(ctx, self.work.iter().chain(&self.aside), platform)
+    }
+
+    /// Keeps unsaved text for the next window now.
+    pub fn flush_drafts(&mut self, platform: &mut dyn Platform) -> Vec<String> {
+        self.drafts.flush(self.work.iter().chain(&self.aside), platform)
+    }
+
+    /// How many drafts are kept.
+    pub fn drafts(&self) -> usize {
+        self.drafts.count()
     }
 
     /// Files on the disk that are to be watched.
@@ -296,6 +327,8 @@ fn edit(ui: &mut Ui, work: &mut Work, wishes: &mut Vec<Wish>) {
         Some(editor::Asked::TakeOther(file)) => wishes.push(Wish::TakeOther(file)),
         Some(editor::Asked::KeepMine(file)) => wishes.push(Wish::KeepMine(file)),
         Some(editor::Asked::PutBack) => wishes.push(Wish::PutBack),
+        Some(editor::Asked::DiscardRestored) => wishes.push(Wish::DiscardRestored),
+        Some(editor::Asked::KeepRestored) => wishes.push(Wish::KeepRestored),
         None => {}
     }
 }

@@ -62,12 +62,12 @@ pub fn show(
     Ok(())
 }
 
-/// What is said over the pictures: that an older program is seen, that one is tried elsewhere.
+/// What is said over the pictures: that an older program is seen, that a newer one is being tested.
 fn over(ui: &Ui, room: Rect, work: &Work) {
-    let text = if work.program.is_tried {
-        "There are loops: it is tried elsewhere first, and drawn when it came to an end"
+    let text = if work.program.is_trial_slow {
+        "The new program is tested in a process of its own before it is drawn"
     } else if work.program.is_old {
-        "The last program that compiled is shown"
+        "The last program that worked is shown"
     } else {
         return;
     };
@@ -87,6 +87,7 @@ fn caption(picture: Picture) -> &'static str {
 fn nothing_yet(picture: Picture, work: &Work) -> &'static str {
     match picture {
         Picture::Yours if work.program.is_tried => "",
+        Picture::Yours if work.program.unusable.is_some() => "Your program is not drawn: the reason is below the text.",
         Picture::Yours => "Your program does not compile yet: what is wrong stands below the text.",
         Picture::Reference => "This exercise has no picture of its own.",
         Picture::Difference => "There is no difference to be seen before your program compiles.",

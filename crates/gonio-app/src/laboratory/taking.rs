@@ -72,7 +72,9 @@ impl Work {
     /// Begins again with the files to start from.
     pub fn begin_again(&mut self) {
         self.sets += 1;
-        let files = Work::start_files(self.exercise, self.sets);
+        let mut files = Work::start_files(self.exercise, self.sets);
+        // Whoever begins again does not want a draft.
+        files.iter_mut().for_each(|file| file.draft_was_asked = true);
         let current = Work::first_shown(self.exercise, &files);
         self.replace(FileSet { files, current });
     }
@@ -116,7 +118,7 @@ impl FileSet {
 const MOST: usize = 4;
 
 /// Names as one says them.
-fn listed(names: &[&str]) -> String {
+pub(super) fn listed(names: &[&str]) -> String {
     match names {
         [] => "nothing".to_owned(),
         [one] => (*one).to_owned(),

@@ -10,13 +10,14 @@ use serde_json::{Value, json};
 /// |---|---|
 /// | `open` | whether it is shown in place of the scene |
 /// | `exercise` | the exercise's word, or null: the list is shown |
-/// | `files` | of each `name`, whether it is `changed` (not saved), in `conflict` with the disk, and `shown` in a tab |
+/// | `files` | of each `name`, whether it is `changed` (not saved), in `conflict` with the disk, `restored` from a draft, and `shown` in a tab |
+/// | `drafts` | how many files have unsaved text that is kept for the next window |
 /// | `before` | how many sets of files were open before these, and can be put back |
 /// | `file`, `page`, `shown`, `scene` | the file in the editor; the page beside; which picture; in which scene |
 /// | `said` | what is said of lines of all files: `file`, `line`, `kind` (error, warning, mistake), `text` |
 /// | `unusable` | why there is no pair of shaders, or null |
-/// | `drawn`, `older`, `tried` | a pair is drawn; it is an older one; the newer one is tried elsewhere |
-/// | `trials` | how many pairs were tried elsewhere first, for they might never have ended |
+/// | `drawn`, `older`, `tried` | a pair is drawn; it is an older one; the newer one is tried outside of the window |
+/// | `trials` | how many pairs were tried outside of the window first |
 /// | `pictures` | how many were drawn |
 /// | `checking` | a check is under way |
 /// | `verdict` | null before the first check, else `word`, `summary`, `mistakes` (ids), `error` (why there is none), `stale` |
@@ -24,6 +25,7 @@ pub fn state(laboratory: &Laboratory) -> Value {
     let mut state = laboratory.work.as_ref().map_or_else(|| json!({ "exercise": null }), of_work);
     state["open"] = laboratory.is_open.into();
     state["pictures"] = laboratory.pictures().into();
+    state["drafts"] = laboratory.drafts().into();
     state
 }
 
@@ -36,6 +38,7 @@ fn of_work(work: &Work) -> Value {
                 "name": file.name,
                 "changed": file.is_changed(),
                 "conflict": file.other.is_some(),
+                "restored": file.is_restored(),
                 "shown": file.is_shown(),
             })
         })

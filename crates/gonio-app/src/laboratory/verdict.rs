@@ -8,6 +8,9 @@ use egui::{Color32, CornerRadius, Frame, Label, Margin, RichText, Sense, Ui};
 use gonio_lab::bank;
 use gonio_lab::verdict::{CompilerMessage, FoundMistake, Outcome, TermState, Verdict};
 
+/// Characters of a line that are quoted.
+const MOST_QUOTED: usize = 400;
+
 /// Shows it; a line that is named can be gone to.
 pub fn show(ui: &mut Ui, work: &mut Work, wishes: &mut Vec<Wish>) {
     ui.spacing_mut().item_spacing.y = 6.0;
@@ -152,7 +155,15 @@ fn place(ui: &mut Ui, work: &mut Work, id: &str, file: &str, line: u32, quoted: 
     }
     if let Some(quoted) = quoted {
         let code = Frame::NONE.fill(ui.visuals().code_bg_color).corner_radius(4).inner_margin(Margin::symmetric(8, 4));
-        code.show(ui, |ui| ui.add(Label::new(RichText::new(quoted.trim()).monospace()).wrap()));
+        code.show(ui, |ui| ui.add(Label::new(RichText::new(beginning(quoted.trim())).monospace()).wrap()));
+    }
+}
+
+/// As much of a line as is worth quoting.
+fn beginning(line: &str) -> String {
+    match line.char_indices().nth(MOST_QUOTED) {
+        Some((end, _)) => format!("{}…", line.get(..end).unwrap_or_default()),
+        None => line.to_owned(),
     }
 }
 

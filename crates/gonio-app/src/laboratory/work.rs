@@ -45,6 +45,10 @@ pub struct OpenFile {
     pub other: Option<Vec<u8>>,
     /// Why it cannot be written to: it is no text.
     pub locked: bool,
+    /// The text is a draft that an earlier window left, and how long ago that was: "5 minutes ago".
+    pub restored: Option<String>,
+    /// It was looked for a draft of this file.
+    pub(super) draft_was_asked: bool,
     /// Of the editor's widget.
     id: Id,
     /// Whether it has a tab.
@@ -61,7 +65,18 @@ impl OpenFile {
         let id = Id::unique("laboratory editor").with((&exercise.id, number, &file.name));
         let name = file.name.to_ascii_lowercase();
         let is_shown = !PAPERS.iter().any(|end| name.ends_with(end));
-        OpenFile { name: file.name, path: file.path, text, saved: file.bytes, other: None, locked, id, is_shown }
+        OpenFile {
+            name: file.name,
+            path: file.path,
+            text,
+            saved: file.bytes,
+            other: None,
+            locked,
+            restored: None,
+            draft_was_asked: false,
+            id,
+            is_shown,
+        }
     }
 
     /// The same with a tab, whatever it is called: it was given as an answer.
@@ -113,6 +128,12 @@ impl OpenFile {
         (self.text, self.locked) = decoded(&bytes);
         self.saved = bytes;
         self.other = None;
+        self.restored = None;
+    }
+
+    /// Whether its text is a draft that an earlier window left, and is not saved yet.
+    pub fn is_restored(&self) -> bool {
+        self.restored.is_some() && self.is_changed()
     }
 }
 
@@ -167,8 +188,10 @@ pub struct ProgramFacts {
     pub is_drawn: bool,
     /// What is drawn is an earlier one: the one in the editor does not compile.
     pub is_old: bool,
-    /// It is tried elsewhere first, for it may never end.
+    /// It is tried outside of the window first: it may crash the driver, or never end.
     pub is_tried: bool,
+    /// The trial takes so long that it should be announced.
+    pub is_trial_slow: bool,
     /// What its variables were taken for, as it was drawn last.
     pub given: Vec<Given>,
 }
@@ -207,7 +230,7 @@ pub struct Work {
     pub as_the_lab: bool,
     /// Of the pair in the editor.
     pub program: ProgramFacts,
-    /// How many pairs were tried elsewhere before they were drawn, or not drawn, here.
+    /// How many pairs were tried outside of the window before they were drawn, or not drawn, here.
     pub trials: u32,
     /// What the last check said.
     pub judged: Option<Judged>,

@@ -4,11 +4,13 @@ mod checking;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod desktop;
 mod settings;
+mod trial;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
 
 pub use checking::{CheckRequest, Checking, Refused};
 pub use settings::Settings;
+pub use trial::{ByCheck, Decided, Trial, TrialOutcome};
 
 use crate::laboratory::GivenFile;
 use crate::saving::Product;
@@ -105,6 +107,21 @@ pub trait Platform {
     fn settings(&self) -> Settings;
     /// Keeps it for the next time: what cannot be kept is forgotten, for nothing of a scene is in it.
     fn keep(&mut self, settings: &Settings);
+    /// Keeps a draft, a text of unsaved changes, in place of the one that this window kept under this key. An error is one
+    /// sentence without a full stop.
+    fn keep_draft(&mut self, key: &str, text: &str) -> Result<(), String> {
+        let _ = (key, text);
+        Ok(())
+    }
+    /// Removes the draft that this window keeps under this key.
+    fn remove_draft(&mut self, key: &str) {
+        let _ = key;
+    }
+    /// The newest draft that was left under this key by a window that is gone. From now on this window keeps it.
+    fn take_draft(&mut self, key: &str) -> Option<String> {
+        let _ = key;
+        None
+    }
     /// Whether the frame that is being painted has been shown: to be asked in those after it.
     fn shown(&mut self, ctx: &egui::Context) -> Shown {
         let then = Instant::now() + MOMENT;
@@ -122,6 +139,15 @@ pub trait Platform {
     fn check(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Checking> {
         let _ = (request, ctx);
         Box::new(Refused::new("nothing can be checked here; `gonio lab check` does it on the command line"))
+    }
+    /// Whether [`Platform::trial`] runs in a process of its own and is cheap. Then every pair of shaders is tried before the
+    /// window's OpenGL gets it; otherwise only those that may never end.
+    fn tries_every_pair(&self) -> bool {
+        false
+    }
+    /// Begins to compile and draw a pair of shaders where a crash does not end the window.
+    fn trial(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Trial> {
+        Box::new(ByCheck::new(self.check(request, ctx)))
     }
     /// The state after a frame, for whoever watches it.
     fn publish(&mut self, state: &dyn Fn() -> Value) {

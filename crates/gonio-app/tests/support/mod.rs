@@ -4,7 +4,9 @@
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Vec2, pos2, vec2};
 use egui_kittest::Harness;
 use gonio_app::exported::{self, Widget};
-use gonio_app::platform::{Asked, CheckRequest, Checking, Event as FromOutside, Platform, Purpose, Settings};
+use gonio_app::platform::{
+    Asked, ByCheck, CheckRequest, Checking, Event as FromOutside, Platform, Purpose, Settings, Trial, TrialOutcome,
+};
 use gonio_app::saving::Product;
 use gonio_app::{Lab, theme};
 use gonio_gl::HeadlessContext;
@@ -25,6 +27,34 @@ pub struct Here {
     pub coming: Rc<RefCell<Vec<FromOutside>>>,
     /// What files were wanted for that were asked for last.
     pub asked: Rc<RefCell<Option<Purpose>>>,
+    /// Trials as a test wants them.
+    pub trials: Rc<RefCell<Trials>>,
+}
+
+/// Trials whose outcome a test decides.
+#[derive(Default)]
+pub struct Trials {
+    /// Every pair is tried; otherwise only those that may never end are, by a check.
+    pub is_on: bool,
+    /// How many were begun, and how many of those have not ended.
+    pub begun: usize,
+    pub running: usize,
+    /// Of the one that is running, or of the next.
+    pub outcome: Option<TrialOutcome>,
+}
+
+struct Scripted(Rc<RefCell<Trials>>);
+
+impl Trial for Scripted {
+    fn poll(&mut self) -> Option<TrialOutcome> {
+        self.0.borrow_mut().outcome.take()
+    }
+}
+
+impl Drop for Scripted {
+    fn drop(&mut self) {
+        self.0.borrow_mut().running -= 1;
+    }
 }
 
 struct Thread(Receiver<Result<Verdict, String>>);
@@ -60,6 +90,17 @@ impl Platform for Here {
         Settings::default()
     }
     fn keep(&mut self, _: &Settings) {}
+    fn tries_every_pair(&self) -> bool {
+        self.trials.borrow().is_on
+    }
+    fn trial(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Trial> {
+        if !self.tries_every_pair() {
+            return Box::new(ByCheck::new(self.check(request, ctx)));
+        }
+        let mut trials = self.trials.borrow_mut();
+        (trials.begun, trials.running) = (trials.begun + 1, trials.running + 1);
+        Box::new(Scripted(self.trials.clone()))
+    }
     fn check(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Checking> {
         let (sender, receiver) = channel();
         let ctx = ctx.clone();

@@ -68,6 +68,15 @@ impl Window {
         }
     }
 
+    /// Ends it without any warning (SIGKILL), and gives the folder with all that it left.
+    pub fn kill(mut self) -> tempfile::TempDir {
+        self.program.kill().unwrap();
+        self.program.wait().unwrap();
+        // The next window in this folder writes its own.
+        std::fs::remove_file(self.path("state.json")).unwrap();
+        std::mem::replace(&mut self.folder, tempfile::tempdir().unwrap())
+    }
+
     pub fn path(&self, name: &str) -> PathBuf {
         self.folder.path().join(name)
     }
@@ -123,16 +132,31 @@ impl Window {
 
     /// Where a widget is, once it is there: its middle, in pixels.
     pub fn find(&mut self, id: &str) -> (i64, i64) {
+        let ([left, top, width, height], scale) = self.rect(id);
+        (((left + width / 2.0) * scale) as i64, ((top + height / 2.0) * scale) as i64)
+    }
+
+    /// Left, top, width and height of a widget, once it is there, in points; and pixels per point.
+    fn rect(&mut self, id: &str) -> ([f64; 4], f64) {
         let of = |state: &Value| state["widgets"].as_array()?.iter().find(|w| w["id"] == id).cloned();
         let state = self.wait(id, |state| of(state).is_some());
-        let rect: Vec<f64> =
-            of(&state).unwrap()["rect"].as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect();
-        let scale = state["pixels_per_point"].as_f64().unwrap();
-        (((rect[0] + rect[2] / 2.0) * scale) as i64, ((rect[1] + rect[3] / 2.0) * scale) as i64)
+        let widget = of(&state).unwrap();
+        let side = |index: usize| widget["rect"][index].as_f64().unwrap();
+        ([side(0), side(1), side(2), side(3)], state["pixels_per_point"].as_f64().unwrap())
     }
 
     pub fn click(&mut self, id: &str) {
-        let (x, y) = self.find(id);
+        let at = self.find(id);
+        self.click_at(at);
+    }
+
+    /// Clicks near the upper left corner: the middle of a long line of text is far outside of the window.
+    pub fn click_corner(&mut self, id: &str) {
+        let ([left, top, ..], scale) = self.rect(id);
+        self.click_at((((left + 60.0) * scale) as i64, ((top + 60.0) * scale) as i64));
+    }
+
+    fn click_at(&self, (x, y): (i64, i64)) {
         self.do_it(&["mousemove", &x.to_string(), &y.to_string()]);
         // What lies under the pointer is known after a frame with the pointer there.
         std::thread::sleep(Duration::from_millis(300));

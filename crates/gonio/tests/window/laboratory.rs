@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// A folder `mine` with exercise 04's right answer.
-fn answered() -> tempfile::TempDir {
+pub fn answered() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     let status = Command::new(env!("CARGO_BIN_EXE_gonio"))
         .args(["lab", "reference", "ex04", "-o", "mine", "--quiet"])

@@ -8,6 +8,7 @@ mod habits;
 mod laboratory;
 mod pointer;
 mod refused;
+mod survival;
 // The benches' own.
 #[path = "../../../../benches/src/screen.rs"]
 mod screen;

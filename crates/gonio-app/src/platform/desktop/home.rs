@@ -4,8 +4,17 @@
 use std::env::var_os;
 use std::path::PathBuf;
 
-/// The file; `None` where there is no home.
+/// The file of the window's settings; `None` where there is no home.
 pub fn settings_file() -> Option<PathBuf> {
+    Some(folder()?.join("window.json"))
+}
+
+/// The folder of drafts of unsaved text; `None` where there is no home.
+pub fn drafts_folder() -> Option<PathBuf> {
+    Some(folder()?.join("drafts"))
+}
+
+fn folder() -> Option<PathBuf> {
     let folder = |name: &str| var_os(name).map(PathBuf::from).filter(|path| path.is_absolute());
     let place = if cfg!(windows) {
         folder("LOCALAPPDATA")?
@@ -14,5 +23,5 @@ pub fn settings_file() -> Option<PathBuf> {
     } else {
         folder("XDG_STATE_HOME").or_else(|| Some(folder("HOME")?.join(".local/state")))?
     };
-    Some(place.join("gonio").join("window.json"))
+    Some(place.join("gonio"))
 }

@@ -4,19 +4,22 @@ mod check;
 pub mod child;
 mod dialog;
 mod display;
+mod drafts;
 mod handed;
 mod home;
 mod opened;
+pub mod trial;
 mod watch;
 pub mod worker;
 mod write;
 
 pub use display::has_display;
 
-use super::{Asked, CheckRequest, Checking, Event, Platform, Purpose, Refused, Settings};
+use super::{Asked, CheckRequest, Checking, Decided, Event, Platform, Purpose, Refused, Settings, Trial, TrialOutcome};
 use crate::laboratory::Start;
 use crate::saving::Product;
 use crate::{Adjust, Lab, Opening};
+use drafts::DraftFolder;
 use gonio_gl::Gl;
 use gonio_mesh::Limits;
 use gonio_scene::files::{BUILTIN, Disk, FileSource};
@@ -89,12 +92,13 @@ struct Desktop {
     watcher: Option<Watcher>,
     state: Option<PathBuf>,
     program: Option<PathBuf>,
+    drafts: Option<DraftFolder>,
 }
 
 impl Desktop {
     fn new(state: Option<PathBuf>, program: Option<PathBuf>) -> Self {
         let (sender, receiver) = channel();
-        Desktop { sender, receiver, watcher: None, state, program }
+        Desktop { sender, receiver, watcher: None, state, program, drafts: home::drafts_folder().map(DraftFolder::new) }
     }
 }
 
@@ -156,6 +160,22 @@ impl Platform for Desktop {
         }
     }
 
+    fn tries_every_pair(&self) -> bool {
+        true
+    }
+
+    fn trial(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Trial> {
+        let ctx = ctx.clone();
+        let begun = match &self.program {
+            Some(program) => trial::begin(program, &request, move || ctx.request_repaint()),
+            None => Err("gonio's own program was not found".into()),
+        };
+        match begun {
+            Ok(trial) => Box::new(trial),
+            Err(why) => Box::new(Decided::new(TrialOutcome::Unavailable(why))),
+        }
+    }
+
     fn settings(&self) -> Settings {
         home::settings_file()
             .and_then(|file| std::fs::read_to_string(file).ok())
@@ -169,6 +189,21 @@ impl Platform for Desktop {
             // Nothing of a scene is in it: a home that cannot be written to forgets a colour and a list.
             let _ = write::beside_and_renamed(&file, settings.to_text().as_bytes());
         }
+    }
+
+    fn keep_draft(&mut self, key: &str, text: &str) -> Result<(), String> {
+        let drafts = self.drafts.as_mut().ok_or("there is no home folder (HOME is not set)")?;
+        drafts.keep(key, text)
+    }
+
+    fn remove_draft(&mut self, key: &str) {
+        if let Some(drafts) = &mut self.drafts {
+            drafts.remove(key);
+        }
+    }
+
+    fn take_draft(&mut self, key: &str) -> Option<String> {
+        self.drafts.as_mut()?.take(key)
     }
 
     fn publish(&mut self, state: &dyn Fn() -> Value) {

@@ -9,6 +9,10 @@ use web_sys::{Blob, Document, File, HtmlAnchorElement, HtmlInputElement, Storage
 
 /// Under which name the settings are kept.
 const KEY: &str = "gonio";
+/// What the names of drafts begin with.
+const DRAFT: &str = "gonio draft ";
+/// A window may leave several texts of one file: KEY, KEY-2 and so on.
+const MOST_OF_ONE_FILE: usize = 9;
 
 /// A file that a person gave, not yet read.
 pub struct NamedFile {
@@ -138,4 +142,32 @@ pub fn keep(text: &str) {
     if let Some(storage) = storage() {
         let _ = storage.set_item(KEY, text);
     }
+}
+
+/// Keeps a draft of unsaved text. An error is one sentence.
+pub fn keep_draft(key: &str, text: &str) -> Result<(), String> {
+    let storage = storage().ok_or("this browser keeps nothing for this page")?;
+    let full = |_| "the browser's storage for this page is full".to_owned();
+    storage.set_item(&format!("{DRAFT}{key}"), text).map_err(full)
+}
+
+/// Removes a draft.
+pub fn remove_draft(key: &str) {
+    if let Some(storage) = storage() {
+        let _ = storage.remove_item(&format!("{DRAFT}{key}"));
+    }
+}
+
+/// The draft that was left under this key, which is then that of this page.
+pub fn take_draft(key: &str) -> Option<String> {
+    let storage = storage()?;
+    let numbered = |number: usize| if number == 1 { key.to_owned() } else { format!("{key}-{number}") };
+    let read = |key: &String| storage.get_item(&format!("{DRAFT}{key}")).ok()?;
+    let (found, text) = (1..=MOST_OF_ONE_FILE).map(numbered).find_map(|key| Some((key.clone(), read(&key)?)))?;
+    if found != key {
+        // Kept under its new name first: at no time there is no draft.
+        keep_draft(key, &text).ok()?;
+        remove_draft(&found);
+    }
+    Some(text)
 }

@@ -214,4 +214,16 @@ impl Platform for Web {
     fn keep(&mut self, settings: &Settings) {
         document::keep(&settings.to_text());
     }
+
+    fn keep_draft(&mut self, key: &str, text: &str) -> Result<(), String> {
+        document::keep_draft(key, text)
+    }
+
+    fn remove_draft(&mut self, key: &str) {
+        document::remove_draft(key);
+    }
+
+    fn take_draft(&mut self, key: &str) -> Option<String> {
+        document::take_draft(key)
+    }
 }

@@ -10,6 +10,7 @@ mod mistakes;
 mod open;
 mod score;
 mod text;
+mod trial;
 mod worker;
 
 use crate::cli::WordOptions;
@@ -56,6 +57,9 @@ pub enum LabCommand {
     /// The process that a check runs in.
     #[command(hide = true)]
     CheckWorker(WordOptions),
+    /// Compile and draw the pair of shaders that comes from standard input, for the window.
+    #[command(hide = true)]
+    Trial(trial::TrialArgs),
 }
 
 impl LabCommand {
@@ -72,6 +76,7 @@ impl LabCommand {
             LabCommand::Mistakes(args) => &args.words,
             LabCommand::Score(args) => &args.words,
             LabCommand::CheckWorker(words) => words,
+            LabCommand::Trial(args) => &args.words,
         }
     }
 }
@@ -89,6 +94,7 @@ pub fn run(command: &LabCommand, reporter: &Reporter) -> Result<Outcome, CliErro
         LabCommand::Mistakes(args) => mistakes::run(args, reporter),
         LabCommand::Score(args) => score::run(args, reporter),
         LabCommand::CheckWorker(_) => worker::run(),
+        LabCommand::Trial(args) => trial::run(args, reporter),
     }
 }
 

@@ -1,0 +1,253 @@
+//! Drafts: text that was typed and not saved, kept where the next window finds it.
+//!
+//! A draft belongs to one file of one exercise. It is written at most [`DELAY`] after the first change, and at once when the
+//! window loses the focus or closes; it is removed when the file is saved or the text is discarded. A draft is never written
+//! into the student's file: the next window puts it into the editor, as text that is not saved yet.
+
+use super::editor;
+use super::work::{OpenFile, Work};
+use crate::platform::Platform;
+use egui::Context;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::time::Duration;
+use web_time::{Instant, SystemTime, UNIX_EPOCH};
+
+/// How much typing a crash may cost.
+const DELAY: Duration = Duration::from_secs(1);
+/// Longer texts are not kept. A sentence says so.
+const MOST_BYTES: usize = 1024 * 1024;
+/// Drafts that are older are not restored, and are removed.
+pub const MOST_AGE: Duration = Duration::from_secs(90 * 24 * 60 * 60);
+
+/// A draft as it is stored.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+struct Draft {
+    exercise: String,
+    /// The file's name in the exercise.
+    file: String,
+    /// [`fingerprint`] of the file that the text was based on, as hexadecimal digits.
+    base: String,
+    /// Seconds since 1970.
+    written: u64,
+    text: String,
+}
+
+/// The drafts of this window.
+#[derive(Default)]
+pub struct Drafts {
+    /// By key, the text that was kept last.
+    kept: BTreeMap<String, String>,
+    /// When changed texts are to be written.
+    due: Option<Instant>,
+    /// The failure that was reported last, so that it is not reported every second.
+    reported: Option<String>,
+}
+
+impl Drafts {
+    /// How many drafts are kept now.
+    pub fn count(&self) -> usize {
+        self.kept.len()
+    }
+
+    /// Puts drafts that an earlier window left into files that were just opened. Gives sentences for what went wrong.
+    pub fn restore(&mut self, ctx: &Context, work: &mut Work, platform: &mut dyn Platform) -> Vec<String> {
+        let mut failures = Vec::new();
+        let mut first = None;
+        let exercise = &work.exercise.id;
+        for (index, file) in work.files.iter_mut().enumerate().filter(|(_, file)| !file.locked) {
+            if std::mem::replace(&mut file.draft_was_asked, true) {
+                continue;
+            }
+            let key = key(exercise, file);
+            // The text that this window has under this key is in another set of files.
+            if self.kept.contains_key(&key) {
+                continue;
+            }
+            let Some(stored) = platform.take_draft(&key) else { continue };
+            let draft: Draft = match serde_json::from_str(&stored) {
+                Ok(draft) => draft,
+                Err(why) => {
+                    failures.push(format!("the draft of {} is damaged and was not restored: {why}", file.name));
+                    continue;
+                }
+            };
+            let age = Duration::from_secs(now().saturating_sub(draft.written));
+            if draft.text == file.text || age > MOST_AGE {
+                platform.remove_draft(&key);
+                continue;
+            }
+            self.kept.insert(key, draft.text.clone());
+            // A step of undo leads back to the saved text.
+            editor::remember(ctx, file);
+            file.text = draft.text;
+            file.restored = Some(in_words(age));
+            if file.path.is_some() && draft.base != hexadecimal(fingerprint(&file.saved)) {
+                file.other = Some(file.saved.clone());
+            }
+            first.get_or_insert(index);
+        }
+        let is_restored = |file: &OpenFile| file.restored.is_some();
+        if let Some(first) = first.filter(|_| !work.files.get(work.current).is_some_and(is_restored)) {
+            work.current = first;
+        }
+        failures
+    }
+
+    /// To be called in every frame: removes drafts of what was saved or discarded, and keeps what was typed a moment ago.
+    pub fn follow<'a>(
+        &mut self,
+        ctx: &Context,
+        works: impl Iterator<Item = &'a Work>,
+        platform: &mut dyn Platform,
+    ) -> Vec<String> {
+        let unsaved = unsaved(works);
+        self.forget(&unsaved, platform);
+        if !self.is_behind(&unsaved) {
+            self.due = None;
+            return Vec::new();
+        }
+        let now = Instant::now();
+        let due = *self.due.get_or_insert(now + DELAY);
+        if now < due && ctx.input(|input| input.focused) {
+            ctx.request_repaint_after(due - now);
+            return Vec::new();
+        }
+        let failures = self.write(&unsaved, platform);
+        // It is tried again every second, and reported once.
+        let is_news = failures.first() != self.reported.as_ref();
+        self.reported = failures.first().cloned();
+        if is_news { failures } else { Vec::new() }
+    }
+
+    /// Keeps everything now: the window closes. Gives a sentence for each text that could not be kept.
+    pub fn flush<'a>(&mut self, works: impl Iterator<Item = &'a Work>, platform: &mut dyn Platform) -> Vec<String> {
+        let unsaved = unsaved(works);
+        self.forget(&unsaved, platform);
+        self.write(&unsaved, platform)
+    }
+
+    fn is_behind(&self, unsaved: &[Unsaved<'_>]) -> bool {
+        unsaved.iter().any(|unsaved| self.kept.get(&unsaved.key) != Some(&unsaved.file.text))
+    }
+
+    fn forget(&mut self, unsaved: &[Unsaved<'_>], platform: &mut dyn Platform) {
+        self.kept.retain(|key, _| {
+            let stays = unsaved.iter().any(|unsaved| unsaved.key == *key);
+            if !stays {
+                platform.remove_draft(key);
+            }
+            stays
+        });
+    }
+
+    fn write(&mut self, unsaved: &[Unsaved<'_>], platform: &mut dyn Platform) -> Vec<String> {
+        self.due = None;
+        let mut failures = Vec::new();
+        for Unsaved { key, exercise, file } in unsaved {
+            if self.kept.get(key) == Some(&file.text) {
+                continue;
+            }
+            match keep(key, exercise, file, platform) {
+                Ok(()) => {
+                    self.kept.insert(key.clone(), file.text.clone());
+                }
+                Err(why) => failures.push(format!(
+                    "the unsaved text of {} is not kept as a draft: {why}; Ctrl + S saves the file",
+                    file.name
+                )),
+            }
+        }
+        failures
+    }
+}
+
+/// A file with text that was not saved.
+struct Unsaved<'a> {
+    key: String,
+    exercise: &'a str,
+    file: &'a OpenFile,
+}
+
+/// All of them. A file that was opened several times gives several texts; those that are open now come first.
+fn unsaved<'a>(works: impl Iterator<Item = &'a Work>) -> Vec<Unsaved<'a>> {
+    let mut found: Vec<Unsaved<'a>> = Vec::new();
+    for work in works {
+        let before = work.before.iter().rev().flat_map(|set| &set.files);
+        for file in work.files.iter().chain(before).filter(|file| file.is_changed()) {
+            // A file may be in several sets.
+            if found.iter().any(|known| known.file.id() == file.id()) {
+                continue;
+            }
+            let first = key(&work.exercise.id, file);
+            let numbered = |number: usize| if number == 1 { first.clone() } else { format!("{first}-{number}") };
+            let is_free = |key: &String| found.iter().all(|known| known.key != *key);
+            if let Some(key) = (1..).map(numbered).find(is_free) {
+                found.push(Unsaved { key, exercise: &work.exercise.id, file });
+            }
+        }
+    }
+    found
+}
+
+fn keep(key: &str, exercise: &str, file: &OpenFile, platform: &mut dyn Platform) -> Result<(), String> {
+    if file.text.len() > MOST_BYTES {
+        return Err(format!("it has more than {} MB", MOST_BYTES / (1024 * 1024)));
+    }
+    let draft = Draft {
+        exercise: exercise.to_owned(),
+        file: file.name.clone(),
+        base: hexadecimal(fingerprint(&file.saved)),
+        written: now(),
+        text: file.text.clone(),
+    };
+    let text = serde_json::to_string(&draft).map_err(|why| why.to_string())?;
+    platform.keep_draft(key, &text)
+}
+
+/// What a draft of this file is called: the same for the same exercise and place on the disk. Files in memory have no place:
+/// they are told apart by their name and the content that they were opened with.
+fn key(exercise: &str, file: &OpenFile) -> String {
+    let mut bytes = exercise.as_bytes().to_vec();
+    bytes.push(0);
+    match &file.path {
+        Some(path) => bytes.extend(path.to_string_lossy().as_bytes()),
+        None => {
+            bytes.extend(file.name.as_bytes());
+            bytes.push(0);
+            bytes.extend(fingerprint(&file.saved).to_le_bytes());
+        }
+    }
+    hexadecimal(fingerprint(&bytes))
+}
+
+/// FNV-1a, 64 bits: the same in every version of gonio and on every machine.
+fn fingerprint(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |sum, byte| (sum ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3))
+}
+
+fn hexadecimal(number: u64) -> String {
+    format!("{number:016x}")
+}
+
+/// Seconds since 1970.
+fn now() -> u64 {
+    SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |time| time.as_secs())
+}
+
+/// How long ago something was: "5 minutes ago".
+fn in_words(age: Duration) -> String {
+    let minutes = age.as_secs() / 60;
+    let (count, unit) = match minutes {
+        0 => return "less than a minute ago".to_owned(),
+        1..60 => (minutes, "minute"),
+        60..1440 => (minutes / 60, "hour"),
+        _ => (minutes / 1440, "day"),
+    };
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} {unit}{plural} ago")
+}
+
+#[cfg(test)]
+#[path = "drafts_tests.rs"]
+mod tests;

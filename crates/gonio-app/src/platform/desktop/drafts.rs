@@ -1,0 +1,315 @@
+//! Drafts of unsaved text, on the disk.
+//!
+//! | path below `gonio/drafts` | what |
+//! |---|---|
+//! | `PROCESS-N/` | the drafts of one window |
+//! | `PROCESS-N/lock` | locked as long as that window lives |
+//! | `PROCESS-N/KEY.json` | a draft |
+//!
+//! So two windows never write the same draft, and a window takes drafts only from windows that are gone, however they ended.
+//! Drafts that nobody took within 90 days are removed, and beyond 200 the oldest.
+
+use super::write;
+use crate::laboratory::MOST_AGE_OF_DRAFTS;
+use std::ffi::OsStr;
+use std::fs::{self, File};
+use std::io::{Error, ErrorKind};
+use std::path::{Path, PathBuf};
+use std::time::SystemTime;
+
+/// Drafts that windows which are gone may leave.
+const MOST_LEFT: usize = 200;
+const LOCK: &str = "lock";
+
+/// The folder of all windows' drafts.
+pub struct DraftFolder {
+    root: PathBuf,
+    own: Option<Session>,
+    is_pruned: bool,
+}
+
+/// The drafts of one window, and the lock that says so.
+struct Session {
+    folder: PathBuf,
+    _lock: File,
+}
+
+/// A draft that was left.
+struct Left {
+    path: PathBuf,
+    written: SystemTime,
+    /// Keeps its window's folder locked meanwhile.
+    _session: std::rc::Rc<Session>,
+}
+
+impl DraftFolder {
+    /// In this folder, which is made when there is something to keep.
+    pub fn new(root: PathBuf) -> Self {
+        DraftFolder { root, own: None, is_pruned: false }
+    }
+
+    /// Keeps a draft. An error is one sentence.
+    pub fn keep(&mut self, key: &str, text: &str) -> Result<(), String> {
+        self.prune();
+        let file = format!("{key}.json");
+        // Another window may have taken the folder for that of a window which is gone, in the moment before it was locked.
+        if self.own.as_ref().is_some_and(|own| !own.folder.is_dir()) {
+            self.own = None;
+        }
+        let place = self.session()?.folder.join(file);
+        write::beside_and_renamed(&place, text.as_bytes())
+    }
+
+    /// Removes this window's draft.
+    pub fn remove(&mut self, key: &str) {
+        if let Some(own) = &self.own {
+            // What is left is offered again, and can be discarded again.
+            let _ = fs::remove_file(own.folder.join(format!("{key}.json")));
+        }
+    }
+
+    /// The newest draft under this key of a window that is gone; it is this window's now.
+    pub fn take(&mut self, key: &str) -> Option<String> {
+        self.prune();
+        let is_meant = |path: &Path| {
+            let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            // A window may have left several texts of one file: KEY-2, KEY-3.
+            stem.strip_prefix(key).is_some_and(|rest| rest.is_empty() || rest.starts_with('-'))
+        };
+        let left = self.left();
+        let newest = left.iter().filter(|left| is_meant(&left.path)).max_by_key(|left| left.written)?;
+        let text = fs::read_to_string(&newest.path).ok()?;
+        let own = self.session().ok()?.folder.join(format!("{key}.json"));
+        // Renamed: at no time there is no draft.
+        fs::rename(&newest.path, own).ok()?;
+        Some(text)
+    }
+
+    /// This window's folder, which is made when it is first wanted.
+    fn session(&mut self) -> Result<&Session, String> {
+        let failed = |why: Error| format!("a folder in `{}` could not be made: {why}", self.root.display());
+        match &mut self.own {
+            Some(own) => Ok(own),
+            own => Ok(own.insert(Session::new(&self.root).map_err(failed)?)),
+        }
+    }
+
+    /// All drafts of windows that are gone.
+    fn left(&self) -> Vec<Left> {
+        let own = self.own.as_ref().map(|own| own.folder.as_path());
+        let mut left = Vec::new();
+        for folder in entries(&self.root).into_iter().filter(|path| path.is_dir() && Some(path.as_path()) != own) {
+            let Some(session) = Session::of_window_that_is_gone(folder) else { continue };
+            let session = std::rc::Rc::new(session);
+            for path in entries(&session.folder).into_iter().filter(|path| path.extension() == Some(OsStr::new("json")))
+            {
+                let written = fs::metadata(&path).and_then(|data| data.modified()).unwrap_or(SystemTime::UNIX_EPOCH);
+                left.push(Left { path, written, _session: session.clone() });
+            }
+        }
+        left
+    }
+
+    /// Removes drafts that are too old or too many, and folders without any. Once: it looks at every folder.
+    fn prune(&mut self) {
+        if std::mem::replace(&mut self.is_pruned, true) {
+            return;
+        }
+        let mut left = self.left();
+        left.sort_by_key(|left| std::cmp::Reverse(left.written));
+        let is_old = |left: &Left| left.written.elapsed().is_ok_and(|age| age > MOST_AGE_OF_DRAFTS);
+        for (index, left) in left.iter().enumerate() {
+            if index >= MOST_LEFT || is_old(left) {
+                // What cannot be removed now is tried again by the next window.
+                let _ = fs::remove_file(&left.path);
+            }
+        }
+        drop(left);
+        let own = self.own.as_ref().map(|own| own.folder.as_path());
+        for folder in entries(&self.root).into_iter().filter(|path| path.is_dir() && Some(path.as_path()) != own) {
+            if let Some(session) = Session::of_window_that_is_gone(folder) {
+                session.remove_if_empty();
+            }
+        }
+    }
+}
+
+impl Drop for DraftFolder {
+    fn drop(&mut self) {
+        if let Some(own) = self.own.take() {
+            own.remove_if_empty();
+        }
+    }
+}
+
+impl Session {
+    fn new(root: &Path) -> Result<Self, Error> {
+        fs::create_dir_all(root)?;
+        let process = std::process::id();
+        for number in 0_u32.. {
+            let folder = root.join(format!("{process}-{number}"));
+            match fs::create_dir(&folder) {
+                // Of an earlier process with the same number, or of this one.
+                Err(why) if why.kind() == ErrorKind::AlreadyExists => {}
+                made => {
+                    made?;
+                    let lock = File::create(folder.join(LOCK))?;
+                    // Where a file system has no locks, another window may take these drafts; none is lost.
+                    let _ = lock.lock();
+                    return Ok(Session { folder, _lock: lock });
+                }
+            }
+        }
+        Err(ErrorKind::AlreadyExists.into())
+    }
+
+    /// The folder of a window that is gone, locked; `None` while that window lives.
+    fn of_window_that_is_gone(folder: PathBuf) -> Option<Self> {
+        let lock = File::options().write(true).open(folder.join(LOCK)).ok()?;
+        match lock.try_lock() {
+            Ok(()) => Some(Session { folder, _lock: lock }),
+            Err(fs::TryLockError::Error(why)) if why.kind() == ErrorKind::Unsupported => {
+                Some(Session { folder, _lock: lock })
+            }
+            Err(_) => None,
+        }
+    }
+
+    fn remove_if_empty(self) {
+        let is_empty = entries(&self.folder).iter().all(|path| path.file_name() == Some(OsStr::new(LOCK)));
+        if is_empty {
+            // A folder that stays is empty, and removed by the next window.
+            let _ = fs::remove_file(self.folder.join(LOCK)).and_then(|()| fs::remove_dir(&self.folder));
+        }
+    }
+}
+
+/// What is in a folder; nothing where it cannot be read.
+fn entries(folder: &Path) -> Vec<PathBuf> {
+    let Ok(entries) = fs::read_dir(folder) else { return Vec::new() };
+    let mut paths: Vec<PathBuf> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
+    paths.sort();
+    paths
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use std::time::Duration;
+
+    struct Root(PathBuf);
+
+    impl Root {
+        fn new(name: &str) -> Self {
+            let path = std::env::temp_dir().join(format!("gonio-drafts-{name}-{}", std::process::id()));
+            let _ = fs::remove_dir_all(&path);
+            Root(path)
+        }
+
+        fn window(&self) -> DraftFolder {
+            DraftFolder::new(self.0.clone())
+        }
+
+        /// A window that keeps these and is then killed: nothing tidies up, and its lock is gone.
+        fn killed(&self, drafts: &[(&str, &str)]) -> PathBuf {
+            let mut window = self.window();
+            for (key, text) in drafts {
+                window.keep(key, text).unwrap();
+            }
+            let own = window.own.take().unwrap();
+            own.folder.clone()
+        }
+
+        fn folders(&self) -> usize {
+            entries(&self.0).len()
+        }
+    }
+
+    impl Drop for Root {
+        fn drop(&mut self) {
+            let _ = fs::remove_dir_all(&self.0);
+        }
+    }
+
+    #[test]
+    fn a_draft_of_a_window_that_is_gone_is_taken_once_and_none_of_a_living_one() {
+        let root = Root::new("taken");
+        let mut alive = root.window();
+        alive.keep("a", "of the living").unwrap();
+        let mut other = root.window();
+        assert_eq!(other.take("a"), None);
+        root.killed(&[("a", "of the dead"), ("b", "another")]);
+        assert_eq!(other.take("a").as_deref(), Some("of the dead"));
+        assert_eq!((other.take("a"), root.window().take("a")), (None, None));
+        assert_eq!(root.window().take("b").as_deref(), Some("another"));
+        // It is that window's own now, and is left when that is gone too.
+        drop(other);
+        assert_eq!(root.window().take("a").as_deref(), Some("of the dead"));
+        drop(alive);
+        assert_eq!(root.window().take("a").as_deref().map(|_| ()), Some(()));
+    }
+
+    #[test]
+    fn the_newest_comes_first_and_none_is_lost() {
+        let root = Root::new("newest");
+        let set_age = |folder: &Path, name: &str, age: u64| {
+            let time = SystemTime::now() - Duration::from_secs(age);
+            File::options().write(true).open(folder.join(name)).unwrap().set_modified(time).unwrap();
+        };
+        let first = root.killed(&[("a", "older"), ("a-2", "oldest")]);
+        set_age(&first, "a.json", 100);
+        set_age(&first, "a-2.json", 200);
+        let second = root.killed(&[("a", "newer"), ("ab", "of another file")]);
+        set_age(&second, "a.json", 50);
+        for text in ["newer", "older", "oldest"] {
+            let mut window = root.window();
+            assert_eq!(window.take("a").as_deref(), Some(text));
+            window.remove("a");
+        }
+        assert_eq!(root.window().take("a"), None);
+        assert_eq!(root.window().take("ab").as_deref(), Some("of another file"));
+    }
+
+    #[test]
+    fn what_is_saved_leaves_nothing_behind() {
+        let root = Root::new("saved");
+        let mut window = root.window();
+        for text in ["one", "two"] {
+            window.keep("a", text).unwrap();
+        }
+        assert_eq!(root.folders(), 1);
+        window.remove("a");
+        drop(window);
+        assert_eq!(root.folders(), 0);
+    }
+
+    #[test]
+    fn drafts_that_are_too_old_or_too_many_are_removed() {
+        let root = Root::new("old");
+        let old = root.killed(&[("old", "text")]);
+        let time = SystemTime::now() - MOST_AGE_OF_DRAFTS - Duration::from_secs(60);
+        File::options().write(true).open(old.join("old.json")).unwrap().set_modified(time).unwrap();
+        assert_eq!(root.window().take("old"), None);
+        assert!(!old.exists(), "a folder without drafts is removed");
+        let keys: Vec<String> = (0..MOST_LEFT + 3).map(|number| format!("{number:04}")).collect();
+        let many = root.killed(&keys.iter().map(|key| (key.as_str(), "text")).collect::<Vec<_>>());
+        for (number, key) in keys.iter().enumerate() {
+            let time = SystemTime::now() - Duration::from_secs(number as u64 + 1);
+            File::options().write(true).open(many.join(format!("{key}.json"))).unwrap().set_modified(time).unwrap();
+        }
+        assert_eq!(root.window().take(&keys[MOST_LEFT]), None);
+        assert_eq!(entries(&many).len(), MOST_LEFT + 1, "and the lock");
+        assert_eq!(root.window().take(&keys[MOST_LEFT - 1]).as_deref(), Some("text"));
+    }
+
+    #[test]
+    fn a_folder_that_cannot_be_made_is_one_sentence() {
+        let root = Root::new("file");
+        fs::write(&root.0, "a file").unwrap();
+        let why = root.window().keep("a", "text").unwrap_err();
+        assert!(why.contains("could not be made") && !why.contains('\n'), "{why}");
+        assert_eq!(root.window().take("a"), None);
+        fs::remove_file(&root.0).unwrap();
+    }
+}

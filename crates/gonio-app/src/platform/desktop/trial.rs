@@ -1,0 +1,320 @@
+//! A trial in a process of its own: `gonio lab trial`, which may crash, or be ended, whatever a shader does to the driver.
+//!
+//! The process reads the files from its standard input ([`read_files`]) and answers with JSON ([`Answer`]). Its
+//! input stays open until its answer is known: it ends by itself when the window is gone.
+
+use super::child::{self, Ended};
+use crate::platform::{CheckRequest, Trial, TrialOutcome};
+use gonio_lab::submission::SourceFile;
+use serde::{Deserialize, Serialize};
+use std::io::{Error, ErrorKind, Read, Write};
+use std::path::Path;
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, TryRecvError, channel};
+use std::time::Duration;
+
+/// Time for the whole trial. A right answer takes a fraction of a second.
+const MOST_TIME: Duration = Duration::from_secs(15);
+/// Bytes of one file or name, and number of files, that the process accepts.
+const MOST_BYTES: u32 = 64 * 1024 * 1024;
+const MOST_FILES: u32 = 4096;
+/// The exit code of a command line that was not understood, or of any other error of gonio's own.
+const CODE_OF_ERRORS: i32 = 2;
+
+/// What the process answers.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case", tag = "answer")]
+pub enum Answer {
+    /// The pair was compiled and drawn, or refused by the compiler.
+    Harmless,
+    /// The window would hang for so many seconds at each picture.
+    Slow {
+        /// Estimated from a small picture.
+        seconds: f64,
+    },
+    /// OpenGL reported an error while the pair was drawn.
+    Failed {
+        /// In OpenGL's words.
+        why: String,
+    },
+    /// There is no OpenGL to try it with.
+    Unavailable {
+        /// One sentence.
+        why: String,
+    },
+}
+
+/// A running trial, and the thread that waits for it.
+pub struct Process {
+    outcomes: Receiver<TrialOutcome>,
+    given_up: Arc<AtomicBool>,
+    answered: bool,
+}
+
+/// Starts the trial; `done` is called when there is an outcome to ask for. An error is one sentence.
+pub fn begin(program: &Path, request: &CheckRequest, done: impl FnOnce() + Send + 'static) -> Result<Process, String> {
+    let mut command = child::command(program).map_err(|why| format!("gonio could not start its trial: {why}"))?;
+    command.args(["lab", "trial", &request.exercise]);
+    run(command, &request.files, done).map_err(|why| format!("gonio could not start its trial: {why}"))
+}
+
+fn run(
+    mut command: Command,
+    files: &[(String, Vec<u8>)],
+    done: impl FnOnce() + Send + 'static,
+) -> Result<Process, Error> {
+    let input = encoded(files);
+    let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
+    let (sender, outcomes) = channel();
+    let given_up = Arc::new(AtomicBool::new(false));
+    let stop = given_up.clone();
+    std::thread::spawn(move || {
+        let outcome = finish(&mut child, input, || stop.load(Ordering::Relaxed));
+        // Nobody may listen any more.
+        let _ = sender.send(outcome);
+        done();
+    });
+    Ok(Process { outcomes, given_up, answered: false })
+}
+
+/// Hands over the input, waits for the end, and reads the answer. Each pipe has a thread: a process that neither reads nor
+/// answers must not hold up its own end.
+fn finish(child: &mut Child, input: Vec<u8>, given_up: impl Fn() -> bool) -> TrialOutcome {
+    let (done, is_done) = channel::<()>();
+    if let Some(mut pipe) = child.stdin.take() {
+        std::thread::spawn(move || {
+            // A process that ended early has not read it all. The pipe is closed when `done` is dropped.
+            let _ = pipe.write_all(&input).and_then(|()| pipe.flush());
+            let _ = is_done.recv();
+        });
+    }
+    let (sender, output) = channel();
+    if let Some(pipe) = child.stdout.take() {
+        std::thread::spawn(move || {
+            let mut text = String::new();
+            // What is not UTF-8 is no answer.
+            let _ = pipe.take(1 << 16).read_to_string(&mut text);
+            let _ = sender.send(text);
+        });
+    }
+    let ended = child::wait(child, MOST_TIME, given_up);
+    drop(done);
+    match ended {
+        Ok(Ended::ByItself(status)) => answered(status, &output.recv().unwrap_or_default()),
+        Ok(other) => stopped(other),
+        Err(why) => TrialOutcome::Unavailable(format!("gonio lost sight of its trial: {why}")),
+    }
+}
+
+fn answered(status: ExitStatus, output: &str) -> TrialOutcome {
+    if status.code() == Some(CODE_OF_ERRORS) {
+        return TrialOutcome::Unavailable("gonio could not try the shader outside of the window".into());
+    }
+    if !status.success() {
+        return TrialOutcome::Refused(
+            "This shader crashed the process that tests it, so the window does not draw it: look for very large arrays, \
+             very long expressions or deep nesting"
+                .into(),
+        );
+    }
+    match serde_json::from_str(output) {
+        Ok(Answer::Harmless) => TrialOutcome::Harmless,
+        Ok(Answer::Slow { seconds }) => TrialOutcome::Refused(format!(
+            "This shader needs about {seconds:.0} seconds for a single picture, so the window does not draw it: look for a \
+             loop with too many iterations"
+        )),
+        Ok(Answer::Failed { why }) => {
+            TrialOutcome::Refused(format!("This shader failed in a test, so the window does not draw it: {why}"))
+        }
+        Ok(Answer::Unavailable { why }) => TrialOutcome::Unavailable(why),
+        Err(_) => TrialOutcome::Unavailable("the process that tests shaders gave no answer".into()),
+    }
+}
+
+fn stopped(ended: Ended) -> TrialOutcome {
+    match ended {
+        Ended::TooLong => TrialOutcome::Refused(format!(
+            "This shader did not finish within {} seconds in a test, so the window does not draw it: look for a loop that \
+             never ends",
+            MOST_TIME.as_secs()
+        )),
+        Ended::TooLarge => TrialOutcome::Refused(
+            "This shader took more than 1 GB of memory in a test, so the window does not draw it: look for very large \
+             arrays, or macros that multiply each other"
+                .into(),
+        ),
+        Ended::GivenUp | Ended::ByItself(_) => TrialOutcome::Unavailable("the test of this shader was stopped".into()),
+    }
+}
+
+impl Trial for Process {
+    fn poll(&mut self) -> Option<TrialOutcome> {
+        if self.answered {
+            return None;
+        }
+        let outcome = match self.outcomes.try_recv() {
+            Ok(outcome) => outcome,
+            Err(TryRecvError::Empty) => return None,
+            Err(TryRecvError::Disconnected) => {
+                TrialOutcome::Unavailable("the test of this shader ended without an answer".into())
+            }
+        };
+        self.answered = true;
+        Some(outcome)
+    }
+}
+
+impl Drop for Process {
+    fn drop(&mut self) {
+        self.given_up.store(true, Ordering::Relaxed);
+    }
+}
+
+/// The files as bytes: how many there are, then name and content of each after their lengths; numbers are 32 bits, the lowest
+/// byte first.
+fn encoded(files: &[(String, Vec<u8>)]) -> Vec<u8> {
+    let mut bytes = (files.len() as u32).to_le_bytes().to_vec();
+    for part in files.iter().flat_map(|(name, content)| [name.as_bytes(), content]) {
+        bytes.extend((part.len() as u32).to_le_bytes());
+        bytes.extend(part);
+    }
+    bytes
+}
+
+/// Reads what [`begin`] hands over. Fails where the input ends too early or announces more than any submission has.
+pub fn read_files(input: &mut impl Read) -> Result<Vec<SourceFile>, Error> {
+    let number = |input: &mut dyn Read, most: u32| {
+        let mut bytes = [0; 4];
+        input.read_exact(&mut bytes)?;
+        let number = u32::from_le_bytes(bytes);
+        if number <= most { Ok(number) } else { Err(Error::new(ErrorKind::InvalidData, "the input is too large")) }
+    };
+    let part = |input: &mut dyn Read| {
+        let length = u64::from(number(input, MOST_BYTES)?);
+        let mut bytes = Vec::new();
+        match input.take(length).read_to_end(&mut bytes)? as u64 == length {
+            true => Ok(bytes),
+            false => Err(Error::from(ErrorKind::UnexpectedEof)),
+        }
+    };
+    let count = number(input, MOST_FILES)?;
+    (0..count)
+        .map(|_| {
+            let name = String::from_utf8_lossy(&part(input)?).into_owned();
+            Ok(SourceFile { name, bytes: part(input)? })
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use std::time::Instant;
+
+    /// The outcome of a shell that stands in for gonio.
+    #[cfg(unix)]
+    fn outcome(script: &str, files: &[(String, Vec<u8>)]) -> TrialOutcome {
+        let mut command = child::command(Path::new("/bin/sh")).unwrap();
+        command.args(["-c", script]);
+        wait(run(command, files, || ()).unwrap())
+    }
+
+    fn wait(mut process: Process) -> TrialOutcome {
+        loop {
+            if let Some(outcome) = process.poll() {
+                assert_eq!(process.poll(), None, "it answers once");
+                return outcome;
+            }
+            std::thread::sleep(Duration::from_millis(5));
+        }
+    }
+
+    #[cfg(unix)]
+    fn refused(script: &str) -> String {
+        match outcome(script, &[]) {
+            TrialOutcome::Refused(why) => why,
+            other => panic!("{script}: {other:?}"),
+        }
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn a_crash_is_one_sentence_and_nothing_else_is_taken_for_one() {
+        for script in ["kill -SEGV $$", "kill -ABRT $$", "exit 101"] {
+            let why = refused(script);
+            assert!(why.contains("crashed the process that tests it") && !why.contains('\n'), "{why}");
+        }
+        assert!(
+            refused(r#"echo '{"answer":"slow","seconds":12.3}'"#).contains("about 12 seconds for a single picture")
+        );
+        assert!(refused(r#"echo '{"answer":"failed","why":"out of memory"}'"#).ends_with(": out of memory"));
+        assert_eq!(outcome(r#"echo '{"answer":"harmless"}'"#, &[]), TrialOutcome::Harmless);
+        for script in ["exit 2", "true", "echo words", r#"echo '{"answer":"unavailable","why":"no OpenGL"}'"#] {
+            assert!(matches!(outcome(script, &[]), TrialOutcome::Unavailable(_)), "{script}");
+        }
+    }
+
+    /// A pipe holds 64 kB: neither side waits for the other for ever.
+    #[test]
+    #[cfg(unix)]
+    fn a_process_that_does_not_read_its_input_still_ends() {
+        let large = [("a.frag".to_owned(), vec![b' '; 1 << 20])];
+        assert!(matches!(outcome("exit 3", &large), TrialOutcome::Refused(_)));
+    }
+
+    #[test]
+    #[cfg(target_os = "linux")]
+    fn too_much_memory_is_one_sentence() {
+        assert!(refused("a=xxxxxxxx; while :; do a=$a$a; done").contains("more than 1 GB of memory"));
+    }
+
+    #[test]
+    fn a_process_that_was_stopped_says_what_for() {
+        let TrialOutcome::Refused(why) = stopped(Ended::TooLong) else { panic!("it counts as harmless") };
+        assert!(why.contains("within 15 seconds"), "{why}");
+        assert!(matches!(stopped(Ended::GivenUp), TrialOutcome::Unavailable(_)));
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn a_trial_that_is_dropped_ends_its_process() {
+        let folder = std::env::temp_dir().join(format!("gonio-trial-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        let file = folder.join("pid");
+        let mut command = child::command(Path::new("/bin/sh")).unwrap();
+        command.args(["-c", "echo $$ > \"$0\"; exec sleep 600"]).arg(&file);
+        let process = run(command, &[], || ()).unwrap();
+        let start = Instant::now();
+        let number = loop {
+            let text = std::fs::read_to_string(&file).unwrap_or_default();
+            if text.ends_with('\n') {
+                break text.trim().to_owned();
+            }
+            assert!(start.elapsed() < Duration::from_secs(60), "it was not started");
+        };
+        let script = format!("kill -0 {number} 2>/dev/null");
+        let is_alive = || Command::new("/bin/sh").args(["-c", &script]).status().unwrap().success();
+        assert!(is_alive());
+        drop(process);
+        while is_alive() {
+            assert!(start.elapsed() < Duration::from_secs(60), "it was not ended");
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[test]
+    fn files_come_out_as_they_went_in_and_damage_is_an_error() {
+        let files = [("a.vert".to_owned(), b"void\0".to_vec()), ("b/c.frag".to_owned(), Vec::new())];
+        let bytes = encoded(&files);
+        let read = read_files(&mut bytes.as_slice()).unwrap();
+        assert_eq!(read.into_iter().map(|file| (file.name, file.bytes)).collect::<Vec<_>>(), files);
+        for end in 0..bytes.len() {
+            assert!(read_files(&mut &bytes[..end]).is_err(), "{end} bytes of {}", bytes.len());
+        }
+        assert!(read_files(&mut &[255; 64][..]).is_err());
+    }
+}

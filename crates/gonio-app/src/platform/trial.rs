@@ -1,0 +1,61 @@
+//! A trial of a student's shaders: they are compiled and drawn once where a crash, an endless loop or too much memory harms
+//! nobody. Only what came back from there is given to the window's own OpenGL.
+
+use super::Checking;
+use gonio_lab::verdict::{Outcome, Verdict};
+
+/// The result of a trial.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum TrialOutcome {
+    /// The shaders were compiled and drawn, or the compiler refused them: the window may do the same.
+    Harmless,
+    /// They crashed the trial, or took too much time or memory. One sentence for the student.
+    Refused(String),
+    /// The trial could not be made; one sentence says why. Nothing is known of the shaders.
+    Unavailable(String),
+}
+
+/// A trial that is running. Dropping it ends it.
+pub trait Trial {
+    /// The outcome, once, when it is known. The window is painted again then.
+    fn poll(&mut self) -> Option<TrialOutcome>;
+}
+
+/// A trial that ended before it began.
+pub struct Decided(Option<TrialOutcome>);
+
+impl Decided {
+    /// With this outcome.
+    pub fn new(outcome: TrialOutcome) -> Self {
+        Decided(Some(outcome))
+    }
+}
+
+impl Trial for Decided {
+    fn poll(&mut self) -> Option<TrialOutcome> {
+        self.0.take()
+    }
+}
+
+/// A trial by a complete check, for platforms that have no processes.
+pub struct ByCheck(Box<dyn Checking>);
+
+impl ByCheck {
+    /// Waits for this check.
+    pub fn new(checking: Box<dyn Checking>) -> Self {
+        ByCheck(checking)
+    }
+}
+
+impl Trial for ByCheck {
+    fn poll(&mut self) -> Option<TrialOutcome> {
+        let why = match self.0.poll()? {
+            Ok(Verdict { verdict: Outcome::Correct | Outcome::Wrong | Outcome::DoesNotCompile, .. }) => {
+                return Some(TrialOutcome::Harmless);
+            }
+            Ok(verdict) => verdict.summary,
+            Err(why) => why,
+        };
+        Some(TrialOutcome::Refused(format!("This shader is not drawn here, because it may never end: {why}")))
+    }
+}
