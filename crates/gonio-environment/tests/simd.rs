@@ -155,7 +155,7 @@ fn the_number_of_threads_changes_nothing() {
         for &filter in Filter::ALL {
             let conversion = Conversion { filter: Some(filter), ..Conversion::default() };
             let made = [1, 3, 8].map(|threads| {
-                let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+                let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads start");
                 pool.install(|| {
                     let to_cubemap = conversion.cubemap_at(level, From::Panorama(&pano), 43);
                     let to_panorama = conversion.panorama_at(level, From::Cubemap(&map), 61, 47);
