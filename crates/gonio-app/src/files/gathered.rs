@@ -146,6 +146,10 @@ mod tests {
         assert_eq!(files, Ok(inputs(&["a.obj"])));
         // By its content, whatever it is called.
         assert_eq!(of(&[("thing", OBJ)]), Ok(inputs(&["thing"])));
+        // glTF that says so at its end.
+        let gltf = format!("{{\"nodes\": [{}{{}}], \"asset\": {{}}}}", "{}, ".repeat(2000));
+        assert_eq!(of(&[("model.json", gltf.as_bytes())]), Ok(inputs(&["model.json"])));
+        assert!(of(&[("package.json", b"{\"name\": \"asset\"}")]).is_err());
     }
 
     #[test]

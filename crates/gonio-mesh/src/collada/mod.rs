@@ -52,6 +52,9 @@ use xml::Tree;
 ///   then the intensity. Attenuation is per metre.
 /// - Skins are drawn as they were bound, morphs as their base; animations are not played.
 ///
+/// The text may be in UTF-8, UTF-16, UTF-32, ISO-8859-1 or Windows-1252, by its byte order mark or XML declaration
+/// ([`crate::encoding`]). A decimal comma is read as a point, with a warning.
+///
 /// What can be survived is a warning with line and column. Errors are: broken XML, entities of the document's own,
 /// elements nested deeper than 512, what is no number where one should be, positions that are not finite, nodes that
 /// hold themselves, no triangle at all, more than `limits` allow.
