@@ -22,6 +22,7 @@ pub mod score;
 pub mod stage;
 mod student;
 pub mod submission;
+mod terms;
 pub mod twin;
 mod unexplained;
 pub mod verdict;

@@ -46,6 +46,15 @@ pub struct Mistake {
     pub change: Vec<BTreeMap<String, String>>,
 }
 
+/// The terms of the light equation, in the order of [`crate::verdict::Verdict::terms`].
+pub const TERMS: [&str; 3] = ["ambient", "diffuse", "specular"];
+
+/// The one term that a mistake is made with, by its id: `specular-missing` is the specular term's. `None` for what concerns
+/// several terms, such as a normal, or none.
+pub fn term_of(id: &str) -> Option<&'static str> {
+    TERMS.into_iter().find(|term| id.strip_prefix(term).is_some_and(|rest| rest.starts_with('-')))
+}
+
 /// The bank's files: one for all that is light, and those of single exercises.
 const TEXTS: [&str; 3] = [
     include_str!("../../../../exercises/mistakes.toml"),

@@ -9,6 +9,7 @@ mod guided;
 mod predict;
 mod properties;
 mod report;
+mod right;
 mod search;
 mod task;
 
@@ -111,16 +112,11 @@ impl Checker {
 
     /// The right answer as this program would have drawn it: with its own strengths, and in its own way.
     fn reference(&self, task: &Task, search: &Search<'_>, found: &Found<'_>) -> Result<Sheet, GlError> {
-        let right = &found.nearest_right;
+        let (right_model, right) = right::answer(search, found);
         let best = found.ranking.first().filter(|best| best.rest.is_same());
         let Some(strengths) = best.map(|best| best.strengths).filter(|s| s.iter().any(Option::is_some)) else {
-            return match &right.sheet {
-                Some(sheet) => Ok(sheet.clone()),
-                None => {
-                    let drawn = search.drawn(right.model, right.hypothesis.clone(), search.situations)?;
-                    Ok(drawn.sheet.unwrap_or_else(|| search.seen.clone()))
-                }
-            };
+            let drawn = search.drawn(right_model, right, search.situations)?;
+            return Ok(drawn.sheet.unwrap_or_else(|| search.seen.clone()));
         };
         // A term that is not there would have been there with its whole strength.
         let strength = |term: usize| match strengths[term] {
@@ -128,8 +124,8 @@ impl Checker {
             _ => [if task.wanted[term] { 1.0 } else { 0.0 }; 3],
         };
         let peculiar = best.is_some_and(|best| best.made_of.iter().any(|mistake| mistake.harmless));
-        let hypothesis = if peculiar { right.hypothesis.clone() } else { Hypothesis::default() };
-        let (model, cast) = (search.models[right.model], &search.casts[right.model]);
+        let hypothesis = if peculiar { right } else { Hypothesis::default() };
+        let (model, cast) = (search.models[right_model], &search.casts[right_model]);
         model.predict_with(search.stage, cast, &hypothesis, search.situations, [0, 1, 2].map(strength))
     }
 
@@ -200,11 +196,11 @@ impl Checker {
         let held = Comparison::of(&seen, &reference, whole);
         let mut verdict = report::verdict(task, &search, &found, &held, prepared.in_vain);
         if task.model.is_lit() {
-            let right = &found.nearest_right;
+            let (model, right) = right::answer(&search, &found);
             // Where nothing can be looked at alone there is nothing to draw.
             let alone = match freedom.to_find {
                 [true, true, true] => None,
-                _ => search.drawn(right.model, right.hypothesis.clone(), all)?.sheet,
+                _ => search.drawn(model, right, all)?.sheet,
             };
             let held = alone.map(|reference| Comparison::of(&seen, &reference, all));
             verdict.terms = report::terms(stage, &freedom, held.as_ref());

@@ -16,7 +16,7 @@ const MOST_FOR_WRONG: f64 = 0.9;
 /// A runner-up is told from this share on.
 const RUNNER_UP_FROM: f64 = 0.25;
 /// A name is given from this share of the difference on, where some of it is left over.
-const NAMED_FROM: f64 = 0.985;
+pub(super) const NAMED_FROM: f64 = 0.985;
 /// ... and by that much more than the next best.
 const CLEARER_BY: f64 = 0.01;
 
@@ -242,7 +242,7 @@ fn scenes(stage: &Stage, held: &Comparison) -> Vec<SceneVerdict> {
 
 /// Term by term, by the situations with one term alone. `held` compares with the right answer in all situations.
 pub fn terms(stage: &Stage, freedom: &Freedom, held: Option<&Comparison>) -> Vec<TermVerdict> {
-    ["ambient", "diffuse", "specular"]
+    crate::bank::TERMS
         .into_iter()
         .enumerate()
         .map(|(index, term)| {
