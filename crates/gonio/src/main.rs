@@ -11,6 +11,7 @@ mod cli_environment;
 mod commands;
 mod limits;
 mod loading;
+mod memory;
 mod output;
 mod overrides;
 mod report;

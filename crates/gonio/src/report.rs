@@ -7,7 +7,7 @@
 
 use anstyle::{AnsiColor, Style};
 use gonio_gl::GlError;
-use gonio_mesh::{Diagnostic, ReadError, Severity};
+use gonio_mesh::{Cause, Diagnostic, ReadError, Severity};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fmt::Display;
 use std::io::{self, IsTerminal, Write};
@@ -74,7 +74,12 @@ impl Display for CliError {
 
 impl From<ReadError> for CliError {
     fn from(error: ReadError) -> Self {
-        CliError::Message(error.to_string())
+        let hint = match error.cause {
+            Some(Cause::MemoryLimit) => "; --max-memory raises the limit",
+            Some(Cause::Sandbox) => "; without --sandbox it is read",
+            None => "",
+        };
+        CliError::Message(format!("{error}{hint}"))
     }
 }
 
