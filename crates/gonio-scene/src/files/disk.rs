@@ -138,8 +138,11 @@ pub const STANDARD_INPUT: &str = "-";
 pub struct DiskAndInput {
     /// The paths that may be pipes.
     inputs: Vec<PathBuf>,
-    piped: Mutex<HashMap<PathBuf, Result<Arc<Vec<u8>>, Failed>>>,
+    piped: Mutex<HashMap<PathBuf, Piped>>,
 }
+
+/// What came out of a pipe.
+type Piped = Result<Arc<Vec<u8>>, Failed>;
 
 /// An error that can be told more than once.
 #[derive(Clone)]

@@ -184,7 +184,7 @@ pub(crate) fn find(files: &dyn FileSource, name: &str, folders: &[PathBuf]) -> R
 pub(crate) struct NotFound {
     pub missing: MissingSidecar,
     /// The error of the first file that needs more memory than what is left.
-    pub over_limit: Option<ReadError>,
+    pub over_limit: Option<Box<ReadError>>,
 }
 
 impl NotFound {
@@ -194,7 +194,7 @@ impl NotFound {
         let refusal = Refusal::of(error);
         let shown = path.display();
         if let Some(Refusal::OverLimit(_)) = refusal {
-            self.over_limit.get_or_insert_with(|| failed(error).in_file(&shown.to_string()));
+            self.over_limit.get_or_insert_with(|| Box::new(failed(error).in_file(&shown.to_string())));
         }
         let reason = match refusal {
             Some(refusal) => format!("`{shown}` {refusal}"),
@@ -258,7 +258,7 @@ impl Sidecars for Beside<'_> {
         let (path, bytes) = match find(self.files, name, std::slice::from_ref(&self.folder)) {
             Ok(found) => found,
             Err(NotFound { missing, over_limit }) => {
-                self.over_limit = self.over_limit.take().or(over_limit);
+                self.over_limit = self.over_limit.take().or(over_limit.map(|error| *error));
                 return Err(missing);
             }
         };
