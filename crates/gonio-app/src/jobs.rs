@@ -4,7 +4,7 @@ use crate::files::Recording;
 use gonio_mesh::{Limits, ReadError};
 use gonio_scene::description::EnvironmentSpec;
 use gonio_scene::edit::{self, Edited};
-use gonio_scene::files::FileSource;
+use gonio_scene::files::{Budgeted, FileSource};
 use gonio_scene::{LoadedScene, Scene, load};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -159,7 +159,8 @@ fn read(wanted: &Wanted, files: &dyn FileSource, limits: &Limits) -> Result<Load
     match wanted {
         Wanted::Open(opening) | Wanted::Again(opening) => {
             let inputs: Vec<&str> = opening.inputs.iter().map(String::as_str).collect();
-            let mut scene = load::describe(&inputs, files).map_err(sentence)?;
+            let within = Budgeted::new(files, limits.max_bytes);
+            let mut scene = load::describe(&inputs, &within).map_err(sentence)?;
             if let Some(adjust) = &opening.adjust {
                 adjust(&mut scene);
             }

@@ -12,9 +12,10 @@ pub struct Limits {
 }
 
 impl Default for Limits {
-    /// 8 GiB: just enough for a panorama of 32768 x 16384. On 32 bits, where no more can be addressed than 4, 1 GiB.
+    /// 2 GiB, enough for a panorama of 16384 x 8192; on 32 bits, where no more than 4 GiB can be addressed, 1 GiB. A
+    /// program that knows the memory of its machine gives a share of it instead.
     fn default() -> Self {
-        Limits { max_bytes: if usize::BITS >= 64 { 8 << 30 } else { 1 << 30 } }
+        Limits { max_bytes: if usize::BITS >= 64 { 2 << 30 } else { 1 << 30 } }
     }
 }
 

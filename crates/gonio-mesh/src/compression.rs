@@ -1,9 +1,9 @@
 //! Files that were compressed: `.gz` (RFC 1952), `.zst` (RFC 8878).
 
-use crate::{Limits, ReadError};
+use crate::{Cause, Limits, ReadError};
 use flate2::bufread::GzDecoder;
-use ruzstd::decoding::StreamingDecoder;
 use ruzstd::decoding::errors::FrameDecoderError;
+use ruzstd::decoding::{DEFAULT_MAX_WINDOW_SIZE, StreamingDecoder};
 use std::error::Error;
 use std::io::{self, Read};
 
@@ -13,6 +13,14 @@ const GZIP: &[u8] = &[0x1F, 0x8B];
 const ZSTD: &[u8] = &[0x28, 0xB5, 0x2F, 0xFD];
 /// What follows the first byte (0x50 to 0x5F) of a frame that decoders of zstd step over.
 const ZSTD_SKIPPABLE: &[u8] = &[0x2A, 0x4D, 0x18];
+
+/// A file may unpack to this many times its size. Models are numbers: text of them shrinks to a fifth or a tenth. What
+/// shrinks a hundredfold is made to fill memory.
+const MOST_RATIO: u64 = 100;
+/// A file may unpack to this many bytes whatever its size: small repetitive models are harmless.
+const HARMLESS_BYTES: u64 = 256 << 20;
+/// Windows of zstd up to this size are common, also in frames of less content: those of `zstd -19`.
+const USUAL_WINDOW: u64 = 8 << 20;
 
 /// Whether a file that begins with `start` (four bytes are enough) is one that [`unpack`] unpacks.
 pub fn is_compressed(start: &[u8]) -> bool {
@@ -26,13 +34,15 @@ pub fn is_compressed(start: &[u8]) -> bool {
 ///
 /// # Errors
 ///
-/// More than `limits.max_bytes` when unpacked (which is found out while unpacking, not after), data that ends early,
-/// damaged data, and something else behind it.
+/// More than `limits.max_bytes` when unpacked, or more than a hundred times the size of the file where that is beyond
+/// 256 MiB (both are found out while unpacking, not after); a window that is larger than this allows; data that ends
+/// early, damaged data, and something else behind it.
 pub fn unpack(bytes: &[u8], limits: &Limits) -> Result<Option<Vec<u8>>, ReadError> {
     if !is_compressed(bytes) {
         return Ok(None);
     }
-    let mut unpacked = Unpacked { bytes: Vec::new(), most: limits.max_bytes };
+    let plausible = (bytes.len() as u64).saturating_mul(MOST_RATIO).max(HARMLESS_BYTES);
+    let mut unpacked = Unpacked { bytes: Vec::new(), limit: limits.max_bytes, plausible };
     let mut rest = bytes;
     while !rest.is_empty() {
         let at = bytes.len() - rest.len();
@@ -67,7 +77,9 @@ fn step_over(frame: &[u8]) -> Result<&[u8], ReadError> {
 /// What has been unpacked so far.
 struct Unpacked {
     bytes: Vec<u8>,
-    most: u64,
+    limit: u64,
+    /// Most bytes that a model in a file of this size can have.
+    plausible: u64,
 }
 
 impl Unpacked {
@@ -81,7 +93,9 @@ impl Unpacked {
 
     /// Unpacks one frame; returns what follows it.
     fn zstd_frame<'a>(&mut self, packed: &'a [u8]) -> Result<&'a [u8], ReadError> {
-        let mut decoder = StreamingDecoder::new(packed).map_err(|error| match error {
+        // The decoder allocates the window before it has seen any content.
+        let window = self.left().clamp(USUAL_WINDOW, DEFAULT_MAX_WINDOW_SIZE);
+        let mut decoder = StreamingDecoder::new_with_max_window_size(packed, window).map_err(|error| match error {
             FrameDecoderError::DictNotProvided { .. } => {
                 ReadError::new("the zstd data was made with a dictionary: unpack it with the program that made it")
             }
@@ -103,15 +117,28 @@ impl Unpacked {
 
     /// Takes all, but at most one byte more than allowed: enough to know.
     fn take(&mut self, decoder: &mut impl Read) -> io::Result<()> {
-        let allowed = self.most.saturating_sub(self.bytes.len() as u64).saturating_add(1);
+        let allowed = self.left().saturating_add(1);
         decoder.by_ref().take(allowed).read_to_end(&mut self.bytes).map(drop)
     }
 
+    fn left(&self) -> u64 {
+        self.limit.min(self.plausible).saturating_sub(self.bytes.len() as u64)
+    }
+
     fn check_size(&self) -> Result<(), ReadError> {
-        if self.bytes.len() as u64 <= self.most {
-            return Ok(());
+        let (size, limit, plausible) = (self.bytes.len() as u64, self.limit, self.plausible);
+        if size > limit {
+            let message = format!("unpacks to more than {limit} bytes, which is the limit");
+            return Err(ReadError::new(message).caused_by(Cause::MemoryLimit));
         }
-        Err(ReadError::new(format!("unpacks to more than {} bytes, which is the limit", self.most)))
+        if size > plausible {
+            return Err(ReadError::new(format!(
+                "unpacks to more than {} MiB, more than a model of this size can hold: unpack it with the program that \
+                 made it if it is really a model",
+                plausible >> 20
+            )));
+        }
+        Ok(())
     }
 
     fn explain(&self, method: &str, error: &(dyn Error + 'static)) -> ReadError {

@@ -64,6 +64,16 @@ impl fmt::Display for Diagnostic {
     }
 }
 
+/// A cause of an error that a setting of the program can remove. Whoever has such a setting may name it beside the
+/// sentence of the error, which does not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cause {
+    /// The file needs more memory than [`Limits::max_bytes`](crate::Limits::max_bytes).
+    MemoryLimit,
+    /// The file lies outside the folders that may be read.
+    Sandbox,
+}
+
 /// Why a file could not be read at all.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ReadError {
@@ -75,12 +85,20 @@ pub struct ReadError {
     pub line: Option<u64>,
     /// In bytes, from 1.
     pub column: Option<u64>,
+    /// The cause, where a setting can remove it.
+    pub cause: Option<Cause>,
 }
 
 impl ReadError {
     /// An error without a position.
     pub fn new(message: impl Into<String>) -> Self {
-        ReadError { message: message.into(), file: None, line: None, column: None }
+        ReadError { message: message.into(), file: None, line: None, column: None, cause: None }
+    }
+
+    /// The same with a cause that a setting can remove.
+    pub fn caused_by(mut self, cause: Cause) -> Self {
+        self.cause = Some(cause);
+        self
     }
 
     /// The same at a line, and perhaps a column.

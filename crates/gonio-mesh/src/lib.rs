@@ -37,7 +37,7 @@ pub mod topology;
 mod weld;
 pub mod write;
 
-pub use diagnostic::{Diagnostic, ReadError, Severity};
+pub use diagnostic::{Cause, Diagnostic, ReadError, Severity};
 pub use format::Format;
 pub use limits::Limits;
 pub use material::{AmbientRule, Material, MetallicRoughness, Source};

@@ -9,14 +9,17 @@ pub struct Limits {
     pub max_vertices: u64,
     /// Most triangles.
     pub max_triangles: u64,
-    /// Most bytes that a compressed file may unpack to, and that arrays may take which the file asks for without
-    /// holding them itself.
+    /// Most bytes that a file may have when it is unpacked, and that arrays may take which the file asks for without
+    /// holding them itself. A program that reads several files for one input shares this among them.
     pub max_bytes: u64,
 }
 
+/// A default that suits most machines; a program that knows the memory of its own gives a share of it instead.
+pub const DEFAULT_MAX_BYTES: u64 = if usize::BITS >= 64 { 2 << 30 } else { 1 << 30 };
+
 impl Default for Limits {
     fn default() -> Self {
-        Limits { max_vertices: u32::MAX as u64, max_triangles: u32::MAX as u64 / 3, max_bytes: 8 << 30 }
+        Limits { max_vertices: u32::MAX as u64, max_triangles: u32::MAX as u64 / 3, max_bytes: DEFAULT_MAX_BYTES }
     }
 }
 

@@ -18,11 +18,13 @@ pub struct Sidecar {
     pub bytes: Vec<u8>,
 }
 
-/// No such file; where it was sought.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// No such file, or none that may be read; where it was sought.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct MissingSidecar {
     /// Every place looked at, in order.
     pub tried: Vec<String>,
+    /// The reason for which a file that exists was not read, as a sentence that names it: it is a pipe, it is too large.
+    pub refused: Option<String>,
 }
 
 /// For models that stand alone, and for tests: nothing is found.
@@ -30,7 +32,7 @@ pub struct NoSidecars;
 
 impl Sidecars for NoSidecars {
     fn read(&mut self, _name: &str) -> Result<Sidecar, MissingSidecar> {
-        Err(MissingSidecar { tried: Vec::new() })
+        Err(MissingSidecar::default())
     }
 }
 
@@ -48,15 +50,18 @@ pub struct SidecarUse {
     /// Where it was sought in vain.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tried: Vec<String>,
+    /// The reason for which a file that exists was not read.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub refused: Option<String>,
 }
 
 impl SidecarUse {
     /// Asks `sidecars` for `name`, and remembers the answer.
     pub fn ask(sidecars: &mut dyn Sidecars, name: &str, line: Option<u64>) -> (Self, Option<Vec<u8>>) {
-        let unanswered = SidecarUse { name: name.to_owned(), line, found: None, tried: Vec::new() };
+        let unanswered = SidecarUse { name: name.to_owned(), line, found: None, tried: Vec::new(), refused: None };
         match sidecars.read(name) {
             Ok(Sidecar { path, bytes }) => (SidecarUse { found: Some(path), ..unanswered }, Some(bytes)),
-            Err(MissingSidecar { tried }) => (SidecarUse { tried, ..unanswered }, None),
+            Err(MissingSidecar { tried, refused }) => (SidecarUse { tried, refused, ..unanswered }, None),
         }
     }
 }

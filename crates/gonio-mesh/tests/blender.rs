@@ -15,7 +15,7 @@ struct Folder;
 
 impl Sidecars for Folder {
     fn read(&mut self, name: &str) -> Result<Sidecar, MissingSidecar> {
-        let missing = |_| MissingSidecar { tried: vec![name.to_owned()] };
+        let missing = |_| MissingSidecar { tried: vec![name.to_owned()], refused: None };
         let bytes = std::fs::read(folder().join(name)).map_err(missing)?;
         Ok(Sidecar { path: name.to_owned(), bytes })
     }

@@ -108,3 +108,38 @@ fn bombs_end_at_the_limit() {
         assert!(all.len() == 10_000_000 && all.iter().all(|&byte| byte == 0), "{name}");
     }
 }
+
+/// A zstd frame of `blocks` blocks of 128 KiB of zeros, four bytes each, with this window descriptor.
+fn zeros(blocks: usize, window: u8) -> Vec<u8> {
+    const RLE_OF_128_KIB: u32 = 1 << 1 | (128 << 10) << 3;
+    let mut frame = vec![0x28, 0xB5, 0x2F, 0xFD, 0, window];
+    for block in 1..=blocks {
+        let is_last = u32::from(block == blocks);
+        frame.extend(&(RLE_OF_128_KIB | is_last).to_le_bytes()[..3]);
+        frame.push(0);
+    }
+    frame
+}
+
+#[test]
+fn what_no_model_can_shrink_to_is_not_unpacked() {
+    const WINDOW_8_MIB: u8 = 13 << 3;
+    let enough = Limits { max_bytes: u64::MAX, ..Limits::default() };
+    let whole = compression::unpack(&zeros(8, WINDOW_8_MIB), &enough).unwrap().unwrap();
+    assert_eq!(whole.len(), 1 << 20);
+    // 5 GiB in 160 kB: stopped at 256 MiB, whatever the limit.
+    let error = compression::unpack(&zeros(40_960, WINDOW_8_MIB), &enough).unwrap_err().to_string();
+    assert!(error.starts_with("unpacks to more than 256 MiB, more than a model of this size can hold"), "{error}");
+}
+
+#[test]
+fn a_window_that_the_limit_does_not_allow_is_refused() {
+    // The exponent of the window is the descriptor's upper five bits, from 1 KiB.
+    for (exponent, limit) in [(31, u64::MAX), (18, u64::MAX), (14, 9 << 20), (14, 1)] {
+        let limits = Limits { max_bytes: limit, ..Limits::default() };
+        let error = compression::unpack(&zeros(1, exponent << 3), &limits).unwrap_err().to_string();
+        assert!(error.contains(&format!("needs a window of {} bytes", 1_u64 << (10 + exponent))), "{error}");
+    }
+    let limits = Limits { max_bytes: 128 << 10, ..Limits::default() };
+    assert!(compression::unpack(&zeros(1, 13 << 3), &limits).is_ok(), "8 MiB are usual, also for little");
+}

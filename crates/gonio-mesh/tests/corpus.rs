@@ -16,7 +16,7 @@ struct Folder(PathBuf);
 impl Sidecars for Folder {
     fn read(&mut self, name: &str) -> Result<Sidecar, MissingSidecar> {
         let tried = vec![format!("here/{name}"), format!("there/{name}")];
-        let bytes = std::fs::read(self.0.join(name)).map_err(|_| MissingSidecar { tried })?;
+        let bytes = std::fs::read(self.0.join(name)).map_err(|_| MissingSidecar { tried, refused: None })?;
         Ok(Sidecar { path: name.to_owned(), bytes })
     }
 }

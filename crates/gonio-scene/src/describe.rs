@@ -45,7 +45,7 @@ fn describe_one(input: &str, files: &dyn FileSource) -> Result<(Scene, bool), Re
                  (--environment)",
             );
         }
-        ReadError::new(files::explain(&e))
+        files::failed(&e)
     };
     let bytes = files::read(files, &path).map_err(explain)?;
     match model_kind::tell(&bytes, &path).map_err(ReadError::new)? {

@@ -3,7 +3,7 @@
 use crate::description::EnvironmentSpec;
 use crate::document::nearest;
 use crate::environment::LoadedEnvironment;
-use crate::files::{self, FileSource};
+use crate::files::{self, Budgeted, FileSource};
 use crate::model_kind;
 use gonio_environment::arrange::{self, Arrangement};
 use gonio_environment::builtin::{self, Builtin};
@@ -11,7 +11,7 @@ use gonio_environment::convert::{Conversion, From};
 use gonio_environment::decode::{Decoded, FileFormat, Shape, decode};
 use gonio_environment::names::{self, Assignment};
 use gonio_environment::{Cubemap, EnvironmentError, Face, Image, Layout, Panorama};
-use gonio_mesh::{Diagnostic, Limits, ReadError};
+use gonio_mesh::{Cause, Diagnostic, Limits, ReadError};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 
@@ -90,8 +90,8 @@ pub(crate) fn rebased(base: &Path, name: &str) -> String {
 ///
 /// # Errors
 ///
-/// A file that is not there or cannot be read; faces that are missing, or do not fit together; an arrangement or a size
-/// that what is named cannot have.
+/// A file that is not there or cannot be read; files and their pixels that need more than `limits.max_bytes` together;
+/// faces that are missing, or do not fit together; an arrangement or a size that what is named cannot have.
 pub fn open(
     name: &str,
     reading: Reading,
@@ -99,7 +99,7 @@ pub fn open(
     files: &dyn FileSource,
     limits: &Limits,
 ) -> Result<OpenedEnvironment, ReadError> {
-    let mut opened = open_quietly(name, reading, base, files, limits)?;
+    let mut opened = open_quietly(name, reading, base, &Budgeted::new(files, limits.max_bytes))?;
     let unused = reading.layout.is_some() && opened.layout.is_none();
     opened.diagnostics.extend(unused.then(|| layout_unused(name)));
     Ok(opened)
@@ -111,16 +111,14 @@ fn layout_unused(name: &str) -> Diagnostic {
 }
 
 /// [`open`] without a word on a layout that is not used.
-fn open_quietly(
+fn open_quietly<S: FileSource>(
     name: &str,
     reading: Reading,
     base: &Path,
-    files: &dyn FileSource,
-    limits: &Limits,
+    files: &Budgeted<S>,
 ) -> Result<OpenedEnvironment, ReadError> {
-    let limits = gonio_environment::Limits { max_bytes: limits.max_bytes };
     let opened = if let Some(kind) = builtin_of(name) {
-        let mut opened = open_builtin(name, kind, reading, files, &limits).map_err(|e| told(e, name))?;
+        let mut opened = open_builtin(name, kind, reading, files, &limits_of(files)).map_err(|e| told(e, name))?;
         if !name.starts_with(files::BUILTIN) && !files::list(files, &files::resolve(base, name)).is_empty() {
             let message = format!("the built-in environment is meant; ./{name} names the folder");
             opened.diagnostics.push(Diagnostic::note(message).in_file(name));
@@ -129,7 +127,7 @@ fn open_quietly(
     } else if let Some(unknown) = name.strip_prefix(files::BUILTIN) {
         return Err(ReadError::new(no_builtin(unknown)).in_file(name));
     } else {
-        open_files(name, Reader { reading, files, limits }, &files::resolve(base, name))?
+        open_files(name, &Reader { reading, files }, &files::resolve(base, name))?
     };
     match reading.arrangement {
         Some(wanted) if wanted != opened.arrangement => {
@@ -141,7 +139,12 @@ fn open_quietly(
     }
 }
 
-fn open_files(name: &str, reader: Reader<'_>, path: &Path) -> Result<OpenedEnvironment, ReadError> {
+/// What is left for pixels.
+fn limits_of<S: FileSource>(files: &Budgeted<S>) -> gonio_environment::Limits {
+    gonio_environment::Limits { max_bytes: files.budget().left() }
+}
+
+fn open_files<S: FileSource>(name: &str, reader: &Reader<'_, S>, path: &Path) -> Result<OpenedEnvironment, ReadError> {
     if let Some(pattern) = path.file_name().and_then(|n| n.to_str()).filter(|n| n.contains('*')) {
         return reader.open_pattern(name, path.parent().unwrap_or(Path::new("")), pattern);
     }
@@ -193,13 +196,12 @@ fn open_builtin(
     })
 }
 
-struct Reader<'a> {
+struct Reader<'a, S> {
     reading: Reading,
-    files: &'a dyn FileSource,
-    limits: gonio_environment::Limits,
+    files: &'a Budgeted<S>,
 }
 
-impl Reader<'_> {
+impl<S: FileSource> Reader<'_, S> {
     fn open_folder(&self, name: &str, folder: &Path, within: Vec<PathBuf>) -> Result<OpenedEnvironment, ReadError> {
         let names = sorted_names(within);
         let assignment = names::assign(&names).map_err(|e| told(e, name))?;
@@ -217,7 +219,8 @@ impl Reader<'_> {
     }
 
     fn open_file(&self, name: &str, path: &Path) -> Result<OpenedEnvironment, ReadError> {
-        let decoded = self.decode(name, path)?;
+        let decoded = self.decode(name, path, &limits_of(self.files))?;
+        let bytes = memory(&decoded);
         let mut opened = OpenedEnvironment {
             name: name.to_owned(),
             source: Source::Cubemap(Cubemap::new(1, [0.0; 4])),
@@ -263,6 +266,7 @@ impl Reader<'_> {
                 }
             }
         }
+        self.pay(bytes, name)?;
         Ok(opened)
     }
 
@@ -285,16 +289,17 @@ impl Reader<'_> {
         let layout = self.reading.layout.unwrap_or(Layout::Photographic);
         let paths = assignment.files.map(|i| folder.join(names.get(i).map_or("", |n| n.as_str())));
         let shown = |i: usize| paths[i].display().to_string();
-        // Six at once: each limit is for all.
-        let limits = gonio_environment::Limits { max_bytes: self.limits.max_bytes / 6 };
+        // Six at once: what is left is for all.
+        let limits = gonio_environment::Limits { max_bytes: limits_of(self.files).max_bytes / 6 };
         let read: Vec<Result<Decoded, ReadError>> =
-            (0..6_usize).into_par_iter().map(|i| Reader { limits, ..*self }.decode(&shown(i), &paths[i])).collect();
+            (0..6_usize).into_par_iter().map(|i| self.decode(&shown(i), &paths[i], &limits)).collect();
         let mut diagnostics: Vec<Diagnostic> =
             assignment.notes.into_iter().map(|n| Diagnostic::note(n).in_file(name)).collect();
         let (mut high_dynamic_range, mut format) = (false, None);
         let mut faces: [Image; 6] = Default::default();
         for (i, decoded) in read.into_iter().enumerate() {
             let decoded = decoded?;
+            self.pay(memory(&decoded), &shown(i))?;
             high_dynamic_range |= decoded.high_dynamic_range;
             format = format.or(Some(decoded.format));
             diagnostics.append(&mut said(&decoded, &shown(i)));
@@ -324,7 +329,13 @@ impl Reader<'_> {
         })
     }
 
-    fn decode(&self, name: &str, path: &Path) -> Result<Decoded, ReadError> {
+    fn pay(&self, bytes: u64, name: &str) -> Result<(), ReadError> {
+        let over = |over| ReadError::new(format!("decoded, it {over}")).caused_by(Cause::MemoryLimit).in_file(name);
+        self.files.budget().spend(bytes).map_err(over)
+    }
+
+    /// Reads and decodes a picture. Its pixels are not paid for yet: a face is decoded alone to see that it is one.
+    fn decode(&self, name: &str, path: &Path, limits: &gonio_environment::Limits) -> Result<Decoded, ReadError> {
         let bytes = files::read(self.files, path).map_err(|e| {
             let message = match (e.kind(), nearest_builtin(name)) {
                 (std::io::ErrorKind::NotFound, Some(meant)) => {
@@ -340,17 +351,26 @@ impl Reader<'_> {
                      posz.png negz.png"
                         .into()
                 }
-                _ => files::explain(&e),
+                _ => return files::failed(&e).in_file(name),
             };
             ReadError::new(message).in_file(name)
         })?;
-        decode(name, &bytes, &self.limits).map_err(|e| match model_kind::is_model_or_scene(&bytes, path) {
+        decode(name, &bytes, limits).map_err(|e| match model_kind::is_model_or_scene(&bytes, path) {
             Some(what) if FileFormat::detect(&bytes).is_none() => {
                 let message = format!("this is {what}, not a picture; to draw it, name it as the input");
                 ReadError::new(message).in_file(name)
             }
             _ => told(e, name),
         })
+    }
+}
+
+/// Bytes of decoded pixels.
+fn memory(decoded: &Decoded) -> u64 {
+    let pixels = |image: &Image| size_of_val(image.pixels.as_slice()) as u64;
+    match &decoded.shape {
+        Shape::Picture(image) => pixels(image),
+        Shape::Faces(faces) => faces.iter().map(pixels).sum(),
     }
 }
 
@@ -393,14 +413,13 @@ pub(crate) struct ReadEnvironment {
 }
 
 /// Reads what a scene is surrounded by.
-pub(crate) fn load(
+pub(crate) fn load<S: FileSource>(
     spec: &EnvironmentSpec,
     base: &Path,
-    files: &dyn FileSource,
-    limits: &Limits,
+    files: &Budgeted<S>,
 ) -> Result<ReadEnvironment, ReadError> {
     let reading = Reading { layout: spec.layout, arrangement: None, size: spec.size };
-    let opened = open_quietly(&spec.image, reading, base, files, limits)?;
+    let opened = open_quietly(&spec.image, reading, base, files)?;
     let mut layouts: Vec<Layout> = opened.layout.into_iter().collect();
     let mut diagnostics = opened.diagnostics;
     // Where nobody said which layout it is, whoever sees a mirrored world has to know which one was taken.
@@ -410,7 +429,7 @@ pub(crate) fn load(
     let mut size = Some(map.size());
     let mut environment = LoadedEnvironment::new(opened.name, map);
     if let Some(name) = &spec.background {
-        let mut behind = open_quietly(name, reading, base, files, limits)?;
+        let mut behind = open_quietly(name, reading, base, files)?;
         layouts.extend(behind.layout);
         diagnostics.append(&mut behind.diagnostics);
         let map = as_cubemap(behind.source, spec.size, &behind.name, &mut diagnostics);

@@ -1,6 +1,6 @@
 //! Pictures of the disk, decoded to RGBA bytes.
 
-use image::{DynamicImage, ImageDecoder, ImageReader, Limits};
+use image::{ColorType, DynamicImage, ImageDecoder, ImageReader, Limits};
 use std::io::Cursor;
 
 /// Most texels along one side of a texture: what OpenGL drivers commonly have.
@@ -29,10 +29,17 @@ fn reader<'a>(bytes: &'a [u8], name: &str) -> Result<ImageReader<Cursor<&'a [u8]
     Ok(reader)
 }
 
-/// Width and height as the file's header says, without decoding it; `None` where it cannot be read.
-pub(crate) fn size(bytes: &[u8], name: &str) -> Option<[u32; 2]> {
-    let (width, height) = reader(bytes, name).ok()?.into_dimensions().ok()?;
-    Some([width, height])
+/// Bytes that decoding takes as the file's header says, both while it is decoded and afterwards; `None` where the header
+/// cannot be read, or says more than [`decode`] accepts from any file.
+pub(crate) fn memory(bytes: &[u8], name: &str) -> Option<u64> {
+    let decoder = reader(bytes, name).ok()?.into_decoder().ok()?;
+    let (width, height) = decoder.dimensions();
+    if width.max(height) > MAX_TEXTURE_SIDE || decoder.total_bytes() > MAX_DECODED_BYTES {
+        return None;
+    }
+    let rgba = 4 * u64::from(width) * u64::from(height);
+    // Other pixels are decoded first, and then turned into RGBA.
+    Some(if decoder.color_type() == ColorType::Rgba8 { rgba } else { decoder.total_bytes() + rgba })
 }
 
 /// Decodes by content; where the content does not tell (TGA), by the name's ending.

@@ -4,7 +4,7 @@ use crate::assemble::assemble;
 use crate::camera::Camera;
 use crate::description::{CameraSpec, MaterialOverride, Normals, ObjectSpec, Scene};
 use crate::environment_file;
-use crate::files::{self, FileSource};
+use crate::files::{self, Budgeted, FileSource};
 use crate::framing::{self, Around};
 use crate::loaded::{LoadedScene, SceneMaterial};
 use crate::material_binding::MaterialBinder;
@@ -35,7 +35,7 @@ pub fn load(scene: Scene, base: &Path, files: &dyn FileSource) -> Result<LoadedS
     load_within(scene, base, files, &Limits::default())
 }
 
-/// [`load`], with other limits on what the files may make it allocate.
+/// [`load`], with other limits on what the files may make it allocate: `limits.max_bytes` are for all of them together.
 pub fn load_within(
     mut scene: Scene,
     base: &Path,
@@ -43,6 +43,7 @@ pub fn load_within(
     limits: &Limits,
 ) -> Result<LoadedScene, ReadError> {
     validate::check(&scene).map_err(|p| ReadError::new(p.message))?;
+    let files = &Budgeted::new(files, limits.max_bytes);
 
     // Each file once.
     let mut paths: Vec<(PathBuf, String)> = Vec::new();
@@ -62,14 +63,14 @@ pub fn load_within(
     }
     let (models, environment) = rayon::join(
         || -> Result<Vec<ModelFile>, ReadError> {
-            paths.into_par_iter().map(|(path, name)| model_file::read(&path, &name, files, limits)).collect()
+            paths.into_par_iter().map(|(path, name)| model_file::read_within(&path, &name, files, limits)).collect()
         },
-        || scene.environment.as_ref().map(|spec| environment_file::load(spec, base, files, limits)).transpose(),
+        || scene.environment.as_ref().map(|spec| environment_file::load(spec, base, files)).transpose(),
     );
     let (mut models, environment) = (models?, environment?);
 
     let mut diagnostics = Vec::new();
-    let mut binder = MaterialBinder::new(files, limits.max_bytes);
+    let mut binder = MaterialBinder::new(files, files.budget());
     let mut first_material = Vec::with_capacity(scene.objects.len());
     let used: Vec<Vec<bool>> = models.iter().map(|file| stock::used_materials(&file.model)).collect();
     let folders: Vec<Vec<PathBuf>> = models.iter().map(ModelFile::texture_folders).collect();

@@ -1,7 +1,7 @@
 //! Materials and their textures.
 
 use crate::description::MaterialOverride;
-use crate::files::FileSource;
+use crate::files::{Budget, FileSource};
 use crate::load::{optics_of, overridden};
 use crate::loaded::{BoundTexture, Maps, SceneMaterial};
 use crate::stock::MaterialSource;
@@ -58,9 +58,9 @@ impl MaterialBinder<'static> {
 }
 
 impl<'a> MaterialBinder<'a> {
-    /// Decoded textures may take `max_bytes` together.
-    pub fn new(files: &'a dyn FileSource, max_bytes: u64) -> Self {
-        MaterialBinder { library: TextureLibrary::new(files, max_bytes), pending: Vec::new(), known: Vec::new() }
+    /// Textures are read from `files`, and decoded ones are paid for from `budget`.
+    pub fn new(files: &'a dyn FileSource, budget: &'a Budget) -> Self {
+        MaterialBinder { library: TextureLibrary::new(files, budget), pending: Vec::new(), known: Vec::new() }
     }
 
     /// All materials of the model `from`, numbered `index`, with the override; gives the index of the first.

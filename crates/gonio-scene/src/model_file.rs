@@ -1,8 +1,8 @@
 //! One model file, read with the files beside it.
 
-use crate::files::{self, Beside, FileSource};
+use crate::files::{self, Beside, Budget, Budgeted, FileSource, OverLimit};
 use crate::model_kind;
-use gonio_mesh::{Format, Limits, Material, Model, ReadError, compression};
+use gonio_mesh::{Cause, Format, Limits, Material, Model, ReadError, compression};
 use std::path::{Path, PathBuf};
 
 /// A model file, read.
@@ -25,24 +25,73 @@ pub struct ModelFile {
 
 /// Reads the model at `path`, which the user knows as `name`.
 ///
-/// It may be compressed (`.gz`, `.zst`). An error names the file, and a place in it where there is one.
+/// It may be compressed (`.gz`, `.zst`). The file and those that it names may take `limits.max_bytes` together, unpacked
+/// as well. An error names the file, and a place in it where there is one.
 pub fn read(path: &Path, name: &str, files: &dyn FileSource, limits: &Limits) -> Result<ModelFile, ReadError> {
-    let bytes = files::read(files, path).map_err(|e| ReadError::new(files::explain(&e)).in_file(name))?;
+    read_within(path, name, &Budgeted::new(files, limits.max_bytes), limits)
+}
+
+/// [`read`] as one of several files that share a budget.
+pub(crate) fn read_within<S: FileSource>(
+    path: &Path,
+    name: &str,
+    files: &Budgeted<S>,
+    limits: &Limits,
+) -> Result<ModelFile, ReadError> {
+    let bytes = files::read(files, path).map_err(|e| files::failed(&e).in_file(name))?;
     read_bytes(&bytes, path, name, files, limits).map_err(|e| e.in_file(name))
 }
 
-fn read_bytes(
+/// What is in compressed bytes, paid for; `None` where they are not compressed.
+pub(crate) fn unpack(bytes: &[u8], limits: &Limits, budget: &Budget) -> Result<Option<Vec<u8>>, ReadError> {
+    if !compression::is_compressed(bytes) {
+        return Ok(None);
+    }
+    budget
+        .make(|left| {
+            let unpacked =
+                compression::unpack(bytes, &Limits { max_bytes: left, ..*limits }).map_err(|e| match e.cause {
+                    Some(Cause::MemoryLimit) => Failed::OverLimit(budget.over(None, left)),
+                    _ => Failed::Damaged(e),
+                })?;
+            let size = unpacked.as_ref().map_or(0, |unpacked| unpacked.len() as u64);
+            Ok((unpacked, size))
+        })
+        .map_err(|failed| match failed {
+            Failed::OverLimit(over) => ReadError::new(format!("unpacked, it {over}")).caused_by(Cause::MemoryLimit),
+            Failed::Damaged(error) => error,
+        })
+}
+
+enum Failed {
+    OverLimit(OverLimit),
+    Damaged(ReadError),
+}
+
+impl From<OverLimit> for Failed {
+    fn from(over: OverLimit) -> Self {
+        Failed::OverLimit(over)
+    }
+}
+
+fn read_bytes<S: FileSource>(
     bytes: &[u8],
     path: &Path,
     name: &str,
-    files: &dyn FileSource,
+    files: &Budgeted<S>,
     limits: &Limits,
 ) -> Result<ModelFile, ReadError> {
-    let unpacked = compression::unpack(bytes, limits)?;
+    let unpacked = unpack(bytes, limits, files.budget())?;
     let content = unpacked.as_deref().unwrap_or(bytes);
     let format = model_kind::format_of(content, &path.to_string_lossy()).map_err(ReadError::new)?;
-    let mut beside = Beside { files, folder: path.parent().map(Path::to_owned).unwrap_or_default(), found: Vec::new() };
-    let mut model = format.read(content, &mut beside, limits)?;
+    let mut beside = Beside::of(path, files, files.budget());
+    let read = format.read(content, &mut beside, limits);
+    // What other files leave over depends on the order in which threads read them: that a model goes without a file
+    // for want of memory would not be the same every time.
+    if let Some(over) = beside.over_limit {
+        return Err(over);
+    }
+    let mut model = read?;
     if model.mesh.triangle_count() == 0 {
         return Err(ReadError::new("the model has no triangles, so there is nothing to draw"));
     }

@@ -2,7 +2,7 @@
 
 use crate::files::{self, BUILTIN, FileBytes, FileSource};
 use crate::model_file::{self, ModelFile};
-use gonio_mesh::{Limits, ReadError};
+use gonio_mesh::{Limits, MissingSidecar, ReadError};
 use std::path::{Path, PathBuf};
 
 /// A texture's file.
@@ -21,8 +21,8 @@ impl ModelFile {
 
     /// The file that the model's materials call `name`, sought where a scene seeks it (beside the model, then beside
     /// its material libraries, under the whole name and the bare one, in any case); or every place that was looked at.
-    pub fn texture(&self, name: &str, files: &dyn FileSource) -> Result<TextureFile, Vec<String>> {
-        let (path, bytes) = files::find(files, name, &self.texture_folders())?;
+    pub fn texture(&self, name: &str, files: &dyn FileSource) -> Result<TextureFile, MissingSidecar> {
+        let (path, bytes) = files::find(files, name, &self.texture_folders()).map_err(|e| e.missing)?;
         let is_builtin = path.to_str().is_some_and(|path| path.starts_with(BUILTIN));
         Ok(TextureFile { path: Some(path).filter(|_| !is_builtin), bytes })
     }

@@ -1,10 +1,10 @@
 //! All textures of a scene: each file is sought, read and decoded once, and made into a texture once for each use.
 
-use crate::files::{self, BuiltinOnly, FileBytes, FileSource};
-use crate::image_file::{self, Decoded, MAX_TEXTURE_SIDE};
+use crate::files::{self, Budget, FileBytes, FileSource};
+use crate::image_file::{self, Decoded};
 use crate::texture::{ColorSpace, Texture};
 use crate::texture_recipe::{self, Purpose};
-use gonio_mesh::{Diagnostic, EmbeddedImage, TextureMap};
+use gonio_mesh::{Diagnostic, EmbeddedImage, MissingSidecar, TextureMap};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::collections::{HashMap, HashSet};
@@ -42,6 +42,9 @@ pub struct TextureUse {
     /// Where it was sought in vain.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tried: Vec<String>,
+    /// The reason for which a file that exists was not read.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub refused: Option<String>,
     /// Width and height in texels, where it could be decoded.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub size: Option<[u32; 2]>,
@@ -61,7 +64,7 @@ struct Job {
 }
 
 /// Where a name was found, or where it was sought in vain.
-type Found = Result<usize, Vec<String>>;
+type Found = Result<usize, MissingSidecar>;
 
 /// What was sought: a name, and where.
 type Sought = (String, Vec<PathBuf>);
@@ -78,11 +81,10 @@ pub(crate) struct TextureStock {
 
 /// The textures that were asked for.
 pub(crate) struct TextureLibrary<'a> {
-    /// `None`: only what the stock has.
-    files: Option<&'a dyn FileSource>,
+    /// Where to read and what pays for it; `None`: only what the stock has.
+    files: Option<(&'a dyn FileSource, &'a Budget)>,
     /// Something was asked for that the stock lacks.
     lacks: bool,
-    max_bytes: u64,
     pictures: Vec<Picture>,
     jobs: Vec<Job>,
     by_use: HashMap<(Vec<usize>, Purpose), usize>,
@@ -109,7 +111,7 @@ impl TextureLibrary<'static> {
     pub fn of_stock(stock: &TextureStock) -> Self {
         let nothing = || FileBytes::from_static(&[]);
         let pictures = stock.paths.iter().map(|path| Picture { path: path.clone(), bytes: nothing() }).collect();
-        TextureLibrary { files: None, pictures, found: stock.found.clone(), ..TextureLibrary::new(&BuiltinOnly, 0) }
+        TextureLibrary { pictures, found: stock.found.clone(), ..TextureLibrary::from_files(None) }
     }
 
     /// The textures that were asked for, all of them known; `None` where one is not. What is to be said of them was
@@ -131,12 +133,15 @@ impl TextureLibrary<'static> {
 }
 
 impl<'a> TextureLibrary<'a> {
-    /// Decoded pictures may take `max_bytes` together.
-    pub fn new(files: &'a dyn FileSource, max_bytes: u64) -> Self {
+    /// Pictures are read from `files`, and decoded ones are paid for from `budget`.
+    pub fn new(files: &'a dyn FileSource, budget: &'a Budget) -> Self {
+        Self::from_files(Some((files, budget)))
+    }
+
+    fn from_files(files: Option<(&'a dyn FileSource, &'a Budget)>) -> Self {
         TextureLibrary {
-            files: Some(files),
+            files,
             lacks: false,
-            max_bytes,
             pictures: Vec::new(),
             jobs: Vec::new(),
             by_use: HashMap::new(),
@@ -184,20 +189,20 @@ impl<'a> TextureLibrary<'a> {
             Some(index) => self.find_embedded(index, asker),
             None => self.find_file(&map.path, asker.folders),
         };
-        let (tried, path) = match &found {
-            Ok(picture) => (Vec::new(), Some(self.pictures[*picture].path.display().to_string())),
-            Err(tried) => (tried.clone(), None),
+        let (missing, path) = match &found {
+            Ok(picture) => (MissingSidecar::default(), Some(self.pictures[*picture].path.display().to_string())),
+            Err(missing) => (missing.clone(), None),
         };
+        let MissingSidecar { tried, refused } = missing;
         // One material of one model may be asked for several times: with overrides, for a derived texture.
         let asked = [asker.model, asker.material, key, &map.path].map(str::to_owned);
         if self.asked.insert((asked, map.line)) {
             if path.is_none() {
-                let message = format!(
-                    "the texture `{}` is not to be found; looked at {} (letters in any case). The material goes \
-                     without it",
-                    map.path,
-                    tried.join(", ")
-                );
+                let why = match &refused {
+                    Some(refused) => format!("was not read: {refused}"),
+                    None => format!("is not to be found; looked at {} (letters in any case)", tried.join(", ")),
+                };
+                let message = format!("the texture `{}` {why}. The material goes without it", map.path);
                 let mut diagnostic = about(map, key, asker);
                 diagnostic.message.push_str(&message);
                 self.diagnostics.push(diagnostic);
@@ -209,6 +214,7 @@ impl<'a> TextureLibrary<'a> {
                 line: map.line,
                 found: path,
                 tried,
+                refused,
                 size: None,
             };
             self.uses.push((asked, found.as_ref().ok().copied()));
@@ -221,11 +227,12 @@ impl<'a> TextureLibrary<'a> {
         if let Some(found) = self.found.get(&sought) {
             return found.clone();
         }
-        let Some(files) = self.files else {
+        let Some((files, _)) = self.files else {
             self.lacks = true;
-            return Err(Vec::new());
+            return Err(MissingSidecar::default());
         };
-        let found = files::find(files, name, folders).map(|(path, bytes)| self.picture(path, bytes));
+        let found = files::find(files, name, folders).map_err(|e| e.missing);
+        let found = found.map(|(path, bytes)| self.picture(path, bytes));
         self.found.insert(sought, found.clone());
         found
     }
@@ -238,11 +245,11 @@ impl<'a> TextureLibrary<'a> {
         }
         if self.files.is_none() {
             self.lacks = true;
-            return Err(Vec::new());
+            return Err(MissingSidecar::default());
         }
         let image = asker.images.get(index);
         let found = image.map_or_else(
-            || Err(vec![sought.0.clone()]),
+            || Err(MissingSidecar { tried: vec![sought.0.clone()], refused: None }),
             |image| Ok(self.picture(format!("{}#{}", asker.model, image.name).into(), image.bytes.clone().into())),
         );
         self.found.insert(sought, found.clone());
@@ -303,35 +310,27 @@ impl<'a> TextureLibrary<'a> {
         DecodedLibrary { textures, texture_of_job, uses, diagnostics: self.diagnostics, stock }
     }
 
-    /// Each picture, in parallel; those that would take more than is left of `max_bytes` are refused by their sizes,
-    /// before anything is decoded.
+    /// Each picture, in parallel; those that would take more than what is left are refused by their sizes, before
+    /// anything is decoded.
     fn decode_pictures(&self) -> Vec<Result<Decoded, String>> {
-        let mut left = self.max_bytes;
-        let allowed: Vec<bool> = self
-            .pictures
-            .iter()
-            .map(|p| {
-                // One that is too large by itself is refused by the decoder, with its own reason.
-                let size = image_file::size(&p.bytes, &p.path.to_string_lossy())
-                    .filter(|size| size.iter().all(|side| *side <= MAX_TEXTURE_SIDE));
-                let bytes = size.map_or(0, |[width, height]| 4 * u64::from(width) * u64::from(height));
-                let fits = bytes <= left;
-                left -= if fits { bytes } else { 0 };
-                fits
-            })
-            .collect();
+        let paid: Vec<Result<(), String>> = self.pictures.iter().map(|picture| self.pay_for(picture)).collect();
         self.pictures
             .par_iter()
-            .zip(allowed)
-            .map(|(p, allowed)| {
-                let name = p.path.display().to_string();
-                if !allowed {
-                    let most = self.max_bytes >> 20;
-                    return Err(format!("{name}: the textures together would take more than {most} MiB, the limit"));
-                }
-                image_file::decode(&p.bytes, &name).map_err(|why| format!("{name}: {why}"))
+            .zip(paid)
+            .map(|(picture, paid)| {
+                let name = picture.path.display().to_string();
+                paid.and_then(|()| image_file::decode(&picture.bytes, &name)).map_err(|why| format!("{name}: {why}"))
             })
             .collect()
+    }
+
+    /// Pays for decoding a picture. One whose header cannot be read costs nothing: decoding it fails as well.
+    fn pay_for(&self, picture: &Picture) -> Result<(), String> {
+        let Some((_, budget)) = self.files else { return Ok(()) };
+        let needed = image_file::memory(&picture.bytes, &picture.path.to_string_lossy()).unwrap_or(0);
+        budget
+            .spend(needed)
+            .map_err(|over| format!("the textures together would take more than allowed: this one {over}"))
     }
 
     fn make(&self, job: &Job, pictures: &[Result<Decoded, String>]) -> Result<(Texture, Option<String>), String> {

@@ -3,6 +3,7 @@
 use crate::backend::BackendChoice;
 use crate::cli_environment::EnvironmentOptions;
 use crate::commands;
+use crate::memory;
 use crate::values::{self, BackgroundValue};
 use clap::{ArgAction, Args, Parser, Subcommand};
 use gonio_light::brdf::BrdfKind;
@@ -12,6 +13,7 @@ use gonio_mesh::Limits;
 use gonio_scene::TextureFilter;
 use gonio_scene::ViewSpec;
 use gonio_scene::description::{LightSpec, MaterialOverride, Normals, Shading};
+use gonio_scene::files::{Budgeted, DiskAndInput, FileSource, Sandbox};
 
 /// The light lab: loads a model, lights it with the light equation, shows every term at every pixel.
 #[derive(Parser, Debug)]
@@ -289,9 +291,14 @@ pub struct LimitOptions {
     /// Refuse models with more triangles.
     #[arg(long, value_name = "N")]
     pub max_triangles: Option<u64>,
-    /// Refuse files that want more memory than this when they are unpacked or decoded: 512MiB, 16GiB.
+    /// Refuse inputs that need more memory than this, together with all files that they name, unpacked and decoded:
+    /// 512MiB, 16GiB. By default a quarter of the machine's memory.
     #[arg(long, value_name = "SIZE", value_parser = values::bytes)]
     pub max_memory: Option<u64>,
+    /// Read only what lies in the folders of the inputs: models and scenes cannot name files elsewhere, by `..`, absolute
+    /// paths or links.
+    #[arg(long)]
+    pub sandbox: bool,
 }
 
 impl LimitOptions {
@@ -300,9 +307,18 @@ impl LimitOptions {
         let usual = Limits::default();
         Limits {
             max_triangles: self.max_triangles.map_or(usual.max_triangles, |most| most.min(usual.max_triangles)),
-            max_bytes: self.max_memory.unwrap_or(usual.max_bytes),
+            max_bytes: self.max_memory.unwrap_or_else(memory::default_limit),
             ..usual
         }
+    }
+
+    /// The files that a command reads for what the user names: models, scenes, environments.
+    pub fn files<'i>(&self, named: impl IntoIterator<Item = &'i str>) -> Box<dyn FileSource> {
+        let named: Vec<&str> = named.into_iter().collect();
+        let disk = DiskAndInput::new(named.iter().copied());
+        let files: Box<dyn FileSource> =
+            if self.sandbox { Box::new(Sandbox::new(disk, named)) } else { Box::new(disk) };
+        Box::new(Budgeted::new(files, self.limits().max_bytes))
     }
 }
 

@@ -41,6 +41,11 @@ pub struct EnvironmentOptions {
 }
 
 impl EnvironmentOptions {
+    /// The environments that the user names.
+    pub fn named(&self) -> impl Iterator<Item = &str> {
+        self.environment.iter().chain(&self.environment_background).map(String::as_str)
+    }
+
     /// Replaces in `scene` what the options say. One of them without `--environment` changes the scene's environment; a
     /// scene that has none then has an error of its own.
     pub fn apply(&self, scene: &mut Scene) {

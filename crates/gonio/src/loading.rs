@@ -2,14 +2,14 @@
 
 use crate::cli::SceneOptions;
 use crate::report::{CliError, Reporter, Times};
-use gonio_scene::files::DiskAndInput;
 use gonio_scene::{LoadedScene, ViewSpec, load};
 use std::path::Path;
 
 /// The scene of `inputs` with the options laid over it, all files read.
 pub fn load_scene(inputs: &[String], options: &SceneOptions) -> Result<LoadedScene, CliError> {
     let inputs: Vec<&str> = inputs.iter().map(String::as_str).collect();
-    let files = DiskAndInput::default();
+    let named = inputs.iter().copied().chain(options.surroundings.named());
+    let files = options.limits.files(named);
     let mut scene = load::describe(&inputs, &files)?;
     options.apply(&mut scene);
     // Paths in it are relative to the current folder.

@@ -12,6 +12,7 @@ mod commands;
 mod escapes;
 mod limits;
 mod loading;
+mod memory;
 mod output;
 mod overrides;
 mod page;

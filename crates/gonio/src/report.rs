@@ -10,7 +10,7 @@ use crate::escapes::json_for_terminal;
 use crate::page::{Page, Style, line_for_terminal};
 use clap::Parser;
 use gonio_gl::GlError;
-use gonio_mesh::{Diagnostic, ReadError, Severity};
+use gonio_mesh::{Cause, Diagnostic, ReadError, Severity};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fmt::Display;
 use std::io::{self, IsTerminal, Write};
@@ -122,7 +122,12 @@ impl Display for CliError {
 
 impl From<ReadError> for CliError {
     fn from(error: ReadError) -> Self {
-        CliError::Message(error.to_string())
+        let hint = match error.cause {
+            Some(Cause::MemoryLimit) => "; --max-memory raises the limit",
+            Some(Cause::Sandbox) => "; without --sandbox it is read",
+            None => "",
+        };
+        CliError::Message(format!("{error}{hint}"))
     }
 }
 

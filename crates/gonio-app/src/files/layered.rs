@@ -14,12 +14,13 @@ pub struct Layered {
 }
 
 impl FileSource for Layered {
-    fn read(&self, path: &Path) -> Result<FileBytes, Error> {
-        match self.first.read(path) {
+    fn read_within(&self, path: &Path, most: u64) -> Result<FileBytes, Error> {
+        match self.first.read_within(path, most) {
             // What the first has but cannot give is told; what it does not have may be in the second.
-            Err(why) if matches!(why.kind(), ErrorKind::NotFound | ErrorKind::IsADirectory) => {
-                self.then.read(path).map_err(|other| if other.kind() == ErrorKind::NotFound { why } else { other })
-            }
+            Err(why) if matches!(why.kind(), ErrorKind::NotFound | ErrorKind::IsADirectory) => self
+                .then
+                .read_within(path, most)
+                .map_err(|other| if other.kind() == ErrorKind::NotFound { why } else { other }),
             other => other,
         }
     }

@@ -1,6 +1,6 @@
 //! Files that lie in memory: dropped on a page, or unpacked.
 
-use gonio_scene::files::{FileBytes, FileSource};
+use gonio_scene::files::{FileBytes, FileSource, within};
 use std::collections::BTreeMap;
 use std::io::{Error, ErrorKind};
 use std::path::{Component, Path, PathBuf};
@@ -30,6 +30,11 @@ impl MemoryFiles {
         self.files.keys().cloned().collect()
     }
 
+    /// Bytes of all files together.
+    pub fn total_bytes(&self) -> u64 {
+        self.files.values().map(|bytes| bytes.len() as u64).sum()
+    }
+
     /// Whether there is none.
     pub fn is_empty(&self) -> bool {
         self.files.is_empty()
@@ -37,15 +42,15 @@ impl MemoryFiles {
 }
 
 impl FileSource for MemoryFiles {
-    fn read(&self, path: &Path) -> Result<FileBytes, Error> {
+    fn read_within(&self, path: &Path, most: u64) -> Result<FileBytes, Error> {
         let name = normal(path);
         if let Some(bytes) = self.files.get(&name) {
-            return Ok(bytes.clone());
+            return within(bytes.clone(), most);
         }
         let lower = name.to_lowercase();
         let same = self.files.iter().find(|(known, _)| known.to_lowercase() == lower);
         if let Some((_, bytes)) = same {
-            return Ok(bytes.clone());
+            return within(bytes.clone(), most);
         }
         if !self.list(path).is_empty() {
             return Err(ErrorKind::IsADirectory.into());

@@ -58,8 +58,8 @@ impl Recording {
 }
 
 impl FileSource for Recording {
-    fn read(&self, path: &Path) -> Result<FileBytes, Error> {
-        let read = self.inner.read(path);
+    fn read_within(&self, path: &Path, most: u64) -> Result<FileBytes, Error> {
+        let read = self.inner.read_within(path, most);
         let mut asked = self.lock();
         if asked.paths.len() < MOST {
             asked.paths.insert(path.to_owned());
@@ -110,7 +110,7 @@ mod tests {
     struct Fetching(Mutex<Option<&'static str>>);
 
     impl FileSource for Fetching {
-        fn read(&self, _: &Path) -> Result<FileBytes, Error> {
+        fn read_within(&self, _: &Path, _: u64) -> Result<FileBytes, Error> {
             Err(std::io::ErrorKind::NotFound.into())
         }
         fn list(&self, _: &Path) -> Vec<PathBuf> {

@@ -8,10 +8,28 @@ use super::MemoryFiles;
 use flate2::read::DeflateDecoder;
 use std::io::Read;
 
-/// Most bytes that all files of one zip may have, unpacked.
-pub const MOST_BYTES: u64 = 1 << 30;
-/// Most files of one zip.
-pub const MOST_FILES: usize = 10_000;
+/// Limits on what a zip may unpack to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// Most files.
+    pub files: usize,
+    /// Most bytes of one file.
+    pub file_bytes: u64,
+    /// Most bytes of all files together.
+    pub bytes: u64,
+}
+
+impl Limits {
+    /// For models with their textures, or an environment.
+    pub const MODELS: Limits = Limits { files: 10_000, file_bytes: 1 << 30, bytes: 1 << 30 };
+    /// For a student's answer to an exercise.
+    pub const SUBMISSION: Limits = Limits { files: 2000, file_bytes: 64 << 20, bytes: 256 << 20 };
+
+    /// The same, but at most `bytes` for all files together.
+    pub fn within(self, bytes: u64) -> Limits {
+        Limits { file_bytes: self.file_bytes.min(bytes), bytes: self.bytes.min(bytes), ..self }
+    }
+}
 
 const END: [u8; 4] = *b"PK\x05\x06";
 const ENTRY: [u8; 4] = *b"PK\x01\x02";
@@ -39,16 +57,16 @@ pub struct Entry {
     packed: usize,
 }
 
-/// The directory of a zip, without unpacking anything. An error is one sentence.
-pub fn entries(bytes: &[u8]) -> Result<Vec<Entry>, String> {
+/// The directory of a zip of at most so many files, without unpacking anything. An error is one sentence.
+pub fn entries(bytes: &[u8], most_files: usize) -> Result<Vec<Entry>, String> {
     let end = find_end(bytes).ok_or("the zip is cut off or damaged: its directory is missing")?;
     let count = number(bytes, end + 10, 2)? as usize;
     let mut at = number(bytes, end + 16, 4)? as usize;
     if count == 0xffff || at == 0xffff_ffff {
         return Err("the zip is of the 64-bit kind, which is not read; unpack it and give the files".into());
     }
-    if count > MOST_FILES {
-        return Err(format!("the zip holds {count} files, more than {MOST_FILES}; unpack it and give those wanted"));
+    if count > most_files {
+        return Err(format!("the zip holds {count} files, more than {most_files}; unpack it and give those wanted"));
     }
     let mut entries = Vec::new();
     for _ in 0..count {
@@ -86,20 +104,34 @@ impl Entry {
     }
 }
 
-/// The files in it. Folders, and what systems add for themselves (`__MACOSX/`, names that begin with a dot), are left
-/// out. An error is one sentence.
+/// [`unpack_within`] the limits for models.
 pub fn unpack(bytes: &[u8]) -> Result<MemoryFiles, String> {
-    let mut files = MemoryFiles::default();
+    unpack_within(bytes, &Limits::MODELS)
+}
+
+/// The files in it. Folders, and what systems add for themselves (`__MACOSX/`, names that begin with a dot), are left
+/// out. An error is one sentence: among others, that the directory states more than the limits allow (which is found
+/// before anything is unpacked), or that a file unpacks to more than the directory states.
+pub fn unpack_within(bytes: &[u8], limits: &Limits) -> Result<MemoryFiles, String> {
+    let mut wanted = Vec::new();
     let mut total = 0;
-    for entry in entries(bytes)? {
+    for entry in entries(bytes, limits.files)? {
         let name = String::from_utf8_lossy(&entry.name).into_owned();
         if is_left_out(&name) {
             continue;
         }
-        total += entry.size;
-        if total > MOST_BYTES {
-            return Err(format!("the zip holds more than {} MiB; unpack it and give the files", MOST_BYTES >> 20));
+        if entry.size > limits.file_bytes {
+            let most = limits.file_bytes >> 20;
+            return Err(format!("`{name}` in the zip has more than {most} MiB, which is the limit for one file"));
         }
+        total += entry.size;
+        if total > limits.bytes {
+            return Err(format!("the zip holds more than {} MiB; unpack it and give the files", limits.bytes >> 20));
+        }
+        wanted.push((name, entry));
+    }
+    let mut files = MemoryFiles::default();
+    for (name, entry) in wanted {
         files.insert(&name, entry.unpack(bytes)?);
     }
     Ok(files)
@@ -108,6 +140,7 @@ pub fn unpack(bytes: &[u8]) -> Result<MemoryFiles, String> {
 fn inflate(content: &[u8], method: u64, size: u64, name: &str) -> Result<Vec<u8>, String> {
     let wrong = || format!("`{name}` in the zip is damaged: it does not have the size that the zip's directory says");
     let bytes = match method {
+        0 if content.len() as u64 != size => return Err(wrong()),
         0 => content.to_vec(),
         8 => {
             // What is packed may lie about its size: a byte more than stated is enough to see that.
@@ -254,5 +287,38 @@ mod tests {
         assert!(unpack(&zip).is_err_and(|why| why.contains("does not have the size")));
         zip[directory + 24..directory + 28].copy_from_slice(&0xf000_0000_u32.to_le_bytes());
         assert!(unpack(&zip).is_err_and(|why| why.contains("more than 1024 MiB")));
+    }
+
+    #[test]
+    fn sizes_are_limited_for_each_file_and_for_all_together() {
+        const MIB: usize = 1 << 20;
+        let two = zip_of(&[("a.obj", &vec![0; 2 * MIB], true), ("b.obj", &vec![0; MIB], true)]);
+        assert!(two.len() < 10_000, "{}", two.len());
+        let refused = |files, file, all| {
+            let limits = Limits { files, file_bytes: (file * MIB) as u64, bytes: (all * MIB) as u64 };
+            unpack_within(&two, &limits).err()
+        };
+        assert_eq!(refused(2, 2, 3), None);
+        let file = "`a.obj` in the zip has more than 1 MiB, which is the limit for one file";
+        assert_eq!(refused(2, 1, 3).as_deref(), Some(file));
+        let all = "the zip holds more than 2 MiB; unpack it and give the files";
+        assert_eq!(refused(2, 2, 2).as_deref(), Some(all));
+        let files = "the zip holds 2 files, more than 1; unpack it and give those wanted";
+        assert_eq!(refused(1, 2, 3).as_deref(), Some(files));
+    }
+
+    /// All entries may be the same bytes of the zip: it is small, and what it states is large.
+    #[test]
+    fn entries_that_overlap_count_each() {
+        let one = zip_of(&[("a.obj", &[0; 1 << 20], true)]);
+        let [directory, end] = [ENTRY, END].map(|magic| one.windows(4).position(|w| w == magic).unwrap_or_default());
+        let entry = &one[directory..end];
+        let mut zip = one[..directory].to_vec();
+        (0..300).for_each(|_| zip.extend(entry));
+        zip.extend(&one[end..]);
+        let end = zip.len() - END_SIZE;
+        zip[end + 10..end + 12].copy_from_slice(&300_u16.to_le_bytes());
+        let refused = unpack_within(&zip, &Limits::SUBMISSION).err();
+        assert_eq!(refused.as_deref(), Some("the zip holds more than 256 MiB; unpack it and give the files"));
     }
 }

@@ -12,10 +12,13 @@ use gonio_lab::buffers;
 use gonio_lab::exercise::Kind;
 use gonio_lab::live::{Note, NoteKind, Source};
 use gonio_lab::submission::SourceFile;
+use gonio_scene::files::{Disk, FileBytes, FileSource};
 use std::path::PathBuf;
 use std::time::Duration;
 use web_time::Instant;
 
+/// Most bytes of a student's file that is read again.
+const MOST_BYTES: u64 = 32 << 20;
 /// After the last key a pair is compiled: sooner, and half-written words would be errors.
 const PAUSE: Duration = Duration::from_millis(300);
 
@@ -396,7 +399,7 @@ pub fn read_again(ctx: &Context, work: &mut Work, paths: &[PathBuf]) -> Vec<Stri
     let mut said = Vec::new();
     for file in &mut work.files {
         let Some(path) = file.path.as_ref().filter(|path| paths.contains(path)) else { continue };
-        match std::fs::read(path) {
+        match Disk.read_within(path, MOST_BYTES).map(FileBytes::into_vec) {
             Ok(bytes) => {
                 let before = file.clone();
                 if file.is_now(bytes) {

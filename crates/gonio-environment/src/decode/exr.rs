@@ -28,22 +28,22 @@ pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, Environme
     let window = Window::of(&header, limits, &mut warnings)?;
     say_what_is_ignored(&header, &mut notes, &mut warnings);
 
-    let mut image = limits.unfilled(window.width, window.height)?;
-    image.pixels.resize(window.width as usize * window.height as usize, [0.0, 0.0, 0.0, 1.0]);
     let part = chosen.part;
-    let mut chunks = reader
+    let chunks = reader
         .filter_chunks(false, |_, _, block| block.layer == part && (block.level.x(), block.level.y()) == (0, 0))
         .map_err(failed)?;
     let meta = chunks.meta_data().clone();
+    // Packed they take no more memory than the file. A header that lies has no blocks for what it says, and is found out
+    // before the picture takes any.
+    let mut packed = chunks.collect::<Result<Vec<_>, _>>().map_err(failed)?.into_iter();
+    let mut image = limits.unfilled(window.width, window.height)?;
+    image.pixels.resize(window.width as usize * window.height as usize, [0.0, 0.0, 0.0, 1.0]);
     let (mut covered, mut scratch) = (0, Vec::new());
     // By our own threads: the codec would start new ones for each file.
-    loop {
-        let packed = chunks.by_ref().take(BATCH).collect::<Result<Vec<_>, _>>().map_err(failed)?;
-        if packed.is_empty() {
-            break;
-        }
+    while packed.len() > 0 {
+        let batch: Vec<_> = packed.by_ref().take(BATCH).collect();
         let unpack = |chunk| UncompressedBlock::decompress_chunk(chunk, &meta, false);
-        let blocks = packed.into_par_iter().map(unpack).collect::<Result<Vec<_>, _>>().map_err(failed)?;
+        let blocks = batch.into_par_iter().map(unpack).collect::<Result<Vec<_>, _>>().map_err(failed)?;
         for block in blocks {
             covered += block.index.pixel_size.area();
             lay(&block, &header, &chosen, &window, &mut image, &mut scratch);

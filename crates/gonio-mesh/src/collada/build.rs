@@ -4,7 +4,7 @@ use super::document::Document;
 use super::geometry::Geometry;
 use super::local::LocalMesh;
 use crate::limits::{too_many_triangles, too_many_vertices};
-use crate::{Limits, Mesh, NormalSource, Part, ReadError};
+use crate::{Cause, Limits, Mesh, NormalSource, Part, ReadError};
 use glam::{DMat3, DMat4, DVec3};
 
 /// The mesh in the making.
@@ -89,10 +89,9 @@ impl<'a> Builder<'a> {
         // Position, normal, texture coordinate, colour; three indices.
         if vertices.saturating_mul(48).saturating_add(triangles.saturating_mul(12)) > self.limits.max_bytes {
             let most = self.limits.max_bytes;
-            return Err(document.error(
-                at,
-                format!("geometries are placed so often that they take more than {most} bytes, which is the limit"),
-            ));
+            let message =
+                format!("geometries are placed so often that they take more than {most} bytes, which is the limit");
+            return Err(document.error(at, message).caused_by(Cause::MemoryLimit));
         }
         Ok(())
     }

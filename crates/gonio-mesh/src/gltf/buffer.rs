@@ -94,9 +94,12 @@ impl<'v, 's> Buffers<'v, 's> {
             }
             Uri::File(name) => {
                 let (used, bytes) = SidecarUse::ask(self.sidecars, &name, None);
-                let tried = used.tried.join(", ");
+                let (tried, refused) = (used.tried.join(", "), used.refused.clone());
                 self.uses.push(used);
                 bytes.ok_or_else(|| {
+                    if let Some(refused) = refused {
+                        return ReadError::new(format!("{name:?}, which {path} names, was not read: {refused}"));
+                    }
                     let sought = if tried.is_empty() { String::new() } else { format!("; sought: {tried}") };
                     ReadError::new(format!(
                         "{name:?}, which {path} names, was not found: put it beside the model{sought}"

@@ -35,7 +35,7 @@ mod uri;
 
 use crate::encoding::read_as_utf8;
 use crate::report::Reports;
-use crate::{Diagnostic, Limits, Material, Model, ReadError, Severity, Sidecars};
+use crate::{Cause, Diagnostic, Limits, Material, Model, ReadError, Severity, Sidecars};
 use buffer::Buffers;
 use glam::DMat4;
 use json::At;
@@ -140,7 +140,8 @@ fn materials<'v>(
     let bytes = 2 * (root.count("materials") as u64).saturating_mul(size_of::<ReadMaterial>() as u64);
     if bytes > limits.max_bytes {
         let (count, most) = (root.count("materials"), limits.max_bytes);
-        return Err(ReadError::new(format!("its {count} materials take more than {most} bytes, which is the limit")));
+        let message = format!("its {count} materials take more than {most} bytes, which is the limit");
+        return Err(ReadError::new(message).caused_by(Cause::MemoryLimit));
     }
     Ok(root.list("materials")?.map(|at| material::read(at, textures, buffers, reports)).collect())
 }

@@ -6,7 +6,7 @@ use super::json::At;
 use super::triangles::{self, Topology};
 use crate::limits::{too_many_triangles, too_many_vertices};
 use crate::report::Reports;
-use crate::{Diagnostic, Limits, Mesh, NormalSource, Part, ReadError, Severity};
+use crate::{Cause, Diagnostic, Limits, Mesh, NormalSource, Part, ReadError, Severity};
 use glam::{DMat4, DVec3};
 use std::ops::Range;
 
@@ -260,7 +260,8 @@ impl<'l> Geometry<'l> {
         if self.bytes.saturating_add(more) <= most {
             return Ok(());
         }
-        Err(ReadError::new(format!("{} makes the model larger than {most} bytes, which is the limit", at.path())))
+        Err(ReadError::new(format!("{} makes the model larger than {most} bytes, which is the limit", at.path()))
+            .caused_by(Cause::MemoryLimit))
     }
 
     fn check_work(&mut self, bytes: u64, at: At<'_>) -> Result<(), ReadError> {
@@ -271,7 +272,8 @@ impl<'l> Geometry<'l> {
         let (most, path) = (self.limits.max_bytes, at.path());
         Err(ReadError::new(format!(
             "{path} is shown so often that more would be read than {MOST_READINGS} times {most} bytes, which is the limit"
-        )))
+        ))
+        .caused_by(Cause::MemoryLimit))
     }
 
     #[cold]

@@ -4,7 +4,7 @@ use super::buffer::Buffers;
 use super::json::At;
 use super::uri::Uri;
 use crate::report::Reports;
-use crate::{Diagnostic, EmbeddedImage, ReadError, Severity, TextureMap, Wrap};
+use crate::{Cause, Diagnostic, EmbeddedImage, ReadError, Severity, TextureMap, Wrap};
 use std::collections::HashMap;
 
 /// The pictures of a file, as they are asked for.
@@ -111,7 +111,8 @@ impl<'v> Textures<'v> {
         if self.bytes.saturating_add(more as u64) <= most {
             return Ok(());
         }
-        Err(ReadError::new(format!("{} makes the pictures larger than {most} bytes, which is the limit", image.path())))
+        let message = format!("{} makes the pictures larger than {most} bytes, which is the limit", image.path());
+        Err(ReadError::new(message).caused_by(Cause::MemoryLimit))
     }
 
     fn embed(&mut self, name: String, bytes: Vec<u8>, image: At<'_>) -> Result<Picture, ReadError> {

@@ -162,11 +162,12 @@ fn find(
         match bytes {
             Some(bytes) => found.push((asked.found.clone().unwrap_or(name), bytes)),
             None => {
-                let places = match asked.tried.as_slice() {
-                    [] => String::new(),
-                    tried => format!("; looked for at {}", tried.join(", ")),
+                let why = match (&asked.refused, asked.tried.as_slice()) {
+                    (Some(refused), _) => format!("was not read: {refused}"),
+                    (None, []) => "was not found".to_owned(),
+                    (None, tried) => format!("was not found; looked for at {}", tried.join(", ")),
                 };
-                let message = format!("the material library {} was not found{places}", quote(name.as_bytes()));
+                let message = format!("the material library {} {why}", quote(name.as_bytes()));
                 reports.push(line, Diagnostic::warning(message).at(line, None));
             }
         }

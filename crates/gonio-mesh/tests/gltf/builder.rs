@@ -177,7 +177,8 @@ pub struct Files(pub Vec<(&'static str, Vec<u8>)>);
 impl Sidecars for Files {
     fn read(&mut self, name: &str) -> Result<Sidecar, MissingSidecar> {
         let found = self.0.iter().find(|(known, _)| *known == name);
-        let missing = || MissingSidecar { tried: vec![format!("models/{name}"), format!("textures/{name}")] };
+        let missing =
+            || MissingSidecar { tried: vec![format!("models/{name}"), format!("textures/{name}")], refused: None };
         let (_, bytes) = found.ok_or_else(missing)?;
         Ok(Sidecar { path: format!("models/{name}"), bytes: bytes.clone() })
     }

@@ -1,5 +1,6 @@
 //! The bytes of a file, wherever they lie.
 
+use std::fmt;
 use std::ops::Deref;
 use std::sync::Arc;
 
@@ -27,6 +28,13 @@ impl FileBytes {
     /// A copy of one's own.
     pub fn into_vec(self) -> Vec<u8> {
         self.to_vec()
+    }
+}
+
+/// Their number alone: a file may be large.
+impl fmt::Debug for FileBytes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "FileBytes({})", self.len())
     }
 }
 

@@ -3,41 +3,47 @@
 // The memory map below is the one place of this crate that needs it.
 #![allow(unsafe_code)]
 
-use super::{FileBytes, FileSource};
-use std::fs::{File, Metadata};
-use std::io::{Error, Read};
+use super::{FileBytes, FileSource, OverLimit, Refusal};
+use std::collections::HashMap;
+use std::fs::{File, Metadata, OpenOptions};
+use std::io::{Error, ErrorKind, Read};
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Smaller files are read: mapping costs more than it saves.
 const WORTH_MAPPING: u64 = 1 << 16;
 
-/// The disk. Large files are mapped into memory, not read: what is not looked at is not loaded, and nothing is copied.
+/// The ordinary files of the disk. Large ones are mapped into memory, not read: what is not looked at is not loaded, and
+/// nothing is copied.
+///
+/// Devices, pipes and sockets are refused without being opened, because a model may name them: reading them may wait
+/// for ever, never end, or have an effect.
 pub struct Disk;
 
 impl FileSource for Disk {
-    fn read(&self, path: &Path) -> Result<FileBytes, Error> {
-        let metadata = std::fs::metadata(path)?;
-        if metadata.is_dir() {
-            return Err(std::io::ErrorKind::IsADirectory.into());
+    fn read_within(&self, path: &Path, most: u64) -> Result<FileBytes, Error> {
+        check_ordinary(&std::fs::metadata(path)?)?;
+        let file = open_without_waiting(path)?;
+        // Once more, of what was opened: the path may lead to something else by now.
+        let metadata = file.metadata()?;
+        check_ordinary(&metadata)?;
+        let size = metadata.len();
+        if size > most {
+            return Err(over(Some(size), most));
         }
-        // Before it is opened, which may wait or do something.
-        if is_device(&metadata) {
-            return Err(Error::other("it is a device, not a file"));
-        }
-        let mut file = File::open(path)?;
-        if metadata.is_file() && metadata.len() >= WORTH_MAPPING {
+        if size >= WORTH_MAPPING {
             // SAFETY: the map is only read, and lives as long as its bytes are used. That no other program shortens or
             // rewrites the file meanwhile cannot be had from an operating system (as with any program that maps files):
             // readers check every number where they use it, so that changed bytes give a wrong model or an error; a
             // shortened file ends the process with a signal.
-            if let Ok(map) = unsafe { memmap2::Mmap::map(&file) } {
+            if let Ok(map) = unsafe { memmap2::MmapOptions::new().len(size as usize).map(&file) } {
                 return Ok(FileBytes::shared(Arc::new(map)));
             }
         }
-        let mut bytes = Vec::new();
-        file.read_to_end(&mut bytes)?;
-        Ok(bytes.into())
+        if size == 0 {
+            return read_empty(&file, most);
+        }
+        Ok(read_to_end(&file, most)?.into())
     }
 
     fn list(&self, folder: &Path) -> Vec<PathBuf> {
@@ -48,46 +54,146 @@ impl FileSource for Disk {
     }
 }
 
-/// What a model names as its texture may be a device that has no end. (Pipes are allowed: shells make them.)
+fn check_ordinary(metadata: &Metadata) -> Result<(), Error> {
+    if metadata.is_dir() {
+        return Err(ErrorKind::IsADirectory.into());
+    }
+    match special(metadata) {
+        Some(refusal) => Err(refusal.into()),
+        None => Ok(()),
+    }
+}
+
 #[cfg(unix)]
-fn is_device(metadata: &Metadata) -> bool {
+fn special(metadata: &Metadata) -> Option<Refusal> {
     use std::os::unix::fs::FileTypeExt;
-    metadata.file_type().is_char_device() || metadata.file_type().is_block_device()
+    let kind = metadata.file_type();
+    if kind.is_char_device() || kind.is_block_device() {
+        Some(Refusal::Device)
+    } else if kind.is_fifo() {
+        Some(Refusal::Pipe)
+    } else if kind.is_socket() {
+        Some(Refusal::Socket)
+    } else {
+        None
+    }
 }
 
 #[cfg(not(unix))]
-fn is_device(_: &Metadata) -> bool {
-    false
+fn special(metadata: &Metadata) -> Option<Refusal> {
+    (!metadata.is_file()).then_some(Refusal::Device)
 }
 
-/// What an input is called that comes from standard input.
+/// Opens a file so that a pipe or a terminal in its place, put there a moment ago, neither waits nor takes over.
+fn open_without_waiting(path: &Path) -> Result<File, Error> {
+    let mut options = OpenOptions::new();
+    options.read(true);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::OpenOptionsExt;
+        options.custom_flags(libc::O_NONBLOCK | libc::O_NOCTTY);
+    }
+    options.open(path)
+}
+
+/// Reads a file that says it is empty: one that is being written may have grown since; one that still says so and has
+/// data is generated while it is read.
+fn read_empty(file: &File, most: u64) -> Result<FileBytes, Error> {
+    let mut bytes = Vec::new();
+    // A few: some of these files can only be read in words.
+    file.take(most.saturating_add(1).min(64)).read_to_end(&mut bytes)?;
+    if !bytes.is_empty() && file.metadata()?.len() == 0 {
+        return Err(Refusal::Generated.into());
+    }
+    let Some(left) = most.checked_sub(bytes.len() as u64) else { return Err(over(None, most)) };
+    let rest = read_to_end(file, left).map_err(|error| match Refusal::of(&error) {
+        Some(Refusal::OverLimit(_)) => over(None, most),
+        _ => error,
+    })?;
+    bytes.extend(rest);
+    Ok(bytes.into())
+}
+
+/// Reads all that is left. One byte more than `most` is enough to know that it is too much.
+fn read_to_end(reader: impl Read, most: u64) -> Result<Vec<u8>, Error> {
+    let mut bytes = Vec::new();
+    reader.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > most {
+        return Err(over(None, most));
+    }
+    Ok(bytes)
+}
+
+fn over(needed: Option<u64>, most: u64) -> Error {
+    Refusal::OverLimit(OverLimit { needed, left: most, limit: most }).into()
+}
+
+/// The name of an input that comes from standard input.
 pub const STANDARD_INPUT: &str = "-";
 
-/// The disk, with standard input as the file [`STANDARD_INPUT`]. It is read to its end when it is first wanted.
+/// The disk, with standard input as the file [`STANDARD_INPUT`], and the pipes among the inputs that a user named:
+/// `/dev/stdin`, `/dev/fd/63`, which shells make of `<(command)`. Each of these is read to its end when it is first
+/// wanted, and kept, because it cannot be read twice.
 #[derive(Default)]
 pub struct DiskAndInput {
-    input: OnceLock<Result<Arc<Vec<u8>>, String>>,
+    /// The paths that may be pipes.
+    inputs: Vec<PathBuf>,
+    piped: Mutex<HashMap<PathBuf, Piped>>,
+}
+
+/// What came out of a pipe.
+type Piped = Result<Arc<Vec<u8>>, Failed>;
+
+/// An error that can be told more than once.
+#[derive(Clone)]
+enum Failed {
+    Refused(Refusal),
+    System(String),
+}
+
+impl DiskAndInput {
+    /// The disk, where the paths among `inputs` may be pipes.
+    pub fn new<'i>(inputs: impl IntoIterator<Item = &'i str>) -> Self {
+        DiskAndInput { inputs: inputs.into_iter().map(PathBuf::from).collect(), piped: Mutex::default() }
+    }
+
+    fn may_be_read_as_pipe(&self, path: &Path) -> bool {
+        path == Path::new(STANDARD_INPUT)
+            || self.inputs.iter().any(|input| input == path)
+                && std::fs::metadata(path).is_ok_and(|metadata| special(&metadata) == Some(Refusal::Pipe))
+    }
 }
 
 impl FileSource for DiskAndInput {
-    fn read(&self, path: &Path) -> Result<FileBytes, Error> {
-        if path != Path::new(STANDARD_INPUT) {
-            return Disk.read(path);
+    fn read_within(&self, path: &Path, most: u64) -> Result<FileBytes, Error> {
+        // Nothing that is done under the lock can leave it half done.
+        let mut piped = self.piped.lock().unwrap_or_else(PoisonError::into_inner);
+        if !piped.contains_key(path) && !self.may_be_read_as_pipe(path) {
+            drop(piped);
+            return Disk.read_within(path, most);
         }
-        let read = self.input.get_or_init(|| {
-            let mut bytes = Vec::new();
-            match std::io::stdin().lock().read_to_end(&mut bytes) {
-                Ok(_) => Ok(Arc::new(bytes)),
-                Err(error) => Err(error.to_string()),
-            }
+        let read = piped.entry(path.to_owned()).or_insert_with(|| {
+            read_pipe(path, most).map(Arc::new).map_err(|error| match Refusal::of(&error) {
+                Some(refusal) => Failed::Refused(refusal.clone()),
+                None => Failed::System(error.to_string()),
+            })
         });
         match read {
+            Ok(bytes) if bytes.len() as u64 > most => Err(over(Some(bytes.len() as u64), most)),
             Ok(bytes) => Ok(FileBytes::shared(bytes.clone())),
-            Err(message) => Err(Error::other(message.clone())),
+            Err(Failed::Refused(refusal)) => Err(refusal.clone().into()),
+            Err(Failed::System(message)) => Err(Error::other(message.clone())),
         }
     }
 
     fn list(&self, folder: &Path) -> Vec<PathBuf> {
         Disk.list(folder)
     }
+}
+
+fn read_pipe(path: &Path, most: u64) -> Result<Vec<u8>, Error> {
+    if path == Path::new(STANDARD_INPUT) {
+        return read_to_end(std::io::stdin().lock(), most);
+    }
+    read_to_end(File::open(path)?, most)
 }

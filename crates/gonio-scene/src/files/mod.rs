@@ -1,22 +1,37 @@
 //! Where a scene's files come from: the disk, or what is built in.
+//!
+//! Sources are wrapped in one another: [`Budgeted`] limits the memory that all files together take, [`Sandbox`] the
+//! folders that they may lie in.
 
+mod budget;
 mod builtin;
 mod bytes;
 mod disk;
+mod refusal;
+mod sandbox;
 
+pub use budget::{Budget, Budgeted};
 pub use builtin::{BUILTIN, builtin, builtin_names, is_builtin, sphere_of};
 pub use bytes::FileBytes;
 pub use disk::{Disk, DiskAndInput, STANDARD_INPUT};
+pub use refusal::{OverLimit, Refusal};
+pub use sandbox::Sandbox;
 
 use builtin::{builtin_of, builtin_path, list_builtin, no_builtin, sphere_file};
-use gonio_mesh::{MissingSidecar, Sidecar, Sidecars};
+use gonio_mesh::{Cause, MissingSidecar, ReadError, Sidecar, Sidecars};
 use std::io::{Error, ErrorKind};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Reads a scene's files. The web page has its own. Paths of built-in files never come here.
 pub trait FileSource: Send + Sync {
-    /// The bytes of a file, or why they cannot be had (without the path).
-    fn read(&self, path: &Path) -> Result<FileBytes, Error>;
+    /// The bytes of a file, or why they cannot be had (without the path). A file of more than `most` bytes is refused
+    /// with [`Refusal::OverLimit`], and no more than `most` bytes and one are read to find that out.
+    fn read_within(&self, path: &Path, most: u64) -> Result<FileBytes, Error>;
+    /// The bytes of a file however large it is: for files that the program has chosen itself.
+    fn read(&self, path: &Path) -> Result<FileBytes, Error> {
+        self.read_within(path, u64::MAX)
+    }
     /// The names in a folder; empty where there is none.
     fn list(&self, folder: &Path) -> Vec<PathBuf>;
     /// A built-in file by its path below `assets`: those that the program carries, by default. The web page carries
@@ -31,11 +46,41 @@ pub trait FileSource: Send + Sync {
     }
 }
 
+/// Forwards everything, so that a source can be wrapped by whoever has only borrowed or shares it.
+macro_rules! forward {
+    ($($pointer:ty),+) => {
+        $(impl<S: FileSource + ?Sized> FileSource for $pointer {
+            fn read_within(&self, path: &Path, most: u64) -> Result<FileBytes, Error> {
+                (**self).read_within(path, most)
+            }
+            fn list(&self, folder: &Path) -> Vec<PathBuf> {
+                (**self).list(folder)
+            }
+            fn builtin(&self, name: &str) -> Option<FileBytes> {
+                (**self).builtin(name)
+            }
+            fn is_coming(&self, name: &str) -> bool {
+                (**self).is_coming(name)
+            }
+        })+
+    };
+}
+forward!(&S, Box<S>, Arc<S>);
+
+/// Checks bytes that are in memory already against the limit of [`FileSource::read_within`].
+pub fn within(bytes: FileBytes, most: u64) -> Result<FileBytes, Error> {
+    let needed = bytes.len() as u64;
+    if needed > most {
+        return Err(Refusal::OverLimit(OverLimit { needed: Some(needed), left: most, limit: most }).into());
+    }
+    Ok(bytes)
+}
+
 /// Nothing but the built-in files.
 pub struct BuiltinOnly;
 
 impl FileSource for BuiltinOnly {
-    fn read(&self, _: &Path) -> Result<FileBytes, Error> {
+    fn read_within(&self, _: &Path, _: u64) -> Result<FileBytes, Error> {
         Err(Error::new(ErrorKind::NotFound, "only built-in files can be read here"))
     }
     fn list(&self, _: &Path) -> Vec<PathBuf> {
@@ -74,6 +119,16 @@ pub(crate) fn explain(error: &Error) -> String {
     }
 }
 
+/// The error of a file that cannot be read.
+pub(crate) fn failed(error: &Error) -> ReadError {
+    let failed = ReadError::new(explain(error));
+    match Refusal::of(error) {
+        Some(Refusal::OverLimit(_)) => failed.caused_by(Cause::MemoryLimit),
+        Some(Refusal::OutsideSandbox) => failed.caused_by(Cause::Sandbox),
+        _ => failed,
+    }
+}
+
 pub(crate) fn list(files: &dyn FileSource, folder: &Path) -> Vec<PathBuf> {
     match builtin_of(folder) {
         Some(name) => list_builtin(&name),
@@ -84,12 +139,12 @@ pub(crate) fn list(files: &dyn FileSource, folder: &Path) -> Vec<PathBuf> {
 /// The file that a model calls `name`: in each of `folders`, under the whole name, then under its bare
 /// file name; then the same with letters in any case. Backslashes count as slashes.
 ///
-/// Gives the path and its bytes, or every place that was looked at.
-pub(crate) fn find(
-    files: &dyn FileSource,
-    name: &str,
-    folders: &[PathBuf],
-) -> Result<(PathBuf, FileBytes), Vec<String>> {
+/// Gives the path and its bytes.
+///
+/// # Errors
+///
+/// Every place that was looked at, and the first reason for which a file there is not read.
+pub(crate) fn find(files: &dyn FileSource, name: &str, folders: &[PathBuf]) -> Result<(PathBuf, FileBytes), NotFound> {
     let name = name.trim().replace('\\', "/");
     let bare = name.rsplit('/').next().unwrap_or(&name);
     let mut places: Vec<(&Path, &str)> = Vec::new();
@@ -100,20 +155,60 @@ pub(crate) fn find(
             }
         }
     }
+    let mut not_found = NotFound::default();
+    let mut read_noting = |path: PathBuf| match read(files, &path) {
+        Ok(bytes) => Some((path, bytes)),
+        Err(error) => {
+            not_found.note(&path, &error);
+            None
+        }
+    };
     for (folder, part) in &places {
-        let path = folder.join(part);
-        if let Ok(bytes) = read(files, &path) {
-            return Ok((path, bytes));
+        if let Some(found) = read_noting(folder.join(part)) {
+            return Ok(found);
         }
     }
     for (folder, part) in &places {
         if let Some(path) = in_any_case(files, folder, part)
-            && let Ok(bytes) = read(files, &path)
+            && let Some(found) = read_noting(path)
         {
-            return Ok((path, bytes));
+            return Ok(found);
         }
     }
-    Err(places.iter().map(|(folder, part)| folder.join(part).display().to_string()).collect())
+    not_found.missing.tried = places.iter().map(|(folder, part)| folder.join(part).display().to_string()).collect();
+    Err(not_found)
+}
+
+/// A file that was not found, or not read.
+#[derive(Debug, Default)]
+pub(crate) struct NotFound {
+    pub missing: MissingSidecar,
+    /// The error of the first file that needs more memory than what is left.
+    pub over_limit: Option<Box<ReadError>>,
+}
+
+impl NotFound {
+    /// Notes why the file at `path` is not read, where it is more than that there is none.
+    fn note(&mut self, path: &Path, error: &Error) {
+        use ErrorKind::{InvalidFilename, InvalidInput, IsADirectory, NotADirectory, NotFound};
+        let refusal = Refusal::of(error);
+        let shown = path.display();
+        if let Some(Refusal::OverLimit(_)) = refusal {
+            self.over_limit.get_or_insert_with(|| Box::new(failed(error).in_file(&shown.to_string())));
+        }
+        let reason = match refusal {
+            Some(refusal) => format!("`{shown}` {refusal}"),
+            None if matches!(
+                error.kind(),
+                NotFound | NotADirectory | IsADirectory | InvalidInput | InvalidFilename
+            ) =>
+            {
+                return;
+            }
+            None => format!("`{shown}`: {}", explain(error)),
+        };
+        self.missing.refused.get_or_insert(reason);
+    }
 }
 
 /// `part` below `folder`, each of its names taken in whatever case it stands there.
@@ -135,21 +230,45 @@ fn in_any_case(files: &dyn FileSource, folder: &Path, part: &str) -> Option<Path
 
 /// The files beside one model; remembers what was found.
 pub(crate) struct Beside<'a> {
-    pub files: &'a dyn FileSource,
+    files: &'a dyn FileSource,
+    budget: &'a Budget,
     /// Where the model lies.
-    pub folder: PathBuf,
+    folder: PathBuf,
     /// The material libraries that were found, in order.
     pub found: Vec<PathBuf>,
+    /// The first that was found and needs more memory than what is left.
+    pub over_limit: Option<ReadError>,
+}
+
+impl<'a> Beside<'a> {
+    /// The files beside `model`, which are paid for from `budget` when they are read from `files`.
+    pub fn of(model: &Path, files: &'a dyn FileSource, budget: &'a Budget) -> Self {
+        let folder = model.parent().map(Path::to_owned).unwrap_or_default();
+        Beside { files, budget, folder, found: Vec::new(), over_limit: None }
+    }
+
+    /// Readers get copies. The first is paid for by reading; one under another name is not.
+    fn pay_for_copy(&self, path: &PathBuf, bytes: &FileBytes) -> Result<(), OverLimit> {
+        if self.found.contains(path) { self.budget.spend(bytes.len() as u64) } else { Ok(()) }
+    }
 }
 
 impl Sidecars for Beside<'_> {
     fn read(&mut self, name: &str) -> Result<Sidecar, MissingSidecar> {
-        match find(self.files, name, std::slice::from_ref(&self.folder)) {
-            Ok((path, bytes)) => {
-                self.found.push(path.clone());
-                Ok(Sidecar { path: path.display().to_string(), bytes: bytes.into_vec() })
+        let (path, bytes) = match find(self.files, name, std::slice::from_ref(&self.folder)) {
+            Ok(found) => found,
+            Err(NotFound { missing, over_limit }) => {
+                self.over_limit = self.over_limit.take().or(over_limit.map(|error| *error));
+                return Err(missing);
             }
-            Err(tried) => Err(MissingSidecar { tried }),
+        };
+        if let Err(over) = self.pay_for_copy(&path, &bytes) {
+            let (error, shown) = (failed(&Refusal::OverLimit(over).into()), path.display().to_string());
+            let refused = Some(format!("`{shown}` {over}"));
+            self.over_limit.get_or_insert(error.in_file(&shown));
+            return Err(MissingSidecar { tried: vec![shown], refused });
         }
+        self.found.push(path.clone());
+        Ok(Sidecar { path: path.display().to_string(), bytes: bytes.into_vec() })
     }
 }

@@ -7,16 +7,15 @@ pub use differences::Difference;
 pub use materials::{MaterialReport, ValueReport};
 
 use crate::description::MaterialOverride;
-use crate::files::{self, FileSource};
+use crate::files::{self, Budgeted, FileSource};
 use crate::load;
 use crate::material_binding::MaterialBinder;
-use crate::model_file::ModelFile;
+use crate::model_file::{self, ModelFile};
 use crate::stock::{self, MaterialSource};
 use crate::texture_library::TextureUse;
 use gonio_mesh::topology::{self, TopologyReport};
 use gonio_mesh::{
-    Diagnostic, Format, Limits, Mesh, ModelCamera, ModelLight, NormalSource, ReadError, SidecarUse, compression,
-    explain,
+    Diagnostic, Format, Limits, Mesh, ModelCamera, ModelLight, NormalSource, ReadError, SidecarUse, explain,
 };
 use serde::Serialize;
 use std::path::Path;
@@ -124,8 +123,9 @@ pub struct ImageReport {
 
 /// Reads the model called `input` (a path, `builtin:NAME`) and tells all about it.
 pub fn inspect(input: &str, files: &dyn FileSource, limits: &Limits) -> Result<Inspection, ReadError> {
-    let mut file = ModelFile::open(input, files, limits)?;
-    let mut binder = MaterialBinder::new(files, limits.max_bytes);
+    let files = &Budgeted::new(files, limits.max_bytes);
+    let mut file = model_file::read_within(&files::resolve(Path::new(""), input), input, files, limits)?;
+    let mut binder = MaterialBinder::new(files, files.budget());
     let (folders, used) = (file.texture_folders(), stock::used_materials(&file.model));
     binder.add(0, &MaterialOverride::default(), &MaterialSource::of_file(&file, &folders, &used));
     let bound = binder.finish();
@@ -166,8 +166,9 @@ pub fn explain_line(
 ) -> Result<explain::LineExplanation, ReadError> {
     let path = files::resolve(Path::new(""), input);
     let in_file = |e: ReadError| e.in_file(input);
-    let bytes = files::read(files, &path).map_err(|e| in_file(ReadError::new(files::explain(&e))))?;
-    let unpacked = compression::unpack(&bytes, limits).map_err(in_file)?;
+    let files = &Budgeted::new(files, limits.max_bytes);
+    let bytes = files::read(files, &path).map_err(|e| in_file(files::failed(&e)))?;
+    let unpacked = model_file::unpack(&bytes, limits, files.budget()).map_err(in_file)?;
     let content = unpacked.as_deref().unwrap_or(&bytes);
     let is_library = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("mtl"));
     if is_library {

@@ -164,12 +164,11 @@ fn a_compressed_model_is_read_and_held_to_its_limit() {
 
 #[test]
 fn textures_together_are_held_to_a_limit() {
-    let files = Memory::default()
-        .with("t.obj", TRIANGLE)
-        .with("t.mtl", "newmtl m\nmap_Kd a.png\nmap_Ks b.png\n")
-        .with("a.png", png(8, 8, |_, _| [9; 4]))
-        .with("b.png", png(8, 8, |_, _| [8; 4]));
-    let limits = Limits { max_bytes: 300, ..Limits::default() };
+    let (a, b) = (png(8, 8, |_, _| [9; 4]), png(8, 8, |_, _| [8; 4]));
+    let library = "newmtl m\nmap_Kd a.png\nmap_Ks b.png\n";
+    let read = (TRIANGLE.len() + library.len() + a.len() + b.len()) as u64;
+    let files = Memory::default().with("t.obj", TRIANGLE).with("t.mtl", library).with("a.png", a).with("b.png", b);
+    let limits = Limits { max_bytes: read + 300, ..Limits::default() };
     let scene = load_within(describe(&["t.obj"], &files).unwrap(), Path::new(""), &files, &limits).unwrap();
     // 8 x 8 x 4 bytes fit once.
     assert!(scene.materials[0].maps.diffuse.is_some() && scene.materials[0].maps.specular.is_none());

@@ -9,6 +9,7 @@ mod edit;
 mod environments;
 mod framing;
 mod from_models;
+mod limits;
 mod memory;
 mod messages;
 mod motion;

@@ -1,6 +1,6 @@
 //! Files that exist only in a test.
 
-use gonio_scene::files::{FileBytes, FileSource};
+use gonio_scene::files::{FileBytes, FileSource, within};
 use std::collections::BTreeMap;
 use std::io::{Cursor, Error, ErrorKind};
 use std::path::{Path, PathBuf};
@@ -17,8 +17,9 @@ impl Memory {
 }
 
 impl FileSource for Memory {
-    fn read(&self, path: &Path) -> Result<FileBytes, Error> {
-        self.0.get(path).cloned().map(FileBytes::from).ok_or_else(|| Error::from(ErrorKind::NotFound))
+    fn read_within(&self, path: &Path, most: u64) -> Result<FileBytes, Error> {
+        let bytes = self.0.get(path).cloned().ok_or(ErrorKind::NotFound)?;
+        within(bytes.into(), most)
     }
     fn list(&self, folder: &Path) -> Vec<PathBuf> {
         let below =

@@ -43,12 +43,16 @@ pub fn run(args: &ViewArgs) -> Result<Outcome, CliError> {
     let size = args.scene.size.map(|(width, height)| [width as f32, height as f32]);
     let options = SceneOptions { size: None, ..args.scene.clone() };
     let limits = options.limits.limits();
+    let environments = options.surroundings.named().map(str::to_owned).collect();
+    let sandbox = options.limits.sandbox;
     let adjust = Arc::new(move |scene: &mut Scene| options.apply(scene));
     let window = WindowOptions {
         inputs: args.inputs.clone(),
         size,
         adjust: Some(adjust),
         limits,
+        environments,
+        sandbox,
         state: args.state.clone(),
         program: std::env::current_exe().ok(),
         exercise: None,

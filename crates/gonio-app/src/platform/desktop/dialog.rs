@@ -3,17 +3,17 @@
 //! On Linux they are other programs (zenity of GNOME, kdialog of KDE): the crate that speaks to their service brings
 //! D-Bus and an async runtime, thirty crates. Where neither is there the window asks for a path itself.
 
-use super::opened;
+use super::{Access, opened};
 use crate::platform::{Asked, Event, Purpose};
 use crate::saving::Product;
 use std::sync::mpsc::Sender;
 
 /// Asks for files to open.
-pub fn open(purpose: Purpose, sender: Sender<Event>, ctx: &egui::Context) -> Asked {
+pub fn open(purpose: Purpose, access: Access, sender: Sender<Event>, ctx: &egui::Context) -> Asked {
     let inner = ctx.clone();
     ask(Question::Open, ctx, move |paths| {
         if !paths.is_empty() {
-            opened::in_thread(paths, purpose, sender, &inner);
+            opened::in_thread(paths, purpose, access, sender, &inner);
         }
     })
 }

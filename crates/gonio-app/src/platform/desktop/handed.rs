@@ -2,7 +2,7 @@
 
 use crate::files::zip;
 use crate::laboratory::GivenFile;
-use gonio_scene::files::FileSource;
+use gonio_scene::files::{Disk, FileSource};
 use std::path::Path;
 
 /// Files larger than this are no student's answer: `gonio lab check` refuses them too.
@@ -37,9 +37,10 @@ fn one(path: &Path, files: &mut Vec<GivenFile>) -> Result<(), String> {
     if size > MOST_BYTES {
         return Err(format!("`{}` has {} MB, and is no student's answer", path.display(), size / 1_000_000));
     }
-    let bytes = std::fs::read(path).map_err(told)?;
+    let bytes = Disk.read_within(path, MOST_BYTES).map_err(told)?.into_vec();
     if zip::is_zip(&bytes) {
-        let unpacked = zip::unpack(&bytes).map_err(|why| format!("`{}`: {why}", path.display()))?;
+        let unpacked = zip::unpack_within(&bytes, &zip::Limits::SUBMISSION)
+            .map_err(|why| format!("`{}`: {why}", path.display()))?;
         for name in unpacked.names() {
             let bytes = unpacked.read(Path::new(&name)).map_err(told)?.to_vec();
             files.push(GivenFile { name, path: None, bytes });
@@ -66,8 +67,9 @@ fn within(top: &Path, folder: &Path, files: &mut Vec<GivenFile>, depth: usize) -
             if depth < DEEPEST {
                 within(top, &path, files, depth + 1)?;
             }
-        } else if std::fs::metadata(&path).is_ok_and(|data| data.len() <= MOST_BYTES) {
-            let bytes = std::fs::read(&path).map_err(|why| format!("`{}` cannot be read: {why}", path.display()))?;
+        } else if std::fs::metadata(&path).is_ok_and(|data| data.is_file() && data.len() <= MOST_BYTES) {
+            let read = Disk.read_within(&path, MOST_BYTES);
+            let bytes = read.map_err(|why| format!("`{}` cannot be read: {why}", path.display()))?.into_vec();
             let name = path.strip_prefix(top).unwrap_or(&path).to_string_lossy().into_owned();
             files.push(GivenFile { name, path: Some(std::path::absolute(&path).unwrap_or(path)), bytes });
         }

@@ -22,7 +22,7 @@ use crate::{Adjust, Lab, Opening};
 use drafts::DraftFolder;
 use gonio_gl::Gl;
 use gonio_mesh::Limits;
-use gonio_scene::files::{BUILTIN, Disk, FileSource};
+use gonio_scene::files::{BUILTIN, DiskAndInput, FileSource, Sandbox};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -40,6 +40,10 @@ pub struct WindowOptions {
     pub adjust: Option<Adjust>,
     /// How much the files may make us allocate.
     pub limits: Limits,
+    /// Environments that `adjust` lays over the inputs: files that the user names as well.
+    pub environments: Vec<String>,
+    /// Read only what lies in the folders of the files that the user names.
+    pub sandbox: bool,
     /// Where the state is written after every frame ([`crate::exported`]), for tests.
     pub state: Option<PathBuf>,
     /// gonio's own program, for checks in a process of their own. Without it nothing is checked.
@@ -72,11 +76,13 @@ pub fn run_within(
         dithering: false,
         ..Default::default()
     };
+    let access = Access { max_bytes: options.limits.max_bytes, sandbox: options.sandbox };
+    let named: Vec<String> = options.inputs.iter().chain(&options.environments).cloned().collect();
     let created = move |creation: &eframe::CreationContext<'_>| -> Result<Box<dyn eframe::App>, _> {
         let gl = creation.gl.clone().map(Gl::of_window);
         let opening =
             Opening { inputs: options.inputs, adjust: options.adjust, limits: options.limits, ..Opening::default() };
-        let platform = Box::new(Desktop::new(options.state, options.program));
+        let platform = Box::new(Desktop::new(options.state, options.program, access, &named));
         let mut lab = Lab::opening(&creation.egui_ctx, gl.clone(), platform, opening);
         if let Some(start) = options.exercise {
             lab.begin_exercise(&creation.egui_ctx, start);
@@ -86,7 +92,18 @@ pub fn run_within(
     eframe::run_native("gonio", native, Box::new(created)).map_err(display::sentence)
 }
 
+/// What may be read of the disk.
+#[derive(Clone, Copy)]
+pub(super) struct Access {
+    /// Most bytes of a file, and of all files of a zip.
+    max_bytes: u64,
+    /// Only what lies in the folders of the files that the user names.
+    sandbox: bool,
+}
+
 struct Desktop {
+    files: Arc<dyn FileSource>,
+    access: Access,
     sender: Sender<Event>,
     receiver: Receiver<Event>,
     watcher: Option<Watcher>,
@@ -96,23 +113,30 @@ struct Desktop {
 }
 
 impl Desktop {
-    fn new(state: Option<PathBuf>, program: Option<PathBuf>) -> Self {
+    fn new(state: Option<PathBuf>, program: Option<PathBuf>, access: Access, named: &[String]) -> Self {
         let (sender, receiver) = channel();
-        Desktop { sender, receiver, watcher: None, state, program, drafts: home::drafts_folder().map(DraftFolder::new) }
+        let disk = DiskAndInput::new(named.iter().map(String::as_str));
+        let files: Arc<dyn FileSource> = if access.sandbox {
+            Arc::new(Sandbox::new(disk, named.iter().map(String::as_str)))
+        } else {
+            Arc::new(disk)
+        };
+        let drafts = home::drafts_folder().map(DraftFolder::new);
+        Desktop { files, access, sender, receiver, watcher: None, state, program, drafts }
     }
 }
 
 impl Platform for Desktop {
     fn files(&self) -> Arc<dyn FileSource> {
-        Arc::new(Disk)
+        self.files.clone()
     }
 
     fn choose_files(&mut self, purpose: Purpose, ctx: &egui::Context) -> Asked {
-        dialog::open(purpose, self.sender.clone(), ctx)
+        dialog::open(purpose, self.access, self.sender.clone(), ctx)
     }
 
     fn open_paths(&mut self, paths: Vec<String>, purpose: Purpose, ctx: &egui::Context) {
-        opened::in_thread(paths, purpose, self.sender.clone(), ctx);
+        opened::in_thread(paths, purpose, self.access, self.sender.clone(), ctx);
     }
 
     fn choose_place(&mut self, product: Product, name: &str, ctx: &egui::Context) -> Asked {
@@ -235,7 +259,8 @@ mod tests {
 
     /// What comes of a file that is dropped on the window while files are wanted for `purpose`.
     fn dropped(path: &Path, purpose: Purpose) -> Event {
-        let mut desktop = Desktop::new(None, None);
+        let access = Access { max_bytes: 1 << 20, sandbox: false };
+        let mut desktop = Desktop::new(None, None, access, &[]);
         let ctx = egui::Context::default();
         let input = egui::RawInput { dropped_files: vec![Arc::new(Dropped(path.to_owned()))], ..Default::default() };
         let mut events = Vec::new();

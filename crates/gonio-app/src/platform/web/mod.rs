@@ -49,7 +49,7 @@ impl PageFiles {
 }
 
 impl FileSource for PageFiles {
-    fn read(&self, _: &Path) -> Result<FileBytes, Error> {
+    fn read_within(&self, _: &Path, _: u64) -> Result<FileBytes, Error> {
         Err(Error::new(ErrorKind::NotFound, "only built-in files can be read here"))
     }
     fn list(&self, _: &Path) -> Vec<PathBuf> {

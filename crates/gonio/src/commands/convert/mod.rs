@@ -8,7 +8,6 @@ use crate::report::{CliError, Outcome, Reporter};
 use clap::Args;
 use gonio_mesh::write::{self, ImageFile};
 use gonio_mesh::{Diagnostic, Model};
-use gonio_scene::files::DiskAndInput;
 use gonio_scene::model_file::ModelFile;
 use std::path::{Path, PathBuf};
 use textures::Textures;
@@ -58,7 +57,7 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<Outcome, CliError>
         return Err(CliError::new("--ascii is for .ply only; .obj is text always, and .glb never"));
     }
     atomic::check_writable(&args.output)?;
-    let files = DiskAndInput::default();
+    let files = args.limits.files([args.input.as_str()]);
     let mut file = {
         let _busy = reporter.busy("reading the model");
         ModelFile::open(&args.input, &files, &args.limits.limits())?

@@ -27,10 +27,13 @@ impl Textures {
             }
             match file.texture(&map.path, files) {
                 Ok(found) => drop(textures.files.insert(map.path.clone(), found)),
-                Err(tried) => {
+                Err(not_found) => {
                     missing.push(&map.path);
-                    let message =
-                        format!("the texture {:?} was not found; looked for at {}", map.path, tried.join(", "));
+                    let why = match not_found.refused {
+                        Some(refused) => format!("was not read: {refused}"),
+                        None => format!("was not found; looked for at {}", not_found.tried.join(", ")),
+                    };
+                    let message = format!("the texture {:?} {why}", map.path);
                     let diagnostic = Diagnostic { line: map.line, ..Diagnostic::warning(message) };
                     diagnostics.push(diagnostic.in_file(material.file.as_deref().unwrap_or(&file.name)));
                 }

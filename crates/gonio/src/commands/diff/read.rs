@@ -1,9 +1,12 @@
 //! Pictures in.
 
+use crate::memory;
 use crate::report::CliError;
 use glam::DVec3;
 use gonio_light::color::{OutputTransform, srgb_decode};
-use std::io::{Cursor, Read};
+use gonio_scene::files::{DiskAndInput, FileSource};
+use image::ImageReader;
+use std::io::Cursor;
 use std::path::Path;
 
 /// A picture's numbers as its file has them.
@@ -89,24 +92,27 @@ fn premultiplied(p: [f64; 4]) -> [f64; 4] {
 /// Reads a picture; which kind is seen from its first bytes.
 pub fn read(path: &Path, layer: Option<&str>) -> Result<Pixels, CliError> {
     let name = path.display();
-    let bytes = if path == Path::new("-") {
-        let mut bytes = Vec::new();
-        std::io::stdin().read_to_end(&mut bytes).map(|_| bytes)
-    } else {
-        std::fs::read(path)
-    }
-    .map_err(|e| CliError::io(format_args!("`{name}` cannot be read"), &e))?;
+    let limit = memory::default_limit();
+    let named = path.to_str();
+    let bytes = DiskAndInput::new(named)
+        .read_within(path, limit)
+        .map_err(|e| CliError::io(format_args!("`{name}` cannot be read"), &e))?
+        .into_vec();
     let broken = |e: &dyn std::fmt::Display| CliError::new(format!("`{name}` is damaged or no picture: {e}"));
     match bytes.get(..4) {
-        Some([0x89, b'P', b'N', b'G'] | [0xff, 0xd8, 0xff, _]) => decode(&bytes).map_err(|e| broken(&e)),
+        Some([0x89, b'P', b'N', b'G'] | [0xff, 0xd8, 0xff, _]) => decode(&bytes, limit).map_err(|e| broken(&e)),
         Some([0x76, 0x2f, 0x31, 0x01]) => read_exr(bytes, layer).map_err(|e| broken(&e)),
         _ if bytes.is_empty() => Err(CliError::new(format!("`{name}` is empty"))),
         _ => Err(CliError::new(format!("`{name}` is no picture that diff reads; .png, .jpg and .exr are"))),
     }
 }
 
-fn decode(bytes: &[u8]) -> Result<Pixels, image::ImageError> {
-    let image = image::load_from_memory(bytes)?;
+fn decode(bytes: &[u8], limit: u64) -> Result<Pixels, image::ImageError> {
+    let mut reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format()?;
+    let mut limits = image::Limits::default();
+    limits.max_alloc = Some(limit);
+    reader.limits(limits);
+    let image = reader.decode()?;
     let (width, height) = (image.width(), image.height());
     let sixteen = matches!(
         image,

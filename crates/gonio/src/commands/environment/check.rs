@@ -13,7 +13,6 @@ use gonio_environment::check_panorama::{PanoramaCertificate, Seam, check_panoram
 use gonio_environment::{Cubemap, EnvironmentError, Layout, Panorama};
 use gonio_light::color::{ColorEncoding, OutputTransform};
 use gonio_scene::environment_file::{self, OpenedEnvironment, Reading, Source};
-use gonio_scene::files::DiskAndInput;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -60,7 +59,7 @@ pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
         plan.check_writable()?;
     }
     let reading = Reading { layout: args.layout, arrangement: args.from, size: None };
-    let files = DiskAndInput::default();
+    let files = args.limits.files([args.input.as_str()]);
     let busy = reporter.busy("reading the environment");
     let opened = environment_file::open(&args.input, reading, Path::new(""), &files, &args.limits.limits())?;
     drop(busy);

@@ -15,7 +15,6 @@ use gonio_gl::conversion::Converter;
 use gonio_light::color::{ColorEncoding, OutputTransform, ToneMap};
 use gonio_scene::environment::world_from_environment;
 use gonio_scene::environment_file::{self, OpenedEnvironment, Reading, Source};
-use gonio_scene::files::DiskAndInput;
 use std::path::{Path, PathBuf};
 
 /// Convert a panorama or a cubemap: to six faces, a cross, a strip, a panorama or KTX2, of any size, turned.
@@ -112,7 +111,7 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<Outcome, CliError>
         let is_debug = environment_file::builtin_of(&args.input) == Some(Builtin::Debug);
         let from_layout = args.from_layout.or(is_debug.then_some(args.layout));
         let reading = Reading { layout: from_layout, arrangement: args.from, size };
-        let files = DiskAndInput::default();
+        let files = args.limits.files([args.input.as_str()]);
         times.measure("read", || {
             environment_file::open(&args.input, reading, Path::new(""), &files, &args.limits.limits())
         })?

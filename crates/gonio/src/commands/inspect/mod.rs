@@ -5,7 +5,6 @@ mod text;
 use crate::cli::{LimitOptions, WordOptions};
 use crate::report::{CliError, Outcome, Reporter};
 use clap::Args;
-use gonio_scene::files::DiskAndInput;
 use gonio_scene::inspect;
 use serde::Serialize;
 
@@ -40,7 +39,7 @@ pub struct InspectArgs {
 
 /// Inspects.
 pub fn run(args: &InspectArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
-    let files = DiskAndInput::default();
+    let files = args.limits.files([args.input.as_str()]);
     let limits = args.limits.limits();
     let page = match args.line {
         Some(line) => {

@@ -55,6 +55,13 @@ pub fn line(e: &LineExplanation) -> page::Page {
 #[derive(Default)]
 struct Page(page::Page);
 
+/// Where a file that a model names was sought, and what came of it.
+struct Sought<'a> {
+    found: Option<&'a str>,
+    tried: &'a [String],
+    refused: Option<&'a str>,
+}
+
 impl Page {
     fn heading(&mut self, text: &str) {
         self.0.heading(text);
@@ -175,21 +182,27 @@ impl Page {
         self.heading("Files");
         self.rows(&i.files, |page, file| {
             let line = file.line.map_or(String::new(), |line| format!(" (line {line})"));
-            page.found(&format!("{}{line}", file.name), file.found.as_deref(), &file.tried, "");
+            let sought = Sought { found: file.found.as_deref(), tried: &file.tried, refused: file.refused.as_deref() };
+            page.found(&format!("{}{line}", file.name), &sought, "");
         });
         self.rows(&i.textures, |page, t| {
             let size = t.size.map_or(String::new(), |[w, h]| format!(", {w} x {h}"));
-            page.found(&t.name, t.found.as_deref(), &t.tried, &format!("{size}, {} of {}", t.key, t.material));
+            let sought = Sought { found: t.found.as_deref(), tried: &t.tried, refused: t.refused.as_deref() };
+            page.found(&t.name, &sought, &format!("{size}, {} of {}", t.key, t.material));
         });
         self.rows(&i.images, |page, image| {
             page.line(&image.name, &format!("inside the file, {}", bytes(image.bytes as u64)));
         });
     }
 
-    fn found(&mut self, name: &str, found: Option<&str>, tried: &[String], remark: &str) {
-        match found {
-            Some(path) => self.line(name, &format!("found: {path}{remark}")),
-            None => {
+    fn found(&mut self, name: &str, sought: &Sought<'_>, remark: &str) {
+        let Sought { found, tried, refused } = sought;
+        match (found, refused) {
+            (Some(path), _) => self.line(name, &format!("found: {path}{remark}")),
+            (None, Some(refused)) => {
+                self.line(name, &format!("{WARNING}not read{WARNING:#}{remark}; {refused}"));
+            }
+            (None, None) => {
                 let tried = if tried.is_empty() { "nowhere to look".to_owned() } else { tried.join(", ") };
                 self.line(name, &format!("{WARNING}not found{WARNING:#}{remark}; looked at {tried}"));
             }

@@ -212,7 +212,7 @@ fn too_large() -> String {
 
 /// The files of an archive in their folders, whatever order they stand in. Names that lead out of it stay within.
 fn archive_entries(archive: Archive) -> Result<Vec<Tree>, String> {
-    let entries = zip::entries(&archive.bytes)?;
+    let entries = zip::entries(&archive.bytes, MAX_ENTRIES)?;
     let archive = Arc::new(archive);
     let mut top = Vec::new();
     for entry in entries.into_iter().filter(|entry| !entry.name.ends_with(b"/")) {

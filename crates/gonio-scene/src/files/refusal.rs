@@ -1,0 +1,129 @@
+//! Reasons for which a file that exists is not read.
+
+use std::fmt;
+use std::io::Error;
+
+/// A reason for which a file that exists is not read. Travels inside an [`Error`]; [`Refusal::of`] takes it out again.
+///
+/// Displayed, it is the predicate of a sentence whose subject is the file: "is a pipe, not a file".
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Refusal {
+    /// A character or block device: reading may never end, or do something.
+    Device,
+    /// A FIFO: opening or reading it waits for another program.
+    Pipe,
+    /// A socket, which cannot be opened as a file.
+    Socket,
+    /// A file that says it is empty and is not: those of `/proc` are generated while they are read, without end in the
+    /// worst case.
+    Generated,
+    /// More memory than the limit allows.
+    OverLimit(OverLimit),
+    /// The path leads out of the folders that a [`Sandbox`](super::Sandbox) allows.
+    OutsideSandbox,
+}
+
+impl Refusal {
+    /// The refusal inside an error of a [`FileSource`](super::FileSource), if there is one.
+    pub fn of(error: &Error) -> Option<&Refusal> {
+        error.get_ref()?.downcast_ref::<Refused>().map(|refused| &refused.0)
+    }
+}
+
+impl From<Refusal> for Error {
+    fn from(refusal: Refusal) -> Error {
+        Error::other(Refused(refusal))
+    }
+}
+
+/// A refusal as a whole sentence, for messages that say which file it is about.
+#[derive(Debug)]
+struct Refused(Refusal);
+
+impl fmt::Display for Refused {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "it {}", self.0)
+    }
+}
+
+impl std::error::Error for Refused {}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Refusal::Device => f.write_str("is a device, not a file"),
+            Refusal::Pipe => f.write_str("is a pipe, not a file; only the input itself may be a pipe"),
+            Refusal::Socket => f.write_str("is a socket, not a file"),
+            Refusal::Generated => f.write_str(
+                "holds data although its size is 0, like the files in /proc; copy it to an ordinary file first",
+            ),
+            Refusal::OverLimit(over) => over.fmt(f),
+            Refusal::OutsideSandbox => {
+                f.write_str("lies outside the folder of the input, and the sandbox forbids reading it")
+            }
+        }
+    }
+}
+
+/// A request for more memory than is left.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OverLimit {
+    /// Bytes requested; `None` where the end was not reached, so that only "more than what is left" is known.
+    pub needed: Option<u64>,
+    /// Bytes that were left.
+    pub left: u64,
+    /// Bytes allowed in total.
+    pub limit: u64,
+}
+
+impl fmt::Display for OverLimit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.needed {
+            Some(needed) => write!(f, "needs {} of memory", Size(needed))?,
+            None => write!(f, "needs more than {} of memory", Size(self.left))?,
+        }
+        if self.left == self.limit {
+            write!(f, ", and the limit is {}", Size(self.limit))
+        } else {
+            write!(f, ", and of the limit of {}, {} are left", Size(self.limit), Size(self.left))
+        }
+    }
+}
+
+/// Bytes in the unit that suits them, rounded to a tenth: `1.5 GiB`.
+struct Size(u64);
+
+impl fmt::Display for Size {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        const UNITS: [&str; 3] = ["KiB", "MiB", "GiB"];
+        if self.0 < 1 << 10 {
+            return write!(f, "{} bytes", self.0);
+        }
+        let unit = (1..3).find(|unit| self.0 < 1 << (10 * (unit + 1))).unwrap_or(3);
+        write!(f, "{:.1} {}", self.0 as f64 / (1_u64 << (10 * unit)) as f64, UNITS[unit - 1])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_refusal_says_how_much_is_needed_and_how_much_is_left() {
+        let text = |needed, left, limit| OverLimit { needed, left, limit }.to_string();
+        assert_eq!(text(Some(3 << 30), 2 << 30, 2 << 30), "needs 3.0 GiB of memory, and the limit is 2.0 GiB");
+        assert_eq!(text(None, 1023, 1023), "needs more than 1023 bytes of memory, and the limit is 1023 bytes");
+        assert_eq!(
+            text(Some(1536), 1 << 10, 1 << 20),
+            "needs 1.5 KiB of memory, and of the limit of 1.0 MiB, 1.0 KiB are left"
+        );
+    }
+
+    #[test]
+    fn a_refusal_survives_in_an_error() {
+        let error = Error::from(Refusal::Pipe);
+        assert_eq!(Refusal::of(&error), Some(&Refusal::Pipe));
+        assert!(error.to_string().starts_with("it is a pipe, not a file"), "{error}");
+        assert_eq!(Refusal::of(&Error::other("else")), None);
+    }
+}

@@ -1,0 +1,100 @@
+//! A wall around the folders of the inputs.
+
+use super::{FileBytes, FileSource, Refusal};
+use std::ffi::OsString;
+use std::io::Error;
+use std::path::{Component, Path, PathBuf};
+
+/// Only the inputs that a user named, and what lies in their folders: models and scenes cannot read anything else,
+/// whatever paths they name and wherever links in these folders lead.
+///
+/// Paths are compared after all links and `..` are resolved, and files are opened by their resolved paths. A file that
+/// a hard link brings into the folder counts as being in it, and so does one that another program moves there while it
+/// is being opened.
+pub struct Sandbox<S> {
+    inner: S,
+    /// As the user named them: they are read wherever they lie.
+    inputs: Vec<PathBuf>,
+    /// Resolved.
+    folders: Vec<PathBuf>,
+}
+
+impl<S: FileSource> Sandbox<S> {
+    /// `inner`, confined to `inputs` and their folders. The folder of a file is the one that it lies in; a folder or a
+    /// pattern of files (`sky_*.png`) stands for itself. What is not a file (a pipe, standard input, a built-in name)
+    /// has no folder, and brings nothing along.
+    pub fn new<'i>(inner: S, inputs: impl IntoIterator<Item = &'i str>) -> Self {
+        let inputs: Vec<PathBuf> = inputs.into_iter().map(PathBuf::from).collect();
+        let folders = inputs.iter().filter_map(|input| folder_of(input)).collect();
+        Sandbox { inner, inputs, folders }
+    }
+
+    /// The resolved path, where it lies in one of the folders; of what does not exist, where it would lie there.
+    fn inside(&self, path: &Path) -> Result<PathBuf, Refusal> {
+        let resolved = resolved(path).ok_or(Refusal::OutsideSandbox)?;
+        let is_inside = self.folders.iter().any(|folder| resolved.starts_with(folder));
+        if is_inside { Ok(resolved) } else { Err(Refusal::OutsideSandbox) }
+    }
+}
+
+impl<S: FileSource> FileSource for Sandbox<S> {
+    fn read_within(&self, path: &Path, most: u64) -> Result<FileBytes, Error> {
+        if self.inputs.iter().any(|input| input == path) {
+            return self.inner.read_within(path, most);
+        }
+        self.inner.read_within(&self.inside(path)?, most)
+    }
+
+    fn list(&self, folder: &Path) -> Vec<PathBuf> {
+        self.inside(folder).map(|folder| self.inner.list(&folder)).unwrap_or_default()
+    }
+
+    fn builtin(&self, name: &str) -> Option<FileBytes> {
+        self.inner.builtin(name)
+    }
+
+    fn is_coming(&self, name: &str) -> bool {
+        self.inner.is_coming(name)
+    }
+}
+
+/// The folder that an input opens, resolved.
+fn folder_of(input: &Path) -> Option<PathBuf> {
+    let is_pattern = || input.file_name().is_some_and(|name| name.to_string_lossy().contains('*'));
+    match std::fs::metadata(input) {
+        Ok(metadata) if metadata.is_dir() => canonical(input),
+        Ok(metadata) if metadata.is_file() => canonical(input.parent()?),
+        Err(_) if is_pattern() => canonical(input.parent()?),
+        _ => None,
+    }
+}
+
+fn canonical(path: &Path) -> Option<PathBuf> {
+    std::fs::canonicalize(or_here(path)).ok()
+}
+
+fn or_here(path: &Path) -> &Path {
+    if path.as_os_str().is_empty() { Path::new(".") } else { path }
+}
+
+/// `path` without links and `..`. Of a path that does not exist, the longest beginning that exists is resolved; `None`
+/// where the rest has `..` in it, or nothing exists at all.
+fn resolved(path: &Path) -> Option<PathBuf> {
+    let mut rest: Vec<OsString> = Vec::new();
+    let mut begin = path;
+    loop {
+        if let Some(mut resolved) = canonical(begin) {
+            resolved.extend(rest.iter().rev());
+            return Some(resolved);
+        }
+        // A link that leads to nothing is not followed by hand: where it would lead is not known.
+        if begin.is_symlink() {
+            return None;
+        }
+        match begin.components().next_back()? {
+            Component::Normal(name) => rest.push(name.to_owned()),
+            _ => return None,
+        }
+        begin = begin.parent()?;
+    }
+}

@@ -1,0 +1,257 @@
+//! Hostile files: what they make a program read, wait for or allocate.
+
+use crate::memory::{Memory, TRIANGLE, png};
+use gonio_mesh::{Cause, Limits, ReadError};
+use gonio_scene::LoadedScene;
+use gonio_scene::environment_file::{self, Reading};
+use gonio_scene::files::{Budgeted, Disk, FileSource, Refusal, Sandbox};
+use gonio_scene::load::{describe, load_within};
+use std::path::Path;
+
+fn loaded(input: &str, files: &dyn FileSource, max_bytes: u64) -> Result<LoadedScene, ReadError> {
+    let limits = Limits { max_bytes, ..Limits::default() };
+    load_within(describe(&[input], files)?, Path::new(""), files, &limits)
+}
+
+fn warnings(scene: &LoadedScene) -> String {
+    scene.diagnostics.iter().map(|d| d.to_string() + "\n").collect()
+}
+
+/// A model with one texture, and how many bytes everything is: read, and decoded.
+fn textured() -> (Memory, u64, u64) {
+    let library = "newmtl m\nmap_Kd a.png\n";
+    let picture = png(8, 8, |_, _| [9; 4]);
+    let read = (TRIANGLE.len() + library.len() + picture.len()) as u64;
+    (Memory::default().with("t.obj", TRIANGLE).with("t.mtl", library).with("a.png", picture), read, 8 * 8 * 4)
+}
+
+#[test]
+fn everything_that_is_read_for_an_input_counts() {
+    let (files, read, decoded) = textured();
+    let scene = loaded("t.obj", &files, read + decoded).unwrap();
+    assert!(scene.materials[0].maps.diffuse.is_some(), "{}", warnings(&scene));
+    // One byte too few for the pixels.
+    let scene = loaded("t.obj", &files, read + decoded - 1).unwrap();
+    assert!(scene.materials[0].maps.diffuse.is_none());
+    let said = warnings(&scene);
+    assert!(said.contains("the textures together would take more than allowed: this one needs 256 bytes"), "{said}");
+    // One byte too few for the texture's file.
+    let scene = loaded("t.obj", &files, read - 1).unwrap();
+    let said = warnings(&scene);
+    assert!(scene.materials[0].maps.diffuse.is_none());
+    assert!(said.contains("the texture `a.png` was not read: `a.png` needs"), "{said}");
+    // The material library does not fit: no model comes of it, since another thread might have left more.
+    let error = loaded("t.obj", &files, TRIANGLE.len() as u64 + 5).unwrap_err();
+    assert_eq!((error.file.as_deref(), error.cause), (Some("t.mtl"), Some(Cause::MemoryLimit)));
+    assert!(error.message.contains("it needs 22 bytes of memory, and of the limit of "), "{error}");
+    assert!(error.message.ends_with(", 5 bytes are left"), "{error}");
+    let error = loaded("t.obj", &files, 10).unwrap_err();
+    assert_eq!((error.file.as_deref(), error.cause), (Some("t.obj"), Some(Cause::MemoryLimit)));
+}
+
+#[test]
+fn several_models_share_one_budget() {
+    let files = Memory::default().with("a.obj", TRIANGLE).with("b.obj", TRIANGLE).with("t.mtl", "newmtl m\n");
+    let load = |max_bytes| {
+        let limits = Limits { max_bytes, ..Limits::default() };
+        load_within(describe(&["a.obj", "b.obj"], &files).unwrap(), Path::new(""), &files, &limits)
+    };
+    let both = 2 * TRIANGLE.len() as u64 + 9;
+    assert!(load(both).is_ok());
+    let error = load(both - 1).unwrap_err();
+    assert_eq!(error.cause, Some(Cause::MemoryLimit));
+}
+
+#[test]
+fn one_buffer_under_many_names_counts_each_time() {
+    // Each name is another spelling of the same file, and the reader keeps a copy of each.
+    let names: Vec<String> = (0..40).map(|i| format!("{}b.bin", "./".repeat(i))).collect();
+    let list = |of: &dyn Fn(usize, &String) -> String| {
+        names.iter().enumerate().map(|(i, name)| of(i, name)).collect::<Vec<_>>().join(",")
+    };
+    let buffers = list(&|_, name| format!(r#"{{"uri":"{name}","byteLength":5000}}"#));
+    let views = list(&|i, _| format!(r#"{{"buffer":{i},"byteLength":36}}"#));
+    let accessors = list(&|i, _| format!(r#"{{"bufferView":{i},"componentType":5126,"count":3,"type":"VEC3"}}"#));
+    let meshes = list(&|i, _| format!(r#"{{"primitives":[{{"attributes":{{"POSITION":{i}}}}}]}}"#));
+    let nodes = list(&|i, _| format!(r#"{{"mesh":{i}}}"#));
+    let model = format!(
+        r#"{{"asset":{{"version":"2.0"}},"buffers":[{buffers}],"bufferViews":[{views}],"accessors":[{accessors}],
+            "meshes":[{meshes}],"nodes":[{nodes}]}}"#
+    );
+    let mut buffer: Vec<u8> = [0.0f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0].map(f32::to_le_bytes).concat();
+    buffer.resize(5000, 0);
+    let mut files = Memory::default().with("m.gltf", model.clone());
+    for name in &names {
+        files = files.with(name, buffer.clone());
+    }
+    let all = model.len() as u64 + 40 * 5000;
+    assert!(loaded("m.gltf", &files, all).is_ok());
+    assert_eq!(loaded("m.gltf", &files, all - 1).unwrap_err().cause, Some(Cause::MemoryLimit));
+}
+
+#[test]
+fn pixels_of_an_environment_count() {
+    let faces = ["posx", "negx", "posy", "negy", "posz", "negz"];
+    let mut files = Memory::default();
+    let mut read = 0;
+    for face in faces {
+        let picture = png(16, 16, |_, _| [9, 9, 9, 255]);
+        read += picture.len() as u64;
+        files = files.with(&format!("faces/{face}.png"), picture);
+    }
+    let open = |max_bytes| {
+        let limits = Limits { max_bytes, ..Limits::default() };
+        environment_file::open("faces", Reading::default(), Path::new(""), &files, &limits)
+    };
+    let decoded = 6 * 16 * 16 * 16;
+    assert_eq!(open(read + decoded).err(), None);
+    assert!(open(read + decoded - 1).is_err(), "the files and their pixels together are too much");
+    assert!(open(decoded - 1).is_err());
+}
+
+#[test]
+fn an_input_is_described_within_the_budget_too() {
+    let (files, ..) = textured();
+    let few = Budgeted::new(&files, 20);
+    let error = describe(&["t.obj"], &few).unwrap_err();
+    assert_eq!((error.file.as_deref(), error.cause), (Some("t.obj"), Some(Cause::MemoryLimit)));
+}
+
+/// Folders with an input, and a secret beside them.
+struct Confined {
+    folder: tempfile::TempDir,
+}
+
+impl Confined {
+    fn new() -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::create_dir_all(folder.path().join("in/deep")).unwrap();
+        let confined = Confined { folder };
+        confined.write("secret.mtl", "newmtl m\nKd 1 0 0\n");
+        confined.write("in/deep/t.mtl", "newmtl m\nKd 0 1 0\n");
+        confined
+    }
+
+    fn write(&self, name: &str, text: &str) {
+        std::fs::write(self.folder.path().join(name), text).unwrap();
+    }
+
+    fn path(&self, name: &str) -> String {
+        self.folder.path().join(name).display().to_string()
+    }
+
+    /// What the model `in/m.obj`, which names this library, is drawn with, and what is said.
+    fn load(&self, library: &str) -> ([f32; 3], String) {
+        self.write("in/m.obj", &format!("mtllib {library}\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+        let input = self.path("in/m.obj");
+        let files = Sandbox::new(Disk, [input.as_str()]);
+        let scene = loaded(&input, &files, 1 << 20).unwrap();
+        (scene.materials[0].material.diffuse, warnings(&scene))
+    }
+}
+
+#[test]
+fn a_sandbox_keeps_a_model_in_its_folder() {
+    let confined = Confined::new();
+    const GREEN: [f32; 3] = [0.0, 1.0, 0.0];
+    let absolute = confined.path("secret.mtl");
+    for inside in ["deep/t.mtl", "./deep/../deep/t.mtl", "DEEP/T.mtl", "../in/deep/t.mtl"] {
+        assert_eq!(confined.load(inside).0, GREEN, "{inside}");
+    }
+    for outside in ["../secret.mtl", "deep/../../secret.mtl", absolute.as_str(), "../SECRET.mtl", "..\\secret.mtl"] {
+        let (diffuse, said) = confined.load(outside);
+        assert!(diffuse[0] != 1.0 || diffuse[1] != 0.0, "{outside} was read");
+        assert!(said.contains("lies outside the folder of the input, and the sandbox forbids"), "{outside}: {said}");
+    }
+    // Whether there is a file is not told either.
+    let (_, said) = confined.load("../none.mtl");
+    assert!(said.contains("../none.mtl` lies outside the folder"), "{said}");
+    let (_, said) = confined.load("none.mtl");
+    assert!(said.contains("was not found") && !said.contains("sandbox"), "{said}");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_sandbox_does_not_follow_links_out_of_it() {
+    let confined = Confined::new();
+    let link = |to: &str, name: &str| std::os::unix::fs::symlink(to, confined.path(name)).unwrap();
+    link("../secret.mtl", "in/relative.mtl");
+    link(&confined.path("secret.mtl"), "in/absolute.mtl");
+    link("..", "in/up");
+    link("deep/t.mtl", "in/within.mtl");
+    link("../not-there.mtl", "in/dangling.mtl");
+    assert_eq!(confined.load("within.mtl").0, [0.0, 1.0, 0.0]);
+    for outside in ["relative.mtl", "absolute.mtl", "up/secret.mtl", "up/up/secret.mtl", "dangling.mtl"] {
+        let (diffuse, said) = confined.load(outside);
+        assert!(diffuse != [1.0, 0.0, 0.0], "{outside} was read");
+        assert!(said.contains("the sandbox forbids"), "{outside}: {said}");
+    }
+}
+
+#[test]
+fn a_scene_in_a_sandbox_cannot_name_models_and_environments_outside() {
+    let confined = Confined::new();
+    confined.write("other.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    for text in [
+        "[[object]]\nmodel = \"../other.obj\"\n",
+        "[[object]]\nmodel = \"builtin:cube\"\n[environment]\nimage = \"../other.hdr\"\n",
+    ] {
+        confined.write("in/s.toml", text);
+        let input = confined.path("in/s.toml");
+        let error = loaded(&input, &Sandbox::new(Disk, [input.as_str()]), 1 << 20).unwrap_err();
+        assert_eq!(error.cause, Some(Cause::Sandbox), "{error}");
+        assert!(error.file.as_deref().is_some_and(|file| file.contains("other.")), "{error}");
+    }
+    // The user may name both.
+    let inputs = [confined.path("in/m.obj"), confined.path("other.obj")];
+    confined.write("in/m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    let files = Sandbox::new(Disk, inputs.iter().map(String::as_str));
+    assert!(describe(&[&inputs[0], &inputs[1]], &files).is_ok());
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn files_without_an_end_are_refused() {
+    for (path, refusal) in [
+        ("/dev/zero", Refusal::Device),
+        ("/proc/self/pagemap", Refusal::Generated),
+        ("/proc/self/environ", Refusal::Generated),
+    ] {
+        let error = Disk.read_within(Path::new(path), u64::MAX).err().unwrap();
+        assert_eq!(Refusal::of(&error), Some(&refusal), "{path}");
+    }
+}
+
+/// If a pipe were opened, this would never end: nobody writes to it.
+#[cfg(unix)]
+#[test]
+fn pipes_and_sockets_are_refused_without_waiting() {
+    let folder = tempfile::tempdir().unwrap();
+    let pipe = folder.path().join("pipe");
+    assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    let socket = folder.path().join("socket");
+    let _listener = std::os::unix::net::UnixListener::bind(&socket).unwrap();
+    let link = folder.path().join("link");
+    std::os::unix::fs::symlink("pipe", &link).unwrap();
+    for (path, refusal) in [(&pipe, Refusal::Pipe), (&link, Refusal::Pipe), (&socket, Refusal::Socket)] {
+        let error = Disk.read_within(path, u64::MAX).err().unwrap();
+        assert_eq!(Refusal::of(&error), Some(&refusal), "{path:?}");
+    }
+}
+
+#[test]
+fn a_file_is_read_to_its_limit_and_no_further() {
+    let folder = tempfile::tempdir().unwrap();
+    for size in [0_u64, 1, 1000, (1 << 16) - 1, 1 << 16, 100_000] {
+        let path = folder.path().join(size.to_string());
+        std::fs::write(&path, vec![7; size as usize]).unwrap();
+        assert_eq!(Disk.read_within(&path, size).unwrap().len() as u64, size);
+        if size > 0 {
+            let error = Disk.read_within(&path, size - 1).err().unwrap();
+            assert!(
+                matches!(Refusal::of(&error), Some(Refusal::OverLimit(over)) if over.needed == Some(size)),
+                "{error}"
+            );
+        }
+    }
+}
