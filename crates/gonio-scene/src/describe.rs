@@ -79,7 +79,7 @@ fn scene_text(bytes: &[u8]) -> Result<Cow<'_, [u8]>, ReadError> {
     match text.diagnostics.first() {
         Some(damage) => {
             let message = "a scene file must be UTF-8 or UTF-16 text, and here it is neither".to_owned();
-            Err(ReadError { message, file: None, line: damage.line, column: damage.column })
+            Err(ReadError { message, file: None, line: damage.line, column: damage.column, cause: None })
         }
         None => Ok(text.bytes),
     }
