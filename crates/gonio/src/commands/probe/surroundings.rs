@@ -156,7 +156,7 @@ mod tests {
         let probe = ReferenceScene::new(&scene).probe(&frame, 1, 1).unwrap_or_else(|| panic!("the pane is hit"));
         let mut page = Page::new(&scene, &frame);
         page.surroundings(&probe);
-        page.text
+        page.text.for_terminal().to_owned()
     }
 
     #[track_caller]
