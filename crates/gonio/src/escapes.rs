@@ -19,7 +19,7 @@ pub fn json_for_terminal(json: &str) -> String {
     ready
 }
 
-/// TOML with hidden characters within strings and quoted keys as `\uXXXX`; elsewhere TOML has none. A literal string that
+/// TOML with hidden characters, and each second `#`, within strings and quoted keys as `\uXXXX`; elsewhere TOML has none. A literal string that
 /// contains one becomes a basic string.
 pub fn toml_for_terminal(toml: &str) -> String {
     let mut ready = String::with_capacity(toml.len());
@@ -61,12 +61,15 @@ fn string_end(text: &str, quotes: &str) -> usize {
 fn toml_string(string: &str, quotes: &str) -> String {
     let stays = |c: char| !is_hidden(c) || (c == '\n' && quotes.len() == 3);
     let body = string.strip_prefix(quotes).and_then(|body| body.strip_suffix(quotes));
-    let Some(body) = body.filter(|body| !body.chars().all(stays)) else { return string.to_owned() };
+    let Some(body) = body.filter(|body| !body.chars().all(stays) || body.contains("##")) else {
+        return string.to_owned();
+    };
     let is_literal = quotes.starts_with('\'');
     let quotes = quotes.replace('\'', "\"");
     let mut escaped = quotes.clone();
     for c in body.chars() {
         match c {
+            '#' if escaped.ends_with('#') => escaped.push_str("\\u0023"),
             '"' | '\\' if is_literal => escaped.extend(['\\', c]),
             c if stays(c) => escaped.push(c),
             c if u32::from(c) > 0xffff => escaped.push_str(&format!("\\U{:08x}", u32::from(c))),
@@ -98,6 +101,7 @@ mod tests {
             ("a = \"\"\"x\n\u{feff}\"\"\"\"\"\nb = \"\"", "a = \"\"\"x\n\\ufeff\"\"\"\"\"\nb = \"\""),
             ("a = '''x\n\u{e0041}\\''''\n'k\u{202e}' = 1", "a = \"\"\"x\n\\U000e0041\\\\'\"\"\"\n\"k\\u202e\" = 1"),
             ("a = 'plain \\ \"' # it's\nb = '''\n'''", "a = 'plain \\ \"' # it's\nb = '''\n'''"),
+            ("a = '##[x]' ## b", "a = \"#\\u0023[x]\" ## b"),
             ("a = \"\u{202e}", "a = \"\u{202e}"),
         ] {
             assert_eq!(toml_for_terminal(toml), expected);

@@ -1,0 +1,80 @@
+//! Hostile submissions, generated: each is handed in as a student would. Whatever it is, the program ends by itself in time and
+//! within its memory, never calls a wrong answer correct, prints its own verdict and no other, leaves no process behind and its
+//! input as it was.
+#![allow(clippy::unwrap_used, missing_docs)]
+#![cfg(target_os = "linux")]
+
+mod case;
+mod forging;
+mod intake;
+mod memory;
+mod runner;
+mod stack;
+mod time;
+#[path = "../common/visible.rs"]
+mod visible;
+mod zip;
+
+use case::Case;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+/// One family after the other: together they would use up each other's patience.
+static TURN: Mutex<()> = Mutex::new(());
+
+/// Runs all cases of a family, as many at once as there are cores; `GONIO_HOSTILE` chooses those whose names contain it.
+fn held(cases: &[Case], at_least: usize) {
+    let _turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
+    assert!(cases.len() >= at_least, "{} cases", cases.len());
+    let wanted = std::env::var("GONIO_HOSTILE").unwrap_or_default();
+    let cases: Vec<&Case> = cases.iter().filter(|case| case.name.contains(&wanted)).collect();
+    assert!(!cases.is_empty(), "no case is called `{wanted}`");
+    let (next, reports) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
+    std::thread::scope(|scope| {
+        for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
+            scope.spawn(|| {
+                while let Some(case) = cases.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    let report = runner::run(case);
+                    reports.lock().unwrap().push(report);
+                }
+            });
+        }
+    });
+    let reports = reports.into_inner().unwrap();
+    for report in &reports {
+        let mark = if report.faults.is_empty() { "held" } else { "FAILED" };
+        let (seconds, megabytes) = (report.seconds, report.most_kb / 1024);
+        println!("{mark:6} {:46} {seconds:6.1} s {megabytes:5} MB  {}", report.name, report.outcome);
+    }
+    let failed: Vec<String> = reports
+        .iter()
+        .filter(|report| !report.faults.is_empty())
+        .map(|report| format!("{}\n    {}", report.name, report.faults.join("\n    ")))
+        .collect();
+    assert!(failed.is_empty(), "{} of {} failed:\n{}", failed.len(), reports.len(), failed.join("\n"));
+}
+
+#[test]
+fn nesting_uses_up_no_stack() {
+    held(&stack::cases(), 30);
+}
+
+#[test]
+fn no_text_asks_for_too_much_memory() {
+    held(&memory::cases(), 30);
+}
+
+#[test]
+fn what_never_ends_is_ended() {
+    held(&time::cases(), 15);
+}
+
+#[test]
+fn no_verdict_is_forged() {
+    held(&forging::cases(), 30);
+}
+
+#[test]
+fn whatever_is_handed_in_is_a_submission_or_is_refused() {
+    held(&intake::cases(), 50);
+}
