@@ -1,9 +1,10 @@
 //! Many submissions at once: each in a process of its own, so that none can harm the others.
 
-use super::check::{CheckArgs, write_junit};
+use super::check::CheckArgs;
 use super::intake::{Class, Submission};
 use super::text;
 use crate::output::atomic;
+use crate::output::FileSet;
 use crate::report::{CliError, Outcome, Reporter, io_reason};
 use gonio_app::platform::desktop::worker;
 use gonio_lab::content_hash;
@@ -89,12 +90,14 @@ fn report(
     let similar = formats::similar_pairs(&fingerprints, SIMILAR);
     let title = format!("{}: {}", exercise.id, exercise.title);
     let overview = formats::overview(&title, &rows, &similar, &class.skipped);
-    atomic::write(&results.join("index.html"), overview.as_bytes())?;
-    atomic::write(&results.join("table.csv"), formats::csv(&rows).as_bytes())?;
+    let mut files = FileSet::new();
+    files.add(&results.join("index.html"), overview.as_bytes())?;
+    files.add(&results.join("table.csv"), formats::csv(&rows).as_bytes())?;
     if let Some(path) = &args.junit {
         let verdicts: Vec<(String, Verdict)> = checked.into_iter().map(|one| (one.label, one.verdict)).collect();
-        write_junit(path, &verdicts)?;
+        files.add(path, formats::junit(&verdicts).as_bytes())?;
     }
+    files.commit()?;
     if reporter.json() {
         reporter.report(&rows)?;
     } else {

@@ -3,7 +3,7 @@
 use super::intake::{self, Gathered, Intake, Submissions};
 use super::{batch, exercise, text};
 use crate::cli::WordOptions;
-use crate::output::atomic;
+use crate::output::FileSet;
 use crate::report::{CliError, Outcome, Reporter};
 use crate::values;
 use clap::Args;
@@ -11,7 +11,7 @@ use gonio_app::platform::desktop::worker::{self, Answer, Request};
 use gonio_lab::CheckOptions;
 use gonio_lab::exercise::Exercise;
 use gonio_lab::formats;
-use gonio_lab::verdict::{Outcome as Word, Verdict};
+use gonio_lab::verdict::Outcome as Word;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -170,28 +170,24 @@ fn check_one(
 }
 
 fn write(args: &CheckArgs, label: &str, Answer { verdict, page, sheet }: &Answer) -> Result<(), CliError> {
+    let mut files = FileSet::new();
     if let Some(path) = &args.page {
         // Of a check that was ended there are no pictures.
         let page = page.clone().unwrap_or_else(|| formats::page(label, verdict, None).into_bytes());
-        atomic::write(path, &page)?;
+        files.add(path, &page)?;
     }
     if let Some(path) = &args.sheet {
         let nothing = || CliError::new(format!("{}: nothing was drawn, so there is no sheet", path.display()));
-        atomic::write(path, sheet.as_ref().ok_or_else(nothing)?)?;
+        files.add(path, sheet.as_ref().ok_or_else(nothing)?)?;
     }
     if let Some(path) = &args.junit {
-        write_junit(path, &[(label.to_owned(), verdict.clone())])?;
+        files.add(path, formats::junit(&[(label.to_owned(), verdict.clone())]).as_bytes())?;
     }
     if let Some(path) = &args.gradescope {
-        atomic::write(path, formats::gradescope(verdict, args.points).as_bytes())?;
+        files.add(path, formats::gradescope(verdict, args.points).as_bytes())?;
     }
     if let Some(path) = &args.code_runner {
-        atomic::write(path, formats::code_runner(verdict).as_bytes())?;
+        files.add(path, formats::code_runner(verdict).as_bytes())?;
     }
-    Ok(())
-}
-
-/// Writes verdicts, each with its label, as JUnit XML.
-pub fn write_junit(path: &Path, verdicts: &[(String, Verdict)]) -> Result<(), CliError> {
-    atomic::write(path, formats::junit(verdicts).as_bytes())
+    files.commit()
 }
