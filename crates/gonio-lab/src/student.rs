@@ -304,7 +304,8 @@ fn by_the_source(verdict: &mut Verdict, source: &Source, model: Model) {
         && source.looks_like(product, model) > SURE
         && let Some(mistake) = bank::of(model).find(|mistake| mistake.id == product)
     {
-        let found = FoundMistake::of_bank(mistake, 1.0);
+        // The pictures are those of a right answer: only the source shows it.
+        let found = FoundMistake::of_bank(mistake, 0.0);
         verdict.verdict = Outcome::Wrong;
         verdict.score = 0.5;
         verdict.summary = found.name.clone();

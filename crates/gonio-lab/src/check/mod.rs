@@ -111,7 +111,13 @@ impl Checker {
     }
 
     /// The right answer as this program would have drawn it: with its own strengths, and in its own way.
-    fn reference(&self, task: &Task, search: &Search<'_>, found: &Found<'_>) -> Result<Sheet, GlError> {
+    fn reference(
+        &self,
+        task: &Task,
+        search: &Search<'_>,
+        found: &Found<'_>,
+        in_vain: [bool; 3],
+    ) -> Result<Sheet, GlError> {
         let (right_model, right) = right::answer(search, found);
         let best = found.ranking.first().filter(|best| best.rest.is_same());
         let Some(strengths) = best.map(|best| best.strengths).filter(|s| s.iter().any(Option::is_some)) else {
@@ -121,7 +127,7 @@ impl Checker {
         // A term that is not there would have been there with its whole strength.
         let strength = |term: usize| match strengths[term] {
             Some(found) if found.iter().any(|s| *s > 1e-3) => found,
-            _ => [if task.wanted[term] { 1.0 } else { 0.0 }; 3],
+            _ => [if task.wanted[term] || in_vain[term] { 1.0 } else { 0.0 }; 3],
         };
         let peculiar = best.is_some_and(|best| best.made_of.iter().any(|mistake| mistake.harmless));
         let hypothesis = if peculiar { right } else { Hypothesis::default() };
@@ -192,7 +198,7 @@ impl Checker {
             situations: whole,
         };
         let found = search.run(&|id, model| (prepared.looks_like)(id, models[model].hypotheses.model))?;
-        let reference = self.reference(task, &search, &found)?;
+        let reference = self.reference(task, &search, &found, prepared.in_vain)?;
         let held = Comparison::of(&seen, &reference, whole);
         let mut verdict = report::verdict(task, &search, &found, &held, prepared.in_vain);
         if task.model.is_lit() {

@@ -17,7 +17,8 @@ pub(super) fn answer(search: &Search<'_>, found: &Found<'_>) -> (usize, Hypothes
     };
     let kind = search.entries[best.model].model;
     let is_right = search.entries[best.model].is_right;
-    if is_right && best.wrong().is_empty() {
+    // Also in a way that only wrong answers take, where nothing shows that it is wrong.
+    if best.wrong().is_empty() && (is_right || search.entries[best.model].word.is_none()) {
         return (best.model, best.hypothesis.clone());
     }
     let right = match is_right {
