@@ -3,8 +3,8 @@
 use super::check::CheckArgs;
 use super::intake::{Class, Submission};
 use super::text;
-use crate::output::atomic;
 use crate::output::FileSet;
+use crate::output::atomic;
 use crate::report::{CliError, Outcome, Reporter, io_reason};
 use gonio_app::platform::desktop::worker;
 use gonio_lab::content_hash;
