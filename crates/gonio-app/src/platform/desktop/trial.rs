@@ -1,13 +1,14 @@
 //! A trial in a process of its own: `gonio lab trial`, which may crash, or be ended, whatever a shader does to the driver.
 //!
-//! The process reads the files from its standard input ([`read_files`]) and answers with JSON ([`Answer`]). Its
+//! The process reads the files from its standard input ([`worker::read_request`]) and answers with JSON ([`Answer`]). Its
 //! input stays open until its answer is known: it ends by itself when the window is gone.
 
 use super::child::{self, Ended};
+use super::worker::{self, Request};
 use crate::platform::{CheckRequest, Trial, TrialOutcome};
 use gonio_lab::submission::SourceFile;
 use serde::{Deserialize, Serialize};
-use std::io::{Error, ErrorKind, Read, Write};
+use std::io::{Error, Read, Write};
 use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::Arc;
@@ -17,9 +18,6 @@ use std::time::Duration;
 
 /// Time for the whole trial. A right answer takes a fraction of a second.
 const MOST_TIME: Duration = Duration::from_secs(15);
-/// Bytes of one file or name, and number of files, that the process accepts.
-const MOST_BYTES: u32 = 64 * 1024 * 1024;
-const MOST_FILES: u32 = 4096;
 /// The exit code of a command line that was not understood, or of any other error of gonio's own.
 const CODE_OF_ERRORS: i32 = 2;
 
@@ -65,7 +63,8 @@ fn run(
     files: &[(String, Vec<u8>)],
     done: impl FnOnce() + Send + 'static,
 ) -> Result<Process, Error> {
-    let input = encoded(files);
+    let file = |(name, bytes): &(String, Vec<u8>)| SourceFile { name: name.clone(), bytes: bytes.clone() };
+    let input = worker::encoded(&Request { files: files.iter().map(file).collect(), ..Request::default() })?;
     let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
     let (sender, outcomes) = channel();
     let given_up = Arc::new(AtomicBool::new(false));
@@ -172,42 +171,6 @@ impl Drop for Process {
     }
 }
 
-/// The files as bytes: how many there are, then name and content of each after their lengths; numbers are 32 bits, the lowest
-/// byte first.
-fn encoded(files: &[(String, Vec<u8>)]) -> Vec<u8> {
-    let mut bytes = (files.len() as u32).to_le_bytes().to_vec();
-    for part in files.iter().flat_map(|(name, content)| [name.as_bytes(), content]) {
-        bytes.extend((part.len() as u32).to_le_bytes());
-        bytes.extend(part);
-    }
-    bytes
-}
-
-/// Reads what [`begin`] hands over. Fails where the input ends too early or announces more than any submission has.
-pub fn read_files(input: &mut impl Read) -> Result<Vec<SourceFile>, Error> {
-    let number = |input: &mut dyn Read, most: u32| {
-        let mut bytes = [0; 4];
-        input.read_exact(&mut bytes)?;
-        let number = u32::from_le_bytes(bytes);
-        if number <= most { Ok(number) } else { Err(Error::new(ErrorKind::InvalidData, "the input is too large")) }
-    };
-    let part = |input: &mut dyn Read| {
-        let length = u64::from(number(input, MOST_BYTES)?);
-        let mut bytes = Vec::new();
-        match input.take(length).read_to_end(&mut bytes)? as u64 == length {
-            true => Ok(bytes),
-            false => Err(Error::from(ErrorKind::UnexpectedEof)),
-        }
-    };
-    let count = number(input, MOST_FILES)?;
-    (0..count)
-        .map(|_| {
-            let name = String::from_utf8_lossy(&part(input)?).into_owned();
-            Ok(SourceFile { name, bytes: part(input)? })
-        })
-        .collect()
-}
-
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
@@ -304,17 +267,5 @@ mod tests {
             std::thread::sleep(Duration::from_millis(5));
         }
         std::fs::remove_dir_all(&folder).unwrap();
-    }
-
-    #[test]
-    fn files_come_out_as_they_went_in_and_damage_is_an_error() {
-        let files = [("a.vert".to_owned(), b"void\0".to_vec()), ("b/c.frag".to_owned(), Vec::new())];
-        let bytes = encoded(&files);
-        let read = read_files(&mut bytes.as_slice()).unwrap();
-        assert_eq!(read.into_iter().map(|file| (file.name, file.bytes)).collect::<Vec<_>>(), files);
-        for end in 0..bytes.len() {
-            assert!(read_files(&mut &bytes[..end]).is_err(), "{end} bytes of {}", bytes.len());
-        }
-        assert!(read_files(&mut &[255; 64][..]).is_err());
     }
 }

@@ -172,6 +172,16 @@ pub fn end_with(mut input: impl Read) {
     std::process::abort();
 }
 
+/// A request as the process reads it.
+///
+/// # Errors
+/// A header beyond 4 GiB.
+pub fn encoded(request: &Request) -> Result<Vec<u8>, Error> {
+    let mut bytes = Vec::new();
+    write_request(&mut bytes, request)?;
+    Ok(bytes)
+}
+
 fn write_request(output: &mut impl Write, request: &Request) -> Result<(), Error> {
     let header = RequestHeader {
         exercise: request.exercise.clone(),
@@ -187,7 +197,11 @@ fn write_request(output: &mut impl Write, request: &Request) -> Result<(), Error
     request.files.iter().try_for_each(|file| output.write_all(&file.bytes))
 }
 
-fn read_request(input: &mut impl Read) -> Result<Request, Error> {
+/// Reads what [`encoded`] gives.
+///
+/// # Errors
+/// Those of the input, and an input that ends too early or does not fit.
+pub fn read_request(input: &mut impl Read) -> Result<Request, Error> {
     let header: RequestHeader = read_header(input)?.ok_or(ErrorKind::UnexpectedEof)?;
     let read = |(name, length): (String, u64)| Ok(SourceFile { name, bytes: read_exactly(input, length)? });
     Ok(Request {

@@ -4,7 +4,8 @@ use super::{exercise, guard};
 use crate::cli::WordOptions;
 use crate::report::{CliError, Outcome, Reporter};
 use clap::Args;
-use gonio_app::platform::desktop::trial::{Answer, read_files};
+use gonio_app::platform::desktop::trial::Answer;
+use gonio_app::platform::desktop::worker;
 use gonio_gl::{Canvas, Gl, GlError, HeadlessContext, Renderer};
 use gonio_lab::exercise::Exercise;
 use gonio_lab::live::{self, Body, LiveStage, Pair, Scene, Source};
@@ -42,7 +43,8 @@ pub struct TrialArgs {
 pub fn run(args: &TrialArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let exercise = exercise(&args.exercise)?;
     let mut input = std::io::stdin();
-    let files = read_files(&mut input).map_err(|error| CliError::io("the files to try could not be read", &error))?;
+    let unread = |error| CliError::io("the files to try could not be read", &error);
+    let files = worker::read_request(&mut input).map_err(unread)?.files;
     guard::end_with_the_caller();
     let thread = std::thread::Builder::new().stack_size(STACK_BYTES).spawn(move || answer(exercise, files));
     let thread = thread.map_err(|error| CliError::io("the thread for the trial could not be started", &error))?;
