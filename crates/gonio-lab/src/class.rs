@@ -53,8 +53,9 @@ pub struct Group {
     pub members: Vec<(usize, String)>,
 }
 
-/// The layout of these entries. `answers` tells of an entry, by its index, whether it is or holds a file that could
-/// answer the exercise (a shader, a buffer, a host program); it is asked only where names do not decide.
+/// The layout of these entries. `answers` tells of a file, by its index, whether it could be part of an answer to the
+/// exercise (a shader, a buffer, a host program), and of a container whether it holds a whole answer; it is asked only
+/// where names do not decide.
 pub fn layout(entries: &[Entry], answers: &dyn Fn(usize) -> bool) -> Layout {
     if let Some(many) = flat_download(entries, answers) {
         return Layout::Many(many);
@@ -83,6 +84,9 @@ pub fn each(entries: &[Entry], answers: &dyn Fn(usize) -> bool) -> Many {
     })
 }
 
+/// Folders that a project may give its stages, whatever their names.
+const MOST_STAGE_FOLDERS: usize = 3;
+
 /// Whether several containers are the parts of one student's project. Beside loose answers (`main.cpp` with shaders in
 /// its strings) they are, unless two of them answer the exercise by themselves and are not named like parts.
 fn is_one_project(
@@ -99,7 +103,8 @@ fn is_one_project(
     match (parts.as_slice(), own.as_slice(), loose_answers) {
         (_, [], _) => true,
         (_, own, true) => !some_answer(own, 2),
-        ([], _, false) => false,
+        // A folder for each stage: `a.vert/` and `a.frag/`.
+        ([], own, false) => own.len() <= MOST_STAGE_FOLDERS && !some_answer(own, 1),
         (parts, [one], false) => !(some_answer(parts, 1) && answers(*one)),
         (_, _, false) => !some_answer(containers, 2),
     }

@@ -159,6 +159,11 @@ pub fn io_reason(error: &io::Error) -> String {
     }
 }
 
+/// Standard output as another process of gonio's reads it: bytes that no person sees.
+pub fn output_for_gonio() -> impl Write {
+    io::stdout().lock()
+}
+
 /// Where a command's words go.
 pub struct Reporter {
     quiet: bool,

@@ -211,11 +211,12 @@ fn verdicts() {
 fn files_of_a_verdict() {
     let lab = Lab::new();
     let evil = evil_line();
-    hand_in(&lab, "ex04", "mine", |_, text| {
+    let folder = format!("mine{EVIL}");
+    hand_in(&lab, "ex04", &folder, |_, text| {
         text.replace("mat3(itM) * normal);", &format!("mat3(M) * normal); // {evil}"))
     });
     let args = ["--page", "p.html", "--junit", "j.xml", "--gradescope", "g.json", "--code-runner", "c.json"];
-    let run = lab.run(&[&["lab", "check", "ex04", "mine", "--label", EVIL][..], &args].concat());
+    let run = lab.run(&[&["lab", "check", "ex04", &folder][..], &args].concat());
     assert_eq!(run.code, 1, "{}", run.stderr);
     for name in ["p.html", "j.xml", "g.json", "c.json"] {
         let text = String::from_utf8(lab.read(name)).unwrap();

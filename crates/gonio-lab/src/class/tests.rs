@@ -46,6 +46,8 @@ fn one_students_files_are_one_submission() {
         &["list.txt"],
         &[],
         &["a.vert", "old.zip"],
+        // Neither holds a whole answer.
+        &["upper/-", "lower/-"],
     ] {
         assert_eq!(layout_of(names), Layout::One, "{names:?}");
     }
@@ -67,12 +69,13 @@ fn a_single_folder_or_archive_is_looked_into() {
 #[test]
 fn a_folder_for_each_student_is_a_class_whatever_lies_beside() {
     assert_eq!(labels(&["anna/", "ben/"]), ["anna", "ben"]);
-    assert_eq!(labels(&["anna/", "ben.zip", "cyd/-"]), ["anna", "ben", "cyd"]);
+    assert_eq!(labels(&["anna/", "ben.zip", "cyd/-", "dan/-"]), ["anna", "ben", "cyd", "dan"]);
     let names = ["anna/", "ben/", "list.txt", ".DS_Store", "__MACOSX/", "solution.vert", "_dan/", ".eve/"];
     assert_eq!(labels(&names), [".eve", "_dan", "anna", "ben"]);
     assert_eq!(skipped(&names), ["list.txt", ".DS_Store", "__MACOSX/", "solution.vert"]);
     // Numbers of students are names, not parts of a project.
     assert_eq!(labels(&["1203344/", "1203345/"]), ["1203344", "1203345"]);
+    assert_eq!(labels(&["anna/-", "ben/-", "cyd/-", "dan/-"]).len(), 4);
     // A student who is called like a part of a project, among others.
     assert_eq!(labels(&["anna/", "ben/", "lib/"]), ["anna", "ben", "lib"]);
     assert_eq!(labels(&["Anna Doe_123_assignsubmission_file/", "Ben_124_assignsubmission_file/"]).len(), 2);

@@ -48,6 +48,13 @@ pub fn is_answer(exercise: &Exercise, file: &SourceFile) -> bool {
     }
 }
 
+/// Whether these files answer the exercise by themselves: both stages of a program, or one file of another kind.
+pub fn is_complete(exercise: &Exercise, files: &[SourceFile]) -> bool {
+    let of_files = files.iter().filter(|file| is_answer(exercise, file));
+    let all = of_files.filter_map(|file| used(exercise, file).ok()?).fold(Use::default(), Use::with);
+    all.vertex && all.fragment || all.buffer || all.host_program || all.picture
+}
+
 fn is_host_program(file: &SourceFile) -> bool {
     let lines = file.bytes.split(|byte| *byte == b'\n').filter(|line| !line.trim_ascii().is_empty()).count();
     HostProgram::parse_bytes(&file.bytes, &file.name).map_or_else(|errors| 2 * errors.len() < lines, |_| true)

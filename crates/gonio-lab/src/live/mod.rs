@@ -6,7 +6,7 @@ mod scene;
 mod source;
 mod stage;
 
-pub use handed::{Handed, Use, handed, is_answer, makes_way};
+pub use handed::{Handed, Use, handed, is_answer, is_complete, makes_way};
 pub use scene::{Body, Eye, Part, Scene, scenes};
 pub use source::{Note, NoteKind, Pair, Source};
 pub use stage::{Given, LiveStage};

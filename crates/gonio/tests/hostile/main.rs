@@ -1,7 +1,7 @@
 //! Hostile submissions, generated: each is handed in as a student would. Whatever it is, the program ends by itself in time and
 //! within its memory, never calls a wrong answer correct, prints its own verdict and no other, leaves no process behind and its
 //! input as it was.
-#![allow(clippy::unwrap_used, missing_docs)]
+#![allow(clippy::unwrap_used, clippy::print_stdout, missing_docs)]
 #![cfg(target_os = "linux")]
 
 mod case;

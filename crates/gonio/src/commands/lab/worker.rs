@@ -1,7 +1,7 @@
 //! `gonio lab check-worker`: the process that a check runs in (see [`gonio_app::platform::desktop::worker`]).
 
 use super::exercise;
-use crate::report::{CliError, Outcome};
+use crate::report::{self, CliError, Outcome};
 use gonio_app::platform::desktop::worker::{self, Answer, Request};
 use gonio_gl::HeadlessContext;
 use gonio_gl::headless::HeadlessOptions;
@@ -15,7 +15,7 @@ const STACK_BYTES: usize = 256 << 20;
 /// Answers one request on stdin by one answer on stdout.
 pub fn run() -> Result<Outcome, CliError> {
     let failed = |error| CliError::io("the check could not be answered", &error);
-    worker::serve(std::io::stdin(), std::io::stdout().lock(), |request| {
+    worker::serve(std::io::stdin(), report::output_for_gonio(), |request| {
         let checking = std::thread::Builder::new().stack_size(STACK_BYTES).spawn(move || check(request));
         let checking = checking.map_err(|error| format!("the check could not be started: {error}"))?;
         // A panic has been said on stderr; without an answer the process counts as crashed.

@@ -1,6 +1,6 @@
 //! From the paths that a person names to submissions: one, or those of a class.
 //!
-//! [`tree`] reads folders and archives, [`gonio_lab::class`] tells submissions apart, [`gather`] reads the files of one.
+//! [`tree`] reads folders and archives, [`gonio_lab::class`] tells submissions apart, [`gather()`] reads the files of one.
 
 mod gather;
 mod tree;
@@ -178,5 +178,5 @@ fn holds_answer(exercise: &Exercise, tree: &Tree) -> bool {
         let file = tree.bytes().map(|bytes| SourceFile { name: tree.name.clone(), bytes });
         return file.is_ok_and(|file| live::is_answer(exercise, &file));
     }
-    gather([(tree, String::new())]).files.iter().any(|file| live::is_answer(exercise, file))
+    live::is_complete(exercise, &gather([(tree, String::new())]).files)
 }

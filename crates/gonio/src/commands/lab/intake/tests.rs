@@ -132,12 +132,14 @@ fn a_class_is_found_in_folders_in_a_zip_and_in_a_flat_download() {
 
 #[test]
 fn several_arguments_are_a_class_where_a_folder_of_them_would_be() {
-    let folder = folder(&[("anna/a.glsl", VERTEX.as_bytes()), ("ben/b.glsl", VERTEX.as_bytes())]);
+    let (anna, ben) = (pair("anna/"), pair("ben/"));
+    let files: Vec<(&str, &[u8])> = anna.iter().chain(&ben).map(|(name, content)| (name.as_str(), *content)).collect();
+    let folder = folder(&files);
     let paths = ["anna", "ben"].map(|name| folder.path().join(name));
     assert!(
         matches!(take(&paths, exercise(), Submissions::Auto), Ok(Intake::Class(class)) if class.submissions.len() == 2)
     );
-    assert!(matches!(take(&paths, exercise(), Submissions::One), Ok(Intake::One(one)) if one.files.len() == 2));
+    assert!(matches!(take(&paths, exercise(), Submissions::One), Ok(Intake::One(one)) if one.files.len() == 4));
     let only = std::slice::from_ref(&paths[0]);
     assert!(
         matches!(take(only, exercise(), Submissions::Many), Ok(Intake::Class(class)) if class.submissions.len() == 1)

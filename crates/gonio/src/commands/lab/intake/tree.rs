@@ -63,6 +63,9 @@ impl Tree {
         if is_device(&metadata) {
             return Err("it is a device, not a file".into());
         }
+        if !metadata.is_dir() && !metadata.is_file() && !is_open_already(path) {
+            return Err("it is a pipe or a socket, not a file".into());
+        }
         if metadata.is_dir() {
             return Ok(Tree { name, node: Node::Folder(path.to_owned()), is_archive: false });
         }
@@ -251,6 +254,11 @@ fn sort(level: &mut [Tree]) {
             sort(children);
         }
     }
+}
+
+/// Whether it is what a shell makes of `<(...)`. Any other pipe may have nobody at its other end, which opening waits for.
+fn is_open_already(path: &Path) -> bool {
+    ["/dev/fd", "/dev/stdin", "/proc/self/fd"].iter().any(|place| path.starts_with(place))
 }
 
 #[cfg(unix)]
