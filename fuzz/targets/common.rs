@@ -14,7 +14,7 @@ pub struct Echo<'a>(pub &'a [u8]);
 impl Sidecars for Echo<'_> {
     fn read(&mut self, name: &str) -> Result<Sidecar, MissingSidecar> {
         if name.is_empty() {
-            return Err(MissingSidecar { tried: vec![name.to_owned()] });
+            return Err(MissingSidecar { tried: vec![name.to_owned()], refused: None });
         }
         Ok(Sidecar { path: name.to_owned(), bytes: self.0.to_vec() })
     }
