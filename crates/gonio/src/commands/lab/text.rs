@@ -93,9 +93,16 @@ pub fn verdict(verdict: &Verdict) -> Page {
     page
 }
 
-/// A line of source without its indentation; its tabs are spaces.
+/// Characters of a quoted line: the file has the rest.
+const MAX_QUOTED: usize = 160;
+
+/// A line of source without its indentation; its tabs are spaces, and a long one is cut.
 fn source_line(line: &str) -> String {
-    line.trim().replace('\t', "    ")
+    let line = line.trim().replace('\t', "    ");
+    match line.char_indices().nth(MAX_QUOTED) {
+        Some((end, _)) => format!("{} ...", line[..end].trim_end()),
+        None => line,
+    }
 }
 
 fn mistake(page: &mut Page, found: &FoundMistake) {
@@ -158,4 +165,16 @@ pub fn table(rows: &[Row], similar: &[(String, String, f64)]) -> Page {
         page.line(format_args!("{YELLOW}alike{YELLOW:#}: {a} and {b}, {:.0} %", 100.0 * share));
     }
     page
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_quoted_line_fits_a_terminal() {
+        assert_eq!(source_line("\tint\ta; "), "int    a;");
+        assert_eq!(source_line(&"é".repeat(MAX_QUOTED)), "é".repeat(MAX_QUOTED));
+        assert_eq!(source_line(&"é".repeat(MAX_QUOTED + 1)), format!("{} ...", "é".repeat(MAX_QUOTED)));
+    }
 }
