@@ -275,9 +275,10 @@ fn the_page_built_into_it_is_served_or_missed() {
     // What the page names is there, whole, also for a client that takes nothing compressed.
     let names: Vec<&str> =
         index.text().split('"').filter(|word| word.ends_with(".wasm") || word.ends_with(".js")).collect();
-    // The script, and the module: in two halves, if it was built for people and not with `--dev`.
+    // Two scripts, the page's and its checker's, and the module: in two halves, if it was built for people and not with
+    // `--dev`.
     let modules = names.iter().filter(|name| name.ends_with(".wasm")).count();
-    assert!((1..=2).contains(&modules) && names.len() == modules + 1, "{names:?}");
+    assert!((1..=2).contains(&modules) && names.len() == modules + 2, "{names:?}");
     for name in names {
         let answer = server.get(&format!("/{name}"));
         assert_eq!((answer.status, answer.header("content-encoding")), (200, ""), "{name}");

@@ -120,17 +120,9 @@ impl CheckArgs {
 /// Checks.
 pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let exercise = exercise(&args.exercise)?;
-    let asked = match args.submissions {
-        // A folder for results is a folder for those of a class, be it a class of one.
-        Submissions::Auto if args.output.is_some() => Submissions::Many,
-        Submissions::One if args.output.is_some() => {
-            return Err(CliError::new(
-                "`-o` is the folder for many submissions; `--page FILE.html` writes one's verdict",
-            ));
-        }
-        asked => asked,
-    };
-    match intake::take(&args.files, exercise, asked)? {
+    // A folder for results is one for those of a class, be it a class of one.
+    let as_class = args.output.is_some() || args.submissions == Submissions::Many;
+    match intake::take(&args.files, exercise, args.submissions, as_class)? {
         Intake::Class(class) => {
             if let Some(option) = args.options_of_one().next() {
                 return Err(CliError::new(format!(

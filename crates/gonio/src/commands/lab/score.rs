@@ -156,7 +156,7 @@ fn right_answers(folder: &Path, exercise: &Exercise) -> Result<Vec<Submission>, 
     if !folder.is_dir() {
         return Ok(Vec::new());
     }
-    match intake::take(&[folder.to_owned()], exercise, Submissions::Many)? {
+    match intake::take(&[folder.to_owned()], exercise, Submissions::Many, true)? {
         Intake::Class(class) => Ok(class.submissions),
         Intake::One(_) => Ok(Vec::new()),
     }

@@ -61,34 +61,36 @@ impl Submission {
     }
 }
 
-/// The submissions at `paths`. With `Submissions::Many` one submission is a class of one.
+/// The submissions at `paths`. With `as_class` one submission is a class of one.
 ///
 /// # Errors
 /// A path that cannot be read.
-pub fn take(paths: &[PathBuf], exercise: &Exercise, asked: Submissions) -> Result<Intake, CliError> {
+pub fn take(paths: &[PathBuf], exercise: &Exercise, asked: Submissions, as_class: bool) -> Result<Intake, CliError> {
     let trees = paths.iter().map(|path| tree_of(path)).collect::<Result<Vec<Tree>, CliError>>()?;
-    if asked != Submissions::One
-        && let Some(class) = class_of(&trees, exercise, asked)?
-    {
-        return Ok(Intake::Class(class));
-    }
+    let label = match asked {
+        Submissions::One => first_name(&trees),
+        Submissions::Auto | Submissions::Many => match class_of(&trees, exercise, asked) {
+            Ok(class) => return Ok(Intake::Class(class)),
+            Err(label) => label,
+        },
+    };
     let gathered = one(paths, &trees);
     match gathered.left_out.first() {
         // A damaged archive, say, and nothing else: that is an error rather than a submission without shaders.
         Some(why) if gathered.files.is_empty() => {
             Err(CliError::new(why.strip_prefix("left aside: ").unwrap_or(why).to_owned()))
         }
-        _ if asked == Submissions::Many => {
-            let label = trees.first().map_or_else(String::new, |tree| tree.name.clone());
-            let members = trees.into_iter().zip(paths).map(|(tree, path)| {
-                let name = root_name(path, &tree, paths.len());
-                (tree, name)
-            });
-            let submissions = vec![Submission { label, members: members.collect() }];
-            Ok(Intake::Class(Class { submissions, skipped: Vec::new() }))
+        _ if as_class => {
+            let named = |(tree, path): (Tree, &PathBuf)| (root_name(path, &tree, paths.len()), tree);
+            let members = trees.into_iter().zip(paths).map(named).map(|(name, tree)| (tree, name)).collect();
+            Ok(Intake::Class(Class { submissions: vec![Submission { label, members }], skipped: Vec::new() }))
         }
         _ => Ok(Intake::One(gathered)),
     }
+}
+
+fn first_name(trees: &[Tree]) -> String {
+    trees.first().map_or_else(String::new, |tree| tree.name.clone())
 }
 
 /// The files at these paths as one submission, for commands that know nothing of classes.
@@ -124,9 +126,11 @@ fn root_name(path: &Path, tree: &Tree, count: usize) -> String {
     }
 }
 
-/// The class, if the trees are one.
-fn class_of(trees: &[Tree], exercise: &Exercise, asked: Submissions) -> Result<Option<Class>, CliError> {
+/// The class, if the trees are one; else the label of the one submission that they are: the innermost folder or archive
+/// that holds all of it and is not named like a part of a project.
+fn class_of(trees: &[Tree], exercise: &Exercise, asked: Submissions) -> Result<Class, String> {
     let mut level: Vec<Tree> = trees.to_vec();
+    let mut label = first_name(trees);
     let mut skipped = Vec::new();
     // A folder or an archive named by itself is where the submissions are.
     let mut within = match trees {
@@ -136,24 +140,27 @@ fn class_of(trees: &[Tree], exercise: &Exercise, asked: Submissions) -> Result<O
     loop {
         if let Some(at) = within {
             let outer = &level[at];
+            if !class::is_part_of_a_project(&outer.name) {
+                label = outer.name.clone();
+            }
             let rest = level.iter().enumerate().filter(|(other, _)| *other != at);
             skipped.extend(rest.map(|(_, tree)| format!("{} (it holds no answer)", tree.name)));
             level = match outer.children() {
                 Ok(children) => children,
-                // What it is then is for whoever gathers it to say.
-                Err(_) => return Ok(None),
+                // The reason is for whoever gathers it to say.
+                Err(_) => return Err(label),
             };
         }
         let entry = |tree: &Tree| Entry { name: tree.name.clone(), is_container: tree.is_container() };
         let entries: Vec<Entry> = level.iter().map(entry).collect();
         let answers = |at: usize| holds_answer(exercise, &level[at]);
         match class::layout(&entries, &answers) {
-            Layout::Many(many) => return Ok(Some(of_groups(many, &level, skipped))),
+            Layout::Many(many) => return Ok(of_groups(many, &level, skipped)),
             Layout::Within(at) => within = Some(at),
             Layout::One if asked == Submissions::Many && entries.iter().any(|entry| entry.is_container) => {
-                return Ok(Some(of_groups(class::each(&entries, &answers), &level, skipped)));
+                return Ok(of_groups(class::each(&entries, &answers), &level, skipped));
             }
-            Layout::One => return Ok(None),
+            Layout::One => return Err(label),
         }
     }
 }

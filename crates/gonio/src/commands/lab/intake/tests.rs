@@ -63,14 +63,14 @@ fn zipped_pair(prefix: &str) -> Vec<u8> {
 }
 
 fn class_at(path: &Path) -> Class {
-    match take(&[path.to_owned()], exercise(), Submissions::Auto).unwrap() {
+    match take(&[path.to_owned()], exercise(), Submissions::Auto, false).unwrap() {
         Intake::Class(class) => class,
         Intake::One(one) => panic!("one submission: {one:?}"),
     }
 }
 
 fn one_at(path: &Path) -> Gathered {
-    match take(&[path.to_owned()], exercise(), Submissions::Auto).unwrap() {
+    match take(&[path.to_owned()], exercise(), Submissions::Auto, false).unwrap() {
         Intake::One(one) => one,
         Intake::Class(class) => panic!("{} submissions", class.submissions.len()),
     }
@@ -137,13 +137,29 @@ fn several_arguments_are_a_class_where_a_folder_of_them_would_be() {
     let folder = folder(&files);
     let paths = ["anna", "ben"].map(|name| folder.path().join(name));
     assert!(
-        matches!(take(&paths, exercise(), Submissions::Auto), Ok(Intake::Class(class)) if class.submissions.len() == 2)
+        matches!(take(&paths, exercise(), Submissions::Auto, false), Ok(Intake::Class(class)) if class.submissions.len() == 2)
     );
-    assert!(matches!(take(&paths, exercise(), Submissions::One), Ok(Intake::One(one)) if one.files.len() == 4));
+    assert!(matches!(take(&paths, exercise(), Submissions::One, false), Ok(Intake::One(one)) if one.files.len() == 4));
     let only = std::slice::from_ref(&paths[0]);
     assert!(
-        matches!(take(only, exercise(), Submissions::Many), Ok(Intake::Class(class)) if class.submissions.len() == 1)
+        matches!(take(only, exercise(), Submissions::Many, true), Ok(Intake::Class(class)) if class.submissions.len() == 1)
     );
+}
+
+#[test]
+fn one_submission_as_a_class_keeps_its_folders_together_and_its_students_name() {
+    let pairs = ["class/anna/work/ex03/", "class/anna/work/ex04/"].map(pair);
+    let files: Vec<(&str, &[u8])> = pairs.iter().flatten().map(|(name, content)| (name.as_str(), *content)).collect();
+    let folder = folder(&files);
+    let found = |asked| match take(&[folder.path().join("class")], exercise(), asked, true).unwrap() {
+        Intake::Class(class) => {
+            class.submissions.iter().map(|one| (one.label.clone(), one.gather().files.len())).collect::<Vec<_>>()
+        }
+        Intake::One(one) => panic!("{one:?}"),
+    };
+    assert_eq!(found(Submissions::Auto), [("anna".to_owned(), 4)]);
+    assert_eq!(found(Submissions::One), [("class".to_owned(), 4)]);
+    assert_eq!(found(Submissions::Many), [("ex03".to_owned(), 2), ("ex04".to_owned(), 2)]);
 }
 
 #[test]
@@ -216,6 +232,6 @@ fn links_pipes_and_devices_are_named_and_not_opened() {
     assert_eq!((names(&anna), names(&ben)), (vec!["a.vert"], vec!["a.vert"]));
     assert_eq!((anna.left_out.len(), ben.left_out.len()), (2, 1));
     assert!(ben.left_out[0].contains("a pipe or a device"), "{:?}", ben.left_out);
-    let device = take(&["/dev/zero".into()], exercise(), Submissions::Auto);
+    let device = take(&["/dev/zero".into()], exercise(), Submissions::Auto, false);
     assert!(device.is_err_and(|error| error.to_string().contains("it is a device")));
 }
