@@ -82,7 +82,13 @@ fn write(class: &Path, kind: &[u8], name: &[u8], content: Vec<u8>) {
     if name.components().next().is_none() || name.components().any(|part| !matches!(part, Component::Normal(_))) {
         return;
     }
+    // Never through a link, which may lead anywhere, nor into a pipe, at whose other end is nobody.
     let path = class.join(name);
+    let above = path.ancestors().skip(1).take_while(|above| above.starts_with(class));
+    let is_in_the_way = |above: &Path| std::fs::symlink_metadata(above).is_ok_and(|there| !there.is_dir());
+    if std::fs::symlink_metadata(&path).is_ok() || above.into_iter().any(is_in_the_way) {
+        return;
+    }
     // Whatever a file system refuses is not in the class.
     let _ = path.parent().map(std::fs::create_dir_all);
     let _ = match kind {
@@ -112,7 +118,9 @@ fn packed(files: &[(&[u8], Vec<u8>)]) -> Vec<u8> {
     let (at, size) = (zip.len() as u32, directory.len() as u32);
     let count = (files.len() as u16).to_le_bytes();
     zip.extend(directory);
-    zip.extend([b"PK\x05\x06\0\0\0\0".as_slice(), &count, &count, &size.to_le_bytes(), &at.to_le_bytes(), &[0, 0]].concat());
+    zip.extend(
+        [b"PK\x05\x06\0\0\0\0".as_slice(), &count, &count, &size.to_le_bytes(), &at.to_le_bytes(), &[0, 0]].concat(),
+    );
     zip
 }
 
