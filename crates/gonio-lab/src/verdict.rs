@@ -265,7 +265,7 @@ impl Verdict {
 
     /// Of a check whose process crashed.
     pub fn crashed(exercise: &str) -> Self {
-        let summary = "checking it crashed the process that checks: the graphics driver cannot compile or run it here";
+        let summary = "the check crashed: the graphics driver here cannot compile or run this shader";
         Verdict::new(exercise, Outcome::Unsure, summary)
     }
 

@@ -1,7 +1,7 @@
 //! Many submissions at once: each in a process of its own, so that none can harm the others.
 
 use super::check::CheckArgs;
-use super::intake::{Class, Submission};
+use super::intake::{Class, Gathered, Submission};
 use super::text;
 use crate::output::FileSet;
 use crate::output::atomic;
@@ -195,7 +195,7 @@ fn one(
 fn checked(
     args: &CheckArgs,
     exercise: &Exercise,
-    gathered: super::intake::Gathered,
+    gathered: Gathered,
     label: &str,
     program: &Path,
 ) -> Result<(Verdict, Option<Vec<u8>>), CliError> {

@@ -43,7 +43,7 @@ pub struct CheckArgs {
     /// Pass what the lab's own solutions do too, where they differ from the textbook.
     #[arg(long)]
     pub as_the_lab: bool,
-    /// Whether the files are one submission or many, where names and contents tell it wrong.
+    /// Treat the files as one submission or as many, instead of deciding from names and contents.
     #[arg(long, value_name = "HOW-MANY", default_value = "auto")]
     pub submissions: Submissions,
     /// The folder for pages, table and overview of many submissions, outside of theirs; beside theirs, where none is
@@ -103,7 +103,7 @@ impl CheckArgs {
         Request {
             exercise: exercise.id.clone(),
             files: gathered.files,
-            left_out: gathered.left_out,
+            left_out: gathered.left_out.iter().map(|what| format!("left aside: {what}")).collect(),
             options: CheckOptions { pair: self.pair.clone(), as_the_lab: self.as_the_lab },
             es: self.es,
             page: None,

@@ -26,9 +26,7 @@ pub fn run_again(flag: &str) -> Result<Outcome, CliError> {
             Some(0) => Ok(Outcome::Done),
             Some(1) => Ok(Outcome::CheckFailed),
             Some(2) => Err(CliError::AlreadySaid),
-            _ => Err(CliError::new(
-                "it crashed the process that draws: the graphics driver cannot compile or run it here",
-            )),
+            _ => Err(CliError::new("drawing crashed: the graphics driver here cannot compile or run this shader")),
         },
         child::Ended::TooLong => Err(CliError::new(format!(
             "it did not finish within {PATIENCE_S} seconds; is there a loop in a shader that never ends?"

@@ -17,7 +17,7 @@ const MAX_DEPTH: usize = 32;
 pub struct Gathered {
     /// In order of their places in the submission.
     pub files: Vec<SourceFile>,
-    /// A sentence on each thing that was left out.
+    /// Each thing that was left out: its name and the reason.
     pub left_out: Vec<String>,
 }
 
@@ -45,12 +45,12 @@ pub fn gather<'a>(roots: impl IntoIterator<Item = (&'a Tree, String)>) -> Gather
                 total += bytes.len() as u64;
                 read.push((at, SourceFile { name: name.clone(), bytes }));
             }
-            Err(why) => gathered.left_out.push(format!("left aside: {name}: {why}")),
+            Err(why) => gathered.left_out.push(format!("{name}: {why}")),
         }
     }
     if over > 0 {
         gathered.left_out.push(format!(
-            "left aside: the {over} largest files; {MAX_FILES} files and {} MiB are read of a submission",
+            "the {over} largest files; {MAX_FILES} files and {} MiB are read of a submission",
             MAX_BYTES >> 20
         ));
     }
@@ -70,20 +70,20 @@ impl Walk {
     fn visit(&mut self, tree: &Tree, name: String, depth: usize) {
         self.visited += 1;
         if self.visited == MAX_VISITED {
-            self.left_out.push(format!("left aside: everything after the first {MAX_VISITED} entries"));
+            self.left_out.push(format!("everything after the first {MAX_VISITED} entries"));
         }
         if self.visited >= MAX_VISITED {
             return;
         }
         if !tree.is_container() {
             match tree.unread() {
-                Some(why) => self.left_out.push(format!("left aside: {name}: {why}")),
+                Some(why) => self.left_out.push(format!("{name}: {why}")),
                 None => self.found.push((name, tree.clone())),
             }
             return;
         }
         if depth >= MAX_DEPTH {
-            return self.left_out.push(format!("left aside: {name}: folders are read {MAX_DEPTH} deep"));
+            return self.left_out.push(format!("{name}: folders are read {MAX_DEPTH} deep"));
         }
         match tree.children() {
             Ok(children) => {
@@ -94,7 +94,7 @@ impl Walk {
             }
             Err(why) => {
                 let name = if name.is_empty() { &tree.name } else { &name };
-                self.left_out.push(format!("left aside: {name}: {why}"));
+                self.left_out.push(format!("{name}: {why}"));
             }
         }
     }

@@ -74,19 +74,12 @@ pub fn take(paths: &[PathBuf], exercise: &Exercise, asked: Submissions, as_class
             Err(label) => label,
         },
     };
-    let gathered = one(paths, &trees);
-    match gathered.left_out.first() {
-        // A damaged archive, say, and nothing else: that is an error rather than a submission without shaders.
-        Some(why) if gathered.files.is_empty() => {
-            Err(CliError::new(why.strip_prefix("left aside: ").unwrap_or(why).to_owned()))
-        }
-        _ if as_class => {
-            let named = |(tree, path): (Tree, &PathBuf)| (root_name(path, &tree, paths.len()), tree);
-            let members = trees.into_iter().zip(paths).map(named).map(|(name, tree)| (tree, name)).collect();
-            Ok(Intake::Class(Class { submissions: vec![Submission { label, members }], skipped: Vec::new() }))
-        }
-        _ => Ok(Intake::One(gathered)),
-    }
+    let members = members(paths, trees);
+    let gathered = gather_some(&members)?;
+    Ok(match as_class {
+        true => Intake::Class(Class { submissions: vec![Submission { label, members }], skipped: Vec::new() }),
+        false => Intake::One(gathered),
+    })
 }
 
 fn first_name(trees: &[Tree]) -> String {
@@ -99,21 +92,29 @@ fn first_name(trees: &[Tree]) -> String {
 /// A path that cannot be read, or nothing in them that can.
 pub fn read(paths: &[PathBuf]) -> Result<Vec<SourceFile>, CliError> {
     let trees = paths.iter().map(|path| tree_of(path)).collect::<Result<Vec<Tree>, CliError>>()?;
-    let gathered = one(paths, &trees);
-    match gathered.left_out.first() {
-        Some(why) if gathered.files.is_empty() => {
-            Err(CliError::new(why.strip_prefix("left aside: ").unwrap_or(why).to_owned()))
-        }
-        _ => Ok(gathered.files),
-    }
+    gather_some(&members(paths, trees)).map(|gathered| gathered.files)
 }
 
 fn tree_of(path: &Path) -> Result<Tree, CliError> {
     Tree::of_path(path).map_err(|why| CliError::new(format!("{}: {why}", tree::shown(path.as_os_str()))))
 }
 
-fn one(paths: &[PathBuf], trees: &[Tree]) -> Gathered {
-    gather(trees.iter().zip(paths).map(|(tree, path)| (tree, root_name(path, tree, paths.len()))))
+/// The trees at these paths with their names in one submission.
+fn members(paths: &[PathBuf], trees: Vec<Tree>) -> Vec<(Tree, String)> {
+    let named = |(tree, path): (Tree, &PathBuf)| {
+        let name = root_name(path, &tree, paths.len());
+        (tree, name)
+    };
+    trees.into_iter().zip(paths).map(named).collect()
+}
+
+/// A damaged archive, say, and nothing else is an error rather than a submission without files.
+fn gather_some(members: &[(Tree, String)]) -> Result<Gathered, CliError> {
+    let gathered = gather(members.iter().map(|(tree, name)| (tree, name.clone())));
+    match gathered.left_out.first() {
+        Some(why) if gathered.files.is_empty() => Err(CliError::new(why.clone())),
+        _ => Ok(gathered),
+    }
 }
 
 /// A file is called as the person called it. The files of a folder or an archive are called as within it; of several
