@@ -2,16 +2,16 @@
 
 use crate::files::Recording;
 use gonio_mesh::{Limits, ReadError};
-use gonio_scene::description::EnvironmentSpec;
 use gonio_scene::edit::{self, Edited};
 use gonio_scene::files::{Budgeted, FileSource};
-use gonio_scene::{LoadedScene, Scene, load};
+use gonio_scene::scene_file::EnvironmentSpec;
+use gonio_scene::{Scene, SceneFile, load};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 
 /// What is laid over a description before its files are read: the options of a command line.
-pub type Adjust = Arc<dyn Fn(&mut Scene) + Send + Sync>;
+pub type Adjust = Arc<dyn Fn(&mut SceneFile) + Send + Sync>;
 
 /// What is opened.
 #[derive(Clone, Default)]
@@ -34,9 +34,9 @@ pub enum Wanted {
     /// The same once more, for its scene file is another one now.
     Again(Opening),
     /// This scene, in the place of the document's: its files have to be read for a change of it.
-    Scene(Box<Scene>),
+    Scene(Box<SceneFile>),
     /// The document's scene once more, for its files are others now.
-    Refresh(Box<Scene>),
+    Refresh(Box<SceneFile>),
 }
 
 /// What came of it.
@@ -48,7 +48,7 @@ pub struct Finished {
     /// What was asked for while it was read.
     pub paths: Vec<PathBuf>,
     /// The scene, or one sentence.
-    pub result: Result<LoadedScene, String>,
+    pub result: Result<Scene, String>,
 }
 
 struct Job {
@@ -144,17 +144,17 @@ impl Jobs {
 }
 
 impl Job {
-    fn read(&self) -> Result<LoadedScene, String> {
+    fn read(&self) -> Result<Scene, String> {
         read(&self.wanted, &*self.recording, &self.limits)
     }
 
-    fn finished(self, result: Result<LoadedScene, String>) -> (u64, Finished) {
+    fn finished(self, result: Result<Scene, String>) -> (u64, Finished) {
         let paths = self.recording.paths();
         (self.number, Finished { wanted: self.wanted, files: self.files, paths, result })
     }
 }
 
-fn read(wanted: &Wanted, files: &dyn FileSource, limits: &Limits) -> Result<LoadedScene, String> {
+fn read(wanted: &Wanted, files: &dyn FileSource, limits: &Limits) -> Result<Scene, String> {
     let sentence = |error: ReadError| error.to_string();
     match wanted {
         Wanted::Open(opening) | Wanted::Again(opening) => {
@@ -196,7 +196,7 @@ mod tests {
     use super::*;
     use gonio_scene::files::BuiltinOnly;
 
-    fn opened(opening: Opening) -> LoadedScene {
+    fn opened(opening: Opening) -> Scene {
         read(&Wanted::Open(opening), &BuiltinOnly, &Limits::default()).unwrap_or_else(|e| panic!("{e}"))
     }
 
@@ -216,7 +216,7 @@ mod tests {
 
     #[test]
     fn options_and_an_environment_are_laid_over_what_is_opened() {
-        let adjust: Adjust = Arc::new(|scene: &mut Scene| scene.picture.exposure = 2.0);
+        let adjust: Adjust = Arc::new(|scene: &mut SceneFile| scene.picture.exposure = 2.0);
         let loaded = opened(Opening { environment: Some("debug".into()), adjust: Some(adjust), ..cube() });
         assert_eq!(loaded.scene.picture.exposure, 2.0);
         assert_eq!(loaded.scene.environment.map(|e| e.image).as_deref(), Some("debug"));

@@ -15,10 +15,10 @@ use crate::{exported, panels, shortcuts, theme, viewport};
 use egui::Ui;
 use gonio_gl::Gl;
 use gonio_mesh::Severity as Found;
-use gonio_scene::LoadedScene;
-use gonio_scene::description::CameraSpec;
+use gonio_scene::Scene;
 use gonio_scene::edit::{self, Edited};
 use gonio_scene::files::FileSource;
+use gonio_scene::scene_file::CameraSpec;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -473,9 +473,9 @@ fn names(paths: &[PathBuf]) -> String {
 }
 
 /// Whether objects are shaded otherwise, or stand in another environment: either wants other things on the GPU.
-fn is_seen_otherwise(before: &LoadedScene, after: &LoadedScene) -> bool {
-    let environment = |scene: &LoadedScene| scene.environment.as_ref().map(Arc::as_ptr);
-    let shadings = |scene: &LoadedScene| scene.objects.iter().map(|object| object.shading).collect::<Vec<_>>();
+fn is_seen_otherwise(before: &Scene, after: &Scene) -> bool {
+    let environment = |scene: &Scene| scene.environment.as_ref().map(Arc::as_ptr);
+    let shadings = |scene: &Scene| scene.objects.iter().map(|object| object.shading).collect::<Vec<_>>();
     environment(before) != environment(after) || shadings(before) != shadings(after)
 }
 

@@ -5,7 +5,7 @@
 //! light or choosing a colour needs no other.
 
 use gonio_reference::{Probe, ReferenceGeometry, ReferenceScene};
-use gonio_scene::{DisplayMap, Frame, LoadedScene};
+use gonio_scene::{DisplayMap, Frame, Scene};
 use serde::Serialize;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
@@ -28,7 +28,7 @@ pub struct Probing {
 
 /// A tree of boxes that is being built, and the scene it is for.
 struct Building {
-    scene: Arc<LoadedScene>,
+    scene: Arc<Scene>,
     result: Receiver<ReferenceGeometry>,
 }
 
@@ -56,7 +56,7 @@ pub struct Reading {
     pub frame: Frame,
     /// The scene it was read from.
     #[serde(skip)]
-    pub loaded: Arc<LoadedScene>,
+    pub loaded: Arc<Scene>,
 }
 
 /// What OpenGL draws at a pixel.
@@ -96,7 +96,7 @@ impl Probing {
     pub fn update(
         &mut self,
         ctx: &egui::Context,
-        loaded: &Arc<LoadedScene>,
+        loaded: &Arc<Scene>,
         frame: &Frame,
         gpu: impl FnOnce(u32, u32) -> Option<[f32; 4]>,
     ) {
@@ -122,7 +122,7 @@ impl Probing {
     }
 
     /// Takes the tree of boxes that was built, or begins to build one.
-    fn build(&mut self, ctx: &egui::Context, loaded: &Arc<LoadedScene>) {
+    fn build(&mut self, ctx: &egui::Context, loaded: &Arc<Scene>) {
         if let Some(building) = &self.building {
             match building.result.try_recv() {
                 Ok(geometry) => {
@@ -163,7 +163,7 @@ impl Reading {
     /// Reads a pixel.
     fn of(
         reference: &ReferenceScene,
-        loaded: &Arc<LoadedScene>,
+        loaded: &Arc<Scene>,
         frame: &Frame,
         [x, y]: [u32; 2],
         gpu: impl FnOnce(u32, u32) -> Option<[f32; 4]>,
@@ -211,13 +211,13 @@ mod tests {
     use gonio_scene::load;
     use std::path::Path;
 
-    fn still_life() -> Arc<LoadedScene> {
+    fn still_life() -> Arc<Scene> {
         let described = load::describe(&["builtin:still-life"], &Disk).unwrap_or_else(|why| panic!("{why}"));
         Arc::new(load::load(described, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}")))
     }
 
     /// Frames until the reading is there; the thread has as many as it needs.
-    fn read(probing: &mut Probing, loaded: &Arc<LoadedScene>, frame: &Frame) -> Arc<Reading> {
+    fn read(probing: &mut Probing, loaded: &Arc<Scene>, frame: &Frame) -> Arc<Reading> {
         let ctx = egui::Context::default();
         loop {
             probing.update(&ctx, loaded, frame, |_, _| Some([0.25; 4]));

@@ -9,7 +9,7 @@ use gonio_app::exported;
 use gonio_app::session::{Selection, Tab};
 use gonio_reference::ReferenceScene;
 use gonio_scene::Frame;
-use gonio_scene::description::CameraSpec;
+use gonio_scene::scene_file::CameraSpec;
 use std::time::Duration;
 use support::Window;
 

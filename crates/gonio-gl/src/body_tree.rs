@@ -204,7 +204,7 @@ impl Builder {
 mod tests {
     use super::*;
     use glam::DMat4;
-    use gonio_scene::description::Shading;
+    use gonio_scene::scene_file::Shading;
 
     fn cloud(count: u32) -> Mesh {
         let number = |i: u32, k: f64| ((f64::from(i) * k).fract() * 2.0 - 1.0) as f32;

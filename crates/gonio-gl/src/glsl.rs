@@ -18,8 +18,8 @@ use gonio_light::color::{self, ToneMap};
 use gonio_light::light::Attenuation;
 use gonio_light::optics::{self, Fresnel};
 use gonio_light::{Quantity, Specular, roughness, vector};
-use gonio_scene::description::Shading;
-use gonio_scene::loaded::HOLE_OPACITY;
+use gonio_scene::scene::HOLE_OPACITY;
+use gonio_scene::scene_file::Shading;
 use output::{OUTPUT_VERT, tone_map_define};
 use std::fmt::Write;
 

@@ -12,8 +12,8 @@ use crate::{Gl, GlError};
 use glam::{DMat4, Mat3, Vec3};
 use gonio_light::{Optics, Surfaces};
 use gonio_mesh::Mesh;
-use gonio_scene::description::Shading;
-use gonio_scene::{LoadedScene, Object, SceneMaterial};
+use gonio_scene::scene_file::Shading;
+use gonio_scene::{Object, Scene, SceneMaterial};
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -84,7 +84,7 @@ pub(crate) fn wants_unshared(shading: Shading) -> bool {
 }
 
 impl GpuScene {
-    pub(crate) fn upload(gl: &Gl, scene: &LoadedScene, info: &DriverInfo, store: &mut Store) -> Result<Self, GlError> {
+    pub(crate) fn upload(gl: &Gl, scene: &Scene, info: &DriverInfo, store: &mut Store) -> Result<Self, GlError> {
         let mut geometries: Vec<MeshGeometry> = scene.meshes.iter().map(|_| MeshGeometry::default()).collect();
         for object in &scene.objects {
             let mesh = &scene.meshes[object.mesh];
@@ -151,7 +151,7 @@ impl GpuScene {
 }
 
 impl GpuObject {
-    fn new(object: &Object, scene: &LoadedScene) -> Self {
+    fn new(object: &Object, scene: &Scene) -> Self {
         let mesh: &Mesh = &scene.meshes[object.mesh];
         let linear = glam::DMat3::from_mat4(object.world_from_model);
         let determinant = linear.determinant();
@@ -205,7 +205,7 @@ impl GpuObject {
     fn add_body(
         &mut self,
         gl: &Gl,
-        scene: &LoadedScene,
+        scene: &Scene,
         info: &DriverInfo,
         store: &mut Store,
         notes: &mut Vec<String>,

@@ -1,7 +1,7 @@
 //! What is on the GPU already: found again by what it was made of, freed when nobody draws it any more.
 //!
 //! A window draws one scene in several panes, and uploads it after every edit: all of them share what they have in
-//! common, recognised by the identity of the `Arc`s that a [`gonio_scene::LoadedScene`] shares with its clones.
+//! common, recognised by the identity of the `Arc`s that a [`gonio_scene::Scene`] shares with its clones.
 
 use crate::GlError;
 use crate::body_on_gpu::BodyOnGpu;

@@ -12,9 +12,9 @@ mod textured_model;
 use common::{Bench, scene_from};
 use gonio_mesh::Wrap;
 use gonio_reference::ReferenceScene;
-use gonio_scene::{LoadedScene, ViewSpec};
+use gonio_scene::{Scene, ViewSpec};
 
-fn scene(equation: &str, lights: &str, objects: &str) -> LoadedScene {
+fn scene(equation: &str, lights: &str, objects: &str) -> Scene {
     scene_from("position = [1.5, 2.0, 5.0]\ntarget = [0.1, 0.2, 0.0]", equation, lights, objects)
 }
 

@@ -13,8 +13,8 @@ use glam::DVec3;
 use gonio_environment::Cubemap;
 use gonio_light::Quantity;
 use gonio_reference::ReferenceScene;
-use gonio_scene::description::EnvironmentSpec;
-use gonio_scene::{LoadedEnvironment, LoadedScene, TextureFilter, ViewSpec};
+use gonio_scene::scene_file::EnvironmentSpec;
+use gonio_scene::{LoadedEnvironment, Scene, TextureFilter, ViewSpec};
 use std::sync::{Arc, LazyLock};
 
 const CAMERA: &str = "position = [1.5, 2.0, 5.0]\ntarget = [0.1, 0.2, 0.0]";
@@ -34,7 +34,7 @@ fn radiance(d: DVec3) -> DVec3 {
 static SMOOTH: LazyLock<Arc<LoadedEnvironment>> =
     LazyLock::new(|| Arc::new(LoadedEnvironment::new("waves", Cubemap::from_function(256, radiance))));
 
-fn surrounded(mut scene: LoadedScene, environment: &Arc<LoadedEnvironment>, spec: EnvironmentSpec) -> LoadedScene {
+fn surrounded(mut scene: Scene, environment: &Arc<LoadedEnvironment>, spec: EnvironmentSpec) -> Scene {
     scene.environment = Some(environment.clone());
     // Off where a test does not ask for it.
     scene.scene.environment = Some(EnvironmentSpec { light: spec.light.or(Some(false)), ..spec });
@@ -42,11 +42,11 @@ fn surrounded(mut scene: LoadedScene, environment: &Arc<LoadedEnvironment>, spec
 }
 
 /// An object of one material in the smooth environment.
-fn scene(model: &str, shading: &str, material: &str) -> LoadedScene {
+fn scene(model: &str, shading: &str, material: &str) -> Scene {
     scene_of(&object(model, shading, material))
 }
 
-fn scene_of(objects: &str) -> LoadedScene {
+fn scene_of(objects: &str) -> Scene {
     surrounded(scene_from(CAMERA, "", LIGHTS, objects), &SMOOTH, EnvironmentSpec::default())
 }
 
@@ -58,8 +58,8 @@ fn object(model: &str, shading: &str, material: &str) -> String {
 }
 
 /// That something is there to be seen: the reference's picture is another one without it.
-fn assert_shows(name: &str, with: &LoadedScene, without: &LoadedScene) {
-    let picture = |scene: &LoadedScene| ReferenceScene::new(scene).render(&scene.frame(0.0), None, &|_| ()).picture;
+fn assert_shows(name: &str, with: &Scene, without: &Scene) {
+    let picture = |scene: &Scene| ReferenceScene::new(scene).render(&scene.frame(0.0), None, &|_| ()).picture;
     assert!(picture(with) != picture(without), "{name} shows");
 }
 
@@ -267,7 +267,7 @@ fn mip_levels() {
         let c = bench.compare(&scene, None);
         assert!(c.close >= 0.9, "{material}: {:.3} % within 1/255", 100.0 * c.close);
         // Were no level chosen, or always the same one, less would agree.
-        let picture = |scene: &LoadedScene| ReferenceScene::new(scene).render(&scene.frame(0.0), None, &|_| ()).picture;
+        let picture = |scene: &Scene| ReferenceScene::new(scene).render(&scene.frame(0.0), None, &|_| ()).picture;
         let (with, without) = (picture(&scene), picture(&linear));
         let differ = with.pixels.iter().zip(&without.pixels).filter(|(a, b)| (a[0] - b[0]).abs() > 0.02).count();
         assert!(differ > 2000, "levels change {differ} pixels only");

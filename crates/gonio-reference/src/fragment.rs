@@ -6,7 +6,7 @@ use glam::{DMat2, DVec2, DVec3, DVec4};
 use gonio_light::Surface;
 use gonio_light::roughness::shininess_of_roughness;
 use gonio_mesh::{AmbientRule, Mesh};
-use gonio_scene::{BoundTexture, LoadedScene, SceneMaterial, TextureFilter};
+use gonio_scene::{BoundTexture, Scene, SceneMaterial, TextureFilter};
 
 /// The three corners' weights, applied to anything that corners have.
 #[inline]
@@ -27,7 +27,7 @@ pub(crate) struct Hit<'a> {
 /// A place on a triangle, seen through one point of the picture.
 #[derive(Clone)]
 pub(crate) struct Fragment<'a> {
-    pub scene: &'a LoadedScene,
+    pub scene: &'a Scene,
     pub mesh: &'a Mesh,
     pub triangle: &'a Triangle,
     pub crossing: Crossing,
@@ -64,7 +64,7 @@ pub(crate) struct Texel {
 impl<'a> Fragment<'a> {
     /// What the hit shows of the scene.
     pub fn new(
-        scene: &'a LoadedScene,
+        scene: &'a Scene,
         geometry: &WorldGeometry,
         two_sided: bool,
         filter: TextureFilter,

@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DMat4, DVec3, Vec3A};
 use gonio_light::{Surfaces, vector};
-use gonio_scene::{LoadedScene, Object};
+use gonio_scene::{Object, Scene};
 use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
@@ -88,7 +88,7 @@ pub(crate) fn unit_of_any_size(v: DVec3) -> DVec3 {
 impl WorldGeometry {
     /// Carries everything to world space. Parts, materials, indices or positions that do not fit are left out, as a
     /// GPU would read nothing sensible from them either.
-    pub fn new(scene: &LoadedScene) -> Self {
+    pub fn new(scene: &Scene) -> Self {
         let mut geometry = WorldGeometry {
             positions: Vec::new(),
             normals: Vec::new(),
@@ -103,7 +103,7 @@ impl WorldGeometry {
         geometry
     }
 
-    fn add_object(&mut self, scene: &LoadedScene, object_index: usize) {
+    fn add_object(&mut self, scene: &Scene, object_index: usize) {
         let object = &scene.objects[object_index];
         let m: DMat4 = object.world_from_model;
         let directions = DMat3::from_mat4(m);
@@ -206,7 +206,7 @@ fn build(boxes: &[Aabb], parameters: &BvhBuildParams) -> Bvh2 {
 }
 
 /// Whether rays of sight go through the inside of an object.
-pub(crate) fn is_looked_through(scene: &LoadedScene, object: &Object) -> bool {
+pub(crate) fn is_looked_through(scene: &Scene, object: &Object) -> bool {
     let mut optics = object.parts.iter().filter_map(|part| scene.materials.get(part.material)).map(|m| &m.optics);
     optics.any(|o| o.transmission > 0.0 && o.surfaces == Surfaces::Two)
 }
@@ -222,18 +222,18 @@ fn rounded_down(v: DVec3) -> Vec3A {
 
 /// A scene of one mesh, for tests.
 #[cfg(test)]
-pub(crate) fn one_object(mesh: gonio_mesh::Mesh, optics: gonio_light::Optics) -> LoadedScene {
-    use gonio_scene::description::Shading;
+pub(crate) fn one_object(mesh: gonio_mesh::Mesh, optics: gonio_light::Optics) -> Scene {
+    use gonio_scene::scene_file::Shading;
     use gonio_scene::{Maps, ObjectPart, SceneMaterial};
     let part =
         ObjectPart { name: String::new(), first_triangle: 0, triangle_count: mesh.triangle_count(), material: 0 };
     let (name, world_from_model) = (String::new(), DMat4::IDENTITY);
     let object = Object { name, mesh: 0, shading: Shading::Flat, world_from_model, parts: vec![part], closed: false };
-    LoadedScene {
+    Scene {
         meshes: vec![std::sync::Arc::new(mesh)],
         materials: vec![SceneMaterial { material: Default::default(), maps: Maps::default(), optics }],
         objects: vec![object],
-        ..LoadedScene::default()
+        ..Scene::default()
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::geometry::{WorldGeometry, is_looked_through};
 use glam::DMat4;
 use gonio_mesh::Mesh;
-use gonio_scene::LoadedScene;
+use gonio_scene::Scene;
 use std::sync::Arc;
 
 /// The triangles of a scene in world space, with the tree of boxes over them: what takes long to build. Can be built on
@@ -27,14 +27,14 @@ type Part = (usize, usize, usize, bool);
 
 impl ReferenceGeometry {
     /// Carries the geometry to world space and builds the tree.
-    pub fn new(scene: &LoadedScene) -> Self {
+    pub fn new(scene: &Scene) -> Self {
         ReferenceGeometry { world: WorldGeometry::new(scene), built_of: objects(scene).collect() }
     }
 
     /// Whether it is what [`Self::new`] would build for a scene: of the same meshes (the same ones, not equal ones), in
     /// the same places, with materials of the same numbers that are transparent, and looked through, where they were.
     /// Colours, textures, shading, lights, camera and environment may be others.
-    pub fn fits(&self, scene: &LoadedScene) -> bool {
+    pub fn fits(&self, scene: &Scene) -> bool {
         self.built_of.len() == scene.objects.len() && self.built_of.iter().zip(objects(scene)).all(|(a, b)| a.is(&b))
     }
 
@@ -56,7 +56,7 @@ impl ObjectParts {
     }
 }
 
-fn objects(scene: &LoadedScene) -> impl Iterator<Item = ObjectParts> {
+fn objects(scene: &Scene) -> impl Iterator<Item = ObjectParts> {
     scene.objects.iter().map(|object| ObjectParts {
         mesh: scene.meshes.get(object.mesh).cloned(),
         world_from_model: object.world_from_model,

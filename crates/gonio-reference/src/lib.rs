@@ -50,13 +50,13 @@ pub use samples::sample_positions;
 use geometry::WorldGeometry;
 use gonio_environment::{Face, Layout};
 use gonio_light::Quantity;
-use gonio_scene::{Frame, LoadedScene, Picture, ViewSpec};
+use gonio_scene::{Frame, Picture, Scene, ViewSpec};
 use std::sync::Arc;
 
 /// A scene with its acceleration structure built. It holds what it needs of the scene it was made from (meshes and
 /// textures are shared), so it may go to another thread and outlive it.
 pub struct ReferenceScene {
-    scene: LoadedScene,
+    scene: Scene,
     geometry: Arc<ReferenceGeometry>,
 }
 
@@ -75,13 +75,13 @@ impl ReferenceScene {
     /// Carries the geometry to world space and builds the acceleration structure.
     ///
     /// Triangles with corners that are not finite, or with indices beyond the mesh, are left out.
-    pub fn new(scene: &LoadedScene) -> Self {
+    pub fn new(scene: &Scene) -> Self {
         ReferenceScene { scene: scene.clone(), geometry: Arc::new(ReferenceGeometry::new(scene)) }
     }
 
     /// [`Self::new`] with a structure that was built for this scene, or for one that differs only in what
     /// [`ReferenceGeometry::fits`] allows; `None` where it does not fit.
-    pub fn with_geometry(scene: &LoadedScene, geometry: Arc<ReferenceGeometry>) -> Option<Self> {
+    pub fn with_geometry(scene: &Scene, geometry: Arc<ReferenceGeometry>) -> Option<Self> {
         geometry.fits(scene).then(|| ReferenceScene { scene: scene.clone(), geometry })
     }
 
@@ -91,7 +91,7 @@ impl ReferenceScene {
     }
 
     /// The scene that is drawn.
-    pub fn scene(&self) -> &LoadedScene {
+    pub fn scene(&self) -> &Scene {
         &self.scene
     }
 

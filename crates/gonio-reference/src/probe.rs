@@ -10,7 +10,7 @@ use glam::{DVec2, DVec4};
 use gonio_light::quantity::Geometry;
 use gonio_light::{DVec3, LightSums, Optics, Surface, Terms};
 use gonio_scene::Frame;
-use gonio_scene::description::Shading;
+use gonio_scene::scene_file::Shading;
 use serde::Serialize;
 
 /// What is seen through the centre of one pixel.

@@ -18,7 +18,7 @@ use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 pub const MAX_LAYERS: usize = 64;
 
 /// A surface with less opacity than this is a hole: nothing is drawn there, in debug views neither.
-pub const HOLE: f64 = gonio_scene::loaded::HOLE_OPACITY;
+pub const HOLE: f64 = gonio_scene::scene::HOLE_OPACITY;
 
 /// Edge length of the blocks of pixels whose rays are traced together.
 const BLOCK: u32 = 8;

@@ -6,7 +6,7 @@ use crate::surroundings::Environment;
 use glam::DVec3;
 use gonio_light::quantity::Geometry;
 use gonio_light::{Light, LightSums, Quantity, ShadingPoint, Surface, Terms, light, vector};
-use gonio_scene::description::Shading;
+use gonio_scene::scene_file::Shading;
 use gonio_scene::{Frame, ViewSpec};
 
 /// Light at a triangle's corners (Gouraud) or at its centroid (flat per face; all three are then the same).

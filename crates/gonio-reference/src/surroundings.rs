@@ -10,8 +10,8 @@ use gonio_light::brdf::effective_shininess;
 use gonio_light::optics::{self, Body, EnvironmentTerms, Sight, boundary};
 use gonio_light::roughness::roughness_of_shininess;
 use gonio_light::{Optics, ShadingPoint, Surface, Surfaces};
-use gonio_scene::description::Shading;
-use gonio_scene::{Frame, LoadedEnvironment, LoadedScene, Surroundings, TextureFilter};
+use gonio_scene::scene_file::Shading;
+use gonio_scene::{Frame, LoadedEnvironment, Scene, Surroundings, TextureFilter};
 use std::f64::consts::FRAC_1_PI;
 
 /// The environment of a frame.
@@ -35,7 +35,7 @@ impl<'a> Environment<'a> {
     /// `None` where the frame has none. `pixel_angle_rad`: what a pixel in the middle of the picture covers.
     ///
     /// Not to be called for each pixel: what the environment makes at the first wish is made here.
-    pub fn new(scene: &'a LoadedScene, frame: &Frame, pixel_angle_rad: f64) -> Option<Self> {
+    pub fn new(scene: &'a Scene, frame: &Frame, pixel_angle_rad: f64) -> Option<Self> {
         let loaded: &LoadedEnvironment = scene.environment.as_ref()?;
         let how = frame.surroundings?;
         let has_levels = matches!(frame.texture_filter, TextureFilter::Mipmap | TextureFilter::Anisotropic);

@@ -8,7 +8,7 @@ use glam::{DMat4, DQuat, DVec3};
 use gonio_light::{Attenuation, Light, LightKind, Quantity};
 use gonio_reference::ReferenceScene;
 use gonio_scene::Maps;
-use gonio_scene::description::Shading;
+use gonio_scene::scene_file::Shading;
 
 /// f32 of the picture.
 const ROUNDING: f64 = 1e-6;

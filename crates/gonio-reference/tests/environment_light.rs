@@ -11,7 +11,7 @@ use gonio_light::roughness::roughness_of_shininess;
 use gonio_light::{Optics, Quantity};
 use gonio_mesh::Material;
 use gonio_reference::ReferenceScene;
-use gonio_scene::description::Shading;
+use gonio_scene::scene_file::Shading;
 
 /// f32 of texels and of the picture.
 const ROUNDING: f64 = 1e-6;

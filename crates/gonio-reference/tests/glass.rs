@@ -11,7 +11,7 @@ use gonio_light::{Fresnel, Optics, Surfaces};
 use gonio_mesh::{Material, Mesh};
 use gonio_reference::ReferenceScene;
 use gonio_scene::Maps;
-use gonio_scene::description::Shading;
+use gonio_scene::scene_file::Shading;
 
 /// f32 of texels and of the picture.
 const ROUNDING: f64 = 1e-6;

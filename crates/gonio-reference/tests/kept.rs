@@ -7,8 +7,8 @@ use common::*;
 use glam::{DMat4, DVec3};
 use gonio_mesh::Material;
 use gonio_reference::{ReferenceGeometry, ReferenceScene};
-use gonio_scene::LoadedScene;
-use gonio_scene::description::Shading;
+use gonio_scene::Scene;
+use gonio_scene::scene_file::Shading;
 use std::sync::Arc;
 
 fn lab() -> Lab {
@@ -18,7 +18,7 @@ fn lab() -> Lab {
         .light(directional([-1.0, -0.5, -1.0], 0.7))
 }
 
-fn changed(scene: &LoadedScene, change: impl FnOnce(&mut LoadedScene)) -> LoadedScene {
+fn changed(scene: &Scene, change: impl FnOnce(&mut Scene)) -> Scene {
     let mut scene = scene.clone();
     change(&mut scene);
     scene
@@ -47,7 +47,7 @@ fn a_kept_geometry_draws_other_colours_and_lights() {
 fn what_moves_triangles_wants_another_geometry() {
     let scene = lab().scene;
     let geometry = Arc::new(ReferenceGeometry::new(&scene));
-    type Change = fn(&mut LoadedScene);
+    type Change = fn(&mut Scene);
     let changes: [(&str, Change); 8] = [
         ("moved", |s| s.objects[0].world_from_model = DMat4::from_translation(DVec3::X)),
         ("removed", |s| drop(s.objects.pop())),

@@ -8,7 +8,7 @@ use glam::{DMat4, DVec3};
 use gonio_light::{Quantity, Specular};
 use gonio_mesh::Material;
 use gonio_reference::{MAX_LAYERS, Probe, ReferenceScene};
-use gonio_scene::description::Shading;
+use gonio_scene::scene_file::Shading;
 use gonio_scene::{ColorSpace, Maps, TextureFilter};
 
 fn glowing(color: [f32; 3], opacity: f32) -> Material {

@@ -9,7 +9,7 @@ use gonio_environment::{Cubemap, Face, Image, Layout, Panorama, cubemap::texel_d
 use gonio_light::Optics;
 use gonio_mesh::Material;
 use gonio_reference::ReferenceScene;
-use gonio_scene::description::Shading;
+use gonio_scene::scene_file::Shading;
 use gonio_scene::{Camera, Maps, Picture};
 
 const EYE: [f64; 3] = [0.3, -0.2, 0.4];

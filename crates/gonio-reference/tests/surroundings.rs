@@ -9,7 +9,7 @@ use gonio_environment::{CubeMips, Cubemap};
 use gonio_light::{Fresnel, Optics, Quantity, vector};
 use gonio_mesh::Material;
 use gonio_reference::ReferenceScene;
-use gonio_scene::description::Shading;
+use gonio_scene::scene_file::Shading;
 use gonio_scene::{LoadedEnvironment, Maps, TextureFilter, ViewSpec};
 use std::sync::Arc;
 

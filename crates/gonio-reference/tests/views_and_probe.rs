@@ -9,7 +9,7 @@ use gonio_light::quantity::Encoding;
 use gonio_light::{Attenuation, Quantity, Specular};
 use gonio_mesh::Material;
 use gonio_reference::ReferenceScene;
-use gonio_scene::description::Shading;
+use gonio_scene::scene_file::Shading;
 use gonio_scene::{ColorSpace, Maps, ViewSpec};
 
 const SHADINGS: [Shading; 4] = [Shading::Flat, Shading::FlatPerFace, Shading::Gouraud, Shading::Phong];

@@ -9,7 +9,7 @@ use gonio_light::Quantity;
 use gonio_mesh::{Material, Mesh};
 use gonio_reference::{ReferenceScene, sample_positions};
 use gonio_scene::Maps;
-use gonio_scene::description::Shading;
+use gonio_scene::scene_file::Shading;
 
 /// Sends out light of its own: 1, whatever the lights are.
 fn glowing(color: [f32; 3]) -> Material {

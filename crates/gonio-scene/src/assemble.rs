@@ -1,8 +1,8 @@
 //! From meshes and materials to a scene's objects.
 
-use crate::description::Scene;
 use crate::load::world_from_model;
-use crate::loaded::{LoadedScene, Object, ObjectPart};
+use crate::scene::{Object, ObjectPart, Scene};
+use crate::scene_file::SceneFile;
 use crate::stock::MeshStock;
 use gonio_mesh::{Diagnostic, Mesh, tangents};
 use rayon::prelude::*;
@@ -11,8 +11,8 @@ use std::sync::Arc;
 /// Fills in `meshes` and `objects` of `loaded`, whose materials are there: objects in the scene's order, tangents where
 /// a normal map wants them. `mesh_of_object` indexes `stock`, `first_material` the materials.
 pub(crate) fn assemble(
-    loaded: &mut LoadedScene,
-    scene: &Scene,
+    loaded: &mut Scene,
+    scene: &SceneFile,
     stock: &mut [MeshStock],
     mesh_of_object: &[usize],
     first_material: &[usize],

@@ -1,11 +1,11 @@
 //! From what the user names to a scene's description.
 
-use crate::description::{ObjectSpec, Scene};
-use crate::document::line_and_column;
 use crate::environment_file;
 use crate::files::{self, FileSource};
 use crate::model_kind::{self, InputKind};
+use crate::scene_file::{ObjectSpec, SceneFile};
 use crate::toml_reader;
+use crate::toml_tree::line_and_column;
 use gonio_mesh::{ReadError, encoding};
 use std::borrow::Cow;
 use std::path::Path;
@@ -17,11 +17,11 @@ use std::path::Path;
 /// Several inputs become one scene, models in the coordinates of their files; the first scene file
 /// among them gives picture, camera, background and equation. Of a model no more is looked at than tells
 /// its format.
-pub fn describe(inputs: &[&str], files: &dyn FileSource) -> Result<Scene, ReadError> {
+pub fn describe(inputs: &[&str], files: &dyn FileSource) -> Result<SceneFile, ReadError> {
     if inputs.is_empty() {
         return Err(ReadError::new("nothing to read: name a model, a scene file or builtin:suzanne"));
     }
-    let mut whole = Scene::default();
+    let mut whole = SceneFile::default();
     let mut has_settings = false;
     for &input in inputs {
         let (mut scene, is_scene_file) = describe_one(input, files).map_err(|e| e.in_file(input))?;
@@ -29,14 +29,14 @@ pub fn describe(inputs: &[&str], files: &dyn FileSource) -> Result<Scene, ReadEr
         whole.lights.append(&mut scene.lights);
         if is_scene_file && !has_settings {
             has_settings = true;
-            whole = Scene { objects: whole.objects, lights: whole.lights, ..scene };
+            whole = SceneFile { objects: whole.objects, lights: whole.lights, ..scene };
         }
     }
     Ok(whole)
 }
 
 /// The description, and whether it came from a scene file.
-fn describe_one(input: &str, files: &dyn FileSource) -> Result<(Scene, bool), ReadError> {
+fn describe_one(input: &str, files: &dyn FileSource) -> Result<(SceneFile, bool), ReadError> {
     let path = files::resolve(Path::new(""), input);
     let explain = |e: std::io::Error| {
         if e.kind() == std::io::ErrorKind::NotFound && environment_file::builtin_of(input).is_some() {
@@ -51,7 +51,7 @@ fn describe_one(input: &str, files: &dyn FileSource) -> Result<(Scene, bool), Re
     match model_kind::tell(&bytes, &path).map_err(ReadError::new)? {
         InputKind::Model => {
             let object = ObjectSpec { model: input.to_owned(), ..ObjectSpec::default() };
-            Ok((Scene { objects: vec![object], ..Scene::default() }, false))
+            Ok((SceneFile { objects: vec![object], ..SceneFile::default() }, false))
         }
         InputKind::Scene => {
             let bytes = scene_text(&bytes)?;

@@ -1,9 +1,9 @@
 //! The same scene with coarser meshes: how the picture depends on the number of triangles.
 
-use crate::description::ObjectSpec;
 use crate::files::{self, BUILTIN};
 use crate::load::{NormalChoice, with_normals};
-use crate::loaded::{LoadedScene, ObjectPart};
+use crate::scene::{ObjectPart, Scene};
+use crate::scene_file::ObjectSpec;
 use gonio_mesh::{Mesh, simplify, sphere, tangents, topology};
 use std::sync::{Arc, OnceLock};
 
@@ -52,7 +52,7 @@ pub fn is_sphere(object: &ObjectSpec) -> bool {
 
 /// The scene with other meshes, one for each object in order; what is beyond either's end stays as it is. A mesh has
 /// the parts of the one it replaces, or fewer.
-pub fn with_meshes(loaded: &LoadedScene, meshes: &[Arc<Mesh>]) -> LoadedScene {
+pub fn with_meshes(loaded: &Scene, meshes: &[Arc<Mesh>]) -> Scene {
     let mut next = loaded.clone();
     next.known_bounds = OnceLock::new();
     for (object, mesh) in next.objects.iter_mut().zip(meshes) {

@@ -5,11 +5,11 @@
 //! [`crate::Stock`].
 
 use crate::assemble::assemble;
-use crate::description::{ObjectSpec, Scene};
 use crate::framing;
 use crate::load::{self, NormalChoice, lacks_surroundings, world_from_model};
-use crate::loaded::LoadedScene;
 use crate::material_binding::MaterialBinder;
+use crate::scene::Scene;
+use crate::scene_file::{ObjectSpec, SceneFile};
 use crate::validate::{self, Problem};
 use gonio_mesh::Diagnostic;
 use std::sync::{Arc, OnceLock};
@@ -20,14 +20,14 @@ pub enum Edited {
     /// The scene as it is described now.
     Done(Box<Applied>),
     /// The description, unchanged: it wants what has not been read, so [`crate::load::load`] is to be asked.
-    NeedsFiles(Box<Scene>),
+    NeedsFiles(Box<SceneFile>),
 }
 
 /// A scene after an edit.
 #[derive(Debug)]
 pub struct Applied {
     /// As it is described now. Meshes, textures and environment are those of the scene before wherever they can be.
-    pub loaded: LoadedScene,
+    pub loaded: Scene,
     /// Triangles have come, gone or moved, became transparent or opaque, or belong to other materials.
     pub geometry_changed: bool,
     /// A material, or the texture of one, is another.
@@ -43,7 +43,7 @@ pub struct Applied {
 ///
 /// The description is taken at its word: what it leaves out is filled in as by [`crate::load::load`], but for lights, of
 /// which there are none where none are given. An error is one sentence that names the key, and nothing has changed then.
-pub fn apply(loaded: &LoadedScene, mut scene: Scene) -> Result<Edited, Problem> {
+pub fn apply(loaded: &Scene, mut scene: SceneFile) -> Result<Edited, Problem> {
     validate::check(&scene)?;
     let stock = &loaded.stock;
     let known: Option<Vec<(usize, usize)>> = scene.objects.iter().map(|object| stock.find(object)).collect();
@@ -89,7 +89,7 @@ fn is_same_thing(before: &ObjectSpec, now: &ObjectSpec) -> bool {
 }
 
 /// The same objects, where they are now.
-fn moved(loaded: &LoadedScene, scene: &Scene) -> LoadedScene {
+fn moved(loaded: &Scene, scene: &SceneFile) -> Scene {
     let mut next = loaded.clone();
     for (object, spec) in next.objects.iter_mut().zip(&scene.objects) {
         object.name.clone_from(&spec.name);
@@ -100,7 +100,7 @@ fn moved(loaded: &LoadedScene, scene: &Scene) -> LoadedScene {
 }
 
 /// Other objects or materials, of what is known; `None` where something is not.
-fn rebound(loaded: &LoadedScene, scene: &Scene, known: &[(usize, usize)]) -> Option<LoadedScene> {
+fn rebound(loaded: &Scene, scene: &SceneFile, known: &[(usize, usize)]) -> Option<Scene> {
     let mut stock = (*loaded.stock).clone();
     let mut binder = MaterialBinder::of_stock(&stock.textures);
     let first_material: Vec<usize> = scene
@@ -111,11 +111,11 @@ fn rebound(loaded: &LoadedScene, scene: &Scene, known: &[(usize, usize)]) -> Opt
         .collect();
     let bound = binder.recall(&stock.textures)?;
     let mesh_of_object: Vec<usize> = known.iter().map(|&(_, mesh)| mesh).collect();
-    let mut next = LoadedScene {
+    let mut next = Scene {
         materials: bound.materials,
         textures: bound.textures,
         diagnostics: loaded.diagnostics.clone(),
-        ..LoadedScene::default()
+        ..Scene::default()
     };
     let mut told: Vec<Diagnostic> = Vec::new();
     assemble(&mut next, scene, &mut stock.meshes, &mesh_of_object, &first_material, &mut told);
@@ -130,18 +130,18 @@ fn are_same<T>(a: &[Arc<T>], b: &[Arc<T>]) -> bool {
 }
 
 /// Whether both have the same triangles, of materials that hide or show what is behind alike, in whatever place.
-fn has_same_triangles(before: &LoadedScene, now: &LoadedScene) -> bool {
+fn has_same_triangles(before: &Scene, now: &Scene) -> bool {
     are_same(&before.meshes, &now.meshes)
         && before.objects.len() == now.objects.len()
         && before.objects.iter().zip(&now.objects).all(|(a, b)| {
             (a.mesh, a.closed, &a.parts) == (b.mesh, b.closed, &b.parts)
                 && a.parts.iter().all(|part| {
-                    let is_transparent = |of: &LoadedScene| of.materials.get(part.material).map(|m| m.is_transparent());
+                    let is_transparent = |of: &Scene| of.materials.get(part.material).map(|m| m.is_transparent());
                     is_transparent(before) == is_transparent(now)
                 })
         })
 }
 
-fn has_moved(before: &LoadedScene, now: &LoadedScene) -> bool {
+fn has_moved(before: &Scene, now: &Scene) -> bool {
     before.objects.iter().zip(&now.objects).any(|(a, b)| a.world_from_model != b.world_from_model)
 }

@@ -1,6 +1,6 @@
 //! What surrounds a scene, ready to be looked up.
 
-use crate::loaded::LoadedScene;
+use crate::scene::Scene;
 use glam::{DMat3, DQuat, DVec3};
 use gonio_environment::{CubeMips, Cubemap, GlossyMips, Harmonics};
 use std::sync::OnceLock;
@@ -98,7 +98,7 @@ pub fn world_from_environment([yaw, pitch, roll]: [f64; 3]) -> DMat3 {
     DMat3::from_quat(turn(DVec3::Y, yaw) * turn(DVec3::X, pitch) * turn(DVec3::Z, roll))
 }
 
-impl LoadedScene {
+impl Scene {
     /// How the environment takes part; `None` where there is none.
     pub fn surroundings(&self) -> Option<Surroundings> {
         self.environment.as_ref()?;

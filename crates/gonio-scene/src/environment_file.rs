@@ -1,10 +1,10 @@
 //! Environments from files: a picture, a folder, six faces, or a name that is built in.
 
-use crate::description::EnvironmentSpec;
-use crate::document::nearest;
 use crate::environment::LoadedEnvironment;
 use crate::files::{self, Budgeted, FileSource};
 use crate::model_kind;
+use crate::scene_file::EnvironmentSpec;
+use crate::toml_tree::nearest;
 use gonio_environment::arrange::{self, Arrangement};
 use gonio_environment::builtin::{self, Builtin};
 use gonio_environment::convert::{Conversion, From};

@@ -1,12 +1,12 @@
 //! One moment of a scene, as a renderer wants it.
 
 use crate::camera::Camera;
-use crate::description::{EquationSpec, LightSourceKind, LightSpec};
 use crate::environment::Surroundings;
 use crate::framing::{DEFAULT_SPOT_ANGLES, Extent};
 use crate::load::camera_of;
-use crate::loaded::LoadedScene;
 use crate::motion::position_at;
+use crate::scene::Scene;
+use crate::scene_file::{EquationSpec, LightSourceKind, LightSpec};
 use crate::texture::TextureFilter;
 use glam::{DQuat, DVec3};
 use gonio_light::brdf::BrdfSettings;
@@ -69,7 +69,7 @@ pub struct Frame {
     pub bounds_max: DVec3,
 }
 
-impl LoadedScene {
+impl Scene {
     /// The scene at `time`, seconds. The effective scene has every default filled in, so nothing can
     /// be missing.
     pub fn frame(&self, time: f64) -> Frame {

@@ -2,9 +2,9 @@
 
 use crate::camera::Camera;
 use crate::color_value::Color;
-use crate::description::{CameraSpec, EquationSpec, LightSourceKind, LightSpec, MotionSpec};
 use crate::load::camera_of;
-use crate::loaded::LoadedScene;
+use crate::scene::Scene;
+use crate::scene_file::{CameraSpec, EquationSpec, LightSourceKind, LightSpec, MotionSpec};
 use glam::{DQuat, DVec3};
 use gonio_light::Convention;
 use gonio_light::vector::unit;
@@ -92,7 +92,7 @@ pub(crate) fn fill_camera(camera: &mut CameraSpec, around: Around, objects: &dyn
 }
 
 /// For a camera that moves: where it has to stand, and what it must not cut off.
-impl LoadedScene {
+impl Scene {
     /// `camera` at the place from which all objects are in a picture of this `aspect` (width over height); it looks the
     /// same way as before, with the same field of view.
     pub fn framed(&self, camera: &CameraSpec, aspect: f64) -> CameraSpec {

@@ -2,14 +2,14 @@
 
 use crate::assemble::assemble;
 use crate::camera::Camera;
-use crate::description::{CameraSpec, MaterialOverride, Normals, ObjectSpec, Scene};
 use crate::environment_file;
 use crate::files::{self, Budgeted, FileSource};
 use crate::framing::{self, Around};
-use crate::loaded::{LoadedScene, SceneMaterial};
 use crate::material_binding::MaterialBinder;
 use crate::model_file::{self, ModelFile};
 use crate::model_scene;
+use crate::scene::{Scene, SceneMaterial};
+use crate::scene_file::{CameraSpec, MaterialOverride, Normals, ObjectSpec, SceneFile};
 use crate::stock::{self, MaterialSource, MeshStock, ModelStock, Stock};
 use crate::validate;
 use glam::{DMat4, DQuat, DVec3};
@@ -31,17 +31,17 @@ struct PreparedMesh {
 /// Reads the files of `scene`, relative to `base`, and fills in every default.
 ///
 /// A scene without lights has those of its models' files; without any there either, pleasant ones.
-pub fn load(scene: Scene, base: &Path, files: &dyn FileSource) -> Result<LoadedScene, ReadError> {
+pub fn load(scene: SceneFile, base: &Path, files: &dyn FileSource) -> Result<Scene, ReadError> {
     load_within(scene, base, files, &Limits::default())
 }
 
 /// [`load`], with other limits on what the files may make it allocate: `limits.max_bytes` are for all of them together.
 pub fn load_within(
-    mut scene: Scene,
+    mut scene: SceneFile,
     base: &Path,
     files: &dyn FileSource,
     limits: &Limits,
-) -> Result<LoadedScene, ReadError> {
+) -> Result<Scene, ReadError> {
     validate::check(&scene).map_err(|p| ReadError::new(p.message))?;
     let files = &Budgeted::new(files, limits.max_bytes);
 
@@ -127,7 +127,7 @@ pub fn load_within(
         }
     }
 
-    let mut loaded = LoadedScene { materials: bound.materials, textures: bound.textures, ..LoadedScene::default() };
+    let mut loaded = Scene { materials: bound.materials, textures: bound.textures, ..Scene::default() };
     assemble(&mut loaded, &scene, &mut stock.meshes, &prepared_of_object, &first_material, &mut diagnostics);
     model_scene::take_camera(&mut scene, &models, &model_of_object)?;
     model_scene::take_lights(&mut scene, &models, &model_of_object, loaded.bounds(), &mut diagnostics);
@@ -192,7 +192,7 @@ pub(crate) fn lacks_surroundings() -> Diagnostic {
 }
 
 /// Every default that depends on the objects, and every other.
-fn fill_in(scene: &mut Scene, loaded: &LoadedScene) {
+fn fill_in(scene: &mut SceneFile, loaded: &Scene) {
     let around = fill_camera(scene, loaded);
     let lit_by_environment = scene.environment.as_ref().is_some_and(|e| e.light == Some(true));
     if scene.lights.is_empty() && !lit_by_environment {
@@ -203,7 +203,7 @@ fn fill_in(scene: &mut Scene, loaded: &LoadedScene) {
 }
 
 /// What the camera lacks.
-pub(crate) fn fill_camera(scene: &mut Scene, loaded: &LoadedScene) -> Around {
+pub(crate) fn fill_camera(scene: &mut SceneFile, loaded: &Scene) -> Around {
     let (min, max) = loaded.bounds();
     let around = Around::new(min, max);
     let aspect = f64::from(scene.picture.width) / f64::from(scene.picture.height);
@@ -212,7 +212,7 @@ pub(crate) fn fill_camera(scene: &mut Scene, loaded: &LoadedScene) -> Around {
 }
 
 /// What the equation leaves to its convention.
-pub(crate) fn fill_equation(scene: &mut Scene) {
+pub(crate) fn fill_equation(scene: &mut SceneFile) {
     scene.equation.cosine_weighted.get_or_insert(scene.equation.convention == Convention::Physical);
 }
 
@@ -298,6 +298,6 @@ pub(crate) fn optics_of(with: &MaterialOverride) -> Optics {
 /// A material whose textures were all found, for tests and tools that build scenes by hand.
 impl From<Material> for SceneMaterial {
     fn from(material: Material) -> Self {
-        SceneMaterial { material, maps: crate::loaded::Maps::default(), optics: Optics::default() }
+        SceneMaterial { material, maps: crate::scene::Maps::default(), optics: Optics::default() }
     }
 }

@@ -1,9 +1,9 @@
 //! Materials and their textures.
 
-use crate::description::MaterialOverride;
 use crate::files::{Budget, FileSource};
 use crate::load::{optics_of, overridden};
-use crate::loaded::{BoundTexture, Maps, SceneMaterial};
+use crate::scene::{BoundTexture, Maps, SceneMaterial};
+use crate::scene_file::MaterialOverride;
 use crate::stock::MaterialSource;
 use crate::texture::Texture;
 use crate::texture_library::{Asker, DecodedLibrary, TextureLibrary, TextureStock, TextureUse};

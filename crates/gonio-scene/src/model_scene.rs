@@ -1,9 +1,9 @@
 //! Lights and cameras of models' files, as the scene's own.
 
 use crate::color_value::Color;
-use crate::description::{CameraSpec, LightSourceKind, LightSpec, Scene};
 use crate::load::world_from_model;
 use crate::model_file::ModelFile;
+use crate::scene_file::{CameraSpec, LightSourceKind, LightSpec, SceneFile};
 use glam::{DMat4, DVec3};
 use gonio_light::vector::unit;
 use gonio_mesh::{Diagnostic, ModelCamera, ModelLight, ModelLightKind, ReadError};
@@ -12,7 +12,11 @@ use gonio_mesh::{Diagnostic, ModelCamera, ModelLight, ModelLightKind, ReadError}
 const USUAL_LIGHT: (f64, f64) = (0.25, 4.0);
 
 /// In the place of `camera.from_model` its values; what the scene gives besides stays.
-pub(crate) fn take_camera(scene: &mut Scene, models: &[ModelFile], model_of_object: &[usize]) -> Result<(), ReadError> {
+pub(crate) fn take_camera(
+    scene: &mut SceneFile,
+    models: &[ModelFile],
+    model_of_object: &[usize],
+) -> Result<(), ReadError> {
     let Some(wanted) = scene.camera.from_model.take() else { return Ok(()) };
     let mut cameras = Vec::new();
     for (object, &m) in scene.objects.iter().zip(model_of_object) {
@@ -63,7 +67,7 @@ fn spec_of(camera: &ModelCamera, world_from_model: DMat4) -> CameraSpec {
 /// Their units are those of photometry or of a program's own (candela, watts), whose numbers would need a camera's
 /// exposure: where their sum in the middle of the objects is no usual one, all are scaled alike, so that it is 1.
 pub(crate) fn take_lights(
-    scene: &mut Scene,
+    scene: &mut SceneFile,
     models: &[ModelFile],
     model_of_object: &[usize],
     bounds: (DVec3, DVec3),

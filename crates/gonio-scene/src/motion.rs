@@ -1,6 +1,6 @@
 //! Where a moving light is.
 
-use crate::description::{MotionKind, MotionSpec};
+use crate::scene_file::{MotionKind, MotionSpec};
 use glam::{DQuat, DVec3};
 use gonio_light::vector::unit;
 use std::f64::consts::TAU;

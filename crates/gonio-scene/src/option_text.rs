@@ -1,9 +1,9 @@
 //! Lights and materials as options of a command line: the same keys as in a scene file, in one line.
 
-use crate::description::{LightSpec, MaterialOverride};
-use crate::document::{Entry, Fault, Item, Value, nearest};
+use crate::scene_file::{LightSpec, MaterialOverride};
 use crate::table_reader::{TableReader, unknown_key};
 use crate::toml_reader;
+use crate::toml_tree::{Entry, Fault, Item, Value, nearest};
 use crate::validate;
 use gonio_light::fresnel::Medium;
 use std::ops::Range;

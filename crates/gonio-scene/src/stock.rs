@@ -1,11 +1,11 @@
 //! What a loaded scene was made of: kept with it, so that most edits need no file.
 
-use crate::description::{EnvironmentSpec, MaterialOverride, ObjectSpec};
 use crate::environment::LoadedEnvironment;
 use crate::files;
 use crate::load::NormalChoice;
 use crate::material_binding::MaterialBinder;
 use crate::model_file::ModelFile;
+use crate::scene_file::{EnvironmentSpec, MaterialOverride, ObjectSpec};
 use crate::texture_library::TextureStock;
 use gonio_mesh::{EmbeddedImage, Format, Material, Mesh, Model};
 use std::path::PathBuf;

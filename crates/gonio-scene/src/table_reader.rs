@@ -2,7 +2,7 @@
 //! in an error message is always the list that is understood.
 
 use crate::color_value::Color;
-use crate::document::{Entry, Fault, Item, Value, nearest};
+use crate::toml_tree::{Entry, Fault, Item, Value, nearest};
 use gonio_light::names::UnknownName;
 use std::ops::Range;
 use std::str::FromStr;

@@ -1,28 +1,28 @@
 //! A scene from TOML, with errors that say where and what was meant.
 
-use crate::description::{
+use crate::scene_file::{
     BackgroundSpec, CameraSpec, EnvironmentSpec, EquationSpec, LightSourceKind, LightSpec, MaterialOverride,
-    MotionKind, MotionSpec, ObjectSpec, PictureSpec, Scene,
+    MotionKind, MotionSpec, ObjectSpec, PictureSpec, SceneFile,
 };
-use crate::document::{Fault, Item, parse_toml};
 use crate::table_reader::TableReader;
+use crate::toml_tree::{Fault, Item, parse_toml};
 use crate::validate;
 use gonio_mesh::ReadError;
 
 /// Reads and checks a scene. Errors have line and column; the caller adds the file's name.
-pub fn read(text: &str) -> Result<Scene, ReadError> {
+pub fn read(text: &str) -> Result<SceneFile, ReadError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     read_document(text).map_err(|fault| fault.in_text(text))
 }
 
-fn read_document(text: &str) -> Result<Scene, Fault> {
+fn read_document(text: &str) -> Result<SceneFile, Fault> {
     let root = parse_toml(text)?;
     let scene = read_scene(&root)?;
     validate::check(&scene).map_err(|p| Fault::at(&root.locate(&p.path), p.message))?;
     Ok(scene)
 }
 
-fn read_scene(root: &Item) -> Result<Scene, Fault> {
+fn read_scene(root: &Item) -> Result<SceneFile, Fault> {
     let mut t = TableReader::new("a scene", root)?;
     let picture = t.table("picture", "[picture]")?;
     let camera = t.table("camera", "[camera]")?;
@@ -32,7 +32,7 @@ fn read_scene(root: &Item) -> Result<Scene, Fault> {
     let objects = t.tables("object")?;
     let lights = t.tables("light")?;
     t.finish()?;
-    Ok(Scene {
+    Ok(SceneFile {
         picture: picture.map_or(Ok(PictureSpec::default()), read_picture)?,
         camera: camera.map_or(Ok(CameraSpec::default()), read_camera)?,
         background: background.map_or(Ok(BackgroundSpec::default()), read_background)?,

@@ -1,9 +1,9 @@
 //! A scene as TOML, and the JSON Schema of such files.
 
-use crate::description::Scene;
+use crate::scene_file::SceneFile;
 use schemars::generate::SchemaSettings;
 
-impl Scene {
+impl SceneFile {
     /// The scene as a TOML file with a short heading. Every number is printed with as many digits as
     /// it takes to read the same number again.
     pub fn to_toml_string(&self) -> String {
@@ -21,7 +21,7 @@ impl Scene {
 
     /// The JSON Schema of scene files, for editors.
     pub fn json_schema() -> serde_json::Value {
-        let mut schema = SchemaSettings::draft07().into_generator().into_root_schema_for::<Scene>();
+        let mut schema = SchemaSettings::draft07().into_generator().into_root_schema_for::<SceneFile>();
         schema.insert("title".into(), "A scene of gonio".into());
         schema.to_value()
     }

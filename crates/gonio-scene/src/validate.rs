@@ -1,9 +1,9 @@
 //! What a scene's numbers may be. Knows nothing of files: a scene from TOML and one that the command
 //! line has changed pass the same checks.
 
-use crate::description::{
+use crate::scene_file::{
     CameraSpec, EnvironmentSpec, EquationSpec, LightSourceKind, LightSpec, MaterialOverride, MotionKind, MotionSpec,
-    ObjectSpec, PictureSpec, Scene,
+    ObjectSpec, PictureSpec, SceneFile,
 };
 use glam::DVec3;
 use gonio_light::vector::unit;
@@ -35,7 +35,7 @@ impl std::error::Error for Problem {}
 type Check = Result<(), Problem>;
 
 /// The first thing that is wrong with `scene`.
-pub fn check(scene: &Scene) -> Check {
+pub fn check(scene: &SceneFile) -> Check {
     check_picture(&scene.picture)?;
     check_camera(&scene.camera)?;
     check_equation(&scene.equation)?;

@@ -6,7 +6,7 @@ use crate::report::{CliError, Reporter, Times};
 use gonio_gl::{Drawn, Drawn8, DriverInfo, GpuScene, GpuStatistics, HeadlessContext, Renderer, Show};
 use gonio_reference::{ReferenceScene, Rendered};
 use gonio_scene::picture::EncodedPicture;
-use gonio_scene::{DisplayMap, Frame, LoadedScene, Picture, ViewSpec};
+use gonio_scene::{DisplayMap, Frame, Picture, Scene, ViewSpec};
 use serde::Serialize;
 use std::borrow::Cow;
 use std::path::Path;
@@ -103,7 +103,7 @@ impl Opened {
     /// Gives the scene to the backend.
     pub fn take_scene(
         self,
-        scene: &LoadedScene,
+        scene: &Scene,
         options: &BackendOptions,
         reporter: &Reporter,
         times: &Times,

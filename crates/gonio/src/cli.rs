@@ -12,8 +12,8 @@ use gonio_light::{Convention, Specular};
 use gonio_mesh::Limits;
 use gonio_scene::TextureFilter;
 use gonio_scene::ViewSpec;
-use gonio_scene::description::{LightSpec, MaterialOverride, Normals, Shading};
 use gonio_scene::files::{Budgeted, DiskAndInput, FileSource, Sandbox};
+use gonio_scene::scene_file::{LightSpec, MaterialOverride, Normals, Shading};
 
 /// The light lab: loads a model, lights it with the light equation, shows every term at every pixel.
 #[derive(Parser, Debug)]

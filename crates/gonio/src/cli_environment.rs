@@ -3,8 +3,8 @@
 use crate::values;
 use clap::Args;
 use gonio_environment::Layout;
-use gonio_scene::Scene;
-use gonio_scene::description::EnvironmentSpec;
+use gonio_scene::SceneFile;
+use gonio_scene::scene_file::EnvironmentSpec;
 
 /// What surrounds the scene.
 #[derive(Args, Debug, Clone, Default)]
@@ -48,7 +48,7 @@ impl EnvironmentOptions {
 
     /// Replaces in `scene` what the options say. One of them without `--environment` changes the scene's environment; a
     /// scene that has none then has an error of its own.
-    pub fn apply(&self, scene: &mut Scene) {
+    pub fn apply(&self, scene: &mut SceneFile) {
         if let Some(image) = &self.environment {
             // Another picture: what the scene file says of layout and size was about its own.
             let before = scene.environment.take().unwrap_or_default();
@@ -92,14 +92,14 @@ mod tests {
             intensity: 2.0,
             ..EnvironmentSpec::default()
         };
-        let mut scene = Scene { environment: Some(before), ..Scene::default() };
+        let mut scene = SceneFile { environment: Some(before), ..SceneFile::default() };
         EnvironmentOptions { environment: Some("room".into()), ..EnvironmentOptions::default() }.apply(&mut scene);
         let spec = scene.environment.clone().unwrap_or_default();
         assert_eq!((spec.image.as_str(), spec.layout, spec.size, spec.intensity), ("room", None, None, 2.0));
 
-        let mut bare = Scene::default();
+        let mut bare = SceneFile::default();
         EnvironmentOptions::default().apply(&mut bare);
-        assert_eq!(bare, Scene::default());
+        assert_eq!(bare, SceneFile::default());
         EnvironmentOptions { environment_blur: Some(0.5), ..EnvironmentOptions::default() }.apply(&mut bare);
         // Told by the scene's own check.
         assert!(gonio_scene::validate::check(&bare).is_err_and(|p| p.message.contains("`image`")));

@@ -2,11 +2,11 @@
 
 use crate::cli::SceneOptions;
 use crate::report::{CliError, Reporter, Times};
-use gonio_scene::{LoadedScene, ViewSpec, load};
+use gonio_scene::{Scene, ViewSpec, load};
 use std::path::Path;
 
 /// The scene of `inputs` with the options laid over it, all files read.
-pub fn load_scene(inputs: &[String], options: &SceneOptions) -> Result<LoadedScene, CliError> {
+pub fn load_scene(inputs: &[String], options: &SceneOptions) -> Result<Scene, CliError> {
     let inputs: Vec<&str> = inputs.iter().map(String::as_str).collect();
     let named = inputs.iter().copied().chain(options.surroundings.named());
     let files = options.limits.files(named);
@@ -24,7 +24,7 @@ pub fn load_scene_while<T>(
     reporter: &Reporter,
     times: &Times,
     meanwhile: impl FnOnce() -> T,
-) -> (Result<LoadedScene, CliError>, T) {
+) -> (Result<Scene, CliError>, T) {
     let _busy = reporter.busy("reading the scene");
     std::thread::scope(|scope| {
         let loader = scope.spawn(|| times.measure("load", || load_scene(inputs, options)));
@@ -37,7 +37,7 @@ pub fn load_scene_while<T>(
 }
 
 /// Whether every view's light exists.
-pub fn check_views(views: impl IntoIterator<Item = ViewSpec>, scene: &LoadedScene) -> Result<(), CliError> {
+pub fn check_views(views: impl IntoIterator<Item = ViewSpec>, scene: &Scene) -> Result<(), CliError> {
     let count = scene.scene.lights.len();
     for view in views {
         if let Some(light) = view.light

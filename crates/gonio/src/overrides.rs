@@ -2,12 +2,12 @@
 
 use crate::cli::SceneOptions;
 use crate::values::BackgroundValue;
-use gonio_scene::Scene;
-use gonio_scene::description::{CameraSpec, MaterialOverride};
+use gonio_scene::SceneFile;
+use gonio_scene::scene_file::{CameraSpec, MaterialOverride};
 
 impl SceneOptions {
     /// Replaces in `scene` what the options say. What belongs to objects is set on all of them.
-    pub fn apply(&self, scene: &mut Scene) {
+    pub fn apply(&self, scene: &mut SceneFile) {
         self.apply_to_objects(scene);
         self.apply_to_equation(scene);
         self.apply_to_camera(scene);
@@ -18,7 +18,7 @@ impl SceneOptions {
         }
     }
 
-    fn apply_to_objects(&self, scene: &mut Scene) {
+    fn apply_to_objects(&self, scene: &mut SceneFile) {
         for object in &mut scene.objects {
             set(&mut object.shading, self.shading);
             set(&mut object.normals, self.normals);
@@ -29,7 +29,7 @@ impl SceneOptions {
         }
     }
 
-    fn apply_to_equation(&self, scene: &mut Scene) {
+    fn apply_to_equation(&self, scene: &mut SceneFile) {
         let equation = &mut scene.equation;
         set(&mut equation.convention, self.convention);
         set(&mut equation.specular, self.specular);
@@ -53,7 +53,7 @@ impl SceneOptions {
         }
     }
 
-    fn apply_to_camera(&self, scene: &mut Scene) {
+    fn apply_to_camera(&self, scene: &mut SceneFile) {
         let camera = &mut scene.camera;
         camera.position = self.camera_position.or(camera.position);
         if self.camera.is_some() {
@@ -75,7 +75,7 @@ impl SceneOptions {
         }
     }
 
-    fn apply_to_picture(&self, scene: &mut Scene) {
+    fn apply_to_picture(&self, scene: &mut SceneFile) {
         let picture = &mut scene.picture;
         if let Some((width, height)) = self.size {
             (picture.width, picture.height) = (width, height);
@@ -124,11 +124,11 @@ fn merge_material(place: &mut MaterialOverride, given: &MaterialOverride) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use gonio_scene::description::{ObjectSpec, Shading};
+    use gonio_scene::scene_file::{ObjectSpec, Shading};
 
     #[test]
     fn nothing_given_changes_nothing() {
-        let mut scene = Scene { objects: vec![ObjectSpec::default()], ..Scene::default() };
+        let mut scene = SceneFile { objects: vec![ObjectSpec::default()], ..SceneFile::default() };
         scene.camera.yaw = Some(3.0);
         scene.equation.two_sided = false;
         let before = scene.clone();
@@ -138,7 +138,7 @@ mod tests {
 
     #[test]
     fn a_direction_replaces_the_other_way_of_giving_one() {
-        let mut scene = Scene::default();
+        let mut scene = SceneFile::default();
         scene.camera.target = Some([1.0, 2.0, 3.0]);
         SceneOptions { yaw: Some(10.0), ..SceneOptions::default() }.apply(&mut scene);
         assert_eq!((scene.camera.target, scene.camera.yaw), (None, Some(10.0)));
@@ -148,7 +148,7 @@ mod tests {
 
     #[test]
     fn every_term_can_be_left_out() {
-        let mut scene = Scene::default();
+        let mut scene = SceneFile::default();
         let without = ["ambient", "emitted", "diffuse", "specular", "attenuation", "spot"].map(String::from).to_vec();
         SceneOptions { without, ..SceneOptions::default() }.apply(&mut scene);
         let e = &scene.equation;
@@ -157,7 +157,7 @@ mod tests {
 
     #[test]
     fn all_objects_are_meant() {
-        let mut scene = Scene { objects: vec![ObjectSpec::default(); 2], ..Scene::default() };
+        let mut scene = SceneFile { objects: vec![ObjectSpec::default(); 2], ..SceneFile::default() };
         scene.objects[1].material.opacity = Some(0.5);
         SceneOptions {
             shading: Some(Shading::Flat),

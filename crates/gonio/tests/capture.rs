@@ -10,7 +10,7 @@ use common::{Lab, Run, asset};
 use glam::{DMat4, DVec3};
 use gonio_gl::glsl;
 use gonio_scene::files::Disk;
-use gonio_scene::{Frame, LoadedScene, load};
+use gonio_scene::{Frame, Scene, load};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -108,7 +108,7 @@ impl Draw<'_> {
     }
 }
 
-fn scene(input: &str) -> LoadedScene {
+fn scene(input: &str) -> Scene {
     load::load(load::describe(&[input], &Disk).unwrap(), Path::new(""), &Disk).unwrap()
 }
 

@@ -6,20 +6,20 @@ mod pane;
 pub use history::History;
 pub use pane::{Arrangement, DifferenceSettings, Pane, Panes, Reflectance};
 
-use gonio_scene::Scene;
+use gonio_scene::SceneFile;
 
 /// Everything that a person changes in the window and would want back.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Document {
     /// The effective scene: every default filled in.
-    pub scene: Scene,
+    pub scene: SceneFile,
     /// In how many ways it is shown, and how.
     pub panes: Panes,
 }
 
 impl Document {
     /// A scene that was just opened, in one pane.
-    pub fn of(scene: Scene) -> Self {
+    pub fn of(scene: SceneFile) -> Self {
         Document { scene, panes: Panes::default() }
     }
 }

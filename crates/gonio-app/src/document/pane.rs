@@ -4,9 +4,9 @@ use crate::action::Overlay;
 use gonio_gl::{Show, View};
 use gonio_light::brdf::BrdfKind;
 use gonio_light::{Convention, Specular};
-use gonio_scene::description::Shading;
 use gonio_scene::detail::Detail;
-use gonio_scene::{Overlays, Scene, SpecialView, ViewSpec};
+use gonio_scene::scene_file::Shading;
+use gonio_scene::{Overlays, SceneFile, SpecialView, ViewSpec};
 
 /// What stands in the place of the diffuse and the specular term in one pane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,7 +74,7 @@ impl Pane {
     }
 
     /// The scene with the pane's settings in place of its own, but for its detail, which is no matter of the description.
-    pub fn applied_to(&self, scene: &Scene) -> Scene {
+    pub fn applied_to(&self, scene: &SceneFile) -> SceneFile {
         let mut scene = scene.clone();
         if let Some(shading) = self.shading {
             scene.objects.iter_mut().for_each(|object| object.shading = shading);
@@ -302,7 +302,7 @@ mod tests {
 
     #[test]
     fn settings_replace_those_of_the_scene() {
-        let mut scene = Scene::default();
+        let mut scene = SceneFile::default();
         scene.objects.push(Default::default());
         scene.equation.brdf = Some(BrdfKind::Ward);
         assert_eq!(Pane::default().applied_to(&scene), scene);

@@ -6,9 +6,9 @@ use crate::document::{Document, Pane};
 use crate::session::Session;
 use crate::session::comparison::{Curve, CurvePoint};
 use gonio_gl::{Canvas, Gl, GlError, Renderer};
-use gonio_scene::description::Shading;
 use gonio_scene::detail::{self, Detail};
-use gonio_scene::{Frame, LoadedScene, difference};
+use gonio_scene::scene_file::Shading;
+use gonio_scene::{Frame, Scene, difference};
 use std::sync::Arc;
 
 /// Longest side of the pictures, pixels: enough for the error, and quick on a software driver.
@@ -24,7 +24,7 @@ const MOST_LEVELS: i32 = 10;
 
 /// The pictures that are drawn for a curve.
 pub struct CurveRun {
-    base: Arc<LoadedScene>,
+    base: Arc<Scene>,
     settings: Pane,
     frame_size: [u32; 2],
     time: f64,

@@ -1,9 +1,9 @@
 //! Meshes in other details: made once, beside the window where there are threads.
 
 use gonio_mesh::Mesh;
-use gonio_scene::LoadedScene;
-use gonio_scene::description::{Normals, ObjectSpec};
+use gonio_scene::Scene;
 use gonio_scene::detail::Detail;
+use gonio_scene::scene_file::{Normals, ObjectSpec};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Weak};
 
@@ -69,7 +69,7 @@ impl Details {
     }
 
     /// The meshes of a scene's objects in a detail; `None` while some are being made.
-    pub fn meshes(&mut self, loaded: &LoadedScene, detail: Detail) -> Option<Vec<Arc<Mesh>>> {
+    pub fn meshes(&mut self, loaded: &Scene, detail: Detail) -> Option<Vec<Arc<Mesh>>> {
         let mut meshes = Vec::with_capacity(loaded.objects.len());
         for (object, spec) in loaded.objects.iter().zip(&loaded.scene.objects) {
             let source = loaded.meshes.get(object.mesh)?;

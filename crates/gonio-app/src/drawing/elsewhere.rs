@@ -2,13 +2,13 @@
 
 use super::Studio;
 use gonio_gl::{Canvas, GlError, Presentation, Show};
-use gonio_scene::{Camera, Frame, LoadedScene};
+use gonio_scene::{Camera, Frame, Scene};
 use std::sync::Arc;
 
 /// The second camera's picture, and what is on it.
 pub struct Outside {
     canvas: Canvas,
-    drawn: Option<(Frame, Arc<LoadedScene>)>,
+    drawn: Option<(Frame, Arc<Scene>)>,
 }
 
 impl Studio {
@@ -32,7 +32,7 @@ impl Studio {
             Some(kept) => kept,
             none => none.insert(Outside { canvas: Canvas::new(&self.gl, size)?, drawn: None }),
         };
-        let is_drawn = |(frame, of): &(Frame, Arc<LoadedScene>)| *frame == wanted && Arc::ptr_eq(of, loaded);
+        let is_drawn = |(frame, of): &(Frame, Arc<Scene>)| *frame == wanted && Arc::ptr_eq(of, loaded);
         if !outside.drawn.as_ref().is_some_and(is_drawn) {
             self.renderer.paint(uploaded, &wanted, &Show::default(), &mut outside.canvas)?;
             outside.drawn = Some((wanted, loaded.clone()));

@@ -17,7 +17,7 @@ use curve::CurveRun;
 use details::Details;
 use gonio_gl::record::FrameRecord;
 use gonio_gl::{Canvas, Gl, GlError, Presentation, Presenter, Renderer, View};
-use gonio_scene::{Frame, LoadedScene};
+use gonio_scene::{Frame, Scene};
 use pair::PairDrawing;
 use pane::PaneDrawing;
 use std::sync::Arc;
@@ -77,7 +77,7 @@ impl Studio {
     }
 
     /// The scene of a pane as it was drawn last.
-    pub fn loaded(&self, pane: usize) -> Option<&Arc<LoadedScene>> {
+    pub fn loaded(&self, pane: usize) -> Option<&Arc<Scene>> {
         self.panes.get(pane)?.loaded.as_ref()
     }
 

@@ -6,9 +6,9 @@ use crate::session::FrameFacts;
 use crate::session::comparison::PaneFacts;
 use gonio_gl::{Canvas, Gl, GlError, GpuScene, GpuStatistics, Renderer, Show, View};
 use gonio_mesh::Mesh;
-use gonio_scene::description::Shading;
 use gonio_scene::edit::{self, Edited};
-use gonio_scene::{Frame, LoadedScene, detail};
+use gonio_scene::scene_file::Shading;
+use gonio_scene::{Frame, Scene, detail};
 use std::sync::Arc;
 
 /// Longer than this (for all panes), and a drag is no longer smooth: fewer than 20 pictures a second.
@@ -29,13 +29,13 @@ pub struct Pace {
 #[derive(Default)]
 pub struct PaneDrawing {
     /// The document's scene that it was made from, and the pane's own.
-    from: Option<Arc<LoadedScene>>,
+    from: Option<Arc<Scene>>,
     generation: u64,
     settings: Pane,
-    pub loaded: Option<Arc<LoadedScene>>,
+    pub loaded: Option<Arc<Scene>>,
     /// Meshes in the pane's detail, and for which scene; while others are made, these are shown.
     detailed: Option<(u64, Vec<Arc<Mesh>>)>,
-    pub uploaded: Option<(Arc<LoadedScene>, GpuScene)>,
+    pub uploaded: Option<(Arc<Scene>, GpuScene)>,
     pub canvas: Option<Canvas>,
     /// What is on the canvas.
     pub drawn: Option<(Frame, Show)>,
@@ -51,7 +51,7 @@ impl PaneDrawing {
         &mut self,
         renderer: &mut Renderer,
         details: &mut Details,
-        base: &Arc<LoadedScene>,
+        base: &Arc<Scene>,
         generation: u64,
         settings: &Pane,
     ) -> Result<(), GlError> {
@@ -77,11 +77,11 @@ impl PaneDrawing {
     /// The scene in the pane's detail, or in the last one while another is being made.
     fn with_detail(
         &mut self,
-        loaded: Arc<LoadedScene>,
+        loaded: Arc<Scene>,
         details: &mut Details,
         generation: u64,
         settings: &Pane,
-    ) -> Arc<LoadedScene> {
+    ) -> Arc<Scene> {
         self.facts.preparing = false;
         let Some(wanted) = settings.detail else {
             self.detailed = None;
@@ -156,7 +156,7 @@ impl PaneDrawing {
 }
 
 /// The scene with a pane's settings, its detail apart.
-pub fn with_settings(base: &Arc<LoadedScene>, settings: &Pane) -> Arc<LoadedScene> {
+pub fn with_settings(base: &Arc<Scene>, settings: &Pane) -> Arc<Scene> {
     let scene = settings.applied_to(&base.scene);
     if scene == base.scene {
         return base.clone();
@@ -169,20 +169,20 @@ pub fn with_settings(base: &Arc<LoadedScene>, settings: &Pane) -> Arc<LoadedScen
 }
 
 /// Of all objects.
-pub fn triangles(loaded: &LoadedScene) -> usize {
+pub fn triangles(loaded: &Scene) -> usize {
     let of = |object: &gonio_scene::Object| loaded.meshes.get(object.mesh).map_or(0, |mesh| mesh.triangle_count());
     loaded.objects.iter().map(of).sum()
 }
 
 /// What the GPU counted; where it cannot, the vertices that are handed to it.
-fn count(facts: &mut PaneFacts, statistics: Option<GpuStatistics>, loaded: &LoadedScene) {
+fn count(facts: &mut PaneFacts, statistics: Option<GpuStatistics>, loaded: &Scene) {
     let statistics = statistics.unwrap_or_default();
     facts.counted = statistics.vertices.is_some();
     facts.fragments = statistics.fragments;
     facts.vertices = statistics.vertices.or_else(|| Some(vertices(loaded)));
 }
 
-fn vertices(loaded: &LoadedScene) -> u64 {
+fn vertices(loaded: &Scene) -> u64 {
     let of = |object: &gonio_scene::Object| {
         let mesh = loaded.meshes.get(object.mesh)?;
         let unshared = matches!(object.shading, Shading::Flat | Shading::FlatPerFace);
@@ -193,12 +193,12 @@ fn vertices(loaded: &LoadedScene) -> u64 {
 
 /// Whether what is on the GPU of one scene serves another of the same generation: the same meshes in the same form, the
 /// same environment.
-fn is_same_on_gpu(uploaded: &LoadedScene, loaded: &LoadedScene) -> bool {
-    let environment = |scene: &LoadedScene| scene.environment.as_ref().map(Arc::as_ptr);
+fn is_same_on_gpu(uploaded: &Scene, loaded: &Scene) -> bool {
+    let environment = |scene: &Scene| scene.environment.as_ref().map(Arc::as_ptr);
     uploaded.objects.len() == loaded.objects.len()
         && environment(uploaded) == environment(loaded)
         && uploaded.objects.iter().zip(&loaded.objects).all(|(a, b)| {
-            let mesh = |scene: &LoadedScene, index: usize| scene.meshes.get(index).map(Arc::as_ptr);
+            let mesh = |scene: &Scene, index: usize| scene.meshes.get(index).map(Arc::as_ptr);
             a.shading == b.shading && mesh(uploaded, a.mesh) == mesh(loaded, b.mesh)
         })
 }

@@ -3,7 +3,7 @@
 use flate2::Compression;
 use flate2::read::DeflateDecoder;
 use flate2::write::DeflateEncoder;
-use gonio_scene::Scene;
+use gonio_scene::SceneFile;
 use gonio_scene::environment_file;
 use gonio_scene::files::BUILTIN;
 use std::io::{Read, Write};
@@ -17,7 +17,7 @@ const ALPHABET: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwx
 
 /// The part of an address after `#` that carries the scene. Only what everybody has can be sent: an error names the file
 /// that is not built in.
-pub fn of_scene(scene: &Scene) -> Result<String, String> {
+pub fn of_scene(scene: &SceneFile) -> Result<String, String> {
     let models = scene.objects.iter().map(|object| &object.model).filter(|model| !model.starts_with(BUILTIN));
     let environments = scene.environment.iter().flat_map(|e| std::iter::once(&e.image).chain(&e.background));
     let files = environments.filter(|name| environment_file::builtin_of(name).is_none());
@@ -88,7 +88,7 @@ fn from_base64url(text: &str) -> Option<Vec<u8>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use gonio_scene::description::ObjectSpec;
+    use gonio_scene::scene_file::ObjectSpec;
     use gonio_scene::toml_reader;
 
     /// RFC 4648, section 10, in the alphabet of its section 5 and without padding.
@@ -119,7 +119,7 @@ mod tests {
     #[test]
     fn files_cannot_be_sent_and_damage_is_told() {
         let object = ObjectSpec { model: "mine.obj".into(), ..ObjectSpec::default() };
-        let scene = Scene { objects: vec![object], ..Scene::default() };
+        let scene = SceneFile { objects: vec![object], ..SceneFile::default() };
         assert!(of_scene(&scene).is_err_and(|why| why.contains("`mine.obj`")));
         assert_eq!(scene_file("#about"), None);
         assert!(scene_file("#scene=????").is_some_and(|scene| scene.is_err()));

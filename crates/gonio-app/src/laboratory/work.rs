@@ -7,7 +7,7 @@ use gonio_lab::exercise::{Exercise, Kind};
 use gonio_lab::live::{Given, Note, NoteKind, Scene, scenes};
 use gonio_lab::submission::SourceFile;
 use gonio_lab::verdict::Verdict;
-use gonio_scene::description::CameraSpec;
+use gonio_scene::scene_file::CameraSpec;
 use std::path::PathBuf;
 
 /// A file as it was given, and where it lies.

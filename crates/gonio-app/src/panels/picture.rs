@@ -7,9 +7,9 @@ use crate::widgets::{Number, choice, color, dropdown, heading, named_options, ro
 use egui::Ui;
 use gonio_light::Quantity;
 use gonio_light::color::{ColorEncoding, ToneMap};
-use gonio_scene::description::{BackgroundSpec, EnvironmentSpec, PictureSpec};
+use gonio_scene::scene_file::{BackgroundSpec, EnvironmentSpec, PictureSpec};
 use gonio_scene::texture::TextureFilter;
-use gonio_scene::{Scene, ViewSpec};
+use gonio_scene::{SceneFile, ViewSpec};
 
 /// Shows it.
 pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
@@ -89,7 +89,7 @@ fn titled(group: &str, quantity: Quantity) -> String {
     }
 }
 
-fn environment(ui: &mut Ui, scene: &mut Scene) {
+fn environment(ui: &mut Ui, scene: &mut SceneFile) {
     const BUILTIN: [(&str, &str); 3] = [
         ("debug", "Six colours with names: shows what is where"),
         ("sky", "A sky with a sun"),

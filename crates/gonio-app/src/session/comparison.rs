@@ -1,7 +1,7 @@
 //! What was measured of the panes: plain numbers, for panel and picture.
 
-use gonio_scene::description::Shading;
 use gonio_scene::difference::{Spread, Tally};
+use gonio_scene::scene_file::Shading;
 
 /// What one pane took.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -18,7 +18,7 @@ use crate::platform::Settings;
 use crate::probing::Probing;
 use crate::saving::Product;
 use crate::viewport::Outside;
-use gonio_scene::LoadedScene;
+use gonio_scene::Scene;
 use std::sync::Arc;
 
 /// Facts about the last drawn picture.
@@ -52,7 +52,7 @@ pub struct PathField {
 /// What is not undone.
 pub struct Session {
     /// The document's scene with its files read; none until the first was.
-    pub loaded: Option<Arc<LoadedScene>>,
+    pub loaded: Option<Arc<Scene>>,
     /// What was opened, as a person calls it.
     pub title: String,
     /// Seconds, and whether they run.

@@ -22,7 +22,7 @@ use crate::session::{Selection, Session, Tab};
 use eframe::egui_glow;
 use egui::{Color32, Pos2, Rect, Response, Sense, Ui, vec2};
 use gonio_gl::{GlError, Presentation};
-use gonio_scene::LoadedScene;
+use gonio_scene::Scene;
 use std::sync::Arc;
 
 /// Shows the panes in all the room that is left.
@@ -204,7 +204,7 @@ fn point(index: usize, response: &Response, session: &mut Session) {
 }
 
 /// The point looked at, while the eye turns around it.
-fn aim(ui: &Ui, projection: &Projection, document: &Document, loaded: &LoadedScene) {
+fn aim(ui: &Ui, projection: &Projection, document: &Document, loaded: &Scene) {
     let (min, max) = loaded.bounds();
     let pivot = navigation::Rig::new(&document.scene.camera, 0.5 * (min + max)).pivot();
     let Some(place) = projection.to_window(pivot) else { return };

@@ -16,8 +16,8 @@ use egui::{Event, InputState, Key, PointerButton, Response, Ui};
 use glam::{DQuat, DVec3};
 use gonio_light::vector::unit;
 use gonio_scene::Camera;
-use gonio_scene::description::CameraSpec;
 use gonio_scene::load::camera_of;
+use gonio_scene::scene_file::CameraSpec;
 
 /// Degrees that a drag of one point turns.
 const DEGREES_PER_POINT: f64 = 0.4;

@@ -76,7 +76,7 @@ impl Lab {
     }
 }
 
-fn read(scene: gonio_scene::Scene) -> gonio_scene::LoadedScene {
+fn read(scene: gonio_scene::SceneFile) -> gonio_scene::Scene {
     load::load_within(scene, Path::new(""), &Disk, &Limits::default()).unwrap_or_else(|e| panic!("{e}"))
 }
 

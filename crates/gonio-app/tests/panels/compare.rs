@@ -6,9 +6,9 @@ use gonio_app::document::{Arrangement, Pane};
 use gonio_app::session::Tab;
 use gonio_app::session::comparison::{CurvePoint, DifferenceFacts};
 use gonio_light::{Convention, Specular};
-use gonio_scene::description::Shading;
 use gonio_scene::detail::Detail;
 use gonio_scene::difference::of_bytes;
+use gonio_scene::scene_file::Shading;
 
 fn bench() -> Bench {
     Bench::new("builtin:sphere-smooth", Tab::Compare)

@@ -6,7 +6,7 @@ use gonio_app::document::Document;
 use gonio_app::session::Tab;
 use gonio_light::brdf::BrdfKind;
 use gonio_light::{Convention, Specular};
-use gonio_scene::description::EnvironmentSpec;
+use gonio_scene::scene_file::EnvironmentSpec;
 
 const SCENE: &str = "builtin:light-kinds";
 

@@ -4,7 +4,7 @@ use crate::bench::Bench;
 use egui::vec2;
 use gonio_app::session::{Selection, Tab};
 use gonio_scene::ViewSpec;
-use gonio_scene::description::{LightSourceKind, MotionKind};
+use gonio_scene::scene_file::{LightSourceKind, MotionKind};
 
 const SCENE: &str = "builtin:light-kinds";
 

@@ -2,7 +2,7 @@
 
 use crate::bench::Bench;
 use gonio_app::session::{Selection, Tab};
-use gonio_scene::description::{Normals, Shading};
+use gonio_scene::scene_file::{Normals, Shading};
 
 #[test]
 fn shading_and_place_are_edited() {

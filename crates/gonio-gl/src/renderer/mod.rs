@@ -34,7 +34,7 @@ use crate::store::Store;
 use crate::target::{Precision, Sampling, Target};
 use crate::{Gl, GlError, textures};
 use glow::HasContext;
-use gonio_scene::{Frame, LoadedScene, ViewSpec};
+use gonio_scene::{Frame, Scene, ViewSpec};
 use output::Look;
 use pass::{Draw, Pass};
 use std::cell::RefCell;
@@ -92,7 +92,7 @@ impl Renderer {
 
     /// Uploads geometry and textures, but for those that another scene from here still holds: two panes of one scene, or
     /// a scene before and after an edit, share what they have in common (the same `Arc`s).
-    pub fn upload(&mut self, scene: &LoadedScene) -> Result<GpuScene, GlError> {
+    pub fn upload(&mut self, scene: &Scene) -> Result<GpuScene, GlError> {
         let _group = DebugGroup::new(&self.shared.gl, "upload");
         let before = self.store.count_made();
         let uploaded = GpuScene::upload(&self.shared.gl, scene, &self.shared.info, &mut self.store)?;

@@ -18,7 +18,7 @@ use glow::HasContext;
 use gonio_light::light::ambient_color;
 use gonio_light::{Convention, Quantity};
 use gonio_mesh::AmbientRule;
-use gonio_scene::description::Shading;
+use gonio_scene::scene_file::Shading;
 use gonio_scene::{BoundTexture, Frame, SceneMaterial, ViewSpec};
 use std::collections::HashMap;
 use std::rc::Rc;

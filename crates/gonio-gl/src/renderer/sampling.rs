@@ -26,11 +26,11 @@ pub(super) fn of(info: &DriverInfo, triangles: usize, frame: &Frame, samples: i3
 mod tests {
     use crate::Renderer;
     use gonio_scene::files::Disk;
-    use gonio_scene::{LoadedScene, Picture};
+    use gonio_scene::{Picture, Scene};
     use std::path::Path;
 
     /// Suzanne's 968 triangles on 40 x 30 pixels: fine ones; `finer` times as wide and high.
-    fn scene(samples: u32, finer: u32) -> LoadedScene {
+    fn scene(samples: u32, finer: u32) -> Scene {
         let text = format!(
             "[picture]\nwidth = {}\nheight = {}\nsamples = {samples}\n[[object]]\nmodel = \"builtin:suzanne\"\n",
             40 * finer,
@@ -40,7 +40,7 @@ mod tests {
         gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}"))
     }
 
-    fn linear(renderer: &mut Renderer, scene: &LoadedScene) -> Picture {
+    fn linear(renderer: &mut Renderer, scene: &Scene) -> Picture {
         let uploaded = renderer.upload(scene).unwrap_or_else(|why| panic!("{why}"));
         let drawn = renderer.render(&uploaded, &scene.frame(0.0), None);
         drawn.and_then(|drawn| drawn.linear()).unwrap_or_else(|why| panic!("{why}"))

@@ -6,7 +6,7 @@ use crate::glsl::{
 };
 use crate::program::Program;
 use gonio_light::Specular;
-use gonio_scene::description::Shading;
+use gonio_scene::scene_file::Shading;
 
 fn link_all(dialect: Dialect, es: bool) {
     let context = super::context(es);

@@ -12,7 +12,7 @@ use glam::DVec3;
 use glow::{HasContext, PixelUnpackData};
 use gonio_environment::{CubeMips, Cubemap, Face, Layout};
 use gonio_scene::files::Disk;
-use gonio_scene::{LoadedEnvironment, LoadedScene};
+use gonio_scene::{LoadedEnvironment, Scene};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -159,7 +159,7 @@ fn a_body_that_does_not_fit_is_told() {
     let mut scene = gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}"));
     let info = DriverInfo::of(context.gl());
     let small = DriverInfo { max_size: 0, ..info.clone() };
-    let upload = |scene: &LoadedScene, info| {
+    let upload = |scene: &Scene, info| {
         let scene =
             GpuScene::upload(context.gl(), scene, info, &mut Store::default()).unwrap_or_else(|why| panic!("{why}"));
         (scene.objects[0].body.is_some(), scene.notes)

@@ -6,7 +6,7 @@ use crate::renderer::Renderer;
 use crate::show::{Show, View};
 use crate::{Canvas, Gl};
 use glam::{DVec3, DVec4};
-use gonio_scene::{Frame, LoadedScene};
+use gonio_scene::{Frame, Scene};
 use gonio_scene::{Overlays, SpecialView};
 
 const SIZE: usize = 120;
@@ -14,7 +14,7 @@ const HEADER: &str = "[picture]\nwidth = 120\nheight = 120\n[camera]\nposition =
                       [background]\ntop = \"#808080\"\nbottom = \"#808080\"\n";
 
 /// Cubes at heights and distances: model units, the size of each its edge.
-pub(super) fn cubes(placed: &[([f64; 3], f64)], shading: &str) -> LoadedScene {
+pub(super) fn cubes(placed: &[([f64; 3], f64)], shading: &str) -> Scene {
     let object = |(at, scale): &([f64; 3], f64)| {
         format!(
             "[[object]]\nmodel = \"builtin:cube\"\nshading = \"{shading}\"\ntranslate = {at:?}\nscale = [{scale}, {scale}, {scale}]\n"
@@ -34,7 +34,7 @@ impl Bench {
         Bench { gl, renderer }
     }
 
-    fn paint(&mut self, scene: &LoadedScene, view: View, overlays: Overlays) -> Vec<[u8; 4]> {
+    fn paint(&mut self, scene: &Scene, view: View, overlays: Overlays) -> Vec<[u8; 4]> {
         let mut canvas = Canvas::new(&self.gl, [1, 1]).unwrap_or_else(|why| panic!("{why}"));
         let uploaded = self.renderer.upload(scene).unwrap_or_else(|why| panic!("{why}"));
         let painted = self.renderer.paint(&uploaded, &scene.frame(0.0), &Show { view, overlays }, &mut canvas);

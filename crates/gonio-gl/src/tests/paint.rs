@@ -9,12 +9,12 @@ use glow::HasContext;
 use gonio_light::Quantity;
 use gonio_scene::edit::{Edited, apply};
 use gonio_scene::files::Disk;
-use gonio_scene::{LoadedScene, ViewSpec};
 use gonio_scene::{Overlays, SpecialView};
+use gonio_scene::{Scene, ViewSpec};
 use std::path::Path;
 use std::rc::Rc;
 
-pub(super) fn loaded(text: &str) -> LoadedScene {
+pub(super) fn loaded(text: &str) -> Scene {
     let scene = gonio_scene::toml_reader::read(text).unwrap_or_else(|why| panic!("{why}\n{text}"));
     gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}"))
 }
@@ -25,7 +25,7 @@ pub(super) fn renderer(es: bool) -> (Gl, Renderer) {
     (context.gl().clone(), renderer)
 }
 
-fn sized(scene: &LoadedScene, width: u32, height: u32) -> gonio_scene::Frame {
+fn sized(scene: &Scene, width: u32, height: u32) -> gonio_scene::Frame {
     gonio_scene::Frame { width, height, ..scene.frame(0.0) }
 }
 
@@ -231,7 +231,7 @@ fn panes_and_edits_share_what_is_on_the_gpu() {
     assert_eq!(count(&renderer), at_first);
     // Another shading of one object: one more geometry, while the other panes hold theirs.
     let mut edited = scene.scene.clone();
-    edited.objects[0].shading = gonio_scene::description::Shading::Flat;
+    edited.objects[0].shading = gonio_scene::scene_file::Shading::Flat;
     let Ok(Edited::Done(applied)) = apply(&scene, edited) else { panic!("it needs no files") };
     let flat = renderer.upload(&applied.loaded).unwrap_or_else(|why| panic!("{why}"));
     assert_eq!(count(&renderer), [at_first[0] + 1, at_first[1], at_first[2], at_first[3]]);

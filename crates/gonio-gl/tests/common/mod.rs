@@ -4,7 +4,7 @@ use gonio_gl::headless::HeadlessOptions;
 use gonio_gl::{HeadlessContext, Renderer};
 use gonio_reference::{Probe, ReferenceScene};
 use gonio_scene::files::Disk;
-use gonio_scene::{DisplayMap, Frame, LoadedScene, ViewSpec};
+use gonio_scene::{DisplayMap, Frame, Scene, ViewSpec};
 use std::path::Path;
 
 pub const WIDTH: u32 = 160;
@@ -12,7 +12,7 @@ pub const HEIGHT: u32 = 120;
 
 /// Texture filtering is `linear`: how a driver chooses between mipmap levels is its own affair, and the
 /// specification allows much.
-pub fn scene_from(camera: &str, equation: &str, lights: &str, objects: &str) -> LoadedScene {
+pub fn scene_from(camera: &str, equation: &str, lights: &str, objects: &str) -> Scene {
     let text = format!(
         "[picture]\nwidth = {WIDTH}\nheight = {HEIGHT}\nsamples = 1\ntexture_filter = \"linear\"\n\
          [camera]\n{camera}\nfov_y = 40\n\
@@ -49,7 +49,7 @@ impl Bench {
         Bench { renderer: Renderer::new(context.gl().clone()).unwrap_or_else(|why| panic!("{why}")) }
     }
 
-    pub fn compare(&mut self, scene: &LoadedScene, view: Option<ViewSpec>) -> Comparison {
+    pub fn compare(&mut self, scene: &Scene, view: Option<ViewSpec>) -> Comparison {
         let frame = scene.frame(0.0);
         let uploaded = self.renderer.upload(scene).unwrap();
         let drawn = self.renderer.render(&uploaded, &frame, view).unwrap();
@@ -87,7 +87,7 @@ impl Bench {
         comparison
     }
 
-    pub fn check(&mut self, name: &str, scene: &LoadedScene, view: Option<ViewSpec>) {
+    pub fn check(&mut self, name: &str, scene: &Scene, view: Option<ViewSpec>) {
         let c = self.compare(scene, view);
         assert!(c.interior >= 200, "{name}: only {} pixels lie on one surface, which tests little", c.interior);
         assert!(c.worst.0 <= 1e-3, "{name}: {} on one surface: {}", c.worst.0, c.worst.1);

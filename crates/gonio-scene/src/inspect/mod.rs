@@ -6,11 +6,11 @@ mod materials;
 pub use differences::Difference;
 pub use materials::{MaterialReport, ValueReport};
 
-use crate::description::MaterialOverride;
 use crate::files::{self, Budgeted, FileSource};
 use crate::load;
 use crate::material_binding::MaterialBinder;
 use crate::model_file::{self, ModelFile};
+use crate::scene_file::MaterialOverride;
 use crate::stock::{self, MaterialSource};
 use crate::texture_library::TextureUse;
 use gonio_mesh::topology::{self, TopologyReport};

@@ -78,7 +78,7 @@ fn an_orbit_keeps_the_distance_and_the_target() {
 }
 
 /// Whether every corner of every mesh lies in the picture, between near and far.
-fn all_in_picture(loaded: &gonio_scene::LoadedScene, frame: &gonio_scene::Frame) -> bool {
+fn all_in_picture(loaded: &gonio_scene::Scene, frame: &gonio_scene::Frame) -> bool {
     let aspect = f64::from(frame.width) / f64::from(frame.height);
     let clip = frame.camera.clip_from_view(aspect) * frame.camera.view_from_world();
     loaded.objects.iter().all(|object| {

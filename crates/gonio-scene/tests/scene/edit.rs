@@ -3,10 +3,10 @@
 use crate::memory::{Memory, TRIANGLE, png};
 use gonio_light::{Convention, Specular, Surfaces};
 use gonio_scene::color_value::Color;
-use gonio_scene::description::{LightSourceKind, LightSpec, Normals, ObjectSpec, Shading};
 use gonio_scene::edit::{Applied, Edited, apply};
 use gonio_scene::load::load;
-use gonio_scene::{LoadedScene, Maps, Scene};
+use gonio_scene::scene_file::{LightSourceKind, LightSpec, Normals, ObjectSpec, Shading};
+use gonio_scene::{Maps, Scene, SceneFile};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -26,11 +26,11 @@ fn files() -> Memory {
         .with("bumps.png", png(1, 1, |_, _| [128, 128, 255, 255]))
 }
 
-fn read(text: &str) -> Scene {
+fn read(text: &str) -> SceneFile {
     gonio_scene::toml_reader::read(text).unwrap()
 }
 
-fn loaded(scene: Scene) -> LoadedScene {
+fn loaded(scene: SceneFile) -> Scene {
     load(scene, Path::new(""), &files()).unwrap()
 }
 
@@ -45,7 +45,7 @@ fn done(edited: Edited) -> Applied {
 type Corner = ([f32; 3], [f32; 3], [f32; 2]);
 
 /// Everything that is drawn of an object, without the numbers of meshes, materials and textures.
-fn drawn(scene: &LoadedScene) -> Vec<String> {
+fn drawn(scene: &Scene) -> Vec<String> {
     let with_textures = |maps: &Maps| {
         let all = [&maps.diffuse, &maps.specular, &maps.emitted, &maps.shininess, &maps.opacity, &maps.normal];
         let texels = |b: &gonio_scene::BoundTexture| {
@@ -78,7 +78,7 @@ fn drawn(scene: &LoadedScene) -> Vec<String> {
     all
 }
 
-type Edit = (&'static str, fn(&mut Scene), [bool; 2]);
+type Edit = (&'static str, fn(&mut SceneFile), [bool; 2]);
 
 /// Each edit, and whether it changes the geometry and the materials.
 const EDITS: [Edit; 22] = [
@@ -126,7 +126,7 @@ const EDITS: [Edit; 22] = [
     ),
 ];
 
-fn environment(scene: &mut Scene) -> &mut gonio_scene::description::EnvironmentSpec {
+fn environment(scene: &mut SceneFile) -> &mut gonio_scene::scene_file::EnvironmentSpec {
     scene.environment.as_mut().unwrap()
 }
 
@@ -144,7 +144,7 @@ fn an_edit_is_what_loading_the_edited_description_gives() {
         assert_eq!(applied.loaded.camera_was_framed, afresh.camera_was_framed, "{what}");
         assert_eq!(applied.loaded.environment.is_some(), afresh.environment.is_some(), "{what}");
         // What an edit adds to what was said before.
-        let warns = |s: &LoadedScene| s.diagnostics.iter().any(|d| d.message.starts_with("mirrors and glass"));
+        let warns = |s: &Scene| s.diagnostics.iter().any(|d| d.message.starts_with("mirrors and glass"));
         assert_eq!(warns(&applied.loaded), warns(&afresh), "{what}");
         assert_eq!([applied.geometry_changed, applied.materials_changed], [geometry, materials], "{what}");
         if !geometry && !materials {
@@ -173,7 +173,7 @@ fn edits_can_be_taken_back_without_files() {
 fn what_was_not_read_needs_files() {
     let plain = loaded(read("[[object]]\nmodel = \"t.obj\"\nmaterial.textures = false\n"));
     let before = loaded(read(SCENE));
-    type Edit<'a> = (&'a str, &'a LoadedScene, fn(&mut Scene));
+    type Edit<'a> = (&'a str, &'a Scene, fn(&mut SceneFile));
     let edits: [Edit; 7] = [
         ("another model", &before, |s| s.objects[0].model = "builtin:suzanne".into()),
         ("other normals", &before, |s| s.objects[0].normals = Normals::Flat),

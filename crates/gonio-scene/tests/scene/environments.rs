@@ -10,7 +10,7 @@ use gonio_mesh::{Limits, Severity};
 use gonio_scene::environment_file::{BUILTIN_SIZE, OpenedEnvironment, Reading, Source, open};
 use gonio_scene::files::{Disk, FileSource};
 use gonio_scene::load::{describe, load};
-use gonio_scene::{LoadedScene, toml_reader};
+use gonio_scene::{Scene, toml_reader};
 use std::path::Path;
 
 /// A PNG of RGB pixels, top row first.
@@ -250,7 +250,7 @@ fn what_is_asked_for_in_vain_is_told() {
 }
 
 /// A scene file in a folder, and what it may be surrounded by.
-fn scene(environment: &str) -> (LoadedScene, Memory) {
+fn scene(environment: &str) -> (Scene, Memory) {
     let panorama = png(16, 8, |x, y| [10 * x as u8, 20 * y as u8, 99]);
     let ktx2 = ktx2::encode(&CubeMips::new(map(Layout::OpenGl)), ktx2::Format::Srgb8).bytes;
     let text = format!("[environment]\n{environment}\n[[object]]\nmodel = \"builtin:cube\"\n");
@@ -289,9 +289,9 @@ fn a_printed_scene_has_the_same_environment() {
         let second = load(read, Path::new(""), &files).unwrap();
         assert_eq!(second.scene, first.scene, "{text}");
         assert_eq!(second.surroundings(), first.surroundings(), "{text}");
-        let of = |scene: &LoadedScene| scene.environment.as_ref().map(|e| (e.mips.clone(), e.background.clone()));
+        let of = |scene: &Scene| scene.environment.as_ref().map(|e| (e.mips.clone(), e.background.clone()));
         assert!(of(&first) == of(&second), "{text}");
-        assert_eq!(toml::from_str::<gonio_scene::Scene>(&text).unwrap(), first.scene);
+        assert_eq!(toml::from_str::<gonio_scene::SceneFile>(&text).unwrap(), first.scene);
     }
 }
 

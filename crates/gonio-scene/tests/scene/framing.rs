@@ -2,12 +2,12 @@
 
 use glam::{DVec3, DVec4};
 use gonio_light::{LightKind, vector::unit};
-use gonio_scene::LoadedScene;
+use gonio_scene::Scene;
 use gonio_scene::files::BuiltinOnly;
 use gonio_scene::load::{describe, load};
 use std::path::Path;
 
-fn loaded(input: &str, change: impl Fn(&mut gonio_scene::Scene)) -> LoadedScene {
+fn loaded(input: &str, change: impl Fn(&mut gonio_scene::SceneFile)) -> Scene {
     let mut scene = describe(&[input], &BuiltinOnly).unwrap();
     change(&mut scene);
     load(scene, Path::new(""), &BuiltinOnly).unwrap()
@@ -15,7 +15,7 @@ fn loaded(input: &str, change: impl Fn(&mut gonio_scene::Scene)) -> LoadedScene 
 
 /// The largest |x|, |y| in normalised device coordinates over all vertices, and whether all lie between
 /// near and far.
-fn reach(scene: &LoadedScene) -> (f64, f64, bool) {
+fn reach(scene: &Scene) -> (f64, f64, bool) {
     let frame = scene.frame(0.0);
     let aspect = f64::from(frame.width) / f64::from(frame.height);
     let clip_from_world = frame.camera.clip_from_view(aspect) * frame.camera.view_from_world();

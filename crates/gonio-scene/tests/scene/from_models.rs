@@ -4,10 +4,10 @@
 use crate::memory::{Memory, TRIANGLE, png};
 use gonio_light::roughness::shininess_of_roughness;
 use gonio_mesh::{Limits, Wrap};
-use gonio_scene::description::LightSourceKind;
 use gonio_scene::files::Disk;
 use gonio_scene::load::{describe, load, load_within};
-use gonio_scene::{LoadedScene, inspect, model_file, toml_reader};
+use gonio_scene::scene_file::LightSourceKind;
+use gonio_scene::{Scene, inspect, model_file, toml_reader};
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -36,7 +36,7 @@ fn gltf(more: Value) -> Memory {
     Memory::default().with("m.gltf", document.to_string()).with("b.bin", buffer)
 }
 
-fn loaded(files: &Memory) -> LoadedScene {
+fn loaded(files: &Memory) -> Scene {
     load(describe(&["m.gltf"], files).unwrap(), Path::new(""), files).unwrap()
 }
 

@@ -2,18 +2,18 @@
 
 use crate::memory::{Memory, TRIANGLE, png};
 use gonio_mesh::{Cause, Limits, ReadError};
-use gonio_scene::LoadedScene;
+use gonio_scene::Scene;
 use gonio_scene::environment_file::{self, Reading};
 use gonio_scene::files::{Budgeted, Disk, FileSource, Refusal, Sandbox};
 use gonio_scene::load::{describe, load_within};
 use std::path::Path;
 
-fn loaded(input: &str, files: &dyn FileSource, max_bytes: u64) -> Result<LoadedScene, ReadError> {
+fn loaded(input: &str, files: &dyn FileSource, max_bytes: u64) -> Result<Scene, ReadError> {
     let limits = Limits { max_bytes, ..Limits::default() };
     load_within(describe(&[input], files)?, Path::new(""), files, &limits)
 }
 
-fn warnings(scene: &LoadedScene) -> String {
+fn warnings(scene: &Scene) -> String {
     scene.diagnostics.iter().map(|d| d.to_string() + "\n").collect()
 }
 

@@ -1,8 +1,8 @@
 //! Lights that move, at times whose places are known.
 
 use glam::DVec3;
-use gonio_scene::description::{LightSpec, MotionSpec};
 use gonio_scene::motion::position_at;
+use gonio_scene::scene_file::{LightSpec, MotionSpec};
 
 fn motion(text: &str) -> (MotionSpec, DVec3) {
     let light = LightSpec::from_option_text(text).unwrap();

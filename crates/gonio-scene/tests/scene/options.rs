@@ -2,7 +2,7 @@
 
 use gonio_light::{Fresnel, Surfaces, fresnel::Medium};
 use gonio_scene::color_value::Color;
-use gonio_scene::description::{LightSourceKind, LightSpec, MaterialOverride, MotionKind};
+use gonio_scene::scene_file::{LightSourceKind, LightSpec, MaterialOverride, MotionKind};
 
 #[test]
 fn a_light_takes_the_keys_of_a_scene_file() {

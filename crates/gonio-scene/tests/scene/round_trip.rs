@@ -1,12 +1,12 @@
 //! A printed scene, read again, is the same scene: to the last bit.
 
-use gonio_scene::Scene;
+use gonio_scene::SceneFile;
 use gonio_scene::files::{BuiltinOnly, builtin, builtin_names};
 use gonio_scene::load::{describe, load};
 use gonio_scene::toml_reader;
 use std::path::Path;
 
-fn same_again(scene: Scene) {
+fn same_again(scene: SceneFile) {
     let first = load(scene, Path::new(""), &BuiltinOnly).unwrap();
     let text = first.scene.to_toml_string();
     let read = toml_reader::read(&text).unwrap_or_else(|e| panic!("{e}\n{text}"));
@@ -17,12 +17,12 @@ fn same_again(scene: Scene) {
         assert_eq!(second.frame(time), first.frame(time), "{text}");
     }
     assert_eq!((&second.meshes, &second.textures), (&first.meshes, &first.textures));
-    let objects = |scene: &gonio_scene::LoadedScene| {
+    let objects = |scene: &gonio_scene::Scene| {
         scene.objects.iter().map(|o| (o.world_from_model, o.parts.clone(), o.closed)).collect::<Vec<_>>()
     };
     assert_eq!(objects(&second), objects(&first));
     // Serde's own reader, which other programs will use, agrees with ours.
-    assert_eq!(toml::from_str::<Scene>(&text).unwrap(), first.scene);
+    assert_eq!(toml::from_str::<SceneFile>(&text).unwrap(), first.scene);
 }
 
 #[test]

@@ -1,13 +1,13 @@
 //! The JSON Schema that editors check scene files with.
 
-use gonio_scene::Scene;
+use gonio_scene::SceneFile;
 use serde_json::{Value, json};
 
 #[test]
 fn the_committed_schema_is_current() {
     let committed: Value = serde_json::from_str(include_str!("../../../../assets/scene.schema.json")).unwrap();
     assert!(
-        committed == Scene::json_schema(),
+        committed == SceneFile::json_schema(),
         "assets/scene.schema.json is out of date: cargo run -p gonio -- scene --schema -o assets/scene.schema.json"
     );
 }
@@ -68,7 +68,7 @@ fn is_of(value: &Value, kind: &str) -> bool {
 }
 
 fn valid_toml(text: &str) -> bool {
-    let schema = Scene::json_schema();
+    let schema = SceneFile::json_schema();
     let value = serde_json::to_value(toml::from_str::<toml::Table>(text).unwrap()).unwrap();
     valid(&schema, &schema, &value)
 }

@@ -1,17 +1,17 @@
 //! Built-in spheres of any number of triangles, and scenes in other details.
 
 use gonio_mesh::simplify;
-use gonio_scene::LoadedScene;
-use gonio_scene::description::{Normals, ObjectSpec, Scene};
+use gonio_scene::Scene;
 use gonio_scene::detail::{self, Detail};
 use gonio_scene::files::BuiltinOnly;
 use gonio_scene::load;
+use gonio_scene::scene_file::{Normals, ObjectSpec, SceneFile};
 use std::path::Path;
 use std::sync::Arc;
 
-fn opened(model: &str, normals: Normals) -> Result<LoadedScene, String> {
+fn opened(model: &str, normals: Normals) -> Result<Scene, String> {
     let object = ObjectSpec { model: model.into(), normals, ..ObjectSpec::default() };
-    let scene = Scene { objects: vec![object], ..Scene::default() };
+    let scene = SceneFile { objects: vec![object], ..SceneFile::default() };
     load::load(scene, Path::new(""), &BuiltinOnly).map_err(|e| e.to_string())
 }
 

@@ -3,16 +3,16 @@
 use crate::memory::{Memory, TRIANGLE, png};
 use gonio_mesh::Severity;
 use gonio_scene::load::{describe, load};
-use gonio_scene::{ColorSpace, LoadedScene};
+use gonio_scene::{ColorSpace, Scene};
 use std::path::Path;
 
-fn loaded(mtl: &str, add: impl Fn(Memory) -> Memory) -> LoadedScene {
+fn loaded(mtl: &str, add: impl Fn(Memory) -> Memory) -> Scene {
     let files = Memory::default().with("models/t.obj", TRIANGLE).with("models/t.mtl", mtl);
     let files = add(files);
     load(describe(&["models/t.obj"], &files).unwrap(), Path::new(""), &files).unwrap()
 }
 
-fn warnings(scene: &LoadedScene) -> Vec<String> {
+fn warnings(scene: &Scene) -> Vec<String> {
     scene.diagnostics.iter().filter(|d| d.severity == Severity::Warning).map(ToString::to_string).collect()
 }
 

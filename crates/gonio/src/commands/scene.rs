@@ -6,7 +6,7 @@ use crate::loading;
 use crate::output::atomic;
 use crate::report::{CliError, Outcome, Reporter, json_text};
 use clap::Args;
-use gonio_scene::Scene;
+use gonio_scene::SceneFile;
 use std::path::{Path, PathBuf};
 
 /// Print the complete effective scene of an input, or the JSON Schema of scene files.
@@ -55,7 +55,7 @@ pub fn run(args: &SceneArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
 }
 
 fn schema() -> Result<String, CliError> {
-    json_text(&Scene::json_schema())
+    json_text(&SceneFile::json_schema())
 }
 
 fn effective(args: &SceneArgs, reporter: &Reporter) -> Result<String, CliError> {

@@ -4,7 +4,7 @@ use crate::cli::{SceneOptions, WordOptions};
 use crate::report::{CliError, Outcome};
 use clap::Args;
 use gonio_app::platform::desktop::{self, WindowOptions};
-use gonio_scene::Scene;
+use gonio_scene::SceneFile;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -45,7 +45,7 @@ pub fn run(args: &ViewArgs) -> Result<Outcome, CliError> {
     let limits = options.limits.limits();
     let environments = options.surroundings.named().map(str::to_owned).collect();
     let sandbox = options.limits.sandbox;
-    let adjust = Arc::new(move |scene: &mut Scene| options.apply(scene));
+    let adjust = Arc::new(move |scene: &mut SceneFile| options.apply(scene));
     let window = WindowOptions {
         inputs: args.inputs.clone(),
         size,

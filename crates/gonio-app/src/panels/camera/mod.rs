@@ -10,8 +10,8 @@ use egui::Ui;
 use glam::DVec3;
 use gonio_light::vector::unit;
 use gonio_scene::Camera;
-use gonio_scene::description::CameraSpec;
 use gonio_scene::load::camera_of;
+use gonio_scene::scene_file::CameraSpec;
 
 /// The closest that pitch comes to straight up or down, degrees.
 const STEEPEST: f64 = 89.0;

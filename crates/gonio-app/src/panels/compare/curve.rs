@@ -7,7 +7,7 @@ use crate::session::comparison::{Curve, CurvePoint};
 use crate::theme::colors;
 use crate::widgets::{SPACE, grouped};
 use egui::{Grid, RichText, ScrollArea, Ui};
-use gonio_scene::description::Shading;
+use gonio_scene::scene_file::Shading;
 
 const SHADINGS: [Shading; 3] = [Shading::Flat, Shading::Gouraud, Shading::Phong];
 

@@ -5,14 +5,14 @@ use crate::exported::{self, Role};
 use crate::widgets::slug;
 use egui::{ComboBox, Grid, Ui};
 use gonio_light::{Convention, Quantity, Specular};
-use gonio_scene::description::Shading;
 use gonio_scene::detail::{self, Detail};
-use gonio_scene::{LoadedScene, Scene, ViewSpec};
+use gonio_scene::scene_file::Shading;
+use gonio_scene::{Scene, SceneFile, ViewSpec};
 
 const AS_SCENE: &str = "as the scene";
 
 /// Shows them; `loaded` is what the scene is without them.
-pub fn show(ui: &mut Ui, document: &mut Document, loaded: Option<&LoadedScene>) {
+pub fn show(ui: &mut Ui, document: &mut Document, loaded: Option<&Scene>) {
     let scene = &document.scene;
     let Some(pane) = document.panes.list.get_mut(document.panes.current) else { return };
     Grid::new("pane settings").num_columns(2).spacing([12.0, 6.0]).show(ui, |ui| {
@@ -64,7 +64,7 @@ fn choice<T: Copy + PartialEq>(ui: &mut Ui, id: &str, label: &str, value: &mut O
 }
 
 /// How many triangles: of the sphere, or a share of each model's.
-fn detail(ui: &mut Ui, pane: &mut Pane, scene: &Scene, loaded: Option<&LoadedScene>) {
+fn detail(ui: &mut Ui, pane: &mut Pane, scene: &SceneFile, loaded: Option<&Scene>) {
     let name = ui.add(egui::Label::new("Triangles").sense(egui::Sense::click()));
     if name.on_hover_text("Double click: as the scene").double_clicked() {
         pane.detail = None;

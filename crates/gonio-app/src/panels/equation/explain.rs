@@ -6,11 +6,11 @@ use crate::session::{Session, Term};
 use crate::widgets::compact;
 use egui::{RichText, Sense, Ui};
 use gonio_light::Specular;
-use gonio_scene::Scene;
-use gonio_scene::description::LightSourceKind;
+use gonio_scene::SceneFile;
+use gonio_scene::scene_file::LightSourceKind;
 
 /// The tooltip of a term.
-pub fn show(ui: &mut Ui, document: &Document, session: &Session, scene: &Scene, term: Term) {
+pub fn show(ui: &mut Ui, document: &Document, session: &Session, scene: &SceneFile, term: Term) {
     ui.set_max_width(340.0);
     ui.label(RichText::new(term.description().trim()).strong());
     formula_line(ui, &formula::definition(scene, term), 16.0, document, Sense::hover());
@@ -34,7 +34,7 @@ pub fn show(ui: &mut Ui, document: &Document, session: &Session, scene: &Scene, 
 }
 
 /// What the scene has of it.
-fn now(scene: &Scene, session: &Session, term: Term) -> Option<String> {
+fn now(scene: &SceneFile, session: &Session, term: Term) -> Option<String> {
     let count = |kind: LightSourceKind| scene.lights.iter().filter(|l| l.kind == kind && l.is_on()).count();
     let e = &scene.equation;
     Some(match term {

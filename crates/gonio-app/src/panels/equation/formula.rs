@@ -4,8 +4,8 @@ use crate::session::Term;
 use crate::typeset::{Node, Tag};
 use gonio_light::brdf::BrdfKind;
 use gonio_light::{Convention, Specular};
-use gonio_scene::Scene;
-use gonio_scene::description::{EquationSpec, LightSourceKind};
+use gonio_scene::SceneFile;
+use gonio_scene::scene_file::{EquationSpec, LightSourceKind};
 
 /// The tag of a term in formulas.
 pub fn tag(term: Term) -> Tag {
@@ -61,7 +61,7 @@ pub fn symbol(term: Term) -> Node {
 }
 
 /// The equation of `scene` (with the settings of its pane), in parts between which it may be broken.
-pub fn equation(scene: &Scene) -> Vec<Node> {
+pub fn equation(scene: &SceneFile) -> Vec<Node> {
     let e = &scene.equation;
     let mut parts = Vec::new();
     let mut terms = Vec::new();
@@ -97,7 +97,7 @@ pub fn equation(scene: &Scene) -> Vec<Node> {
 }
 
 /// What a term is, as an equation.
-pub fn definition(scene: &Scene, term: Term) -> Node {
+pub fn definition(scene: &SceneFile, term: Term) -> Node {
     let e = &scene.equation;
     let k = |index: &str| v("k").below(v(index));
     let is = |right: Node| Node::row([symbol(term), Node::relation("="), right]);

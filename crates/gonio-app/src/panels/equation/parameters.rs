@@ -8,11 +8,11 @@ use crate::widgets::{Number, Vector, choice, dropdown, named_options, toggle};
 use egui::{RichText, Sense, Ui, vec2};
 use gonio_light::brdf::BrdfKind;
 use gonio_light::{Convention, Specular};
-use gonio_scene::Scene;
-use gonio_scene::description::EquationSpec;
+use gonio_scene::SceneFile;
+use gonio_scene::scene_file::EquationSpec;
 
 /// Shows them.
-pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, scene: &Scene, actions: &mut Vec<Action>) {
+pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, scene: &SceneFile, actions: &mut Vec<Action>) {
     let term = session.equation.selected;
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(10.0, 2.0);

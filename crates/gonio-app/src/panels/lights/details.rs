@@ -11,7 +11,7 @@ use crate::widgets::{Number, Vector, color, dropdown, icon_button, named_options
 use egui::{Frame, Margin, Sense, TextEdit, Ui, pos2, vec2};
 use glam::DVec3;
 use gonio_scene::color_value::Color;
-use gonio_scene::description::{LightSourceKind, LightSpec};
+use gonio_scene::scene_file::{LightSourceKind, LightSpec};
 
 /// Shows it; what is asked for that changes the list.
 pub fn show(ui: &mut Ui, document: &mut Document, session: &Session, index: usize) -> Option<Edit> {

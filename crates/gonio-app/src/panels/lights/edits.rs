@@ -5,8 +5,8 @@ use crate::session::{Selection, Session};
 use glam::DVec3;
 use gonio_light::vector::unit;
 use gonio_scene::color_value::Color;
-use gonio_scene::description::{LightSourceKind, LightSpec};
 use gonio_scene::load::camera_of;
+use gonio_scene::scene_file::{LightSourceKind, LightSpec};
 
 /// Asked for by the parameters of a light.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -13,7 +13,7 @@ use crate::theme::{self, colors, icons};
 use crate::widgets::{Number, color_swatch, icon_button, tool_button};
 use egui::{Align, Atom, Button, Layout, RichText, Ui, WidgetInfo, vec2};
 use gonio_scene::color_value::Color;
-use gonio_scene::description::LightSourceKind;
+use gonio_scene::scene_file::LightSourceKind;
 
 /// The icon of a kind of light.
 pub fn icon_of(kind: LightSourceKind) -> &'static str {

@@ -5,7 +5,7 @@ use crate::session::Session;
 use crate::theme::icons;
 use crate::widgets::{Number, Vector, dropdown, icon_button, row};
 use egui::Ui;
-use gonio_scene::description::{LightSpec, MotionKind, MotionSpec};
+use gonio_scene::scene_file::{LightSpec, MotionKind, MotionSpec};
 
 /// Most points of a path that are shown; more are edited in the scene file.
 const MOST_POINTS: usize = 24;

@@ -3,10 +3,10 @@
 use crate::document::Document;
 use crate::session::{Selection, Session};
 use glam::DVec3;
-use gonio_scene::LoadedScene;
-use gonio_scene::description::{CameraSpec, ObjectSpec};
+use gonio_scene::Scene;
 use gonio_scene::files;
 use gonio_scene::load::camera_of;
+use gonio_scene::scene_file::{CameraSpec, ObjectSpec};
 
 /// Asked for by the values of an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,7 +70,7 @@ pub fn add(document: &mut Document, session: &mut Session, name: &str) {
 }
 
 /// The box around an object, world space.
-fn bounds_of(loaded: &LoadedScene, index: usize) -> Option<(DVec3, DVec3)> {
+fn bounds_of(loaded: &Scene, index: usize) -> Option<(DVec3, DVec3)> {
     let object = loaded.objects.get(index)?;
     let mesh = loaded.meshes.get(object.mesh)?;
     let points = mesh.positions.iter().map(|p| object.world_from_model.transform_point3(DVec3::from(p.map(f64::from))));

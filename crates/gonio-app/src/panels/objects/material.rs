@@ -7,7 +7,7 @@ use gonio_light::fresnel::Medium;
 use gonio_light::{Fresnel, Surfaces};
 use gonio_mesh::{AmbientRule, Material};
 use gonio_scene::color_value::Color;
-use gonio_scene::description::MaterialOverride;
+use gonio_scene::scene_file::MaterialOverride;
 use std::ops::RangeInclusive;
 
 /// Room for the button that goes back, points.

@@ -10,9 +10,9 @@ use crate::session::{Selection, Session};
 use crate::theme::{self, icons};
 use crate::widgets::{NO_BREAK, Number, Vector, choice, grouped, heading, icon_button, named_options, row};
 use egui::{Align, Atom, Button, Frame, Layout, Margin, RichText, TextEdit, Ui, WidgetInfo, vec2};
-use gonio_scene::LoadedScene;
-use gonio_scene::description::{Normals, ObjectSpec, Shading};
+use gonio_scene::Scene;
 use gonio_scene::files;
+use gonio_scene::scene_file::{Normals, ObjectSpec, Shading};
 
 /// Shows it.
 pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
@@ -44,7 +44,7 @@ fn title(
     ui: &mut Ui,
     document: &Document,
     session: &mut Session,
-    loaded: Option<&LoadedScene>,
+    loaded: Option<&Scene>,
     index: usize,
     selected: bool,
 ) {
@@ -86,7 +86,7 @@ fn title(
 fn details(
     ui: &mut Ui,
     document: &mut Document,
-    loaded: Option<&LoadedScene>,
+    loaded: Option<&Scene>,
     index: usize,
     count: usize,
 ) -> Option<edits::Edit> {
@@ -135,7 +135,7 @@ fn place(ui: &mut Ui, spec: &mut ObjectSpec, index: usize) {
     }
 }
 
-fn surface(ui: &mut Ui, spec: &mut ObjectSpec, loaded: Option<&LoadedScene>, index: usize) {
+fn surface(ui: &mut Ui, spec: &mut ObjectSpec, loaded: Option<&Scene>, index: usize) {
     let id = |name: &str| format!("object-{index}-{name}");
     row(ui, "Shading", "Where the equation is evaluated", |ui| {
         let names = ["flat", "per face", "Gouraud", "Phong"];

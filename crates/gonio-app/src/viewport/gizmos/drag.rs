@@ -4,8 +4,8 @@ use crate::viewport::Projection;
 use egui::Pos2;
 use glam::DVec3;
 use gonio_light::vector::unit;
-use gonio_scene::description::{LightSpec, MotionKind};
 use gonio_scene::motion::position_at;
+use gonio_scene::scene_file::{LightSpec, MotionKind};
 
 /// Sine below which an axis counts as seen end-on: a point of the window would be too much of it.
 const END_ON: f64 = 0.05;
@@ -99,7 +99,7 @@ mod tests {
     use super::*;
     use egui::{Rect, pos2};
     use gonio_scene::Camera;
-    use gonio_scene::description::{LightSourceKind, MotionSpec};
+    use gonio_scene::scene_file::{LightSourceKind, MotionSpec};
 
     /// Different in every run of the loop, the same in every run of the test (SplitMix64).
     struct Random(u64);

@@ -6,9 +6,9 @@ use egui::{Color32, Painter, Pos2, Shape, Stroke, Vec2};
 use glam::{DQuat, DVec3};
 use gonio_light::LightKind;
 use gonio_light::vector::any_orthonormal_vector;
-use gonio_scene::LoadedScene;
-use gonio_scene::description::LightSpec;
+use gonio_scene::Scene;
 use gonio_scene::motion::position_at;
+use gonio_scene::scene_file::LightSpec;
 
 /// Of the disc that every light has, points.
 pub const RADIUS: f32 = 7.0;
@@ -130,7 +130,7 @@ pub fn path(painter: &Painter, projection: &Projection, spec: &LightSpec, color:
 }
 
 /// The box of an object, as twelve edges.
-pub fn object_box(painter: &Painter, projection: &Projection, loaded: &LoadedScene, object: usize, color: Color32) {
+pub fn object_box(painter: &Painter, projection: &Projection, loaded: &Scene, object: usize, color: Color32) {
     let Some((mesh, matrix)) =
         loaded.objects.get(object).and_then(|object| Some((loaded.meshes.get(object.mesh)?, object.world_from_model)))
     else {

@@ -22,8 +22,8 @@ use crate::theme::colors;
 use egui::{Align2, Color32, CursorIcon, Id, Painter, Pos2, Rect, Response, Rgba, Sense, Ui, Vec2, vec2};
 use glam::DVec3;
 use gonio_light::LightKind;
-use gonio_scene::description::LightSpec;
-use gonio_scene::{Frame, LoadedScene};
+use gonio_scene::scene_file::LightSpec;
+use gonio_scene::{Frame, Scene};
 
 /// A handle is hit within so many points of its centre; fingers are thicker.
 const HIT: f32 = 13.0;
@@ -94,7 +94,7 @@ pub fn show(
     ui: &Ui,
     pane: usize,
     projection: &Projection,
-    loaded: &LoadedScene,
+    loaded: &Scene,
     frame: &Frame,
     document: &mut Document,
     session: &mut Session,

@@ -6,15 +6,15 @@ use crate::record::{AttributeSource, Content, FrameRecord, Recording, Severity, 
 use glam::DVec3;
 use gonio_environment::Cubemap;
 use gonio_light::Quantity;
-use gonio_scene::description::EnvironmentSpec;
 use gonio_scene::files::Disk;
-use gonio_scene::{LoadedEnvironment, LoadedScene, ViewSpec};
+use gonio_scene::scene_file::EnvironmentSpec;
+use gonio_scene::{LoadedEnvironment, Scene, ViewSpec};
 use std::path::Path;
 use std::sync::Arc;
 
 /// Textures, transparency, all kinds of light, 20 lights (which are handed over in a texture), every shading, mirrored
 /// and uneven transforms.
-fn everything() -> Vec<(String, LoadedScene)> {
+fn everything() -> Vec<(String, Scene)> {
     let mut texts: Vec<(String, String)> = Vec::new();
     for shading in ["flat", "flat-per-face", "gouraud", "phong"] {
         let object = format!(
@@ -27,7 +27,7 @@ fn everything() -> Vec<(String, LoadedScene)> {
         (0..20).map(|i| format!("[[light]]\nkind = \"point\"\nposition = [{i}, 3, 2]\nintensity = 0.1\n")).collect();
     texts.push(("many lights".to_owned(), format!("[[object]]\nmodel = \"builtin:suzanne\"\n{lights}")));
     texts.push(("brdf".to_owned(), "[equation]\nbrdf = \"ward\"\n[[object]]\nmodel = \"builtin:cube\"\n".to_owned()));
-    let mut scenes: Vec<(String, LoadedScene)> = texts
+    let mut scenes: Vec<(String, Scene)> = texts
         .into_iter()
         .map(|(name, text)| {
             let scene = gonio_scene::toml_reader::read(&text).unwrap_or_else(|e| panic!("{name}: {e}"));
@@ -55,7 +55,7 @@ fn renderer(context: &HeadlessContext) -> Renderer {
     Renderer::new(context.gl().clone()).unwrap_or_else(|e| panic!("{e}"))
 }
 
-fn record(renderer: &mut Renderer, scene: &LoadedScene, view: Option<ViewSpec>) -> FrameRecord {
+fn record(renderer: &mut Renderer, scene: &Scene, view: Option<ViewSpec>) -> FrameRecord {
     let uploaded = renderer.upload(scene).unwrap_or_else(|e| panic!("{e}"));
     renderer.record(&uploaded, &scene.frame(0.0), view).unwrap_or_else(|e| panic!("{e}"))
 }

@@ -11,7 +11,7 @@ use crate::values;
 use clap::Args;
 use gonio_mesh::Diagnostic;
 use gonio_reference::{Probe, ReferenceScene};
-use gonio_scene::{DisplayMap, Frame, LoadedScene};
+use gonio_scene::{DisplayMap, Frame, Scene};
 use serde::Serialize;
 
 /// The light equation at one pixel, term by term and light by light.
@@ -140,7 +140,7 @@ pub fn run(args: &ProbeArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     Ok(Outcome::Done)
 }
 
-fn text(report: &Report<'_>, scene: &LoadedScene, frame: &Frame) -> crate::page::Page {
+fn text(report: &Report<'_>, scene: &Scene, frame: &Frame) -> crate::page::Page {
     text::Page::new(scene, frame).write(report)
 }
 

@@ -119,8 +119,8 @@ mod tests {
     use gonio_light::{Fresnel, Optics, Surfaces};
     use gonio_mesh::{Material, Mesh};
     use gonio_reference::ReferenceScene;
-    use gonio_scene::description::Shading;
-    use gonio_scene::{Camera, Frame, LoadedEnvironment, LoadedScene, Object, ObjectPart, SceneMaterial, Surroundings};
+    use gonio_scene::scene_file::Shading;
+    use gonio_scene::{Camera, Frame, LoadedEnvironment, Object, ObjectPart, Scene, SceneMaterial, Surroundings};
     use std::sync::Arc;
 
     /// The page about the middle of a pane that the eye looks at from 45 degrees.
@@ -135,7 +135,7 @@ mod tests {
         let part = ObjectPart { name: String::new(), first_triangle: 0, triangle_count: 1, material: 0 };
         // In the colours of E: 0.2 from where the pane shines back to, 0.8 from beyond it.
         let map = Cubemap::from_function(64, |d| DVec3::splat(if d.z > 0.0 { 0.2 } else { 0.8 }));
-        let scene = LoadedScene {
+        let scene = Scene {
             meshes: vec![std::sync::Arc::new(mesh)],
             materials: vec![SceneMaterial { material, maps: Default::default(), optics }],
             objects: vec![Object {
@@ -147,7 +147,7 @@ mod tests {
                 closed: false,
             }],
             environment: Some(Arc::new(LoadedEnvironment::new("two halves", map))),
-            ..LoadedScene::default()
+            ..Scene::default()
         };
         let camera =
             Camera::looking_along(DVec3::new(-2.0, 0.0, 2.0), DVec3::new(1.0, 0.0, -1.0), DVec3::Y, 1.0, 0.1, 100.0);

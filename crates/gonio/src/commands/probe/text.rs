@@ -5,7 +5,7 @@ use crate::page;
 use glam::DVec3;
 use gonio_light::{Convention, LightKind, LightTerms, Specular, Terms};
 use gonio_reference::Probe;
-use gonio_scene::{Frame, LoadedScene};
+use gonio_scene::{Frame, Scene};
 use std::fmt::Write as _;
 
 /// Width of the names on the left.
@@ -13,14 +13,14 @@ const NAME: usize = 18;
 
 /// A page about one pixel of a scene.
 pub struct Page<'a> {
-    pub(super) scene: &'a LoadedScene,
+    pub(super) scene: &'a Scene,
     pub(super) frame: &'a Frame,
     pub(super) text: page::Page,
 }
 
 impl<'a> Page<'a> {
     /// An empty page.
-    pub fn new(scene: &'a LoadedScene, frame: &'a Frame) -> Self {
+    pub fn new(scene: &'a Scene, frame: &'a Frame) -> Self {
         Page { scene, frame, text: page::Page::new() }
     }
 

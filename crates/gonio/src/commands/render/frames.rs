@@ -1,10 +1,10 @@
 //! The moments of an animation: time passes, the camera may go around.
 
-use gonio_scene::{Frame, LoadedScene};
+use gonio_scene::{Frame, Scene};
 
 /// The frames of one run.
 pub struct Frames<'a> {
-    scene: &'a LoadedScene,
+    scene: &'a Scene,
     start: f64,
     fps: f64,
     /// Radians from one frame to the next, where the camera goes around.
@@ -13,7 +13,7 @@ pub struct Frames<'a> {
 
 impl<'a> Frames<'a> {
     /// `count` frames from `start` seconds on; `orbit` degrees in all.
-    pub fn new(scene: &'a LoadedScene, start: f64, count: u32, fps: f64, orbit: Option<f64>) -> Self {
+    pub fn new(scene: &'a Scene, start: f64, count: u32, fps: f64, orbit: Option<f64>) -> Self {
         // Whole turns loop: the last frame stands one step before the first. A part of a turn is seen
         // from end to end.
         let steps = |degrees: f64| if degrees % 360.0 == 0.0 { count } else { count.saturating_sub(1).max(1) };

@@ -16,7 +16,7 @@ use crate::values::{self, DebugView};
 use clap::{ArgAction, Args};
 use gonio_gl::{Show, View};
 use gonio_light::color::ColorEncoding;
-use gonio_scene::{DisplayMap, Frame, LoadedScene, Overlay, Overlays, ViewSpec};
+use gonio_scene::{DisplayMap, Frame, Overlay, Overlays, Scene, ViewSpec};
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -218,7 +218,7 @@ struct Work<'a> {
 }
 
 impl Work<'_> {
-    fn frames(&mut self, scene: &LoadedScene, backend: &mut Backend) -> Result<(), CliError> {
+    fn frames(&mut self, scene: &Scene, backend: &mut Backend) -> Result<(), CliError> {
         let count = self.args.frames.unwrap_or(1);
         let frames = frames::Frames::new(scene, self.args.time, count, self.args.fps, self.args.orbit);
         let mut animations: Vec<Option<Animation>> = self

@@ -4,8 +4,8 @@ use super::{Done, RenderArgs};
 use crate::backend::{Backend, BackendReport, Counts};
 use crate::report::Times;
 use gonio_mesh::Diagnostic;
-use gonio_scene::LoadedScene;
-use gonio_scene::description::Shading;
+use gonio_scene::Scene;
+use gonio_scene::scene_file::Shading;
 use serde::Serialize;
 use std::collections::BTreeSet;
 
@@ -43,7 +43,7 @@ pub struct SceneCounts {
 
 impl SceneCounts {
     /// A mesh that stands in several places counts several times.
-    pub fn of(scene: &LoadedScene) -> Self {
+    pub fn of(scene: &Scene) -> Self {
         let meshes = || scene.objects.iter().filter_map(|o| scene.meshes.get(o.mesh));
         SceneCounts {
             objects: scene.objects.len(),
@@ -58,7 +58,7 @@ impl SceneCounts {
 
 impl<'a> Report<'a> {
     /// Of a finished run.
-    pub fn new(args: &'a RenderArgs, scene: &'a LoadedScene, backend: &Backend, times: &Times, done: &'a Done) -> Self {
+    pub fn new(args: &'a RenderArgs, scene: &'a Scene, backend: &Backend, times: &Times, done: &'a Done) -> Self {
         let picture = &scene.scene.picture;
         let shading: BTreeSet<Shading> = scene.objects.iter().map(|o| o.shading).collect();
         Report {

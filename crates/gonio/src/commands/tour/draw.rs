@@ -14,7 +14,7 @@ use gonio_reference::ReferenceScene;
 use gonio_scene::environment::LoadedEnvironment;
 use gonio_scene::files::BuiltinOnly;
 use gonio_scene::picture::EncodedPicture;
-use gonio_scene::{DisplayMap, Frame, LoadedScene, Scene, load};
+use gonio_scene::{DisplayMap, Frame, Scene, SceneFile, load};
 use serde::Serialize;
 use std::path::Path;
 use std::sync::Arc;
@@ -170,7 +170,7 @@ struct Environments(Vec<Arc<LoadedEnvironment>>);
 
 impl Environments {
     /// Loads a scene, with an environment that is there already in place of its own where they are the same.
-    fn load(&mut self, scene: Scene) -> std::result::Result<LoadedScene, CliError> {
+    fn load(&mut self, scene: SceneFile) -> std::result::Result<Scene, CliError> {
         let mut loaded = load::load(scene, Path::new(""), &BuiltinOnly)?;
         if let Some(own) = &mut loaded.environment {
             let same = |e: &&Arc<LoadedEnvironment>| {
@@ -225,7 +225,7 @@ fn one<'a>(
     args: &TourArgs,
     folder: &mut Folder,
     (section, exhibit): (usize, &'a Exhibit),
-    loaded: &LoadedScene,
+    loaded: &Scene,
     place: &Place,
     opened: Opened,
     times: &Times,
@@ -290,7 +290,7 @@ fn one<'a>(
 fn compare(
     backend: &mut Backend,
     exhibit: &Exhibit,
-    loaded: &LoadedScene,
+    loaded: &Scene,
     frame: &Frame,
     silent: &Reporter,
 ) -> std::result::Result<Difference, CliError> {
@@ -331,7 +331,7 @@ fn command(args: &TourArgs, folder: &mut Folder, exhibit: &Exhibit) -> String {
 mod tests {
     use super::super::exhibit::Stage;
     use super::*;
-    use gonio_scene::description::EnvironmentSpec;
+    use gonio_scene::scene_file::EnvironmentSpec;
 
     #[test]
     fn differences_are_counted_in_steps() {

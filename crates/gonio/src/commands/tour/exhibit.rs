@@ -2,7 +2,7 @@
 
 use super::converted::Converted;
 use crate::report::CliError;
-use gonio_scene::{Scene, ViewSpec, toml_reader};
+use gonio_scene::{SceneFile, ViewSpec, toml_reader};
 
 /// A chapter of the tour. Its texts may use the markup of [`super::maths`].
 pub struct Section {
@@ -21,7 +21,7 @@ pub struct Section {
 /// What a picture is made from.
 pub enum Subject {
     /// A scene, drawn by whoever draws the tour. Everything is in it but the size of the picture, which its row decides.
-    Scene(Box<Scene>),
+    Scene(Box<SceneFile>),
     /// An environment, laid out on the plane. No scene draws it, and the CPU makes it.
     Converted(Converted),
 }
@@ -56,7 +56,7 @@ pub struct Exhibit {
 
 impl Exhibit {
     /// A square picture of `scene`.
-    pub fn new(name: impl Into<String>, caption: impl Into<String>, scene: Scene) -> Self {
+    pub fn new(name: impl Into<String>, caption: impl Into<String>, scene: SceneFile) -> Self {
         Self::of(name.into(), caption.into(), Subject::Scene(Box::new(scene)))
     }
 
@@ -154,7 +154,7 @@ impl Stage {
         [Stage::StillLife, Stage::Suzanne, Stage::Sphere, Stage::RoomSphere, Stage::RoomSuzanne];
 
     /// The scene; only built-in models and environments are in it.
-    pub fn scene(self) -> Result<Scene, CliError> {
+    pub fn scene(self) -> Result<SceneFile, CliError> {
         let text = match self {
             Stage::StillLife => include_str!("stages/still_life.toml"),
             Stage::Suzanne => include_str!("stages/suzanne.toml"),
@@ -166,7 +166,7 @@ impl Stage {
     }
 
     /// The scene, changed.
-    pub fn with(self, change: impl FnOnce(&mut Scene)) -> Result<Scene, CliError> {
+    pub fn with(self, change: impl FnOnce(&mut SceneFile)) -> Result<SceneFile, CliError> {
         let mut scene = self.scene()?;
         change(&mut scene);
         Ok(scene)

@@ -4,7 +4,7 @@ use super::super::exhibit::{Exhibit, Section, Stage};
 use crate::report::CliError;
 use gonio_light::Fresnel;
 use gonio_scene::color_value::Color;
-use gonio_scene::description::{LightSourceKind, LightSpec, Scene};
+use gonio_scene::scene_file::{LightSourceKind, LightSpec, SceneFile};
 
 /// Three rows: behind an object, in it, on it.
 pub fn section() -> Result<Section, CliError> {
@@ -19,7 +19,7 @@ pub fn section() -> Result<Section, CliError> {
 }
 
 /// The scene's environment, changed.
-fn environment(scene: &mut Scene, image: &str, rotate: [f64; 3]) {
+fn environment(scene: &mut SceneFile, image: &str, rotate: [f64; 3]) {
     let environment = scene.environment.get_or_insert_default();
     environment.image = image.into();
     environment.rotate = rotate;
@@ -27,7 +27,7 @@ fn environment(scene: &mut Scene, image: &str, rotate: [f64; 3]) {
 
 fn skyboxes() -> Result<Vec<Exhibit>, CliError> {
     const SEEN: &str = "L = !{E(−V)}";
-    let exhibit = |name: &str, remark: &str, look: &str, change: &dyn Fn(&mut Scene)| {
+    let exhibit = |name: &str, remark: &str, look: &str, change: &dyn Fn(&mut SceneFile)| {
         let scene = Stage::RoomSphere.with(change)?;
         Ok::<_, CliError>(
             Exhibit::new(format!("skybox-{name}"), name, scene).remark(remark).aspect(1.75).tells(SEEN, look),
@@ -90,7 +90,7 @@ fn skyboxes() -> Result<Vec<Exhibit>, CliError> {
 
 fn mirrors() -> Result<Vec<Exhibit>, CliError> {
     const MIRROR: &str = "L = !{E(R)},   R = 2 (N·V) N − V";
-    let mirror = |s: &mut Scene| s.objects[0].material.reflectivity = Some(1.0);
+    let mirror = |s: &mut SceneFile| s.objects[0].material.reflectivity = Some(1.0);
     Ok(vec![
         Exhibit::new("mirror-sphere", "a mirror", Stage::RoomSphere.with(mirror)?).remark("w = 1").tells(
             MIRROR,
@@ -142,7 +142,7 @@ fn mirrors() -> Result<Vec<Exhibit>, CliError> {
 }
 
 fn image_based() -> Result<Vec<Exhibit>, CliError> {
-    let lit_by_it_alone = |s: &mut Scene| {
+    let lit_by_it_alone = |s: &mut SceneFile| {
         s.lights.clear();
         // The window to the left, so that there is more light from one side than from the other.
         environment(s, "room", [110.0, 0.0, 0.0]);

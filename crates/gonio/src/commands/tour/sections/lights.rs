@@ -3,7 +3,7 @@
 use super::super::exhibit::{Exhibit, Section, Stage};
 use crate::report::CliError;
 use gonio_scene::color_value::Color;
-use gonio_scene::description::{LightSourceKind, LightSpec, MotionKind, MotionSpec, Scene};
+use gonio_scene::scene_file::{LightSourceKind, LightSpec, MotionKind, MotionSpec, SceneFile};
 use std::f64::consts::TAU;
 
 const WARM: Color = Color([1.0, 0.82, 0.6]);
@@ -167,7 +167,7 @@ fn motion() -> Result<Vec<Exhibit>, CliError> {
 }
 
 /// A little ambient light and this one.
-fn only(scene: &mut Scene, ambient: f64, light: LightSpec) {
+fn only(scene: &mut SceneFile, ambient: f64, light: LightSpec) {
     scene.lights.truncate(1);
     scene.lights[0].intensity = Some(ambient);
     if light.kind == LightSourceKind::Ambient {

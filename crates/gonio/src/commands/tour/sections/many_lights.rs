@@ -3,7 +3,7 @@
 use super::super::exhibit::{Exhibit, Section, Stage};
 use crate::report::CliError;
 use gonio_scene::color_value::Color;
-use gonio_scene::description::{LightSourceKind, LightSpec};
+use gonio_scene::scene_file::{LightSourceKind, LightSpec};
 use std::f64::consts::{PI, TAU};
 
 /// On the floor; a thousand work as well, and take as much longer.

@@ -5,7 +5,7 @@ use crate::report::CliError;
 use gonio_light::fresnel::Medium;
 use gonio_light::{Fresnel, Surfaces};
 use gonio_scene::color_value::Color;
-use gonio_scene::description::{MaterialOverride, Scene};
+use gonio_scene::scene_file::{MaterialOverride, SceneFile};
 
 const SEED: &str = "T = (n N·V − √(1 − n^2 (1 − (N·V)^2))) N − n V";
 
@@ -50,7 +50,7 @@ fn glass(
     (equation, look): (&str, &str),
     change: impl FnOnce(&mut MaterialOverride),
 ) -> Result<Exhibit, CliError> {
-    let scene = stage.with(|s: &mut Scene| {
+    let scene = stage.with(|s: &mut SceneFile| {
         s.objects[0].material.medium = Some(Medium::Glass);
         change(&mut s.objects[0].material);
     })?;

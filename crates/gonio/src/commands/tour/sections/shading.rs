@@ -2,7 +2,7 @@
 
 use super::super::exhibit::{Exhibit, Section, Stage};
 use crate::report::CliError;
-use gonio_scene::description::{Normals, Shading};
+use gonio_scene::scene_file::{Normals, Shading};
 
 /// Flat, flat per face, Gouraud, Phong on a sphere of 224 triangles, and on Suzanne.
 pub fn section() -> Result<Section, CliError> {

@@ -3,7 +3,7 @@
 use super::super::exhibit::{Exhibit, Section, Stage};
 use crate::report::CliError;
 use gonio_light::{Convention, Specular};
-use gonio_scene::description::{EquationSpec, Scene};
+use gonio_scene::scene_file::{EquationSpec, SceneFile};
 use std::f64::consts::PI;
 
 /// Two rows: the choices on Suzanne, the exponents on a sphere.
@@ -103,15 +103,15 @@ fn exponent(specular: Specular, word: &str, gamma: f64, equation: &str) -> Resul
 }
 
 /// The face alone.
-fn closer(scene: &mut Scene) {
+fn closer(scene: &mut SceneFile) {
     scene.camera.fov_y = Some(22.0);
     scene.camera.target = Some([0.08, 0.09, 0.2]);
 }
 
 /// Lights as bright as before where the diffuse term has `1/pi`.
-pub fn radiometric(scene: &mut Scene) {
+pub fn radiometric(scene: &mut SceneFile) {
     for light in &mut scene.lights {
-        if light.kind != gonio_scene::description::LightSourceKind::Ambient {
+        if light.kind != gonio_scene::scene_file::LightSourceKind::Ambient {
             light.intensity = Some(light.intensity.unwrap_or(1.0) * PI);
         }
     }

@@ -2,8 +2,8 @@
 
 use super::super::exhibit::{Exhibit, Section, Stage};
 use crate::report::CliError;
-use gonio_scene::Scene;
-use gonio_scene::description::LightSourceKind;
+use gonio_scene::SceneFile;
+use gonio_scene::scene_file::LightSourceKind;
 
 /// A, E, the diffuse and the specular term, and L.
 pub fn section() -> Result<Section, CliError> {
@@ -72,7 +72,7 @@ pub fn section() -> Result<Section, CliError> {
     })
 }
 
-fn keep(scene: &mut Scene, [ambient, emitted, diffuse, specular]: [bool; 4]) {
+fn keep(scene: &mut SceneFile, [ambient, emitted, diffuse, specular]: [bool; 4]) {
     let equation = &mut scene.equation;
     (equation.ambient, equation.emitted) = (ambient, emitted);
     (equation.diffuse, equation.specular_term) = (diffuse, specular);

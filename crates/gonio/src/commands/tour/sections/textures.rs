@@ -5,7 +5,7 @@ use crate::report::CliError;
 use gonio_light::color::ToneMap;
 use gonio_scene::TextureFilter;
 use gonio_scene::color_value::Color;
-use gonio_scene::description::Scene;
+use gonio_scene::scene_file::SceneFile;
 
 /// Two rows.
 pub fn section() -> Result<Section, CliError> {
@@ -20,7 +20,7 @@ pub fn section() -> Result<Section, CliError> {
 }
 
 fn filters() -> Result<Vec<Exhibit>, CliError> {
-    let close = |s: &mut Scene| {
+    let close = |s: &mut SceneFile| {
         s.camera.position = Some([-3.2, 0.16, 1.45]);
         s.camera.target = Some([-1.0, 0.3, -0.25]);
         s.camera.fov_y = Some(36.0);

@@ -2,7 +2,7 @@
 
 use super::super::exhibit::{Exhibit, Section, Stage};
 use crate::report::CliError;
-use gonio_scene::description::Shading;
+use gonio_scene::scene_file::Shading;
 
 /// Coarse and smooth, Gouraud and Phong, with the numbers of vertices and fragments lit.
 pub fn section() -> Result<Section, CliError> {

@@ -3,7 +3,7 @@
 use super::super::exhibit::{Exhibit, Section, Stage};
 use crate::report::CliError;
 use gonio_light::Quantity;
-use gonio_scene::{Scene, ViewSpec};
+use gonio_scene::{SceneFile, ViewSpec};
 
 /// Two rows of six.
 pub fn section() -> Result<Section, CliError> {
@@ -83,19 +83,20 @@ pub fn section() -> Result<Section, CliError> {
             "What the diffuse term is made of. Black is what the key does not reach.",
         ),
     ];
-    let row = |stage: Stage, table: [(Quantity, &str, &str, &str, &str); 6], aspect: f64, change: fn(&mut Scene)| {
-        table
-            .iter()
-            .map(|&(quantity, caption, remark, equation, look)| {
-                let scene = stage.with(change)?;
-                Ok(Exhibit::new(format!("view-{quantity}"), caption, scene)
-                    .remark(remark)
-                    .aspect(aspect)
-                    .view(ViewSpec { quantity, light: None })
-                    .tells(equation, look))
-            })
-            .collect::<Result<Vec<Exhibit>, CliError>>()
-    };
+    let row =
+        |stage: Stage, table: [(Quantity, &str, &str, &str, &str); 6], aspect: f64, change: fn(&mut SceneFile)| {
+            table
+                .iter()
+                .map(|&(quantity, caption, remark, equation, look)| {
+                    let scene = stage.with(change)?;
+                    Ok(Exhibit::new(format!("view-{quantity}"), caption, scene)
+                        .remark(remark)
+                        .aspect(aspect)
+                        .view(ViewSpec { quantity, light: None })
+                        .tells(equation, look))
+                })
+                .collect::<Result<Vec<Exhibit>, CliError>>()
+        };
     Ok(Section {
         id: "views",
         title: "What the equation sees",

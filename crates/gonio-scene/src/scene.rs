@@ -1,8 +1,8 @@
 //! A scene with its files read.
 
-use crate::description::{Scene, Shading};
 use crate::environment::LoadedEnvironment;
 use crate::framing::Extent;
+use crate::scene_file::{SceneFile, Shading};
 use crate::stock::Stock;
 use crate::texture::Texture;
 use glam::{DMat4, DVec3};
@@ -15,9 +15,9 @@ pub const HOLE_OPACITY: f64 = 1.0 / 255.0;
 
 /// A scene with its files read: what both renderers draw. Cloning shares geometry, textures and environment.
 #[derive(Clone, Debug, Default)]
-pub struct LoadedScene {
+pub struct Scene {
     /// The effective scene: every default filled in.
-    pub scene: Scene,
+    pub scene: SceneFile,
     /// Geometry; every mesh has normals.
     pub meshes: Vec<Arc<Mesh>>,
     /// Of all objects.
@@ -32,13 +32,13 @@ pub struct LoadedScene {
     pub diagnostics: Vec<Diagnostic>,
     /// The description had no camera position: one was chosen that frames the objects.
     pub camera_was_framed: bool,
-    /// Remembered by [`LoadedScene::bounds`]; leave it empty.
+    /// Remembered by [`Scene::bounds`]; leave it empty.
     pub known_bounds: OnceLock<(DVec3, DVec3)>,
     /// What [`crate::edit::apply`] needs; leave it empty in scenes that are built by hand.
     pub stock: Arc<Stock>,
 }
 
-impl LoadedScene {
+impl Scene {
     /// Gives every mesh with texture coordinates its tangents, for a view that shows them: loading makes
     /// only those that a normal map wants, since they take longer than everything else.
     pub fn add_tangents(&mut self) {
@@ -73,7 +73,7 @@ impl LoadedScene {
     }
 }
 
-impl Extent for LoadedScene {
+impl Extent for Scene {
     fn support(&self, directions: &[DVec3]) -> Vec<f64> {
         let mut reach = vec![f64::NEG_INFINITY; directions.len()];
         for object in &self.objects {
@@ -96,7 +96,7 @@ impl Extent for LoadedScene {
 pub struct Object {
     /// For reports and debug groups.
     pub name: String,
-    /// Index into [`LoadedScene::meshes`].
+    /// Index into [`Scene::meshes`].
     pub mesh: usize,
     /// Where the equation is evaluated.
     pub shading: Shading,
@@ -117,7 +117,7 @@ pub struct ObjectPart {
     pub first_triangle: usize,
     /// How many.
     pub triangle_count: usize,
-    /// Index into [`LoadedScene::materials`].
+    /// Index into [`Scene::materials`].
     pub material: usize,
 }
 
@@ -155,7 +155,7 @@ pub struct Maps {
 /// A texture as a material uses it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoundTexture {
-    /// Index into [`LoadedScene::textures`].
+    /// Index into [`Scene::textures`].
     pub texture: usize,
     /// Texture coordinates are multiplied by this, ...
     pub scale: [f32; 2],

@@ -77,7 +77,7 @@ named_enum! {
 /// A scene.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
-pub struct Scene {
+pub struct SceneFile {
     /// Size and encoding of the picture.
     pub picture: PictureSpec,
     /// The eye. What is left out is chosen so that all objects are in the picture.
