@@ -3,7 +3,8 @@
 
 use crate::measure::{self, Cost};
 use crate::{Places, models, table};
-use gonio_gl::{HeadlessContext, Renderer};
+use gonio_gl::HeadlessContext;
+use gonio_render::Renderer;
 use gonio_scene::files::Disk;
 use serde_json::json;
 use std::path::Path;

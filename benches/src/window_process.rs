@@ -9,8 +9,9 @@ use eframe::glow;
 use gonio_app::Lab;
 use gonio_app::exported;
 use gonio_app::platform::desktop::{self, WindowOptions};
-use gonio_gl::{Canvas, Gl, GpuScene, Renderer, Show};
+use gonio_gl::Gl;
 use gonio_light::LightKind;
+use gonio_render::{DisplayOptions, DisplayTexture, GpuScene, Renderer};
 use gonio_scene::Frame;
 use serde::Serialize;
 use std::cell::RefCell;
@@ -160,7 +161,7 @@ struct Turn {
 struct Bare {
     renderer: Renderer,
     scene: GpuScene,
-    canvas: Canvas,
+    canvas: DisplayTexture,
     frame: Frame,
 }
 
@@ -377,7 +378,7 @@ impl Bare {
         let loaded = lab.session().loaded.as_ref().ok_or("there is no scene")?;
         let mut renderer = Renderer::new(gl.clone()).map_err(|e| e.message)?;
         let scene = renderer.upload(loaded).map_err(|e| e.message)?;
-        let canvas = Canvas::new(gl, [1, 1]).map_err(|e| e.message)?;
+        let canvas = DisplayTexture::new(gl, [1, 1]).map_err(|e| e.message)?;
         Ok(Bare { renderer, scene, canvas, frame: loaded.frame(0.0) })
     }
 
@@ -399,7 +400,8 @@ impl Bare {
                 if let Some(first) = self.frame.lights.first_mut() {
                     first.kind = *light;
                 }
-                let painted = self.renderer.paint(&self.scene, &self.frame, &Show::default(), &mut self.canvas);
+                let painted =
+                    self.renderer.paint(&self.scene, &self.frame, &DisplayOptions::default(), &mut self.canvas);
                 let submit = start.elapsed().as_secs_f64();
                 self.canvas.wait();
                 painted.map(|_| submit)

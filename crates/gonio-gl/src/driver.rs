@@ -1,8 +1,7 @@
 //! The driver: who it is, and what it can do.
 
+use crate::Dialect;
 use crate::Gl;
-use crate::glsl::Dialect;
-use crate::renderer::dialect_of;
 use glow::HasContext;
 
 /// WEBGL_debug_renderer_info
@@ -37,7 +36,7 @@ impl DriverInfo {
         ["llvmpipe", "softpipe", "SwiftShader"].iter().any(|name| self.renderer.contains(name))
     }
 
-    pub(crate) fn of(gl: &Gl) -> Self {
+    pub fn of(gl: &Gl) -> Self {
         let version = gl.version();
         let has = |extension: &str| gl.supported_extensions().contains(extension);
         let at_least_4_6 = !version.is_embedded && (version.major, version.minor) >= (4, 6);
@@ -66,7 +65,7 @@ impl DriverInfo {
                 max_samples: samples.into_iter().chain([textures]).min().unwrap_or(1).max(1) as u32,
                 max_size: sizes.into_iter().min().unwrap_or(2048).max(1) as u32,
                 max_cube_size: gl.get_parameter_i32(glow::MAX_CUBE_MAP_TEXTURE_SIZE).max(1) as u32,
-                dialect: dialect_of(gl),
+                dialect: gl.dialect(),
                 anisotropy: at_least_4_6
                     || has("GL_EXT_texture_filter_anisotropic")
                     || has("EXT_texture_filter_anisotropic"),

@@ -1,6 +1,8 @@
 //! The OpenGL functions, and what must live as long as they are called.
 
-use crate::record::Mirror;
+use crate::Dialect;
+use crate::trace::Mirror;
+use glow::HasContext;
 use std::any::Any;
 use std::ops::Deref;
 use std::rc::Rc;
@@ -32,12 +34,17 @@ impl Gl {
 
     /// The same functions, with a mirror that knows nothing yet: what is made through it is in no other's records, and
     /// whoever uses it puts bindings back through the other one when done.
-    pub(crate) fn apart(&self) -> Gl {
+    pub fn apart(&self) -> Gl {
         Gl { functions: self.functions.clone(), mirror: Rc::default(), _context: self._context.clone() }
     }
 
+    /// The dialect of GLSL that the context compiles.
+    pub fn dialect(&self) -> Dialect {
+        if self.functions.version().is_embedded { Dialect::Es300 } else { Dialect::Core330 }
+    }
+
     /// glow's functions, past our own of the same name: what is called here is not noted.
-    pub(crate) fn functions(&self) -> &glow::Context {
+    pub fn functions(&self) -> &glow::Context {
         &self.functions
     }
 

@@ -48,7 +48,7 @@ macro_rules! object {
 
         impl $Object {
             /// One, bound to nothing.
-            pub(crate) fn create(gl: &Gl) -> Result<Self, GlError> {
+            pub fn create(gl: &Gl) -> Result<Self, GlError> {
                 // SAFETY: creating an object has no precondition but a current context, which `Gl` is.
                 let handle = unsafe { gl.$create() }
                     .map_err(|why| GlError::new(format!(concat!("OpenGL gave no ", stringify!($Object), ": {}"), why)))?;
@@ -56,7 +56,6 @@ macro_rules! object {
             }
 
             /// OpenGL's name for it.
-            #[allow(dead_code)] // some kinds are only ever bound when they are made
             pub fn handle(&self) -> glow::$Handle {
                 self.handle
             }

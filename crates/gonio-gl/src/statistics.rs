@@ -22,12 +22,12 @@ pub struct GpuStatistics {
 }
 
 /// Counters that run.
-pub(crate) struct StatisticsQueries {
+pub struct StatisticsQueries {
     queries: Option<[Query; 2]>,
 }
 
 /// Counters that have stopped; reading them waits for the GPU.
-pub(crate) struct StoppedQueries {
+pub struct StoppedQueries {
     gl: Gl,
     queries: Option<[Query; 2]>,
     draw_calls: u32,

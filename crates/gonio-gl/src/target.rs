@@ -1,6 +1,6 @@
 //! Where a frame is drawn: a float target, multisampled or not, and the picture made from it.
 
-use crate::glsl::Dialect;
+use crate::Dialect;
 use crate::objects::{Framebuffer, Renderbuffer, TextureObject};
 use crate::{Gl, GlError};
 use glow::{HasContext, PixelPackData, PixelUnpackData};

@@ -6,7 +6,7 @@ use crate::locate::Source;
 use crate::student::ReadStage;
 use crate::verdict::{Outcome, Peculiarity, Verdict};
 use gonio_gl::GlError;
-use gonio_gl::foreign::ForeignProgram;
+use gonio_render::user_program::UserProgram;
 
 /// Most look-ups of a program that are tried: of a mirror and a glass there are two.
 const MOST: usize = 4;
@@ -28,7 +28,7 @@ pub fn judge(
     let lookups = fragment.lookups().into_iter().filter(|lookup| source.puts_out_lookup(lookup.span));
     for lookup in lookups.take(MOST) {
         let text = fragment.showing(lookup);
-        let Ok(program) = ForeignProgram::new(checker.gl(), &vertex.translated.text, &text) else { continue };
+        let Ok(program) = UserProgram::new(checker.gl(), &vertex.translated.text, &text) else { continue };
         let (mut of_lookup, evidence) = checker.check(task, &program, prepared)?;
         of_lookup.bound.clone_from(&verdict.bound);
         let is_named = |verdict: &Verdict| verdict.verdict == Outcome::Wrong && !verdict.mistakes.is_empty();

@@ -2,7 +2,7 @@
 
 use crate::buffers::{self, Expected};
 use crate::exercise::Exercise;
-use crate::host::{self, HostFiles, HostOutcome};
+use crate::host::{self, GlProgramFiles, HostOutcome};
 use crate::submission::SourceFile;
 use crate::verdict::{CompilerMessage, FoundMistake, Outcome, Verdict};
 use gonio_gl::{Gl, GlError};
@@ -81,7 +81,7 @@ pub fn host_program(
     gl: &Gl,
     exercise: &Exercise,
     files: Vec<SourceFile>,
-    given: &HostFiles,
+    given: &GlProgramFiles,
 ) -> Result<Verdict, GlError> {
     let answers = answers(&files, &[".txt"]);
     let [answer] = answers.as_slice() else {

@@ -14,9 +14,9 @@ use crate::submission::{SourceFile, StageText, Submission};
 use crate::terms;
 use crate::unexplained;
 use crate::verdict::{CompilerMessage, FoundMistake, Outcome, Peculiarity, Verdict};
-use gonio_gl::foreign::{BrokenProgram, ForeignProgram};
 use gonio_gl::{Gl, GlError};
 use gonio_glsl::{Checked, Limit, Lookup, LoopBound, Parsed, Problem, Severity, Stage, Target, Translated};
+use gonio_render::user_program::{BrokenProgram, UserProgram};
 use std::rc::Rc;
 
 /// The picture of the right answer that an exercise is begun with.
@@ -119,7 +119,7 @@ pub fn check(
         Ok(names) => names.unwrap_or_default(),
         Err(error) => return unsure(error.to_string()),
     };
-    let target = if gonio_gl::foreign::is_embedded(checker.gl()) { Target::Es300 } else { Target::Core330 };
+    let target = if gonio_render::user_program::is_embedded(checker.gl()) { Target::Es300 } else { Target::Core330 };
     let vertex = ReadStage::new(&submission.vertex, Stage::Vertex, target);
     let fragment = ReadStage::new(&submission.fragment, Stage::Fragment, target);
     let program = match compile(checker.gl(), &vertex, &fragment) {
@@ -266,7 +266,7 @@ fn by_places(
         return Ok(None);
     }
     let fragment = checker.places_fragment();
-    let Ok(program) = ForeignProgram::new(checker.gl(), &vertex.translated.text, &fragment) else { return Ok(None) };
+    let Ok(program) = UserProgram::new(checker.gl(), &vertex.translated.text, &fragment) else { return Ok(None) };
     let (mut by_places, evidence) = checker.check(PLACES, &program, prepared)?;
     if by_places.verdict == Outcome::Wrong && by_places.mistakes.is_empty() {
         return Ok(None);
@@ -346,20 +346,16 @@ fn pass_as_the_lab(verdict: &mut Verdict) {
 
 /// Compiles and links, unless our own reader refuses one of the two for its size or depth: drivers have no such limits, and
 /// crash in our process.
-pub(crate) fn compile(
-    gl: &Gl,
-    vertex: &ReadStage<'_>,
-    fragment: &ReadStage<'_>,
-) -> Result<ForeignProgram, BrokenProgram> {
+pub(crate) fn compile(gl: &Gl, vertex: &ReadStage<'_>, fragment: &ReadStage<'_>) -> Result<UserProgram, BrokenProgram> {
     if vertex.refusal().is_some() || fragment.refusal().is_some() {
         let log = |stage: &ReadStage<'_>| stage.refusal().map(|problem| problem.message.clone());
         return Err(BrokenProgram { vertex_log: log(vertex), fragment_log: log(fragment), ..BrokenProgram::default() });
     }
-    let program = ForeignProgram::new(gl, &vertex.translated.text, &fragment.translated.text)?;
+    let program = UserProgram::new(gl, &vertex.translated.text, &fragment.translated.text)?;
     // Where the translation mended what every compiler refuses, the student's own text tells.
     let refused = |stage: &ReadStage<'_>| stage.problems().any(|problem| problem.severity == Severity::Error);
     if refused(vertex) || refused(fragment) {
-        ForeignProgram::new(gl, &vertex.text.text, &fragment.text.text)?;
+        UserProgram::new(gl, &vertex.text.text, &fragment.text.text)?;
     }
     // This driver may be more lenient than all others: what the version does not have is wrong in any case.
     let missing = |stage: &ReadStage<'_>| {

@@ -3,8 +3,9 @@
 use crate::capture::Recorder;
 use crate::cli::BackendOptions;
 use crate::report::{CliError, Reporter, Times};
-use gonio_gl::{Drawn, Drawn8, DriverInfo, GpuScene, GpuStatistics, HeadlessContext, Renderer, Show};
+use gonio_gl::{DriverInfo, GpuStatistics, HeadlessContext};
 use gonio_reference::{ReferenceScene, Rendered};
+use gonio_render::{DisplayOptions, Drawn, Drawn8, GpuScene, Renderer};
 use gonio_scene::picture::EncodedPicture;
 use gonio_scene::{DisplayMap, Frame, Picture, Scene, ViewSpec};
 use serde::Serialize;
@@ -239,7 +240,7 @@ impl Backend {
     pub fn draw_shown(
         &mut self,
         frame: &Frame,
-        shows: &[Show],
+        shows: &[DisplayOptions],
         reporter: &Reporter,
         times: &Times,
         mut each: impl FnMut(usize, Shot) -> Result<(), CliError>,

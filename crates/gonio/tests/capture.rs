@@ -8,7 +8,7 @@ mod common;
 
 use common::{Lab, Run, asset};
 use glam::{DMat4, DVec3};
-use gonio_gl::glsl;
+use gonio_render::glsl;
 use gonio_scene::files::Disk;
 use gonio_scene::{Frame, Scene, load};
 use serde_json::Value;

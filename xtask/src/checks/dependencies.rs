@@ -24,8 +24,10 @@ pub const RULES: &[Rule] = &[
     Rule { krate: "gonio-environment", may_know: &["gonio-light"], tests_may_know: &[] },
     Rule { krate: "gonio-scene", may_know: &["gonio-light", "gonio-mesh", "gonio-environment"], tests_may_know: &[] },
     Rule { krate: "gonio-reference", may_know: BELOW_PICTURES, tests_may_know: &[] },
-    // The GPU's pictures are held against the reference's.
-    Rule { krate: "gonio-gl", may_know: BELOW_PICTURES, tests_may_know: &["gonio-reference"] },
+    // OpenGL alone: no scenes, meshes or lights.
+    Rule { krate: "gonio-gl", may_know: &[], tests_may_know: &[] },
+    // The GPU's pictures are compared with the reference's.
+    Rule { krate: "gonio-render", may_know: BELOW_RENDERER, tests_may_know: &["gonio-reference"] },
     // A language, and nothing of ours.
     Rule { krate: "gonio-glsl", may_know: &[], tests_may_know: &[] },
     Rule { krate: "gonio-lab", may_know: BELOW_LAB, tests_may_know: &[] },
@@ -44,8 +46,17 @@ pub const RULES: &[Rule] = &[
 ];
 
 const BELOW_PICTURES: &[&str] = &["gonio-light", "gonio-mesh", "gonio-environment", "gonio-scene"];
-const BELOW_LAB: &[&str] =
-    &["gonio-light", "gonio-mesh", "gonio-environment", "gonio-scene", "gonio-reference", "gonio-gl", "gonio-glsl"];
+const BELOW_RENDERER: &[&str] = &["gonio-light", "gonio-mesh", "gonio-environment", "gonio-scene", "gonio-gl"];
+const BELOW_LAB: &[&str] = &[
+    "gonio-light",
+    "gonio-mesh",
+    "gonio-environment",
+    "gonio-scene",
+    "gonio-reference",
+    "gonio-gl",
+    "gonio-render",
+    "gonio-glsl",
+];
 const BELOW_SHELLS: &[&str] = &[
     "gonio-light",
     "gonio-mesh",
@@ -53,6 +64,7 @@ const BELOW_SHELLS: &[&str] = &[
     "gonio-scene",
     "gonio-reference",
     "gonio-gl",
+    "gonio-render",
     "gonio-glsl",
     "gonio-lab",
 ];
@@ -64,6 +76,7 @@ const COMMAND_LINE: &[&str] = &[
     "gonio-scene",
     "gonio-reference",
     "gonio-gl",
+    "gonio-render",
     "gonio-glsl",
     "gonio-lab",
     "gonio-app",
@@ -71,7 +84,7 @@ const COMMAND_LINE: &[&str] = &[
 
 /// Crates from outside that only some of ours may know directly: (crate, who may).
 pub const GUARDED: &[(&str, &[&str])] = &[
-    ("glow", &["gonio-gl", "gonio-app"]),
+    ("glow", &["gonio-gl", "gonio-render", "gonio-app"]),
     ("khronos-egl", &["gonio-gl"]),
     ("glutin", &["gonio-gl"]),
     ("renderdoc", &["gonio-gl"]),

@@ -27,8 +27,13 @@ const DESKTOPS: &[&str] = &["x86_64-pc-windows-msvc", "aarch64-apple-darwin"];
 /// What people get: all but the tools of this repository.
 const NOT_SHIPPED: &[&str] = &["xtask", "gonio-bench", "gonio-web-bindgen", "gonio-web-split"];
 /// What the web page will be made of, and whether it is built without its default features there.
-const WEB: &[(&str, bool)] =
-    &[("gonio-light", false), ("gonio-mesh", false), ("gonio-scene", false), ("gonio-gl", true)];
+const WEB: &[(&str, bool)] = &[
+    ("gonio-light", false),
+    ("gonio-mesh", false),
+    ("gonio-scene", false),
+    ("gonio-gl", true),
+    ("gonio-render", false),
+];
 
 /// Runs every step; a failing one does not keep the next from being tried.
 pub fn run(extent: Extent) -> ExitCode {

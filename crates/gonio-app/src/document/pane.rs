@@ -1,9 +1,9 @@
 //! A pane: the scene and its camera, with settings of its own.
 
 use crate::action::Overlay;
-use gonio_gl::{Show, View};
 use gonio_light::brdf::BrdfKind;
 use gonio_light::{Convention, Specular};
+use gonio_render::{DisplayOptions, View};
 use gonio_scene::detail::Detail;
 use gonio_scene::scene_file::Shading;
 use gonio_scene::{Overlays, SceneFile, SpecialView, ViewSpec};
@@ -68,9 +68,9 @@ impl Pane {
     }
 
     /// What is drawn.
-    pub fn show(&self) -> Show {
+    pub fn show(&self) -> DisplayOptions {
         let view = self.special.map_or_else(|| self.view.into(), View::Special);
-        Show { view, overlays: self.overlays }
+        DisplayOptions { view, overlays: self.overlays }
     }
 
     /// The scene with the pane's settings in place of its own, but for its detail, which is no matter of the description.

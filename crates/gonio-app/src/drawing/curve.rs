@@ -5,7 +5,8 @@ use super::pane::{triangles, with_settings};
 use crate::document::{Document, Pane};
 use crate::session::Session;
 use crate::session::comparison::{Curve, CurvePoint};
-use gonio_gl::{Canvas, Gl, GlError, Renderer};
+use gonio_gl::{Gl, GlError};
+use gonio_render::{DisplayTexture, Renderer};
 use gonio_scene::detail::{self, Detail};
 use gonio_scene::scene_file::Shading;
 use gonio_scene::{Frame, Scene, difference};
@@ -32,7 +33,7 @@ pub struct CurveRun {
     wanted: Vec<(Shading, Option<Detail>)>,
     next: usize,
     finest: Vec<u8>,
-    canvas: Option<Canvas>,
+    canvas: Option<DisplayTexture>,
 }
 
 impl CurveRun {
@@ -94,7 +95,7 @@ impl CurveRun {
         let frame = Frame { width, height, ..loaded.frame(self.time) };
         let canvas = match &mut self.canvas {
             Some(canvas) => canvas,
-            none => none.insert(Canvas::new(gl, self.frame_size)?),
+            none => none.insert(DisplayTexture::new(gl, self.frame_size)?),
         };
         let painted = renderer.paint_counted(&uploaded, &frame, &settings.show(), canvas)?;
         let pixels = canvas.read8();

@@ -1,13 +1,14 @@
 //! A pane's scene in other pictures than its own: one pixel for the probe, and what a second camera sees.
 
 use super::Studio;
-use gonio_gl::{Canvas, GlError, Presentation, Show};
+use gonio_gl::GlError;
+use gonio_render::{DisplayOptions, DisplayTexture, Presentation};
 use gonio_scene::{Camera, Frame, Scene};
 use std::sync::Arc;
 
 /// The second camera's picture, and what is on it.
 pub struct Outside {
-    canvas: Canvas,
+    canvas: DisplayTexture,
     drawn: Option<(Frame, Arc<Scene>)>,
 }
 
@@ -30,11 +31,11 @@ impl Studio {
         let wanted = Frame { width, height, camera, ..frame.clone() };
         let outside = match &mut self.outside {
             Some(kept) => kept,
-            none => none.insert(Outside { canvas: Canvas::new(&self.gl, size)?, drawn: None }),
+            none => none.insert(Outside { canvas: DisplayTexture::new(&self.gl, size)?, drawn: None }),
         };
         let is_drawn = |(frame, of): &(Frame, Arc<Scene>)| *frame == wanted && Arc::ptr_eq(of, loaded);
         if !outside.drawn.as_ref().is_some_and(is_drawn) {
-            self.renderer.paint(uploaded, &wanted, &Show::default(), &mut outside.canvas)?;
+            self.renderer.paint(uploaded, &wanted, &DisplayOptions::default(), &mut outside.canvas)?;
             outside.drawn = Some((wanted, loaded.clone()));
         }
         Ok(Some(self.presenter.of(outside.canvas.texture())))

@@ -15,8 +15,9 @@ use crate::document::Document;
 use crate::session::{FrameFacts, Session, Tab};
 use curve::CurveRun;
 use details::Details;
-use gonio_gl::record::FrameRecord;
-use gonio_gl::{Canvas, Gl, GlError, Presentation, Presenter, Renderer, View};
+use gonio_gl::trace::FrameRecord;
+use gonio_gl::{Gl, GlError};
+use gonio_render::{DisplayTexture, Presentation, Presenter, Renderer, View};
 use gonio_scene::{Frame, Scene};
 use pair::PairDrawing;
 use pane::PaneDrawing;
@@ -62,7 +63,7 @@ impl Studio {
     }
 
     /// A canvas without holes, to be shown by a paint callback.
-    pub fn presented(&self, canvas: &Canvas) -> Presentation {
+    pub fn presented(&self, canvas: &DisplayTexture) -> Presentation {
         self.presenter.of(canvas.texture()).opaque()
     }
 

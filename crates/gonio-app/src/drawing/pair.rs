@@ -3,7 +3,8 @@
 use super::pane::PaneDrawing;
 use crate::document::DifferenceSettings;
 use crate::session::comparison::DifferenceFacts;
-use gonio_gl::{Canvas, DifferenceScale, Gl, GlError, Renderer};
+use gonio_gl::{Gl, GlError};
+use gonio_render::{DifferenceScale, DisplayTexture, Renderer};
 use gonio_scene::difference;
 
 /// A pixel differs where a colour is more than so many 8-bit steps apart.
@@ -15,7 +16,7 @@ type Made = ([usize; 2], [u64; 2]);
 /// What is kept of the pair between pictures.
 #[derive(Default)]
 pub struct PairDrawing {
-    pub map: Option<Canvas>,
+    pub map: Option<DisplayTexture>,
     drawn: Option<(Made, DifferenceSettings)>,
     measured: Option<(Made, DifferenceFacts)>,
 }
@@ -38,7 +39,7 @@ impl PairDrawing {
         if self.drawn != Some(wanted) {
             let map = match &mut self.map {
                 Some(map) => map,
-                none => none.insert(Canvas::new(gl, a.size())?),
+                none => none.insert(DisplayTexture::new(gl, a.size())?),
             };
             let scale = DifferenceScale { full_scale: settings.full_scale, signed: settings.signed };
             renderer.paint_difference(a, b, scale, map)?;

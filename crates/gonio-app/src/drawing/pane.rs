@@ -4,8 +4,9 @@ use super::details::Details;
 use crate::document::Pane;
 use crate::session::FrameFacts;
 use crate::session::comparison::PaneFacts;
-use gonio_gl::{Canvas, Gl, GlError, GpuScene, GpuStatistics, Renderer, Show, View};
+use gonio_gl::{Gl, GlError, GpuStatistics};
 use gonio_mesh::Mesh;
+use gonio_render::{DisplayOptions, DisplayTexture, GpuScene, Renderer, View};
 use gonio_scene::edit::{self, Edited};
 use gonio_scene::scene_file::Shading;
 use gonio_scene::{Frame, Scene, detail};
@@ -36,9 +37,9 @@ pub struct PaneDrawing {
     /// Meshes in the pane's detail, and for which scene; while others are made, these are shown.
     detailed: Option<(u64, Vec<Arc<Mesh>>)>,
     pub uploaded: Option<(Arc<Scene>, GpuScene)>,
-    pub canvas: Option<Canvas>,
+    pub canvas: Option<DisplayTexture>,
     /// What is on the canvas.
-    pub drawn: Option<(Frame, Show)>,
+    pub drawn: Option<(Frame, DisplayOptions)>,
     /// Counts the pictures.
     pub serial: u64,
     pub facts: PaneFacts,
@@ -99,7 +100,8 @@ impl PaneDrawing {
 
     /// Whether its picture, as it was drawn last, has no holes: debug views may have some.
     pub fn is_opaque(&self) -> bool {
-        let is_whole = |(frame, show): &(Frame, Show)| !frame.background.transparent && show.view == View::Picture;
+        let is_whole =
+            |(frame, show): &(Frame, DisplayOptions)| !frame.background.transparent && show.view == View::Picture;
         self.drawn.as_ref().is_some_and(is_whole)
     }
 
@@ -129,7 +131,7 @@ impl PaneDrawing {
         let frame = Frame { samples, ..full };
         let canvas = match &mut self.canvas {
             Some(canvas) => canvas,
-            none => none.insert(Canvas::new(gl, size)?),
+            none => none.insert(DisplayTexture::new(gl, size)?),
         };
         let painted = if pace.moving {
             renderer.paint(uploaded, &frame, &show, canvas)?

@@ -3,8 +3,9 @@
 use super::Studio;
 use super::pane::PaneDrawing;
 use crate::saving::png::Shown;
-use gonio_gl::{Canvas, GlError, GpuScene, Show, View};
+use gonio_gl::GlError;
 use gonio_light::color::ColorEncoding;
+use gonio_render::{DisplayOptions, DisplayTexture, GpuScene, View};
 use gonio_scene::{Frame, Picture};
 
 impl Studio {
@@ -13,7 +14,7 @@ impl Studio {
         let Some((uploaded, frame, show)) = self.panes.get(index).and_then(|pane| pane.to_save(size)) else {
             return Ok(None);
         };
-        let mut canvas = Canvas::new(&self.gl, [frame.width, frame.height])?;
+        let mut canvas = DisplayTexture::new(&self.gl, [frame.width, frame.height])?;
         self.renderer.paint(uploaded, &frame, &show, &mut canvas)?;
         let is_srgb = show.view == View::Picture && frame.output.encoding == ColorEncoding::Srgb;
         Ok(Some(Shown { size: canvas.size(), rgba: canvas.read8(), is_srgb }))
@@ -32,7 +33,7 @@ impl Studio {
 
 impl PaneDrawing {
     /// With all of the scene's samples, also where the last picture did with one.
-    fn to_save(&self, size: Option<[u32; 2]>) -> Option<(&GpuScene, Frame, Show)> {
+    fn to_save(&self, size: Option<[u32; 2]>) -> Option<(&GpuScene, Frame, DisplayOptions)> {
         let (frame, show) = self.drawn.as_ref()?;
         let [width, height] = size.unwrap_or([frame.width, frame.height]);
         let samples = self.loaded.as_ref()?.scene.picture.samples;

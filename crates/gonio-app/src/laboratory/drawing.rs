@@ -2,9 +2,10 @@
 
 use super::work::{Shown, Work};
 use crate::drawing::Studio;
-use gonio_gl::{Canvas, DifferenceScale, Gl, GlError, Presentation};
+use gonio_gl::{Gl, GlError};
 use gonio_lab::live::{self, Body, Eye, LiveStage, Note, Pair, Source};
 use gonio_lab::stage::Situation;
+use gonio_render::{DifferenceScale, DisplayTexture, Presentation};
 use gonio_scene::load::camera_of;
 
 /// Where nothing is drawn: the lab's programs clear to a dark grey too.
@@ -32,7 +33,7 @@ pub struct Easel {
     stage: LiveStage,
     pairs: [Option<Pair>; 2],
     sky: Option<Pair>,
-    canvases: [Option<Canvas>; 3],
+    canvases: [Option<DisplayTexture>; 3],
     drawn: [Option<Drawn>; 2],
     /// Counts programs that were compiled.
     serial: u64,
@@ -99,7 +100,7 @@ impl Easel {
         let [Some(yours), Some(reference), map] = &mut self.canvases else { return Ok(None) };
         let map = match map {
             Some(map) => map,
-            none => none.insert(Canvas::new(&self.gl, size)?),
+            none => none.insert(DisplayTexture::new(&self.gl, size)?),
         };
         let scale = DifferenceScale { full_scale: FULL_SCALE, signed: false };
         studio.renderer().paint_difference(yours, reference, scale, map)?;
@@ -122,11 +123,11 @@ impl Easel {
         self.stage.prepare(scene)?;
         let canvas = match &mut self.canvases[which] {
             Some(canvas) => canvas,
-            none => none.insert(Canvas::new(&self.gl, size)?),
+            none => none.insert(DisplayTexture::new(&self.gl, size)?),
         };
         let sky = self.sky.as_ref().filter(|_| scene.has_sky);
         let stage = &self.stage;
-        studio.renderer().paint_foreign(canvas, size, BACKGROUND, || {
+        studio.renderer().paint_user_program(canvas, size, BACKGROUND, || {
             if let (Some(sky), Some((_, first))) = (sky, bodies.first()) {
                 stage.draw(sky, &[(Body::Cube, first.clone())]);
             }

@@ -1,7 +1,7 @@
 //! The frame taken apart: what OpenGL was told for a picture, and what is looked at of it.
 
 use egui::{ColorImage, Context, TextureHandle, TextureOptions};
-use gonio_gl::record::{Finding, FrameRecord, lint};
+use gonio_gl::trace::{Finding, FrameRecord, lint};
 use std::collections::HashMap;
 
 /// A record of a picture.

@@ -21,7 +21,8 @@ use crate::exported::{self, Role};
 use crate::session::{Selection, Session, Tab};
 use eframe::egui_glow;
 use egui::{Color32, Pos2, Rect, Response, Sense, Ui, vec2};
-use gonio_gl::{GlError, Presentation};
+use gonio_gl::GlError;
+use gonio_render::Presentation;
 use gonio_scene::Scene;
 use std::sync::Arc;
 

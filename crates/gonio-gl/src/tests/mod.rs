@@ -1,15 +1,6 @@
 //! Tests that need a context: on whatever driver there is, Mesa's llvmpipe in CI.
 
-mod compile;
-mod conversion;
-mod difference;
-mod environment;
-mod foreign;
-mod overlays;
-mod paint;
-mod record;
-mod twins;
-mod twins_optics;
+mod trace;
 
 use crate::headless::{HeadlessContext, HeadlessOptions};
 

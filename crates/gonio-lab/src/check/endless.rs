@@ -2,8 +2,8 @@
 
 use crate::verdict::{Outcome, Verdict};
 use gonio_gl::GlError;
-use gonio_gl::foreign::ForeignProgram;
 use gonio_glsl::DRAWN_ALL_THE_SAME;
+use gonio_render::user_program::UserProgram;
 
 /// A picture, for this purpose: its pixels' numbers.
 pub(crate) trait Numbers {
@@ -32,7 +32,7 @@ impl Numbers for crate::faces::Tiles {
 /// Such vertices and fragments are drawn or not by a uniform: two pictures that differ tell of them. The first situation is
 /// tried alone, for a program with an endless loop takes long in each.
 pub(crate) fn drawn<T: Numbers>(
-    program: &ForeignProgram,
+    program: &UserProgram,
     fixed: &[(String, Vec<f32>)],
     counts: &[usize],
     mut draw: impl FnMut(&[(String, Vec<f32>)], usize) -> Result<T, GlError>,

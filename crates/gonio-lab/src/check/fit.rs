@@ -5,7 +5,7 @@
 //! itself). Two numbers a channel hardly ever make a wrong picture right, for they hold in all situations together.
 
 use crate::stage::Sheet;
-use gonio_gl::foreign::NOT_DRAWN;
+use gonio_render::user_program::NOT_DRAWN;
 
 /// The strengths found, and the picture that they give.
 #[derive(Clone, Debug, PartialEq)]

@@ -27,9 +27,9 @@ use crate::names::{self, Declared, Kind, NamesFile, Role};
 use crate::stage::{Sheet, Stage};
 use crate::verdict::{Outcome, Verdict};
 use canvas::Canvases;
-use gonio_gl::foreign::ForeignProgram;
-use gonio_gl::host::{HostFiles, HostImage};
 use gonio_gl::{Gl, GlError};
+use gonio_render::gl_program::{GlProgramFiles, GlProgramImage};
+use gonio_render::user_program::UserProgram;
 use search::{Entry, Found, Search};
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
@@ -69,7 +69,7 @@ pub struct Checker {
     gl: Gl,
     models: HashMap<Model, CompiledModel>,
     stages: HashMap<&'static str, (Stage, [usize; 2])>,
-    images: BTreeMap<String, Arc<HostImage>>,
+    images: BTreeMap<String, Arc<GlProgramImage>>,
 }
 
 impl Checker {
@@ -81,13 +81,13 @@ impl Checker {
     /// Gives an image that host programs may name: PNG, JPEG, BMP, TGA or GIF. Wanted on the web, where the program carries
     /// none. An error says why it cannot be read.
     pub fn give_image(&mut self, name: &str, bytes: &[u8]) -> Result<(), String> {
-        let image = HostImage::decode(name, bytes).map_err(|why| format!("{name}: {why}"))?;
+        let image = GlProgramImage::decode(name, bytes).map_err(|why| format!("{name}: {why}"))?;
         self.images.insert(name.to_owned(), Arc::new(image));
         Ok(())
     }
 
     /// What host programs may name.
-    pub(crate) fn host_files(&self) -> HostFiles {
+    pub(crate) fn host_files(&self) -> GlProgramFiles {
         let mut files = host::exercise_files();
         files.images.extend(self.images.clone());
         files
@@ -150,7 +150,7 @@ impl Checker {
     pub fn check(
         &mut self,
         task: &'static Task,
-        program: &ForeignProgram,
+        program: &UserProgram,
         prepared: &Prepared,
     ) -> Result<(Verdict, Option<Evidence>), GlError> {
         self.prepare(task)?;

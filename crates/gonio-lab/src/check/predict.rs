@@ -6,8 +6,8 @@ use crate::bank::{Hypotheses, Hypothesis, Model};
 use crate::names::{self, Bindings, Declared, Kind, NamesFile};
 use crate::stage::{Sheet, Situation, Stage, for_context};
 use crate::twin::Plan;
-use gonio_gl::foreign::ForeignProgram;
 use gonio_gl::{Gl, GlError};
+use gonio_render::user_program::UserProgram;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
@@ -26,7 +26,7 @@ pub struct CompiledModel {
 /// A program and what its uniforms mean.
 pub struct Program {
     /// Linked.
-    pub program: ForeignProgram,
+    pub program: UserProgram,
     /// But for those that choose among hypotheses.
     pub bindings: Bindings,
 }
@@ -62,7 +62,7 @@ impl CompiledModel {
         }
         let sources = if is_own { self.hypotheses.written(hypothesis) } else { self.hypotheses.sources() };
         let [vertex, fragment] = sources.map(|source| for_context(&self.gl, &source));
-        let program = ForeignProgram::new(&self.gl, &vertex, &fragment)
+        let program = UserProgram::new(&self.gl, &vertex, &fragment)
             .map_err(|broken| GlError::new(format!("the laboratory's own model does not compile here: {broken}")))?;
         // Those that choose among hypotheses have words of the equation in their names.
         let known: Vec<Declared> = declared(&program)
@@ -236,9 +236,9 @@ impl ModelCast {
 }
 
 /// What a program uses, as names are found for it.
-pub fn declared(program: &ForeignProgram) -> Vec<Declared> {
+pub fn declared(program: &UserProgram) -> Vec<Declared> {
     let of = |kind: Kind| {
-        move |variable: &gonio_gl::foreign::ForeignVariable| Declared {
+        move |variable: &gonio_render::user_program::ProgramVariable| Declared {
             name: variable.name.clone(),
             glsl_type: variable.glsl_type.clone(),
             array: variable.elements,

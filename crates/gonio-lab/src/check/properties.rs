@@ -7,7 +7,7 @@ use crate::stage::{Light, Sheet, Situation, Stage};
 use crate::verdict::{Outcome, PropertyState, PropertyVerdict, Verdict};
 use glam::{EulerRot, Quat};
 use gonio_gl::GlError;
-use gonio_gl::foreign::ForeignProgram;
+use gonio_render::user_program::UserProgram;
 
 /// So many of the first situations are looked at: a stretched torus and a coarse sphere.
 const SITUATIONS: usize = 2;
@@ -22,7 +22,7 @@ pub struct Student<'a> {
     /// Where it is drawn.
     pub stage: &'a Stage,
     /// The program.
-    pub program: &'a ForeignProgram,
+    pub program: &'a UserProgram,
     /// What its variables mean.
     pub bindings: &'a Bindings,
     /// Uniforms with values of the student's own.

@@ -21,7 +21,7 @@ use crate::submission::SourceFile;
 use crate::verdict::{Outcome, Verdict};
 use explain::{Explanation, Task};
 use gonio_gl::GlError;
-use gonio_gl::foreign::ForeignProgram;
+use gonio_render::user_program::UserProgram;
 use images::Handed;
 use stage::FaceStage;
 pub(crate) use tiles::Tiles;
@@ -34,7 +34,7 @@ const FINE: u32 = 128;
 pub fn program(
     checker: &mut Checker,
     exercise: &str,
-    program: &ForeignProgram,
+    program: &UserProgram,
     prepared: &Prepared,
 ) -> Result<(Verdict, Option<Evidence>), GlError> {
     let bindings = names::bind(&crate::check::declared(program), &prepared.names);

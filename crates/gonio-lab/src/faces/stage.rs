@@ -7,8 +7,8 @@ use crate::names::{Bindings, Kind, Role};
 use crate::stage::{Shape, numbers, situation};
 use glam::{DVec3, Vec3};
 use gonio_environment::{Conversion, Panorama, convert};
-use gonio_gl::foreign::{ForeignMesh, ForeignProgram, ForeignTexture, Stream, TileTarget};
 use gonio_gl::{Gl, GlError};
+use gonio_render::user_program::{FloatTexture, Stream, StreamMesh, TileTarget, UserProgram};
 
 /// A panorama as a texture needs no more columns: a face then has a quarter of them.
 const MOST_COLUMNS: u32 = 1024;
@@ -18,9 +18,9 @@ const PANORAMA_UNIT: u32 = 0;
 
 /// What faces are drawn with.
 pub struct FaceStage {
-    square: ForeignMesh,
-    cube: ForeignMesh,
-    panorama: ForeignTexture,
+    square: StreamMesh,
+    cube: StreamMesh,
+    panorama: FloatTexture,
     /// All six at once.
     together: TileTarget,
     /// One, whose first pixel is the target's: programs may ask for gl_FragCoord.
@@ -59,9 +59,9 @@ impl FaceStage {
         let image = &panorama.image;
         let size = [image.width as usize, image.height as usize];
         Ok(FaceStage {
-            square: ForeignMesh::new(gl, &square, &[0, 1, 2, 0, 2, 3], "face")?,
-            cube: ForeignMesh::new(gl, &cube, &mesh.indices, "cube")?,
-            panorama: ForeignTexture::panorama(gl, size, &image.pixels, "panorama")?,
+            square: StreamMesh::new(gl, &square, &[0, 1, 2, 0, 2, 3], "face")?,
+            cube: StreamMesh::new(gl, &cube, &mesh.indices, "cube")?,
+            panorama: FloatTexture::panorama(gl, size, &image.pixels, "panorama")?,
             together: TileTarget::new(gl, side, 6)?,
             alone: TileTarget::new(gl, side, 1)?,
             side,
@@ -71,7 +71,7 @@ impl FaceStage {
     /// A student's program: a draw for each of the first `faces`, each alone; the others stay black.
     pub fn draw_student(
         &self,
-        program: &ForeignProgram,
+        program: &UserProgram,
         bindings: &Bindings,
         fixed: &[(String, Vec<f32>)],
         is_cube: bool,
@@ -120,7 +120,7 @@ impl FaceStage {
         }
     }
 
-    fn set(&self, program: &ForeignProgram, bindings: &Bindings, face: usize) {
+    fn set(&self, program: &UserProgram, bindings: &Bindings, face: usize) {
         let situation = situation::face(face);
         for bound in bindings.bound.iter().filter(|bound| bound.declared.kind == Kind::Uniform) {
             let glsl_type = bound.declared.glsl_type.as_str();
@@ -150,7 +150,7 @@ impl FaceStage {
 }
 
 /// Locations of attributes, and the streams that feed them.
-fn feed(program: &ForeignProgram, bindings: &Bindings) -> Vec<(u32, usize)> {
+fn feed(program: &UserProgram, bindings: &Bindings) -> Vec<(u32, usize)> {
     let stream = |role: Role| match role {
         Role::Position => Some(0),
         Role::TexCoord => Some(1),

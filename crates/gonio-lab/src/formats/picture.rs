@@ -213,7 +213,7 @@ mod tests {
     #![allow(clippy::unwrap_used)]
 
     use super::*;
-    use gonio_gl::foreign::NOT_DRAWN;
+    use gonio_render::user_program::NOT_DRAWN;
 
     #[test]
     fn base64_is_that_of_the_rfc() {

@@ -8,7 +8,7 @@ use crate::verdict::{
     BoundVariable, CompilerMessage, FoundMistake, Outcome, Peculiarity, RunnerUp, SceneVerdict, TermState, TermVerdict,
     Verdict,
 };
-use gonio_gl::foreign::NOT_DRAWN;
+use gonio_render::user_program::NOT_DRAWN;
 use serde_json::Value;
 
 /// All that has ever ended a quotation too early.

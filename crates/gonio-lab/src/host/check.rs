@@ -11,9 +11,9 @@ use super::program::HostProgram;
 use super::suspects::Suspect;
 use super::verdict::{HostMistake, HostOutcome, HostVerdict, HostWarning};
 use super::warnings;
-use gonio_gl::host::{HostFailure, HostFiles, HostRun, Step};
-use gonio_gl::record::Severity;
+use gonio_gl::trace::Severity;
 use gonio_gl::{Gl, GlError};
+use gonio_render::gl_program::{GlProgramFailure, GlProgramFiles, GlProgramRun, Step};
 use std::collections::{BTreeMap, BTreeSet};
 
 const REFERENCE: &str = include_str!("../../../../exercises/ex11-texture-unit/host/reference.txt");
@@ -30,7 +30,7 @@ const LITTLE: f64 = 1e-4;
 /// `start.vert`, `start.frag` and `checker.png` among them.
 ///
 /// An error where OpenGL itself fails, or one of these is not there.
-pub fn check(gl: &Gl, text: &str, file_name: &str, files: &HostFiles) -> Result<HostVerdict, GlError> {
+pub fn check(gl: &Gl, text: &str, file_name: &str, files: &GlProgramFiles) -> Result<HostVerdict, GlError> {
     match HostProgram::parse(text, file_name) {
         Ok(program) => check_program(gl, &program, files),
         Err(errors) => Ok(HostVerdict::broken(file_name, errors)),
@@ -38,7 +38,7 @@ pub fn check(gl: &Gl, text: &str, file_name: &str, files: &HostFiles) -> Result<
 }
 
 /// Judges a file's bytes.
-pub fn check_bytes(gl: &Gl, bytes: &[u8], file_name: &str, files: &HostFiles) -> Result<HostVerdict, GlError> {
+pub fn check_bytes(gl: &Gl, bytes: &[u8], file_name: &str, files: &GlProgramFiles) -> Result<HostVerdict, GlError> {
     match HostProgram::parse_bytes(bytes, file_name) {
         Ok(program) => check_program(gl, &program, files),
         Err(errors) => Ok(HostVerdict::broken(file_name, errors)),
@@ -54,13 +54,13 @@ pub fn reference() -> Result<HostProgram, GlError> {
 }
 
 /// Judges a host program that was read.
-pub fn check_program(gl: &Gl, program: &HostProgram, files: &HostFiles) -> Result<HostVerdict, GlError> {
+pub fn check_program(gl: &Gl, program: &HostProgram, files: &GlProgramFiles) -> Result<HostVerdict, GlError> {
     let reference = reference()?;
     let files = &*for_context(gl, files);
     let mut judge = Judge::new(gl, files, &reference.steps);
     let run = match judge.run(&program.steps, true) {
         Ok(run) => run,
-        Err(HostFailure::Driver(error)) => return Err(error),
+        Err(GlProgramFailure::Driver(error)) => return Err(error),
         Err(failure) => return Ok(HostVerdict::broken(&program.file, messages::errors(&failure, program, files))),
     };
     let share_right = judge.share_right(&run)?;
@@ -89,7 +89,7 @@ fn mistake(program: &HostProgram, suspect: &Suspect) -> Option<HostMistake> {
     Some(HostMistake::new(name_of(suspect.id)?, &suspect.said, &suspect.mend, suspect.line, quoted))
 }
 
-fn summary(right: bool, mistakes: &[HostMistake], run: &HostRun, warnings: &[HostWarning]) -> String {
+fn summary(right: bool, mistakes: &[HostMistake], run: &GlProgramRun, warnings: &[HostWarning]) -> String {
     if right {
         return match warnings.len() {
             0 => "the picture is right".to_owned(),
@@ -111,7 +111,7 @@ fn summary(right: bool, mistakes: &[HostMistake], run: &HostRun, warnings: &[Hos
 struct Attempt {
     mended: Vec<Suspect>,
     steps: Vec<Step>,
-    run: HostRun,
+    run: GlProgramRun,
     /// Calls that are refused, and findings that cannot be meant.
     complaints: BTreeSet<String>,
     /// How many complaints the last mend has ended; others may have come to light.
@@ -120,7 +120,7 @@ struct Attempt {
 }
 
 impl Attempt {
-    fn new(mended: Vec<Suspect>, steps: Vec<Step>, run: HostRun, share: f64) -> Self {
+    fn new(mended: Vec<Suspect>, steps: Vec<Step>, run: GlProgramRun, share: f64) -> Self {
         let cannot_be = run.findings.iter().filter(|finding| finding.severity == Severity::Error);
         let refused = run.errors.iter().map(|error| format!("{} {}", error.line, error.call));
         let complaints = cannot_be.map(|finding| finding.rule.name().to_owned()).chain(refused).collect();
@@ -135,7 +135,7 @@ impl Attempt {
 }
 
 /// Mistakes that together make the picture what it is; none where nothing explains it.
-fn search(judge: &mut Judge<'_>, steps: &[Step], run: &HostRun, share: f64) -> Result<Vec<Suspect>, GlError> {
+fn search(judge: &mut Judge<'_>, steps: &[Step], run: &GlProgramRun, share: f64) -> Result<Vec<Suspect>, GlError> {
     let mut round = vec![Attempt::new(Vec::new(), steps.to_vec(), run.clone(), share)];
     for _ in 0..MOST_MISTAKES {
         let mut next: Vec<Attempt> = Vec::new();
@@ -150,7 +150,7 @@ fn search(judge: &mut Judge<'_>, steps: &[Step], run: &HostRun, share: f64) -> R
                 }
                 let run = match judge.run(&suspect.mended, false) {
                     Ok(run) => run,
-                    Err(HostFailure::Driver(error)) => return Err(error),
+                    Err(GlProgramFailure::Driver(error)) => return Err(error),
                     Err(_) => continue,
                 };
                 let share = judge.share_right(&run)?;

@@ -2,8 +2,10 @@
 
 use super::suspects::Case;
 use gonio_gl::GlError;
-use gonio_gl::host::{Call, Constant, HostFailure, HostFiles, HostOptions, HostRun, Selector, Step, constant, run};
-use gonio_gl::record::SamplingRecord;
+use gonio_gl::trace::SamplingRecord;
+use gonio_render::gl_program::{
+    Call, Constant, GlProgramFailure, GlProgramFiles, GlProgramOptions, GlProgramRun, Selector, Step, constant, run,
+};
 use std::collections::HashMap;
 
 /// Pixels along each side of the pictures that are compared: enough for the smaller levels of the texture to be read.
@@ -16,7 +18,7 @@ pub const ENOUGH: f64 = 0.99;
 /// How the reference is carried out, and what has come of it so far.
 pub struct Judge<'a> {
     gl: &'a gonio_gl::Gl,
-    files: &'a HostFiles,
+    files: &'a GlProgramFiles,
     /// The program that is right.
     pub reference: &'a [Step],
     /// Its pictures, by how the texture is sampled.
@@ -27,21 +29,21 @@ pub struct Judge<'a> {
 
 impl<'a> Judge<'a> {
     /// Has drawn nothing yet.
-    pub fn new(gl: &'a gonio_gl::Gl, files: &'a HostFiles, reference: &'a [Step]) -> Self {
+    pub fn new(gl: &'a gonio_gl::Gl, files: &'a GlProgramFiles, reference: &'a [Step]) -> Self {
         Judge { gl, files, reference, pictures: HashMap::new(), drawn: 0 }
     }
 
     /// Carries a program out.
-    pub fn run(&mut self, steps: &[Step], thumbnails: bool) -> Result<HostRun, HostFailure> {
+    pub fn run(&mut self, steps: &[Step], thumbnails: bool) -> Result<GlProgramRun, GlProgramFailure> {
         self.drawn += 1;
-        run(self.gl, steps, self.files, HostOptions { size: [SIDE; 2], float: false, thumbnails })
+        run(self.gl, steps, self.files, GlProgramOptions { size: [SIDE; 2], float: false, thumbnails })
     }
 
     /// The share of a picture's pixels that are as they should be.
     ///
     /// The exercise does not ask for a certain filter or wrap: the picture is held against the reference with the same
     /// ones.
-    pub fn share_right(&mut self, run: &HostRun) -> Result<f64, GlError> {
+    pub fn share_right(&mut self, run: &GlProgramRun) -> Result<f64, GlError> {
         let sampling = run.record.draws.last().and_then(|draw| draw.samplers.first());
         let sampling = sampling.and_then(|sampler| sampler.sampling.as_ref());
         let own = share(&run.pixels, self.picture(None)?);
@@ -65,7 +67,7 @@ impl<'a> Judge<'a> {
         if !self.pictures.contains_key(&key) {
             let steps = sampled(self.reference, &key);
             let run = self.run(&steps, false).map_err(|failure| match failure {
-                HostFailure::Driver(error) => error,
+                GlProgramFailure::Driver(error) => error,
                 other => GlError::new(format!("the exercise's own program cannot be drawn: {other}")),
             })?;
             self.pictures.insert(key.clone(), run.pixels);
@@ -74,7 +76,7 @@ impl<'a> Judge<'a> {
     }
 
     /// What may be wrong with a program.
-    pub fn case<'b>(&'b self, steps: &'b [Step], run: &'b HostRun) -> Case<'b>
+    pub fn case<'b>(&'b self, steps: &'b [Step], run: &'b GlProgramRun) -> Case<'b>
     where
         'a: 'b,
     {

@@ -2,10 +2,10 @@
 
 use super::program::{HostError, HostProgram};
 use crate::nearest::nearest;
-use gonio_gl::host::{HostFailure, HostFiles};
+use gonio_render::gl_program::{GlProgramFailure, GlProgramFiles};
 
 /// Errors of a failure.
-pub fn errors(failure: &HostFailure, program: &HostProgram, files: &HostFiles) -> Vec<HostError> {
+pub fn errors(failure: &GlProgramFailure, program: &HostProgram, files: &GlProgramFiles) -> Vec<HostError> {
     let own = |line: u32, message: String, help: String| HostError {
         file: program.file.clone(),
         line,
@@ -14,7 +14,7 @@ pub fn errors(failure: &HostFailure, program: &HostProgram, files: &HostFiles) -
         help,
     };
     match failure {
-        HostFailure::MissingFile { line, file } => {
+        GlProgramFailure::MissingFile { line, file } => {
             let known: Vec<&str> = files.shaders.keys().chain(files.images.keys()).map(String::as_str).collect();
             let help = match nearest(file, known.iter().copied()) {
                 Some(known) => format!("did you mean `{known}`?"),
@@ -22,7 +22,7 @@ pub fn errors(failure: &HostFailure, program: &HostProgram, files: &HostFiles) -
             };
             vec![own(*line, format!("there is no file `{}`", super::reader::shown(file)), help)]
         }
-        HostFailure::Shaders { line, vertex, fragment, broken } => {
+        GlProgramFailure::Shaders { line, vertex, fragment, broken } => {
             let mut errors = Vec::new();
             for (file, log) in [(vertex, &broken.vertex_log), (fragment, &broken.fragment_log)] {
                 errors.extend(log.iter().flat_map(|log| of_log(file, log)));
@@ -37,7 +37,7 @@ pub fn errors(failure: &HostFailure, program: &HostProgram, files: &HostFiles) -
             }
             errors
         }
-        HostFailure::Driver(error) => vec![own(1, error.message.clone(), String::new())],
+        GlProgramFailure::Driver(error) => vec![own(1, error.message.clone(), String::new())],
     }
 }
 

@@ -1,7 +1,7 @@
 //! The text of a host program and its calls.
 
 use super::reader;
-use gonio_gl::host::Step;
+use gonio_render::gl_program::Step;
 use serde::Serialize;
 use std::fmt;
 

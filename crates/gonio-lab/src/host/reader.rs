@@ -3,7 +3,7 @@
 use super::program::{HostError, MOST_CALLS, MOST_DATA_BYTES, MOST_ERRORS};
 use super::signature::{self, WORDS};
 use crate::nearest::nearest;
-use gonio_gl::host::{Call, Step};
+use gonio_render::gl_program::{Call, Step};
 use std::collections::HashMap;
 
 /// What a name stands for.

@@ -2,7 +2,9 @@
 
 use super::reader::{Named, Problem, Word, is_name, no_call, shown};
 use crate::nearest::nearest;
-use gonio_gl::host::{CONSTANTS, Call, Constant, Given, Number, ObjectKind, Pointer, Selector, constant};
+use gonio_render::gl_program::{
+    CONSTANTS, Call, Constant, Number, ObjectKind, Pointer, Selector, UniformArgument, constant,
+};
 use std::collections::HashMap;
 
 /// Calls, and what they want.
@@ -172,10 +174,12 @@ impl Arguments<'_> {
             }
             "generate_mipmap" => Call::GenerateMipmap { target: self.constant(0)? },
             "use_program" => Call::UseProgram(self.number(0)?),
-            "uniform_1i" => Call::Uniform { uniform: self.variable(0)?, given: Given::Whole(self.number(1)?) },
+            "uniform_1i" => {
+                Call::Uniform { uniform: self.variable(0)?, given: UniformArgument::Whole(self.number(1)?) }
+            }
             "uniform_1f" | "uniform_2f" | "uniform_3f" | "uniform_4f" => {
                 let numbers = (1..self.given.len()).map(|at| self.float(at)).collect::<Result<_, _>>()?;
-                Call::Uniform { uniform: self.variable(0)?, given: Given::Floats(numbers) }
+                Call::Uniform { uniform: self.variable(0)?, given: UniformArgument::Floats(numbers) }
             }
             "viewport" => Call::Viewport([self.whole(0)?, self.whole(1)?, self.whole(2)?, self.whole(3)?]),
             "enable" => Call::Switch { what: self.constant(0)?, on: true },

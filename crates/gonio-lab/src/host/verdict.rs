@@ -2,8 +2,8 @@
 
 use super::names::HostMistakeName;
 use super::program::HostError;
-use gonio_gl::host::{CallError, HostRun};
-use gonio_gl::record::Finding;
+use gonio_gl::trace::Finding;
+use gonio_render::gl_program::{CallError, GlProgramRun};
 use serde::Serialize;
 
 /// The word for it all.
@@ -70,7 +70,7 @@ pub struct HostVerdict {
     pub share_right: f64,
     /// What came of the program: the picture, and the record for the frame panel.
     #[serde(skip)]
-    pub run: Option<HostRun>,
+    pub run: Option<GlProgramRun>,
     /// The picture that it should be, of the same size and order.
     #[serde(skip)]
     pub reference: Vec<[f32; 4]>,

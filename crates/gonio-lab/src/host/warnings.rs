@@ -2,11 +2,11 @@
 
 use super::program::HostProgram;
 use super::verdict::HostWarning;
-use gonio_gl::host::{Call, HostRun, Selector};
-use gonio_gl::record::{Rule, Severity};
+use gonio_gl::trace::{Rule, Severity};
+use gonio_render::gl_program::{Call, GlProgramRun, Selector};
 
 /// Warnings about a program; about one whose picture is wrong only what has nothing to do with that.
-pub fn of(program: &HostProgram, run: &HostRun, right: bool) -> Vec<HostWarning> {
+pub fn of(program: &HostProgram, run: &GlProgramRun, right: bool) -> Vec<HostWarning> {
     let mut warnings = Vec::new();
     if right {
         // Refused calls are told below, at their own lines.
@@ -44,7 +44,7 @@ fn depth_never_cleared(program: &HostProgram, warnings: &mut Vec<HostWarning>) {
 }
 
 /// OpenGL passes over them without a word.
-fn unknown_uniforms(program: &HostProgram, run: &HostRun, warnings: &mut Vec<HostWarning>) {
+fn unknown_uniforms(program: &HostProgram, run: &GlProgramRun, warnings: &mut Vec<HostWarning>) {
     let Some(drawn) = run.record.draws.last().and_then(|draw| run.record.program_of(draw)) else { return };
     for step in &program.steps {
         let Call::Uniform { uniform, .. } = &step.call else { continue };

@@ -7,8 +7,8 @@ use crate::student::{self, ReadStage};
 use crate::submission::{SourceFile, Submission};
 use crate::verdict::CompilerMessage;
 use gonio_gl::Gl;
-use gonio_gl::foreign::{ForeignProgram, is_embedded};
 use gonio_glsl::{Class, Severity, Stage, Target};
+use gonio_render::user_program::{UserProgram, is_embedded};
 
 /// How much there is to say of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -38,7 +38,7 @@ pub struct Source {
 /// A pair of shaders that runs.
 pub struct Pair {
     /// The program.
-    pub program: ForeignProgram,
+    pub program: UserProgram,
     /// What its variables mean.
     pub bindings: Bindings,
     /// What other compilers may refuse, by file and line.

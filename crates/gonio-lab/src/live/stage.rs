@@ -3,8 +3,8 @@
 use super::{Body, Pair, Scene};
 use crate::names::{Bound, Kind, Role};
 use crate::stage::{CUBEMAP_UNIT, Situation, WHITE_UNIT, numbers_of_array, samplers, sky, stream_of, unit};
-use gonio_gl::foreign::{ForeignMesh, ForeignTexture, Stream};
 use gonio_gl::{Gl, GlError};
+use gonio_render::user_program::{FloatTexture, Stream, StreamMesh};
 use std::cell::RefCell;
 use std::rc::Rc;
 
@@ -24,9 +24,9 @@ pub struct Given {
 /// Meshes and textures on the GPU.
 pub struct LiveStage {
     gl: Gl,
-    meshes: RefCell<[Option<Rc<ForeignMesh>>; Body::ALL.len()]>,
-    cubemap: ForeignTexture,
-    white: ForeignTexture,
+    meshes: RefCell<[Option<Rc<StreamMesh>>; Body::ALL.len()]>,
+    cubemap: FloatTexture,
+    white: FloatTexture,
 }
 
 impl LiveStage {
@@ -35,8 +35,8 @@ impl LiveStage {
         Ok(LiveStage {
             gl: gl.clone(),
             meshes: RefCell::default(),
-            cubemap: ForeignTexture::cube(gl, sky::SIDE, &sky::faces(), "the laboratory's sky")?,
-            white: ForeignTexture::flat(gl, [1, 1], &[[1.0; 4]], "white")?,
+            cubemap: FloatTexture::cube(gl, sky::SIDE, &sky::faces(), "the laboratory's sky")?,
+            white: FloatTexture::flat(gl, [1, 1], &[[1.0; 4]], "white")?,
         })
     }
 
@@ -45,7 +45,7 @@ impl LiveStage {
         scene.parts.iter().map(|part| part.body).chain([Body::Cube]).try_for_each(|body| self.mesh(body).map(drop))
     }
 
-    fn mesh(&self, body: Body) -> Result<Rc<ForeignMesh>, GlError> {
+    fn mesh(&self, body: Body) -> Result<Rc<StreamMesh>, GlError> {
         if let Some(mesh) = &self.meshes.borrow()[body.index()] {
             return Ok(mesh.clone());
         }
@@ -57,7 +57,7 @@ impl LiveStage {
             stream("tex_coord", 2, &mesh.tex_coords),
             stream("color", 3, &mesh.colors),
         ];
-        let made = Rc::new(ForeignMesh::new(&self.gl, &streams, &mesh.indices, &format!("{body:?}"))?);
+        let made = Rc::new(StreamMesh::new(&self.gl, &streams, &mesh.indices, &format!("{body:?}"))?);
         self.meshes.borrow_mut()[body.index()] = Some(made.clone());
         Ok(made)
     }
@@ -200,7 +200,7 @@ mod tests {
         let scene = crate::live::scenes(exercise).remove(0);
         let stage = LiveStage::new(gl).unwrap();
         stage.prepare(&scene).unwrap();
-        let target = gonio_gl::foreign::TileTarget::new(gl, 32, 1).unwrap();
+        let target = gonio_render::user_program::TileTarget::new(gl, 32, 1).unwrap();
         target.begin();
         target.select(0);
         stage.draw(&pair, &scene.situations(&scene.eye, 0.0, [32, 32]));

@@ -19,7 +19,7 @@ pub use values::{numbers, numbers_of_array};
 
 /// Our own programs are written as 330 core; as 300 es they are the same with another first line.
 pub fn for_context(gl: &gonio_gl::Gl, source: &str) -> String {
-    if gonio_gl::foreign::is_embedded(gl) {
+    if gonio_render::user_program::is_embedded(gl) {
         source.replacen("#version 330 core\n", "#version 300 es\nprecision highp float;\nprecision highp int;\n", 1)
     } else {
         source.to_owned()

@@ -3,8 +3,8 @@
 use super::surface::{Numbered, Surface};
 use super::{CUBEMAP_UNIT, Shape, Situation, WHITE_UNIT, numbers_of_array, samplers, sky, unit};
 use crate::names::{Bindings, Bound, Kind, Role};
-use gonio_gl::foreign::{ForeignMesh, ForeignProgram, ForeignTexture, NOT_DRAWN, Stream, TileTarget};
 use gonio_gl::{Gl, GlError};
+use gonio_render::user_program::{FloatTexture, NOT_DRAWN, Stream, StreamMesh, TileTarget, UserProgram};
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -36,10 +36,10 @@ impl Sheet {
 /// Everything that programs are drawn with, but for themselves.
 pub struct Stage {
     pub(super) gl: Gl,
-    meshes: Vec<ForeignMesh>,
+    meshes: Vec<StreamMesh>,
     pub(super) numbered: Numbered,
-    cubemap: ForeignTexture,
-    white: ForeignTexture,
+    cubemap: FloatTexture,
+    white: FloatTexture,
     pub(super) target: TileTarget,
     situations: Vec<Situation>,
     /// By what is written to `gl_Position`.
@@ -52,7 +52,7 @@ impl Stage {
         let mesh = |shape: Shape| {
             let mesh = shape.mesh();
             let stream = |name, components, numbers| Stream { name, components, numbers };
-            ForeignMesh::new(
+            StreamMesh::new(
                 gl,
                 &[
                     stream("position", 3, &mesh.positions),
@@ -68,8 +68,8 @@ impl Stage {
             gl: gl.clone(),
             numbered: Numbered::new(gl)?,
             meshes: Shape::ALL.into_iter().map(mesh).collect::<Result<_, _>>()?,
-            cubemap: ForeignTexture::cube(gl, sky::SIDE, &sky::faces(), "surroundings")?,
-            white: ForeignTexture::flat(gl, [1, 1], &[[1.0; 4]], "white")?,
+            cubemap: FloatTexture::cube(gl, sky::SIDE, &sky::faces(), "surroundings")?,
+            white: FloatTexture::flat(gl, [1, 1], &[[1.0; 4]], "white")?,
             target: TileTarget::new(gl, TILE, situations.len())?,
             situations,
             surfaces: RefCell::default(),
@@ -82,7 +82,7 @@ impl Stage {
     }
 
     /// Works out once what a program's attributes and uniforms hold in every situation, each changed by `change` beforehand.
-    pub fn cast(&self, program: &ForeignProgram, bindings: &Bindings, change: impl Fn(&mut Situation)) -> Cast {
+    pub fn cast(&self, program: &UserProgram, bindings: &Bindings, change: impl Fn(&mut Situation)) -> Cast {
         let feed = bindings
             .bound
             .iter()
@@ -125,7 +125,7 @@ impl Stage {
     /// of it is to be asked: [`Stage::complaint`].
     pub fn draw(
         &self,
-        program: &ForeignProgram,
+        program: &UserProgram,
         cast: &Cast,
         fixed: &[(String, Vec<f32>)],
         count: usize,

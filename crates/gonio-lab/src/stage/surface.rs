@@ -3,8 +3,8 @@
 use super::sheet::{Stage, TILE};
 use super::{Sheet, Situation};
 use crate::twin::{Drawn, Points, Value};
-use gonio_gl::foreign::{ForeignMesh, ForeignProgram, Stream};
 use gonio_gl::{Gl, GlError};
+use gonio_render::user_program::{Stream, StreamMesh, UserProgram};
 use std::rc::Rc;
 
 /// The pixels that a way of placing vertices draws.
@@ -35,7 +35,7 @@ impl Surface {
 
 /// The meshes again, with a number for every triangle.
 pub(super) struct Numbered {
-    meshes: Vec<ForeignMesh>,
+    meshes: Vec<StreamMesh>,
     indices: Vec<Vec<u32>>,
 }
 
@@ -57,7 +57,7 @@ impl Numbered {
                 Stream { name: "triangle", components: 1, numbers: &triangles },
             ];
             let each: Vec<u32> = (0..mesh.indices.len() as u32).collect();
-            numbered.meshes.push(ForeignMesh::new(gl, &streams, &each, "numbered triangles")?);
+            numbered.meshes.push(StreamMesh::new(gl, &streams, &each, "numbered triangles")?);
             numbered.indices.push(mesh.indices);
         }
         Ok(numbered)
@@ -90,7 +90,7 @@ impl Stage {
 
     fn ask(&self, place: &str) -> Result<Surface, GlError> {
         let [vertex, fragment] = sources(place).map(|source| super::for_context(&self.gl, &source));
-        let program = ForeignProgram::new(&self.gl, &vertex, &fragment)
+        let program = UserProgram::new(&self.gl, &vertex, &fragment)
             .map_err(|broken| GlError::new(format!("the laboratory's own program does not compile here: {broken}")))?;
         let feed: Vec<(u32, usize)> = ["position", "corner", "triangle"]
             .into_iter()

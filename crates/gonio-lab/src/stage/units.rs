@@ -1,7 +1,7 @@
 //! Which texture each sampler of a program reads.
 
 use crate::names::{Bindings, Kind};
-use gonio_gl::foreign::ForeignProgram;
+use gonio_render::user_program::UserProgram;
 
 /// Where the sky is.
 pub const CUBEMAP_UNIT: u32 = 0;
@@ -34,7 +34,7 @@ pub fn unit(glsl_type: &str) -> Option<u32> {
 }
 
 /// The numbers and units of all samplers of a program, of those too that nothing is known of.
-pub fn samplers(program: &ForeignProgram, bindings: &Bindings) -> Vec<(usize, Vec<f32>)> {
+pub fn samplers(program: &UserProgram, bindings: &Bindings) -> Vec<(usize, Vec<f32>)> {
     let unknown = bindings.unknown.iter().filter(|declared| declared.kind == Kind::Uniform);
     let all = bindings.bound.iter().map(|bound| &bound.declared).chain(unknown);
     all.filter_map(|declared| {

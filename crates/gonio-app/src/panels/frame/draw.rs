@@ -5,7 +5,7 @@ use crate::session::TakenApart;
 use crate::theme::colors;
 use egui::load::SizedTexture;
 use egui::{CollapsingHeader, Grid, Image, Label, RichText, Ui, vec2};
-use gonio_gl::record::{AttributeSource, DrawRecord, Numbers, SamplerRecord, TextureRecord, UniformValue};
+use gonio_gl::trace::{AttributeSource, DrawRecord, Numbers, SamplerRecord, TextureRecord, UniformValue};
 
 /// A thumbnail's side, points.
 const THUMBNAIL: f32 = 44.0;

@@ -3,7 +3,7 @@
 use crate::session::TakenApart;
 use crate::theme::{self, colors, icons};
 use egui::{Frame, Label, Margin, RichText, Stroke, Ui};
-use gonio_gl::record::Severity;
+use gonio_gl::trace::Severity;
 
 /// Shows it; pressing one shows its draw.
 pub fn show(ui: &mut Ui, taken: &mut TakenApart) {

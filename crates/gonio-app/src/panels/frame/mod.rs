@@ -10,7 +10,7 @@ use crate::exported::{self, Role};
 use crate::session::{Session, TakenApart};
 use crate::theme::{self, colors};
 use egui::{Align, Label, Layout, RichText, ScrollArea, Ui};
-use gonio_gl::record::{DrawRecord, PassRecord};
+use gonio_gl::trace::{DrawRecord, PassRecord};
 
 /// Height of the list of draws, points: some ten of them.
 const LIST_HEIGHT: f32 = 190.0;

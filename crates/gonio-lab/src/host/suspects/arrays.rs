@@ -1,7 +1,7 @@
 //! Vertex arrays and buffers: made, bound and filled.
 
 use super::{Case, Suspect, known};
-use gonio_gl::host::{Call, Number, ObjectKind};
+use gonio_render::gl_program::{Call, Number, ObjectKind};
 
 /// Adds what may be wrong with vertex arrays and buffers.
 pub fn suspect(case: &Case<'_>, found: &mut Vec<Suspect>) {

@@ -7,7 +7,7 @@ mod samplers;
 mod textures;
 mod vertices;
 
-use gonio_gl::host::{Call, CallError, Constant, HostRun, ObjectKind, Step, constant};
+use gonio_render::gl_program::{Call, CallError, Constant, GlProgramRun, ObjectKind, Step, constant};
 
 /// A mistake that is suspected.
 #[derive(Clone, Debug)]
@@ -29,7 +29,7 @@ pub struct Case<'a> {
     /// Its calls.
     pub steps: &'a [Step],
     /// What came of them.
-    pub run: &'a HostRun,
+    pub run: &'a GlProgramRun,
     /// The program that is right.
     pub reference: &'a [Step],
     /// The place of the last draw call; where there is none, the end.
@@ -38,7 +38,7 @@ pub struct Case<'a> {
 
 impl<'a> Case<'a> {
     /// Takes note of where it draws.
-    pub fn new(steps: &'a [Step], run: &'a HostRun, reference: &'a [Step]) -> Self {
+    pub fn new(steps: &'a [Step], run: &'a GlProgramRun, reference: &'a [Step]) -> Self {
         let draw = steps.iter().rposition(|step| step.call.draws()).unwrap_or(steps.len());
         Case { steps, run, reference, draw }
     }

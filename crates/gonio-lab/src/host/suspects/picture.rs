@@ -1,7 +1,7 @@
 //! Programs, draws, and what else makes the picture: where it is drawn, on which ground, after which tests.
 
 use super::{Case, Suspect, known};
-use gonio_gl::host::{Call, Number};
+use gonio_render::gl_program::{Call, Number};
 
 /// Adds what may be wrong with the picture.
 pub fn suspect(case: &Case<'_>, found: &mut Vec<Suspect>) {

@@ -1,7 +1,7 @@
 //! Samplers, units, and how the one comes to the other.
 
 use super::{Case, Suspect, known};
-use gonio_gl::host::{Call, Given, Number, ObjectKind, Selector, texture_unit};
+use gonio_render::gl_program::{Call, Number, ObjectKind, Selector, UniformArgument, texture_unit};
 use std::collections::BTreeSet;
 
 /// Adds what may be wrong with samplers.
@@ -9,7 +9,7 @@ pub fn suspect(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let samplers = samplers(case);
     let units = units(case);
     let textures = case.objects(ObjectKind::Texture);
-    let sets: Vec<(usize, &str, &Given)> = case
+    let sets: Vec<(usize, &str, &UniformArgument)> = case
         .steps
         .iter()
         .enumerate()
@@ -32,7 +32,7 @@ pub fn suspect(case: &Case<'_>, found: &mut Vec<Suspect>) {
             before_use(case, at, uniform, found);
         }
         match given {
-            Given::Whole(Number::Variable(name)) if textures.contains(&name.as_str()) => {
+            UniformArgument::Whole(Number::Variable(name)) if textures.contains(&name.as_str()) => {
                 for &unit in &units {
                     let said =
                         format!("`{uniform}` is set to `{name}`, the name of a texture, which is bound to unit {unit}");
@@ -41,7 +41,7 @@ pub fn suspect(case: &Case<'_>, found: &mut Vec<Suspect>) {
                     found.push(case.suspect("texture-name-as-unit", at, said, mend, mended));
                 }
             }
-            Given::Floats(_) => {
+            UniformArgument::Floats(_) => {
                 for &unit in &units {
                     let mend = format!("write `uniform_1i {uniform} {unit}`");
                     let said = format!("`{uniform}` is a sampler, and a sampler is a whole number");
@@ -49,13 +49,13 @@ pub fn suspect(case: &Case<'_>, found: &mut Vec<Suspect>) {
                     found.push(case.suspect("uniform-type-wrong", at, said, mend, mended));
                 }
             }
-            Given::Whole(_) => {}
+            UniformArgument::Whole(_) => {}
         }
     }
     active_after_bind(case, found);
     active_number(case, found);
     for &(at, uniform, given) in &sets {
-        let Given::Whole(number) = given else { continue };
+        let UniformArgument::Whole(number) = given else { continue };
         let value = match number {
             Number::Literal(value) => value.to_string(),
             Number::Variable(name) if textures.contains(&name.as_str()) => continue,
@@ -81,7 +81,7 @@ fn samplers(case: &Case<'_>) -> Vec<String> {
         return samplers.map(|uniform| uniform.name.clone()).collect();
     }
     let reference = case.reference.iter().filter_map(|step| match &step.call {
-        Call::Uniform { uniform, given: Given::Whole(_) } => Some(uniform.clone()),
+        Call::Uniform { uniform, given: UniformArgument::Whole(_) } => Some(uniform.clone()),
         _ => None,
     });
     reference.collect()
@@ -97,10 +97,10 @@ fn units(case: &Case<'_>) -> BTreeSet<u32> {
 }
 
 fn set(uniform: &str, unit: u32) -> Call {
-    Call::Uniform { uniform: uniform.to_owned(), given: Given::Whole(Number::Literal(unit as i32)) }
+    Call::Uniform { uniform: uniform.to_owned(), given: UniformArgument::Whole(Number::Literal(unit as i32)) }
 }
 
-fn unknown_name(case: &Case<'_>, at: usize, given: &Given, samplers: &[String], found: &mut Vec<Suspect>) {
+fn unknown_name(case: &Case<'_>, at: usize, given: &UniformArgument, samplers: &[String], found: &mut Vec<Suspect>) {
     let Some(Call::Uniform { uniform, .. }) = case.steps.get(at).map(|step| &step.call) else { return };
     for sampler in samplers {
         let call = Call::Uniform { uniform: sampler.clone(), given: given.clone() };

@@ -1,7 +1,7 @@
 //! Textures: bound, filled, filtered, and there when they are read.
 
 use super::{Case, Suspect, known};
-use gonio_gl::host::{Call, Constant, Number, ObjectKind, Selector, Step};
+use gonio_render::gl_program::{Call, Constant, Number, ObjectKind, Selector, Step};
 
 /// Adds what may be wrong with textures.
 pub fn suspect(case: &Case<'_>, found: &mut Vec<Suspect>) {

@@ -1,7 +1,7 @@
 //! Attributes, and the arrays and buffers that feed them.
 
 use super::{Case, Suspect, known};
-use gonio_gl::host::{Call, Constant, Number, ObjectKind, Pointer, Step};
+use gonio_render::gl_program::{Call, Constant, Number, ObjectKind, Pointer, Step};
 
 /// Adds what may be wrong with vertices.
 pub fn suspect(case: &Case<'_>, found: &mut Vec<Suspect>) {

@@ -1,21 +1,21 @@
 //! What OpenGL really does with the calls: pictures, errors, records, and what is left behind.
 
 use super::support::{REFERENCE, changed, context, host_programs, judged};
-use crate::host::{HostOptions, HostOutcome, HostProgram, HostRun, exercise_files, for_context, run};
-use gonio_gl::foreign::ForeignTexture;
+use crate::host::{GlProgramOptions, GlProgramRun, HostOutcome, HostProgram, exercise_files, for_context, run};
 use gonio_gl::headless::HeadlessOptions;
-use gonio_gl::record::{Recording, Rule};
+use gonio_gl::trace::{Recording, Rule};
 use gonio_gl::{Gl, HeadlessContext};
+use gonio_render::user_program::FloatTexture;
 
-const OPTIONS: HostOptions = HostOptions { size: [64, 48], float: false, thumbnails: false };
+const OPTIONS: GlProgramOptions = GlProgramOptions { size: [64, 48], float: false, thumbnails: false };
 
-fn drawn(gl: &Gl, text: &str, options: HostOptions) -> HostRun {
+fn drawn(gl: &Gl, text: &str, options: GlProgramOptions) -> GlProgramRun {
     let program = HostProgram::parse(text, "x").unwrap_or_else(|e| panic!("{e:#?}"));
     let files = exercise_files();
     run(gl, &program.steps, &for_context(gl, &files), options).unwrap_or_else(|e| panic!("{e}"))
 }
 
-fn middle(run: &HostRun) -> [f32; 4] {
+fn middle(run: &GlProgramRun) -> [f32; 4] {
     run.pixels[(run.size[1] / 2 * run.size[0] + run.size[0] / 2) as usize]
 }
 
@@ -23,7 +23,7 @@ fn middle(run: &HostRun) -> [f32; 4] {
 fn the_picture_has_the_ground_outside_and_the_texture_inside() {
     let context = context();
     for float in [false, true] {
-        let run = drawn(context.gl(), REFERENCE, HostOptions { float, ..OPTIONS });
+        let run = drawn(context.gl(), REFERENCE, GlProgramOptions { float, ..OPTIONS });
         assert_eq!((run.size, run.pixels.len()), ([64, 48], 64 * 48));
         let near = |pixel: [f32; 4], right: [f32; 3]| (0..3).all(|i| (pixel[i] - right[i]).abs() < 0.5 / 255.0 + 1e-4);
         assert!(near(run.pixels[0], [0.2, 0.25, 0.3]), "{:?}", run.pixels[0]);
@@ -106,7 +106,7 @@ fn what_else_is_in_the_context_changes_nothing_and_nothing_is_left() {
     let gl = context.gl();
     let alone = drawn(gl, REFERENCE, OPTIONS);
     let others: Vec<_> = (0..5)
-        .map(|_| ForeignTexture::flat(gl, [1, 1], &[[1.0; 4]], "other").unwrap_or_else(|e| panic!("{e}")))
+        .map(|_| FloatTexture::flat(gl, [1, 1], &[[1.0; 4]], "other").unwrap_or_else(|e| panic!("{e}")))
         .collect();
     let name = changed(&[("ourTexture 0", "ourTexture texture")]);
     let crowded = drawn(gl, &name, OPTIONS);

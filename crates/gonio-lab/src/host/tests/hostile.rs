@@ -128,10 +128,11 @@ fn a_program_that_fills_the_memory() {
     }
     let program = HostProgram::parse(&text, "x").unwrap_or_else(|e| panic!("{e:?}"));
     let context = context();
-    let images = crate::host::HostImage::new([2048, 2048], vec![7; 2048 * 2048 * 4]).unwrap_or_else(|e| panic!("{e}"));
+    let images =
+        crate::host::GlProgramImage::new([2048, 2048], vec![7; 2048 * 2048 * 4]).unwrap_or_else(|e| panic!("{e}"));
     let mut files = exercise_files();
     files.images.insert("checker.png".into(), std::sync::Arc::new(images));
-    let options = crate::host::HostOptions { size: [16; 2], float: true, thumbnails: false };
+    let options = crate::host::GlProgramOptions { size: [16; 2], float: true, thumbnails: false };
     let run = crate::host::run(context.gl(), &program.steps, &files, options).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(run.errors.len(), 190 - 16, "16 images of 16 MB are 256 MB");
     assert!(run.errors[0].why.contains("256 MB of texels"), "{}", run.errors[0]);

@@ -2,7 +2,7 @@
 
 use super::support::{REFERENCE, changed};
 use crate::host::{HostError, HostProgram};
-use gonio_gl::host::{Call, Given, Number, ObjectKind, Selector};
+use gonio_render::gl_program::{Call, Number, ObjectKind, Selector, UniformArgument};
 
 fn errors(text: &str) -> Vec<HostError> {
     HostProgram::parse(text, "mine.txt").err().unwrap_or_else(|| panic!("this was read:\n{text}"))
@@ -72,7 +72,7 @@ fn every_call_of_the_table_is_read() {
     let calls: Vec<_> = program.steps.iter().map(|step| &step.call).collect();
     assert_eq!(calls[0], &Call::Data { name: "d".into(), numbers: vec![1.0, -20.0, 0.5] });
     assert_eq!(calls[1], &Call::Indices { name: "i".into(), numbers: vec![0, 1] });
-    assert_eq!(calls[4], &Call::Uniform { uniform: "s".into(), given: Given::Whole(Number::Literal(3)) });
+    assert_eq!(calls[4], &Call::Uniform { uniform: "s".into(), given: UniformArgument::Whole(Number::Literal(3)) });
     assert_eq!(calls[9], &Call::Viewport([0, 0, -5, 256]), "OpenGL is to refuse it, not the reader");
     assert_eq!(calls[12], &Call::ActiveTexture(Selector::Number(Number::Variable("t".into()))));
     let Call::Clear(bits) = calls[16] else { panic!("{:?}", calls[16]) };

@@ -2,7 +2,7 @@
 
 use super::text::{self, aligned, counted, numbers, table};
 use crate::page::Page;
-use gonio_gl::record::{
+use gonio_gl::trace::{
     AttributeRecord, AttributeSource, DrawRecord, Finding, FrameRecord, Numbers, ProgramRecord, SamplerRecord,
     UniformValue,
 };

@@ -10,9 +10,10 @@ use crate::page::Page;
 use crate::report::{CliError, Outcome, Reporter, Times};
 use crate::values;
 use clap::Args;
-use gonio_gl::record::{Finding, FrameRecord, Severity, lint};
-use gonio_gl::{DriverInfo, Renderer};
+use gonio_gl::DriverInfo;
+use gonio_gl::trace::{Finding, FrameRecord, Severity, lint};
 use gonio_mesh::Diagnostic;
+use gonio_render::Renderer;
 use gonio_scene::ViewSpec;
 use serde::Serialize;
 

@@ -1,7 +1,7 @@
 //! A frame as a page of text: tables of what was done, in order.
 
 use crate::page::{Page, Style};
-use gonio_gl::record::{
+use gonio_gl::trace::{
     DrawRecord, Finding, FrameRecord, PassRecord, ProgramRecord, SamplerRecord, Severity, TextureRecord,
 };
 use std::fmt::Write;

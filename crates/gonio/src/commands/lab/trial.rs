@@ -6,11 +6,12 @@ use crate::report::{CliError, Outcome, Reporter};
 use clap::Args;
 use gonio_app::platform::desktop::trial::Answer;
 use gonio_app::platform::desktop::worker;
-use gonio_gl::{Canvas, Gl, GlError, HeadlessContext, Renderer};
+use gonio_gl::{Gl, GlError, HeadlessContext};
 use gonio_lab::exercise::Exercise;
 use gonio_lab::live::{self, Body, LiveStage, Pair, Scene, Source};
 use gonio_lab::stage::Situation;
 use gonio_lab::submission::SourceFile;
+use gonio_render::{DisplayTexture, Renderer};
 use std::time::Instant;
 
 /// Stack of the thread that reads, compiles and draws: half of what the window's thread has, so that what passes here leaves
@@ -79,8 +80,11 @@ fn answer(exercise: &Exercise, files: Vec<SourceFile>) -> Answer {
 
 /// Draws all scenes, and estimates how long the slowest picture takes in a large window.
 fn seconds(gl: &Gl, exercise: &Exercise, pair: &Pair) -> Result<f64, GlError> {
-    let mut easel =
-        Easel { renderer: Renderer::new(gl.clone())?, canvas: Canvas::new(gl, [SIDE; 2])?, stage: LiveStage::new(gl)? };
+    let mut easel = Easel {
+        renderer: Renderer::new(gl.clone())?,
+        canvas: DisplayTexture::new(gl, [SIDE; 2])?,
+        stage: LiveStage::new(gl)?,
+    };
     let scale = LARGE_PIXELS / f64::from(SIDE * SIDE);
     let mut slowest = 0.0_f64;
     for scene in live::scenes(exercise) {
@@ -98,7 +102,7 @@ fn seconds(gl: &Gl, exercise: &Exercise, pair: &Pair) -> Result<f64, GlError> {
 
 struct Easel {
     renderer: Renderer,
-    canvas: Canvas,
+    canvas: DisplayTexture,
     stage: LiveStage,
 }
 
@@ -111,7 +115,7 @@ impl Easel {
         for _ in 0..=repeats {
             let start = Instant::now();
             let stage = &self.stage;
-            self.renderer.paint_foreign(&mut self.canvas, [SIDE; 2], BACKGROUND, || stage.draw(pair, &bodies))?;
+            self.renderer.paint_user_program(&mut self.canvas, [SIDE; 2], BACKGROUND, || stage.draw(pair, &bodies))?;
             // Waits for the picture.
             self.canvas.read8();
             shortest = shortest.min(start.elapsed().as_secs_f64());

@@ -14,8 +14,8 @@ use crate::output::{FileSet, Format, Plan, PlanRequest, Target, exr, png};
 use crate::report::{CliError, Outcome, Reporter, Times};
 use crate::values::{self, DebugView};
 use clap::{ArgAction, Args};
-use gonio_gl::{Show, View};
 use gonio_light::color::ColorEncoding;
+use gonio_render::{DisplayOptions, View};
 use gonio_scene::{DisplayMap, Frame, Overlay, Overlays, Scene, ViewSpec};
 use std::path::PathBuf;
 use std::time::Instant;
@@ -122,9 +122,10 @@ impl RenderArgs {
     }
 
     /// The picture and its views, with the overlays over each.
-    fn shows(&self, views: &[Option<ViewSpec>]) -> Vec<Show> {
+    fn shows(&self, views: &[Option<ViewSpec>]) -> Vec<DisplayOptions> {
         let overlays: Overlays = self.overlay.iter().copied().collect();
-        let mut shows: Vec<Show> = views.iter().map(|&view| Show { view: view.into(), overlays }).collect();
+        let mut shows: Vec<DisplayOptions> =
+            views.iter().map(|&view| DisplayOptions { view: view.into(), overlays }).collect();
         if let (Some(DebugView::Special(special)), Some(first)) = (self.debug, shows.first_mut()) {
             first.view = View::Special(special);
         }

@@ -5,10 +5,10 @@ use crate::capture::Recorder;
 use crate::commands::frame;
 use crate::page::Page;
 use crate::report::{CliError, Outcome, Reporter};
-use gonio_gl::host::{HostOptions, HostRun};
-use gonio_gl::record::Severity;
+use gonio_gl::trace::Severity;
 use gonio_lab::host::{self, HostProgram};
 use gonio_lab::submission::SourceFile;
+use gonio_render::gl_program::{GlProgramOptions, GlProgramRun};
 use serde_json::json;
 
 /// Draws it, and shows what was asked for.
@@ -19,7 +19,7 @@ pub fn run(args: &DrawArgs, files: Vec<SourceFile>, reporter: &Reporter) -> Resu
     let run = carried_out(args, &program, &files, recorder, &context)?;
     super::write_picture(args, run.size, upright(&run))?;
     if reporter.json() {
-        let refused = |error: &gonio_gl::host::CallError| {
+        let refused = |error: &gonio_render::gl_program::CallError| {
             json!({
                 "file": program.file, "line": error.line, "call": error.call, "error": error.code, "why": error.why,
             })
@@ -50,7 +50,7 @@ pub fn run(args: &DrawArgs, files: Vec<SourceFile>, reporter: &Reporter) -> Resu
 }
 
 /// Its pixels in 8 bits, the top row first.
-fn upright(run: &HostRun) -> Vec<u8> {
+fn upright(run: &GlProgramRun) -> Vec<u8> {
     let rows = run.pixels.chunks_exact(run.size[0] as usize).rev();
     let byte = |channel: f32| (channel.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
     rows.flatten().flat_map(|&[r, g, b, _]| [byte(r), byte(g), byte(b), u8::MAX]).collect()
@@ -74,7 +74,7 @@ fn carried_out(
     files: &[SourceFile],
     recorder: Option<Recorder>,
     context: &gonio_gl::HeadlessContext,
-) -> Result<HostRun, CliError> {
+) -> Result<GlProgramRun, CliError> {
     let mut known = host::exercise_files();
     // Shaders of one's own, by their names without folders: `create_program` looks for them beside the program.
     for file in files.iter().filter(|file| !file.name.ends_with(".txt")) {
@@ -84,7 +84,7 @@ fn carried_out(
         }
     }
     let known = host::for_context(context.gl(), &known);
-    let options = HostOptions { size: [args.size; 2], float: false, thumbnails: false };
+    let options = GlProgramOptions { size: [args.size; 2], float: false, thumbnails: false };
     let mut recorder = recorder;
     if let Some(recorder) = &mut recorder {
         recorder.start();
@@ -97,7 +97,7 @@ fn carried_out(
 }
 
 /// The frame as text, and the program's line of each draw.
-fn page(program: &HostProgram, run: &HostRun, shown: frame::Shown) -> Result<Page, CliError> {
+fn page(program: &HostProgram, run: &GlProgramRun, shown: frame::Shown) -> Result<Page, CliError> {
     let about = format!("frame of {}, {} x {} pixels", program.file, run.size[0], run.size[1]);
     let mut text = frame::page(&about, &run.record, &run.findings, shown)?;
     if shown == frame::Shown::Everything {

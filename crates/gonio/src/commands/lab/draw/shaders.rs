@@ -3,10 +3,11 @@
 use super::DrawArgs;
 use crate::capture::Recorder;
 use crate::report::{CliError, Outcome, Reporter};
-use gonio_gl::{Canvas, HeadlessContext, Renderer};
+use gonio_gl::HeadlessContext;
 use gonio_lab::exercise::Exercise;
 use gonio_lab::live::{self, Body, Given, LiveStage, Note, NoteKind, Pair, Scene, Source};
 use gonio_lab::submission::SourceFile;
+use gonio_render::{DisplayTexture, Renderer};
 use serde_json::json;
 
 /// Where nothing is drawn: the window's own dark grey.
@@ -122,14 +123,14 @@ fn draw(
         false => None,
     };
     let mut renderer = Renderer::new(gl.clone())?;
-    let mut canvas = Canvas::new(gl, [size; 2])?;
+    let mut canvas = DisplayTexture::new(gl, [size; 2])?;
     let stage = LiveStage::new(gl)?;
     stage.prepare(scene)?;
     let bodies = scene.situations(&scene.eye, time as f32, [size; 2]);
     if let Some(recorder) = &mut recorder {
         recorder.start();
     }
-    renderer.paint_foreign(&mut canvas, [size; 2], BACKGROUND, || {
+    renderer.paint_user_program(&mut canvas, [size; 2], BACKGROUND, || {
         if let (Some(sky), Some((_, first))) = (&sky, bodies.first()) {
             stage.draw(sky, &[(Body::Cube, first.clone())]);
         }

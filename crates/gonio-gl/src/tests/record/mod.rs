@@ -1,6 +1,0 @@
-//! Records of frames: our own, and wrong ones.
-
-mod frames;
-mod lab;
-mod samplers;
-mod vertices;

@@ -1,0 +1,5 @@
+//! Records of wrong sequences of calls.
+
+mod lab;
+mod samplers;
+mod vertices;

@@ -1,0 +1,146 @@
+//! What a program wants, and what its uniforms hold: asked of OpenGL.
+
+use super::data::{AttributeDeclaration, Numbers, ProgramRecord, UniformDeclaration};
+use super::state::{ProgramState, base_name};
+use super::words::{self, Scalar, TextureKind};
+use glow::HasContext;
+
+/// A program's attributes and uniforms.
+pub struct Interface {
+    /// Its place among the record's programs.
+    pub index: usize,
+    /// Location, name, type.
+    pub attributes: Vec<AttributeDeclaration>,
+    /// Active uniforms outside of blocks.
+    pub uniforms: Vec<ActiveUniform>,
+}
+
+/// A uniform, or all elements of one.
+pub struct ActiveUniform {
+    /// Without `[0]`.
+    pub name: String,
+    /// OpenGL's number of its type.
+    pub code: u32,
+    /// Where its elements are.
+    pub locations: Vec<glow::UniformLocation>,
+}
+
+impl ActiveUniform {
+    /// What it wants, where it is a sampler.
+    pub fn sampler(&self) -> Option<TextureKind> {
+        TextureKind::of_sampler(self.code)
+    }
+}
+
+/// Reads what a linked program wants.
+pub fn interface(gl: &glow::Context, program: glow::Program, index: usize) -> Interface {
+    let mut attributes = Vec::new();
+    let mut uniforms = Vec::new();
+    // SAFETY: queries of a linked program of this context, within the numbers that it has given.
+    unsafe {
+        for index in 0..gl.get_active_attributes(program) {
+            let Some(attribute) = gl.get_active_attribute(program, index) else { continue };
+            // gl_VertexID and its like have none.
+            let Some(location) = gl.get_attrib_location(program, &attribute.name) else { continue };
+            let glsl_type = words::glsl_type(attribute.atype);
+            attributes.push(AttributeDeclaration { name: attribute.name, glsl_type, location });
+        }
+        for index in 0..gl.get_active_uniforms(program) {
+            let Some(uniform) = gl.get_active_uniform(program, index) else { continue };
+            let name = base_name(&uniform.name).to_owned();
+            let locations: Vec<_> = (0..uniform.size)
+                .filter_map(|element| match uniform.size {
+                    1 => gl.get_uniform_location(program, &uniform.name),
+                    _ => gl.get_uniform_location(program, &format!("{name}[{element}]")),
+                })
+                .collect();
+            // Members of blocks have none.
+            if !locations.is_empty() {
+                uniforms.push(ActiveUniform { name, code: uniform.utype, locations });
+            }
+        }
+    }
+    attributes.sort_by_key(|attribute| attribute.location);
+    uniforms.sort_by(|a, b| a.name.cmp(&b.name));
+    Interface { index, attributes, uniforms }
+}
+
+/// A program for the record.
+pub fn record(interface: &Interface, state: Option<&ProgramState>) -> ProgramRecord {
+    let uniform = |uniform: &ActiveUniform| UniformDeclaration {
+        name: uniform.name.clone(),
+        glsl_type: words::glsl_type(uniform.code),
+        location: uniform.locations.first().and_then(number),
+        array_size: uniform.locations.len() as u32,
+    };
+    let [vertex_source, fragment_source] = state.map(|state| state.sources.clone()).unwrap_or_default();
+    ProgramRecord {
+        id: state.map_or(0, |state| state.label.id),
+        name: state.map(|state| state.label.name.clone()).unwrap_or_default(),
+        vertex_source,
+        fragment_source,
+        attributes: interface.attributes.clone(),
+        uniforms: interface.uniforms.iter().map(uniform).collect(),
+    }
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+fn number(location: &glow::UniformLocation) -> Option<u32> {
+    Some(location.0)
+}
+
+/// WebGL's locations are objects.
+#[cfg(target_arch = "wasm32")]
+fn number(_: &glow::UniformLocation) -> Option<u32> {
+    None
+}
+
+/// What a uniform that is no sampler holds. `sent` are the whole numbers last given: glow does not read `bool` on the web.
+pub fn value(gl: &glow::Context, program: glow::Program, uniform: &ActiveUniform, sent: Option<&[i32]>) -> Numbers {
+    let Some((scalar, each)) = words::layout(uniform.code) else { return Numbers::Float(Vec::new()) };
+    let count = each * uniform.locations.len();
+    // Each element is read into room for exactly its numbers: more than that and glow panics on the web.
+    match scalar {
+        Scalar::Float => {
+            let mut numbers = vec![0.0; count];
+            for (location, numbers) in uniform.locations.iter().zip(numbers.chunks_exact_mut(each)) {
+                // SAFETY: the program is linked, the location its own, and the slice as long as its type.
+                unsafe { gl.get_uniform_f32(program, location, numbers) };
+            }
+            Numbers::Float(numbers)
+        }
+        Scalar::Int => Numbers::Int(whole_numbers(gl, program, uniform, each)),
+        Scalar::Uint => {
+            let mut numbers = vec![0; count];
+            for (location, numbers) in uniform.locations.iter().zip(numbers.chunks_exact_mut(each)) {
+                // SAFETY: the program is linked, the location its own, and the slice as long as its type.
+                unsafe { gl.get_uniform_u32(program, location, numbers) };
+            }
+            Numbers::Uint(numbers)
+        }
+        Scalar::Bool => {
+            let numbers = match cfg!(target_arch = "wasm32") {
+                true => sent.unwrap_or_default().to_vec(),
+                false => whole_numbers(gl, program, uniform, each),
+            };
+            Numbers::Bool(numbers.into_iter().map(|number| number != 0).collect())
+        }
+    }
+}
+
+fn whole_numbers(gl: &glow::Context, program: glow::Program, uniform: &ActiveUniform, each: usize) -> Vec<i32> {
+    let mut numbers = vec![0; each * uniform.locations.len()];
+    for (location, numbers) in uniform.locations.iter().zip(numbers.chunks_exact_mut(each)) {
+        // SAFETY: as in `value`.
+        unsafe { gl.get_uniform_i32(program, location, numbers) };
+    }
+    numbers
+}
+
+/// The unit of a sampler's element.
+pub fn unit(gl: &glow::Context, program: glow::Program, location: &glow::UniformLocation) -> u32 {
+    let mut unit = [0];
+    // SAFETY: as in `value`; a sampler holds one whole number.
+    unsafe { gl.get_uniform_i32(program, location, &mut unit) };
+    unit[0].max(0) as u32
+}

@@ -1,0 +1,289 @@
+//! Turns calls into a record, while one is made.
+
+use super::MOST_DRAWS;
+use super::data::{
+    AttachmentRecord, BindingRecord, ClearRecord, FrameRecord, LevelRecord, PassRecord, Subject, TargetRecord,
+    TextureRecord,
+};
+use super::program_reader::Interface;
+use super::state::{Attached, State, TextureState};
+use super::words::{self, TextureKind};
+use glow::HasContext;
+use std::collections::{HashMap, HashSet};
+use std::rc::Rc;
+
+/// A draw call as it was given.
+pub struct Call {
+    /// `GL_TRIANGLES`, ...
+    pub mode: u32,
+    /// The first vertex; where it is indexed, the first index's byte.
+    pub first: i32,
+    /// Vertices or indices.
+    pub count: i32,
+    /// `GL_UNSIGNED_INT`, ... where it is indexed.
+    pub index_type: Option<u32>,
+    /// How many times.
+    pub instances: i32,
+}
+
+/// ARB_pipeline_statistics_query
+const VERTEX_SHADER_INVOCATIONS: u32 = 0x82F0;
+/// ARB_pipeline_statistics_query
+const FRAGMENT_SHADER_INVOCATIONS: u32 = 0x82F4;
+/// Errors that are fetched at once: a driver may keep several flags, and a lost context gives no end of them.
+const MOST_ERRORS: usize = 8;
+
+/// What is being recorded.
+pub struct Recorder {
+    pub(super) record: FrameRecord,
+    /// Open debug groups.
+    pub groups: Vec<String>,
+    /// What the calls are for, and its number.
+    pub subject: Option<(usize, Rc<Subject>)>,
+    /// How many there were.
+    pub subjects: usize,
+    /// Attributes whose constants were set.
+    pub constants: HashSet<u32>,
+    /// Since the draw before.
+    pub(super) bound: Vec<BindingRecord>,
+    /// Programs that have drawn.
+    pub(super) interfaces: HashMap<glow::Program, Interface>,
+    /// Of deleted textures.
+    gone: Vec<TextureRecord>,
+    /// Whether the GPU can count.
+    counts: bool,
+    /// Whether a buffer's bytes can be read back.
+    pub(super) reads_buffers: bool,
+    queries: Vec<Option<[glow::Query; 2]>>,
+    /// The framebuffer of the last pass, and its outermost group.
+    pass: Option<(Option<glow::Framebuffer>, Option<String>)>,
+    /// A draw is under way that is recorded.
+    drawing: bool,
+}
+
+impl Recorder {
+    /// For a driver that can count shader invocations, or not.
+    pub fn new(gl: &glow::Context, counts: bool) -> Self {
+        // SAFETY: a query of a constant of the context.
+        let texture_units = unsafe { gl.get_parameter_i32(glow::MAX_COMBINED_TEXTURE_IMAGE_UNITS) }.max(0) as u32;
+        Recorder {
+            record: FrameRecord { texture_units, ..FrameRecord::default() },
+            groups: Vec::new(),
+            subject: None,
+            subjects: 0,
+            constants: HashSet::new(),
+            bound: Vec::new(),
+            interfaces: HashMap::new(),
+            gone: Vec::new(),
+            counts,
+            // OpenGL ES has no glGetBufferSubData; WebGL2 has.
+            reads_buffers: cfg!(target_arch = "wasm32") || !gl.version().is_embedded,
+            queries: Vec::new(),
+            pass: None,
+            drawing: false,
+        }
+    }
+
+    /// Notes a binding.
+    pub fn bound(&mut self, state: &State, kind: TextureKind, texture: Option<glow::Texture>) {
+        let texture = texture.and_then(|texture| state.textures.get(&texture)).map(|texture| texture.label.id);
+        self.bound.push(BindingRecord { unit: state.active_unit as u32, kind: kind.name().to_owned(), texture });
+    }
+
+    /// Keeps what is known about a texture that is deleted.
+    pub fn deleted(&mut self, texture: &TextureState) {
+        self.gone.push(texture_record(texture));
+    }
+
+    /// Notes a clear.
+    pub fn cleared(&mut self, state: &State, gl: &glow::Context, mask: u32) {
+        let mut clear = ClearRecord::default();
+        // SAFETY: queries of plain state, into room for the four numbers of a colour and the one of a depth.
+        unsafe {
+            if mask & glow::COLOR_BUFFER_BIT != 0 {
+                let mut color = [0.0; 4];
+                gl.get_parameter_f32_slice(glow::COLOR_CLEAR_VALUE, &mut color);
+                clear.color = Some(color);
+            }
+            if mask & glow::DEPTH_BUFFER_BIT != 0 {
+                clear.depth = Some(gl.get_parameter_f32(glow::DEPTH_CLEAR_VALUE));
+            }
+        }
+        self.enter_pass(state).cleared = Some(clear);
+    }
+
+    /// Notes that samples are averaged into the framebuffer that is drawn into.
+    pub fn resolved(&mut self, state: &State) {
+        let name = target_record(state).name;
+        if let Some(pass) = self.record.passes.last_mut() {
+            pass.resolved_into = Some(name);
+        }
+    }
+
+    /// The pass that commands belong to now.
+    fn enter_pass(&mut self, state: &State) -> &mut PassRecord {
+        let now = (state.draw_framebuffer, self.groups.first().cloned());
+        let passes = &mut self.record.passes;
+        if passes.is_empty() || self.pass.as_ref() != Some(&now) {
+            let target = target_record(state);
+            let name = now.1.clone().unwrap_or_else(|| target.name.clone());
+            let first_draw = self.record.draws.len();
+            passes.push(PassRecord { name, target, cleared: None, resolved_into: None, first_draw, draw_count: 0 });
+            self.pass = Some(now);
+        }
+        let last = passes.len() - 1;
+        &mut passes[last]
+    }
+
+    /// Notes all that a draw will read, and begins to count.
+    pub fn before_draw(&mut self, state: &mut State, gl: &glow::Context, call: &Call) {
+        self.drawing = self.record.draws.len() < MOST_DRAWS;
+        if !self.drawing {
+            self.record.draws_left_out += 1;
+            return;
+        }
+        self.enter_pass(state).draw_count += 1;
+        let draw = self.snapshot(state, gl, call);
+        self.record.draws.push(draw);
+        // SAFETY: the targets exist where the extension does; whoever records counts nothing else meanwhile.
+        unsafe {
+            let queries = match (self.counts, gl.create_query(), gl.create_query()) {
+                (true, Ok(vertices), Ok(fragments)) => {
+                    gl.begin_query(VERTEX_SHADER_INVOCATIONS, vertices);
+                    gl.begin_query(FRAGMENT_SHADER_INVOCATIONS, fragments);
+                    Some([vertices, fragments])
+                }
+                (_, vertices, fragments) => {
+                    [vertices, fragments].into_iter().flatten().for_each(|query| gl.delete_query(query));
+                    None
+                }
+            };
+            self.queries.push(queries);
+        }
+    }
+
+    /// Ends the counting, and asks for errors.
+    pub fn after_draw(&mut self, gl: &glow::Context) {
+        if !std::mem::take(&mut self.drawing) {
+            return;
+        }
+        if self.queries.last().is_some_and(Option::is_some) {
+            // SAFETY: ends what `before_draw` began.
+            unsafe {
+                gl.end_query(FRAGMENT_SHADER_INVOCATIONS);
+                gl.end_query(VERTEX_SHADER_INVOCATIONS);
+            }
+        }
+        if let Some(draw) = self.record.draws.last_mut() {
+            draw.errors.extend(errors(gl));
+        }
+    }
+
+    /// The record. Waits for the GPU's numbers.
+    pub fn finish(mut self, state: &State, gl: &glow::Context) -> FrameRecord {
+        for (draw, queries) in self.record.draws.iter_mut().zip(std::mem::take(&mut self.queries)) {
+            let Some(queries) = queries else { continue };
+            // SAFETY: the queries have ended; asking for a result waits for it. Each is deleted once.
+            let [vertices, fragments] = queries.map(|query| unsafe {
+                let count = gl.get_query_parameter_u32(query, glow::QUERY_RESULT);
+                gl.delete_query(query);
+                u64::from(count)
+            });
+            draw.vertices_shaded = Some(vertices);
+            draw.fragments_shaded = Some(fragments);
+        }
+        let mut textures: Vec<TextureRecord> = state.textures.values().map(texture_record).collect();
+        textures.sort_by_key(|texture| texture.id);
+        textures.append(&mut self.gone);
+        self.record.textures = textures;
+        if self.record.draws_left_out > 0 {
+            self.record.notes.push(format!(
+                "the first {MOST_DRAWS} draw calls are listed, and {} more are not",
+                self.record.draws_left_out
+            ));
+        }
+        let late = errors(gl);
+        if !late.is_empty() {
+            self.record.notes.push(format!("OpenGL reported {} after the last draw", late.join(", ")));
+        }
+        self.record
+    }
+
+    /// Frees what an unfinished recording holds.
+    pub fn abandon(self, gl: &glow::Context) {
+        for query in self.queries.into_iter().flatten().flatten() {
+            // SAFETY: created by this context, deleted once.
+            unsafe { gl.delete_query(query) };
+        }
+    }
+}
+
+/// Errors that OpenGL has not told yet.
+pub(super) fn errors(gl: &glow::Context) -> Vec<String> {
+    let mut errors = Vec::new();
+    while errors.len() < MOST_ERRORS {
+        // SAFETY: reads and clears a flag.
+        match unsafe { gl.get_error() } {
+            glow::NO_ERROR => break,
+            code => errors.push(words::error(code)),
+        }
+    }
+    errors
+}
+
+/// The framebuffer that is drawn into.
+fn target_record(state: &State) -> TargetRecord {
+    let Some(framebuffer) = state.draw_framebuffer else {
+        return TargetRecord { name: "window".to_owned(), samples: 1, ..TargetRecord::default() };
+    };
+    let mut record = TargetRecord { samples: 1, ..TargetRecord::default() };
+    let Some(framebuffer) = state.framebuffers.get(&framebuffer) else { return record };
+    record.id = framebuffer.label.id;
+    record.name = framebuffer.label.name.clone();
+    for (point, attached) in &framebuffer.attachments {
+        let (texture, level, name, format, size, samples) = match attached {
+            Attached::Texture(texture, level) => {
+                let Some(texture) = state.textures.get(texture) else { continue };
+                let size = texture.levels.get(level).map_or([0; 2], |level| level.size);
+                (Some(texture.label.id), *level, &texture.label.name, texture.format, size, texture.samples)
+            }
+            Attached::Renderbuffer(buffer) => {
+                let Some(buffer) = state.renderbuffers.get(buffer) else { continue };
+                (None, 0, &buffer.label.name, buffer.format, buffer.size, buffer.samples)
+            }
+        };
+        let format = words::format(format);
+        [record.width, record.height] = size;
+        record.samples = samples.max(1);
+        if *point == glow::COLOR_ATTACHMENT0 {
+            record.format = Some(format.clone());
+        }
+        let point = words::attachment(*point);
+        record.attachments.push(AttachmentRecord { point, texture, level, name: name.clone(), format });
+    }
+    record
+}
+
+/// A texture as it is now.
+pub(super) fn texture_record(texture: &TextureState) -> TextureRecord {
+    let [width, height] = texture.levels.values().next().map_or([0; 2], |level| level.size);
+    let level = |(&level, state): (&u32, &super::state::LevelState)| LevelRecord {
+        level,
+        width: state.size[0],
+        height: state.size[1],
+        faces: state.faces.count_ones(),
+    };
+    TextureRecord {
+        id: texture.label.id,
+        name: texture.label.name.clone(),
+        kind: texture.kind.map_or("", TextureKind::name).to_owned(),
+        width,
+        height,
+        depth: texture.depth.max(1),
+        samples: texture.samples.max(1),
+        format: if texture.levels.is_empty() { String::new() } else { words::format(texture.format) },
+        levels: texture.levels.iter().map(level).collect(),
+        content: texture.content,
+        thumbnail: None,
+    }
+}

@@ -1,0 +1,245 @@
+//! OpenGL's numbers in words.
+
+/// A table of enums and their words, and what else is written as a number.
+macro_rules! words {
+    ($(#[$doc:meta])* $name:ident { $($constant:ident => $word:literal,)+ }) => {
+        $(#[$doc])*
+        pub fn $name(code: u32) -> String {
+            match code {
+                $(glow::$constant => $word.to_owned(),)+
+                other => format!("{other:#06x}"),
+            }
+        }
+    };
+}
+
+words! {
+    /// What vertices are joined to.
+    primitive {
+        POINTS => "points", LINES => "lines", LINE_STRIP => "line strip", LINE_LOOP => "line loop",
+        TRIANGLES => "triangles", TRIANGLE_STRIP => "triangle strip", TRIANGLE_FAN => "triangle fan",
+    }
+}
+
+words! {
+    /// Comparisons of depths.
+    comparison {
+        NEVER => "never", LESS => "less", EQUAL => "equal", LEQUAL => "less or equal", GREATER => "greater",
+        NOTEQUAL => "not equal", GEQUAL => "greater or equal", ALWAYS => "always",
+    }
+}
+
+words! {
+    /// Which faces are culled.
+    faces {
+        FRONT => "front", BACK => "back", FRONT_AND_BACK => "front and back",
+    }
+}
+
+words! {
+    /// Factors of blending.
+    factor {
+        ZERO => "zero", ONE => "one", SRC_COLOR => "source colour", ONE_MINUS_SRC_COLOR => "one minus source colour",
+        DST_COLOR => "destination colour", ONE_MINUS_DST_COLOR => "one minus destination colour",
+        SRC_ALPHA => "source alpha", ONE_MINUS_SRC_ALPHA => "one minus source alpha",
+        DST_ALPHA => "destination alpha", ONE_MINUS_DST_ALPHA => "one minus destination alpha",
+        CONSTANT_COLOR => "constant colour", ONE_MINUS_CONSTANT_COLOR => "one minus constant colour",
+        CONSTANT_ALPHA => "constant alpha", ONE_MINUS_CONSTANT_ALPHA => "one minus constant alpha",
+        SRC_ALPHA_SATURATE => "source alpha, saturated",
+    }
+}
+
+words! {
+    /// How textures are filtered and repeated.
+    sampling {
+        NEAREST => "nearest", LINEAR => "linear", NEAREST_MIPMAP_NEAREST => "nearest mipmap nearest",
+        LINEAR_MIPMAP_NEAREST => "linear mipmap nearest", NEAREST_MIPMAP_LINEAR => "nearest mipmap linear",
+        LINEAR_MIPMAP_LINEAR => "linear mipmap linear", REPEAT => "repeat", MIRRORED_REPEAT => "mirrored repeat",
+        CLAMP_TO_EDGE => "clamp to edge", CLAMP_TO_BORDER => "clamp to border",
+    }
+}
+
+words! {
+    /// Formats of textures and renderbuffers.
+    format {
+        R8 => "R8", RG8 => "RG8", RGB8 => "RGB8", RGBA8 => "RGBA8", SRGB8 => "SRGB8", SRGB8_ALPHA8 => "SRGB8_ALPHA8",
+        R16F => "R16F", RG16F => "RG16F", RGB16F => "RGB16F", RGBA16F => "RGBA16F", R32F => "R32F", RG32F => "RG32F",
+        RGB32F => "RGB32F", RGBA32F => "RGBA32F", R11F_G11F_B10F => "R11F_G11F_B10F", R32I => "R32I", R32UI => "R32UI",
+        RED => "RED", RG => "RG", RGB => "RGB", RGBA => "RGBA", DEPTH_COMPONENT => "DEPTH_COMPONENT",
+        DEPTH_COMPONENT16 => "DEPTH_COMPONENT16", DEPTH_COMPONENT24 => "DEPTH_COMPONENT24",
+        DEPTH_COMPONENT32F => "DEPTH_COMPONENT32F", DEPTH24_STENCIL8 => "DEPTH24_STENCIL8",
+        DEPTH32F_STENCIL8 => "DEPTH32F_STENCIL8",
+    }
+}
+
+words! {
+    /// Where a framebuffer's pictures are.
+    attachment {
+        DEPTH_ATTACHMENT => "depth", STENCIL_ATTACHMENT => "stencil", DEPTH_STENCIL_ATTACHMENT => "depth and stencil",
+        COLOR_ATTACHMENT0 => "color 0", COLOR_ATTACHMENT1 => "color 1", COLOR_ATTACHMENT2 => "color 2",
+        COLOR_ATTACHMENT3 => "color 3",
+    }
+}
+
+words! {
+    /// Errors.
+    error {
+        INVALID_ENUM => "INVALID_ENUM", INVALID_VALUE => "INVALID_VALUE", INVALID_OPERATION => "INVALID_OPERATION",
+        INVALID_FRAMEBUFFER_OPERATION => "INVALID_FRAMEBUFFER_OPERATION", OUT_OF_MEMORY => "OUT_OF_MEMORY",
+        CONTEXT_LOST => "CONTEXT_LOST",
+    }
+}
+
+words! {
+    /// Types of an attribute's numbers.
+    component {
+        BYTE => "byte", UNSIGNED_BYTE => "unsigned byte", SHORT => "short", UNSIGNED_SHORT => "unsigned short",
+        INT => "int", UNSIGNED_INT => "unsigned int", HALF_FLOAT => "half float", FLOAT => "float",
+    }
+}
+
+words! {
+    /// Types of GLSL.
+    glsl_type {
+        FLOAT => "float", FLOAT_VEC2 => "vec2", FLOAT_VEC3 => "vec3", FLOAT_VEC4 => "vec4", INT => "int",
+        INT_VEC2 => "ivec2", INT_VEC3 => "ivec3", INT_VEC4 => "ivec4", UNSIGNED_INT => "uint",
+        UNSIGNED_INT_VEC2 => "uvec2", UNSIGNED_INT_VEC3 => "uvec3", UNSIGNED_INT_VEC4 => "uvec4", BOOL => "bool",
+        BOOL_VEC2 => "bvec2", BOOL_VEC3 => "bvec3", BOOL_VEC4 => "bvec4", FLOAT_MAT2 => "mat2", FLOAT_MAT3 => "mat3",
+        FLOAT_MAT4 => "mat4", FLOAT_MAT2x3 => "mat2x3", FLOAT_MAT2x4 => "mat2x4", FLOAT_MAT3x2 => "mat3x2",
+        FLOAT_MAT3x4 => "mat3x4", FLOAT_MAT4x2 => "mat4x2", FLOAT_MAT4x3 => "mat4x3", SAMPLER_2D => "sampler2D",
+        SAMPLER_CUBE => "samplerCube", SAMPLER_2D_ARRAY => "sampler2DArray", SAMPLER_3D => "sampler3D",
+        SAMPLER_2D_MULTISAMPLE => "sampler2DMS", SAMPLER_2D_SHADOW => "sampler2DShadow",
+        SAMPLER_CUBE_SHADOW => "samplerCubeShadow", INT_SAMPLER_2D => "isampler2D", UNSIGNED_INT_SAMPLER_2D => "usampler2D",
+    }
+}
+
+/// The kind of a uniform's numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scalar {
+    /// `float`
+    Float,
+    /// `int`
+    Int,
+    /// `uint`
+    Uint,
+    /// `bool`
+    Bool,
+}
+
+/// What an element of a uniform's type consists of; `None` for samplers, and for what is not known here.
+pub fn layout(code: u32) -> Option<(Scalar, usize)> {
+    Some(match code {
+        glow::FLOAT => (Scalar::Float, 1),
+        glow::FLOAT_VEC2 => (Scalar::Float, 2),
+        glow::FLOAT_VEC3 => (Scalar::Float, 3),
+        glow::FLOAT_VEC4 | glow::FLOAT_MAT2 => (Scalar::Float, 4),
+        glow::FLOAT_MAT2x3 | glow::FLOAT_MAT3x2 => (Scalar::Float, 6),
+        glow::FLOAT_MAT2x4 | glow::FLOAT_MAT4x2 => (Scalar::Float, 8),
+        glow::FLOAT_MAT3 => (Scalar::Float, 9),
+        glow::FLOAT_MAT3x4 | glow::FLOAT_MAT4x3 => (Scalar::Float, 12),
+        glow::FLOAT_MAT4 => (Scalar::Float, 16),
+        glow::INT => (Scalar::Int, 1),
+        glow::INT_VEC2 => (Scalar::Int, 2),
+        glow::INT_VEC3 => (Scalar::Int, 3),
+        glow::INT_VEC4 => (Scalar::Int, 4),
+        glow::UNSIGNED_INT => (Scalar::Uint, 1),
+        glow::UNSIGNED_INT_VEC2 => (Scalar::Uint, 2),
+        glow::UNSIGNED_INT_VEC3 => (Scalar::Uint, 3),
+        glow::UNSIGNED_INT_VEC4 => (Scalar::Uint, 4),
+        glow::BOOL => (Scalar::Bool, 1),
+        glow::BOOL_VEC2 => (Scalar::Bool, 2),
+        glow::BOOL_VEC3 => (Scalar::Bool, 3),
+        glow::BOOL_VEC4 => (Scalar::Bool, 4),
+        _ => return None,
+    })
+}
+
+/// Bytes of one number of an attribute.
+pub fn component_bytes(code: u32) -> u32 {
+    match code {
+        glow::BYTE | glow::UNSIGNED_BYTE => 1,
+        glow::SHORT | glow::UNSIGNED_SHORT | glow::HALF_FLOAT => 2,
+        _ => 4,
+    }
+}
+
+/// What a texture is, or a sampler wants: textures of each kind are bound to a unit of their own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum TextureKind {
+    /// `GL_TEXTURE_2D`
+    Flat,
+    /// `GL_TEXTURE_CUBE_MAP`
+    Cube,
+    /// `GL_TEXTURE_2D_ARRAY`
+    Array,
+    /// `GL_TEXTURE_3D`
+    Solid,
+    /// `GL_TEXTURE_2D_MULTISAMPLE`
+    Multisample,
+}
+
+impl TextureKind {
+    /// All.
+    pub const ALL: [TextureKind; 5] =
+        [TextureKind::Flat, TextureKind::Cube, TextureKind::Array, TextureKind::Solid, TextureKind::Multisample];
+
+    /// Of a target of `glBindTexture`, or of a face of a cubemap.
+    pub fn of_target(target: u32) -> Option<TextureKind> {
+        Some(match target {
+            glow::TEXTURE_2D => TextureKind::Flat,
+            glow::TEXTURE_CUBE_MAP => TextureKind::Cube,
+            glow::TEXTURE_CUBE_MAP_POSITIVE_X..=glow::TEXTURE_CUBE_MAP_NEGATIVE_Z => TextureKind::Cube,
+            glow::TEXTURE_2D_ARRAY => TextureKind::Array,
+            glow::TEXTURE_3D => TextureKind::Solid,
+            glow::TEXTURE_2D_MULTISAMPLE => TextureKind::Multisample,
+            _ => return None,
+        })
+    }
+
+    /// What a sampler of this type wants; `None` where the type is no sampler.
+    pub fn of_sampler(glsl_type: u32) -> Option<TextureKind> {
+        Some(match glsl_type {
+            glow::SAMPLER_2D | glow::SAMPLER_2D_SHADOW | glow::INT_SAMPLER_2D | glow::UNSIGNED_INT_SAMPLER_2D => {
+                TextureKind::Flat
+            }
+            glow::SAMPLER_CUBE
+            | glow::SAMPLER_CUBE_SHADOW
+            | glow::INT_SAMPLER_CUBE
+            | glow::UNSIGNED_INT_SAMPLER_CUBE => TextureKind::Cube,
+            glow::SAMPLER_2D_ARRAY
+            | glow::SAMPLER_2D_ARRAY_SHADOW
+            | glow::INT_SAMPLER_2D_ARRAY
+            | glow::UNSIGNED_INT_SAMPLER_2D_ARRAY => TextureKind::Array,
+            glow::SAMPLER_3D | glow::INT_SAMPLER_3D | glow::UNSIGNED_INT_SAMPLER_3D => TextureKind::Solid,
+            glow::SAMPLER_2D_MULTISAMPLE => TextureKind::Multisample,
+            _ => return None,
+        })
+    }
+
+    /// Where it is bound.
+    pub fn target(self) -> u32 {
+        match self {
+            TextureKind::Flat => glow::TEXTURE_2D,
+            TextureKind::Cube => glow::TEXTURE_CUBE_MAP,
+            TextureKind::Array => glow::TEXTURE_2D_ARRAY,
+            TextureKind::Solid => glow::TEXTURE_3D,
+            TextureKind::Multisample => glow::TEXTURE_2D_MULTISAMPLE,
+        }
+    }
+
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            TextureKind::Flat => "2D",
+            TextureKind::Cube => "cube",
+            TextureKind::Array => "2D array",
+            TextureKind::Solid => "3D",
+            TextureKind::Multisample => "2D multisample",
+        }
+    }
+
+    /// Its place in [`TextureKind::ALL`].
+    pub fn index(self) -> usize {
+        self as usize
+    }
+}

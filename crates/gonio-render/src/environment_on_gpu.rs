@@ -1,0 +1,236 @@
+//! A scene's environment as cube textures: linear light in half floats, with our own mip levels.
+//!
+//! Nothing is flipped: OpenGL's rows of a cube's face begin at t = 0, which its table of directions has at the top, as a
+//! [`Cubemap`]'s do. (A 2-D texture of ours is flipped, because there v runs upwards.)
+
+use crate::half;
+use glow::{HasContext, PixelUnpackData};
+use gonio_environment::{BrdfTable, Cubemap, Face};
+use gonio_gl::objects::TextureObject;
+use gonio_gl::{Gl, GlError};
+use gonio_scene::LoadedEnvironment;
+use std::cell::OnceCell;
+use std::sync::Arc;
+
+/// A cubemap with its mip levels; freed when dropped.
+pub(crate) struct CubeTexture {
+    texture: TextureObject,
+    /// Texels along an edge of the largest level that the driver holds.
+    pub size: u32,
+    /// The last level: the first is 0.
+    pub last_level: i32,
+    /// Finer levels that it does not hold.
+    pub levels_left_out: usize,
+}
+
+/// A scene's environment; freed when dropped. What takes seconds to make is made when a frame first wants it.
+pub(crate) struct EnvironmentOnGpu {
+    loaded: Arc<LoadedEnvironment>,
+    max_size: u32,
+    /// What is reflected and refracted.
+    pub map: CubeTexture,
+    background: Option<CubeTexture>,
+    polynomial: OnceCell<[[f32; 3]; 9]>,
+    gloss: OnceCell<Gloss>,
+    blurred: OnceCell<CubeTexture>,
+    /// What could not be done as asked.
+    pub notes: Vec<String>,
+}
+
+/// What rough mirrors show of an environment.
+pub(crate) struct Gloss {
+    /// Level by level, of growing roughness.
+    pub map: CubeTexture,
+    /// [`BrdfTable`]: the same for all environments.
+    pub brdf: TextureObject,
+}
+
+impl EnvironmentOnGpu {
+    /// Uploads it. Where its cubemaps are larger than the driver's `max_size`, a note says so.
+    pub fn upload(gl: &Gl, environment: &Arc<LoadedEnvironment>, max_size: u32) -> Result<Self, GlError> {
+        let mut notes = Vec::new();
+        let mut upload = |what: &str, levels: &[Cubemap]| {
+            let texture = CubeTexture::upload(gl, &format!("{what} {}", environment.name), levels, max_size)?;
+            if texture.levels_left_out > 0 {
+                notes.push(format!(
+                    "the {what} is drawn with {size} x {size} texels a face instead of {full} x {full}: this driver has \
+                     no more",
+                    size = texture.size,
+                    full = levels.first().map_or(0, Cubemap::size)
+                ));
+            }
+            Ok(texture)
+        };
+        let map = upload("environment", environment.mips.levels())?;
+        let background = environment.background.as_ref().map(|b| upload("background", b.levels())).transpose()?;
+        Ok(EnvironmentOnGpu {
+            loaded: environment.clone(),
+            max_size,
+            map,
+            background,
+            polynomial: OnceCell::new(),
+            gloss: OnceCell::new(),
+            blurred: OnceCell::new(),
+            notes,
+        })
+    }
+
+    /// What is seen behind the objects.
+    pub fn seen(&self) -> &CubeTexture {
+        self.background.as_ref().unwrap_or(&self.map)
+    }
+
+    /// What is seen behind the objects, blurred, and the level of it that is blurred by so much (0 to 1).
+    pub fn seen_blurred(&self, gl: &Gl, blur: f64) -> Result<(&CubeTexture, f64), GlError> {
+        let levels = self.loaded.seen_glossy();
+        let upload = || CubeTexture::upload(gl, "blurred background", levels.levels(), self.max_size);
+        Ok((made_once(&self.blurred, upload)?, levels.level_of_roughness(blur)))
+    }
+
+    /// The nine constants of its irradiance.
+    pub fn polynomial(&self) -> &[[f32; 3]; 9] {
+        self.polynomial.get_or_init(|| self.loaded.harmonics().polynomial().map(|c| c.as_vec3().to_array()))
+    }
+
+    /// What rough mirrors show of it.
+    pub fn gloss(&self, gl: &Gl) -> Result<&Gloss, GlError> {
+        made_once(&self.gloss, || {
+            let map = CubeTexture::upload(gl, "glossy environment", self.loaded.glossy().levels(), self.max_size)?;
+            Ok(Gloss { map, brdf: upload_brdf(gl)? })
+        })
+    }
+}
+
+fn made_once<T>(cell: &OnceCell<T>, make: impl FnOnce() -> Result<T, GlError>) -> Result<&T, GlError> {
+    if let Some(made) = cell.get() {
+        return Ok(made);
+    }
+    let made = make()?;
+    Ok(cell.get_or_init(|| made))
+}
+
+/// The table of factors, filtered linearly: of halves, for OpenGL ES need not filter floats of 32 bits.
+fn upload_brdf(gl: &Gl) -> Result<TextureObject, GlError> {
+    let texture = TextureObject::bound(gl, "environment BRDF")?;
+    let halves: Vec<u16> = BrdfTable::get().values().as_flattened().iter().map(|&v| half::bits_of(v)).collect();
+    let size = BrdfTable::SIZE as i32;
+    // SAFETY: the texture is bound, and the slice holds size * size texels of two halves.
+    unsafe {
+        gl.pixel_store_i32(glow::UNPACK_ALIGNMENT, 4);
+        gl.tex_image_2d(
+            glow::TEXTURE_2D,
+            0,
+            glow::RG16F as i32,
+            size,
+            size,
+            0,
+            glow::RG,
+            glow::HALF_FLOAT,
+            PixelUnpackData::Slice(Some(bytemuck::cast_slice(&halves))),
+        );
+        for parameter in [glow::TEXTURE_MIN_FILTER, glow::TEXTURE_MAG_FILTER] {
+            gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, glow::LINEAR as i32);
+        }
+        for parameter in [glow::TEXTURE_WRAP_S, glow::TEXTURE_WRAP_T] {
+            gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, glow::CLAMP_TO_EDGE as i32);
+        }
+    }
+    Ok(texture)
+}
+
+impl CubeTexture {
+    /// Uploads levels, the largest first, beginning with the first that is not larger than `max_size`. Levels end where
+    /// one is not half (rounded down) the size of the one before: OpenGL knows no others.
+    pub fn upload(gl: &Gl, name: &str, levels: &[Cubemap], max_size: u32) -> Result<Self, GlError> {
+        let left_out = levels.iter().take_while(|l| l.size() > max_size).count();
+        let Some((first, smaller)) = levels.get(left_out..).and_then(<[Cubemap]>::split_first) else {
+            return Err(GlError::new(format!(
+                "{name}: no level of it is small enough for this driver, whose cubemaps have at most {max_size} texels \
+                 along an edge; make it smaller"
+            )));
+        };
+        let texture = TextureObject::cube(gl, name)?;
+        upload_level(gl, 0, first);
+        let mut last = 0;
+        for (level, map) in (1..).zip(smaller) {
+            if first.size() >> level != map.size() {
+                break;
+            }
+            upload_level(gl, level, map);
+            last = level;
+        }
+        // SAFETY: the cubemap is bound; the levels up to `last` have just been filled.
+        unsafe {
+            for (parameter, value) in [
+                (glow::TEXTURE_BASE_LEVEL, 0),
+                (glow::TEXTURE_MAX_LEVEL, last),
+                (glow::TEXTURE_MAG_FILTER, glow::LINEAR as i32),
+                (glow::TEXTURE_MIN_FILTER, glow::LINEAR_MIPMAP_LINEAR as i32),
+                (glow::TEXTURE_WRAP_S, glow::CLAMP_TO_EDGE as i32),
+                (glow::TEXTURE_WRAP_T, glow::CLAMP_TO_EDGE as i32),
+                (glow::TEXTURE_WRAP_R, glow::CLAMP_TO_EDGE as i32),
+            ] {
+                gl.tex_parameter_i32(glow::TEXTURE_CUBE_MAP, parameter, value);
+            }
+        }
+        Ok(CubeTexture { texture, size: first.size(), last_level: last, levels_left_out: left_out })
+    }
+
+    /// Binds it to a texture unit.
+    pub fn bind(&self, gl: &Gl, unit: u32) {
+        // SAFETY: the cubemap is this context's; the unit exists (16 are guaranteed).
+        unsafe {
+            gl.active_texture(glow::TEXTURE0 + unit);
+            gl.bind_texture(glow::TEXTURE_CUBE_MAP, Some(self.texture.handle()));
+        }
+    }
+}
+
+/// Fills a level of the bound cubemap.
+fn upload_level(gl: &Gl, level: i32, map: &Cubemap) {
+    for face in Face::ALL {
+        let halves: Vec<u16> = map.face(face).as_flattened().iter().map(|&v| half::bits_of(v)).collect();
+        // OpenGL numbers its targets in the order of the faces.
+        let target = glow::TEXTURE_CUBE_MAP_POSITIVE_X + face as u32;
+        // SAFETY: a cubemap is bound, and the slice holds size * size RGBA texels of halves.
+        unsafe {
+            gl.pixel_store_i32(glow::UNPACK_ALIGNMENT, 4);
+            gl.tex_image_2d(
+                target,
+                level,
+                glow::RGBA16F as i32,
+                map.size() as i32,
+                map.size() as i32,
+                0,
+                glow::RGBA,
+                glow::HALF_FLOAT,
+                PixelUnpackData::Slice(Some(bytemuck::cast_slice(&halves))),
+            );
+        }
+    }
+}
+
+/// Filters across the edges of a cube's faces until it is dropped. OpenGL ES and WebGL always do.
+pub(crate) struct Seamless<'a> {
+    gl: &'a Gl,
+}
+
+impl<'a> Seamless<'a> {
+    /// From now on.
+    pub fn new(gl: &'a Gl) -> Self {
+        if !gl.version().is_embedded {
+            // SAFETY: plain state, which OpenGL has since 3.2.
+            unsafe { gl.enable(glow::TEXTURE_CUBE_MAP_SEAMLESS) };
+        }
+        Seamless { gl }
+    }
+}
+
+impl Drop for Seamless<'_> {
+    fn drop(&mut self) {
+        if !self.gl.version().is_embedded {
+            // SAFETY: plain state, put back.
+            unsafe { self.gl.disable(glow::TEXTURE_CUBE_MAP_SEAMLESS) };
+        }
+    }
+}

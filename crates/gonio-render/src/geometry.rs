@@ -1,0 +1,190 @@
+//! A mesh on the GPU: shared vertices for Phong and Gouraud, unshared ones for the flat shadings, lines for overlays.
+
+use crate::glsl::ATTRIBUTES;
+use glam::Vec3;
+use glow::HasContext;
+use gonio_gl::objects::{Buffer, VertexArray};
+use gonio_gl::{Gl, GlError};
+use gonio_mesh::Mesh;
+
+/// In which form a mesh is on the GPU.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Form {
+    /// Vertices as the mesh shares them.
+    Shared,
+    /// Three vertices of its own for each triangle, with the triangle's normal and centroid.
+    Unshared,
+    /// The corners of each triangle, positions alone, in order: no indices.
+    Corners,
+    /// An instance for each vertex: where it is, and its normal.
+    VertexNormals,
+    /// An instance for each triangle: its centroid, and its normal.
+    FaceNormals,
+    /// An instance for each edge of the box around the mesh: where it starts, and the way it goes.
+    Box,
+}
+
+/// A mesh's buffers. The vertex array names them all, so they live as long as it does.
+pub struct Geometry {
+    array: VertexArray,
+    _buffers: Vec<Buffer>,
+    /// Bytes on the GPU.
+    pub bytes: usize,
+    /// Whether vertices have colours.
+    pub has_colors: bool,
+    /// Indices; without any, vertices; of lines, instances.
+    pub count: usize,
+}
+
+impl Geometry {
+    /// A mesh in a form, which a debugger shows as `name`. The order of triangles is the mesh's.
+    pub fn of(gl: &Gl, mesh: &Mesh, form: Form, name: &str) -> Result<Self, GlError> {
+        match form {
+            Form::Shared => Self::upload(gl, mesh, None, name),
+            Form::Unshared => Self::unshared(gl, mesh, &format!("{name} (flat)")),
+            Form::Corners => Self::corners(gl, mesh, &format!("{name} (corners)")),
+            Form::VertexNormals => Self::lines(gl, &mesh.positions, &mesh.normals, &format!("{name} (normals)")),
+            Form::FaceNormals => {
+                let triangles = (0..mesh.triangle_count()).map(|t| mesh.triangle_positions(t));
+                let (centers, normals): (Vec<_>, Vec<_>) =
+                    triangles.map(|[a, b, c]| (center(a, b, c).to_array(), face_normal(a, b, c).to_array())).unzip();
+                Self::lines(gl, &centers, &normals, &format!("{name} (normals of triangles)"))
+            }
+            Form::Box => {
+                let (starts, ways) = box_edges(mesh);
+                Self::lines(gl, &starts, &ways, &format!("{name} (box)"))
+            }
+        }
+    }
+
+    /// Lines, one an instance: where each starts, and the way it goes, in the model.
+    fn lines(gl: &Gl, starts: &[[f32; 3]], ways: &[[f32; 3]], name: &str) -> Result<Self, GlError> {
+        let array = VertexArray::bound(gl, name)?;
+        let mut buffers = Vec::new();
+        for (attribute_name, data) in [("position", starts), ("normal", ways)] {
+            let bytes: &[u8] = bytemuck::cast_slice(data);
+            let label = format!("{name}: {attribute_name}");
+            buffers.push(Buffer::with_bytes(gl, glow::ARRAY_BUFFER, bytes, glow::STATIC_DRAW, &label)?);
+            attribute(gl, attribute_name, 3);
+            // SAFETY: plain state of the array that is bound.
+            unsafe { gl.vertex_attrib_divisor(location(attribute_name), 1) };
+        }
+        // SAFETY: unbinding has no precondition.
+        unsafe { gl.bind_vertex_array(None) };
+        let count = starts.len().min(ways.len());
+        Ok(Geometry { array, _buffers: buffers, bytes: count * 24, has_colors: false, count })
+    }
+
+    fn corners(gl: &Gl, mesh: &Mesh, name: &str) -> Result<Self, GlError> {
+        let position = |&index: &u32| mesh.positions.get(index as usize).copied().unwrap_or_default();
+        let corners: Vec<[f32; 3]> = mesh.indices.iter().map(position).collect();
+        let array = VertexArray::bound(gl, name)?;
+        let bytes: &[u8] = bytemuck::cast_slice(&corners);
+        let buffer = Buffer::with_bytes(gl, glow::ARRAY_BUFFER, bytes, glow::STATIC_DRAW, name)?;
+        attribute(gl, "position", 3);
+        // SAFETY: unbinding has no precondition.
+        unsafe { gl.bind_vertex_array(None) };
+        let (bytes, count) = (bytes.len(), corners.len());
+        Ok(Geometry { array, _buffers: vec![buffer], bytes, has_colors: false, count })
+    }
+
+    fn unshared(gl: &Gl, mesh: &Mesh, name: &str) -> Result<Self, GlError> {
+        let mut flat = mesh.unshared();
+        let mut centers = Vec::with_capacity(flat.positions.len());
+        let mut normals = Vec::with_capacity(flat.positions.len());
+        for triangle in 0..flat.triangle_count() {
+            let [a, b, c] = flat.triangle_positions(triangle);
+            normals.extend([face_normal(a, b, c).to_array(); 3]);
+            centers.extend([center(a, b, c).to_array(); 3]);
+        }
+        flat.normals = normals;
+        Self::upload(gl, &flat, Some(&centers), name)
+    }
+
+    /// Each attribute in a buffer of its own, as it lies in the mesh: a copy less than interleaved.
+    fn upload(gl: &Gl, mesh: &Mesh, centers: Option<&[[f32; 3]]>, name: &str) -> Result<Self, GlError> {
+        let array = VertexArray::bound(gl, name)?;
+        let mut buffers = Vec::new();
+        let mut bytes = 0;
+        let mut fill = |data: &[u8], target: u32, what: &str| -> Result<(), GlError> {
+            bytes += data.len();
+            buffers.push(Buffer::with_bytes(gl, target, data, glow::STATIC_DRAW, &format!("{name}: {what}"))?);
+            Ok(())
+        };
+        let attributes: [(&str, i32, &[u8]); 6] = [
+            ("position", 3, bytemuck::cast_slice(&mesh.positions)),
+            ("normal", 3, bytemuck::cast_slice(&mesh.normals)),
+            ("tex_coord", 2, bytemuck::cast_slice(&mesh.tex_coords)),
+            ("tangent", 4, bytemuck::cast_slice(&mesh.tangents)),
+            ("color", 4, bytemuck::cast_slice(&mesh.colors)),
+            ("face_center", 3, bytemuck::cast_slice(centers.unwrap_or_default())),
+        ];
+        for (attribute_name, components, data) in attributes.into_iter().filter(|(.., data)| !data.is_empty()) {
+            fill(data, glow::ARRAY_BUFFER, attribute_name)?;
+            attribute(gl, attribute_name, components);
+        }
+        fill(bytemuck::cast_slice(&mesh.indices), glow::ELEMENT_ARRAY_BUFFER, "indices")?;
+        // SAFETY: unbinding has no precondition; later bindings cannot change this array any more.
+        unsafe { gl.bind_vertex_array(None) };
+        Ok(Geometry { array, _buffers: buffers, bytes, has_colors: !mesh.colors.is_empty(), count: mesh.indices.len() })
+    }
+
+    /// Makes it what the next draws read. Attributes that the mesh lacks get their constants, which
+    /// are the context's state, not the array's.
+    pub fn bind(&self, gl: &Gl) {
+        // SAFETY: the array is this context's.
+        unsafe { gl.bind_vertex_array(Some(self.array.handle())) };
+        constant(gl, "normal", [0.0; 4]);
+        constant(gl, "tex_coord", [0.0; 4]);
+        constant(gl, "tangent", [0.0, 0.0, 0.0, 1.0]);
+    }
+}
+
+/// The unit normal of a triangle, counter-clockwise from the front; zero where it has no area.
+pub fn face_normal(a: Vec3, b: Vec3, c: Vec3) -> Vec3 {
+    let (a, b, c) = (a.as_dvec3(), b.as_dvec3(), c.as_dvec3());
+    (b - a).cross(c - a).normalize_or_zero().as_vec3()
+}
+
+fn center(a: Vec3, b: Vec3, c: Vec3) -> Vec3 {
+    ((a.as_dvec3() + b.as_dvec3() + c.as_dvec3()) / 3.0).as_vec3()
+}
+
+/// The twelve edges of the box around a mesh, along the model's axes: where they start, and the ways they go; none
+/// where the mesh has no vertex.
+fn box_edges(mesh: &Mesh) -> (Vec<[f32; 3]>, Vec<[f32; 3]>) {
+    let mut points = mesh.positions.iter().map(|&p| Vec3::from(p)).filter(|p| p.is_finite());
+    let Some(first) = points.next() else { return (Vec::new(), Vec::new()) };
+    let (low, high) = points.fold((first, first), |(low, high), p| (low.min(p), high.max(p)));
+    let mut edges = (Vec::new(), Vec::new());
+    for along in 0..3 {
+        for corner in 0..4 {
+            let (second, third) = ((along + 1) % 3, (along + 2) % 3);
+            let mut start = low;
+            start[second] = if corner & 1 == 0 { low[second] } else { high[second] };
+            start[third] = if corner & 2 == 0 { low[third] } else { high[third] };
+            let mut way = Vec3::ZERO;
+            way[along] = high[along] - low[along];
+            edges.0.push(start.to_array());
+            edges.1.push(way.to_array());
+        }
+    }
+    edges
+}
+
+fn location(name: &str) -> u32 {
+    ATTRIBUTES.iter().find(|(_, n)| *n == name).map_or(0, |(location, _)| *location)
+}
+
+fn attribute(gl: &Gl, name: &str, components: i32) {
+    // SAFETY: a vertex array and the buffer that holds this attribute, tightly packed, are bound.
+    unsafe {
+        gl.enable_vertex_attrib_array(location(name));
+        gl.vertex_attrib_pointer_f32(location(name), components, glow::FLOAT, false, 0, 0);
+    }
+}
+
+fn constant(gl: &Gl, name: &str, [x, y, z, w]: [f32; 4]) {
+    // SAFETY: sets the context's current value of an attribute, which reads no memory.
+    unsafe { gl.vertex_attrib_4_f32(location(name), x, y, z, w) };
+}

@@ -1,0 +1,154 @@
+//! Whether a draw may be made: nothing that it reads may lie outside of what there is. What OpenGL leaves undefined here,
+//! and a driver may crash on, is told as an error instead.
+
+use super::state::{ProgramState, Source};
+use gonio_gl::trace::words;
+
+/// Most vertices that all draws of a host program have together.
+pub const MOST_VERTICES: usize = 10_000;
+
+/// A draw as it was asked for.
+pub struct Asked {
+    /// `GL_TRIANGLES`, ...
+    pub mode: u32,
+    /// The first vertex; where it is indexed, the first index's byte.
+    pub first: i32,
+    /// Vertices or indices.
+    pub count: i32,
+    /// Where it is indexed.
+    pub index_type: Option<u32>,
+}
+
+/// Why a draw is not made.
+pub struct Refusal {
+    /// OpenGL's word, or ours where OpenGL has none.
+    pub code: &'static str,
+    /// A sentence.
+    pub why: String,
+}
+
+impl Refusal {
+    /// With OpenGL's word.
+    pub fn new(code: &'static str, why: impl Into<String>) -> Self {
+        Refusal { code, why: why.into() }
+    }
+}
+
+/// The word for what OpenGL does not check, and gonio does.
+pub const UNDEFINED: &str = "UNDEFINED";
+
+/// What may be drawn; `Ok` has the enabled locations that must be switched off meanwhile, for the program reads none of
+/// them and they reach beyond their buffers.
+pub fn check(state: &mut ProgramState, asked: &Asked) -> Result<Vec<u32>, Refusal> {
+    if asked.mode > glow::TRIANGLE_FAN {
+        return Err(Refusal::new("INVALID_ENUM", "this is nothing that vertices can be joined to"));
+    }
+    if asked.count < 0 || asked.first < 0 {
+        return Err(Refusal::new("INVALID_VALUE", "neither the first vertex nor their number can be negative"));
+    }
+    let Some(program) = state.used.clone() else {
+        return Err(Refusal::new(UNDEFINED, "no program is in use, so there is nothing to draw with"));
+    };
+    if state.array == 0 {
+        return Err(Refusal::new("INVALID_OPERATION", "no vertex array is bound, so there is nothing to draw"));
+    }
+    let highest = highest_vertex(state, asked)?;
+    let read = program.locations();
+    let mut hidden = Vec::new();
+    let Some(highest) = highest else { return Ok(hidden) };
+    let view = state.view();
+    for &location in &view.enabled {
+        match view.sources.get(&location).map_or_else(|| Err(never_described()), |source| fits(source, highest)) {
+            Ok(()) => {}
+            Err(why) if read.contains(&location) => return Err(why),
+            Err(_) => hidden.push(location),
+        }
+    }
+    state.vertices += asked.count as usize;
+    if state.vertices > MOST_VERTICES {
+        return Err(Refusal::new(
+            "OUT_OF_MEMORY",
+            format!("gonio draws at most {MOST_VERTICES} vertices for a host program"),
+        ));
+    }
+    Ok(hidden)
+}
+
+fn never_described() -> Refusal {
+    Refusal::new(UNDEFINED, "an attribute is enabled that no vertex_attrib_pointer has described")
+}
+
+/// Whether an attribute's numbers for all vertices up to `highest` lie in its buffer.
+fn fits(source: &Source, highest: u32) -> Result<(), Refusal> {
+    let pointer = &source.pointer;
+    let name = &pointer.attribute;
+    let Some(buffer) = &source.buffer else {
+        return Err(Refusal::new(
+            "INVALID_OPERATION",
+            format!("the attribute `{name}` is enabled, and has no buffer to be read from"),
+        ));
+    };
+    let held = buffer.borrow().bytes.len() as u64;
+    let each = pointer.size.max(0) as u64 * u64::from(number_bytes(pointer.kind.value));
+    let stride = if pointer.stride == 0 { each } else { pointer.stride.max(0) as u64 };
+    let end = pointer.offset.max(0) as u64 + stride * u64::from(highest) + each;
+    if end > held {
+        return Err(Refusal::new(
+            UNDEFINED,
+            format!(
+                "the attribute `{name}` would be read up to byte {end} (vertex {highest}, offset {}, stride {stride}), and \
+                 its buffer has {held}",
+                pointer.offset
+            ),
+        ));
+    }
+    Ok(())
+}
+
+/// Bytes of one number of an attribute.
+fn number_bytes(kind: u32) -> u32 {
+    if kind == glow::DOUBLE { 8 } else { words::component_bytes(kind) }
+}
+
+/// The highest vertex that is read; `None` where none is.
+fn highest_vertex(state: &mut ProgramState, asked: &Asked) -> Result<Option<u32>, Refusal> {
+    let (first, count) = (asked.first as usize, asked.count as usize);
+    let Some(kind) = asked.index_type else {
+        return Ok((count > 0).then(|| (first + count - 1).min(u32::MAX as usize) as u32));
+    };
+    let each = match kind {
+        glow::UNSIGNED_BYTE => 1,
+        glow::UNSIGNED_SHORT => 2,
+        glow::UNSIGNED_INT => 4,
+        _ => {
+            return Err(Refusal::new(
+                "INVALID_ENUM",
+                "indices are of type UNSIGNED_BYTE, UNSIGNED_SHORT or UNSIGNED_INT",
+            ));
+        }
+    };
+    let Some(indices) = state.view().indices.clone() else {
+        return Err(Refusal::new(
+            "INVALID_OPERATION",
+            "no ELEMENT_ARRAY_BUFFER is bound in this vertex array, so there are no indices",
+        ));
+    };
+    if first % each != 0 {
+        return Err(Refusal::new(
+            "INVALID_OPERATION",
+            format!("the offset {first} lies within an index: it counts bytes, and each index has {each}"),
+        ));
+    }
+    let buffer = indices.borrow();
+    let Some(bytes) = buffer.bytes.get(first..first.saturating_add(count * each)) else {
+        return Err(Refusal::new(
+            UNDEFINED,
+            format!(
+                "{count} indices of {each} bytes from byte {first} on would be read, and their buffer has {} bytes",
+                buffer.bytes.len()
+            ),
+        ));
+    };
+    let number = |bytes: &[u8]| bytes.iter().rev().fold(0_u32, |number, byte| number << 8 | u32::from(*byte));
+    Ok(bytes.chunks_exact(each).map(number).max())
+}

@@ -1,0 +1,518 @@
+//! Carries a host program out, call by call.
+
+use super::call::{Call, Number, ObjectKind, Pointer, Selector, Step, UniformArgument};
+use super::constants::Constant;
+use super::errors::{CallError, why};
+use super::files::GlProgramFiles;
+use super::guard::{self, Asked, Refusal};
+use super::program::LinkedShaders;
+use super::state::{BufferWithBytes, ProgramState, Source};
+use super::{GlProgramFailure, MOST_BUFFER_BYTES, MOST_TEXEL_BYTES};
+use glow::{HasContext, PixelUnpackData};
+use gonio_gl::objects::{Buffer, TextureObject, VertexArray};
+use gonio_gl::trace::words;
+use gonio_gl::{Gl, GlError};
+use std::cell::RefCell;
+use std::rc::Rc;
+
+/// Carries calls out on a [`Gl`] of its own.
+pub struct Runner<'a> {
+    gl: Gl,
+    files: &'a GlProgramFiles,
+    state: ProgramState,
+    /// What was refused so far.
+    pub errors: Vec<CallError>,
+    /// The line of each draw, and how many errors there were before it.
+    pub draws: Vec<(u32, usize)>,
+}
+
+/// OpenGL refuses it, or gonio does.
+type Refused = Result<(), Refusal>;
+
+const NO_VERTEX_ARRAY: &str = "no vertex array is bound that could keep it; bind_vertex_array comes first";
+
+impl<'a> Runner<'a> {
+    /// `gl` is apart, and its context's state is as in a new one.
+    pub fn new(gl: Gl, files: &'a GlProgramFiles) -> Self {
+        Runner { gl, files, state: ProgramState::new(), errors: Vec::new(), draws: Vec::new() }
+    }
+
+    /// Carries out one call. What OpenGL refuses is noted and not done.
+    pub fn step(&mut self, step: &Step) -> Result<(), GlProgramFailure> {
+        match &step.call {
+            Call::Data { name, numbers } => {
+                self.state.data.insert(name.clone(), Rc::new(bytemuck::cast_slice(numbers).to_vec()));
+            }
+            Call::Indices { name, numbers } => {
+                self.state.data.insert(name.clone(), Rc::new(bytemuck::cast_slice(numbers).to_vec()));
+            }
+            Call::LoadImage { name, file } => {
+                self.files.image(file).ok_or_else(|| GlProgramFailure::missing(step, file))?;
+                self.state.images.insert(name.clone(), file.clone());
+            }
+            Call::CreateProgram { name, vertex, fragment } => self.create_program(step, name, vertex, fragment)?,
+            Call::Generate { name, kind } => self.generate(name, *kind)?,
+            call if call.draws() => self.draw(step),
+            call => {
+                if let Err(refusal) = self.plain(call) {
+                    self.note(step, refusal);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn note(&mut self, step: &Step, refusal: Refusal) {
+        let code = refusal.code.to_owned();
+        self.errors.push(CallError { line: step.line, call: step.call.word(), code, why: refusal.why });
+    }
+
+    fn create_program(
+        &mut self,
+        step: &Step,
+        name: &str,
+        vertex: &str,
+        fragment: &str,
+    ) -> Result<(), GlProgramFailure> {
+        let find = |file: &str| self.files.shader(file).ok_or_else(|| GlProgramFailure::missing(step, file));
+        let (vertex_source, fragment_source) = (find(vertex)?, find(fragment)?);
+        let program = LinkedShaders::new(&self.gl, vertex_source, fragment_source).map_err(|broken| {
+            GlProgramFailure::Shaders {
+                line: step.line,
+                vertex: vertex.to_owned(),
+                fragment: fragment.to_owned(),
+                broken: Box::new(broken),
+            }
+        })?;
+        self.gl.name_program(program.handle, name);
+        let program = Rc::new(program);
+        let number = self.state.programs.add(program.clone());
+        self.gl.renumber_program(program.handle, number.unsigned_abs());
+        self.state.created = Some(program);
+        self.state.numbers.insert(name.to_owned(), number);
+        Ok(())
+    }
+
+    fn generate(&mut self, name: &str, kind: ObjectKind) -> Result<(), GlError> {
+        let (gl, state) = (&self.gl, &mut self.state);
+        let number = match kind {
+            ObjectKind::Texture => {
+                let texture = TextureObject::create(gl)?;
+                gl.name_texture(texture.handle(), name);
+                gl.renumber_texture(texture.handle(), state.textures.next().unsigned_abs());
+                state.textures.add(texture)
+            }
+            ObjectKind::Buffer => {
+                let object = Buffer::create(gl)?;
+                gl.name_buffer(object.handle(), name);
+                gl.renumber_buffer(object.handle(), state.buffers.next().unsigned_abs());
+                state.buffers.add(Rc::new(RefCell::new(BufferWithBytes { object, bytes: Rc::default() })))
+            }
+            ObjectKind::VertexArray => {
+                let array = VertexArray::create(gl)?;
+                gl.name_vertex_array(array.handle(), name);
+                state.arrays.add(array)
+            }
+        };
+        state.numbers.insert(name.to_owned(), number);
+        Ok(())
+    }
+
+    /// Makes a call past the record first, and a second time noted where OpenGL took it: a record has no call that was
+    /// refused. (All of these calls do the same when they are made twice.)
+    fn attempt(&self, call: &Call, plain: impl FnOnce(&glow::Context), noted: impl FnOnce(&Gl)) -> Refused {
+        plain(self.gl.functions());
+        // SAFETY: reads and clears a flag.
+        let code = unsafe { self.gl.functions().get_error() };
+        if code == glow::NO_ERROR {
+            noted(&self.gl);
+            return Ok(());
+        }
+        let code = word_of(code);
+        Err(Refusal::new(code, why(call, code)))
+    }
+
+    /// A call that neither makes an object nor draws.
+    fn plain(&mut self, call: &Call) -> Refused {
+        match call {
+            Call::Delete { kind, object } => self.delete(*kind, object),
+            Call::BindVertexArray(array) => self.bind_vertex_array(array),
+            Call::BindBuffer { target, buffer } => self.bind_buffer(call, *target, buffer),
+            Call::BufferData { target, data, usage } => self.buffer_data(call, *target, data, *usage),
+            Call::VertexAttribPointer(pointer) => self.pointer(call, pointer),
+            Call::SwitchAttribute { attribute, on } => self.switch_attribute(attribute, *on),
+            Call::ActiveTexture(selector) => self.active_texture(call, selector),
+            Call::BindTexture { target, texture } => self.bind_texture(call, *target, texture),
+            Call::TexImage2d { target, level, format, image } => self.image(call, *target, *level, *format, image),
+            Call::TexParameter { target, parameter, value } => self.parameter(call, *target, *parameter, value),
+            Call::GenerateMipmap { target } => self.mipmap(call, *target),
+            Call::UseProgram(program) => self.use_program(program),
+            Call::Uniform { uniform, given } => self.uniform(call, uniform, given),
+            _ => self.fixed_function(call),
+        }
+    }
+
+    fn delete(&mut self, kind: ObjectKind, object: &Number) -> Refused {
+        // As in OpenGL: 0, and numbers of nothing, are passed over in silence.
+        let number = self.state.value(object);
+        match kind {
+            ObjectKind::Texture => {
+                self.state.bound.retain(|_, bound| *bound != number);
+                self.state.textures.objects.remove(&number);
+            }
+            ObjectKind::Buffer => self.state.forget_buffer(number),
+            ObjectKind::VertexArray => {
+                if self.state.arrays.objects.remove(&number).is_some() && self.state.array == number {
+                    self.state.array = 0;
+                }
+                self.state.views.remove(&number);
+            }
+        }
+        Ok(())
+    }
+
+    fn bind_vertex_array(&mut self, array: &Number) -> Refused {
+        let number = self.state.value(array);
+        let object = self.state.arrays.get(number);
+        if number != 0 && object.is_none() {
+            return Err(Refusal::new("INVALID_OPERATION", format!("there is no vertex array of number {number}")));
+        }
+        // SAFETY: the array is this context's.
+        unsafe { self.gl.bind_vertex_array(object.map(VertexArray::handle)) };
+        self.state.array = number;
+        Ok(())
+    }
+
+    fn bind_buffer(&mut self, call: &Call, target: Constant, buffer: &Number) -> Refused {
+        let number = self.state.value(buffer);
+        let found = self.state.buffers.get(number).cloned();
+        if number != 0 && found.is_none() {
+            return Err(Refusal::new("INVALID_OPERATION", format!("there is no buffer of number {number}")));
+        }
+        let handle = found.as_ref().map(|buffer| buffer.borrow().object.handle());
+        // SAFETY: the buffer is this context's; a target that is none is refused.
+        let bind = |gl: &glow::Context| unsafe { gl.bind_buffer(target.value, handle) };
+        // SAFETY: the same.
+        self.attempt(call, bind, |gl| unsafe { gl.bind_buffer(target.value, handle) })?;
+        match target.value {
+            glow::ARRAY_BUFFER => self.state.array_buffer = found.map(|_| number),
+            glow::ELEMENT_ARRAY_BUFFER => self.state.view().indices = found,
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn buffer_data(&mut self, call: &Call, target: Constant, data: &str, usage: Constant) -> Refused {
+        let bytes = self.state.data.get(data).cloned().unwrap_or_default();
+        let buffer = match target.value {
+            glow::ARRAY_BUFFER => self.state.array_buffer.and_then(|number| self.state.buffers.get(number)).cloned(),
+            glow::ELEMENT_ARRAY_BUFFER => self.state.view().indices.clone(),
+            _ => return Err(Refusal::new("INVALID_ENUM", why(call, "INVALID_ENUM"))),
+        };
+        let Some(buffer) = buffer else {
+            return Err(Refusal::new("INVALID_OPERATION", format!("no buffer is bound to {}", target.name)));
+        };
+        self.state.buffer_bytes += bytes.len();
+        if self.state.buffer_bytes > MOST_BUFFER_BYTES {
+            let most = MOST_BUFFER_BYTES >> 20;
+            return Err(Refusal::new("OUT_OF_MEMORY", format!("gonio keeps at most {most} MB of buffers")));
+        }
+        // SAFETY: a buffer is bound; its storage is copied from the slice. A usage that is none is refused.
+        let fill = |gl: &glow::Context| unsafe { gl.buffer_data_u8_slice(target.value, &bytes, usage.value) };
+        // SAFETY: the same.
+        let noted = |gl: &Gl| unsafe { gl.buffer_data_u8_slice(target.value, &bytes, usage.value) };
+        self.attempt(call, fill, noted)?;
+        buffer.borrow_mut().bytes = bytes;
+        Ok(())
+    }
+
+    /// An attribute's location in the program that was created last.
+    fn location(&self, attribute: &str) -> Result<u32, Refusal> {
+        if self.state.array == 0 {
+            return Err(Refusal::new("INVALID_OPERATION", NO_VERTEX_ARRAY));
+        }
+        match self.state.created.as_ref().map(|program| program.attribute(attribute)) {
+            Some(Some(location)) => Ok(location),
+            Some(None) => Err(Refusal::new(
+                "INVALID_VALUE",
+                format!("the program reads no attribute `{attribute}`, so its location is -1"),
+            )),
+            None => Err(Refusal::new(
+                "INVALID_VALUE",
+                format!("no program was created yet, so `{attribute}` has no location"),
+            )),
+        }
+    }
+
+    fn pointer(&mut self, call: &Call, pointer: &Pointer) -> Refused {
+        let location = self.location(&pointer.attribute)?;
+        let buffer = self.state.array_buffer.and_then(|number| self.state.buffers.get(number)).cloned();
+        if pointer.offset < 0 {
+            return Err(Refusal::new("INVALID_VALUE", "the offset cannot be negative"));
+        }
+        if buffer.is_none() && pointer.offset != 0 {
+            return Err(Refusal::new(
+                "INVALID_OPERATION",
+                "no buffer is bound to ARRAY_BUFFER that the offset could be one of",
+            ));
+        }
+        let Pointer { size, kind, normalized, stride, offset, .. } = *pointer;
+        // SAFETY: a vertex array is bound; what reaches beyond the buffer is found before a draw reads it.
+        let tell = |gl: &glow::Context| unsafe {
+            gl.vertex_attrib_pointer_f32(location, size, kind.value, normalized, stride, offset);
+        };
+        // SAFETY: the same.
+        let noted = |gl: &Gl| unsafe {
+            gl.vertex_attrib_pointer_f32(location, size, kind.value, normalized, stride, offset);
+        };
+        self.attempt(call, tell, noted)?;
+        self.state.view().sources.insert(location, Source { pointer: pointer.clone(), buffer });
+        Ok(())
+    }
+
+    fn switch_attribute(&mut self, attribute: &str, on: bool) -> Refused {
+        let location = self.location(attribute)?;
+        // SAFETY: the location is one that OpenGL has given; draws check what enabled arrays reach.
+        unsafe {
+            if on {
+                self.gl.enable_vertex_attrib_array(location)
+            } else {
+                self.gl.disable_vertex_attrib_array(location)
+            }
+        }
+        let enabled = &mut self.state.view().enabled;
+        if on {
+            enabled.insert(location)
+        } else {
+            enabled.remove(&location)
+        };
+        Ok(())
+    }
+
+    fn active_texture(&mut self, call: &Call, selector: &Selector) -> Refused {
+        let value = match selector {
+            Selector::Constant(constant) => constant.value,
+            Selector::Number(number) => self.state.value(number) as u32,
+        };
+        // SAFETY: what is no unit is refused.
+        let activate = |gl: &glow::Context| unsafe { gl.active_texture(value) };
+        // SAFETY: the same.
+        self.attempt(call, activate, |gl| unsafe { gl.active_texture(value) })?;
+        self.state.unit = value.wrapping_sub(glow::TEXTURE0);
+        Ok(())
+    }
+
+    fn bind_texture(&mut self, call: &Call, target: Constant, texture: &Number) -> Refused {
+        let number = self.state.value(texture);
+        let handle = self.state.textures.get(number).map(TextureObject::handle);
+        if number != 0 && handle.is_none() {
+            return Err(Refusal::new("INVALID_OPERATION", format!("there is no texture of number {number}")));
+        }
+        // SAFETY: the texture is this context's; a target that is none, or not its own, is refused.
+        let bind = |gl: &glow::Context| unsafe { gl.bind_texture(target.value, handle) };
+        // SAFETY: the same.
+        self.attempt(call, bind, |gl| unsafe { gl.bind_texture(target.value, handle) })?;
+        self.state.bound.insert((self.state.unit, target.value), number);
+        Ok(())
+    }
+
+    /// OpenGL keeps a nameless texture for number 0, WebGL does not; nobody means to fill that one.
+    fn something_bound(&self, target: Constant) -> Refused {
+        let place = match words::TextureKind::of_target(target.value) {
+            Some(kind) => kind.target(),
+            None => return Ok(()),
+        };
+        if self.state.bound.get(&(self.state.unit, place)).is_some_and(|number| *number != 0) {
+            return Ok(());
+        }
+        let what = if place == glow::TEXTURE_2D { "TEXTURE_2D" } else { "TEXTURE_CUBE_MAP" };
+        Err(Refusal::new(
+            "INVALID_OPERATION",
+            format!("no texture is bound to {what} of unit {}, which is the active one", self.state.unit),
+        ))
+    }
+
+    fn image(&mut self, call: &Call, target: Constant, level: i32, format: Constant, image: &str) -> Refused {
+        self.something_bound(target)?;
+        let image = self.state.images.get(image).and_then(|file| self.files.image(file));
+        let Some(image) = image else { return Err(Refusal::new("INVALID_VALUE", "there is no such image")) };
+        let [width, height] = image.size();
+        self.state.texel_bytes += width as usize * height as usize * 4;
+        if self.state.texel_bytes > MOST_TEXEL_BYTES {
+            let most = MOST_TEXEL_BYTES >> 20;
+            return Err(Refusal::new("OUT_OF_MEMORY", format!("gonio keeps at most {most} MB of texels")));
+        }
+        let (channels, transfer) = match format.value {
+            glow::R8 | glow::RED => (1, glow::RED),
+            glow::RG8 | glow::RG => (2, glow::RG),
+            glow::RGBA8 | glow::RGBA | glow::SRGB8_ALPHA8 => (4, glow::RGBA),
+            // OpenGL ES makes no mipmaps of SRGB8.
+            glow::SRGB8 if self.gl.version().is_embedded => (4, glow::RGBA),
+            _ => (3, glow::RGB),
+        };
+        let format = match format.value {
+            glow::SRGB8 if channels == 4 => glow::SRGB8_ALPHA8,
+            other => other,
+        } as i32;
+        let texels = image.texels(channels);
+        let (width, height) = (width as i32, height as i32);
+        // SAFETY: the slice has width * height texels of as many bytes as the transfer format says, without gaps
+        // between rows; no buffer is bound to be unpacked from. What cannot be is refused.
+        let fill = |gl: &glow::Context| unsafe {
+            gl.pixel_store_i32(glow::UNPACK_ALIGNMENT, 1);
+            let (kind, texels) = (glow::UNSIGNED_BYTE, PixelUnpackData::Slice(Some(&texels)));
+            gl.tex_image_2d(target.value, level, format, width, height, 0, transfer, kind, texels);
+        };
+        // SAFETY: the same.
+        let noted = |gl: &Gl| unsafe {
+            let (kind, texels) = (glow::UNSIGNED_BYTE, PixelUnpackData::Slice(Some(&texels)));
+            gl.tex_image_2d(target.value, level, format, width, height, 0, transfer, kind, texels);
+        };
+        self.attempt(call, fill, noted)
+    }
+
+    fn parameter(&mut self, call: &Call, target: Constant, parameter: Constant, value: &Selector) -> Refused {
+        self.something_bound(target)?;
+        let value = match value {
+            Selector::Constant(constant) => constant.value as i32,
+            Selector::Number(number) => self.state.value(number),
+        };
+        // SAFETY: plain state of a texture; what cannot be is refused.
+        let set = |gl: &glow::Context| unsafe { gl.tex_parameter_i32(target.value, parameter.value, value) };
+        self.attempt(call, set, |_| ())
+    }
+
+    fn mipmap(&mut self, call: &Call, target: Constant) -> Refused {
+        self.something_bound(target)?;
+        // SAFETY: a texture is bound; what cannot be is refused.
+        let make = |gl: &glow::Context| unsafe { gl.generate_mipmap(target.value) };
+        // SAFETY: the same.
+        self.attempt(call, make, |gl| unsafe { gl.generate_mipmap(target.value) })
+    }
+
+    fn use_program(&mut self, program: &Number) -> Refused {
+        let number = self.state.value(program);
+        let found = self.state.programs.get(number).cloned();
+        if number != 0 && found.is_none() {
+            return Err(Refusal::new("INVALID_VALUE", format!("there is no program of number {number}")));
+        }
+        // SAFETY: linked, and of this context.
+        unsafe { self.gl.use_program(found.as_ref().map(|program| program.handle)) };
+        self.state.used = found;
+        Ok(())
+    }
+
+    fn uniform(&mut self, call: &Call, uniform: &str, given: &UniformArgument) -> Refused {
+        let Some(used) = self.state.used.clone() else {
+            return Err(Refusal::new("INVALID_OPERATION", "no program is in use that the uniform could be one of"));
+        };
+        // A uniform that the program does not need has the location -1, which OpenGL passes over in silence.
+        let known = self.state.created.as_ref().is_some_and(|created| created.uniform(uniform).is_some());
+        if !known {
+            return Ok(());
+        }
+        let Some(location) = used.uniform(uniform) else {
+            let why = "the location is one of the program that was created last, and another one is in use";
+            return Err(Refusal::new("INVALID_OPERATION", why));
+        };
+        let at = Some(&location);
+        match given {
+            UniformArgument::Whole(number) => {
+                let value = self.state.value(number);
+                // SAFETY: the location is of the program in use; a type or unit that does not fit is refused.
+                let set = |gl: &glow::Context| unsafe { gl.uniform_1_i32(at, value) };
+                // SAFETY: the same.
+                self.attempt(call, set, |gl| unsafe { gl.uniform_1_i32(at, value) })
+            }
+            UniformArgument::Floats(numbers) => {
+                let n = |i: usize| numbers.get(i).copied().unwrap_or(0.0);
+                // SAFETY: as above.
+                let set = |gl: &glow::Context| unsafe {
+                    match numbers.len() {
+                        0 | 1 => gl.uniform_1_f32(at, n(0)),
+                        2 => gl.uniform_2_f32(at, n(0), n(1)),
+                        3 => gl.uniform_3_f32(at, n(0), n(1), n(2)),
+                        _ => gl.uniform_4_f32(at, n(0), n(1), n(2), n(3)),
+                    }
+                };
+                // SAFETY: the same.
+                let noted = |gl: &Gl| unsafe {
+                    match numbers.len() {
+                        0 | 1 => gl.uniform_1_f32(at, n(0)),
+                        2 => gl.uniform_2_f32(at, n(0), n(1)),
+                        3 => gl.uniform_3_f32(at, n(0), n(1), n(2)),
+                        _ => gl.uniform_4_f32(at, n(0), n(1), n(2), n(3)),
+                    }
+                };
+                self.attempt(call, set, noted)
+            }
+        }
+    }
+
+    fn fixed_function(&mut self, call: &Call) -> Refused {
+        // SAFETY: plain state; what cannot be is refused. The framebuffer that is cleared is complete.
+        let change = |gl: &glow::Context| unsafe {
+            match call {
+                Call::Viewport([x, y, width, height]) => gl.viewport(*x, *y, *width, *height),
+                Call::Switch { what, on: true } => gl.enable(what.value),
+                Call::Switch { what, on: false } => gl.disable(what.value),
+                Call::ClearColor([r, g, b, a]) => gl.clear_color(*r, *g, *b, *a),
+                _ => {}
+            }
+        };
+        self.attempt(call, change, |_| ())?;
+        if let Call::Clear(bits) = call {
+            let mask = bits.iter().fold(0, |mask, bit| mask | bit.value);
+            // SAFETY: the framebuffer is complete; other bits than OpenGL's are refused.
+            let clear = |gl: &glow::Context| unsafe { gl.clear(mask) };
+            // SAFETY: the same.
+            self.attempt(call, clear, |gl| unsafe { gl.clear(mask) })?;
+        }
+        Ok(())
+    }
+
+    fn draw(&mut self, step: &Step) {
+        let asked = match &step.call {
+            Call::DrawArrays { mode, first, count } => {
+                Asked { mode: mode.value, first: *first, count: *count, index_type: None }
+            }
+            Call::DrawElements { mode, count, kind, offset } => {
+                Asked { mode: mode.value, first: *offset, count: *count, index_type: Some(kind.value) }
+            }
+            _ => return,
+        };
+        self.draws.push((step.line, self.errors.len()));
+        let gl = self.gl.clone();
+        match guard::check(&mut self.state, &asked) {
+            Err(refusal) => {
+                gl.refused_draw(asked.mode, asked.first.max(0), asked.count.max(0), asked.index_type);
+                self.note(step, refusal);
+            }
+            Ok(hidden) => {
+                // SAFETY: a program is in use and a vertex array bound; all that the draw reads was found to lie within
+                // its buffers, and arrays that nobody reads and that do not are off meanwhile.
+                unsafe {
+                    hidden.iter().for_each(|location| gl.functions().disable_vertex_attrib_array(*location));
+                    match asked.index_type {
+                        None => gl.draw_arrays(asked.mode, asked.first, asked.count),
+                        Some(kind) => gl.draw_elements(asked.mode, asked.count, kind, asked.first),
+                    }
+                    hidden.iter().for_each(|location| gl.functions().enable_vertex_attrib_array(*location));
+                }
+            }
+        }
+    }
+}
+
+/// OpenGL's word for an error.
+fn word_of(code: u32) -> &'static str {
+    match code {
+        glow::INVALID_ENUM => "INVALID_ENUM",
+        glow::INVALID_VALUE => "INVALID_VALUE",
+        glow::INVALID_OPERATION => "INVALID_OPERATION",
+        glow::INVALID_FRAMEBUFFER_OPERATION => "INVALID_FRAMEBUFFER_OPERATION",
+        glow::OUT_OF_MEMORY => "OUT_OF_MEMORY",
+        glow::CONTEXT_LOST => "CONTEXT_LOST",
+        _ => "an error",
+    }
+}

@@ -1,0 +1,408 @@
+//! GLSL, composed once: a header for the dialect, constants generated from Rust, then the files.
+
+mod difference;
+mod output;
+mod presentation;
+mod special;
+mod surroundings;
+
+pub use difference::difference_sources;
+pub use output::{Display, OutputKey};
+pub use presentation::presentation_sources;
+pub use special::{OVERDRAW_SCALE, SpecialProgram};
+pub use surroundings::{Sight, SurroundingsKey, sky_sources};
+
+use crate::body_tree::LEAF_STEP;
+use gonio_gl::Dialect;
+use gonio_light::brdf::{self, BrdfKind};
+use gonio_light::color::{self, ToneMap};
+use gonio_light::light::Attenuation;
+use gonio_light::optics::{self, Fresnel};
+use gonio_light::{Quantity, Specular, roughness, vector};
+use gonio_scene::scene::HOLE_OPACITY;
+use gonio_scene::scene_file::Shading;
+use output::{OUTPUT_VERT, tone_map_define};
+use std::fmt::Write;
+
+/// Texels of one light in the light table.
+pub const LIGHT_TEXELS: usize = 4;
+/// Lights in one row of the light table: 1024 texels, half of what every WebGL2 has.
+pub const LIGHTS_PER_ROW: usize = 256;
+/// Most lights that are handed over in uniforms: 64 of the 224 vectors that every WebGL2 has. Reading a
+/// texture costs a software driver several times as much as reading a uniform.
+pub const LIGHTS_IN_UNIFORMS: usize = 16;
+/// Most lights that are summed one by one, without a loop: `lighting.glsl` names as many.
+pub const LIGHTS_UNROLLED: usize = 4;
+/// Texels in one row of the table of an object's inside: what every WebGL2 has.
+pub const BODY_ROW: usize = 2048;
+/// Kinds of light in the light table.
+pub const LIGHT_DIRECTIONAL: i32 = 0;
+/// A point light.
+pub const LIGHT_POINT: i32 = 1;
+/// A spot.
+pub const LIGHT_SPOT: i32 = 2;
+
+/// The texture units: one for each texture of a material, the lights, and the environment. 16 are guaranteed.
+pub const TEXTURE_UNITS: [(&str, u32); 11] = [
+    ("diffuse_map", 0),
+    ("specular_map", 1),
+    ("emitted_map", 2),
+    ("shininess_map", 3),
+    ("opacity_map", 4),
+    ("normal_map", 5),
+    ("light_table", 6),
+    ("environment_map", 7),
+    ("glossy_map", 8),
+    ("environment_brdf", 9),
+    ("body_table", 10),
+];
+
+/// The unit of a sampler by its name in GLSL.
+pub fn texture_unit(sampler: &str) -> u32 {
+    TEXTURE_UNITS.iter().find(|(name, _)| *name == sampler).map_or(0, |(_, unit)| *unit)
+}
+
+/// Where vertex attributes are, the same in all programs.
+pub const ATTRIBUTES: [(u32, &str); 6] =
+    [(0, "position"), (1, "normal"), (2, "tex_coord"), (3, "tangent"), (4, "color"), (5, "face_center")];
+
+/// How a surface reflects: the lab's specular terms and the BRDFs in one list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Reflectance {
+    /// The lab's equation.
+    Lab(Specular),
+    /// The form of Appendix 6.
+    Brdf(BrdfKind),
+}
+
+impl Reflectance {
+    /// Every one.
+    pub fn all() -> Vec<Reflectance> {
+        let lab = Specular::ALL.iter().map(|&s| Reflectance::Lab(s));
+        lab.chain(BrdfKind::ALL.iter().map(|&b| Reflectance::Brdf(b))).collect()
+    }
+
+    fn define(self) -> &'static str {
+        match self {
+            Reflectance::Lab(Specular::None) => "REFLECTANCE_NONE",
+            Reflectance::Lab(Specular::Phong) => "REFLECTANCE_PHONG",
+            Reflectance::Lab(Specular::BlinnPhong) => "REFLECTANCE_BLINN_PHONG",
+            Reflectance::Brdf(BrdfKind::Lambert) => "REFLECTANCE_LAMBERT",
+            Reflectance::Brdf(BrdfKind::Lafortune) => "REFLECTANCE_LAFORTUNE",
+            Reflectance::Brdf(BrdfKind::Blinn) => "REFLECTANCE_BLINN",
+            Reflectance::Brdf(BrdfKind::Phong) => "REFLECTANCE_PHONG_BRDF",
+            Reflectance::Brdf(BrdfKind::Ward) => "REFLECTANCE_WARD",
+        }
+    }
+}
+
+impl Reflectance {
+    /// The GLSL function of a BRDF's specular lobe.
+    fn lobe(self) -> &'static str {
+        match self {
+            Reflectance::Lab(_) | Reflectance::Brdf(BrdfKind::Lambert) => "lambert_lobe",
+            Reflectance::Brdf(BrdfKind::Lafortune) => "lafortune_lobe",
+            Reflectance::Brdf(BrdfKind::Blinn) => "blinn_lobe",
+            Reflectance::Brdf(BrdfKind::Phong) => "phong_lobe",
+            Reflectance::Brdf(BrdfKind::Ward) => "ward_lobe",
+        }
+    }
+}
+
+/// Which of a material's textures a program samples.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum MapSet {
+    /// None.
+    None,
+    /// `map_Kd`: by far the most frequent.
+    Diffuse,
+    /// All; those that a material lacks are white.
+    All,
+}
+
+/// What distinguishes one scene program from another. Everything else is a uniform: a branch on a
+/// uniform costs a software driver both of its sides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct SceneKey {
+    /// Where the equation is evaluated.
+    pub shading: Shading,
+    /// How the surface reflects.
+    pub reflectance: Reflectance,
+    /// Which textures.
+    pub maps: MapSet,
+    /// Normals from a texture (Phong shading only).
+    pub normal_map: bool,
+    /// The vertices have colours.
+    pub vertex_colors: bool,
+    /// Back faces are lit from behind.
+    pub two_sided: bool,
+    /// Draws a debug view.
+    pub view: bool,
+    /// Where the lights are, and how the loops over them end.
+    pub lights: LightLoops,
+    /// What the surface shows of the environment.
+    pub surroundings: SurroundingsKey,
+}
+
+/// Where the lights are, and how the loops over them end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum LightLoops {
+    /// Very few: in uniforms, and the ends of the directional lights, points and spots are constants. There are no loops.
+    Unrolled([u8; 3]),
+    /// Few: in uniforms.
+    Uniforms,
+    /// Many: in a texture.
+    Texture,
+}
+
+impl LightLoops {
+    /// For lights whose kinds end at `ends`.
+    pub fn for_ends(ends: [usize; 3]) -> Self {
+        let count = ends[2];
+        if count <= LIGHTS_UNROLLED {
+            LightLoops::Unrolled(ends.map(|end| end as u8))
+        } else if count <= LIGHTS_IN_UNIFORMS {
+            LightLoops::Uniforms
+        } else {
+            LightLoops::Texture
+        }
+    }
+
+    /// Every way to end the loops over very few lights.
+    pub fn all_unrolled() -> Vec<LightLoops> {
+        let most = LIGHTS_UNROLLED as u8;
+        let mut all = Vec::new();
+        for directional in 0..=most {
+            for point in directional..=most {
+                all.extend((point..=most).map(|spot| LightLoops::Unrolled([directional, point, spot])));
+            }
+        }
+        all
+    }
+}
+
+impl SceneKey {
+    /// Every key that the renderer can ask for, with one of the ways to unroll the loops over the lights; colours
+    /// of vertices, which are multiplied in one place, with one kind of loops only; and environments with what they
+    /// meet (`surroundings::added_to`).
+    pub fn all() -> Vec<SceneKey> {
+        let loops = [LightLoops::Unrolled([1, 2, 3]), LightLoops::Uniforms, LightLoops::Texture];
+        let mut keys = Vec::new();
+        for &shading in Shading::ALL {
+            for reflectance in Reflectance::all() {
+                for maps in [MapSet::None, MapSet::Diffuse, MapSet::All] {
+                    for normal_map in [false, true] {
+                        if normal_map && shading != Shading::Phong {
+                            continue;
+                        }
+                        for two_sided in [false, true] {
+                            for view in [false, true] {
+                                let key = |lights, vertex_colors| SceneKey {
+                                    shading,
+                                    reflectance,
+                                    maps,
+                                    normal_map,
+                                    vertex_colors,
+                                    two_sided,
+                                    view,
+                                    lights,
+                                    surroundings: SurroundingsKey::NONE,
+                                };
+                                keys.extend(loops.map(|lights| key(lights, false)));
+                                keys.push(key(LightLoops::Uniforms, true));
+                                keys.extend(surroundings::added_to(key(LightLoops::Uniforms, false)));
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        keys
+    }
+
+    /// Whether the light is summed in the vertex shader.
+    pub fn vertex_lit(&self) -> bool {
+        matches!(self.shading, Shading::Gouraud | Shading::FlatPerFace)
+    }
+
+    fn defines(&self) -> String {
+        let mut text = String::new();
+        let flat = |on: bool| if on { "flat" } else { "" };
+        let per_triangle = matches!(self.shading, Shading::Flat | Shading::FlatPerFace);
+        for (name, value) in [
+            ("SHADING", shading_define(self.shading)),
+            ("REFLECTANCE", self.reflectance.define()),
+            ("BRDF_LOBE", self.reflectance.lobe()),
+            ("VERTEX_LIT", bit(self.vertex_lit())),
+            ("DIFFUSE_MAP", bit(self.maps != MapSet::None)),
+            ("OTHER_MAPS", bit(self.maps == MapSet::All)),
+            ("NORMAL_MAP", bit(self.normal_map)),
+            ("VERTEX_COLORS", bit(self.vertex_colors)),
+            ("TWO_SIDED", bit(self.two_sided)),
+            ("VIEW", bit(self.view)),
+            ("LIGHTS_IN_TEXTURE", bit(self.lights == LightLoops::Texture)),
+            ("LIGHTS_UNROLLED", bit(matches!(self.lights, LightLoops::Unrolled(_)))),
+            ("FLAT_IF_PER_TRIANGLE", flat(per_triangle)),
+            ("FLAT_IF_LIT_PER_FACE", flat(self.shading == Shading::FlatPerFace)),
+        ] {
+            define(&mut text, name, value);
+        }
+        text += &self.surroundings.defines();
+        if let LightLoops::Unrolled(ends) = self.lights {
+            for (name, end) in ["DIRECTIONAL_END", "POINT_END", "SPOT_END"].into_iter().zip(ends) {
+                define(&mut text, name, &end.to_string());
+            }
+            let [directional, point, all] = ends;
+            for light in 0..all {
+                let kind = match light {
+                    light if light < directional => "LIGHT_DIRECTIONAL",
+                    light if light < point => "LIGHT_POINT",
+                    _ => "LIGHT_SPOT",
+                };
+                define(&mut text, &format!("LIGHT_{light}"), kind);
+            }
+        }
+        text
+    }
+
+    /// Vertex and fragment shader.
+    pub fn sources(&self, dialect: Dialect) -> [String; 2] {
+        let shared = format!("{}{}{}", dialect.header(), constants(), self.defines());
+        let view = if self.view { QUANTITY } else { "" };
+        let lit = [VECTOR, LIGHT, FRESNEL, BRDF, LIGHTING, view].concat();
+        let (vertex_light, fragment_light) = if self.vertex_lit() {
+            (lit.as_str(), "struct LightSums { vec3 diffuse; vec3 specular; };\nuniform vec3 eye_in_world;\n")
+        } else {
+            (VECTOR, lit.as_str())
+        };
+        let fragment_view = if self.vertex_lit() && self.view { "uniform int view_quantity;\n" } else { "" };
+        let fragment_vector = if self.vertex_lit() { VECTOR } else { "" };
+        let around = self.surroundings.functions(self.vertex_lit());
+        [
+            [shared.as_str(), vertex_light, SCENE_VERT].concat(),
+            [&shared, fragment_vector, fragment_light, fragment_view, &around, MATERIAL, SCENE_FRAG].concat(),
+        ]
+    }
+
+    /// For labels and messages.
+    pub fn name(&self) -> String {
+        format!(
+            "scene {} {}{}{}{}{}{}{}{}",
+            self.shading,
+            self.reflectance.define().trim_start_matches("REFLECTANCE_").to_ascii_lowercase(),
+            match self.maps {
+                MapSet::None => "",
+                MapSet::Diffuse => " diffuse-map",
+                MapSet::All => " all-maps",
+            },
+            if self.normal_map { " normal-map" } else { "" },
+            if self.vertex_colors { " vertex-colors" } else { "" },
+            if self.two_sided { " two-sided" } else { "" },
+            if self.view { " view" } else { "" },
+            match self.lights {
+                LightLoops::Unrolled([d, p, s]) => format!(" lights {d} {} {}", p - d, s - p),
+                LightLoops::Uniforms => " few-lights".to_owned(),
+                LightLoops::Texture => " many-lights".to_owned(),
+            },
+            self.surroundings.name(),
+        )
+    }
+}
+
+const VECTOR: &str = include_str!("../shaders/light/vector.glsl");
+const LIGHT: &str = include_str!("../shaders/light/light.glsl");
+const FRESNEL: &str = include_str!("../shaders/light/fresnel.glsl");
+const BRDF: &str = include_str!("../shaders/light/brdf.glsl");
+const OPTICS: &str = include_str!("../shaders/light/optics.glsl");
+const ENVIRONMENT_LIGHT: &str = include_str!("../shaders/light/environment_light.glsl");
+const COLOR: &str = include_str!("../shaders/light/color.glsl");
+const LIGHTING: &str = include_str!("../shaders/lighting.glsl");
+const QUANTITY: &str = include_str!("../shaders/quantity.glsl");
+const MATERIAL: &str = include_str!("../shaders/material.glsl");
+const SCENE_VERT: &str = include_str!("../shaders/scene.vert");
+const SCENE_FRAG: &str = include_str!("../shaders/scene.frag");
+
+/// The pure functions of the equation alone, for the test that holds them against their Rust twins.
+pub fn light_functions(dialect: Dialect) -> String {
+    [dialect.header(), &constants(), VECTOR, LIGHT, FRESNEL, BRDF, COLOR, OPTICS, ENVIRONMENT_LIGHT].concat()
+}
+
+fn bit(on: bool) -> &'static str {
+    if on { "1" } else { "0" }
+}
+
+fn define(text: &mut String, name: &str, value: &str) {
+    // Writing to a String cannot fail.
+    let _ = writeln!(text, "#define {name} {value}");
+}
+
+fn shading_define(shading: Shading) -> &'static str {
+    match shading {
+        Shading::Flat => "SHADING_FLAT",
+        Shading::FlatPerFace => "SHADING_FLAT_PER_FACE",
+        Shading::Gouraud => "SHADING_GOURAUD",
+        Shading::Phong => "SHADING_PHONG",
+    }
+}
+
+/// Constants, enums and layouts that Rust and GLSL share: generated, never kept equal by hand.
+fn constants() -> String {
+    let mut text = String::new();
+    for (index, &shading) in Shading::ALL.iter().enumerate() {
+        define(&mut text, shading_define(shading), &index.to_string());
+    }
+    for (index, reflectance) in Reflectance::all().into_iter().enumerate() {
+        define(&mut text, reflectance.define(), &index.to_string());
+    }
+    for (index, &tone_map) in ToneMap::ALL.iter().enumerate() {
+        define(&mut text, tone_map_define(tone_map), &index.to_string());
+    }
+    for (index, &fresnel) in Fresnel::ALL.iter().enumerate() {
+        define(&mut text, &format!("FRESNEL_{}", fresnel.name().to_ascii_uppercase()), &index.to_string());
+    }
+    for &quantity in Quantity::ALL {
+        let name = format!("QUANTITY_{}", quantity.name().to_ascii_uppercase().replace('-', "_"));
+        define(&mut text, &name, &quantity_number(quantity).to_string());
+    }
+    for (name, value) in [
+        ("LIGHT_TEXELS", LIGHT_TEXELS as i32),
+        ("LIGHTS_PER_ROW", LIGHTS_PER_ROW as i32),
+        ("LIGHTS_IN_UNIFORMS", LIGHTS_IN_UNIFORMS as i32),
+        ("LIGHT_DIRECTIONAL", LIGHT_DIRECTIONAL),
+        ("LIGHT_POINT", LIGHT_POINT),
+        ("LIGHT_SPOT", LIGHT_SPOT),
+        ("MOST_MEETINGS", optics::MOST_MEETINGS as i32),
+        ("BODY_ROW", BODY_ROW as i32),
+        ("LEAF_STEP", LEAF_STEP as i32),
+    ] {
+        define(&mut text, name, &value.to_string());
+    }
+    for (name, value) in [
+        ("ATTENUATION_CAP", Attenuation::CAP),
+        ("DEGENERATE_LENGTH", vector::DEGENERATE_LENGTH),
+        ("LOBE_CAP", brdf::LOBE_CAP),
+        ("SHININESS_MAX", brdf::SHININESS_MAX),
+        ("SHININESS_OF_ROUGHNESS_MAX", roughness::SHININESS_OF_ROUGHNESS_MAX),
+        ("GRAZING_COSINE", brdf::ward::GRAZING_COSINE),
+        ("RADIANCE_CAP", color::RADIANCE_CAP),
+        ("EXPOSURE_LIMIT", color::EXPOSURE_LIMIT),
+        ("HOLE_OPACITY", HOLE_OPACITY),
+        ("WEIGHT_THAT_COUNTS", optics::WEIGHT_THAT_COUNTS),
+        ("NEAREST_MEETING", optics::NEAREST_MEETING),
+        ("PI", std::f64::consts::PI),
+    ] {
+        // `{:e}` writes 1e6; GLSL wants a decimal point or an exponent, so this is a float.
+        define(&mut text, name, &format!("{value:e}"));
+    }
+    text
+}
+
+/// A Fresnel factor's number in GLSL.
+pub fn fresnel_number(fresnel: Fresnel) -> i32 {
+    Fresnel::ALL.iter().position(|&f| f == fresnel).map_or(0, |i| i as i32)
+}
+
+/// A quantity's number in GLSL.
+pub fn quantity_number(quantity: Quantity) -> i32 {
+    Quantity::ALL.iter().position(|&q| q == quantity).map_or(-1, |i| i as i32)
+}

@@ -1,0 +1,91 @@
+//! The programs of overlays and of views that are no quantities of the equation.
+
+use super::define;
+use super::output::output_vertex;
+use gonio_gl::Dialect;
+use std::fmt::Write;
+
+const PLAIN_VERT: &str = include_str!("../../shaders/plain.vert");
+const UV_CHECKER_FRAG: &str = include_str!("../../shaders/uv_checker.frag");
+const COUNT_FRAG: &str = include_str!("../../shaders/count.frag");
+const OVERDRAW_FRAG: &str = include_str!("../../shaders/overdraw.frag");
+const WIREFRAME_VERT: &str = include_str!("../../shaders/wireframe.vert");
+const WIREFRAME_FRAG: &str = include_str!("../../shaders/wireframe.frag");
+const LINE_VERT: &str = include_str!("../../shaders/line.vert");
+const LINE_FRAG: &str = include_str!("../../shaders/line.frag");
+
+/// The colours of 0, 1, 2 ... fragments at a pixel, as displayed; the last is that of so many and more. Dark to light,
+/// blue by green and yellow to red, so that they are told apart without colours too.
+pub const OVERDRAW_SCALE: [[f32; 3]; 9] = [
+    [0.03, 0.03, 0.05],
+    [0.13, 0.20, 0.45],
+    [0.12, 0.40, 0.60],
+    [0.16, 0.60, 0.55],
+    [0.42, 0.76, 0.38],
+    [0.85, 0.82, 0.28],
+    [0.96, 0.62, 0.22],
+    [0.90, 0.32, 0.22],
+    [1.00, 0.92, 0.90],
+];
+
+/// A program that is no scene's and no output's.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum SpecialProgram {
+    /// Texture coordinates as a board of squares.
+    UvChecker,
+    /// A one for each fragment.
+    Count,
+    /// Counts as colours, over the whole picture.
+    Overdraw,
+    /// The edges of triangles that have vertices of their own.
+    Wireframe,
+    /// Lines of the world, one an instance.
+    Line,
+}
+
+impl SpecialProgram {
+    /// Every one.
+    pub const ALL: [SpecialProgram; 5] = [
+        SpecialProgram::UvChecker,
+        SpecialProgram::Count,
+        SpecialProgram::Overdraw,
+        SpecialProgram::Wireframe,
+        SpecialProgram::Line,
+    ];
+
+    /// Vertex and fragment shader.
+    pub fn sources(self, dialect: Dialect) -> [String; 2] {
+        let (vertex, fragment) = match self {
+            SpecialProgram::UvChecker => (PLAIN_VERT, UV_CHECKER_FRAG),
+            SpecialProgram::Count => (PLAIN_VERT, COUNT_FRAG),
+            SpecialProgram::Overdraw => (output_vertex(), OVERDRAW_FRAG),
+            SpecialProgram::Wireframe => (WIREFRAME_VERT, WIREFRAME_FRAG),
+            SpecialProgram::Line => (LINE_VERT, LINE_FRAG),
+        };
+        let header = dialect.header();
+        let scale = if self == SpecialProgram::Overdraw { overdraw_scale() } else { String::new() };
+        [[header, vertex].concat(), [header, &scale, fragment].concat()]
+    }
+
+    /// For labels and messages.
+    pub fn name(self) -> &'static str {
+        match self {
+            SpecialProgram::UvChecker => "UV checker",
+            SpecialProgram::Count => "count",
+            SpecialProgram::Overdraw => "overdraw",
+            SpecialProgram::Wireframe => "wireframe",
+            SpecialProgram::Line => "lines",
+        }
+    }
+}
+
+/// [`OVERDRAW_SCALE`] as GLSL.
+fn overdraw_scale() -> String {
+    let mut text = String::new();
+    let steps = OVERDRAW_SCALE.len();
+    define(&mut text, "OVERDRAW_STEPS", &steps.to_string());
+    let colors = OVERDRAW_SCALE.map(|[r, g, b]| format!("vec3({r:?}, {g:?}, {b:?})")).join(", ");
+    // Writing to a String cannot fail.
+    let _ = writeln!(text, "const vec3 OVERDRAW_SCALE[{steps}] = vec3[{steps}]({colors});");
+    text
+}

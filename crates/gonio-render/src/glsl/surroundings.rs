@@ -1,0 +1,119 @@
+//! What programs know of the environment: which part of it they show, and the sky behind everything.
+
+use super::{BRDF, ENVIRONMENT_LIGHT, FRESNEL, OPTICS, SceneKey, bit, define};
+use super::{MapSet, Reflectance};
+use gonio_gl::Dialect;
+use gonio_light::Specular;
+
+const SURROUNDINGS: &str = include_str!("../../shaders/surroundings.glsl");
+const SIGHT: &str = include_str!("../../shaders/sight.glsl");
+const ENVIRONMENT_LIGHTING: &str = include_str!("../../shaders/environment_lighting.glsl");
+const BODY: &str = include_str!("../../shaders/body.glsl");
+const SKY_VERT: &str = include_str!("../../shaders/sky.vert");
+const SKY_FRAG: &str = include_str!("../../shaders/sky.frag");
+
+/// What mirrors and glass want looked up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Sight {
+    /// Nothing: the surface is neither.
+    Nothing,
+    /// The direction of reflection.
+    Mirror,
+    /// The directions of refraction too, at one surface.
+    Glass,
+    /// All that is seen through the object's body.
+    Body,
+}
+
+/// What a program shows of the environment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct SurroundingsKey {
+    /// By the material's optics.
+    pub sight: Sight,
+    /// Mip levels are chosen by how fast directions change from pixel to pixel. Counts where there is something to see.
+    pub mipmapped: bool,
+    /// The environment lights the surface.
+    pub lights: bool,
+}
+
+impl SurroundingsKey {
+    /// Nothing of it.
+    pub const NONE: SurroundingsKey = SurroundingsKey { sight: Sight::Nothing, mipmapped: false, lights: false };
+
+    /// Every key that shows something.
+    pub fn all() -> Vec<SurroundingsKey> {
+        let mut keys = Vec::new();
+        for sight in [Sight::Nothing, Sight::Mirror, Sight::Glass, Sight::Body] {
+            for lights in [false, true] {
+                keys.extend([false, true].map(|mipmapped| SurroundingsKey { sight, mipmapped, lights }));
+            }
+        }
+        keys.retain(|key| *key != SurroundingsKey::NONE && !(key.sight == Sight::Nothing && key.mipmapped));
+        keys
+    }
+
+    pub(super) fn defines(self) -> String {
+        let mut text = String::new();
+        for (name, on) in [
+            ("SURROUNDINGS", self != SurroundingsKey::NONE),
+            ("SIGHT", self.sight != Sight::Nothing),
+            ("GLASS", matches!(self.sight, Sight::Glass | Sight::Body)),
+            ("BODY", self.sight == Sight::Body),
+            ("MIPMAPPED", self.mipmapped),
+            ("ENVIRONMENT_LIGHT", self.lights),
+        ] {
+            define(&mut text, name, bit(on));
+        }
+        text
+    }
+
+    /// What its fragment shader needs before `main`. Where the light comes from the vertices, it lacks the functions that
+    /// others have in any case.
+    pub(super) fn functions(self, vertex_lit: bool) -> String {
+        if self == SurroundingsKey::NONE {
+            return String::new();
+        }
+        let missing = if vertex_lit { [FRESNEL, BRDF].concat() } else { String::new() };
+        let mut text = [&missing, OPTICS, ENVIRONMENT_LIGHT, SURROUNDINGS].concat();
+        if self.sight == Sight::Body {
+            text += BODY;
+        }
+        if self.sight != Sight::Nothing {
+            text += SIGHT;
+        }
+        if self.lights {
+            text += ENVIRONMENT_LIGHTING;
+        }
+        text
+    }
+
+    pub(super) fn name(self) -> String {
+        let sight = match self.sight {
+            Sight::Nothing => "",
+            Sight::Mirror => " mirror",
+            Sight::Glass => " glass",
+            Sight::Body => " body",
+        };
+        let mipmapped = if self.mipmapped { " mipmapped" } else { "" };
+        format!("{sight}{mipmapped}{}", if self.lights { " environment-light" } else { "" })
+    }
+}
+
+/// A key without environment with every environment, for the keys that meet its code: it shares the normal and its sides
+/// with them, and of the material the specular colour and the exponent. One reflectance and one kind of loops stand for
+/// all.
+pub(super) fn added_to(key: SceneKey) -> Vec<SceneKey> {
+    let meets = key.reflectance == Reflectance::Lab(Specular::BlinnPhong)
+        && match key.maps {
+            MapSet::None => !key.two_sided,
+            MapSet::Diffuse => false,
+            MapSet::All => key.two_sided,
+        };
+    let all = if meets { SurroundingsKey::all() } else { Vec::new() };
+    all.into_iter().map(|surroundings| SceneKey { surroundings, ..key }).collect()
+}
+
+/// Vertex and fragment shader of the sky.
+pub fn sky_sources(dialect: Dialect) -> [String; 2] {
+    [[dialect.header(), SKY_VERT].concat(), [dialect.header(), SKY_FRAG].concat()]
+}

@@ -1,0 +1,35 @@
+//! Pictures of scenes by OpenGL.
+//!
+//! [`Renderer`] draws a loaded scene into a linear float picture and encodes it, on every context of `gonio-gl`: a
+//! window's, a web page's, or one without a window. The GLSL is in `shaders/`; the pure functions in `shaders/light/`
+//! are the twins of `gonio-light`'s.
+#![allow(unsafe_code)]
+
+mod body_on_gpu;
+mod body_tree;
+pub mod conversion;
+mod display_options;
+mod display_texture;
+mod environment_on_gpu;
+mod geometry;
+pub mod gl_program;
+pub mod glsl;
+mod gpu_cache;
+mod half;
+mod light_table;
+mod presenter;
+mod renderer;
+mod scene_on_gpu;
+mod textures;
+pub mod user_program;
+
+pub use display_options::{DisplayOptions, View};
+pub use display_texture::DisplayTexture;
+pub use glsl::OVERDRAW_SCALE;
+pub use gonio_scene::{Overlays, SpecialView};
+pub use presenter::{Presentation, Presenter};
+pub use renderer::{DifferenceScale, Drawn, Drawn8, Painted, Renderer};
+pub use scene_on_gpu::GpuScene;
+
+#[cfg(test)]
+mod tests;

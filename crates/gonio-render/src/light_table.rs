@@ -1,0 +1,129 @@
+//! The lights of a frame, as uniforms or as a float texture: any number in one pass.
+
+use crate::glsl::{LIGHT_DIRECTIONAL, LIGHT_POINT, LIGHT_SPOT, LIGHT_TEXELS, LIGHTS_IN_UNIFORMS, LIGHTS_PER_ROW};
+use glam::DVec3;
+use glow::{HasContext, PixelUnpackData};
+use gonio_gl::objects::TextureObject;
+use gonio_gl::{Gl, GlError};
+use gonio_light::{Light, LightKind, vector};
+
+/// One light: `LIGHT_TEXELS` texels of four floats.
+type Row = [[f32; 4]; LIGHT_TEXELS];
+
+/// The lights of a frame: few are handed over as uniforms, many in a texture.
+pub struct LightTable {
+    texture: TextureObject,
+    /// Where the directional lights, the points and the spots end; ambient lights are not in it.
+    pub ends: [usize; 3],
+    /// Where they are few.
+    few: Vec<Row>,
+}
+
+impl LightTable {
+    /// An empty table.
+    pub fn new(gl: &Gl) -> Result<Self, GlError> {
+        let texture = TextureObject::bound(gl, "lights")?;
+        // SAFETY: the texture is bound; it has one level and is read by texelFetch only.
+        unsafe {
+            for parameter in [glow::TEXTURE_MIN_FILTER, glow::TEXTURE_MAG_FILTER] {
+                gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, glow::NEAREST as i32);
+            }
+            for parameter in [glow::TEXTURE_WRAP_S, glow::TEXTURE_WRAP_T] {
+                gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, glow::CLAMP_TO_EDGE as i32);
+            }
+        }
+        Ok(LightTable { texture, ends: [0; 3], few: Vec::new() })
+    }
+
+    /// How many lights.
+    pub fn count(&self) -> usize {
+        self.ends[2]
+    }
+
+    /// Whether there are so many that they are in the texture.
+    pub fn is_in_texture(&self) -> bool {
+        self.count() > LIGHTS_IN_UNIFORMS
+    }
+
+    /// The values of few lights, as `light_values` in lighting.glsl.
+    pub fn uniforms(&self) -> &[[f32; 4]] {
+        self.few.as_flattened()
+    }
+
+    /// Fills it; the texture stays bound to the active unit.
+    pub fn fill(&mut self, gl: &Gl, lights: &[Light]) {
+        let kinds = [LIGHT_DIRECTIONAL, LIGHT_POINT, LIGHT_SPOT];
+        let mut rows = Vec::with_capacity(lights.len());
+        for (kind, end) in kinds.into_iter().zip(&mut self.ends) {
+            rows.extend(lights.iter().filter(|l| kind_of(l) == Some(kind)).map(row_of));
+            *end = rows.len();
+        }
+        if !self.is_in_texture() {
+            self.few = rows;
+            return;
+        }
+        self.few.clear();
+        let height = rows.len().div_ceil(LIGHTS_PER_ROW).max(1);
+        // A single row may be narrower; WebGL2 has no limit from below.
+        let width = if height == 1 { rows.len().max(1) } else { LIGHTS_PER_ROW };
+        rows.resize(width * height, Row::default());
+        // SAFETY: the slice holds width * height lights of LIGHT_TEXELS RGBA texels each.
+        unsafe {
+            gl.bind_texture(glow::TEXTURE_2D, Some(self.texture.handle()));
+            gl.pixel_store_i32(glow::UNPACK_ALIGNMENT, 4);
+            gl.tex_image_2d(
+                glow::TEXTURE_2D,
+                0,
+                glow::RGBA32F as i32,
+                (width * LIGHT_TEXELS) as i32,
+                height as i32,
+                0,
+                glow::RGBA,
+                glow::FLOAT,
+                PixelUnpackData::Slice(Some(bytemuck::cast_slice(&rows))),
+            );
+        }
+    }
+
+    /// The table's row of the scene's light `index`; `None` for ambient lights and beyond the end.
+    pub fn row_of_light(lights: &[Light], index: usize) -> Option<usize> {
+        let kind = kind_of(lights.get(index)?)?;
+        let before = lights
+            .iter()
+            .enumerate()
+            .filter(|(i, light)| kind_of(light).is_some_and(|other| other < kind || (other == kind && *i < index)));
+        Some(before.count())
+    }
+}
+
+/// The kind's number in GLSL; lights are sorted by it.
+fn kind_of(light: &Light) -> Option<i32> {
+    match light.kind {
+        LightKind::Ambient => None,
+        LightKind::Directional { .. } => Some(LIGHT_DIRECTIONAL),
+        LightKind::Point { .. } => Some(LIGHT_POINT),
+        LightKind::Spot { .. } => Some(LIGHT_SPOT),
+    }
+}
+
+/// Place or direction; colour; axis and cosine of the outer angle; attenuation and cosine of the inner
+/// angle. `light_terms` in lighting.glsl reads this.
+fn row_of(light: &Light) -> Row {
+    let texel = |v: DVec3, w: f64| [v.x as f32, v.y as f32, v.z as f32, w as f32];
+    let a = light.attenuation;
+    let attenuation = DVec3::new(a.constant, a.linear, a.quadratic);
+    let (place, axis, cosines) = match light.kind {
+        LightKind::Ambient => (DVec3::ZERO, DVec3::ZERO, [0.0; 2]),
+        LightKind::Directional { direction } => (direction_of(direction), DVec3::ZERO, [0.0; 2]),
+        LightKind::Point { position } => (position, DVec3::ZERO, [0.0; 2]),
+        LightKind::Spot { position, axis, inner_rad, outer_rad } => {
+            (position, direction_of(axis), [outer_rad.cos(), inner_rad.cos()])
+        }
+    };
+    [texel(place, 0.0), texel(light.color, 0.0), texel(axis, cosines[0]), texel(attenuation, cosines[1])]
+}
+
+/// At unit length, as the reference has it; zero where there is no direction.
+fn direction_of(v: DVec3) -> DVec3 {
+    vector::unit_or(v, DVec3::ZERO)
+}

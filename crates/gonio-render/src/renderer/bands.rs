@@ -1,0 +1,112 @@
+//! A picture of 8 bits drawn band by band.
+//!
+//! The float samples of a whole picture are many times the picture itself (at 1024 x 768 and 4 samples
+//! 38 MB against 3), and a process that draws one picture spends as long on being given that memory as
+//! on drawing. A band's memory is small, stays in the cache, and is used again for the next band. The
+//! price is that the vertices are processed once a band, so large models are drawn at once.
+
+use super::Renderer;
+use super::output::{Band, Look};
+use crate::scene_on_gpu::GpuScene;
+use gonio_gl::GlError;
+use gonio_gl::objects::DebugGroup;
+use gonio_gl::statistics::{GpuStatistics, StatisticsQueries};
+use gonio_gl::target::{OutputTarget, Precision};
+use gonio_scene::picture::EncodedPicture;
+use gonio_scene::{Frame, ViewSpec};
+
+/// A band's samples take about as much memory as a core's share of a cache.
+const BAND_BYTES: usize = 4 << 20;
+/// Software drivers draw in tiles of 64 x 64 pixels.
+const TILE: i32 = 64;
+/// Models up to this size are cheap to process several times.
+const MOST_TRIANGLES: usize = 20_000;
+
+/// A finished picture of 8 bits a channel.
+pub struct Drawn8 {
+    /// As displayed, encoded by the GPU.
+    pub picture: EncodedPicture<u8>,
+    /// What the GPU counted; each vertex once, in however many bands it was processed.
+    pub statistics: GpuStatistics,
+    /// Notes on what the driver could not do as asked, for example fewer samples.
+    pub notes: Vec<String>,
+}
+
+impl Renderer {
+    /// Draws the picture, or a debug view, and reads it back: what [`Renderer::render`] and
+    /// [`super::Drawn::encoded8`] give, for less memory and time. Edges may differ by the driver's
+    /// snapping of corners, 1/256 of a pixel or so: a band's corners are rounded at other magnitudes.
+    pub fn render8(&mut self, scene: &GpuScene, frame: &Frame, view: Option<ViewSpec>) -> Result<Drawn8, GlError> {
+        let shared = self.shared.clone();
+        let gl = &shared.gl;
+        let mut notes = Vec::new();
+        let (width, height) = (frame.width as i32, frame.height as i32);
+        let band_rows = rows_of_a_band(scene.triangle_count, frame);
+        let target = self.target_for(scene, frame, band_rows, Precision::Half, 1, &mut notes)?;
+        let output = OutputTarget::new(gl, [width, height], false)?;
+        let look = Look::new(view, frame);
+        let mut statistics = GpuStatistics::default();
+        for first_row in (0..height).step_by(band_rows as usize) {
+            let band = Band { picture_height: height, first_row, rows: band_rows.min(height - first_row) };
+            let queries = StatisticsQueries::begin(gl, &shared.info)?;
+            let draw_calls = {
+                let _group = DebugGroup::new(gl, "scene");
+                self.draw_scene(scene, frame, view, &target, first_row)?
+            };
+            let counted = queries.end(gl, draw_calls).read();
+            if first_row == 0 {
+                statistics = counted;
+            } else if let (Some(sum), Some(more)) = (&mut statistics.fragments, counted.fragments) {
+                *sum += more;
+            }
+            target.resolve(gl);
+            shared.output_into(&output, &target, band, &look, look.encoded())?;
+        }
+        let rgba = output.read8(gl);
+        shared.check_error("reading the picture")?;
+        let picture = EncodedPicture { width: frame.width, height: frame.height, rgba };
+        Ok(Drawn8 { picture, statistics, notes })
+    }
+}
+
+/// At least one row; all rows where the model is large.
+fn rows_of_a_band(triangles: usize, frame: &Frame) -> i32 {
+    let height = (frame.height as i32).max(1);
+    // Half floats of four channels, and depth.
+    let bytes_a_row = frame.width.max(1) as usize * frame.samples.max(1) as usize * (8 + 4);
+    let rows = (BAND_BYTES / bytes_a_row) as i32 / TILE * TILE;
+    if triangles > MOST_TRIANGLES { height } else { rows.max(TILE).min(height) }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::Renderer;
+    use gonio_gl::target::Precision;
+    use gonio_scene::files::Disk;
+    use std::path::Path;
+
+    #[test]
+    fn bands_make_the_same_picture_as_the_whole() {
+        // More than one band, and a last one that is not whole.
+        let text = "[picture]\nwidth = 700\nheight = 621\n[[object]]\nmodel = \"builtin:still-life\"\n";
+        let scene = gonio_scene::toml_reader::read(text).unwrap_or_else(|why| panic!("{why}"));
+        let scene = gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}"));
+        let frame = scene.frame(0.0);
+        let context = crate::tests::context(false);
+        let mut renderer = Renderer::new(context.gl().clone()).unwrap_or_else(|why| panic!("{why}"));
+        let uploaded = renderer.upload(&scene).unwrap_or_else(|why| panic!("{why}"));
+        let rows = super::rows_of_a_band(uploaded.triangle_count, &frame);
+        assert!(rows < 621 && 621 % rows != 0, "bands of {rows} rows would test little");
+        let whole = renderer.render_at(&uploaded, &frame, None, Precision::Half).unwrap_or_else(|why| panic!("{why}"));
+        let banded = renderer.render8(&uploaded, &frame, None).unwrap_or_else(|why| panic!("{why}"));
+        let whole8 = whole.encoded8().unwrap_or_else(|why| panic!("{why}"));
+        assert_eq!(whole8.rgba.len(), banded.picture.rgba.len());
+        // Set on llvmpipe, where 0.01 % differ, by up to 3 steps: edges only.
+        let differing = whole8.rgba.iter().zip(&banded.picture.rgba).filter(|(a, b)| a != b).count();
+        let worst = whole8.rgba.iter().zip(&banded.picture.rgba).map(|(a, b)| a.abs_diff(*b)).max();
+        assert!(differing * 1000 <= whole8.rgba.len(), "{differing} of {} values differ", whole8.rgba.len());
+        assert!(worst <= Some(16), "by up to {worst:?} steps");
+        assert_eq!(banded.statistics.vertices, whole.statistics.vertices);
+        assert_eq!(banded.statistics.draw_calls, whole.statistics.draw_calls);
+    }
+}

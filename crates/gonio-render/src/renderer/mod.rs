@@ -1,0 +1,281 @@
+//! Draws a scene: lights into the light table, opaque parts, the sky, transparent triangles from back to
+//! front, samples resolved, and on demand the picture's numbers.
+
+mod bands;
+#[cfg(feature = "bench")]
+mod bare;
+mod difference;
+mod output;
+mod overlays;
+mod paint;
+mod pass;
+mod pixel;
+mod record;
+mod sampling;
+pub(crate) mod saved_state;
+mod shared;
+mod special;
+mod surroundings;
+mod targets;
+mod user_program;
+
+pub use bands::Drawn8;
+pub use difference::DifferenceScale;
+pub use output::Drawn;
+pub use paint::Painted;
+
+use crate::glsl::texture_unit;
+use crate::gpu_cache::GpuCache;
+use crate::light_table::LightTable;
+use crate::scene_on_gpu::{GpuObject, GpuScene, Run};
+use crate::textures;
+use glow::HasContext;
+use gonio_gl::Dialect;
+use gonio_gl::DriverInfo;
+use gonio_gl::objects::{DebugGroup, TextureObject, VertexArray};
+use gonio_gl::statistics::StatisticsQueries;
+use gonio_gl::target::{Precision, Sampling, Target};
+use gonio_gl::{Gl, GlError};
+use gonio_scene::{Frame, Scene, ViewSpec};
+use output::Look;
+use pass::{Draw, Pass};
+use shared::Shared;
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::rc::Rc;
+use surroundings::Around;
+use targets::{PANES, Targets};
+
+/// Draws scenes with one OpenGL context.
+pub struct Renderer {
+    shared: Rc<Shared>,
+    light_table: LightTable,
+    white: TextureObject,
+    pub(crate) targets: Targets,
+    pub(crate) cache: GpuCache,
+}
+
+impl Renderer {
+    /// For a current context.
+    pub fn new(gl: Gl) -> Result<Self, GlError> {
+        let info = DriverInfo::of(&gl);
+        let light_table = LightTable::new(&gl)?;
+        let white = textures::white(&gl)?;
+        let no_attributes = VertexArray::bound(&gl, "no attributes")?;
+        let shared = Rc::new(Shared {
+            gl,
+            info,
+            scene_programs: RefCell::default(),
+            output_programs: RefCell::default(),
+            special_programs: RefCell::default(),
+            sky: RefCell::default(),
+            difference: RefCell::default(),
+            no_attributes,
+        });
+        Ok(Renderer { shared, light_table, white, targets: Targets::default(), cache: GpuCache::default() })
+    }
+
+    /// The driver.
+    pub fn info(&self) -> &DriverInfo {
+        &self.shared.info
+    }
+
+    /// Uploads geometry and textures, but for those that another scene from here still holds: two panes of one scene, or
+    /// a scene before and after an edit, share what they have in common (the same `Arc`s).
+    pub fn upload(&mut self, scene: &Scene) -> Result<GpuScene, GlError> {
+        let _group = DebugGroup::new(&self.shared.gl, "upload");
+        let before = self.cache.count_made();
+        let uploaded = GpuScene::upload(&self.shared.gl, scene, &self.shared.info, &mut self.cache)?;
+        // Asking for errors waits for the GPU on the web: only where there was something to upload.
+        if self.cache.count_made() != before {
+            self.shared.check_error("uploading the scene")?;
+        }
+        Ok(uploaded)
+    }
+
+    /// Draws the picture, or a debug view, and waits for it.
+    pub fn render(&mut self, scene: &GpuScene, frame: &Frame, view: Option<ViewSpec>) -> Result<Drawn, GlError> {
+        self.render_at(scene, frame, view, Precision::Full)
+    }
+
+    pub(crate) fn render_at(
+        &mut self,
+        scene: &GpuScene,
+        frame: &Frame,
+        view: Option<ViewSpec>,
+        precision: Precision,
+    ) -> Result<Drawn, GlError> {
+        let shared = self.shared.clone();
+        let gl = &shared.gl;
+        let mut notes = Vec::new();
+        let target = self.target_for(scene, frame, frame.height as i32, precision, 1, &mut notes)?;
+        let queries = StatisticsQueries::begin(gl, &shared.info)?;
+        let draw_calls = {
+            let _group = DebugGroup::new(gl, "scene");
+            self.draw_scene(scene, frame, view, &target, 0)?
+        };
+        let statistics = queries.end(gl, draw_calls);
+        target.resolve(gl);
+        // SAFETY: waits for the commands above; no precondition.
+        unsafe { gl.finish() };
+        shared.check_error("drawing the scene")?;
+        let look = Look::new(view, frame);
+        Ok(Drawn { shared, target, look, statistics: statistics.read(), notes })
+    }
+
+    /// Targets for `rows` rows of the frame, one of `panes` that are drawn in turn.
+    fn target_for(
+        &mut self,
+        scene: &GpuScene,
+        frame: &Frame,
+        rows: i32,
+        precision: Precision,
+        panes: usize,
+        notes: &mut Vec<String>,
+    ) -> Result<Rc<Target>, GlError> {
+        if frame.surroundings.is_some() {
+            notes.extend(scene.notes.iter().cloned());
+        }
+        let info = &self.shared.info;
+        if frame.width > info.max_size || frame.height > info.max_size {
+            return Err(GlError::new(format!(
+                "a picture of {} x {} pixels is more than this driver's {} along a side; a smaller --size or \
+                 `--backend cpu` will do",
+                frame.width, frame.height, info.max_size
+            )));
+        }
+        let samples = frame.samples.min(info.max_samples).max(1);
+        if samples < frame.samples {
+            notes.push(format!("{} samples per pixel instead of {}: this driver has no more", samples, frame.samples));
+        }
+        let sampling = sampling::of(info, scene.triangle_count, frame, samples as i32);
+        let size = [frame.width as i32, rows];
+        if let Some(target) = self.targets.find(size, sampling, precision) {
+            return Ok(target);
+        }
+        self.targets.make_room(panes);
+        let shared = &self.shared;
+        let make = |sampling| Target::new(&shared.gl, shared.info.dialect, size, sampling, precision);
+        let target = Rc::new(match make(sampling) {
+            // Drivers of the web do not say how many samples they have of which format.
+            Err(_) if shared.info.dialect == Dialect::Es300 && sampling != Sampling::Multi(1) => {
+                shared.forget_errors();
+                let target = make(Sampling::Multi(1))?;
+                notes.push(format!("1 sample per pixel instead of {samples}: this driver has no more"));
+                target
+            }
+            made => made?,
+        });
+        shared.check_error("making the picture's memory")?;
+        self.targets.keep(target.clone());
+        Ok(target)
+    }
+
+    /// Draws the rows from `first_row` (from the picture's bottom) that `target` has room for.
+    fn draw_scene(
+        &mut self,
+        scene: &GpuScene,
+        frame: &Frame,
+        view: Option<ViewSpec>,
+        target: &Target,
+        first_row: i32,
+    ) -> Result<u32, GlError> {
+        let shared = self.shared.clone();
+        let gl = &shared.gl;
+        // SAFETY: plain state; the unit exists (16 are guaranteed).
+        unsafe { gl.active_texture(glow::TEXTURE0 + texture_unit("light_table")) };
+        self.light_table.fill(gl, &frame.lights);
+        target.begin(gl, first_row, frame.height as i32);
+        // SAFETY: plain state.
+        unsafe {
+            gl.enable(glow::DEPTH_TEST);
+            gl.depth_func(glow::LESS);
+            gl.disable(glow::BLEND);
+        }
+        let mut pass = Pass {
+            shared: &shared,
+            scene,
+            frame,
+            view,
+            white: self.white.handle(),
+            lights: &self.light_table,
+            around: Around::bound(&shared, scene, frame)?,
+            prepared: HashMap::new(),
+        };
+        let opaque: Vec<Draw<'_>> = scene
+            .objects
+            .iter()
+            .flat_map(|object| object.opaque.iter().map(move |run| Draw { object, run: run.clone() }))
+            .collect();
+        let transparent = sorted_transparent(scene, frame);
+        for draw in opaque.iter().chain(&transparent) {
+            pass.prepare(draw)?;
+        }
+        let mut draw_calls = 0;
+        for draw in &opaque {
+            pass.draw(draw)?;
+            draw_calls += 1;
+        }
+        // Before what lets it through, which is laid over it; behind all else, so that nothing hidden is looked up.
+        if let Some(around) = pass.around.as_ref().filter(|around| around.is_visible() && !pass.is_view()) {
+            around.draw_sky(&shared, frame)?;
+            draw_calls += 1;
+        }
+        if !transparent.is_empty() {
+            let _group = DebugGroup::new(gl, "transparent, back to front");
+            // SAFETY: plain state; colours are premultiplied.
+            unsafe {
+                // A debug view shows the nearest surface as if it were opaque.
+                if !pass.is_view() {
+                    gl.enable(glow::BLEND);
+                    gl.blend_func(glow::ONE, glow::ONE_MINUS_SRC_ALPHA);
+                    gl.depth_mask(false);
+                }
+            }
+            for draw in &transparent {
+                pass.draw(draw)?;
+                draw_calls += 1;
+            }
+            // SAFETY: plain state, put back.
+            unsafe {
+                gl.disable(glow::BLEND);
+                gl.depth_mask(true);
+            }
+        }
+        // SAFETY: plain state, put back.
+        unsafe {
+            gl.disable(glow::CULL_FACE);
+            gl.front_face(glow::CCW);
+            gl.bind_vertex_array(None);
+        }
+        Ok(draw_calls)
+    }
+}
+
+/// Transparent triangles of all objects, farthest first, neighbours of one material in one draw.
+fn sorted_transparent<'a>(scene: &'a GpuScene, frame: &Frame) -> Vec<Draw<'a>> {
+    let front = frame.camera.front.as_vec3();
+    let mut triangles: Vec<(f32, &GpuObject, usize, usize)> = scene
+        .objects
+        .iter()
+        .flat_map(|o| o.transparent.iter().map(move |t| (t.center_in_world.dot(front), o, t.triangle, t.material)))
+        .collect();
+    triangles.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut draws: Vec<Draw<'a>> = Vec::new();
+    for (_, object, triangle, material) in triangles {
+        match draws.last_mut() {
+            Some(draw)
+                if std::ptr::eq(draw.object, object)
+                    && draw.run.material == material
+                    && draw.run.first_triangle + draw.run.triangle_count == triangle =>
+            {
+                draw.run.triangle_count += 1;
+            }
+            _ => draws.push(Draw {
+                object,
+                run: Run { name: String::new(), first_triangle: triangle, triangle_count: 1, material },
+            }),
+        }
+    }
+    draws
+}

@@ -1,0 +1,206 @@
+//! From the linear picture on the GPU to a picture in memory.
+
+use super::shared::Shared;
+use crate::glsl::{Display, OutputKey};
+use glam::{DVec3, Vec2};
+use glow::HasContext;
+use gonio_gl::GlError;
+use gonio_gl::objects::DebugGroup;
+use gonio_gl::program::Program;
+use gonio_gl::statistics::GpuStatistics;
+use gonio_gl::target::{OutputTarget, Target};
+use gonio_light::Quantity;
+use gonio_scene::picture::EncodedPicture;
+use gonio_scene::{DisplayMap, Frame, Picture, ViewSpec};
+use std::rc::Rc;
+
+/// How a frame is shown.
+#[derive(Clone, Copy)]
+pub(super) struct Look {
+    display: DisplayMap,
+    background_top: DVec3,
+    background_bottom: DVec3,
+    background_alpha: f64,
+    /// Colours are written times their alpha, as windows show them; files have them without.
+    premultiplied: bool,
+}
+
+impl Look {
+    /// Of the picture (`None`) or of a debug view.
+    pub fn new(view: Option<ViewSpec>, frame: &Frame) -> Self {
+        let display = DisplayMap::for_view(view, frame);
+        // Debug views are black where nothing is.
+        let is_picture = view.is_none_or(|v| v.quantity == Quantity::Total);
+        let (top, bottom) =
+            if is_picture { (frame.background.top, frame.background.bottom) } else { (DVec3::ZERO, DVec3::ZERO) };
+        let alpha = if is_picture && frame.background.transparent { 0.0 } else { 1.0 };
+        Look { display, background_top: top, background_bottom: bottom, background_alpha: alpha, premultiplied: false }
+    }
+
+    /// For a window.
+    pub fn to_be_shown(self) -> Self {
+        Look { premultiplied: true, ..self }
+    }
+
+    /// Of numbers that are shown as they are, in a window.
+    pub fn of_numbers() -> Self {
+        Look {
+            display: DisplayMap::Affine { scale: DVec3::ONE, bias: DVec3::ZERO },
+            background_top: DVec3::ZERO,
+            background_bottom: DVec3::ZERO,
+            background_alpha: 1.0,
+            premultiplied: true,
+        }
+    }
+
+    /// Of a view whose values are the numbers to be shown.
+    pub fn as_it_is(frame: &Frame) -> Self {
+        let display = DisplayMap::Affine { scale: DVec3::ONE, bias: DVec3::ZERO };
+        Look { display, background_top: DVec3::ZERO, background_bottom: DVec3::ZERO, ..Look::new(None, frame) }
+    }
+
+    /// What a picture file of the frame holds.
+    pub fn encoded(&self) -> Display {
+        match self.display {
+            DisplayMap::Affine { .. } => Display::Affine,
+            DisplayMap::Light(transform) => Display::Light(transform.tone_map, transform.encoding),
+        }
+    }
+}
+
+/// A horizontal band of a picture: all of it, where it is drawn at once.
+#[derive(Clone, Copy)]
+pub(super) struct Band {
+    /// Of the whole picture, pixels.
+    pub picture_height: i32,
+    /// The band's lowest row, from the picture's bottom.
+    pub first_row: i32,
+    /// How many rows.
+    pub rows: i32,
+}
+
+impl Shared {
+    /// Draws a target's pixels as they are displayed into `output`, top row first. Whoever reads them checks for errors
+    /// then: asking for the flag waits for the GPU on the web.
+    pub(super) fn output_into(
+        &self,
+        output: &OutputTarget,
+        target: &Target,
+        band: Band,
+        look: &Look,
+        display: Display,
+    ) -> Result<(), GlError> {
+        let gl = &self.gl;
+        let _group = DebugGroup::new(gl, "output");
+        let (_, count) = target.to_average();
+        let program = self.output_program_for(target, display)?;
+        program.bind();
+        program.set_i32("linear_picture", 0);
+        program.set_i32("sample_count", count);
+        program.set_i32("grid_side", count);
+        program.set_i32("top_row_first", 1);
+        program.set_f32("premultiply", if look.premultiplied { 1.0 } else { 0.0 });
+        program.set_i32("first_row", band.first_row);
+        program.set_vec2("picture_size", Vec2::new(target.size[0] as f32, band.picture_height as f32));
+        program.set_dvec3("background_top", look.background_top);
+        program.set_dvec3("background_bottom", look.background_bottom);
+        program.set_f32("background_alpha", look.background_alpha as f32);
+        match look.display {
+            DisplayMap::Affine { scale, bias } => {
+                program.set_dvec3("display_scale", scale);
+                program.set_dvec3("display_bias", bias);
+            }
+            DisplayMap::Light(transform) => program.set_f32("exposure", transform.exposure as f32),
+        }
+        output.bind(gl);
+        // SAFETY: plain state. The viewport keeps the triangle within the band.
+        unsafe { gl.viewport(0, band.picture_height - band.first_row - band.rows, target.size[0], band.rows) };
+        self.draw_over_all(target);
+        Ok(())
+    }
+
+    /// The program of [`Self::output_into`].
+    pub(super) fn output_program_for(&self, target: &Target, display: Display) -> Result<Rc<Program>, GlError> {
+        let (samples, _) = target.to_average();
+        self.output_program(OutputKey { display, samples })
+    }
+
+    /// Draws one triangle over the whole viewport, by the bound program, with a target's pixels on unit 0.
+    pub(super) fn draw_over_all(&self, target: &Target) {
+        let gl = &self.gl;
+        // SAFETY: the triangle's vertices come from gl_VertexID alone; the texture is the target's.
+        unsafe {
+            gl.disable(glow::DEPTH_TEST);
+            gl.disable(glow::BLEND);
+            gl.disable(glow::CULL_FACE);
+            gl.active_texture(glow::TEXTURE0);
+            target.bind_linear(gl);
+            gl.bind_vertex_array(Some(self.no_attributes.handle()));
+            gl.draw_arrays(glow::TRIANGLES, 0, 3);
+            gl.bind_vertex_array(None);
+        }
+    }
+}
+
+/// A frame on the GPU, finished. Reading it back is a separate step.
+pub struct Drawn {
+    pub(super) shared: Rc<Shared>,
+    pub(super) target: Rc<Target>,
+    pub(super) look: Look,
+    /// What the GPU counted.
+    pub statistics: GpuStatistics,
+    /// Notes on what the driver could not do as asked, for example fewer samples.
+    pub notes: Vec<String>,
+}
+
+impl Drawn {
+    /// The linear values (for debug views: the raw vectors and scalars), premultiplied alpha.
+    pub fn linear(&self) -> Result<Picture, GlError> {
+        let [width, height] = self.target.size;
+        let output = OutputTarget::new(&self.shared.gl, self.target.size, true)?;
+        self.output_into(&output, Display::Linear)?;
+        let values = output.read_f32(&self.shared.gl);
+        self.shared.check_error("reading the picture")?;
+        let top_first: &[[f32; 4]] = bytemuck::cast_slice(&values);
+        let mut pixels = Vec::with_capacity(top_first.len());
+        let affine = self.look.display.is_affine();
+        for (row, line) in top_first.chunks_exact(width as usize).enumerate() {
+            let y = (row as f64 + 0.5) / f64::from(height);
+            let b = self.look.background_top.lerp(self.look.background_bottom, y);
+            let b = [b.x, b.y, b.z, 1.0].map(|v| (v * self.look.background_alpha) as f32);
+            pixels.extend(line.iter().map(|p| {
+                if affine {
+                    return *p;
+                }
+                let behind = 1.0 - p[3];
+                [0, 1, 2, 3].map(|i| p[i] + behind * b[i])
+            }));
+        }
+        Ok(Picture { width: width as u32, height: height as u32, pixels })
+    }
+
+    /// As displayed, 8 bits, encoded by the GPU.
+    pub fn encoded8(&self) -> Result<EncodedPicture<u8>, GlError> {
+        let output = OutputTarget::new(&self.shared.gl, self.target.size, false)?;
+        self.output_into(&output, self.look.encoded())?;
+        let rgba = output.read8(&self.shared.gl);
+        self.shared.check_error("reading the picture")?;
+        Ok(EncodedPicture { width: self.target.size[0] as u32, height: self.target.size[1] as u32, rgba })
+    }
+
+    /// As displayed, 16 bits, encoded by the GPU.
+    pub fn encoded16(&self) -> Result<EncodedPicture<u16>, GlError> {
+        let output = OutputTarget::new(&self.shared.gl, self.target.size, true)?;
+        self.output_into(&output, self.look.encoded())?;
+        let rgba = output.read_f32(&self.shared.gl);
+        self.shared.check_error("reading the picture")?;
+        let rgba = rgba.into_iter().map(|v| (v.clamp(0.0, 1.0) * 65535.0 + 0.5) as u16).collect();
+        Ok(EncodedPicture { width: self.target.size[0] as u32, height: self.target.size[1] as u32, rgba })
+    }
+
+    fn output_into(&self, output: &OutputTarget, display: Display) -> Result<(), GlError> {
+        let rows = self.target.size[1];
+        let whole = Band { picture_height: rows, first_row: 0, rows };
+        self.shared.output_into(output, &self.target, whole, &self.look, display)
+    }
+}

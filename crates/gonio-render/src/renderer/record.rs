@@ -1,0 +1,95 @@
+//! A frame drawn to be looked at: every call of it in a record.
+
+use super::output::{Band, Look};
+use super::saved_state::SavedState;
+use super::shared::Shared;
+use super::{PANES, Renderer};
+use crate::scene_on_gpu::GpuScene;
+use gonio_gl::GlError;
+use gonio_gl::objects::DebugGroup;
+use gonio_gl::target::{OutputTarget, Precision};
+use gonio_gl::trace::{FrameRecord, Recording};
+use gonio_scene::{Frame, ViewSpec};
+
+impl Renderer {
+    /// Draws the picture, or a debug view, as [`Renderer::render8`] does, but at once and not in bands, and records all
+    /// that it takes: the scene's pass, the averaging of samples, the output pass. What the picture shows is thrown
+    /// away. A window's state is left as [`Renderer::paint`] leaves it.
+    pub fn record(&mut self, scene: &GpuScene, frame: &Frame, view: Option<ViewSpec>) -> Result<FrameRecord, GlError> {
+        let shared = self.shared.clone();
+        let _state = SavedState::of(&shared.gl);
+        let (recording, _output) = self.recorded(scene, frame, view)?;
+        let mut record = recording.recording.finish();
+        self.shared.complete(&mut record, recording.notes);
+        Ok(record)
+    }
+
+    /// The same with a small picture of each texture, for a window to show.
+    pub fn record_with_thumbnails(
+        &mut self,
+        scene: &GpuScene,
+        frame: &Frame,
+        view: Option<ViewSpec>,
+    ) -> Result<FrameRecord, GlError> {
+        let shared = self.shared.clone();
+        let _state = SavedState::of(&shared.gl);
+        let (recording, _output) = self.recorded(scene, frame, view)?;
+        let mut record = recording.recording.finish_with_thumbnails()?;
+        self.shared.complete(&mut record, recording.notes);
+        Ok(record)
+    }
+
+    /// What was drawn into is kept until textures have been looked at.
+    fn recorded(
+        &mut self,
+        scene: &GpuScene,
+        frame: &Frame,
+        view: Option<ViewSpec>,
+    ) -> Result<(Recorded, OutputTarget), GlError> {
+        let shared = self.shared.clone();
+        let gl = &shared.gl;
+        let recording = Recording::begin(gl)?;
+        let mut notes = Vec::new();
+        let target = self.target_for(scene, frame, frame.height as i32, Precision::Half, PANES, &mut notes)?;
+        {
+            let _group = DebugGroup::new(gl, "scene");
+            self.draw_scene(scene, frame, view, &target, 0)?;
+        }
+        target.resolve(gl);
+        let rows = target.size[1];
+        let output = OutputTarget::new(gl, target.size, false)?;
+        let look = Look::new(view, frame);
+        let whole = Band { picture_height: rows, first_row: 0, rows };
+        shared.output_into(&output, &target, whole, &look, look.encoded())?;
+        Ok((Recorded { recording, notes }, output))
+    }
+}
+
+struct Recorded {
+    recording: Recording,
+    notes: Vec<String>,
+}
+
+impl Shared {
+    /// Adds notes, and the sources of programs that were compiled before the recording.
+    fn complete(&self, record: &mut FrameRecord, notes: Vec<String>) {
+        record.notes.splice(0..0, notes);
+        let dialect = self.info.dialect;
+        for program in record.programs.iter_mut().filter(|program| program.vertex_source.is_empty()) {
+            let scenes = self.scene_programs.borrow();
+            let outputs = self.output_programs.borrow();
+            let sources = match program.id {
+                id if self.sky.borrow().as_ref().is_some_and(|sky| sky.id() == id) => {
+                    Some(crate::glsl::sky_sources(dialect))
+                }
+                id => {
+                    let scene = scenes.iter().find(|(_, known)| known.id() == id).map(|(key, _)| key.sources(dialect));
+                    scene.or_else(|| {
+                        outputs.iter().find(|(_, known)| known.id() == id).map(|(key, _)| key.sources(dialect))
+                    })
+                }
+            };
+            [program.vertex_source, program.fragment_source] = sources.unwrap_or_default();
+        }
+    }
+}

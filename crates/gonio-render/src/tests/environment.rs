@@ -1,0 +1,174 @@
+//! Cubemaps on the GPU: the same directions, the same texels, the same seams as on the CPU.
+
+use crate::environment_on_gpu::{CubeTexture, EnvironmentOnGpu, Seamless};
+use crate::gpu_cache::GpuCache;
+use crate::scene_on_gpu::GpuScene;
+use glam::DVec3;
+use glow::{HasContext, PixelUnpackData};
+use gonio_environment::{CubeMips, Cubemap, Face, Layout};
+use gonio_gl::Dialect;
+use gonio_gl::DriverInfo;
+use gonio_gl::objects::{TextureObject, VertexArray};
+use gonio_gl::program::Program;
+use gonio_gl::target::OutputTarget;
+use gonio_scene::files::Disk;
+use gonio_scene::{LoadedEnvironment, Scene};
+use std::path::Path;
+use std::sync::Arc;
+
+/// Looks a cube texture up with `textureLod` at (direction, level).
+fn look_up(es: bool, mips: &CubeMips, at: &[[f32; 4]]) -> Vec<[f32; 4]> {
+    let context = super::context(es);
+    let gl = context.gl();
+    let dialect = if es { Dialect::Es300 } else { Dialect::Core330 };
+    let fragment = format!(
+        "{}uniform highp samplerCube map;\nuniform highp sampler2D places;\nout vec4 result;\nvoid main() {{\n\
+         vec4 place = texelFetch(places, ivec2(gl_FragCoord.xy), 0);\nresult = textureLod(map, place.xyz, place.w);\n}}\n",
+        dialect.header()
+    );
+    let vertex = format!("{}{}", dialect.header(), include_str!("../../shaders/output.vert"));
+    let program = Program::new(gl, "look up", &vertex, &fragment, &[]).unwrap_or_else(|why| panic!("{why}"));
+    let cube = CubeTexture::upload(gl, "cube", mips.levels(), 1 << 14).unwrap_or_else(|why| panic!("{why}"));
+    assert_eq!((cube.size, cube.levels_left_out), (mips.full().size(), 0));
+    let width = 64;
+    let height = at.len().div_ceil(width);
+    let mut places = at.to_vec();
+    places.resize(width * height, [0.0, 0.0, 1.0, 0.0]);
+    // SAFETY: a context is current; the unit exists.
+    unsafe { gl.active_texture(glow::TEXTURE1) };
+    let texture = TextureObject::bound(gl, "places").unwrap_or_else(|why| panic!("{why}"));
+    let target = OutputTarget::new(gl, [width as i32, height as i32], true).unwrap_or_else(|why| panic!("{why}"));
+    let array = VertexArray::bound(gl, "none").unwrap_or_else(|why| panic!("{why}"));
+    let _seamless = Seamless::new(gl);
+    // SAFETY: a context is current; the slice holds width * height texels; the triangle reads no attribute.
+    unsafe {
+        gl.bind_texture(glow::TEXTURE_2D, Some(texture.handle()));
+        gl.tex_parameter_i32(glow::TEXTURE_2D, glow::TEXTURE_MIN_FILTER, glow::NEAREST as i32);
+        gl.tex_parameter_i32(glow::TEXTURE_2D, glow::TEXTURE_MAG_FILTER, glow::NEAREST as i32);
+        gl.tex_image_2d(
+            glow::TEXTURE_2D,
+            0,
+            glow::RGBA32F as i32,
+            width as i32,
+            height as i32,
+            0,
+            glow::RGBA,
+            glow::FLOAT,
+            PixelUnpackData::Slice(Some(bytemuck::cast_slice(&places))),
+        );
+        cube.bind(gl, 0);
+        target.bind(gl);
+        program.bind();
+        program.set_i32("map", 0);
+        program.set_i32("places", 1);
+        gl.bind_vertex_array(Some(array.handle()));
+        gl.draw_arrays(glow::TRIANGLES, 0, 3);
+    }
+    let values = target.read_f32(gl);
+    bytemuck::cast_slice::<f32, [f32; 4]>(&values)[..at.len()].to_vec()
+}
+
+/// Every texel another value, most of them far from their neighbours'.
+fn speckled(size: u32) -> Cubemap {
+    let mut map = Cubemap::new(size, [0.0; 4]);
+    for (i, pixel) in map.pixels_mut().iter_mut().enumerate() {
+        let hash = (i as u32).wrapping_mul(0x9E37_79B9) >> 8;
+        let [r, g, b] = [hash, hash / 64, hash / 4096].map(|v| (v % 64) as f32 / 4.0);
+        *pixel = [r, g, b, 1.0];
+    }
+    map
+}
+
+fn worst(es: bool, mips: &CubeMips, at: &[[f32; 4]]) -> (f64, String) {
+    let mut worst = (0.0, String::new());
+    for (place, got) in at.iter().zip(look_up(es, mips, at)) {
+        let [x, y, z, level] = place.map(f64::from);
+        let want = mips.sample(DVec3::new(x, y, z), level);
+        let got = DVec3::new(got[0].into(), got[1].into(), got[2].into());
+        let difference = (got - want).abs().max_element();
+        if difference.is_nan() || difference > worst.0 {
+            worst = (difference, format!("{place:?}: GPU {got}, CPU {want}"));
+        }
+    }
+    worst
+}
+
+/// The middle of every texel of every face: no turned, mirrored or exchanged face could pass.
+#[test]
+fn every_texel_is_where_the_cubemap_has_it() {
+    for es in [false, true] {
+        let mips = CubeMips::new(speckled(8));
+        let middles: Vec<[f32; 4]> = Face::ALL
+            .iter()
+            .flat_map(|face| (0..64).map(move |i| (face, i % 8, i / 8)))
+            .map(|(face, x, y)| {
+                let centre = |v: i32| f64::from(2 * v + 1) / 8.0 - 1.0;
+                face.direction(centre(x), centre(y), Layout::OpenGl).as_vec3().extend(0.0).to_array()
+            })
+            .collect();
+        let (difference, at) = worst(es, &mips, &middles);
+        // The values are halves, and so exact; where a direction meets the face is a matter of f32.
+        assert!(difference <= 1e-5, "es {es}: {difference} at {at}");
+    }
+}
+
+#[test]
+fn lookups_between_texels_faces_and_levels_are_the_cpus() {
+    for es in [false, true] {
+        let mips = CubeMips::new(speckled(8));
+        let mut at = Vec::new();
+        for face in Face::ALL {
+            for i in 0..=40 {
+                for j in 0..=40 {
+                    let (s, t) = (f64::from(i) / 20.0 - 1.0, f64::from(j) / 20.0 - 1.0);
+                    // Not quite to the edges: which of two faces looks up what lies on both is anyone's choice, and in
+                    // corners they differ.
+                    let d = face.direction(0.9999 * s, 0.9999 * t, Layout::OpenGl).as_vec3();
+                    at.extend([0.0, 1.0, 0.5, 2.0].map(|level| d.extend(level).to_array()));
+                }
+            }
+        }
+        let (difference, at) = worst(es, &mips, &at);
+        // Levels are rounded to halves, which between 8 and 16 are 1/128 apart. llvmpipe filters half floats with 32
+        // bits, edges and corners too, where the texel that is missing is the mean of three; hardware has filter
+        // weights of 8 bits, which of neighbours this far apart would be 16/512 more.
+        assert!(difference <= 0.005, "es {es}: {difference} at {at}");
+    }
+}
+
+#[test]
+fn what_is_too_large_begins_at_a_smaller_level_with_a_note() {
+    let context = super::context(false);
+    let environment = Arc::new(LoadedEnvironment::new("of colours", Cubemap::from_function(32, |d| d * d)));
+    let uploaded = EnvironmentOnGpu::upload(context.gl(), &environment, 20).unwrap_or_else(|why| panic!("{why}"));
+    assert_eq!((uploaded.map.size, uploaded.map.levels_left_out), (16, 1));
+    let note = "the environment is drawn with 16 x 16 texels a face instead of 32 x 32: this driver has no more";
+    assert_eq!(uploaded.notes, [note]);
+    let uploaded = EnvironmentOnGpu::upload(context.gl(), &environment, 32).unwrap_or_else(|why| panic!("{why}"));
+    assert!(uploaded.notes.is_empty());
+    assert!(std::ptr::eq(uploaded.seen(), &uploaded.map), "one texture serves both");
+}
+
+/// A driver whose textures have no room for an object's inside draws its first surface alone, and says so; scenes without
+/// environment do not need it at all.
+#[test]
+fn a_body_that_does_not_fit_is_told() {
+    let context = super::context(false);
+    let text = "[[object]]\nmodel = \"builtin:cube\"\nmaterial = { medium = \"glass\", surfaces = \"two\" }\n";
+    let scene = gonio_scene::toml_reader::read(text).unwrap_or_else(|why| panic!("{why}"));
+    let mut scene = gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}"));
+    let info = DriverInfo::of(context.gl());
+    let small = DriverInfo { max_size: 0, ..info.clone() };
+    let upload = |scene: &Scene, info| {
+        let scene =
+            GpuScene::upload(context.gl(), scene, info, &mut GpuCache::default()).unwrap_or_else(|why| panic!("{why}"));
+        (scene.objects[0].body.is_some(), scene.notes)
+    };
+    assert_eq!(upload(&scene, &small), (false, Vec::new()));
+    scene.environment = Some(Arc::new(LoadedEnvironment::new("grey", Cubemap::new(4, [0.5; 4]))));
+    let (has_body, notes) = upload(&scene, &small);
+    assert!(!has_body);
+    let note = "is refracted at its first surface only: this driver has no room for the inside of 12 triangles";
+    assert!(notes.len() == 1 && notes[0].ends_with(note), "{notes:?}");
+    assert_eq!(upload(&scene, &info), (true, Vec::new()));
+}

@@ -1,0 +1,269 @@
+//! What a window relies on: the right picture on a canvas, its own state left alone, nothing made twice.
+
+use super::context;
+use crate::display_options::{DisplayOptions, View};
+use crate::renderer::Renderer;
+use crate::{DisplayTexture, Presenter};
+use glow::HasContext;
+use gonio_gl::Gl;
+use gonio_gl::target::Precision;
+use gonio_light::Quantity;
+use gonio_scene::edit::{Edited, apply};
+use gonio_scene::files::Disk;
+use gonio_scene::{Overlays, SpecialView};
+use gonio_scene::{Scene, ViewSpec};
+use std::path::Path;
+use std::rc::Rc;
+
+pub(super) fn loaded(text: &str) -> Scene {
+    let scene = gonio_scene::toml_reader::read(text).unwrap_or_else(|why| panic!("{why}\n{text}"));
+    gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}"))
+}
+
+pub(super) fn renderer(es: bool) -> (Gl, Renderer) {
+    let context = context(es);
+    let renderer = Renderer::new(context.gl().clone()).unwrap_or_else(|why| panic!("{why}"));
+    (context.gl().clone(), renderer)
+}
+
+fn sized(scene: &Scene, width: u32, height: u32) -> gonio_scene::Frame {
+    gonio_scene::Frame { width, height, ..scene.frame(0.0) }
+}
+
+const MONKEY: &str = "[picture]\nwidth = 90\nheight = 70\n[[object]]\nmodel = \"builtin:suzanne\"\n";
+const ALL: Overlays = Overlays { wireframe: true, normals: true, boxes: true };
+
+#[test]
+fn a_canvas_shows_what_a_file_would_hold() {
+    let scene = loaded(MONKEY);
+    let frame = scene.frame(0.0);
+    let normal = ViewSpec { quantity: Quantity::Normal, light: None };
+    for es in [false, true] {
+        let (gl, mut renderer) = renderer(es);
+        let uploaded = renderer.upload(&scene).unwrap_or_else(|why| panic!("{why}"));
+        let mut canvas = DisplayTexture::new(&gl, [1, 1]).unwrap_or_else(|why| panic!("{why}"));
+        for view in [None, Some(normal)] {
+            let painted = renderer.paint(&uploaded, &frame, &view.into(), &mut canvas);
+            let painted = painted.unwrap_or_else(|why| panic!("{why}"));
+            assert_eq!((canvas.size(), painted.notes.len()), ([90, 70], 0), "{:?}", painted.notes);
+            assert_eq!((painted.draw_calls, painted.statistics), (1, None));
+            let drawn = renderer.render_at(&uploaded, &frame, view, Precision::Half);
+            let wanted = drawn.and_then(|d| d.encoded8()).unwrap_or_else(|why| panic!("{why}"));
+            assert!(canvas.read8() == wanted.rgba, "not one bit differs: es {es}, {view:?}");
+        }
+    }
+}
+
+#[test]
+fn where_nothing_is_a_canvas_is_premultiplied() {
+    let scene = loaded(&format!("[background]\ntransparent = true\n{MONKEY}"));
+    let frame = scene.frame(0.0);
+    let (gl, mut renderer) = renderer(false);
+    let uploaded = renderer.upload(&scene).unwrap_or_else(|why| panic!("{why}"));
+    let mut canvas = DisplayTexture::new(&gl, [1, 1]).unwrap_or_else(|why| panic!("{why}"));
+    renderer.paint(&uploaded, &frame, &DisplayOptions::default(), &mut canvas).unwrap_or_else(|why| panic!("{why}"));
+    let pixels = canvas.read8();
+    // Rounding to 8 bits is by half a step, of the colour and of the alpha each.
+    assert!(pixels.chunks_exact(4).all(|p| p[..3].iter().all(|c| *c <= p[3].saturating_add(1))));
+    assert!(pixels.chunks_exact(4).filter(|p| (1..255).contains(&p[3])).count() > 50, "edges are half transparent");
+    assert_eq!(pixels[..4], [0; 4]);
+}
+
+#[test]
+fn a_picture_is_shown_pixel_for_pixel_over_what_is_seen_through_it() {
+    let below = [0_u8, 255, 0, 255];
+    for (es, transparent) in [(false, false), (false, true), (true, false), (true, true)] {
+        let scene = loaded(&format!("[background]\ntransparent = {transparent}\n{MONKEY}"));
+        let (gl, mut renderer) = renderer(es);
+        let uploaded = renderer.upload(&scene).unwrap_or_else(|why| panic!("{why}"));
+        let [mut canvas, window] =
+            [[1, 1], [90, 70]].map(|size| DisplayTexture::new(&gl, size).unwrap_or_else(|why| panic!("{why}")));
+        let painted = renderer.paint(&uploaded, &scene.frame(0.0), &DisplayOptions::default(), &mut canvas);
+        painted.unwrap_or_else(|why| panic!("{why}"));
+        let presenter = Presenter::new(&gl).unwrap_or_else(|why| panic!("{why}"));
+        let picture = presenter.of(canvas.texture());
+        let picture = if transparent { picture } else { picture.opaque() };
+        window.output().bind(&gl);
+        // SAFETY: plain state of a current context.
+        unsafe {
+            gl.clear_color(0.0, 1.0, 0.0, 1.0);
+            gl.clear(glow::COLOR_BUFFER_BIT);
+        }
+        picture.draw(&gl);
+        let (picture, shown) = (canvas.read8(), window.read8());
+        // A window's first row in memory is its lowest.
+        let rows = picture.chunks_exact(90 * 4).rev().flatten();
+        let wanted: Vec<u8> = rows.copied().collect();
+        if !transparent {
+            assert!(shown == wanted, "es {es}: not one bit differs");
+            continue;
+        }
+        for (shown, wanted) in shown.chunks_exact(4).zip(wanted.chunks_exact(4)) {
+            for channel in 0..4 {
+                let through = u32::from(below[channel]) * u32::from(255 - wanted[3]) / 255;
+                let sum = u32::from(wanted[channel]) + through;
+                // Rounding to 8 bits, here down and there to the nearest.
+                assert!(sum.abs_diff(shown[channel].into()) <= 1, "es {es}: {shown:?} of {wanted:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn counters_are_read_where_they_are_asked_for() {
+    let scene = loaded(MONKEY);
+    let (gl, mut renderer) = renderer(false);
+    let uploaded = renderer.upload(&scene).unwrap_or_else(|why| panic!("{why}"));
+    let mut canvas = DisplayTexture::new(&gl, [90, 70]).unwrap_or_else(|why| panic!("{why}"));
+    let show = DisplayOptions { view: View::Picture, overlays: ALL };
+    let painted = renderer.paint_counted(&uploaded, &scene.frame(0.0), &show, &mut canvas);
+    let painted = painted.unwrap_or_else(|why| panic!("{why}"));
+    let statistics = painted.statistics.unwrap_or_default();
+    assert!(statistics.vertices.is_some_and(|v| v >= 500), "{statistics:?}");
+    assert!(statistics.fragments.is_some_and(|f| f > 1000), "{statistics:?}");
+    // The scene's one, that of the depth of overlays, and one for each overlay.
+    assert_eq!((statistics.draw_calls, painted.draw_calls), (1, 5));
+}
+
+/// The state of somebody else, unlike what a frame of ours would leave.
+#[test]
+fn the_state_of_a_window_is_left_alone() {
+    let scene = loaded(
+        "[picture]\nwidth = 40\nheight = 30\n[environment]\nimage = \"debug\"\nsize = 8\n[[object]]\nmodel = \"builtin:cube\"\nmaterial.opacity = 0.5\n",
+    );
+    let (gl, mut renderer) = renderer(false);
+    let uploaded = renderer.upload(&scene).unwrap_or_else(|why| panic!("{why}"));
+    let mut canvas = DisplayTexture::new(&gl, [40, 30]).unwrap_or_else(|why| panic!("{why}"));
+    let mine = DisplayTexture::new(&gl, [64, 64]).unwrap_or_else(|why| panic!("{why}"));
+    let state = |gl: &Gl| -> Vec<i32> {
+        // SAFETY: queries of plain state.
+        unsafe {
+            let mut all: Vec<i32> = [
+                glow::DRAW_FRAMEBUFFER_BINDING,
+                glow::READ_FRAMEBUFFER_BINDING,
+                glow::BLEND_SRC_RGB,
+                glow::BLEND_DST_RGB,
+                glow::BLEND_SRC_ALPHA,
+                glow::BLEND_DST_ALPHA,
+                glow::DEPTH_FUNC,
+                glow::ACTIVE_TEXTURE,
+                glow::VERTEX_ARRAY_BINDING,
+                glow::CURRENT_PROGRAM,
+                glow::FRONT_FACE,
+                glow::SAMPLER_BINDING,
+            ]
+            .map(|parameter| gl.get_parameter_i32(parameter))
+            .to_vec();
+            for parameter in [glow::VIEWPORT, glow::SCISSOR_BOX] {
+                let mut four = [0; 4];
+                gl.get_parameter_i32_slice(parameter, &mut four);
+                all.extend(four);
+            }
+            let switches = [
+                glow::SCISSOR_TEST,
+                glow::BLEND,
+                glow::DEPTH_TEST,
+                glow::CULL_FACE,
+                glow::STENCIL_TEST,
+                glow::POLYGON_OFFSET_FILL,
+            ];
+            all.extend(switches.map(|switch| i32::from(gl.is_enabled(switch))));
+            all.push(i32::from(gl.get_parameter_bool(glow::DEPTH_WRITEMASK)));
+            all
+        }
+    };
+    for show in [
+        DisplayOptions { view: View::Picture, overlays: ALL },
+        DisplayOptions { view: View::Special(SpecialView::Overdraw), ..DisplayOptions::default() },
+        DisplayOptions { view: View::Special(SpecialView::UvChecker), ..DisplayOptions::default() },
+    ] {
+        mine.output().bind(&gl);
+        // SAFETY: plain state of a current context.
+        unsafe {
+            gl.viewport(3, 4, 50, 40);
+            gl.scissor(1, 2, 30, 20);
+            gl.enable(glow::SCISSOR_TEST);
+            gl.enable(glow::BLEND);
+            gl.enable(glow::STENCIL_TEST);
+            gl.blend_func_separate(glow::ONE, glow::ONE_MINUS_SRC_ALPHA, glow::ONE_MINUS_DST_ALPHA, glow::ONE);
+            gl.depth_func(glow::GEQUAL);
+            gl.depth_mask(false);
+            gl.active_texture(glow::TEXTURE3);
+            gl.use_program(None);
+            gl.bind_vertex_array(None);
+        }
+        let before = state(&gl);
+        let first = renderer.paint(&uploaded, &scene.frame(0.0), &show, &mut canvas);
+        first.unwrap_or_else(|why| panic!("{why}"));
+        assert_eq!(state(&gl), before, "{show:?}");
+        let pixels = canvas.read8();
+        mine.output().bind(&gl);
+        // SAFETY: as above.
+        unsafe { gl.disable(glow::SCISSOR_TEST) };
+        let second = renderer.paint(&uploaded, &scene.frame(0.0), &show, &mut canvas);
+        second.unwrap_or_else(|why| panic!("{why}"));
+        assert!(canvas.read8() == pixels, "nobody else's scissor or stencil takes part: {show:?}");
+    }
+}
+
+#[test]
+fn panes_and_edits_share_what_is_on_the_gpu() {
+    let scene = loaded(
+        "[environment]\nimage = \"debug\"\nsize = 8\n[[object]]\nmodel = \"builtin:still-life\"\n[[object]]\nmodel = \"builtin:cube\"\nmaterial.medium = \"glass\"\nmaterial.surfaces = \"two\"\n",
+    );
+    let (_gl, mut renderer) = renderer(false);
+    let count = |r: &Renderer| {
+        let s = &r.cache;
+        [s.geometries.count(), s.textures.count(), s.environments.count(), s.bodies.count()]
+    };
+    let first = renderer.upload(&scene).unwrap_or_else(|why| panic!("{why}"));
+    let at_first = count(&renderer);
+    assert!(at_first.iter().all(|n| *n > 0), "{at_first:?}");
+    // Another pane: its own clone.
+    let pane = renderer.upload(&scene.clone()).unwrap_or_else(|why| panic!("{why}"));
+    assert_eq!(count(&renderer), at_first);
+    assert!(pane.textures.iter().zip(&first.textures).all(|(a, b)| Rc::ptr_eq(a, b)));
+    // An edit of a colour and a light.
+    let mut edited = scene.scene.clone();
+    edited.objects[0].material.shininess = Some(3.0);
+    edited.lights.clear();
+    let Ok(Edited::Done(applied)) = apply(&scene, edited) else { panic!("it needs no files") };
+    let after = renderer.upload(&applied.loaded).unwrap_or_else(|why| panic!("{why}"));
+    assert_eq!(count(&renderer), at_first);
+    // Another shading of one object: one more geometry, while the other panes hold theirs.
+    let mut edited = scene.scene.clone();
+    edited.objects[0].shading = gonio_scene::scene_file::Shading::Flat;
+    let Ok(Edited::Done(applied)) = apply(&scene, edited) else { panic!("it needs no files") };
+    let flat = renderer.upload(&applied.loaded).unwrap_or_else(|why| panic!("{why}"));
+    assert_eq!(count(&renderer), [at_first[0] + 1, at_first[1], at_first[2], at_first[3]]);
+    drop((first, pane, after));
+    assert_eq!(count(&renderer), at_first, "the shared form of the first object is held by nobody");
+    drop(flat);
+    assert_eq!(count(&renderer), [0; 4]);
+}
+
+#[test]
+fn panes_of_several_sizes_keep_their_targets() {
+    let scene = loaded(MONKEY);
+    let (gl, mut renderer) = renderer(false);
+    let uploaded = renderer.upload(&scene).unwrap_or_else(|why| panic!("{why}"));
+    let mut canvas = DisplayTexture::new(&gl, [8, 8]).unwrap_or_else(|why| panic!("{why}"));
+    let texture = canvas.texture();
+    let mut paint = |renderer: &mut Renderer, [w, h]: [u32; 2]| {
+        let frame = sized(&scene, w, h);
+        renderer
+            .paint(&uploaded, &frame, &DisplayOptions::default(), &mut canvas)
+            .unwrap_or_else(|why| panic!("{why}"));
+        assert_eq!((canvas.size(), canvas.texture()), ([w, h], texture), "its name stays");
+        renderer.targets.last().map(|target| Rc::as_ptr(target) as usize)
+    };
+    let sizes = [[40, 30], [20, 30], [40, 15], [20, 15]];
+    let first: Vec<_> = sizes.map(|size| paint(&mut renderer, size)).to_vec();
+    let second: Vec<_> = sizes.map(|size| paint(&mut renderer, size)).to_vec();
+    assert_eq!(first, second, "each pane has its own");
+    // A pane that is being resized does not fill the memory.
+    for width in 50..60 {
+        paint(&mut renderer, [width, 30]);
+        assert!(renderer.targets.count() <= 4);
+    }
+}

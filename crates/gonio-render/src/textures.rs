@@ -1,0 +1,99 @@
+//! Textures on the GPU: sRGB colours decoded by the hardware, mipmapped, anisotropic.
+
+use glow::{HasContext, PixelUnpackData};
+use gonio_gl::objects::TextureObject;
+use gonio_gl::trace::Content;
+use gonio_gl::{Gl, GlError};
+use gonio_mesh::Wrap;
+use gonio_scene::{ColorSpace, Texture, TextureFilter};
+
+/// Most samples along the longer axis of a footprint.
+const MAX_ANISOTROPY: f32 = 16.0;
+
+/// Uploads a texture; v = 0 is its bottom row.
+///
+/// Data (normals, exponents, opacity) is stored as `2 t - 1` in half floats, [`data_texel`] in
+/// material.glsl undoes it: some drivers filter 8-bit textures with 8-bit results, which shows as steps
+/// in highlights; and signed halves are finest around the directions that normal maps mostly hold.
+pub fn upload(gl: &Gl, texture: &Texture, max_size: u32) -> Result<TextureObject, GlError> {
+    if texture.width > max_size || texture.height > max_size {
+        return Err(GlError::new(format!(
+            "{}: {} x {} texels are more than this driver's {max_size} along a side; make the picture smaller",
+            texture.name, texture.width, texture.height
+        )));
+    }
+    let object = TextureObject::bound(gl, &texture.name)?;
+    if texture.color_space == ColorSpace::Data {
+        gl.note_content(Content::SignedHalves);
+    }
+    upload_level(gl, texture.color_space, 0, [texture.width, texture.height], &texture.rgba);
+    // The reference's own mipmaps: drivers round theirs differently, and some do not average in linear light.
+    for (level, mip) in texture.mip_levels().iter().enumerate() {
+        upload_level(gl, texture.color_space, level as i32 + 1, [mip.width, mip.height], &mip.rgba);
+    }
+    Ok(object)
+}
+
+/// Fills one level of the bound texture from rows that begin at the top.
+fn upload_level(gl: &Gl, color_space: ColorSpace, level: i32, size: [u32; 2], rgba: &[u8]) {
+    let flipped = rgba.chunks_exact(size[0] as usize * 4).rev().flatten();
+    let fill = |format: u32, kind: u32, bytes: &[u8]| {
+        // SAFETY: the texture is bound, and the slice holds width * height RGBA texels of this kind.
+        unsafe {
+            gl.pixel_store_i32(glow::UNPACK_ALIGNMENT, 4);
+            gl.tex_image_2d(
+                glow::TEXTURE_2D,
+                level,
+                format as i32,
+                size[0] as i32,
+                size[1] as i32,
+                0,
+                glow::RGBA,
+                kind,
+                PixelUnpackData::Slice(Some(bytes)),
+            );
+        }
+    };
+    match color_space {
+        ColorSpace::Srgb => fill(glow::SRGB8_ALPHA8, glow::UNSIGNED_BYTE, &flipped.copied().collect::<Vec<u8>>()),
+        ColorSpace::Data => {
+            let signed: Vec<f32> = flipped.map(|&t| f32::from(t) / 127.5 - 1.0).collect();
+            fill(glow::RGBA16F, glow::FLOAT, bytemuck::cast_slice(&signed));
+        }
+    }
+}
+
+/// A 1x1 white texture for the units of the textures that a material lacks.
+pub fn white(gl: &Gl) -> Result<TextureObject, GlError> {
+    let texture = Texture::new("white", 1, 1, vec![255; 4], ColorSpace::Data);
+    upload(gl, &texture, 1)
+}
+
+/// Sets how the texture that is bound to the active unit is sampled.
+pub fn set_sampling(gl: &Gl, filter: TextureFilter, wraps: [Wrap; 2], anisotropy: bool) {
+    let (minify, magnify) = match filter {
+        TextureFilter::Nearest => (glow::NEAREST, glow::NEAREST),
+        TextureFilter::Linear => (glow::LINEAR, glow::LINEAR),
+        TextureFilter::Mipmap | TextureFilter::Anisotropic => (glow::LINEAR_MIPMAP_LINEAR, glow::LINEAR),
+    };
+    let [wrap_s, wrap_t] = wraps.map(|wrap| match wrap {
+        Wrap::Repeat => glow::REPEAT,
+        Wrap::Clamp => glow::CLAMP_TO_EDGE,
+        Wrap::Mirror => glow::MIRRORED_REPEAT,
+    });
+    // SAFETY: a 2-D texture is bound to the active unit; the enums are valid for these parameters.
+    unsafe {
+        for (parameter, value) in [
+            (glow::TEXTURE_MIN_FILTER, minify),
+            (glow::TEXTURE_MAG_FILTER, magnify),
+            (glow::TEXTURE_WRAP_S, wrap_s),
+            (glow::TEXTURE_WRAP_T, wrap_t),
+        ] {
+            gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, value as i32);
+        }
+        if anisotropy {
+            let level = if filter == TextureFilter::Anisotropic { MAX_ANISOTROPY } else { 1.0 };
+            gl.tex_parameter_f32(glow::TEXTURE_2D, glow::TEXTURE_MAX_ANISOTROPY_EXT, level);
+        }
+    }
+}
