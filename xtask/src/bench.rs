@@ -1,11 +1,11 @@
-//! `cargo xtask bench`: builds what is measured, then lets `gonio-bench` measure.
+//! `cargo xtask bench`: builds the program and the benchmarks, and runs `gonio-bench`.
 
 use crate::web::{self, Build};
 use crate::{process, root};
 use std::path::PathBuf;
 use std::process::{Command, ExitCode};
 
-/// Builds the page, and measures it in a browser against a page of three.js.
+/// Builds the page and measures it in a browser against a three.js page.
 pub fn web() -> ExitCode {
     let root = root();
     if let Err(error) = web::build_page(&root, Build::Shipped, &mut |step| println!("{step}")) {
@@ -21,18 +21,17 @@ pub fn web() -> ExitCode {
     }
 }
 
-/// Builds the command line and the benchmarks for release, and runs the named ones, or all.
+/// Builds the command line and the benchmarks with the `release` profile, and runs the named benchmarks or all.
 pub fn run(names: &[&str]) -> ExitCode {
     let root = root();
-    println!("building for release");
+    println!("building the release programs");
     let arguments = ["build", "--release", "--locked", "--package", "gonio", "--package", "gonio-bench"];
     let built = process::run(process::cargo(&root).args(arguments));
     if !built.success {
         eprint!("{}", built.text);
         return ExitCode::from(2);
     }
-    // Its words go straight to the terminal, as they come.
-    // Not `cargo run`: for one package alone it would choose other features and build again.
+    // Not `cargo run`, which selects other features for a single package and would build again.
     let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
     let program = target.join("release").join(format!("gonio-bench{}", std::env::consts::EXE_SUFFIX));
     match Command::new(&program).args(names).status() {

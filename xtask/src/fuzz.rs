@@ -1,10 +1,10 @@
-//! `cargo xtask fuzz`: changed and made-up files for every reader, for as long as one likes.
+//! `cargo xtask fuzz`: runs cargo-fuzz on every reader.
 
 use crate::{process, root};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
-/// The targets in `fuzz/`, and where files lie that each begins with.
+/// The targets in `fuzz/`, each with the folders of its seeds.
 const TARGETS: &[(&str, &[&str])] = &[
     ("obj", &["crates/gonio-mesh/tests/corpus", "assets/models"]),
     ("mtl", &["crates/gonio-mesh/tests/mtl", "crates/gonio-mesh/tests/corpus", "assets/models"]),
@@ -24,12 +24,12 @@ const TARGETS: &[(&str, &[&str])] = &[
     (BATCH, &["crates/gonio-lab/tests/batches"]),
 ];
 
-/// The target that runs the program itself.
+/// The target that runs the whole program.
 const BATCH: &str = "batch";
 
-const USUAL_MINUTES: u64 = 20;
+const DEFAULT_MINUTES: u64 = 20;
 
-/// Runs the named targets, or all, one after the other, `--minutes N` each.
+/// Runs the named targets or all, one after the other, `--minutes N` each.
 pub fn run(words: &[&str]) -> ExitCode {
     let (targets, minutes) = match arguments(words) {
         Ok(arguments) => arguments,
@@ -42,7 +42,7 @@ pub fn run(words: &[&str]) -> ExitCode {
     let fuzz = process::run(Command::new("cargo").args(["+nightly", "fuzz", "--version"]).current_dir(&root));
     if !fuzz.success {
         eprintln!(
-            "xtask: cargo-fuzz or a nightly compiler is missing; type: rustup toolchain install nightly && cargo install cargo-fuzz"
+            "xtask: cargo-fuzz or a nightly compiler is missing; run: rustup toolchain install nightly && cargo install cargo-fuzz"
         );
         return ExitCode::from(2);
     }
@@ -53,7 +53,7 @@ pub fn run(words: &[&str]) -> ExitCode {
             Ok(true) => println!("fuzz {name}: nothing found"),
             Ok(false) => {
                 println!(
-                    "fuzz {name}: FOUND something; the file is in fuzz/artifacts/{name}: mend it and keep the file in \
+                    "fuzz {name}: FOUND something; the file is in fuzz/artifacts/{name}: fix the error and keep the file in \
                      {}/{name}",
                     found_in(name)
                 );
@@ -72,16 +72,17 @@ type Target = (&'static str, &'static [&'static str]);
 
 fn arguments(words: &[&str]) -> Result<(Vec<Target>, u64), String> {
     let mut targets = Vec::new();
-    let mut minutes = USUAL_MINUTES;
+    let mut minutes = DEFAULT_MINUTES;
     let mut words = words.iter();
     while let Some(&word) = words.next() {
         if word == "--minutes" {
             let number = words.next().and_then(|n| n.parse().ok()).filter(|n| *n > 0);
-            minutes = number.ok_or("--minutes wants a number of minutes")?;
+            minutes = number.ok_or("--minutes needs a positive number")?;
         } else {
             let known: Vec<&str> = TARGETS.iter().map(|(name, _)| *name).collect();
             let target = TARGETS.iter().find(|(name, _)| *name == word);
-            targets.push(*target.ok_or_else(|| format!("`{word}` is no fuzz target; there are {}", known.join(", ")))?);
+            targets
+                .push(*target.ok_or_else(|| format!("unknown fuzz target `{word}`; targets: {}", known.join(", ")))?);
         }
     }
     if targets.is_empty() {
@@ -90,7 +91,7 @@ fn arguments(words: &[&str]) -> Result<(Vec<Target>, u64), String> {
     Ok((targets, minutes))
 }
 
-/// Where files lie that a target once fell over.
+/// The folder of files that once made a target fail.
 fn found_in(name: &str) -> &'static str {
     match name {
         "environment" | "face_names" => "crates/gonio-environment/tests/found",
@@ -100,9 +101,9 @@ fn found_in(name: &str) -> &'static str {
     }
 }
 
-/// Whether the target survived.
+/// Runs one target. Returns whether it found nothing.
 fn fuzz_one(root: &Path, name: &str, seeds: &[&str], minutes: u64) -> Result<bool, String> {
-    // What earlier runs found interesting stays there; new files are written to the first folder only.
+    // Interesting inputs are kept between runs; libFuzzer writes to the first folder only.
     let corpus = root.join("fuzz/corpus").join(name);
     std::fs::create_dir_all(&corpus).map_err(|e| format!("cannot make {}: {e}", corpus.display()))?;
     let found = root.join(found_in(name)).join(name);
@@ -110,17 +111,17 @@ fn fuzz_one(root: &Path, name: &str, seeds: &[&str], minutes: u64) -> Result<boo
         seeds.iter().map(|seed| root.join(seed)).chain([found]).filter(|seed| seed.exists()).collect();
     let mut command = Command::new("cargo");
     command.args(["+nightly", "fuzz", "run", name]).arg(&corpus).args(seeds).current_dir(root);
-    // Seconds that an input may take: a batch starts a process for each submission in it.
+    // Seconds per input. A batch starts one process per submission.
     let mut most_seconds = 10;
     if name == BATCH {
         let built = process::run(process::cargo(root).args(["build", "--locked", "--package", "gonio"]));
         if !built.success {
-            return Err(format!("gonio was not built, which the target {BATCH} runs:\n{}", built.text));
+            return Err(format!("cannot build gonio, which the target {BATCH} runs:\n{}", built.text));
         }
         command.env("GONIO_PROGRAM", root.join("target/debug/gonio"));
         most_seconds = 200;
     }
-    // 64 KiB are enough for every structure; 2 GiB and 10 seconds are far more than any such file may take.
+    // 64 KiB suffice for every structure; no such file may take anywhere near 2 GiB or 10 seconds.
     command.args(["--", "-max_len=65536", "-rss_limit_mb=2048", "-print_final_stats=1"]);
     command.arg(format!("-timeout={most_seconds}"));
     command.arg(format!("-max_total_time={}", 60 * minutes));

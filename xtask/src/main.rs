@@ -1,8 +1,9 @@
-//! What CI runs, anyone can run: `cargo xtask help`.
+//! Development tasks: tests, benchmarks, fuzzing, the web page. `cargo xtask help` lists them.
 
 mod bench;
 mod checks;
 mod fuzz;
+mod house;
 mod process;
 mod report;
 mod score;
@@ -14,28 +15,28 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 const HELP: &str = "\
-cargo xtask test             everything that CI runs; needs nothing but rustup and a C compiler to start from
-cargo xtask test --fast      the same without the other platforms and without installing anything
-cargo xtask test --house     only the rules of the house that no compiler knows: a second
+cargo xtask test             run everything that CI runs; needs only rustup and a C compiler to start
+cargo xtask test --fast      the same without other platforms, and without installing anything
 cargo xtask test --web [--dev]
-                             only the web page: builds it and tries it in headless Chromium
-cargo xtask bench [NAME...]  measures; all of them without a name
+                             build the web page and test it in headless Chromium
+cargo xtask house            figures about the code base, and the rules that no compiler enforces; takes a second
+cargo xtask bench [NAME...]  run benchmarks; without a name, all of them
     render                   a 5,000-triangle model to a PNG, whole process, against f3d and a VTK script
-    render-large             the same of 1 million triangles
-    frame                    a frame of 1 million triangles against the barest OpenGL loop
-    lights                   the cost of a light, from 1 to 1,000 of them
+    render-large             the same with 1 million triangles
+    frame                    a frame of 1 million triangles against a minimal OpenGL loop
+    lights                   the cost of a light, from 1 to 1,000 lights
     obj                      reading OBJ files of 1 and 5 million triangles, against tobj and others
-    environment              a panorama into a cubemap, against OpenCV and ffmpeg
-    window                   dragging a light in the lab window, against the renderer alone; wants Xvfb
-cargo xtask bench web        the page in headless Chromium against a page of three.js: first frame, memory
+    environment              converting a panorama to a cubemap, against OpenCV and ffmpeg
+    window                   dragging a light in the window, against the renderer alone; needs Xvfb
+cargo xtask bench web        the page in headless Chromium against a three.js page: first frame, memory
 cargo xtask fuzz [TARGET...] [--minutes N]
-                             made-up files for every reader, 20 minutes each; wants cargo-fuzz and nightly
-cargo xtask web [--dev]      builds the web page into dist and says how large it is; wants node and npm
-cargo xtask schema           brings assets/scene.schema.json up to date with the code
-cargo xtask score            measures the laboratory's checker, and writes its table into exercises/README.md
-cargo xtask help             this text
+                             fuzz every reader, 20 minutes each; needs cargo-fuzz and nightly Rust
+cargo xtask web [--dev]      build the web page into dist and print its size; needs node and npm
+cargo xtask schema           update assets/scene.schema.json
+cargo xtask score            measure the checker and update the table in exercises/README.md
+cargo xtask help             print this text
 
-Exit code: 0 done, 1 a check failed, 2 error.
+Exit codes: 0 success, 1 a check failed, 2 error.
 ";
 
 fn main() -> ExitCode {
@@ -44,7 +45,7 @@ fn main() -> ExitCode {
     match words.as_slice() {
         ["test"] => test::run(test::Extent::Everything),
         ["test", "--fast"] => test::run(test::Extent::Fast),
-        ["test", "--house"] => test::run(test::Extent::House),
+        ["house"] => test::run(test::Extent::House),
         ["test", "--web"] => test::run(test::Extent::Web(web::Build::Shipped)),
         ["test", "--web", "--dev"] => test::run(test::Extent::Web(web::Build::Dev)),
         ["bench", "web"] => bench::web(),
@@ -58,15 +59,15 @@ fn main() -> ExitCode {
             ExitCode::SUCCESS
         }
         _ => {
-            eprintln!("xtask: `{}` is no task of mine\n\n{HELP}", words.join(" "));
+            eprintln!("xtask: unknown task `{}`\n\n{HELP}", words.join(" "));
             ExitCode::from(2)
         }
     }
 }
 
-/// The top of the repository.
+/// The repository's root folder.
 fn root() -> PathBuf {
-    // This crate's folder is known when it is built, and it always lies one below the top.
+    // `CARGO_MANIFEST_DIR` is the `xtask` folder.
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).parent().map(PathBuf::from).unwrap_or_default()
 }
 

@@ -1,23 +1,22 @@
-//! Other programs: run them, keep what they say.
+//! Runs other programs and captures their output.
 
 use std::io::Read;
 use std::path::Path;
 use std::process::Command;
 
-/// How a program ended.
+/// The outcome of a program.
 pub struct Outcome {
     /// Whether it ran and exited with 0.
     pub success: bool,
-    /// Its stdout and stderr as they came; or why it could not be started.
+    /// Its stdout and stderr in order, or the reason why it could not be started.
     pub text: String,
 }
 
-/// The cargo that runs this, at the top of the repository.
+/// The cargo that runs this program, in the repository's root folder.
 pub fn cargo(root: &Path) -> Command {
     let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.current_dir(root);
-    // `cargo run` tells a program about its own package. Build scripts further down would take that
-    // for a change and build again.
+    // `cargo run` sets variables about its own package. Build scripts would see them as changes and run again.
     for (name, _) in std::env::vars_os() {
         let text = name.to_string_lossy();
         if text.starts_with("CARGO_PKG_") || text.starts_with("CARGO_MANIFEST_") || text == "CARGO_PRIMARY_PACKAGE" {
@@ -25,14 +24,14 @@ pub fn cargo(root: &Path) -> Command {
         }
     }
     command.env("CARGO_TERM_COLOR", "never");
-    // What would make the next build faster: CI has no next one, and a disk that it fills.
+    // Incremental compilation only helps a next build, which CI does not have, and fills its disk.
     if std::env::var_os("CI").is_some() {
         command.env("CARGO_INCREMENTAL", "0");
     }
     command
 }
 
-/// Runs to the end; stdout and stderr in one text, in the order they were written.
+/// Runs a program to its end, with stdout and stderr in one text in the order they were written.
 pub fn run(command: &mut Command) -> Outcome {
     match run_or_error(command) {
         Ok(outcome) => outcome,
@@ -47,7 +46,7 @@ fn run_or_error(command: &mut Command) -> std::io::Result<Outcome> {
     let (mut reader, writer) = std::io::pipe()?;
     command.stdin(std::process::Stdio::null()).stdout(writer.try_clone()?).stderr(writer);
     let mut child = command.spawn()?;
-    // The command holds the pipe's writing ends: as long as it does, reading never ends.
+    // The command holds the writing ends of the pipe, and reading ends only when they are closed.
     command.stdout(std::process::Stdio::null()).stderr(std::process::Stdio::null());
     let mut bytes = Vec::new();
     reader.read_to_end(&mut bytes)?;
@@ -55,7 +54,7 @@ fn run_or_error(command: &mut Command) -> std::io::Result<Outcome> {
     Ok(Outcome { success: status.success(), text: String::from_utf8_lossy(&bytes).into_owned() })
 }
 
-/// Runs to the end and gives stdout alone, or everything it said where it failed.
+/// Runs a program to its end. Returns its stdout, or its stderr as the error if it failed.
 pub fn stdout_of(command: &mut Command) -> Result<String, String> {
     let program = command.get_program().to_string_lossy().into_owned();
     let output = command
@@ -68,12 +67,12 @@ pub fn stdout_of(command: &mut Command) -> Result<String, String> {
     Err(format!("`{program}` failed: {}", String::from_utf8_lossy(&output.stderr).trim()))
 }
 
-/// Where a missing program is to be had.
+/// How to install a missing program.
 fn how_to_install(program: &str) -> String {
     let advice = match Path::new(program).file_name().and_then(|n| n.to_str()).unwrap_or(program) {
         "cargo" | "rustup" => "install it from https://rustup.rs",
         "git" => "install the package `git`",
-        "apt-get" | "dpkg-query" => "this is no Debian",
+        "apt-get" | "dpkg-query" => "this system is not Debian",
         "node" | "npm" => "install the packages `nodejs npm`",
         "python3" => "install the packages `python3 python3-venv`",
         _ => return String::new(),
@@ -87,7 +86,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_missing_program_is_a_failure_that_says_so() {
+    fn a_missing_program_is_a_failure_that_names_it() {
         let outcome = run(&mut Command::new("no-such-program-of-gonio"));
         assert!(!outcome.success);
         assert!(outcome.text.contains("no-such-program-of-gonio"), "{}", outcome.text);

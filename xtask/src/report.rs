@@ -1,16 +1,16 @@
-//! What the steps found: one line each, failing output whole, and the totals.
+//! The report of a test run: one line per step, the full output of failures, and the totals.
 
 use std::io::Write;
 use std::time::{Duration, Instant};
 
-/// What one step found.
+/// The result of one step.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Findings {
     /// Tests or checks that passed.
     pub passed: usize,
     /// Tests or checks that failed.
     pub failed: usize,
-    /// Stands in brackets on the step's line.
+    /// Shown in brackets on the step's line.
     pub remark: String,
     /// Shown below the step's line.
     pub details: String,
@@ -22,24 +22,24 @@ impl Findings {
         Findings { passed: 1, ..Findings::default() }
     }
 
-    /// One check that failed, and everything there is to say about it.
+    /// One check that failed, with its full output.
     pub fn fail(details: impl Into<String>) -> Self {
         Findings { failed: 1, details: details.into(), ..Findings::default() }
     }
 
-    /// One check: passed where there is nothing to complain about.
+    /// One check, which passed if there are no complaints.
     pub fn of_complaints(complaints: &[String]) -> Self {
         if complaints.is_empty() { Findings::pass() } else { Findings::fail(complaints.join("\n")) }
     }
 
-    /// The same with a remark.
+    /// Adds a remark.
     pub fn remarking(mut self, remark: impl Into<String>) -> Self {
         self.remark = remark.into();
         self
     }
 }
 
-/// All steps so far.
+/// The steps that have run.
 #[derive(Default)]
 pub struct Report {
     /// Over all steps.
@@ -50,10 +50,10 @@ pub struct Report {
 }
 
 impl Report {
-    /// Runs a step, and prints its line when it is done.
+    /// Runs a step and prints its line. Returns whether it passed.
     pub fn step(&mut self, name: &str, run: impl FnOnce() -> Findings) -> bool {
         print!("{name:<28} ");
-        // Whoever waits wants to see what for; a closed stdout shows itself at the next print.
+        // Show the step's name while it runs; the next print reports a closed stdout.
         let _ = std::io::stdout().flush();
         let start = Instant::now();
         let findings = run();
@@ -71,7 +71,7 @@ impl Report {
         findings.failed == 0
     }
 
-    /// The last lines of a run: what failed, then the totals alone on a line.
+    /// The last lines of a run: the steps that failed, then the totals on a line of their own.
     pub fn summary(&self) -> String {
         let mut text = String::new();
         if !self.failed_steps.is_empty() {

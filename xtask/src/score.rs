@@ -1,4 +1,4 @@
-//! The checker measured: `gonio lab score`, held against the table in `exercises/README.md`, which it made.
+//! Measures the checker with `gonio lab score`, and compares the result with the table in `exercises/README.md`.
 
 use crate::report::Findings;
 use crate::{process, root};
@@ -8,13 +8,13 @@ use std::process::{Command, ExitCode};
 const DOCUMENT: &str = "exercises/README.md";
 const BEGIN: &str = "<!-- made by `cargo xtask score` -->\n";
 const END: &str = "<!-- end of what is made -->\n";
-/// Right answers in many styles.
+/// Submissions in many styles.
 const CORPUS: &str = "crates/gonio-lab/corpus";
-/// By so many a count may be another one: drivers differ in the last bit, and a mistake at the edge of what 8 bits show is seen
-/// by one and not by the other.
+/// Counts may differ by this much: drivers differ in the last bit, and a mistake at the limit of 8 bits is visible with one
+/// driver and not with another.
 const STEPS: usize = 2;
 
-/// `cargo xtask score`: measures, and writes the table. `program` is built by whoever calls.
+/// `cargo xtask score`: measures the checker and writes the table.
 pub fn run() -> ExitCode {
     let root = root();
     let built = process::run(process::cargo(&root).args(["build", "--locked", "--release"]));
@@ -42,17 +42,19 @@ pub fn run() -> ExitCode {
     }
 }
 
-/// Measures with the program that was built for the tests: whether the goals are reached, and the document says what is so.
+/// Measures with the program that was built for the tests, and compares with the goals and with the document.
 pub fn check(root: &Path) -> Findings {
     let program = crate::web::target_folder(root).join("debug").join(program_name());
     let measured = measure(root, &program);
     let document = std::fs::read_to_string(root.join(DOCUMENT)).map_err(|error| format!("{DOCUMENT}: {error}"));
     match (measured, document) {
-        (Ok((table, true)), Ok(document)) => match parts(&document).and_then(|(_, said, _)| compare(said, &table)) {
-            Ok(rows) => Findings::pass().remarking(format!("{rows} exercises")),
-            Err(error) => Findings::fail(format!("{error}\n{table}")),
-        },
-        (Ok((table, false)), _) => Findings::fail(format!("the goals are missed\n{table}")),
+        (Ok((table, true)), Ok(document)) => {
+            match parts(&document).and_then(|(_, stated, _)| compare(stated, &table)) {
+                Ok(rows) => Findings::pass().remarking(format!("{rows} exercises")),
+                Err(error) => Findings::fail(format!("{error}\n{table}")),
+            }
+        }
+        (Ok((table, false)), _) => Findings::fail(format!("the checker misses its goals\n{table}")),
         (Err(error), _) | (_, Err(error)) => Findings::fail(error),
     }
 }
@@ -61,7 +63,7 @@ fn program_name() -> PathBuf {
     PathBuf::from(format!("gonio{}", std::env::consts::EXE_SUFFIX))
 }
 
-/// What `gonio lab score` prints, and whether its goals were reached.
+/// Runs `gonio lab score`. Returns its output, and whether the goals were reached.
 fn measure(root: &Path, program: &Path) -> Result<(String, bool), String> {
     let mut command = Command::new(program);
     command.args(["lab", "score", "--quiet", "--corpus", CORPUS]).current_dir(root);
@@ -74,7 +76,7 @@ fn measure(root: &Path, program: &Path) -> Result<(String, bool), String> {
     }
 }
 
-/// Before the table, the table, and after it.
+/// Splits a document into the text before the table, the table, and the text after it.
 fn parts(document: &str) -> Result<(&str, &str, &str), String> {
     let lacking = |mark: &str| format!("{DOCUMENT} lacks the line {}", mark.trim());
     let begin = document.find(BEGIN).ok_or_else(|| lacking(BEGIN))? + BEGIN.len();
@@ -82,12 +84,12 @@ fn parts(document: &str) -> Result<(&str, &str, &str), String> {
     Ok((&document[..begin], &document[begin..end], &document[end..]))
 }
 
-/// The table without what stands below it.
+/// Only the lines of the table.
 fn rows_only(text: &str) -> String {
     text.lines().filter(|line| line.starts_with('|')).map(|line| format!("{line}\n")).collect()
 }
 
-/// The numbers of each row, but for shares, which follow from them.
+/// The counts of each row. Percentages are left out, because they follow from the counts.
 fn numbers(table: &str) -> Vec<(String, Vec<usize>)> {
     let rows = table.lines().filter(|line| line.starts_with('|')).skip(2);
     rows.filter_map(|row| {
@@ -102,20 +104,20 @@ fn numbers(table: &str) -> Vec<(String, Vec<usize>)> {
     .collect()
 }
 
-/// How many rows the two have, where they say the same.
-fn compare(said: &str, measured: &str) -> Result<usize, String> {
-    let mend = "`cargo xtask score` brings it up to date";
-    let (said, measured) = (numbers(said), numbers(measured));
-    if measured.is_empty() || said.len() != measured.len() {
-        return Err(format!("{DOCUMENT} has {} exercises, {} were measured; {mend}", said.len(), measured.len()));
+/// Compares two tables. Returns their number of rows if they agree.
+fn compare(stated: &str, measured: &str) -> Result<usize, String> {
+    let fix = "run `cargo xtask score` to update it";
+    let (stated, measured) = (numbers(stated), numbers(measured));
+    if measured.is_empty() || stated.len() != measured.len() {
+        return Err(format!("{DOCUMENT} has {} exercises, {} were measured; {fix}", stated.len(), measured.len()));
     }
-    for ((name, said), (measured_name, measured)) in said.iter().zip(&measured) {
-        let same = said.len() == measured.len() && said.iter().zip(measured).all(|(a, b)| a.abs_diff(*b) <= STEPS);
+    for ((name, stated), (measured_name, measured)) in stated.iter().zip(&measured) {
+        let same = stated.len() == measured.len() && stated.iter().zip(measured).all(|(a, b)| a.abs_diff(*b) <= STEPS);
         if name != measured_name || !same {
-            return Err(format!("{DOCUMENT} says {said:?} of {name}, measured is {measured:?}; {mend}"));
+            return Err(format!("{DOCUMENT} states {stated:?} for {name}, measured {measured:?}; {fix}"));
         }
     }
-    Ok(said.len())
+    Ok(stated.len())
 }
 
 #[cfg(test)]
@@ -135,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_said_must_be_what_is_measured() {
+    fn the_document_must_agree_with_the_measurement() {
         assert_eq!(compare(TABLE, TABLE), Ok(2));
         assert_eq!(compare(TABLE, &TABLE.replace("30 of 31", "29 of 31")), Ok(2));
         assert!(compare(TABLE, &TABLE.replace("30 of 31", "27 of 31")).is_err());

@@ -1,13 +1,12 @@
-//! What a fresh machine lacks: system packages, the toolchain's components and its other targets.
+//! Installs what a fresh machine lacks: system packages, toolchain components and targets.
 
 use crate::process;
 use crate::report::Findings;
 use std::path::Path;
 use std::process::Command;
 
-/// What the tests run besides cargo, as Debian calls it: OpenGL on the CPU; RenderDoc, its Python
-/// module, and the X server that opening a capture wants; what a window needs there, and the pointer and the keys that
-/// it is tried with; the browser for the page.
+/// Debian packages that the tests need: OpenGL on the CPU; RenderDoc, its Python module and the X server that opening a
+/// capture requires; libraries for a window under X, and simulated input; the browser.
 const PACKAGES: &[&str] = &[
     "libegl1",
     "libgl1-mesa-dri",
@@ -22,22 +21,22 @@ const PACKAGES: &[&str] = &[
     "chromium",
 ];
 
-/// What may as well come from elsewhere, so that the program counts and not the package: Node, which makes the page
-/// smaller, bundles its scripts and drives the browser.
+/// Programs that need not come from a Debian package, each with the package that has it.
 const PROGRAMS: &[(&str, &str)] = &[("node", "nodejs"), ("npm", "npm")];
 
-/// The platforms that are checked and not run, and the browser's.
+/// Targets that are compiled but not run, and the browser's.
 pub const TARGETS: &[&str] = &["x86_64-pc-windows-msvc", "aarch64-apple-darwin", "wasm32-unknown-unknown"];
 
 const COMPONENTS: &[&str] = &["rustfmt", "clippy"];
 
-/// Installs the missing packages where that is ours to do (root on Debian), else says how.
+/// Installs missing packages as root on Debian; otherwise tells how to install them.
 pub fn packages() -> Findings {
     if !cfg!(target_os = "linux") {
-        return Findings::default().remarking("Linux only; the tests look for OpenGL themselves");
+        return Findings::default()
+            .remarking("skipped: only Linux packages are known; the tests look for OpenGL themselves");
     }
     if !Path::new("/etc/debian_version").exists() {
-        return Findings::default().remarking("no Debian: OpenGL (EGL) and RenderDoc are yours to install");
+        return Findings::default().remarking("not Debian: install OpenGL (EGL) and RenderDoc yourself");
     }
     let mut missing: Vec<&str> = PACKAGES.iter().copied().filter(|package| !is_installed(package)).collect();
     let runs = |program: &str| process::stdout_of(Command::new(program).arg("--version")).is_ok();
@@ -47,15 +46,15 @@ pub fn packages() -> Findings {
     }
     let by_hand = format!("apt-get update && apt-get install -y --no-install-recommends {}", missing.join(" "));
     if !is_root() {
-        return Findings::fail(format!("missing packages; type: sudo sh -c '{by_hand}'"));
+        return Findings::fail(format!("packages are missing; run: sudo sh -c '{by_hand}'"));
     }
     for arguments in [vec!["update"], [vec!["install", "-y", "--no-install-recommends"], missing.clone()].concat()] {
         let outcome = process::run(
             Command::new("apt-get").args(["-q"]).args(&arguments).env("DEBIAN_FRONTEND", "noninteractive"),
         );
-        // An update that could not reach every mirror may be good enough; the installation will tell.
+        // An update that cannot reach every mirror may suffice; a failing installation is reported.
         if !outcome.success && arguments[0] == "install" {
-            return Findings::fail(format!("{}\ntype: {by_hand}", outcome.text));
+            return Findings::fail(format!("{}\nrun: {by_hand}", outcome.text));
         }
     }
     Findings::pass().remarking(format!("installed {}", missing.join(" ")))
@@ -70,7 +69,7 @@ fn is_root() -> bool {
     process::stdout_of(Command::new("id").arg("-u")).is_ok_and(|id| id.trim() == "0")
 }
 
-/// Adds what the pinned toolchain lacks. rustup reads `rust-toolchain.toml` by itself.
+/// Adds missing components and targets to the pinned toolchain, which rustup reads from `rust-toolchain.toml`.
 pub fn toolchain(root: &Path, targets: &[&str]) -> Findings {
     let rustup = |arguments: &[&str]| {
         let mut command = Command::new("rustup");
@@ -89,7 +88,7 @@ pub fn toolchain(root: &Path, targets: &[&str]) -> Findings {
         }
         let outcome = process::run(&mut rustup(&[&[kind, "add"], missing.as_slice()].concat()));
         if !outcome.success {
-            return Findings::fail(format!("{}\ntype: rustup {kind} add {}", outcome.text, missing.join(" ")));
+            return Findings::fail(format!("{}\nrun: rustup {kind} add {}", outcome.text, missing.join(" ")));
         }
         added.extend(missing);
     }
@@ -109,7 +108,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_missing_is_named() {
+    fn missing_components_and_targets_are_named() {
         let installed = "clippy-x86_64-unknown-linux-gnu\nrustc-x86_64-unknown-linux-gnu\nwasm32-unknown-unknown\n";
         assert_eq!(missing_from(installed, &["rustfmt", "clippy"]), ["rustfmt"]);
         assert_eq!(missing_from(installed, TARGETS), ["x86_64-pc-windows-msvc", "aarch64-apple-darwin"]);

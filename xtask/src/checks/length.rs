@@ -1,16 +1,22 @@
-//! Files that fit a head: a warning above 500 lines, a failure above 900.
+//! The length of source files: above 500 lines they are listed, above 900 the check fails.
 
 use super::tree::TextFile;
 
-/// From here on a file is pointed out.
+/// Longer files are listed.
 const LONG: usize = 500;
-/// From here on it has to be split.
+/// Longer files fail the check.
 const TOO_LONG: usize = 900;
 
-/// What is code here, by the ends of its files' names.
+/// File name endings of source code.
 const CODE: &[&str] = &[".rs", ".glsl", ".vert", ".frag", ".py", ".js", ".ts", ".sh"];
 
-/// Files pointed out, and complaints; the longest first.
+/// The longest source file, and its number of lines.
+pub fn longest(files: &[TextFile]) -> Option<(&str, usize)> {
+    let code = files.iter().filter(|f| CODE.iter().any(|end| f.path.ends_with(end)));
+    code.map(|f| (f.path.as_str(), f.text.lines().count())).max_by_key(|(_, lines)| *lines)
+}
+
+/// Returns the files that are listed and the files that are too long, each with the longest first.
 pub fn check(files: &[TextFile]) -> (Vec<String>, Vec<String>) {
     let mut long: Vec<(usize, &str)> = files
         .iter()
@@ -35,12 +41,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn both_limits_are_held() {
+    fn both_limits_hold() {
         let file = |path: &str, lines: usize| TextFile { path: path.into(), text: "x\n".repeat(lines) };
         let files =
             [file("a.rs", 500), file("b.rs", 501), file("c.vert", 900), file("d.rs", 901), file("model.obj", 10_000)];
         let (warnings, complaints) = check(&files);
         assert_eq!(warnings, ["c.vert: 900 lines (more than 500)", "b.rs: 501 lines (more than 500)"]);
+        assert_eq!(longest(&files), Some(("d.rs", 901)));
         assert_eq!(complaints, ["d.rs: 901 lines; split it (at most 900)"]);
     }
 }

@@ -1,5 +1,5 @@
-//! The rules of the house that no compiler knows. Each check takes plain data and gives complaints,
-//! so that each can be tried on a small bad example.
+//! Rules that no compiler enforces. Each check is a function from plain data to complaints, so each is tested with small bad
+//! examples.
 
 pub mod dependencies;
 pub mod examples;
@@ -9,3 +9,4 @@ pub mod paths;
 pub mod source;
 pub mod tree;
 pub mod unsafe_code;
+pub mod words;

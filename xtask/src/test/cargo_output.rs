@@ -1,4 +1,4 @@
-//! What `cargo test` printed, counted.
+//! Counts the tests in the output of `cargo test`.
 
 use crate::report::Findings;
 
@@ -32,7 +32,7 @@ pub fn count(text: &str) -> Counts {
     counts
 }
 
-/// What a run of `cargo test` found. A run without any test is a failure, for then something looked at nothing.
+/// The findings of a `cargo test` run. A run without any test is a failure.
 pub fn findings(success: bool, text: &str) -> Findings {
     let counts = count(text);
     let mut findings = Findings { passed: counts.passed, failed: counts.failed, ..Findings::default() };
@@ -40,7 +40,7 @@ pub fn findings(success: bool, text: &str) -> Findings {
         findings.remark = format!("{} ignored", counts.ignored);
     }
     if !success && counts.failed == 0 {
-        // It did not build, or a test program was ended before it could print its totals.
+        // It did not build, or a test program ended before it printed its totals.
         findings.failed = 1;
     }
     if success && counts.passed == 0 {
@@ -53,7 +53,7 @@ pub fn findings(success: bool, text: &str) -> Findings {
     findings
 }
 
-/// The text without the lines of tests that passed and of packages that were built.
+/// Removes the lines of passed tests and of built packages.
 pub fn without_noise(text: &str) -> String {
     let noise = |line: &str| {
         let trimmed = line.trim_start();
@@ -93,7 +93,7 @@ mod tests {
     }
 
     #[test]
-    fn failures_are_shown_without_what_passed() {
+    fn failures_are_shown_without_passed_tests() {
         let found = findings(false, &format!("{GOOD}{BAD}"));
         assert_eq!((found.passed, found.failed), (6, 1));
         assert!(found.details.contains("left: 1") && found.details.contains("test b ... FAILED"));
@@ -101,10 +101,10 @@ mod tests {
     }
 
     #[test]
-    fn what_ends_without_totals_has_failed() {
+    fn a_run_without_totals_has_failed() {
         let found = findings(false, "error: could not compile\n");
         assert_eq!((found.passed, found.failed, found.details.as_str()), (0, 1, "error: could not compile\n"));
-        // A program that crashed beside one that passed.
+        // One program passed, another crashed.
         assert_eq!(findings(false, GOOD).failed, 1);
     }
 

@@ -1,32 +1,32 @@
-//! `cargo xtask test`: the steps, in an order in which later ones find earlier ones' work built.
+//! `cargo xtask test`: runs the steps in an order that lets later steps reuse earlier builds.
 
 mod cargo_output;
 
-use crate::checks::{dependencies, examples, length, output, paths, tree, unsafe_code};
+use crate::checks::{dependencies, examples, output, paths, tree, unsafe_code};
 use crate::report::{Findings, Report};
 use crate::web::{Build, browser};
-use crate::{process, root, score, setup};
+use crate::{house as figures, process, root, score, setup};
 use std::path::Path;
 use std::process::ExitCode;
 
-/// How much is tested.
+/// The extent of a test run.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Extent {
-    /// What CI runs.
+    /// Everything that CI runs.
     Everything,
-    /// Without other platforms, and nothing is installed.
+    /// Without other platforms, installing nothing.
     Fast,
-    /// Only the rules that no compiler knows.
+    /// Only the rules that no compiler enforces.
     House,
-    /// Only the page, in a browser.
+    /// Only the web page, in a browser.
     Web(Build),
 }
 
-/// Desktop platforms that are checked and not run. No linker is needed for that.
+/// Desktop platforms that are compiled but not run, which needs no linker.
 const DESKTOPS: &[&str] = &["x86_64-pc-windows-msvc", "aarch64-apple-darwin"];
-/// What people get: all but the tools of this repository.
+/// The repository's own tools, which are not built for other platforms.
 const NOT_SHIPPED: &[&str] = &["xtask", "gonio-bench", "gonio-web-bindgen", "gonio-web-split"];
-/// What the web page will be made of, and whether it is built without its default features there.
+/// Crates of the web page, and whether the page disables their default features.
 const WEB: &[(&str, bool)] = &[
     ("gonio-light", false),
     ("gonio-mesh", false),
@@ -35,7 +35,7 @@ const WEB: &[(&str, bool)] = &[
     ("gonio-render", false),
 ];
 
-/// Runs every step; a failing one does not keep the next from being tried.
+/// Runs every step, also after one has failed.
 pub fn run(extent: Extent) -> ExitCode {
     let root = root();
     let mut report = Report::default();
@@ -60,16 +60,16 @@ pub fn run(extent: Extent) -> ExitCode {
     if report.failed > 0 { ExitCode::from(1) } else { ExitCode::SUCCESS }
 }
 
-/// The page, built and tried in a browser. `program_is_built`: see `browser::test`.
+/// Builds the page and tests it in a browser. `program_is_built`: see `browser::test`.
 fn page(report: &mut Report, root: &Path, build: Build, program_is_built: bool) {
-    if report.step("web page, built", || browser::build(root, build)) {
+    if report.step("web page, build", || browser::build(root, build)) {
         report.step("web page, in Chromium", || browser::test(root, program_is_built));
     } else {
-        report.step("web page, in Chromium", || Findings::fail("it was not tried, for it was not built"));
+        report.step("web page, in Chromium", || Findings::fail("not run, because the page was not built"));
     }
 }
 
-/// Everything that cargo does. True if the tests were built, and with them every program.
+/// The cargo steps. Returns whether the tests, and with them every program, were built.
 fn cargo_steps(report: &mut Report, root: &Path, extent: Extent) -> bool {
     report.step("rustfmt", || cargo_check(root, &["fmt", "--all", "--check"], &[]));
     report.step("clippy", || {
@@ -84,9 +84,9 @@ fn cargo_steps(report: &mut Report, root: &Path, extent: Extent) -> bool {
     });
     if built {
         report.step("tests", || cargo_test(root));
-        report.step("checker, measured", || score::check(root));
+        report.step("checker, score", || score::check(root));
     } else {
-        report.step("tests", || Findings::fail("they were not run, for they did not build"));
+        report.step("tests", || Findings::fail("not run, because the tests did not build"));
     }
     if extent == Extent::Everything {
         for target in DESKTOPS {
@@ -99,7 +99,7 @@ fn cargo_steps(report: &mut Report, root: &Path, extent: Extent) -> bool {
     built
 }
 
-/// The rules that no compiler knows.
+/// The rules that no compiler enforces, and figures about the code base.
 fn house(report: &mut Report, root: &Path) {
     report.step("dependencies point one way", || {
         let metadata = process::stdout_of(process::cargo(root).args([
@@ -132,26 +132,21 @@ fn house(report: &mut Report, root: &Path) {
         Findings::of_complaints(&complaints)
     });
     report.step("libraries keep quiet", || Findings::of_complaints(&output::check(&files)));
-    report.step("length of files", || {
-        let (long, too_long) = length::check(&files);
-        let mut findings = Findings::of_complaints(&too_long);
-        if !long.is_empty() {
-            findings.remark = format!("{} long", long.len());
-            findings.details = [findings.details, long.join("\n")].join("\n").trim_start().to_owned();
-        }
-        findings
-    });
+    report.step("unsafe blocks", || figures::check_unsafe(&files));
+    report.step("tracked files", || figures::check_tracked(root));
+    report.step("length of files", || figures::check_length(&files));
+    report.step("one meaning per word", || figures::check_words(&files));
     report.step("examples are tests", || Findings::of_complaints(&examples::check(&files)));
     report.step("no machine's paths", || Findings::of_complaints(&paths::check(&files)));
 }
 
-/// A cargo command that either passes or fails, with what it said where it failed.
+/// Runs a cargo command that passes or fails as a whole.
 fn cargo_check(root: &Path, arguments: &[&str], variables: &[(&str, &str)]) -> Findings {
     let outcome = process::run(process::cargo(root).args(arguments).envs(variables.iter().copied()));
     if outcome.success { Findings::pass() } else { Findings::fail(cargo_output::without_noise(&outcome.text)) }
 }
 
-/// There are no doc tests: `checks::examples`.
+/// Runs all tests. There are no doc tests, see `checks::examples`.
 fn cargo_test(root: &Path) -> Findings {
     let arguments = ["test", "--locked", "--workspace", "--no-fail-fast", "--all-targets"];
     let outcome = process::run(process::cargo(root).args(arguments));

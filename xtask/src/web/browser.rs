@@ -1,22 +1,25 @@
-//! The page in a browser: its tests, by Node's own runner.
+//! Tests the page in a browser with Node's test runner.
 
 use super::{Build, build_page, node, target_folder};
 use crate::process;
 use crate::report::Findings;
 use std::path::Path;
 
-/// Builds the page. Fails too where a first visit would load more than it may.
+/// Builds the page. Also fails if a first visit would load too much.
 pub fn build(root: &Path, build: Build) -> Findings {
     match build_page(root, build, &mut |_| {}) {
         Ok(sizes) => {
             let bytes = sizes.first_visit();
             let most = super::sizes::MOST_BYTES / 1000;
-            let remark = format!("{} kB by brotli until the first picture; at most {most}", bytes.div_ceil(1000));
-            // A page for working on is never small.
+            let remark = format!("{} kB (brotli) until the first picture, at most {most}", bytes.div_ceil(1000));
+            // The development build is never small.
             if build == Build::Shipped && bytes > super::sizes::MOST_BYTES {
                 let advice = "web/build/weigh.mjs shows where the bytes go";
-                return Findings::fail(format!("a first visit may load {most} kB; {advice}\n{}", sizes.table()))
-                    .remarking(remark);
+                return Findings::fail(format!(
+                    "a first visit may load at most {most} kB; {advice}\n{}",
+                    sizes.table()
+                ))
+                .remarking(remark);
             }
             Findings::pass().remarking(remark)
         }
@@ -24,9 +27,8 @@ pub fn build(root: &Path, build: Build) -> Findings {
     }
 }
 
-/// Runs the tests of `web/tests` on the page in `dist`, served by the program itself. `program_is_built`: the tests of
-/// the workspace were, and the program with them. To build it here would give it other features of what it shares with
-/// the window, and all of that would be built again.
+/// Runs the tests in `web/tests` on the page in `dist`, served by gonio itself. `program_is_built`: the workspace's tests
+/// were built, and the program with them. Building the program alone would select other features and build most of it again.
 pub fn test(root: &Path, program_is_built: bool) -> Findings {
     if !program_is_built {
         let built = process::run(process::cargo(root).args(["build", "--locked", "--workspace", "--bins"]));
@@ -41,14 +43,14 @@ pub fn test(root: &Path, program_is_built: bool) -> Findings {
     findings(outcome.success, &outcome.text)
 }
 
-/// From the lines `# pass 3` and the like at the end of what Node's test runner prints (TAP, version 13).
+/// Reads the totals (`# pass 3` and so on) that Node's test runner prints last (TAP, version 13).
 fn findings(success: bool, text: &str) -> Findings {
     let number = |what: &str| {
         let start = format!("# {what} ");
         text.lines().rev().find_map(|line| line.strip_prefix(&start)?.trim().parse::<usize>().ok()).unwrap_or(0)
     };
     let mut findings = Findings { passed: number("pass"), failed: number("fail"), ..Findings::default() };
-    // Neither is a test that passed, and neither may go unseen.
+    // None of these passed, so none may go unnoticed.
     findings.failed += number("cancelled") + number("skipped") + number("todo");
     if findings.failed == 0 && (!success || findings.passed == 0) {
         findings.failed = 1;

@@ -1,12 +1,12 @@
-//! `cargo xtask web`: the page, from gonio-web and `web/` into `dist/`.
+//! `cargo xtask web`: builds the page from gonio-web and `web/` into `dist/`.
 //!
 //! ```text
 //! crates/gonio-web   cargo, profile `web`    one WebAssembly module
-//!                    web/bindgen             its JavaScript, and the module without what that was made from
-//!                    web/build/profile.mjs   what of it runs until the first picture, in headless Chromium
-//!                    web/split               the module in two: that, and the rest
-//!                    binaryen's wasm-opt     both, smaller and faster
-//! web/page           web/build/pack.mjs      bundled, hashed names, brotli and gzip beside: dist/
+//!                    web/bindgen             its JavaScript bindings
+//!                    web/build/profile.mjs   records the functions that run before the first picture, in headless Chromium
+//!                    web/split               splits the module into those and the rest
+//!                    binaryen's wasm-opt     optimises both
+//! web/page           web/build/pack.mjs      bundles, hashes names, compresses with brotli and gzip: dist/
 //! ```
 
 pub mod browser;
@@ -14,35 +14,35 @@ mod npm;
 mod sizes;
 mod split;
 
-use crate::{process, root};
+use crate::{process, root, setup};
 use sizes::Sizes;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 use std::time::Instant;
 
-/// How the module is built.
+/// The kind of build.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Build {
-    /// As people get it.
+    /// The page that users get.
     Shipped,
-    /// In a fraction of the time, and several times the size: for working on the page.
+    /// Built in a fraction of the time and several times the size, for development.
     Dev,
 }
 
-/// Builds the page and says how large it is.
+/// Builds the page and prints its size.
 pub fn run(words: &[&str]) -> ExitCode {
     let build = match words {
         [] => Build::Shipped,
         ["--dev"] => Build::Dev,
         _ => {
-            eprintln!("xtask: web: `{}` is no option; there is --dev", words.join(" "));
+            eprintln!("xtask: web: unknown option `{}`; the only option is --dev", words.join(" "));
             return ExitCode::from(2);
         }
     };
     match build_page(&root(), build, &mut |step| println!("{step}")) {
         Ok(sizes) => {
             print!("\n{}", sizes.table());
-            println!("\nthe page is in dist; to see it: cargo run --release -- serve --from dist");
+            println!("\nThe page is in dist. To see it: cargo run --release -- serve --from dist");
             ExitCode::SUCCESS
         }
         Err(error) => {
@@ -52,14 +52,21 @@ pub fn run(words: &[&str]) -> ExitCode {
     }
 }
 
-/// Where cargo puts what it builds.
+/// Cargo's target folder.
 pub fn target_folder(root: &Path) -> PathBuf {
     std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from)
 }
 
-/// Builds the page into `dist`. `say`: is told each step before it begins.
+/// Builds the page into `dist`. `say` receives each step before it begins.
 pub fn build_page(root: &Path, build: Build, say: &mut dyn FnMut(&str)) -> Result<Sizes, String> {
     let web = root.join("web");
+    let toolchain = setup::toolchain(root, &["wasm32-unknown-unknown"]);
+    if toolchain.failed > 0 {
+        return Err(toolchain.details);
+    }
+    if !toolchain.remark.is_empty() {
+        say(&toolchain.remark);
+    }
     npm::install(&web, say)?;
     say("building gonio-web for wasm32");
     let profile = if build == Build::Shipped { "web" } else { "web-dev" };
@@ -70,7 +77,7 @@ pub fn build_page(root: &Path, build: Build, say: &mut dyn FnMut(&str)) -> Resul
         "--target",
         target,
     ]))?;
-    say("writing the JavaScript between both");
+    say("generating JavaScript bindings");
     let folder = target_folder(root);
     let stage = folder.join("web-page");
     std::fs::create_dir_all(&stage).map_err(|e| format!("cannot make {}: {e}", stage.display()))?;
@@ -78,16 +85,16 @@ pub fn build_page(root: &Path, build: Build, say: &mut dyn FnMut(&str)) -> Resul
     let tools = Tools::build(root)?;
     checked(Command::new(tools.bindgen).args([&module, &stage]))?;
     let (first, rest) = (stage.join("gonio_bg.wasm"), stage.join("gonio_rest.wasm"));
-    // Of a build before.
+    // From an earlier build.
     let _ = std::fs::remove_file(&rest);
     if build == Build::Shipped {
         split::split(&web, &tools.split, &first, &rest, say)?;
-        say("making the module smaller and faster (wasm-opt)");
+        say("optimising the module (wasm-opt)");
         for half in [&first, &rest].into_iter().filter(|half| half.is_file()) {
             optimise(&web, half)?;
         }
     }
-    say("putting the page together");
+    say("bundling the page");
     let packed = process::stdout_of(node(&web).arg("build/pack.mjs").arg(&stage).arg(root.join("dist")))?;
     let sizes = Sizes::read(&packed)?;
     // The build script of gonio watches this file's folder: see crates/gonio/build.rs.
@@ -96,14 +103,14 @@ pub fn build_page(root: &Path, build: Build, say: &mut dyn FnMut(&str)) -> Resul
     Ok(sizes)
 }
 
-/// Our own programs that work on modules.
+/// Our own tools for WebAssembly modules.
 struct Tools {
     bindgen: PathBuf,
     split: PathBuf,
 }
 
 impl Tools {
-    /// Builds them, together: each by itself would get other features of what they share, and all of that twice.
+    /// Builds them together: separate builds would select different features of shared dependencies.
     fn build(root: &Path) -> Result<Tools, String> {
         let packages = ["gonio-web-bindgen", "gonio-web-split"];
         checked(process::cargo(root).args(["build", "--locked", "--package", packages[0], "--package", packages[1]]))?;
@@ -120,8 +127,7 @@ pub fn node(web: &Path) -> Command {
     command
 }
 
-/// wasm-opt on a file, in place. The same module in gives the same module out, and it takes a minute: what it was
-/// made from is kept beside it.
+/// Runs wasm-opt on a file, in place. It takes a minute and is deterministic, so input and output are cached.
 fn optimise(web: &Path, module: &Path) -> Result<(), String> {
     let (input, output) = (module.with_extension("unoptimised.wasm"), module.with_extension("optimised.wasm"));
     let fresh = read(module)?;
@@ -144,11 +150,11 @@ fn write(path: &Path, bytes: &[u8]) -> Result<(), String> {
     std::fs::write(path, bytes).map_err(|e| format!("cannot write {}: {e}", path.display()))
 }
 
-/// For size, but inner loops as for speed. The module says itself which features it uses. Brotli likes what belongs
-/// together side by side, and large functions better for themselves than inside the one that calls them.
+/// Optimises for speed but inlines little. Brotli compresses better when related functions are neighbours and large
+/// functions are not inlined into their only caller.
 const WASM_OPT: &[&str] = &["-O3", "--one-caller-inline-max-function-size", "20", "--reorder-functions-by-name"];
 
-/// Runs a command that has to succeed.
+/// Runs a command. Its output is the error if it fails.
 fn checked(command: &mut Command) -> Result<(), String> {
     let outcome = process::run(command);
     if outcome.success { Ok(()) } else { Err(outcome.text) }

@@ -1,15 +1,15 @@
-//! The module in two: what runs until the first picture is shown, and the rest, which comes after it.
+//! Splits the module into the functions that run before the first picture, and the rest.
 //!
-//! What runs is found out by visiting the page in headless Chromium (`web/build/profile.mjs`). That a function is in the
-//! wrong half costs time or bytes and breaks nothing: `web/split` says how.
+//! A visit of the page in headless Chromium (`web/build/profile.mjs`) records which functions run. A function in the wrong half
+//! costs time or bytes and breaks nothing; `web/split` explains why.
 
 use super::{checked, node, read, write};
 use crate::process;
 use std::path::Path;
 use std::process::Command;
 
-/// Splits `module`, as wasm-bindgen left it, into itself and `rest`. Leaves it whole, and writes no rest, where there is no
-/// Chromium to visit the page with. As it was, with its names, it stays beside: `gonio_bg.before.wasm`.
+/// Splits `module` into itself and `rest`. Without Chromium the module stays whole and no `rest` is written. The original, with
+/// its names, is kept as `gonio_bg.before.wasm`.
 pub fn split(web: &Path, splitter: &Path, module: &Path, rest: &Path, say: &mut dyn FnMut(&str)) -> Result<(), String> {
     let whole = module.with_extension("before.wasm");
     write(&whole, &read(module)?)?;
@@ -21,8 +21,8 @@ pub fn split(web: &Path, splitter: &Path, module: &Path, rest: &Path, say: &mut 
     checked(Command::new(splitter).arg("split").args([&whole, &profile]).args([module, rest]))
 }
 
-/// Makes sure that `profile` is of this module. Gives whether it is; it takes half a minute, and what it was made from is
-/// kept beside it.
+/// Records the profile of a module, which takes half a minute, unless `profile` is up to date already. Returns whether there
+/// is a profile.
 fn profiled(
     web: &Path,
     splitter: &Path,
@@ -40,7 +40,7 @@ fn profiled(
     if profile.is_file() && std::fs::read(&made_from).is_ok_and(|bytes| bytes == fresh) {
         return Ok(true);
     }
-    say("visiting the page, to see what its first picture needs");
+    say("recording which functions the first picture needs");
     let _ = std::fs::remove_file(profile);
     let stage = module.parent().unwrap_or(Path::new("."));
     let page = stage.join("unsplit");
