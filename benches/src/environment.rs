@@ -6,8 +6,8 @@
 use crate::measure::{self, Cost};
 use crate::{Places, peers, table};
 use gonio_environment::convert::{Conversion, Filter, From};
-use gonio_environment::encode::png::{self, Depth};
 use gonio_environment::{Cubemap, Panorama, SimdLevel, builtin};
+use gonio_image::encode::png::{self, Depth};
 use gonio_light::color::OutputTransform;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -30,9 +30,9 @@ const BAR_REMAP: f64 = 1.2;
 pub fn run(places: &Places) -> Result<bool, String> {
     let picture = panorama_png(&places.out)?;
     let bytes = std::fs::read(&picture).map_err(|e| format!("cannot read {}: {e}", picture.display()))?;
-    let decoded = gonio_environment::decode::decode("panorama.png", &bytes, &Default::default());
+    let decoded = gonio_image::decode::decode("panorama.png", &bytes, &Default::default());
     let decoded = decoded.map_err(|e| e.to_string())?;
-    let gonio_environment::decode::Shape::Picture(image) = decoded.shape else {
+    let gonio_image::decode::Shape::Picture(image) = decoded.shape else {
         return Err("the panorama is no picture".to_owned());
     };
     let panorama = Panorama::new(image).map_err(|e| e.to_string())?;

@@ -2,8 +2,9 @@
 
 #![no_main]
 
-use gonio_environment::decode::{Shape, decode};
-use gonio_environment::{Arrangement, Layout, Limits, arrange};
+use gonio_image::decode::{Shape, decode};
+use gonio_environment::{Arrangement, Layout, arrange};
+use gonio_image::Limits;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|data: &[u8]| {

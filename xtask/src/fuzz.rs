@@ -15,7 +15,7 @@ const TARGETS: &[(&str, &[&str])] = &[
     ("medit", &["crates/gonio-mesh/tests/medit"]),
     ("any", &["crates/gonio-mesh/tests"]),
     ("explain", &["crates/gonio-mesh/tests/corpus", "crates/gonio-mesh/tests/mtl"]),
-    ("environment", &["crates/gonio-environment/tests/seeds"]),
+    ("environment", &["crates/gonio-image/tests/seeds"]),
     ("face_names", &["crates/gonio-environment/tests/names"]),
     ("glsl", &["crates/gonio-glsl/tests/pairs", "exercises/models"]),
     ("submission", &["crates/gonio-glsl/tests/pairs", "exercises", "crates/gonio-lab/corpus"]),

@@ -2,10 +2,11 @@
 
 use crate::convert::{Conversion, From};
 use crate::debug::debug;
-use crate::decode::{self, Shape};
 use crate::face::Layout;
 use crate::sky::Sky;
-use crate::{Cubemap, EnvironmentError, Limits, Panorama};
+use crate::{Cubemap, EnvironmentError, Panorama};
+use gonio_image::Limits;
+use gonio_image::decode::{Shape, decode};
 use gonio_light::named_enum;
 
 named_enum! {
@@ -55,7 +56,7 @@ pub fn room() -> Result<Panorama, EnvironmentError> {
 
 /// The room as a panorama, from the bytes of [`ROOM_FILE`].
 pub fn room_from(bytes: &[u8]) -> Result<Panorama, EnvironmentError> {
-    let decoded = decode::decode("room.hdr", bytes, &Limits::default())?;
+    let decoded = decode("room.hdr", bytes, &Limits::default())?;
     match decoded.shape {
         Shape::Picture(image) => Panorama::new(image),
         Shape::Faces(_) => Err(EnvironmentError::new("the built-in room is no panorama")),

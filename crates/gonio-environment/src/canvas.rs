@@ -1,8 +1,8 @@
 //! A square picture to draw on with antialiased strokes, in linear light.
 
-use crate::image::Image;
 use crate::stroke_font::{self, CAPITAL, Stroke};
 use glam::{DVec2, DVec3};
+use gonio_image::Image;
 
 /// A face being drawn. Places are (s, t), both from -1 to 1, columns to the right and rows downwards.
 pub(crate) struct Canvas {

@@ -7,10 +7,10 @@
 use crate::EnvironmentError;
 use crate::cubemap::check_sizes;
 use crate::face::{Face, Layout};
-use crate::image::Image;
 use crate::placement::{AS_GIVEN, Cube, Placements, differing, parts};
 use crate::repair::Repair;
 use crate::seams::{MISFIT_MAX, Seams};
+use gonio_image::Image;
 
 /// Arrangements fit equally well whose misfits differ by less than this part: five standard deviations of what noise does
 /// to four of twelve edges with 128 samples each.

@@ -5,9 +5,9 @@
 //! quarter. Whether it is upside down or mirrored, no edge tells: upside down, everything closes as before. That the lower
 //! half is the brighter one is a hint, and called one.
 
-use crate::image::Image;
 use crate::panorama::Panorama;
 use crate::seams::encode;
+use gonio_image::Image;
 
 /// A seam shows if its difference is more than this many times that of the rows or columns beside it: one step of a row or
 /// column is as far as another, so that it is about 1 where the picture goes on, and 4 or more where rooms and made-up pictures were cut.

@@ -2,10 +2,10 @@
 
 use crate::EnvironmentError;
 use crate::face::{Face, Layout};
-use crate::image::{Image, Pixel};
 use crate::panorama::color;
 use crate::solid_angle::SolidAngles;
 use glam::DVec3;
+use gonio_image::{Image, Pixel};
 
 /// Six square faces in OpenGL's layout, linear light.
 #[derive(Clone, Debug, PartialEq)]

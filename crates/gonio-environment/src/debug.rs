@@ -43,7 +43,7 @@ const LETTERS: [&str; 3] = ["X", "Y", "Z"];
 const COLORS: [[[u8; 3]; 2]; 3] =
     [[[184, 74, 0], [240, 168, 48]], [[0, 104, 80], [120, 208, 168]], [[0, 84, 148], [116, 190, 236]]];
 
-fn draw(face: Face, size: u32, layout: Layout) -> crate::image::Image {
+fn draw(face: Face, size: u32, layout: Layout) -> gonio_image::Image {
     let middle = face.direction(0.0, 0.0, Layout::Photographic);
     let (axis, positive) = axis_of(middle);
     let linear = |[r, g, b]: [u8; 3]| DVec3::new(r.into(), g.into(), b.into()).map(|v| srgb_decode(v / 255.0));

@@ -1,5 +1,6 @@
 //! Why an environment could not be read, made or written.
 
+use gonio_image::ImageError;
 use std::fmt;
 
 /// Why an environment could not be read, made or written: one sentence that says what is wrong and what to do.
@@ -34,3 +35,9 @@ impl fmt::Display for EnvironmentError {
 }
 
 impl std::error::Error for EnvironmentError {}
+
+impl From<ImageError> for EnvironmentError {
+    fn from(ImageError { file, message }: ImageError) -> Self {
+        EnvironmentError { file, message }
+    }
+}

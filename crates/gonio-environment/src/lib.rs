@@ -2,12 +2,11 @@
 //!
 //! An environment is a function from a direction in the world to linear radiance, seen unmirrored. The world is
 //! right-handed, Y is up, and straight ahead is -Z. In memory a cubemap's faces always lie as OpenGL samples them
-//! ([`Layout::OpenGl`]); the other layout exists in files only. Bytes in, environments out: nothing here opens a file.
+//! ([`Layout::OpenGl`]); the other layout exists in files only. Files are decoded and encoded by `gonio-image`.
 //!
 //! | room | what |
 //! |---|---|
 //! | [`face`] | the six faces, the two layouts, which direction each point of a face is |
-//! | [`image`] | a picture of linear light |
 //! | [`cubemap`] | six square pictures, looked up without seams |
 //! | [`panorama`] | an equirectangular picture |
 //! | [`convert`] | from one to the other, filtered, turned |
@@ -21,13 +20,9 @@
 //! | [`debug`] | a cubemap of which every face says which one it is |
 //! | [`sky`] | a clear sky with its sun |
 //! | [`brdf_table`] | what a rough mirror makes of uniform light, as a texture |
-//! | [`decode`] | files to pictures of linear light |
-//! | [`encode`] | pictures and cubemaps to files |
 //! | [`names`] | which of six files is which face |
 //! | [`arrange`] | crosses and strips: six faces in one picture |
-//! | [`limits`] | how much memory a file may ask for |
 //! | [`simd`] | instruction sets that a conversion can run on |
-//! | [`srgb`] | the sRGB curve by table |
 
 pub mod arrange;
 pub mod brdf_table;
@@ -38,13 +33,9 @@ pub mod check_panorama;
 pub mod convert;
 pub mod cubemap;
 pub mod debug;
-pub mod decode;
-pub mod encode;
 pub mod error;
 pub mod face;
 pub mod harmonics;
-pub mod image;
-pub mod limits;
 pub mod mip;
 pub mod names;
 mod padded;
@@ -56,7 +47,6 @@ mod seams;
 pub mod simd;
 pub mod sky;
 mod solid_angle;
-pub mod srgb;
 mod stroke_font;
 
 pub use arrange::Arrangement;
@@ -69,8 +59,6 @@ pub use cubemap::Cubemap;
 pub use error::EnvironmentError;
 pub use face::{Face, Layout};
 pub use harmonics::Harmonics;
-pub use image::{Image, Pixel};
-pub use limits::Limits;
 pub use mip::CubeMips;
 pub use panorama::Panorama;
 pub use prefilter::GlossyMips;

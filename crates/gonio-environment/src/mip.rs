@@ -2,9 +2,11 @@
 
 use crate::Cubemap;
 use crate::face::Face;
-use crate::image::Pixel;
 use crate::solid_angle::SolidAngles;
 use glam::DVec3;
+use gonio_image::Pixel;
+use gonio_image::encode::Encoded;
+use gonio_image::encode::ktx2::{self, Format, Level};
 use rayon::prelude::*;
 
 /// A cubemap and smaller copies of it: what a GPU calls its mip levels.
@@ -41,6 +43,13 @@ impl CubeMips {
     /// The full cubemap.
     pub fn full(&self) -> &Cubemap {
         &self.levels[0]
+    }
+
+    /// Encodes all levels as KTX2.
+    pub fn to_ktx2(&self, format: Format) -> Encoded {
+        let levels: Vec<Level<'_>> =
+            self.levels.iter().filter_map(|map| Level::new(map.size(), map.pixels())).collect();
+        ktx2::encode(&levels, format)
     }
 
     /// Linear radiance from a direction: bilinear in the two levels about `level`, and linear between them, as

@@ -7,9 +7,9 @@
 //!
 //! The centre column is the direction -Z, the right half turns towards +X, the top row is +Y.
 
-use crate::image::{Image, Pixel};
 use crate::{EnvironmentError, cubemap::mean};
 use glam::DVec3;
+use gonio_image::{Image, Pixel};
 use rayon::prelude::*;
 use std::f64::consts::PI;
 

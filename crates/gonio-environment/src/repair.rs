@@ -1,8 +1,8 @@
 //! What to do to six files so that they make one world.
 
 use crate::face::Face;
-use crate::image::Image;
 use crate::placement::{Placements, parts};
+use gonio_image::Image;
 
 /// What a face is to be made of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -8,7 +8,7 @@
 //! goes on, and up to [`MISFIT_MAX`] where it does not. Edges along which nothing changes fit each other in whatever
 //! direction, and so are evidence of nothing.
 
-use crate::image::{Image, Pixel};
+use gonio_image::{Image, Pixel};
 
 /// No edge counts for more: how much two pictures that do not belong together differ says nothing.
 pub(crate) const MISFIT_MAX: f64 = 25.0;

@@ -2,7 +2,8 @@
 
 use glam::{DMat3, DVec3};
 use gonio_environment::convert::{Conversion, Filter, From};
-use gonio_environment::{Cubemap, Face, Layout, Panorama, Pixel, cubemap, panorama};
+use gonio_environment::{Cubemap, Face, Layout, Panorama, cubemap, panorama};
+use gonio_image::Pixel;
 
 /// Smooth, of another value in every direction, and not symmetric in any way.
 fn smooth(d: DVec3) -> DVec3 {

@@ -3,7 +3,8 @@
 use glam::DVec3;
 use gonio_environment::check::{Certificate, Verdict, check};
 use gonio_environment::repair::{Repair, Source};
-use gonio_environment::{Builtin, Cubemap, Face, Image, Layout};
+use gonio_environment::{Builtin, Cubemap, Face, Layout};
+use gonio_image::Image;
 
 /// Many lobes of all sizes and colours: every edge has something of its own.
 fn rich(d: DVec3) -> DVec3 {

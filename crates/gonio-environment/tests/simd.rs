@@ -2,7 +2,8 @@
 
 use glam::{DMat3, DVec3};
 use gonio_environment::convert::{Conversion, Filter, From};
-use gonio_environment::{Cubemap, Face, Panorama, Pixel, SimdLevel, cubemap, panorama};
+use gonio_environment::{Cubemap, Face, Panorama, SimdLevel, cubemap, panorama};
+use gonio_image::Pixel;
 
 /// Sizes that are no multiple of eight lanes: single texels, primes, one more and one less than a block of eight.
 const PANORAMAS: &[(u32, u32)] = &[(1, 1), (2, 1), (1, 5), (7, 9), (31, 17), (64, 33)];

@@ -1,12 +1,11 @@
 //! Six pictures of a panorama's faces, right and wrong, as files are handed in.
 #![allow(missing_docs, clippy::unwrap_used)]
 
-use gonio_environment::decode::{Shape, decode};
-use gonio_environment::encode::png;
-use gonio_environment::{
-    Arrangement, Conversion, Cubemap, Face, Filter, Image, Layout, Limits, Panorama, arrange, convert,
-};
+use gonio_environment::{Arrangement, Conversion, Cubemap, Face, Filter, Layout, Panorama, arrange, convert};
 use gonio_gl::HeadlessContext;
+use gonio_image::decode::{Shape, decode};
+use gonio_image::encode::png;
+use gonio_image::{Image, Limits};
 use gonio_lab::check::Checker;
 use gonio_lab::submission::SourceFile;
 use gonio_lab::verdict::{Outcome, Verdict};

@@ -163,6 +163,13 @@ pub fn srgb_decode(encoded: f64) -> f64 {
     if encoded <= 0.04045 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
 }
 
+/// [`srgb_decode`] in single precision, for readers that decode millions of channels.
+pub fn srgb_decode_f32(encoded: f32) -> f32 {
+    // Written so that NaN becomes 0.
+    let encoded = if encoded > 0.0 { encoded.min(1.0) } else { 0.0 };
+    if encoded <= 0.04045 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
+}
+
 /// `x` held in `[0, 1]`; NaN counts as 0.
 pub(crate) fn unit_interval(x: f64) -> f64 {
     // Written so that NaN becomes 0, which `clamp` would keep.

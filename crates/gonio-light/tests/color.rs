@@ -3,7 +3,8 @@
 mod support;
 use gonio_light::DVec3;
 use gonio_light::color::{
-    ColorEncoding, EXPOSURE_LIMIT, OutputTransform, RADIANCE_CAP, ToneMap, capped, exposed, srgb_decode, srgb_encode,
+    ColorEncoding, EXPOSURE_LIMIT, OutputTransform, RADIANCE_CAP, ToneMap, capped, exposed, srgb_decode,
+    srgb_decode_f32, srgb_encode,
 };
 use support::assert_close;
 
@@ -25,6 +26,16 @@ fn srgb_round_trip_of_all_bytes_and_the_joint_is_continuous() {
     }
     // The standard's constants are rounded: its two pieces meet within 4e-8 (set by the standard).
     assert!((srgb_encode(0.0031308) - srgb_encode(0.003_130_800_000_1)).abs() < 4e-8);
+}
+
+#[test]
+fn single_precision_decodes_the_same() {
+    for step in 0..=1000 {
+        let encoded = step as f32 / 1000.0;
+        // A few units in the last place of f32: the rounding of its power.
+        assert_close(srgb_decode_f32(encoded).into(), srgb_decode(encoded.into()), 5e-7);
+    }
+    assert_eq!([f32::NAN, -1.0, 2.0].map(srgb_decode_f32), [0.0, 0.0, 1.0]);
 }
 
 #[test]

@@ -5,7 +5,8 @@ mod common;
 
 use common::*;
 use glam::{DMat4, DVec3, Vec3Swizzles};
-use gonio_environment::{Cubemap, Face, Image, Layout, Panorama, cubemap::texel_direction};
+use gonio_environment::{Cubemap, Face, Layout, Panorama, cubemap::texel_direction};
+use gonio_image::Image;
 use gonio_light::Optics;
 use gonio_mesh::Material;
 use gonio_reference::ReferenceScene;

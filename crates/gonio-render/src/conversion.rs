@@ -3,12 +3,13 @@
 
 use glow::{HasContext, PixelUnpackData};
 use gonio_environment::convert::{self, Conversion, Filter, From, Sheets};
-use gonio_environment::{Cubemap, Face, Image, Layout, Panorama, panorama};
+use gonio_environment::{Cubemap, Face, Layout, Panorama, panorama};
 use gonio_gl::Dialect;
 use gonio_gl::objects::{TextureObject, VertexArray};
 use gonio_gl::program::Program;
 use gonio_gl::target::OutputTarget;
 use gonio_gl::{DriverInfo, Gl, GlError};
+use gonio_image::Image;
 use std::fmt::Write;
 
 /// What was made.

@@ -8,9 +8,10 @@ use crate::toml_tree::nearest;
 use gonio_environment::arrange::{self, Arrangement};
 use gonio_environment::builtin::{self, Builtin};
 use gonio_environment::convert::{Conversion, From};
-use gonio_environment::decode::{Decoded, FileFormat, Shape, decode};
 use gonio_environment::names::{self, Assignment};
-use gonio_environment::{Cubemap, EnvironmentError, Face, Image, Layout, Panorama};
+use gonio_environment::{Cubemap, EnvironmentError, Face, Layout, Panorama};
+use gonio_image::Image;
+use gonio_image::decode::{Decoded, FileFormat, Shape, decode};
 use gonio_mesh::{Cause, Diagnostic, Limits, ReadError};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
@@ -140,8 +141,8 @@ fn open_quietly<S: FileSource>(
 }
 
 /// What is left for pixels.
-fn limits_of<S: FileSource>(files: &Budgeted<S>) -> gonio_environment::Limits {
-    gonio_environment::Limits { max_bytes: files.budget().left() }
+fn limits_of<S: FileSource>(files: &Budgeted<S>) -> gonio_image::Limits {
+    gonio_image::Limits { max_bytes: files.budget().left() }
 }
 
 fn open_files<S: FileSource>(name: &str, reader: &Reader<'_, S>, path: &Path) -> Result<OpenedEnvironment, ReadError> {
@@ -169,7 +170,7 @@ fn open_builtin(
     kind: Builtin,
     reading: Reading,
     files: &dyn FileSource,
-    limits: &gonio_environment::Limits,
+    limits: &gonio_image::Limits,
 ) -> Result<OpenedEnvironment, EnvironmentError> {
     let layout = reading.layout.unwrap_or_default();
     let size = reading.size.unwrap_or(BUILTIN_SIZE);
@@ -290,7 +291,7 @@ impl<S: FileSource> Reader<'_, S> {
         let paths = assignment.files.map(|i| folder.join(names.get(i).map_or("", |n| n.as_str())));
         let shown = |i: usize| paths[i].display().to_string();
         // Six at once: what is left is for all.
-        let limits = gonio_environment::Limits { max_bytes: limits_of(self.files).max_bytes / 6 };
+        let limits = gonio_image::Limits { max_bytes: limits_of(self.files).max_bytes / 6 };
         let read: Vec<Result<Decoded, ReadError>> =
             (0..6_usize).into_par_iter().map(|i| self.decode(&shown(i), &paths[i], &limits)).collect();
         let mut diagnostics: Vec<Diagnostic> =
@@ -335,7 +336,7 @@ impl<S: FileSource> Reader<'_, S> {
     }
 
     /// Reads and decodes a picture. Its pixels are not paid for yet: a face is decoded alone to see that it is one.
-    fn decode(&self, name: &str, path: &Path, limits: &gonio_environment::Limits) -> Result<Decoded, ReadError> {
+    fn decode(&self, name: &str, path: &Path, limits: &gonio_image::Limits) -> Result<Decoded, ReadError> {
         let bytes = files::read(self.files, path).map_err(|e| {
             let message = match (e.kind(), nearest_builtin(name)) {
                 (std::io::ErrorKind::NotFound, Some(meant)) => {
@@ -360,7 +361,7 @@ impl<S: FileSource> Reader<'_, S> {
                 let message = format!("this is {what}, not a picture; to draw it, name it as the input");
                 ReadError::new(message).in_file(name)
             }
-            _ => told(e, name),
+            _ => told(e.into(), name),
         })
     }
 }

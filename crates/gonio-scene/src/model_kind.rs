@@ -1,6 +1,6 @@
 //! What an input is: told by its content first, then by its name.
 
-use gonio_environment::decode::FileFormat;
+use gonio_image::decode::FileFormat;
 use gonio_mesh::{Format, compression, encoding, format};
 use std::path::Path;
 

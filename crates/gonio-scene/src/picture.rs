@@ -3,6 +3,7 @@
 use crate::display::DisplayMap;
 use crate::mip::srgb_byte;
 use glam::DVec3;
+pub use gonio_image::EncodedPicture;
 use gonio_light::color::{ColorEncoding, OutputTransform};
 use rayon::prelude::*;
 
@@ -15,17 +16,6 @@ pub struct Picture {
     pub height: u32,
     /// `width * height` pixels.
     pub pixels: Vec<[f32; 4]>,
-}
-
-/// A picture in the numbers of a file: not premultiplied.
-#[derive(Clone, Debug, PartialEq)]
-pub struct EncodedPicture<T> {
-    /// Pixels.
-    pub width: u32,
-    /// Pixels.
-    pub height: u32,
-    /// `width * height * 4` values, first row the top one.
-    pub rgba: Vec<T>,
 }
 
 impl Picture {

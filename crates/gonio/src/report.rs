@@ -10,6 +10,7 @@ use crate::escapes::json_for_terminal;
 use crate::page::{Page, Style, line_for_terminal};
 use clap::Parser;
 use gonio_gl::GlError;
+use gonio_image::ImageError;
 use gonio_mesh::{Cause, Diagnostic, ReadError, Severity};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fmt::Display;
@@ -128,6 +129,12 @@ impl From<ReadError> for CliError {
             None => "",
         };
         CliError::Message(format!("{error}{hint}"))
+    }
+}
+
+impl From<ImageError> for CliError {
+    fn from(error: ImageError) -> Self {
+        CliError::new(error.to_string())
     }
 }
 

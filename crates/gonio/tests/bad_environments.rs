@@ -4,8 +4,9 @@
 mod common;
 
 use common::Lab;
-use gonio_environment::encode::{exr, hdr, ktx2};
-use gonio_environment::{CubeMips, Cubemap, Face, Image};
+use gonio_environment::{CubeMips, Cubemap, Face};
+use gonio_image::Image;
+use gonio_image::encode::{exr, hdr, ktx2};
 
 fn png(width: u32, height: u32) -> Vec<u8> {
     let picture = image::RgbImage::from_fn(width, height, |x, y| image::Rgb([x as u8, y as u8, 99]));
@@ -109,7 +110,7 @@ fn models_and_environments_are_not_exchanged() {
     lab.write("model.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     lab.refuses("model.obj", &["model.obj: this is a model, not a picture; to draw it, name it as the input"]);
     let grey = Image::new(8, 4, [0.5, 0.5, 0.5, 1.0]);
-    lab.write("sky.ktx2", ktx2::encode(&CubeMips::new(Cubemap::new(4, [0.5; 4])), ktx2::Format::Srgb8).bytes);
+    lab.write("sky.ktx2", CubeMips::new(Cubemap::new(4, [0.5; 4])).to_ktx2(ktx2::Format::Srgb8).bytes);
     lab.write("panorama.hdr", hdr::encode(&grey).unwrap().bytes);
     lab.write("panorama.exr", exr::encode(&grey, exr::Precision::Half).unwrap().bytes);
     lab.write("panorama.png", png(8, 4));
@@ -147,7 +148,7 @@ fn files_that_are_cut_off_or_damaged() {
         ("a.png", png(32, 16)),
         ("a.hdr", hdr::encode(&image).unwrap().bytes),
         ("a.exr", exr::encode(&image, exr::Precision::Half).unwrap().bytes),
-        ("a.ktx2", ktx2::encode(&CubeMips::new(map), ktx2::Format::Half).bytes),
+        ("a.ktx2", CubeMips::new(map).to_ktx2(ktx2::Format::Half).bytes),
         ("a.dds", dds()),
     ] {
         lab.write(name, &bytes);

@@ -5,9 +5,10 @@ mod common;
 
 use common::{Lab, Run};
 use glam::DVec3;
-use gonio_environment::decode::{self, Decoded, Shape};
-use gonio_environment::encode::{exr, hdr, png};
-use gonio_environment::{Cubemap, Face, Image, Layout, Limits, Panorama};
+use gonio_environment::{Cubemap, Face, Layout, Panorama};
+use gonio_image::decode::{self, Decoded, Shape};
+use gonio_image::encode::{exr, hdr, png};
+use gonio_image::{Image, Limits};
 use gonio_light::color::OutputTransform;
 
 /// Directions of the debug cubemap, and the colours of their faces (sRGB), as its documentation has them.

@@ -1,7 +1,7 @@
 //! Who may know whom: dependencies between crates point one way.
 //!
 //! ```text
-//! light <- mesh, environment <- scene <- reference, gl <- lab <- app <- web, gonio (the command line)
+//! light <- mesh, image <- environment <- scene <- reference, gl <- lab <- app <- web, gonio (the command line)
 //! ```
 
 use serde_json::Value;
@@ -21,8 +21,9 @@ pub struct Rule {
 pub const RULES: &[Rule] = &[
     Rule { krate: "gonio-light", may_know: &[], tests_may_know: &[] },
     Rule { krate: "gonio-mesh", may_know: &["gonio-light"], tests_may_know: &[] },
-    Rule { krate: "gonio-environment", may_know: &["gonio-light"], tests_may_know: &[] },
-    Rule { krate: "gonio-scene", may_know: &["gonio-light", "gonio-mesh", "gonio-environment"], tests_may_know: &[] },
+    Rule { krate: "gonio-image", may_know: &["gonio-light"], tests_may_know: &[] },
+    Rule { krate: "gonio-environment", may_know: &["gonio-light", "gonio-image"], tests_may_know: &[] },
+    Rule { krate: "gonio-scene", may_know: BELOW_SCENES, tests_may_know: &[] },
     Rule { krate: "gonio-reference", may_know: BELOW_PICTURES, tests_may_know: &[] },
     // OpenGL alone: no scenes, meshes or lights.
     Rule { krate: "gonio-gl", may_know: &[], tests_may_know: &[] },
@@ -45,11 +46,14 @@ pub const RULES: &[Rule] = &[
     Rule { krate: "xtask", may_know: &[], tests_may_know: &[] },
 ];
 
-const BELOW_PICTURES: &[&str] = &["gonio-light", "gonio-mesh", "gonio-environment", "gonio-scene"];
-const BELOW_RENDERER: &[&str] = &["gonio-light", "gonio-mesh", "gonio-environment", "gonio-scene", "gonio-gl"];
+const BELOW_SCENES: &[&str] = &["gonio-light", "gonio-mesh", "gonio-image", "gonio-environment"];
+const BELOW_PICTURES: &[&str] = &["gonio-light", "gonio-mesh", "gonio-image", "gonio-environment", "gonio-scene"];
+const BELOW_RENDERER: &[&str] =
+    &["gonio-light", "gonio-mesh", "gonio-image", "gonio-environment", "gonio-scene", "gonio-gl"];
 const BELOW_LAB: &[&str] = &[
     "gonio-light",
     "gonio-mesh",
+    "gonio-image",
     "gonio-environment",
     "gonio-scene",
     "gonio-reference",
@@ -60,6 +64,7 @@ const BELOW_LAB: &[&str] = &[
 const BELOW_SHELLS: &[&str] = &[
     "gonio-light",
     "gonio-mesh",
+    "gonio-image",
     "gonio-environment",
     "gonio-scene",
     "gonio-reference",
@@ -72,6 +77,7 @@ const BELOW_SHELLS: &[&str] = &[
 const COMMAND_LINE: &[&str] = &[
     "gonio-light",
     "gonio-mesh",
+    "gonio-image",
     "gonio-environment",
     "gonio-scene",
     "gonio-reference",

@@ -30,6 +30,7 @@ const NOT_SHIPPED: &[&str] = &["xtask", "gonio-bench", "gonio-web-bindgen", "gon
 const WEB: &[(&str, bool)] = &[
     ("gonio-light", false),
     ("gonio-mesh", false),
+    ("gonio-image", false),
     ("gonio-scene", false),
     ("gonio-gl", true),
     ("gonio-render", false),

@@ -8,8 +8,8 @@
 //! 3. Else pictures are the environment of the scene that is open: one picture, or the six faces of a cubemap.
 //! 4. Else there is nothing to open, and that is said.
 
-use gonio_environment::decode::FileFormat;
 use gonio_environment::names;
+use gonio_image::decode::FileFormat;
 use gonio_mesh::{Format, compression};
 use gonio_scene::files::FileSource;
 use std::path::Path;

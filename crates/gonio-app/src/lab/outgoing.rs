@@ -3,6 +3,7 @@
 use super::{Lab, NOTHING_DRAWN};
 use crate::saving::{self, Product, png::Shown};
 use crate::session::Severity;
+use gonio_image::encode::exr_compact;
 use std::path::Path;
 
 impl Lab {
@@ -20,12 +21,14 @@ impl Lab {
         let size = (product == Product::SizedPicture).then_some([picture.width, picture.height]);
         match product {
             Product::Scene => Ok(saving::scene_file(&self.document.scene, folder).into_bytes()),
-            Product::Picture | Product::SizedPicture => saving::png::encode(&self.shown(size)?),
+            Product::Picture | Product::SizedPicture => {
+                saving::png::encode(&self.shown(size)?).map_err(|why| why.to_string())
+            }
             Product::Light => {
                 let pane = self.document.panes.current;
                 let light = self.studio.as_mut().map(|studio| studio.light(pane, size)).transpose();
                 let light = light.map_err(|why| why.to_string())?.flatten().ok_or(NOTHING_DRAWN)?;
-                saving::exr::encode(&light)
+                exr_compact::encode([light.width, light.height], &light.pixels).map_err(|why| why.to_string())
             }
         }
     }

@@ -1,6 +1,5 @@
 //! What can be saved: the picture and the scene.
 
-pub mod exr;
 pub mod png;
 mod scene_file;
 

@@ -25,8 +25,8 @@
 mod recognise;
 
 use crate::face::{Face, Layout};
-use crate::image::Image;
 use crate::{Cubemap, EnvironmentError};
+use gonio_image::Image;
 use gonio_light::named_enum;
 pub use recognise::{Recognised, recognise};
 

@@ -1,8 +1,8 @@
 //! What a picture of a size is taken for, and which of the two crosses it is.
 
 use super::{Arrangement, cell};
-use crate::image::Image;
 use crate::panorama::color;
+use gonio_image::Image;
 
 /// What a picture is taken for.
 #[derive(Clone, Debug, PartialEq, Eq)]

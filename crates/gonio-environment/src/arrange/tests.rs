@@ -1,6 +1,6 @@
 use super::*;
-use crate::Pixel;
 use glam::DVec3;
+use gonio_image::Pixel;
 
 const PICTURES: [Arrangement; 4] =
     [Arrangement::Cross, Arrangement::VerticalCross, Arrangement::Strip, Arrangement::VerticalStrip];

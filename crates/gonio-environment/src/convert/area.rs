@@ -4,10 +4,10 @@ use super::lanes::{Directions, LANES, first_eight, turned};
 use super::lookup::{Bilinear, Block, Mix, fill_block};
 use super::source::Source;
 use super::target::Target;
-use crate::image::Pixel;
 use fearless_simd::prelude::*;
 use fearless_simd::{f32x4, f32x8};
 use glam::Mat3;
+use gonio_image::Pixel;
 
 /// Fills a row: each pixel is the mean of k x k bilinear lookups, spread evenly over it, where k is such that they are no
 /// farther apart than the source's texels are there. Eight pixels together have the largest k of theirs.

@@ -6,9 +6,9 @@
 
 use super::lanes::LANES;
 use super::source::Source;
-use crate::image::Pixel;
 use fearless_simd::prelude::*;
 use fearless_simd::{f32x4, f32x8, i32x8};
+use gonio_image::Pixel;
 
 /// Eight places: the texel to the left of and above each, in a plane (a cubemap's face), and how far beyond it the place
 /// is, in [0, 1).

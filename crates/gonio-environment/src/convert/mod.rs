@@ -23,12 +23,12 @@ mod source;
 mod target;
 mod upright;
 
-use crate::image::{Image, Pixel};
 use crate::simd::{Kernel, SimdLevel};
 use crate::{Cubemap, Panorama};
 pub use area::MOST_ALONG;
 use fearless_simd::Simd;
 use glam::{DMat3, DVec3, Mat3};
+use gonio_image::{Image, Pixel};
 use gonio_light::named_enum;
 pub use lanes::ARC_TANGENT;
 use lanes::{first_eight, turned};

@@ -4,8 +4,8 @@ use super::source::texel_about;
 use super::{Filter, From};
 use crate::Cubemap;
 use crate::face::Face;
-use crate::image::Pixel;
 use crate::panorama::reduced_rows;
+use gonio_image::Pixel;
 use std::borrow::Cow;
 
 /// One picture, or six of one size, rows from the top.

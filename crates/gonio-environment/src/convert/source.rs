@@ -4,11 +4,11 @@ use super::Filter;
 use super::lanes::{Directions, angle};
 use super::lookup::{Cells, split};
 use crate::face::Face;
-use crate::image::Pixel;
 use crate::panorama::{CROWDED, over_the_pole, reduced_rows};
 use crate::{Cubemap, Panorama};
 use fearless_simd::prelude::*;
 use fearless_simd::{f32x8, i32x8, u32x8};
+use gonio_image::Pixel;
 use std::f32::consts::PI;
 
 /// Where eight directions meet a source: a plane (a cubemap's face), and texels from the middle of its first one.

@@ -9,11 +9,11 @@ use super::lanes::{LANES, angle, arc_tangent, first_eight};
 use super::lookup::{Bilinear, Cells, fill_rows, fill_rows_downwards, split};
 use super::source::PanoramaSource;
 use crate::face::{Face, Layout};
-use crate::image::Pixel;
 use crate::panorama::place;
 use crate::simd::{Kernel, SimdLevel};
 use fearless_simd::prelude::*;
 use fearless_simd::{f32x8, i32x8};
+use gonio_image::Pixel;
 use rayon::prelude::*;
 use std::f32::consts::PI;
 

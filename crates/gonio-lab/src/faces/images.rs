@@ -4,8 +4,9 @@ use super::FINE;
 use super::tiles::Tiles;
 use crate::exercise::Exercise;
 use crate::submission::SourceFile;
-use gonio_environment::decode::{FileFormat, Shape, decode};
-use gonio_environment::{Arrangement, Face, Image, Layout, Limits, Panorama, arrange, names};
+use gonio_environment::{Arrangement, Face, Layout, Panorama, arrange, names};
+use gonio_image::decode::{FileFormat, Shape, decode};
+use gonio_image::{Image, Limits};
 
 /// Faces smaller than this cannot be told apart.
 const LEAST: u32 = 32;

@@ -7,6 +7,7 @@ use crate::join::Joiner;
 use crate::limits::too_many_vertices;
 use crate::polygon::{Cut, MOST_CORNERS, Triangulator, too_many_corners};
 use crate::{ReadError, Severity};
+use gonio_light::color::srgb_decode_f32;
 
 /// No index.
 const NONE: u32 = u32::MAX;
@@ -235,7 +236,7 @@ impl Assembler<'_, '_> {
         if self.inputs.color.is_some() || !self.mesh.colors.is_empty() {
             let color = row(self.inputs.color, color).unwrap_or([1.0; 4]).map(|value| value.clamp(0.0, 1.0));
             self.mesh.colors.resize(made, [1.0; 4]);
-            self.mesh.colors.push(if self.document.is_from_blender { linear(color) } else { color });
+            self.mesh.colors.push(if self.document.is_from_blender { decoded(color) } else { color });
         }
         Ok(())
     }
@@ -246,8 +247,7 @@ fn shown(what: &str, index: u32) -> String {
     if index == NONE { format!("a {what} that is negative or beyond 32 bits") } else { format!("the {what} {index}") }
 }
 
-/// IEC 61966-2-1, from the encoded values; opacity stays.
-fn linear([r, g, b, a]: [f32; 4]) -> [f32; 4] {
-    let decode = |v: f32| if v <= 0.04045 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) };
-    [decode(r), decode(g), decode(b), a]
+/// Decodes the colour from sRGB and keeps the opacity.
+fn decoded([r, g, b, a]: [f32; 4]) -> [f32; 4] {
+    [srgb_decode_f32(r), srgb_decode_f32(g), srgb_decode_f32(b), a]
 }

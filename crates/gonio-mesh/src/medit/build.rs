@@ -7,6 +7,7 @@ use crate::limits::{too_many_triangles, too_many_vertices};
 use crate::polygon::{Cut, Triangulator};
 use crate::report::Reports;
 use crate::{Diagnostic, Limits, Material, Mesh, NormalSource, Part, ReadError, Severity};
+use gonio_light::color::srgb_decode;
 
 /// References that get parts of their own.
 const MOST_REFERENCES: usize = 1024;
@@ -59,8 +60,7 @@ fn material_of(reference: i64) -> Material {
     let diffuse = [5.0, 3.0, 1.0].map(|shift| {
         let k = (shift + hue) % 6.0;
         let encoded = 0.85 - 0.85 * 0.55 * k.min(4.0 - k).clamp(0.0, 1.0);
-        // IEC 61966-2-1.
-        (((encoded + 0.055) / 1.055).powf(2.4)) as f32
+        srgb_decode(encoded) as f32
     });
     Material { name, diffuse, ..Material::default() }
 }

@@ -34,6 +34,7 @@ use crate::{Diagnostic, Limits, Model, ReadError, Sidecars};
 pub(crate) use attributes::not_finite_behind_position;
 use attributes::{Attributes, Segment};
 use faces::Faces;
+use gonio_light::color::srgb_decode_f32;
 use materials::MaterialTable;
 use parts::Parts;
 use pieces::Plan;
@@ -233,11 +234,6 @@ fn decode_colors(colors: &mut [[f32; 3]], reports: &mut Reports) {
         reports.push(u64::MAX, Diagnostic::note(message));
     }
     for value in colors.iter_mut().flatten() {
-        *value = linear_from_srgb((*value * scale).clamp(0.0, 1.0));
+        *value = srgb_decode_f32(*value * scale);
     }
-}
-
-/// IEC 61966-2-1, from the encoded value in [0, 1].
-fn linear_from_srgb(encoded: f32) -> f32 {
-    if encoded <= 0.04045 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
 }

@@ -3,7 +3,8 @@
 use crate::conversion::Converter;
 use glam::{DMat3, DVec3};
 use gonio_environment::convert::{Conversion, Filter, From};
-use gonio_environment::{Cubemap, Panorama, Pixel};
+use gonio_environment::{Cubemap, Panorama};
+use gonio_image::Pixel;
 
 /// A value of its own in every direction, with waves and a lamp of 20.
 fn radiance(d: DVec3) -> DVec3 {

@@ -1,9 +1,9 @@
 //! Frames into one file: animated PNG or GIF.
 
 use crate::output::Format;
-use crate::output::png::{self, Meaning};
 use crate::report::CliError;
-use gonio_scene::picture::EncodedPicture;
+use gonio_image::EncodedPicture;
+use gonio_image::encode::png::{self, ColorTag};
 
 /// Frames per second as a fraction of seconds per frame, at most 16 bits each.
 fn delay(fps: f64) -> (u16, u16) {
@@ -42,9 +42,9 @@ impl Animation {
     }
 
     /// The next frame; all have the size of the first.
-    pub fn add(&mut self, picture: EncodedPicture<u8>, meaning: Meaning) -> Result<(), CliError> {
+    pub fn add(&mut self, picture: EncodedPicture<u8>, tag: ColorTag) -> Result<(), CliError> {
         match self {
-            Animation::Png(animation) => animation.add(&picture, meaning),
+            Animation::Png(animation) => Ok(animation.add(&picture, tag)?),
             Animation::Gif(gif) => gif.add(picture).map_err(gif_failed),
         }
     }
@@ -52,7 +52,7 @@ impl Animation {
     /// The file.
     pub fn finish(self) -> Result<Vec<u8>, CliError> {
         match self {
-            Animation::Png(animation) => animation.finish(),
+            Animation::Png(animation) => Ok(animation.finish()?),
             Animation::Gif(gif) => match gif.encoder {
                 Some(encoder) => encoder.into_inner().map_err(gif_failed),
                 None => Err(CliError::new("an animation needs at least one frame")),

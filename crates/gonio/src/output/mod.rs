@@ -2,9 +2,7 @@
 
 pub mod animation;
 pub mod atomic;
-pub mod exr;
 pub mod plan;
-pub mod png;
 pub mod set;
 
 pub use plan::{Format, Plan, PlanRequest, Target};

@@ -7,12 +7,13 @@ mod read;
 mod sheets;
 
 use crate::cli::WordOptions;
-use crate::output::png::{self, Meaning};
 use crate::output::{FileSet, atomic};
 use crate::page::Page;
 use crate::report::{CliError, Outcome, Reporter};
 use crate::values;
 use clap::Args;
+use gonio_image::EncodedPicture;
+use gonio_image::encode::png::{self, ColorTag};
 use measure::Numbers;
 use read::Pixels;
 use serde::Serialize;
@@ -171,9 +172,7 @@ fn write_pictures(args: &DiffArgs, a: &Pixels, b: &Pixels, numbers: &Numbers) ->
     let full_scale = args.scale.unwrap_or(numbers.steps.max.max(1.0));
     let difference = map::map(a, b, full_scale);
     let mut set = FileSet::new();
-    let mut write = |path: &Path, picture: &gonio_scene::picture::EncodedPicture<u8>| {
-        set.add(path, &png::encode8(picture, Meaning::Srgb)?)
-    };
+    let mut write = |path: &Path, picture: &EncodedPicture<u8>| set.add(path, &png::encode8(picture, ColorTag::Srgb)?);
     if let Some(path) = &args.side_by_side {
         write(path, &sheets::side_by_side(a, b, &difference))?;
     }

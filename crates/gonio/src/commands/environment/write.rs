@@ -4,9 +4,10 @@ use crate::output::{FileSet, atomic};
 use crate::report::CliError;
 use crate::values::nearest;
 use gonio_environment::arrange::{self, Arrangement};
-use gonio_environment::decode::{self, FileFormat, Shape};
-use gonio_environment::encode::{exr, hdr, ktx2, png};
-use gonio_environment::{CubeMips, Cubemap, EnvironmentError, Face, Image, Layout, Limits, Panorama};
+use gonio_environment::{CubeMips, Cubemap, Face, Layout, Panorama};
+use gonio_image::decode::{self, FileFormat, Shape};
+use gonio_image::encode::{exr, hdr, ktx2, png};
+use gonio_image::{Image, ImageError, Limits};
 use gonio_light::color::{OutputTransform, ToneMap};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
@@ -267,7 +268,7 @@ impl Plan {
                 let formats = [ktx2::Format::Srgb8, ktx2::Format::Half, ktx2::Format::Float];
                 let mips = CubeMips::new(map);
                 let least = usize::from(look.high_dynamic_range);
-                let encode = |format: &ktx2::Format| Ok(ktx2::encode(&mips, *format)).map(|e| (e.bytes, e.warnings));
+                let encode = |format: &ktx2::Format| Ok(mips.to_ktx2(*format)).map(|e| (e.bytes, e.warnings));
                 let faces = mips.full().faces(Layout::OpenGl);
                 let (bytes, warnings) =
                     if look.exact { first_exact(&formats[least..], &faces, encode) } else { encode(&formats[least]) }
@@ -295,7 +296,7 @@ impl Plan {
             .faces(look.layout)
             .par_iter()
             .map(|image| self.encode(image, look))
-            .collect::<Result<_, EnvironmentError>>()
+            .collect::<Result<_, ImageError>>()
             .map_err(failed)?;
         let mut written = Written::default();
         let mut files = FileSet::new();
@@ -318,7 +319,7 @@ impl Plan {
     }
 
     /// A picture's bytes, and what they could not hold.
-    fn encode(&self, image: &Image, look: &Look) -> Result<(Vec<u8>, Vec<String>), EnvironmentError> {
+    fn encode(&self, image: &Image, look: &Look) -> Result<(Vec<u8>, Vec<String>), ImageError> {
         match self.format(look.high_dynamic_range) {
             Format::Png => {
                 let encode = |depth: &png::Depth| {
@@ -347,11 +348,11 @@ impl Plan {
 }
 
 /// Bytes, and what they could not hold.
-type Bytes = Result<(Vec<u8>, Vec<String>), EnvironmentError>;
+type Bytes = Result<(Vec<u8>, Vec<String>), ImageError>;
 
 /// The first way of writing pictures of which they are read again as they are; else the last.
 fn first_exact<T>(ways: &[T], pictures: &[Image], encode: impl Fn(&T) -> Bytes) -> Bytes {
-    let (last, cheaper) = ways.split_last().ok_or_else(|| EnvironmentError::new("there is no way to write this"))?;
+    let (last, cheaper) = ways.split_last().ok_or_else(|| ImageError::new("there is no way to write this"))?;
     for way in cheaper {
         let (bytes, warnings) = encode(way)?;
         let again = decode::decode("", &bytes, &Limits { max_bytes: u64::MAX })?;
@@ -400,6 +401,6 @@ fn clipped(image: &Image, look: &Look) -> Option<String> {
     })
 }
 
-fn failed(error: EnvironmentError) -> CliError {
+fn failed(error: impl std::fmt::Display) -> CliError {
     CliError::new(error.to_string())
 }

@@ -8,15 +8,16 @@ use crate::capture;
 use crate::cli::{self, BackendOptions, SceneOptions, WordOptions};
 use crate::loading;
 use crate::output::animation::Animation;
-use crate::output::exr::NamedPicture;
-use crate::output::png::Meaning;
-use crate::output::{FileSet, Format, Plan, PlanRequest, Target, exr, png};
+use crate::output::{FileSet, Format, Plan, PlanRequest, Target};
 use crate::report::{CliError, Outcome, Reporter, Times};
 use crate::values::{self, DebugView};
 use clap::{ArgAction, Args};
+use gonio_image::ImageError;
+use gonio_image::encode::exr::{self, Layer};
+use gonio_image::encode::png::{self, ColorTag};
 use gonio_light::color::ColorEncoding;
 use gonio_render::{DisplayOptions, View};
-use gonio_scene::{DisplayMap, Frame, Overlay, Overlays, Scene, ViewSpec};
+use gonio_scene::{DisplayMap, Frame, Overlay, Overlays, Picture, Scene, ViewSpec};
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -255,7 +256,7 @@ impl Work<'_> {
         let views: Vec<Option<ViewSpec>> =
             std::iter::once(first).chain(self.args.views.iter().copied().map(Some)).collect();
         let shows = self.args.is_shown().then(|| self.args.shows(&views));
-        let mut layers: Vec<NamedPicture> = Vec::new();
+        let mut layers: Vec<(String, Picture)> = Vec::new();
         let wants_layers = self.plans.iter().any(|p| p.format == Format::Exr);
         let (reporter, times) = (self.reporter, self.times);
         let each = |place: usize, shot: Shot| {
@@ -266,7 +267,7 @@ impl Work<'_> {
             }
             if wants_layers {
                 let name = view.map_or_else(|| "picture".to_owned(), |v| v.to_string().replace(':', "-"));
-                layers.push(NamedPicture { name, picture: times.measure("read_back", || shot.linear())? });
+                layers.push((name, times.measure("read_back", || shot.linear())?));
             }
             // The first is the picture that was asked for, by the name that was asked for.
             let own_name = view.filter(|_| place > 0);
@@ -277,7 +278,7 @@ impl Work<'_> {
             None => backend.draw(frame, &views, reporter, times, each)?,
         }
         for plan in self.plans.iter().filter(|p| p.format == Format::Exr) {
-            let bytes = self.times.measure("encode", || exr::encode(&layers))?;
+            let bytes = self.times.measure("encode", || encode_layers(&layers))?;
             self.write(plan, index, None, &bytes)?;
         }
         Ok(())
@@ -293,25 +294,25 @@ impl Work<'_> {
         animations: &mut [Option<Animation>],
     ) -> Result<(), CliError> {
         let times = self.times;
-        let meaning = match DisplayMap::for_view(view, frame) {
-            DisplayMap::Light(transform) if transform.encoding == ColorEncoding::Srgb => Meaning::Srgb,
-            _ => Meaning::Numbers,
+        let tag = match DisplayMap::for_view(view, frame) {
+            DisplayMap::Light(transform) if transform.encoding == ColorEncoding::Srgb => ColorTag::Srgb,
+            _ => ColorTag::Untagged,
         };
         for (plan, animation) in self.plans.iter().zip(animations) {
             let bytes = match (plan.format, animation) {
                 (Format::Exr, _) => continue,
                 (_, Some(animation)) => {
                     let picture = times.measure("read_back", || shot.encoded8())?;
-                    times.measure("encode", || animation.add(picture.into_owned(), meaning))?;
+                    times.measure("encode", || animation.add(picture.into_owned(), tag))?;
                     continue;
                 }
                 _ if plan.bits == 16 => {
                     let picture = times.measure("read_back", || shot.encoded16())?;
-                    times.measure("encode", || png::encode16(&picture, meaning))?
+                    times.measure("encode", || png::encode16(&picture, tag))?
                 }
                 _ => {
                     let picture = times.measure("read_back", || shot.encoded8())?;
-                    times.measure("encode", || png::encode8(&picture, meaning))?
+                    times.measure("encode", || png::encode8(&picture, tag))?
                 }
             };
             self.write(plan, index, own_name, &bytes)?;
@@ -329,4 +330,12 @@ impl Work<'_> {
             _ => self.reporter.data(bytes),
         })
     }
+}
+
+/// All pictures as layers of one file; they have one size.
+fn encode_layers(pictures: &[(String, Picture)]) -> Result<Vec<u8>, ImageError> {
+    let size = pictures.first().map_or([0, 0], |(_, first)| [first.width, first.height]);
+    let layers: Vec<Layer<'_>> =
+        pictures.iter().map(|(name, picture)| Layer { name, pixels: &picture.pixels }).collect();
+    exr::encode_layers(size, &layers)
 }

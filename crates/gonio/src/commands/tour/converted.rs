@@ -4,9 +4,10 @@
 use crate::report::CliError;
 use gonio_environment::arrange::{self, Arrangement};
 use gonio_environment::convert::{Conversion, From};
-use gonio_environment::decode::{Shape, decode};
-use gonio_environment::encode::{ktx2, png};
-use gonio_environment::{Builtin, CubeMips, Cubemap, EnvironmentError, Image, Layout, Limits};
+use gonio_environment::{Builtin, CubeMips, Cubemap, Layout};
+use gonio_image::decode::{Shape, decode};
+use gonio_image::encode::{ktx2, png};
+use gonio_image::{Image, Limits};
 use gonio_light::color::{ColorEncoding, OutputTransform, ToneMap};
 use gonio_scene::environment_file::{self, Reading, Source};
 use gonio_scene::files::BuiltinOnly;
@@ -78,7 +79,7 @@ impl Converted {
             Target::PanoramaBack(face) => {
                 let there = cubemap(self.open(Some(face), None)?, face);
                 // Through a file, as the command does it: half floats.
-                let bytes = ktx2::encode(&CubeMips::new(there), ktx2::Format::Half).bytes;
+                let bytes = CubeMips::new(there).to_ktx2(ktx2::Format::Half).bytes;
                 let faces = match decode("cubemap.ktx2", &bytes, &Limits::default()).map_err(failed)?.shape {
                     Shape::Faces(faces) => *faces,
                     Shape::Picture(_) => return Err(CliError::new("a KTX2 cubemap was read as one picture")),
@@ -157,7 +158,7 @@ impl LaidOut {
     }
 }
 
-fn failed(error: EnvironmentError) -> CliError {
+fn failed(error: impl std::fmt::Display) -> CliError {
     CliError::new(error.to_string())
 }
 

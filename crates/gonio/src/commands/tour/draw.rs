@@ -7,8 +7,8 @@ use super::layout::{Layout, Place};
 use super::sheet::GROUND;
 use super::{Folder, TourArgs};
 use crate::backend::{Backend, BackendChoice, BackendReport, Counts, Opened};
-use crate::output::png;
 use crate::report::{CliError, Reporter, Times};
+use gonio_image::encode::png::{self, ColorTag};
 use gonio_light::color::ColorEncoding;
 use gonio_reference::ReferenceScene;
 use gonio_scene::environment::LoadedEnvironment;
@@ -257,12 +257,12 @@ fn one<'a>(
     let ms = start.elapsed().as_secs_f64() * 1e3;
     let (picture, counts) = drawn.ok_or_else(|| CliError::new(format!("`{}` was not drawn", exhibit.name)))?;
 
-    let meaning = match DisplayMap::for_view(exhibit.view, &frame) {
-        DisplayMap::Light(transform) if transform.encoding == ColorEncoding::Srgb => png::Meaning::Srgb,
-        _ => png::Meaning::Numbers,
+    let tag = match DisplayMap::for_view(exhibit.view, &frame) {
+        DisplayMap::Light(transform) if transform.encoding == ColorEncoding::Srgb => ColorTag::Srgb,
+        _ => ColorTag::Untagged,
     };
     times.measure("write", || -> std::result::Result<(), CliError> {
-        folder.add(&folder.picture(&exhibit.name), &png::encode8(&picture, meaning)?)?;
+        folder.add(&folder.picture(&exhibit.name), &png::encode8(&picture, tag)?)?;
         folder.add(&folder.scene(&exhibit.name), loaded.scene.to_toml_string().as_bytes())
     })?;
     let small = times.measure("reduce", || reduced(&picture, place.width, place.height, GROUND));

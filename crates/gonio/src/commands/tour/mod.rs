@@ -15,10 +15,11 @@ mod sections;
 mod sheet;
 
 use crate::cli::{BackendOptions, WordOptions};
-use crate::output::{FileSet, atomic, png};
+use crate::output::{FileSet, atomic};
 use crate::report::{CliError, Outcome, Reporter, Times};
 use crate::values;
 use clap::Args;
+use gonio_image::encode::png::{self, ColorTag};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -117,7 +118,7 @@ pub fn run(args: &TourArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let foot = format!("{} pictures, {}", drawn.shown.len(), drawn.sentence);
     let sheet = times.measure("sheet", || sheet::compose(&sections, &layout, &drawn.shown, &foot))?;
     times.measure("write", || -> Result<(), CliError> {
-        folder.add(&folder.sheet(), &png::encode8(&sheet.encoded(), png::Meaning::Srgb)?)?;
+        folder.add(&folder.sheet(), &png::encode8(&sheet.encoded(), ColorTag::Srgb)?)?;
         // The page last: whatever it names is there.
         folder.add(&folder.page(), page::write(&sections, &drawn).as_bytes())?;
         std::mem::take(&mut folder.set).commit()

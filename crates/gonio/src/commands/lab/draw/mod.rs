@@ -9,15 +9,16 @@ use super::{exercise, guard, intake};
 use crate::capture;
 use crate::cli::WordOptions;
 use crate::commands::frame::Shown;
-use crate::output::{atomic, png};
+use crate::output::atomic;
 use crate::report::{CliError, Outcome, Reporter};
 use crate::values;
 use clap::Args;
 use gonio_gl::HeadlessContext;
+use gonio_image::EncodedPicture;
+use gonio_image::encode::png::{self, ColorTag};
 use gonio_lab::exercise::Kind;
 use gonio_lab::live;
 use gonio_lab::submission::SourceFile;
-use gonio_scene::picture::EncodedPicture;
 use std::path::PathBuf;
 
 /// Draw what a student's files draw, and take the frame apart.
@@ -125,5 +126,5 @@ fn write_picture(args: &DrawArgs, size: [u32; 2], rgba: Vec<u8>) -> Result<(), C
 }
 
 fn encoded([width, height]: [u32; 2], rgba: Vec<u8>) -> Result<Vec<u8>, CliError> {
-    png::encode8(&EncodedPicture { width, height, rgba }, png::Meaning::Srgb)
+    Ok(png::encode8(&EncodedPicture { width, height, rgba }, ColorTag::Srgb)?)
 }

@@ -1,8 +1,9 @@
 //! Pictures to write, and small files of every kind.
 
-use gonio_environment::decode::{Decoded, Shape};
-use gonio_environment::encode::{self, exr::Precision, ktx2::Format};
-use gonio_environment::{CubeMips, Cubemap, Face, Image, Limits, decode};
+use gonio_image::decode::{Decoded, Shape};
+use gonio_image::encode::exr::Precision;
+use gonio_image::encode::ktx2::{Format, Level};
+use gonio_image::{Image, Limits, Pixel, decode, encode};
 use gonio_light::color::OutputTransform;
 
 /// A picture of which every pixel is another, with light from 0 to 12.
@@ -17,15 +18,36 @@ pub fn bright(width: u32, height: u32) -> Image {
     image
 }
 
-/// A cubemap of which every texel is another.
-pub fn cube(size: u32) -> Cubemap {
-    let mut map = Cubemap::new(size, [0.0; 4]);
-    for face in Face::ALL {
-        for (i, pixel) in map.face_mut(face).iter_mut().enumerate() {
-            *pixel = [face as u32 as f32 * 0.1, i as f32 / 64.0, 0.5, 1.0];
-        }
+/// A level of a cubemap: six faces one after the other.
+#[derive(Clone)]
+pub struct CubeLevel {
+    pub size: u32,
+    pub pixels: Vec<Pixel>,
+}
+
+impl CubeLevel {
+    /// The pixels of each face.
+    pub fn faces(&self) -> impl Iterator<Item = &[Pixel]> {
+        self.pixels.chunks_exact((self.size * self.size) as usize)
     }
-    map
+}
+
+/// A level of which every texel is another.
+pub fn cube(size: u32) -> CubeLevel {
+    let texels = (0..6_u8).flat_map(|face| (0..size * size).map(move |i| (f32::from(face), i as f32)));
+    CubeLevel { size, pixels: texels.map(|(face, i)| [face * 0.1, i / 64.0, 0.5, 1.0]).collect() }
+}
+
+/// KTX2 of all levels of a cube: the first, and each next one half as large.
+pub fn ktx2(levels: &[CubeLevel], format: Format) -> encode::Encoded {
+    let whole: Vec<Level<'_>> = levels.iter().filter_map(|level| Level::new(level.size, &level.pixels)).collect();
+    assert_eq!(whole.len(), levels.len());
+    encode::ktx2::encode(&whole, format)
+}
+
+/// A full chain of levels, down to one texel a face.
+pub fn chain(size: u32) -> Vec<CubeLevel> {
+    std::iter::successors(Some(size), |size| (*size > 1).then_some(size / 2)).map(cube).collect()
 }
 
 /// Reads, or fails with the error.
@@ -77,7 +99,7 @@ pub fn every_kind() -> Vec<(&'static str, Vec<u8>)> {
     };
     let png = |depth| encode::png::encode(&image, &OutputTransform::default(), depth).unwrap_or_else(|e| panic!("{e}"));
     let gray = image::GrayImage::from_fn(20, 17, |x, y| image::Luma([(x * y) as u8]));
-    let mips = CubeMips::new(cube(4));
+    let levels = chain(4);
     let mut flat_hdr = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n+Y 5 -X 3\n".to_vec();
     flat_hdr.extend((0..60).map(|i| i * 4 + 1));
     vec![
@@ -88,9 +110,9 @@ pub fn every_kind() -> Vec<(&'static str, Vec<u8>)> {
         ("flat hdr", flat_hdr),
         ("exr half", ok(encode::exr::encode(&image, Precision::Half))),
         ("exr float", ok(encode::exr::encode(&image, Precision::Float))),
-        ("ktx2 half", encode::ktx2::encode(&mips, Format::Half).bytes),
-        ("ktx2 float", encode::ktx2::encode(&mips, Format::Float).bytes),
-        ("ktx2 srgb", encode::ktx2::encode(&mips, Format::Srgb8).bytes),
+        ("ktx2 half", ktx2(&levels, Format::Half).bytes),
+        ("ktx2 float", ktx2(&levels, Format::Float).bytes),
+        ("ktx2 srgb", ktx2(&levels, Format::Srgb8).bytes),
         ("ktx2 zstd", super::ktx2::packed(2)),
         ("ktx2 zlib", super::ktx2::packed(3)),
         ("dds bc1", super::dds::cubemap(ddsfile::DxgiFormat::BC1_UNorm_sRGB, 4, 8)),

@@ -1,13 +1,13 @@
-//! Linear light as OpenEXR: scan lines of 32-bit floats, ZIP-compressed, alpha premultiplied as the format has it.
+//! OpenEXR by a writer of its own: scan lines of 32-bit floats, ZIP-compressed, alpha premultiplied as the format has it.
 //!
-//! Written here and not by the crate `exr`, whose writer weighs more in a web page than everything else that is saved
-//! together. After *Technical Introduction to OpenEXR* and *OpenEXR File Layout* (Kainz, Bogart, Stanczyk, Hillman;
+//! The writer of the crate `exr`, which [`super::exr`] uses, would add more to a web page than all other code that saves
+//! files. Source: *Technical Introduction to OpenEXR* and *OpenEXR File Layout* (Kainz, Bogart, Stanczyk, Hillman;
 //! Academy Software Foundation), with their ZIP compression: blocks of 16 lines, bytes split into first and second
 //! halves, differences, zlib.
 
+use crate::{ImageError, Pixel};
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
-use gonio_scene::Picture;
 use std::io::Write;
 
 const MAGIC: [u8; 4] = [0x76, 0x2f, 0x31, 0x01];
@@ -18,14 +18,18 @@ const LINES: usize = 16;
 /// Channels in the order of the alphabet, as the format wants, and where each is in a pixel.
 const CHANNELS: [(&[u8], usize); 4] = [(b"A", 3), (b"B", 2), (b"G", 1), (b"R", 0)];
 
-/// The file. An error is one sentence: a picture without pixels.
-pub fn encode(picture: &Picture) -> Result<Vec<u8>, String> {
-    let (width, height) = (picture.width as usize, picture.height as usize);
-    if width == 0 || height == 0 || picture.pixels.len() != width * height {
-        return Err("a picture without pixels cannot be written as OpenEXR".into());
+/// Encodes linear RGBA, first row the top one.
+///
+/// # Errors
+///
+/// A picture without pixels, or with another number of pixels than its size needs.
+pub fn encode(size: [u32; 2], pixels: &[Pixel]) -> Result<Vec<u8>, ImageError> {
+    let [width, height] = size.map(|side| side as usize);
+    if width == 0 || height == 0 || pixels.len() != width * height {
+        return Err(ImageError::new("a picture without pixels cannot be written as OpenEXR"));
     }
-    let mut file = header(picture.width, picture.height);
-    let blocks: Vec<Vec<u8>> = picture.pixels.chunks(width * LINES).map(|lines| packed(lines, width)).collect();
+    let mut file = header(size[0], size[1]);
+    let blocks: Vec<Vec<u8>> = pixels.chunks(width * LINES).map(|lines| packed(lines, width)).collect();
     // Where each block begins, counted from the beginning of the file.
     let mut at = (file.len() + 8 * blocks.len()) as u64;
     for block in &blocks {
@@ -99,16 +103,20 @@ fn packed(lines: &[[f32; 4]], width: usize) -> Vec<u8> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use gonio_environment::Limits;
-    use gonio_environment::decode::{Shape, decode};
+    use crate::decode::{Shape, decode};
+    use crate::{Image, Limits};
 
-    fn round_trip(picture: &Picture) {
-        let file = encode(picture).unwrap_or_else(|e| panic!("{e}"));
-        // Read by the crate `exr`, below gonio-environment.
+    fn encoded(image: &Image) -> Result<Vec<u8>, ImageError> {
+        encode([image.width, image.height], &image.pixels)
+    }
+
+    fn round_trip(image: &Image) {
+        let file = encoded(image).unwrap_or_else(|e| panic!("{e}"));
+        // Read by the crate `exr`.
         let read = decode("a.exr", &file, &Limits { max_bytes: 1 << 24 }).unwrap_or_else(|e| panic!("{}", e.message));
         let Shape::Picture(read) = read.shape else { panic!("not one picture") };
-        assert_eq!((read.width, read.height), (picture.width, picture.height));
-        for (read, written) in read.pixels.iter().zip(&picture.pixels) {
+        assert_eq!((read.width, read.height), (image.width, image.height));
+        for (read, written) in read.pixels.iter().zip(&image.pixels) {
             assert_eq!(read[..3], written[..3]);
         }
     }
@@ -116,31 +124,31 @@ mod tests {
     #[test]
     fn another_reader_reads_the_same_numbers() {
         // More than two blocks, the last not full.
-        let mut picture = Picture::new(37, 40, [0.0; 4]);
-        for (i, pixel) in picture.pixels.iter_mut().enumerate() {
+        let mut image = Image::new(37, 40, [0.0; 4]);
+        for (i, pixel) in image.pixels.iter_mut().enumerate() {
             *pixel = [i as f32 * 0.37, 1.0 / (1.0 + i as f32), if i % 7 == 0 { 30_000.0 } else { 0.125 }, 1.0];
         }
-        round_trip(&picture);
+        round_trip(&image);
     }
 
     #[test]
     fn what_cannot_be_packed_is_stored() {
-        let mut picture = Picture::new(16, 16, [0.0; 4]);
+        let mut image = Image::new(16, 16, [0.0; 4]);
         let mut state = 1_u32;
-        for value in picture.pixels.iter_mut().flatten() {
-            // Numerical Recipes' generator: bits that no packing makes smaller.
+        for value in image.pixels.iter_mut().flatten() {
+            // The generator of Numerical Recipes: bits that no compression makes smaller.
             state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             *value = f32::from_bits(state >> 2 & 0x3fff_ffff);
         }
-        picture.pixels.iter_mut().for_each(|pixel| pixel[3] = 1.0);
-        round_trip(&picture);
+        image.pixels.iter_mut().for_each(|pixel| pixel[3] = 1.0);
+        round_trip(&image);
     }
 
     #[test]
     fn flat_pictures_are_small_and_empty_ones_an_error() {
-        let flat = encode(&Picture::new(256, 256, [0.5, 0.25, 2.0, 1.0])).unwrap_or_else(|e| panic!("{e}"));
+        let flat = encoded(&Image::new(256, 256, [0.5, 0.25, 2.0, 1.0])).unwrap_or_else(|e| panic!("{e}"));
         // A megabyte of floats.
         assert!(flat.len() < 1 << 15, "{} bytes", flat.len());
-        assert!(encode(&Picture::new(0, 4, [0.0; 4])).is_err());
+        assert!(encoded(&Image::new(0, 4, [0.0; 4])).is_err());
     }
 }

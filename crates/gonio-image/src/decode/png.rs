@@ -2,7 +2,7 @@
 
 use super::{Decoded, FileFormat, Shape};
 use crate::srgb::{LINEAR_FROM_8, LINEAR_FROM_16};
-use crate::{EnvironmentError, Limits, Pixel};
+use crate::{ImageError, Limits, Pixel};
 use png::{BitDepth, DecodingError, Transformations};
 use rayon::prelude::*;
 use std::io::Cursor;
@@ -16,7 +16,7 @@ const BATCH: usize = 64;
 /// Memory that the codec may take in any case.
 const CODEC_BYTES: usize = 64 << 20;
 
-pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, EnvironmentError> {
+pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ImageError> {
     // What the codec itself takes: a few rows, metadata. The pixels are ours, and have their own limit.
     let codec_limit = usize::try_from(limits.max_bytes).unwrap_or(usize::MAX).max(CODEC_BYTES);
     let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), png::Limits { bytes: codec_limit });
@@ -31,10 +31,10 @@ pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, Environme
     let (notes, warnings) = remarks(reader.info(), color.samples() > 3 || color.samples() == 2);
     let convert = Converter { samples: color.samples(), wide: depth == BitDepth::Sixteen };
 
-    let row_bytes = reader.output_line_size(width).ok_or_else(|| EnvironmentError::new("its rows are too long"))?;
+    let row_bytes = reader.output_line_size(width).ok_or_else(|| ImageError::new("its rows are too long"))?;
     if reader.info().interlaced {
         // The rows of a pass are no rows of the picture: all of it first.
-        let size = row_bytes.checked_mul(height as usize).ok_or_else(|| EnvironmentError::new("it is too large"))?;
+        let size = row_bytes.checked_mul(height as usize).ok_or_else(|| ImageError::new("it is too large"))?;
         let mut all = vec![0; size];
         reader.next_frame(&mut all).map_err(failed)?;
         convert.rows(&all, &mut image.pixels);
@@ -133,17 +133,17 @@ fn append<const N: usize>(bytes: &[u8], pixels: &mut Vec<Pixel>, convert: impl F
     }));
 }
 
-fn failed(error: DecodingError) -> EnvironmentError {
+fn failed(error: DecodingError) -> ImageError {
     match error {
         DecodingError::IoError(e) if e.kind() == std::io::ErrorKind::UnexpectedEof => cut_off(),
         DecodingError::LimitsExceeded => {
-            EnvironmentError::new("decoding this PNG takes more memory than the limit; make the picture smaller")
+            ImageError::new("decoding this PNG takes more memory than the limit; make the picture smaller")
         }
         DecodingError::Format(e) if e.to_string().contains("nexpected end") => cut_off(),
-        error => EnvironmentError::new(format!("this PNG is damaged ({error}); get it again")),
+        error => ImageError::new(format!("this PNG is damaged ({error}); get it again")),
     }
 }
 
-fn cut_off() -> EnvironmentError {
-    EnvironmentError::new("this PNG ends before the picture is whole; get it again")
+fn cut_off() -> ImageError {
+    ImageError::new("this PNG ends before the picture is whole; get it again")
 }

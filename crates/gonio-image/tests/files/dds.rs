@@ -2,8 +2,8 @@
 
 use crate::samples::{faces, picture, read, refusal};
 use ddsfile::{AlphaMode, Caps2, D3D10ResourceDimension, D3DFormat, Dds, DxgiFormat, NewD3dParams, NewDxgiParams};
-use gonio_environment::Image;
-use gonio_environment::decode::FileFormat;
+use gonio_image::Image;
+use gonio_image::decode::FileFormat;
 use gonio_light::color::srgb_decode;
 
 fn written(mut dds: Dds, data: Vec<u8>) -> Vec<u8> {

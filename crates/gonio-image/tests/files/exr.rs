@@ -2,8 +2,8 @@
 
 use crate::samples::{bright, picture, read, refusal};
 use exr::prelude::*;
-use gonio_environment::decode::FileFormat;
-use gonio_environment::encode::exr::{Precision, encode};
+use gonio_image::decode::FileFormat;
+use gonio_image::encode::exr::{Precision, encode};
 use std::io::Cursor;
 
 /// A file of layers of flat channels.

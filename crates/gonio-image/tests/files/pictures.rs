@@ -1,9 +1,9 @@
 //! PNG and JPEG.
 
 use crate::samples::{bright, jpeg, picture, read, refusal};
-use gonio_environment::decode::FileFormat;
-use gonio_environment::encode::png::{Depth, encode, rows8};
-use gonio_environment::{Limits, decode};
+use gonio_image::decode::FileFormat;
+use gonio_image::encode::png::{Depth, encode, rows8};
+use gonio_image::{Limits, decode};
 use gonio_light::color::{ColorEncoding, OutputTransform, ToneMap, srgb_decode};
 use image::{DynamicImage, ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
 

@@ -1,7 +1,7 @@
 //! How much a file may ask for.
 
 use crate::image::Image;
-use crate::{EnvironmentError, Pixel};
+use crate::{ImageError, Pixel};
 
 /// How much memory a file may ask for before it is refused. Sizes are checked as the header names them, before anything
 /// is allocated.
@@ -21,9 +21,9 @@ impl Default for Limits {
 
 impl Limits {
     /// How many pixels `pictures` pictures of a size have together, or why they are refused: no pixels, or too many.
-    pub fn pixels(&self, width: u64, height: u64, pictures: u64) -> Result<usize, EnvironmentError> {
+    pub fn pixels(&self, width: u64, height: u64, pictures: u64) -> Result<usize, ImageError> {
         if width == 0 || height == 0 {
-            return Err(EnvironmentError::new(format!(
+            return Err(ImageError::new(format!(
                 "the picture is {width} x {height} pixels; an environment needs at least one"
             )));
         }
@@ -34,7 +34,7 @@ impl Limits {
             _ => {
                 let many = if pictures == 1 { String::new() } else { format!("{pictures} times ") };
                 let needed = bytes.map_or_else(|| "more than can be counted".to_owned(), gibibytes);
-                Err(EnvironmentError::new(format!(
+                Err(ImageError::new(format!(
                     "{many}{width} x {height} pixels are {needed} when decoded, and the limit is {}; make the picture \
                      smaller or raise the limit (--max-memory)",
                     gibibytes(self.max_bytes)
@@ -45,12 +45,12 @@ impl Limits {
 
     /// A picture of a size with room for its pixels, but none yet: what a reader fills row by row, so that a header
     /// that lies costs no memory.
-    pub(crate) fn unfilled(&self, width: u32, height: u32) -> Result<Image, EnvironmentError> {
+    pub(crate) fn unfilled(&self, width: u32, height: u32) -> Result<Image, ImageError> {
         let count = self.pixels(width.into(), height.into(), 1)?;
         let mut pixels = Vec::new();
         pixels.try_reserve_exact(count).map_err(|_| {
             let size = gibibytes(count as u64 * size_of::<Pixel>() as u64);
-            EnvironmentError::new(format!("there is no memory for {width} x {height} pixels ({size}); make it smaller"))
+            ImageError::new(format!("there is no memory for {width} x {height} pixels ({size}); make it smaller"))
         })?;
         Ok(Image { width, height, pixels })
     }

@@ -3,7 +3,7 @@
 use super::tidy::tidy;
 use super::{Decoded, FileFormat, Shape};
 use crate::image::Image;
-use crate::{EnvironmentError, Limits, Pixel};
+use crate::{ImageError, Limits, Pixel};
 use exr::block::UncompressedBlock;
 use exr::block::reader::ChunksReader;
 use exr::error::Error;
@@ -20,7 +20,7 @@ pub(super) const MAGIC: &[u8] = &[0x76, 0x2F, 0x31, 0x01];
 /// Blocks that are unpacked at once: enough for all threads, and at most a few hundred lines of the picture.
 const BATCH: usize = 64;
 
-pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, EnvironmentError> {
+pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ImageError> {
     let reader = exr::block::read(Cursor::new(bytes), false).map_err(failed)?;
     let (mut notes, mut warnings) = (Vec::new(), Vec::new());
     let chosen = Chosen::of(reader.headers(), &mut notes)?;
@@ -66,7 +66,7 @@ struct Chosen {
 impl Chosen {
     /// The first part with R, G, B; else the first with a layer `name.R`, `name.G`, `name.B`; else the first with Y, or
     /// with one channel alone.
-    fn of(headers: &[Header], notes: &mut Vec<String>) -> Result<Self, EnvironmentError> {
+    fn of(headers: &[Header], notes: &mut Vec<String>) -> Result<Self, ImageError> {
         let layers = headers.iter().enumerate().flat_map(|(part, header)| {
             let names: Vec<String> = header.channels.list.iter().map(|c| c.name.to_string()).collect();
             layers_of(&names).into_iter().map(move |(rank, layer, channels)| (rank, part, layer, channels))
@@ -77,20 +77,20 @@ impl Chosen {
         let Some((rank, part, layer, channels)) = best else {
             let all: Vec<String> =
                 headers.iter().flat_map(|h| h.channels.list.iter().map(|c| format!("`{}`", c.name))).take(12).collect();
-            return Err(EnvironmentError::new(format!(
+            return Err(ImageError::new(format!(
                 "no channels R, G and B, nor Y, are among {}; save the colours under these names",
                 if all.is_empty() { "none at all".to_owned() } else { all.join(", ") }
             )));
         };
         let list = &headers[part].channels.list;
         if let Some(channel) = channels.iter().map(|c| &list[*c]).find(|c| (c.sampling.x(), c.sampling.y()) != (1, 1)) {
-            return Err(EnvironmentError::new(format!(
+            return Err(ImageError::new(format!(
                 "the channel `{}` has fewer pixels than the picture; save it with R, G and B for every pixel",
                 channel.name
             )));
         }
         if list.iter().any(|c| (c.sampling.x(), c.sampling.y()) != (1, 1)) {
-            return Err(EnvironmentError::new(
+            return Err(ImageError::new(
                 "some channels have fewer pixels than the picture (luminance and chroma?); save it with R, G and B for \
                  every pixel",
             ));
@@ -143,7 +143,7 @@ struct Window {
 }
 
 impl Window {
-    fn of(header: &Header, limits: &Limits, warnings: &mut Vec<String>) -> Result<Self, EnvironmentError> {
+    fn of(header: &Header, limits: &Limits, warnings: &mut Vec<String>) -> Result<Self, ImageError> {
         let display = header.shared_attributes.display_window;
         let data = header.layer_size;
         let (data_width, data_height) = (data.width() as u64, data.height() as u64);
@@ -168,7 +168,7 @@ impl Window {
                  is cut off"
             ));
         }
-        let side = |n: u64| u32::try_from(n).map_err(|_| EnvironmentError::new("its window is too large"));
+        let side = |n: u64| u32::try_from(n).map_err(|_| ImageError::new("its window is too large"));
         Ok(Window { width: side(width)?, height: side(height)?, left, top })
     }
 }
@@ -245,16 +245,16 @@ fn numbers(bytes: &[u8], kind: SampleType, into: &mut Vec<f32>) {
     }
 }
 
-fn failed(error: Error) -> EnvironmentError {
+fn failed(error: Error) -> ImageError {
     match error {
-        Error::NotSupported(what) => EnvironmentError::new(format!(
+        Error::NotSupported(what) => ImageError::new(format!(
             "this OpenEXR file cannot be read ({what}); save it as one flat picture with ZIP compression"
         )),
         Error::Io(e) if e.kind() == std::io::ErrorKind::UnexpectedEof => cut_off(),
-        error => EnvironmentError::new(format!("this OpenEXR file is damaged ({error}); get it again")),
+        error => ImageError::new(format!("this OpenEXR file is damaged ({error}); get it again")),
     }
 }
 
-fn cut_off() -> EnvironmentError {
-    EnvironmentError::new("this OpenEXR file ends before the picture is whole; get it again")
+fn cut_off() -> ImageError {
+    ImageError::new("this OpenEXR file ends before the picture is whole; get it again")
 }

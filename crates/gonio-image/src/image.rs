@@ -31,3 +31,14 @@ impl Image {
         &self.pixels[y as usize * width..][..width]
     }
 }
+
+/// A picture in the numbers of a file, RGBA: 8 or 16 bits a channel, alpha not multiplied into the colours.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EncodedPicture<T> {
+    /// Pixels.
+    pub width: u32,
+    /// Pixels.
+    pub height: u32,
+    /// `width * height * 4` values, first row the top one.
+    pub rgba: Vec<T>,
+}

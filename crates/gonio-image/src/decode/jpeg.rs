@@ -2,7 +2,7 @@
 
 use super::{Decoded, FileFormat, Shape};
 use crate::srgb::LINEAR_FROM_8;
-use crate::{EnvironmentError, Limits};
+use crate::{ImageError, Limits};
 use rayon::prelude::*;
 use zune_jpeg::JpegDecoder;
 use zune_jpeg::errors::DecodeErrors;
@@ -16,7 +16,7 @@ pub(super) const MAGIC: &[u8] = &[0xFF, 0xD8, 0xFF];
 /// What it ends with, perhaps followed by other things.
 const END: [u8; 2] = [0xFF, 0xD9];
 
-pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, EnvironmentError> {
+pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ImageError> {
     let options = DecoderOptions::default()
         .jpeg_set_out_colorspace(ColorSpace::RGB)
         // What cannot be decoded is an error, not grey.
@@ -48,7 +48,7 @@ pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, Environme
     let width = usize::from(info.width);
     let height = usize::from(info.height);
     if decoder.output_colorspace() != Some(ColorSpace::RGB) || rgb.len() != 3 * width * height {
-        return Err(EnvironmentError::new("this JPEG's colours are of an unusual kind; save it again as RGB"));
+        return Err(ImageError::new("this JPEG's colours are of an unusual kind; save it again as RGB"));
     }
     let table = &*LINEAR_FROM_8;
     let light = |b: u8| table[usize::from(b)];
@@ -88,12 +88,10 @@ fn orientation(exif: &[u8]) -> Option<u16> {
     (0..count).map(|i| directory + 2 + 12 * i).find(|entry| u16_at(*entry) == Some(0x0112)).and_then(|e| u16_at(e + 8))
 }
 
-fn failed(error: DecodeErrors) -> EnvironmentError {
+fn failed(error: DecodeErrors) -> ImageError {
     match error {
         DecodeErrors::ExhaustedData => cut_off(),
-        error => {
-            EnvironmentError::new(format!("this JPEG is damaged ({}); get it again", one_line(&format!("{error:?}"))))
-        }
+        error => ImageError::new(format!("this JPEG is damaged ({}); get it again", one_line(&format!("{error:?}")))),
     }
 }
 
@@ -102,6 +100,6 @@ fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-fn cut_off() -> EnvironmentError {
-    EnvironmentError::new("this JPEG ends before the picture is whole; get it again")
+fn cut_off() -> ImageError {
+    ImageError::new("this JPEG ends before the picture is whole; get it again")
 }

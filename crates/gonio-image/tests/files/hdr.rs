@@ -1,9 +1,9 @@
 //! Radiance's `.hdr`.
 
 use crate::samples::{bright, picture, read, refusal};
-use gonio_environment::Image;
-use gonio_environment::decode::FileFormat;
-use gonio_environment::encode::hdr::encode;
+use gonio_image::Image;
+use gonio_image::decode::FileFormat;
+use gonio_image::encode::hdr::encode;
 
 fn file(header: &str, pixels: &[u8]) -> Vec<u8> {
     [header.as_bytes(), pixels].concat()

@@ -5,7 +5,7 @@
 
 use super::{Decoded, FileFormat, Shape};
 use crate::image::Image;
-use crate::{EnvironmentError, Limits, Pixel};
+use crate::{ImageError, Limits, Pixel};
 use std::sync::LazyLock;
 
 /// What it begins with.
@@ -15,7 +15,7 @@ pub(super) const MAGIC: &[u8] = b"#?";
 static SCALES: LazyLock<[f64; 256]> =
     LazyLock::new(|| std::array::from_fn(|e| if e == 0 { 0.0 } else { (e as f64 - 136.0).exp2() }));
 
-pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, EnvironmentError> {
+pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ImageError> {
     let mut rest = bytes;
     let header = Header::read(&mut rest)?;
     let order = Order::read(&mut rest)?;
@@ -57,7 +57,7 @@ struct Header {
 
 impl Header {
     /// The lines up to the empty one.
-    fn read(rest: &mut &[u8]) -> Result<Self, EnvironmentError> {
+    fn read(rest: &mut &[u8]) -> Result<Self, ImageError> {
         let mut header = Header { factors: [1.0; 3], notes: Vec::new(), warnings: Vec::new() };
         let (mut exposure, mut correction) = (1.0, [1.0; 3]);
         loop {
@@ -71,13 +71,13 @@ impl Header {
                 "FORMAT" => match value.trim() {
                     "32-bit_rle_rgbe" => {}
                     "32-bit_rle_xyze" => {
-                        return Err(EnvironmentError::new(
+                        return Err(ImageError::new(
                             "the colours are CIE XYZ (32-bit_rle_xyze), which depends on a white point that the file \
                              does not tell; convert it with Radiance: ra_xyze -r in.hdr out.hdr",
                         ));
                     }
                     other => {
-                        return Err(EnvironmentError::new(format!(
+                        return Err(ImageError::new(format!(
                             "the pixels are `{other}`, and only 32-bit_rle_rgbe is known; save it as such"
                         )));
                     }
@@ -111,7 +111,7 @@ impl Header {
         }
         header.factors = correction.map(|c| c * exposure);
         if header.factors.iter().any(|f| !(f.is_finite() && *f > 0.0)) {
-            return Err(EnvironmentError::new("the exposures in the header multiply to no number; mend the header"));
+            return Err(ImageError::new("the exposures in the header multiply to no number; mend the header"));
         }
         Ok(header)
     }
@@ -128,17 +128,17 @@ fn are_known(text: &str) -> bool {
         || near(&given, &colors) && (near(&given[6..], &[0.3127, 0.3290]) || near(&given[6..], &[0.3333, 0.3333]))
 }
 
-fn positive(key: &str, text: &str) -> Result<f64, EnvironmentError> {
+fn positive(key: &str, text: &str) -> Result<f64, ImageError> {
     text.trim().parse().ok().filter(|x: &f64| x.is_finite() && *x > 0.0).ok_or_else(|| {
-        EnvironmentError::new(format!("the header's {key} is `{}`, not a positive number; mend it", text.trim()))
+        ImageError::new(format!("the header's {key} is `{}`, not a positive number; mend it", text.trim()))
     })
 }
 
 /// The next line without its end. Longer ones than any program writes mean that this is no header.
-fn next_line<'a>(rest: &mut &'a [u8]) -> Result<std::borrow::Cow<'a, str>, EnvironmentError> {
+fn next_line<'a>(rest: &mut &'a [u8]) -> Result<std::borrow::Cow<'a, str>, ImageError> {
     const LONGEST: usize = 1 << 16;
     let end = rest.iter().take(LONGEST).position(|b| *b == b'\n');
-    let end = end.ok_or_else(|| EnvironmentError::new("the header of this .hdr does not end; get the file again"))?;
+    let end = end.ok_or_else(|| ImageError::new("the header of this .hdr does not end; get the file again"))?;
     let line = &rest[..end];
     *rest = &rest[end + 1..];
     Ok(String::from_utf8_lossy(line.strip_suffix(b"\r").unwrap_or(line)))
@@ -159,11 +159,11 @@ struct Order {
 impl Order {
     /// The line `-Y 512 +X 1024` and its seven relatives: `-Y` is downwards, `+X` to the right, the first of the two
     /// counts scan lines.
-    fn read(rest: &mut &[u8]) -> Result<Self, EnvironmentError> {
+    fn read(rest: &mut &[u8]) -> Result<Self, ImageError> {
         let line = next_line(rest)?;
         let words: Vec<&str> = line.split_whitespace().collect();
         let wrong = || {
-            EnvironmentError::new(format!(
+            ImageError::new(format!(
                 "the line with the size reads `{}`, not like `-Y 512 +X 1024`; get the file again",
                 line.chars().take(60).collect::<String>()
             ))
@@ -206,7 +206,7 @@ impl Order {
 }
 
 /// The next scan line, however it is packed.
-fn read_scan(rest: &mut &[u8], scan: &mut [[u8; 4]]) -> Result<(), EnvironmentError> {
+fn read_scan(rest: &mut &[u8], scan: &mut [[u8; 4]]) -> Result<(), ImageError> {
     let length = scan.len();
     // Adaptive run lengths announce themselves by two 2s, and the length of the line.
     if let [2, 2, high, low, ..] = **rest
@@ -244,7 +244,7 @@ fn read_scan(rest: &mut &[u8], scan: &mut [[u8; 4]]) -> Result<(), EnvironmentEr
 }
 
 /// One channel of a line with adaptive run lengths: above 128 a run of equal bytes, else so many different ones.
-fn read_channel(rest: &mut &[u8], scan: &mut [[u8; 4]], channel: usize) -> Result<(), EnvironmentError> {
+fn read_channel(rest: &mut &[u8], scan: &mut [[u8; 4]], channel: usize) -> Result<(), ImageError> {
     let mut filled = 0;
     while filled < scan.len() {
         let (&count, after) = rest.split_first().ok_or_else(cut_off)?;
@@ -259,7 +259,7 @@ fn read_channel(rest: &mut &[u8], scan: &mut [[u8; 4]], channel: usize) -> Resul
             *rest = after;
         } else {
             if count == 0 {
-                return Err(EnvironmentError::new("a run of this .hdr has no length; the file is damaged"));
+                return Err(ImageError::new("a run of this .hdr has no length; the file is damaged"));
             }
             let (values, after) = after.split_at_checked(count).ok_or_else(cut_off)?;
             for (pixel, value) in scan.get_mut(filled..filled + count).ok_or_else(too_long)?.iter_mut().zip(values) {
@@ -272,10 +272,10 @@ fn read_channel(rest: &mut &[u8], scan: &mut [[u8; 4]], channel: usize) -> Resul
     Ok(())
 }
 
-fn cut_off() -> EnvironmentError {
-    EnvironmentError::new("this .hdr ends before the picture is whole; get it again")
+fn cut_off() -> ImageError {
+    ImageError::new("this .hdr ends before the picture is whole; get it again")
 }
 
-fn too_long() -> EnvironmentError {
-    EnvironmentError::new("a run of this .hdr is longer than its scan line; the file is damaged, get it again")
+fn too_long() -> ImageError {
+    ImageError::new("a run of this .hdr is longer than its scan line; the file is damaged, get it again")
 }

@@ -22,7 +22,7 @@ mod png;
 mod texel;
 mod tidy;
 
-use crate::{EnvironmentError, Image, Limits};
+use crate::{Image, ImageError, Limits};
 pub(crate) use ktx2::MAGIC as KTX2_MAGIC;
 pub use tidy::INFINITE_LIGHT;
 
@@ -34,8 +34,8 @@ const ALPHA_IGNORED: &str = "alpha is ignored";
 pub enum Shape {
     /// One picture: a face, a panorama, a cross, a strip.
     Picture(Image),
-    /// Six faces in the order of [`crate::Face::ALL`]: square, of one size, and by the formats' specifications in
-    /// OpenGL's layout.
+    /// The six faces of a cubemap in the order +X, -X, +Y, -Y, +Z, -Z: square, of one size, and by the formats'
+    /// specifications in OpenGL's layout.
     Faces(Box<[Image; 6]>),
 }
 
@@ -104,7 +104,7 @@ pub struct Decoded {
 ///
 /// A kind or a variant that is not read (the message says what to convert it to); a file that is cut off or damaged; a
 /// size beyond `limits`, before anything is allocated.
-pub fn decode(name: &str, bytes: &[u8], limits: &Limits) -> Result<Decoded, EnvironmentError> {
+pub fn decode(name: &str, bytes: &[u8], limits: &Limits) -> Result<Decoded, ImageError> {
     let decode = match FileFormat::detect(bytes) {
         Some(FileFormat::Png) => png::decode,
         Some(FileFormat::Jpeg) => jpeg::decode,
@@ -118,10 +118,10 @@ pub fn decode(name: &str, bytes: &[u8], limits: &Limits) -> Result<Decoded, Envi
 }
 
 /// What to say of a kind that is not read.
-fn unknown(bytes: &[u8]) -> EnvironmentError {
+fn unknown(bytes: &[u8]) -> ImageError {
     const READ: &str = "PNG, JPEG, Radiance .hdr, OpenEXR, KTX2 and DDS are read";
     if bytes.is_empty() {
-        return EnvironmentError::new("the file is empty; get it again");
+        return ImageError::new("the file is empty; get it again");
     }
     // (where it stands, what stands there, what it is)
     const OTHERS: &[(usize, &[u8], &str)] = &[
@@ -144,7 +144,7 @@ fn unknown(bytes: &[u8]) -> EnvironmentError {
     ];
     let what = OTHERS.iter().find(|(at, magic, _)| bytes.get(*at..).is_some_and(|b| b.starts_with(magic)));
     match what {
-        Some((_, _, what)) => EnvironmentError::new(format!("this is {what}; {READ}")),
-        None => EnvironmentError::new(format!("this is no kind of picture that is known; {READ}")),
+        Some((_, _, what)) => ImageError::new(format!("this is {what}; {READ}")),
+        None => ImageError::new(format!("this is no kind of picture that is known; {READ}")),
     }
 }

@@ -6,7 +6,7 @@
 
 use super::Encoded;
 use crate::image::Image;
-use crate::{EnvironmentError, Pixel};
+use crate::{ImageError, Pixel};
 use rayon::prelude::*;
 use std::io::Write;
 
@@ -15,9 +15,9 @@ use std::io::Write;
 /// # Errors
 ///
 /// A picture without pixels.
-pub fn encode(image: &Image) -> Result<Encoded, EnvironmentError> {
+pub fn encode(image: &Image) -> Result<Encoded, ImageError> {
     if image.pixels.is_empty() {
-        return Err(EnvironmentError::new("a picture without pixels cannot be written as .hdr"));
+        return Err(ImageError::new("a picture without pixels cannot be written as .hdr"));
     }
     let mut bytes = Vec::new();
     // Writing to memory does not fail.

@@ -8,9 +8,8 @@ use super::bytes::Bytes;
 use super::texel::{Texel, Transfer};
 use super::tidy::tidy;
 use super::{Decoded, FileFormat, Shape};
-use crate::face::Face;
 use crate::image::Image;
-use crate::{EnvironmentError, Limits};
+use crate::{ImageError, Limits};
 
 /// What DDS begins with.
 pub(super) const MAGIC: &[u8] = b"DDS ";
@@ -22,13 +21,15 @@ const LUMINANCE: u32 = 0x2_0000;
 const RGB: u32 = 0x40;
 const CUBEMAP: u32 = 0x200;
 const FIRST_FACE: u32 = 0x400;
+/// The faces in the order of their bits.
+const FACE_NAMES: [&str; 6] = ["posx", "negx", "posy", "negy", "posz", "negz"];
 const VOLUME: u32 = 0x20_0000;
 
 /// A DX10 header: its dimension for pictures, its flag for cubemaps.
 const TEXTURE_2D: u32 = 3;
 const TEXTURE_CUBE: u32 = 0x4;
 
-pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, EnvironmentError> {
+pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ImageError> {
     let file = Bytes(bytes);
     let header = Header::read(file)?;
     let (mut notes, mut warnings) = (Vec::new(), Vec::new());
@@ -37,7 +38,7 @@ pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, Environme
     let texel = header.texel;
     let size =
         |level: u32| texel.bytes((header.width >> level.min(31)).max(1), (header.height >> level.min(31)).max(1));
-    let too_large = || EnvironmentError::new("it is too large");
+    let too_large = || ImageError::new("it is too large");
     let face_bytes = size(0).ok_or_else(too_large)?;
     // Where a face begins: after the one before it and all of its levels.
     let stride = (0..header.levels.clamp(1, 32)).try_fold(0_u64, |sum, level| sum.checked_add(size(level)?));
@@ -84,7 +85,7 @@ struct Header {
 }
 
 impl Header {
-    fn read(file: Bytes<'_>) -> Result<Self, EnvironmentError> {
+    fn read(file: Bytes<'_>) -> Result<Self, ImageError> {
         let (height, width, levels) = (file.u32(12)?, file.u32(16)?, file.u32(28)?);
         let (flags, four_cc) = (file.u32(80)?, file.u32(84)?.to_le_bytes());
         let caps2 = file.u32(112)?;
@@ -111,20 +112,19 @@ impl Header {
             caps2 & VOLUME == 0
         };
         if !is_picture {
-            return Err(EnvironmentError::new("it holds a volume or one row; a cubemap or a picture is wanted"));
+            return Err(ImageError::new("it holds a volume or one row; a cubemap or a picture is wanted"));
         }
         if header.is_cubemap && width != height {
-            return Err(EnvironmentError::new(format!(
-                "its faces are {width} x {height} pixels; faces must be square"
-            )));
+            return Err(ImageError::new(format!("its faces are {width} x {height} pixels; faces must be square")));
         }
-        let missing: Vec<&str> = Face::ALL
+        let missing: Vec<&str> = FACE_NAMES
             .into_iter()
-            .filter(|face| !is_new && header.is_cubemap && caps2 & (FIRST_FACE << *face as u32) == 0)
-            .map(Face::name)
+            .enumerate()
+            .filter(|(face, _)| !is_new && header.is_cubemap && caps2 & (FIRST_FACE << face) == 0)
+            .map(|(_, name)| name)
             .collect();
         if !missing.is_empty() {
-            return Err(EnvironmentError::new(format!(
+            return Err(ImageError::new(format!(
                 "the cubemap lacks {}; save it with all six faces",
                 missing.join(", ")
             )));
@@ -134,7 +134,7 @@ impl Header {
 }
 
 /// The pixels of a header without DX10's extension.
-fn legacy(file: Bytes<'_>, flags: u32, four_cc: [u8; 4]) -> Result<Texel, EnvironmentError> {
+fn legacy(file: Bytes<'_>, flags: u32, four_cc: [u8; 4]) -> Result<Texel, ImageError> {
     if flags & FOUR_CC != 0 {
         return Ok(match &four_cc {
             b"DXT1" => Texel::Block(Block::Bc1),
@@ -178,7 +178,7 @@ fn legacy(file: Bytes<'_>, flags: u32, four_cc: [u8; 4]) -> Result<Texel, Enviro
 }
 
 /// A format of DXGI, and whether it is one that says sRGB.
-fn dxgi(format: u32) -> Result<(Texel, bool), EnvironmentError> {
+fn dxgi(format: u32) -> Result<(Texel, bool), ImageError> {
     let rgba = |rgb| Texel::Bytes { size: 4, rgb };
     let texel = match format {
         2 => Texel::Floats { channels: 4 },
@@ -210,8 +210,8 @@ fn dxgi(format: u32) -> Result<(Texel, bool), EnvironmentError> {
     Ok((texel, matches!(format, 29 | 72 | 75 | 78 | 91 | 93 | 99)))
 }
 
-fn not_decoded(what: &str) -> EnvironmentError {
-    EnvironmentError::new(format!(
+fn not_decoded(what: &str) -> ImageError {
+    ImageError::new(format!(
         "its pixels are {what}, which is not decoded; convert it to R16G16B16A16_FLOAT, BC7 or uncompressed RGBA"
     ))
 }

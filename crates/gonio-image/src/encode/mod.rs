@@ -1,15 +1,17 @@
-//! Pictures of linear light, and cubemaps, to files.
+//! Pictures and cubemaps to files.
 //!
-//! | file | what is written |
+//! | module | output |
 //! |---|---|
-//! | [`png`] | sRGB of 8 or 16 bits, after exposure and tone map |
-//! | [`hdr`] | RGBE with adaptive run lengths: light up to 1.7e38, a hundredth of a pixel's brightest channel exact |
-//! | [`exr`] | R, G and B as halves or floats, ZIP-compressed |
-//! | [`ktx2`] | a cubemap with its mip levels, as a GPU takes it |
+//! | [`png`] | 8 or 16 bits, still or animated: encoded pictures, or linear light after exposure and tone map |
+//! | [`hdr`] | RGBE with adaptive run lengths: light up to 1.7e38, exact to a hundredth of a pixel's brightest channel |
+//! | [`exr`] | R, G and B as halves or floats, or layers of R, G, B and A as floats; ZIP-compressed |
+//! | [`exr_compact`] | one layer of R, G, B and A as floats, by a writer small enough for a web page |
+//! | [`ktx2`] | a cubemap with its mip levels, ready for a GPU |
 //!
-//! What a format cannot hold is told in [`Encoded::warnings`].
+//! [`Encoded::warnings`] lists the values that a format cannot represent.
 
 pub mod exr;
+pub mod exr_compact;
 pub mod hdr;
 pub mod ktx2;
 pub mod png;

@@ -4,8 +4,7 @@
 //! basic descriptor block). Faces lie in OpenGL's order and layout, as the specification demands.
 
 use super::{Encoded, beyond_half, half};
-use crate::cubemap::Cubemap;
-use crate::mip::CubeMips;
+use crate::Pixel;
 use crate::srgb::ENCODER;
 use rayon::prelude::*;
 
@@ -21,7 +20,23 @@ pub enum Format {
     Srgb8,
 }
 
-/// What the file says of a format.
+/// One mip level of a cubemap.
+#[derive(Clone, Copy, Debug)]
+pub struct Level<'a> {
+    size: u32,
+    pixels: &'a [Pixel],
+}
+
+impl<'a> Level<'a> {
+    /// Six square faces of `size * size` pixels, one after the other in the order +X, -X, +Y, -Y, +Z, -Z, in OpenGL's
+    /// layout. `None` if `pixels` has another length.
+    pub fn new(size: u32, pixels: &'a [Pixel]) -> Option<Self> {
+        let expected = 6 * u64::from(size) * u64::from(size);
+        (size > 0 && pixels.len() as u64 == expected).then_some(Level { size, pixels })
+    }
+}
+
+/// The fields of the file that depend on the format.
 struct Layout {
     vk_format: u32,
     /// Bytes of a number, which is what a machine of the other order would have to swap.
@@ -53,22 +68,22 @@ impl Format {
     }
 }
 
-/// A cubemap and its smaller levels, the largest first, as KTX2. For one level only, give mips of one level.
+/// Encodes a cubemap as KTX2: all its mip levels, the largest first, or one level only.
 ///
-/// Levels whose sizes are not halved from one to the next (rounded down) have no place in a file: the first that is not
-/// ends the chain, and a warning says so.
-pub fn encode(mips: &CubeMips, format: Format) -> Encoded {
+/// Each level must be half as large as the one before it, rounded down. The first one that is not ends the chain, and a
+/// warning says so.
+pub fn encode(levels: &[Level<'_>], format: Format) -> Encoded {
     let mut warnings = Vec::new();
-    let fits = |(i, level): &(usize, &Cubemap)| level.size() == (mips.full().size() >> (*i).min(31)).max(1);
-    let levels: Vec<&Cubemap> = mips.levels().iter().enumerate().take_while(fits).map(|(_, level)| level).collect();
-    if levels.len() < mips.levels().len() {
+    let full_size = levels.first().map_or(0, |full| full.size);
+    let fits = |(i, level): &(usize, &Level<'_>)| level.size == (full_size >> (*i).min(31)).max(1);
+    let chain = levels.iter().enumerate().take_while(fits).count();
+    if chain < levels.len() {
         warnings.push(format!(
-            "of {} mip levels {} are written: the next is not half as large as the one before it",
-            mips.levels().len(),
-            levels.len()
+            "of {} mip levels {chain} are written: the next is not half as large as the one before it",
+            levels.len(),
         ));
     }
-    let full = mips.full().pixels();
+    let full = levels.first().map_or(&[][..], |full| full.pixels);
     match format {
         Format::Half => warnings.extend(beyond_half(full, "write floats to keep them")),
         Format::Srgb8 => {
@@ -80,7 +95,7 @@ pub fn encode(mips: &CubeMips, format: Format) -> Encoded {
         }
         Format::Float => {}
     }
-    Encoded { bytes: file(&levels, format), warnings }
+    Encoded { bytes: file(&levels[..chain], format), warnings }
 }
 
 /// The bytes before the level index.
@@ -88,7 +103,7 @@ const HEADER: usize = 80;
 /// An entry of the level index: offset, length, length when unpacked.
 const ENTRY: usize = 24;
 
-fn file(levels: &[&Cubemap], format: Format) -> Vec<u8> {
+fn file(levels: &[Level<'_>], format: Format) -> Vec<u8> {
     let layout = format.layout();
     let descriptor = descriptor(&layout);
     let metadata = metadata(&[("KTXorientation", "rd"), ("KTXwriter", "gonio")]);
@@ -109,7 +124,7 @@ fn file(levels: &[&Cubemap], format: Format) -> Vec<u8> {
 
     let mut file = Vec::with_capacity(at);
     file.extend(crate::decode::KTX2_MAGIC);
-    let size = levels.first().map_or(0, |l| l.size());
+    let size = levels.first().map_or(0, |level| level.size);
     let numbers = [
         layout.vk_format,
         layout.type_size,
@@ -183,10 +198,10 @@ fn metadata(entries: &[(&str, &str)]) -> Vec<u8> {
 }
 
 /// All faces of a level.
-fn pixels(level: &Cubemap, format: Format) -> Vec<u8> {
-    fn map<const N: usize>(level: &Cubemap, encode: impl Fn([f32; 3]) -> [u8; N] + Sync) -> Vec<u8> {
-        let mut bytes = vec![0; N * level.pixels().len()];
-        bytes.par_chunks_mut(N << 13).zip(level.pixels().par_chunks(1 << 13)).for_each(|(to, from)| {
+fn pixels(level: &Level<'_>, format: Format) -> Vec<u8> {
+    fn map<const N: usize>(level: &Level<'_>, encode: impl Fn([f32; 3]) -> [u8; N] + Sync) -> Vec<u8> {
+        let mut bytes = vec![0; N * level.pixels.len()];
+        bytes.par_chunks_mut(N << 13).zip(level.pixels.par_chunks(1 << 13)).for_each(|(to, from)| {
             for (to, [r, g, b, _]) in to.as_chunks_mut::<N>().0.iter_mut().zip(from) {
                 *to = encode([*r, *g, *b]);
             }

@@ -1,8 +1,8 @@
 //! Files cut off, with single bits changed, and with numbers that lie: errors, never panics.
 
 use crate::samples::{every_kind, faces, read};
-use gonio_environment::decode::{Decoded, Shape};
-use gonio_environment::{Limits, decode};
+use gonio_image::decode::{Decoded, Shape};
+use gonio_image::{Limits, decode};
 
 /// Tight, so that a header that lies asks for little.
 const LIMITS: Limits = Limits { max_bytes: 1 << 20 };

@@ -3,7 +3,7 @@
 use super::block::Block;
 use crate::image::Image;
 use crate::srgb::{LINEAR_FROM_8, LINEAR_FROM_16};
-use crate::{EnvironmentError, Limits, Pixel};
+use crate::{ImageError, Limits, Pixel};
 use half::f16;
 use rayon::prelude::*;
 
@@ -75,7 +75,7 @@ impl Texel {
         (width, height): (u32, u32),
         transfer: Transfer,
         limits: &Limits,
-    ) -> Result<Image, EnvironmentError> {
+    ) -> Result<Image, ImageError> {
         let mut image = limits.unfilled(width, height)?;
         image.pixels.resize(width as usize * height as usize, [0.0, 0.0, 0.0, 1.0]);
         if let Texel::Block(block) = self {

@@ -9,7 +9,7 @@ use super::texel::{Texel, Transfer};
 use super::tidy::tidy;
 use super::{Decoded, FileFormat, Shape};
 use crate::image::Image;
-use crate::{EnvironmentError, Limits};
+use crate::{ImageError, Limits};
 use std::borrow::Cow;
 use std::io::Read;
 
@@ -58,19 +58,18 @@ const FORMATS: &[(u32, Texel, Option<Transfer>)] = &[
     (146, Texel::Block(Block::Bc7), Some(Transfer::Srgb)),
 ];
 
-pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, EnvironmentError> {
+pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ImageError> {
     let file = Bytes(bytes);
     let header = Header::read(file)?;
     let (mut notes, mut warnings) = (Vec::new(), Vec::new());
     let (texel, transfer) = header.texel(file, &mut notes)?;
     let faces = header.pictures(&mut notes)?;
     limits.pixels(header.width.into(), header.height.into(), faces as u64)?;
-    let face_bytes =
-        texel.bytes(header.width, header.height).ok_or_else(|| EnvironmentError::new("it is too large"))?;
+    let face_bytes = texel.bytes(header.width, header.height).ok_or_else(|| ImageError::new("it is too large"))?;
     let level = header.largest_level(file, face_bytes.saturating_mul(faces as u64))?;
     let read = |i: usize| {
         let face = usize::try_from(face_bytes).ok().and_then(|n| level.get(i.checked_mul(n)?..(i + 1).checked_mul(n)?));
-        let face = face.ok_or_else(|| EnvironmentError::new("its largest level is too short; the file is damaged"))?;
+        let face = face.ok_or_else(|| ImageError::new("its largest level is too short; the file is damaged"))?;
         texel.decode(face, (header.width, header.height), transfer, limits)
     };
     let mut pictures = (0..faces).map(read).collect::<Result<Vec<Image>, _>>()?;
@@ -106,7 +105,7 @@ struct Header {
 }
 
 impl Header {
-    fn read(file: Bytes<'_>) -> Result<Self, EnvironmentError> {
+    fn read(file: Bytes<'_>) -> Result<Self, ImageError> {
         Ok(Header {
             format: file.u32(12)?,
             width: file.u32(20)?,
@@ -122,10 +121,10 @@ impl Header {
     }
 
     /// How pixels are stored and what integers mean.
-    fn texel(&self, file: Bytes<'_>, notes: &mut Vec<String>) -> Result<(Texel, Transfer), EnvironmentError> {
+    fn texel(&self, file: Bytes<'_>, notes: &mut Vec<String>) -> Result<(Texel, Transfer), ImageError> {
         let known = FORMATS.iter().find(|(number, ..)| *number == self.format);
         let Some((_, texel, transfer)) = known else {
-            return Err(EnvironmentError::new(format!(
+            return Err(ImageError::new(format!(
                 "its pixels are {}, which is not decoded; convert it to R16G16B16A16_SFLOAT or R8G8B8A8_SRGB",
                 self.format_name(file)
             )));
@@ -157,10 +156,10 @@ impl Header {
     }
 
     /// How many pictures are read: 6, or 1 of a 2-D file.
-    fn pictures(&self, notes: &mut Vec<String>) -> Result<usize, EnvironmentError> {
+    fn pictures(&self, notes: &mut Vec<String>) -> Result<usize, ImageError> {
         if self.depth > 0 || self.height == 0 {
             let kind = if self.depth > 0 { "a volume" } else { "one row of pixels (1-D)" };
-            return Err(EnvironmentError::new(format!("it holds {kind}; a cubemap or a picture is wanted")));
+            return Err(ImageError::new(format!("it holds {kind}; a cubemap or a picture is wanted")));
         }
         if self.layers > 1 {
             notes.push(format!("the file holds {} layers; the first is read", self.layers));
@@ -171,23 +170,23 @@ impl Header {
         match self.faces {
             1 => Ok(1),
             6 if self.width == self.height => Ok(6),
-            6 => Err(EnvironmentError::new(format!(
+            6 => Err(ImageError::new(format!(
                 "its faces are {} x {} pixels; faces must be square",
                 self.width, self.height
             ))),
-            n => Err(EnvironmentError::new(format!("it says that it has {n} faces; 6 or 1 are possible"))),
+            n => Err(ImageError::new(format!("it says that it has {n} faces; 6 or 1 are possible"))),
         }
     }
 
     /// The largest level's first `wanted` bytes or more, unpacked.
-    fn largest_level<'a>(&self, file: Bytes<'a>, wanted: u64) -> Result<Cow<'a, [u8]>, EnvironmentError> {
+    fn largest_level<'a>(&self, file: Bytes<'a>, wanted: u64) -> Result<Cow<'a, [u8]>, ImageError> {
         let what = "the largest level";
         let packed = file.part(file.u64(80)?, file.u64(88)?, what)?;
         let unpack = |reader: &mut dyn Read, how: &str| {
             // No more than is needed is unpacked, whatever the file says.
             let mut level = Vec::new();
             reader.take(wanted).read_to_end(&mut level).map_err(|e| {
-                EnvironmentError::new(format!("its largest level cannot be unpacked ({how}: {e}); the file is damaged"))
+                ImageError::new(format!("its largest level cannot be unpacked ({how}: {e}); the file is damaged"))
             })?;
             Ok(Cow::Owned(level))
         };
@@ -195,22 +194,22 @@ impl Header {
             0 => Ok(Cow::Borrowed(packed)),
             2 => {
                 let mut decoder = ruzstd::decoding::StreamingDecoder::new(packed).map_err(|e| {
-                    EnvironmentError::new(format!("its largest level is no Zstandard ({e}); the file is damaged"))
+                    ImageError::new(format!("its largest level is no Zstandard ({e}); the file is damaged"))
                 })?;
                 unpack(&mut decoder, "Zstandard")
             }
             3 => unpack(&mut flate2::read::ZlibDecoder::new(packed), "zlib"),
-            1 => Err(EnvironmentError::new(
+            1 => Err(ImageError::new(
                 "its levels are packed with Basis LZ, which is not unpacked; convert it with `ktx transcode`",
             )),
-            n => Err(EnvironmentError::new(format!(
+            n => Err(ImageError::new(format!(
                 "its levels are packed in a way that is not known (scheme {n}); save it unpacked or with Zstandard"
             ))),
         }
     }
 
     /// The value of a key among the metadata: each entry is its length, key, 0, value, and zeros up to a multiple of 4.
-    fn value<'a>(&self, file: Bytes<'a>, key: &str) -> Result<Option<&'a [u8]>, EnvironmentError> {
+    fn value<'a>(&self, file: Bytes<'a>, key: &str) -> Result<Option<&'a [u8]>, ImageError> {
         let (start, length) = self.key_values;
         let mut rest = if length == 0 { &[][..] } else { file.part(start.into(), length.into(), "the metadata")? };
         while let Some((count, after)) = rest.split_first_chunk::<4>() {
@@ -226,7 +225,7 @@ impl Header {
     }
 
     /// A 2-D picture may be stored bottom up or right to left, and says so; a cubemap may not.
-    fn put_upright(&self, file: Bytes<'_>, image: &mut Image, notes: &mut Vec<String>) -> Result<(), EnvironmentError> {
+    fn put_upright(&self, file: Bytes<'_>, image: &mut Image, notes: &mut Vec<String>) -> Result<(), ImageError> {
         let orientation = self.value(file, "KTXorientation")?.unwrap_or(b"rd");
         let width = image.width as usize;
         if orientation.first() == Some(&b'l') {

@@ -1,0 +1,36 @@
+//! The error of reading and writing image files.
+
+use std::fmt;
+
+/// Describes why an image could not be read or written: one sentence that says what is wrong and what to do.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ImageError {
+    /// The name of the file as the user knows it, if the error concerns one.
+    pub file: Option<String>,
+    /// One sentence without a final full stop.
+    pub message: String,
+}
+
+impl ImageError {
+    /// Creates an error that does not name a file yet.
+    pub fn new(message: impl Into<String>) -> Self {
+        ImageError { file: None, message: message.into() }
+    }
+
+    /// Names the file, unless one is named already.
+    pub fn in_file(mut self, file: &str) -> Self {
+        self.file.get_or_insert_with(|| file.to_owned());
+        self
+    }
+}
+
+impl fmt::Display for ImageError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(file) = &self.file {
+            write!(f, "{file}: ")?;
+        }
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for ImageError {}
