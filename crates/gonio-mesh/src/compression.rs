@@ -56,7 +56,7 @@ pub fn unpack(bytes: &[u8], limits: &Limits) -> Result<Option<Vec<u8>>, ReadErro
             break;
         } else {
             let count = rest.len();
-            let message = format!("compressed data ends at byte {at}, and {count} bytes of something else follow");
+            let message = format!("compressed data ends at byte {at}, and {count} bytes of other data follow");
             return Err(ReadError::new(message + ": the file is damaged"));
         };
     }

@@ -74,7 +74,7 @@ impl Format {
         }
     }
 
-    /// The format of a file with this content, called `name`; or what it is instead, as `a PNG picture`, and `None`
+    /// The format of a file with this content, called `name`; or what it is instead, as `a PNG image`, and `None`
     /// where that is unknown.
     ///
     /// The content decides, whatever the name is: XML is COLLADA by its root, JSON is glTF where its outermost object has
@@ -138,7 +138,7 @@ fn by_text(text: &[u8], named: Option<Format>) -> Result<Format, Option<&'static
     }
     if text.starts_with(b"{") {
         let is_gltf = named == Some(Format::Gltf) || json::is_gltf(text);
-        return if is_gltf { Ok(Format::Gltf) } else { Err(Some("a JSON file that is no glTF")) };
+        return if is_gltf { Ok(Format::Gltf) } else { Err(Some("a JSON file that is not glTF")) };
     }
     let start = start_behind_comments(text);
     let lower = start.to_ascii_lowercase();
@@ -177,9 +177,9 @@ fn other_by_signature(start: &[u8]) -> Option<&'static str> {
         (b"BLENDER", "a Blender file (export it as OBJ or glTF)"),
         (b"Kaydara FBX", "an FBX model (export it as OBJ or glTF)"),
         (b"\0\x10[MeshSerializer", "an Ogre mesh (export it as OBJ or glTF)"),
-        (b"\x89PNG", "a PNG picture"),
-        (b"\xff\xd8\xff", "a JPEG picture"),
-        (b"GIF8", "a GIF picture"),
+        (b"\x89PNG", "a PNG image"),
+        (b"\xff\xd8\xff", "a JPEG image"),
+        (b"GIF8", "a GIF image"),
         (b"PK\x03\x04", "a ZIP archive (unpack it first)"),
         (b"BZh", "compressed with bzip2 (unpack it first)"),
         (b"\xfd7zXZ", "compressed with xz (unpack it first)"),

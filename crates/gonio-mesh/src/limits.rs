@@ -27,7 +27,7 @@ impl Default for Limits {
 
 #[cold]
 pub(crate) fn too_many_triangles(most: u64) -> ReadError {
-    ReadError::new(format!("holds more than {most} triangles, which is the limit"))
+    ReadError::new(format!("contains more than {most} triangles, which is the limit"))
 }
 
 #[cold]

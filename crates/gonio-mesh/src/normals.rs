@@ -80,7 +80,7 @@ pub fn complete(mesh: Mesh) -> (Mesh, Vec<Diagnostic>) {
 /// As [`complete`], with creases where `averaging` says so.
 pub fn complete_with(mesh: Mesh, averaging: &Averaging) -> (Mesh, Vec<Diagnostic>) {
     if mesh.normals.is_empty() && !mesh.smoothing_groups.is_empty() && !has_smooth_faces(&mesh) {
-        let note = Diagnostic::note("there are no normals, and smoothing is off: each triangle has its own");
+        let note = Diagnostic::note("there are no normals, and smoothing is off: the triangles are flat");
         return (make_flat(&mesh), vec![note]);
     }
     if mesh.normals.is_empty() {
@@ -101,7 +101,7 @@ pub fn complete_with(mesh: Mesh, averaging: &Averaging) -> (Mesh, Vec<Diagnostic
         }
     }
     let mut diagnostics = report_zero(&normals);
-    let message = format!("{lacking} of {} corners have no normal: it is averaged", mesh.indices.len());
+    let message = format!("{lacking} of {} corners have no normal: using averaged normals", mesh.indices.len());
     diagnostics.insert(0, Diagnostic::note(message));
     (with_corner_normals(&mesh, &normals, NormalSource::FileAndAveraged), diagnostics)
 }

@@ -174,8 +174,8 @@ fn the_four_opaque_rules() {
 fn what_would_be_invisible_is_opaque() {
     let (found, said) = material("phong", "<transparency><float>0</float></transparency>");
     assert_eq!(found.opacity, 1.0);
-    let expected = "17:15: warning: the material \"M\" would be invisible (<transparency> 0, A_ONE): it is taken as \
-         opaque, as programs confuse the two";
+    let expected = "17:15: warning: the material \"M\" would be invisible (<transparency> 0, A_ONE): treated as \
+         opaque, because programs confuse the two";
     assert_eq!(said, [expected]);
     let (found, said) = material("phong", "<transparent opaque=\"RGB_ZERO\"><color>1 1 1 1</color></transparent>");
     assert_eq!((found.opacity, said.len()), (1.0, 1));
@@ -205,7 +205,7 @@ fn small_shininess_is_a_part_of_128() {
     };
     let (found, said) = material("phong", &content("0.5"));
     assert_eq!(found.shininess, 64.0);
-    let rule = "from 0 to 1: taken as a part of 128";
+    let rule = "between 0 and 1: multiplied by 128";
     assert_eq!(said, [format!("17:55: note: the shininess of \"M\" is 0.5, {rule}, as some programs write it")]);
     assert_eq!(found.sources[1].rule, rule);
     assert_eq!(quiet("phong", &content("1.5")).shininess, 1.5);
@@ -235,23 +235,21 @@ fn textures_that_lead_nowhere_are_told() {
     assert_eq!((found.diffuse_map, found.diffuse), (None, [0.8; 3]));
     assert_eq!(
         said,
-        ["17:10: warning: this texture is \"nothing\", which is neither a sampler nor a picture: it is ignored"]
+        ["17:10: warning: this texture refers to \"nothing\", which is neither a sampler nor an image: it is ignored"]
     );
     // The picture itself, as old programs write it.
     let found = quiet("phong", "<diffuse><texture texture=\"image\" texcoord=\"uv\"/></diffuse>");
     assert_eq!(found.diffuse_map.unwrap().path, "a.png");
     let (found, said) = material("phong", "<diffuse><param ref=\"nothing\"/></diffuse>");
     assert_eq!(found.diffuse, [0.8; 3]);
-    assert_eq!(said, ["17:10: warning: diffuse of \"M\" refers to \"nothing\", which is no colour: it is ignored"]);
+    assert_eq!(said, ["17:10: warning: diffuse of \"M\" refers to \"nothing\", which is not a color: it is ignored"]);
     let (_, said) = material(
         "phong",
         "<diffuse><texture texture=\"pic\" texcoord=\"uv\"/></diffuse><specular><texture texture=\"pic\" texcoord=\"uw\"/></specular>",
     );
     assert_eq!(
         said,
-        [
-            "17:68: warning: a texture of \"M\" has the texture coordinates \"uw\", another \"uv\": \"uv\" are taken for all"
-        ]
+        ["17:68: warning: textures of \"M\" use the texture coordinates \"uv\" and \"uw\": using \"uv\" for all"]
     );
 }
 
@@ -284,7 +282,7 @@ fn pictures_in_the_document() {
             .as_bytes(),
     );
     let said: Vec<String> = model.unwrap().diagnostics.iter().map(ToString::to_string).collect();
-    assert_eq!(said, ["2:35: warning: the bytes of this picture are not written in hexadecimal: it is ignored"]);
+    assert_eq!(said, ["2:35: warning: the data of this image is not hexadecimal: it is ignored"]);
 }
 
 #[test]
@@ -292,7 +290,8 @@ fn materials_without_an_effect_are_the_default_one() {
     let model = read(with_effect("", "<technique/>").as_bytes()).unwrap();
     assert_eq!(model.materials, [Material { name: "M".to_owned(), ..Material::default() }]);
     let said: Vec<String> = model.diagnostics.iter().map(ToString::to_string).collect();
-    let expected = "12:18: warning: the material \"M\" has no effect of profile_COMMON that could be read: the default one is taken";
+    let expected =
+        "12:18: warning: the material \"M\" has no readable profile_COMMON effect: using the default material";
     assert_eq!(said, [expected]);
 }
 
@@ -367,7 +366,7 @@ fn lights_of_every_kind() {
     assert_eq!(wide.kind, ModelLightKind::Spot { inner_angle_rad: right_angle, outer_angle_rad: right_angle });
     assert_eq!((wide.color, wide.attenuation), ([1.0; 3], [1.0, 0.0, 0.0]));
     let said: Vec<&str> = model.diagnostics.iter().map(|d| d.message.as_str()).collect();
-    assert_eq!(said, ["the light \"x\" is of the unknown kind \"area\": it is left out"]);
+    assert_eq!(said, ["the light \"x\" has the unknown type \"area\": it is left out"]);
 }
 
 #[test]
@@ -396,8 +395,8 @@ fn cameras_of_every_kind() {
     assert_eq!(o.fov_y_rad, None);
     let said: Vec<&str> = model.diagnostics.iter().map(|d| d.message.as_str()).collect();
     let expected = [
-        "this camera has an xfov and no aspect_ratio: 16:9 is taken",
-        "the camera \"f\" has impossible numbers: it is left out",
+        "this camera has an xfov but no aspect_ratio: using 16:9",
+        "the camera \"f\" has invalid parameters: it is left out",
     ];
     assert_eq!(said, expected);
 }

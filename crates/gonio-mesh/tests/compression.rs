@@ -88,7 +88,7 @@ fn every_changed_byte_is_survived_and_those_of_data_are_noticed() {
 fn rubbish_behind_the_data_is_told() {
     let gz = packed("triangle.obj.gz");
     let expected =
-        format!("compressed data ends at byte {}, and 3 bytes of something else follow: the file is damaged", gz.len());
+        format!("compressed data ends at byte {}, and 3 bytes of other data follow: the file is damaged", gz.len());
     assert_eq!(unpack(&[&gz[..], b"abc"].concat()), Err(expected));
 }
 

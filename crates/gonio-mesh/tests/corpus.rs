@@ -143,7 +143,7 @@ fn limits_are_kept() {
     let quad = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
     let message = |limits| obj::read(quad, &mut Folder(corpus()), &limits).unwrap_err().message;
     let few_triangles = Limits { max_triangles: 1, ..Limits::default() };
-    assert_eq!(message(few_triangles), "holds more than 1 triangles, which is the limit");
+    assert_eq!(message(few_triangles), "contains more than 1 triangles, which is the limit");
     let few_vertices = Limits { max_vertices: 3, ..Limits::default() };
     assert_eq!(message(few_vertices), "needs more than 3 vertices, which is the limit");
     let enough = Limits { max_vertices: 4, max_triangles: 2, ..Limits::default() };
@@ -167,7 +167,7 @@ fn a_polygon_has_a_most_of_corners_and_is_an_error_where_it_stands() {
     }
     let few = Limits { max_triangles: 3, ..Limits::default() };
     let rest = "f 1 2 3\n".repeat(1000);
-    assert_eq!(said(&format!("f 1 2 3 1 2 3\n{rest}"), few), "4: holds more than 3 triangles, which is the limit");
+    assert_eq!(said(&format!("f 1 2 3 1 2 3\n{rest}"), few), "4: contains more than 3 triangles, which is the limit");
 }
 
 #[test]
@@ -192,7 +192,7 @@ fn values_arrive_where_they_belong() {
     assert_eq!(relative.normals, [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
     let bytes = read(b"v 0 0 0 255 0 0\nv 1 0 0 0 255 0\nv 0 1 0 0 0 255\nf 1 2 3\n").unwrap();
     assert_eq!(bytes.mesh.colors[0], [1.0, 0.0, 0.0, 1.0]);
-    assert_eq!(bytes.diagnostics[0].message, "vertex colors reach 255: taken as from 0 to 255");
+    assert_eq!(bytes.diagnostics[0].message, "vertex colors reach 255: treated as 0 to 255");
 }
 
 #[test]

@@ -46,14 +46,14 @@ fn said(text: &str) -> (String, Vec<String>) {
 fn each_statement_has_its_words() {
     let expected = [
         (1, "a comment"),
-        (2, "materials are sought in the library `a.mtl`"),
-        (3, "the object `box` begins: no face after it, up to line 11, belongs to it"),
+        (2, "materials are looked up in the library `a.mtl`"),
+        (3, "starts the object `box`: no face after it, up to line 11, belongs to it"),
         (4, "vertex 1 of this file: x = 0, y = 0, z = 0"),
         (6, "vertex 3 of this file: x = 1, y = 1, z = 0"),
         (8, "texture coordinate 1 of this file: u = 0, v = 0"),
         (9, "texture coordinate 2 of this file: u = 1, v = 0.5"),
         (10, "normal 1 of this file: x = 0, y = 0, z = 2"),
-        (11, "the group `lid` begins: the 3 faces after it, to the end of the file, belong to it"),
+        (11, "starts the group `lid`: the 3 faces after it, to the end of the file, belong to it"),
         (12, "the 2 faces after it, up to line 23, have the material `red`"),
         (13, "the 2 faces after it, up to line 22, are in the smoothing group 2"),
         (14, "face 1 of this file, with 4 corners, is cut into 2 triangles: (1 2 3), (1 3 4)"),
@@ -61,9 +61,9 @@ fn each_statement_has_its_words() {
         (16, "a line through 2 vertices, which is not drawn"),
         (17, "face 2 of this file, with 3 corners"),
         (18, "an empty line"),
-        (19, "a point of a free-form curve's or surface's parameters: free-form geometry is skipped"),
+        (19, "a point in the parameter space of a free-form curve or surface: skipped"),
         (20, "a free-form curve: skipped"),
-        (21, "no statement that is known: skipped"),
+        (21, "not a known statement: skipped"),
         (22, "smoothing is off: the one face after it, to the end of the file, is flat"),
         (23, "the one face after it, to the end of the file, has the default material"),
         (24, "face 3 of this file, a triangle"),
@@ -77,11 +77,11 @@ fn each_statement_has_its_words() {
 fn details_and_problems() {
     let details = |number: u64| of(number).details;
     assert_eq!(details(6), ["its weight w = 0.5 only matters to free-form curves: it is ignored"]);
-    assert_eq!(details(9), ["what stands behind v only matters to pictures in space: it is ignored"]);
-    assert_eq!(details(10), ["its length is 2.0000: it is taken as 0 0 1"]);
-    assert_eq!(details(12), ["it is sought in `a.mtl` (line 2)"]);
+    assert_eq!(details(9), ["the third component only matters to 3D textures: it is ignored"]);
+    assert_eq!(details(10), ["its length is 2.0000: normalized to 0 0 1"]);
+    assert_eq!(details(12), ["it is looked up in `a.mtl` (line 2)"]);
     let corners = [
-        "the statement goes from line 14 to line 15, joined by \\",
+        "the statement spans lines 14 to 15, joined by \\",
         "corner 1 is `1/1`: vertex 1 (line 4): 0 0 0; texture coordinate 1 (line 8): 0 0",
         "corner 2 is `2/2/1`: vertex 2 (line 5): 1 0 0; texture coordinate 2 (line 9): 1 0.5; normal 1 (line 10): 0 0 2",
         "corner 3 is `3//1`: vertex 3 (line 6): 1 1 0; normal 1 (line 10): 0 0 2",
@@ -93,7 +93,7 @@ fn details_and_problems() {
     assert_eq!(broken.details[2], "corner 3 is `9`: no vertex");
     let problems: Vec<String> = broken.problems.iter().map(ToString::to_string).collect();
     assert_eq!(problems, ["17:7: warning: f has the v index 9, but there are 4 vertices: the face is left out"]);
-    assert_eq!(of(21).problems[0].to_string(), "21:1: warning: \"foo\" is no known statement");
+    assert_eq!(of(21).problems[0].to_string(), "21:1: warning: unknown statement \"foo\"");
     let quiet = (1..=24).filter(|n| of(*n).problems.is_empty()).count();
     assert_eq!(quiet, 22);
 }
@@ -142,7 +142,7 @@ fn what_is_odd_is_said() {
         (
             "v 1 two 3",
             "vertex 1 of this file, which cannot be read",
-            "1:5: warning: v has \"two\" where a number should be",
+            "1:5: warning: v: expected a number, found \"two\"",
         ),
         (
             "v 1 2 nan",
@@ -152,17 +152,17 @@ fn what_is_odd_is_said() {
         (
             "v 1 2 3 4 5",
             "vertex 1 of this file: x = 1, y = 2, z = 3",
-            "1: warning: v has 5 numbers, which means nothing: the last two are ignored",
+            "1: warning: v has 5 numbers instead of 3, 4, 6 or 7: the last two are ignored",
         ),
         (
             "vn 0 inf 1",
             "normal 1 of this file: x = 0, y = 0, z = 1",
-            "1:6: warning: vn has \"inf\", which is not a finite number: 0 is taken instead",
+            "1:6: warning: vn has \"inf\", which is not a finite number: using 0 instead",
         ),
         (
             "vn 0 0 0",
             "normal 1 of this file: x = 0, y = 0, z = 0",
-            "1:1: note: it has no length: an averaged normal takes its place",
+            "1:1: note: it has zero length: using an averaged normal instead",
         ),
         (
             "vt",
@@ -177,7 +177,7 @@ fn what_is_odd_is_said() {
         (
             "f 1 x 2\nv 0 0 0",
             "face 1 of this file, with 1 corner",
-            "1:5: warning: f has \"x\" where an index should be (v, v/vt, v//vn or v/vt/vn)",
+            "1:5: warning: f: expected an index (v, v/vt, v//vn or v/vt/vn), found \"x\"",
         ),
         (
             "f 1 1\nv 0 0 0",
@@ -187,7 +187,7 @@ fn what_is_odd_is_said() {
         (
             "f 0 1 1\nv 0 0 0",
             "face 1 of this file, with 3 corners",
-            "1:3: warning: f has the v index 0, but indices count from 1: the face is left out",
+            "1:3: warning: f has the v index 0, but indices are counted from 1: the face is left out",
         ),
         (
             "f 1 -1 1\nv 0 0 0",
@@ -197,7 +197,7 @@ fn what_is_odd_is_said() {
         (
             "s smooth",
             "smoothing is off: no face after it, to the end of the file, is flat",
-            "1:3: warning: s is followed by \"smooth\" instead of a number or off: taken as off",
+            "1:3: warning: s is followed by \"smooth\" instead of a number or off: treated as off",
         ),
         ("mtllib", "a material library without a name", "1: warning: mtllib names no material library"),
     ];
@@ -221,7 +221,7 @@ fn polygons_are_cut_as_the_reader_cuts_them() {
     assert_eq!(arrow.meaning, format!("face 1 of this file, with 4 corners, is cut into 2 triangles: {list}"));
     let (twice, problems) = said(&format!("f 1 2 3 3{points}"));
     assert_eq!(twice, "face 1 of this file, with 4 corners, makes one triangle: (1 2 3)");
-    assert_eq!(problems, ["1:9: note: a corner is the one before it again: it counts once"]);
+    assert_eq!(problems, ["1:9: note: a corner repeats the one before it: it counts once"]);
     let (_, problems) = said("f 1 2 3 4\nv 0 0 0\nv 3 3 0\nv 3 0 0\nv 0 1 0\n");
     assert_eq!(problems, ["1: warning: the polygon crosses or touches itself: its triangles are guessed"]);
     let (_, problems) = said("f 1 2 3\nv 0 0 0\nv 1 x 0\nv 1 0 0\n");
@@ -238,7 +238,7 @@ fn lines_that_are_not_there() {
     assert_eq!(error(b"f 1 2 \\", 2), "the file has 1 line: there is no line 2");
     assert_eq!(error(b"f 1 2 \\\n", 2), "the file has 1 line: there is no line 2");
     assert_eq!(error(b"a\rb\r\nc\nd \\\r\n e", 6), "the file has 5 lines: there is no line 6");
-    assert_eq!(error(b"v 0 0 0\n", 0), "lines count from 1: there is no line 0");
+    assert_eq!(error(b"v 0 0 0\n", 0), "lines are counted from 1: there is no line 0");
     assert_eq!(mtl_line(b"newmtl a\n", 9).unwrap_err().to_string(), "the file has 1 line: there is no line 9");
     let text = |number: u64| line(b"\xef\xbb\xbfa\rb\r\nc\nd \\\r\n e\x1b[2J", number).unwrap().text;
     assert_eq!([1, 2, 3, 4, 5].map(text), ["a", "b", "c", "d \\", " e\\u{1b}[2J"]);
@@ -252,7 +252,7 @@ fn large_faces_are_told_in_part() {
     let explanation = line(text.as_bytes(), 1).unwrap();
     assert_eq!(explanation.meaning, "face 1 of this file, with 15000 corners");
     assert_eq!(explanation.details.len(), 66);
-    assert_eq!(explanation.details[64..], ["and 14936 more corners", "only the first 4000 corners were looked at"]);
+    assert_eq!(explanation.details[64..], ["and 14936 more corners", "only the first 4000 corners were checked"]);
     assert_eq!(explanation.text.len(), 503);
 }
 
@@ -278,39 +278,39 @@ fn lines_of_a_material_library() {
     let expected: [(u64, &str, &[&str], &[&str]); 9] = [
         (
             1,
-            "the diffuse color, of no material: no newmtl stands before it",
+            "the diffuse color, of no material: no newmtl precedes it",
             &[],
-            &["1:1: warning: \"Kd\" stands before the first newmtl and is ignored"],
+            &["1:1: warning: \"Kd\" before the first newmtl is ignored"],
         ),
-        (2, "the material `red` begins", &[], &[]),
+        (2, "starts the material `red`", &[], &[]),
         (
             3,
             "the diffuse color, of the material `red`",
-            &["diffuse = 1 1 1 (black beside map_Kd: taken as 1 1 1)"],
-            &["3:1: note: Kd of \"red\" is black beside map_Kd: taken as 1 1 1"],
+            &["diffuse = 1 1 1 (black beside map_Kd: treated as 1 1 1)"],
+            &["3:1: note: Kd of \"red\" is black beside map_Kd: treated as 1 1 1"],
         ),
-        (4, "a picture of the diffuse color, of the material `red`", &["diffuse_map = `a.png`, scaled by 2 2"], &[]),
+        (4, "a texture of the diffuse color, of the material `red`", &["diffuse_map = `a.png`, scale 2 2"], &[]),
         (
             5,
             "the exponent of the highlight: the larger, the smaller and sharper it is, of the material `red`",
-            &["the statement goes from line 5 to line 6, joined by \\", "shininess = 10"],
-            &["6:2: warning: Ns goes on with \"20\" after its last number: that is ignored"],
+            &["the statement spans lines 5 to 6, joined by \\", "shininess = 10"],
+            &["6:2: warning: Ns has \"20\" after its last number, which is ignored"],
         ),
         (
             6,
             "continues line 5: the exponent of the highlight: the larger, the smaller and sharper it is, of the \
             material `red`",
-            &["the statement goes from line 5 to line 6, joined by \\", "shininess = 10"],
-            &["6:2: warning: Ns goes on with \"20\" after its last number: that is ignored"],
+            &["the statement spans lines 5 to 6, joined by \\", "shininess = 10"],
+            &["6:2: warning: Ns has \"20\" after its last number, which is ignored"],
         ),
         (
             7,
-            "its sheen, as of velvet (physically based), of the material `red`",
+            "the sheen, as on velvet (physically based), of the material `red`",
             &["not used: no term of the light equation"],
             &["7: note: 1 statement without a term in the light equation: Ps"],
         ),
         (8, "a comment", &[], &[]),
-        (9, "no statement that is known: skipped", &[], &["9:1: warning: \"foo\" is no known statement of a material"]),
+        (9, "not a known statement: skipped", &[], &["9:1: warning: unknown material statement \"foo\""]),
     ];
     for (number, meaning, details, problems) in expected {
         assert_eq!(of(number), (meaning.to_owned(), owned(details), owned(problems)), "line {number}");

@@ -51,7 +51,7 @@ fn json_that_is_not_gltf_is_read_as_gltf_by_its_name_only() {
     ];
     for json in others {
         for name in ["", "package.json", "model.obj", "model.glb"] {
-            assert_eq!(Format::detect(json.as_bytes(), name), Err(Some("a JSON file that is no glTF")), "{name}");
+            assert_eq!(Format::detect(json.as_bytes(), name), Err(Some("a JSON file that is not glTF")), "{name}");
         }
         // The reader says what it lacks.
         for name in ["model.gltf", "MODEL.GLTF", "model.gltf.zst"] {

@@ -177,10 +177,7 @@ fn all_versions_and_byte_orders_are_alike() {
     let model = read(&square(1, true)).unwrap();
     let said: Vec<String> = model.diagnostics.iter().map(ToString::to_string).collect();
     // ... and 8 + 4 + 12; Triangles 8 + 4 + 32; Normals 8 + 4 + 12; NormalAtVertices 8 + 4 + 16.
-    let expected = [
-        "warning: 999 is no known keyword: it is skipped (at byte 217)",
-        "note: Edges are counted and not drawn (at byte 97)",
-    ];
+    let expected = ["warning: unknown keyword 999: skipped (at byte 217)", "note: Edges are not drawn (at byte 97)"];
     assert_eq!(said, expected);
 }
 
@@ -221,28 +218,28 @@ fn broken_binary_files_are_refused() {
     assert_eq!(with(4, 7), "the version of this binary Medit file is 7: only 1 to 4 are known");
     // The position in the section of Dimension, which begins at byte 9: back to itself, and beyond the end.
     let back =
-        "the section after Dimension is said to begin at byte 8, which is not after it or beyond the end (at byte 9)";
+        "the section after Dimension is declared to begin at byte 8, which is before it or beyond the end (at byte 9)";
     assert_eq!(with(12, 8), back);
     let beyond = with(12, i32::MAX);
     assert!(beyond.starts_with("the section after Dimension is said to begin at byte 2147483647"), "{beyond}");
     assert_eq!(with(16, 4), "Dimension is 4: only 2 and 3 can be drawn (at byte 17)");
     // The count of Vertices.
-    assert_eq!(with(28, -1), "Vertices are to be -1: that is no count (at byte 29)");
+    assert_eq!(with(28, -1), "invalid count of Vertices: -1 (at byte 29)");
     assert_eq!(
         with(28, i32::MAX),
-        "Vertices are to be 2147483647, more than the rest of the file can hold (at byte 33)"
+        "declares 2147483647 Vertices, more than the rest of the file can contain (at byte 33)"
     );
     assert_eq!(with(28, 5), "Vertices ends in the middle of a number: is the file cut off? (at byte 145)");
     assert_eq!(
         refused(&good[..30]),
-        "the section after Vertices is said to begin at byte 144, which is not after it or beyond the end (at byte 21)"
+        "the section after Vertices is declared to begin at byte 144, which is before it or beyond the end (at byte 21)"
     );
     let mut infinite = good.clone();
     infinite[32..40].copy_from_slice(&f64::INFINITY.to_le_bytes());
     assert_eq!(refused(&infinite), "inf of Vertices is not a finite number (at byte 33)");
     assert_eq!(
         refused(&good[..8]),
-        "holds no faces (no keyword that is known): nothing to draw; there is no End at the end: is the file cut off? (at byte 9)"
+        "contains no faces (no known keyword): nothing to draw; there is no End at the end: is the file cut off? (at byte 9)"
     );
 }
 
@@ -258,10 +255,9 @@ fn bad_indices_of_binary_files_are_told_with_their_byte() {
     assert_eq!(model.mesh.indices, [0, 1, 2]);
     assert_eq!(model.diagnostics.len(), 21);
     // Header 8, Dimension 12, Vertices 76, then 12 and the first row.
-    let first =
-        "warning: an element of Triangles has the vertex 9, but there are only 1 to 4: it is left out (at byte 125)";
+    let first = "warning: an element of Triangles refers to the vertex 9, but vertices are numbered 1 to 4: it is left out (at byte 125)";
     assert_eq!(model.diagnostics[0].to_string(), first);
-    assert_eq!(model.diagnostics[20].message, "and 2 more: elements with indices that point at no vertex");
+    assert_eq!(model.diagnostics[20].message, "and 2 more: elements with an index out of range");
 }
 
 #[test]
@@ -296,7 +292,7 @@ fn too_many_references_are_one_part() {
     let bytes = writer.end();
     let model = read(&bytes).unwrap();
     assert_eq!((model.mesh.parts.len(), model.materials.len(), model.mesh.triangle_count()), (1, 1, 1025));
-    let said = "warning: there are 1025 different references, more than 1024: all are one part";
+    let said = "warning: there are 1025 different references, more than 1024: merged into one part";
     assert_eq!(model.diagnostics[0].to_string(), said);
 }
 
@@ -305,7 +301,7 @@ fn limits_are_kept() {
     let bytes = square(2, false);
     let message = |limits| medit::read(&bytes, &mut NoSidecars, &limits).unwrap_err().message;
     let few_triangles = Limits { max_triangles: 1, ..Limits::default() };
-    assert_eq!(message(few_triangles), "holds more than 1 triangles, which is the limit");
+    assert_eq!(message(few_triangles), "contains more than 1 triangles, which is the limit");
     let few_vertices = Limits { max_vertices: 3, ..Limits::default() };
     assert_eq!(message(few_vertices), "has 4 vertices, more than 3, which is the limit (at byte 33)");
     let enough = Limits { max_vertices: 4, max_triangles: 2, ..Limits::default() };

@@ -73,7 +73,7 @@ fn black_beside_a_map_is_white() {
     let expected = ["2:1: note: Kd", "4:1: note: Ks", "6:1: note: Ke"];
     assert_eq!(said.len(), 3);
     for (said, (start, map)) in said.iter().zip(expected.iter().zip(["map_Kd", "map_Ks", "map_Ke"])) {
-        assert_eq!(*said, format!("{start} of \"m\" is black beside {map}: taken as 1 1 1"));
+        assert_eq!(*said, format!("{start} of \"m\" is black beside {map}: treated as 1 1 1"));
     }
     assert_eq!(quiet("Kd 0 0 0\n").diffuse, [0.0; 3]);
 }
@@ -89,7 +89,7 @@ fn illumination_models_without_highlight() {
     assert_eq!(quiet("Ks 1 1 1\nillum 2\n").specular, [1.0; 3]);
     let (material, said) = odd("illum 11\n");
     assert_eq!(material.illumination_model, None);
-    assert_eq!(said, ["2:7: warning: illum 11 is no illumination model (0 to 10): it is ignored"]);
+    assert_eq!(said, ["2:7: warning: illum 11 is not an illumination model (0 to 10): it is ignored"]);
 }
 
 #[test]
@@ -97,7 +97,7 @@ fn shininess_is_at_least_one() {
     assert_eq!(quiet("Ns 0\nKs 0 0 0\n").shininess, 1.0);
     let (material, said) = odd("Ns 0\nKs 1 1 1\n");
     assert_eq!(material.shininess, 1.0);
-    assert_eq!(said, ["2:1: note: the material \"m\" has Ns 0: 1 is taken, the smallest"]);
+    assert_eq!(said, ["2:1: note: the material \"m\" has Ns 0: using 1, the minimum"]);
 }
 
 #[test]
@@ -108,10 +108,7 @@ fn opacity_from_d_and_tr() {
     for order in ["d 0.75\nTr 0.5\n", "Tr 0.5\nd 0.75\n"] {
         let (material, said) = odd(order);
         assert_eq!((material.opacity, said.len()), (0.75, 1));
-        assert!(
-            said[0].ends_with("note: d (0.75) and Tr (0.5) of \"m\" contradict each other: d is taken"),
-            "{said:?}"
-        );
+        assert!(said[0].ends_with("note: d (0.75) and Tr (0.5) of \"m\" contradict each other: using d"), "{said:?}");
     }
     let (material, said) = odd("Tr 1\n");
     assert_eq!(
@@ -128,9 +125,9 @@ fn numbers_that_are_no_use_leave_the_default() {
         ("Kd -1 0 0\n", "2:4: warning: Kd is negative (\"-1\"): it is ignored"),
         ("Kd 0 nan 0\n", "2:6: warning: Kd has \"nan\", which is not finite: it is ignored"),
         ("Kd 0 1e99 0\n", "2:6: warning: Kd has \"1e99\", which is not finite: it is ignored"),
-        ("Kd red\n", "2:4: warning: Kd has \"red\" where a number should be: it is ignored"),
+        ("Kd red\n", "2:4: warning: Kd has \"red\" instead of a number: it is ignored"),
         ("Kd\n", "2:3: warning: Kd ends before its number: it is ignored"),
-        ("Kd 1 0\n", "2:7: warning: Kd has 2 numbers where a color has 1 or 3: it is ignored"),
+        ("Kd 1 0\n", "2:7: warning: Kd has 2 numbers instead of 1 or 3: it is ignored"),
         (
             "Kd spectral file.rfl 1\n",
             "2:4: warning: Kd names the spectrum \"file.rfl 1\", which is not read: it is ignored",
@@ -196,7 +193,7 @@ fn options_of_maps() {
 
     let (material, said) = odd("map_Kd -t 0.1 0.9 a.png\n");
     assert_eq!(material.diffuse_map.unwrap().path, "a.png");
-    assert_eq!(said, ["2:8: note: the option -t of textures (once) is understood and not done"]);
+    assert_eq!(said, ["2:8: note: the texture option -t (once) is not supported"]);
     let (material, said) = odd("map_Kd -type sphere a.png\n");
     assert_eq!((material.diffuse_map.unwrap().path.as_str(), said.len()), ("a.png", 1));
     let (material, said) = odd("map_Kd -fancy a.png\n");
@@ -221,7 +218,7 @@ fn the_last_of_two_counts() {
     let (materials, said) = read("newmtl a\nKd 1 0 0\nnewmtl b\nnewmtl a\nKd 0 0 1\n");
     assert_eq!(materials.iter().map(|m| m.name.as_str()).collect::<Vec<_>>(), ["a", "b"]);
     assert_eq!(materials[0].diffuse, [0.0, 0.0, 1.0]);
-    assert_eq!(said, ["4: warning: the material \"a\" is already on line 1: this one is taken"]);
+    assert_eq!(said, ["4: warning: the material \"a\" is already defined on line 1: using this one"]);
 }
 
 #[test]
@@ -229,17 +226,17 @@ fn what_is_not_used_is_told_once() {
     let (_, said) = odd("Ps 0.5\nPc 1\nmap_Ps velvet.png\nTf 0 1 1\nPs 0.4\n");
     assert_eq!(said, ["3: note: 4 statements without a term in the light equation: Pc, map_Ps, Tf, Ps"]);
     let (_, said) = odd("shiny yes\n");
-    assert_eq!(said, ["2:1: warning: \"shiny\" is no known statement of a material"]);
+    assert_eq!(said, ["2:1: warning: unknown material statement \"shiny\""]);
 }
 
 #[test]
 fn a_library_without_materials() {
-    assert_eq!(read("# Blender\n").1, ["note: holds no material (newmtl)"]);
+    assert_eq!(read("# Blender\n").1, ["note: contains no material (newmtl)"]);
     assert_eq!(read("").1, ["note: the material library is empty"]);
     let (materials, said) = read("Kd 1 1 1\nKs 1 1 1\n");
     assert_eq!(
         (materials.len(), said),
-        (0, vec!["1:1: warning: \"Kd\" stands before the first newmtl and is ignored".to_owned()])
+        (0, vec!["1:1: warning: \"Kd\" before the first newmtl is ignored".to_owned()])
     );
 }
 

@@ -191,7 +191,7 @@ fn complete_gives_only_what_lacks() {
     let (mesh, diagnostics) = complete(some);
     assert_eq!(mesh.normals, [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]]);
     assert_eq!(mesh.normal_source, NormalSource::FileAndAveraged);
-    assert_eq!(diagnostics[0].message, "2 of 3 corners have no normal: it is averaged");
+    assert_eq!(diagnostics[0].message, "2 of 3 corners have no normal: using averaged normals");
 
     let (mesh, diagnostics) = complete(cube([""; 6]));
     assert_eq!((mesh.normal_source, mesh.positions.len()), (NormalSource::Averaged, 8));
@@ -199,7 +199,7 @@ fn complete_gives_only_what_lacks() {
 
     let (mesh, diagnostics) = complete(cube(["s off\n"; 6]));
     assert_eq!((mesh.normal_source, mesh.positions.len()), (NormalSource::Flat, 36));
-    assert_eq!(diagnostics[0].message, "there are no normals, and smoothing is off: each triangle has its own");
+    assert_eq!(diagnostics[0].message, "there are no normals, and smoothing is off: the triangles are flat");
 }
 
 fn creased(mesh: &Mesh, degrees: f64) -> Mesh {

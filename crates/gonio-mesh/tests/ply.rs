@@ -94,8 +94,8 @@ fn a_square_in_every_encoding() {
         for end in ["\n", "\r\n", "\r"] {
             let model = read(&binary_square(is_big_endian, end)).unwrap();
             assert_eq!(triangles(&model.mesh), expected, "{is_big_endian} {end:?}");
-            assert_eq!(said(&model), ["note: stepped over: vertex.skipped, vertex.weight"]);
-            assert!(model.contents.contains(&("vertex.weight (stepped over)".to_owned(), 4)));
+            assert_eq!(said(&model), ["note: skipped: vertex.skipped, vertex.weight"]);
+            assert!(model.contents.contains(&("vertex.weight (skipped)".to_owned(), 4)));
         }
     }
 }
@@ -153,11 +153,11 @@ fn elements_and_properties_in_any_order() {
                 property float z\nproperty float nx\nproperty float x\nproperty float y\nproperty float ny\nend_header\n\
                 0.5 3 0 1 2\n0 1\n1 2\n1 0 0 0 0 0\n2 0 0 1 0 0\n0 0 0 0 1 5\n";
     let model = read(text.as_bytes()).unwrap();
-    assert_eq!(said(&model), ["note: stepped over: face.quality, edge"]);
+    assert_eq!(said(&model), ["note: skipped: face.quality, edge"]);
     assert_eq!(model.mesh.positions, [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
     assert_eq!(model.mesh.normals, [[0.0, 0.0, 1.0], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]]);
     assert_eq!(model.mesh.normal_source, NormalSource::File);
-    assert!(model.contents.contains(&("edge (stepped over)".to_owned(), 2)));
+    assert!(model.contents.contains(&("edge (skipped)".to_owned(), 2)));
 }
 
 #[test]
@@ -168,8 +168,8 @@ fn texture_coordinates_by_three_pairs_of_names() {
         let text = square(&header, "property list uchar int vertex_indices\n", lines);
         let model = read(text.as_bytes()).unwrap();
         assert_eq!(model.mesh.tex_coords, [[0.0, 0.0], [1.0, 0.0], [1.0, 0.75], [0.0, 0.0]]);
-        let expected = "15: warning: 1 vertex has texture coordinates that are not finite (vertex 3 is the first): \
-                        (0, 0) is taken";
+        let expected = "15: warning: 1 vertex has texture coordinates that are not finite (the first is vertex 3): \
+                        using (0, 0)";
         assert_eq!(said(&model), [expected]);
     }
 }
@@ -197,9 +197,9 @@ fn colors_of_vertices_are_srgb() {
     assert!(close(model.mesh.colors[0], [0.214_041_14, 0.0, 1.0, 1.0]), "{:?}", model.mesh.colors);
     assert_eq!(said(&model), [""; 0]);
     let model = of_floats("188");
-    assert_eq!(said(&model), ["note: vertex colors reach 188: taken as from 0 to 255"]);
+    assert_eq!(said(&model), ["note: vertex colors reach 188: treated as 0 to 255"]);
     assert!((model.mesh.colors[0][0] - 0.502_886_5).abs() < 1e-6);
-    let expected = "warning: 1 vertex has a colour beyond 0 to 1 (vertex 0 is the first): the nearest is taken";
+    let expected = "warning: 1 vertex has a color outside 0 to 1 (the first is vertex 0): clamped";
     for red in ["-0.5", "1e6"] {
         assert_eq!(said(&of_floats(red)), [expected], "{red}");
     }
@@ -216,18 +216,18 @@ fn numbers_that_are_not_finite_are_named_as_what_they_are() {
         };
         let line = 13;
         let model = vertices("red green blue", &format!("1 {number} 0"), "0 0 1");
-        let what = "1 vertex has a colour that is not finite (vertex 0 is the first): 0 is taken for it";
+        let what = "1 vertex has a color that is not finite (the first is vertex 0): using 0 instead";
         assert_eq!(said(&model), [format!("{line}: warning: {what}")]);
         assert_eq!(model.mesh.colors[..2], [[1.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0]]);
         let model = vertices("nx ny nz", &format!("0 0 {number}"), "0 0 2");
-        let what = "1 vertex has a normal that is not finite (vertex 0 is the first): counts as none";
+        let what = "1 vertex has a normal that is not finite (the first is vertex 0): ignored";
         assert_eq!(said(&model), [format!("{line}: warning: {what}")]);
         assert_eq!(model.mesh.normals[..2], [[0.0; 3], [0.0, 0.0, 1.0]]);
         let faces =
             "property list uchar int vertex_indices\nproperty float red\nproperty float green\nproperty float blue\n";
         let lines = format!("0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3 {number} 1 0\n");
         let model = read(square("", faces, &lines).as_bytes()).unwrap();
-        let what = "1 face has a colour that is not finite (face 0 is the first): 0 is taken for it";
+        let what = "1 face has a color that is not finite (the first is face 0): using 0 instead";
         assert_eq!(said(&model).len(), 1);
         assert!(said(&model)[0].ends_with(what), "{:?}", said(&model));
         assert_eq!(model.mesh.colors[0], [0.0, 1.0, 0.0, 1.0]);
@@ -260,10 +260,10 @@ fn wedges_and_textures() {
     assert_eq!(bare.materials[2].diffuse_map, None);
     let odd = text.replace("3 0 1 2 6 0 0 1 0 1 1 1", "3 0 1 2 4 0 0 1 0 7");
     let expected = [
-        "18: warning: 1 face has no two finite texture coordinates for each corner (face 0 is the first): \
-         (0, 0) is taken",
-        "warning: 1 face has a texnumber without a comment TextureFile (the first is face 0): the first texture is \
-         taken",
+        "18: warning: 1 face lacks two finite texture coordinates for each corner (the first is face 0): \
+         using (0, 0)",
+        "warning: 1 face has a texnumber without a comment TextureFile (the first is face 0): using the first \
+         texture",
     ];
     assert_eq!(said(&read(odd.as_bytes()).unwrap()), expected);
     let without = ascii_square().replace("element vertex", "comment TextureFile a.png\nelement vertex");
@@ -294,7 +294,7 @@ fn strips_of_triangles() {
     let expected = [
         "15: warning: 1 polygon points at vertices that are not there (strip 0 at vertex 9 of 5 is the first): left \
          out",
-        "note: 1 vertex is in no triangle: left out",
+        "note: 1 vertex is unused: left out",
     ];
     assert_eq!(said(&astray), expected);
 }
@@ -305,7 +305,7 @@ fn polygons_are_cut_and_vertices_without_triangles_left_out() {
                 element face 1\nproperty list uchar int vertex_indices\nend_header\n\
                 9 9 9\n0 0 0\n2 0 0\n2 1 0\n1 1 0\n1 2 0\n0 2 0\n6 1 2 3 4 5 6\n";
     let model = read(text.as_bytes()).unwrap();
-    assert_eq!(said(&model), ["note: 1 vertex is in no triangle: left out"]);
+    assert_eq!(said(&model), ["note: 1 vertex is unused: left out"]);
     assert_eq!((model.mesh.positions.len(), model.mesh.triangle_count()), (6, 4));
     assert_eq!(model.mesh.positions[0], [0.0; 3]);
     // The L has an area of 3, whichever way it is cut, if no triangles overlap and none is turned over.
@@ -335,11 +335,11 @@ fn what_is_odd_is_survived_and_told() {
         // More numbers on a line, an element on two lines, blank lines and blanks.
         (
             face("4 0 1 2 3").replace("1 0 0\n", "1 0 0 7 8\n"),
-            &["11: warning: 1 line has more on it than the header says (the first of it: \"7\"): that is ignored"],
+            &["11: warning: 1 line has more numbers than the header declares (the first is \"7\"): ignored"],
         ),
-        (face("4 0 1\n2 3"), &["14: warning: 1 element is not on one line: the next lines are taken for the rest"]),
+        (face("4 0 1\n2 3"), &["14: warning: 1 element is not on one line: the next lines are read as the rest"]),
         (face("\n \t4   0\t1 2 3  \r").replace("1 1 0\n", "\r\n1 1 0\r\n"), &[]),
-        (face("4 0 1 2 3\n\nmore"), &["16: warning: behind the last element stands \"more\", which is ignored"]),
+        (face("4 0 1 2 3\n\nmore"), &["16: warning: \"more\" after the last element is ignored"]),
         (
             two_faces("4 0 1 2 3\n3 0 1 4"),
             &["15: warning: 1 polygon points at vertices that are not there (face 1 at vertex 4 of 4 is the first): \
@@ -352,13 +352,13 @@ fn what_is_odd_is_survived_and_told() {
         ),
         (
             two_faces("4 0 1 2 3\n2 0 1"),
-            &["15: warning: 1 polygon has fewer than 3 corners (face 1 is the first): left out"],
+            &["15: warning: 1 polygon has fewer than 3 corners (the first is face 1): left out"],
         ),
         (
             two_faces("3 0 1 2\n3 0 2 3").replace("0 1 0\n", "0 inf 0\n"),
             &[
                 "warning: 1 polygons have corners whose position is not finite: left out",
-                "note: 1 vertex is in no triangle: left out",
+                "note: 1 vertex is unused: left out",
             ],
         ),
         (
@@ -367,15 +367,15 @@ fn what_is_odd_is_survived_and_told() {
         ),
         (
             face("4 0 1 2 3").replace("ascii 1.0", "ascii 2.0"),
-            &["2: warning: the version of the format is \"2.0\": it is read as 1.0, the only one known"],
+            &["2: warning: unknown format version \"2.0\": reading it as 1.0"],
         ),
         (
             face("4 0 1 2 3").replace("element vertex", "Element vertex 3\nelement vertex"),
-            &["3: warning: \"Element\" is no line of a PLY header: it is skipped"],
+            &["3: warning: unknown header line \"Element\": it is skipped"],
         ),
         (
             face("4 0 1 2 3").replace("element face", "property float nx\nelement face").replace(" 0\n", " 0 1\n"),
-            &["note: stepped over: vertex.nx"],
+            &["note: skipped: vertex.nx"],
         ),
         // Whole numbers where floats would do, floats where whole numbers are meant, a byte order mark, comments.
         (format!("\u{feff}{}", face("4.0 0 1.0 2e0 3")), &[]),
@@ -388,7 +388,7 @@ fn what_is_odd_is_survived_and_told() {
     let mut bytes = binary_square(false, "\n");
     let end = bytes.len();
     bytes.extend(b"abc");
-    let expected = format!("warning: 3 bytes behind the last element (from byte {end}) are ignored");
+    let expected = format!("warning: 3 bytes after the last element (from byte {end}) are ignored");
     assert_eq!(said(&read(&bytes).unwrap())[0], expected);
 }
 
@@ -400,37 +400,37 @@ fn errors_say_what_and_where() {
         text.replacen(old, new, 1)
     };
     let cases = [
-        (String::new(), "this is no PLY file: it does not begin with a line `ply`"),
-        ("plyx\n".into(), "this is no PLY file: it does not begin with a line `ply`"),
-        ("ply\nformat ascii 1.0\nend_header\n".into(), "has no element vertex: nothing to draw"),
-        (with("format ascii 1.0\n", ""), "8: the header says no format: `format ascii 1.0` or another"),
+        (String::new(), "this is not a PLY file: its first line is not `ply`"),
+        ("plyx\n".into(), "this is not a PLY file: its first line is not `ply`"),
+        ("ply\nformat ascii 1.0\nend_header\n".into(), "has no vertex element: nothing to draw"),
+        (with("format ascii 1.0\n", ""), "8: the header has no format line, such as `format ascii 1.0`"),
         (
             with("ascii", "binary"),
-            "2: \"binary\" is no format of PLY: ascii, binary_little_endian and binary_big_endian are",
+            "2: unknown PLY format \"binary\": expected ascii, binary_little_endian or binary_big_endian",
         ),
-        (with("vertex 4", "vertex -4"), "3: \"element vertex -4\" is no element: `element NAME COUNT` is"),
-        (with("vertex 4", "vertex"), "3: \"element vertex\" is no element: `element NAME COUNT` is"),
+        (with("vertex 4", "vertex -4"), "3: invalid element \"element vertex -4\": expected `element NAME COUNT`"),
+        (with("vertex 4", "vertex"), "3: invalid element \"element vertex\": expected `element NAME COUNT`"),
         (with("float z", "float32_t z"), "6: the property has the unknown type \"float32_t\": export the file again"),
         (
             with("float z", "list z"),
-            "6: \"property list z\" is no property: `property TYPE NAME` is, and `property list TYPE TYPE NAME`",
+            "6: invalid property \"property list z\": expected `property TYPE NAME` or `property list TYPE TYPE NAME`",
         ),
-        (with("element vertex 4\n", ""), "3: a property stands before the first element"),
-        (
-            with("end_header", "comment"),
-            "14: the header does not end (there is no line `end_header`): the file is cut off, get it again",
-        ),
+        (with("element vertex 4\n", ""), "3: a property precedes the first element"),
+        (with("end_header", "comment"), "14: the header has no `end_header` line: the file is cut off, get it again"),
         (with("float z", "float w"), "the vertices have no z: nothing to draw"),
         (with("vertex_indices", "corners"), "the faces have no list vertex_indices (or vertex_index): nothing to draw"),
-        (with("1 1 0\n", "1 1,5 0\n"), "12:3: vertex 2 has \"1,5\" for y, which is no number: export the file again"),
+        (
+            with("1 1 0\n", "1 1,5 0\n"),
+            "12:3: vertex 2 has \"1,5\" for y, which is not a number: export the file again",
+        ),
         (
             with("4 0 1 2 3", "4 0 1 x 3"),
-            "14:7: face 0 has \"x\" for vertex_indices, which is no number: export the file again",
+            "14:7: face 0 has \"x\" for vertex_indices, which is not a number: export the file again",
         ),
         (with("4 0 1 2 3", "-4 0 1 2 3"), "14: face 0 has a list vertex_indices of -4 numbers: the file is damaged"),
         (
             with("4 0 1 2 3", "5 0 1 2 3"),
-            "the file ends early: of 1 elements face that its header tells of, 0 are there; get it again",
+            "the file ends early: its header declares 1 face elements, but only 0 are there; get it again",
         ),
         (with("4 0 1 2 3", "1e18 0 1 2 3"), "14: face 0 has more than 4194304 corners, which is the limit"),
         (
@@ -440,21 +440,21 @@ fn errors_say_what_and_where() {
         ),
         (
             with("face 1", "face 2"),
-            "the file ends early: of 2 elements face that its header tells of, 1 is there; get it again",
+            "the file ends early: its header declares 2 face elements, but only 1 is there; get it again",
         ),
         (
             with("4 0 1 2 3", "3 0 1 9"),
-            "holds no triangles (vertices: 4, faces: 1): nothing to draw; 1 polygon points at vertices that are not \
+            "contains no triangles (vertices: 4, faces: 1): nothing to draw; 1 polygon points at vertices that are not \
              there (face 0 at vertex 9 of 4 is the first): left out",
         ),
-        (format!("{HEAD}end_header\n{SQUARE}"), "holds 4 points and no faces: nothing to draw"),
-        (with("face 1", "face 0"), "holds 4 points and no faces: nothing to draw"),
+        (format!("{HEAD}end_header\n{SQUARE}"), "contains 4 points but no faces: nothing to draw"),
+        (with("face 1", "face 0"), "contains 4 points but no faces: nothing to draw"),
     ];
     for (text, expected) in cases {
         assert_eq!(error(text.as_bytes()), expected, "{text}");
     }
     let bytes = binary_square(true, "\n");
-    let expected = "the file ends early: of 1 elements face that its header tells of, 0 are there; get it again";
+    let expected = "the file ends early: its header declares 1 face elements, but only 0 are there; get it again";
     assert_eq!(error(&bytes[..bytes.len() - 1]), expected);
     let expected = "the file ends early: its header tells of 4 elements vertex, and the bytes that follow hold 3 at \
                     most; get it again";
@@ -468,9 +468,9 @@ fn limits_are_honoured() {
     let limits = Limits { max_vertices: 4, max_triangles: 2, ..Limits::default() };
     assert!(with(limits).is_ok());
     let few_vertices = Limits { max_vertices: 3, ..limits };
-    assert_eq!(with(few_vertices).unwrap_err(), "holds 4 vertices, more than 3, which is the limit");
+    assert_eq!(with(few_vertices).unwrap_err(), "contains 4 vertices, more than 3, which is the limit");
     let few_triangles = Limits { max_triangles: 1, ..limits };
-    assert_eq!(with(few_triangles).unwrap_err(), "holds more than 1 triangles, which is the limit");
+    assert_eq!(with(few_triangles).unwrap_err(), "contains more than 1 triangles, which is the limit");
     // Before it is read.
     let polygon = ascii_square().replace("list uchar", "list uint").replace("\n4 0 1 2 3", "\n4194305 0 1 2 3");
     let said = ply::read(polygon.as_bytes(), &mut NoSidecars, &limits).unwrap_err().to_string();

@@ -181,7 +181,7 @@ fn normals_are_held_against_the_winding() {
     let off = "warning: 1 of 1 normals lie more than 10 degrees off their facet (the first is that of facet 0): \
                computed from the corners";
     assert_eq!(read_normal("1 0 0.5"), computed(off));
-    let unreadable = "2: warning: 1 facet has a normal that is none: computed from the corners";
+    let unreadable = "2: warning: 1 facet has an invalid normal: computed from the corners";
     for text in ["", "0 0", "a b c"] {
         let (normal, _, messages) = read_normal(text);
         assert_eq!((normal, messages[0].as_str()), (Z, unreadable), "{text:?}");
@@ -222,10 +222,13 @@ fn two_dialects_of_colors() {
         assert_eq!(model.materials[0].sources[0].written, "COLOR=[255, 0, 0, 128]");
     }
     let model = read(&binary(b"COLOR=\xFF\xFF\xFF\x00", &[(first, 0)], false)).unwrap();
-    assert_eq!(said(&model), ["note: the colour of the header is invisible (its alpha is 0): taken as opaque"]);
+    assert_eq!(said(&model), ["note: the color of the header is invisible (its alpha is 0): treated as opaque"]);
     assert_eq!(model.materials[0].opacity, 1.0);
     let model = read(&binary(b"", &[(first, 0), (second, 7)], false)).unwrap();
-    assert_eq!(said(&model), ["note: 1 facet has attribute bytes that are no color (the first is facet 1): ignored"]);
+    assert_eq!(
+        said(&model),
+        ["note: 1 facet has attribute bytes that are not a color (the first is facet 1): ignored"]
+    );
 }
 
 #[test]
@@ -233,24 +236,21 @@ fn sizes_that_do_not_fit() {
     let bytes = binary_tetrahedron(b"solid");
     assert_eq!(bytes.len(), 284);
     let more = read(&[&bytes[..], b"abc"].concat()).unwrap();
-    assert_eq!(said(&more), ["warning: 3 bytes behind the last facet (from byte 284) are ignored"]);
+    assert_eq!(said(&more), ["warning: 3 bytes after the last facet (from byte 284) are ignored"]);
     assert_eq!(more.mesh.triangle_count(), 4);
-    let expected = "the file says that it has 4 facets, but 3 are there: it is cut off (or no STL file), get it again";
+    let expected = "the file declares 4 facets but contains only 3: it is cut off (or not an STL file), get it again";
     assert_eq!(error(&bytes[..283]), expected);
     assert_eq!(error(&bytes[..284 - 50]), expected);
-    let expected = "the file says that it has 4 facets, but 1 is there: it is cut off (or no STL file), get it again";
+    let expected = "the file declares 4 facets but contains only 1: it is cut off (or not an STL file), get it again";
     assert_eq!(error(&bytes[..140]), expected);
     let mut uncounted = bytes.clone();
     uncounted[80..84].fill(0);
     let model = read(&uncounted).unwrap();
-    assert_eq!(said(&model), ["warning: the file says that it has no facets, but 4 are there: they are read"]);
+    assert_eq!(said(&model), ["warning: the file declares no facets but contains 4: they are read"]);
     assert_eq!(model.mesh.triangle_count(), 4);
     let swapped = binary(b"", &TETRAHEDRON.map(|facet| (facet, 0)), true);
     let model = read(&swapped).unwrap();
-    assert_eq!(
-        said(&model),
-        ["warning: the numbers are big-endian, against the definition of the format: read as such"]
-    );
+    assert_eq!(said(&model), ["warning: the numbers are big-endian, contrary to the specification: read as such"]);
     assert_eq!(triangles(&model.mesh), TETRAHEDRON.map(|[_, a, b, c]| [a, b, c]));
 }
 
@@ -277,7 +277,7 @@ fn what_is_odd_is_survived_and_told() {
         ),
         (
             facet.replace("outer", "colour 1 0 0\nouter"),
-            "3:1: warning: \"colour\" is no statement of an STL file: the rest of its line is ignored",
+            "3:1: warning: unknown statement \"colour\": the rest of its line is ignored",
         ),
     ];
     for (text, expected) in cases {
@@ -286,7 +286,7 @@ fn what_is_odd_is_survived_and_told() {
         assert_eq!(model.mesh.triangle_count(), 1, "{text}");
     }
     let quad = read(second("vertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\n").as_bytes()).unwrap();
-    assert_eq!(said(&quad), ["9: warning: 1 facet has more than 3 corners: cut"]);
+    assert_eq!(said(&quad), ["9: warning: 1 facet has more than 3 corners: triangulated"]);
     assert_eq!(quad.mesh.triangle_count(), 3);
     let unended = read(two(&facet.replace("solid\n", "")).replacen("endfacet\n", "", 1).as_bytes()).unwrap();
     assert_eq!(said(&unended)[0], "2: warning: 1 facet has no endfacet");
@@ -301,36 +301,36 @@ fn what_is_odd_is_survived_and_told() {
 #[test]
 fn errors_say_what_and_where() {
     let facet = one_facet("0 0 1");
-    let few =
-        "this is no STL file: it does not begin with `solid`, and 5 bytes are too few for a binary one (84 at least)";
+    let few = "this is not an STL file: it does not begin with `solid`, and 5 bytes are too few for a binary one (84 at least)";
     let cases: &[(String, &str)] = &[
         ("hello".into(), few),
-        ("solid x\nendsolid x\n".into(), "holds no facets: nothing to draw"),
+        ("solid x\nendsolid x\n".into(), "contains no facets: nothing to draw"),
         (
             facet.replace("vertex 1 0 0", "vertex 1 0,5 0"),
-            "5:10: vertex has the coordinate \"0,5\", which is no number: export the model again",
+            "5:10: vertex has the coordinate \"0,5\", which is not a number: export the model again",
         ),
         (facet.replace("vertex 1 0 0", "vertex 1 0"), "5:11: vertex has 2 of 3 coordinates: export the model again"),
         (
             facet.replace("vertex 1 0 0\n", ""),
-            "holds no facets: nothing to draw; 1 facet has fewer than 3 corners: left out",
+            "contains no facets: nothing to draw; 1 facet has fewer than 3 corners: left out",
         ),
         (
             facet.replace("vertex 1 0 0", "vertex nan 0 0"),
-            "holds no facets: nothing to draw; 1 facet has a corner that is not finite (the first is that of line 2): \
+            "contains no facets: nothing to draw; 1 facet has a corner that is not finite (the first is that of line 2): \
              left out",
         ),
     ];
     for (text, expected) in cases {
         assert_eq!(error(text.as_bytes()), *expected, "{text}");
     }
-    assert_eq!(error(&binary(b"", &[], false)), "holds no facets: nothing to draw");
+    assert_eq!(error(&binary(b"", &[], false)), "contains no facets: nothing to draw");
 }
 
 #[test]
 fn limits_are_honoured() {
     let files = [ascii_tetrahedron().into_bytes(), binary_tetrahedron(b"")];
-    let messages = ["holds more than 3 facets, which is the limit", "holds 4 facets, more than 3, which is the limit"];
+    let messages =
+        ["contains more than 3 facets, which is the limit", "contains 4 facets, more than 3, which is the limit"];
     for (file, message) in files.iter().zip(messages) {
         let with = |limits: Limits| stl::read(file, &mut NoSidecars, &limits).map_err(|e| e.to_string());
         let limits = Limits { max_vertices: 12, max_triangles: 4, ..Limits::default() };

@@ -322,11 +322,11 @@ fn what_obj_cannot_hold_is_told() {
         "warning: the material \"m\" has a rotation of its map_Kd, which MTL cannot hold: it is lost",
         "warning: the material \"m\" has a way to wrap around of its map_Kd, which MTL cannot hold: it is lost",
         "note: the material \"m\" has a map_Ke of \"black.png\" that is multiplied by 0: it is left out",
-        "note: the material \"m\" has what no term of the light equation takes; it is not written: sheen",
+        "note: the material \"m\" has properties without a term in the light equation, which are not written: sheen",
         "warning: 1 light not written: OBJ has none",
         "warning: 1 camera not written: OBJ has none",
         "warning: the alpha of vertex colors is not written: OBJ has none",
-        "warning: vertex colors beyond 0 to 1 are cut: OBJ has none",
+        "warning: vertex colors outside 0 to 1 are clamped: OBJ has none",
     ];
     assert_eq!(said, expected);
     let images: Vec<_> = files.images.iter().map(|file| (file.name.as_str(), file.image)).collect();

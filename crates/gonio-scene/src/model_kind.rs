@@ -65,8 +65,8 @@ pub(crate) fn is_model_or_scene(bytes: &[u8], name: &Path) -> Option<&'static st
 
 fn environment_kind(format: FileFormat) -> &'static str {
     match format {
-        FileFormat::Png => "a PNG picture",
-        FileFormat::Jpeg => "a JPEG picture",
+        FileFormat::Png => "a PNG image",
+        FileFormat::Jpeg => "a JPEG image",
         FileFormat::Hdr => "a Radiance picture (.hdr)",
         FileFormat::Exr => "an OpenEXR picture",
         FileFormat::Ktx2 => "a KTX2 texture",

@@ -120,7 +120,7 @@ fn models_and_environments_are_not_exchanged() {
         ("sky.ktx2", "a KTX2 texture"),
         ("panorama.hdr", "a Radiance picture"),
         ("panorama.exr", "an OpenEXR picture"),
-        ("panorama.png", "a PNG picture"),
+        ("panorama.png", "a PNG image"),
         ("sky.dds", "a DDS texture"),
         ("sky", "a built-in environment"),
     ] {

@@ -74,11 +74,7 @@ fn what_is_missing_or_lost_is_said() {
     let lab = lab();
     std::fs::remove_file(lab.path("pictures/dot.png")).unwrap();
     let run = lab.run(&["convert", "m.obj", "a.obj"]).good();
-    assert!(
-        run.stderr.contains("m.mtl:2: the texture \"pictures/dot.png\" was not found; looked for at"),
-        "{}",
-        run.stderr
-    );
+    assert!(run.stderr.contains("m.mtl:2: the texture \"pictures/dot.png\" was not found; tried"), "{}", run.stderr);
     assert!(String::from_utf8(lab.read("a.mtl")).unwrap().contains("map_Kd pictures/dot.png\n"));
     let run = lab.run(&["convert", &asset("suzanne.obj"), "s.ply"]).good();
     assert!(run.stderr.contains("PLY has no more"), "{}", run.stderr);

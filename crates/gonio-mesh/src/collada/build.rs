@@ -36,7 +36,7 @@ impl<'a> Builder<'a> {
         for &position in &local.positions {
             let placed = model_from_local.transform_point3(DVec3::from(position.map(f64::from))).as_vec3();
             if !placed.is_finite() {
-                let message = format!("the transforms of {name:?} move a position beyond every number: {placed}");
+                let message = format!("the transforms of {name:?} move a position out of range: {placed}");
                 return Err(document.error(at, message));
             }
             self.mesh.positions.push(placed.to_array());
@@ -89,8 +89,7 @@ impl<'a> Builder<'a> {
         // Position, normal, texture coordinate, colour; three indices.
         if vertices.saturating_mul(48).saturating_add(triangles.saturating_mul(12)) > self.limits.max_bytes {
             let most = self.limits.max_bytes;
-            let message =
-                format!("geometries are placed so often that they take more than {most} bytes, which is the limit");
+            let message = format!("the placed geometries take more than {most} bytes, which is the limit");
             return Err(document.error(at, message).caused_by(Cause::MemoryLimit));
         }
         Ok(())

@@ -38,10 +38,10 @@ impl<'t> Document<'t> {
             let Some(id) = element.attribute("id") else { continue };
             let earlier = *document.ids.entry((element.name(), id)).or_insert(element);
             if earlier.index != element.index {
-                document.add("elements with an id that another one has", Severity::Warning, element.at(), || {
+                document.add("elements with a duplicate id", Severity::Warning, element.at(), || {
                     let id = quote(element.attribute("id").unwrap_or_default().as_bytes());
                     let line = document.line(earlier);
-                    format!("the id {id} is already that of a <{}> of line {line}, which is taken", element.name())
+                    format!("the id {id} is already used by a <{}> on line {line}, which wins", element.name())
                 });
             }
         }
@@ -140,9 +140,9 @@ impl<'t> Document<'t> {
                 let what = kinds.first().copied().unwrap_or_default();
                 let quoted = quote(address.as_bytes());
                 if address.split_once('#').is_some_and(|(file, _)| !file.is_empty()) {
-                    format!("<{}> names the {what} {quoted} of another file, which is not read", from.name())
+                    format!("<{}> refers to the {what} {quoted} in another file, which is not read", from.name())
                 } else {
-                    format!("<{}> names the {what} {quoted}, which does not exist", from.name())
+                    format!("<{}> refers to the {what} {quoted}, which does not exist", from.name())
                 }
             });
         }
@@ -158,7 +158,7 @@ impl<'t> Document<'t> {
     pub(super) fn number(&self, element: Element<'_>) -> Result<f64, ReadError> {
         match self.finite(element)?.as_slice() {
             [value, ..] => Ok(*value),
-            [] => Err(self.error(element.at(), format!("<{}> holds no number", element.name()))),
+            [] => Err(self.error(element.at(), format!("<{}> contains no number", element.name()))),
         }
     }
 
@@ -166,7 +166,7 @@ impl<'t> Document<'t> {
     pub(super) fn exactly<const N: usize>(&self, element: Element<'_>) -> Result<[f64; N], ReadError> {
         let numbers = self.finite(element)?;
         numbers.get(..N).and_then(|first| first.try_into().ok()).ok_or_else(|| {
-            let message = format!("<{}> holds {} numbers instead of {N}", element.name(), numbers.len());
+            let message = format!("<{}> contains {} numbers instead of {N}", element.name(), numbers.len());
             self.error(element.at(), message)
         })
     }
@@ -224,14 +224,14 @@ impl<'t> Document<'t> {
         });
         let value = with_point.ok_or_else(|| self.no_number(element, at, word))?;
         self.add("numbers with a decimal comma", Severity::Warning, at, || {
-            format!("{} in <{}> has a decimal comma: it is read as {value}", quote(word.as_bytes()), element.name())
+            format!("{} in <{}> has a decimal comma: read as {value}", quote(word.as_bytes()), element.name())
         });
         Ok(value)
     }
 
     #[cold]
     fn no_number(&self, element: Element<'_>, at: usize, word: &str) -> ReadError {
-        self.error(at, format!("{} stands in <{}>, where a number should be", quote(word.as_bytes()), element.name()))
+        self.error(at, format!("expected a number in <{}>, found {}", element.name(), quote(word.as_bytes())))
     }
 
     /// What an attribute counts, where it does.
@@ -241,7 +241,7 @@ impl<'t> Document<'t> {
 }
 
 /// Addresses that lead nowhere.
-const MISSING: &str = "addresses that lead nowhere";
+const MISSING: &str = "unresolved references";
 
 /// The numbers of a `float_array`.
 pub(super) struct FloatArray {

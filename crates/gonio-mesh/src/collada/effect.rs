@@ -31,8 +31,8 @@ pub(super) fn material<'t>(
     let instance = element.child("instance_effect");
     let effect = instance.and_then(|instance| document.target(instance, "url", &["effect"]));
     if let Some(parameter) = instance.and_then(|instance| instance.child("setparam")) {
-        document.add("parameters that are not set", Severity::Warning, parameter.at(), || {
-            format!("setparam of the material {} is not done", quote(name.as_bytes()))
+        document.add("unsupported parameters", Severity::Warning, parameter.at(), || {
+            format!("setparam of the material {} is not supported: ignored", quote(name.as_bytes()))
         });
     }
     let profile = effect.and_then(|effect| effect.child("profile_COMMON"));
@@ -41,7 +41,7 @@ pub(super) fn material<'t>(
     let (Some(effect), Some(profile), Some(technique), Some(shader)) = (effect, profile, technique, shader) else {
         document.add("materials without an effect", Severity::Warning, effect.unwrap_or(element).at(), || {
             let name = quote(name.as_bytes());
-            format!("the material {name} has no effect of profile_COMMON that could be read: the default one is taken")
+            format!("the material {name} has no readable profile_COMMON effect: using the default material")
         });
         return Ok(Made { material: Material { name, ..Material::default() }, tex_coord: None });
     };
@@ -112,7 +112,7 @@ impl<'t> Reader<'_, 't> {
             } else {
                 let name = &self.name;
                 self.document
-                    .note(at, format!("the index_of_refraction of {name} is {value}: {REFRACTION_INDEX} is taken"));
+                    .note(at, format!("the index_of_refraction of {name} is {value}: using {REFRACTION_INDEX}"));
             }
         }
         self.opacity(shader, &mut material)?;
@@ -155,7 +155,7 @@ impl<'t> Reader<'_, 't> {
                 let numbers = parameter.and_then(|p| p.children().find(|c| matches!(c.name(), "float4" | "float3")));
                 let Some(numbers) = numbers else {
                     let message = format!(
-                        "{name} of {} refers to {}, which is no colour: it is ignored",
+                        "{name} of {} refers to {}, which is not a color: it is ignored",
                         self.name,
                         quote(sid.as_bytes())
                     );
@@ -214,10 +214,13 @@ impl<'t> Reader<'_, 't> {
         }
         let path = |value: &Value| value.map.as_ref().map(|map| map.path.clone());
         if diffuse.and_then(path) != path(&value) {
-            let message = format!("the ambient texture of {} is not used: it follows the diffuse colour", self.name);
+            let message = format!(
+                "the ambient texture of {} is not used: the ambient color follows the diffuse color",
+                self.name
+            );
             self.document.note(value.at, message);
         }
-        self.source("ambient", value.line, value.written, "a texture: follows the diffuse colour");
+        self.source("ambient", value.line, value.written, "a texture: follows the diffuse color");
     }
 
     /// A number, its line, its byte.
@@ -238,15 +241,16 @@ impl<'t> Reader<'_, 't> {
         let written = format!("<shininess> {value}");
         if value <= 0.0 || value > 1.0 {
             material.shininess = value.clamp(1.0, f32::MAX);
-            let rule = if value < 1.0 { "1 is the smallest" } else { "" };
+            let rule = if value < 1.0 { "raised to the minimum of 1" } else { "" };
             self.source("shininess", line, written, rule);
             return Ok(());
         }
         material.shininess = (value * SHININESS_OF_ONE).max(1.0);
-        let rule = format!("from 0 to 1: taken as a part of {SHININESS_OF_ONE}");
+        let rule = format!("between 0 and 1: multiplied by {SHININESS_OF_ONE}");
         self.source("shininess", line, written, &rule);
         if has_highlight {
-            let message = format!("the shininess of {} is {value}, {rule}, as some programs write it", self.name);
+            let message =
+                format!("the shininess of {} is {value}, {rule} (some programs write it as a fraction)", self.name);
             self.document.note(at, message);
         }
         Ok(())
@@ -266,7 +270,7 @@ impl<'t> Reader<'_, 't> {
             "RGB_ZERO" => (false, false),
             other => {
                 let at = shader.child("transparent").unwrap_or(shader).at();
-                let message = format!("opaque of {} is {}: A_ONE is taken", self.name, quote(other.as_bytes()));
+                let message = format!("opaque of {} is {}: using A_ONE", self.name, quote(other.as_bytes()));
                 self.document.warn(at, message);
                 (true, true)
             }
@@ -298,11 +302,11 @@ impl<'t> Reader<'_, 't> {
         if opacity <= 1e-6 {
             let name = &self.name;
             let message = format!(
-                "the material {name} would be invisible ({written}, {mode}): it is taken as opaque, as programs confuse \
-                 the two"
+                "the material {name} would be invisible ({written}, {mode}): treated as opaque, because programs \
+                 confuse the two"
             );
             self.document.warn(at, message);
-            self.source("opacity", line, written, "would be invisible: taken as opaque");
+            self.source("opacity", line, written, "would be invisible: treated as opaque");
             return Ok(());
         }
         material.opacity = opacity;
@@ -361,7 +365,7 @@ impl<'t> Reader<'_, 't> {
             self.document.add("textures with other texture coordinates", Severity::Warning, *at, || {
                 let [first, other] = [first, other].map(|name| quote(name.as_bytes()));
                 format!(
-                    "a texture of {} has the texture coordinates {other}, another {first}: {first} are taken for all",
+                    "textures of {} use the texture coordinates {first} and {other}: using {first} for all",
                     self.name
                 )
             });

@@ -165,17 +165,17 @@ fn check_count(document: &Document<'_>, element: Element<'_>, shape: Shape, made
         && said != there
     {
         document.add(COUNTS, Severity::Warning, element.at(), || {
-            format!("<{}> counts {said}, but holds {there}", element.name())
+            format!("<{}> declares {said}, but contains {there}", element.name())
         });
     }
 }
 
 /// What is told of counts and corners.
-const COUNTS: &str = "counts that are not those of what is there";
-const LEFT_OVER: &str = "indices that make no whole polygon";
+const COUNTS: &str = "wrong counts";
+const LEFT_OVER: &str = "indices that do not form a polygon";
 
 fn left_over(document: &Document<'_>, p: Element<'_>, count: usize) {
-    document.add(LEFT_OVER, Severity::Warning, p.at(), || format!("{count} indices at the end make no whole polygon"));
+    document.add(LEFT_OVER, Severity::Warning, p.at(), || format!("{count} indices at the end do not form a polygon"));
 }
 
 fn triangles(document: &Document<'_>, element: Element<'_>, made: &mut Primitive) -> Result<(), ReadError> {
@@ -215,7 +215,7 @@ fn polylist(document: &Document<'_>, element: Element<'_>, made: &mut Primitive)
     }
     if whole < sizes.len() {
         document.add_loss("polygons whose indices are missing", p.at(), || {
-            format!("vcount asks for {} polygons, but there are indices for {whole} only", sizes.len())
+            format!("vcount declares {} polygons, but there are indices for only {whole}", sizes.len())
         });
         sizes.truncate(whole);
     }
@@ -234,7 +234,7 @@ fn polygons(document: &Document<'_>, element: Element<'_>, made: &mut Primitive)
             "p" => Some(child),
             "ph" => {
                 document.add("polygons with holes", Severity::Warning, child.at(), || {
-                    "this polygon has holes, which are drawn as if filled".to_owned()
+                    "this polygon has holes, which are drawn filled".to_owned()
                 });
                 child.child("p")
             }

@@ -53,13 +53,13 @@ pub(super) fn texture<'t>(
         None => document.by_id(&["image"], &name),
     };
     let Some(image) = image else {
-        document.add("textures without a picture", Severity::Warning, element.at(), || {
+        document.add("textures without an image", Severity::Warning, element.at(), || {
             let missing = if sampler.is_some() {
-                "whose sampler leads to no picture"
+                "whose sampler has no image"
             } else {
-                "which is neither a sampler nor a picture"
+                "which is neither a sampler nor an image"
             };
-            format!("this texture is {}, {missing}: it is ignored", quote(name.as_bytes()))
+            format!("this texture refers to {}, {missing}: it is ignored", quote(name.as_bytes()))
         });
         return Ok(None);
     };
@@ -93,7 +93,7 @@ fn wrap(document: &Document<'_>, element: Option<Element<'_>>) -> Wrap {
         "CLAMP" => Wrap::Clamp,
         other => {
             document.add("unusual wrap modes", Severity::Note, element.at(), || {
-                format!("<{}> is {}: CLAMP is taken", element.name(), quote(other.as_bytes()))
+                format!("<{}> is {}: using CLAMP", element.name(), quote(other.as_bytes()))
             });
             Wrap::Clamp
         }
@@ -120,7 +120,7 @@ fn picture(document: &Document<'_>, images: &mut Images, image: Element<'_>) -> 
     match address.as_deref() {
         Some(address) if !address.is_empty() => Ok(Some(TextureMap::new(path_of(address)))),
         _ => {
-            document.add("pictures without a file", Severity::Warning, image.at(), || {
+            document.add("images without a file", Severity::Warning, image.at(), || {
                 format!("the image {} names no file", quote(name.as_bytes()))
             });
             Ok(None)
@@ -134,7 +134,7 @@ fn hexadecimal(document: &Document<'_>, element: Element<'_>) -> Option<Vec<u8>>
     let bytes: Option<Vec<u8>> =
         digits.chunks(2).map(|pair| Some(value(*pair.first()?)? << 4 | value(*pair.get(1)?)?)).collect();
     if bytes.is_none() {
-        document.warn(element.at(), "the bytes of this picture are not written in hexadecimal: it is ignored");
+        document.warn(element.at(), "the data of this image is not hexadecimal: it is ignored");
     }
     bytes
 }
@@ -188,8 +188,8 @@ fn placement(document: &Document<'_>, texture: Element<'_>, map: &mut TextureMap
         if let Some(element) = technique.child("rotateUV")
             && number("rotateUV")? != Some(0.0)
         {
-            document.add("turned textures", Severity::Warning, element.at(), || {
-                "rotateUV is not done: this texture is not turned".to_owned()
+            document.add("rotated textures", Severity::Warning, element.at(), || {
+                "rotateUV is not supported: this texture is not rotated".to_owned()
             });
         }
     }

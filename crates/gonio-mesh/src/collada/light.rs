@@ -21,7 +21,7 @@ pub(super) fn light(
     meter: f64,
 ) -> Result<Option<ModelLight>, ReadError> {
     let Some(kind) = element.child("technique_common").and_then(|technique| technique.children().next()) else {
-        document.warn(element.at(), format!("the light {:?} says nothing of itself: it is left out", name_of(element)));
+        document.warn(element.at(), format!("the light {:?} has no parameters: it is left out", name_of(element)));
         return Ok(None);
     };
     let number = |name: &str, absent: f64| kind.child(name).map_or(Ok(absent), |child| document.number(child));
@@ -46,7 +46,7 @@ pub(super) fn light(
         }
         other => {
             let message = format!(
-                "the light {:?} is of the unknown kind {}: it is left out",
+                "the light {:?} has the unknown type {}: it is left out",
                 name_of(element),
                 quote(other.as_bytes())
             );
@@ -91,7 +91,7 @@ pub(super) fn camera(
     let fov_y_rad = if kind.name() == "perspective" { Some(fov_y(document, kind)?) } else { None };
     let [position, direction, up] = frame(model_from_node);
     if !position.is_finite() || !fov_y_rad.is_none_or(|fov| fov > 0.0 && fov < PI) {
-        document.warn(kind.at(), format!("the camera {:?} has impossible numbers: it is left out", name_of(element)));
+        document.warn(kind.at(), format!("the camera {:?} has invalid parameters: it is left out", name_of(element)));
         return Ok(None);
     }
     let clip = [number("znear")?, number("zfar")?].map(|distance| distance.map(|d| d * meter));
@@ -116,7 +116,7 @@ fn fov_y(document: &Document<'_>, perspective: Element<'_>) -> Result<f64, ReadE
     };
     let aspect = number("aspect_ratio")?.filter(|aspect| *aspect > 0.0).unwrap_or_else(|| {
         document.add("cameras without an aspect_ratio", Severity::Note, perspective.at(), || {
-            "this camera has an xfov and no aspect_ratio: 16:9 is taken".to_owned()
+            "this camera has an xfov but no aspect_ratio: using 16:9".to_owned()
         });
         ASPECT_RATIO
     });

@@ -158,8 +158,11 @@ impl Assembler<'_, '_> {
         };
         let number = bad * self.primitive.width + offset;
         let written = corners.get(number).copied().unwrap_or(NONE);
-        self.report_index("polygons left out for their indices", first + number, || {
-            format!("a polygon has {}, but there are {rows}, from 0: it is left out", shown("position", written))
+        self.report_index("polygons left out because of an invalid index", first + number, || {
+            format!(
+                "a polygon refers to {}, but there are only {rows} (from 0): it is left out",
+                shown("position", written)
+            )
         });
         false
     }
@@ -185,9 +188,9 @@ impl Assembler<'_, '_> {
             if (index as usize) < input.source.rows {
                 return index;
             }
-            self.document.add("indices that point at nothing", Severity::Warning, self.primitive.at, || {
+            self.document.add("invalid indices", Severity::Warning, self.primitive.at, || {
                 let rows = input.source.rows;
-                format!("a corner has {}, but there are {rows}, from 0: it has none", shown(what, index))
+                format!("a corner refers to {}, but there are only {rows} (from 0): ignored", shown(what, index))
             });
             NONE
         });

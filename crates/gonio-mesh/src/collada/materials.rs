@@ -82,7 +82,7 @@ impl Materials {
             Some((symbol, None)) => self.unbound(document, symbol, instance),
             None => {
                 document.add("primitives without a material", Severity::Note, at, || {
-                    "these polygons have no material: the default one is taken".to_owned()
+                    "these polygons have no material: using the default one".to_owned()
                 });
                 None
             }
@@ -95,10 +95,10 @@ impl Materials {
     fn unbound(&self, document: &Document<'_>, symbol: &str, instance: Element<'_>) -> Option<usize> {
         let id = symbol.strip_prefix('#').unwrap_or(symbol);
         let found = document.by_id(&["material"], id).and_then(|material| self.index_of.get(&material.index));
-        document.add("materials that are not bound", Severity::Warning, instance.at(), || {
+        document.add("unbound materials", Severity::Warning, instance.at(), || {
             let symbol = quote(symbol.as_bytes());
-            let taken = if found.is_some() { "the material of this id" } else { "the default one" };
-            format!("<{}> binds no material to the symbol {symbol}: {taken} is taken", instance.name())
+            let taken = if found.is_some() { "the material with this id" } else { "the default one" };
+            format!("<{}> binds no material to the symbol {symbol}: using {taken}", instance.name())
         });
         found.copied()
     }

@@ -73,9 +73,9 @@ pub fn read(bytes: &[u8], _sidecars: &mut dyn Sidecars, limits: &Limits) -> Resu
     let mut mesh = builder.finish();
     if mesh.indices.is_empty() {
         let counts: Vec<String> = contents.iter().map(|(name, count)| format!("{count} {name}")).collect();
-        let counts = if counts.is_empty() { "no element that is known".to_owned() } else { counts.join(", ") };
+        let counts = if counts.is_empty() { "no known element".to_owned() } else { counts.join(", ") };
         let why = document.why_nothing();
-        return Err(ReadError::new(format!("holds no triangles ({counts}): nothing to draw{why}")));
+        return Err(ReadError::new(format!("contains no triangles ({counts}): nothing to draw{why}")));
     }
     let (materials, images, offset) = materials.finish();
     for part in &mut mesh.parts {
@@ -90,11 +90,11 @@ fn check_version(document: &Document<'_>) {
     let version = root.attribute("version").unwrap_or_default();
     if !version.starts_with("1.4") && !version.starts_with("1.5") {
         let version = crate::text::quote(version.as_bytes());
-        document.warn(root.at(), format!("the version is {version}: it is read as if it were 1.4 or 1.5"));
+        document.warn(root.at(), format!("the version is {version}: reading it as 1.4 or 1.5"));
     }
     for library in root.all("library_animations") {
         if let Some(animation) = library.child("animation") {
-            document.note(animation.at(), "animations are not played: the model stands as its nodes do");
+            document.note(animation.at(), "animations are not played: the model is shown at rest");
         }
     }
 }
@@ -134,8 +134,10 @@ fn report_cuts(document: &Document<'_>, scene: &Scene<'_, '_>) {
     }
     if scene.cuts.too_large > 0 {
         let most = crate::polygon::MOST_CORNERS_FOR_EARS;
-        let message =
-            format!("{} concave polygons have more than {most} corners: cut as if convex", scene.cuts.too_large);
+        let message = format!(
+            "{} concave polygons have more than {most} corners: triangulated as if convex",
+            scene.cuts.too_large
+        );
         document.say_at_end(Diagnostic::warning(message));
     }
 }

@@ -84,11 +84,13 @@ impl<'d, 't> Scene<'d, 't> {
         match (scene, named) {
             (Some(scene), None) => {
                 let name = quote(name_of(scene).as_bytes());
-                self.document
-                    .warn(scene.at(), format!("the document names no scene that is in it: {name} is drawn, the first"));
+                self.document.warn(
+                    scene.at(),
+                    format!("the scene that the document refers to does not exist: drawing the first one, {name}"),
+                );
             }
             (None, _) => {
-                self.document.warn(root.at(), "there is no scene: every geometry is drawn where it is");
+                self.document.warn(root.at(), "there is no scene: drawing every geometry untransformed");
                 for library in root.all("library_geometries") {
                     for geometry in library.all("geometry") {
                         self.place(geometry, geometry, None, self.model_from_file)?;
@@ -108,10 +110,9 @@ impl<'d, 't> Scene<'d, 't> {
                 Step::Enter(node, model_from_parent) => {
                     if !inside.insert(node.index) {
                         let name = quote(name_of(node).as_bytes());
-                        return Err(self.document.error(
-                            node.at(),
-                            format!("the node {name} holds itself: instance_node leads back to it"),
-                        ));
+                        return Err(self
+                            .document
+                            .error(node.at(), format!("the node {name} contains itself by way of an instance_node")));
                     }
                     steps.push(Step::Leave(node.index));
                     self.node(node, model_from_parent, &mut steps)?;
@@ -127,7 +128,7 @@ impl<'d, 't> Scene<'d, 't> {
             return Ok(());
         }
         let message = format!(
-            "nodes are placed so often that more than {MOST_STEPS} elements are to be looked at, which is the limit"
+            "nodes are instantiated so often that more than {MOST_STEPS} elements would be visited, which is the limit"
         );
         Err(self.document.error(at, message))
     }
@@ -208,8 +209,8 @@ impl<'d, 't> Scene<'d, 't> {
             self.document.add("geometries drawn undeformed", Severity::Warning, here.at(), || {
                 let name = quote(name_of(here).as_bytes());
                 match kind.name() {
-                    "skin" => format!("{name} is a skin, drawn in the pose in which it was bound"),
-                    _ => format!("{name} is a morph, drawn as its base"),
+                    "skin" => format!("{name} is a skin: drawn in its bind pose"),
+                    _ => format!("{name} is a morph: drawn in its base shape"),
                 }
             });
             if let Some(matrix) = kind.child("bind_shape_matrix")
@@ -222,7 +223,7 @@ impl<'d, 't> Scene<'d, 't> {
                 None => return Ok(()),
             }
         }
-        let message = format!("controllers deform each other more than {MOST_CONTROLLERS} times, perhaps in a circle");
+        let message = format!("controllers are nested more than {MOST_CONTROLLERS} deep, perhaps in a cycle");
         Err(self.document.error(instance.at(), message))
     }
 

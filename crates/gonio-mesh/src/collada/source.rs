@@ -78,7 +78,7 @@ impl Sources {
         };
         let Some(array) = array else {
             document.add(UNREADABLE, Severity::Warning, element.at(), || {
-                "this source has no array of numbers that could be read".to_owned()
+                "this source has no readable array of numbers".to_owned()
             });
             return Ok(None);
         };
@@ -99,7 +99,7 @@ impl Sources {
         let said = accessor.and_then(|a| document.count(a, "count")).unwrap_or(available);
         if said > available {
             document.add(TOO_SHORT, Severity::Warning, accessor.unwrap_or(element).at(), || {
-                format!("the accessor counts {said} rows, but the array holds only {available}")
+                format!("the accessor declares {said} rows, but the array contains only {available}")
             });
         }
         // `available` is 0 where any of these is too large for the array, and then no row is looked at.
@@ -118,7 +118,7 @@ impl Sources {
             && said != held
         {
             document.add(TOO_SHORT, Severity::Warning, element.at(), || {
-                format!("<{}> counts {said} numbers, but holds {held}", element.name())
+                format!("<{}> declares {said} numbers, but contains {held}", element.name())
             });
         }
         self.arrays.insert(element.index, array.clone());
@@ -142,12 +142,12 @@ fn report_not_finite(
     let at = document.place_of_number(&source.array, first).unwrap_or(element.at());
     document.add("sources with numbers that are not finite", Severity::Warning, at, || {
         let numbers = if count == 1 { "number is" } else { "numbers are" };
-        format!("{count} {numbers} not finite in the {}: 0 is taken instead", semantic.plural())
+        format!("{count} {numbers} not finite in the {}: using 0 instead", semantic.plural())
     });
 }
 
 const UNREADABLE: &str = "sources that cannot be read";
-const TOO_SHORT: &str = "counts that are not those of what is there";
+const TOO_SHORT: &str = "wrong counts";
 
 /// Where the wanted parameters stand within a row. Those without a name are to be skipped, unless none has one. Known
 /// names may come in any order.

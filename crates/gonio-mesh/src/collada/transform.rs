@@ -17,7 +17,7 @@ pub(super) fn model_from_file(document: &Document<'_>) -> Result<(DMat4, f64), R
             Ok(value) if value.is_finite() && value > 0.0 => meter = value,
             _ => {
                 let written = quote(written.as_bytes());
-                document.warn(unit.at(), format!("the unit has the length {written}, which is none: 1 metre is taken"));
+                document.warn(unit.at(), format!("invalid unit length {written}: using 1 metre"));
             }
         }
     }
@@ -28,7 +28,7 @@ pub(super) fn model_from_file(document: &Document<'_>) -> Result<(DMat4, f64), R
             "Z_UP" => DMat3::from_cols(DVec3::X, DVec3::NEG_Z, DVec3::Y),
             "X_UP" => DMat3::from_cols(DVec3::Y, DVec3::NEG_X, DVec3::Z),
             other => {
-                let message = format!("up_axis is {}, not X_UP, Y_UP or Z_UP: Y_UP is taken", quote(other.as_bytes()));
+                let message = format!("up_axis is {}, not X_UP, Y_UP or Z_UP: using Y_UP", quote(other.as_bytes()));
                 document.warn(axis.at(), message);
                 DMat3::IDENTITY
             }
@@ -69,7 +69,10 @@ fn look_at(document: &Document<'_>, element: Element<'_>) -> Result<DMat4, ReadE
     let back = (eye - interest).try_normalize();
     let right = back.and_then(|back| up.cross(back).try_normalize());
     let (Some(back), Some(right)) = (back, right) else {
-        document.warn(element.at(), "this lookat has no direction, or looks along its up: it only moves");
+        document.warn(
+            element.at(),
+            "this lookat has no direction, or looks along its up vector: only its position is used",
+        );
         return Ok(DMat4::from_translation(eye));
     };
     Ok(DMat4::from_translation(eye) * DMat4::from_mat3(DMat3::from_cols(right, back.cross(right), back)))

@@ -60,7 +60,7 @@ impl<'a> Tree<'a> {
             let event = match reader.read_event() {
                 Ok(event) => event,
                 Err(error) => {
-                    return Err(parser.error(position(reader.error_position()), format!("the XML is broken: {error}")));
+                    return Err(parser.error(position(reader.error_position()), format!("invalid XML: {error}")));
                 }
             };
             let end = position(reader.buffer_position());
@@ -77,7 +77,7 @@ impl<'a> Tree<'a> {
                     let meaning = reference.resolve_char_ref().ok().flatten().or_else(|| predefined(&reference));
                     let Some(meaning) = meaning else {
                         let message = format!(
-                            "the entity {} is not one of XML's own: it is not expanded",
+                            "the entity {} is not predefined in XML: it is not expanded",
                             quote(reference.as_bytes())
                         );
                         return Err(parser.error(start, message));
@@ -139,7 +139,7 @@ impl<'a> Parser<'a, '_> {
         let index = self.tree.nodes.len();
         let size = index.saturating_mul(size_of::<Node<'_>>()) as u64;
         if size > self.limits.max_bytes || index >= NONE as usize {
-            return Err(self.error(at, format!("holds more than {index} elements, which is the limit")));
+            return Err(self.error(at, format!("contains more than {index} elements, which is the limit")));
         }
         let index = index as u32;
         // The name and the attributes as they stand in the file, which lives longer than the event.
@@ -149,7 +149,7 @@ impl<'a> Parser<'a, '_> {
         // Not checked for double ones, which takes time in proportion to the square of their number.
         for attribute in Attributes::new(source, name.len()).with_checks(false) {
             let attribute = attribute
-                .map_err(|error| self.error(at, format!("an attribute of <{}> is broken: {error}", short(name))))?;
+                .map_err(|error| self.error(at, format!("invalid attribute in <{}>: {error}", short(name))))?;
             self.tree.attributes.push((local(attribute.key.into_inner()), attribute.value));
         }
         let attribute_count = self.tree.attributes.len() as u32 - first_attribute;
@@ -159,7 +159,7 @@ impl<'a> Parser<'a, '_> {
                 return Err(self.error(at, format!("a second root, <{}>, follows the first one", short(name))));
             }
             None if local(name) != "COLLADA" => {
-                let message = format!("this is no COLLADA file: its XML begins with <{}>", short(name));
+                let message = format!("this is not a COLLADA file: its root element is <{}>", short(name));
                 return Err(self.error(at, message));
             }
             None => {}
@@ -209,11 +209,11 @@ impl<'a> Parser<'a, '_> {
         let end = self.tree.text.len();
         if let Some(open) = self.open.last().and_then(|&open| self.tree.nodes.get(open as usize)) {
             let line = self.lines.place(open.at).0;
-            let message = format!("the file ends inside <{}> of line {line}: is it cut off?", short(open.name));
+            let message = format!("the file ends inside the <{}> on line {line}: is it cut off?", short(open.name));
             return Err(self.error(end, message));
         }
         if self.tree.nodes.is_empty() {
-            return Err(self.error(end, "this is no COLLADA file: it has no element".to_owned()));
+            return Err(self.error(end, "this is not a COLLADA file: it has no element".to_owned()));
         }
         Ok(self.tree)
     }

@@ -111,7 +111,7 @@ pub(super) fn explain(
         explanation.details.push(format!("and {} more corners", corner_count - targets.len() as u64));
     }
     if corner_count > corners.len() as u64 && explanation.problems.is_empty() {
-        explanation.details.push(format!("only the first {} corners were looked at", corners.len()));
+        explanation.details.push(format!("only the first {} corners were checked", corners.len()));
     }
     let number = if is_face { state.faces + 1 } else { 0 };
     explanation.value = Some(LineValue::Element { number, corner_count, corners: targets, triangles });
@@ -132,7 +132,7 @@ fn read_corners(
             // The cursor stands where it went wrong, as the reader's does.
             let what = quote(cursor.offending_word());
             let keyword = element.keyword;
-            let message = format!("{keyword} has {what} where an index should be (v, v/vt, v//vn or v/vt/vn)");
+            let message = format!("{keyword}: expected an index (v, v/vt, v//vn or v/vt/vn), found {what}");
             explanation.problems.push(warning(message, cursor.line(), cursor.column()));
             break;
         };
@@ -202,8 +202,8 @@ fn report_missing(
 ) -> bool {
     const WORDS: [(&str, &str, &str, &str); 3] = [
         ("v", "vertex", "vertices", "the face is left out"),
-        ("vt", "texture coordinate", "texture coordinates", "(0, 0) is taken"),
-        ("vn", "normal", "normals", "it is averaged"),
+        ("vt", "texture coordinate", "texture coordinates", "using (0, 0)"),
+        ("vn", "normal", "normals", "using an averaged normal"),
     ];
     let mut is_lost = false;
     for corner in corners {
@@ -216,7 +216,7 @@ fn report_missing(
             let (total, before) = (totals[kind].max(state.counts[kind]), state.counts[kind]);
             let exist = |n: u64| if n == 1 { format!("is 1 {one}") } else { format!("are {n} {many}") };
             let problem = match index {
-                0 => "but indices count from 1".to_owned(),
+                0 => "but indices are counted from 1".to_owned(),
                 _ if index < 0 => format!("but there {} before it", exist(before)),
                 _ => format!("but there {}", exist(total)),
             };
@@ -244,7 +244,7 @@ fn cut(corners: &[Corner], vertices: &[Attribute], line: u64, explanation: &mut 
                 points.push([x, y, z]);
             }
             Some(&[_, _, _]) => {
-                let message = "a corner is the one before it again: it counts once";
+                let message = "a corner repeats the one before it: it counts once";
                 explanation.problems.push(note(message, corner.line, corner.columns[0]));
             }
             _ => {

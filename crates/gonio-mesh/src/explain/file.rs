@@ -37,7 +37,7 @@ fn line_ends(text: &[u8], next: Option<&u8>) -> u64 {
 /// There is no such line; `cursor` stands at the end of the file.
 pub(super) fn no_such_line(line: u64, cursor: &Cursor<'_>, bytes: &[u8]) -> ReadError {
     if line == 0 {
-        return ReadError::new("lines count from 1: there is no line 0");
+        return ReadError::new("lines are counted from 1: there is no line 0");
     }
     let is_empty = bytes.is_empty() || bytes == b"\xEF\xBB\xBF";
     let count = if is_empty { 0 } else { Extent::ending_at(0, 1, cursor, bytes).last_line };
@@ -67,7 +67,7 @@ pub(super) fn say_extent(explanation: &mut LineExplanation) {
         explanation.meaning = format!("continues line {first}: {}", explanation.meaning);
     }
     if last > first {
-        explanation.details.insert(0, format!("the statement goes from line {first} to line {last}, joined by \\"));
+        explanation.details.insert(0, format!("the statement spans lines {first} to {last}, joined by \\"));
     }
 }
 

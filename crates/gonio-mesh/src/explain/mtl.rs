@@ -10,47 +10,47 @@ const MEANINGS: [(&str, &str); 44] = [
     ("Ka", "the ambient color"),
     ("Kd", "the diffuse color"),
     ("Ks", "the color of the highlight"),
-    ("Ke", "the color of the light that it gives off"),
+    ("Ke", "the color of the emitted light"),
     ("Ns", "the exponent of the highlight: the larger, the smaller and sharper it is"),
     ("Ni", "the index of refraction"),
     ("d", "the opacity: 1 is solid, 0 invisible"),
     ("Tr", "the transparency: 0 is solid, 1 invisible"),
-    ("illum", "which parts of the light are on"),
-    ("Tf", "the color of light that goes through"),
-    ("sharpness", "how sharp reflections are"),
-    ("map_Ka", "a picture of the ambient color"),
-    ("map_Kd", "a picture of the diffuse color"),
-    ("map_Ks", "a picture of the color of the highlight"),
-    ("map_Ke", "a picture of the light that it gives off"),
-    ("map_emissive", "a picture of the light that it gives off"),
-    ("map_Ns", "a picture of the exponent of the highlight"),
-    ("map_d", "a picture of the opacity"),
-    ("map_opacity", "a picture of the opacity"),
-    ("map_Tr", "a picture of the transparency"),
-    ("map_Bump", "a picture of heights, or of normals"),
-    ("bump", "a picture of heights, or of normals"),
-    ("norm", "a picture of normals"),
-    ("map_Kn", "a picture of normals"),
-    ("disp", "a picture of displacements"),
-    ("decal", "a picture that replaces the color"),
-    ("refl", "a picture of the surroundings"),
-    ("map_refl", "a picture of the surroundings, or Blender's of metalness"),
+    ("illum", "the illumination model: which terms of the lighting are on"),
+    ("Tf", "the color of the transmitted light"),
+    ("sharpness", "the sharpness of reflections"),
+    ("map_Ka", "a texture of the ambient color"),
+    ("map_Kd", "a texture of the diffuse color"),
+    ("map_Ks", "a texture of the color of the highlight"),
+    ("map_Ke", "a texture of the emitted light"),
+    ("map_emissive", "a texture of the emitted light"),
+    ("map_Ns", "a texture of the exponent of the highlight"),
+    ("map_d", "a texture of the opacity"),
+    ("map_opacity", "a texture of the opacity"),
+    ("map_Tr", "a texture of the transparency"),
+    ("map_Bump", "a texture of heights, or of normals"),
+    ("bump", "a texture of heights, or of normals"),
+    ("norm", "a texture of normals"),
+    ("map_Kn", "a texture of normals"),
+    ("disp", "a texture of displacements"),
+    ("decal", "a texture that replaces the color"),
+    ("refl", "a reflection map"),
+    ("map_refl", "a reflection map, or Blender's metalness texture"),
     ("map_aat", "whether textures are filtered"),
     ("Pr", "the roughness (physically based): 0 is a mirror, 1 matte"),
-    ("Pm", "how much of it is metal (physically based)"),
-    ("Ps", "its sheen, as of velvet (physically based)"),
+    ("Pm", "the metalness (physically based)"),
+    ("Ps", "the sheen, as on velvet (physically based)"),
     ("Pc", "the thickness of a clear coat (physically based)"),
     ("Pcr", "the roughness of a clear coat (physically based)"),
-    ("aniso", "how unlike a highlight is in two directions (physically based)"),
-    ("anisor", "how those directions are turned (physically based)"),
-    ("map_Pr", "a picture of the roughness (physically based)"),
-    ("map_Pm", "a picture of metalness (physically based)"),
-    ("map_Ps", "a picture of the sheen (physically based)"),
-    ("map_Pc", "a picture of the clear coat (physically based)"),
-    ("map_Pcr", "a picture of the roughness of the clear coat (physically based)"),
-    ("map_RMA", "a picture of roughness, metalness and occlusion in red, green and blue"),
-    ("map_ORM", "a picture of occlusion, roughness and metalness in red, green and blue"),
-    ("map_norm", "a picture of normals"),
+    ("aniso", "the anisotropy of the highlight (physically based)"),
+    ("anisor", "the rotation of the anisotropy (physically based)"),
+    ("map_Pr", "a texture of the roughness (physically based)"),
+    ("map_Pm", "a texture of metalness (physically based)"),
+    ("map_Ps", "a texture of the sheen (physically based)"),
+    ("map_Pc", "a texture of the clear coat (physically based)"),
+    ("map_Pcr", "a texture of the roughness of the clear coat (physically based)"),
+    ("map_RMA", "a texture of roughness, metalness and occlusion in red, green and blue"),
+    ("map_ORM", "a texture of occlusion, roughness and metalness in red, green and blue"),
+    ("map_norm", "a texture of normals"),
 ];
 
 pub(super) fn explain(bytes: &[u8], line: u64) -> Result<LineExplanation, ReadError> {
@@ -66,15 +66,15 @@ pub(super) fn explain(bytes: &[u8], line: u64) -> Result<LineExplanation, ReadEr
         if is("newmtl") {
             let name = cursor.name();
             explanation.meaning = match name.is_empty() {
-                true => "a material without a name begins".to_owned(),
-                false => format!("the material {} begins", named(&name)),
+                true => "starts an unnamed material".to_owned(),
+                false => format!("starts the material {}", named(&name)),
             };
             explanation.value = Some(LineValue::Name { name });
         } else {
             let known = MEANINGS.iter().find(|(known, _)| is(known));
             explanation.meaning = match (known, &material) {
-                (None, _) => "no statement that is known: skipped".to_owned(),
-                (Some((_, meaning)), None) => format!("{meaning}, of no material: no newmtl stands before it"),
+                (None, _) => "not a known statement: skipped".to_owned(),
+                (Some((_, meaning)), None) => format!("{meaning}, of no material: no newmtl precedes it"),
                 (Some((_, meaning)), Some((name, _))) => format!("{meaning}, of the material {}", named(name)),
             };
         }
@@ -134,7 +134,7 @@ fn value(material: &Material, property: &str) -> String {
     let physical = material.metallic_roughness.as_ref();
     match property {
         "ambient" => match material.ambient {
-            AmbientRule::FollowsDiffuse => "as diffuse".to_owned(),
+            AmbientRule::FollowsDiffuse => "same as diffuse".to_owned(),
             AmbientRule::Value(color) => numbers(&color),
         },
         "diffuse" => numbers(&material.diffuse),
@@ -164,10 +164,10 @@ fn texture(map: &TextureMap) -> String {
     let mut text = named(&map.path);
     let mut say = |what: &str, values: &[f32]| text.push_str(&format!(", {what} {}", numbers(values)));
     if map.scale != [1.0; 2] {
-        say("scaled by", &map.scale);
+        say("scale", &map.scale);
     }
     if map.offset != [0.0; 2] {
-        say("moved by", &map.offset);
+        say("offset", &map.offset);
     }
     if (map.texel.base, map.texel.gain) != (0.0, 1.0) {
         say("base and gain", &[map.texel.base, map.texel.gain]);

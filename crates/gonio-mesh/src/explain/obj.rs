@@ -11,8 +11,8 @@ use glam::DVec3;
 
 /// Statements that are understood and not used, and what they are about.
 const OTHERS: [(&str, &str); 29] = [
-    ("vp", "a point of a free-form curve's or surface's parameters: free-form geometry is skipped"),
-    ("cstype", "the kind of free-form curves and surfaces: skipped"),
+    ("vp", "a point in the parameter space of a free-form curve or surface: skipped"),
+    ("cstype", "the type of free-form curves and surfaces: skipped"),
     ("deg", "the degree of free-form curves and surfaces: skipped"),
     ("bmat", "the basis matrix of free-form curves and surfaces: skipped"),
     ("step", "the step size of free-form curves and surfaces: skipped"),
@@ -25,21 +25,21 @@ const OTHERS: [(&str, &str); 29] = [
     ("scrv", "a special curve of a free-form surface: skipped"),
     ("sp", "a special point of a free-form curve or surface: skipped"),
     ("end", "the end of a free-form curve or surface: skipped"),
-    ("con", "how free-form surfaces are connected: skipped"),
+    ("con", "the connectivity between free-form surfaces: skipped"),
     ("lod", "a level of detail: ignored"),
     ("bevel", "bevel interpolation: ignored"),
-    ("c_interp", "interpolation of colors: ignored"),
-    ("d_interp", "interpolation of opacity: ignored"),
+    ("c_interp", "color interpolation: ignored"),
+    ("d_interp", "opacity interpolation: ignored"),
     ("mg", "a merging group of free-form surfaces: ignored"),
-    ("shadow_obj", "a stand-in that casts the shadow: ignored"),
-    ("trace_obj", "a stand-in for ray tracing: ignored"),
+    ("shadow_obj", "a stand-in object for casting shadows: ignored"),
+    ("trace_obj", "a stand-in object for ray tracing: ignored"),
     ("maplib", "a library of texture maps: ignored"),
-    ("usemap", "a texture map of a library: ignored"),
-    ("ctech", "how curves are approximated: ignored"),
-    ("stech", "how surfaces are approximated: ignored"),
+    ("usemap", "a texture map from a library: ignored"),
+    ("ctech", "the curve approximation technique: ignored"),
+    ("stech", "the surface approximation technique: ignored"),
     ("vw", "a vertex weight: ignored"),
-    ("csh", "a command of the shell: never run, ignored"),
-    ("bsp", "a B-spline patch of the format before 1995: ignored"),
+    ("csh", "a shell command: never run, ignored"),
+    ("bsp", "a B-spline patch (format before 1995): ignored"),
 ];
 
 pub(super) fn explain(bytes: &[u8], line: u64) -> Result<LineExplanation, ReadError> {
@@ -77,10 +77,10 @@ fn statement(bytes: &[u8], cursor: &mut Cursor<'_>, state: &State, extent: Exten
             let known = OTHERS.iter().find(|(known, _)| known.as_bytes() == keyword);
             explanation.meaning = match known {
                 Some((_, meaning)) => (*meaning).to_owned(),
-                None => "no statement that is known: skipped".to_owned(),
+                None => "not a known statement: skipped".to_owned(),
             };
             if known.is_none() {
-                let message = format!("{} is no known statement", quote(keyword));
+                let message = format!("unknown statement {}", quote(keyword));
                 explanation.problems.push(warning(message, line, column));
             }
         }
@@ -112,13 +112,13 @@ fn read(
                 format!("v has the coordinate {what}, which is not a finite number: export the model again")
             }
             Err(BadNumber::NotFinite) => {
-                let message = format!("{keyword} has {what}, which is not a finite number: 0 is taken instead");
+                let message = format!("{keyword} has {what}, which is not a finite number: using 0 instead");
                 explanation.problems.push(warning(message, line, column));
                 values.push(0.0);
                 cursor.skip_not_finite();
                 continue;
             }
-            Err(BadNumber::Unreadable) => format!("{keyword} has {what} where a number should be"),
+            Err(BadNumber::Unreadable) => format!("{keyword}: expected a number, found {what}"),
         };
         explanation.problems.push(warning(message, line, column));
         return values;
@@ -151,7 +151,7 @@ fn vertex(cursor: &mut Cursor<'_>, number: u64, explanation: &mut LineExplanatio
             explanation.details.push(format!("its weight w = {w} only matters to free-form curves: it is ignored"));
         }
         [_, _] => {
-            let message = "v has 5 numbers, which means nothing: the last two are ignored".to_owned();
+            let message = "v has 5 numbers instead of 3, 4, 6 or 7: the last two are ignored".to_owned();
             explanation.problems.push(Diagnostic::warning(message).at(explanation.first_line, None));
         }
         [r, g, b, ..] => {
@@ -167,7 +167,7 @@ fn tex_coord(cursor: &mut Cursor<'_>, number: u64, explanation: &mut LineExplana
     let (u, v) = match *values.as_slice() {
         [u, v, ..] => (u, v),
         [u] => {
-            explanation.details.push("v is not written: 0".to_owned());
+            explanation.details.push("v is missing: using 0".to_owned());
             (u, 0.0)
         }
         [] => {
@@ -177,7 +177,7 @@ fn tex_coord(cursor: &mut Cursor<'_>, number: u64, explanation: &mut LineExplana
     };
     explanation.meaning = format!("texture coordinate {number} of this file: u = {u}, v = {v}");
     if cursor.next_word() {
-        explanation.details.push("what stands behind v only matters to pictures in space: it is ignored".to_owned());
+        explanation.details.push("the third component only matters to 3D textures: it is ignored".to_owned());
     }
     explanation.value = Some(LineValue::TexCoord { number, value: [u, v] });
 }
@@ -193,10 +193,10 @@ fn normal(cursor: &mut Cursor<'_>, number: u64, explanation: &mut LineExplanatio
     let long = DVec3::from(written.map(f64::from));
     let unit = long.normalize_or_zero().as_vec3().to_array();
     if unit == [0.0; 3] {
-        let message = "it has no length: an averaged normal takes its place";
+        let message = "it has zero length: using an averaged normal instead";
         explanation.problems.push(note(message, explanation.first_line, 1));
     } else if (long.length() - 1.0).abs() > 1e-3 {
-        explanation.details.push(format!("its length is {:.4}: it is taken as {}", long.length(), numbers(&unit)));
+        explanation.details.push(format!("its length is {:.4}: normalized to {}", long.length(), numbers(&unit)));
     }
     explanation.value = Some(LineValue::Normal { number, written, unit });
 }
@@ -217,8 +217,8 @@ fn part(bytes: &[u8], cursor: &mut Cursor<'_>, what: &str, extent: Extent, expla
     let faces = faces_after(bytes, extent, &[Keyword::Object, Keyword::Group]);
     let verb = if faces.starts_with("the ") && !faces.starts_with("the one") { "belong" } else { "belongs" };
     explanation.meaning = match name.is_empty() {
-        true => format!("a {what} without a name begins: {faces} {verb} to it"),
-        false => format!("the {what} {} begins: {faces} {verb} to it", named(&name)),
+        true => format!("starts an unnamed {what}: {faces} {verb} to it"),
+        false => format!("starts the {what} {}: {faces} {verb} to it", named(&name)),
     };
     explanation.value = Some(LineValue::Name { name });
 }
@@ -235,8 +235,8 @@ fn material(bytes: &[u8], cursor: &mut Cursor<'_>, state: &State, extent: Extent
         let libraries: Vec<String> =
             state.libraries.iter().map(|(library, line)| format!("{} (line {line})", named(library))).collect();
         explanation.details.push(match libraries.as_slice() {
-            [] => "no mtllib stands before it".to_owned(),
-            some => format!("it is sought in {}", some.join(", ")),
+            [] => "no mtllib precedes it".to_owned(),
+            some => format!("it is looked up in {}", some.join(", ")),
         });
     }
     explanation.value = Some(LineValue::Name { name });
@@ -263,9 +263,9 @@ fn library(cursor: &mut Cursor<'_>, explanation: &mut LineExplanation) {
         explanation.meaning = "a material library without a name".to_owned();
         return;
     }
-    explanation.meaning = format!("materials are sought in the library {}", named(&name));
+    explanation.meaning = format!("materials are looked up in the library {}", named(&name));
     if name.split_whitespace().nth(1).is_some() {
-        explanation.details.push("it is one file with blanks in its name, or else several files".to_owned());
+        explanation.details.push("one file with spaces in its name, or several files".to_owned());
     }
     explanation.value = Some(LineValue::Name { name });
 }

@@ -121,7 +121,7 @@ impl<'v> Accessor<'v> {
     pub fn indices(&self) -> Result<Vec<u32>, ReadError> {
         let arrays = self.dense.iter().chain(self.sparse.as_ref().map(|sparse| &sparse.values));
         if arrays.into_iter().any(|array| !array.component.is_index()) {
-            let what = "holds no whole numbers, so it cannot be indices";
+            let what = "does not contain integers, so it cannot hold indices";
             return Err(ReadError::new(format!("{} {what}", self.at.path())));
         }
         let mut indices = match &self.dense {
@@ -170,7 +170,7 @@ impl<'v> Sparse<'v> {
         let indices = array("indices", 1, None)?;
         let values = array("values", width, Some(values_are))?;
         if !indices.component.is_index() {
-            return Err(ReadError::new(format!("{}.indices holds no whole numbers", at.path())));
+            return Err(ReadError::new(format!("{}.indices does not contain integers", at.path())));
         }
         let indices = indices.integers(count);
         if let Some(beyond) = indices.iter().find(|index| **index as usize >= whole) {

@@ -75,7 +75,9 @@ impl<'v, 's> Buffers<'v, 's> {
         };
         if (bytes.len() as u64) < length {
             let (path, there) = (at.path(), bytes.len());
-            return Err(ReadError::new(format!("{path} is cut off: it says {length} bytes, and there are {there}")));
+            return Err(ReadError::new(format!(
+                "{path} is cut off: it declares {length} bytes, but there are only {there}"
+            )));
         }
         self.fetched.insert(index, bytes.clone());
         Ok(bytes)
@@ -87,7 +89,7 @@ impl<'v, 's> Buffers<'v, 's> {
         }
         let path = at.path();
         let bytes = match Uri::parse(uri) {
-            Uri::Data(data) => data.map_err(|why| ReadError::new(format!("{path}.uri holds data, but {why}")))?,
+            Uri::Data(data) => data.map_err(|why| ReadError::new(format!("invalid data in {path}.uri: {why}")))?,
             Uri::Elsewhere => {
                 let what = "is not fetched: put the file beside the model and its name into the uri";
                 return Err(ReadError::new(format!("{} {what}", at.written("uri"))));
@@ -100,7 +102,7 @@ impl<'v, 's> Buffers<'v, 's> {
                     if let Some(refused) = refused {
                         return ReadError::new(format!("{name:?}, which {path} names, was not read: {refused}"));
                     }
-                    let sought = if tried.is_empty() { String::new() } else { format!("; sought: {tried}") };
+                    let sought = if tried.is_empty() { String::new() } else { format!("; tried {tried}") };
                     ReadError::new(format!(
                         "{name:?}, which {path} names, was not found: put it beside the model{sought}"
                     ))

@@ -39,18 +39,16 @@ fn open_binary<'a>(bytes: &'a [u8], reports: &mut Reports) -> Result<Container<'
         2 => {}
         1 => return Err(super::version_1()),
         _ => {
-            return Err(ReadError::new(format!(
-                "byte 4: the container's version is {version}, which is unknown (2 is read)"
-            )));
+            return Err(ReadError::new(format!("byte 4: unknown container version {version}: expected 2")));
         }
     }
     let length = length as usize;
     if length > bytes.len() {
-        let message = format!("is cut off: its header says {length} bytes, and there are {}", bytes.len());
+        let message = format!("is cut off: its header declares {length} bytes, but there are only {}", bytes.len());
         return Err(ReadError::new(message));
     }
     if length < bytes.len() {
-        let message = format!("{} bytes stand behind the end that the header names: ignored", bytes.len() - length);
+        let message = format!("{} bytes after the end declared in the header are ignored", bytes.len() - length);
         reports.push(0, Diagnostic::warning(message));
     }
     let bytes = &bytes[..length];
@@ -61,11 +59,11 @@ fn open_binary<'a>(bytes: &'a [u8], reports: &mut Reports) -> Result<Container<'
         let (kind, content) = chunk(bytes, at)?;
         match (number, kind) {
             (0, JSON_CHUNK) => container.json = content,
-            (0, _) => return Err(ReadError::new(format!("byte {at}: the first chunk is not the JSON"))),
+            (0, _) => return Err(ReadError::new(format!("byte {at}: the first chunk is not JSON"))),
             (_, BINARY_CHUNK) if container.binary.is_none() => container.binary = Some(content),
             _ => {
                 let name = kind.escape_ascii();
-                let message = || format!("byte {at}: a chunk of the unknown kind \"{name}\" is skipped");
+                let message = || format!("byte {at}: a chunk of the unknown type \"{name}\" is skipped");
                 reports.add_without_line("unknown chunks", crate::Severity::Note, message);
             }
         }
@@ -73,7 +71,7 @@ fn open_binary<'a>(bytes: &'a [u8], reports: &mut Reports) -> Result<Container<'
         at += 8 + content.len();
     }
     if container.json.is_empty() {
-        return Err(ReadError::new("holds no JSON: the file is cut off or empty"));
+        return Err(ReadError::new("contains no JSON: the file is cut off or empty"));
     }
     Ok(container)
 }
@@ -89,7 +87,9 @@ fn chunk(bytes: &[u8], at: usize) -> Result<([u8; 4], &[u8]), ReadError> {
         Some(content) => Ok((kind, content)),
         None => {
             let there = rest.len();
-            Err(ReadError::new(format!("byte {at}: a chunk says {length} bytes, and {there} are left in the file")))
+            Err(ReadError::new(format!(
+                "byte {at}: a chunk declares {length} bytes, but only {there} are left in the file"
+            )))
         }
     }
 }

@@ -24,10 +24,10 @@ const SURVIVED: &[(&str, &str)] = &[
     ("KHR_materials_variants", "each part has its first material"),
     ("KHR_technique_webgl", "its shaders are not run: the material is shown without them"),
     ("KHR_techniques_webgl", "its shaders are not run: the material is shown without them"),
-    ("KHR_texture_basisu", "KTX2 pictures cannot be read"),
-    ("EXT_texture_webp", "a picture in another format beside it is taken, if there is one"),
-    ("EXT_texture_avif", "a picture in another format beside it is taken, if there is one"),
-    ("MSFT_texture_dds", "a picture in another format beside it is taken, if there is one"),
+    ("KHR_texture_basisu", "KTX2 images cannot be read"),
+    ("EXT_texture_webp", "an image in another format is used instead, if there is one"),
+    ("EXT_texture_avif", "an image in another format is used instead, if there is one"),
+    ("MSFT_texture_dds", "an image in another format is used instead, if there is one"),
     ("KHR_node_visibility", "hidden nodes are shown"),
     ("EXT_lights_image_based", "its environment is not used"),
 ];
@@ -63,8 +63,8 @@ pub(super) fn check(root: At<'_>, reports: &mut Reports) -> Result<(), ReadError
         said.push(name);
         let lost = match (find(SURVIVED, name), find(REFUSED, name)) {
             (Some(lost), _) => lost,
-            (None, Some(_)) => "what the file holds beside it is shown",
-            (None, None) => "what it says is left out",
+            (None, Some(_)) => "the rest of the file is shown",
+            (None, None) => "its data is ignored",
         };
         reports.push(0, Diagnostic::warning(format!("uses the extension {name:?}, which is not supported: {lost}")));
     }

@@ -17,7 +17,7 @@ const MOST_STEPS: usize = 12;
 const MOST_QUOTED: usize = 100;
 
 /// What an index, a count or a code is, for messages.
-const UNSIGNED: &str = "where a whole number from 0 belongs";
+const UNSIGNED: &str = "a non-negative integer";
 
 /// A value and where it stands.
 #[derive(Clone, Copy)]
@@ -66,7 +66,7 @@ impl<'v> At<'v> {
         if let Some(list) = list
             && !list.value.is_array()
         {
-            return Err(list.fault("where an array belongs"));
+            return Err(list.fault("an array"));
         }
         let length = self.count(key);
         Ok((0..length).filter_map(move |i| list?.item(i)))
@@ -126,13 +126,13 @@ impl<'v> At<'v> {
     /// A number.
     pub fn number(self, key: &'v str) -> Result<Option<f64>, ReadError> {
         let Some(at) = self.get(key) else { return Ok(None) };
-        at.value.as_f64().map(Some).ok_or_else(|| at.fault("where a number belongs"))
+        at.value.as_f64().map(Some).ok_or_else(|| at.fault("a number"))
     }
 
     /// `N` numbers.
     pub fn numbers<const N: usize>(self, key: &'v str) -> Result<Option<[f64; N]>, ReadError> {
         let Some(at) = self.get(key) else { return Ok(None) };
-        let wrong = || at.fault(&format!("where {N} numbers belong"));
+        let wrong = || at.fault(&format!("{N} numbers"));
         let list = at.value.as_array().filter(|list| list.len() == N).ok_or_else(wrong)?;
         let mut numbers = [0.0; N];
         for (number, value) in numbers.iter_mut().zip(list) {
@@ -144,7 +144,7 @@ impl<'v> At<'v> {
     /// A text.
     pub fn text(self, key: &'v str) -> Result<Option<&'v str>, ReadError> {
         let Some(at) = self.get(key) else { return Ok(None) };
-        at.value.as_str().map(Some).ok_or_else(|| at.fault("where a text belongs"))
+        at.value.as_str().map(Some).ok_or_else(|| at.fault("a string"))
     }
 
     /// Yes or no; no where it is absent or neither.
@@ -191,8 +191,8 @@ impl<'v> At<'v> {
     }
 
     /// An error: this value stands where something else belongs.
-    pub fn fault(self, belongs: &str) -> ReadError {
-        ReadError::new(format!("{} is {}, {belongs}", self.path(), self.quoted()))
+    pub fn fault(self, expected: &str) -> ReadError {
+        ReadError::new(format!("{} is {}, expected {expected}", self.path(), self.quoted()))
     }
 
     /// An error: a member is absent that must be there.

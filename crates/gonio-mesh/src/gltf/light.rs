@@ -64,8 +64,12 @@ fn light(
         other => return Err(ReadError::new(format!("{} has the unknown type {other:?}", at.title()))),
     };
     if let Some(range) = at.number("range")? {
-        let message =
-            || format!("{} ends at a distance of {range} (range): here it fades with the square only", at.title());
+        let message = || {
+            format!(
+                "{} has a range of {range}, which is ignored: it falls off with the square of the distance",
+                at.title()
+            )
+        };
         reports.add_without_line("lights with a range", Severity::Note, message);
     }
     let color = at.numbers("color")?.unwrap_or([1.0; 3]).map(|c| c.max(0.0) as f32);
@@ -109,11 +113,11 @@ fn camera(
     let fov_y_rad = if kind == "perspective" {
         let fov = lens.number("yfov")?.ok_or_else(|| lens.lacks("yfov"))?;
         if !(fov > 0.0 && fov < std::f64::consts::PI) {
-            return Err(ReadError::new(format!("{}, which is no angle of a picture", lens.written("yfov"))));
+            return Err(ReadError::new(format!("{}, which is not a valid field of view", lens.written("yfov"))));
         }
         Some(fov)
     } else {
-        let what = "a parallel projection: the height of what it shows (ymag) is not taken";
+        let what = "an orthographic camera: its height (ymag) is ignored";
         reports.push(0, Diagnostic::note(format!("{} is {what}", at.title())));
         None
     };
@@ -137,6 +141,6 @@ fn pose(node: At<'_>, model_from_node: &DMat4) -> Result<(DVec3, DVec3, DVec3), 
     let up = direction.and_then(|d| model_from_node.y_axis.truncate().reject_from_normalized(d).try_normalize());
     match (position.is_finite(), direction, up) {
         (true, Some(direction), Some(up)) => Ok((position, direction, up)),
-        _ => Err(ReadError::new(format!("{} has a transform that leaves no direction", node.title()))),
+        _ => Err(ReadError::new(format!("{} has a degenerate transform", node.title()))),
     }
 }

@@ -105,7 +105,7 @@ impl<'v> Draft<'_, 'v, '_> {
     }
 
     fn warn(&mut self, error: ReadError) {
-        let message = || format!("{}: the default is taken", error.message);
+        let message = || format!("{}: using the default", error.message);
         self.reports.add_without_line("values of materials that are ignored", Severity::Warning, message);
     }
 
@@ -148,7 +148,7 @@ impl<'v> Draft<'_, 'v, '_> {
             let message = || {
                 let range =
                     if most < f64::from(f32::MAX) { format!("from 0 to {most}") } else { "at least 0".to_owned() };
-                format!("{written}, but it has to be {range}: the nearest is taken")
+                format!("{written}, but it must be {range}: clamped")
             };
             self.reports.add_without_line("values of materials out of their range", Severity::Warning, message);
         }
@@ -164,10 +164,10 @@ impl<'v> Draft<'_, 'v, '_> {
             let message = || {
                 let (path, other) = (info.path(), placed.tex_coord_set);
                 format!(
-                    "{path} lies on TEXCOORD_{other}, the material's first texture on TEXCOORD_{set}: it is left out"
+                    "{path} uses TEXCOORD_{other}, but the material's first texture uses TEXCOORD_{set}: it is left out"
                 )
             };
-            let kind = "textures on further texture coordinates";
+            let kind = "textures on other texture coordinates";
             self.reports.add_without_line(kind, Severity::Warning, message);
             return None;
         }
@@ -248,10 +248,10 @@ impl<'v> Draft<'_, 'v, '_> {
             let message = || {
                 let path = self.at.title();
                 format!(
-                    "{path} has a metalness texture beside a specular factor or ior: 0.04 is taken for what is no metal"
+                    "{path} has both a metalness texture and a specular factor or ior: using a reflectance of 0.04 for dielectrics"
                 )
             };
-            let kind = "materials with metalness textures beside specular factors";
+            let kind = "materials with both metalness textures and specular factors";
             self.reports.add_without_line(kind, Severity::Warning, message);
         }
     }
@@ -343,7 +343,7 @@ impl<'v> Draft<'_, 'v, '_> {
         match mode {
             "OPAQUE" => {
                 let rule = if base.alpha < 1.0 {
-                    format!("opaque: the alpha {} counts for nothing", base.alpha)
+                    format!("opaque: the alpha {} is ignored", base.alpha)
                 } else {
                     String::new()
                 };
@@ -427,7 +427,7 @@ impl<'v> Draft<'_, 'v, '_> {
             let message = || {
                 let (title, why) =
                     (at.title(), if known.is_some() { "the light equation has no term for" } else { "is not known" });
-                format!("{title} has {name}, which {why}: it is shown without")
+                format!("{title} has {name}, which {why}: it is shown without it")
             };
             let kind = "materials with extensions that are not supported";
             self.reports.add_without_line(kind, Severity::Warning, message);

@@ -98,12 +98,12 @@ fn no_json(error: &serde_json::Error, is_binary: bool) -> ReadError {
     let what = text.split(" at line ").next().unwrap_or(&text);
     let whose = if is_binary { "the JSON in this binary glTF" } else { "this" };
     let hint = if error.is_eof() { ": the file is cut off" } else { "" };
-    let message = format!("{whose} is no valid JSON: {what}{hint}");
+    let message = format!("{whose} is not valid JSON: {what}{hint}");
     ReadError::new(message).at(error.line() as u64, Some(error.column() as u64))
 }
 
 fn version_1() -> ReadError {
-    ReadError::new("this is glTF 1.0, which is not read: convert it to glTF 2.0 (gltf-pipeline does)")
+    ReadError::new("this is glTF 1.0, which is not supported: convert it to glTF 2.0, for example with gltf-pipeline")
 }
 
 fn check_version(root: At<'_>) -> Result<(), ReadError> {
@@ -114,7 +114,7 @@ fn check_version(root: At<'_>) -> Result<(), ReadError> {
         return Err(version_1());
     }
     let Some(version) = asset.map_or(Ok(None), |asset| asset.text("version"))? else {
-        return Err(ReadError::new("this is no glTF 2.0 file: its JSON has no asset.version"));
+        return Err(ReadError::new("this is not a glTF 2.0 file: its JSON has no asset.version"));
     };
     let newest_needed = asset.map_or(Ok(None), |asset| asset.text("minVersion"))?;
     let major = |version: &str| version.split('.').next().and_then(|major| major.parse::<u64>().ok());
@@ -123,7 +123,9 @@ fn check_version(root: At<'_>) -> Result<(), ReadError> {
         (Some(2), None | Some("2.0")) => Ok(()),
         _ => {
             let needed = newest_needed.unwrap_or(version);
-            Err(ReadError::new(format!("this file needs glTF {needed:?}, and 2.0 is read: export it as glTF 2.0")))
+            Err(ReadError::new(format!(
+                "this file needs glTF {needed:?}, but only 2.0 is supported: export it as glTF 2.0"
+            )))
         }
     }
 }
@@ -181,7 +183,7 @@ impl<'v> Reader<'v, '_> {
 
     fn meshes_without_nodes(&mut self, geometry: &mut Geometry<'_>) -> Result<(), ReadError> {
         if self.root.count("meshes") > 0 {
-            self.reports.push(0, Diagnostic::warning("has meshes but no nodes: each mesh is shown where it is"));
+            self.reports.push(0, Diagnostic::warning("has meshes but no nodes: each mesh is shown untransformed"));
         }
         for mesh in self.root.list("meshes")? {
             self.mesh(mesh, mesh.name(), DMat4::IDENTITY, geometry)?;
@@ -201,7 +203,7 @@ impl<'v> Reader<'v, '_> {
             let placement = Placement { name, model_from_mesh, user };
             geometry.add(primitive, &placement, self.root, &mut self.buffers, &mut self.reports)?;
             if primitive.count("targets") > 0 {
-                let message = || format!("{} has morph targets: its shape without them is shown", mesh.title());
+                let message = || format!("{} has morph targets: its base shape is shown", mesh.title());
                 self.reports.add_without_line("primitives with morph targets", Severity::Warning, message);
             }
         }
@@ -216,8 +218,10 @@ impl<'v> Reader<'v, '_> {
             Some(material) => material,
             None => {
                 self.materials.push(ReadMaterial { material: Material::default(), tex_coord_set: None });
-                let note =
-                    format!("{} has no material: light clay is taken (as for all others without)", primitive.path());
+                let note = format!(
+                    "{} has no material: using light clay (as for all primitives without one)",
+                    primitive.path()
+                );
                 self.reports.push(0, Diagnostic::note(note));
                 *self.default_material.insert(self.materials.len() - 1)
             }
@@ -230,7 +234,7 @@ impl<'v> Reader<'v, '_> {
             let count = self.root.count(list);
             if count > 0 {
                 let what = if count == 1 { one } else { many };
-                let message = format!("holds {count} {what}: the model is shown at rest, as it was bound");
+                let message = format!("contains {count} {what}: the model is shown at rest, in its bind pose");
                 self.reports.push(0, Diagnostic::warning(message));
             }
         }
@@ -270,6 +274,8 @@ fn contents(root: At<'_>, geometry: &Geometry<'_>) -> Vec<(String, u64)> {
 fn nothing_to_draw(root: At<'_>, nodes: usize, out_of_range: u64) -> ReadError {
     let meshes = root.count("meshes");
     let why =
-        if out_of_range > 0 { format!("; {out_of_range} triangles have an index of no vertex") } else { String::new() };
-    ReadError::new(format!("holds no triangles (nodes in the scene: {nodes}, meshes: {meshes}): nothing to draw{why}"))
+        if out_of_range > 0 { format!("; {out_of_range} triangles have an index out of range") } else { String::new() };
+    ReadError::new(format!(
+        "contains no triangles (nodes in the scene: {nodes}, meshes: {meshes}): nothing to draw{why}"
+    ))
 }

@@ -67,7 +67,7 @@ fn scene<'v>(root: At<'v>, reports: &mut Reports) -> Result<Option<At<'v>>, Read
     if let Some(scene) = chosen
         && count > 1
     {
-        reports.push(0, Diagnostic::note(format!("holds {count} scenes: {} is shown", scene.title())));
+        reports.push(0, Diagnostic::note(format!("contains {count} scenes: {} is shown", scene.title())));
     }
     Ok(chosen)
 }
@@ -126,7 +126,7 @@ impl<'v> Walk<'v> {
             self.stack.push((node, DMat4::IDENTITY));
         }
         if self.stack.is_empty() && !is_child.is_empty() {
-            let what = "every node is a child of another, so they stand below themselves";
+            let what = "every node is a child of another, so they form a cycle";
             return Err(ReadError::new(format!("nodes: {what}: the file is damaged")));
         }
         Ok(())
@@ -142,14 +142,16 @@ impl<'v> Walk<'v> {
             }
         };
         if is_above(above) {
-            return ReadError::new(format!("{list} names node {node}, which it stands below: the nodes form a circle"));
+            return ReadError::new(format!(
+                "{list} names node {node}, which is its own ancestor: the nodes form a cycle"
+            ));
         }
         let other = match self.parent.get(node) {
             Some(&ROOT) => "a root of the scene".to_owned(),
             Some(parent) => format!("a child of nodes[{parent}]"),
             None => "elsewhere".to_owned(),
         };
-        ReadError::new(format!("{list} names node {node}, which already is {other}: a node has one place"))
+        ReadError::new(format!("{list} names node {node}, which is already {other}: a node can have only one parent"))
     }
 }
 
@@ -160,13 +162,13 @@ fn parent_from_node(at: At<'_>, reports: &mut Reports) -> Result<DMat4, ReadErro
     let scale = at.numbers("scale")?;
     if let Some(columns) = at.numbers::<16>("matrix")? {
         if translation.is_some() || rotation.is_some() || scale.is_some() {
-            let message = || format!("{} has a matrix and other transforms beside it: the matrix is taken", at.title());
+            let message = || format!("{} has both a matrix and other transforms: using the matrix", at.title());
             reports.add_without_line("nodes with two transforms", Severity::Warning, message);
         }
         let matrix = DMat4::from_cols_array(&columns);
         if matrix.row(3) != glam::DVec4::W {
             let message = || format!("{}.matrix has a last row other than 0 0 0 1: it is ignored", at.path());
-            reports.add_without_line("matrices that are no affine maps", Severity::Warning, message);
+            reports.add_without_line("matrices that are not affine", Severity::Warning, message);
         }
         return Ok(DMat4::from_cols(
             matrix.x_axis.truncate().extend(0.0),

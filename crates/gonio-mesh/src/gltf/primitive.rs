@@ -111,7 +111,7 @@ impl<'l> Geometry<'l> {
             0 => return self.not_drawn(at, true, reports),
             1..=3 => return self.not_drawn(at, false, reports),
             mode => Topology::of_mode(mode).ok_or_else(|| {
-                ReadError::new(format!("{}, which is no mode of primitives (0 to 6)", at.written("mode")))
+                ReadError::new(format!("{}, which is not a primitive mode (0 to 6)", at.written("mode")))
             })?,
         };
         let Some(attributes) = at.get("attributes") else { return Err(at.lacks("attributes")) };
@@ -130,8 +130,9 @@ impl<'l> Geometry<'l> {
         let indices = Accessor::open(buffers, root, at, "indices", &[1])?;
         let (mut corners, leftover) = self.corners(&positions, indices.as_ref(), topology)?;
         if leftover > 0 {
-            let message = || format!("{} has {leftover} corners too many for triangles: left out", at.path());
-            reports.add_without_line("primitives with corners too many", Severity::Warning, message);
+            let message =
+                || format!("{} has {leftover} extra corners that do not form a triangle: left out", at.path());
+            reports.add_without_line("primitives with extra corners", Severity::Warning, message);
         }
         self.drop_out_of_range(&mut corners, positions.count, at, reports);
         let Some(used) = Used::of(&mut corners) else {
@@ -145,8 +146,9 @@ impl<'l> Geometry<'l> {
             Ok(opened.filter(|accessor| {
                 let fits = accessor.count == expected;
                 if !fits {
-                    let message =
-                        || format!("{path}: {name} has {} elements, POSITION {expected}: ignored", accessor.count);
+                    let message = || {
+                        format!("{path}: {name} has {} elements, but POSITION has {expected}: ignored", accessor.count)
+                    };
                     reports.add_without_line("attributes of the wrong length", Severity::Warning, message);
                 }
                 fits
@@ -161,7 +163,7 @@ impl<'l> Geometry<'l> {
             positions,
         };
         if placement.user.tex_coord_set.is_some() && vertices.tex_coords.is_none() {
-            let message = || format!("{} has textures but no {set}: (0, 0) is taken", at.path());
+            let message = || format!("{} has textures but no {set}: using (0, 0)", at.path());
             reports.add_without_line("primitives without texture coordinates", Severity::Warning, message);
         }
         self.report_other_attributes(attributes, set, reports);
@@ -173,7 +175,7 @@ impl<'l> Geometry<'l> {
         let (count, what) =
             if points { (&mut self.counts.points, "points") } else { (&mut self.counts.lines, "lines") };
         *count += 1;
-        let message = || format!("{} is {what}, not triangles: not drawn", at.path());
+        let message = || format!("{} consists of {what}, not triangles: not drawn", at.path());
         reports.add_without_line("primitives of points or lines", Severity::Warning, message);
         Ok(())
     }
@@ -212,9 +214,12 @@ impl<'l> Geometry<'l> {
         let lost = (before - corners.len()) / 3;
         self.counts.out_of_range += lost as u64;
         let message = || {
-            format!("{}: {lost} triangles are left out: an index is {first}, and there are {count} vertices", at.path())
+            format!(
+                "{}: {lost} triangles are left out: an index is {first}, but there are only {count} vertices",
+                at.path()
+            )
         };
-        reports.add_without_line("primitives with indices of no vertex", Severity::Warning, message);
+        reports.add_without_line("primitives with an index out of range", Severity::Warning, message);
     }
 
     fn report_other_attributes(&mut self, attributes: At<'_>, set: &str, reports: &mut Reports) {
@@ -224,9 +229,9 @@ impl<'l> Geometry<'l> {
                 _ if name == set || name.starts_with('_') => continue,
                 // The skin itself is reported.
                 _ if name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_") => continue,
-                _ if name.starts_with("TEXCOORD_") => "a further set of texture coordinates",
-                _ if name.starts_with("COLOR_") => "a further set of colors",
-                _ => "not known",
+                _ if name.starts_with("TEXCOORD_") => "an additional set of texture coordinates",
+                _ if name.starts_with("COLOR_") => "an additional set of colors",
+                _ => "unknown",
             };
             let message = || format!("{} is {kind}: not used", at.path());
             reports.add_without_line("attributes that are not used", Severity::Note, message);
@@ -271,7 +276,7 @@ impl<'l> Geometry<'l> {
         }
         let (most, path) = (self.limits.max_bytes, at.path());
         Err(ReadError::new(format!(
-            "{path} is shown so often that more would be read than {MOST_READINGS} times {most} bytes, which is the limit"
+            "{path} is instanced so often that more than {MOST_READINGS} times {most} bytes would be read, which is the limit"
         ))
         .caused_by(Cause::MemoryLimit))
     }
@@ -371,9 +376,7 @@ impl<'l> Geometry<'l> {
             } else {
                 format!("{path} has no normals")
             };
-            let note = format!(
-                "{which}: glTF asks for flat shading there; they are averaged where smooth shading is asked for"
-            );
+            let note = format!("{which}: glTF specifies flat shading there; they are averaged for smooth shading");
             reports.push(0, Diagnostic::note(note));
         }
         let NotFinite { normals, tangents, tex_coords, colors } = &self.counts.not_finite;
@@ -383,7 +386,7 @@ impl<'l> Geometry<'l> {
             if *count > 0 {
                 let numbers = if *count == 1 { "number" } else { "numbers" };
                 let verb = if *count == 1 { "is" } else { "are" };
-                let warning = format!("{count} {numbers} of {kind} {verb} not finite: 0 is taken instead");
+                let warning = format!("{count} {numbers} of {kind} {verb} not finite: using 0 instead");
                 reports.push(0, Diagnostic::warning(warning));
             }
         }
@@ -403,7 +406,7 @@ fn tex_coord_name(set: usize) -> &'static str {
         "TEXCOORD_6",
         "TEXCOORD_7",
     ];
-    NAMES.get(set).copied().unwrap_or("TEXCOORD of such a number")
+    NAMES.get(set).copied().unwrap_or("such TEXCOORD")
 }
 
 /// The arrays of a primitive.

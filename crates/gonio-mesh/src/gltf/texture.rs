@@ -63,7 +63,10 @@ impl<'v> Textures<'v> {
             map.wrap = [wrap(sampler, "wrapS")?, wrap(sampler, "wrapT")?];
             // 9728: NEAREST.
             if sampler.unsigned("magFilter")? == Some(9728) && !std::mem::replace(&mut self.nearest_is_said, true) {
-                let note = format!("{} asks for the nearest texel: textures are filtered here", sampler.path());
+                let note = format!(
+                    "{} asks for nearest-neighbor filtering: textures are always filtered linearly",
+                    sampler.path()
+                );
                 reports.push(0, Diagnostic::note(note));
             }
         }
@@ -92,7 +95,7 @@ impl<'v> Textures<'v> {
                 Uri::File(path) => Picture { path: path.into_owned(), embedded: None },
                 Uri::Data(Ok(bytes)) => self.embed(name, bytes, image)?,
                 Uri::Data(Err(why)) => {
-                    return Err(ReadError::new(format!("{}.uri holds data, but {why}", image.path())));
+                    return Err(ReadError::new(format!("invalid data in {}.uri: {why}", image.path())));
                 }
                 Uri::Elsewhere => return Err(ReadError::new(format!("{} is not fetched", image.written("uri")))),
             },
@@ -111,7 +114,7 @@ impl<'v> Textures<'v> {
         if self.bytes.saturating_add(more as u64) <= most {
             return Ok(());
         }
-        let message = format!("{} makes the pictures larger than {most} bytes, which is the limit", image.path());
+        let message = format!("{} makes the images larger than {most} bytes, which is the limit", image.path());
         Err(ReadError::new(message).caused_by(Cause::MemoryLimit))
     }
 
@@ -164,5 +167,5 @@ fn set_transform(map: &mut TextureMap, transform: At<'_>) -> Result<(), ReadErro
     if numbers.iter().all(|n| n.is_finite()) && map.rotation.is_finite() {
         return Ok(());
     }
-    Err(ReadError::new(format!("{} has numbers too large", transform.path())))
+    Err(ReadError::new(format!("{} has numbers that are too large", transform.path())))
 }

@@ -28,7 +28,7 @@ impl<'a> Uri<'a> {
 }
 
 fn data_of(data: &str) -> Result<Vec<u8>, String> {
-    let (kind, content) = data.split_once(',').ok_or("it has no comma before its data")?;
+    let (kind, content) = data.split_once(',').ok_or("it has no comma before the data")?;
     if kind.ends_with(";base64") { base64(content) } else { Ok(unescaped_bytes(content)) }
 }
 
@@ -45,7 +45,7 @@ fn base64(text: &str) -> Result<Vec<u8>, String> {
             b'/' => 63,
             b' ' | b'\t' | b'\r' | b'\n' => continue,
             b'=' if text[at..].bytes().all(|b| matches!(b, b'=' | b' ' | b'\t' | b'\r' | b'\n')) => break,
-            _ => return Err(format!("its letter {} is no base64", at + 1)),
+            _ => return Err(format!("its character {} is not base64", at + 1)),
         };
         bits = bits << 6 | u32::from(value);
         count += 1;
@@ -107,8 +107,8 @@ mod tests {
         }
         assert_eq!(base64("Zm9v\r\nYmFy").unwrap(), b"foobar");
         assert_eq!(base64("+/8A").unwrap(), [0xFB, 0xFF, 0x00]);
-        assert_eq!(base64("Zm9v!").unwrap_err(), "its letter 5 is no base64");
-        assert_eq!(base64("Zg==Zg").unwrap_err(), "its letter 3 is no base64");
+        assert_eq!(base64("Zm9v!").unwrap_err(), "its character 5 is not base64");
+        assert_eq!(base64("Zg==Zg").unwrap_err(), "its character 3 is not base64");
         assert_eq!(base64("Zm9vY").unwrap_err(), "its base64 is cut off");
     }
 
@@ -124,6 +124,6 @@ mod tests {
         assert!(matches!(Uri::parse("https://a.org/b.bin"), Uri::Elsewhere));
         assert!(matches!(Uri::parse("C://a.bin"), Uri::File(name) if name == "C://a.bin"));
         assert!(matches!(Uri::parse("data:,a%20b"), Uri::Data(Ok(bytes)) if bytes == b"a b"));
-        assert!(matches!(Uri::parse("data:x;base64"), Uri::Data(Err(why)) if why == "it has no comma before its data"));
+        assert!(matches!(Uri::parse("data:x;base64"), Uri::Data(Err(why)) if why == "it has no comma before the data"));
     }
 }

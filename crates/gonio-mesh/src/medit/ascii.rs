@@ -28,7 +28,7 @@ fn sections(words: &mut Words<'_>, limits: &Limits, reports: &mut Reports) -> Re
         match keywords::by_name(word) {
             Some(keyword) => section(keyword, at, words, &mut content, limits, reports)?,
             None => words.warn(UNKNOWN, at, reports, || {
-                format!("{} is no known keyword: it is skipped, with the numbers after it", quote(word))
+                format!("unknown keyword {}: skipped, with the numbers after it", quote(word))
             }),
         }
         if content.has_end {
@@ -53,7 +53,8 @@ fn begin(words: &mut Words<'_>, reports: &mut Reports) -> Result<(), ReadError> 
         return Ok(());
     }
     if keywords::by_name(word).is_none() {
-        let message = format!("this is no Medit file: it begins with {}, not with MeshVersionFormatted", quote(word));
+        let message =
+            format!("this is not a Medit file: it begins with {}, not with MeshVersionFormatted", quote(word));
         return Err(words.error_at(at, message));
     }
     words.warn("", at, reports, || "the file does not begin with MeshVersionFormatted".to_owned());
@@ -71,9 +72,7 @@ fn section(
 ) -> Result<(), ReadError> {
     let again = content.has(keyword) || (keyword.rows == Rows::Dimension && content.has_dimension);
     if again {
-        words.warn("sections that come twice", at, reports, || {
-            format!("{} come a second time: these are ignored", keyword.name)
-        });
+        words.warn("duplicate sections", at, reports, || format!("duplicate section {}: ignored", keyword.name));
         return Ok(());
     }
     match keyword.rows {
@@ -115,7 +114,7 @@ fn count(keyword: &Keyword, words: &mut Words<'_>) -> Result<usize, ReadError> {
     words.section = keyword.name;
     let count = words.integer()?;
     words.section = "";
-    let impossible = || format!("{} are to be {count}: that is no count", keyword.name);
+    let impossible = || format!("invalid count of {}: {count}", keyword.name);
     usize::try_from(count).map_err(|_| words.error_at(at, impossible()))
 }
 
@@ -189,7 +188,7 @@ impl<'a> Words<'a> {
                 return dimension(&mut ahead);
             }
         }
-        Err(self.error_at(at, "there is no Dimension: how many numbers a vertex has is unknown".to_owned()))
+        Err(self.error_at(at, "there is no Dimension: the number of coordinates per vertex is unknown".to_owned()))
     }
 
     #[cold]
@@ -202,8 +201,8 @@ impl<'a> Words<'a> {
     fn no_number(&self, at: usize, word: Option<&[u8]>) -> ReadError {
         let of = if self.section.is_empty() { String::new() } else { format!(" of {}", self.section) };
         let message = match word {
-            None => format!("the file ends where a number{of} should be: is it cut off?"),
-            Some(word) => format!("{} stands where a number{of} should be", quote(word)),
+            None => format!("the file ends where a number{of} is expected: is it cut off?"),
+            Some(word) => format!("expected a number{of}, found {}", quote(word)),
         };
         self.error_at(at, message)
     }

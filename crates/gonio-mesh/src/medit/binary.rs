@@ -83,15 +83,14 @@ fn sections(cursor: &mut Bytes<'_>, reports: &mut Reports) -> Result<(Vec<Sectio
             _ => {
                 let name = keyword.map_or_else(|| format!("keyword {code}"), |k| k.name.to_owned());
                 let message = format!(
-                    "the section after {name} is said to begin at byte {next}, which is not after it or beyond the end"
+                    "the section after {name} is declared to begin at byte {next}, which is before it or beyond the end"
                 );
                 return Err(cursor.error_at(at, message));
             }
         };
         match keyword {
             Some(keyword) => sections.push(Section { keyword, at, data, end }),
-            None => Places::Binary
-                .warn("unknown keywords", at, reports, || format!("{code} is no known keyword: it is skipped")),
+            None => Places::Binary.warn("unknown keywords", at, reports, || format!("unknown keyword {code}: skipped")),
         }
         if next == 0 {
             break;
@@ -113,17 +112,17 @@ fn read_section(
         return Ok(());
     }
     if content.has(keyword) {
-        let message = format!("{} come a second time: these are ignored", keyword.name);
+        let message = format!("duplicate section {}: ignored", keyword.name);
         Places::Binary.say(Severity::Warning, section.at, reports, message);
         return Ok(());
     }
     let mut numbers = cursor.enter(section);
     let count = numbers.integer()?;
-    let impossible = || format!("{} are to be {count}: that is no count", keyword.name);
+    let impossible = || format!("invalid count of {}: {count}", keyword.name);
     let count = usize::try_from(count).map_err(|_| numbers.error_at(section.data, impossible()))?;
     content.counts.push((keyword, count as u64, section.at));
     if content.dimension == 0 && content.numbers_in_row(keyword.rows).is_some() {
-        let message = "there is no Dimension: how many numbers a vertex has is unknown";
+        let message = "there is no Dimension: the number of coordinates per vertex is unknown";
         return Err(numbers.error_at(section.at, message.to_owned()));
     }
     content.read_rows(keyword, count, &mut numbers, limits)

@@ -29,7 +29,7 @@ pub(super) fn build(
     let are_too_many = distinct > MOST_REFERENCES;
     if are_too_many {
         let message =
-            format!("there are {distinct} different references, more than {MOST_REFERENCES}: all are one part");
+            format!("there are {distinct} different references, more than {MOST_REFERENCES}: merged into one part");
         reports.push(u64::MAX, Diagnostic::warning(message));
     }
     let normals = Normals::new(content, places, reports);
@@ -101,9 +101,8 @@ impl<'a> Normals<'a> {
         if lost > 0 {
             let what = |name: &str| name.starts_with("NormalAt");
             let at = content.counts.iter().find(|(keyword, ..)| what(keyword.name)).map_or(0, |(.., at)| *at);
-            let message = format!(
-                "{lost} normals are given to no vertex, or are not there ({count} Normals): these are averaged"
-            );
+            let message =
+                format!("{lost} normals are missing or belong to no vertex ({count} Normals): using averaged normals");
             places.say(Severity::Warning, at, reports, message);
         }
         normals

@@ -82,7 +82,7 @@ impl Content {
     ) -> Result<(), ReadError> {
         let Some(in_row) = self.numbers_in_row(keyword.rows) else { return Ok(()) };
         if count.checked_mul(in_row).is_none_or(|all| all > numbers.most_left()) {
-            let message = format!("{} are to be {count}, more than the rest of the file can hold", keyword.name);
+            let message = format!("declares {count} {}, more than the rest of the file can contain", keyword.name);
             return Err(numbers.error(message));
         }
         match keyword.rows {

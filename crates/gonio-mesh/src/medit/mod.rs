@@ -55,7 +55,7 @@ fn report_not_drawn(content: &Content, places: &Places<'_>, reports: &mut Report
     let ignored = || content.counts.iter().filter(|(k, count, _)| k.rows == keywords::Rows::Counted && *count > 0);
     let names: Vec<&str> = ignored().map(|(keyword, ..)| keyword.name).collect();
     if let Some((.., at)) = ignored().next() {
-        places.say(Severity::Note, *at, reports, format!("{} are counted and not drawn", names.join(", ")));
+        places.say(Severity::Note, *at, reports, format!("{} are not drawn", names.join(", ")));
     }
 }
 
@@ -63,11 +63,11 @@ fn report_not_drawn(content: &Content, places: &Places<'_>, reports: &mut Report
 fn nothing_to_draw(content: &Content, reports: &Reports) -> ReadError {
     let counts: Vec<String> =
         content.counts.iter().map(|(keyword, count, _)| format!("{count} {}", keyword.name)).collect();
-    let counts = if counts.is_empty() { "no keyword that is known".to_owned() } else { counts.join(", ") };
+    let counts = if counts.is_empty() { "no known keyword".to_owned() } else { counts.join(", ") };
     let why = match reports.first() {
         Some(Diagnostic { message, line: Some(line), .. }) => format!("; line {line}: {message}"),
         Some(Diagnostic { message, .. }) => format!("; {message}"),
         None => String::new(),
     };
-    ReadError::new(format!("holds no faces ({counts}): nothing to draw{why}"))
+    ReadError::new(format!("contains no faces ({counts}): nothing to draw{why}"))
 }

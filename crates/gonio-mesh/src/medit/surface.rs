@@ -7,7 +7,7 @@ use crate::report::Reports;
 use glam::DVec3;
 
 /// What is told of indices.
-const NO_VERTEX: &str = "elements with indices that point at no vertex";
+const NO_VERTEX: &str = "elements with an index out of range";
 
 /// The fourth corner of a triangle.
 pub(super) const NONE: u32 = u32::MAX;
@@ -56,7 +56,9 @@ fn explain(elements: &Elements, has_surface: bool, content: &Content, places: &P
     };
     let message = match (elements.is_volume, has_surface) {
         (true, true) => format!("{} are not drawn: the file has a surface of its own", keyword.name),
-        (true, false) => format!("{} are drawn by their boundary: the faces that only one body has", keyword.name),
+        (true, false) => {
+            format!("{} are drawn by their boundary: the faces that belong to only one of them", keyword.name)
+        }
         (false, _) if is_curved => format!("{} are drawn by their corners, as if they were flat", keyword.name),
         (false, _) => return,
     };
@@ -77,8 +79,8 @@ fn vertices<'a>(
     let at = elements.places.get(index).copied().unwrap_or(0);
     places.warn(NO_VERTEX, at, reports, || {
         let name = elements.keyword.name;
-        let bad = if *bad == NONE { "a vertex that is no index".to_owned() } else { format!("the vertex {bad}") };
-        format!("an element of {name} has {bad}, but there are only 1 to {count}: it is left out")
+        let bad = if *bad == NONE { "an invalid vertex index".to_owned() } else { format!("the vertex {bad}") };
+        format!("an element of {name} refers to {bad}, but vertices are numbered 1 to {count}: it is left out")
     });
     None
 }

@@ -142,7 +142,7 @@ impl Draft {
             // Heights for displacement: no part of a material's light.
             b"disp" | b"map_disp" => {
                 map::read(cursor, "disp", Use::Bump, not_done, reports);
-                self.keep_unused("disp", &place, "a displacement: the surface stays where it is");
+                self.keep_unused("disp", &place, "displacement is not supported");
                 return true;
             }
             _ => return self.unused(lower, &place),
@@ -180,9 +180,9 @@ impl Draft {
         let path = quote(read.texture.path.as_bytes());
         reports.add("reflection maps", Severity::Note, place.line, Some(place.column), || {
             let how = read.projection.map(|word| format!(" ({word})")).unwrap_or_default();
-            format!("refl{how} names the surroundings {path}, which are not reflected")
+            format!("refl{how} names the reflection map {path}, which is not used")
         });
-        self.keep_unused("refl", place, "surroundings are not reflected (Blender writes its map of metalness so)");
+        self.keep_unused("refl", place, "reflection maps are not used (Blender writes its metalness map as one)");
     }
 
     fn unused(&mut self, lower: &[u8], place: &Place) -> bool {
@@ -206,7 +206,7 @@ fn skip_halo(cursor: &mut Cursor<'_>, reports: &mut Reports) {
         let (line, column) = (cursor.line(), Some(cursor.column()));
         cursor.word();
         reports.add("halos", Severity::Note, line, column, || {
-            "d -halo is read as d: its change with the angle is not done".to_owned()
+            "d -halo is read as d: its dependence on the angle is not supported".to_owned()
         });
     }
 }
@@ -220,7 +220,7 @@ fn illumination_model(cursor: &mut Cursor<'_>, reports: &mut Reports) -> Option<
         return Some(value as u8);
     }
     reports.add("unknown illumination models", Severity::Warning, line, column, || {
-        format!("illum {value} is no illumination model (0 to 10): it is ignored")
+        format!("illum {value} is not an illumination model (0 to 10): it is ignored")
     });
     None
 }

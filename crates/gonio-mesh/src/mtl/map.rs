@@ -68,7 +68,7 @@ impl NotDone {
     pub(super) fn report(self, reports: &mut Reports) {
         for (option, count, line, column) in self.options {
             let times = if count == 1 { "once".to_owned() } else { format!("{count} times") };
-            let message = format!("the option {option} of textures ({times}) is understood and not done");
+            let message = format!("the texture option {option} ({times}) is not supported");
             reports.push(line, crate::Diagnostic::note(message).at(line, column));
         }
     }
@@ -178,7 +178,7 @@ impl Reader<'_> {
                     return crate::text::decode(word);
                 }
                 let keyword = self.keyword;
-                self.reports.add("unknown options of textures", Severity::Warning, own_line, column, || {
+                self.reports.add("unknown texture options", Severity::Warning, own_line, column, || {
                     format!("{keyword} has the unknown option {}: it is skipped", quote(word))
                 });
                 continue;
@@ -211,7 +211,7 @@ impl Reader<'_> {
         match (at.option, numbers) {
             (_, []) => {
                 let keyword = self.keyword;
-                self.reports.add("options of textures without a number", Severity::Warning, at.line, at.column, || {
+                self.reports.add("texture options without a number", Severity::Warning, at.line, at.column, || {
                     format!("{keyword} has {} without a number: it is skipped", at.option)
                 });
             }
@@ -260,7 +260,7 @@ impl Reader<'_> {
 
     fn bad_word(&mut self, value: &str, expected: &str, at: At) {
         let keyword = self.keyword;
-        self.reports.add("options of textures not understood", Severity::Warning, at.line, at.column, || {
+        self.reports.add("texture options that are not understood", Severity::Warning, at.line, at.column, || {
             format!("{keyword} has {} {} instead of {expected}: it is skipped", at.option, quote(value.as_bytes()))
         });
     }

@@ -107,7 +107,7 @@ impl Reader {
         }
         let Some(draft) = &mut self.draft else {
             if !std::mem::replace(&mut self.has_homeless, true) {
-                let message = format!("{} stands before the first newmtl and is ignored", quote(keyword));
+                let message = format!("{} before the first newmtl is ignored", quote(keyword));
                 self.reports.push(line, Diagnostic::warning(message).at(line, Some(column)));
             }
             return;
@@ -115,7 +115,7 @@ impl Reader {
         let place = Place::of(line, column, keyword, cursor);
         if !draft.statement(keyword, place, cursor, &mut self.not_done, &mut self.reports) {
             self.reports.add("unknown statements", Severity::Warning, line, Some(column), || {
-                format!("{} is no known statement of a material", quote(keyword))
+                format!("unknown material statement {}", quote(keyword))
             });
         }
     }
@@ -143,8 +143,8 @@ impl Reader {
         match earlier {
             Some((index, earlier)) => {
                 let name = quote(material.name.as_bytes());
-                self.reports.add("materials with the name of another", Severity::Warning, line, None, || {
-                    format!("the material {name} is already on line {earlier}: this one is taken")
+                self.reports.add("materials with a duplicate name", Severity::Warning, line, None, || {
+                    format!("the material {name} is already defined on line {earlier}: using this one")
                 });
                 self.materials[index] = material;
             }
@@ -159,7 +159,8 @@ impl Reader {
         self.finish_material();
         if self.materials.is_empty() && !self.has_homeless {
             // Blender writes such a library for a model without materials.
-            let message = if bytes.is_empty() { "the material library is empty" } else { "holds no material (newmtl)" };
+            let message =
+                if bytes.is_empty() { "the material library is empty" } else { "contains no material (newmtl)" };
             self.reports.push(0, Diagnostic::note(message));
         }
         self.not_done.report(&mut self.reports);

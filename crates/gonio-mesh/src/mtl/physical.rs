@@ -68,7 +68,7 @@ impl Physical {
         if draft.specular.is_some() || draft.shininess.is_some() && !self.is_from_exponent {
             rules.tell_physical(statement.line.unwrap_or(draft.line));
         }
-        const RULE: &str = "Pr or Pm is written, which takes its place";
+        const RULE: &str = "replaced by Pr or Pm";
         rules.discard("Ks", draft.specular.take(), RULE);
         rules.discard("map_Ks", draft.specular_map.take(), RULE);
         if !self.is_from_exponent {
@@ -133,9 +133,9 @@ fn factor(
     if said.value == 0.0 && map.is_some() {
         let (line, column, name) = (said.place.line, Some(said.place.column), &rules.name);
         rules.reports.add("numbers that are 0 beside their maps", Severity::Note, line, column, || {
-            format!("{keyword} of {name} is 0 beside its map: taken as 1")
+            format!("{keyword} of {name} is 0 beside its map: treated as 1")
         });
-        return Some((1.0, said.source(property, "0 beside its map: taken as 1")));
+        return Some((1.0, said.source(property, "0 beside its map: treated as 1")));
     }
     let rule = if said.value > 1.0 { "at most 1" } else { "" };
     Some((said.value.min(1.0), said.source(property, rule)))

@@ -94,7 +94,7 @@ impl Rules<'_> {
             shininess_map: self.map(
                 "shininess_map",
                 draft.shininess_map,
-                "times shininess (Blender writes its map of roughness so, which reads the other way round)",
+                "times shininess (Blender writes its roughness map here, which is inverted)",
             ),
             opacity_map: self.opacity_map(draft.opacity_map, draft.transparency_map),
             normal_map: self.map("normal_map", draft.normal_map, ""),
@@ -119,7 +119,7 @@ impl Rules<'_> {
     /// Says, once for a library, that `Pr` and `Pm` win.
     pub(super) fn tell_physical(&mut self, line: u64) {
         if !std::mem::replace(self.has_told_physical, true) {
-            self.reports.note(line, "where Pr or Pm is written, they are used, and Ks and Ns are not");
+            self.reports.note(line, "where Pr or Pm is written, Ks and Ns are not used");
         }
     }
 
@@ -141,9 +141,9 @@ impl Rules<'_> {
             (Some(said), Some(_)) if said.value == [0.0; 3] => {
                 let (line, column, name) = (said.place.line, Some(said.place.column), &self.name);
                 self.reports.add("colors that are black beside their maps", Severity::Note, line, column, || {
-                    format!("{keyword} of {name} is black beside map_{keyword}: taken as 1 1 1")
+                    format!("{keyword} of {name} is black beside map_{keyword}: treated as 1 1 1")
                 });
-                ([1.0; 3], said.source(property, format!("black beside map_{keyword}: taken as 1 1 1")))
+                ([1.0; 3], said.source(property, format!("black beside map_{keyword}: treated as 1 1 1")))
             }
             (Some(said), _) => {
                 let is_xyz = said.place.written.to_ascii_lowercase().contains(" xyz ");
@@ -162,18 +162,18 @@ impl Rules<'_> {
         const FOLLOWS: AmbientRule = AmbientRule::FollowsDiffuse;
         if let Some(map) = draft.ambient_map.take() {
             if draft.diffuse_map.as_ref().is_some_and(|diffuse| diffuse.value.path == map.value.path) {
-                return (FOLLOWS, map.source("ambient", "the picture of map_Kd: follows the diffuse color"));
+                return (FOLLOWS, map.source("ambient", "the same image as map_Kd: follows the diffuse color"));
             }
             let (line, column, name) = (map.place.line, Some(map.place.column), &self.name);
             self.reports.add("maps of the ambient color", Severity::Note, line, column, || {
-                format!("map_Ka of {name} is another picture than map_Kd: it is not used")
+                format!("map_Ka of {name} is a different image from map_Kd: it is not used")
             });
-            self.discard("map_Ka", Some(map), "the ambient color has no picture of its own");
+            self.discard("map_Ka", Some(map), "the ambient color has no texture of its own");
         }
         match &draft.ambient {
             None => (FOLLOWS, source::<()>("ambient", None, "not written: follows the diffuse color")),
             Some(said) if said.value == [1.0; 3] => {
-                (FOLLOWS, said.source("ambient", "1 1 1, as Blender writes always: follows the diffuse color"))
+                (FOLLOWS, said.source("ambient", "1 1 1, as Blender always writes: follows the diffuse color"))
             }
             Some(said) => (AmbientRule::Value(said.value), said.source("ambient", "")),
         }
@@ -185,7 +185,7 @@ impl Rules<'_> {
         let (model, line, column) = (said.value, said.place.line, Some(said.place.column));
         let name = &self.name;
         if let Some(wish) = wish_of_model(model) {
-            self.reports.add("illumination models that are not done", Severity::Note, line, column, || {
+            self.reports.add("unsupported illumination models", Severity::Note, line, column, || {
                 format!("illum {model} of {name} asks for {wish}")
             });
         }
@@ -216,14 +216,14 @@ impl Rules<'_> {
         match (said.value, &draft.shininess_map) {
             (0.0, Some(_)) => {
                 self.reports.add("exponents of 0 beside their maps", Severity::Note, line, column, || {
-                    format!("Ns of {name} is 0 beside map_Ns: taken as 1000")
+                    format!("Ns of {name} is 0 beside map_Ns: treated as 1000")
                 });
-                (SHININESS_OF_MAP, said.source("shininess", "0 beside map_Ns: taken as 1000"))
+                (SHININESS_OF_MAP, said.source("shininess", "0 beside map_Ns: treated as 1000"))
             }
             (value, _) if value < 1.0 => {
                 if is_seen {
                     self.reports.add("exponents below 1", Severity::Note, line, column, || {
-                        format!("the material {name} has Ns {value}: 1 is taken, the smallest")
+                        format!("the material {name} has Ns {value}: using 1, the minimum")
                     });
                 }
                 (1.0, said.source("shininess", "at least 1"))
@@ -235,7 +235,7 @@ impl Rules<'_> {
     fn refraction_index(&mut self, draft: &Draft) -> Sourced<f32> {
         match &draft.refraction_index {
             Some(said) if said.value > 0.0 => (said.value, said.source("refraction_index", "")),
-            Some(said) => (REFRACTION_INDEX, said.source("refraction_index", "0 is no refraction index: 1.5")),
+            Some(said) => (REFRACTION_INDEX, said.source("refraction_index", "0 is not a refraction index: using 1.5")),
             None => (REFRACTION_INDEX, source::<()>("refraction_index", None, "not written: 1.5")),
         }
     }
@@ -250,7 +250,7 @@ impl Rules<'_> {
             // map_Tr is multiplied by Tr, and the product is what light goes through.
             let gain = if said.value == 0.0 { 1.0 } else { said.value.min(1.0) };
             (map.value.texel.base, map.value.texel.gain) = (map.value.texel.base * gain, map.value.texel.gain * gain);
-            let rule = if said.value == 0.0 { "0 beside map_Tr: taken as 1" } else { "1 - Tr * map_Tr" };
+            let rule = if said.value == 0.0 { "0 beside map_Tr: treated as 1" } else { "1 - Tr * map_Tr" };
             return (1.0, said.source(PROPERTY, rule));
         }
         let (value, from) = match (&draft.opacity, &draft.transparency) {
@@ -258,9 +258,9 @@ impl Rules<'_> {
                 let (line, column, name) = (tr.place.line, Some(tr.place.column), &self.name);
                 let (opacity, transparency) = (d.value, tr.value);
                 self.reports.add("contradictions of d and Tr", Severity::Note, line, column, || {
-                    format!("d ({opacity}) and Tr ({transparency}) of {name} contradict each other: d is taken")
+                    format!("d ({opacity}) and Tr ({transparency}) of {name} contradict each other: using d")
                 });
-                (d.value, d.source(PROPERTY, format!("Tr (line {line}) contradicts it: d is taken")))
+                (d.value, d.source(PROPERTY, format!("Tr (line {line}) contradicts it: using d")))
             }
             (Some(d), _) => (d.value, d.source(PROPERTY, if d.value > 1.0 { "at most 1" } else { "" })),
             (None, Some(tr)) => (1.0 - tr.value, tr.source(PROPERTY, "1 - Tr")),
@@ -270,9 +270,9 @@ impl Rules<'_> {
         let has_map = draft.opacity_map.is_some() || draft.transparency_map.is_some();
         if value <= 0.0 && has_map {
             self.reports.add("opacities of 0 beside their maps", Severity::Note, line, None, || {
-                format!("the opacity of {name} is 0 beside its map: taken as 1")
+                format!("the opacity of {name} is 0 beside its map: treated as 1")
             });
-            return (1.0, Source { rule: "0 beside its map: taken as 1".to_owned(), ..from });
+            return (1.0, Source { rule: "0 beside its map: treated as 1".to_owned(), ..from });
         }
         if value <= 0.0 {
             self.reports.add("invisible materials", Severity::Note, line, None, || {
@@ -292,14 +292,14 @@ impl Rules<'_> {
         if opacity.is_some() {
             let (line, column, name) = (map.place.line, Some(map.place.column), &self.name);
             self.reports.add("map_Tr beside map_d", Severity::Note, line, column, || {
-                format!("{name} has map_d and map_Tr: map_d is taken")
+                format!("{name} has map_d and map_Tr: using map_d")
             });
-            self.discard("map_Tr", Some(map), "map_d is taken");
+            self.discard("map_Tr", Some(map), "map_d is used instead");
             return self.map("opacity_map", opacity, "");
         }
         let texel = &mut map.value.texel;
         (texel.base, texel.gain) = (1.0 - texel.base, -texel.gain);
-        self.map("opacity_map", Some(map), "inverted: what is white lets light through")
+        self.map("opacity_map", Some(map), "inverted: white is transparent")
     }
 }
 
@@ -321,7 +321,7 @@ fn wish_of_model(model: u8) -> Option<&'static str> {
         7 => "refraction and reflections by Fresnel's law, which need surroundings: it is lit as with illum 2",
         8 => "reflections of a map, which need surroundings: it is lit as with illum 2",
         9 => "glass and reflections of a map, which need surroundings: it is lit as with illum 2",
-        10 => "shadows cast on what is invisible, which are not done: it is lit as with illum 2",
+        10 => "shadows cast on invisible surfaces, which are not supported: it is lit as with illum 2",
         _ => return None,
     })
 }
@@ -332,11 +332,11 @@ fn illumination_rule(model: u8) -> &'static str {
         0 => "constant color: highlight off; lights are not switched off",
         1 => "diffuse on, highlight off",
         2 => "diffuse and highlight on",
-        3 => "highlight on; reflections are not done",
-        4 | 9 => "highlight on; glass and reflections are not done",
-        5 | 8 => "highlight on; reflections are not done",
-        6 | 7 => "highlight on; refraction and reflections are not done",
-        _ => "highlight on; shadows on what is invisible are not done",
+        3 => "highlight on; reflections are not supported",
+        4 | 9 => "highlight on; glass and reflections are not supported",
+        5 | 8 => "highlight on; reflections are not supported",
+        6 | 7 => "highlight on; refraction and reflections are not supported",
+        _ => "highlight on; shadows on invisible surfaces are not supported",
     }
 }
 

@@ -65,8 +65,8 @@ pub(super) fn put<T>(
     let Some(value) = value else { return };
     if let Some(earlier) = slot {
         let line = earlier.place.line;
-        reports.add("statements that stand twice", Severity::Note, place.line, Some(place.column), || {
-            format!("{keyword} is already on line {line}: this one is taken")
+        reports.add("repeated statements", Severity::Note, place.line, Some(place.column), || {
+            format!("{keyword} is already set on line {line}: using this one")
         });
     }
     *slot = Some(Said { value, place: place.clone() });
@@ -89,7 +89,7 @@ pub(super) fn color(cursor: &mut Cursor<'_>, keyword: &'static str, reports: &mu
         let rgb = linear_rgb_from_xyz(three(cursor, keyword, reports)?);
         if rgb.iter().any(|c| *c < 0.0) {
             reports.add("colors beyond sRGB", Severity::Note, line, column, || {
-                format!("{keyword} xyz is more saturated than sRGB can be: what is negative is taken as 0")
+                format!("{keyword} xyz is outside the sRGB gamut: negative components become 0")
             });
         }
         return Some(rgb.map(|c| c.max(0.0)));
@@ -118,7 +118,7 @@ fn three(cursor: &mut Cursor<'_>, keyword: &'static str, reports: &mut Reports) 
     if !cursor.next_word() {
         let (line, column) = (cursor.line(), Some(cursor.column()));
         reports.add("colors with two numbers", Severity::Warning, line, column, || {
-            format!("{keyword} has 2 numbers where a color has 1 or 3: it is ignored")
+            format!("{keyword} has 2 numbers instead of 1 or 3: it is ignored")
         });
         return None;
     }
@@ -137,8 +137,8 @@ pub(super) fn only_scalar(cursor: &mut Cursor<'_>, keyword: &'static str, report
 fn nothing_left(cursor: &mut Cursor<'_>, keyword: &'static str, reports: &mut Reports) {
     if cursor.next_word() {
         let (line, column, what) = (cursor.line(), Some(cursor.column()), quote(cursor.offending_word()));
-        reports.add("words behind the numbers of materials", Severity::Warning, line, column, || {
-            format!("{keyword} goes on with {what} after its last number: that is ignored")
+        reports.add("words after the numbers of materials", Severity::Warning, line, column, || {
+            format!("{keyword} has {what} after its last number, which is ignored")
         });
     }
 }
@@ -153,9 +153,9 @@ fn scalar(cursor: &mut Cursor<'_>, keyword: &'static str, reports: &mut Reports)
         Ok(value) if value >= 0.0 => return Some(value.abs()),
         Ok(_) => format!("is negative ({what})"),
         Err(BadNumber::NotFinite) => format!("has {what}, which is not finite"),
-        Err(BadNumber::Unreadable) => format!("has {what} where a number should be"),
+        Err(BadNumber::Unreadable) => format!("has {what} instead of a number"),
     };
-    reports.add("numbers of materials that are no use", Severity::Warning, line, column, || {
+    reports.add("invalid numbers of materials", Severity::Warning, line, column, || {
         format!("{keyword} {problem}: it is ignored")
     });
     None

@@ -276,7 +276,7 @@ impl Attributes {
             }
             3 | 4 => self.color([more[0], more[1], more[2]]),
             _ => self.reports.add("vertices with five numbers", Severity::Warning, line, None, || {
-                "v has 5 numbers, which means nothing: the last two are ignored".to_owned()
+                "v has 5 numbers instead of 3, 4, 6 or 7: the last two are ignored".to_owned()
             }),
         }
         Ok(())
@@ -311,7 +311,7 @@ impl Attributes {
                 let what = cursor.skip_not_finite();
                 let kind = if keyword == "vt" { "numbers of vt not finite" } else { "numbers of vn not finite" };
                 self.reports.add(kind, Severity::Warning, line, column, || {
-                    format!("{keyword} has {what}, which is not a finite number: 0 is taken instead")
+                    format!("{keyword} has {what}, which is not a finite number: using 0 instead")
                 });
                 Ok(0.0)
             }
@@ -401,7 +401,7 @@ pub(crate) fn not_finite_behind_position(count: usize, what: &str) -> Option<Str
     match count {
         1 => Some(format!("v has the weight {what}, which is not a finite number: it is ignored")),
         2 => None,
-        _ => Some(format!("v has the color component {what}, which is not a finite number: 0 is taken instead")),
+        _ => Some(format!("v has the color component {what}, which is not a finite number: using 0 instead")),
     }
 }
 
@@ -426,7 +426,7 @@ fn too_short(cursor: &Cursor<'_>, keyword: &str, needed: usize) -> ReadError {
 
 #[cold]
 fn unreadable(cursor: &Cursor<'_>, keyword: &str) -> ReadError {
-    ReadError::new(format!("{keyword} has {} where a number should be", quote(cursor.offending_word())))
+    ReadError::new(format!("{keyword}: expected a number, found {}", quote(cursor.offending_word())))
         .at(cursor.line(), Some(cursor.column()))
 }
 

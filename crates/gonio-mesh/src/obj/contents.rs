@@ -40,14 +40,15 @@ pub(super) fn report(attributes: &Attributes, said: &Said, reports: &mut Reports
     let total = attributes.positions.len() as u64;
     let lacking = total - attributes.colored;
     if attributes.colored > 0 && lacking > 0 {
-        at_end(reports, format!("{lacking} of {total} vertices have no color: white is taken"));
+        at_end(reports, format!("{lacking} of {total} vertices have no color: using white"));
     }
     for (line, what) in said.without_any.iter().zip(["texture coordinates (vt)", "normals (vn)"]) {
         if let Some(line) = *line {
-            reports.warning(line, format!("faces have indices of {what}, but the file has none of them"));
+            reports.warning(line, format!("faces refer to {what}, but the file has none"));
         }
     }
-    let (total, consequences) = (said.corners(), ["texture coordinate: (0, 0) is taken", "normal: they are averaged"]);
+    let (total, consequences) =
+        (said.corners(), ["texture coordinate: using (0, 0)", "normal: using averaged normals"]);
     for ((lacking, line), consequence) in said.without.into_iter().zip(consequences) {
         // Where only some lack it the picture shows it.
         if lacking > 0 && lacking < total {
@@ -59,7 +60,7 @@ pub(super) fn report(attributes: &Attributes, said: &Said, reports: &mut Reports
         at_end(reports, format!("{not_simple} polygons cross or touch themselves: their triangles are guessed"));
     }
     if too_large > 0 {
-        at_end(reports, format!("{too_large} polygons are too large or winding to be cut well: cut as if convex"));
+        at_end(reports, format!("{too_large} polygons are too large or complex: triangulated as if convex"));
     }
 }
 

@@ -340,7 +340,7 @@ impl<'a> Faces<'a> {
         self.said.names[2] += 1;
         let group = SmoothingGroup::read(cursor);
         if let Some((line, column, message)) = group.problem {
-            let kind = "smoothing groups not understood";
+            let kind = "smoothing groups that are not understood";
             self.reports.add(kind, Severity::Warning, line, Some(column), || message);
         }
         self.runs.smooth(self.triangles.count(), group.number);
@@ -434,21 +434,18 @@ impl<'a> Faces<'a> {
             self.said.without_any[kind - 1].get_or_insert(line);
             return;
         }
-        const MORE: [&str; 3] = [
-            "indices of vertices that point at nothing",
-            "indices of texture coordinates that point at nothing",
-            "indices of normals that point at nothing",
-        ];
+        const MORE: [&str; 3] =
+            ["invalid vertex indices", "invalid texture coordinate indices", "invalid normal indices"];
         let (keyword, one, many, consequence) = match kind {
             0 => ("v", "vertex", "vertices", "the face is left out"),
-            1 => ("vt", "texture coordinate", "texture coordinates", "(0, 0) is taken"),
-            _ => ("vn", "normal", "normals", "it is averaged"),
+            1 => ("vt", "texture coordinate", "texture coordinates", "using (0, 0)"),
+            _ => ("vn", "normal", "normals", "using an averaged normal"),
         };
         let count = if index < 0 { self.counts[kind] } else { total };
         let message = || {
             let exist = if count == 1 { format!("is 1 {one}") } else { format!("are {count} {many}") };
             let problem = match index {
-                0 => "but indices count from 1".to_owned(),
+                0 => "but indices are counted from 1".to_owned(),
                 _ if index < 0 => format!("but there {exist} before it"),
                 _ => format!("but there {exist}"),
             };
@@ -474,6 +471,6 @@ struct Beyond {
 #[cold]
 fn not_a_corner(cursor: &Cursor<'_>) -> ReadError {
     let what = quote(cursor.offending_word());
-    ReadError::new(format!("f has {what} where an index should be (v, v/vt, v//vn or v/vt/vn)"))
+    ReadError::new(format!("f: expected an index (v, v/vt, v//vn or v/vt/vn), found {what}"))
         .at(cursor.line(), Some(cursor.column()))
 }

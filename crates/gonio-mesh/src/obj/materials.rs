@@ -50,7 +50,7 @@ impl MaterialTable {
         for material in materials {
             if self.by_name.contains_key(&material.name) {
                 let name = quote(material.name.as_bytes());
-                let message = format!("the material {name} of {library} is also in an earlier library, which is taken");
+                let message = format!("the material {name} of {library} is also in an earlier library, which is used");
                 reports.warning(line, message);
                 continue;
             }
@@ -89,15 +89,15 @@ impl MaterialTable {
         let why = match (self.has_libraries, is_lone) {
             (true, true) => "is in none of the material libraries",
             (true, false) => "are in none of the material libraries",
-            (false, true) => "is named, but no mtllib",
-            (false, false) => "are named, but no mtllib",
+            (false, true) => "is used, but there is no mtllib",
+            (false, false) => "are used, but there is no mtllib",
         };
         if is_lone || !self.materials.is_empty() {
             let why = if self.has_libraries { "is in none of the material libraries" } else { why };
             for (name, line) in unknown {
                 let name = quote(name.as_bytes());
                 reports.add("materials not found", Severity::Warning, line, None, || {
-                    format!("the material {name} {why}: the default material is taken")
+                    format!("the material {name} {why}: using the default material")
                 });
             }
         } else if let Some((_, line)) = unknown.first() {
@@ -106,7 +106,7 @@ impl MaterialTable {
             let names: Vec<String> = unknown.iter().take(MOST_NAMED).map(|(name, _)| quote(name.as_bytes())).collect();
             let more = if count > MOST_NAMED { format!(" and {} more", count - MOST_NAMED) } else { String::new() };
             let names = names.join(", ") + &more;
-            reports.warning(*line, format!("{count} materials ({names}) {why}: the default material is taken"));
+            reports.warning(*line, format!("{count} materials ({names}) {why}: using the default material"));
         }
     }
 
@@ -165,7 +165,7 @@ fn find(
                 let why = match (&asked.refused, asked.tried.as_slice()) {
                     (Some(refused), _) => format!("was not read: {refused}"),
                     (None, []) => "was not found".to_owned(),
-                    (None, tried) => format!("was not found; looked for at {}", tried.join(", ")),
+                    (None, tried) => format!("was not found; tried {}", tried.join(", ")),
                 };
                 let message = format!("the material library {} {why}", quote(name.as_bytes()));
                 reports.push(line, Diagnostic::warning(message).at(line, None));

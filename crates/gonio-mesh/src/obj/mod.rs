@@ -174,7 +174,7 @@ fn too_many(attributes: &Attributes) -> Option<ReadError> {
     let limits = [("v", u64::from(u32::MAX) - 1), ("vt", Kind::MOST_TEX_COORDS), ("vn", Kind::MOST_NORMALS)];
     let counts = attributes.counts();
     let ((keyword, most), _) = limits.into_iter().zip(counts).find(|((_, most), count)| count > most)?;
-    Some(ReadError::new(format!("holds more than {most} statements {keyword}, which is the limit")))
+    Some(ReadError::new(format!("contains more than {most} {keyword} statements, which is the limit")))
 }
 
 /// Says at once what a file is that is certainly no OBJ.
@@ -183,8 +183,8 @@ fn refuse_other_formats(bytes: &[u8]) -> Result<(), ReadError> {
         (b"glTF", "a binary glTF file"),
         (b"ply\n", "a PLY file"),
         (b"ply\r", "a PLY file"),
-        (b"\x89PNG", "a PNG picture"),
-        (b"\xFF\xD8\xFF", "a JPEG picture"),
+        (b"\x89PNG", "a PNG image"),
+        (b"\xFF\xD8\xFF", "a JPEG image"),
         (b"PK\x03\x04", "a ZIP archive: unpack it"),
         (b"\x1F\x8B", "compressed with gzip: unpack it"),
         (b"BLENDER", "a Blender file: export it as OBJ"),
@@ -195,10 +195,10 @@ fn refuse_other_formats(bytes: &[u8]) -> Result<(), ReadError> {
         return Err(ReadError::new("the file is empty"));
     }
     if let Some((_, what)) = SIGNATURES.iter().find(|(signature, _)| bytes.starts_with(signature)) {
-        return Err(ReadError::new(format!("this is no OBJ file, it is {what}")));
+        return Err(ReadError::new(format!("this is not an OBJ file: it is {what}")));
     }
     if let Some(at) = bytes[..bytes.len().min(ENOUGH)].iter().position(|&byte| byte == 0) {
-        return Err(ReadError::new(format!("this is no OBJ file: it is binary (byte {} is 0)", at + 1)));
+        return Err(ReadError::new(format!("this is not an OBJ file: it is binary (byte {} is 0)", at + 1)));
     }
     Ok(())
 }
@@ -206,10 +206,10 @@ fn refuse_other_formats(bytes: &[u8]) -> Result<(), ReadError> {
 #[cold]
 fn nothing_understood(reports: &Reports) -> ReadError {
     let found = match reports.first() {
-        Some(first) => format!("the first thing in it: {}", first.message),
-        None => "it holds nothing but comments".to_owned(),
+        Some(first) => format!("the first problem: {}", first.message),
+        None => "it contains only comments".to_owned(),
     };
-    ReadError::new(format!("this is no OBJ file: no statement of that format is in it; {found}"))
+    ReadError::new(format!("this is not an OBJ file: it contains no OBJ statement; {found}"))
 }
 
 #[cold]
@@ -222,7 +222,7 @@ fn nothing_to_draw(vertices: u64, faces: u64, reports: &Reports) -> ReadError {
         Some(first) => format!("; {}", first.message),
         None => String::new(),
     };
-    ReadError::new(format!("holds no triangles ({counts}): nothing to draw{why}"))
+    ReadError::new(format!("contains no triangles ({counts}): nothing to draw{why}"))
 }
 
 /// From sRGB to linear, in place.
@@ -230,7 +230,7 @@ fn decode_colors(colors: &mut [[f32; 3]], reports: &mut Reports) {
     let largest = colors.iter().flatten().fold(0.0, |a: f32, &b| a.max(b));
     let scale = if largest > 1.0 && largest <= 255.0 { 1.0 / 255.0 } else { 1.0 };
     if scale != 1.0 {
-        let message = format!("vertex colors reach {largest}: taken as from 0 to 255");
+        let message = format!("vertex colors reach {largest}: treated as 0 to 255");
         reports.push(u64::MAX, Diagnostic::note(message));
     }
     for value in colors.iter_mut().flatten() {

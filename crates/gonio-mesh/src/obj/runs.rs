@@ -47,7 +47,7 @@ impl SmoothingGroup {
         };
         let problem = number.is_none().then(|| {
             let what = quote(word);
-            (line, column, format!("s is followed by {what} instead of a number or off: taken as off"))
+            (line, column, format!("s is followed by {what} instead of a number or off: treated as off"))
         });
         SmoothingGroup { number: number.unwrap_or(0), problem }
     }

@@ -91,7 +91,7 @@ impl Tallies {
                         continue;
                     }
                     let times = if count == 1 { "1 time".to_owned() } else { format!("{count} times") };
-                    (Severity::Warning, format!("{} is no known statement ({times})", quote(keyword)))
+                    (Severity::Warning, format!("unknown statement {} ({times})", quote(keyword)))
                 }
             };
             let diagnostic = Diagnostic { severity, ..Diagnostic::warning(message) };

@@ -146,10 +146,10 @@ impl Odd {
         let count = self.not_simple;
         warn(count, format!("{count} polygons cross or touch themselves: their triangles are guessed"));
         let (count, most) = (self.too_large, MOST_CORNERS_FOR_EARS);
-        warn(count, format!("{count} concave polygons have more than {most} corners: cut as if convex"));
+        warn(count, format!("{count} concave polygons have more than {most} corners: triangulated as if convex"));
         self.textures.report(Severity::Warning, reports, |tally| {
             let faces = tally.counted("face has", "faces have");
-            format!("{faces} a texnumber without a comment TextureFile ({}): the first texture is taken", tally.first)
+            format!("{faces} a texnumber without a comment TextureFile ({}): using the first texture", tally.first)
         });
     }
 }
@@ -196,7 +196,7 @@ fn without_unused(mesh: Mesh, reports: &mut Reports) -> Mesh {
         return mesh;
     }
     let vertices = if unused == 1 { "vertex is" } else { "vertices are" };
-    let message = format!("{unused} {vertices} in no triangle: left out");
+    let message = format!("{unused} {vertices} unused: left out");
     reports.push(u64::MAX, Diagnostic::note(message));
     let mut next_index = 0;
     let mut new_index = Vec::with_capacity(is_used.len());

@@ -194,20 +194,19 @@ impl Faces {
     pub(super) fn report(&self, vertex_count: u64, reports: &mut Reports) {
         self.astray.report(Severity::Warning, reports, |tally| {
             let (faces, first) = (tally.counted("polygon points", "polygons point"), &tally.first);
-            format!("{faces} at vertices that are not there ({first} of {vertex_count} is the first): left out")
+            format!("{faces} at missing vertices (the first is {first} of {vertex_count}): left out")
         });
         self.too_short.report(Severity::Warning, reports, |tally| {
             let faces = tally.counted("polygon has", "polygons have");
-            format!("{faces} fewer than 3 corners ({} is the first): left out", tally.first)
+            format!("{faces} fewer than 3 corners (the first is {}): left out", tally.first)
         });
         self.colors_not_finite.report(Severity::Warning, reports, |tally| {
             let faces = tally.counted("face has", "faces have");
-            format!("{faces} a colour that is not finite ({} is the first): 0 is taken for it", tally.first)
+            format!("{faces} a color that is not finite (the first is {}): using 0 instead", tally.first)
         });
         self.bad_tex_coords.report(Severity::Warning, reports, |tally| {
-            let faces = tally.counted("face has", "faces have");
-            let first = &tally.first;
-            format!("{faces} no two finite texture coordinates for each corner ({first} is the first): (0, 0) is taken")
+            let (faces, first) = (tally.counted("face lacks", "faces lack"), &tally.first);
+            format!("{faces} two finite texture coordinates for each corner (the first is {first}): using (0, 0)")
         });
     }
 }

@@ -64,7 +64,7 @@ impl Header {
         let mut lines = Lines::new(bytes);
         let first = lines.next().map(<[u8]>::trim_ascii);
         if first != Some(b"ply") {
-            return Err(ReadError::new("this is no PLY file: it does not begin with a line `ply`"));
+            return Err(ReadError::new("this is not a PLY file: its first line is not `ply`"));
         }
         let mut encoding = None;
         let mut header = Header {
@@ -89,18 +89,17 @@ impl Header {
                 Some("property") => header.property(&text, number)?,
                 Some("end_header") => {
                     let Some(encoding) = encoding else {
-                        return Err(
-                            ReadError::new("the header says no format: `format ascii 1.0` or another").at(number, None)
-                        );
+                        return Err(ReadError::new("the header has no format line, such as `format ascii 1.0`")
+                            .at(number, None));
                     };
                     return Ok(Header { encoding, end: lines.at, end_line: number + 1, ..header });
                 }
                 Some(word) => reports.add("unknown lines of the header", Severity::Warning, number, None, || {
-                    format!("{} is no line of a PLY header: it is skipped", quote(word.as_bytes()))
+                    format!("unknown header line {}: it is skipped", quote(word.as_bytes()))
                 }),
             }
         }
-        let message = "the header does not end (there is no line `end_header`): the file is cut off, get it again";
+        let message = "the header has no `end_header` line: the file is cut off, get it again";
         Err(ReadError::new(message).at(lines.number, None))
     }
 
@@ -128,12 +127,12 @@ impl Header {
                 Property { name: name.to_owned(), value: scalar(value)?, count: None }
             }
             _ => {
-                let message = format!("{} is no property: `property TYPE NAME` is, and ", quote(text.as_bytes()));
+                let message = format!("invalid property {}: expected `property TYPE NAME` or ", quote(text.as_bytes()));
                 return Err(ReadError::new(message + "`property list TYPE TYPE NAME`").at(line, None));
             }
         };
         let Some(element) = self.elements.last_mut() else {
-            return Err(ReadError::new("a property stands before the first element").at(line, None));
+            return Err(ReadError::new("a property precedes the first element").at(line, None));
         };
         element.properties.push(property);
         Ok(())
@@ -148,14 +147,15 @@ fn format(text: &str, line: u64, reports: &mut Reports) -> Result<Encoding, Read
         Some("binary_big_endian") => Encoding::BigEndian,
         other => {
             let other = quote(other.unwrap_or_default().as_bytes());
-            let message = format!("{other} is no format of PLY: ascii, binary_little_endian and binary_big_endian are");
+            let message =
+                format!("unknown PLY format {other}: expected ascii, binary_little_endian or binary_big_endian");
             return Err(ReadError::new(message).at(line, None));
         }
     };
     let version = words.next().unwrap_or_default();
     if version != "1.0" {
         let version = quote(version.as_bytes());
-        reports.warning(line, format!("the version of the format is {version}: it is read as 1.0, the only one known"));
+        reports.warning(line, format!("unknown format version {version}: reading it as 1.0"));
     }
     Ok(encoding)
 }
@@ -165,7 +165,7 @@ fn element(text: &str, line: u64) -> Result<Element, ReadError> {
     let name = words.next();
     let count = words.next().and_then(|count| count.parse().ok());
     let (Some(name), Some(count)) = (name, count) else {
-        let message = format!("{} is no element: `element NAME COUNT` is", quote(text.as_bytes()));
+        let message = format!("invalid element {}: expected `element NAME COUNT`", quote(text.as_bytes()));
         return Err(ReadError::new(message).at(line, None));
     };
     Ok(Element { name: name.to_owned(), count, properties: Vec::new() })

@@ -55,12 +55,12 @@ fn read_utf8(bytes: &[u8], limits: &Limits) -> Result<Model, ReadError> {
         Encoding::BigEndian => Body::read(Binary::new(bytes, at, true), &header, limits, &mut reports)?,
     };
     let Some(vertices) = body.vertices else {
-        return Err(ReadError::new("has no element vertex: nothing to draw"));
+        return Err(ReadError::new("has no vertex element: nothing to draw"));
     };
     let vertex_count = vertices.positions.len();
     if body.faces.told == 0 {
         let points = if vertex_count == 1 { "point" } else { "points" };
-        return Err(ReadError::new(format!("holds {vertex_count} {points} and no faces: nothing to draw")));
+        return Err(ReadError::new(format!("contains {vertex_count} {points} but no faces: nothing to draw")));
     }
     body.faces.report(vertex_count as u64, &mut reports);
     let corner_counts = corner_counts(&body.faces);
@@ -144,8 +144,8 @@ fn check_count(source: &impl Source, element: &Element, encoding: Encoding) -> R
         return Ok(());
     }
     let (name, count) = (&element.name, element.count);
-    let message = format!("the file ends early: its header tells of {count} elements {name}");
-    Err(ReadError::new(format!("{message}, and the bytes that follow hold {possible} at most; get it again")))
+    let message = format!("the file ends early: its header declares {count} {name} elements");
+    Err(ReadError::new(format!("{message}, but at most {possible} fit in the remaining bytes; get it again")))
 }
 
 fn step_over(source: &mut impl Source, element: &Element) -> Result<(), ReadError> {
@@ -165,7 +165,7 @@ fn step_over(source: &mut impl Source, element: &Element) -> Result<(), ReadErro
 #[cold]
 fn nothing_to_draw(vertices: usize, faces: u64, reports: &Reports) -> ReadError {
     let why = reports.first().map(|first| format!("; {}", first.message)).unwrap_or_default();
-    ReadError::new(format!("holds no triangles (vertices: {vertices}, faces: {faces}): nothing to draw{why}"))
+    ReadError::new(format!("contains no triangles (vertices: {vertices}, faces: {faces}): nothing to draw{why}"))
 }
 
 /// How many polygons have 3 corners, 4, 5 or more.
@@ -192,8 +192,8 @@ fn contents(
     if !stepped_over.is_empty() {
         let names: Vec<&str> = stepped_over.iter().take(20).map(|(name, _)| name.as_str()).collect();
         let more = if stepped_over.len() > names.len() { " and more" } else { "" };
-        reports.push(u64::MAX, Diagnostic::note(format!("stepped over: {}{more}", names.join(", "))));
-        contents.extend(stepped_over.into_iter().map(|(name, count)| (format!("{name} (stepped over)"), count)));
+        reports.push(u64::MAX, Diagnostic::note(format!("skipped: {}{more}", names.join(", "))));
+        contents.extend(stepped_over.into_iter().map(|(name, count)| (format!("{name} (skipped)"), count)));
     }
     contents
 }

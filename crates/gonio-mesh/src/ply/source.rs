@@ -185,17 +185,17 @@ impl Source for Text<'_> {
     fn finish(&mut self, reports: &mut Reports) {
         self.continued.report(Severity::Warning, reports, |tally| {
             format!(
-                "{} not on one line: the next lines are taken for the rest",
+                "{} not on one line: the next lines are read as the rest",
                 tally.counted("element is", "elements are")
             )
         });
         self.left_over.report(Severity::Warning, reports, |tally| {
             let lines = tally.counted("line has", "lines have");
-            format!("{lines} more on it than the header says (the first of it: {}): that is ignored", tally.first)
+            format!("{lines} more numbers than the header declares (the first is {}): ignored", tally.first)
         });
         self.begin();
         if self.at < self.bytes.len() {
-            let message = format!("behind the last element stands {}, which is ignored", quote(self.word()));
+            let message = format!("{} after the last element is ignored", quote(self.word()));
             reports.warning(self.line, message);
         }
     }
@@ -247,7 +247,7 @@ impl Source for Binary<'_> {
 
     fn finish(&mut self, reports: &mut Reports) {
         if self.left() > 0 {
-            let message = format!("{} bytes behind the last element (from byte {}) are ignored", self.left(), self.at);
+            let message = format!("{} bytes after the last element (from byte {}) are ignored", self.left(), self.at);
             reports.push(u64::MAX, crate::Diagnostic::warning(message));
         }
     }
@@ -300,7 +300,8 @@ pub(super) fn explain(
     match problem {
         ListProblem::Number(Problem::Ended) => ended(element, index),
         ListProblem::Number(Problem::NoNumber { found, line, column }) => {
-            let message = format!("{what} {index} has {found} for {name}, which is no number: export the file again");
+            let message =
+                format!("{what} {index} has {found} for {name}, which is not a number: export the file again");
             ReadError::new(message).at(line, Some(column))
         }
         ListProblem::BadLength(length) => at_line(ReadError::new(format!(
@@ -314,6 +315,6 @@ pub(super) fn explain(
 #[cold]
 fn ended(element: &Element, complete: u64) -> ReadError {
     let (name, count) = (&element.name, element.count);
-    let message = format!("the file ends early: of {count} elements {name} that its header tells of, {complete}");
+    let message = format!("the file ends early: its header declares {count} {name} elements, but only {complete}");
     ReadError::new(format!("{message} {} there; get it again", if complete == 1 { "is" } else { "are" }))
 }

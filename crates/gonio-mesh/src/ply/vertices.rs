@@ -127,7 +127,10 @@ pub(super) fn read(
     plan.check()?;
     if element.count > limits.max_vertices.min(u64::from(u32::MAX)) {
         let most = limits.max_vertices.min(u64::from(u32::MAX));
-        return Err(ReadError::new(format!("holds {} vertices, more than {most}, which is the limit", element.count)));
+        return Err(ReadError::new(format!(
+            "contains {} vertices, more than {most}, which is the limit",
+            element.count
+        )));
     }
     // The caller has seen that so many can be there.
     let count = element.count as usize;
@@ -197,7 +200,7 @@ impl Vertices {
         let largest = self.colors.iter().flat_map(|c| &c[..3]).fold(0.0, |a: f32, &b| a.max(b));
         let is_in_bytes = largest > 1.0 && largest <= 255.0;
         if is_in_bytes {
-            let message = format!("vertex colors reach {largest}: taken as from 0 to 255");
+            let message = format!("vertex colors reach {largest}: treated as 0 to 255");
             reports.push(u64::MAX, Diagnostic::note(message));
         }
         let linear = LinearFromSrgb::new();
@@ -228,22 +231,19 @@ impl Odd {
     fn report(&self, reports: &mut Reports) {
         self.normals.report(Severity::Warning, reports, |tally| {
             let vertices = tally.counted("vertex has", "vertices have");
-            format!("{vertices} a normal that is not finite ({} is the first): counts as none", tally.first)
+            format!("{vertices} a normal that is not finite (the first is {}): ignored", tally.first)
         });
         self.tex_coords.report(Severity::Warning, reports, |tally| {
             let vertices = tally.counted("vertex has", "vertices have");
-            format!(
-                "{vertices} texture coordinates that are not finite ({} is the first): (0, 0) is taken",
-                tally.first
-            )
+            format!("{vertices} texture coordinates that are not finite (the first is {}): using (0, 0)", tally.first)
         });
         self.colors_not_finite.report(Severity::Warning, reports, |tally| {
             let vertices = tally.counted("vertex has", "vertices have");
-            format!("{vertices} a colour that is not finite ({} is the first): 0 is taken for it", tally.first)
+            format!("{vertices} a color that is not finite (the first is {}): using 0 instead", tally.first)
         });
         self.colors.report(Severity::Warning, reports, |tally| {
             let vertices = tally.counted("vertex has", "vertices have");
-            format!("{vertices} a colour beyond 0 to 1 ({} is the first): the nearest is taken", tally.first)
+            format!("{vertices} a color outside 0 to 1 (the first is {}): clamped", tally.first)
         });
     }
 }

@@ -72,7 +72,7 @@ impl Reader<'_> {
             self.open.solid = false;
         } else if !(is(b"outer") || is(b"loop") || is(b"endloop")) {
             reports.add("unknown statements", Severity::Warning, line, Some(column), || {
-                format!("{} is no statement of an STL file: the rest of its line is ignored", quote(word))
+                format!("unknown statement {}: the rest of its line is ignored", quote(word))
             });
             cursor.name();
         }
@@ -136,7 +136,7 @@ impl Reader<'_> {
         self.open.corners.clear();
         if facets.count() as u64 > self.limits.max_triangles {
             let most = self.limits.max_triangles;
-            return Err(ReadError::new(format!("holds more than {most} facets, which is the limit")));
+            return Err(ReadError::new(format!("contains more than {most} facets, which is the limit")));
         }
         Ok(())
     }
@@ -156,8 +156,13 @@ impl Reader<'_> {
         let (one, many) = ("facet has fewer than 3 corners", "facets have fewer than 3 corners");
         warn(&odd.too_short, reports, &format!("{one}: left out"), &format!("{many} (this is the first): left out"));
         let (one, many) = ("facet has more than 3 corners", "facets have more than 3 corners");
-        warn(&odd.polygons, reports, &format!("{one}: cut"), &format!("{many} (this is the first): cut"));
-        let (one, many) = ("facet has a normal that is none", "facets have a normal that is none");
+        warn(
+            &odd.polygons,
+            reports,
+            &format!("{one}: triangulated"),
+            &format!("{many} (this is the first): triangulated"),
+        );
+        let (one, many) = ("facet has an invalid normal", "facets have an invalid normal");
         let rest = "computed from the corners";
         warn(&odd.normals, reports, &format!("{one}: {rest}"), &format!("{many} (this is the first): {rest}"));
         let solids = self.facets.solids.len() as u64;
@@ -182,7 +187,8 @@ fn corner(cursor: &mut Cursor<'_>) -> Result<[f32; 3], ReadError> {
             }
             Err(BadNumber::Unreadable) => {
                 let found = quote(cursor.offending_word());
-                let message = format!("vertex has the coordinate {found}, which is no number: export the model again");
+                let message =
+                    format!("vertex has the coordinate {found}, which is not a number: export the model again");
                 return Err(ReadError::new(message).at(line, Some(cursor.column())));
             }
         }

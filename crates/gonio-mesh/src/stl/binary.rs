@@ -27,13 +27,13 @@ pub(super) fn has_exact_size(bytes: &[u8]) -> bool {
 
 pub(super) fn read(bytes: &[u8], limits: &Limits, reports: &mut Reports) -> Result<Facets, ReadError> {
     let Some(count) = told(bytes, false) else {
-        let message = format!("this is no STL file: it does not begin with `solid`, and {} bytes", bytes.len());
+        let message = format!("this is not an STL file: it does not begin with `solid`, and {} bytes", bytes.len());
         return Err(ReadError::new(message + " are too few for a binary one (84 at least)"));
     };
     let (count, is_big_endian) = count_and_order(bytes, count, reports)?;
     if count > limits.max_triangles {
         let most = limits.max_triangles;
-        return Err(ReadError::new(format!("holds {count} facets, more than {most}, which is the limit")));
+        return Err(ReadError::new(format!("contains {count} facets, more than {most}, which is the limit")));
     }
     let records = bytes[FACETS_AT..].chunks_exact(FACET).take(count as usize);
     let mut facets = Facets::default();
@@ -70,20 +70,19 @@ fn count_and_order(bytes: &[u8], told_count: u64, reports: &mut Reports) -> Resu
         return Ok((told_count, false));
     }
     if let Some(count) = told(bytes, true).filter(|&count| size == size_of(count)) {
-        warn("the numbers are big-endian, against the definition of the format: read as such".to_owned());
+        warn("the numbers are big-endian, contrary to the specification: read as such".to_owned());
         return Ok((count, true));
     }
     if told_count == 0 && there > 0 && size == size_of(there) {
-        warn(format!("the file says that it has no facets, but {there} are there: they are read"));
+        warn(format!("the file declares no facets but contains {there}: they are read"));
         return Ok((there, false));
     }
     if size < size_of(told_count) {
-        let is = if there == 1 { "is" } else { "are" };
-        let message = format!("the file says that it has {told_count} facets, but {there} {is} there: it is cut off");
-        return Err(ReadError::new(message + " (or no STL file), get it again"));
+        let message = format!("the file declares {told_count} facets but contains only {there}: it is cut off");
+        return Err(ReadError::new(message + " (or not an STL file), get it again"));
     }
     let more = size - size_of(told_count);
-    warn(format!("{more} bytes behind the last facet (from byte {}) are ignored", size_of(told_count)));
+    warn(format!("{more} bytes after the last facet (from byte {}) are ignored", size_of(told_count)));
     Ok((told_count, false))
 }
 
@@ -119,7 +118,7 @@ fn color_by_viscam(facets: &mut Facets, attributes: &[u16], reports: &mut Report
     }
     odd.report(Severity::Note, reports, |tally| {
         let facets = tally.counted("facet has", "facets have");
-        format!("{facets} attribute bytes that are no color (the first is {}): ignored", tally.first)
+        format!("{facets} attribute bytes that are not a color (the first is {}): ignored", tally.first)
     });
 }
 
@@ -129,7 +128,7 @@ fn color_by_magics(facets: &mut Facets, rgba: &[u8], attributes: &[u16], reports
     let of_header = [r, g, b].map(|c| srgb_decode(c) as f32);
     let mut opacity = a as f32;
     if opacity == 0.0 {
-        reports.push(0, Diagnostic::note("the colour of the header is invisible (its alpha is 0): taken as opaque"));
+        reports.push(0, Diagnostic::note("the color of the header is invisible (its alpha is 0): treated as opaque"));
         opacity = 1.0;
     }
     let source =

@@ -85,7 +85,7 @@ fn model(limits: &Limits, read: impl FnOnce(&mut Reports) -> Result<Facets, Read
     });
     if facets.count() == 0 {
         let why = reports.first().map(|first| format!("; {}", first.message)).unwrap_or_default();
-        return Err(ReadError::new(format!("holds no facets: nothing to draw{why}")));
+        return Err(ReadError::new(format!("contains no facets: nothing to draw{why}")));
     }
     build::model(facets, limits, reports)
 }

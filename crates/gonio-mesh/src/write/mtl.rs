@@ -75,7 +75,7 @@ impl Writer<'_> {
             text.statement("Pm", &[physical.metallic]);
         }
         if material.ambient == AmbientRule::Value([1.0; 3]) {
-            self.note("has Ka 1 1 1, which readers take for \"follows Kd\", because Blender writes it always");
+            self.note("has Ka 1 1 1, which readers take for \"follows Kd\", because Blender always writes it");
         }
     }
 
@@ -174,7 +174,10 @@ impl Writer<'_> {
             }
         }
         if !lost.is_empty() {
-            self.note(&format!("has what no term of the light equation takes; it is not written: {}", lost.join(", ")));
+            self.note(&format!(
+                "has properties without a term in the light equation, which are not written: {}",
+                lost.join(", ")
+            ));
         }
     }
 

@@ -205,6 +205,6 @@ fn report_lost(model: &Model, diagnostics: &mut Vec<Diagnostic>) {
         lose("the alpha of vertex colors is not written: OBJ has none".to_owned());
     }
     if colors.iter().flat_map(|color| &color[..3]).any(|c| !(0.0..=1.0).contains(c)) {
-        lose("vertex colors beyond 0 to 1 are cut: OBJ has none".to_owned());
+        lose("vertex colors outside 0 to 1 are clamped: OBJ has none".to_owned());
     }
 }

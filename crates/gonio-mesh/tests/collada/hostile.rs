@@ -9,14 +9,14 @@ fn limits_are_kept() {
     let text = scene(&"<node><instance_geometry url=\"#g\"/></node>".repeat(3));
     let message = |limits| collada::read(text.as_bytes(), &mut NoSidecars, &limits).unwrap_err().message;
     let few_triangles = Limits { max_triangles: 2, ..Limits::default() };
-    assert_eq!(message(few_triangles), "holds more than 2 triangles, which is the limit");
+    assert_eq!(message(few_triangles), "contains more than 2 triangles, which is the limit");
     let few_vertices = Limits { max_vertices: 8, ..Limits::default() };
     assert_eq!(message(few_vertices), "needs more than 8 vertices, which is the limit");
     let enough = Limits { max_vertices: 9, max_triangles: 3, ..Limits::default() };
     assert_eq!(collada::read(text.as_bytes(), &mut NoSidecars, &enough).unwrap().mesh.triangle_count(), 3);
     let few_bytes = Limits { max_bytes: 1000, ..Limits::default() };
     let said = message(few_bytes);
-    assert!(said.starts_with("holds more than ") && said.ends_with(" elements, which is the limit"), "{said}");
+    assert!(said.starts_with("contains more than ") && said.ends_with(" elements, which is the limit"), "{said}");
 }
 
 /// A polygon is looked at as a whole.
@@ -55,7 +55,7 @@ fn entities_do_not_expand() {
     }
     text.push_str("]>\n<COLLADA><float_array>&e9;</float_array></COLLADA>");
     let said = read(text.as_bytes()).unwrap_err().to_string();
-    assert_eq!(said, "2:23: the entity \"e9\" is not one of XML's own: it is not expanded");
+    assert_eq!(said, "2:23: the entity \"e9\" is not predefined in XML: it is not expanded");
 }
 
 /// Forty nodes, each of which places the next one twice: a million million triangles.
@@ -69,10 +69,11 @@ fn nodes_do_not_multiply_without_end() {
     let text = scene(&format!("{nodes}<node id=\"n40\"><instance_geometry url=\"#g\"/></node>"));
     let limits = Limits { max_bytes: 1 << 20, ..Limits::default() };
     let said = collada::read(text.as_bytes(), &mut NoSidecars, &limits).unwrap_err().message;
-    assert_eq!(said, "geometries are placed so often that they take more than 1048576 bytes, which is the limit");
+    assert_eq!(said, "the placed geometries take more than 1048576 bytes, which is the limit");
     let text = scene(&format!("{nodes}<node id=\"n40\"/>"));
     let said = read(text.as_bytes()).unwrap_err().message;
-    let expected = "nodes are placed so often that more than 2000000 elements are to be looked at, which is the limit";
+    let expected =
+        "nodes are instantiated so often that more than 2000000 elements would be visited, which is the limit";
     assert_eq!(said, expected);
 }
 

@@ -13,32 +13,32 @@ fn what_is_no_gltf() {
     let cases: [(&[u8], &str); 8] = [
         (b"", "the file is empty"),
         (b" \n", "the file is empty"),
-        (b"{\n  \"asset\": }", "2:12: this is no valid JSON: expected value"),
-        (b"{\n  \"asset\": {", "2:12: this is no valid JSON: EOF while parsing an object: the file is cut off"),
-        (b"[]", "this is no glTF 2.0 file: its JSON has no asset.version"),
-        (b"{\"asset\": {}}", "this is no glTF 2.0 file: its JSON has no asset.version"),
+        (b"{\n  \"asset\": }", "2:12: this is not valid JSON: expected value"),
+        (b"{\n  \"asset\": {", "2:12: this is not valid JSON: EOF while parsing an object: the file is cut off"),
+        (b"[]", "this is not a glTF 2.0 file: its JSON has no asset.version"),
+        (b"{\"asset\": {}}", "this is not a glTF 2.0 file: its JSON has no asset.version"),
         (
             b"{\"asset\": {\"version\": \"1.0\"}}",
-            "this is glTF 1.0, which is not read: convert it to glTF 2.0 (gltf-pipeline does)",
+            "this is glTF 1.0, which is not supported: convert it to glTF 2.0, for example with gltf-pipeline",
         ),
         (
             b"{\"asset\": {\"version\": \"3.1\"}}",
-            "this file needs glTF \"3.1\", and 2.0 is read: export it as glTF 2.0",
+            "this file needs glTF \"3.1\", but only 2.0 is supported: export it as glTF 2.0",
         ),
     ];
     for (bytes, expected) in cases {
         assert_eq!(error(bytes), expected);
     }
     let newer = File::triangle().with("/asset/minVersion", json!("2.1")).error();
-    assert_eq!(newer, "this file needs glTF \"2.1\", and 2.0 is read: export it as glTF 2.0");
-    assert_eq!(
-        File::triangle().with("/asset/version", json!(2.0)).error(),
-        "asset.version is 2.0, where a text belongs"
-    );
+    assert_eq!(newer, "this file needs glTF \"2.1\", but only 2.0 is supported: export it as glTF 2.0");
+    assert_eq!(File::triangle().with("/asset/version", json!(2.0)).error(), "asset.version is 2.0, expected a string");
     // Early files of 1.0 have a number instead of a text.
     for version in [json!(1), json!(1.0), json!(0.8)] {
         let error = File::triangle().with("/asset/version", version).error();
-        assert_eq!(error, "this is glTF 1.0, which is not read: convert it to glTF 2.0 (gltf-pipeline does)");
+        assert_eq!(
+            error,
+            "this is glTF 1.0, which is not supported: convert it to glTF 2.0, for example with gltf-pipeline"
+        );
     }
     // A later 2.x that asks for no more than 2.0 is read.
     File::triangle().with("/asset/version", json!("2.1")).with("/asset/minVersion", json!("2.0")).quiet();
@@ -54,15 +54,15 @@ fn broken_containers() {
     };
     let size = good.len();
     assert_eq!(error(&good[..7]), "is cut off after 7 bytes, within its header of 12");
-    assert_eq!(error(&good[..20]), format!("is cut off: its header says {size} bytes, and there are 20"));
-    assert_eq!(change(4, &[9, 0, 0, 0]), "byte 4: the container's version is 9, which is unknown (2 is read)");
+    assert_eq!(error(&good[..20]), format!("is cut off: its header declares {size} bytes, but there are only 20"));
+    assert_eq!(change(4, &[9, 0, 0, 0]), "byte 4: unknown container version 9: expected 2");
     assert!(change(4, &[1, 0, 0, 0]).starts_with("this is glTF 1.0"));
-    assert_eq!(change(16, b"NOSJ"), "byte 12: the first chunk is not the JSON");
+    assert_eq!(change(16, b"NOSJ"), "byte 12: the first chunk is not JSON");
     let left = size - 20;
-    let most = format!("byte 12: a chunk says 4294967295 bytes, and {left} are left in the file");
+    let most = format!("byte 12: a chunk declares 4294967295 bytes, but only {left} are left in the file");
     assert_eq!(change(12, &[255; 4]), most);
-    assert_eq!(change(20, b"}"), "1:1: the JSON in this binary glTF is no valid JSON: expected value");
-    assert_eq!(change(8, &[12, 0, 0, 0]), "holds no JSON: the file is cut off or empty");
+    assert_eq!(change(20, b"}"), "1:1: the JSON in this binary glTF is not valid JSON: expected value");
+    assert_eq!(change(8, &[12, 0, 0, 0]), "contains no JSON: the file is cut off or empty");
     assert_eq!(change(8, &[15, 0, 0, 0]), "byte 12: a chunk's header is cut off");
 }
 
@@ -93,8 +93,8 @@ fn broken_places_are_named() {
     };
     type Change = fn(&mut File);
     let set: [(&str, Value, &str); 20] = [
-        ("/accessors/0/count", json!(-1), "accessors[0].count is -1, where a whole number from 0 belongs"),
-        ("/accessors/0/count", json!(2.5), "accessors[0].count is 2.5, where a whole number from 0 belongs"),
+        ("/accessors/0/count", json!(-1), "accessors[0].count is -1, expected a non-negative integer"),
+        ("/accessors/0/count", json!(2.5), "accessors[0].count is 2.5, expected a non-negative integer"),
         (
             "/accessors/0/count",
             json!(4),
@@ -128,14 +128,14 @@ fn broken_places_are_named() {
         (
             "/meshes/0/primitives/0/mode",
             json!(7),
-            "meshes[0].primitives[0].mode = 7, which is no mode of primitives (0 to 6)",
+            "meshes[0].primitives[0].mode = 7, which is not a primitive mode (0 to 6)",
         ),
         (
             "/meshes/0/primitives/0/material",
             json!(0),
             "meshes[0].primitives[0].material = 0, but the file has 0 materials",
         ),
-        ("/meshes/0/primitives", json!(3), "meshes[0].primitives is 3, where an array belongs"),
+        ("/meshes/0/primitives", json!(3), "meshes[0].primitives is 3, expected an array"),
         ("/bufferViews/0/byteLength", json!(37), "bufferViews[0] is 37 bytes from byte 0, but its buffer has 36"),
         (
             "/bufferViews/0/byteOffset",
@@ -149,7 +149,7 @@ fn broken_places_are_named() {
         ),
         ("/bufferViews/0/buffer", json!(1), "bufferViews[0].buffer = 1, but the file has 1 buffers"),
         ("/nodes/0/mesh", json!(1), "nodes[0].mesh = 1, but the file has 1 meshes"),
-        ("/nodes/0/scale", json!([1, 1]), "nodes[0].scale is [1, 1], where 3 numbers belong"),
+        ("/nodes/0/scale", json!([1, 1]), "nodes[0].scale is [1, 1], expected 3 numbers"),
         ("/scenes/0/nodes", json!([4]), "scenes[0].nodes[0] = 4, but the file has 1 nodes"),
         ("/scene", json!(1), "scene = 1, but the file has 1 scenes"),
         (
@@ -172,11 +172,11 @@ fn broken_places_are_named() {
         ),
         (
             |file| file.json["nodes"][0]["children"] = json!([0]),
-            "nodes[0].children names node 0, which it stands below: the nodes form a circle",
+            "nodes[0].children names node 0, which is its own ancestor: the nodes form a cycle",
         ),
         (
             |file| file.json["scenes"][0]["nodes"] = json!([0, 0]),
-            "scenes[0].nodes names node 0, which already is a root of the scene: a node has one place",
+            "scenes[0].nodes names node 0, which is already a root of the scene: a node can have only one parent",
         ),
         (
             |file| {
@@ -184,7 +184,7 @@ fn broken_places_are_named() {
                 file.push("nodes", json!({}));
                 file.root_node(json!({ "children": [2] }));
             },
-            "nodes[3].children names node 2, which already is a child of nodes[1]: a node has one place",
+            "nodes[3].children names node 2, which is already a child of nodes[1]: a node can have only one parent",
         ),
         (
             |file| {
@@ -192,11 +192,11 @@ fn broken_places_are_named() {
                 file.json.as_object_mut().unwrap().remove("scene");
                 file.json["nodes"][0]["children"] = json!([0]);
             },
-            "nodes: every node is a child of another, so they stand below themselves: the file is damaged",
+            "nodes: every node is a child of another, so they form a cycle: the file is damaged",
         ),
         (
             |file| file.json["nodes"][0] = json!({}),
-            "holds no triangles (nodes in the scene: 1, meshes: 1): nothing to draw",
+            "contains no triangles (nodes in the scene: 1, meshes: 1): nothing to draw",
         ),
         (
             |file| {
@@ -215,7 +215,7 @@ fn broken_places_are_named() {
     }
     let mut file = File::triangle();
     nested(&mut file);
-    assert_eq!(file.error(), "nodes[2].children names node 1, which it stands below: the nodes form a circle");
+    assert_eq!(file.error(), "nodes[2].children names node 1, which is its own ancestor: the nodes form a cycle");
     let mut file = File::triangle();
     file.bytes[3] = 0x7F;
     file.bytes[2] = 0x80;
@@ -236,15 +236,15 @@ fn buffers_that_cannot_be_had() {
     let missing = "\"gone.bin\", which buffers[0] names, was not found: put it beside the model";
     assert_eq!(
         read(&with(json!({ "uri": "gone.bin", "byteLength": 36 }))),
-        format!("{missing}; sought: models/gone.bin, textures/gone.bin")
+        format!("{missing}; tried models/gone.bin, textures/gone.bin")
     );
     assert_eq!(
         read(&with(json!({ "uri": "short.bin", "byteLength": 36 }))),
-        "buffers[0] is cut off: it says 36 bytes, and there are 20"
+        "buffers[0] is cut off: it declares 36 bytes, but there are only 20"
     );
     assert_eq!(
         read(&with(json!({ "uri": "data:x;base64,AAA=!", "byteLength": 36 }))),
-        "buffers[0].uri holds data, but its letter 4 is no base64"
+        "invalid data in buffers[0].uri: its character 4 is not base64"
     );
     assert_eq!(
         read(&with(json!({ "uri": "https://example.org/a.bin", "byteLength": 36 }))),
@@ -255,7 +255,7 @@ fn buffers_that_cannot_be_had() {
         "buffers[0] has no uri, and there is no binary chunk for it: the file is damaged"
     );
     let longer = with(json!({ "byteLength": 40 }));
-    assert_eq!(error(&glb(&longer, &[0; 36])), "buffers[0] is cut off: it says 40 bytes, and there are 36");
+    assert_eq!(error(&glb(&longer, &[0; 36])), "buffers[0] is cut off: it declares 40 bytes, but there are only 36");
 }
 
 #[test]

@@ -70,10 +70,13 @@ fn lists_strips_and_fans() {
     assert_eq!(read(4, Some(&[0, 1, 2, 2, 1, 3])).quiet().mesh.indices, [0, 1, 2, 2, 1, 3]);
     let (model, said) = read(4, None).said();
     assert_eq!(model.mesh.indices, [0, 1, 2]);
-    says(&said, "warning: meshes[0].primitives[0] has 2 corners too many for triangles: left out");
+    says(&said, "warning: meshes[0].primitives[0] has 2 extra corners that do not form a triangle: left out");
     let (model, said) = read(4, Some(&[0, 1, 2, 0, 5, 1, 2, 3, 4])).said();
     assert_eq!(model.mesh.indices, [0, 1, 2, 2, 3, 4]);
-    says(&said, "warning: meshes[0].primitives[0]: 1 triangles are left out: an index is 5, and there are 5 vertices");
+    says(
+        &said,
+        "warning: meshes[0].primitives[0]: 1 triangles are left out: an index is 5, but there are only 5 vertices",
+    );
 }
 
 #[test]
@@ -100,8 +103,8 @@ fn points_and_lines_are_counted() {
     let count = |what: &str| model.contents.iter().find(|(name, _)| name == what).map(|(_, count)| *count);
     assert_eq!(count("primitives of points in the scene"), Some(1));
     assert_eq!(count("primitives of lines in the scene"), Some(3));
-    says(&said, "warning: meshes[1].primitives[0] is points, not triangles: not drawn");
-    says(&said, "warning: meshes[3].primitives[0] is lines, not triangles: not drawn");
+    says(&said, "warning: meshes[1].primitives[0] consists of points, not triangles: not drawn");
+    says(&said, "warning: meshes[3].primitives[0] consists of lines, not triangles: not drawn");
 }
 
 #[test]

@@ -65,7 +65,8 @@ fn deep_hierarchies() {
         (0..depth).map(|i| if i + 1 < depth { json!({ "children": [i + 1] }) } else { json!({ "mesh": 0 }) }).collect();
     assert_eq!(read(&file.glb(), &SMALL).unwrap().mesh.triangle_count(), 1);
     file.json["nodes"][depth - 1]["children"] = json!([0]);
-    let circle = format!("nodes[{}].children names node 0, which it stands below: the nodes form a circle", depth - 1);
+    let circle =
+        format!("nodes[{}].children names node 0, which is its own ancestor: the nodes form a cycle", depth - 1);
     assert_eq!(message(&file, &SMALL), circle);
 }
 
@@ -73,7 +74,7 @@ fn deep_hierarchies() {
 fn deep_json() {
     let nested = "[".repeat(1_000_000);
     let error = read(nested.as_bytes(), &SMALL).unwrap_err();
-    assert_eq!(error.message, "this is no valid JSON: recursion limit exceeded");
+    assert_eq!(error.message, "this is not valid JSON: recursion limit exceeded");
 }
 
 #[test]
@@ -87,7 +88,7 @@ fn limits_hold() {
     let few = read_with(Limits { max_vertices: 33, ..enough }).unwrap_err().message;
     assert_eq!(few, "needs more than 33 vertices, which is the limit");
     let few = read_with(Limits { max_triangles: 21, ..enough }).unwrap_err().message;
-    assert_eq!(few, "holds more than 21 triangles, which is the limit");
+    assert_eq!(few, "contains more than 21 triangles, which is the limit");
 }
 
 /// Numbers that only claim: nothing is allocated for them.
@@ -128,12 +129,12 @@ fn many_copies() {
     file.json["meshes"][0]["primitives"][0]["indices"] = indices.into();
     assert_eq!(
         message(&file, &limits),
-        "accessors[1] is shown so often that more would be read than 4 times 1048576 bytes, which is the limit"
+        "accessors[1] is instanced so often that more than 4 times 1048576 bytes would be read, which is the limit"
     );
     file.json["meshes"][0]["primitives"][0]["attributes"] = json!({});
     assert_eq!(
         message(&file, &limits),
-        "meshes[0].primitives[0] is shown so often that more would be read than 4 times 1048576 bytes, which is the limit"
+        "meshes[0].primitives[0] is instanced so often that more than 4 times 1048576 bytes would be read, which is the limit"
     );
 }
 

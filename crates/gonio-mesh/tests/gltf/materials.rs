@@ -53,7 +53,7 @@ fn metal_and_roughness() {
     let diffuse = source(&material.sources, "diffuse");
     assert_eq!(diffuse.written, "materials[0].pbrMetallicRoughness.baseColorFactor = [0.8, 0.4, 0.2, 0.5]");
     assert_eq!(diffuse.rule, "times 1 - metallic (0.25)");
-    assert_eq!(source(&material.sources, "opacity").rule, "glTF's default; opaque: the alpha 0.5 counts for nothing");
+    assert_eq!(source(&material.sources, "opacity").rule, "glTF's default; opaque: the alpha 0.5 is ignored");
 }
 
 /// What is absent is 1: white metal without gloss; where there is no material at all, light clay.
@@ -64,7 +64,7 @@ fn what_is_absent() {
     let (model, said) = File::triangle().said();
     assert_eq!(model.materials, [Material::default()]);
     assert_eq!(model.mesh.parts[0].material, 0);
-    says(&said, "note: meshes[0].primitives[0] has no material: light clay is taken (as for all others without)");
+    says(&said, "note: meshes[0].primitives[0] has no material: using light clay (as for all primitives without one)");
 }
 
 #[test]
@@ -155,7 +155,7 @@ fn alpha_modes() {
     let texel = mask.opacity_map.unwrap().texel;
     assert_eq!((mask.opacity, texel.gain, texel.cutoff), (1.0, 0.5, Some(0.25)));
     let (_, said) = odd(json!({ "alphaMode": "GLASS" }));
-    says(&said, "warning: materials[0].alphaMode is \"GLASS\", not OPAQUE, MASK or BLEND: the default is taken");
+    says(&said, "warning: materials[0].alphaMode is \"GLASS\", not OPAQUE, MASK or BLEND: using the default");
 }
 
 #[test]
@@ -210,9 +210,9 @@ fn what_has_no_place_is_named() {
     assert!(unused.contains(&clearcoat) && unused.len() == 4, "{unused:?}");
     let title = "materials[0] (\"Car\")";
     says(&said, &format!("note: {title} has an occlusionTexture: it is not used"));
-    let coat = "which the light equation has no term for: it is shown without";
+    let coat = "which the light equation has no term for: it is shown without it";
     says(&said, &format!("warning: {title} has KHR_materials_clearcoat, {coat}"));
-    says(&said, &format!("warning: {title} has ACME_rust, which is not known: it is shown without"));
+    says(&said, &format!("warning: {title} has ACME_rust, which is not known: it is shown without it"));
 }
 
 #[test]
@@ -222,16 +222,13 @@ fn values_that_are_no_use() {
     } }));
     assert_eq!((material.diffuse, material.shininess), ([1.0; 3], 1.0));
     let pbr = "materials[0].pbrMetallicRoughness";
-    let at = format!("warning: {pbr}.baseColorFactor is [0.5, 0.5, 0.5], where 4 numbers belong: the default is taken");
+    let at = format!("warning: {pbr}.baseColorFactor is [0.5, 0.5, 0.5], expected 4 numbers: using the default");
     says(&said, &at);
-    says(&said, &format!("warning: {pbr}.metallicFactor = -3, but it has to be from 0 to 1: the nearest is taken"));
-    says(&said, &format!("warning: {pbr}.roughnessFactor is \"rough\", where a number belongs: the default is taken"));
+    says(&said, &format!("warning: {pbr}.metallicFactor = -3, but it must be from 0 to 1: clamped"));
+    says(&said, &format!("warning: {pbr}.roughnessFactor is \"rough\", expected a number: using the default"));
     let (material, said) = odd(json!({ "emissiveFactor": [1e300, -1, 0] }));
     assert_eq!(material.emitted, [f32::MAX, 0.0, 0.0]);
-    says(
-        &said,
-        "warning: materials[0].emissiveFactor = [1e+300, -1, 0], but it has to be at least 0: the nearest is taken",
-    );
+    says(&said, "warning: materials[0].emissiveFactor = [1e+300, -1, 0], but it must be at least 0: clamped");
 }
 
 /// Where the file says nothing, the source says so; in the order of the fields.

@@ -84,7 +84,7 @@ fn which_scene_is_shown() {
     file.json["scene"] = json!(1);
     assert_eq!(names(&file), [7.0, 8.0, 7.0]);
     let (_, said) = file.said();
-    says(&said, "note: holds 2 scenes: scenes[1] (\"Attic\") is shown");
+    says(&said, "note: contains 2 scenes: scenes[1] (\"Attic\") is shown");
     says(&said, "note: 1 of 2 nodes are not in the scene: left out");
     // No default: the first. No scenes: all roots, in order, not their children.
     file.json.as_object_mut().unwrap().remove("scene");
@@ -96,7 +96,7 @@ fn which_scene_is_shown() {
     file.json.as_object_mut().unwrap().remove("nodes");
     let (model, said) = file.said();
     assert_eq!(model.mesh.triangle_count(), 1);
-    says(&said, "warning: has meshes but no nodes: each mesh is shown where it is");
+    says(&said, "warning: has meshes but no nodes: each mesh is shown untransformed");
 }
 
 #[test]
@@ -127,8 +127,7 @@ fn lights_stand_at_their_nodes() {
     assert_eq!(spot.direction, [0.0, 0.0, -1.0]);
     assert_eq!(wide.kind, ModelLightKind::Spot { inner_angle_rad: 0.0, outer_angle_rad: FRAC_PI_4 as f32 });
     let (_, said) = file.said();
-    let range =
-        "extensions.KHR_lights_punctual.lights[1] ends at a distance of 10 (range): here it fades with the square only";
+    let range = "extensions.KHR_lights_punctual.lights[1] has a range of 10, which is ignored: it falls off with the square of the distance";
     says(&said, &format!("note: {range}"));
     file.set("/extensions/KHR_lights_punctual/lights/0/type", json!("area"));
     let (model, said) = file.said();
@@ -156,12 +155,12 @@ fn cameras_stand_at_their_nodes() {
     near(&eye.direction.map(|c| c as f32), &[-1.0, 0.0, 0.0]);
     near(&eye.up.map(|c| c as f32), &[0.0, 1.0, 0.0]);
     assert_eq!((drawing.fov_y_rad, drawing.clip), (None, [Some(0.0), Some(9.0)]));
-    says(&said, "note: cameras[1] is a parallel projection: the height of what it shows (ymag) is not taken");
+    says(&said, "note: cameras[1] is an orthographic camera: its height (ymag) is ignored");
     file.set("/cameras/0/perspective/yfov", json!(2.0 * FRAC_PI_2));
     let (model, said) = file.said();
     assert_eq!(model.cameras.len(), 1);
     let sentence =
-        "cameras[0].perspective.yfov = 3.141592653589793, which is no angle of a picture: the camera is left out";
+        "cameras[0].perspective.yfov = 3.141592653589793, which is not a valid field of view: the camera is left out";
     says(&said, &format!("warning: {sentence}"));
 }
 
@@ -180,12 +179,12 @@ fn skins_stand_as_they_were_bound() {
     file.set("/nodes/0/translation", json!([100, 100, 100]));
     let (model, said) = file.said();
     near(&model.mesh.positions.concat(), &[2.0, -2.0, 9.0, 2.0, -1.0, 9.0, 1.0, -2.0, 9.0]);
-    says(&said, "warning: holds 1 skin: the model is shown at rest, as it was bound");
+    says(&said, "warning: contains 1 skin: the model is shown at rest, in its bind pose");
     file.json["animations"] = json!([{ "channels": [], "samplers": [] }, {}]);
     file.set("/meshes/0/primitives/0/targets", json!([{ "POSITION": 0 }]));
     let (_, said) = file.said();
-    says(&said, "warning: holds 2 animations: the model is shown at rest, as it was bound");
-    says(&said, "warning: meshes[0] has morph targets: its shape without them is shown");
+    says(&said, "warning: contains 2 animations: the model is shown at rest, in its bind pose");
+    says(&said, "warning: meshes[0] has morph targets: its base shape is shown");
 }
 
 #[test]
@@ -197,7 +196,7 @@ fn odd_transforms_are_told() {
     let file = File::triangle().with("/nodes/0/matrix", identity).with("/nodes/0/scale", json!([3, 3, 3]));
     let (model, said) = file.said();
     assert_eq!(model.mesh.positions[1], [1.0, 0.0, 0.0]);
-    says(&said, "warning: nodes[0] has a matrix and other transforms beside it: the matrix is taken");
+    says(&said, "warning: nodes[0] has both a matrix and other transforms: using the matrix");
     let perspective = json!([1, 0, 0, 0.5, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 2]);
     let (model, said) = File::triangle().with("/nodes/0/matrix", perspective).said();
     assert_eq!(model.mesh.positions[1], [1.0, 0.0, 0.0]);

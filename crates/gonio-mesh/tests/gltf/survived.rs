@@ -14,13 +14,13 @@ fn odd_containers() {
     };
     let mut trailing = file.glb();
     trailing.extend(b"more");
-    says(&said(&trailing), "warning: 4 bytes stand behind the end that the header names: ignored");
+    says(&said(&trailing), "warning: 4 bytes after the end declared in the header are ignored");
     let mut chunk = file.glb();
     let at = chunk.len();
     chunk.extend(b"\x04\0\0\0ACMEabcd");
     let total = (chunk.len() as u32).to_le_bytes();
     chunk[8..12].copy_from_slice(&total);
-    says(&said(&chunk), &format!("note: byte {at}: a chunk of the unknown kind \"ACME\" is skipped"));
+    says(&said(&chunk), &format!("note: byte {at}: a chunk of the unknown type \"ACME\" is skipped"));
     let mut mark = b"\xEF\xBB\xBF".to_vec();
     mark.extend(file.gltf());
     says(&said(&mark), "note: begins with a byte order mark, which JSON does not allow: skipped");
@@ -49,9 +49,9 @@ fn extensions_that_are_used() {
     let warnings: Vec<&String> = said.iter().filter(|s| s.starts_with("warning")).collect();
     let expected = [
         "warning: uses the extension \"KHR_materials_variants\", which is not supported: each part has its first material",
-        "warning: uses the extension \"KHR_texture_basisu\", which is not supported: KTX2 pictures cannot be read",
-        "warning: uses the extension \"KHR_draco_mesh_compression\", which is not supported: what the file holds beside it is shown",
-        "warning: uses the extension \"ACME_smell\", which is not supported: what it says is left out",
+        "warning: uses the extension \"KHR_texture_basisu\", which is not supported: KTX2 images cannot be read",
+        "warning: uses the extension \"KHR_draco_mesh_compression\", which is not supported: the rest of the file is shown",
+        "warning: uses the extension \"ACME_smell\", which is not supported: its data is ignored",
     ];
     assert_eq!(warnings, expected);
 }
@@ -67,17 +67,17 @@ fn odd_primitives() {
     let (model, said) = file.said();
     assert_eq!(model.mesh.triangle_count(), 3);
     says(&said, "warning: meshes[1].primitives[0] has no POSITION: it is not drawn");
-    says(&said, "note: meshes[2].primitives[0].attributes.WARMTH is not known: not used");
-    says(&said, "note: meshes[2].primitives[0].attributes.COLOR_1 is a further set of colors: not used");
+    says(&said, "note: meshes[2].primitives[0].attributes.WARMTH is unknown: not used");
+    says(&said, "note: meshes[2].primitives[0].attributes.COLOR_1 is an additional set of colors: not used");
     assert!(!said.iter().any(|s| s.contains("_TEMPERATURE")));
-    says(&said, "warning: meshes[3].primitives[0]: NORMAL has 2 elements, POSITION 3: ignored");
+    says(&said, "warning: meshes[3].primitives[0]: NORMAL has 2 elements, but POSITION has 3: ignored");
     says(&said, "warning: meshes[4].primitives[0] has no triangles");
     let mut file = File::triangle();
     let normals = file.floats(&[f32::NAN, 0.0, 1.0, 0.0, f32::INFINITY, 1.0, 0.0, 0.0, 1.0], "VEC3");
     file.set("/meshes/0/primitives/0/attributes/NORMAL", normals.into());
     let (model, said) = file.said();
     assert_eq!(model.mesh.normals, [[0.0, 0.0, 1.0]; 3]);
-    says(&said, "warning: 2 numbers of normals are not finite: 0 is taken instead");
+    says(&said, "warning: 2 numbers of normals are not finite: using 0 instead");
     assert!(!said.iter().any(|s| s.contains("colors")), "{said:?}");
     let mut file = File::triangle();
     let colors = file.floats(&[0.5, f32::NAN, 1.0].repeat(3), "VEC3");
@@ -86,8 +86,8 @@ fn odd_primitives() {
     file.set("/meshes/0/primitives/0/attributes/TEXCOORD_0", tex_coords.into());
     let (model, said) = file.said();
     assert_eq!(model.mesh.colors, [[0.5, 0.0, 1.0, 1.0]; 3]);
-    says(&said, "warning: 3 numbers of colors are not finite: 0 is taken instead");
-    says(&said, "warning: 1 number of texture coordinates is not finite: 0 is taken instead");
+    says(&said, "warning: 3 numbers of colors are not finite: using 0 instead");
+    says(&said, "warning: 1 number of texture coordinates is not finite: using 0 instead");
 }
 
 /// The same oddity at a thousand places is told twenty times.
@@ -98,6 +98,6 @@ fn many_of_a_kind_are_counted() {
         file.of_primitive(json!({ "attributes": { "POSITION": 0 }, "mode": 0 }));
     }
     let (_, said) = file.said();
-    assert_eq!(said.iter().filter(|s| s.ends_with("is points, not triangles: not drawn")).count(), 20);
+    assert_eq!(said.iter().filter(|s| s.ends_with("consists of points, not triangles: not drawn")).count(), 20);
     says(&said, "warning: and 980 more: primitives of points or lines");
 }

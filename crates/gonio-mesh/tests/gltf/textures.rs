@@ -65,7 +65,7 @@ fn textures_that_cannot_be_had() {
     let (info, texture, _) = fine();
     says(
         &said(info.clone(), texture.clone(), json!({ "uri": "data:image/png;base64,&&" })),
-        &format!("warning: images[0].uri holds data, but its letter 1 is no base64: {lost}"),
+        &format!("warning: invalid data in images[0].uri: its character 1 is not base64: {lost}"),
     );
     says(
         &said(info.clone(), texture, json!({ "uri": "https://example.org/a.png" })),
@@ -83,7 +83,7 @@ fn wrap_modes() {
     file.push("samplers", json!({ "wrapS": 33071, "wrapT": 33648, "magFilter": 9728 }));
     let (model, said) = file.said();
     assert_eq!(map_of(&model).wrap, [Wrap::Clamp, Wrap::Mirror]);
-    says(&said, "note: samplers[0] asks for the nearest texel: textures are filtered here");
+    says(&said, "note: samplers[0] asks for nearest-neighbor filtering: textures are always filtered linearly");
     file.json["samplers"] = json!([{}]);
     assert_eq!(map_of(&file.quiet()).wrap, [Wrap::Repeat; 2]);
     file.json["samplers"] = json!([{ "wrapS": 1 }]);
@@ -148,7 +148,7 @@ fn texture_coordinates_of_the_first_texture() {
     assert!(model.materials[0].emitted_map.is_some());
     says(
         &said,
-        "note: meshes[0].primitives[0].attributes.TEXCOORD_0 is a further set of texture coordinates: not used",
+        "note: meshes[0].primitives[0].attributes.TEXCOORD_0 is an additional set of texture coordinates: not used",
     );
     // The extension's word counts more; what lies on another set is left out.
     let transform = json!({ "KHR_texture_transform": { "texCoord": 0 } });
@@ -161,7 +161,7 @@ fn texture_coordinates_of_the_first_texture() {
     file.json["meshes"][0]["primitives"][0]["attributes"].as_object_mut().unwrap().remove("TEXCOORD_0");
     let (model, said) = file.said();
     assert!(model.mesh.tex_coords.is_empty());
-    says(&said, "warning: meshes[0].primitives[0] has textures but no TEXCOORD_0: (0, 0) is taken");
+    says(&said, "warning: meshes[0].primitives[0] has textures but no TEXCOORD_0: using (0, 0)");
 }
 
 #[test]
@@ -182,6 +182,6 @@ fn pictures_have_a_limit() {
     let few = read(99_999);
     assert_eq!((few.images.len(), few.images[0].bytes.len()), (1, 50_000));
     let said: Vec<String> = few.diagnostics.iter().map(ToString::to_string).collect();
-    let limit = "makes the pictures larger than 99999 bytes, which is the limit: the texture is left out";
+    let limit = "makes the images larger than 99999 bytes, which is the limit: the texture is left out";
     says(&said, &format!("warning: images[1] {limit}"));
 }

@@ -248,7 +248,7 @@ fn what_has_no_place_is_told() {
     };
     let (bytes, said) = written(&with_materials(vec![material]));
     let lost = |what: &str| {
-        let sentence = format!("warning: the material \"Odd\" has {what}, which glTF has no place for: not written");
+        let sentence = format!("warning: the material \"Odd\" has {what}, which glTF cannot store: not written");
         assert!(said.contains(&sentence), "{sentence}: {said:#?}");
     };
     lost("an ambient color of its own");

@@ -21,8 +21,8 @@ fn what_cannot_be_read_is_named() {
     describe_says("a.txt", b"hello\n", &format!("a.txt: this .txt file is of no known kind; {READABLE}"));
     describe_says("a.dat", b"\x01\x02\0\0\0", &format!("a.dat: this is binary data of no known kind; {READABLE}"));
     describe_says("a.obj", b"\x7fELF\0\0\0", &format!("a.obj: this is a program; {READABLE}"));
-    describe_says("a.obj", b"\x89PNG\r\n", &format!("a.obj: this is a PNG picture; {READABLE}"));
-    describe_says("a.glb", b"{\"a\": {}}", &format!("a.glb: this is a JSON file that is no glTF; {READABLE}"));
+    describe_says("a.obj", b"\x89PNG\r\n", &format!("a.obj: this is a PNG image; {READABLE}"));
+    describe_says("a.glb", b"{\"a\": {}}", &format!("a.glb: this is a JSON file that is not glTF; {READABLE}"));
     describe_says("a.dae", b"<html>", &format!("a.dae: this is an XML or HTML file; {READABLE}"));
 }
 

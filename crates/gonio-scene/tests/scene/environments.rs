@@ -228,7 +228,7 @@ fn models_and_environments_are_told_apart() {
     );
     let told = |name: &str| describe(&[name], &files).unwrap_err().to_string();
     let remedy = "not a model; to surround a model by it, name it as the environment (--environment)";
-    assert_eq!(told("p.png"), format!("p.png: this is a PNG picture, {remedy}"));
+    assert_eq!(told("p.png"), format!("p.png: this is a PNG image, {remedy}"));
     assert_eq!(told("sky"), format!("sky: this is a built-in environment, {remedy}"));
     assert!(told("skyy").contains("there is no such file"));
 }

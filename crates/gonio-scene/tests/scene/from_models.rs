@@ -220,5 +220,5 @@ fn an_inspection_tells_where_everything_came_from() {
     let line = inspect::explain_line("t.obj", 10, &files, &Limits::default()).unwrap();
     assert!(line.text.starts_with("f 1/1/1"), "{line:?}");
     let error = inspect::explain_line("art/wood.png", 1, &files, &Limits::default()).unwrap_err().to_string();
-    assert!(error.starts_with("art/wood.png: this is a PNG picture"), "{error}");
+    assert!(error.starts_with("art/wood.png: this is a PNG image"), "{error}");
 }

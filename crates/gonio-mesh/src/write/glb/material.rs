@@ -55,8 +55,7 @@ impl MaterialWriter<'_, '_, '_> {
     }
 
     fn lost(&mut self, material: &Material, what: &str) {
-        let message =
-            || format!("the material {:?} has {what}, which glTF has no place for: not written", material.name);
+        let message = || format!("the material {:?} has {what}, which glTF cannot store: not written", material.name);
         self.reports.add_without_line("values of materials that are not written", Severity::Warning, message);
     }
 

@@ -38,7 +38,12 @@ pub struct TooLarge {
 
 impl fmt::Display for TooLarge {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the model takes {} bytes, and a .glb can hold {}: write another format", self.bytes, u32::MAX)
+        write!(
+            f,
+            "the model takes {} bytes, but a .glb can hold at most {}: write another format",
+            self.bytes,
+            u32::MAX
+        )
     }
 }
 

@@ -31,7 +31,7 @@ impl Textures {
                     missing.push(&map.path);
                     let why = match not_found.refused {
                         Some(refused) => format!("was not read: {refused}"),
-                        None => format!("was not found; looked for at {}", not_found.tried.join(", ")),
+                        None => format!("was not found; tried {}", not_found.tried.join(", ")),
                     };
                     let message = format!("the texture {:?} {why}", map.path);
                     let diagnostic = Diagnostic { line: map.line, ..Diagnostic::warning(message) };
