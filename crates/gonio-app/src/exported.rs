@@ -8,6 +8,7 @@ use crate::probing::Reading;
 use crate::session::comparison::{DifferenceFacts, PaneFacts};
 use crate::session::{Selection, Session, Severity, TakenApart};
 use egui::{Context, Id, Response, Ui};
+use gonio_scene::SceneFile;
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -174,14 +175,14 @@ pub fn state(ctx: &Context, document: &Document, session: &Session, history: &Hi
         "time": session.clock.time,
         "playing": session.clock.playing,
         "tab": session.tab.title(),
-        "scene": serde_json::to_value(&document.scene).unwrap_or(Value::Null),
+        "scene": serde_json::to_value(SceneFile::from(&document.scene)).unwrap_or(Value::Null),
         "panes": document.panes.list.len(),
         "dark": ctx.theme() == egui::Theme::Dark,
         "frame": {
             "size": session.facts.size,
             "draw_ms": session.facts.draw_ms,
             "pictures": session.facts.pictures,
-            "complete": session.loaded.as_ref().is_some_and(|l| l.scene.picture.samples == session.facts.samples),
+            "complete": session.loaded.as_ref().is_some_and(|l| l.settings.picture.samples == session.facts.samples),
             "frames": session.facts.frames,
             "renderer": session.facts.renderer,
             "notes": session.facts.notes,

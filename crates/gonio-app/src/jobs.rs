@@ -4,8 +4,7 @@ use crate::files::Recording;
 use gonio_mesh::{Limits, ReadError};
 use gonio_scene::edit::{self, Edited};
 use gonio_scene::files::{Budgeted, FileSource};
-use gonio_scene::scene_file::EnvironmentSpec;
-use gonio_scene::{Scene, SceneFile, load};
+use gonio_scene::{Scene, SceneFile, SceneSettings, load};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -34,9 +33,9 @@ pub enum Wanted {
     /// The same once more, for its scene file is another one now.
     Again(Opening),
     /// This scene, in the place of the document's: its files have to be read for a change of it.
-    Scene(Box<SceneFile>),
+    Scene(Box<SceneSettings>),
     /// The document's scene once more, for its files are others now.
-    Refresh(Box<SceneFile>),
+    Refresh(Box<SceneSettings>),
 }
 
 /// What came of it.
@@ -165,17 +164,18 @@ fn read(wanted: &Wanted, files: &dyn FileSource, limits: &Limits) -> Result<Scen
                 adjust(&mut scene);
             }
             if let Some(image) = &opening.environment {
-                scene.environment = Some(surrounded_by(image, scene.environment.take()));
+                scene.set_environment(image);
             }
             load::load_within(scene, Path::new(""), files, limits).map_err(sentence)
         }
         Wanted::Scene(scene) | Wanted::Refresh(scene) => {
-            let loaded = load::load_within((**scene).clone(), Path::new(""), files, limits).map_err(sentence)?;
+            let loaded =
+                load::load_within(SceneFile::from(&**scene), Path::new(""), files, limits).map_err(sentence)?;
             // Loading gives lights to a scene that has none; here somebody took them out.
-            if !scene.lights.is_empty() || loaded.scene.lights.is_empty() {
+            if !scene.lights.is_empty() || loaded.settings.lights.is_empty() {
                 return Ok(loaded);
             }
-            let mut dark = loaded.scene.clone();
+            let mut dark = loaded.settings.clone();
             dark.lights.clear();
             match edit::apply(&loaded, dark).map_err(|why| why.to_string())? {
                 Edited::Done(applied) => Ok(applied.loaded),
@@ -183,12 +183,6 @@ fn read(wanted: &Wanted, files: &dyn FileSource, limits: &Limits) -> Result<Scen
             }
         }
     }
-}
-
-/// An environment in the place of another: how it takes part stays, what was about the old picture does not.
-pub fn surrounded_by(image: &str, before: Option<EnvironmentSpec>) -> EnvironmentSpec {
-    let before = before.unwrap_or_default();
-    EnvironmentSpec { image: image.to_owned(), layout: None, size: None, background: None, ..before }
 }
 
 #[cfg(test)]
@@ -206,19 +200,19 @@ mod tests {
 
     #[test]
     fn lights_that_were_taken_out_stay_out() {
-        let mut scene = opened(cube()).scene;
+        let mut scene = opened(cube()).settings;
         assert!(!scene.lights.is_empty());
         scene.lights.clear();
         let wanted = Wanted::Refresh(Box::new(scene));
         let again = read(&wanted, &BuiltinOnly, &Limits::default()).unwrap_or_else(|e| panic!("{e}"));
-        assert!(again.scene.lights.is_empty());
+        assert!(again.settings.lights.is_empty());
     }
 
     #[test]
     fn options_and_an_environment_are_laid_over_what_is_opened() {
         let adjust: Adjust = Arc::new(|scene: &mut SceneFile| scene.picture.exposure = 2.0);
         let loaded = opened(Opening { environment: Some("debug".into()), adjust: Some(adjust), ..cube() });
-        assert_eq!(loaded.scene.picture.exposure, 2.0);
-        assert_eq!(loaded.scene.environment.map(|e| e.image).as_deref(), Some("debug"));
+        assert_eq!(loaded.settings.picture.exposure, 2.0);
+        assert_eq!(loaded.settings.environment.map(|e| e.image).as_deref(), Some("debug"));
     }
 }

@@ -7,7 +7,7 @@ use crate::action::Action;
 use crate::document::{Document, History};
 use crate::drawing::Studio;
 use crate::files::{Layered, link};
-use crate::jobs::{Finished, Jobs, Opening, Wanted, surrounded_by};
+use crate::jobs::{Finished, Jobs, Opening, Wanted};
 use crate::laboratory::{Laboratory, Start};
 use crate::platform::{Asked, Event, Given, Platform, Shown};
 use crate::session::{PathField, Session, Severity, Tab, TakenApart};
@@ -18,7 +18,7 @@ use gonio_mesh::Severity as Found;
 use gonio_scene::Scene;
 use gonio_scene::edit::{self, Edited};
 use gonio_scene::files::FileSource;
-use gonio_scene::scene_file::CameraSpec;
+use gonio_scene::settings::CameraSettings;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -37,7 +37,7 @@ pub struct Lab {
     files: Arc<dyn FileSource>,
     /// What was opened, and the camera that came of it.
     opened: Opening,
-    opened_camera: CameraSpec,
+    opened_camera: CameraSettings,
     /// What changed on disk and has not been read again.
     changed: Vec<PathBuf>,
     /// Files of the open scene that are watched on disk; the laboratory has its own.
@@ -86,7 +86,7 @@ impl Lab {
             jobs: Jobs::default(),
             files: platform.files(),
             opened: Opening::default(),
-            opened_camera: CameraSpec::default(),
+            opened_camera: CameraSettings::default(),
             changed: Vec::new(),
             read: Vec::new(),
             watched: Vec::new(),
@@ -220,8 +220,7 @@ impl Lab {
             Event::Open(Given { environment: Some(image), files, .. }) => {
                 // It lies elsewhere than what it is for.
                 self.files = Arc::new(Layered { first: files, then: self.files.clone() });
-                let before = self.document.scene.environment.take();
-                self.document.scene.environment = Some(surrounded_by(&image, before));
+                self.document.scene.set_environment(&image);
             }
             Event::Open(_) => {}
             Event::Handed(files) => self.hand_in(files),
@@ -280,9 +279,9 @@ impl Lab {
                 self.session.selection = Default::default();
                 self.session.probing.forget();
                 self.session.announcement = format!("{} is open", self.session.title);
-                self.document = Document::of(loaded.scene.clone());
+                self.document = Document::of(loaded.settings.clone());
                 self.history = History::new(&self.document);
-                self.opened_camera = loaded.scene.camera.clone();
+                self.opened_camera = loaded.settings.camera.clone();
                 self.remember(&opening.inputs);
                 self.opened = opening;
                 self.session.unframed = loaded.camera_was_framed;
@@ -293,8 +292,8 @@ impl Lab {
                 let camera = self.document.scene.camera.clone();
                 let was_moved = camera != self.opened_camera;
                 self.session.unframed = loaded.camera_was_framed && !was_moved;
-                self.opened_camera = loaded.scene.camera.clone();
-                self.document.scene = loaded.scene.clone();
+                self.opened_camera = loaded.settings.camera.clone();
+                self.document.scene = loaded.settings.clone();
                 if was_moved {
                     // Applied with the rest of the document, right after this.
                     self.document.scene.camera = camera;
@@ -305,10 +304,10 @@ impl Lab {
                 self.session.announcement = "what changed on disk was read again".into();
                 // What was edited meanwhile stays.
                 if *scene == self.document.scene {
-                    self.document.scene = loaded.scene.clone();
+                    self.document.scene = loaded.settings.clone();
                 }
             }
-            Wanted::Scene(_) => self.document.scene = loaded.scene.clone(),
+            Wanted::Scene(_) => self.document.scene = loaded.settings.clone(),
         }
         self.session.loaded = Some(Arc::new(loaded));
         self.session.generation += 1;
@@ -320,7 +319,7 @@ impl Lab {
         let Some(loaded) = self.session.loaded.as_ref().filter(|_| self.session.unframed) else { return };
         self.session.unframed = false;
         let aspect = f64::from(size.x) / f64::from(size.y.max(1.0));
-        let camera = loaded.framed(&loaded.scene.camera, aspect);
+        let camera = loaded.framed(&loaded.settings.camera, aspect);
         self.opened_camera = camera.clone();
         self.document.scene.camera = camera;
         self.history = History::new(&self.document);
@@ -330,13 +329,13 @@ impl Lab {
     /// Makes the loaded scene that of the document.
     fn follow_document(&mut self, ctx: &egui::Context) {
         let Some(loaded) = &self.session.loaded else { return };
-        if loaded.scene == self.document.scene || self.jobs.is_running() {
+        if loaded.settings == self.document.scene || self.jobs.is_running() {
             return;
         }
         match edit::apply(loaded, self.document.scene.clone()) {
             Ok(Edited::Done(applied)) => {
                 // What the description left open was filled in.
-                self.document.scene = applied.loaded.scene.clone();
+                self.document.scene = applied.loaded.settings.clone();
                 if applied.geometry_changed || applied.materials_changed || is_seen_otherwise(loaded, &applied.loaded) {
                     self.session.generation += 1;
                 }

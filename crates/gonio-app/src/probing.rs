@@ -252,7 +252,7 @@ mod tests {
         let before = read(&mut probing, &loaded, &frame);
         let tree = probing.geometry.clone();
         let mut darker = (*loaded).clone();
-        darker.scene.lights.clear();
+        darker.settings.lights.clear();
         let darker = Arc::new(darker);
         let frame = Frame { width: 200, height: 120, ..darker.frame(0.0) };
         let after = read(&mut probing, &darker, &frame);

@@ -9,7 +9,7 @@ use gonio_app::exported;
 use gonio_app::session::{Selection, Tab};
 use gonio_reference::ReferenceScene;
 use gonio_scene::Frame;
-use gonio_scene::scene_file::CameraSpec;
+use gonio_scene::settings::CameraSettings;
 use std::time::Duration;
 use support::Window;
 
@@ -115,7 +115,7 @@ fn what_is_dragged_is_left_where_it_is_released() {
     window.press(Modifiers::COMMAND, Key::Z);
     assert_eq!(*window.lab().document(), before);
 
-    let eye = |window: &Window| window.lab().document().scene.camera.position.map(DVec3::from).unwrap_or_default();
+    let eye = |window: &Window| DVec3::from(window.lab().document().scene.camera.position);
     let (ground, first) = (window.center("pane-0") + vec2(-200.0, 150.0), eye(&window));
     window.drag_and_release_at_once(ground, vec2(60.0, 0.0), vec2(60.0, 0.0));
     let at_once = eye(&window);
@@ -212,7 +212,7 @@ fn the_axes_the_views_and_the_second_camera() {
     let mut window = Window::open("views");
     let end = window.center("look-along-x");
     window.click_at(end);
-    let [x, y, z] = window.lab().document().scene.camera.position.unwrap_or_default();
+    let [x, y, z] = window.lab().document().scene.camera.position;
     assert!((x - 6.0).abs() < 1e-6 && y.abs() < 1e-6 && z.abs() < 1e-6, "from the end of x: {x}, {y}, {z}");
     // Letters go to the picture while the pointer is over it and nothing is typed into.
     let middle = window.center("pane-0");
@@ -248,8 +248,7 @@ fn what_is_opened_is_whole_in_the_picture() {
         let frame = Frame { width: width as u32, height: height as u32, ..loaded.frame(0.0) };
         // Where F would put it, but for the last digits of what was computed in other steps.
         let again = loaded.framed(&camera, f64::from(width) / f64::from(height));
-        let places =
-            |camera: &CameraSpec| [camera.position, camera.target].map(|place| DVec3::from(place.unwrap_or_default()));
+        let places = |camera: &CameraSettings| [camera.position, camera.target().unwrap_or_default()].map(DVec3::from);
         for (now, again) in places(&camera).into_iter().zip(places(&again)) {
             assert!(now.distance(again) < 1e-9, "{now} and {again}");
         }
@@ -263,7 +262,7 @@ fn what_is_opened_is_whole_in_the_picture() {
             assert!(place.x.abs() < 1.15 && place.y.abs() < 1.15, "{size}: corner {corner} is at {place}");
         }
         assert_eq!(window.lab().state(&window.harness.ctx)["undo"], false);
-        let [x, y, z] = camera.position.unwrap_or_default();
+        let [x, y, z] = camera.position;
         distances.push((x * x + y * y + z * z).sqrt());
     }
     // The narrow one is about as wide as it is high, the other half as wide again.

@@ -13,7 +13,7 @@ use glam::DVec3;
 use gonio_environment::Cubemap;
 use gonio_light::Quantity;
 use gonio_reference::ReferenceScene;
-use gonio_scene::scene_file::EnvironmentSpec;
+use gonio_scene::settings::EnvironmentSettings;
 use gonio_scene::{LoadedEnvironment, Scene, TextureFilter, ViewSpec};
 use std::sync::{Arc, LazyLock};
 
@@ -34,10 +34,9 @@ fn radiance(d: DVec3) -> DVec3 {
 static SMOOTH: LazyLock<Arc<LoadedEnvironment>> =
     LazyLock::new(|| Arc::new(LoadedEnvironment::new("waves", Cubemap::from_function(256, radiance))));
 
-fn surrounded(mut scene: Scene, environment: &Arc<LoadedEnvironment>, spec: EnvironmentSpec) -> Scene {
+fn surrounded(mut scene: Scene, environment: &Arc<LoadedEnvironment>, spec: EnvironmentSettings) -> Scene {
     scene.environment = Some(environment.clone());
-    // Off where a test does not ask for it.
-    scene.scene.environment = Some(EnvironmentSpec { light: spec.light.or(Some(false)), ..spec });
+    scene.settings.environment = Some(spec);
     scene
 }
 
@@ -47,7 +46,7 @@ fn scene(model: &str, shading: &str, material: &str) -> Scene {
 }
 
 fn scene_of(objects: &str) -> Scene {
-    surrounded(scene_from(CAMERA, "", LIGHTS, objects), &SMOOTH, EnvironmentSpec::default())
+    surrounded(scene_from(CAMERA, "", LIGHTS, objects), &SMOOTH, EnvironmentSettings::default())
 }
 
 fn object(model: &str, shading: &str, material: &str) -> String {
@@ -75,13 +74,13 @@ fn skies_from_everywhere() {
         ("position = [3, 3, 3]\ntarget = [0, 0, 0]", [0.0, 0.0, 77.0], 1.0),
         ("position = [-4, 3, -3]\ntarget = [0, 1, 0]", [123.0, 34.0, -56.0], 0.7),
     ] {
-        let spec = EnvironmentSpec { rotate, intensity, ..EnvironmentSpec::default() };
+        let spec = EnvironmentSettings { rotate, intensity, ..EnvironmentSettings::default() };
         let mut sky = surrounded(scene_from(camera, "", LIGHTS, &far), &SMOOTH, spec.clone());
         bench.check(&format!("{camera} {spec:?}"), &sky, None);
-        sky.scene.background.transparent = true;
+        sky.settings.background.transparent = true;
         bench.check(&format!("{camera} {spec:?} over nothing"), &sky, None);
         // Not seen, it leaves the background alone.
-        let hidden = EnvironmentSpec { visible: false, ..spec };
+        let hidden = EnvironmentSettings { visible: false, ..spec };
         let hidden = surrounded(scene_from(camera, "", LIGHTS, &far), &SMOOTH, hidden);
         let c = bench.compare(&hidden, None);
         assert!(c.close >= 0.995, "hidden: {:.3} % within 1/255", 100.0 * c.close);
@@ -95,7 +94,7 @@ fn another_environment_behind_the_objects() {
     let other = Cubemap::from_function(64, |d| radiance(-d) * DVec3::new(0.2, 1.0, 0.5));
     let environment = LoadedEnvironment::clone(&SMOOTH).with_background(other);
     let mirror = scene("sphere-smooth", "phong", "reflectivity = 1");
-    let two = surrounded(mirror.clone(), &Arc::new(environment), EnvironmentSpec::default());
+    let two = surrounded(mirror.clone(), &Arc::new(environment), EnvironmentSettings::default());
     bench.check("two environments", &two, None);
     assert_shows("the other", &two, &mirror);
 }
@@ -164,7 +163,8 @@ fn everything_between_mirror_glass_and_lit_surface() {
 fn turned_environments_in_mirrors_and_glass() {
     let mut bench = Bench::new();
     for material in ["reflectivity = 1", "medium = \"water\""] {
-        let spec = EnvironmentSpec { rotate: [200.0, -35.0, 80.0], intensity: 0.6, ..EnvironmentSpec::default() };
+        let spec =
+            EnvironmentSettings { rotate: [200.0, -35.0, 80.0], intensity: 0.6, ..EnvironmentSettings::default() };
         let turned = surrounded(scene("sphere-smooth", "phong", material), &SMOOTH, spec);
         bench.check(material, &turned, None);
         assert_shows("the turn", &turned, &scene("sphere-smooth", "phong", material));
@@ -185,7 +185,7 @@ fn glass_from_inside() {
             let objects = object("cube", shading, "textures = false, medium = \"glass\"");
             let objects = objects.replace("builtin:cube", &model.display().to_string());
             let scene = scene_from(from_above, &format!("two_sided = {two_sided}"), LIGHTS, &objects);
-            let scene = surrounded(scene, &SMOOTH, EnvironmentSpec::default());
+            let scene = surrounded(scene, &SMOOTH, EnvironmentSettings::default());
             bench.check(&format!("{shading} {two_sided}"), &scene, None);
             let reference = ReferenceScene::new(&scene);
             let frame = scene.frame(0.0);
@@ -243,7 +243,7 @@ fn hard_edges() {
     });
     let squares = Arc::new(LoadedEnvironment::new("squares", squares));
     for material in ["reflectivity = 1", "medium = \"glass\""] {
-        let scene = surrounded(scene("sphere-smooth", "phong", material), &squares, EnvironmentSpec::default());
+        let scene = surrounded(scene("sphere-smooth", "phong", material), &squares, EnvironmentSettings::default());
         let c = bench.compare(&scene, None);
         // From black to 10 over one texel: 1/512 of a pixel, across which a ball's mirror turns by a tenth of a texel at
         // its rim, is up to 1 there. As pictures the two must be the same all the same.
@@ -261,9 +261,9 @@ fn mip_levels() {
         Cubemap::from_function(512, |d| radiance(d) + DVec3::splat(0.4 * (150.0 * d.x).sin() * (130.0 * d.y).sin()));
     let fine = Arc::new(LoadedEnvironment::new("fine waves", fine));
     for material in ["reflectivity = 1", "medium = \"glass\", dispersion = 0.1"] {
-        let mut scene = surrounded(scene("sphere-smooth", "phong", material), &fine, EnvironmentSpec::default());
+        let mut scene = surrounded(scene("sphere-smooth", "phong", material), &fine, EnvironmentSettings::default());
         let linear = scene.clone();
-        scene.scene.picture.texture_filter = TextureFilter::Mipmap;
+        scene.settings.picture.texture_filter = TextureFilter::Mipmap;
         let c = bench.compare(&scene, None);
         assert!(c.close >= 0.9, "{material}: {:.3} % within 1/255", 100.0 * c.close);
         // Were no level chosen, or always the same one, less would agree.
@@ -291,11 +291,11 @@ fn skies_of_many_samples_and_in_bands() {
         let mut bench = Bench::with(es);
         for model in ["cube", "suzanne"] {
             let mut scene = scene(model, "phong", "reflectivity = 1");
-            scene.scene.picture.samples = 4;
+            scene.settings.picture.samples = 4;
             let c = bench.compare(&scene, None);
             assert!(c.close >= 0.95, "{model} es {es}: {:.3} % within 1/255", 100.0 * c.close);
             // Many rows: more than one band, and a last one that is not whole.
-            (scene.scene.picture.width, scene.scene.picture.height) = (700, 621);
+            (scene.settings.picture.width, scene.settings.picture.height) = (700, 621);
             let frame = scene.frame(0.0);
             let uploaded = bench.renderer.upload(&scene).unwrap();
             let whole = bench.renderer.render(&uploaded, &frame, None).unwrap().encoded8().unwrap();
@@ -315,8 +315,8 @@ fn light_of_the_environment() {
     let mut bench = Bench::new();
     let folder = tempfile::tempdir().unwrap();
     let textured = textured_model::write(folder.path());
-    let lit = EnvironmentSpec { light: Some(true), ..EnvironmentSpec::default() };
-    let turned = EnvironmentSpec { rotate: [200.0, -35.0, 80.0], intensity: 0.6, ..lit.clone() };
+    let lit = EnvironmentSettings { light: true, ..EnvironmentSettings::default() };
+    let turned = EnvironmentSettings { rotate: [200.0, -35.0, 80.0], intensity: 0.6, ..lit.clone() };
     for shading in ["flat", "flat-per-face", "gouraud", "phong"] {
         for (model, material) in [
             ("suzanne", CLAY.to_owned()),
@@ -345,7 +345,7 @@ fn light_of_the_environment() {
 #[test]
 fn exponents_below_one_are_one() {
     let mut bench = Bench::new();
-    let lit = EnvironmentSpec { light: Some(true), ..EnvironmentSpec::default() };
+    let lit = EnvironmentSettings { light: true, ..EnvironmentSettings::default() };
     for shading in ["gouraud", "phong"] {
         let one = object("suzanne", shading, &CLAY.replace("shininess = 32", "shininess = 1"));
         let one = surrounded(scene_from(CAMERA, "", LIGHTS, &one), &SMALL, lit.clone());
@@ -361,7 +361,7 @@ fn exponents_below_one_are_one() {
 #[test]
 fn matte_beside_glossy() {
     let mut bench = Bench::new();
-    let lit = EnvironmentSpec { light: Some(true), ..EnvironmentSpec::default() };
+    let lit = EnvironmentSettings { light: true, ..EnvironmentSettings::default() };
     let matte = object("suzanne", "phong", &CLAY.replace("specular = [0.5, 0.5, 0.5]", "specular = [0, 0, 0]"));
     let glossy = object("cube", "flat", CLAY).replace("translate = [0.2, 0.1,", "translate = [0.2, -2.5,");
     let scene = scene_from(CAMERA, "", LIGHTS, &format!("{matte}{glossy}"));
@@ -371,7 +371,7 @@ fn matte_beside_glossy() {
 #[test]
 fn views_of_the_environments_light() {
     let mut bench = Bench::new();
-    let lit = EnvironmentSpec { light: Some(true), ..EnvironmentSpec::default() };
+    let lit = EnvironmentSettings { light: true, ..EnvironmentSettings::default() };
     for shading in ["flat", "flat-per-face", "gouraud", "phong"] {
         let scene = scene_from(CAMERA, "", LIGHTS, &object("sphere-coarse-averaged", shading, CLAY));
         let scene = surrounded(scene, &SMALL, lit.clone());
@@ -385,9 +385,9 @@ fn views_of_the_environments_light() {
 fn blurred_skies() {
     for es in [false, true] {
         let mut bench = Bench::with(es);
-        let sharp = surrounded(scene("cube", "phong", CLAY), &SMALL, EnvironmentSpec::default());
+        let sharp = surrounded(scene("cube", "phong", CLAY), &SMALL, EnvironmentSettings::default());
         for blur in [0.2, 0.55, 1.0] {
-            let spec = EnvironmentSpec { blur, ..EnvironmentSpec::default() };
+            let spec = EnvironmentSettings { blur, ..EnvironmentSettings::default() };
             let scene = surrounded(scene("cube", "phong", CLAY), &SMALL, spec);
             bench.check(&format!("blur {blur} es {es}"), &scene, None);
             assert_shows("the blur", &scene, &sharp);
@@ -449,7 +449,7 @@ fn bodies_of_every_size_and_place() {
                 "[[object]]\nmodel = \"builtin:{model}\"\nshading = \"{shading}\"\n{place}\n\
                  material = {{ medium = \"glass\", surfaces = \"two\", absorption = [0.1, 0.2, 0.3] }}\n"
             );
-            let scene = surrounded(scene_from(camera, "", LIGHTS, &objects), &SMOOTH, EnvironmentSpec::default());
+            let scene = surrounded(scene_from(camera, "", LIGHTS, &objects), &SMOOTH, EnvironmentSettings::default());
             let c = bench.compare(&scene, None);
             let name = format!("{model} {place}");
             // f32 has 1e-3 for places 9,000 from the origin, a millionth of the object; glass turns it to some more.

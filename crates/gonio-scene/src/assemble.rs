@@ -2,7 +2,7 @@
 
 use crate::load::world_from_model;
 use crate::scene::{Object, ObjectPart, Scene};
-use crate::scene_file::SceneFile;
+use crate::scene_file::ObjectSpec;
 use crate::stock::MeshStock;
 use gonio_mesh::{Diagnostic, Mesh, tangents};
 use rayon::prelude::*;
@@ -12,7 +12,7 @@ use std::sync::Arc;
 /// a normal map wants them. `mesh_of_object` indexes `stock`, `first_material` the materials.
 pub(crate) fn assemble(
     loaded: &mut Scene,
-    scene: &SceneFile,
+    specs: &[ObjectSpec],
     stock: &mut [MeshStock],
     mesh_of_object: &[usize],
     first_material: &[usize],
@@ -20,7 +20,7 @@ pub(crate) fn assemble(
 ) {
     // A mesh of the stock with or without tangents, each once.
     let mut wanted: Vec<(usize, bool)> = Vec::new();
-    let mut index_of_object = Vec::with_capacity(scene.objects.len());
+    let mut index_of_object = Vec::with_capacity(specs.len());
     for (&mesh, &first) in mesh_of_object.iter().zip(first_material) {
         let has_normal_map = |material: usize| loaded.materials.get(material).is_some_and(|m| m.maps.normal.is_some());
         let parts = stock[mesh].any().map(|mesh| mesh.parts.as_slice()).unwrap_or_default();
@@ -41,7 +41,7 @@ pub(crate) fn assemble(
             continue;
         }
         let object = mesh_of_object.iter().position(|mesh| *mesh == m).unwrap_or(0);
-        let name = scene.objects.get(object).map_or("", |object| object.model.as_str());
+        let name = specs.get(object).map_or("", |object| object.model.as_str());
         let message = "a normal map is used, but the mesh has no texture coordinates to lay it along; it is not used";
         diagnostics.push(Diagnostic::warning(message).in_file(name));
     }
@@ -57,7 +57,7 @@ pub(crate) fn assemble(
         }
     }
     let last_material = loaded.materials.len().saturating_sub(1);
-    for (i, spec) in scene.objects.iter().enumerate() {
+    for (i, spec) in specs.iter().enumerate() {
         let mesh = &loaded.meshes[index_of_object[i]];
         let parts: Vec<ObjectPart> = mesh
             .parts

@@ -1,32 +1,31 @@
-//! A loaded scene after its description was edited, without reading its files again.
+//! A scene with edited settings, without reading its files again.
 //!
-//! A window edits the effective description (a light is dragged, a colour is chosen) many times a second. Everything
-//! that does not need another file or other normals follows from what [`crate::load`] left in the scene's
-//! [`crate::Stock`].
+//! A window edits the settings (a light is dragged, a colour is chosen) many times a second. Everything that does not
+//! need another file or other normals follows from what [`crate::load`] left in the scene's [`crate::Stock`].
 
 use crate::assemble::assemble;
-use crate::framing;
-use crate::load::{self, NormalChoice, lacks_surroundings, world_from_model};
+use crate::load::{NormalChoice, lacks_surroundings, world_from_model};
 use crate::material_binding::MaterialBinder;
 use crate::scene::Scene;
 use crate::scene_file::{ObjectSpec, SceneFile};
+use crate::settings::SceneSettings;
 use crate::validate::{self, Problem};
 use gonio_mesh::Diagnostic;
 use std::sync::{Arc, OnceLock};
 
-/// What [`apply`] gives.
+/// The result of [`apply`].
 #[derive(Debug)]
 pub enum Edited {
-    /// The scene as it is described now.
+    /// The scene with the new settings.
     Done(Box<Applied>),
-    /// The description, unchanged: it wants what has not been read, so [`crate::load::load`] is to be asked.
-    NeedsFiles(Box<SceneFile>),
+    /// The settings, unchanged: they need files that have not been read, so call [`crate::load::load`].
+    NeedsFiles(Box<SceneSettings>),
 }
 
 /// A scene after an edit.
 #[derive(Debug)]
 pub struct Applied {
-    /// As it is described now. Meshes, textures and environment are those of the scene before wherever they can be.
+    /// The scene with the new settings. It shares meshes, textures and environment with the scene before where it can.
     pub loaded: Scene,
     /// Triangles have come, gone or moved, became transparent or opaque, or belong to other materials.
     pub geometry_changed: bool,
@@ -34,21 +33,24 @@ pub struct Applied {
     pub materials_changed: bool,
 }
 
-/// The scene that an edited effective description stands for.
+/// Returns `loaded` with other settings.
 ///
 /// Needs no files for: picture, camera, background, equation; lights, as they come, go and change; how the environment
 /// takes part, and whether there is one; objects' places, shading and names, objects taken out, and copies of those that
 /// are there; the numbers of a material, and textures that were there before. It needs files for other models, normals,
 /// environments and textures that were never read.
 ///
-/// The description is taken at its word: what it leaves out is filled in as by [`crate::load::load`], but for lights, of
-/// which there are none where none are given. An error is one sentence that names the key, and nothing has changed then.
-pub fn apply(loaded: &Scene, mut scene: SceneFile) -> Result<Edited, Problem> {
-    validate::check(&scene)?;
+/// An object without a name gets that of its model. Settings without lights stay dark.
+///
+/// # Errors
+///
+/// The first value that is out of its range.
+pub fn apply(loaded: &Scene, mut scene: SceneSettings) -> Result<Edited, Problem> {
+    validate::check(&SceneFile::from(&scene))?;
     let stock = &loaded.stock;
     let known: Option<Vec<(usize, usize)>> = scene.objects.iter().map(|object| stock.find(object)).collect();
     let environment = scene.environment.as_ref().map(|spec| stock.environment(spec));
-    let Some(known) = known.filter(|_| scene.camera.from_model.is_none() && !matches!(environment, Some(None))) else {
+    let Some(known) = known.filter(|_| !matches!(environment, Some(None))) else {
         return Ok(Edited::NeedsFiles(Box::new(scene)));
     };
     for (object, (model, _)) in scene.objects.iter_mut().zip(&known) {
@@ -56,16 +58,13 @@ pub fn apply(loaded: &Scene, mut scene: SceneFile) -> Result<Edited, Problem> {
             object.name = stock.models[*model].object_name();
         }
     }
-    let same_things = loaded.scene.objects.len() == scene.objects.len()
+    let same_things = loaded.settings.objects.len() == scene.objects.len()
         && loaded.objects.len() == scene.objects.len()
-        && loaded.scene.objects.iter().zip(&scene.objects).all(|(before, now)| is_same_thing(before, now));
+        && loaded.settings.objects.iter().zip(&scene.objects).all(|(before, now)| is_same_thing(before, now));
     let next = if same_things { Some(moved(loaded, &scene)) } else { rebound(loaded, &scene, &known) };
     let Some(mut next) = next else { return Ok(Edited::NeedsFiles(Box::new(scene))) };
 
     next.environment = environment.flatten();
-    if let Some(spec) = &mut scene.environment {
-        spec.light.get_or_insert(scene.lights.is_empty());
-    }
     let about = lacks_surroundings();
     next.diagnostics.retain(|d| d.message != about.message);
     if next.environment.is_none() && next.materials.iter().any(|m| !m.optics.is_plain()) {
@@ -73,11 +72,8 @@ pub fn apply(loaded: &Scene, mut scene: SceneFile) -> Result<Edited, Problem> {
     }
     let geometry_changed = !same_things && !has_same_triangles(loaded, &next) || has_moved(loaded, &next);
     next.known_bounds = if geometry_changed { OnceLock::new() } else { loaded.known_bounds.clone() };
-    next.camera_was_framed = scene.camera.position.is_none();
-    load::fill_camera(&mut scene, &next);
-    scene.lights.iter_mut().for_each(framing::fill_light);
-    load::fill_equation(&mut scene);
-    next.scene = scene;
+    next.camera_was_framed = false;
+    next.settings = scene;
     let materials_changed =
         !same_things && (next.materials != loaded.materials || !are_same(&next.textures, &loaded.textures));
     Ok(Edited::Done(Box::new(Applied { loaded: next, geometry_changed, materials_changed })))
@@ -89,7 +85,7 @@ fn is_same_thing(before: &ObjectSpec, now: &ObjectSpec) -> bool {
 }
 
 /// The same objects, where they are now.
-fn moved(loaded: &Scene, scene: &SceneFile) -> Scene {
+fn moved(loaded: &Scene, scene: &SceneSettings) -> Scene {
     let mut next = loaded.clone();
     for (object, spec) in next.objects.iter_mut().zip(&scene.objects) {
         object.name.clone_from(&spec.name);
@@ -100,7 +96,7 @@ fn moved(loaded: &Scene, scene: &SceneFile) -> Scene {
 }
 
 /// Other objects or materials, of what is known; `None` where something is not.
-fn rebound(loaded: &Scene, scene: &SceneFile, known: &[(usize, usize)]) -> Option<Scene> {
+fn rebound(loaded: &Scene, scene: &SceneSettings, known: &[(usize, usize)]) -> Option<Scene> {
     let mut stock = (*loaded.stock).clone();
     let mut binder = MaterialBinder::of_stock(&stock.textures);
     let first_material: Vec<usize> = scene
@@ -118,7 +114,7 @@ fn rebound(loaded: &Scene, scene: &SceneFile, known: &[(usize, usize)]) -> Optio
         ..Scene::default()
     };
     let mut told: Vec<Diagnostic> = Vec::new();
-    assemble(&mut next, scene, &mut stock.meshes, &mesh_of_object, &first_material, &mut told);
+    assemble(&mut next, &scene.objects, &mut stock.meshes, &mesh_of_object, &first_material, &mut told);
     told.retain(|new| !loaded.diagnostics.contains(new));
     next.diagnostics.append(&mut told);
     next.stock = Arc::new(stock);

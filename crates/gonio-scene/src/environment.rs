@@ -102,13 +102,13 @@ impl Scene {
     /// How the environment takes part; `None` where there is none.
     pub fn surroundings(&self) -> Option<Surroundings> {
         self.environment.as_ref()?;
-        let spec = self.scene.environment.clone().unwrap_or_default();
+        let settings = self.settings.environment.clone().unwrap_or_default();
         Some(Surroundings {
-            environment_from_world: world_from_environment(spec.rotate).transpose(),
-            intensity: spec.intensity,
-            lights: spec.light.unwrap_or(false),
-            visible: spec.visible,
-            blur: spec.blur,
+            environment_from_world: world_from_environment(settings.rotate).transpose(),
+            intensity: settings.intensity,
+            lights: settings.light,
+            visible: settings.visible,
+            blur: settings.blur,
         })
     }
 }

@@ -2,17 +2,17 @@
 
 use crate::camera::Camera;
 use crate::environment::Surroundings;
-use crate::framing::{DEFAULT_SPOT_ANGLES, Extent};
-use crate::load::camera_of;
+use crate::framing::Extent;
 use crate::motion::position_at;
 use crate::scene::Scene;
-use crate::scene_file::{EquationSpec, LightSourceKind, LightSpec};
+use crate::scene_file::LightSourceKind;
+use crate::settings::{EquationSettings, LightSettings};
 use crate::texture::TextureFilter;
 use glam::{DQuat, DVec3};
 use gonio_light::brdf::BrdfSettings;
 use gonio_light::color::OutputTransform;
 use gonio_light::vector::unit;
-use gonio_light::{Attenuation, Convention, Equation, Light, LightKind, TermSwitches};
+use gonio_light::{Attenuation, Equation, Light, LightKind, TermSwitches};
 
 /// What is seen where there is no object: linear radiance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,19 +70,18 @@ pub struct Frame {
 }
 
 impl Scene {
-    /// The scene at `time`, seconds. The effective scene has every default filled in, so nothing can
-    /// be missing.
+    /// The scene at `time`, seconds.
     pub fn frame(&self, time: f64) -> Frame {
-        let scene = &self.scene;
+        let scene = &self.settings;
         let (bounds_min, bounds_max) = self.bounds();
         Frame {
             width: scene.picture.width,
             height: scene.picture.height,
             samples: scene.picture.samples,
             time,
-            camera: camera_of(&scene.camera),
+            camera: scene.camera.to_camera(),
             lights: scene.lights.iter().map(|light| light_at(light, time)).collect(),
-            equation: equation_of(&scene.equation),
+            equation: Equation::from(&scene.equation),
             two_sided: scene.equation.two_sided,
             background: Background {
                 top: scene.background.top.into(),
@@ -137,15 +136,14 @@ impl Scene {
     /// What an orbit goes around: the point looked at, or the objects' middle where the camera looks
     /// along angles.
     fn orbit_pivot(&self, frame: &Frame) -> DVec3 {
-        self.scene.camera.target.map_or(0.5 * (frame.bounds_min + frame.bounds_max), DVec3::from)
+        self.settings.camera.target().map_or(0.5 * (frame.bounds_min + frame.bounds_max), DVec3::from)
     }
 
     /// `frame` with its camera turned by `angle_rad` about the vertical axis (the scene's `up`)
     /// through the point it looks at, or through the objects' middle where it looks along angles.
     /// Positive angles move the eye to the right, as seen from the eye. The lights stay.
     pub fn orbit(&self, frame: &Frame, angle_rad: f64) -> Frame {
-        let spec = &self.scene.camera;
-        let axis = spec.up.and_then(|up| unit(up.into())).unwrap_or(DVec3::Y);
+        let axis = unit(self.settings.camera.up.into()).unwrap_or(DVec3::Y);
         let pivot = self.orbit_pivot(frame);
         let turn = DQuat::from_axis_angle(axis, angle_rad);
         let camera = Camera {
@@ -159,57 +157,50 @@ impl Scene {
     }
 }
 
-/// A light of a complete description, where it is at `time`.
-fn light_at(spec: &LightSpec, time: f64) -> Light {
-    let position = DVec3::from(spec.position.unwrap_or_default());
-    let position = spec.motion.as_ref().map_or(position, |motion| position_at(motion, position, time));
-    let direction = spec.direction.and_then(|d| unit(d.into())).unwrap_or(DVec3::NEG_Y);
-    let (inner, outer) = DEFAULT_SPOT_ANGLES;
-    let kind = match spec.kind {
+/// The light at `time`, seconds.
+fn light_at(light: &LightSettings, time: f64) -> Light {
+    let position = DVec3::from(light.position.unwrap_or_default());
+    let position = light.motion.as_ref().map_or(position, |motion| position_at(motion, position, time));
+    let direction = light.direction.and_then(|d| unit(d.into())).unwrap_or(DVec3::NEG_Y);
+    let kind = match light.kind {
         LightSourceKind::Ambient => LightKind::Ambient,
         LightSourceKind::Directional => LightKind::Directional { direction },
         LightSourceKind::Point => LightKind::Point { position },
         LightSourceKind::Spot => LightKind::Spot {
             position,
             axis: direction,
-            inner_rad: spec.inner_angle.unwrap_or(inner).to_radians(),
-            outer_rad: spec.outer_angle.unwrap_or(outer).to_radians(),
+            inner_rad: light.inner_angle.to_radians(),
+            outer_rad: light.outer_angle.to_radians(),
         },
     };
     Light {
         kind,
         // One that is off stays in its place, so that the others keep their numbers.
-        color: if spec.is_on() {
-            spec.color.map_or(DVec3::ONE, DVec3::from) * spec.intensity.unwrap_or(1.0)
-        } else {
-            DVec3::ZERO
-        },
-        attenuation: Attenuation {
-            constant: spec.constant.unwrap_or(1.0),
-            linear: spec.linear.unwrap_or(0.0),
-            quadratic: spec.quadratic.unwrap_or(0.0),
-        },
+        color: if light.enabled { DVec3::from(light.color) * light.intensity } else { DVec3::ZERO },
+        attenuation: Attenuation { constant: light.constant, linear: light.linear, quadratic: light.quadratic },
     }
 }
 
-fn equation_of(spec: &EquationSpec) -> Equation {
-    Equation {
-        convention: spec.convention,
-        specular: spec.specular,
-        brdf: spec.brdf.map(|kind| BrdfSettings {
-            kind,
-            normalised: spec.brdf_normalised,
-            lafortune: spec.lafortune.into(),
-        }),
-        gated: spec.gated,
-        cosine_weighted: spec.cosine_weighted.unwrap_or(spec.convention == Convention::Physical),
-        terms: TermSwitches {
-            ambient: spec.ambient,
-            emitted: spec.emitted,
-            diffuse: spec.diffuse,
-            specular: spec.specular_term,
-            attenuation: spec.attenuation,
-            spot: spec.spot,
-        },
+impl From<&EquationSettings> for Equation {
+    fn from(settings: &EquationSettings) -> Self {
+        Equation {
+            convention: settings.convention,
+            specular: settings.specular,
+            brdf: settings.brdf.map(|kind| BrdfSettings {
+                kind,
+                normalised: settings.brdf_normalised,
+                lafortune: settings.lafortune.into(),
+            }),
+            gated: settings.gated,
+            cosine_weighted: settings.cosine_weighted,
+            terms: TermSwitches {
+                ambient: settings.ambient,
+                emitted: settings.emitted,
+                diffuse: settings.diffuse,
+                specular: settings.specular_term,
+                attenuation: settings.attenuation,
+                spot: settings.spot,
+            },
+        }
     }
 }

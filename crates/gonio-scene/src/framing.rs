@@ -1,18 +1,15 @@
-//! A scene without camera or lights gets pleasant ones.
+//! The camera that frames the objects, and the lights of a scene that has none: a three-point rig.
 
 use crate::camera::Camera;
 use crate::color_value::Color;
-use crate::load::camera_of;
+use crate::defaults;
 use crate::scene::Scene;
-use crate::scene_file::{CameraSpec, EquationSpec, LightSourceKind, LightSpec, MotionSpec};
+use crate::scene_file::{CameraSpec, LightSourceKind};
+use crate::settings::{Aim, CameraSettings, EquationSettings, LightSettings};
 use glam::{DQuat, DVec3};
 use gonio_light::Convention;
 use gonio_light::vector::unit;
 
-/// Full vertical field of view where none is given, degrees: near what a portrait lens sees.
-pub const DEFAULT_FOV_Y: f64 = 40.0;
-/// Half angles of a spot where none are given, degrees.
-pub const DEFAULT_SPOT_ANGLES: (f64, f64) = (20.0, 30.0);
 /// The share of the picture's half width or height that the objects fill.
 const FILLED: f64 = 0.92;
 /// Most that far may be of near: beyond, a 24-bit depth buffer gets coarse.
@@ -49,83 +46,72 @@ impl Around {
     }
 }
 
-/// Fills in what `camera` lacks, so that all objects are in a picture of this `aspect` (width over
-/// height) where the camera's place is free.
-pub(crate) fn fill_camera(camera: &mut CameraSpec, around: Around, objects: &dyn Extent, aspect: f64) {
-    let up = unit(camera.up.map_or(DVec3::Y, DVec3::from)).unwrap_or(DVec3::Y);
-    camera.up.get_or_insert(DVec3::Y.to_array());
-    let fov_y = *camera.fov_y.get_or_insert(DEFAULT_FOV_Y);
-    let by_angles = camera.yaw.is_some() || camera.pitch.is_some();
-    if by_angles {
-        camera.yaw.get_or_insert(-90.0);
-        camera.pitch.get_or_insert(0.0);
-    }
-    let front = match (camera.position, camera.target) {
-        _ if by_angles => Camera::direction_of(camera.yaw.unwrap_or(-90.0), camera.pitch.unwrap_or(0.0)),
-        (Some(position), target) => {
-            let position = DVec3::from(position);
-            let target = target.map_or(around.center, DVec3::from);
-            unit(target - position).unwrap_or(DVec3::NEG_Z)
+/// The camera of a scene file with every default filled in: where its position is free, all objects are in a picture of
+/// this `aspect` (width over height).
+pub(crate) fn complete_camera(spec: &CameraSpec, around: Around, objects: &dyn Extent, aspect: f64) -> CameraSettings {
+    let world_up = spec.up.unwrap_or(defaults::UP);
+    let up = unit(world_up.into()).unwrap_or(DVec3::Y);
+    let fov_y = spec.fov_y.unwrap_or(defaults::FOV_Y);
+    let angles = (spec.yaw.is_some() || spec.pitch.is_some())
+        .then(|| (spec.yaw.unwrap_or(defaults::YAW), spec.pitch.unwrap_or(defaults::PITCH)));
+    let front = match (angles, spec.position) {
+        (Some((yaw, pitch)), _) => Camera::direction_of(yaw, pitch),
+        (None, Some(position)) => {
+            let target = spec.target.map_or(around.center, DVec3::from);
+            unit(target - DVec3::from(position)).unwrap_or(DVec3::NEG_Z)
         }
-        (None, _) => -(DQuat::from_rotation_arc(DVec3::Y, up) * pleasant_direction(up, around, objects)),
+        (None, None) => -(DQuat::from_rotation_arc(DVec3::Y, up) * direction_to_eye(up, around, objects)),
     };
-    if camera.position.is_none() {
-        let fit = Fit::new(front, up, fov_y, aspect, around.center, objects);
-        let (position, target) = match camera.target {
-            Some(target) => {
-                let target = DVec3::from(target);
-                (target - front * fit.distance_from(target, around.radius), target)
-            }
-            None => fit.whole(around.radius),
-        };
-        camera.position = Some(around.tidy(position));
-        if !by_angles && camera.target.is_none() {
-            camera.target = Some(around.tidy(target));
+    let (position, target) = match (spec.position, spec.target) {
+        (Some(position), Some(target)) => (position, target),
+        (Some(position), None) => {
+            let eye = DVec3::from(position);
+            let target = if unit(around.center - eye).is_some() { around.center } else { eye + front };
+            (position, target.to_array())
         }
-    } else if !by_angles && camera.target.is_none() {
-        let position = camera.position.map_or(DVec3::ZERO, DVec3::from);
-        let target = if unit(around.center - position).is_some() { around.center } else { position + front };
-        camera.target = Some(target.to_array());
-    }
-    let distance = camera.position.map_or(0.0, |p| DVec3::from(p).distance(around.center));
-    fill_planes(camera, distance, around.radius);
+        (None, Some(target)) => {
+            let fit = Fit::new(front, up, fov_y, aspect, around.center, objects);
+            let at = DVec3::from(target);
+            (around.tidy(at - front * fit.distance_from(at, around.radius)), target)
+        }
+        (None, None) => {
+            let fit = Fit::new(front, up, fov_y, aspect, around.center, objects);
+            let (position, target) = fit.whole(around.radius);
+            (around.tidy(position), around.tidy(target))
+        }
+    };
+    let aim = angles.map_or(Aim::Target(target), |(yaw, pitch)| Aim::Angles { yaw, pitch });
+    let distance = DVec3::from(position).distance(around.center);
+    let (near, far) = planes((spec.near, spec.far), distance, around.radius);
+    CameraSettings { position, aim, up: world_up, fov_y, near, far }
 }
 
-/// For a camera that moves: where it has to stand, and what it must not cut off.
 impl Scene {
-    /// `camera` at the place from which all objects are in a picture of this `aspect` (width over height); it looks the
-    /// same way as before, with the same field of view.
-    pub fn framed(&self, camera: &CameraSpec, aspect: f64) -> CameraSpec {
+    /// `camera` moved so that all objects are in a picture of this `aspect` (width over height). Its direction and its
+    /// field of view stay.
+    pub fn framed(&self, camera: &CameraSettings, aspect: f64) -> CameraSettings {
         let (min, max) = self.bounds();
         let around = Around::new(min, max);
-        let now = camera_of(camera);
-        let fov_y = camera.fov_y.unwrap_or(DEFAULT_FOV_Y);
-        let up = camera.up.and_then(|up| unit(up.into())).unwrap_or(DVec3::Y);
-        let (position, target) = Fit::new(now.front, up, fov_y, aspect, around.center, self).whole(around.radius);
-        let framed = CameraSpec {
-            position: Some(position.to_array()),
-            target: Some(target.to_array()),
-            yaw: None,
-            pitch: None,
-            ..camera.clone()
-        };
-        self.with_planes(framed)
+        let front = camera.to_camera().front;
+        let up = unit(camera.up.into()).unwrap_or(DVec3::Y);
+        let fit = Fit::new(front, up, camera.fov_y, aspect, around.center, self);
+        let (position, target) = fit.whole(around.radius);
+        let aim = Aim::Target(target.to_array());
+        self.with_planes(CameraSettings { position: position.to_array(), aim, ..camera.clone() })
     }
 
-    /// `camera` with near and far planes for the place where it stands: no object is cut off, if the depth buffer
-    /// allows it.
-    pub fn with_planes(&self, camera: CameraSpec) -> CameraSpec {
+    /// `camera` with near and far planes that suit its position: no object is cut off, if the depth buffer allows it.
+    pub fn with_planes(&self, camera: CameraSettings) -> CameraSettings {
         let (min, max) = self.bounds();
         let around = Around::new(min, max);
-        let distance = camera.position.map_or(0.0, |p| DVec3::from(p).distance(around.center));
-        let mut camera = CameraSpec { near: None, far: None, ..camera };
-        fill_planes(&mut camera, distance, around.radius);
-        camera
+        let distance = DVec3::from(camera.position).distance(around.center);
+        let (near, far) = planes((None, None), distance, around.radius);
+        CameraSettings { near, far, ..camera }
     }
 }
 
 /// Unit vector from the objects to the eye, for Y up.
-fn pleasant_direction(up: DVec3, around: Around, objects: &dyn Extent) -> DVec3 {
+fn direction_to_eye(up: DVec3, around: Around, objects: &dyn Extent) -> DVec3 {
     let height: f64 = objects.support(&[up, -up]).iter().sum();
     let width = (4.0 * around.radius * around.radius - height * height).max(0.0).sqrt();
     let flatness = if height > 0.0 { ((0.6 - height / width) / 0.4).clamp(0.0, 1.0) } else { 1.0 };
@@ -184,85 +170,59 @@ impl Fit {
     }
 }
 
-/// Near and far around everything, with room for turning and flying.
-fn fill_planes(camera: &mut CameraSpec, distance: f64, radius: f64) {
+/// Near and far around everything, with room for turning and flying, as far as they are not `given`.
+fn planes(given: (Option<f64>, Option<f64>), distance: f64, radius: f64) -> (f64, f64) {
     let far = round_significant(1.5 * (distance + radius), f64::ceil);
-    let far = camera.far.unwrap_or_else(|| far.max(camera.near.unwrap_or(0.0) * 1e3));
+    let far = given.1.unwrap_or_else(|| far.max(given.0.unwrap_or(0.0) * 1e3));
     let near = round_significant((0.5 * (distance - 1.2 * radius)).max(far / FAR_OVER_NEAR), f64::ceil);
-    let near = camera.near.unwrap_or(if near < far { near } else { far / FAR_OVER_NEAR });
-    (camera.near, camera.far) = (Some(near), Some(far));
+    let near = given.0.unwrap_or(if near < far { near } else { far / FAR_OVER_NEAR });
+    (near, far)
 }
 
 /// Key from the upper left front, fill from the right, rim from behind, and a little from everywhere.
 ///
 /// In the lab's convention a white wall facing the key is lit by 0.84 in all, so that nothing but
 /// highlights reaches the display's limit; where `diff` is 1/pi the lights are pi times as strong.
-pub(crate) fn portrait_lights(camera: &Camera, around: Around, equation: &EquationSpec) -> Vec<LightSpec> {
+pub(crate) fn three_point_lights(camera: &Camera, around: Around, equation: &EquationSettings) -> Vec<LightSettings> {
     let unit_light = match (equation.convention, equation.brdf) {
         (Convention::Lab, None) => 1.0,
         _ => std::f64::consts::PI,
     };
     let (right, up, back) = (camera.right, camera.up, -camera.front);
     let way = |r: f64, u: f64, b: f64| unit(r * right + u * up + b * back).unwrap_or(DVec3::Y);
-    let strength = |s: f64| Some(round_decimals(s * unit_light, 3));
-    let color = |r: f64, g: f64, b: f64| Some(Color([r, g, b]));
+    let strength = |s: f64| round_decimals(s * unit_light, 3);
+    let color = |r: f64, g: f64, b: f64| Color([r, g, b]);
     let coming_from = |d: DVec3| Some((-d).to_array().map(|c| round_decimals(c, 3)));
     vec![
-        LightSpec {
-            kind: LightSourceKind::Point,
+        LightSettings {
             name: "key".into(),
             position: Some(around.tidy(around.center + 4.0 * around.radius * way(-0.6, 0.7, 0.8))),
             color: color(1.0, 0.95, 0.88),
             intensity: strength(0.78),
-            ..LightSpec::default()
+            ..LightSettings::new(LightSourceKind::Point)
         },
-        LightSpec {
-            kind: LightSourceKind::Directional,
+        LightSettings {
             name: "fill".into(),
             direction: coming_from(way(0.9, 0.1, 0.6)),
             color: color(0.75, 0.87, 1.0),
             intensity: strength(0.2),
-            ..LightSpec::default()
+            ..LightSettings::new(LightSourceKind::Directional)
         },
-        LightSpec {
-            kind: LightSourceKind::Directional,
+        LightSettings {
             name: "rim".into(),
             direction: coming_from(way(0.35, 0.65, -0.9)),
             color: color(0.95, 0.97, 1.0),
             intensity: strength(0.35),
-            ..LightSpec::default()
+            ..LightSettings::new(LightSourceKind::Directional)
         },
-        LightSpec {
-            kind: LightSourceKind::Ambient,
+        LightSettings {
             name: "ambient".into(),
             color: color(0.9, 0.95, 1.0),
             // Ambient light has no pi in either convention.
-            intensity: Some(0.08),
-            ..LightSpec::default()
+            intensity: 0.08,
+            ..LightSettings::new(LightSourceKind::Ambient)
         },
     ]
-}
-
-/// Fills in what a light lacks.
-pub(crate) fn fill_light(light: &mut LightSpec) {
-    use LightSourceKind::{Point, Spot};
-    light.color.get_or_insert(Color::grey(1.0));
-    light.intensity.get_or_insert(1.0);
-    if matches!(light.kind, Point | Spot) {
-        light.linear.get_or_insert(0.0);
-        light.quadratic.get_or_insert(0.0);
-        light.constant.get_or_insert(1.0);
-        let path = light.motion.as_ref().and_then(|m| m.points.as_ref());
-        light.position = light.position.or_else(|| path.and_then(|points| points.first().copied()));
-    }
-    if light.kind == Spot {
-        let (inner, outer) = DEFAULT_SPOT_ANGLES;
-        let outer = *light.outer_angle.get_or_insert(outer.max(light.inner_angle.unwrap_or(0.0)));
-        light.inner_angle.get_or_insert(inner.min(outer));
-    }
-    if let Some(MotionSpec { center: Some(_), axis, .. }) = &mut light.motion {
-        axis.get_or_insert(DVec3::Y.to_array());
-    }
 }
 
 /// To so many decimals (negative: tens, hundreds); the nearest number that prints that short.

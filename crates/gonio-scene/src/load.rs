@@ -1,7 +1,6 @@
 //! From a scene's description to a loaded scene.
 
 use crate::assemble::assemble;
-use crate::camera::Camera;
 use crate::environment_file;
 use crate::files::{self, Budgeted, FileSource};
 use crate::framing::{self, Around};
@@ -9,11 +8,12 @@ use crate::material_binding::MaterialBinder;
 use crate::model_file::{self, ModelFile};
 use crate::model_scene;
 use crate::scene::{Scene, SceneMaterial};
-use crate::scene_file::{CameraSpec, MaterialOverride, Normals, ObjectSpec, SceneFile};
+use crate::scene_file::{MaterialOverride, Normals, ObjectSpec, SceneFile};
+use crate::settings::{EnvironmentSettings, EquationSettings, LightSettings, SceneSettings};
 use crate::stock::{self, MaterialSource, MeshStock, ModelStock, Stock};
 use crate::validate;
 use glam::{DMat4, DQuat, DVec3};
-use gonio_light::{Convention, Fresnel, Optics};
+use gonio_light::{Fresnel, Optics};
 use gonio_mesh::normals::Averaging;
 use gonio_mesh::{Diagnostic, Limits, Material, Mesh, ReadError, normals, topology};
 use rayon::prelude::*;
@@ -30,7 +30,7 @@ struct PreparedMesh {
 
 /// Reads the files of `scene`, relative to `base`, and fills in every default.
 ///
-/// A scene without lights has those of its models' files; without any there either, pleasant ones.
+/// A scene without lights gets those of its models' files; otherwise a default three-point rig.
 pub fn load(scene: SceneFile, base: &Path, files: &dyn FileSource) -> Result<Scene, ReadError> {
     load_within(scene, base, files, &Limits::default())
 }
@@ -128,24 +128,22 @@ pub fn load_within(
     }
 
     let mut loaded = Scene { materials: bound.materials, textures: bound.textures, ..Scene::default() };
-    assemble(&mut loaded, &scene, &mut stock.meshes, &prepared_of_object, &first_material, &mut diagnostics);
+    assemble(&mut loaded, &scene.objects, &mut stock.meshes, &prepared_of_object, &first_material, &mut diagnostics);
     model_scene::take_camera(&mut scene, &models, &model_of_object)?;
     model_scene::take_lights(&mut scene, &models, &model_of_object, loaded.bounds(), &mut diagnostics);
     if let Some(mut read) = environment {
         diagnostics.append(&mut read.diagnostics);
         if let Some(spec) = &mut scene.environment {
             (spec.layout, spec.size) = (read.layout, read.size);
-            spec.light.get_or_insert(scene.lights.is_empty());
         }
         loaded.environment = Some(Arc::new(read.environment));
-        stock.environment = scene.environment.clone().zip(loaded.environment.clone());
     } else if loaded.materials.iter().any(|m| !m.optics.is_plain()) {
         diagnostics.push(lacks_surroundings());
     }
-    loaded.stock = Arc::new(stock);
     loaded.camera_was_framed = scene.camera.position.is_none();
-    fill_in(&mut scene, &loaded);
-    loaded.scene = scene;
+    loaded.settings = complete(scene, &loaded);
+    stock.environment = loaded.settings.environment.clone().zip(loaded.environment.clone());
+    loaded.stock = Arc::new(stock);
     loaded.diagnostics = diagnostics;
     Ok(loaded)
 }
@@ -191,29 +189,21 @@ pub(crate) fn lacks_surroundings() -> Diagnostic {
     )
 }
 
-/// Every default that depends on the objects, and every other.
-fn fill_in(scene: &mut SceneFile, loaded: &Scene) {
-    let around = fill_camera(scene, loaded);
-    let lit_by_environment = scene.environment.as_ref().is_some_and(|e| e.light == Some(true));
-    if scene.lights.is_empty() && !lit_by_environment {
-        scene.lights = framing::portrait_lights(&camera_of(&scene.camera), around, &scene.equation);
-    }
-    scene.lights.iter_mut().for_each(framing::fill_light);
-    fill_equation(scene);
-}
-
-/// What the camera lacks.
-pub(crate) fn fill_camera(scene: &mut SceneFile, loaded: &Scene) -> Around {
-    let (min, max) = loaded.bounds();
+/// The settings of a scene file whose objects are read.
+fn complete(file: SceneFile, scene: &Scene) -> SceneSettings {
+    let SceneFile { picture, camera, background, environment, equation, objects, lights } = file;
+    let (min, max) = scene.bounds();
     let around = Around::new(min, max);
-    let aspect = f64::from(scene.picture.width) / f64::from(scene.picture.height);
-    framing::fill_camera(&mut scene.camera, around, loaded, aspect);
-    around
-}
-
-/// What the equation leaves to its convention.
-pub(crate) fn fill_equation(scene: &mut SceneFile) {
-    scene.equation.cosine_weighted.get_or_insert(scene.equation.convention == Convention::Physical);
+    let aspect = f64::from(picture.width) / f64::from(picture.height);
+    let camera = framing::complete_camera(&camera, around, scene, aspect);
+    let environment = environment.map(|spec| EnvironmentSettings::new(spec, lights.is_empty()));
+    let equation = EquationSettings::from(equation);
+    let lights = if lights.is_empty() && !environment.as_ref().is_some_and(|e| e.light) {
+        framing::three_point_lights(&camera.to_camera(), around, &equation)
+    } else {
+        lights.into_iter().map(LightSettings::from).collect()
+    };
+    SceneSettings { picture, camera, background, environment, equation, objects, lights }
 }
 
 /// `M = T * Rz * Ry * Rx * S`: scaled, then turned about the world's x, y and z axes, then moved.
@@ -221,23 +211,6 @@ pub fn world_from_model(object: &ObjectSpec) -> DMat4 {
     let [x, y, z] = object.rotate.map(f64::to_radians);
     let rotation = DQuat::from_rotation_z(z) * DQuat::from_rotation_y(y) * DQuat::from_rotation_x(x);
     DMat4::from_scale_rotation_translation(object.scale.into(), rotation, object.translate.into())
-}
-
-/// The camera of a complete description; what is missing is taken as by default, unframed.
-pub fn camera_of(spec: &CameraSpec) -> Camera {
-    let position = DVec3::from(spec.position.unwrap_or_default());
-    let direction = match spec.target {
-        Some(target) => DVec3::from(target) - position,
-        None => Camera::direction_of(spec.yaw.unwrap_or(-90.0), spec.pitch.unwrap_or(0.0)),
-    };
-    Camera::looking_along(
-        position,
-        direction,
-        spec.up.map_or(DVec3::Y, DVec3::from),
-        spec.fov_y.unwrap_or(framing::DEFAULT_FOV_Y).to_radians(),
-        spec.near.unwrap_or(0.1),
-        spec.far.unwrap_or(100.0),
-    )
 }
 
 /// The material of an object: the model's, with what the scene puts in its place.

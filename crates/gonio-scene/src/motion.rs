@@ -1,6 +1,6 @@
 //! Where a moving light is.
 
-use crate::scene_file::{MotionKind, MotionSpec};
+use crate::settings::{Motion, MotionPath};
 use glam::{DQuat, DVec3};
 use gonio_light::vector::unit;
 use std::f64::consts::TAU;
@@ -8,19 +8,19 @@ use std::f64::consts::TAU;
 /// The place at `time`, seconds, of a light that stands at `position` where it does not move.
 ///
 /// All motions repeat after `period` and start, at time 0, at `position` (a path: at its first point).
-pub fn position_at(motion: &MotionSpec, position: DVec3, time: f64) -> DVec3 {
+pub fn position_at(motion: &Motion, position: DVec3, time: f64) -> DVec3 {
     let turns = time / motion.period;
     if !turns.is_finite() {
         return position;
     }
-    match motion.kind {
-        MotionKind::Oscillate => position + DVec3::from(motion.amplitude.unwrap_or_default()) * (TAU * turns).sin(),
-        MotionKind::Circle => {
-            let center = DVec3::from(motion.center.unwrap_or_default());
-            let axis = unit(DVec3::from(motion.axis.unwrap_or([0.0, 1.0, 0.0]))).unwrap_or(DVec3::Y);
+    match &motion.path {
+        MotionPath::Oscillate { amplitude } => position + DVec3::from(*amplitude) * (TAU * turns).sin(),
+        MotionPath::Circle { center, axis } => {
+            let center = DVec3::from(*center);
+            let axis = unit(DVec3::from(*axis)).unwrap_or(DVec3::Y);
             center + DQuat::from_axis_angle(axis, TAU * turns) * (position - center)
         }
-        MotionKind::Path => along(motion.points.as_deref().unwrap_or_default(), turns - turns.floor(), position),
+        MotionPath::Path { points } => along(points, turns - turns.floor(), position),
     }
 }
 

@@ -2,7 +2,8 @@
 
 use crate::environment::LoadedEnvironment;
 use crate::framing::Extent;
-use crate::scene_file::{SceneFile, Shading};
+use crate::scene_file::Shading;
+use crate::settings::SceneSettings;
 use crate::stock::Stock;
 use crate::texture::Texture;
 use glam::{DMat4, DVec3};
@@ -16,8 +17,8 @@ pub const HOLE_OPACITY: f64 = 1.0 / 255.0;
 /// A scene with its files read: what both renderers draw. Cloning shares geometry, textures and environment.
 #[derive(Clone, Debug, Default)]
 pub struct Scene {
-    /// The effective scene: every default filled in.
-    pub scene: SceneFile,
+    /// Its settings, every default filled in.
+    pub settings: SceneSettings,
     /// Geometry; every mesh has normals.
     pub meshes: Vec<Arc<Mesh>>,
     /// Of all objects.
@@ -30,7 +31,7 @@ pub struct Scene {
     pub objects: Vec<Object>,
     /// Everything odd that was survived.
     pub diagnostics: Vec<Diagnostic>,
-    /// The description had no camera position: one was chosen that frames the objects.
+    /// The scene file had no camera position: one was chosen that frames the objects.
     pub camera_was_framed: bool,
     /// Remembered by [`Scene::bounds`]; leave it empty.
     pub known_bounds: OnceLock<(DVec3, DVec3)>,
@@ -52,7 +53,7 @@ impl Scene {
     /// The materials of an object's model as they stand in its file, before the scene put anything in their place: those
     /// that any triangle has. Empty in scenes that were built by hand.
     pub fn materials_in_file(&self, object: usize) -> Vec<&Material> {
-        let Some((model, _)) = self.scene.objects.get(object).and_then(|spec| self.stock.find(spec)) else {
+        let Some((model, _)) = self.settings.objects.get(object).and_then(|spec| self.stock.find(spec)) else {
             return Vec::new();
         };
         let Some(of) = self.stock.models.get(model) else { return Vec::new() };

@@ -4,6 +4,7 @@
 //! documented default; `gonio scene INPUT` prints the whole, with every default filled in.
 
 use crate::color_value::Color;
+use crate::defaults;
 use crate::texture::TextureFilter;
 use gonio_environment::Layout;
 use gonio_light::brdf::BrdfKind;
@@ -72,6 +73,18 @@ named_enum! {
     }
     default Oscillate;
     what "kind of motion";
+}
+
+impl LightSourceKind {
+    /// Whether its lights have a position, and an attenuation with the distance from it.
+    pub fn has_position(self) -> bool {
+        matches!(self, LightSourceKind::Point | LightSourceKind::Spot)
+    }
+
+    /// Whether its lights have a direction.
+    pub fn has_direction(self) -> bool {
+        matches!(self, LightSourceKind::Directional | LightSourceKind::Spot)
+    }
 }
 
 /// A scene.
@@ -151,16 +164,18 @@ pub struct CameraSpec {
     /// Degrees; positive looks up.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pitch: Option<f64>,
-    /// Which way is up, [0, 1, 0] by default.
+    /// Which way is up.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("default" = defaults::UP))]
     pub up: Option<[f64; 3]>,
-    /// Full vertical field of view in degrees, 40 by default.
+    /// Full vertical field of view in degrees.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("default" = defaults::FOV_Y))]
     pub fov_y: Option<f64>,
-    /// Distance of the near plane.
+    /// Distance of the near plane; left out, it is chosen so that no object is cut off.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub near: Option<f64>,
-    /// Distance of the far plane.
+    /// Distance of the far plane; left out, it is chosen so that no object is cut off.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub far: Option<f64>,
 }
@@ -415,37 +430,37 @@ pub struct LightSpec {
     /// Of directional lights and spots: the way the light travels. Need not have unit length.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub direction: Option<[f64; 3]>,
-    /// `L_i` is `color` times `intensity`. White by default.
+    /// `L_i` is `color` times `intensity`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("default" = defaults::LIGHT_COLOR))]
     pub color: Option<Color>,
-    /// 1 by default.
+    /// `L_i` is `color` times `intensity`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("default" = defaults::LIGHT_INTENSITY))]
     pub intensity: Option<f64>,
-    /// `k_c` of points and spots, 1 by default.
+    /// `k_c` of point lights and spots.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("default" = defaults::ATTENUATION[0]))]
     pub constant: Option<f64>,
-    /// `k_l` of points and spots, 0 by default.
+    /// `k_l` of point lights and spots.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("default" = defaults::ATTENUATION[1]))]
     pub linear: Option<f64>,
-    /// `k_q` of points and spots, 0 by default.
+    /// `k_q` of point lights and spots.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("default" = defaults::ATTENUATION[2]))]
     pub quadratic: Option<f64>,
-    /// Half angle of a spot's fully lit cone, degrees, 20 by default.
+    /// Half angle of a spot's fully lit cone, degrees.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("default" = defaults::INNER_ANGLE))]
     pub inner_angle: Option<f64>,
-    /// Half angle at which a spot ends, degrees, 30 by default.
+    /// Half angle at which a spot ends, degrees.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("default" = defaults::OUTER_ANGLE))]
     pub outer_angle: Option<f64>,
     /// How it moves with time.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub motion: Option<MotionSpec>,
-}
-
-impl LightSpec {
-    /// Whether it shines.
-    pub fn is_on(&self) -> bool {
-        self.enabled != Some(false)
-    }
 }
 
 /// How a light moves with time.
@@ -462,8 +477,9 @@ pub struct MotionSpec {
     /// Of circle.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub center: Option<[f64; 3]>,
-    /// Of circle, [0, 1, 0] by default.
+    /// The axis of a circle.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("default" = defaults::MOTION_AXIS))]
     pub axis: Option<[f64; 3]>,
     /// Of path.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -5,7 +5,8 @@ use crate::files;
 use crate::load::NormalChoice;
 use crate::material_binding::MaterialBinder;
 use crate::model_file::ModelFile;
-use crate::scene_file::{EnvironmentSpec, MaterialOverride, ObjectSpec};
+use crate::scene_file::{MaterialOverride, ObjectSpec};
+use crate::settings::EnvironmentSettings;
 use crate::texture_library::TextureStock;
 use gonio_mesh::{EmbeddedImage, Format, Material, Mesh, Model};
 use std::path::PathBuf;
@@ -20,8 +21,8 @@ pub struct Stock {
     pub(crate) models: Vec<ModelStock>,
     pub(crate) meshes: Vec<MeshStock>,
     pub(crate) textures: TextureStock,
-    /// As it is described, complete, and as it was read; also where the scene is without it for a while.
-    pub(crate) environment: Option<(EnvironmentSpec, Arc<LoadedEnvironment>)>,
+    /// The environment that was read, also while the scene is without it.
+    pub(crate) environment: Option<(EnvironmentSettings, Arc<LoadedEnvironment>)>,
 }
 
 /// A model file's materials, as they stand in the file.
@@ -123,8 +124,8 @@ impl Stock {
         Some((model, mesh))
     }
 
-    /// The environment of a description, where it is known: what is read does not depend on how it is turned.
-    pub fn environment(&self, spec: &EnvironmentSpec) -> Option<Arc<LoadedEnvironment>> {
+    /// The environment of some settings, where it is known: what is read does not depend on how it is turned.
+    pub fn environment(&self, spec: &EnvironmentSettings) -> Option<Arc<LoadedEnvironment>> {
         let (known, environment) = self.environment.as_ref()?;
         let same = known.image == spec.image
             && known.background == spec.background

@@ -174,17 +174,16 @@ pub(crate) fn check_material(at: &str, m: &MaterialOverride) -> Check {
 /// One light, as it stands at `at` (for example `light[0]`).
 pub fn check_light(at: &str, l: &LightSpec) -> Check {
     use LightSourceKind::{Ambient, Directional, Point, Spot};
-    let has_place = matches!(l.kind, Point | Spot);
-    let has_way = matches!(l.kind, Directional | Spot);
+    let (has_position, has_direction) = (l.kind.has_position(), l.kind.has_direction());
     let given = [
-        ("position", l.position.is_some(), has_place),
-        ("direction", l.direction.is_some(), has_way),
-        ("constant", l.constant.is_some(), has_place),
-        ("linear", l.linear.is_some(), has_place),
-        ("quadratic", l.quadratic.is_some(), has_place),
+        ("position", l.position.is_some(), has_position),
+        ("direction", l.direction.is_some(), has_direction),
+        ("constant", l.constant.is_some(), has_position),
+        ("linear", l.linear.is_some(), has_position),
+        ("quadratic", l.quadratic.is_some(), has_position),
         ("inner_angle", l.inner_angle.is_some(), l.kind == Spot),
         ("outer_angle", l.outer_angle.is_some(), l.kind == Spot),
-        ("motion", l.motion.is_some(), has_place),
+        ("motion", l.motion.is_some(), has_position),
     ];
     if let Some((key, ..)) = given.iter().find(|(_, given, belongs)| *given && !belongs) {
         let kind = l.kind;
@@ -197,10 +196,10 @@ pub fn check_light(at: &str, l: &LightSpec) -> Check {
         return fail(at, key, format!("`{key}` does not belong to {article} {kind} light; it takes kind, name, {own}"));
     }
     let path_begins = l.motion.as_ref().and_then(|m| m.points.as_ref()).and_then(|p| p.first());
-    if has_place && l.position.is_none() && path_begins.is_none() {
+    if has_position && l.position.is_none() && path_begins.is_none() {
         return fail(at, "", format!("this {} light needs `position`", l.kind));
     }
-    if has_way && l.direction.is_none() {
+    if has_direction && l.direction.is_none() {
         return fail(at, "", format!("this {} light needs `direction`, the way its light travels", l.kind));
     }
     check_point(at, "position", l.position)?;

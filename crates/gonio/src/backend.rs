@@ -109,7 +109,7 @@ impl Opened {
         reporter: &Reporter,
         times: &Times,
     ) -> Result<Backend, CliError> {
-        let picture = &scene.scene.picture;
+        let picture = &scene.settings.picture;
         let opened = match self {
             Opened::Gl(gl) if picture.width.max(picture.height) > gl.renderer.info().max_size => {
                 let why = format!(

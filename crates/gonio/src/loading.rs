@@ -38,7 +38,7 @@ pub fn load_scene_while<T>(
 
 /// Whether every view's light exists.
 pub fn check_views(views: impl IntoIterator<Item = ViewSpec>, scene: &Scene) -> Result<(), CliError> {
-    let count = scene.scene.lights.len();
+    let count = scene.settings.lights.len();
     for view in views {
         if let Some(light) = view.light
             && light >= count

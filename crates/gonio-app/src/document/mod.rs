@@ -6,20 +6,20 @@ mod pane;
 pub use history::History;
 pub use pane::{Arrangement, DifferenceSettings, Pane, Panes, Reflectance};
 
-use gonio_scene::SceneFile;
+use gonio_scene::SceneSettings;
 
 /// Everything that a person changes in the window and would want back.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Document {
     /// The effective scene: every default filled in.
-    pub scene: SceneFile,
+    pub scene: SceneSettings,
     /// In how many ways it is shown, and how.
     pub panes: Panes,
 }
 
 impl Document {
     /// A scene that was just opened, in one pane.
-    pub fn of(scene: SceneFile) -> Self {
+    pub fn of(scene: SceneSettings) -> Self {
         Document { scene, panes: Panes::default() }
     }
 }

@@ -6,7 +6,7 @@ use gonio_light::{Convention, Specular};
 use gonio_render::{DisplayOptions, View};
 use gonio_scene::detail::Detail;
 use gonio_scene::scene_file::Shading;
-use gonio_scene::{Overlays, SceneFile, SpecialView, ViewSpec};
+use gonio_scene::{Overlays, SceneSettings, SpecialView, ViewSpec, defaults};
 
 /// What stands in the place of the diffuse and the specular term in one pane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,7 +74,7 @@ impl Pane {
     }
 
     /// The scene with the pane's settings in place of its own, but for its detail, which is no matter of the description.
-    pub fn applied_to(&self, scene: &SceneFile) -> SceneFile {
+    pub fn applied_to(&self, scene: &SceneSettings) -> SceneSettings {
         let mut scene = scene.clone();
         if let Some(shading) = self.shading {
             scene.objects.iter_mut().for_each(|object| object.shading = shading);
@@ -87,10 +87,10 @@ impl Pane {
         }
         if let Some(convention) = self.convention {
             equation.convention = convention;
-            equation.cosine_weighted = Some(convention == Convention::Physical);
+            equation.cosine_weighted = defaults::cosine_weighted(convention);
         }
-        if self.cosine_weighted.is_some() {
-            equation.cosine_weighted = self.cosine_weighted;
+        if let Some(weighted) = self.cosine_weighted {
+            equation.cosine_weighted = weighted;
         }
         match self.reflectance {
             Some(Reflectance::Terms) => equation.brdf = None,
@@ -302,7 +302,7 @@ mod tests {
 
     #[test]
     fn settings_replace_those_of_the_scene() {
-        let mut scene = SceneFile::default();
+        let mut scene = SceneSettings::default();
         scene.objects.push(Default::default());
         scene.equation.brdf = Some(BrdfKind::Ward);
         assert_eq!(Pane::default().applied_to(&scene), scene);
@@ -317,11 +317,11 @@ mod tests {
         let e = &shown.equation;
         assert_eq!(
             (e.specular, e.convention, e.cosine_weighted, e.brdf),
-            (Specular::Phong, Convention::Physical, Some(true), None)
+            (Specular::Phong, Convention::Physical, true, None)
         );
         assert_eq!(pane.caption(), "Gouraud · Phong · physical");
         let weighted = Pane { cosine_weighted: Some(false), ..pane };
-        assert_eq!(weighted.applied_to(&scene).equation.cosine_weighted, Some(false));
+        assert_eq!(weighted.applied_to(&scene).equation.cosine_weighted, false);
         let ward = Pane { reflectance: Some(Reflectance::Brdf(BrdfKind::Blinn)), ..Pane::default() };
         assert_eq!(ward.applied_to(&scene).equation.brdf, Some(BrdfKind::Blinn));
     }

@@ -44,7 +44,7 @@ impl CurveRun {
         let settings = document.panes.current().cloned().unwrap_or_default();
         let longest = frame.width.max(frame.height).max(1);
         let shrink = |side: u32| (side * SIDE.min(longest) / longest).max(1);
-        let spheres = base.scene.objects.iter().any(detail::is_sphere);
+        let spheres = base.settings.objects.iter().any(detail::is_sphere);
         let (levels, finest): (Vec<Option<Detail>>, Option<Detail>) = if spheres {
             let of = |frequency: usize| Some(Detail::Sphere(8 * frequency * frequency));
             (SPHERES.iter().map(|&f| of(f)).collect(), of(FINEST_SPHERE))

@@ -71,7 +71,7 @@ impl Details {
     /// The meshes of a scene's objects in a detail; `None` while some are being made.
     pub fn meshes(&mut self, loaded: &Scene, detail: Detail) -> Option<Vec<Arc<Mesh>>> {
         let mut meshes = Vec::with_capacity(loaded.objects.len());
-        for (object, spec) in loaded.objects.iter().zip(&loaded.scene.objects) {
+        for (object, spec) in loaded.objects.iter().zip(&loaded.settings.objects) {
             let source = loaded.meshes.get(object.mesh)?;
             meshes.push(self.mesh(source, spec, detail)?);
         }

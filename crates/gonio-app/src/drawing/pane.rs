@@ -159,8 +159,8 @@ impl PaneDrawing {
 
 /// The scene with a pane's settings, its detail apart.
 pub fn with_settings(base: &Arc<Scene>, settings: &Pane) -> Arc<Scene> {
-    let scene = settings.applied_to(&base.scene);
-    if scene == base.scene {
+    let scene = settings.applied_to(&base.settings);
+    if scene == base.settings {
         return base.clone();
     }
     match edit::apply(base, scene) {

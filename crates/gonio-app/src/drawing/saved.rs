@@ -36,7 +36,7 @@ impl PaneDrawing {
     fn to_save(&self, size: Option<[u32; 2]>) -> Option<(&GpuScene, Frame, DisplayOptions)> {
         let (frame, show) = self.drawn.as_ref()?;
         let [width, height] = size.unwrap_or([frame.width, frame.height]);
-        let samples = self.loaded.as_ref()?.scene.picture.samples;
+        let samples = self.loaded.as_ref()?.settings.picture.samples;
         let (_, uploaded) = self.uploaded.as_ref()?;
         Some((uploaded, Frame { width, height, samples, ..frame.clone() }, *show))
     }

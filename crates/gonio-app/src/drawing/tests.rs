@@ -7,6 +7,7 @@ use crate::viewport;
 use gonio_gl::{Gl, HeadlessContext};
 use gonio_light::{Quantity, Specular};
 use gonio_render::Renderer;
+use gonio_scene::SceneFile;
 use gonio_scene::detail::Detail;
 use gonio_scene::difference::of_bytes;
 use gonio_scene::edit::{Edited, apply};
@@ -25,7 +26,7 @@ fn context() -> HeadlessContext {
 fn opened(input: &str) -> (Document, Session) {
     let scene = load::describe(&[input], &BuiltinOnly).unwrap_or_else(|e| panic!("{e}"));
     let loaded = load::load(scene, Path::new(""), &BuiltinOnly).unwrap_or_else(|e| panic!("{e}"));
-    let document = Document::of(loaded.scene.clone());
+    let document = Document::of(loaded.settings.clone());
     (document, Session { loaded: Some(Arc::new(loaded)), ..Session::default() })
 }
 
@@ -60,7 +61,7 @@ fn panes_are_the_renderers_pictures() {
     let mut renderer = Renderer::new(context.gl().clone()).unwrap_or_else(|e| panic!("{e}"));
     for (index, pane) in document.panes.list.iter().enumerate() {
         let scene = pane.applied_to(&document.scene);
-        let loaded = load::load(scene, Path::new(""), &BuiltinOnly).unwrap_or_else(|e| panic!("{e}"));
+        let loaded = load::load(SceneFile::from(&scene), Path::new(""), &BuiltinOnly).unwrap_or_else(|e| panic!("{e}"));
         let frame = Frame { width: SIZE[0], height: SIZE[1], ..loaded.frame(0.0) };
         let uploaded = renderer.upload(&loaded).unwrap_or_else(|e| panic!("{e}"));
         let drawn = renderer.render(&uploaded, &frame, None).unwrap_or_else(|e| panic!("{e}"));
@@ -161,7 +162,7 @@ fn while_something_moves_one_sample_must_do_where_pictures_take_long() {
     let mut studio = studio(context.gl());
     draw(&mut studio, &document, &mut session);
     let samples = |studio: &Studio| studio.frame(0).map(|frame| frame.samples);
-    let all = session.loaded.as_ref().map(|loaded| loaded.scene.picture.samples);
+    let all = session.loaded.as_ref().map(|loaded| loaded.settings.picture.samples);
     assert_eq!(samples(&studio), all);
     session.moving = true;
     studio.panes[0].facts.ms = 1000.0;
@@ -186,7 +187,7 @@ fn a_sketch_comes_first_and_the_whole_picture_follows() {
     assert_eq!(studio.frame(0).map(|frame| frame.samples), Some(1));
     session.sketching = false;
     assert_eq!(draw(&mut studio, &document, &mut session), 1);
-    let all = session.loaded.as_ref().map(|loaded| loaded.scene.picture.samples);
+    let all = session.loaded.as_ref().map(|loaded| loaded.settings.picture.samples);
     assert_eq!(studio.frame(0).map(|frame| frame.samples), all);
     assert_eq!(draw(&mut studio, &document, &mut session), 0);
 }

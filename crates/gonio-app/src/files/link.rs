@@ -3,9 +3,9 @@
 use flate2::Compression;
 use flate2::read::DeflateDecoder;
 use flate2::write::DeflateEncoder;
-use gonio_scene::SceneFile;
 use gonio_scene::environment_file;
 use gonio_scene::files::BUILTIN;
+use gonio_scene::{SceneFile, SceneSettings};
 use std::io::{Read, Write};
 
 /// What the part of the address after `#` begins with.
@@ -17,7 +17,7 @@ const ALPHABET: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwx
 
 /// The part of an address after `#` that carries the scene. Only what everybody has can be sent: an error names the file
 /// that is not built in.
-pub fn of_scene(scene: &SceneFile) -> Result<String, String> {
+pub fn of_scene(scene: &SceneSettings) -> Result<String, String> {
     let models = scene.objects.iter().map(|object| &object.model).filter(|model| !model.starts_with(BUILTIN));
     let environments = scene.environment.iter().flat_map(|e| std::iter::once(&e.image).chain(&e.background));
     let files = environments.filter(|name| environment_file::builtin_of(name).is_none());
@@ -27,7 +27,7 @@ pub fn of_scene(scene: &SceneFile) -> Result<String, String> {
         ));
     }
     let mut encoder = DeflateEncoder::new(Vec::new(), Compression::best());
-    let packed = encoder.write_all(scene.to_toml_string().as_bytes()).and_then(|()| encoder.finish());
+    let packed = encoder.write_all(SceneFile::from(scene).to_toml_string().as_bytes()).and_then(|()| encoder.finish());
     // Writing to memory does not fail.
     let packed = packed.map_err(|why| format!("the scene could not be packed: {why}"))?;
     Ok(format!("{KEY}{}", base64url(&packed)))
@@ -108,10 +108,10 @@ mod tests {
         let loaded = gonio_scene::load::describe(&["builtin:light-kinds"], &gonio_scene::files::BuiltinOnly)
             .and_then(|s| gonio_scene::load::load(s, std::path::Path::new(""), &gonio_scene::files::BuiltinOnly))
             .unwrap_or_else(|e| panic!("{e}"));
-        let link = of_scene(&loaded.scene).unwrap_or_else(|e| panic!("{e}"));
+        let link = of_scene(&loaded.settings).unwrap_or_else(|e| panic!("{e}"));
         let text =
             scene_file(&format!("#{link}")).unwrap_or_else(|| panic!("no scene")).unwrap_or_else(|e| panic!("{e}"));
-        assert_eq!(toml_reader::read(&text).unwrap_or_else(|e| panic!("{e}")), loaded.scene);
+        assert_eq!(toml_reader::read(&text).unwrap_or_else(|e| panic!("{e}")), SceneFile::from(&loaded.settings));
         // Addresses of a few thousand characters go everywhere.
         assert!(link.len() < 4000, "{} characters", link.len());
     }
@@ -119,7 +119,7 @@ mod tests {
     #[test]
     fn files_cannot_be_sent_and_damage_is_told() {
         let object = ObjectSpec { model: "mine.obj".into(), ..ObjectSpec::default() };
-        let scene = SceneFile { objects: vec![object], ..SceneFile::default() };
+        let scene = SceneSettings { objects: vec![object], ..SceneSettings::default() };
         assert!(of_scene(&scene).is_err_and(|why| why.contains("`mine.obj`")));
         assert_eq!(scene_file("#about"), None);
         assert!(scene_file("#scene=????").is_some_and(|scene| scene.is_err()));

@@ -6,7 +6,6 @@ use gonio_gl::{Gl, GlError};
 use gonio_lab::live::{self, Body, Eye, LiveStage, Note, Pair, Source};
 use gonio_lab::stage::Situation;
 use gonio_render::{DifferenceScale, DisplayTexture, Presentation};
-use gonio_scene::load::camera_of;
 
 /// Where nothing is drawn: the lab's programs clear to a dark grey too.
 const BACKGROUND: [f32; 3] = [0.13, 0.14, 0.16];
@@ -148,8 +147,8 @@ impl Easel {
 /// What programs are given for each body of the scene as it is looked at now.
 pub fn situations(work: &Work, size: [u32; 2]) -> Vec<(Body, Situation)> {
     let Some(scene) = work.scene() else { return Vec::new() };
-    let camera = camera_of(&work.camera);
-    let target = work.camera.target.map_or(camera.position + camera.front, glam::DVec3::from);
+    let camera = work.camera.to_camera();
+    let target = work.camera.target().map_or(camera.position + camera.front, glam::DVec3::from);
     let eye = Eye {
         position: camera.position.as_vec3(),
         target: target.as_vec3(),

@@ -7,7 +7,7 @@ use gonio_lab::exercise::{Exercise, Kind};
 use gonio_lab::live::{Given, Note, NoteKind, Scene, scenes};
 use gonio_lab::submission::SourceFile;
 use gonio_lab::verdict::Verdict;
-use gonio_scene::scene_file::CameraSpec;
+use gonio_scene::settings::{Aim, CameraSettings};
 use std::path::PathBuf;
 
 /// A file as it was given, and where it lies.
@@ -223,7 +223,7 @@ pub struct Work {
     /// Which of them.
     pub scene: usize,
     /// Where one looks from.
-    pub camera: CameraSpec,
+    pub camera: CameraSettings,
     /// `now`.
     pub clock: Clock,
     /// Pass what the lab's own solutions do too.
@@ -266,7 +266,7 @@ impl Work {
             page: Page::default(),
             scenes,
             scene: 0,
-            camera: CameraSpec::default(),
+            camera: CameraSettings::default(),
             clock: Clock::default(),
             as_the_lab: false,
             program: ProgramFacts::default(),
@@ -310,12 +310,12 @@ impl Work {
         self.scene = scene.min(self.scenes.len().saturating_sub(1));
         let Some(scene) = self.scenes.get(self.scene) else { return };
         let eye = scene.eye;
-        self.camera = CameraSpec {
-            position: Some(eye.position.as_dvec3().to_array()),
-            target: Some(eye.target.as_dvec3().to_array()),
-            up: Some(eye.up.as_dvec3().to_array()),
-            fov_y: Some(f64::from(eye.fov_rad).to_degrees()),
-            ..CameraSpec::default()
+        self.camera = CameraSettings {
+            position: eye.position.as_dvec3().to_array(),
+            aim: Aim::Target(eye.target.as_dvec3().to_array()),
+            up: eye.up.as_dvec3().to_array(),
+            fov_y: f64::from(eye.fov_rad).to_degrees(),
+            ..CameraSettings::default()
         };
         self.clock = Clock { time: 0.0, playing: scene.swing.length() > 0.0 };
     }

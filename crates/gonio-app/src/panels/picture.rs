@@ -7,9 +7,10 @@ use crate::widgets::{Number, choice, color, dropdown, heading, named_options, ro
 use egui::Ui;
 use gonio_light::Quantity;
 use gonio_light::color::{ColorEncoding, ToneMap};
-use gonio_scene::scene_file::{BackgroundSpec, EnvironmentSpec, PictureSpec};
+use gonio_scene::scene_file::{BackgroundSpec, PictureSpec};
+use gonio_scene::settings::EnvironmentSettings;
 use gonio_scene::texture::TextureFilter;
-use gonio_scene::{SceneFile, ViewSpec};
+use gonio_scene::{SceneSettings, ViewSpec};
 
 /// Shows it.
 pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
@@ -89,7 +90,7 @@ fn titled(group: &str, quantity: Quantity) -> String {
     }
 }
 
-fn environment(ui: &mut Ui, scene: &mut SceneFile) {
+fn environment(ui: &mut Ui, scene: &mut SceneSettings) {
     const BUILTIN: [(&str, &str); 3] = [
         ("debug", "Six colours with names: shows what is where"),
         ("sky", "A sky with a sun"),
@@ -111,20 +112,18 @@ fn environment(ui: &mut Ui, scene: &mut SceneFile) {
     if chosen != before {
         let name = names.get(chosen).map_or("", |(name, _)| name);
         let kept = scene.environment.take();
-        scene.environment = (chosen != 0).then(|| EnvironmentSpec {
+        scene.environment = (chosen != 0).then(|| EnvironmentSettings {
             image: name.to_owned(),
             rotate: kept.as_ref().map_or([0.0; 3], |e| e.rotate),
             intensity: kept.as_ref().map_or(1.0, |e| e.intensity),
-            light: kept.as_ref().and_then(|e| e.light),
-            ..EnvironmentSpec::default()
+            light: kept.as_ref().map_or(scene.lights.is_empty(), |e| e.light),
+            ..EnvironmentSettings::default()
         });
     }
     let Some(environment) = &mut scene.environment else { return };
     row(ui, "Light", "Whether it lights the objects", |ui| {
-        let mut light = environment.light.unwrap_or(false);
-        if toggle(ui, "environment-light", "lights the objects", &mut light, "Diffuse light and glossy reflection") {
-            environment.light = Some(light);
-        }
+        let tip = "Diffuse light and glossy reflection";
+        toggle(ui, "environment-light", "lights the objects", &mut environment.light, tip);
     });
     row(ui, "Background", "Whether it is seen behind the objects", |ui| {
         toggle(ui, "environment-visible", "is seen", &mut environment.visible, "Behind the objects");

@@ -19,7 +19,7 @@ pub fn show(ui: &mut Ui, session: &Session) {
             let mut text = format!("{width} x {height} {:6.1} ms", facts.draw_ms);
             if !narrow && let Some(loaded) = &session.loaded {
                 // Fewer than the scene's while something moves and pictures take long.
-                let samples = if facts.samples == 0 { loaded.scene.picture.samples } else { facts.samples };
+                let samples = if facts.samples == 0 { loaded.settings.picture.samples } else { facts.samples };
                 text = format!(
                     "{} triangles  {samples} samples  {text}",
                     grouped(exported::triangles(session) as u64, SPACE)

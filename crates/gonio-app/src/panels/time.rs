@@ -10,7 +10,7 @@ use egui::{RichText, Slider, Ui};
 
 /// The longest period of a light that moves, seconds; `None` where none does.
 pub fn period(document: &Document) -> Option<f64> {
-    let motions = document.scene.lights.iter().filter(|light| light.is_on()).filter_map(|light| light.motion.as_ref());
+    let motions = document.scene.lights.iter().filter(|light| light.enabled).filter_map(|light| light.motion.as_ref());
     let longest = motions.map(|motion| motion.period).fold(0.0, f64::max);
     (longest > 0.0 && longest.is_finite()).then_some(longest)
 }

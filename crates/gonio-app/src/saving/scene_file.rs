@@ -1,13 +1,13 @@
 //! The scene as a file, with its files named as seen from there.
 
-use gonio_scene::SceneFile;
 use gonio_scene::environment_file;
 use gonio_scene::files::BUILTIN;
+use gonio_scene::{SceneFile, SceneSettings};
 use std::path::{Path, PathBuf};
 
 /// The text of a scene file that will lie in `folder`; `None` where there are no folders, as on the web.
-pub fn scene_file(scene: &SceneFile, folder: Option<&Path>) -> String {
-    let mut scene = scene.clone();
+pub fn scene_file(settings: &SceneSettings, folder: Option<&Path>) -> String {
+    let mut scene = SceneFile::from(settings);
     if let Some(folder) = folder {
         for object in scene.objects.iter_mut().filter(|object| !object.model.starts_with(BUILTIN)) {
             object.model = seen_from(folder, &object.model);

@@ -16,8 +16,7 @@ use egui::{Event, InputState, Key, PointerButton, Response, Ui};
 use glam::{DQuat, DVec3};
 use gonio_light::vector::unit;
 use gonio_scene::Camera;
-use gonio_scene::load::camera_of;
-use gonio_scene::scene_file::CameraSpec;
+use gonio_scene::settings::{Aim, CameraSettings};
 
 /// Degrees that a drag of one point turns.
 const DEGREES_PER_POINT: f64 = 0.4;
@@ -36,20 +35,19 @@ pub struct Rig {
 
 impl Rig {
     /// Of a complete description. `middle` is what a camera without target turns around.
-    pub fn new(spec: &CameraSpec, middle: DVec3) -> Self {
-        let camera = camera_of(spec);
+    pub fn new(spec: &CameraSettings, middle: DVec3) -> Self {
+        let camera = spec.to_camera();
         let depth = camera.depth_of(middle);
         let ahead = camera.position + camera.front * if depth > 0.0 { depth } else { 1.0 };
-        let pivot = spec.target.map_or(ahead, DVec3::from);
-        let world_up = spec.up.and_then(|up| unit(up.into())).unwrap_or(DVec3::Y);
+        let pivot = spec.target().map_or(ahead, DVec3::from);
+        let world_up = unit(spec.up.into()).unwrap_or(DVec3::Y);
         Rig { camera, pivot, world_up }
     }
 
     /// Writes it back; where the description has yaw and pitch it gets a target in their place.
-    pub fn write(&self, spec: &mut CameraSpec) {
-        spec.position = Some(self.camera.position.to_array());
-        spec.target = Some(self.pivot.to_array());
-        (spec.yaw, spec.pitch) = (None, None);
+    pub fn write(&self, spec: &mut CameraSettings) {
+        spec.position = self.camera.position.to_array();
+        spec.aim = Aim::Target(self.pivot.to_array());
     }
 
     fn distance(&self) -> f64 {
@@ -147,7 +145,7 @@ pub fn handle(ui: &Ui, response: &Response, document: &mut Document, session: &S
 pub fn steer(
     ui: &Ui,
     response: &Response,
-    camera: &mut CameraSpec,
+    camera: &mut CameraSettings,
     middle: DVec3,
     extent: f64,
     looks_around: bool,
@@ -285,8 +283,11 @@ mod tests {
     use super::*;
 
     fn rig() -> Rig {
-        let spec =
-            CameraSpec { position: Some([4.0, 3.0, 8.0]), target: Some([0.5, 0.0, -0.5]), ..CameraSpec::default() };
+        let spec = CameraSettings {
+            position: [4.0, 3.0, 8.0],
+            aim: Aim::Target([0.5, 0.0, -0.5]),
+            ..CameraSettings::default()
+        };
         Rig::new(&spec, DVec3::ZERO)
     }
 
@@ -340,12 +341,11 @@ mod tests {
 
     #[test]
     fn a_camera_with_angles_gets_a_target() {
-        let mut spec =
-            CameraSpec { position: Some([0.0, 0.0, 5.0]), yaw: Some(-90.0), pitch: Some(0.0), ..CameraSpec::default() };
-        let before = camera_of(&spec);
+        let mut spec = CameraSettings { position: [0.0, 0.0, 5.0], ..CameraSettings::default() };
+        let before = spec.to_camera();
         Rig::new(&spec, DVec3::ZERO).write(&mut spec);
-        let after = camera_of(&spec);
+        let after = spec.to_camera();
         assert!((before.front - after.front).length() < 1e-9);
-        assert_eq!(spec.target.map(DVec3::from).map(|t| t.length() < 1e-9), Some(true));
+        assert_eq!(spec.target().map(DVec3::from).map(|t| t.length() < 1e-9), Some(true));
     }
 }

@@ -33,7 +33,7 @@ impl Lab {
     fn open(input: &str) -> Self {
         let scene = load::describe(&[input], &Disk).unwrap_or_else(|e| panic!("{e}"));
         let loaded = read(scene);
-        let document = Document::of(loaded.scene.clone());
+        let document = Document::of(loaded.settings.clone());
         let mut session = Session { loaded: Some(Arc::new(loaded)), title: input.to_owned(), ..Session::default() };
         session.facts.size = [800, 600];
         Lab { history: History::new(&document), document, session, actions: Vec::new(), file_edits: 0 }
@@ -42,17 +42,17 @@ impl Lab {
     /// As the application does after each frame.
     fn follow(&mut self) {
         let Some(loaded) = &self.session.loaded else { return };
-        if loaded.scene == self.document.scene {
+        if loaded.settings == self.document.scene {
             return;
         }
         let next = match apply(loaded, self.document.scene.clone()).unwrap_or_else(|e| panic!("{e}")) {
             Edited::Done(applied) => applied.loaded,
             Edited::NeedsFiles(scene) => {
                 self.file_edits += 1;
-                read(*scene)
+                read((&*scene).into())
             }
         };
-        self.document.scene = next.scene.clone();
+        self.document.scene = next.settings.clone();
         self.session.loaded = Some(Arc::new(next));
     }
 

@@ -6,7 +6,7 @@ use gonio_app::document::Document;
 use gonio_app::session::Tab;
 use gonio_light::brdf::BrdfKind;
 use gonio_light::{Convention, Specular};
-use gonio_scene::scene_file::EnvironmentSpec;
+use gonio_scene::settings::EnvironmentSettings;
 
 const SCENE: &str = "builtin:light-kinds";
 
@@ -69,16 +69,16 @@ fn alone_comes_back_to_what_was_before() {
 fn the_environment_is_alone_without_lights() {
     let mut bench = Bench::new(SCENE, Tab::Lights);
     bench.lab().document.scene.environment =
-        Some(EnvironmentSpec { image: "room".into(), light: Some(true), ..EnvironmentSpec::default() });
+        Some(EnvironmentSettings { image: "room".into(), light: true, ..EnvironmentSettings::default() });
     if let Some(light) = bench.lab().document.scene.lights.first_mut() {
-        light.enabled = Some(false);
+        light.enabled = false;
     }
     bench.settle();
     let before = bench.document().scene.clone();
     bench.click_with("term-environment", Modifiers::SHIFT);
     let (e, lights) = (&bench.document().scene.equation, &bench.document().scene.lights);
     assert_eq!([e.ambient, e.emitted, e.diffuse, e.specular_term], [false, false, true, true]);
-    assert!(lights.len() > 1 && lights.iter().all(|light| !light.is_on()));
+    assert!(lights.len() > 1 && lights.iter().all(|light| !light.enabled));
     bench.click_with("term-environment", Modifiers::SHIFT);
     assert_eq!(bench.document().scene, before);
 }
@@ -94,7 +94,7 @@ fn the_equation_follows_the_settings() {
     assert_eq!(bench.document().scene.equation.specular, Specular::Phong);
     assert!(!cosine_is_last(&bench));
     bench.click("cosine-weighted");
-    assert_eq!(bench.document().scene.equation.cosine_weighted, Some(true));
+    assert_eq!(bench.document().scene.equation.cosine_weighted, true);
     assert!(cosine_is_last(&bench));
     bench.lab().document.scene.equation.brdf = Some(BrdfKind::Ward);
     bench.settle();
@@ -123,7 +123,7 @@ fn the_convention_brings_its_cosine() {
     bench.click("term-diffuse");
     bench.click("convention-physical");
     let e = &bench.document().scene.equation;
-    assert_eq!((e.convention, e.cosine_weighted), (Convention::Physical, Some(true)));
+    assert_eq!((e.convention, e.cosine_weighted), (Convention::Physical, true));
 }
 
 /// All terms stay within the window, apart from each other, from a wide one to a phone.

@@ -79,7 +79,7 @@ fn an_object_is_looked_at() {
     bench.click("object-2-frame");
     let loaded = bench.lab().session.loaded.clone().unwrap_or_else(|| panic!("no scene"));
     let middle = loaded.objects[2].world_from_model.w_axis.truncate();
-    let target = bench.document().scene.camera.target.map(glam::DVec3::from).unwrap_or_default();
+    let target = bench.document().scene.camera.target().map(glam::DVec3::from).unwrap_or_default();
     // A sphere's middle is its place; a coarse one is not quite symmetric.
     assert!((target - middle).length() < 0.05, "{target} {middle}");
 }

@@ -35,9 +35,9 @@ fn an_environment_comes_is_turned_and_goes() {
     bench.type_into("environment-yaw", "45");
     assert_eq!(bench.document().scene.environment.as_ref().map(|e| e.rotate), Some([45.0, 0.0, 0.0]));
     bench.click("environment-light");
-    assert_eq!(bench.document().scene.environment.as_ref().and_then(|e| e.light), Some(true));
+    assert_eq!(bench.document().scene.environment.as_ref().map(|e| e.light), Some(true));
     bench.click("term-environment");
-    assert_eq!(bench.document().scene.environment.as_ref().and_then(|e| e.light), Some(false));
+    assert_eq!(bench.document().scene.environment.as_ref().map(|e| e.light), Some(false));
     bench.click("environment");
     bench.click("environment-none");
     assert!(bench.document().scene.environment.is_none());

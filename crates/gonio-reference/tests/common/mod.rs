@@ -6,7 +6,7 @@ use gonio_environment::Cubemap;
 use gonio_light::{Attenuation, Convention, Equation, Light, LightKind, Optics, Quantity, Specular};
 use gonio_mesh::{AmbientRule, Material, Mesh};
 use gonio_reference::{Probe, ReferenceScene, Rendered};
-use gonio_scene::scene_file::{SceneFile, Shading};
+use gonio_scene::scene_file::Shading;
 use gonio_scene::{
     Background, BoundTexture, Camera, ColorSpace, Frame, LoadedEnvironment, Maps, Object, ObjectPart, Scene,
     SceneMaterial, Surroundings, Texture, TextureFilter, ViewSpec,
@@ -48,7 +48,7 @@ impl Lab {
     /// 33 x 33 pixels, one sample, the eye at (0, 0, 5) looking along -Z, black behind, no light, no object.
     pub fn new() -> Lab {
         Lab {
-            scene: Scene { scene: SceneFile::default(), ..Scene::default() },
+            scene: Scene::default(),
             frame: Frame {
                 width: 33,
                 height: 33,

@@ -115,7 +115,7 @@ fn wires_can_be_had_alone_and_over_any_view() {
     assert!((300..1500).contains(&wires), "{wires}");
     // The colour of a line is its own: the exposure has no say.
     let mut bright = scene.clone();
-    bright.scene.picture.exposure = 3.0;
+    bright.settings.picture.exposure = 3.0;
     let darkest = |p: &[[u8; 4]]| p.iter().map(|p| p[0]).min();
     let lit = bench.paint(&bright, View::Picture, Overlays { wireframe: true, ..NO });
     assert!(darkest(&lit) < Some(80), "{:?}", darkest(&lit));
@@ -127,7 +127,7 @@ fn boxes_have_their_corners_where_the_objects_end() {
         let mut bench = Bench::new(es);
         // Seen from the side, so that no edge is behind another.
         let mut scene = cubes(&[([0.0, 0.0, 0.0], 0.8)], "phong");
-        scene.scene.camera.position = Some([3.0, 2.0, 5.0]);
+        scene.settings.camera.position = [3.0, 2.0, 5.0];
         let frame = scene.frame(0.0);
         let plain = bench.paint(&scene, View::Picture, NO);
         let boxed = bench.paint(&scene, View::Picture, Overlays { boxes: true, ..NO });

@@ -224,14 +224,14 @@ fn panes_and_edits_share_what_is_on_the_gpu() {
     assert_eq!(count(&renderer), at_first);
     assert!(pane.textures.iter().zip(&first.textures).all(|(a, b)| Rc::ptr_eq(a, b)));
     // An edit of a colour and a light.
-    let mut edited = scene.scene.clone();
+    let mut edited = scene.settings.clone();
     edited.objects[0].material.shininess = Some(3.0);
     edited.lights.clear();
     let Ok(Edited::Done(applied)) = apply(&scene, edited) else { panic!("it needs no files") };
     let after = renderer.upload(&applied.loaded).unwrap_or_else(|why| panic!("{why}"));
     assert_eq!(count(&renderer), at_first);
     // Another shading of one object: one more geometry, while the other panes hold theirs.
-    let mut edited = scene.scene.clone();
+    let mut edited = scene.settings.clone();
     edited.objects[0].shading = gonio_scene::scene_file::Shading::Flat;
     let Ok(Edited::Done(applied)) = apply(&scene, edited) else { panic!("it needs no files") };
     let flat = renderer.upload(&applied.loaded).unwrap_or_else(|why| panic!("{why}"));

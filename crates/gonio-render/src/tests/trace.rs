@@ -7,7 +7,7 @@ use gonio_gl::headless::HeadlessContext;
 use gonio_gl::trace::{AttributeSource, Content, FrameRecord, Recording, Severity, Thumbnail, lint};
 use gonio_light::Quantity;
 use gonio_scene::files::Disk;
-use gonio_scene::scene_file::EnvironmentSpec;
+use gonio_scene::settings::EnvironmentSettings;
 use gonio_scene::{LoadedEnvironment, Scene, ViewSpec};
 use std::path::Path;
 use std::sync::Arc;
@@ -46,7 +46,7 @@ fn everything() -> Vec<(String, Scene)> {
     let mut lit = scenes[3].clone();
     lit.0 = "lit by an environment".to_owned();
     lit.1.environment = Some(Arc::new(LoadedEnvironment::new("waves", Cubemap::from_function(16, |d| d * d))));
-    lit.1.scene.environment = Some(EnvironmentSpec { light: Some(true), ..EnvironmentSpec::default() });
+    lit.1.settings.environment = Some(EnvironmentSettings { light: true, ..EnvironmentSettings::default() });
     scenes.push(lit);
     scenes
 }
@@ -96,7 +96,7 @@ fn a_record_says_what_was_drawn_with_what() {
     let mut renderer = renderer(&context);
     let (_, mut scene) = everything().swap_remove(3);
     // Otherwise its fine triangles would be drawn as a larger picture, averaged.
-    scene.scene.picture.samples = 1;
+    scene.settings.picture.samples = 1;
     let record = record(&mut renderer, &scene, None);
     let [first, rest @ ..] = record.passes.as_slice() else { panic!("no pass") };
     assert_eq!((first.name.as_str(), first.target.width, first.target.height), ("scene", 48, 32));
@@ -178,7 +178,7 @@ fn thumbnails_show_the_textures() {
         // A colour for each side: the direction's signs.
         let sides = |d: DVec3| DVec3::new(f64::from(d.x > 0.5), f64::from(d.y > 0.5), f64::from(d.z > 0.5));
         scene.environment = Some(Arc::new(LoadedEnvironment::new("sides", Cubemap::from_function(32, sides))));
-        scene.scene.environment = Some(EnvironmentSpec { light: Some(false), ..EnvironmentSpec::default() });
+        scene.settings.environment = Some(EnvironmentSettings { light: false, ..EnvironmentSettings::default() });
         let uploaded = renderer.upload(&scene).unwrap_or_else(|e| panic!("{e}"));
         let record = renderer.record_with_thumbnails(&uploaded, &scene.frame(0.0), None);
         let record = record.unwrap_or_else(|e| panic!("{e}"));

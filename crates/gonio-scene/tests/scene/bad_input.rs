@@ -94,7 +94,7 @@ fn models_of_a_scene_lie_beside_it() {
         .with("dir/sub/t.obj", TRIANGLE)
         .with("dir/sub/t.mtl", "newmtl m\n");
     let scene = load(describe(&["dir/s.toml"], &files).unwrap(), Path::new(""), &files).unwrap();
-    assert_eq!(scene.scene.objects[0].model, "dir/sub/t.obj");
+    assert_eq!(scene.settings.objects[0].model, "dir/sub/t.obj");
     assert_eq!((scene.objects[0].name.as_str(), scene.objects[1].name.as_str()), ("t", "cube"));
     let missing = Memory::default().with("dir/s.toml", "[[object]]\nmodel = \"sub/t.obj\"\n");
     let error = load(describe(&["dir/s.toml"], &missing).unwrap(), Path::new(""), &missing).unwrap_err().to_string();

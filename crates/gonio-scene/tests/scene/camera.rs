@@ -66,7 +66,7 @@ fn an_orbit_keeps_the_distance_and_the_target() {
     let scene = describe(&["builtin:cube"], &BuiltinOnly).unwrap();
     let loaded = load(scene, Path::new(""), &BuiltinOnly).unwrap();
     let frame = loaded.frame(0.0);
-    let target = DVec3::from(loaded.scene.camera.target.unwrap());
+    let target = DVec3::from(loaded.settings.camera.target().unwrap());
     let turned = loaded.orbit(&frame, 1.0);
     let (before, after) = (frame.camera.position - target, turned.camera.position - target);
     assert!((before.length() - after.length()).abs() < 1e-9 && (before.y - after.y).abs() < 1e-9);

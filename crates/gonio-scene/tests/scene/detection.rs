@@ -47,7 +47,7 @@ fn what_is_inspected_is_described_and_loaded() {
                 let inspected = inspect::inspect(name, &files, &Limits::default()).unwrap();
                 assert_eq!(inspected.geometry.triangles, 1, "{name}");
                 let scene = load(describe(&[name], &files).unwrap(), Path::new(""), &files).unwrap();
-                assert_eq!(scene.scene.objects[0].model, name);
+                assert_eq!(scene.settings.objects[0].model, name);
             }
         }
     }

@@ -1,12 +1,13 @@
-//! What an edit gives without files is what loading the edited description gives.
+//! An edit without files gives the scene that loading the edited settings gives.
 
 use crate::memory::{Memory, TRIANGLE, png};
 use gonio_light::{Convention, Specular, Surfaces};
 use gonio_scene::color_value::Color;
 use gonio_scene::edit::{Applied, Edited, apply};
 use gonio_scene::load::load;
-use gonio_scene::scene_file::{LightSourceKind, LightSpec, Normals, ObjectSpec, Shading};
-use gonio_scene::{Maps, Scene, SceneFile};
+use gonio_scene::scene_file::{LightSourceKind, Normals, ObjectSpec, Shading};
+use gonio_scene::settings::{Aim, EnvironmentSettings, LightSettings};
+use gonio_scene::{Maps, Scene, SceneFile, SceneSettings};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -78,29 +79,25 @@ fn drawn(scene: &Scene) -> Vec<String> {
     all
 }
 
-type Edit = (&'static str, fn(&mut SceneFile), [bool; 2]);
+type Edit = (&'static str, fn(&mut SceneSettings), [bool; 2]);
 
 /// Each edit, and whether it changes the geometry and the materials.
 const EDITS: [Edit; 22] = [
     ("nothing", |_| (), [false, false]),
     ("the picture", |s| (s.picture.width, s.picture.exposure) = (64, 1.0), [false, false]),
-    ("the camera", |s| (s.camera.position, s.camera.fov_y) = (Some([1.0, 2.0, 5.0]), None), [false, false]),
-    ("a camera to be framed", |s| s.camera = Default::default(), [false, false]),
+    ("the camera", |s| (s.camera.position, s.camera.fov_y) = ([1.0, 2.0, 5.0], 50.0), [false, false]),
+    ("a direction", |s| s.camera.aim = Aim::Angles { yaw: -80.0, pitch: -5.0 }, [false, false]),
     ("the background", |s| s.background.top = Color::grey(0.9), [false, false]),
     ("the equation", |s| (s.equation.specular, s.equation.diffuse) = (Specular::Phong, false), [false, false]),
     (
         "the convention",
-        |s| (s.equation.convention, s.equation.cosine_weighted) = (Convention::Physical, None),
+        |s| (s.equation.convention, s.equation.cosine_weighted) = (Convention::Physical, true),
         [false; 2],
     ),
     ("a light moved", |s| s.lights[0].position = Some([0.0, 1.0, 0.0]), [false, false]),
-    (
-        "a light more",
-        |s| s.lights.push(LightSpec { kind: LightSourceKind::Ambient, ..LightSpec::default() }),
-        [false, false],
-    ),
+    ("a light more", |s| s.lights.push(LightSettings::new(LightSourceKind::Ambient)), [false, false]),
     ("the environment turned", |s| environment(s).rotate = [10.0, 20.0, 30.0], [false, false]),
-    ("the environment lights", |s| environment(s).light = Some(true), [false, false]),
+    ("the environment lights", |s| environment(s).light = true, [false, false]),
     ("no environment", |s| s.environment = None, [false, false]),
     ("an object moved", |s| s.objects[0].translate = [1.0, 1.0, -1.0], [true, false]),
     ("an object mirrored", |s| s.objects[1].scale = [-1.0, 2.0, 1.0], [true, false]),
@@ -126,20 +123,20 @@ const EDITS: [Edit; 22] = [
     ),
 ];
 
-fn environment(scene: &mut SceneFile) -> &mut gonio_scene::scene_file::EnvironmentSpec {
+fn environment(scene: &mut SceneSettings) -> &mut EnvironmentSettings {
     scene.environment.as_mut().unwrap()
 }
 
 #[test]
-fn an_edit_is_what_loading_the_edited_description_gives() {
+fn an_edit_is_what_loading_the_edited_settings_gives() {
     let before = loaded(read(SCENE));
     for (what, edit, [geometry, materials]) in EDITS {
-        let mut scene = before.scene.clone();
+        let mut scene = before.settings.clone();
         edit(&mut scene);
         let applied = done(apply(&before, scene.clone()).unwrap());
-        let afresh = loaded(scene);
+        let afresh = loaded(SceneFile::from(&scene));
         assert_eq!(drawn(&applied.loaded), drawn(&afresh), "{what}");
-        assert_eq!(applied.loaded.scene, afresh.scene, "{what}");
+        assert_eq!(applied.loaded.settings, afresh.settings, "{what}");
         assert_eq!(applied.loaded.frame(1.5), afresh.frame(1.5), "{what}");
         assert_eq!(applied.loaded.camera_was_framed, afresh.camera_was_framed, "{what}");
         assert_eq!(applied.loaded.environment.is_some(), afresh.environment.is_some(), "{what}");
@@ -158,10 +155,10 @@ fn an_edit_is_what_loading_the_edited_description_gives() {
 fn edits_can_be_taken_back_without_files() {
     let before = loaded(read(SCENE));
     for (what, edit, _) in EDITS {
-        let mut scene = before.scene.clone();
+        let mut scene = before.settings.clone();
         edit(&mut scene);
         let there = done(apply(&before, scene).unwrap()).loaded;
-        let back = done(apply(&there, before.scene.clone()).unwrap()).loaded;
+        let back = done(apply(&there, before.settings.clone()).unwrap()).loaded;
         assert_eq!(drawn(&back), drawn(&before), "{what}");
         assert_eq!(back.frame(0.0), before.frame(0.0), "{what}");
         assert!(back.textures.iter().zip(&before.textures).all(|(a, b)| Arc::ptr_eq(a, b)), "{what}");
@@ -173,18 +170,17 @@ fn edits_can_be_taken_back_without_files() {
 fn what_was_not_read_needs_files() {
     let plain = loaded(read("[[object]]\nmodel = \"t.obj\"\nmaterial.textures = false\n"));
     let before = loaded(read(SCENE));
-    type Edit<'a> = (&'a str, &'a Scene, fn(&mut SceneFile));
-    let edits: [Edit; 7] = [
+    type Edit<'a> = (&'a str, &'a Scene, fn(&mut SceneSettings));
+    let edits: [Edit; 6] = [
         ("another model", &before, |s| s.objects[0].model = "builtin:suzanne".into()),
         ("other normals", &before, |s| s.objects[0].normals = Normals::Flat),
         ("a crease angle", &before, |s| s.objects[0].crease_angle = Some(30.0)),
         ("another environment", &before, |s| environment(s).image = "sky".into()),
         ("another size of it", &before, |s| environment(s).size = Some(8)),
-        ("a model's camera", &before, |s| s.camera.from_model = Some("1".into())),
         ("textures that were never read", &plain, |s| s.objects[0].material.textures = None),
     ];
     for (what, before, edit) in edits {
-        let mut scene = before.scene.clone();
+        let mut scene = before.settings.clone();
         edit(&mut scene);
         match apply(before, scene.clone()).unwrap() {
             Edited::NeedsFiles(same) => assert_eq!(*same, scene, "{what}"),
@@ -196,12 +192,12 @@ fn what_was_not_read_needs_files() {
 #[test]
 fn what_may_not_be_is_said_in_a_sentence() {
     let before = loaded(read(SCENE));
-    let mut scene = before.scene.clone();
-    scene.camera.fov_y = Some(-3.0);
+    let mut scene = before.settings.clone();
+    scene.camera.fov_y = -3.0;
     let problem = apply(&before, scene).unwrap_err();
     assert_eq!(problem.path, "camera.fov_y");
     assert!(problem.message.contains("fov_y"), "{problem}");
-    let mut scene = before.scene.clone();
+    let mut scene = before.settings.clone();
     scene.objects.clear();
     assert!(apply(&before, scene).is_err(), "a scene has an object");
 }
@@ -210,8 +206,8 @@ fn what_may_not_be_is_said_in_a_sentence() {
 #[test]
 fn without_lights_it_is_dark() {
     let before = loaded(read("[[object]]\nmodel = \"builtin:cube\"\n"));
-    assert!(!before.scene.lights.is_empty());
-    let mut scene = before.scene.clone();
+    assert!(!before.settings.lights.is_empty());
+    let mut scene = before.settings.clone();
     scene.lights.clear();
     assert!(done(apply(&before, scene).unwrap()).loaded.frame(0.0).lights.is_empty());
 }
@@ -220,26 +216,27 @@ fn without_lights_it_is_dark() {
 #[test]
 fn a_light_that_is_off_keeps_its_place() {
     let before = loaded(read(SCENE));
-    let mut scene = before.scene.clone();
-    let other = LightSpec { intensity: Some(2.0), ..scene.lights[0].clone() };
+    let mut scene = before.settings.clone();
+    let other = LightSettings { intensity: 2.0, ..scene.lights[0].clone() };
     scene.lights.push(other);
-    scene.lights[0].enabled = Some(false);
+    scene.lights[0].enabled = false;
     let after = done(apply(&before, scene).unwrap()).loaded;
     let lights = after.frame(0.0).lights;
     assert_eq!(lights.len(), 2);
     assert_eq!(lights[0].color.to_array(), [0.0; 3]);
     assert_eq!(lights[0].kind, lights[1].kind);
     assert_eq!(lights[1].color.to_array(), [2.0; 3]);
-    let text = after.scene.to_toml_string();
+    let file = SceneFile::from(&after.settings);
+    let text = file.to_toml_string();
     assert_eq!(text.matches("enabled = false").count(), 1, "{text}");
-    assert_eq!(read(&text).lights, after.scene.lights);
+    assert_eq!(read(&text).lights, file.lights);
 }
 
 /// What a file says of a material is known under what the scene puts in its place.
 #[test]
 fn the_materials_of_the_file_are_remembered() {
     let before = loaded(read(SCENE));
-    let mut scene = before.scene.clone();
+    let mut scene = before.settings.clone();
     scene.objects[0].material.diffuse = Some(Color([0.1, 0.2, 0.3]));
     let after = done(apply(&before, scene).unwrap()).loaded;
     for scene in [&before, &after] {

@@ -282,31 +282,32 @@ fn a_printed_scene_has_the_same_environment() {
         ),
     ] {
         let (first, files) = scene(environment);
-        let spec = first.scene.environment.clone().unwrap();
+        let spec = first.settings.environment.clone().unwrap();
         assert_eq!((spec.image.as_str(), spec.layout, spec.size), (image, layout, size), "{environment}");
-        let text = first.scene.to_toml_string();
+        let whole = gonio_scene::SceneFile::from(&first.settings);
+        let text = whole.to_toml_string();
         let read = toml_reader::read(&text).unwrap_or_else(|e| panic!("{e}\n{text}"));
-        assert_eq!(read, first.scene, "{text}");
+        assert_eq!(read, whole, "{text}");
         let second = load(read, Path::new(""), &files).unwrap();
-        assert_eq!(second.scene, first.scene, "{text}");
+        assert_eq!(second.settings, first.settings, "{text}");
         assert_eq!(second.surroundings(), first.surroundings(), "{text}");
         let of = |scene: &Scene| scene.environment.as_ref().map(|e| (e.mips.clone(), e.background.clone()));
         assert!(of(&first) == of(&second), "{text}");
-        assert_eq!(toml::from_str::<gonio_scene::SceneFile>(&text).unwrap(), first.scene);
+        assert_eq!(toml::from_str::<gonio_scene::SceneFile>(&text).unwrap(), whole);
     }
 }
 
 #[test]
 fn the_environment_lights_a_scene_that_has_no_lights() {
     let (alone, _) = scene("image = \"faces\"");
-    assert!(alone.surroundings().unwrap().lights && alone.scene.lights.is_empty());
+    assert!(alone.surroundings().unwrap().lights && alone.settings.lights.is_empty());
     let (dark, _) = scene("image = \"faces\"\nlight = false");
-    assert!(!dark.surroundings().unwrap().lights && !dark.scene.lights.is_empty());
+    assert!(!dark.surroundings().unwrap().lights && !dark.settings.lights.is_empty());
     let lamp = "[[light]]\nkind = \"ambient\"";
     let (lit, _) = scene(&format!("image = \"faces\"\n{lamp}"));
-    assert!(!lit.surroundings().unwrap().lights && lit.scene.lights.len() == 1);
+    assert!(!lit.surroundings().unwrap().lights && lit.settings.lights.len() == 1);
     let (both, _) = scene(&format!("image = \"faces\"\nlight = true\n{lamp}"));
-    assert!(both.surroundings().unwrap().lights && both.scene.lights.len() == 1);
+    assert!(both.surroundings().unwrap().lights && both.settings.lights.len() == 1);
 }
 
 #[test]

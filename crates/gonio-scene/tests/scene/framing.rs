@@ -5,6 +5,7 @@ use gonio_light::{LightKind, vector::unit};
 use gonio_scene::Scene;
 use gonio_scene::files::BuiltinOnly;
 use gonio_scene::load::{describe, load};
+use gonio_scene::settings::Aim;
 use std::path::Path;
 
 fn loaded(input: &str, change: impl Fn(&mut gonio_scene::SceneFile)) -> Scene {
@@ -56,14 +57,14 @@ fn every_vertex_is_in_the_picture_and_the_picture_is_filled() {
 #[test]
 fn what_is_given_stays_and_the_rest_follows() {
     let by_target = loaded("builtin:suzanne", |s| s.camera.target = Some([0.5, 0.0, 0.0]));
-    assert_eq!(by_target.scene.camera.target, Some([0.5, 0.0, 0.0]));
+    assert_eq!(by_target.settings.camera.target(), Some([0.5, 0.0, 0.0]));
     let (x, y, inside) = reach(&by_target);
     assert!(inside && x.max(y) < 0.95);
 
     let by_angles = loaded("builtin:suzanne", |s| s.camera.yaw = Some(0.0));
     let camera = by_angles.frame(0.0).camera;
     assert!(camera.front.abs_diff_eq(DVec3::X, 1e-12), "yaw 0 looks along +X");
-    assert_eq!((by_angles.scene.camera.pitch, by_angles.scene.camera.target), (Some(0.0), None));
+    assert_eq!(by_angles.settings.camera.aim, Aim::Angles { yaw: 0.0, pitch: 0.0 });
     let (x, y, inside) = reach(&by_angles);
     assert!(inside && x.max(y) < 0.95);
 
@@ -81,7 +82,7 @@ fn the_light_is_a_portraits() {
     let scene = loaded("builtin:suzanne", |_| ());
     let frame = scene.frame(0.0);
     let center = 0.5 * (frame.bounds_min + frame.bounds_max);
-    let names: Vec<&str> = scene.scene.lights.iter().map(|l| l.name.as_str()).collect();
+    let names: Vec<&str> = scene.settings.lights.iter().map(|l| l.name.as_str()).collect();
     assert_eq!(names, ["key", "fill", "rim", "ambient"]);
     // A white wall in the middle that faces the key: lit by about 0.8 to 0.9 in all, never blown out.
     let LightKind::Point { position } = frame.lights[0].kind else { panic!("the key is a point light") };

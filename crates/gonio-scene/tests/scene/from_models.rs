@@ -104,11 +104,11 @@ fn with_camera_and_light() -> Memory {
 #[test]
 fn a_scene_without_lights_has_those_of_its_models() {
     let scene = loaded(&with_camera_and_light());
-    let [lamp] = scene.scene.lights.as_slice() else { panic!("{:?}", scene.scene.lights) };
+    let [lamp] = scene.settings.lights.as_slice() else { panic!("{:?}", scene.settings.lights) };
     assert_eq!((lamp.kind, lamp.name.as_str()), (LightSourceKind::Point, "Lamp"));
-    assert_eq!((lamp.position, lamp.quadratic), (Some([0.0, 0.0, 2.0]), Some(1.0)));
+    assert_eq!((lamp.position, lamp.quadratic), (Some([0.0, 0.0, 2.0]), 1.0));
     // The middle is (0.5, 0.5, 0), 4.5 squared away: 100 cd are scaled so that 1 arrives there.
-    let intensity = lamp.intensity.unwrap();
+    let intensity = lamp.intensity;
     assert!((intensity - 4.5).abs() < 1e-6, "{intensity}");
     let note = scene.diagnostics.iter().find(|d| d.message.starts_with("lit by")).unwrap();
     assert_eq!(
@@ -118,8 +118,8 @@ fn a_scene_without_lights_has_those_of_its_models() {
     // A light of the scene's own is all that counts.
     let text = "[[object]]\nmodel = \"m.gltf\"\n[[light]]\nkind = \"ambient\"\n";
     let own = load(toml_reader::read(text).unwrap(), Path::new(""), &with_camera_and_light()).unwrap();
-    assert_eq!(own.scene.lights.len(), 1);
-    assert_eq!(own.scene.lights[0].kind, LightSourceKind::Ambient);
+    assert_eq!(own.settings.lights.len(), 1);
+    assert_eq!(own.settings.lights[0].kind, LightSourceKind::Ambient);
 }
 
 #[test]
@@ -130,15 +130,14 @@ fn a_camera_of_the_file_is_taken_when_asked_for() {
         load(toml_reader::read(&text).unwrap(), Path::new(""), &files)
     };
     for name in ["Above", "1"] {
-        let camera = with(&format!("from_model = \"{name}\"")).unwrap().scene.camera;
+        let camera = with(&format!("from_model = \"{name}\"")).unwrap().settings.camera;
         // Moved with its object, looking along -z.
-        assert_eq!((camera.position, camera.target), (Some([1.0, 0.0, 5.0]), Some([1.0, 0.0, 4.0])));
-        assert!((camera.fov_y.unwrap() - 0.5_f64.to_degrees()).abs() < 1e-5);
-        assert!((camera.far.unwrap() - 50.0).abs() < 1e-5);
-        assert_eq!(camera.from_model, None, "all of it is written out");
+        assert_eq!((camera.position, camera.target()), ([1.0, 0.0, 5.0], Some([1.0, 0.0, 4.0])));
+        assert!((camera.fov_y - 0.5_f64.to_degrees()).abs() < 1e-5);
+        assert!((camera.far - 50.0).abs() < 1e-5);
     }
-    let own = with("from_model = \"Above\"\nfov_y = 10").unwrap().scene.camera;
-    assert_eq!((own.fov_y, own.position), (Some(10.0), Some([1.0, 0.0, 5.0])));
+    let own = with("from_model = \"Above\"\nfov_y = 10").unwrap().settings.camera;
+    assert_eq!((own.fov_y, own.position), (10.0, [1.0, 0.0, 5.0]));
     let error = with("from_model = \"Below\"").unwrap_err().to_string();
     assert_eq!(error, "camera.from_model: there is no camera `Below`; there are Above");
     let framed = with("").unwrap();

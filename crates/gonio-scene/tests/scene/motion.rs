@@ -2,11 +2,12 @@
 
 use glam::DVec3;
 use gonio_scene::motion::position_at;
-use gonio_scene::scene_file::{LightSpec, MotionSpec};
+use gonio_scene::scene_file::LightSpec;
+use gonio_scene::settings::Motion;
 
-fn motion(text: &str) -> (MotionSpec, DVec3) {
+fn motion(text: &str) -> (Motion, DVec3) {
     let light = LightSpec::from_option_text(text).unwrap();
-    (light.motion.unwrap(), light.position.unwrap_or_default().into())
+    (light.motion.unwrap().into(), light.position.unwrap_or_default().into())
 }
 
 #[track_caller]

@@ -41,7 +41,7 @@ fn numbers_that_cannot_be_are_refused_with_those_that_can() {
 #[test]
 fn a_scene_in_another_detail_is_the_same_scene() {
     let loaded = opened("builtin:sphere-smooth", Normals::Flat).unwrap_or_else(|e| panic!("{e}"));
-    let spec = &loaded.scene.objects[0];
+    let spec = &loaded.settings.objects[0];
     let sphere = Detail::Sphere(100).of(&loaded.meshes[0], spec).unwrap_or_else(|| panic!("it is a sphere"));
     // The next to 100 is 128; flat, as the object wants it.
     assert_eq!((sphere.triangle_count(), sphere.positions.len()), (128, 3 * 128));
@@ -51,10 +51,10 @@ fn a_scene_in_another_detail_is_the_same_scene() {
     assert_eq!(object.parts.iter().map(|part| part.triangle_count).sum::<usize>(), 128);
     assert_eq!(object.parts[0].material, loaded.objects[0].parts[0].material);
     assert!(object.closed);
-    assert_eq!(coarse.scene, loaded.scene);
+    assert_eq!(coarse.settings, loaded.settings);
 
     let monkey = opened("builtin:suzanne", Normals::File).unwrap_or_else(|e| panic!("{e}"));
-    let spec = &monkey.scene.objects[0];
+    let spec = &monkey.settings.objects[0];
     assert!(Detail::Sphere(100).of(&monkey.meshes[0], spec).is_none(), "no sphere");
     assert!(Detail::Share(1.0).of(&monkey.meshes[0], spec).is_none(), "all of it");
     let wanted = monkey.meshes[0].triangle_count() / 4;

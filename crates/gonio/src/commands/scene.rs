@@ -59,13 +59,14 @@ fn schema() -> Result<String, CliError> {
 }
 
 fn effective(args: &SceneArgs, reporter: &Reporter) -> Result<String, CliError> {
-    let mut loaded = {
+    let loaded = {
         let _busy = reporter.busy("reading the scene");
         loading::load_scene(&args.inputs, &args.scene)?
     };
     reporter.diagnostics(&loaded.diagnostics);
+    let mut scene = SceneFile::from(&loaded.settings);
     if let Some(folder) = args.output.as_deref().and_then(Path::parent) {
-        for object in &mut loaded.scene.objects {
+        for object in &mut scene.objects {
             object.model = seen_from(folder, &object.model);
         }
     }
@@ -73,12 +74,12 @@ fn effective(args: &SceneArgs, reporter: &Reporter) -> Result<String, CliError> 
         let report = serde_json::json!({
             "command": "scene",
             "inputs": args.inputs,
-            "scene": loaded.scene,
+            "scene": scene,
             "warnings": loaded.diagnostics,
         });
         return json_text(&report);
     }
-    Ok(toml_for_terminal(&loaded.scene.to_toml_string()))
+    Ok(toml_for_terminal(&scene.to_toml_string()))
 }
 
 /// A model's path, relative to this folder until now, as seen from `folder`.

@@ -10,8 +10,8 @@ use egui::Ui;
 use glam::DVec3;
 use gonio_light::vector::unit;
 use gonio_scene::Camera;
-use gonio_scene::load::camera_of;
-use gonio_scene::scene_file::CameraSpec;
+use gonio_scene::defaults;
+use gonio_scene::settings::{Aim, CameraSettings};
 
 /// The closest that pitch comes to straight up or down, degrees.
 const STEEPEST: f64 = 89.0;
@@ -24,7 +24,7 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
     let spec = &mut document.scene.camera;
     place(ui, spec);
     lens(ui, spec);
-    if spec.position != before.position || spec.target != before.target {
+    if spec.position != before.position || spec.aim != before.aim {
         // Near and far for the place where it stands now: nothing is cut off.
         let moved = loaded.with_planes(spec.clone());
         (spec.near, spec.far) = (moved.near, moved.far);
@@ -34,24 +34,21 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
     }
     let [width, height] = session.facts.size.map(f64::from);
     let aspect = if width > 0.0 && height > 0.0 { width / height } else { 1.0 };
-    matrices::show(ui, &camera_of(&document.scene.camera), aspect);
+    matrices::show(ui, &document.scene.camera.to_camera(), aspect);
 }
 
-fn place(ui: &mut Ui, spec: &mut CameraSpec) {
+fn place(ui: &mut Ui, spec: &mut CameraSettings) {
     heading(ui, "Place");
-    let mut position = spec.position.unwrap_or_default();
     let tip = "The eye, world space";
-    if row(ui, "Position", tip, |ui| Vector::new("camera-position", "position").tip(tip).show(ui, &mut position)) {
-        spec.position = Some(position);
-    }
-    let camera = camera_of(spec);
+    row(ui, "Position", tip, |ui| Vector::new("camera-position", "position").tip(tip).show(ui, &mut spec.position));
+    let camera = spec.to_camera();
     let (mut yaw, mut pitch) = camera.yaw_pitch_deg();
     // A camera that looks along angles gets the point ahead of it.
     let ahead = (camera.position + camera.front).to_array();
-    let mut target = spec.target.unwrap_or(ahead);
+    let mut target = spec.target().unwrap_or(ahead);
     let tip = "The point looked at, world space";
     if row(ui, "Target", tip, |ui| Vector::new("camera-target", "target").tip(tip).show(ui, &mut target)) {
-        (spec.target, spec.yaw, spec.pitch) = (Some(target), None, None);
+        spec.aim = Aim::Target(target);
     }
     let before = (yaw, pitch);
     for (id, label, tip, value, range, default) in [
@@ -61,9 +58,9 @@ fn place(ui: &mut Ui, spec: &mut CameraSpec) {
             "Yaw of the viewing direction; -90\u{b0} looks along -Z",
             &mut yaw,
             -360.0..=360.0,
-            -90.0,
+            defaults::YAW,
         ),
-        ("camera-pitch", "Pitch", "Pitch; positive looks up", &mut pitch, -STEEPEST..=STEEPEST, 0.0),
+        ("camera-pitch", "Pitch", "Pitch; positive looks up", &mut pitch, -STEEPEST..=STEEPEST, defaults::PITCH),
     ] {
         row(ui, label, tip, |ui| {
             let number = Number::new(id, label).tip(tip).unit("\u{b0}").range(range).default(default).step(0.5);
@@ -73,38 +70,32 @@ fn place(ui: &mut Ui, spec: &mut CameraSpec) {
     if (yaw, pitch) != before {
         turn(spec, &camera, target.into(), yaw, pitch);
     }
-    let mut up = spec.up.unwrap_or([0.0, 1.0, 0.0]);
     let tip = "WorldUp: which way is up, made perpendicular to the viewing direction";
-    let changed = row(ui, "Up", tip, |ui| {
-        Vector::new("camera-up", "up").tip(tip).default([0.0, 1.0, 0.0]).step(0.01).show(ui, &mut up)
+    row(ui, "Up", tip, |ui| {
+        Vector::new("camera-up", "up").tip(tip).default(defaults::UP).step(0.01).show(ui, &mut spec.up)
     });
-    if changed {
-        spec.up = Some(up);
-    }
 }
 
 /// Looks along other angles from where it stands, at a target as far away as before.
-fn turn(spec: &mut CameraSpec, camera: &Camera, target: DVec3, yaw: f64, pitch: f64) {
+fn turn(spec: &mut CameraSettings, camera: &Camera, target: DVec3, yaw: f64, pitch: f64) {
     let distance = camera.position.distance(target);
     let direction = Camera::direction_of(yaw, pitch);
-    spec.target = Some((camera.position + direction * if distance > 0.0 { distance } else { 1.0 }).to_array());
-    (spec.yaw, spec.pitch) = (None, None);
+    let target = camera.position + direction * if distance > 0.0 { distance } else { 1.0 };
+    spec.aim = Aim::Target(target.to_array());
 }
 
-fn lens(ui: &mut Ui, spec: &mut CameraSpec) {
+fn lens(ui: &mut Ui, spec: &mut CameraSettings) {
     heading(ui, "Lens");
-    let mut fov = spec.fov_y.unwrap_or(40.0);
     row(ui, "Field of view", "Full vertical angle of what is seen", |ui| {
         let tip = "Full vertical field of view; the lab's 45 rad are 58.3\u{b0}";
         Number::new("camera-fov", "field of view")
             .tip(tip)
             .unit("\u{b0}")
             .range(1.0..=170.0)
-            .default(40.0)
-            .show(ui, &mut fov);
+            .default(defaults::FOV_Y)
+            .show(ui, &mut spec.fov_y);
     });
-    spec.fov_y = Some(fov);
-    let (mut near, mut far) = (spec.near.unwrap_or(0.1), spec.far.unwrap_or(100.0));
+    let (mut near, mut far) = (spec.near, spec.far);
     let before = (near, far);
     for (id, label, tip, value) in [
         ("camera-near", "Near", "Distance of the near plane, world units", &mut near),
@@ -115,15 +106,12 @@ fn lens(ui: &mut Ui, spec: &mut CameraSpec) {
         });
     }
     if (near, far) != before && near < far {
-        (spec.near, spec.far) = (Some(near), Some(far));
+        (spec.near, spec.far) = (near, far);
     }
 }
 
 /// Whether there is such a camera: it looks somewhere, and up is a direction.
-fn is_possible(spec: &CameraSpec) -> bool {
-    let looks = match (spec.position, spec.target) {
-        (Some(position), Some(target)) => unit(DVec3::from(target) - DVec3::from(position)).is_some(),
-        _ => true,
-    };
-    looks && spec.up.is_none_or(|up| unit(up.into()).is_some())
+fn is_possible(spec: &CameraSettings) -> bool {
+    let looks = spec.target().is_none_or(|target| unit(DVec3::from(target) - DVec3::from(spec.position)).is_some());
+    looks && unit(spec.up.into()).is_some()
 }

@@ -4,14 +4,14 @@ use super::noted;
 use crate::document::{Document, Pane};
 use egui::Ui;
 use gonio_light::{Convention, Specular};
-use gonio_scene::SceneFile;
+use gonio_scene::SceneSettings;
 use gonio_scene::detail::{self, Detail};
 use gonio_scene::scene_file::Shading;
 
 /// A name, what it shows, and its panes.
 type Preset = (&'static str, &'static str, &'static str, Vec<Pane>);
 
-fn presets(scene: &SceneFile) -> Vec<Preset> {
+fn presets(scene: &SceneSettings) -> Vec<Preset> {
     let shading = |shading| Pane { shading: Some(shading), ..Pane::default() };
     let specular = |specular| Pane { specular: Some(specular), ..Pane::default() };
     let convention = |convention| Pane { convention: Some(convention), ..Pane::default() };

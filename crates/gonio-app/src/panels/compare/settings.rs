@@ -7,7 +7,7 @@ use egui::{ComboBox, Grid, Ui};
 use gonio_light::{Convention, Quantity, Specular};
 use gonio_scene::detail::{self, Detail};
 use gonio_scene::scene_file::Shading;
-use gonio_scene::{Scene, SceneFile, ViewSpec};
+use gonio_scene::{Scene, SceneSettings, ViewSpec};
 
 const AS_SCENE: &str = "as the scene";
 
@@ -64,7 +64,7 @@ fn choice<T: Copy + PartialEq>(ui: &mut Ui, id: &str, label: &str, value: &mut O
 }
 
 /// How many triangles: of the sphere, or a share of each model's.
-fn detail(ui: &mut Ui, pane: &mut Pane, scene: &SceneFile, loaded: Option<&Scene>) {
+fn detail(ui: &mut Ui, pane: &mut Pane, scene: &SceneSettings, loaded: Option<&Scene>) {
     let name = ui.add(egui::Label::new("Triangles").sense(egui::Sense::click()));
     if name.on_hover_text("Double click: as the scene").double_clicked() {
         pane.detail = None;

@@ -6,11 +6,11 @@ use crate::session::{Session, Term};
 use crate::widgets::compact;
 use egui::{RichText, Sense, Ui};
 use gonio_light::Specular;
-use gonio_scene::SceneFile;
+use gonio_scene::SceneSettings;
 use gonio_scene::scene_file::LightSourceKind;
 
 /// The tooltip of a term.
-pub fn show(ui: &mut Ui, document: &Document, session: &Session, scene: &SceneFile, term: Term) {
+pub fn show(ui: &mut Ui, document: &Document, session: &Session, scene: &SceneSettings, term: Term) {
     ui.set_max_width(340.0);
     ui.label(RichText::new(term.description().trim()).strong());
     formula_line(ui, &formula::definition(scene, term), 16.0, document, Sense::hover());
@@ -34,14 +34,14 @@ pub fn show(ui: &mut Ui, document: &Document, session: &Session, scene: &SceneFi
 }
 
 /// What the scene has of it.
-fn now(scene: &SceneFile, session: &Session, term: Term) -> Option<String> {
-    let count = |kind: LightSourceKind| scene.lights.iter().filter(|l| l.kind == kind && l.is_on()).count();
+fn now(scene: &SceneSettings, session: &Session, term: Term) -> Option<String> {
+    let count = |kind: LightSourceKind| scene.lights.iter().filter(|l| l.kind == kind && l.enabled).count();
     let e = &scene.equation;
     Some(match term {
         Term::Ambient => {
-            let lights = scene.lights.iter().filter(|l| l.kind == LightSourceKind::Ambient && l.is_on());
+            let lights = scene.lights.iter().filter(|l| l.kind == LightSourceKind::Ambient && l.enabled);
             let sum = lights.fold([0.0; 3], |sum, light| {
-                let (color, intensity) = (light.color.map_or([1.0; 3], |c| c.0), light.intensity.unwrap_or(1.0));
+                let (color, intensity) = (light.color.0, light.intensity);
                 [0, 1, 2].map(|i| sum[i] + color[i] * intensity)
             });
             let [r, g, b] = sum.map(compact);
@@ -71,7 +71,7 @@ fn now(scene: &SceneFile, session: &Session, term: Term) -> Option<String> {
         },
         Term::Light => {
             let lit = scene.lights.iter().filter(|l| l.kind != LightSourceKind::Ambient);
-            let on = lit.clone().filter(|l| l.is_on()).count();
+            let on = lit.clone().filter(|l| l.enabled).count();
             format!("{on} of {} lights are on", lit.count())
         }
         Term::Attenuation => {

@@ -4,8 +4,9 @@ use crate::session::Term;
 use crate::typeset::{Node, Tag};
 use gonio_light::brdf::BrdfKind;
 use gonio_light::{Convention, Specular};
-use gonio_scene::SceneFile;
-use gonio_scene::scene_file::{EquationSpec, LightSourceKind};
+use gonio_scene::SceneSettings;
+use gonio_scene::scene_file::LightSourceKind;
+use gonio_scene::settings::EquationSettings;
 
 /// The tag of a term in formulas.
 pub fn tag(term: Term) -> Tag {
@@ -38,8 +39,8 @@ fn cosine() -> Node {
 }
 
 /// Whether the specular term is weighted by the cosine, which then stands outside the brackets.
-fn is_weighted(e: &EquationSpec) -> bool {
-    e.brdf.is_some() || e.cosine_weighted.unwrap_or(e.convention == Convention::Physical)
+fn is_weighted(e: &EquationSettings) -> bool {
+    e.brdf.is_some() || e.cosine_weighted
 }
 
 /// The name of a term as it stands in the equation.
@@ -61,7 +62,7 @@ pub fn symbol(term: Term) -> Node {
 }
 
 /// The equation of `scene` (with the settings of its pane), in parts between which it may be broken.
-pub fn equation(scene: &SceneFile) -> Vec<Node> {
+pub fn equation(scene: &SceneSettings) -> Vec<Node> {
     let e = &scene.equation;
     let mut parts = Vec::new();
     let mut terms = Vec::new();
@@ -97,7 +98,7 @@ pub fn equation(scene: &SceneFile) -> Vec<Node> {
 }
 
 /// What a term is, as an equation.
-pub fn definition(scene: &SceneFile, term: Term) -> Node {
+pub fn definition(scene: &SceneSettings, term: Term) -> Node {
     let e = &scene.equation;
     let k = |index: &str| v("k").below(v(index));
     let is = |right: Node| Node::row([symbol(term), Node::relation("="), right]);
@@ -151,7 +152,7 @@ pub fn definition(scene: &SceneFile, term: Term) -> Node {
     }
 }
 
-fn specular(e: &EquationSpec) -> Node {
+fn specular(e: &EquationSettings) -> Node {
     let gamma = || v("\u{3b3}");
     let phong = || Node::clamped_product(indexed(v("R")), v("V")).sup(gamma());
     let blinn = || Node::clamped_product(v("N"), indexed(v("H"))).sup(gamma());
@@ -211,7 +212,7 @@ fn ward(normalised: bool) -> Node {
 }
 
 /// The vectors of the definitions.
-pub fn vectors(e: &EquationSpec) -> Vec<Node> {
+pub fn vectors(e: &EquationSettings) -> Vec<Node> {
     let r = Node::row([
         indexed(v("R")),
         Node::relation("="),

@@ -20,7 +20,7 @@ use crate::theme::icons;
 use crate::typeset::{self, EguiFonts, Laid, Node, Tag};
 use crate::widgets::{self, icon_button};
 use egui::{Color32, CursorIcon, Id, Rect, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
-use gonio_scene::SceneFile;
+use gonio_scene::SceneSettings;
 
 /// Sizes of the formula that are tried until it fits on a line, points for an em.
 const SIZES: [f32; 4] = [23.0, 21.0, 19.0, 17.0];
@@ -64,7 +64,7 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
 }
 
 /// The scene with the settings of the current pane.
-fn effective(document: &Document) -> SceneFile {
+fn effective(document: &Document) -> SceneSettings {
     let pane = document.panes.current();
     pane.map_or_else(|| document.scene.clone(), |pane| pane.applied_to(&document.scene))
 }
@@ -201,7 +201,7 @@ fn buttons(ui: &mut Ui, document: &mut Document, session: &mut Session) {
 }
 
 /// All definitions, flowing; a click on one chooses it.
-fn definitions(ui: &mut Ui, document: &Document, session: &mut Session, scene: &SceneFile) {
+fn definitions(ui: &mut Ui, document: &Document, session: &mut Session, scene: &SceneSettings) {
     const SIZE: f32 = 15.0;
     let terms = [
         Term::Ambient,

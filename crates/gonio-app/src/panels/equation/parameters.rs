@@ -8,11 +8,17 @@ use crate::widgets::{Number, Vector, choice, dropdown, named_options, toggle};
 use egui::{RichText, Sense, Ui, vec2};
 use gonio_light::brdf::BrdfKind;
 use gonio_light::{Convention, Specular};
-use gonio_scene::SceneFile;
-use gonio_scene::scene_file::EquationSpec;
+use gonio_scene::settings::EquationSettings;
+use gonio_scene::{SceneSettings, defaults};
 
 /// Shows them.
-pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, scene: &SceneFile, actions: &mut Vec<Action>) {
+pub fn show(
+    ui: &mut Ui,
+    document: &mut Document,
+    session: &mut Session,
+    scene: &SceneSettings,
+    actions: &mut Vec<Action>,
+) {
     let term = session.equation.selected;
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(10.0, 2.0);
@@ -92,7 +98,7 @@ fn convention(ui: &mut Ui, document: &mut Document) {
         _ => {
             let e = &mut document.scene.equation;
             e.convention = value;
-            e.cosine_weighted = Some(value == Convention::Physical);
+            e.cosine_weighted = defaults::cosine_weighted(value);
         }
     }
 }
@@ -106,18 +112,15 @@ fn specular(ui: &mut Ui, document: &mut Document) {
         }
         let e = &mut document.scene.equation;
         toggle(ui, "gated", "gated", &mut e.gated, "No specular light where N\u{22c5}L is not above 0");
-        let mut weighted = e.cosine_weighted.unwrap_or(e.convention == Convention::Physical);
         let tip = "The specular term times cos \u{3b8}: the factor that the lab's equation has lost";
-        if toggle(ui, "cosine-weighted", "times cos \u{3b8}", &mut weighted, tip) {
-            e.cosine_weighted = Some(weighted);
-        }
+        toggle(ui, "cosine-weighted", "times cos \u{3b8}", &mut e.cosine_weighted, tip);
     }
     brdf(ui, document);
 }
 
 /// The BRDFs in place of both terms.
 fn brdf(ui: &mut Ui, document: &mut Document) {
-    let e: &mut EquationSpec = &mut document.scene.equation;
+    let e: &mut EquationSettings = &mut document.scene.equation;
     let mut options: Vec<(Option<BrdfKind>, &str, &str)> =
         vec![(None, "none", "The lab's two terms, diffuse and specular")];
     options.extend(BrdfKind::ALL.iter().map(|kind| (Some(*kind), kind.name(), kind.description())));

@@ -41,7 +41,7 @@ pub fn is_on(document: &Document, term: Term) -> Option<bool> {
     match term {
         Term::Ambient => Some(e.ambient && e.brdf.is_none()),
         Term::Emitted => Some(e.emitted),
-        Term::Environment => document.scene.environment.as_ref().map(|env| env.light == Some(true)),
+        Term::Environment => document.scene.environment.as_ref().map(|env| env.light),
         Term::Diffuse => Some(e.diffuse),
         Term::Specular => Some(e.specular_term && (e.brdf.is_some() || specular_of(document) != Specular::None)),
         Term::Attenuation => Some(e.attenuation),
@@ -58,7 +58,7 @@ pub fn set(document: &mut Document, term: Term, on: bool) {
         Term::Emitted => e.emitted = on,
         Term::Environment => {
             if let Some(environment) = &mut document.scene.environment {
-                environment.light = Some(on);
+                environment.light = on;
             }
         }
         Term::Diffuse => e.diffuse = on,
@@ -123,14 +123,14 @@ pub fn alone(document: &mut Document, view: &mut EquationView, term: Term) {
 
 /// Indices of the lights that are on.
 fn lights_on(document: &Document) -> Vec<usize> {
-    document.scene.lights.iter().enumerate().filter(|(_, light)| light.is_on()).map(|(index, _)| index).collect()
+    document.scene.lights.iter().enumerate().filter(|(_, light)| light.enabled).map(|(index, _)| index).collect()
 }
 
 /// Switches lights; those that are no more are left out.
 fn turn(document: &mut Document, lights: &[usize], on: bool) {
     for index in lights {
         if let Some(light) = document.scene.lights.get_mut(*index) {
-            light.enabled = (!on).then_some(false);
+            light.enabled = on;
         }
     }
 }

@@ -10,8 +10,9 @@ use crate::typeset::{self, EguiFonts, Node};
 use crate::widgets::{Number, Vector, color, dropdown, icon_button, named_options, row, tool_button};
 use egui::{Frame, Margin, Sense, TextEdit, Ui, pos2, vec2};
 use glam::DVec3;
-use gonio_scene::color_value::Color;
-use gonio_scene::scene_file::{LightSourceKind, LightSpec};
+use gonio_scene::defaults;
+use gonio_scene::scene_file::LightSourceKind;
+use gonio_scene::settings::{LightSettings, MotionPath};
 
 /// Shows it; what is asked for that changes the list.
 pub fn show(ui: &mut Ui, document: &mut Document, session: &Session, index: usize) -> Option<Edit> {
@@ -30,7 +31,7 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &Session, index: usiz
     asked
 }
 
-fn values(ui: &mut Ui, light: &mut LightSpec, session: &Session, index: usize) {
+fn values(ui: &mut Ui, light: &mut LightSettings, session: &Session, index: usize) {
     let id = |name: &str| format!("light-{index}-{name}");
     row(ui, "Name", "For reports and lists", |ui| {
         let edit = TextEdit::singleline(&mut light.name).id_salt("name").hint_text(light.kind.name());
@@ -45,8 +46,11 @@ fn values(ui: &mut Ui, light: &mut LightSpec, session: &Session, index: usize) {
     if let Some(position) = &mut light.position {
         let tip = "Position, world space; where it does not move, or begins to";
         let moved = row(ui, "Position", tip, |ui| Vector::new(&id("position"), "position").tip(tip).show(ui, position));
-        let first = light.motion.as_mut().and_then(|m| m.points.as_mut()).and_then(|points| points.first_mut());
-        if moved && let Some(first) = first {
+        let path = light.motion.as_mut().map(|motion| &mut motion.path);
+        if moved
+            && let Some(MotionPath::Path { points }) = path
+            && let Some(first) = points.first_mut()
+        {
             *first = *position;
         }
     }
@@ -56,11 +60,8 @@ fn values(ui: &mut Ui, light: &mut LightSpec, session: &Session, index: usize) {
             Vector::new(&id("direction"), "direction").tip(tip).step(0.01).show(ui, direction)
         });
     }
-    let mut value = light.color.unwrap_or(Color::grey(1.0));
     let tip = "Colour of L_i, linear RGB";
-    if row(ui, "Colour", tip, |ui| color(ui, &id("color"), "colour", &mut value, Some(Color::grey(1.0)), tip)) {
-        light.color = Some(value);
-    }
+    row(ui, "Colour", tip, |ui| color(ui, &id("color"), "colour", &mut light.color, Some(defaults::LIGHT_COLOR), tip));
     if light.position.is_some() {
         attenuation(ui, light, session, index);
     }
@@ -72,7 +73,7 @@ fn values(ui: &mut Ui, light: &mut LightSpec, session: &Session, index: usize) {
     }
 }
 
-fn attenuation(ui: &mut Ui, light: &mut LightSpec, session: &Session, index: usize) {
+fn attenuation(ui: &mut Ui, light: &mut LightSettings, session: &Session, index: usize) {
     let k = |letter: &str| Node::variable("k").below(Node::variable(letter));
     let d = || Node::variable("d");
     let terms = [k("c"), Node::binary("+"), k("l"), d(), Node::binary("+"), k("q"), d().sup(Node::upright("2"))];
@@ -81,13 +82,14 @@ fn attenuation(ui: &mut Ui, light: &mut LightSpec, session: &Session, index: usi
     let (rect, _) = ui.allocate_exact_size(vec2(laid.width, laid.size().y + 2.0), Sense::hover());
     let color = ui.visuals().text_color();
     typeset::paint(ui.painter(), &laid, pos2(rect.left(), rect.top() + 1.0 + laid.ascent), &|_| color);
-    let mut values = [light.constant, light.linear, light.quadratic].map(|v| v.unwrap_or(0.0));
+    let mut values = [light.constant, light.linear, light.quadratic];
+    let [constant, linear, quadratic] = defaults::ATTENUATION;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         let names = [
-            ("kc", "k_c, constant: 1 at no distance", 1.0, 0.005),
-            ("kl", "k_l, times the distance", 0.0, 0.002),
-            ("kq", "k_q, times its square; k_c = k_l = 0, k_q = 1 is the inverse square law", 0.0, 0.002),
+            ("kc", "k_c, constant: 1 at no distance", constant, 0.005),
+            ("kl", "k_l, times the distance", linear, 0.002),
+            ("kq", "k_q, times its square; k_c = k_l = 0, k_q = 1 is the inverse square law", quadratic, 0.002),
         ];
         for ((name, tip, default, step), value) in names.into_iter().zip(&mut values) {
             ui.label(egui::RichText::new(name).weak());
@@ -99,16 +101,16 @@ fn attenuation(ui: &mut Ui, light: &mut LightSpec, session: &Session, index: usi
     let here = light.position.map_or(radius, |p| DVec3::from(p).distance(center));
     falloff::show(ui, values, (2.0 * here).max(radius), here);
     if values != [0.0; 3] {
-        (light.constant, light.linear, light.quadratic) = (Some(values[0]), Some(values[1]), Some(values[2]));
+        [light.constant, light.linear, light.quadratic] = values;
     }
 }
 
-fn cone(ui: &mut Ui, light: &mut LightSpec, index: usize) {
-    let (mut inner, mut outer) = (light.inner_angle.unwrap_or(20.0), light.outer_angle.unwrap_or(30.0));
+fn cone(ui: &mut Ui, light: &mut LightSettings, index: usize) {
+    let (mut inner, mut outer) = (light.inner_angle, light.outer_angle);
     let before = (inner, outer);
     let angles = [
-        ("inner", "Inner angle", "Half angle of the fully lit cone", &mut inner, 20.0),
-        ("outer", "Outer angle", "Half angle at which the light ends", &mut outer, 30.0),
+        ("inner", "Inner angle", "Half angle of the fully lit cone", &mut inner, defaults::INNER_ANGLE),
+        ("outer", "Outer angle", "Half angle at which the light ends", &mut outer, defaults::OUTER_ANGLE),
     ];
     for (name, label, tip, value, default) in angles {
         row(ui, label, tip, |ui| {
@@ -125,11 +127,11 @@ fn cone(ui: &mut Ui, light: &mut LightSpec, index: usize) {
             outer = inner;
         }
     }
-    (light.inner_angle, light.outer_angle) = (Some(inner), Some(outer));
+    (light.inner_angle, light.outer_angle) = (inner, outer);
 }
 
 /// What no light can be is left as it was: a direction without length.
-fn keep_possible(light: &mut LightSpec, before: &LightSpec) {
+fn keep_possible(light: &mut LightSettings, before: &LightSettings) {
     if light.direction == Some([0.0; 3]) {
         light.direction = before.direction;
     }

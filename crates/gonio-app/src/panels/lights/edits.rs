@@ -4,9 +4,9 @@ use crate::document::Document;
 use crate::session::{Selection, Session};
 use glam::DVec3;
 use gonio_light::vector::unit;
-use gonio_scene::color_value::Color;
-use gonio_scene::load::camera_of;
-use gonio_scene::scene_file::{LightSourceKind, LightSpec};
+use gonio_scene::defaults;
+use gonio_scene::scene_file::LightSourceKind;
+use gonio_scene::settings::LightSettings;
 
 /// Asked for by the parameters of a light.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,62 +75,52 @@ fn renumber(document: &mut Document, number: impl Fn(usize) -> Option<usize>) {
 /// Whether it is the only one that is on, of several.
 pub fn is_alone(document: &Document, index: usize) -> bool {
     let lights = &document.scene.lights;
-    lights.len() > 1 && lights.iter().enumerate().all(|(i, light)| light.is_on() == (i == index))
+    lights.len() > 1 && lights.iter().enumerate().all(|(i, light)| light.enabled == (i == index))
 }
 
 /// This one alone; where it is, all of them.
 pub fn alone(document: &mut Document, index: usize) {
     let all = is_alone(document, index);
     for (i, light) in document.scene.lights.iter_mut().enumerate() {
-        light.enabled = if all || i == index { None } else { Some(false) };
+        light.enabled = all || i == index;
     }
 }
 
 /// Adds a light of a kind, where it is seen and lights what is there: from the upper left of the eye.
 pub fn add(document: &mut Document, session: &mut Session, kind: LightSourceKind) {
     let (center, radius) = around(session);
-    let camera = camera_of(&document.scene.camera);
+    let camera = document.scene.camera.to_camera();
     // The third light from the same place would be hard to tell from the first two.
     let side = [-0.55, 0.55, 0.0][document.scene.lights.len() % 3];
     let way = unit(side * camera.right + 0.6 * camera.up - 0.75 * camera.front).unwrap_or(DVec3::Y);
     let tidy = |v: DVec3| v.to_array().map(|c| tidy(c, radius));
-    let mut light = LightSpec { kind, color: Some(Color::grey(1.0)), intensity: Some(0.6), ..LightSpec::default() };
-    match kind {
-        LightSourceKind::Ambient => light.intensity = Some(0.08),
-        LightSourceKind::Directional => light.direction = Some((-way).to_array().map(tidy_unit)),
-        LightSourceKind::Point | LightSourceKind::Spot => {
-            light.position = Some(tidy(center + 1.6 * radius * way));
-            (light.constant, light.linear, light.quadratic) = (Some(1.0), Some(0.0), Some(0.0));
-        }
+    let mut light = LightSettings { intensity: 0.6, ..LightSettings::new(kind) };
+    if kind == LightSourceKind::Ambient {
+        light.intensity = 0.08;
     }
-    if kind == LightSourceKind::Spot {
-        light.direction = Some((-way).to_array().map(tidy_unit));
-        (light.inner_angle, light.outer_angle) = (Some(20.0), Some(30.0));
-    }
+    light.direction = kind.has_direction().then(|| (-way).to_array().map(tidy_unit));
+    light.position = kind.has_position().then(|| tidy(center + 1.6 * radius * way));
     document.scene.lights.push(light);
     session.selection = Selection::Light(document.scene.lights.len() - 1);
     session.announcement = format!("a {kind} light was added");
 }
 
 /// Makes a light one of another kind: what the new kind has no word for goes, what it needs is filled in.
-pub fn convert(light: &mut LightSpec, kind: LightSourceKind, session: &Session) {
-    use LightSourceKind::{Directional, Point, Spot};
+pub fn convert(light: &mut LightSettings, kind: LightSourceKind, session: &Session) {
     let (center, radius) = around(session);
     let way = light.direction.map(DVec3::from).and_then(unit);
     let from_place = light.position.and_then(|p| unit(center - DVec3::from(p)));
     let way = way.or(from_place).unwrap_or(DVec3::NEG_Y);
-    let has_place = matches!(kind, Point | Spot);
     light.kind = kind;
-    light.direction = matches!(kind, Directional | Spot).then(|| way.to_array().map(tidy_unit));
+    light.direction = kind.has_direction().then(|| way.to_array().map(tidy_unit));
     let place = light.position.unwrap_or_else(|| (center - 1.6 * radius * way).to_array().map(|c| tidy(c, radius)));
-    light.position = has_place.then_some(place);
-    light.constant = has_place.then(|| light.constant.unwrap_or(1.0));
-    light.linear = has_place.then(|| light.linear.unwrap_or(0.0));
-    light.quadratic = has_place.then(|| light.quadratic.unwrap_or(0.0));
-    light.inner_angle = (kind == Spot).then(|| light.inner_angle.unwrap_or(20.0));
-    light.outer_angle = (kind == Spot).then(|| light.outer_angle.unwrap_or(30.0));
-    if !has_place {
+    light.position = kind.has_position().then_some(place);
+    if !kind.has_position() {
+        [light.constant, light.linear, light.quadratic] = defaults::ATTENUATION;
         light.motion = None;
+    }
+    if kind != LightSourceKind::Spot {
+        (light.inner_angle, light.outer_angle) = (defaults::INNER_ANGLE, defaults::OUTER_ANGLE);
     }
 }
 

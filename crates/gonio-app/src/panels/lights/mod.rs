@@ -12,7 +12,7 @@ use crate::session::{Selection, Session};
 use crate::theme::{self, colors, icons};
 use crate::widgets::{Number, color_swatch, icon_button, tool_button};
 use egui::{Align, Atom, Button, Layout, RichText, Ui, WidgetInfo, vec2};
-use gonio_scene::color_value::Color;
+use gonio_scene::defaults;
 use gonio_scene::scene_file::LightSourceKind;
 
 /// The icon of a kind of light.
@@ -64,14 +64,14 @@ fn row(ui: &mut Ui, document: &mut Document, session: &mut Session, index: usize
     let only = edits::is_alone(document, index);
     let selected = session.selection == Selection::Light(index);
     let Some(light) = document.scene.lights.get_mut(index) else { return };
-    let (kind, on) = (light.kind, light.is_on());
+    let (kind, on) = (light.kind, light.enabled);
     let mut make_alone = false;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 3.0;
         let (icon, tip) = if on { (icons::EYE, "On: click for off") } else { (icons::EYE_SLASH, "Off: click for on") };
         let eye = tool_button(ui, &format!("light-{index}-on"), icon, &format!("{name}: {tip}"), None, true);
         if eye.clicked() {
-            light.enabled = on.then_some(false);
+            light.enabled = !on;
         }
         let tint = only.then(|| colors::ACCENT.of(ui));
         let tip = if only { "All lights again" } else { "This light alone" };
@@ -83,21 +83,16 @@ fn row(ui: &mut Ui, document: &mut Document, session: &mut Session, index: usize
             if icon_button(ui, &format!("light-{index}-open"), caret, &format!("Parameters of {name}")).clicked() {
                 session.selection = if selected { Selection::None } else { Selection::Light(index) };
             }
-            let mut intensity = light.intensity.unwrap_or(1.0);
             let id = format!("light-{index}-intensity");
             let number = Number::new(&id, "intensity")
                 .tip("Intensity: L_i is the colour times this")
                 .range(0.0..=1e6)
-                .default(1.0)
+                .default(defaults::LIGHT_INTENSITY)
                 .width(58.0);
-            if number.show(ui, &mut intensity).changed() || Some(intensity) != light.intensity {
-                light.intensity = Some(intensity);
-            }
-            let mut color = light.color.unwrap_or(Color::grey(1.0));
+            number.show(ui, &mut light.intensity);
             let id = format!("light-{index}-swatch");
-            if color_swatch(ui, &id, "colour of the light", &mut color, Some(Color::grey(1.0)), "Colour of L_i") {
-                light.color = Some(color);
-            }
+            let default = Some(defaults::LIGHT_COLOR);
+            color_swatch(ui, &id, "colour of the light", &mut light.color, default, "Colour of L_i");
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                 if title(ui, index, kind, &name, on, selected) {
                     session.selection = if selected { Selection::None } else { Selection::Light(index) };

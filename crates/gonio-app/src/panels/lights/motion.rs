@@ -5,14 +5,16 @@ use crate::session::Session;
 use crate::theme::icons;
 use crate::widgets::{Number, Vector, dropdown, icon_button, row};
 use egui::Ui;
-use gonio_scene::scene_file::{LightSpec, MotionKind, MotionSpec};
+use gonio_scene::defaults;
+use gonio_scene::scene_file::MotionKind;
+use gonio_scene::settings::{LightSettings, Motion, MotionPath};
 
 /// Most points of a path that are shown; more are edited in the scene file.
 const MOST_POINTS: usize = 24;
 
 /// Shows it.
-pub fn show(ui: &mut Ui, light: &mut LightSpec, session: &Session, index: usize) {
-    let mut kind = light.motion.as_ref().map(|motion| motion.kind);
+pub fn show(ui: &mut Ui, light: &mut LightSettings, session: &Session, index: usize) {
+    let mut kind = light.motion.as_ref().map(|motion| motion.path.kind());
     let mut options = vec![(None, "still", "It does not move")];
     options.extend(MotionKind::ALL.iter().map(|kind| (Some(*kind), kind.name(), kind.description())));
     let changed = row(ui, "Motion", "How the light moves with time", |ui| {
@@ -21,39 +23,33 @@ pub fn show(ui: &mut Ui, light: &mut LightSpec, session: &Session, index: usize)
     if changed {
         light.motion = kind.map(|kind| fresh(kind, light, session));
     }
-    let position = light.position.unwrap_or_default();
     let Some(motion) = &mut light.motion else { return };
     row(ui, "Period", "Seconds for one turn", |ui| {
         let id = format!("light-{index}-period");
         let number = Number::new(&id, "period").tip("Seconds for one turn").unit(" s");
         number.range(0.01..=1e6).default(4.0).show(ui, &mut motion.period);
     });
-    match motion.kind {
-        MotionKind::Oscillate => {
-            let mut amplitude = motion.amplitude.unwrap_or_default();
+    match &mut motion.path {
+        MotionPath::Oscillate { amplitude } => {
             row(ui, "Amplitude", "How far to each side, world units", |ui| {
                 let id = format!("light-{index}-amplitude");
-                Vector::new(&id, "amplitude").tip("How far to each side, world units").show(ui, &mut amplitude);
+                Vector::new(&id, "amplitude").tip("How far to each side, world units").show(ui, amplitude);
             });
-            motion.amplitude = Some(amplitude);
         }
-        MotionKind::Circle => {
-            let mut center = motion.center.unwrap_or_default();
+        MotionPath::Circle { center, axis } => {
             row(ui, "Centre", "What it goes around, world space", |ui| {
-                Vector::new(&format!("light-{index}-center"), "centre").show(ui, &mut center);
+                Vector::new(&format!("light-{index}-center"), "centre").show(ui, center);
             });
-            motion.center = Some(center);
-            let mut axis = motion.axis.unwrap_or([0.0, 1.0, 0.0]);
+            let before = *axis;
             row(ui, "Axis", "It turns about this direction", |ui| {
-                Vector::new(&format!("light-{index}-axis"), "axis").default([0.0, 1.0, 0.0]).show(ui, &mut axis);
+                Vector::new(&format!("light-{index}-axis"), "axis").default(defaults::MOTION_AXIS).show(ui, axis);
             });
             // A direction of length 0 is none.
-            if axis != [0.0; 3] {
-                motion.axis = Some(axis);
+            if *axis == [0.0; 3] {
+                *axis = before;
             }
         }
-        MotionKind::Path => {
-            let points = motion.points.get_or_insert_with(|| vec![position]);
+        MotionPath::Path { points } => {
             path(ui, points, index);
             light.position = points.first().copied().or(light.position);
         }
@@ -87,22 +83,20 @@ fn path(ui: &mut Ui, points: &mut Vec<[f64; 3]>, index: usize) {
 }
 
 /// A motion that is seen at once.
-fn fresh(kind: MotionKind, light: &LightSpec, session: &Session) -> MotionSpec {
+fn fresh(kind: MotionKind, light: &LightSettings, session: &Session) -> Motion {
     let (center, radius) = edits::around(session);
     let round = |v: f64| (100.0 * v).round() / 100.0;
     let place = light.position.unwrap_or_default();
     let step = round(radius).max(0.01);
-    let mut motion = MotionSpec { kind, period: 4.0, ..MotionSpec::default() };
-    match kind {
-        MotionKind::Oscillate => motion.amplitude = Some([0.0, 0.0, step]),
+    let path = match kind {
+        MotionKind::Oscillate => MotionPath::Oscillate { amplitude: [0.0, 0.0, step] },
         MotionKind::Circle => {
-            motion.center = Some([round(center.x), place[1], round(center.z)]);
-            motion.axis = Some([0.0, 1.0, 0.0]);
+            MotionPath::Circle { center: [round(center.x), place[1], round(center.z)], axis: defaults::MOTION_AXIS }
         }
         MotionKind::Path => {
             let [x, y, z] = place;
-            motion.points = Some(vec![place, [x + step, y, z], [x + step, y + step, z]]);
+            MotionPath::Path { points: vec![place, [x + step, y, z], [x + step, y + step, z]] }
         }
-    }
-    motion
+    };
+    Motion { period: 4.0, path }
 }

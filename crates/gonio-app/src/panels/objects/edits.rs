@@ -5,8 +5,8 @@ use crate::session::{Selection, Session};
 use glam::DVec3;
 use gonio_scene::Scene;
 use gonio_scene::files;
-use gonio_scene::load::camera_of;
-use gonio_scene::scene_file::{CameraSpec, ObjectSpec};
+use gonio_scene::scene_file::ObjectSpec;
+use gonio_scene::settings::{Aim, CameraSettings};
 
 /// Asked for by the values of an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,18 +81,12 @@ fn bounds_of(loaded: &Scene, index: usize) -> Option<(DVec3, DVec3)> {
 }
 
 /// A camera from the same side, as far away as the box's sphere wants.
-fn looking_at(spec: &CameraSpec, (min, max): (DVec3, DVec3), aspect: f64) -> CameraSpec {
-    let camera = camera_of(spec);
+fn looking_at(spec: &CameraSettings, (min, max): (DVec3, DVec3), aspect: f64) -> CameraSettings {
+    let camera = spec.to_camera();
     let center = 0.5 * (min + max);
     let radius = (0.5 * (max - min).length()).max(1e-6);
     let half_y = 0.5 * camera.fov_y_rad;
     let half = half_y.min((half_y.tan() * aspect).atan());
     let position = center - camera.front * (1.05 * radius / half.sin());
-    CameraSpec {
-        position: Some(position.to_array()),
-        target: Some(center.to_array()),
-        yaw: None,
-        pitch: None,
-        ..spec.clone()
-    }
+    CameraSettings { position: position.to_array(), aim: Aim::Target(center.to_array()), ..spec.clone() }
 }

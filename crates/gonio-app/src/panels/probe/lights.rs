@@ -10,7 +10,7 @@ use gonio_reference::Probe;
 
 /// A light's name, or its kind and number.
 pub fn name(reading: &Reading, index: usize) -> String {
-    match reading.loaded.scene.lights.get(index) {
+    match reading.loaded.settings.lights.get(index) {
         Some(spec) if !spec.name.is_empty() => spec.name.clone(),
         Some(spec) => format!("{} {index}", spec.kind.name()),
         None => format!("light {index}"),

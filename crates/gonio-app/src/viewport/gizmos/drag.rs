@@ -5,7 +5,7 @@ use egui::Pos2;
 use glam::DVec3;
 use gonio_light::vector::unit;
 use gonio_scene::motion::position_at;
-use gonio_scene::scene_file::{LightSpec, MotionKind};
+use gonio_scene::settings::{LightSettings, MotionPath};
 
 /// Sine below which an axis counts as seen end-on: a point of the window would be too much of it.
 const END_ON: f64 = 0.05;
@@ -59,20 +59,20 @@ pub fn on_sphere(projection: &Projection, center: DVec3, radius: f64, place: Pos
 
 /// Moves a light so that it is at `target` at `time`. What moves by itself keeps moving alike: the start of a circle or
 /// of an oscillation follows, a path is shifted as a whole.
-pub fn place_light(spec: &mut LightSpec, target: DVec3, time: f64) {
+pub fn place_light(spec: &mut LightSettings, target: DVec3, time: f64) {
     let position = DVec3::from(spec.position.unwrap_or_default());
     let Some(motion) = &mut spec.motion else {
         spec.position = Some(target.to_array());
         return;
     };
-    match motion.kind {
+    let way = target - position_at(motion, position, time);
+    match &mut motion.path {
         // Both are undone by the same motion at the opposite time.
-        MotionKind::Oscillate | MotionKind::Circle => {
+        MotionPath::Oscillate { .. } | MotionPath::Circle { .. } => {
             spec.position = Some(position_at(motion, target, -time).to_array());
         }
-        MotionKind::Path => {
-            let way = target - position_at(motion, position, time);
-            for point in motion.points.iter_mut().flatten() {
+        MotionPath::Path { points } => {
+            for point in points {
                 *point = (DVec3::from(*point) + way).to_array();
             }
             spec.position = Some((position + way).to_array());
@@ -99,7 +99,8 @@ mod tests {
     use super::*;
     use egui::{Rect, pos2};
     use gonio_scene::Camera;
-    use gonio_scene::scene_file::{LightSourceKind, MotionSpec};
+    use gonio_scene::scene_file::LightSourceKind;
+    use gonio_scene::settings::Motion;
 
     /// Different in every run of the loop, the same in every run of the test (SplitMix64).
     struct Random(u64);
@@ -215,29 +216,24 @@ mod tests {
     fn a_moving_light_is_where_it_was_put() {
         let mut random = Random(5);
         let motions = [
-            MotionSpec { amplitude: Some([0.3, 1.0, -0.4]), kind: MotionKind::Oscillate, ..MotionSpec::default() },
-            MotionSpec { center: Some([0.2, 0.1, 0.0]), kind: MotionKind::Circle, ..MotionSpec::default() },
-            MotionSpec {
-                points: Some(vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 2.0, 0.0]]),
-                kind: MotionKind::Path,
-                ..MotionSpec::default()
-            },
+            MotionPath::Oscillate { amplitude: [0.3, 1.0, -0.4] },
+            MotionPath::Circle { center: [0.2, 0.1, 0.0], axis: [0.0, 1.0, 0.0] },
+            MotionPath::Path { points: vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 2.0, 0.0]] },
         ];
-        for motion in motions {
+        for path in motions {
             for _ in 0..20 {
-                let motion = MotionSpec { period: 2.0 + random.next(), ..motion.clone() };
-                let mut spec = LightSpec {
-                    kind: LightSourceKind::Point,
+                let motion = Motion { period: 2.0 + random.next(), path: path.clone() };
+                let mut spec = LightSettings {
                     position: Some(random.vector().to_array()),
                     motion: Some(motion),
-                    ..LightSpec::default()
+                    ..LightSettings::new(LightSourceKind::Point)
                 };
                 let (target, time) = (random.vector(), 5.0 * random.next());
                 place_light(&mut spec, target, time);
                 let motion = spec.motion.as_ref().unwrap_or_else(|| panic!("it still moves"));
                 let now = position_at(motion, spec.position.unwrap_or_default().into(), time);
                 // Rounding only.
-                assert!(now.distance(target) < 1e-9, "{:?}: {now} for {target}", motion.kind);
+                assert!(now.distance(target) < 1e-9, "{path:?}: {now} for {target}");
             }
         }
     }

@@ -8,7 +8,7 @@ use gonio_light::LightKind;
 use gonio_light::vector::any_orthonormal_vector;
 use gonio_scene::Scene;
 use gonio_scene::motion::position_at;
-use gonio_scene::scene_file::LightSpec;
+use gonio_scene::settings::LightSettings;
 
 /// Of the disc that every light has, points.
 pub const RADIUS: f32 = 7.0;
@@ -120,7 +120,7 @@ pub fn cone(painter: &Painter, projection: &Projection, mark: &Mark, end: DVec3,
 }
 
 /// The way that a moving light goes in one period.
-pub fn path(painter: &Painter, projection: &Projection, spec: &LightSpec, color: Color32) {
+pub fn path(painter: &Painter, projection: &Projection, spec: &LightSettings, color: Color32) {
     let Some(motion) = &spec.motion else { return };
     let position = DVec3::from(spec.position.unwrap_or_default());
     let points: Vec<Option<Pos2>> = (0..=96)

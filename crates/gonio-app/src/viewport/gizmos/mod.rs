@@ -22,7 +22,7 @@ use crate::theme::colors;
 use egui::{Align2, Color32, CursorIcon, Id, Painter, Pos2, Rect, Response, Rgba, Sense, Ui, Vec2, vec2};
 use glam::DVec3;
 use gonio_light::LightKind;
-use gonio_scene::scene_file::LightSpec;
+use gonio_scene::settings::LightSettings;
 use gonio_scene::{Frame, Scene};
 
 /// A handle is hit within so many points of its centre; fingers are thicker.
@@ -122,7 +122,7 @@ pub fn show(
     let mut marks: Vec<Mark> = frame
         .lights
         .iter()
-        .zip(&loaded.scene.lights)
+        .zip(&loaded.settings.lights)
         .enumerate()
         .filter_map(|(index, (light, spec))| handles.mark(index, light.kind, spec))
         .collect();
@@ -130,7 +130,7 @@ pub fn show(
     marks.sort_by_key(|mark| chosen == Some(mark.index));
     for mark in &marks {
         let is_chosen = chosen == Some(mark.index);
-        let Some(shown) = loaded.scene.lights.get(mark.index) else { continue };
+        let Some(shown) = loaded.settings.lights.get(mark.index) else { continue };
         let Some(spec) = document.scene.lights.get_mut(mark.index) else { continue };
         if handles.light(mark, shown, spec, is_chosen) {
             session.selection = Selection::Light(mark.index);
@@ -139,7 +139,7 @@ pub fn show(
 }
 
 impl Handles<'_> {
-    fn mark(&self, index: usize, kind: LightKind, spec: &LightSpec) -> Option<Mark> {
+    fn mark(&self, index: usize, kind: LightKind, spec: &LightSettings) -> Option<Mark> {
         let anchor = match kind {
             LightKind::Ambient => return None,
             LightKind::Directional { direction } => self.center - direction * self.sun_distance(),
@@ -151,9 +151,9 @@ impl Handles<'_> {
             .then(|| self.projection.to_window(anchor))
             .flatten()
             .filter(|&place| self.projection.rect().contains(place));
-        let [red, green, blue] = spec.color.map_or([1.0; 3], |color| color.0.map(|c| c as f32));
+        let [red, green, blue] = spec.color.0.map(|c| c as f32);
         let most = red.max(green).max(blue);
-        let off = !spec.is_on() || most <= 0.0 || spec.intensity == Some(0.0);
+        let off = !spec.enabled || most <= 0.0 || spec.intensity == 0.0;
         // The colour alone: how strong it is would make all lights white or black.
         let scale = if most > 0.0 { 1.0 / most } else { 0.0 };
         let color = if off {
@@ -184,7 +184,7 @@ impl Handles<'_> {
     }
 
     /// Shows one light; whether it was chosen. `shown` is as it is in the picture, `spec` is edited.
-    fn light(&self, mark: &Mark, shown: &LightSpec, spec: &mut LightSpec, is_chosen: bool) -> bool {
+    fn light(&self, mark: &Mark, shown: &LightSettings, spec: &mut LightSettings, is_chosen: bool) -> bool {
         let mut touched = false;
         if is_chosen {
             draw::path(&self.painter, self.projection, shown, mark.color);
@@ -221,7 +221,7 @@ impl Handles<'_> {
         touched || response.clicked()
     }
 
-    fn drag_body(&self, mark: &Mark, spec: &mut LightSpec, grab: Grab, pointer: Pos2) {
+    fn drag_body(&self, mark: &Mark, spec: &mut LightSettings, grab: Grab, pointer: Pos2) {
         let place = pointer + grab.offset;
         if let LightKind::Directional { .. } = mark.kind {
             let far_side = grab.far_side != self.ui.input(|i| i.modifiers.shift);
@@ -239,7 +239,7 @@ impl Handles<'_> {
     }
 
     /// The arms along the axes; whether one was dragged.
-    fn arms(&self, mark: &Mark, spec: &mut LightSpec, place: Pos2) -> bool {
+    fn arms(&self, mark: &Mark, spec: &mut LightSettings, place: Pos2) -> bool {
         let mut touched = false;
         let length = ARM * self.projection.units_per_point(mark.anchor);
         let tints = [colors::AXIS_X, colors::AXIS_Y, colors::AXIS_Z];
@@ -273,7 +273,7 @@ impl Handles<'_> {
     }
 
     /// A spot's cone and the two handles at its end; whether one was dragged.
-    fn spot(&self, mark: &Mark, spec: &mut LightSpec, axis: DVec3, (inner, outer): (f64, f64)) -> bool {
+    fn spot(&self, mark: &Mark, spec: &mut LightSettings, axis: DVec3, (inner, outer): (f64, f64)) -> bool {
         let reach = (self.center - mark.anchor).dot(axis).max(0.35 * self.radius);
         let end = mark.anchor + axis * reach;
         let widest = WIDEST_SPOT.to_radians();
@@ -311,8 +311,8 @@ impl Handles<'_> {
                     let angle = ((at - end).dot(side) / reach).atan().to_degrees().clamp(0.5, WIDEST_SPOT);
                     let ratio = if outer > 0.0 { inner / outer } else { 1.0 };
                     let angle = (angle * 10.0).round() / 10.0;
-                    spec.outer_angle = Some(angle);
-                    spec.inner_angle = Some((angle * ratio * 10.0).round().min(angle * 10.0) / 10.0);
+                    spec.outer_angle = angle;
+                    spec.inner_angle = (angle * ratio * 10.0).round().min(angle * 10.0) / 10.0;
                 }
                 touched = true;
             }
@@ -381,7 +381,7 @@ fn exported_handle(handles: &Handles<'_>, response: &Response, light: usize, par
     }
 }
 
-fn name_of(index: usize, spec: &LightSpec) -> String {
+fn name_of(index: usize, spec: &LightSettings) -> String {
     if spec.name.is_empty() { format!("{} light {index}", spec.kind.name()) } else { spec.name.clone() }
 }
 

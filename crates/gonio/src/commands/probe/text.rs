@@ -135,7 +135,7 @@ impl<'a> Page<'a> {
             Some(LightKind::Spot { .. }) => "spot",
             None => "",
         };
-        match self.scene.scene.lights.get(index).map(|l| l.name.as_str()) {
+        match self.scene.settings.lights.get(index).map(|l| l.name.as_str()) {
             Some(name) if !name.is_empty() => format!("light {index}, {kind} `{name}`"),
             _ => format!("light {index}, {kind}"),
         }

@@ -51,7 +51,7 @@ impl SceneCounts {
             vertices: meshes().map(|m| m.positions.len()).sum(),
             materials: scene.materials.len(),
             textures: scene.textures.len(),
-            lights: scene.scene.lights.len(),
+            lights: scene.settings.lights.len(),
         }
     }
 }
@@ -59,7 +59,7 @@ impl SceneCounts {
 impl<'a> Report<'a> {
     /// Of a finished run.
     pub fn new(args: &'a RenderArgs, scene: &'a Scene, backend: &Backend, times: &Times, done: &'a Done) -> Self {
-        let picture = &scene.scene.picture;
+        let picture = &scene.settings.picture;
         let shading: BTreeSet<Shading> = scene.objects.iter().map(|o| o.shading).collect();
         Report {
             command: "render",

@@ -263,7 +263,7 @@ fn one<'a>(
     };
     times.measure("write", || -> std::result::Result<(), CliError> {
         folder.add(&folder.picture(&exhibit.name), &png::encode8(&picture, tag)?)?;
-        folder.add(&folder.scene(&exhibit.name), loaded.scene.to_toml_string().as_bytes())
+        folder.add(&folder.scene(&exhibit.name), SceneFile::from(&loaded.settings).to_toml_string().as_bytes())
     })?;
     let small = times.measure("reduce", || reduced(&picture, place.width, place.height, GROUND));
     let shown = Shown {

@@ -1,0 +1,427 @@
+//! The settings of a complete scene: a [`SceneFile`] with every default filled in.
+//!
+//! A value is optional here only where a scene can do without it: a light that does not move has no motion.
+
+use crate::camera::Camera;
+use crate::color_value::Color;
+use crate::defaults;
+use crate::scene_file::{
+    BackgroundSpec, CameraSpec, EnvironmentSpec, EquationSpec, LightSourceKind, LightSpec, MotionKind, MotionSpec,
+    ObjectSpec, PictureSpec, SceneFile,
+};
+use glam::DVec3;
+use gonio_environment::Layout;
+use gonio_light::brdf::BrdfKind;
+use gonio_light::{Convention, Specular};
+
+/// Everything of a scene that is not read from its models and pictures. Units and spaces are those of [`SceneFile`].
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SceneSettings {
+    /// Size and encoding of the picture.
+    pub picture: PictureSpec,
+    /// The camera.
+    pub camera: CameraSettings,
+    /// The colours behind the objects.
+    pub background: BackgroundSpec,
+    /// The environment; `None` where there is none.
+    pub environment: Option<EnvironmentSettings>,
+    /// The form of the light equation.
+    pub equation: EquationSettings,
+    /// The models, at least one. Every object has a name.
+    pub objects: Vec<ObjectSpec>,
+    /// The lights; there may be none.
+    pub lights: Vec<LightSettings>,
+}
+
+/// What a camera looks at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Aim {
+    /// A point, world space.
+    Target([f64; 3]),
+    /// A direction, degrees. Yaw -90 and pitch 0 look along -Z.
+    Angles {
+        /// Around the vertical axis.
+        yaw: f64,
+        /// Positive looks up.
+        pitch: f64,
+    },
+}
+
+/// A camera.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CameraSettings {
+    /// The eye, world space.
+    pub position: [f64; 3],
+    /// What it looks at.
+    pub aim: Aim,
+    /// Which way is up, world space.
+    pub up: [f64; 3],
+    /// Full vertical field of view, degrees.
+    pub fov_y: f64,
+    /// Distance of the near plane, world units.
+    pub near: f64,
+    /// Distance of the far plane, world units.
+    pub far: f64,
+}
+
+impl Default for CameraSettings {
+    /// At the origin, looking along -Z.
+    fn default() -> Self {
+        CameraSettings {
+            position: [0.0; 3],
+            aim: Aim::Angles { yaw: defaults::YAW, pitch: defaults::PITCH },
+            up: defaults::UP,
+            fov_y: defaults::FOV_Y,
+            near: defaults::NEAR,
+            far: defaults::FAR,
+        }
+    }
+}
+
+impl CameraSettings {
+    /// The point looked at; `None` where the camera looks along angles.
+    pub fn target(&self) -> Option<[f64; 3]> {
+        match self.aim {
+            Aim::Target(target) => Some(target),
+            Aim::Angles { .. } => None,
+        }
+    }
+
+    /// The camera with its axes.
+    pub fn to_camera(&self) -> Camera {
+        let position = DVec3::from(self.position);
+        let direction = match self.aim {
+            Aim::Target(target) => DVec3::from(target) - position,
+            Aim::Angles { yaw, pitch } => Camera::direction_of(yaw, pitch),
+        };
+        Camera::looking_along(position, direction, self.up.into(), self.fov_y.to_radians(), self.near, self.far)
+    }
+}
+
+/// An environment.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EnvironmentSettings {
+    /// The name or the path of the picture.
+    pub image: String,
+    /// The layout of its faces; `None` where it has no faces, or image and background differ in it.
+    pub layout: Option<Layout>,
+    /// Texels along an edge of the cubemap; `None` where image and background differ in it, or before it is read.
+    pub size: Option<u32>,
+    /// Yaw, pitch and roll, degrees.
+    pub rotate: [f64; 3],
+    /// The factor of its radiance.
+    pub intensity: f64,
+    /// Whether it lights the objects.
+    pub light: bool,
+    /// Whether it is seen behind the objects.
+    pub visible: bool,
+    /// How blurred it is there, 0 to 1.
+    pub blur: f64,
+    /// Another environment to be seen there.
+    pub background: Option<String>,
+}
+
+impl Default for EnvironmentSettings {
+    /// One that does not light the objects.
+    fn default() -> Self {
+        EnvironmentSettings::new(EnvironmentSpec::default(), false)
+    }
+}
+
+impl EnvironmentSettings {
+    /// The environment of a scene file. `lights` is whether it lights the objects where the file does not say so.
+    pub fn new(spec: EnvironmentSpec, lights: bool) -> Self {
+        let EnvironmentSpec { image, layout, size, rotate, intensity, light, visible, blur, background } = spec;
+        let light = light.unwrap_or(lights);
+        EnvironmentSettings { image, layout, size, rotate, intensity, light, visible, blur, background }
+    }
+}
+
+impl SceneFile {
+    /// Replaces the environment by that of another image. Its rotation, its intensity and how it takes part stay.
+    pub fn set_environment(&mut self, image: &str) {
+        let before = self.environment.take().unwrap_or_default();
+        let image = image.to_owned();
+        self.environment = Some(EnvironmentSpec { image, layout: None, size: None, background: None, ..before });
+    }
+}
+
+impl SceneSettings {
+    /// Replaces the environment by that of another image. Its rotation, its intensity and how it takes part stay.
+    pub fn set_environment(&mut self, image: &str) {
+        let before = self.environment.take();
+        let before = before
+            .unwrap_or_else(|| EnvironmentSettings { light: self.lights.is_empty(), ..EnvironmentSettings::default() });
+        let image = image.to_owned();
+        self.environment = Some(EnvironmentSettings { image, layout: None, size: None, background: None, ..before });
+    }
+}
+
+/// The form of the light equation. The fields are those of [`EquationSpec`].
+#[derive(Clone, Debug, PartialEq)]
+#[expect(missing_docs, reason = "documented in EquationSpec")]
+pub struct EquationSettings {
+    pub convention: Convention,
+    pub specular: Specular,
+    pub brdf: Option<BrdfKind>,
+    pub brdf_normalised: bool,
+    pub lafortune: [f64; 3],
+    pub gated: bool,
+    pub cosine_weighted: bool,
+    pub two_sided: bool,
+    pub ambient: bool,
+    pub emitted: bool,
+    pub diffuse: bool,
+    pub specular_term: bool,
+    pub attenuation: bool,
+    pub spot: bool,
+}
+
+impl Default for EquationSettings {
+    fn default() -> Self {
+        EquationSpec::default().into()
+    }
+}
+
+impl From<EquationSpec> for EquationSettings {
+    fn from(spec: EquationSpec) -> Self {
+        let cosine_weighted = spec.cosine_weighted.unwrap_or(defaults::cosine_weighted(spec.convention));
+        EquationSettings {
+            convention: spec.convention,
+            specular: spec.specular,
+            brdf: spec.brdf,
+            brdf_normalised: spec.brdf_normalised,
+            lafortune: spec.lafortune,
+            gated: spec.gated,
+            cosine_weighted,
+            two_sided: spec.two_sided,
+            ambient: spec.ambient,
+            emitted: spec.emitted,
+            diffuse: spec.diffuse,
+            specular_term: spec.specular_term,
+            attenuation: spec.attenuation,
+            spot: spec.spot,
+        }
+    }
+}
+
+/// A light.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LightSettings {
+    /// Ambient, directional, point or spot.
+    pub kind: LightSourceKind,
+    /// For reports; may be empty.
+    pub name: String,
+    /// Whether it shines. A light that is off keeps its number.
+    pub enabled: bool,
+    /// World space; `None` for ambient and directional lights.
+    pub position: Option<[f64; 3]>,
+    /// The way the light travels, world space, of any length; `None` for ambient and point lights.
+    pub direction: Option<[f64; 3]>,
+    /// `L_i` is `color` times `intensity`.
+    pub color: Color,
+    /// `L_i` is `color` times `intensity`.
+    pub intensity: f64,
+    /// `k_c`, for point lights and spots.
+    pub constant: f64,
+    /// `k_l`, for point lights and spots.
+    pub linear: f64,
+    /// `k_q`, for point lights and spots.
+    pub quadratic: f64,
+    /// Half angle of the fully lit cone, degrees, for spots.
+    pub inner_angle: f64,
+    /// Half angle at which the light ends, degrees, for spots.
+    pub outer_angle: f64,
+    /// How it moves with time; `None` where it does not.
+    pub motion: Option<Motion>,
+}
+
+impl LightSettings {
+    /// A white light that does not move; at the origin where it has a position, shining downwards where it has a
+    /// direction.
+    pub fn new(kind: LightSourceKind) -> Self {
+        let position = kind.has_position().then_some([0.0; 3]);
+        let direction = kind.has_direction().then_some([0.0, -1.0, 0.0]);
+        LightSpec { kind, position, direction, ..LightSpec::default() }.into()
+    }
+}
+
+impl From<LightSpec> for LightSettings {
+    fn from(spec: LightSpec) -> Self {
+        let has_position = spec.kind.has_position();
+        let start = spec.motion.as_ref().and_then(|m| m.points.as_ref()).and_then(|points| points.first().copied());
+        let [constant, linear, quadratic] = defaults::ATTENUATION;
+        // Where one of the angles is left out, the default must not contradict the other.
+        let inner_given = spec.inner_angle.unwrap_or(0.0);
+        let outer_angle = spec.outer_angle.unwrap_or(defaults::OUTER_ANGLE.max(inner_given));
+        LightSettings {
+            kind: spec.kind,
+            name: spec.name,
+            enabled: spec.enabled != Some(false),
+            position: spec.position.or(start.filter(|_| has_position)),
+            direction: spec.direction,
+            color: spec.color.unwrap_or(defaults::LIGHT_COLOR),
+            intensity: spec.intensity.unwrap_or(defaults::LIGHT_INTENSITY),
+            constant: spec.constant.unwrap_or(constant),
+            linear: spec.linear.unwrap_or(linear),
+            quadratic: spec.quadratic.unwrap_or(quadratic),
+            inner_angle: spec.inner_angle.unwrap_or(defaults::INNER_ANGLE.min(outer_angle)),
+            outer_angle,
+            motion: spec.motion.map(Motion::from),
+        }
+    }
+}
+
+/// How a light moves with time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Motion {
+    /// Seconds until it is back, > 0.
+    pub period: f64,
+    /// The way that it goes.
+    pub path: MotionPath,
+}
+
+/// The way that a moving light goes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum MotionPath {
+    /// position + amplitude * sin(2 pi time / period)
+    Oscillate {
+        /// How far to each side, world space.
+        amplitude: [f64; 3],
+    },
+    /// Around `center` about `axis`, starting at the light's position.
+    Circle {
+        /// World space.
+        center: [f64; 3],
+        /// World space, of any length.
+        axis: [f64; 3],
+    },
+    /// Along the points at constant speed, and back to the first.
+    Path {
+        /// World space.
+        points: Vec<[f64; 3]>,
+    },
+}
+
+impl MotionPath {
+    /// Its kind.
+    pub fn kind(&self) -> MotionKind {
+        match self {
+            MotionPath::Oscillate { .. } => MotionKind::Oscillate,
+            MotionPath::Circle { .. } => MotionKind::Circle,
+            MotionPath::Path { .. } => MotionKind::Path,
+        }
+    }
+}
+
+impl From<MotionSpec> for Motion {
+    fn from(spec: MotionSpec) -> Self {
+        let path = match spec.kind {
+            MotionKind::Oscillate => MotionPath::Oscillate { amplitude: spec.amplitude.unwrap_or_default() },
+            MotionKind::Circle => MotionPath::Circle {
+                center: spec.center.unwrap_or_default(),
+                axis: spec.axis.unwrap_or(defaults::MOTION_AXIS),
+            },
+            MotionKind::Path => MotionPath::Path { points: spec.points.unwrap_or_default() },
+        };
+        Motion { period: spec.period, path }
+    }
+}
+
+/// The scene file in which everything is written out.
+impl From<&SceneSettings> for SceneFile {
+    fn from(settings: &SceneSettings) -> Self {
+        SceneFile {
+            picture: settings.picture.clone(),
+            camera: (&settings.camera).into(),
+            background: settings.background.clone(),
+            environment: settings.environment.as_ref().map(EnvironmentSpec::from),
+            equation: (&settings.equation).into(),
+            objects: settings.objects.clone(),
+            lights: settings.lights.iter().map(LightSpec::from).collect(),
+        }
+    }
+}
+
+impl From<&CameraSettings> for CameraSpec {
+    fn from(camera: &CameraSettings) -> Self {
+        let (yaw, pitch) = match camera.aim {
+            Aim::Target(_) => (None, None),
+            Aim::Angles { yaw, pitch } => (Some(yaw), Some(pitch)),
+        };
+        CameraSpec {
+            from_model: None,
+            position: Some(camera.position),
+            target: camera.target(),
+            yaw,
+            pitch,
+            up: Some(camera.up),
+            fov_y: Some(camera.fov_y),
+            near: Some(camera.near),
+            far: Some(camera.far),
+        }
+    }
+}
+
+impl From<&EnvironmentSettings> for EnvironmentSpec {
+    fn from(environment: &EnvironmentSettings) -> Self {
+        let EnvironmentSettings { image, layout, size, rotate, intensity, light, visible, blur, background } =
+            environment.clone();
+        EnvironmentSpec { image, layout, size, rotate, intensity, light: Some(light), visible, blur, background }
+    }
+}
+
+impl From<&EquationSettings> for EquationSpec {
+    fn from(equation: &EquationSettings) -> Self {
+        EquationSpec {
+            convention: equation.convention,
+            specular: equation.specular,
+            brdf: equation.brdf,
+            brdf_normalised: equation.brdf_normalised,
+            lafortune: equation.lafortune,
+            gated: equation.gated,
+            cosine_weighted: Some(equation.cosine_weighted),
+            two_sided: equation.two_sided,
+            ambient: equation.ambient,
+            emitted: equation.emitted,
+            diffuse: equation.diffuse,
+            specular_term: equation.specular_term,
+            attenuation: equation.attenuation,
+            spot: equation.spot,
+        }
+    }
+}
+
+impl From<&LightSettings> for LightSpec {
+    /// With the keys that lights of this kind have.
+    fn from(light: &LightSettings) -> Self {
+        let (has_position, has_direction) = (light.kind.has_position(), light.kind.has_direction());
+        let is_spot = light.kind == LightSourceKind::Spot;
+        LightSpec {
+            kind: light.kind,
+            name: light.name.clone(),
+            enabled: (!light.enabled).then_some(false),
+            position: light.position.filter(|_| has_position),
+            direction: light.direction.filter(|_| has_direction),
+            color: Some(light.color),
+            intensity: Some(light.intensity),
+            constant: has_position.then_some(light.constant),
+            linear: has_position.then_some(light.linear),
+            quadratic: has_position.then_some(light.quadratic),
+            inner_angle: is_spot.then_some(light.inner_angle),
+            outer_angle: is_spot.then_some(light.outer_angle),
+            motion: light.motion.as_ref().filter(|_| has_position).map(MotionSpec::from),
+        }
+    }
+}
+
+impl From<&Motion> for MotionSpec {
+    fn from(motion: &Motion) -> Self {
+        let spec = MotionSpec { kind: motion.path.kind(), period: motion.period, ..MotionSpec::default() };
+        match &motion.path {
+            MotionPath::Oscillate { amplitude } => MotionSpec { amplitude: Some(*amplitude), ..spec },
+            MotionPath::Circle { center, axis } => MotionSpec { center: Some(*center), axis: Some(*axis), ..spec },
+            MotionPath::Path { points } => MotionSpec { points: Some(points.clone()), ..spec },
+        }
+    }
+}
