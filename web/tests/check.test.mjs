@@ -2,16 +2,18 @@
 
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
-import { readFile, readdir } from "node:fs/promises";
+import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { promisify } from "node:util";
+import { readCase } from "./support/fixtures.mjs";
 import { settled, suite } from "./support/lab.mjs";
 
 const { test } = suite();
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), "../..");
-const CORPUS = "crates/gonio-lab/corpus";
+const CORPUS = "crates/gonio-fixtures/corpus";
 const BUFFERS = "crates/gonio-lab/tests/ex02";
 const HOST = "exercises/ex11-texture-unit/host";
 
@@ -34,25 +36,32 @@ const SUBMISSIONS = {
   ex11: [`${HOST}/reference.txt`, `${HOST}/texture-name-as-unit.txt`, `${HOST}/stride-wrong.txt`],
 };
 
-/** A submission's folder, and its files but for what is expected of it. */
-async function found(path) {
+/** Reads the files of a submission, without `expected.toml`: [{ name, bytes }]. A path without an extension is a case of a table. */
+async function readSubmission(path) {
   const at = join(ROOT, path);
-  if (/\.\w+$/.test(path)) return { folder: dirname(at), names: [path.slice(path.lastIndexOf("/") + 1)] };
-  const names = (await readdir(at)).filter((name) => name !== "expected.toml").sort();
-  return { folder: at, names };
+  if (/\.\w+$/.test(path)) return [{ name: path.slice(path.lastIndexOf("/") + 1), bytes: await readFile(at) }];
+  const files = await readCase(`${dirname(at)}.txt`, path.slice(path.lastIndexOf("/") + 1));
+  return files.filter(({ name }) => name !== "expected.toml");
 }
 
 /** By the program, which ends with 1 where something is not right. */
-async function native(exercise, { folder, names }) {
-  const run = promisify(execFile)(process.env.GONIO_PROGRAM, ["lab", "check", exercise, ...names, "--json"], { cwd: folder });
-  const { stdout, code, stderr } = await run.catch((ended) => ended);
-  assert.ok(code === undefined || code === 1, stderr);
-  return JSON.parse(stdout);
+async function native(exercise, files) {
+  const cwd = await mkdtemp(join(tmpdir(), "gonio-check-"));
+  try {
+    for (const { name, bytes } of files) await writeFile(join(cwd, name), bytes);
+    const names = files.map(({ name }) => name);
+    const run = promisify(execFile)(process.env.GONIO_PROGRAM, ["lab", "check", exercise, ...names, "--json"], { cwd });
+    const { stdout, code, stderr } = await run.catch((ended) => ended);
+    assert.ok(code === undefined || code === 1, stderr);
+    return JSON.parse(stdout);
+  } finally {
+    await rm(cwd, { recursive: true });
+  }
 }
 
 /** By the page, in its worker. */
-async function inPage(lab, exercise, { folder, names }) {
-  const files = await Promise.all(names.map(async (name) => ({ name, base64: (await readFile(join(folder, name))).toString("base64") })));
+async function inPage(lab, exercise, submission) {
+  const files = submission.map(({ name, bytes }) => ({ name, base64: bytes.toString("base64") }));
   return lab.page.evaluate(({ exercise, files }) => window.gonio.check(exercise, files.map(({ name, base64 }) => ({
     name,
     bytes: Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)),
@@ -75,7 +84,7 @@ for (const [exercise, submissions] of Object.entries(SUBMISSIONS)) {
   test(`${exercise}: the page and the program give the same verdicts`, async (lab) => {
     await lab.until(settled);
     for (const path of submissions) {
-      const submission = await found(path);
+      const submission = await readSubmission(path);
       const [page, program] = [await inPage(lab, exercise, submission), await native(exercise, submission)];
       assert.deepEqual(said(page), said(program), path);
     }
@@ -84,10 +93,10 @@ for (const [exercise, submissions] of Object.entries(SUBMISSIONS)) {
 
 /** Right answers, with what `body` does at the start of the fragment shader's `main`. */
 async function withBody(body) {
-  const folder = join(ROOT, CORPUS, "ex04/correct/lab-plain");
-  const text = (name) => readFile(join(folder, name), "utf8");
-  const fragment = (await text("ex04.frag")).replace(/(main\s*\(\s*\)\s*\{)/, `$1 ${body}`);
-  return [{ name: "ex04.vert", text: await text("ex04.vert") }, { name: "ex04.frag", text: fragment }];
+  const files = await readSubmission(`${CORPUS}/ex04/correct/lab-plain`);
+  const text = (name) => files.find((file) => file.name === name).bytes.toString();
+  const fragment = text("ex04.frag").replace(/(main\s*\(\s*\)\s*\{)/, `$1 ${body}`);
+  return [{ name: "ex04.vert", text: text("ex04.vert") }, { name: "ex04.frag", text: fragment }];
 }
 
 test("a loop without end ends, and the page lives on", async (lab) => {

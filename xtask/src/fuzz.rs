@@ -1,10 +1,10 @@
 //! `cargo xtask fuzz`: runs cargo-fuzz on every reader.
 
-use crate::{process, root};
-use std::path::{Path, PathBuf};
+use crate::{fixtures, process, root};
+use std::path::Path;
 use std::process::{Command, ExitCode};
 
-/// The targets in `fuzz/`, each with the folders of its seeds.
+/// The targets in `fuzz/`, and the seeds of each: folders of files, and tables of test cases ([`TABLES`], or a `.txt`).
 const TARGETS: &[(&str, &[&str])] = &[
     ("obj", &["crates/gonio-mesh/tests/corpus", "assets/models"]),
     ("mtl", &["crates/gonio-mesh/tests/mtl", "crates/gonio-mesh/tests/corpus", "assets/models"]),
@@ -18,11 +18,14 @@ const TARGETS: &[(&str, &[&str])] = &[
     ("environment", &["crates/gonio-image/tests/seeds"]),
     ("face_names", &["crates/gonio-environment/tests/names"]),
     ("glsl", &["crates/gonio-glsl/tests/pairs", "exercises/models"]),
-    ("submission", &["crates/gonio-glsl/tests/pairs", "exercises", "crates/gonio-lab/corpus"]),
+    ("submission", &["crates/gonio-glsl/tests/pairs", "exercises", TABLES]),
     ("buffer", &["crates/gonio-lab/tests/ex02"]),
     ("host", &["exercises/ex11-texture-unit/host"]),
     (BATCH, &["crates/gonio-lab/tests/batches"]),
 ];
+
+/// The folder of tables of submissions.
+const TABLES: &str = "crates/gonio-fixtures/corpus";
 
 /// The target that runs the whole program.
 const BATCH: &str = "batch";
@@ -107,10 +110,14 @@ fn fuzz_one(root: &Path, name: &str, seeds: &[&str], minutes: u64) -> Result<boo
     let corpus = root.join("fuzz/corpus").join(name);
     std::fs::create_dir_all(&corpus).map_err(|e| format!("cannot make {}: {e}", corpus.display()))?;
     let found = root.join(found_in(name)).join(name);
-    let seeds: Vec<PathBuf> =
-        seeds.iter().map(|seed| root.join(seed)).chain([found]).filter(|seed| seed.exists()).collect();
+    let mut folders = Vec::new();
+    for seed in seeds {
+        let is_table = *seed == TABLES || seed.ends_with(".txt");
+        folders.push(if is_table { fixtures::unpack(root, seed, name)? } else { root.join(seed) });
+    }
+    folders.extend(found.exists().then_some(found));
     let mut command = Command::new("cargo");
-    command.args(["+nightly", "fuzz", "run", name]).arg(&corpus).args(seeds).current_dir(root);
+    command.args(["+nightly", "fuzz", "run", name]).arg(&corpus).args(folders).current_dir(root);
     // Seconds per input. A batch starts one process per submission.
     let mut most_seconds = 10;
     if name == BATCH {
@@ -137,7 +144,11 @@ mod tests {
         let root = root();
         for (name, seeds) in TARGETS {
             assert!(root.join(format!("fuzz/targets/{name}.rs")).exists(), "{name}");
-            assert!(seeds.iter().all(|seed| root.join(seed).is_dir()), "{name}: {seeds:?}");
+            for seed in *seeds {
+                let path = root.join(seed);
+                assert_eq!(path.is_file(), seed.ends_with(".txt"), "{name}: {seed}");
+                assert!(path.exists(), "{name}: {seed}");
+            }
         }
         let bins = std::fs::read_to_string(root.join("fuzz/Cargo.toml")).unwrap_or_default();
         assert_eq!(bins.matches("[[bin]]").count(), TARGETS.len());

@@ -2,6 +2,7 @@
 
 mod bench;
 mod checks;
+mod fixtures;
 mod fuzz;
 mod house;
 mod process;

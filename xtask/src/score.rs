@@ -8,8 +8,8 @@ use std::process::{Command, ExitCode};
 const DOCUMENT: &str = "exercises/README.md";
 const BEGIN: &str = "<!-- made by `cargo xtask score` -->\n";
 const END: &str = "<!-- end of what is made -->\n";
-/// Submissions in many styles.
-const CORPUS: &str = "crates/gonio-lab/corpus";
+/// Tables of submissions in many styles.
+const CORPUS: &str = "crates/gonio-fixtures/corpus";
 /// Counts may differ by this much: drivers differ in the last bit, and a mistake at the limit of 8 bits is visible with one
 /// driver and not with another.
 const STEPS: usize = 2;
@@ -65,8 +65,9 @@ fn program_name() -> PathBuf {
 
 /// Runs `gonio lab score`. Returns its output, and whether the goals were reached.
 fn measure(root: &Path, program: &Path) -> Result<(String, bool), String> {
+    let corpus = crate::fixtures::unpack(root, CORPUS, "score")?;
     let mut command = Command::new(program);
-    command.args(["lab", "score", "--quiet", "--corpus", CORPUS]).current_dir(root);
+    command.args(["lab", "score", "--quiet", "--corpus"]).arg(corpus).current_dir(root);
     let output = command.output().map_err(|error| format!("cannot run {}: {error}", program.display()))?;
     let table = String::from_utf8_lossy(&output.stdout).into_owned();
     match output.status.code() {

@@ -1,12 +1,15 @@
 //! The line of each mistake in the corpus of submissions.
+#![allow(clippy::unwrap_used)]
+
+mod submissions;
 
 use gonio_glsl::Stage;
 use gonio_lab::bank::{self, Model};
 use gonio_lab::locate::{Shader, Source};
 use gonio_lab::names::NamesFile;
-use gonio_lab::submission::{SourceFile, Submission};
+use gonio_lab::submission::Submission;
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use submissions::submissions;
 
 struct Case {
     name: String,
@@ -56,13 +59,6 @@ impl Case {
     }
 }
 
-fn folders(path: &Path) -> Vec<PathBuf> {
-    let entries = std::fs::read_dir(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-    let mut found: Vec<PathBuf> = entries.map(|entry| entry.expect("an entry").path()).collect();
-    found.sort();
-    found
-}
-
 fn model(exercise: &str) -> Model {
     match exercise {
         "ex01" => Model::Camera,
@@ -75,28 +71,12 @@ fn model(exercise: &str) -> Model {
     }
 }
 
-fn cases(kind: &str) -> Vec<Case> {
-    let top = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus");
-    let mut cases = Vec::new();
-    for exercise in folders(&top).into_iter().filter(|path| path.is_dir()) {
-        let of = exercise.file_name().expect("a name").to_string_lossy().into_owned();
-        for folder in folders(&exercise.join(kind)) {
-            let mut expected = toml::Table::new();
-            let mut files = Vec::new();
-            for path in folders(&folder) {
-                let name = path.file_name().expect("a name").to_string_lossy().into_owned();
-                if name == "expected.toml" {
-                    expected = std::fs::read_to_string(&path).expect("a text").parse().expect("TOML");
-                } else {
-                    files.push(SourceFile::new(name, std::fs::read(&path).expect("a file")));
-                }
-            }
-            let name = format!("{of}/{}", folder.file_name().expect("a name").to_string_lossy());
-            let submission = Submission::gather(files).unwrap_or_else(|error| panic!("{name}: {error}"));
-            cases.push(Case { name, expected, submission, model: model(&of) });
-        }
-    }
-    cases
+fn cases(sort: &str) -> Vec<Case> {
+    let read = |case: submissions::Submission| {
+        let submission = Submission::gather(case.files).unwrap_or_else(|error| panic!("{}: {error}", case.name));
+        Case { name: case.name, expected: case.expected, submission, model: model(&case.exercise) }
+    };
+    submissions(sort).into_iter().map(read).collect()
 }
 
 fn wrong() -> Vec<Case> {

@@ -236,18 +236,13 @@ uniform vec3 lampe;   out vec4 couleur; in vec3 normale;
     }
 
     fn corpus() -> Vec<(String, Vec<String>)> {
-        let top = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus/ex07/correct");
+        let table = Path::new(env!("CARGO_MANIFEST_DIR")).join("../gonio-fixtures/corpus/ex07/correct.txt");
         let mut all = Vec::new();
-        for folder in std::fs::read_dir(top).unwrap() {
-            let folder = folder.unwrap().path();
-            let files = std::fs::read_dir(&folder).unwrap().map(|file| file.unwrap().path());
-            let files = files.filter(|file| !file.ends_with("expected.toml"));
-            let name = folder.file_name().unwrap().to_string_lossy().into_owned();
-            let files = files
-                .map(|file| crate::submission::SourceFile::new(file.to_string_lossy(), std::fs::read(&file).unwrap()))
-                .collect();
+        for case in gonio_fixtures::FixtureTable::read(table).and_then(|table| table.cases()).unwrap() {
+            let files = case.files.into_iter().filter(|file| file.path != "expected.toml");
+            let files = files.map(|file| crate::submission::SourceFile::new(file.path, file.bytes)).collect();
             let pair = crate::submission::Submission::gather(files).unwrap();
-            all.push((name, vec![pair.vertex.text, pair.fragment.text]));
+            all.push((case.name, vec![pair.vertex.text, pair.fragment.text]));
         }
         assert!(all.len() >= 30);
         all.sort();

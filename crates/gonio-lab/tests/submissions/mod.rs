@@ -1,63 +1,57 @@
-//! The submissions of crates/gonio-lab/corpus, as tests read them: its README.md says what stands in `expected.toml`.
+//! The submissions of crates/gonio-fixtures/corpus, as tests read them: its README.md explains `expected.toml`.
+#![allow(dead_code, reason = "each test uses a part")]
 
+use gonio_fixtures::tables_below;
 use gonio_lab::check::Checker;
 use gonio_lab::submission::SourceFile;
 use gonio_lab::verdict::Verdict;
 use gonio_lab::{CheckOptions, exercise};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// A submission, and what is expected of it.
 pub struct Submission {
-    /// Its folder below the corpus: `ex04/wrong/view-space`.
+    /// Table and case: `ex04/wrong/view-space`.
     pub name: String,
-    /// `ex04`.
+    /// The id of the exercise: `ex04`.
     pub exercise: String,
-    /// The student's.
+    /// The student's files.
     pub files: Vec<SourceFile>,
-    /// `expected.toml`; empty where there is none.
+    /// The content of `expected.toml`; empty if the case has none.
     pub expected: toml::Table,
 }
 
 impl Submission {
-    /// The verdict, without pictures.
+    /// Returns the checker's verdict, without pictures.
     pub fn check(&self, checker: &mut Checker) -> Verdict {
         let exercise = exercise::find(&self.exercise).unwrap();
         gonio_lab::check(checker, exercise, self.files.clone(), &CheckOptions::default()).unwrap().0
     }
 }
 
-fn folders(of: &Path) -> Vec<PathBuf> {
-    let mut folders: Vec<PathBuf> = std::fs::read_dir(of)
-        .unwrap_or_else(|error| panic!("{}: {error}", of.display()))
-        .map(|entry| entry.unwrap().path())
-        .filter(|path| path.is_dir())
-        .collect();
-    folders.sort();
-    folders
-}
-
-/// All of a kind, in order of exercise and name: `correct` or `wrong`.
-pub fn submissions(kind: &str) -> Vec<Submission> {
-    let top = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus");
+/// Returns all submissions of one sort, `correct` or `wrong`, in order of exercise and name.
+pub fn submissions(sort: &str) -> Vec<Submission> {
+    let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("../gonio-fixtures/corpus");
     let mut all = Vec::new();
-    for exercise in folders(&top) {
-        for folder in folders(&exercise.join(kind)) {
-            let mut submission = Submission {
-                name: folder.strip_prefix(&top).unwrap().to_string_lossy().into_owned(),
-                exercise: exercise.file_name().unwrap().to_string_lossy().into_owned(),
-                files: Vec::new(),
-                expected: toml::Table::new(),
-            };
-            for entry in std::fs::read_dir(&folder).unwrap() {
-                let path = entry.unwrap().path();
-                let name = path.file_name().unwrap().to_string_lossy().into_owned();
-                match name.as_str() {
-                    "expected.toml" => submission.expected = std::fs::read_to_string(&path).unwrap().parse().unwrap(),
-                    _ => submission.files.push(SourceFile::new(name, std::fs::read(&path).unwrap())),
+    for (folder, table) in tables_below(&corpus).unwrap_or_else(|error| panic!("{error}")) {
+        if !folder.ends_with(sort) {
+            continue;
+        }
+        let exercise = folder.parent().unwrap().to_str().unwrap();
+        for case in table.cases().unwrap_or_else(|error| panic!("{error}")) {
+            let name = format!("{exercise}/{sort}/{}", case.name);
+            let mut expected = toml::Table::new();
+            let mut files = Vec::new();
+            for file in case.files {
+                if file.path == "expected.toml" {
+                    let text = String::from_utf8(file.bytes).unwrap();
+                    expected = text.parse().unwrap_or_else(|error| panic!("{name}/expected.toml: {error}"));
+                } else {
+                    files.push(SourceFile::new(file.path, file.bytes));
                 }
             }
-            all.push(submission);
+            all.push(Submission { name, exercise: exercise.to_owned(), files, expected });
         }
     }
+    all.sort_by(|a, b| a.name.cmp(&b.name));
     all
 }

@@ -1,6 +1,0 @@
-#version 330 core
-in vec3 p, n;
-uniform mat4 V;
-uniform samplerCube cubemapSampler;
-out vec4 o;
-void main() { o = texture(cubemapSampler, reflect(normalize(p - inverse(V)[3].xyz), normalize(n))); }
