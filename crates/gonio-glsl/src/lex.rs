@@ -190,7 +190,7 @@ impl<'a> Lexer<'a> {
                         self.advance();
                     }
                     if self.at_end() {
-                        let message = "this comment is never closed: a `*/` is missing";
+                        let message = "this comment is never closed: expected `*/`";
                         problems.push(Problem::error(open, "unclosed-comment", message));
                     }
                     self.advance();

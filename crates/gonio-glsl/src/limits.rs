@@ -109,34 +109,34 @@ impl Limit {
 impl std::fmt::Display for Limit {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let large = "this shader is too large";
-        let deep = "this shader is too deep";
+        let deep = "this shader is nested too deeply";
         match self {
             Self::Bytes => write!(f, "{large}: it has more than {} MiB", MOST_BYTES >> 20),
             Self::Tokens => write!(f, "{large}: it has more than {MOST_TOKENS} tokens"),
-            Self::Name => write!(f, "{large}: this name has more than {MOST_NAME_BYTES} letters"),
+            Self::Name => write!(f, "{large}: this name has more than {MOST_NAME_BYTES} bytes"),
             Self::Macros => write!(f, "{large}: this macro expands to more and more text"),
-            Self::Nested => write!(f, "{deep}: more than {MOST_NESTED} expressions or statements within one another"),
-            Self::StructsNested => write!(f, "{deep}: more than {MOST_STRUCTS_NESTED} structs within one another"),
+            Self::Nested => write!(f, "{deep}: more than {MOST_NESTED} levels of expressions or statements"),
+            Self::StructsNested => write!(f, "{deep}: more than {MOST_STRUCTS_NESTED} levels of structs"),
             Self::ArraySizes => write!(f, "{large}: this array has more than {MOST_ARRAY_SIZES} dimensions"),
-            Self::Components => write!(f, "{large}: this takes more than {MOST_COMPONENTS} numbers"),
-            Self::UnknownSize => write!(f, "the size of this array is too complicated: write it as a number"),
+            Self::Components => write!(f, "{large}: this takes more than {MOST_COMPONENTS} components"),
+            Self::UnknownSize => write!(f, "the size of this array cannot be evaluated here: write it as a number"),
             Self::InterfaceComponents => {
-                write!(f, "{large}: this input or output takes more than {MOST_INTERFACE_COMPONENTS} numbers")
+                write!(f, "{large}: this input or output takes more than {MOST_INTERFACE_COMPONENTS} components")
             }
-            Self::AllComponents => write!(f, "{large}: its variables take more than {MOST_ALL_COMPONENTS} numbers"),
+            Self::AllComponents => write!(f, "{large}: its variables take more than {MOST_ALL_COMPONENTS} components"),
             Self::Variables => write!(f, "{large}: more than {MOST_VARIABLES} variables are declared here"),
             Self::Functions => {
                 write!(f, "{large}: more than {MOST_FUNCTIONS} functions, or {MOST_OVERLOADS} of one name")
             }
             Self::CallsNested => {
-                write!(f, "{deep}: functions call functions, more than {MOST_CALLS_NESTED} within one another")
+                write!(f, "{deep}: function calls are nested more than {MOST_CALLS_NESTED} deep")
             }
             Self::Inlined => {
                 write!(f, "{large}: with the functions it calls, this one has more than {MOST_INLINED} expressions")
             }
-            Self::LoopsNested => write!(f, "{deep}: more than {MOST_LOOPS_NESTED} loops within one another"),
+            Self::LoopsNested => write!(f, "{deep}: more than {MOST_LOOPS_NESTED} nested loops"),
             Self::Cases => write!(f, "{large}: this `switch` has more than {MOST_CASES} cases"),
-            Self::SyntaxErrors => write!(f, "there are too many errors to go on reading"),
+            Self::SyntaxErrors => write!(f, "too many errors: parsing stops here"),
         }
     }
 }

@@ -204,7 +204,7 @@ fn stages_have_to_agree() {
     let found = check_pair(&read(vertex, Stage::Vertex).1, &read(fragment, Stage::Fragment).1);
     let told: Vec<_> = found.iter().map(|p| (p.span.line, p.code)).collect();
     assert_eq!(told, [(2, "not-given"), (3, "other-type"), (4, "other-interpolation"), (5, "other-type")]);
-    assert_eq!(found[0].help.as_deref(), Some("the vertex shader gives `v_normal`"));
+    assert_eq!(found[0].help.as_deref(), Some("the vertex shader has the output `v_normal`"));
 }
 
 /// What stands in a bounded shader, in which no line has moved.

@@ -117,14 +117,14 @@ impl Checker<'_> {
         } else {
             Problem::error(span, "variable-hides-function", message)
         };
-        self.problems.push(problem.with_help(format!("give the variable another name, like `my_{name}`")));
+        self.problems.push(problem.with_help(format!("rename the variable, for example to `my_{name}`")));
     }
 
     fn unknown_function(&mut self, call: &Call) {
         if self.find(&call.name).is_some() || self.is_full() {
             return;
         }
-        let message = format!("there is no function `{}`", call.name);
+        let message = format!("the function `{}` is not declared", call.name);
         let mut problem = Problem::error(call.name_span, "unknown-function", message);
         let own = self.functions.keys().map(String::as_str);
         let mut names: Vec<&str> = own.chain(COMMON.split_ascii_whitespace()).collect();
@@ -198,7 +198,7 @@ impl Checker<'_> {
         counts.dedup();
         let wanted = counts.iter().map(usize::to_string).collect::<Vec<_>>().join(" or ");
         let plural = if wanted == "1" { "argument" } else { "arguments" };
-        let message = format!("`{}` wants {wanted} {plural} and has {found}", call.name);
+        let message = format!("`{}` takes {wanted} {plural}, found {found}", call.name);
         self.unknown(Problem::error(call.name_span, "argument-count", message));
     }
 
@@ -206,18 +206,18 @@ impl Checker<'_> {
         let words = |types: &[Option<Type>]| {
             types.iter().map(|t| t.as_ref().map_or("?".into(), Type::written)).collect::<Vec<_>>().join(", ")
         };
-        let message = format!("`{}` cannot be called with ({})", call.name, words(types));
+        let message = format!("no overload of `{}` takes ({})", call.name, words(types));
         let mut problem = Problem::error(call.name_span, "argument-types", message);
         let ways: Vec<String> = fitting.iter().take(4).map(|c| format!("({})", words(&c.params))).collect();
         let more = if fitting.len() > 4 { " and so on" } else { "" };
-        problem = problem.with_help(format!("it takes {}{more}", ways.join(" or ")));
+        problem = problem.with_help(format!("the overloads take {}{more}", ways.join(" or ")));
         self.unknown(problem);
     }
 
     /// A function that only later versions have.
     fn later_function(&mut self, call: &Call) {
         let name = &call.name;
-        let message = format!("the function `{name}` does not exist in version {}", self.version.written());
+        let message = format!("the function `{name}` is not available in version {}", self.version.written());
         let mut problem = Problem::strict(call.name_span, "version-too-old", message);
         if name == "texture" {
             let is_cube =
@@ -241,15 +241,15 @@ impl Checker<'_> {
         }
         let (is_es, name) = (self.version.es, &call.name);
         let problem = if is_es {
-            let message = format!("`{name}` does not exist in version {}", self.version.written());
+            let message = format!("`{name}` is not available in version {}", self.version.written());
             Problem::error(call.name_span, "old-function", message)
         } else {
-            Problem::strict(call.name_span, "old-function", format!("`{name}` is gone from core OpenGL"))
+            Problem::strict(call.name_span, "old-function", format!("`{name}` was removed from core OpenGL"))
         };
         self.unknown(problem.with_help(format!("write `{new}`")));
     }
 
-    /// `pow` of a number below zero is not defined (GLSL 4.60, section 8.2).
+    /// `pow` of a negative number is undefined (GLSL 4.60, section 8.2).
     fn negative_power(&mut self, call: &Call) {
         if call.name != "pow" {
             return;
@@ -259,7 +259,7 @@ impl Checker<'_> {
         if is_negative
             || matches!(base.kind, ExprKind::Unary { op: UnaryOp::Minus, ref operand } if self.is_length(operand))
         {
-            self.strict(base.span, "pow-of-negative", "`pow` of a number below zero is not defined");
+            self.strict(base.span, "pow-of-negative", "`pow` of a negative number is undefined");
         }
     }
 

@@ -16,7 +16,7 @@ impl Checker<'_> {
         match of {
             Type::Struct(_) => self.construct_struct(call, span),
             Type::Void | Type::Opaque(_) | Type::Array(..) => {
-                self.error(span, "constructor", format!("a `{of}` cannot be made like this"));
+                self.error(span, "constructor", format!("cannot construct a value of type `{of}`"));
                 return None;
             }
             Type::Scalar(_) | Type::Vector(..) | Type::Matrix { .. } => self.construct_number(&of, call, span),
@@ -30,7 +30,7 @@ impl Checker<'_> {
         let found = call.args.len() as u32;
         let wanted = *count.get_or_insert(found);
         if wanted != found {
-            self.error(span, "constructor", format!("this array has {wanted} elements, and {found} are given"));
+            self.error(span, "constructor", format!("this array has {wanted} elements, found {found}"));
         }
         let of = (**of).clone();
         for arg in &call.args {
@@ -44,7 +44,7 @@ impl Checker<'_> {
         let Some(info) = self.structs.get(&call.name).cloned() else { return };
         if info.members.len() != call.args.len() {
             let (wanted, found) = (info.members.len(), call.args.len());
-            self.error(span, "constructor", format!("`{}` has {wanted} members, and {found} are given", call.name));
+            self.error(span, "constructor", format!("`{}` has {wanted} members, found {found}", call.name));
             return;
         }
         for (arg, (_, ty)) in call.args.iter().zip(&info.members) {
@@ -55,26 +55,28 @@ impl Checker<'_> {
     fn construct_number(&mut self, of: &Type, call: &Call, span: Span) {
         let Some(wanted) = of.components() else { return };
         if call.args.is_empty() {
-            self.error(span, "constructor", format!("`{of}()` wants a value in its brackets"));
+            self.error(span, "constructor", format!("`{of}()` needs an argument"));
             return;
         }
         let mut found = 0;
         for (index, arg) in call.args.iter().enumerate() {
             let Some(ty) = &arg.ty else { return };
             let Some(count) = ty.components() else {
-                self.error(arg.span, "constructor", format!("a `{of}` cannot be made of a `{ty}`"));
+                self.error(arg.span, "constructor", format!("cannot construct `{of}` from `{ty}`"));
                 return;
             };
             let is_matrix = matches!(ty, Type::Matrix { .. });
             if is_matrix && matches!(of, Type::Matrix { .. }) {
                 if call.args.len() > 1 {
-                    self.error(arg.span, "constructor", "a matrix out of a matrix takes nothing else");
+                    self.error(arg.span, "constructor", "a matrix constructed from a matrix takes no other arguments");
                 }
                 return;
             }
             if found >= wanted {
-                let message =
-                    format!("`{of}` has {wanted} components, and they are full before argument {}", index + 1);
+                let message = format!(
+                    "too many arguments: `{of}` has {wanted} components, which are filled before argument {}",
+                    index + 1
+                );
                 self.error(arg.span, "constructor", message);
                 return;
             }
@@ -84,14 +86,14 @@ impl Checker<'_> {
             return;
         }
         if found < wanted {
-            let message = format!("`{of}` wants {wanted} components and gets {found}");
+            let message = format!("`{of}` needs {wanted} components, found {found}");
             let mut problem = Problem::error(span, "constructor", message);
             if found == 3 && wanted == 4 {
-                problem = problem.with_help("add a fourth, like `1.0`");
+                problem = problem.with_help("add a fourth component, such as `1.0`");
             }
             self.problems.push(problem);
         } else if found > wanted && matches!(of, Type::Matrix { .. }) {
-            let message = format!("`{of}` wants {wanted} components and gets {found}");
+            let message = format!("`{of}` needs {wanted} components, found {found}");
             self.error(span, "constructor", message);
         }
     }

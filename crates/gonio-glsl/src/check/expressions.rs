@@ -75,7 +75,7 @@ impl Checker<'_> {
     fn index_value(&mut self, index: &mut Expr) {
         let found = self.expression(index);
         if let Some(found) = found.filter(|t| *t != Type::INT && *t != Type::UINT) {
-            let message = format!("an index has to be an `int`, and this is a `{found}`");
+            let message = format!("an index must be an `int`, found `{found}`");
             self.error(index.span, "index-type", message);
         }
     }
@@ -84,7 +84,7 @@ impl Checker<'_> {
     fn length(&mut self, base: &mut Expr, span: Span) -> Option<Type> {
         let found = self.expression(base)?;
         if !matches!(found, Type::Array(..) | Type::Vector(..) | Type::Matrix { .. }) {
-            self.error(span, "no-length", format!("a `{found}` has no `.length()`"));
+            self.error(span, "no-length", format!("`{found}` has no `.length()`"));
         }
         Some(Type::INT)
     }
@@ -94,7 +94,7 @@ impl Checker<'_> {
         let found = self.expression(condition);
         let (a, b) = (self.expression(then), self.expression(otherwise));
         if let Some(found) = found.filter(|t| *t != Type::BOOL) {
-            let message = format!("before the `?` belongs a `bool`, and this is a `{found}`");
+            let message = format!("the condition of `?:` must be a `bool`, found `{found}`");
             self.error(condition.span, "condition-type", message);
         }
         let (a, b) = (a?, b?);
@@ -105,7 +105,7 @@ impl Checker<'_> {
             self.convert(otherwise, Some(&a), "this value");
             Some(a)
         } else {
-            let message = format!("both sides of the `:` have to be of one type, not `{a}` and `{b}`");
+            let message = format!("both results of `?:` must have the same type, found `{a}` and `{b}`");
             self.error(span, "wrong-type", message);
             None
         }
@@ -136,11 +136,8 @@ impl Checker<'_> {
         let result = self.binary(op, target, value, span)?;
         let ty = ty?;
         if result != ty && !result.becomes(&ty) {
-            let message = format!(
-                "`{}=` makes a `{result}` of it, and `{}` is a `{ty}`",
-                op.mark(),
-                self.parsed.text(target.span)
-            );
+            let message =
+                format!("`{}=` gives a `{result}`, but `{}` is a `{ty}`", op.mark(), self.parsed.text(target.span));
             self.error(span, "wrong-type", message);
         }
         Some(ty)
@@ -167,7 +164,7 @@ impl Checker<'_> {
                 let base_type = self.target(base, is_whole)?;
                 let twice = name.char_indices().any(|(i, c)| name[..i].contains(c));
                 if twice && matches!(base_type, Type::Vector(..)) {
-                    let message = format!("`.{name}` names a component twice and cannot be written to");
+                    let message = format!("`.{name}` repeats a component and cannot be assigned to");
                     self.error(*name_span, "not-writable", message);
                 }
                 self.field(&base_type, &name.clone(), *name_span)
@@ -181,7 +178,7 @@ impl Checker<'_> {
             _ => {
                 let ty = self.type_of(expr);
                 if !self.has_syntax_errors {
-                    self.error(span, "not-writable", "this is no variable and cannot be written to");
+                    self.error(span, "not-writable", "cannot assign to this: it is not a variable");
                 }
                 ty
             }
@@ -192,24 +189,24 @@ impl Checker<'_> {
         let Some(id) = self.find(name) else {
             let found = crate::builtins::variable(name, self.stage, self.version);
             if matches!(found, Some(Ok(found)) if !found.is_writable) {
-                self.error(span, "not-writable", format!("`{name}` can only be read here"));
+                self.error(span, "not-writable", format!("cannot assign to `{name}`: it is read-only here"));
             }
             return;
         };
         self.access(id, true, span);
         let symbol = &self.symbols[id];
         let why = match symbol.storage {
-            Storage::Const => "a constant",
-            Storage::Uniform => "a uniform: only the program that draws sets it",
-            Storage::In if symbol.kind != SymbolKind::Param => "an input: it can only be read",
+            Storage::Const => "it is a constant",
+            Storage::Uniform => "it is a uniform, which only the program can set",
+            Storage::In if symbol.kind != SymbolKind::Param => "it is an input, which is read-only",
             _ => return,
         };
         // Redeclared variables of GLSL keep their own rules.
         if name.starts_with("gl_") {
             return;
         }
-        let problem = Problem::error(span, "not-writable", format!("`{name}` is {why}"));
-        self.problems.push(problem.with_help("write to a variable of your own"));
+        let problem = Problem::error(span, "not-writable", format!("cannot assign to `{name}`: {why}"));
+        self.problems.push(problem.with_help("assign to a variable of your own"));
     }
 
     /// `.xyz` or `.member`
@@ -235,7 +232,7 @@ impl Checker<'_> {
             }
             Type::Array(..) if name == "length" => None,
             _ => {
-                self.error(span, "no-components", format!("a `{base}` has no `.{name}`"));
+                self.error(span, "no-components", format!("`{base}` has no `.{name}`"));
                 None
             }
         }
@@ -247,8 +244,10 @@ impl Checker<'_> {
         let set = sets.iter().find(|set| name.chars().all(|c| set.contains(c)));
         let Some(set) = set.filter(|_| name.len() <= 4) else {
             let message = match name.len() > 4 {
-                true => format!("`.{name}` takes more than four components"),
-                false => format!("`.{name}` is no choice of components: only `xyzw`, `rgba` or `stpq`, not mixed"),
+                true => format!("`.{name}` selects more than four components"),
+                false => format!(
+                    "`.{name}` is not a valid swizzle: use letters of `xyzw`, `rgba` or `stpq`, without mixing them"
+                ),
             };
             self.error(span, "bad-swizzle", message);
             return None;
@@ -256,7 +255,7 @@ impl Checker<'_> {
         let most = name.chars().filter_map(|c| set.find(c)).max().unwrap_or(0);
         if most >= usize::from(size) {
             let ty = Type::of(scalar, size);
-            let message = format!("a `{ty}` has no component `{}`", &set[most..=most]);
+            let message = format!("`{ty}` has no component `{}`", &set[most..=most]);
             self.error(span, "bad-swizzle", message);
             return None;
         }
@@ -271,14 +270,14 @@ impl Checker<'_> {
             Type::Vector(scalar, size) => (Type::Scalar(*scalar), Some(u32::from(*size))),
             Type::Matrix { scalar, columns, rows } => (Type::of(*scalar, *rows), Some(u32::from(*columns))),
             _ => {
-                self.error(span, "not-an-array", format!("a `{base}` has no elements to choose from"));
+                self.error(span, "not-an-array", format!("`{base}` cannot be indexed"));
                 return None;
             }
         };
         if let (Some(count), Some(index)) = (count, index)
             && (index < 0.0 || index >= f64::from(count))
         {
-            let message = format!("there is no element {index}: they are 0 to {}", count - 1);
+            let message = format!("the index {index} is out of range: expected 0 to {}", count - 1);
             self.error(span, "index-range", message);
         }
         Some(of)
@@ -293,7 +292,7 @@ impl Checker<'_> {
         }
         if !from.becomes(to) {
             let problem =
-                Problem::error(value.span, "wrong-type", format!("{what} is a `{from}`, and a `{to}` is wanted"));
+                Problem::error(value.span, "wrong-type", format!("cannot convert {what} from `{from}` to `{to}`"));
             let problem = match cure(from, to) {
                 Some(help) => problem.with_help(help),
                 None => problem,
@@ -314,7 +313,7 @@ impl Checker<'_> {
         if !is_allowed {
             let text = self.parsed.text(value.span);
             let message = format!(
-                "`{text}` is of type `{from}` and does not become `{to}` by itself in version {}",
+                "`{text}` has type `{from}`, which is not converted to `{to}` implicitly in version {}",
                 version.written()
             );
             let is_number = matches!(value.kind, ExprKind::Literal(Literal::Int(_))) && is_float;
@@ -363,19 +362,21 @@ impl Checker<'_> {
 /// What would make one type of the other.
 fn cure(from: &Type, to: &Type) -> Option<String> {
     match (from, to) {
-        (Type::Vector(Scalar::Float, 4), Type::Vector(Scalar::Float, 3)) => Some("`.xyz` takes its first three".into()),
+        (Type::Vector(Scalar::Float, 4), Type::Vector(Scalar::Float, 3)) => {
+            Some("use `.xyz` for the first three components".into())
+        }
         (Type::Vector(Scalar::Float, 3), Type::Vector(Scalar::Float, 4)) => {
-            Some("`vec4(.., 1.0)` makes four of three".into())
+            Some("write `vec4(.., 1.0)` to add a fourth component".into())
         }
-        (Type::Scalar(_), Type::Vector(Scalar::Float, _)) => Some(format!(
-            "is it meant to be one number? Then declare a `{from}`; `{to}(..)` puts it into every component"
-        )),
+        (Type::Scalar(_), Type::Vector(Scalar::Float, _)) => {
+            Some(format!("if one number is meant, declare a `{from}`; `{to}(..)` puts it into every component"))
+        }
         (Type::Vector(Scalar::Float, _), Type::Scalar(Scalar::Float)) => {
-            Some("take one component, such as `.x`, or a `dot` or a `length` of it; or declare a vector".into())
+            Some("use one component such as `.x`, or `dot` or `length`; or declare a vector".into())
         }
-        (Type::Scalar(_), Type::Scalar(_)) => Some(format!("`{to}(..)` converts it")),
+        (Type::Scalar(_), Type::Scalar(_)) => Some(format!("write `{to}(..)` to convert it")),
         (Type::Matrix { columns: 4, rows: 4, .. }, Type::Matrix { columns: 3, rows: 3, .. }) => {
-            Some("`mat3(..)` takes its upper left part".into())
+            Some("write `mat3(..)` for its upper left part".into())
         }
         _ => None,
     }

@@ -58,7 +58,7 @@ impl Checker<'_> {
             found.push((first.span, known.name.clone()));
         }
         for (span, name) in found {
-            self.strict(span, "unset", format!("`{name}` is used before it has a value"));
+            self.strict(span, "unset", format!("`{name}` is used before it is assigned a value"));
         }
     }
 }

@@ -43,7 +43,7 @@ impl Checker<'_> {
             Some(Type::Struct(ty.name.clone()))
         } else if let Some(found) = Type::named(&ty.name) {
             if !words::is_type(&ty.name, self.version) {
-                let message = format!("the type `{}` does not exist in version {}", ty.name, self.version.written());
+                let message = format!("the type `{}` is not available in version {}", ty.name, self.version.written());
                 self.unknown(Problem::error(ty.span, "unknown-type", message));
             }
             Some(found)
@@ -57,7 +57,7 @@ impl Checker<'_> {
     }
 
     fn unknown_type(&mut self, ty: &TypeName) {
-        let mut problem = Problem::error(ty.span, "unknown-type", format!("there is no type `{}`", ty.name));
+        let mut problem = Problem::error(ty.span, "unknown-type", format!("unknown type `{}`", ty.name));
         let own = ["float", "int", "vec2", "vec3", "vec4", "mat3", "mat4", "bool", "sampler2D", "samplerCube", "void"];
         let more = ["uniform", "varying", "attribute", "const", "return", "precision", "layout", "else"];
         let structs = self.struct_order.iter().map(String::as_str);
@@ -85,9 +85,9 @@ impl Checker<'_> {
                     let found = self.expression(size);
                     let value = self.value_of(size).and_then(|v| v.first().copied());
                     if found.is_some_and(|t| t != Type::INT && t != Type::UINT) {
-                        self.error(size.span, "array-size", "the size of an array has to be an `int`");
+                        self.error(size.span, "array-size", "the size of an array must be an `int`");
                     } else if value.is_some_and(|v| v < 1.0) {
-                        self.error(size.span, "array-size", "the size of an array has to be at least 1");
+                        self.error(size.span, "array-size", "the size of an array must be at least 1");
                     }
                     self.hold_size(size, value);
                     value.filter(|v| (1.0..1e9).contains(v)).map(|v| v as u32)
@@ -115,7 +115,7 @@ impl Checker<'_> {
             for declarator in &mut member.declarators {
                 let ty = of.clone().and_then(|t| self.sized(t, &mut declarator.sizes));
                 if !names.insert(declarator.name.clone()) {
-                    let message = format!("the struct has `{}` already", declarator.name);
+                    let message = format!("the struct already has a member `{}`", declarator.name);
                     self.error(declarator.span, "declared-twice", message);
                 }
                 members.push((declarator.name.clone(), ty));
@@ -126,7 +126,7 @@ impl Checker<'_> {
             return;
         }
         if self.structs.contains_key(&definition.name) && self.scopes.len() == 1 {
-            let message = format!("the struct `{}` is there already", definition.name);
+            let message = format!("the struct `{}` is already defined", definition.name);
             self.error(definition.span, "declared-twice", message);
         }
         let info = StructInfo { name: definition.name.clone(), members, span: definition.span };
@@ -146,11 +146,11 @@ impl Checker<'_> {
                 self.error(
                     declarator.span,
                     "void-variable",
-                    format!("`{}` cannot be of the type `void`", declarator.name),
+                    format!("`{}` cannot have the type `void`", declarator.name),
                 );
             }
             if let (Some(Type::Opaque(name)), true) = (&ty, storage != Storage::Uniform) {
-                let message = format!("a `{name}` has to be a `uniform`");
+                let message = format!("a `{name}` must be a `uniform`");
                 self.error(declarator.span, "sampler-not-uniform", message);
             }
             let mut value = None;
@@ -161,7 +161,7 @@ impl Checker<'_> {
                 is_computed = !self.is_constant(initialiser);
                 if is_computed && storage == Storage::Const && !self.is_const_free(kind) {
                     let message =
-                        format!("the value of the constant `{}` is not known before the shader runs", declarator.name);
+                        format!("the initializer of the constant `{}` is not a constant expression", declarator.name);
                     self.strict(initialiser.span, "const-not-constant", message);
                 }
             } else if storage == Storage::Const {
@@ -195,27 +195,27 @@ impl Checker<'_> {
             match word {
                 "attribute" | "varying" if version.is_at_least(0, 300) => {
                     let now = if word == "attribute" || self.stage == crate::Stage::Fragment { "in" } else { "out" };
-                    let message = format!("`{word}` does not exist in version {}", version.written());
+                    let message = format!("`{word}` is not available in version {}", version.written());
                     self.problems.push(Problem::error(span, "old-word", message).with_help(format!("write `{now}`")));
                 }
                 "attribute" | "varying" if version.is_at_least(140, 0) && !version.compatibility => {
                     let now = if word == "attribute" || self.stage == crate::Stage::Fragment { "in" } else { "out" };
-                    let message = format!("`{word}` is gone from core OpenGL");
+                    let message = format!("`{word}` was removed from core OpenGL");
                     self.problems.push(Problem::strict(span, "old-word", message).with_help(format!("write `{now}`")));
                 }
                 "in" | "out" if !is_inside && !version.is_at_least(130, 300) => {
                     let message =
-                        format!("`{word}` outside of functions does not exist in version {}", version.written());
+                        format!("`{word}` outside of functions is not available in version {}", version.written());
                     let help = "write `#version 330 core` in the first line";
                     self.problems.push(Problem::strict(span, "version-too-old", message).with_help(help));
                 }
                 "layout" if !version.is_at_least(140, 300) => {
-                    let message = format!("`layout` does not exist in version {}", version.written());
+                    let message = format!("`layout` is not available in version {}", version.written());
                     let help = "write `#version 330 core` in the first line";
                     self.problems.push(Problem::strict(span, "version-too-old", message).with_help(help));
                 }
                 "uniform" | "attribute" | "varying" | "in" | "out" | "inout" | "buffer" if is_inside => {
-                    let message = format!("`{word}` belongs outside of functions");
+                    let message = format!("`{word}` is only allowed outside of functions");
                     self.error(span, "qualifier-place", message);
                 }
                 "attribute" if self.stage == crate::Stage::Fragment => {
@@ -239,7 +239,7 @@ impl Checker<'_> {
             *ty = Some(Type::Array(of.clone(), Some(*count)));
         }
         match storage {
-            Storage::In => self.error(initialiser.span, "input-initialised", "an input cannot be given a value here"),
+            Storage::In => self.error(initialiser.span, "input-initialised", "an input cannot have an initializer"),
             _ => self.convert(initialiser, ty.as_ref(), "this value"),
         }
     }
@@ -344,7 +344,7 @@ impl Checker<'_> {
             info.cost = cost;
         }
         if returns.is_some_and(|t| t != Type::Void) && !super::flow::always_leaves(body) && !self.has_syntax_errors {
-            let message = format!("`{}` has ways to its end without a `return`", function.name);
+            let message = format!("`{}` can reach its end without a `return`", function.name);
             self.strict(function.name_span, "missing-return", message);
         }
     }
@@ -362,12 +362,12 @@ impl Checker<'_> {
         known.has_body |= function.body.is_some();
         self.symbols[known.symbol].uses.push(function.name_tokens);
         if is_twice {
-            self.error(function.name_span, "declared-twice", format!("`{name}` is there already, in line {line}"));
+            self.error(function.name_span, "declared-twice", format!("`{name}` is already defined in line {line}"));
         } else if was.as_ref() != returns {
             self.error(
                 function.name_span,
                 "declared-twice",
-                format!("`{name}` returned something else in line {line}"),
+                format!("`{name}` is declared with another return type in line {line}"),
             );
         }
         index
@@ -417,16 +417,16 @@ impl Checker<'_> {
             self.strict(
                 span,
                 "reserved-name",
-                format!("names with `gl_` or two underscores, like `{name}`, belong to GLSL"),
+                format!("names with `gl_` or two underscores, such as `{name}`, are reserved"),
             );
         }
         if self.version.is_at_least(0, 300) && crate::builtins::exists(name, self.version) {
-            let message = format!("`{name}` is a function of GLSL itself and cannot be written again in GLSL ES");
+            let message = format!("`{name}` is a built-in function and cannot be redefined in GLSL ES");
             self.error(span, "built-in-again", message);
         }
         if let Some(id) = self.scopes[0].get(name) {
             let line = self.symbols[*id].span.line;
-            self.error(span, "declared-twice", format!("`{name}` is a variable already, in line {line}"));
+            self.error(span, "declared-twice", format!("`{name}` is already declared as a variable in line {line}"));
         }
     }
 }

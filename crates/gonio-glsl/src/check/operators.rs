@@ -28,7 +28,7 @@ impl Checker<'_> {
             UnaryOp::PreIncrement | UnaryOp::PostIncrement => ("a number", "++"),
             UnaryOp::PreDecrement | UnaryOp::PostDecrement => ("a number", "--"),
         };
-        self.error(span, "wrong-type", format!("`{mark}` wants {wanted}, and this is a `{ty}`"));
+        self.error(span, "wrong-type", format!("`{mark}` needs {wanted}, found `{ty}`"));
         None
     }
 
@@ -153,31 +153,31 @@ fn shape_of(op: BinaryOp, a: &Type, b: &Type) -> Option<Type> {
 fn refusal(op: BinaryOp, a: &Type, b: &Type, span: Span) -> Problem {
     let is_float = |t: &Type| t.scalar() == Some(Scalar::Float);
     let message = match op {
-        BinaryOp::Add => format!("a `{a}` and a `{b}` cannot be added"),
-        BinaryOp::Subtract => format!("a `{b}` cannot be subtracted from a `{a}`"),
-        BinaryOp::Multiply => format!("a `{a}` cannot be multiplied by a `{b}`"),
-        BinaryOp::Divide => format!("a `{a}` cannot be divided by a `{b}`"),
+        BinaryOp::Add => format!("cannot add `{a}` and `{b}`"),
+        BinaryOp::Subtract => format!("cannot subtract `{b}` from `{a}`"),
+        BinaryOp::Multiply => format!("cannot multiply `{a}` by `{b}`"),
+        BinaryOp::Divide => format!("cannot divide `{a}` by `{b}`"),
         BinaryOp::Less
         | BinaryOp::Greater
         | BinaryOp::LessEqual
         | BinaryOp::GreaterEqual
         | BinaryOp::Equal
         | BinaryOp::NotEqual => {
-            format!("a `{a}` cannot be compared with a `{b}` by `{}`", op.mark())
+            format!("cannot compare `{a}` with `{b}` using `{}`", op.mark())
         }
         BinaryOp::And | BinaryOp::Or | BinaryOp::Xor => {
-            format!("`{}` wants a `bool` on both sides, not `{a}` and `{b}`", op.mark())
+            format!("`{}` needs a `bool` on both sides, found `{a}` and `{b}`", op.mark())
         }
-        _ => format!("`{}` wants whole numbers on both sides, not `{a}` and `{b}`", op.mark()),
+        _ => format!("`{}` needs integers on both sides, found `{a}` and `{b}`", op.mark()),
     };
     let problem = Problem::error(span, "wrong-operands", message);
     let is_three_by_four = |t: &Type, u: &Type| {
         matches!(t, Type::Matrix { columns: 4, rows: 4, .. }) && matches!(u, Type::Vector(Scalar::Float, 3))
     };
     if op == BinaryOp::Remainder && is_float(a) {
-        problem.with_help("`mod(a, b)` does it for floats")
+        problem.with_help("use `mod(a, b)` for floats")
     } else if is_three_by_four(a, b) || is_three_by_four(b, a) {
-        problem.with_help("make it `vec4(.., 1.0)` for a position, `vec4(.., 0.0)` for a direction, or take `mat3(..)`")
+        problem.with_help("write `vec4(.., 1.0)` for a position, `vec4(.., 0.0)` for a direction, or use `mat3(..)`")
     } else {
         problem
     }

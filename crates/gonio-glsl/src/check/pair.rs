@@ -16,11 +16,11 @@ pub fn check_pair(vertex: &Checked, fragment: &Checked) -> Vec<Problem> {
         match by_name.get(&**name) {
             None if input.location.is_some() && outputs.iter().any(|o| o.location == input.location) => {}
             None => {
-                let message = format!("`{name}` comes from the vertex shader, which does not give it");
+                let message = format!("the input `{name}` is not an output of the vertex shader");
                 let near = crate::nearest::nearest(name, outputs.iter().map(|o| &*o.name));
                 let mut problem = Problem::error(input.span, "not-given", message);
                 if let Some(near) = near {
-                    problem = problem.with_help(format!("the vertex shader gives `{near}`"));
+                    problem = problem.with_help(format!("the vertex shader has the output `{near}`"));
                 }
                 // One that is not used may be left out by a linker.
                 if !input.is_used {
@@ -50,7 +50,7 @@ fn compare(problems: &mut Vec<Problem>, output: &Variable, input: &Variable) {
         return;
     }
     if !output.is_used && input.is_used {
-        let message = format!("the vertex shader, line {}, never gives `{name}` a value", output.span.line);
+        let message = format!("the vertex shader, line {}, never assigns a value to `{name}`", output.span.line);
         problems.push(Problem::strict(input.span, "never-given", message));
     }
     let way = |v: &Variable| v.interpolation.clone().unwrap_or_else(|| "smooth".into());
@@ -59,7 +59,7 @@ fn compare(problems: &mut Vec<Problem>, output: &Variable, input: &Variable) {
         problems.push(Problem::strict(input.span, "other-interpolation", message));
     }
     if output.location != input.location {
-        let message = format!("`{name}` has not the same `location` here and in the vertex shader");
+        let message = format!("`{name}` has another `location` in the vertex shader");
         problems.push(Problem::strict(input.span, "other-location", message));
     }
 }
@@ -68,13 +68,13 @@ fn blocks(problems: &mut Vec<Problem>, vertex: &Checked, fragment: &Checked) {
     for block in fragment.interface.blocks.iter().filter(|b| b.storage == Storage::In) {
         let other = vertex.interface.blocks.iter().find(|b| b.storage == Storage::Out && b.name == block.name);
         let Some(other) = other else {
-            let message = format!("the block `{}` comes from the vertex shader, which does not give it", block.name);
+            let message = format!("the input block `{}` is not an output of the vertex shader", block.name);
             problems.push(Problem::error(block.span, "not-given", message));
             continue;
         };
         let members = |b: &super::Block| b.members.iter().map(|m| (m.name.clone(), m.ty.clone())).collect::<Vec<_>>();
         if members(block) != members(other) {
-            let message = format!("the block `{}` is not the same in the vertex shader", block.name);
+            let message = format!("the block `{}` is declared differently in the vertex shader", block.name);
             problems.push(Problem::error(block.span, "other-type", message));
         }
     }

@@ -104,14 +104,14 @@ impl Checker<'_> {
             self.strict(
                 symbol.span,
                 "reserved-name",
-                format!("names with `gl_`, like `{}`, belong to GLSL", symbol.name),
+                format!("names with `gl_`, such as `{}`, are reserved", symbol.name),
             );
         } else if symbol.name.contains("__") {
-            let message = format!("names with two underscores, like `{}`, belong to GLSL", symbol.name);
+            let message = format!("names with two underscores, such as `{}`, are reserved", symbol.name);
             self.strict(symbol.span, "reserved-name", message);
         }
         if words::is_reserved(&symbol.name, self.version) && !self.has_syntax_errors {
-            let message = format!("`{}` is a word of GLSL itself and cannot be a name", symbol.name);
+            let message = format!("`{}` is a reserved word and cannot be a name", symbol.name);
             self.error(symbol.span, "reserved-word", message);
         }
         if let Some(scope) = self.scopes.last_mut() {
@@ -120,7 +120,7 @@ impl Checker<'_> {
                 let earlier = &self.symbols[before];
                 let is_array = matches!(earlier.ty, Some(Type::Array(_, None)));
                 if !is_array {
-                    let message = format!("`{}` is declared already, in line {}", symbol.name, earlier.span.line);
+                    let message = format!("`{}` is already declared in line {}", symbol.name, earlier.span.line);
                     self.error(symbol.span, "declared-twice", message);
                 }
             }
@@ -161,10 +161,10 @@ impl Checker<'_> {
             let Ok(found) = found else {
                 let version = self.version.written();
                 let message =
-                    format!("`{name}` does not exist here, in a {} shader of version {version}", self.stage_word());
+                    format!("`{name}` is not available in a {} shader of version {version}", self.stage_word());
                 let mut problem = Problem::error(span, "unknown-name", message);
                 if matches!(name, "gl_FragColor" | "gl_FragData") && self.stage == Stage::Fragment {
-                    problem = problem.with_help("declare `out vec4 FragColor;` and write to that");
+                    problem = problem.with_help("declare `out vec4 FragColor;` and write to it");
                 }
                 self.unknown(problem);
                 return None;
@@ -173,8 +173,8 @@ impl Checker<'_> {
                 && self.version.is_at_least(140, 0)
                 && !self.version.compatibility
             {
-                let problem = Problem::strict(span, "old-output", format!("`{name}` is gone from core OpenGL"));
-                self.problems.push(problem.with_help("declare `out vec4 FragColor;` and write to that"));
+                let problem = Problem::strict(span, "old-output", format!("`{name}` was removed from core OpenGL"));
+                self.problems.push(problem.with_help("declare `out vec4 FragColor;` and write to it"));
             }
             return found.ty;
         }
@@ -182,7 +182,7 @@ impl Checker<'_> {
             self.unknown(Problem::error(
                 span,
                 "function-as-value",
-                format!("`{name}` is a function: brackets with arguments are missing"),
+                format!("`{name}` is a function: expected arguments in parentheses"),
             ));
             return None;
         }

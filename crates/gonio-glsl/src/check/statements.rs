@@ -58,7 +58,7 @@ impl Checker<'_> {
             StatementKind::Switch { value, body } => {
                 let found = self.expression(value);
                 if found.is_some_and(|t| t != Type::INT && t != Type::UINT) {
-                    self.error(value.span, "switch-type", "a `switch` wants an `int`");
+                    self.error(value.span, "switch-type", "the value of a `switch` must be an `int`");
                 }
                 if body.iter().filter(|s| matches!(s.kind, StatementKind::Case(_))).count() > MOST_CASES {
                     self.beyond(value.span, Limit::Cases);
@@ -92,7 +92,7 @@ impl Checker<'_> {
             }
             StatementKind::Break | StatementKind::Continue => {
                 if self.loops.is_empty() {
-                    let message = "there is no loop around this `break` or `continue`";
+                    let message = "`break` or `continue` outside of a loop";
                     self.error(statement.span, "outside-loop", message);
                 }
             }
@@ -122,7 +122,7 @@ impl Checker<'_> {
     fn condition(&mut self, condition: &mut Expr, what: &str) {
         let found = self.expression(condition);
         if let Some(found) = found.filter(|t| *t != Type::BOOL) {
-            let message = format!("{what} has to be a `bool`, and this is a `{found}`");
+            let message = format!("{what} must be a `bool`, found `{found}`");
             let mut problem = Problem::error(condition.span, "condition-type", message);
             if matches!(condition.kind, crate::ExprKind::Assign { op: None, .. }) {
                 problem = problem.with_help("`==` compares, `=` assigns");
@@ -143,15 +143,15 @@ impl Checker<'_> {
             (Some(value), Some(Type::Void)) => {
                 let found = self.expression(value);
                 if found != Some(Type::Void) {
-                    self.error(value.span, "return-type", "this function is `void` and cannot return a value");
+                    self.error(value.span, "return-type", "this function returns `void` and cannot return a value");
                 }
             }
             (Some(value), returns) => {
                 self.expression(value);
-                self.convert(value, returns, "what is returned");
+                self.convert(value, returns, "the returned value");
             }
             (None, Some(returns)) if *returns != Type::Void => {
-                self.error(span, "return-type", format!("this function has to return a `{returns}`"));
+                self.error(span, "return-type", format!("this function must return a `{returns}`"));
             }
             (None, _) => {}
         }

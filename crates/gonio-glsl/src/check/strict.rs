@@ -25,7 +25,7 @@ fn main(checker: &mut Checker<'_>) {
         return;
     };
     if !found.params.is_empty() || found.returns.as_ref().is_some_and(|t| *t != Type::Void) {
-        checker.error(found.span, "wrong-main", "`main` takes nothing and returns nothing: `void main()`");
+        checker.error(found.span, "wrong-main", "`main` must be declared as `void main()`");
     }
 }
 
@@ -36,9 +36,8 @@ fn stray_semicolons(checker: &mut Checker<'_>, unit: &Unit) {
     }
     for item in &unit.items {
         if let Item::Empty(span) = item {
-            let problem =
-                Problem::strict(*span, "stray-semicolon", "this `;` outside of functions does not belong here");
-            checker.problems.push(problem.with_help("take it away"));
+            let problem = Problem::strict(*span, "stray-semicolon", "unexpected `;` outside of functions");
+            checker.problems.push(problem.with_help("remove it"));
         }
     }
 }
@@ -55,9 +54,9 @@ fn float_suffixes(checker: &mut Checker<'_>, unit: &Unit) {
                 let text = self.checker.parsed.source.get(place.start as usize..place.end as usize).unwrap_or("");
                 if text.ends_with(['f', 'F']) && !text.starts_with('(') {
                     let message =
-                        format!("`{text}`: version {} knows no `f` behind numbers", self.checker.version.written());
+                        format!("`{text}`: version {} does not allow the suffix `f`", self.checker.version.written());
                     let problem = Problem::strict(expr.span, "float-suffix", message);
-                    self.checker.problems.push(problem.with_help("leave the `f` away"));
+                    self.checker.problems.push(problem.with_help("remove the `f`"));
                 }
             }
             true
@@ -88,8 +87,8 @@ fn precision(checker: &mut Checker<'_>, unit: &Unit) {
     let mut first = First(None);
     walk_unit(unit, &mut first);
     if let (Some(span), false) = (first.0, is_said) {
-        let problem = Problem::strict(span, "missing-precision", "this shader does not say how precise a `float` is");
-        checker.problems.push(problem.with_help("write `precision highp float;` near the top"));
+        let problem = Problem::strict(span, "missing-precision", "no default precision for `float`");
+        checker.problems.push(problem.with_help("add `precision highp float;` near the top"));
     }
 }
 
@@ -124,7 +123,7 @@ fn recursion(checker: &mut Checker<'_>) {
         }
     }
     for (span, name) in missing {
-        let message = format!("`{name}` is called, but only announced: its body is missing");
+        let message = format!("`{name}` is called, but only declared: its body is missing");
         checker.unknown(Problem::error(span, "missing-body", message));
     }
 }
@@ -147,6 +146,6 @@ fn outputs(checker: &mut Checker<'_>) {
         }
     }
     for (span, name) in found {
-        checker.strict(span, "output-not-written", format!("`{name}` never gets a value"));
+        checker.strict(span, "output-not-written", format!("`{name}` is never assigned a value"));
     }
 }

@@ -35,7 +35,7 @@ impl Parser<'_> {
         while !self.is(")") {
             let first = self.here();
             if self.token().kind != Kind::Name {
-                let message = format!("a word like `location = 0` belongs here, not {}", self.found());
+                let message = format!("expected a layout qualifier such as `location = 0`, found {}", self.found());
                 return self.fail(self.token().span, "layout", message);
             }
             let name = self.token().text.to_string();
@@ -65,7 +65,7 @@ impl Parser<'_> {
             return self.stray();
         }
         if token.kind != Kind::Name || words::is_statement(&token.text, self.version) {
-            let message = format!("a type like `vec3` belongs here, not {}", self.found());
+            let message = format!("expected a type such as `vec3`, found {}", self.found());
             return self.fail(token.span, "missing-type", message);
         }
         self.advance();
@@ -94,7 +94,7 @@ impl Parser<'_> {
     pub(super) fn members(&mut self, of: &str) -> Parse<Vec<Declaration>> {
         let open = self.here();
         if !self.take("{") {
-            let message = format!("the `{{` of this {of} is missing");
+            let message = format!("expected `{{` after the name of this {of}");
             return self.fail(self.behind(), "missing-bracket", message);
         }
         let mut members = Vec::new();
@@ -160,7 +160,7 @@ impl Parser<'_> {
         self.advance();
         let precision = self.token().text.to_string();
         if !matches!(&*precision, "highp" | "mediump" | "lowp") {
-            let message = format!("behind `precision` belongs `highp`, `mediump` or `lowp`, not {}", self.found());
+            let message = format!("expected `highp`, `mediump` or `lowp` after `precision`, found {}", self.found());
             return self.fail(self.token().span, "precision", message);
         }
         self.advance();

@@ -79,7 +79,7 @@ impl Parser<'_> {
         self.advance();
         let then = self.expression()?;
         if !self.take(":") {
-            let message = "the `:` that belongs to this `?` is missing";
+            let message = "expected `:` to go with this `?`";
             return self.fail(self.behind(), "missing-colon", message);
         }
         let otherwise = self.assignment()?;
@@ -143,7 +143,7 @@ impl Parser<'_> {
                 let kind = ExprKind::Unary { op, operand: base };
                 base = self.expr(kind, self.since(first))?;
             } else if self.is("(") && !self.starts_line() {
-                let message = "brackets with arguments can only follow the name of a function";
+                let message = "only the name of a function can be called";
                 return self.fail(self.token().span, "not-a-function", message);
             } else {
                 return Ok(base);
@@ -159,7 +159,8 @@ impl Parser<'_> {
     fn field(&mut self, base: Box<Expr>, first: TokenRange) -> Parse<Box<Expr>> {
         let token = self.token();
         if token.kind != Kind::Name {
-            let message = format!("behind the point belongs a name like `xyz`, and here stands {}", self.found());
+            let message =
+                format!("expected a member or components such as `xyz` after the `.`, found {}", self.found());
             return self.fail(token.span, "missing-name", message);
         }
         let name_tokens = self.here();
@@ -183,7 +184,7 @@ impl Parser<'_> {
                 let literal = match number(&token.text) {
                     Ok(literal) => literal,
                     Err(why) => {
-                        let message = format!("`{}` is no number: {why}", token.text);
+                        let message = format!("`{}` is not a number: {why}", token.text);
                         self.tell(Problem::error(token.span, "bad-number", message));
                         Literal::Float(0.0)
                     }
@@ -203,8 +204,8 @@ impl Parser<'_> {
             _ if token.is("{") => self.list(),
             _ => {
                 let message = match token.kind {
-                    Kind::End => "the file ends in the middle of an expression".to_string(),
-                    _ => format!("a value is missing here, before {}", self.found()),
+                    Kind::End => "expected an expression, found the end of the file".to_string(),
+                    _ => format!("expected an expression, found {}", self.found()),
                 };
                 let span = if self.starts_line() { self.behind() } else { token.span };
                 self.fail(span, "missing-value", message)
@@ -222,7 +223,7 @@ impl Parser<'_> {
             return self.expr(ExprKind::Literal(Literal::Bool(token.is("true"))), first);
         }
         if words::is_statement(&token.text, self.version) {
-            let message = format!("a value is missing here, before `{}`", token.text);
+            let message = format!("expected an expression, found `{}`", token.text);
             let span = if self.starts_line() { self.behind() } else { token.span };
             return self.fail(span, "missing-value", message);
         }
@@ -232,7 +233,8 @@ impl Parser<'_> {
         let sizes = if is_array { self.sizes()? } else { Vec::new() };
         if !self.is("(") {
             if is_type && words::is_type(&token.text, self.version) {
-                let message = format!("`{}` is a type: a value of it is made by `{}(..)`", token.text, token.text);
+                let message =
+                    format!("`{}` is a type, not a value: write `{}(..)` to construct one", token.text, token.text);
                 return self.fail(token.span, "type-as-value", message);
             }
             return self.expr(ExprKind::Name(token.text.to_string()), first);
@@ -324,7 +326,7 @@ fn number(text: &str) -> Result<Literal, String> {
             .parse()
             .ok()
             .filter(|_| is_plain)
-            .ok_or("digits, one point and an exponent like `e-3` make a number")?;
+            .ok_or("expected digits, one decimal point and an exponent such as `e-3`")?;
         return Ok(if is_double { Literal::Double(value) } else { Literal::Float(value) });
     }
     let (digits, is_unsigned) = match lower.strip_suffix('u') {
@@ -338,10 +340,10 @@ fn number(text: &str) -> Result<Literal, String> {
     } else {
         digits.parse()
     };
-    let value = value.map_err(|_| "letters do not belong into a number; a product wants a `*`".to_string())?;
+    let value = value.map_err(|_| "a number cannot contain letters; a product needs a `*`".to_string())?;
     match u32::try_from(value) {
         Ok(value) if is_unsigned => Ok(Literal::UInt(value)),
         Ok(_) => Ok(Literal::Int(value)),
-        Err(_) => Err("it has more than 32 bits".into()),
+        Err(_) => Err("it does not fit into 32 bits".into()),
     }
 }

@@ -62,7 +62,7 @@ impl Parser<'_> {
             self.tell(Problem::error(
                 token.span,
                 "stray-bracket",
-                "there is one `}` too many before this one, or here",
+                "unexpected `}`: this one, or one before it, closes nothing",
             ));
             self.advance();
             return self.item_or_end(first);
@@ -89,7 +89,7 @@ impl Parser<'_> {
             }
         }
         if self.is_statement_outside() && qualifiers.is_empty() {
-            let message = "this statement stands outside of every function";
+            let message = "statement outside of a function";
             return self.fail(token.span, "outside-function", message);
         }
         let ty = self.type_name()?;

@@ -154,9 +154,9 @@ impl<'p> Parser<'p> {
         let open_mark = self.tokens[open.first as usize].text.clone();
         let line = self.behind().line;
         let message = if opened.line == line {
-            format!("a `{mark}` is missing here")
+            format!("expected `{mark}`, found {}", self.found())
         } else {
-            format!("a `{mark}` is missing here, for the `{open_mark}` of line {}", opened.line)
+            format!("expected `{mark}` to close the `{open_mark}` of line {}, found {}", opened.line, self.found())
         };
         self.fail(self.behind(), "missing-bracket", message)
     }
@@ -169,22 +169,22 @@ impl<'p> Parser<'p> {
         }
         let (next, before) = (self.token(), self.before());
         if matches!(&*next.text, ")" | "]") && next.kind == Kind::Mark {
-            let message = format!("there is a `{}` too many", next.text);
+            let message = format!("unexpected `{}`: it closes nothing", next.text);
             return self.fail(next.span, "stray-bracket", message);
         }
         if next.kind == Kind::Stray {
             return self.stray();
         }
         if next.span.line == before.span.line && next.kind != Kind::End && !next.is("}") {
-            let message = format!("{} does not fit here: an operator or a `;` is missing before it", self.found());
+            let message = format!("expected an operator or `;` before {}", self.found());
             return self.fail(next.span, "missing-semicolon", message);
         }
-        self.tell(Problem::error(self.behind(), "missing-semicolon", format!("a `;` is missing after this {after}")));
+        self.tell(Problem::error(self.behind(), "missing-semicolon", format!("expected `;` after this {after}")));
         Ok(())
     }
 
     fn stray<T>(&mut self) -> Parse<T> {
-        let message = format!("GLSL has no use for {}", self.found());
+        let message = format!("unexpected {}", self.found());
         self.fail(self.token().span, "stray-character", message)
     }
 
@@ -196,11 +196,11 @@ impl<'p> Parser<'p> {
             return self.stray();
         }
         if token.kind != Kind::Name {
-            let message = format!("the name of {of} is missing: here stands {}", self.found());
+            let message = format!("expected the name of {of}, found {}", self.found());
             return self.fail(token.span, "missing-name", message);
         }
         if words::is_reserved(&token.text, self.version) {
-            let message = format!("`{}` is a word of GLSL itself and cannot be the name of {of}", token.text);
+            let message = format!("`{}` is a reserved word and cannot be the name of {of}", token.text);
             // The tree is as good as with any other name.
             self.tell(Problem::error(token.span, "reserved-word", message));
             if words::is_statement(&token.text, self.version) {

@@ -14,9 +14,9 @@ impl Parser<'_> {
         if !is_closed {
             let line = self.span_of(open).line;
             let message = if self.is_end() {
-                format!("the `{{` of `{name}`, line {line}, or one within it, is never closed: a `}}` is missing")
+                format!("the body of `{name}` (line {line}), or a block in it, is never closed: expected `}}`")
             } else {
-                format!("a `}}` is missing before this function: `{name}`, line {line}, is not closed")
+                format!("expected `}}` before this function: the body of `{name}` (line {line}) is not closed")
             };
             self.tell(Problem::error(self.token().span, "missing-bracket", message));
         }
@@ -135,7 +135,7 @@ impl Parser<'_> {
         self.advance();
         let (list, is_closed) = self.statements();
         if !is_closed {
-            let message = format!("the `{{` of line {} is never closed: a `}}` is missing", open.line);
+            let message = format!("the `{{` of line {} is never closed: expected `}}`", open.line);
             self.tell(Problem::error(open, "missing-bracket", message));
         }
         Ok(made(StatementKind::Block(list)))
@@ -162,8 +162,7 @@ impl Parser<'_> {
             "discard" => return self.jump(StatementKind::Discard),
             "precision" => return Ok(made(StatementKind::Precision(self.precision()?))),
             "else" => {
-                let message =
-                    "this `else` has no `if` before it; is there a `;` behind the `if (..)`, or a `}` too many?";
+                let message = "`else` without an `if`: is there a `;` after `if (..)`, or an extra `}`?";
                 return self.fail(token.span, "stray-else", message);
             }
             _ => {}
@@ -188,7 +187,7 @@ impl Parser<'_> {
         if self.take("(") {
             return Ok(open);
         }
-        let message = format!("a `(` is missing behind this `{of}`");
+        let message = format!("expected `(` after `{of}`");
         self.fail(self.behind(), "missing-bracket", message)
     }
 
@@ -265,7 +264,7 @@ impl Parser<'_> {
         let initial = if self.take(";") { None } else { Some(Box::new(self.for_initial()?)) };
         let condition = if self.is(";") { None } else { Some(self.condition()?) };
         if !self.take(";") {
-            let message = "the second `;` of this `for (..; ..; ..)` is missing";
+            let message = "expected the second `;` of `for (..; ..; ..)`";
             return self.fail(self.behind(), "missing-semicolon", message);
         }
         let step = if self.is(")") { None } else { Some(*self.expression()?) };
@@ -281,7 +280,7 @@ impl Parser<'_> {
         } else {
             let value = *self.expression()?;
             if !self.take(";") {
-                let message = "the first `;` of this `for (..; ..; ..)` is missing";
+                let message = "expected the first `;` of `for (..; ..; ..)`";
                 return self.fail(self.behind(), "missing-semicolon", message);
             }
             StatementKind::Expression(value)
@@ -305,7 +304,7 @@ impl Parser<'_> {
         self.advance();
         let body = self.statement()?;
         if !self.take("while") {
-            return self.fail(self.behind(), "missing-while", "the `while (..)` that belongs to this `do` is missing");
+            return self.fail(self.behind(), "missing-while", "expected `while (..)` at the end of this `do` loop");
         }
         let open = self.open("while")?;
         let condition = *self.expression()?;
@@ -322,7 +321,7 @@ impl Parser<'_> {
         self.close(")", open)?;
         let brace = self.token().span;
         if !self.take("{") {
-            return self.fail(self.behind(), "missing-bracket", "the `{` of this `switch` is missing");
+            return self.fail(self.behind(), "missing-bracket", "expected `{` after `switch (..)`");
         }
         let (body, is_closed) = self.statements();
         if !is_closed {
@@ -338,7 +337,7 @@ impl Parser<'_> {
         self.advance();
         let value = if is_default { None } else { Some(*self.expression()?) };
         if !self.take(":") {
-            return self.fail(self.behind(), "missing-colon", "a `:` is missing behind this `case`");
+            return self.fail(self.behind(), "missing-colon", "expected `:` after this `case`");
         }
         Ok(made(StatementKind::Case(value)))
     }

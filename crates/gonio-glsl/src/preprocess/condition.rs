@@ -17,7 +17,7 @@ impl Preprocessor<'_> {
         if reader.is_too_deep {
             self.give_up(span, Limit::Nested);
         } else if value.is_none() {
-            let message = "this condition cannot be worked out";
+            let message = "this condition cannot be evaluated";
             self.problems.push(Problem::error(span, "condition", message));
         }
         value.is_some_and(|v| v != 0)

@@ -33,17 +33,17 @@ impl Preprocessor<'_> {
             "version" => self.version(&rest, span),
             "error" => {
                 let said = words(&rest);
-                self.problems.push(Problem::error(span, "error-directive", format!("the shader says #error {said}")));
+                self.problems.push(Problem::error(span, "error-directive", format!("#error {said}")));
             }
             "include" => {
-                let message = "GLSL has no #include";
-                let help = "write the text of that file in its place";
+                let message = "GLSL has no `#include`";
+                let help = "paste the text of that file here";
                 self.problems.push(Problem::error(span, "include", message).with_help(help));
             }
             "" | "extension" | "pragma" | "line" => {}
             _ if is_conditional => {}
             _ => {
-                let message = format!("there is no directive `#{word}`");
+                let message = format!("unknown directive `#{word}`");
                 self.problems.push(Problem::error(span, "unknown-directive", message));
             }
         }
@@ -51,22 +51,22 @@ impl Preprocessor<'_> {
 
     fn define(&mut self, rest: &[Token], span: Span) {
         let Some(name) = rest.first().filter(|t| t.kind == Kind::Name) else {
-            let message = "#define wants a name behind it";
+            let message = "expected a name after `#define`";
             self.problems.push(Problem::error(span, "define", message));
             return;
         };
         if name.text.starts_with("GL_") || &*name.text == "defined" {
-            let message = format!("a macro may not be called `{}`: such names belong to GLSL", name.text);
+            let message = format!("a macro cannot be called `{}`: names with `GL_` are reserved", name.text);
             self.problems.push(Problem::error(name.span, "reserved-name", message));
         } else if name.text.contains("__") {
-            let message = format!("names with two underscores, like `{}`, belong to GLSL", name.text);
+            let message = format!("names with two underscores, such as `{}`, are reserved", name.text);
             self.problems.push(Problem::strict(name.span, "reserved-name", message));
         }
         let mut body = &rest[1..];
         let mut parameters = None;
         if body.first().is_some_and(|t| t.is("(") && !t.space_before) {
             let Some(close) = body.iter().position(|t| t.is(")")) else {
-                let message = format!("the `(` of the macro `{}` is never closed", name.text);
+                let message = format!("the parameter list of the macro `{}` is never closed", name.text);
                 self.problems.push(Problem::error(name.span, "define", message));
                 return;
             };
@@ -84,25 +84,26 @@ impl Preprocessor<'_> {
 
     fn version(&mut self, rest: &[Token], span: Span) {
         if self.version.is_some() {
-            self.problems.push(Problem::error(span, "version", "there are two #version lines"));
+            self.problems.push(Problem::error(span, "version", "there is more than one `#version` line"));
             return;
         }
         let number: Option<u32> = rest.first().and_then(|t| t.text.parse().ok());
         let profile = rest.get(1).map_or("", |t| &*t.text);
         let Some(number) = number.filter(|n| KNOWN_VERSIONS.contains(n) || *n == 460) else {
-            let message = format!("there is no GLSL version `{}`", words(rest));
+            let message = format!("unknown GLSL version `{}`", words(rest));
             let problem = Problem::error(span, "version", message).with_help("write `#version 330 core`");
             self.problems.push(problem);
             return;
         };
         let es = number == 100 || profile == "es";
         if matches!(number, 300 | 310 | 320) != es && number != 100 {
-            let message = format!("`#version {}` does not exist", words(rest));
-            let help = if es { "OpenGL ES has 100, 300 es, 310 es" } else { "write `es` behind the number" };
+            let message = format!("unknown version `#version {}`", words(rest));
+            let help =
+                if es { "the versions of OpenGL ES are 100, 300 es and 310 es" } else { "write `es` after the number" };
             self.problems.push(Problem::error(span, "version", message).with_help(help));
         }
         if !self.out.is_empty() || self.directives.len() > 1 {
-            let message = "#version has to be the first line of the shader";
+            let message = "`#version` must be the first line of the shader";
             self.problems.push(Problem::new(Severity::Strict, span, "version-not-first", message));
         }
         let compatibility = profile == "compatibility";
@@ -118,14 +119,14 @@ impl Preprocessor<'_> {
             return;
         }
         let Some(mut open) = self.conditionals.pop() else {
-            self.problems.push(Problem::error(span, "stray-directive", format!("this #{word} has no #if before it")));
+            self.problems.push(Problem::error(span, "stray-directive", format!("`#{word}` without `#if`")));
             return;
         };
         if word == "endif" {
             return;
         }
         if open.has_else {
-            self.problems.push(Problem::error(span, "stray-directive", format!("this #{word} comes after #else")));
+            self.problems.push(Problem::error(span, "stray-directive", format!("`#{word}` after `#else`")));
         }
         open.has_else |= word == "else";
         open.is_active = !open.is_taken && (word == "else" || self.holds("if", rest, span));
@@ -137,7 +138,7 @@ impl Preprocessor<'_> {
         match word {
             "ifdef" | "ifndef" => {
                 let Some(name) = rest.first() else {
-                    let message = format!("#{word} wants a name behind it");
+                    let message = format!("expected a name after `#{word}`");
                     self.problems.push(Problem::error(span, "condition", message));
                     return false;
                 };

@@ -89,7 +89,7 @@ impl Preprocessor<'_> {
         let mut depth = 0;
         let close = loop {
             let Some(token) = self.pull(frames, from_file) else {
-                let message = format!("the `(` behind the macro `{}` is never closed", name.text);
+                let message = format!("the `(` after the macro `{}` is never closed", name.text);
                 self.problems.push(Problem::error(name.span, "macro-arguments", message));
                 return None;
             };
@@ -116,7 +116,7 @@ impl Preprocessor<'_> {
             arguments.clear();
         }
         if arguments.len() != wanted {
-            let message = format!("the macro `{}` wants {wanted} arguments and has {}", name.text, arguments.len());
+            let message = format!("the macro `{}` takes {wanted} arguments, found {}", name.text, arguments.len());
             self.problems.push(Problem::error(name.span, "macro-arguments", message));
             arguments.resize(wanted, Vec::new());
         }

@@ -136,7 +136,7 @@ impl Preprocessor<'_> {
             }
         }
         if let Some(open) = self.conditionals.pop() {
-            let message = "this #if has no #endif";
+            let message = "`#if` without `#endif`";
             self.problems.push(Problem::error(open.span, "unclosed-if", message));
         }
         if let Some(end) = self.raw.last() {

@@ -78,7 +78,7 @@ impl Translator<'_> {
     pub(super) fn move_to_main(&mut self, name: u32, equals: u32, value: crate::TokenRange) {
         let tokens = crate::TokenRange { first: equals, last: value.last };
         let (Some((start, end)), Some((from, to))) = (self.stretch(tokens), self.stretch(value)) else {
-            self.cannot(self.parsed.tokens[name as usize].span, "this value hides in a macro");
+            self.cannot(self.parsed.tokens[name as usize].span, "this value comes from a macro");
             return;
         };
         let place = self.parsed.tokens[name as usize];

@@ -192,7 +192,7 @@ impl Translator<'_> {
         }
         for (index, qualifier) in qualifiers.iter().enumerate() {
             let Some((start, end)) = self.stretch(qualifier.tokens) else {
-                self.cannot(qualifier.span, "this declaration hides in a macro");
+                self.cannot(qualifier.span, "this declaration comes from a macro");
                 return;
             };
             let text = if index == 0 { wanted.join(" ") } else { String::new() };
@@ -279,7 +279,7 @@ impl Translator<'_> {
             (_, Stage::Fragment) => "in",
         };
         let (Some((start, _)), Some((_, end))) = (self.stretch(block.tokens), self.stretch(block.tokens)) else {
-            self.cannot(block.span, "this block hides in a macro");
+            self.cannot(block.span, "this block comes from a macro");
             return;
         };
         let first = block.members.first().and_then(|m| self.stretch(m.tokens));
@@ -343,7 +343,7 @@ impl Translator<'_> {
             // Brackets around go as well, which changes nothing.
             match self.stretch(tokens) {
                 Some((start, end)) => self.edits.replace(start, end, name),
-                None => self.cannot(block.name_span, "this block's use hides in a macro"),
+                None => self.cannot(block.name_span, "the use of this block comes from a macro"),
             }
         }
     }

@@ -57,7 +57,7 @@ impl Translator<'_> {
             let is_there = crate::builtins::variable(name, self.stage(), target).is_some_and(|f| f.is_ok());
             if !is_there {
                 let span = self.parsed.tokens[tokens.first as usize].span;
-                self.cannot(span, format!("`{name}` does not exist in version {}", target.written()));
+                self.cannot(span, format!("`{name}` is not available in version {}", target.written()));
             }
         }
         for (name, tokens, _) in &self.checked.function_uses {

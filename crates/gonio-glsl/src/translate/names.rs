@@ -28,7 +28,7 @@ impl Translator<'_> {
                 }
             } else if name != "ftransform" && !builtins::exists(name, self.target.version()) {
                 let message =
-                    format!("the function `{name}` does not exist in version {}", self.target.version().written());
+                    format!("the function `{name}` is not available in version {}", self.target.version().written());
                 self.problems.push(Problem::strict(
                     self.parsed.tokens[tokens.first as usize].span,
                     "no-translation",
@@ -80,7 +80,7 @@ impl Translator<'_> {
             // The index may be a macro; its bracket is not.
             match self.stretch(tokens) {
                 Some((start, end)) => self.edits.replace(start, end, name),
-                None => self.cannot(self.parsed.tokens[base as usize].span, "`gl_FragData` is too hidden here"),
+                None => self.cannot(self.parsed.tokens[base as usize].span, "`gl_FragData` is used in a macro here"),
             }
         }
     }
