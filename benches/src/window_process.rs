@@ -6,7 +6,7 @@ use eframe::egui::{
     Context, Event, Modifiers, PointerButton, Pos2, RawInput, Rect, Ui, ViewportCommand, Visuals, vec2,
 };
 use eframe::glow;
-use gonio_app::Lab;
+use gonio_app::App;
 use gonio_app::exported;
 use gonio_app::platform::desktop::{self, WindowOptions};
 use gonio_gl::Gl;
@@ -92,8 +92,8 @@ pub fn run(arguments: &[String]) -> Result<(), String> {
     let end: Rc<RefCell<Option<Result<Measured, String>>>> = Rc::default();
     let result = end.clone();
     let options = WindowOptions { inputs: vec![scene.clone()], size, ..WindowOptions::default() };
-    desktop::run_within(options, move |lab, gl| {
-        Box::new(Hand { lab, gl, script, place: Pos2::ZERO, waited: 0, state: State::Loading, end })
+    desktop::run_within(options, move |app, gl| {
+        Box::new(Hand { app, gl, script, place: Pos2::ZERO, waited: 0, state: State::Loading, end })
     })?;
     let measured = result.borrow_mut().take().unwrap_or_else(|| Err("the window was closed".into()))?;
     println!("{}", serde_json::to_string(&measured).map_err(|e| e.to_string())?);
@@ -119,7 +119,7 @@ enum State {
 
 /// The application and the hand.
 struct Hand {
-    lab: Lab,
+    app: App,
     gl: Option<Gl>,
     script: VecDeque<Step>,
     /// Of the pointer, points.
@@ -181,7 +181,7 @@ impl eframe::App for Hand {
 
     fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
         let start = Instant::now();
-        eframe::App::ui(&mut self.lab, ui, frame);
+        eframe::App::ui(&mut self.app, ui, frame);
         let ui_s = start.elapsed().as_secs_f64();
         if let State::Measuring(run) = &mut self.state {
             run.ui_s = ui_s;
@@ -190,7 +190,7 @@ impl eframe::App for Hand {
                 last.paint = 1e3 * f64::from(issued) - last.ui;
                 last.rest = last.wall - 1e3 * f64::from(issued);
             }
-            match run.end_of_turn(&self.lab) {
+            match run.end_of_turn(&self.app) {
                 Ok(None) => {}
                 Ok(Some(measured)) => self.finish(ui.ctx(), Ok(measured)),
                 Err(why) => self.finish(ui.ctx(), Err(why)),
@@ -199,14 +199,14 @@ impl eframe::App for Hand {
     }
 
     fn clear_color(&self, visuals: &Visuals) -> [f32; 4] {
-        eframe::App::clear_color(&self.lab, visuals)
+        eframe::App::clear_color(&self.app, visuals)
     }
 
     fn on_exit(&mut self, gl: Option<&glow::Context>) {
         // What is on the GPU goes while its context is there.
         self.state = State::Done;
         self.gl = None;
-        self.lab.on_exit(gl);
+        self.app.on_exit(gl);
     }
 }
 
@@ -223,7 +223,7 @@ impl Hand {
         match &mut self.state {
             State::Done => {}
             State::Loading => {
-                let session = self.lab.session();
+                let session = self.app.session();
                 if let Some(why) = session.messages.last_error() {
                     return Err(why.to_owned());
                 }
@@ -238,7 +238,7 @@ impl Hand {
                 self.do_it(ctx, input, now)?;
             }
             State::Measuring(run) => {
-                run.begin_frame(&self.lab);
+                run.begin_frame(&self.app);
                 self.place = run.pointer();
             }
         }
@@ -264,7 +264,7 @@ impl Hand {
                 self.script.pop_front();
                 self.state = match step {
                     Step::Click(_) => State::Doing(0),
-                    Step::Grab(_) => State::Measuring(Box::new(Run::new(&self.lab, self.gl.as_ref(), self.place)?)),
+                    Step::Grab(_) => State::Measuring(Box::new(Run::new(&self.app, self.gl.as_ref(), self.place)?)),
                 };
             }
             _ => {}
@@ -284,9 +284,9 @@ fn place_of(ctx: &Context, id: &str) -> Option<Rect> {
 }
 
 impl Run {
-    fn new(lab: &Lab, gl: Option<&Gl>, center: Pos2) -> Result<Self, String> {
+    fn new(app: &App, gl: Option<&Gl>, center: Pos2) -> Result<Self, String> {
         Ok(Run {
-            bare: Bare::new(lab, gl.ok_or("the window has no OpenGL")?)?,
+            bare: Bare::new(app, gl.ok_or("the window has no OpenGL")?)?,
             center,
             frames: 0,
             began: None,
@@ -304,29 +304,29 @@ impl Run {
     }
 
     /// A frame ends where the next one begins.
-    fn begin_frame(&mut self, lab: &Lab) {
+    fn begin_frame(&mut self, app: &App) {
         let cpu = measure::cpu_time().as_secs_f64();
         let now = Instant::now();
         match self.began.replace((now, cpu)) {
-            None => self.pictures = lab.session().facts.pictures,
+            None => self.pictures = app.session().facts.pictures,
             Some((before, cpu_before)) => {
                 let [wall, cpu, ui] = [(now - before).as_secs_f64(), cpu - cpu_before, self.ui_s].map(|s| 1e3 * s);
                 self.turn.frames.push(Pieces { wall, cpu, ui, ..Pieces::default() });
                 self.turn
                     .lights
-                    .extend(lab.session().loaded.as_ref().and_then(|l| l.frame(0.0).lights.first().map(|l| l.kind)));
+                    .extend(app.session().loaded.as_ref().and_then(|l| l.frame(0.0).lights.first().map(|l| l.kind)));
             }
         }
     }
 
     /// After the last frame of a turn: the bare renderer's turn, and the sum of all after the last.
-    fn end_of_turn(&mut self, lab: &Lab) -> Result<Option<Measured>, String> {
+    fn end_of_turn(&mut self, app: &App) -> Result<Option<Measured>, String> {
         if self.turn.frames.len() < FRAMES {
             return Ok(None);
         }
         let mut turn = std::mem::take(&mut self.turn);
         self.began = None;
-        let facts = &lab.session().facts;
+        let facts = &app.session().facts;
         // With the one of the frame that is being painted now. Where the hand only begins to move there is one less.
         let pictures = facts.pictures - self.pictures;
         if !self.turns.is_empty() && pictures != FRAMES as u64 + 1 {
@@ -335,7 +335,7 @@ impl Run {
         if turn.lights.windows(2).any(|pair| pair[0] == pair[1]) {
             return Err(format!("the light stood still: {:?}", turn.lights));
         }
-        self.bare.like(lab)?;
+        self.bare.like(app)?;
         let bare = self.bare.turn(&turn.lights)?;
         let of = |value: fn(&Pieces) -> f64| measure::median(turn.frames.iter().map(value));
         turn.window = Pieces {
@@ -348,12 +348,12 @@ impl Run {
         turn.bare = bare;
         self.turns.push(turn);
         // The first turn compiles shaders and fills caches.
-        Ok((self.turns.len() > TURNS).then(|| self.measured(lab)))
+        Ok((self.turns.len() > TURNS).then(|| self.measured(app)))
     }
 
-    fn measured(&self, lab: &Lab) -> Measured {
+    fn measured(&self, app: &App) -> Measured {
         let of = |value: fn(&Turn) -> f64| measure::median(self.turns.iter().skip(1).map(value));
-        let session = lab.session();
+        let session = app.session();
         Measured {
             renderer: session.facts.renderer.clone(),
             triangles: session.loaded.as_ref().map_or(0, |l| l.meshes.iter().map(|m| m.triangle_count()).sum()),
@@ -374,8 +374,8 @@ impl Run {
 }
 
 impl Bare {
-    fn new(lab: &Lab, gl: &Gl) -> Result<Self, String> {
-        let loaded = lab.session().loaded.as_ref().ok_or("there is no scene")?;
+    fn new(app: &App, gl: &Gl) -> Result<Self, String> {
+        let loaded = app.session().loaded.as_ref().ok_or("there is no scene")?;
         let mut renderer = Renderer::new(gl.clone()).map_err(|e| e.message)?;
         let scene = renderer.upload(loaded).map_err(|e| e.message)?;
         let canvas = DisplayTexture::new(gl, [1, 1]).map_err(|e| e.message)?;
@@ -383,8 +383,8 @@ impl Bare {
     }
 
     /// The picture is to be that of the application's last frame.
-    fn like(&mut self, lab: &Lab) -> Result<(), String> {
-        let session = lab.session();
+    fn like(&mut self, app: &App) -> Result<(), String> {
+        let session = app.session();
         let ([width, height], samples) = (session.facts.size, session.facts.samples);
         let frame = session.loaded.as_ref().ok_or("there is no scene")?.frame(0.0);
         self.frame = Frame { width, height, samples, ..frame };

@@ -23,12 +23,12 @@ const GREEN = "#version 330 core\nout vec4 FragColor;\nvoid main() { FragColor =
 const tall = { viewport: { width: 1280, height: 1100 } };
 
 /** Begins an exercise, and waits for its picture where it has one. */
-async function begin(lab, exercise) {
+async function begin(lab, id) {
   await lab.until(settled);
-  if (!(await lab.state()).widgets.some(({ id }) => id === "laboratory")) await lab.click("menu");
-  await lab.click("laboratory");
-  await lab.click(`exercise-${exercise}`);
-  return lab.until(({ laboratory }) => laboratory.exercise === exercise && (laboratory.drawn || laboratory.tried || exercise === "ex02" || exercise === "s1"));
+  if (!(await lab.state()).widgets.some(({ id }) => id === "exercises")) await lab.click("menu");
+  await lab.click("exercises");
+  await lab.click(`exercise-${id}`);
+  return lab.until(({ exercise }) => exercise.id === id && (exercise.drawn || exercise.tried || id === "ex02" || id === "s1"));
 }
 
 /** The panorama's six faces, as the program makes them. */
@@ -44,32 +44,32 @@ async function rightFaces() {
   }
 }
 
-const shown = ({ laboratory }) => laboratory.files.filter((file) => file.shown).map((file) => file.name);
+const shown = ({ exercise }) => exercise.files.filter((file) => file.shown).map((file) => file.name);
 
 test("files that are dropped take the place of their kind, and what was written is put back", async (lab) => {
   await begin(lab, "ex04");
   await lab.click("editor");
   await lab.page.keyboard.type("// mine ");
-  await lab.until(({ laboratory }) => laboratory.files.some(({ name, changed }) => changed && name === "start.frag"));
+  await lab.until(({ exercise }) => exercise.files.some(({ name, changed }) => changed && name === "start.frag"));
   await lab.drop({ name: "My light.txt", text: GREEN });
-  const state = await lab.until(({ laboratory }) => laboratory.file === "My light.txt" && laboratory.drawn);
-  assert.deepEqual([shown(state), state.laboratory.before, state.messages], [["start.vert", "My light.txt"], 1, []]);
+  const state = await lab.until(({ exercise }) => exercise.file === "My light.txt" && exercise.drawn);
+  assert.deepEqual([shown(state), state.exercise.before, state.messages], [["start.vert", "My light.txt"], 1, []]);
   assert.match(state.announcement, /My light.txt is open in place of start.frag/);
   await lab.rest();
   const green = await lab.picture("picture-yours");
   await lab.click("put-back");
-  const back = await lab.until(({ laboratory }) => laboratory.file === "start.frag");
-  assert.ok(back.laboratory.files.some(({ name, changed }) => changed && name === "start.frag"));
+  const back = await lab.until(({ exercise }) => exercise.file === "start.frag");
+  assert.ok(back.exercise.files.some(({ name, changed }) => changed && name === "start.frag"));
   // A pair in a zip, with the exercise's own text beside: right, and said to be.
   const files = await Promise.all(["reference.vert", "reference.frag", "text.md"].map(async (name) => ({ name: `mine/${name}`, text: await text(`ex04-phong-diffuse/${name}`) })));
   await lab.drop({ name: "mine.zip", bytes: zip(files) });
-  const pair = await lab.until(({ laboratory }) => laboratory.file === "mine/reference.frag" && laboratory.drawn && !laboratory.older);
-  assert.deepEqual([shown(pair), pair.laboratory.before, pair.messages], [["mine/reference.frag", "mine/reference.vert"], 2, []]);
+  const pair = await lab.until(({ exercise }) => exercise.file === "mine/reference.frag" && exercise.drawn && !exercise.older);
+  assert.deepEqual([shown(pair), pair.exercise.before, pair.messages], [["mine/reference.frag", "mine/reference.vert"], 2, []]);
   await lab.rest();
   assert.ok(differing(green, await lab.picture("picture-yours")) > 0.05, "it is drawn anew");
   await lab.click("check");
-  const judged = await lab.until(({ laboratory }) => laboratory.verdict !== null);
-  assert.equal(judged.laboratory.verdict.word, "correct", judged.laboratory.verdict.summary);
+  const judged = await lab.until(({ exercise }) => exercise.verdict !== null);
+  assert.equal(judged.exercise.verdict.word, "correct", judged.exercise.verdict.summary);
 });
 
 test("what is nothing for the exercise is one sentence, and changes nothing", async (lab) => {
@@ -82,7 +82,7 @@ test("what is nothing for the exercise is one sentence, and changes nothing", as
     await lab.drop(file);
     const state = await lab.until(({ error }) => error !== null);
     assert.match(state.error, said);
-    assert.deepEqual([state.laboratory.files, state.title, state.laboratory.open], [before.laboratory.files, "still-life", true]);
+    assert.deepEqual([state.exercise.files, state.title, state.exercise.open], [before.exercise.files, "still-life", true]);
     for (const { id } of state.messages) await lab.click(`dismiss-${id}`);
   }
   // In the scene the same model is opened.
@@ -101,15 +101,15 @@ test("files are chosen by a button, also six pictures and a buffer", async (lab)
     await chooser.setFiles(files.map(({ name, text, bytes }) => ({ name, mimeType: "", buffer: Buffer.from(bytes ?? text) })));
   };
   await choose(...await rightFaces());
-  const state = await lab.until(({ laboratory }) => laboratory.before === 1);
+  const state = await lab.until(({ exercise }) => exercise.before === 1);
   assert.equal(shown(state).length, 6);
   await lab.click("check");
-  const judged = await lab.until(({ laboratory }) => laboratory.verdict !== null);
-  assert.equal(judged.laboratory.verdict.word, "correct", JSON.stringify(judged.laboratory.verdict));
+  const judged = await lab.until(({ exercise }) => exercise.verdict !== null);
+  assert.equal(judged.exercise.verdict.word, "correct", JSON.stringify(judged.exercise.verdict));
   await lab.click("exercises");
   await lab.click("exercise-ex02");
   await choose({ name: "cube.csv", text: "1,2,3\n4,5,6\n7,8,9\n" });
-  await lab.until(({ laboratory }) => laboratory.exercise === "ex02" && laboratory.file === "cube.csv");
+  await lab.until(({ exercise }) => exercise.id === "ex02" && exercise.file === "cube.csv");
 }, tall);
 
 test("a file is saved as it is, and all that one starts from as a zip", async (lab) => {
@@ -141,7 +141,7 @@ test("on a phone files are opened and put back, and figures are shown", async (l
   assert.ok(state.widgets.find(({ id }) => id.startsWith("figure-")).rect[2] > 300);
   await lab.click("page-files");
   await lab.drop({ name: "a.frag", text: GREEN });
-  await lab.until(({ laboratory }) => laboratory.file === "a.frag" && laboratory.drawn);
+  await lab.until(({ exercise }) => exercise.file === "a.frag" && exercise.drawn);
   await lab.click("put-back");
-  await lab.until(({ laboratory }) => laboratory.file === "start.frag");
+  await lab.until(({ exercise }) => exercise.file === "start.frag");
 }, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });

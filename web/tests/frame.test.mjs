@@ -8,9 +8,9 @@ const { test } = suite();
 
 test("the frame lists its passes and draws, and nothing is wrong with it", async (lab) => {
   const opened = await lab.until(settled);
-  assert.equal(opened.taken_apart, null);
+  assert.equal(opened.recorded_frame, null);
   const shown = await lab.click("tab-frame");
-  const taken = shown.taken_apart;
+  const taken = shown.recorded_frame;
   assert.deepEqual(taken.findings, []);
   assert.equal(taken.picture, shown.frame.pictures);
   assert.ok(taken.passes.length >= 1 && taken.passes.every(({ name }) => name !== ""));
@@ -27,12 +27,12 @@ test("the frame lists its passes and draws, and nothing is wrong with it", async
   assert.equal(rows.length, taken.draws.length);
   assert.equal(rows[0].value, "true");
   const chosen = await lab.click("draw-1");
-  assert.equal(chosen.taken_apart.chosen, 1);
+  assert.equal(chosen.recorded_frame.chosen, 1);
   assert.ok(colors(await lab.picture()) > 500);
   // Another picture, another record.
   await lab.park();
   const changed = await lab.key("1");
-  const again = await lab.until((state) => state.taken_apart.picture === state.frame.pictures);
-  assert.ok(again.taken_apart.picture > taken.picture, JSON.stringify(changed.frame));
-  assert.deepEqual(again.taken_apart.findings, []);
+  const again = await lab.until((state) => state.recorded_frame.picture === state.frame.pictures);
+  assert.ok(again.recorded_frame.picture > taken.picture, JSON.stringify(changed.frame));
+  assert.deepEqual(again.recorded_frame.findings, []);
 });

@@ -1,10 +1,11 @@
 //! What is asked for that is not a change of the document.
 
+use crate::document::Overlay;
 use crate::saving::Product;
 use crate::session::Tab;
 use gonio_scene::SpecialView;
 
-/// Asked for by a widget, a key or a menu; done by [`crate::Lab`] after the panels were shown.
+/// Asked for by a widget, a key or a menu; done by [`crate::App`] after the panels were shown.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
     /// Opens what the inputs name: `builtin:NAME`, or files.
@@ -38,7 +39,7 @@ pub enum Action {
     /// Shows the probe's tab, or the lights' again.
     ToggleProbe,
     /// Shows or hides the camera from outside.
-    ToggleOutside,
+    ToggleObserver,
     /// Lays something over the current pane's picture, or takes it away.
     Overlay(Overlay),
     /// Shows a special view in the current pane, or no longer.
@@ -48,24 +49,13 @@ pub enum Action {
     /// Light or dark.
     ToggleTheme,
     /// Records what OpenGL is told for the current pane's picture.
-    TakeApart,
+    RecordFrame,
     /// Shows the laboratory: the exercises, or the one that is worked on.
-    Laboratory,
+    ShowExercise,
     /// Shows the laboratory's list of exercises.
-    Exercises,
+    ListExercises,
     /// Begins an exercise in the laboratory: its word.
-    Exercise(String),
+    StartExercise(String),
     /// A message was read.
     Dismiss(u64),
-}
-
-/// What can be laid over a picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Overlay {
-    /// The edges of all triangles.
-    Wireframe,
-    /// The normals.
-    Normals,
-    /// The box around each object.
-    Boxes,
 }

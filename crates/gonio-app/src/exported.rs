@@ -4,9 +4,9 @@
 //! `window.gonio.state()`.
 
 use crate::document::{Arrangement, Document, History, Panes};
-use crate::probing::Reading;
 use crate::session::comparison::{DifferenceFacts, PaneFacts};
-use crate::session::{Selection, Session, Severity, TakenApart};
+use crate::session::probing::Reading;
+use crate::session::{RecordedFrame, Selection, Session, Severity};
 use egui::{Context, Id, Response, Ui};
 use gonio_scene::SceneFile;
 use serde::Serialize;
@@ -101,12 +101,12 @@ pub fn triangles(session: &Session) -> usize {
 /// | `arrangement` | `kind`: side-by-side, wipe or difference; `wipe`: the share left of it, or null; `pair`: of which two |
 /// | `measured`, `difference` | of each pane what its picture took; how the pair differs in 8-bit steps, or null |
 /// | `selection`, `tab`, `help`, `asking` | what is selected and shown; the path that is asked for, or null |
-/// | `probe`, `outside` | the probed pixel by both renderers, or null; whether the camera is seen from outside |
-/// | `taken_apart` | the recorded frame: its `picture`, `passes`, `draws` and `findings`; null until it was looked at |
+/// | `probe`, `observer` | the probed pixel by both renderers, or null; whether the camera is seen from outside |
+/// | `recorded_frame` | the recorded frame: its `picture`, `passes`, `draws` and `findings`; null until it was looked at |
 /// | `undo`, `redo` | whether there is a step |
 /// | `time`, `playing` | seconds of the scene, and whether they run |
 /// | `dark`, `pixels_per_point`, `size` | how it looks; the window's width and height in points |
-/// | `laboratory` | added by [`crate::Lab::state`]: the exercise that is worked on, what was said of it, the verdict |
+/// | `laboratory` | added by [`crate::App::state`]: the exercise that is worked on, what was said of it, the verdict |
 /// | `recent` | files that were opened before |
 /// | `triangles`, `frame` | of the scene; facts about the last picture: `pictures` and `frames` stand still when idle, |
 /// | | and `complete` is true then: with all of the scene's samples |
@@ -161,10 +161,10 @@ pub fn state(ctx: &Context, document: &Document, session: &Session, history: &Hi
         "arrangement": arrangement(&document.panes),
         "measured": session.comparison.panes.iter().map(measured).collect::<Vec<_>>(),
         "difference": session.comparison.difference.as_ref().map(difference),
-        "taken_apart": session.taken_apart.as_ref().map(taken_apart),
+        "recorded_frame": session.recorded_frame.as_ref().map(recorded_frame),
         "selection": selection,
         "probe": session.probing.reading().map(|reading| probe(reading, session)),
-        "outside": session.outside.open,
+        "observer": session.observer.open,
         "help": session.help,
         "asking": session.asking.as_ref().map(|asking| &asking.text),
         "undo": history.can_undo(document),
@@ -235,7 +235,7 @@ fn difference(facts: &DifferenceFacts) -> Value {
 }
 
 /// The record in short: `gonio frame --json` prints all of it.
-fn taken_apart(taken: &TakenApart) -> Value {
+fn recorded_frame(taken: &RecordedFrame) -> Value {
     let record = &taken.record;
     let passes: Vec<Value> = record
         .passes

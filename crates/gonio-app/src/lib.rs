@@ -1,45 +1,41 @@
-//! The lab window: one application for the desktop and the web page.
+//! The gonio window: one application for the desktop and the web page.
 //!
-//! [`Lab`] is the application. It draws through `gonio-gl`, the very renderer and GLSL of `gonio render`, into textures
-//! that the window shows; what is edited is a [`document::Document`], plain data with undo.
+//! [`App`] draws through `gonio-gl`, the renderer and the GLSL of `gonio render`, into textures that the window shows. In each
+//! frame data flows one way: input, actions, document, pictures, window.
 //!
-//! | room | what |
+//! | module | contents |
 //! |---|---|
+//! | `app` | the frame: events, actions, loading, saving |
+//! | [`action`] | requests that are not a change of the document |
+//! | [`shortcuts`] | keyboard shortcuts and their list |
 //! | [`document`] | what is edited, saved and undone |
-//! | [`session`] | what is not: files read, time, selection, messages |
-//! | [`action`] | what is asked for that is no change of the document |
+//! | [`session`] | everything else: loaded scene, time, selection, messages |
 //! | [`panels`] | the equation, the lists, the numbers: widgets over the document |
-//! | [`viewport`] | the picture, and what pointer and keys do there |
-//! | `drawing` | the panes' pictures, drawn when something changed |
-//! | [`probing`] | the probed pixel and its numbers |
-//! | `jobs` | reading files without blocking the window |
-//! | [`files`] | files that a person gives: dropped, chosen, packed |
+//! | [`scene_view`] | the pictures of the scene, and what pointer and keys do there |
+//! | [`exercise`] | an exercise: the student's files, their picture, the checker |
+//! | [`files`] | files that the user drops, chooses or links to |
 //! | [`saving`] | pictures and scenes as files |
-//! | [`laboratory`] | the exercises: students' files, their picture, the checker; apart from the scene |
-//! | [`platform`] | what desktop and web do each in their own way |
-//! | [`widgets`] | numbers, colours, choices: what panels are made of |
-//! | [`typeset`] | formulas as a textbook sets them |
-//! | [`theme`] | fonts, colours, distances |
+//! | [`platform`] | what desktop and web implement differently |
+//! | [`widgets`] | numbers, colours, choices |
+//! | [`typeset`] | mathematical formulas |
+//! | [`theme`] | fonts, colours, spacing |
 //! | [`exported`] | the state as JSON |
 
 pub mod action;
+mod app;
 pub mod document;
-mod drawing;
+pub mod exercise;
 pub mod exported;
 pub mod files;
-mod jobs;
-mod lab;
-pub mod laboratory;
 pub mod panels;
 pub mod platform;
-pub mod probing;
 pub mod saving;
+pub mod scene_view;
 pub mod session;
 pub mod shortcuts;
 pub mod theme;
 pub mod typeset;
-pub mod viewport;
 pub mod widgets;
 
-pub use jobs::{Adjust, Opening};
-pub use lab::{FIRST_SCENE, Lab};
+pub use app::loader::{Adjust, OpenOptions};
+pub use app::{App, FIRST_SCENE};

@@ -1,26 +1,12 @@
 //! Keys, and the list of them.
 
-use crate::action::{Action, Overlay};
-use crate::document::Document;
+use crate::action::Action;
+use crate::document::{Document, Overlay, VIEW_KEYS};
 use crate::saving::Product;
+use crate::scene_view::navigation;
 use crate::session::Session;
-use crate::viewport::navigation;
 use egui::{Event, Key, KeyboardShortcut, Modifiers, Ui};
-use gonio_light::Quantity;
 use gonio_scene::{SpecialView, ViewSpec};
-
-/// The quantities on the number keys: 0 is the picture, then these from 1 on.
-pub const VIEW_KEYS: [Quantity; 9] = [
-    Quantity::Normal,
-    Quantity::Light,
-    Quantity::View,
-    Quantity::Reflection,
-    Quantity::Half,
-    Quantity::Diffuse,
-    Quantity::Specular,
-    Quantity::Depth,
-    Quantity::Uv,
-];
 
 /// A key of the table: what it does, and in which words the list says so.
 struct Shortcut {
@@ -67,7 +53,7 @@ const TABLE: &[Shortcut] = &[
         Key::P,
         || Action::ToggleProbe,
     ),
-    row(PICTURE, "O", "the camera from outside").on(Modifiers::NONE, Key::O, || Action::ToggleOutside),
+    row(PICTURE, "O", "the camera from outside").on(Modifiers::NONE, Key::O, || Action::ToggleObserver),
     row(PICTURE, "Shift + W", "wireframe").on(Modifiers::SHIFT, Key::W, || Action::Overlay(Overlay::Wireframe)),
     row(PICTURE, "Shift + N", "normals").on(Modifiers::SHIFT, Key::N, || Action::Overlay(Overlay::Normals)),
     row(PICTURE, "Shift + B", "boxes").on(Modifiers::SHIFT, Key::B, || Action::Overlay(Overlay::Boxes)),
@@ -160,6 +146,7 @@ fn struck(ui: &Ui, wanted: Key, besides: impl Fn(Modifiers) -> bool) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use gonio_light::Quantity;
 
     /// What one frame with these events asks for, and the quantity that is shown then.
     fn asked_in_a_frame(events: Vec<Event>) -> (Vec<Action>, Option<Quantity>) {

@@ -1,7 +1,7 @@
 //! What the page's loader calls: files in, the application started, its state out.
 
 use eframe::egui;
-use gonio_app::Lab;
+use gonio_app::App;
 use gonio_app::platform::web::{PageChecks, PageFiles, Web, gl_of};
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -14,7 +14,7 @@ struct Page {
     runner: Option<eframe::WebRunner>,
     context: Option<egui::Context>,
     /// Outlives the runner: where the browser takes the graphics away, a new runner goes on with the same application.
-    lab: Option<Rc<RefCell<Lab>>>,
+    app: Option<Rc<RefCell<App>>>,
 }
 
 thread_local! {
@@ -70,11 +70,11 @@ pub async fn start(
 /// The graphics are gone: nothing is drawn until the next [`start`].
 #[wasm_bindgen]
 pub fn pause() {
-    let (runner, lab) = with_page(|page| (page.runner.take(), page.lab.clone()));
-    if let Some(lab) = lab {
+    let (runner, app) = with_page(|page| (page.runner.take(), page.app.clone()));
+    if let Some(app) = app {
         // Now: when there is a new context, what was of the old one can no longer be deleted. eframe's web runner does
         // not say that it ends.
-        eframe::App::on_exit(&mut *lab.borrow_mut(), None);
+        eframe::App::on_exit(&mut *app.borrow_mut(), None);
     }
     // Not while the page is borrowed: the runner's end drops its part of the application.
     if let Some(runner) = runner {
@@ -85,13 +85,13 @@ pub fn pause() {
 /// How many pictures of the scene were drawn since the page was loaded.
 #[wasm_bindgen]
 pub fn pictures() -> f64 {
-    with_page(|page| page.lab.as_ref().map_or(0.0, |lab| lab.borrow().session().facts.pictures as f64))
+    with_page(|page| page.app.as_ref().map_or(0.0, |app| app.borrow().session().facts.pictures as f64))
 }
 
 /// The application's state as JSON: `gonio_app::exported`. Before it is started and after a panic: `null`.
 #[wasm_bindgen]
 pub fn state() -> String {
-    let state = with_page(|page| Some(page.lab.as_ref()?.try_borrow().ok()?.state(page.context.as_ref()?).to_string()));
+    let state = with_page(|page| Some(page.app.as_ref()?.try_borrow().ok()?.state(page.context.as_ref()?).to_string()));
     state.unwrap_or_else(|| "null".to_owned())
 }
 
@@ -112,24 +112,24 @@ impl Page {
             context.memory_mut(|new| *new = memory);
         }
         let gl = gl_of(creation);
-        let lab = match &self.lab {
-            Some(lab) => {
-                lab.borrow_mut().resume(&context, gl);
-                lab.clone()
+        let app = match &self.app {
+            Some(app) => {
+                app.borrow_mut().resume(&context, gl);
+                app.clone()
             }
             None => {
                 let platform = Box::new(Web::new(self.files.clone(), checks));
-                Rc::new(RefCell::new(Lab::new(&context, gl, platform, inputs)))
+                Rc::new(RefCell::new(App::new(&context, gl, platform, inputs)))
             }
         };
-        self.lab = Some(lab.clone());
-        Shell { lab, said: String::new() }
+        self.app = Some(app.clone());
+        Shell { app, said: String::new() }
     }
 }
 
 /// The application as eframe wants it.
 struct Shell {
-    lab: Rc<RefCell<Lab>>,
+    app: Rc<RefCell<App>>,
     /// What the page's live region holds.
     said: String,
 }
@@ -151,13 +151,13 @@ impl Shell {
 impl eframe::App for Shell {
     // The panels stand on it and fill nothing themselves.
     fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
-        eframe::App::clear_color(&*self.lab.borrow(), visuals)
+        eframe::App::clear_color(&*self.app.borrow(), visuals)
     }
 
     fn ui(&mut self, ui: &mut egui::Ui, _: &mut eframe::Frame) {
-        let lab = self.lab.clone();
-        let mut lab = lab.borrow_mut();
-        Lab::ui(&mut lab, ui);
-        self.say(&lab.session().announcement);
+        let app = self.app.clone();
+        let mut app = app.borrow_mut();
+        App::ui(&mut app, ui);
+        self.say(&app.session().announcement);
     }
 }

@@ -208,8 +208,8 @@ export class Lab {
 
   /** Drops files on the picture, or in the middle where the laboratory is, all at once and in this order: each a `name`, and `text` or `bytes`. */
   async drop(...files) {
-    const { size, laboratory } = await this.state();
-    const [x, y] = laboratory.open ? size.map((side) => side / 2) : await this.middle("pane-0");
+    const { size, exercise } = await this.state();
+    const [x, y] = exercise.open ? size.map((side) => side / 2) : await this.middle("pane-0");
     const packed = files.map(({ name, text, bytes }) => ({ name, base64: Buffer.from(bytes ?? text).toString("base64") }));
     await this.page.evaluate(({ packed, x, y }) => {
       const dataTransfer = new DataTransfer();

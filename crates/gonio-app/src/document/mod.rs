@@ -4,7 +4,7 @@ mod history;
 mod pane;
 
 pub use history::History;
-pub use pane::{Arrangement, DifferenceSettings, Pane, Panes, Reflectance};
+pub use pane::{Arrangement, DifferenceSettings, Overlay, Pane, Panes, Reflectance, VIEW_KEYS};
 
 use gonio_scene::SceneSettings;
 

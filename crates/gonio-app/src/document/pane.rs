@@ -1,12 +1,35 @@
 //! A pane: the scene and its camera, with settings of its own.
 
-use crate::action::Overlay;
 use gonio_light::brdf::BrdfKind;
-use gonio_light::{Convention, Specular};
+use gonio_light::{Convention, Quantity, Specular};
 use gonio_render::{DisplayOptions, View};
 use gonio_scene::detail::Detail;
 use gonio_scene::scene_file::Shading;
 use gonio_scene::{Overlays, SceneSettings, SpecialView, ViewSpec, defaults};
+
+/// The quantities on the number keys: 0 is the picture, then these from 1 on.
+pub const VIEW_KEYS: [Quantity; 9] = [
+    Quantity::Normal,
+    Quantity::Light,
+    Quantity::View,
+    Quantity::Reflection,
+    Quantity::Half,
+    Quantity::Diffuse,
+    Quantity::Specular,
+    Quantity::Depth,
+    Quantity::Uv,
+];
+
+/// What can be laid over a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Overlay {
+    /// The edges of all triangles.
+    Wireframe,
+    /// The normals.
+    Normals,
+    /// The box around each object.
+    Boxes,
+}
 
 /// What stands in the place of the diffuse and the specular term in one pane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

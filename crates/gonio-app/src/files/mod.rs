@@ -6,9 +6,11 @@
 //! | `layered` | one place of files over another |
 //! | `recording` | which files were read, so that they can be watched |
 //! | `zip`, `packed` | what a zip holds; files as a zip |
+//! | `exercise_file` | a file of an exercise, with its place |
 //! | `gathered` | which of several files is the model |
 //! | `link` | a scene in the address of a page |
 
+mod exercise_file;
 mod gathered;
 mod layered;
 pub mod link;
@@ -17,6 +19,7 @@ mod packed;
 mod recording;
 pub mod zip;
 
+pub use exercise_file::ExerciseFile;
 pub use gathered::{Gathered, gather};
 pub use layered::Layered;
 pub use memory::MemoryFiles;

@@ -12,7 +12,7 @@ use gonio_scene::files;
 /// Below this width (points) the files are behind one button.
 const NARROW: f32 = 560.0;
 /// What the laboratory is, in a sentence.
-const LABORATORY: &str = "Exercises: write shaders, see them beside the right answer, and have them checked";
+const EXERCISES: &str = "Exercises: write shaders, see them beside the right answer, and have them checked";
 
 /// Shows it.
 pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &History, actions: &mut Vec<Action>) {
@@ -24,7 +24,7 @@ pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &Histo
             let text = RichText::new(icons::LIST).font(theme::icon_font(17.0));
             menu(ui, "menu", text, "Files", |ui| {
                 entry(ui, "open", "Open...", "Open a model or a scene (Ctrl + O)", Action::ChooseFiles, actions);
-                entry(ui, "laboratory", "Laboratory", LABORATORY, Action::Laboratory, actions);
+                entry(ui, "exercises", "Laboratory", EXERCISES, Action::ShowExercise, actions);
                 ui.separator();
                 save_entries(ui, actions);
                 ui.separator();
@@ -46,9 +46,9 @@ pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &Histo
                 });
             }
             let button = ui.add(egui::Button::new("Laboratory").frame_when_inactive(false));
-            exported::note(ui, &button, "laboratory", Role::Button, "Laboratory", "");
-            if button.on_hover_text(LABORATORY).clicked() {
-                actions.push(Action::Laboratory);
+            exported::note(ui, &button, "exercises", Role::Button, "Laboratory", "");
+            if button.on_hover_text(EXERCISES).clicked() {
+                actions.push(Action::ShowExercise);
             }
             ui.add_space(6.0);
         }

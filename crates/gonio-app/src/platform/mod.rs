@@ -3,17 +3,16 @@
 mod checking;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod desktop;
-mod settings;
 mod trial;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
 
 pub use checking::{CheckRequest, Checking, Refused};
-pub use settings::Settings;
 pub use trial::{ByCheck, Decided, Trial, TrialOutcome};
 
-use crate::laboratory::GivenFile;
+use crate::files::ExerciseFile;
 use crate::saving::Product;
+use crate::session::Settings;
 use gonio_scene::files::FileSource;
 use serde_json::Value;
 use std::path::PathBuf;
@@ -23,7 +22,7 @@ use web_time::Instant;
 
 /// Files that a person gave: chosen or dropped.
 #[derive(Clone)]
-pub struct Given {
+pub struct SceneInput {
     /// Models or scenes to open; none where there is only an environment.
     pub inputs: Vec<String>,
     /// The environment.
@@ -44,9 +43,9 @@ pub enum Purpose {
 /// What came from outside since it was last asked.
 pub enum Event {
     /// Files to open.
-    Open(Given),
+    Open(SceneInput),
     /// Files for the exercise, as they are: those in folders and zips too.
-    Handed(Vec<GivenFile>),
+    ExerciseFiles(Vec<ExerciseFile>),
     /// Where something is to be saved.
     SaveTo(Product, String),
     /// Files that were read are others now.
@@ -57,33 +56,33 @@ pub enum Event {
 
 /// Whom a person is asked by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Asked {
+pub enum FileDialog {
     /// A dialog of the system: the answer comes by [`Platform::poll`].
-    BySystem,
+    Opened,
     /// Nobody: the window is to ask itself.
-    ByNobody,
+    Unavailable,
 }
 
 /// How long a picture is left alone that somebody is to see: by then the window has come to show it.
 const MOMENT: Duration = Duration::from_millis(100);
 
 /// Whether what was painted is on the screen, and has been for a moment. Paints again when it is.
-pub type Shown = Box<dyn Fn(&egui::Context) -> bool>;
+pub type FrameShown = Box<dyn Fn(&egui::Context) -> bool>;
 
 /// The outer world of the application.
 pub trait Platform {
     /// Where files lie that are named by hand: the disk, or nothing but what is built in.
     fn files(&self) -> Arc<dyn FileSource>;
     /// What is to be opened at the start, where the inputs say nothing: the scene of a link. An error is one sentence.
-    fn first(&self) -> Option<Result<Given, String>> {
+    fn first(&self) -> Option<Result<SceneInput, String>> {
         None
     }
     /// Asks a person for files.
-    fn choose_files(&mut self, purpose: Purpose, ctx: &egui::Context) -> Asked;
+    fn choose_files(&mut self, purpose: Purpose, ctx: &egui::Context) -> FileDialog;
     /// Opens files that a person named by hand.
     fn open_paths(&mut self, paths: Vec<String>, purpose: Purpose, ctx: &egui::Context);
     /// Asks a person where to save; `name` is proposed.
-    fn choose_place(&mut self, product: Product, name: &str, ctx: &egui::Context) -> Asked;
+    fn choose_place(&mut self, product: Product, name: &str, ctx: &egui::Context) -> FileDialog;
     /// What came since; files that were dropped in this frame are wanted for `purpose`.
     fn poll(&mut self, purpose: Purpose, ctx: &egui::Context) -> Vec<Event>;
     /// Hands a file out: where it went, or one sentence.
@@ -123,7 +122,7 @@ pub trait Platform {
         None
     }
     /// Whether the frame that is being painted has been shown: to be asked in those after it.
-    fn shown(&mut self, ctx: &egui::Context) -> Shown {
+    fn shown(&mut self, ctx: &egui::Context) -> FrameShown {
         let then = Instant::now() + MOMENT;
         let shown = move |ctx: &egui::Context| {
             let left = then.saturating_duration_since(Instant::now());

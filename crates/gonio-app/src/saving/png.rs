@@ -5,7 +5,7 @@ use gonio_image::{EncodedPicture, ImageError};
 
 /// A picture in the numbers of a screen.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Shown {
+pub struct DisplayedPicture {
     /// Pixels: width and height.
     pub size: [u32; 2],
     /// `width * height * 4` bytes, the top row first; where there is no background, colours are premultiplied by alpha.
@@ -15,7 +15,7 @@ pub struct Shown {
 }
 
 /// The file. Opaque pictures have three channels; in others colours are divided by alpha, as the format has them.
-pub fn encode(picture: &Shown) -> Result<Vec<u8>, ImageError> {
+pub fn encode(picture: &DisplayedPicture) -> Result<Vec<u8>, ImageError> {
     let [width, height] = picture.size;
     let rgba = picture.rgba.as_chunks::<4>().0.iter().flat_map(|&pixel| straight(pixel)).collect();
     let tag = if picture.is_srgb { ColorTag::Srgb } else { ColorTag::Untagged };
@@ -45,6 +45,6 @@ mod tests {
 
     #[test]
     fn too_few_bytes_are_an_error() {
-        assert!(encode(&Shown { size: [3, 2], rgba: vec![255; 4], is_srgb: true }).is_err());
+        assert!(encode(&DisplayedPicture { size: [3, 2], rgba: vec![255; 4], is_srgb: true }).is_err());
     }
 }

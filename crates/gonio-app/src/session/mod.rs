@@ -4,20 +4,23 @@ mod clock;
 pub mod comparison;
 mod equation;
 mod messages;
+mod observer;
+pub mod probing;
+mod recorded_frame;
 mod selection;
-mod taken_apart;
+mod settings;
 
 pub use clock::Clock;
 pub use comparison::Comparison;
 pub use equation::{BeforeAlone, EquationView, Term};
 pub use messages::{Message, Messages, Severity};
+pub use observer::Observer;
+pub use probing::Probing;
+pub use recorded_frame::RecordedFrame;
 pub use selection::{Selection, Tab};
-pub use taken_apart::TakenApart;
+pub use settings::Settings;
 
-use crate::platform::Settings;
-use crate::probing::Probing;
 use crate::saving::Product;
-use crate::viewport::Outside;
 use gonio_scene::Scene;
 use std::sync::Arc;
 
@@ -78,11 +81,11 @@ pub struct Session {
     /// About the last picture.
     pub facts: FrameFacts,
     /// What OpenGL was told for a picture; none until somebody wanted to see it.
-    pub taken_apart: Option<TakenApart>,
+    pub recorded_frame: Option<RecordedFrame>,
     /// The pixel that is asked for, and its numbers.
     pub probing: Probing,
     /// The camera from outside.
-    pub outside: Outside,
+    pub observer: Observer,
     /// What changed last, for those who hear the screen.
     pub announcement: String,
     /// Counts whenever geometry or materials of `loaded` change: what is on the GPU is then uploaded anew.
@@ -117,9 +120,9 @@ impl Default for Session {
             asking: None,
             settings: Settings::default(),
             facts: FrameFacts::default(),
-            taken_apart: None,
+            recorded_frame: None,
             probing: Probing::default(),
-            outside: Outside::default(),
+            observer: Observer::default(),
             announcement: String::new(),
             generation: 0,
             comparison: Comparison::default(),

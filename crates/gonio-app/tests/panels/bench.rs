@@ -15,7 +15,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 /// What the panels work on.
-pub struct Lab {
+pub struct TestApp {
     pub document: Document,
     pub session: Session,
     pub history: History,
@@ -26,17 +26,17 @@ pub struct Lab {
 
 /// The panels in a harness.
 pub struct Bench {
-    pub harness: Harness<'static, Lab>,
+    pub harness: Harness<'static, TestApp>,
 }
 
-impl Lab {
+impl TestApp {
     fn open(input: &str) -> Self {
         let scene = load::describe(&[input], &Disk).unwrap_or_else(|e| panic!("{e}"));
         let loaded = read(scene);
         let document = Document::of(loaded.settings.clone());
         let mut session = Session { loaded: Some(Arc::new(loaded)), title: input.to_owned(), ..Session::default() };
         session.facts.size = [800, 600];
-        Lab { history: History::new(&document), document, session, actions: Vec::new(), file_edits: 0 }
+        TestApp { history: History::new(&document), document, session, actions: Vec::new(), file_edits: 0 }
     }
 
     /// As the application does after each frame.
@@ -87,14 +87,14 @@ impl Bench {
     }
 
     pub fn sized(input: &str, tab: Tab, size: Vec2) -> Self {
-        let mut lab = Lab::open(input);
-        lab.session.tab = tab;
+        let mut app = TestApp::open(input);
+        app.session.tab = tab;
         let builder = Harness::builder()
             .with_size(size)
             .with_max_steps(32)
             .with_step_dt(1.0 / 60.0)
             .with_context_setup(theme::install);
-        let mut bench = Bench { harness: builder.build_ui_state(|ui, lab: &mut Lab| lab.ui(ui), lab) };
+        let mut bench = Bench { harness: builder.build_ui_state(|ui, app: &mut TestApp| app.ui(ui), app) };
         bench.settle();
         bench
     }
@@ -108,7 +108,7 @@ impl Bench {
         self.harness.run_steps(30);
     }
 
-    pub fn lab(&mut self) -> &mut Lab {
+    pub fn app(&mut self) -> &mut TestApp {
         self.harness.state_mut()
     }
 
@@ -198,8 +198,8 @@ impl Bench {
     }
 
     pub fn undo(&mut self) {
-        let lab = self.lab();
-        assert!(lab.history.undo(&mut lab.document), "nothing to undo");
+        let app = self.app();
+        assert!(app.history.undo(&mut app.document), "nothing to undo");
         self.settle();
     }
 }

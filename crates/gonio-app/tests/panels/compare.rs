@@ -76,7 +76,7 @@ fn an_arrangement_is_chosen_and_its_numbers_are_shown() {
     bench.click("signed");
     assert!(bench.document().panes.difference.signed);
     let tally = of_bytes(&[0, 0, 0, 255, 9, 9, 9, 255], &[0, 7, 0, 255, 9, 9, 9, 255], 1.0);
-    bench.lab().session.comparison.difference = Some(DifferenceFacts::new(&tally, [2, 1]));
+    bench.app().session.comparison.difference = Some(DifferenceFacts::new(&tally, [2, 1]));
     bench.settle();
     assert!(shows(&bench, "1 pixels, 50.00 %") && shows(&bench, "7/255"));
     bench.click("side-by-side");
@@ -87,9 +87,9 @@ fn an_arrangement_is_chosen_and_its_numbers_are_shown() {
 fn the_curve_is_asked_for_and_stopped() {
     let mut bench = bench();
     bench.click("curve");
-    assert!(bench.lab().session.comparison.curve.running);
+    assert!(bench.app().session.comparison.curve.running);
     bench.click("curve");
-    assert!(!bench.lab().session.comparison.curve.running);
+    assert!(!bench.app().session.comparison.curve.running);
     let point = |triangles, rms| CurvePoint {
         shading: Shading::Flat,
         triangles,
@@ -97,7 +97,7 @@ fn the_curve_is_asked_for_and_stopped() {
         vertices: Some(24),
         fragments: Some(31_000),
     };
-    bench.lab().session.comparison.curve.points = vec![point(8, 12.5), point(32, 3.25)];
+    bench.app().session.comparison.curve.points = vec![point(8, 12.5), point(32, 3.25)];
     bench.settle();
     assert!(shows(&bench, "12.500") && shows(&bench, "31 000 fragments"));
 }

@@ -68,9 +68,9 @@ fn alone_comes_back_to_what_was_before() {
 #[test]
 fn the_environment_is_alone_without_lights() {
     let mut bench = Bench::new(SCENE, Tab::Lights);
-    bench.lab().document.scene.environment =
+    bench.app().document.scene.environment =
         Some(EnvironmentSettings { image: "room".into(), light: true, ..EnvironmentSettings::default() });
-    if let Some(light) = bench.lab().document.scene.lights.first_mut() {
+    if let Some(light) = bench.app().document.scene.lights.first_mut() {
         light.enabled = false;
     }
     bench.settle();
@@ -96,7 +96,7 @@ fn the_equation_follows_the_settings() {
     bench.click("cosine-weighted");
     assert_eq!(bench.document().scene.equation.cosine_weighted, true);
     assert!(cosine_is_last(&bench));
-    bench.lab().document.scene.equation.brdf = Some(BrdfKind::Ward);
+    bench.app().document.scene.equation.brdf = Some(BrdfKind::Ward);
     bench.settle();
     assert!(!bench.has("term-ambient"), "a BRDF has no ambient term");
     assert!(cosine_is_last(&bench));
@@ -105,7 +105,7 @@ fn the_equation_follows_the_settings() {
 #[test]
 fn a_pane_with_its_own_model_keeps_the_scenes() {
     let mut bench = Bench::new(SCENE, Tab::Lights);
-    if let Some(pane) = bench.lab().document.panes.current_mut() {
+    if let Some(pane) = bench.app().document.panes.current_mut() {
         pane.specular = Some(Specular::Phong);
     }
     bench.settle();

@@ -14,7 +14,7 @@ fn a_light_goes_off_and_the_frame_is_dark_of_it() {
     let index = bench.document().scene.lights.iter().position(|l| l.kind == LightSourceKind::Point).unwrap_or(0);
     bench.click(&format!("light-{index}-on"));
     assert_eq!(bench.document().scene.lights[index].enabled, false);
-    let frame = bench.lab().session.loaded.as_ref().map(|l| l.frame(0.0)).unwrap_or_else(|| panic!("no scene"));
+    let frame = bench.app().session.loaded.as_ref().map(|l| l.frame(0.0)).unwrap_or_else(|| panic!("no scene"));
     assert_eq!(frame.lights[index].color.to_array(), [0.0; 3]);
     bench.click(&format!("light-{index}-on"));
     assert_eq!(bench.document().scene.lights[index].enabled, true);
@@ -63,7 +63,7 @@ fn every_kind_can_be_added_and_taken_out() {
         bench.click(&format!("add-light-{kind}"));
         let lights = &bench.document().scene.lights;
         assert_eq!((lights.len(), lights[before].kind), (before + 1, *kind));
-        assert_eq!(bench.lab().session.selection, Selection::Light(before));
+        assert_eq!(bench.app().session.selection, Selection::Light(before));
         // A second frame with it open: nothing is made up by showing it.
         let shown = bench.document().clone();
         bench.settle();
@@ -94,14 +94,14 @@ fn a_light_becomes_each_kind_from_each_kind() {
 fn what_is_looked_at_follows_its_light() {
     let mut bench = Bench::new(SCENE, Tab::Lights);
     let quantity = gonio_light::Quantity::Attenuation;
-    if let Some(pane) = bench.lab().document.panes.current_mut() {
+    if let Some(pane) = bench.app().document.panes.current_mut() {
         pane.view = Some(ViewSpec { quantity, light: Some(1) });
     }
     let second = bench.document().scene.lights[1].clone();
     bench.click("light-1");
     bench.click("light-1-up");
     assert_eq!(bench.document().scene.lights[0], second);
-    assert_eq!(bench.lab().session.selection, Selection::Light(0));
+    assert_eq!(bench.app().session.selection, Selection::Light(0));
     let light = |bench: &Bench| bench.document().panes.current().and_then(|pane| pane.view).and_then(|view| view.light);
     assert_eq!(light(&bench), Some(0));
     bench.click("light-0-remove");
@@ -122,7 +122,7 @@ fn a_light_that_moves_brings_time_along() {
         assert!(bench.has("play") && bench.has("time"));
     }
     bench.click("play");
-    assert!(bench.lab().session.clock.playing);
+    assert!(bench.app().session.clock.playing);
 }
 
 /// Numbers that no light can have are not taken.

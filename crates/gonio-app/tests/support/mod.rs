@@ -5,10 +5,11 @@ use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Vec2, pos2, vec2};
 use egui_kittest::Harness;
 use gonio_app::exported::{self, Widget};
 use gonio_app::platform::{
-    Asked, ByCheck, CheckRequest, Checking, Event as FromOutside, Platform, Purpose, Settings, Trial, TrialOutcome,
+    ByCheck, CheckRequest, Checking, Event as PlatformEvent, FileDialog, Platform, Purpose, Trial, TrialOutcome,
 };
 use gonio_app::saving::Product;
-use gonio_app::{Lab, theme};
+use gonio_app::session::Settings;
+use gonio_app::{App, theme};
 use gonio_gl::HeadlessContext;
 use gonio_lab::check::Checker;
 use gonio_lab::exercise;
@@ -24,7 +25,7 @@ use std::sync::mpsc::{Receiver, channel};
 #[derive(Clone, Default)]
 pub struct Here {
     /// What is to come from outside next.
-    pub coming: Rc<RefCell<Vec<FromOutside>>>,
+    pub coming: Rc<RefCell<Vec<PlatformEvent>>>,
     /// What files were wanted for that were asked for last.
     pub asked: Rc<RefCell<Option<Purpose>>>,
     /// Trials as a test wants them.
@@ -69,15 +70,15 @@ impl Platform for Here {
     fn files(&self) -> Arc<dyn FileSource> {
         Arc::new(Disk)
     }
-    fn choose_files(&mut self, purpose: Purpose, _: &egui::Context) -> Asked {
+    fn choose_files(&mut self, purpose: Purpose, _: &egui::Context) -> FileDialog {
         *self.asked.borrow_mut() = Some(purpose);
-        Asked::ByNobody
+        FileDialog::Unavailable
     }
     fn open_paths(&mut self, _: Vec<String>, _: Purpose, _: &egui::Context) {}
-    fn choose_place(&mut self, _: Product, _: &str, _: &egui::Context) -> Asked {
-        Asked::ByNobody
+    fn choose_place(&mut self, _: Product, _: &str, _: &egui::Context) -> FileDialog {
+        FileDialog::Unavailable
     }
-    fn poll(&mut self, _: Purpose, _: &egui::Context) -> Vec<FromOutside> {
+    fn poll(&mut self, _: Purpose, _: &egui::Context) -> Vec<PlatformEvent> {
         std::mem::take(&mut *self.coming.borrow_mut())
     }
     fn write(&mut self, place: &str, bytes: &[u8]) -> Result<String, String> {
@@ -119,7 +120,7 @@ impl Platform for Here {
 
 /// The application, painted at least twice.
 pub struct Window {
-    pub harness: Harness<'static, Option<Lab>>,
+    pub harness: Harness<'static, Option<App>>,
     // Not in every file of tests do files come from outside.
     #[allow(dead_code)]
     pub here: Here,
@@ -135,9 +136,9 @@ impl Window {
         let here = Here::default();
         let platform = here.clone();
         let mut harness = Harness::builder().with_size(size).with_context_setup(theme::install).build_ui_state(
-            move |ui, lab: &mut Option<Lab>| {
-                let new = || Lab::new(ui.ctx(), Some(gl.clone()), Box::new(platform.clone()), vec![input.clone()]);
-                lab.get_or_insert_with(new).ui(ui);
+            move |ui, app: &mut Option<App>| {
+                let new = || App::new(ui.ctx(), Some(gl.clone()), Box::new(platform.clone()), vec![input.clone()]);
+                app.get_or_insert_with(new).ui(ui);
             },
             None,
         );
@@ -145,7 +146,7 @@ impl Window {
         Window { harness, here, _context: context }
     }
 
-    pub fn lab(&self) -> &Lab {
+    pub fn app(&self) -> &App {
         self.harness.state().as_ref().unwrap_or_else(|| panic!("the application was not made"))
     }
 

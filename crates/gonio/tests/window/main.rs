@@ -3,9 +3,9 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 mod driven;
+mod exercise;
 mod files;
 mod habits;
-mod laboratory;
 mod pointer;
 mod refused;
 mod survival;

@@ -2,15 +2,15 @@
 //! written in it.
 
 use crate::driven::Window;
-use crate::laboratory::answered;
+use crate::exercise::answered;
 use serde_json::Value;
 use std::path::Path;
 
 /// The file that is in the editor, as the state tells of it.
 fn shown(state: &Value) -> Value {
-    let laboratory = &state["laboratory"];
-    let files = laboratory["files"].as_array().unwrap();
-    files.iter().find(|file| file["name"] == laboratory["file"]).cloned().unwrap()
+    let exercise = &state["exercise"];
+    let files = exercise["files"].as_array().unwrap();
+    files.iter().find(|file| file["name"] == exercise["file"]).cloned().unwrap()
 }
 
 /// Waits until a draft that contains this is on the disk.
@@ -25,7 +25,7 @@ fn drafted(window: &mut Window, text: &str) {
 #[test]
 fn hostile_shaders_are_said_and_the_window_goes_on() {
     let mut window = Window::exercise_in(answered(), 1100, 700, &["ex04", "mine"]);
-    window.wait("the program", |s| s["laboratory"]["drawn"] == true);
+    window.wait("the program", |s| s["exercise"]["drawn"] == true);
     let right = std::fs::read_to_string(window.path("mine/reference.frag")).unwrap();
     let long = format!("void main() {{\n    float x = 1.0{};", "+0.0".repeat(40_000));
     let doubling: String = (1..40).map(|n| format!("#define M{n} M{} M{}\n", n - 1, n - 1)).collect();
@@ -37,11 +37,11 @@ fn hostile_shaders_are_said_and_the_window_goes_on() {
         &macros,
     ] {
         window.write("mine/reference.frag", &right.replacen("void main() {", hostile, 1));
-        let state = window.wait("a sentence", |s| s["laboratory"]["older"] == true);
-        let laboratory = &state["laboratory"];
-        let errors = laboratory["said"].as_array().unwrap().iter().filter(|note| note["kind"] == "error").count();
-        assert!(laboratory["unusable"].is_string() || errors > 0, "{laboratory}");
-        assert_eq!(laboratory["drawn"], true, "the last picture stays");
+        let state = window.wait("a sentence", |s| s["exercise"]["older"] == true);
+        let exercise = &state["exercise"];
+        let errors = exercise["said"].as_array().unwrap().iter().filter(|note| note["kind"] == "error").count();
+        assert!(exercise["unusable"].is_string() || errors > 0, "{exercise}");
+        assert_eq!(exercise["drawn"], true, "the last picture stays");
         // It can be written in, and mended.
         window.click_corner("editor");
         window.key("ctrl+Home");
@@ -50,14 +50,14 @@ fn hostile_shaders_are_said_and_the_window_goes_on() {
         window.write("mine/reference.frag", &right);
         window.wait("the conflict", |s| shown(s)["conflict"] == true);
         window.click("take-other");
-        window.wait("the picture", |s| s["laboratory"]["older"] == false && shown(s)["changed"] == false);
+        window.wait("the picture", |s| s["exercise"]["older"] == false && shown(s)["changed"] == false);
     }
 }
 
 #[test]
 fn unsaved_text_outlives_a_window_that_is_killed() {
     let mut window = Window::exercise_in(answered(), 1100, 700, &["ex04", "mine"]);
-    window.wait("the program", |s| s["laboratory"]["drawn"] == true);
+    window.wait("the program", |s| s["exercise"]["drawn"] == true);
     let path = window.path("mine/reference.frag");
     let right = std::fs::read_to_string(&path).unwrap();
     window.click("editor");
@@ -75,17 +75,17 @@ fn unsaved_text_outlives_a_window_that_is_killed() {
     window.find("restored");
     // Discarded, it is gone from the disk, and a step of undo brings it back.
     window.click("discard-restored");
-    window.wait("the saved text", |s| shown(s)["changed"] == false && s["laboratory"]["drafts"] == 0);
+    window.wait("the saved text", |s| shown(s)["changed"] == false && s["exercise"]["drafts"] == 0);
     window.click("undo");
     drafted(&mut window, "// at the end");
     // It is the text itself: saved, it is on the disk, and no draft is left.
     window.key("ctrl+s");
-    window.wait("it to be saved", |s| shown(s)["changed"] == false && s["laboratory"]["drafts"] == 0);
+    window.wait("it to be saved", |s| shown(s)["changed"] == false && s["exercise"]["drafts"] == 0);
     let saved = std::fs::read_to_string(&path).unwrap();
     assert!(saved.starts_with("// never saved ") && saved.ends_with("// at the end"), "{saved}");
     let folder = window.kill();
     let mut window = Window::exercise_in(folder, 1100, 700, &["ex04", "mine"]);
-    let state = window.wait("the program", |s| s["laboratory"]["drawn"] == true);
+    let state = window.wait("the program", |s| s["exercise"]["drawn"] == true);
     assert_eq!(shown(&state)["restored"], false);
 }
 
@@ -93,7 +93,7 @@ fn unsaved_text_outlives_a_window_that_is_killed() {
 fn a_draft_and_a_file_that_changed_meanwhile_are_both_kept_until_one_is_chosen() {
     for choice in ["take-other", "keep-mine"] {
         let mut window = Window::exercise_in(answered(), 1100, 700, &["ex04", "mine"]);
-        window.wait("the program", |s| s["laboratory"]["drawn"] == true);
+        window.wait("the program", |s| s["exercise"]["drawn"] == true);
         window.click("editor");
         window.key("ctrl+Home");
         window.type_text("// typed ");
@@ -108,7 +108,7 @@ fn a_draft_and_a_file_that_changed_meanwhile_are_both_kept_until_one_is_chosen()
         assert_eq!(std::fs::read_to_string(&path).unwrap(), other);
         window.click(choice);
         window.wait(choice, |s| {
-            shown(s)["changed"] == false && shown(s)["conflict"] == false && s["laboratory"]["drafts"] == 0
+            shown(s)["changed"] == false && shown(s)["conflict"] == false && s["exercise"]["drafts"] == 0
         });
         let text = std::fs::read_to_string(&path).unwrap();
         assert_eq!(text.starts_with("// typed "), choice == "keep-mine", "{choice}");

@@ -1,7 +1,7 @@
 //! The chosen draw: counts and state, samplers with units and textures, uniforms, attributes, program.
 
 use super::{heading, primitives, source};
-use crate::session::TakenApart;
+use crate::session::RecordedFrame;
 use crate::theme::colors;
 use egui::load::SizedTexture;
 use egui::{CollapsingHeader, Grid, Image, Label, RichText, Ui, vec2};
@@ -13,7 +13,7 @@ const THUMBNAIL: f32 = 44.0;
 const MOST_ROWS: usize = 16;
 
 /// Shows it.
-pub fn show(ui: &mut Ui, taken: &mut TakenApart) {
+pub fn show(ui: &mut Ui, taken: &mut RecordedFrame) {
     let Some(draw) = taken.record.draws.get(taken.draw) else { return };
     heading(ui, &draw.title());
     facts(ui, draw);
@@ -62,7 +62,7 @@ fn facts(ui: &mut Ui, draw: &DrawRecord) {
 }
 
 /// Sampler, arrow, unit, arrow, texture: the way that a lookup takes.
-fn sampler(ui: &mut Ui, taken: &TakenApart, sampler: &SamplerRecord) {
+fn sampler(ui: &mut Ui, taken: &RecordedFrame, sampler: &SamplerRecord) {
     let texture = sampler.texture.and_then(|id| taken.record.texture(id));
     ui.horizontal(|ui| {
         let (place, _) = ui.allocate_exact_size(vec2(THUMBNAIL, THUMBNAIL), egui::Sense::hover());

@@ -1,12 +1,12 @@
 //! What is wrong with the frame: above everything else.
 
-use crate::session::TakenApart;
+use crate::session::RecordedFrame;
 use crate::theme::{self, colors, icons};
 use egui::{Frame, Label, Margin, RichText, Stroke, Ui};
 use gonio_gl::trace::Severity;
 
 /// Shows it; pressing one shows its draw.
-pub fn show(ui: &mut Ui, taken: &mut TakenApart) {
+pub fn show(ui: &mut Ui, taken: &mut RecordedFrame) {
     if taken.findings.is_empty() {
         let color = colors::NORMAL.of(ui);
         ui.horizontal(|ui| {

@@ -7,7 +7,7 @@ mod source;
 use crate::action::Action;
 use crate::document::Document;
 use crate::exported::{self, Role};
-use crate::session::{Session, TakenApart};
+use crate::session::{RecordedFrame, Session};
 use crate::theme::{self, colors};
 use egui::{Align, Label, Layout, RichText, ScrollArea, Ui};
 use gonio_gl::trace::{DrawRecord, PassRecord};
@@ -20,10 +20,10 @@ pub fn show(ui: &mut Ui, _: &mut Document, session: &mut Session, actions: &mut 
     // While something is dragged or moves, a record would be old before it is read.
     let quiet = !session.clock.playing && !ui.input(|input| input.pointer.any_down());
     let pictures = session.facts.pictures;
-    if quiet && pictures > 0 && session.taken_apart.as_ref().is_none_or(|taken| taken.picture != pictures) {
-        actions.push(Action::TakeApart);
+    if quiet && pictures > 0 && session.recorded_frame.as_ref().is_none_or(|taken| taken.picture != pictures) {
+        actions.push(Action::RecordFrame);
     }
-    let Some(taken) = session.taken_apart.as_mut().filter(|taken| !taken.record.draws.is_empty()) else {
+    let Some(taken) = session.recorded_frame.as_mut().filter(|taken| !taken.record.draws.is_empty()) else {
         ui.label(RichText::new("There is no picture yet.").weak());
         return;
     };
@@ -40,7 +40,7 @@ fn heading(ui: &mut Ui, text: &str) {
 }
 
 /// Passes with their draws.
-fn list(ui: &mut Ui, taken: &mut TakenApart) {
+fn list(ui: &mut Ui, taken: &mut RecordedFrame) {
     let record = &taken.record;
     let count = record.draws.len() + record.draws_left_out;
     heading(ui, &format!("{}, {}", counted(record.passes.len(), "pass", "passes"), counted(count, "draw", "draws")));

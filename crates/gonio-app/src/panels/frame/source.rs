@@ -1,14 +1,14 @@
 //! The chosen draw's program, with its GLSL.
 
 use crate::exported::{self, Role};
-use crate::session::TakenApart;
+use crate::session::RecordedFrame;
 use egui::{CollapsingHeader, Label, RichText, ScrollArea, TextStyle, Ui};
 
 /// Height of the source, points.
 const HEIGHT: f32 = 320.0;
 
 /// Shows it.
-pub fn show(ui: &mut Ui, taken: &mut TakenApart) {
+pub fn show(ui: &mut Ui, taken: &mut RecordedFrame) {
     let draw = taken.record.draws.get(taken.draw);
     let Some(program) = draw.and_then(|draw| taken.record.program_of(draw)) else { return };
     let mut fragment = taken.fragment_source;

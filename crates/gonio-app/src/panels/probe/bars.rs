@@ -1,7 +1,7 @@
 //! A bar for each light, stacked from its terms, on one scale: who lights this pixel?
 
 use super::numbers::{number, triple};
-use crate::probing::Reading;
+use crate::session::probing::Reading;
 use crate::theme::colors::{AMBIENT, DIFFUSE, EMITTED, ENVIRONMENT, SPECULAR, Tint};
 use egui::{Rect, RichText, Sense, Ui, vec2};
 use glam::DVec3;

@@ -1,8 +1,8 @@
 //! Light by light: the factors, and their products.
 
 use super::numbers::{cell, number, vector_row};
-use crate::probing::Reading;
 use crate::session::Selection;
+use crate::session::probing::Reading;
 use crate::theme::{self, colors};
 use egui::{Grid, RichText, Ui};
 use gonio_light::{LightTerms, Terms};

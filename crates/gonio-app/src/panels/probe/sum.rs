@@ -1,7 +1,7 @@
 //! The equation with its numbers in it, typeset: a channel after the other, each term in its colour.
 
 use super::numbers::short;
-use crate::probing::Reading;
+use crate::session::probing::Reading;
 use crate::theme::colors;
 use crate::typeset::{self, EguiFonts, Node, Tag};
 use egui::{Color32, RichText, Sense, Ui, pos2, vec2};

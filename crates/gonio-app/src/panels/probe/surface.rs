@@ -2,7 +2,7 @@
 
 use super::numbers::{number, vector_row};
 use super::{fact, heading, swatch};
-use crate::probing::Reading;
+use crate::session::probing::Reading;
 use crate::theme::colors;
 use egui::{Grid, RichText, Ui};
 use glam::DVec3;

@@ -1,7 +1,7 @@
 //! A reading as text, to be pasted elsewhere.
 
 use super::numbers::{hex, number, triple};
-use crate::probing::Reading;
+use crate::session::probing::Reading;
 use std::fmt::Write;
 
 /// Aligned lines: the pixel, its value, and where a surface is seen every factor of every light.

@@ -3,23 +3,23 @@
 //! On Linux they are other programs (zenity of GNOME, kdialog of KDE): the crate that speaks to their service brings
 //! D-Bus and an async runtime, thirty crates. Where neither is there the window asks for a path itself.
 
-use super::{Access, opened};
-use crate::platform::{Asked, Event, Purpose};
+use super::{Access, open};
+use crate::platform::{Event, FileDialog, Purpose};
 use crate::saving::Product;
 use std::sync::mpsc::Sender;
 
 /// Asks for files to open.
-pub fn open(purpose: Purpose, access: Access, sender: Sender<Event>, ctx: &egui::Context) -> Asked {
+pub fn open(purpose: Purpose, access: Access, sender: Sender<Event>, ctx: &egui::Context) -> FileDialog {
     let inner = ctx.clone();
     ask(Question::Open, ctx, move |paths| {
         if !paths.is_empty() {
-            opened::in_thread(paths, purpose, access, sender, &inner);
+            open::in_thread(paths, purpose, access, sender, &inner);
         }
     })
 }
 
 /// Asks where to save.
-pub fn save(product: Product, name: &str, sender: Sender<Event>, ctx: &egui::Context) -> Asked {
+pub fn save(product: Product, name: &str, sender: Sender<Event>, ctx: &egui::Context) -> FileDialog {
     ask(Question::Save(name.to_owned()), ctx, move |paths| {
         if let Some(path) = paths.into_iter().next() {
             // The window may be closed by now.
@@ -35,12 +35,12 @@ enum Question {
 }
 
 #[cfg(not(any(windows, target_os = "macos")))]
-fn ask(question: Question, ctx: &egui::Context, answer: impl FnOnce(Vec<String>) + Send + 'static) -> Asked {
+fn ask(question: Question, ctx: &egui::Context, answer: impl FnOnce(Vec<String>) + Send + 'static) -> FileDialog {
     use std::process::{Command, Stdio};
     let Some((program, is_zenity)) =
         [("zenity", true), ("kdialog", false)].into_iter().find(|(name, _)| is_there(name))
     else {
-        return Asked::ByNobody;
+        return FileDialog::Unavailable;
     };
     let mut command = Command::new(program);
     match (&question, is_zenity) {
@@ -60,7 +60,7 @@ fn ask(question: Question, ctx: &egui::Context, answer: impl FnOnce(Vec<String>)
         answer(said.lines().filter(|line| !line.is_empty()).map(str::to_owned).collect());
         ctx.request_repaint();
     });
-    Asked::BySystem
+    FileDialog::Opened
 }
 
 /// Whether a program can be started by its name.
@@ -71,7 +71,7 @@ fn is_there(program: &str) -> bool {
 }
 
 #[cfg(any(windows, target_os = "macos"))]
-fn ask(question: Question, ctx: &egui::Context, answer: impl FnOnce(Vec<String>) + Send + 'static) -> Asked {
+fn ask(question: Question, ctx: &egui::Context, answer: impl FnOnce(Vec<String>) + Send + 'static) -> FileDialog {
     let text = |path: std::path::PathBuf| path.to_string_lossy().into_owned();
     let run = move || match question {
         Question::Open => rfd::FileDialog::new().pick_files().unwrap_or_default().into_iter().map(text).collect(),
@@ -88,5 +88,5 @@ fn ask(question: Question, ctx: &egui::Context, answer: impl FnOnce(Vec<String>)
             ctx.request_repaint();
         });
     }
-    Asked::BySystem
+    FileDialog::Opened
 }

@@ -10,7 +10,7 @@
 //! Drafts that nobody took within 90 days are removed, and beyond 200 the oldest.
 
 use super::write;
-use crate::laboratory::MOST_AGE_OF_DRAFTS;
+use crate::exercise::MOST_AGE_OF_DRAFTS;
 use std::ffi::OsStr;
 use std::fs::{self, File};
 use std::io::{Error, ErrorKind};

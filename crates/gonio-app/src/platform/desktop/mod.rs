@@ -5,9 +5,9 @@ pub mod child;
 mod dialog;
 mod display;
 mod drafts;
-mod handed;
+mod exercise_files;
 mod home;
-mod opened;
+mod open;
 pub mod trial;
 mod watch;
 pub mod worker;
@@ -15,10 +15,11 @@ mod write;
 
 pub use display::has_display;
 
-use super::{Asked, CheckRequest, Checking, Decided, Event, Platform, Purpose, Refused, Settings, Trial, TrialOutcome};
-use crate::laboratory::Start;
+use super::{CheckRequest, Checking, Decided, Event, FileDialog, Platform, Purpose, Refused, Trial, TrialOutcome};
+use crate::exercise::Start;
 use crate::saving::Product;
-use crate::{Adjust, Lab, Opening};
+use crate::session::Settings;
+use crate::{Adjust, App, OpenOptions};
 use drafts::DraftFolder;
 use gonio_gl::Gl;
 use gonio_mesh::Limits;
@@ -54,13 +55,13 @@ pub struct WindowOptions {
 
 /// Opens the window, and returns when it is closed. An error is one sentence: no display, no OpenGL.
 pub fn run(options: WindowOptions) -> Result<(), String> {
-    run_within(options, |lab, _| Box::new(lab))
+    run_within(options, |app, _| Box::new(app))
 }
 
 /// [`run`] with something around the application, given its OpenGL too: for measuring what a window takes.
 pub fn run_within(
     options: WindowOptions,
-    around: impl FnOnce(Lab, Option<Gl>) -> Box<dyn eframe::App> + 'static,
+    around: impl FnOnce(App, Option<Gl>) -> Box<dyn eframe::App> + 'static,
 ) -> Result<(), String> {
     display::check()?;
     let [width, height] = options.size.unwrap_or([1280.0, 800.0]);
@@ -80,14 +81,18 @@ pub fn run_within(
     let named: Vec<String> = options.inputs.iter().chain(&options.environments).cloned().collect();
     let created = move |creation: &eframe::CreationContext<'_>| -> Result<Box<dyn eframe::App>, _> {
         let gl = creation.gl.clone().map(Gl::of_window);
-        let opening =
-            Opening { inputs: options.inputs, adjust: options.adjust, limits: options.limits, ..Opening::default() };
+        let opening = OpenOptions {
+            inputs: options.inputs,
+            adjust: options.adjust,
+            limits: options.limits,
+            ..OpenOptions::default()
+        };
         let platform = Box::new(Desktop::new(options.state, options.program, access, &named));
-        let mut lab = Lab::opening(&creation.egui_ctx, gl.clone(), platform, opening);
+        let mut app = App::with_options(&creation.egui_ctx, gl.clone(), platform, opening);
         if let Some(start) = options.exercise {
-            lab.begin_exercise(&creation.egui_ctx, start);
+            app.begin_exercise(&creation.egui_ctx, start);
         }
-        Ok(around(lab, gl))
+        Ok(around(app, gl))
     };
     eframe::run_native("gonio", native, Box::new(created)).map_err(display::sentence)
 }
@@ -131,15 +136,15 @@ impl Platform for Desktop {
         self.files.clone()
     }
 
-    fn choose_files(&mut self, purpose: Purpose, ctx: &egui::Context) -> Asked {
+    fn choose_files(&mut self, purpose: Purpose, ctx: &egui::Context) -> FileDialog {
         dialog::open(purpose, self.access, self.sender.clone(), ctx)
     }
 
     fn open_paths(&mut self, paths: Vec<String>, purpose: Purpose, ctx: &egui::Context) {
-        opened::in_thread(paths, purpose, self.access, self.sender.clone(), ctx);
+        open::in_thread(paths, purpose, self.access, self.sender.clone(), ctx);
     }
 
-    fn choose_place(&mut self, product: Product, name: &str, ctx: &egui::Context) -> Asked {
+    fn choose_place(&mut self, product: Product, name: &str, ctx: &egui::Context) -> FileDialog {
         dialog::save(product, name, self.sender.clone(), ctx)
     }
 
@@ -243,7 +248,7 @@ impl Platform for Desktop {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
-    use crate::laboratory::GivenFile;
+    use crate::files::ExerciseFile;
 
     #[derive(Debug)]
     struct Dropped(PathBuf);
@@ -275,10 +280,10 @@ mod tests {
         std::fs::write(&path, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
         let Event::Open(given) = dropped(&path, Purpose::Scene) else { panic!("no model") };
         assert_eq!(given.inputs, [path.to_string_lossy()]);
-        let Event::Handed(files) = dropped(&path, Purpose::Exercise) else { panic!("no file") };
+        let Event::ExerciseFiles(files) = dropped(&path, Purpose::Exercise) else { panic!("no file") };
         let name = path.file_name().unwrap().to_string_lossy().into_owned();
         let bytes = std::fs::read(&path).unwrap();
-        assert_eq!(files, [GivenFile { name, path: Some(path.clone()), bytes }]);
+        assert_eq!(files, [ExerciseFile { name, path: Some(path.clone()), bytes }]);
         std::fs::remove_file(&path).unwrap();
     }
 }

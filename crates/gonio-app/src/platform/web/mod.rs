@@ -5,10 +5,11 @@ mod document;
 
 pub use check::{PageCheck, PageChecks};
 
-use super::{Asked, CheckRequest, Checking, Event, Given, MOMENT, Platform, Purpose, Refused, Settings, Shown};
+use super::{CheckRequest, Checking, Event, FileDialog, FrameShown, MOMENT, Platform, Purpose, Refused, SceneInput};
+use crate::files::ExerciseFile;
 use crate::files::{Layered, MemoryFiles, gather, link, zip};
-use crate::laboratory::GivenFile;
 use crate::saving::Product;
+use crate::session::Settings;
 use gonio_gl::Gl;
 use gonio_scene::files::{FileBytes, FileSource, is_builtin};
 use std::cell::{Cell, RefCell};
@@ -94,7 +95,7 @@ impl Web {
         wasm_bindgen_futures::spawn_local(async move {
             let event = match (unpacked(files).await, purpose) {
                 (Ok(memory), Purpose::Scene) => of_memory(memory, page).map(Event::Open),
-                (Ok(memory), Purpose::Exercise) => handed(&memory).map(Event::Handed),
+                (Ok(memory), Purpose::Exercise) => handed(&memory).map(Event::ExerciseFiles),
                 (Err(why), _) => Err(why),
             };
             let event = event.unwrap_or_else(Event::Failed);
@@ -120,19 +121,19 @@ async fn unpacked(files: Vec<document::NamedFile>) -> Result<MemoryFiles, String
 }
 
 /// The files as they are: a page knows no places.
-fn handed(memory: &MemoryFiles) -> Result<Vec<GivenFile>, String> {
+fn handed(memory: &MemoryFiles) -> Result<Vec<ExerciseFile>, String> {
     let file = |name: String| {
         let bytes = memory.read(Path::new(&name)).map_err(|why| format!("`{name}` cannot be read: {why}"))?.to_vec();
-        Ok(GivenFile { name, path: None, bytes })
+        Ok(ExerciseFile { name, path: None, bytes })
     };
     memory.names().into_iter().map(file).collect()
 }
 
-fn of_memory(memory: MemoryFiles, page: PageFiles) -> Result<Given, String> {
+fn of_memory(memory: MemoryFiles, page: PageFiles) -> Result<SceneInput, String> {
     let gathered = gather(&memory.names(), &memory)?;
     // Scenes name built-in models too, which the page has fetched.
     let files = Arc::new(Layered { first: Arc::new(memory), then: Arc::new(page) });
-    Ok(Given { inputs: gathered.inputs, environment: gathered.environment, files })
+    Ok(SceneInput { inputs: gathered.inputs, environment: gathered.environment, files })
 }
 
 impl Platform for Web {
@@ -140,7 +141,7 @@ impl Platform for Web {
         Arc::new(self.files.clone())
     }
 
-    fn first(&self) -> Option<Result<Given, String>> {
+    fn first(&self) -> Option<Result<SceneInput, String>> {
         let text = link::scene_file(&document::fragment())?;
         Some(text.and_then(|text| {
             let mut memory = MemoryFiles::default();
@@ -149,14 +150,14 @@ impl Platform for Web {
         }))
     }
 
-    fn choose_files(&mut self, purpose: Purpose, ctx: &egui::Context) -> Asked {
+    fn choose_files(&mut self, purpose: Purpose, ctx: &egui::Context) -> FileDialog {
         let web = Web { files: self.files.clone(), checks: self.checks.clone(), events: self.events.clone() };
         let inner = ctx.clone();
         if let Err(why) = document::choose(move |files| web.take(files, purpose, &inner)) {
             self.events.borrow_mut().push(Event::Failed(why));
             ctx.request_repaint();
         }
-        Asked::BySystem
+        FileDialog::Opened
     }
 
     fn open_paths(&mut self, paths: Vec<String>, _: Purpose, ctx: &egui::Context) {
@@ -165,11 +166,11 @@ impl Platform for Web {
         ctx.request_repaint();
     }
 
-    fn choose_place(&mut self, product: Product, name: &str, ctx: &egui::Context) -> Asked {
+    fn choose_place(&mut self, product: Product, name: &str, ctx: &egui::Context) -> FileDialog {
         // The browser asks, or puts it where downloads go.
         self.events.borrow_mut().push(Event::SaveTo(product, name.to_owned()));
         ctx.request_repaint();
-        Asked::BySystem
+        FileDialog::Opened
     }
 
     fn poll(&mut self, purpose: Purpose, ctx: &egui::Context) -> Vec<Event> {
@@ -189,7 +190,7 @@ impl Platform for Web {
     }
 
     /// A browser asks for another frame when the last one is on its way to the screen, however long that takes.
-    fn shown(&mut self, ctx: &egui::Context) -> Shown {
+    fn shown(&mut self, ctx: &egui::Context) -> FrameShown {
         let (seen, ctx) = (Rc::new(Cell::new(false)), ctx.clone());
         let told = seen.clone();
         wasm_bindgen_futures::spawn_local(async move {

@@ -5,7 +5,8 @@ use crate::cli::WordOptions;
 use crate::report::{CliError, Outcome};
 use crate::values;
 use clap::Args;
-use gonio_app::laboratory::{GivenFile, Start};
+use gonio_app::exercise::Start;
+use gonio_app::files::ExerciseFile;
 use gonio_app::platform::desktop::{self, WindowOptions};
 use std::path::{Path, PathBuf};
 
@@ -66,7 +67,7 @@ pub fn run(args: &OpenArgs) -> Result<Outcome, CliError> {
 }
 
 /// The files of a path: of a folder those within it, by their names there; of a zip in memory.
-fn read(path: &Path) -> Result<Vec<GivenFile>, CliError> {
+fn read(path: &Path) -> Result<Vec<ExerciseFile>, CliError> {
     let found = intake::read(std::slice::from_ref(&path.to_owned()))?;
     let given = |file: gonio_lab::submission::SourceFile| {
         let place = if path.is_dir() { path.join(&file.name) } else { path.to_owned() };
@@ -74,7 +75,7 @@ fn read(path: &Path) -> Result<Vec<GivenFile>, CliError> {
         let own = Path::new(&file.name).file_name().map(|name| name.to_string_lossy().into_owned());
         let name = if path.is_dir() { file.name } else { own.unwrap_or(file.name) };
         let absolute = || std::path::absolute(&place).unwrap_or_else(|_| place.clone());
-        GivenFile { name, path: is_itself.then(absolute), bytes: file.bytes }
+        ExerciseFile { name, path: is_itself.then(absolute), bytes: file.bytes }
     };
     Ok(found.into_iter().map(given).collect())
 }

@@ -1,0 +1,111 @@
+//! The laboratory within the application.
+
+use super::App;
+use crate::exercise::{ExerciseView, Start};
+use crate::files::ExerciseFile;
+use crate::panels;
+use crate::platform::Purpose;
+use crate::session::Severity;
+use egui::Ui;
+use std::path::PathBuf;
+
+impl App {
+    /// The laboratory: what is worked on.
+    pub fn exercise(&self) -> &ExerciseView {
+        &self.exercise
+    }
+
+    /// Shows the laboratory with an exercise and a student's files. What goes wrong is said in the window.
+    pub fn begin_exercise(&mut self, ctx: &egui::Context, start: Start) {
+        if let Err(why) = self.exercise.begin(start) {
+            self.session.messages.say(Severity::Error, why);
+        }
+        self.watch(ctx);
+    }
+
+    /// What files are for that are opened now.
+    pub(super) fn purpose(&self) -> Purpose {
+        if self.exercise.is_open { Purpose::Exercise } else { Purpose::Scene }
+    }
+
+    /// Puts a student's files in place of those that are for the same. What was left aside is said.
+    pub(super) fn hand_in(&mut self, files: Vec<ExerciseFile>) {
+        let taken = self.exercise.take(files);
+        let severity = if taken.announcement.is_some() { Severity::Warning } else { Severity::Error };
+        if let Some(announcement) = taken.announcement {
+            self.session.announcement = announcement;
+        }
+        if let Some(aside) = taken.aside {
+            self.session.messages.say(severity, aside);
+        }
+    }
+
+    /// A frame with the laboratory in place of the scene, which stays as it is.
+    pub(super) fn exercise_ui(&mut self, ui: &mut Ui) {
+        let ctx = ui.ctx().clone();
+        let mut actions = Vec::new();
+        let mut said = self.exercise.restore_drafts(&ctx, self.platform.as_mut());
+        said.extend(self.exercise.ui(ui, self.pane_renderer.as_mut(), self.platform.as_mut(), &mut actions));
+        said.extend(self.exercise.follow_drafts(&ctx, self.platform.as_mut()));
+        for sentence in said {
+            self.session.messages.say(Severity::Error, sentence);
+        }
+        panels::messages(ui, &self.session, &mut actions);
+        panels::path_field(ui, &mut self.session, Purpose::Exercise, &mut actions);
+        for action in actions {
+            self.act(&ctx, action);
+        }
+        self.asked_to_close &= self.exercise.works().any(|work| work.is_changed() || work.has_unsaved_before());
+        let paths = self.exercise.paths();
+        if paths != self.watched {
+            self.watch(&ctx);
+        }
+        self.publish(&ctx);
+    }
+
+    /// A window with text that was not saved closes when it is asked a second time. The text is kept as a draft.
+    pub(super) fn before_closing(&mut self, ctx: &egui::Context) {
+        if !ctx.input(|i| i.viewport().close_requested()) {
+            return;
+        }
+        let failures = self.exercise.flush_drafts(self.platform.as_mut());
+        if self.asked_to_close {
+            return;
+        }
+        let end = match failures.first() {
+            Some(why) => format!("to close again throws it away, because {why}"),
+            None => "to close again keeps it as a draft, which is there when you open these files again".to_owned(),
+        };
+        let changed = self.exercise.works().find(|work| work.is_changed());
+        let before = || self.exercise.works().find(|work| work.has_unsaved_before());
+        let sentence = match (changed, before()) {
+            (Some(work), _) => {
+                format!("what you wrote for {} is not saved; Ctrl + S saves it, and {end}", work.exercise.id)
+            }
+            (None, Some(work)) => format!(
+                "what you wrote for {} before you opened other files is not saved; `Put back` brings it back, and {end}",
+                work.exercise.id
+            ),
+            (None, None) => return,
+        };
+        ctx.send_viewport_cmd(egui::ViewportCommand::CancelClose);
+        self.asked_to_close = true;
+        self.exercise.is_open = true;
+        self.session.messages.say(Severity::Warning, sentence);
+    }
+
+    /// Watches the files of the scene and those of the laboratory.
+    pub(super) fn watch(&mut self, ctx: &egui::Context) {
+        self.watched = self.exercise.paths();
+        let all = self.read.iter().chain(&self.watched).cloned().collect();
+        self.platform.watch(all, ctx);
+    }
+
+    /// Files that other programs changed: the laboratory reads its own again, the others are the scene's.
+    pub(super) fn changed_on_disk(&mut self, ctx: &egui::Context, paths: Vec<PathBuf>) {
+        for sentence in self.exercise.changed(ctx, &paths) {
+            self.session.messages.say(Severity::Error, sentence);
+        }
+        self.changed.extend(paths.into_iter().filter(|path| self.read.contains(path)));
+    }
+}

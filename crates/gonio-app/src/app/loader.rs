@@ -1,0 +1,218 @@
+//! Reading files beside the window: in a thread where there are threads, else between two frames.
+
+use crate::files::Recording;
+use gonio_mesh::{Limits, ReadError};
+use gonio_scene::edit::{self, Edited};
+use gonio_scene::files::{Budgeted, FileSource};
+use gonio_scene::{Scene, SceneFile, SceneSettings, load};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, Sender, channel};
+
+/// What is laid over a description before its files are read: the options of a command line.
+pub type Adjust = Arc<dyn Fn(&mut SceneFile) + Send + Sync>;
+
+/// What is opened.
+#[derive(Clone, Default)]
+pub struct OpenOptions {
+    /// Models and scene files.
+    pub inputs: Vec<String>,
+    /// An environment in the place of the one that they have.
+    pub environment: Option<String>,
+    /// What is laid over them.
+    pub adjust: Option<Adjust>,
+    /// How much their files may make us allocate.
+    pub limits: Limits,
+}
+
+/// What is to be read.
+#[derive(Clone)]
+pub enum LoadRequest {
+    /// A new document.
+    Open(OpenOptions),
+    /// The same once more, for its scene file is another one now.
+    Again(OpenOptions),
+    /// This scene, in the place of the document's: its files have to be read for a change of it.
+    Scene(Box<SceneSettings>),
+    /// The document's scene once more, for its files are others now.
+    Refresh(Box<SceneSettings>),
+}
+
+/// What came of it.
+pub struct LoadOutcome {
+    /// What was asked for.
+    pub wanted: LoadRequest,
+    /// Where its files are.
+    pub files: Arc<dyn FileSource>,
+    /// What was asked for while it was read.
+    pub paths: Vec<PathBuf>,
+    /// The scene, or one sentence.
+    pub result: Result<Scene, String>,
+}
+
+struct Job {
+    number: u64,
+    wanted: LoadRequest,
+    files: Arc<dyn FileSource>,
+    recording: Arc<Recording>,
+    limits: Limits,
+}
+
+/// Reads one thing at a time; what is asked for last wins.
+pub struct Loader {
+    sender: Sender<(u64, LoadOutcome)>,
+    receiver: Receiver<(u64, LoadOutcome)>,
+    /// Number of the last that was asked for: older ones are dropped when they come.
+    latest: u64,
+    /// What is being read.
+    running: Option<Arc<Recording>>,
+    #[cfg(target_arch = "wasm32")]
+    waiting: Option<Job>,
+}
+
+impl Default for Loader {
+    fn default() -> Self {
+        let (sender, receiver) = channel();
+        Loader {
+            sender,
+            receiver,
+            latest: 0,
+            running: None,
+            #[cfg(target_arch = "wasm32")]
+            waiting: None,
+        }
+    }
+}
+
+impl Loader {
+    /// Begins to read within `limits`; `ctx` is painted again when that is done.
+    pub fn start(&mut self, wanted: LoadRequest, files: Arc<dyn FileSource>, limits: Limits, ctx: &egui::Context) {
+        self.latest += 1;
+        let recording = Arc::new(Recording::of(files.clone()));
+        self.running = Some(recording.clone());
+        let job = Job { number: self.latest, wanted, files, recording, limits };
+        #[cfg(target_arch = "wasm32")]
+        {
+            self.waiting = Some(job);
+        }
+        #[cfg(not(target_arch = "wasm32"))]
+        {
+            let (sender, ctx) = (self.sender.clone(), ctx.clone());
+            std::thread::spawn(move || {
+                let result = job.read();
+                // The window may be closed by now.
+                let _ = sender.send(job.finished(result));
+                ctx.request_repaint();
+            });
+        }
+        ctx.request_repaint();
+    }
+
+    /// What was finished since, if it is still wanted. On the web this is where it is read, so that a frame that says
+    /// so was shown before, and where it is read again when built-in files have come that were asked for too early.
+    pub fn poll(&mut self) -> Option<LoadOutcome> {
+        #[cfg(target_arch = "wasm32")]
+        if let Some(job) = self.waiting.take_if(|job| !job.recording.is_waiting()) {
+            job.recording.forget();
+            let result = job.read();
+            // What has not come over the network yet is no fault of the scene.
+            if job.recording.is_waiting() {
+                self.waiting = Some(job);
+            } else {
+                let _ = self.sender.send(job.finished(result));
+            }
+        }
+        while let Ok((number, finished)) = self.receiver.try_recv() {
+            if number == self.latest {
+                self.running = None;
+                return Some(finished);
+            }
+        }
+        None
+    }
+
+    /// Whether something is being read.
+    pub fn is_running(&self) -> bool {
+        self.running.is_some()
+    }
+
+    /// How many files, and how many bytes, were read until now of what is being read.
+    pub fn progress(&self) -> Option<(usize, u64)> {
+        self.running.as_ref().map(|recording| recording.amount())
+    }
+}
+
+impl Job {
+    fn read(&self) -> Result<Scene, String> {
+        read(&self.wanted, &*self.recording, &self.limits)
+    }
+
+    fn finished(self, result: Result<Scene, String>) -> (u64, LoadOutcome) {
+        let paths = self.recording.paths();
+        (self.number, LoadOutcome { wanted: self.wanted, files: self.files, paths, result })
+    }
+}
+
+fn read(wanted: &LoadRequest, files: &dyn FileSource, limits: &Limits) -> Result<Scene, String> {
+    let sentence = |error: ReadError| error.to_string();
+    match wanted {
+        LoadRequest::Open(opening) | LoadRequest::Again(opening) => {
+            let inputs: Vec<&str> = opening.inputs.iter().map(String::as_str).collect();
+            let within = Budgeted::new(files, limits.max_bytes);
+            let mut scene = load::describe(&inputs, &within).map_err(sentence)?;
+            if let Some(adjust) = &opening.adjust {
+                adjust(&mut scene);
+            }
+            if let Some(image) = &opening.environment {
+                scene.set_environment(image);
+            }
+            load::load_within(scene, Path::new(""), files, limits).map_err(sentence)
+        }
+        LoadRequest::Scene(scene) | LoadRequest::Refresh(scene) => {
+            let loaded =
+                load::load_within(SceneFile::from(&**scene), Path::new(""), files, limits).map_err(sentence)?;
+            // Loading gives lights to a scene that has none; here somebody took them out.
+            if !scene.lights.is_empty() || loaded.settings.lights.is_empty() {
+                return Ok(loaded);
+            }
+            let mut dark = loaded.settings.clone();
+            dark.lights.clear();
+            match edit::apply(&loaded, dark).map_err(|why| why.to_string())? {
+                Edited::Done(applied) => Ok(applied.loaded),
+                Edited::NeedsFiles(_) => Ok(loaded),
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use gonio_scene::files::BuiltinOnly;
+
+    fn opened(opening: OpenOptions) -> Scene {
+        read(&LoadRequest::Open(opening), &BuiltinOnly, &Limits::default()).unwrap_or_else(|e| panic!("{e}"))
+    }
+
+    fn cube() -> OpenOptions {
+        OpenOptions { inputs: vec!["builtin:cube".into()], ..OpenOptions::default() }
+    }
+
+    #[test]
+    fn lights_that_were_taken_out_stay_out() {
+        let mut scene = opened(cube()).settings;
+        assert!(!scene.lights.is_empty());
+        scene.lights.clear();
+        let wanted = LoadRequest::Refresh(Box::new(scene));
+        let again = read(&wanted, &BuiltinOnly, &Limits::default()).unwrap_or_else(|e| panic!("{e}"));
+        assert!(again.settings.lights.is_empty());
+    }
+
+    #[test]
+    fn options_and_an_environment_are_laid_over_what_is_opened() {
+        let adjust: Adjust = Arc::new(|scene: &mut SceneFile| scene.picture.exposure = 2.0);
+        let loaded = opened(OpenOptions { environment: Some("debug".into()), adjust: Some(adjust), ..cube() });
+        assert_eq!(loaded.settings.picture.exposure, 2.0);
+        assert_eq!(loaded.settings.environment.map(|e| e.image).as_deref(), Some("debug"));
+    }
+}

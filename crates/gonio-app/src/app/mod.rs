@@ -1,0 +1,521 @@
+//! The application: one frame from files, keys and panels to the picture.
+
+mod exercise;
+pub mod loader;
+mod output;
+
+use crate::action::Action;
+use crate::app::loader::{LoadOutcome, LoadRequest, Loader, OpenOptions};
+use crate::document::{Document, History};
+use crate::exercise::{ExerciseView, Start};
+use crate::files::{Layered, link};
+use crate::platform::{Event, FileDialog, FrameShown, Platform, SceneInput};
+use crate::scene_view::drawing::PaneRenderer;
+use crate::session::{PathField, RecordedFrame, Session, Severity, Tab};
+use crate::{exported, panels, scene_view, shortcuts, theme};
+use egui::Ui;
+use gonio_gl::Gl;
+use gonio_mesh::Severity as Found;
+use gonio_scene::Scene;
+use gonio_scene::edit::{self, Edited};
+use gonio_scene::files::FileSource;
+use gonio_scene::settings::CameraSettings;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// What is shown where nothing was asked for.
+pub const FIRST_SCENE: &str = "builtin:still-life";
+
+const NOTHING_DRAWN: &str = "there is no picture yet; wait until the scene is read";
+
+/// The application.
+pub struct App {
+    document: Document,
+    session: Session,
+    history: History,
+    loader: Loader,
+    /// Where the files of the open scene are.
+    files: Arc<dyn FileSource>,
+    /// What was opened, and the camera that came of it.
+    opened: OpenOptions,
+    opened_camera: CameraSettings,
+    /// What changed on disk and has not been read again.
+    changed: Vec<PathBuf>,
+    /// Files of the open scene that are watched on disk; the laboratory has its own.
+    read: Vec<PathBuf>,
+    /// Those of the laboratory that are watched.
+    watched: Vec<PathBuf>,
+    /// The window was to be closed, and there was text that was not saved.
+    asked_to_close: bool,
+    platform: Box<dyn Platform>,
+    pane_renderer: Option<PaneRenderer>,
+    exercise: ExerciseView,
+    /// Of a sketch that was drawn. Until it is seen the whole picture waits: drawing that may keep the GPU from showing it.
+    sketched: Option<FrameShown>,
+}
+
+impl App {
+    /// In a context whose OpenGL is `gl` (without it there are panels and no picture), with `inputs` to open, or else
+    /// what the platform says (the scene of a link), or the first sample.
+    pub fn new(ctx: &egui::Context, gl: Option<Gl>, platform: Box<dyn Platform>, inputs: Vec<String>) -> Self {
+        App::with_options(ctx, gl, platform, OpenOptions { inputs, ..OpenOptions::default() })
+    }
+
+    /// [`App::new`], with what is laid over the inputs.
+    pub fn with_options(
+        ctx: &egui::Context,
+        gl: Option<Gl>,
+        platform: Box<dyn Platform>,
+        mut opening: OpenOptions,
+    ) -> Self {
+        theme::install(ctx);
+        let mut session = Session::default();
+        let pane_renderer = gl.and_then(|gl| match PaneRenderer::new(gl) {
+            Ok(pane_renderer) => Some(pane_renderer),
+            Err(why) => {
+                session.messages.say(Severity::Error, format!("nothing can be drawn: {why}"));
+                None
+            }
+        });
+        session.settings = platform.settings();
+        if let Some(dark) = session.settings.dark {
+            ctx.set_theme(if dark { egui::Theme::Dark } else { egui::Theme::Light });
+        }
+        if let Some(pane_renderer) = &pane_renderer {
+            session.facts.renderer = pane_renderer.driver().to_owned();
+        }
+        let document = Document::default();
+        let mut app = App {
+            history: History::new(&document),
+            document,
+            session,
+            loader: Loader::default(),
+            files: platform.files(),
+            opened: OpenOptions::default(),
+            opened_camera: CameraSettings::default(),
+            changed: Vec::new(),
+            read: Vec::new(),
+            watched: Vec::new(),
+            asked_to_close: false,
+            platform,
+            pane_renderer,
+            exercise: ExerciseView::default(),
+            sketched: None,
+        };
+        let mut files = app.files.clone();
+        if opening.inputs.is_empty() {
+            match app.platform.first() {
+                Some(Ok(given)) => (opening.inputs, files) = (given.inputs, given.files),
+                Some(Err(why)) => app.session.messages.say(Severity::Error, why),
+                None => {}
+            }
+        }
+        if opening.inputs.is_empty() {
+            opening.inputs.push(FIRST_SCENE.to_owned());
+        }
+        app.start(ctx, opening, files);
+        app
+    }
+
+    /// Goes on in another context and with its OpenGL, after the first ones are gone: a browser may take a page's
+    /// graphics away and give them back later. Nothing that is edited or open is lost.
+    pub fn resume(&mut self, ctx: &egui::Context, gl: Option<Gl>) {
+        theme::install(ctx);
+        self.exercise.release();
+        self.pane_renderer = None;
+        match gl.map(PaneRenderer::new) {
+            Some(Ok(pane_renderer)) => {
+                self.session.facts.renderer = pane_renderer.driver().to_owned();
+                self.pane_renderer = Some(pane_renderer);
+            }
+            Some(Err(why)) => self.session.messages.say(Severity::Error, format!("nothing can be drawn: {why}")),
+            None => {}
+        }
+    }
+
+    /// What is edited.
+    pub fn document(&self) -> &Document {
+        &self.document
+    }
+
+    /// What is not undone.
+    pub fn session(&self) -> &Session {
+        &self.session
+    }
+
+    /// The state as JSON: [`exported::state`].
+    pub fn state(&self, ctx: &egui::Context) -> serde_json::Value {
+        with_exercise(exported::state(ctx, &self.document, &self.session, &self.history), &self.exercise)
+    }
+
+    /// Begins to read what `inputs` name.
+    pub fn open(&mut self, ctx: &egui::Context, inputs: Vec<String>, files: Arc<dyn FileSource>) {
+        self.start(ctx, OpenOptions { inputs, limits: self.opened.limits, ..OpenOptions::default() }, files);
+    }
+
+    fn start(&mut self, ctx: &egui::Context, opening: OpenOptions, files: Arc<dyn FileSource>) {
+        self.session.busy = Some(format!("reading {}", short(&opening.inputs)));
+        let limits = opening.limits;
+        self.loader.start(LoadRequest::Open(opening), files, limits, ctx);
+    }
+
+    /// One frame.
+    pub fn ui(&mut self, ui: &mut Ui) {
+        let ctx = ui.ctx().clone();
+        exported::begin(&ctx);
+        self.session.facts.frames += 1;
+        for event in self.platform.poll(self.purpose(), &ctx) {
+            self.hear(&ctx, event);
+        }
+        if let Some(finished) = self.loader.poll() {
+            self.take(&ctx, finished);
+        }
+        self.before_closing(&ctx);
+        if self.exercise.is_open {
+            return self.exercise_ui(ui);
+        }
+        for failure in self.exercise.follow_drafts(&ctx, self.platform.as_mut()) {
+            self.session.messages.say(Severity::Error, failure);
+        }
+        self.read_again(&ctx);
+        self.session.progress = self.loader.progress();
+        let seconds = ctx.input(|i| f64::from(i.stable_dt));
+        self.session.clock.advance(seconds);
+        if self.session.clock.playing {
+            ctx.request_repaint();
+        }
+
+        let mut actions = Vec::new();
+        shortcuts::handle(ui, &mut self.document, &mut self.session, &mut actions);
+        panels::show(ui, &mut self.document, &mut self.session, &self.history, &mut actions);
+        self.follow_document(&ctx);
+        if self.sketched.as_ref().is_some_and(|shown| shown(&ctx)) {
+            (self.session.sketching, self.sketched) = (false, None);
+        }
+        let pictures = self.session.facts.pictures;
+        egui::CentralPanel::no_frame().show(ui, |ui| {
+            self.frame_opened(&ctx, ui.available_size());
+            let drawn = scene_view::show(ui, &mut self.document, &mut self.session, self.pane_renderer.as_mut());
+            if let Err(why) = drawn {
+                self.session.messages.say(Severity::Error, why.to_string());
+            }
+        });
+        if self.session.sketching && self.sketched.is_none() && self.session.facts.pictures > pictures {
+            self.sketched = Some(self.platform.shown(&ctx));
+        }
+        for action in actions {
+            self.act(&ctx, action);
+        }
+        self.settle(&ctx);
+        self.publish(&ctx);
+    }
+
+    /// Hands the state to whoever watches it.
+    fn publish(&mut self, ctx: &egui::Context) {
+        let (document, session, history, exercise) = (&self.document, &self.session, &self.history, &self.exercise);
+        let state = || with_exercise(exported::state(ctx, document, session, history), exercise);
+        self.platform.publish(&state);
+    }
+
+    fn hear(&mut self, ctx: &egui::Context, event: Event) {
+        match event {
+            Event::Open(SceneInput { inputs, environment, files }) if !inputs.is_empty() => {
+                let limits = self.opened.limits;
+                self.start(ctx, OpenOptions { inputs, environment, limits, adjust: None }, files);
+            }
+            Event::Open(SceneInput { environment: Some(image), files, .. }) => {
+                // It lies elsewhere than what it is for.
+                self.files = Arc::new(Layered { first: files, then: self.files.clone() });
+                self.document.scene.set_environment(&image);
+            }
+            Event::Open(_) => {}
+            Event::ExerciseFiles(files) => self.hand_in(files),
+            Event::SaveTo(product, place) => self.save(product, &place),
+            Event::Changed(paths) => self.changed_on_disk(ctx, paths),
+            Event::Failed(why) => self.session.messages.say(Severity::Error, why),
+        }
+    }
+
+    /// Reads again what changed on disk. A scene file's scene takes the place of the document's; for other files the
+    /// document stays as it was edited.
+    fn read_again(&mut self, ctx: &egui::Context) {
+        if self.changed.is_empty() || self.loader.is_running() || self.session.loaded.is_none() {
+            return;
+        }
+        let changed = std::mem::take(&mut self.changed);
+        let is_scene_file = |path: &PathBuf| {
+            path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"))
+                && self.opened.inputs.iter().any(|input| Path::new(input) == path)
+        };
+        let wanted = match changed.iter().any(is_scene_file) {
+            true => LoadRequest::Again(self.opened.clone()),
+            false => LoadRequest::Refresh(Box::new(self.document.scene.clone())),
+        };
+        self.session.busy = Some(format!("reading {} again", names(&changed)));
+        self.loader.start(wanted, self.files.clone(), self.opened.limits, ctx);
+    }
+
+    /// What was read, or why not: a scene that cannot be read leaves everything as it was.
+    fn take(&mut self, ctx: &egui::Context, finished: LoadOutcome) {
+        self.session.busy = None;
+        let loaded = match finished.result {
+            Ok(loaded) => loaded,
+            Err(sentence) => {
+                self.session.messages.say(Severity::Error, sentence);
+                if matches!(finished.wanted, LoadRequest::Scene(_)) {
+                    self.history.revert(&mut self.document);
+                }
+                return;
+            }
+        };
+        self.files = finished.files;
+        self.read = finished.paths;
+        self.watch(ctx);
+        for found in &loaded.diagnostics {
+            let severity = match found.severity {
+                Found::Note => continue,
+                Found::Warning => Severity::Warning,
+            };
+            self.session.messages.say(severity, found.to_string());
+        }
+        match finished.wanted {
+            LoadRequest::Open(opening) => {
+                self.session.title = short(&opening.inputs);
+                self.session.clock = Default::default();
+                self.session.selection = Default::default();
+                self.session.probing.forget();
+                self.session.announcement = format!("{} is open", self.session.title);
+                self.document = Document::of(loaded.settings.clone());
+                self.history = History::new(&self.document);
+                self.opened_camera = loaded.settings.camera.clone();
+                self.remember(&opening.inputs);
+                self.opened = opening;
+                self.session.unframed = loaded.camera_was_framed;
+                self.sketched = None;
+                self.session.sketching = self.pane_renderer.as_ref().is_some_and(PaneRenderer::sketches);
+            }
+            LoadRequest::Again(_) => {
+                let camera = self.document.scene.camera.clone();
+                let was_moved = camera != self.opened_camera;
+                self.session.unframed = loaded.camera_was_framed && !was_moved;
+                self.opened_camera = loaded.settings.camera.clone();
+                self.document.scene = loaded.settings.clone();
+                if was_moved {
+                    // Applied with the rest of the document, right after this.
+                    self.document.scene.camera = camera;
+                }
+                self.session.announcement = format!("{} was read again", self.session.title);
+            }
+            LoadRequest::Refresh(scene) => {
+                self.session.announcement = "what changed on disk was read again".into();
+                // What was edited meanwhile stays.
+                if *scene == self.document.scene {
+                    self.document.scene = loaded.settings.clone();
+                }
+            }
+            LoadRequest::Scene(_) => self.document.scene = loaded.settings.clone(),
+        }
+        self.session.loaded = Some(Arc::new(loaded));
+        self.session.generation += 1;
+    }
+
+    /// Puts the camera of a scene that was just opened where all is in a picture of this size, if the scene does not say
+    /// where it stands. That is a part of opening it: no step to be undone.
+    fn frame_opened(&mut self, ctx: &egui::Context, size: egui::Vec2) {
+        let Some(loaded) = self.session.loaded.as_ref().filter(|_| self.session.unframed) else { return };
+        self.session.unframed = false;
+        let aspect = f64::from(size.x) / f64::from(size.y.max(1.0));
+        let camera = loaded.framed(&loaded.settings.camera, aspect);
+        self.opened_camera = camera.clone();
+        self.document.scene.camera = camera;
+        self.history = History::new(&self.document);
+        self.follow_document(ctx);
+    }
+
+    /// Makes the loaded scene that of the document.
+    fn follow_document(&mut self, ctx: &egui::Context) {
+        let Some(loaded) = &self.session.loaded else { return };
+        if loaded.settings == self.document.scene || self.loader.is_running() {
+            return;
+        }
+        match edit::apply(loaded, self.document.scene.clone()) {
+            Ok(Edited::Done(applied)) => {
+                // What the description left open was filled in.
+                self.document.scene = applied.loaded.settings.clone();
+                if applied.geometry_changed || applied.materials_changed || is_seen_otherwise(loaded, &applied.loaded) {
+                    self.session.generation += 1;
+                }
+                self.session.loaded = Some(Arc::new(applied.loaded));
+            }
+            Ok(Edited::NeedsFiles(scene)) => {
+                self.session.busy = Some("reading the scene's files".into());
+                self.loader.start(LoadRequest::Scene(scene), self.files.clone(), self.opened.limits, ctx);
+            }
+            Err(why) => {
+                self.session.messages.say(Severity::Error, why.to_string());
+                self.history.revert(&mut self.document);
+            }
+        }
+    }
+
+    fn act(&mut self, ctx: &egui::Context, action: Action) {
+        match action {
+            Action::Open(inputs) => {
+                let files = self.platform.files();
+                self.open(ctx, inputs, files);
+            }
+            Action::OpenPaths(paths) => self.platform.open_paths(paths, self.purpose(), ctx),
+            Action::ChooseFiles => {
+                if self.platform.choose_files(self.purpose(), ctx) == FileDialog::Unavailable {
+                    self.session.asking = Some(PathField { saves: None, text: String::new() });
+                }
+            }
+            Action::Save(product) => {
+                let name = product.file_name(&self.session.title);
+                if self.platform.choose_place(product, &name, ctx) == FileDialog::Unavailable {
+                    self.session.asking = Some(PathField { saves: Some(product), text: name });
+                }
+            }
+            Action::SaveTo(product, place) => self.save(product, &place),
+            Action::CopyPicture => self.copy_picture(ctx),
+            Action::CopyLink => match link::of_scene(&self.document.scene) {
+                Ok(fragment) => {
+                    ctx.copy_text(self.platform.link(&fragment));
+                    self.session.announcement = "the link is on the clipboard".into();
+                }
+                Err(why) => self.session.messages.say(Severity::Error, why),
+            },
+            Action::CopyText(text) => {
+                ctx.copy_text(text);
+                self.session.announcement = "copied".into();
+            }
+            Action::Undo => {
+                if self.history.undo(&mut self.document) {
+                    self.session.announcement = "undone".into();
+                }
+            }
+            Action::Redo => {
+                if self.history.redo(&mut self.document) {
+                    self.session.announcement = "done again".into();
+                }
+            }
+            Action::Frame => {
+                if let Some(loaded) = &self.session.loaded {
+                    let [width, height] = self.session.facts.size.map(f64::from);
+                    self.document.scene.camera = loaded.framed(&self.document.scene.camera, width / height.max(1.0));
+                }
+            }
+            Action::PlayOrPause => self.session.clock.playing = !self.session.clock.playing,
+            Action::SetTime(time) => self.session.clock.time = time,
+            Action::Show(tab) => self.session.tab = tab,
+            Action::ToggleProbe => {
+                self.session.tab = if self.session.tab == Tab::Probe { Tab::Lights } else { Tab::Probe };
+            }
+            Action::ToggleObserver => self.session.observer.toggle(),
+            Action::Overlay(overlay) => {
+                if let Some(pane) = self.document.panes.current_mut() {
+                    pane.toggle_overlay(overlay);
+                }
+            }
+            Action::Special(view) => {
+                if let Some(pane) = self.document.panes.current_mut() {
+                    pane.special = if pane.special == Some(view) { None } else { Some(view) };
+                }
+            }
+            Action::ToggleHelp => self.session.help = !self.session.help,
+            Action::ToggleTheme => {
+                let theme = if ctx.theme() == egui::Theme::Dark { egui::Theme::Light } else { egui::Theme::Dark };
+                ctx.set_theme(theme);
+                self.session.settings.dark = Some(theme == egui::Theme::Dark);
+                self.platform.keep(&self.session.settings);
+            }
+            Action::RecordFrame => self.record_frame(ctx),
+            Action::Dismiss(id) => self.session.messages.dismiss(id),
+            Action::ShowExercise => self.exercise.is_open = true,
+            Action::ListExercises => self.exercise.list(),
+            Action::StartExercise(exercise) => self.begin_exercise(ctx, Start { exercise, files: Vec::new() }),
+        }
+        ctx.request_repaint();
+    }
+
+    /// Records the current pane's picture. Where that fails it is told, and the record is empty: it is not tried again
+    /// before there is another picture.
+    fn record_frame(&mut self, ctx: &egui::Context) {
+        let Some(pane_renderer) = &mut self.pane_renderer else { return };
+        let record = pane_renderer.record(self.document.panes.current).unwrap_or_else(|why| {
+            self.session.messages.say(Severity::Error, format!("the frame cannot be taken apart: {why}"));
+            None
+        });
+        let before = self.session.recorded_frame.take();
+        let taken = RecordedFrame::new(ctx, record.unwrap_or_default(), self.session.facts.pictures, before.as_ref());
+        self.session.recorded_frame = Some(taken);
+    }
+
+    /// The end of a frame: a gesture that ended is a step of the history.
+    fn settle(&mut self, ctx: &egui::Context) {
+        let gesture =
+            ctx.input(|i| i.pointer.any_down() || !i.keys_down.is_empty() || i.smooth_scroll_delta().y != 0.0);
+        self.follow_document(ctx);
+        let was_undoable = self.history.can_undo(&self.document);
+        if !self.loader.is_running() {
+            self.history.observe(&self.document, gesture);
+        }
+        if was_undoable != self.history.can_undo(&self.document) {
+            ctx.request_repaint();
+        }
+    }
+}
+
+/// The state with the laboratory's part.
+fn with_exercise(mut state: serde_json::Value, exercise: &ExerciseView) -> serde_json::Value {
+    state["exercise"] = exercise.state();
+    state
+}
+
+/// Files by their names alone.
+fn names(paths: &[PathBuf]) -> String {
+    short(&paths.iter().map(|path| path.to_string_lossy().into_owned()).collect::<Vec<_>>())
+}
+
+/// Whether objects are shaded otherwise, or stand in another environment: either wants other things on the GPU.
+fn is_seen_otherwise(before: &Scene, after: &Scene) -> bool {
+    let environment = |scene: &Scene| scene.environment.as_ref().map(Arc::as_ptr);
+    let shadings = |scene: &Scene| scene.objects.iter().map(|object| object.shading).collect::<Vec<_>>();
+    environment(before) != environment(after) || shadings(before) != shadings(after)
+}
+
+/// What was opened, as a title: the file's name without its folder.
+fn short(inputs: &[String]) -> String {
+    let name = |input: &String| {
+        let input = input.strip_prefix(gonio_scene::files::BUILTIN).unwrap_or(input);
+        input.rsplit(['/', '\\']).next().unwrap_or(input).to_owned()
+    };
+    match inputs {
+        [] => String::new(),
+        [one] => name(one),
+        [first, rest @ ..] => format!("{} and {} more", name(first), rest.len()),
+    }
+}
+
+impl eframe::App for App {
+    fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
+        App::ui(self, ui);
+    }
+
+    fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
+        panels::ground(visuals).to_normalized_gamma_f32()
+    }
+
+    fn on_exit(&mut self, _: Option<&eframe::glow::Context>) {
+        // There is no window left to say what goes wrong.
+        let _ = self.exercise.flush_drafts(self.platform.as_mut());
+        // Buffers and textures go while their context is still there.
+        self.exercise.release();
+        self.pane_renderer = None;
+    }
+
+    #[cfg(target_arch = "wasm32")]
+    fn as_any_mut(&mut self) -> Option<&mut dyn std::any::Any> {
+        Some(self)
+    }
+}

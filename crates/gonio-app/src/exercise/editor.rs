@@ -1,0 +1,350 @@
+//! The editor: a tab a file, line numbers, marks at lines, what was said below.
+
+use super::file_sets::listed;
+use super::highlight;
+use super::work::{Mark, MarkKind, OpenFile, Work};
+use crate::exported::{self, Role};
+use crate::theme::{self, colors, icons};
+use egui::text::{CCursor, CCursorRange};
+use egui::text_edit::{TextEditOutput, TextEditState};
+use egui::{
+    Align, Color32, FontSelection, Frame, Galley, Id, Label, Margin, Pos2, Rect, RichText, ScrollArea, Sense, TextEdit,
+    TextStyle, Ui, pos2, vec2,
+};
+use std::sync::Arc;
+
+/// Points between the numbers and the text.
+const GAP: f32 = 10.0;
+/// Of the mark beside a number.
+const MARK_WIDTH: f32 = 4.0;
+/// Most messages that are listed below the text at once.
+const MOST_LISTED: usize = 8;
+
+/// What was asked for in the editor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Asked {
+    /// What is on the disk in place of what was written here.
+    TakeOther(usize),
+    /// What was written here stays, and is saved over what is on the disk.
+    KeepMine(usize),
+    /// The files that were open before these.
+    PutBack,
+    /// The saved texts in place of the drafts that were restored.
+    DiscardRestored,
+    /// The drafts, without the note about them.
+    KeepRestored,
+}
+
+/// Shows the files' tabs, the current one's text and what is said of it. True with what was asked for; the texts are edited
+/// in place.
+pub fn show(ui: &mut Ui, work: &mut Work) -> Option<Asked> {
+    tabs(ui, work);
+    let asked = restored(ui, work).or(conflict(ui, work)).or(put_back(ui, work));
+    let marks = work.marks(work.current);
+    let jump = work.jump.take_if(|(file, _)| *file == work.current).map(|(_, line)| line);
+    let below = messages_height(ui, &marks, work);
+    let height = (ui.available_height() - below).max(60.0);
+    let current = work.current;
+    if let Some(file) = work.files.get_mut(current) {
+        let frame = Frame::NONE.fill(ui.visuals().extreme_bg_color).corner_radius(5).inner_margin(Margin::same(4));
+        frame.show(ui, |ui| {
+            ui.set_min_size(vec2(ui.available_width(), height - 8.0));
+            ui.set_max_height(height - 8.0);
+            text(ui, file, &marks, jump);
+        });
+    }
+    messages(ui, work, &marks);
+    asked
+}
+
+fn tabs(ui: &mut Ui, work: &mut Work) {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = vec2(4.0, 2.0);
+        for index in 0..work.files.len() {
+            let Some(file) = work.files.get(index).filter(|file| file.is_shown()) else { continue };
+            let worst = work.marks(index).iter().map(|mark| mark.kind).max();
+            let chosen = index == work.current;
+            let name = if file.is_changed() { format!("{} •", file.name) } else { file.name.clone() };
+            let mut label = RichText::new(name);
+            match worst {
+                Some(MarkKind::Error) => label = label.color(colors::ERROR.of(ui)),
+                Some(_) => label = label.color(colors::WARNING.of(ui)),
+                None if chosen => label = label.color(ui.visuals().strong_text_color()),
+                None => {}
+            }
+            let button = egui::Button::new(label).selected(chosen).frame_when_inactive(chosen);
+            let button = ui.add(button);
+            let tip = match (&file.path, file.locked) {
+                (_, true) => {
+                    "This file is no UTF-8 text: it is shown, drawn and checked, and cannot be changed here".into()
+                }
+                (Some(path), _) => path.display().to_string(),
+                (None, _) => "In memory; Ctrl + S saves it".into(),
+            };
+            exported::note(ui, &button, &format!("file-{index}"), Role::Tab, &file.name, chosen);
+            if button.on_hover_text(tip).clicked() {
+                work.current = index;
+            }
+        }
+    });
+}
+
+/// Drafts that an earlier window left, and that are in the editor now.
+fn restored(ui: &mut Ui, work: &Work) -> Option<Asked> {
+    let in_conflict = |file: &OpenFile| file.other.is_some();
+    // The question about the conflict tells of it, and has the same answers.
+    if work.files.get(work.current).is_some_and(|file| file.is_restored() && in_conflict(file)) {
+        return None;
+    }
+    let files: Vec<&OpenFile> = work.files.iter().filter(|file| file.is_restored() && !in_conflict(file)).collect();
+    let age = files.first()?.restored.as_deref()?;
+    let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
+    let sentence = format!("Unsaved text from {age} was restored in {}. It is not saved yet.", listed(&names));
+    let answers =
+        [("discard-restored", "Discard it", Asked::DiscardRestored), ("keep-restored", "Keep it", Asked::KeepRestored)];
+    question(ui, "restored", colors::ACCENT.of(ui), &sentence, answers)
+}
+
+/// A file that was changed on the disk while there is text here that was not saved.
+fn conflict(ui: &mut Ui, work: &Work) -> Option<Asked> {
+    let current = work.current;
+    let file = work.files.get(current).filter(|file| file.other.is_some())?;
+    let sentence = match file.restored.as_ref().filter(|_| file.is_restored()) {
+        Some(age) => format!(
+            "Unsaved text from {age} was restored in {name}, but {name} has changed on the disk since then. Both texts are \
+             kept until you choose one.",
+            name = file.name
+        ),
+        None => format!("{} was changed on the disk, and what you wrote here is not saved.", file.name),
+    };
+    let answers = [
+        ("take-other", "Take the one on the disk", Asked::TakeOther(current)),
+        ("keep-mine", "Keep mine and save it", Asked::KeepMine(current)),
+    ];
+    question(ui, "conflict", colors::WARNING.of(ui), &sentence, answers)
+}
+
+/// A sentence with buttons to answer it.
+fn question(ui: &mut Ui, id: &str, tint: Color32, sentence: &str, answers: [(&str, &str, Asked); 2]) -> Option<Asked> {
+    let mut asked = None;
+    let frame = Frame::NONE.fill(tint.gamma_multiply(0.18)).corner_radius(5).inner_margin(Margin::same(6));
+    let response = frame.show(ui, |ui| {
+        ui.set_min_width(ui.available_width());
+        ui.add(Label::new(sentence).wrap());
+        ui.horizontal_wrapped(|ui| {
+            for (id, label, answer) in answers {
+                let button = ui.button(label);
+                exported::note(ui, &button, id, Role::Button, label, "");
+                if button.clicked() {
+                    asked = Some(answer);
+                }
+            }
+        });
+    });
+    exported::note(ui, &response.response, id, Role::Text, sentence, "");
+    asked
+}
+
+/// What was open before these files, to be had again.
+fn put_back(ui: &mut Ui, work: &Work) -> Option<Asked> {
+    let before = work.before.last()?;
+    ui.horizontal_wrapped(|ui| {
+        let unsaved = if before.files.iter().any(OpenFile::is_changed) { ", with what is not saved there" } else { "" };
+        let sentence = format!("Before: {}{unsaved}.", before.names_beside(&work.files));
+        ui.add(Label::new(RichText::new(sentence).small().weak()).wrap());
+        let button = ui.small_button("Put back");
+        exported::note(ui, &button, "put-back", Role::Button, "Put back", work.before.len());
+        let tip = "The files that were open before these; these can then be put back in the same way";
+        button.on_hover_text(tip).clicked().then_some(Asked::PutBack)
+    })
+    .inner
+}
+
+/// The text with its numbers and marks.
+fn text(ui: &mut Ui, file: &mut OpenFile, marks: &[Mark], jump: Option<u32>) {
+    let font = TextStyle::Monospace.resolve(ui.style());
+    let lines = file.text.lines().count() + usize::from(file.text.ends_with('\n'));
+    let digit = ui.painter().layout_no_wrap("0".into(), font.clone(), Color32::WHITE).size().x;
+    let digits = lines.max(1).to_string().len().max(2) as f32;
+    let gutter = MARK_WIDTH + 4.0 + digits * digit + GAP;
+    let id = file.id();
+    if let Some(line) = jump {
+        put_cursor(ui, id, &file.text, line);
+    }
+    let is_glsl = !file.name.ends_with(".toml") && !file.name.ends_with(".txt") && !file.name.ends_with(".py");
+    let mut layouter = |ui: &Ui, text: &dyn egui::TextBuffer, _: f32| -> Arc<Galley> {
+        let job = highlight::job(ui, id, text.as_str(), is_glsl, &font);
+        ui.fonts_mut(|fonts| fonts.layout_job(job))
+    };
+    ScrollArea::both().id_salt(id).auto_shrink([false, false]).show(ui, |ui| {
+        let room = ui.available_size();
+        ui.horizontal_top(|ui| {
+            ui.spacing_mut().item_spacing.x = 0.0;
+            ui.add_space(gutter);
+            let edit = TextEdit::multiline(&mut file.text)
+                .id(id)
+                .font(FontSelection::FontId(font.clone()))
+                .code_editor()
+                .interactive(!file.locked)
+                .frame(Frame::NONE)
+                .margin(Margin::ZERO)
+                .desired_width(f32::INFINITY)
+                .min_size(vec2(room.x - gutter, room.y))
+                .layouter(&mut layouter);
+            let output = edit.show(ui);
+            exported::note(ui, &output.response, "editor", Role::Text, &file.name, lines);
+            if let Some(line) = jump {
+                output.response.request_focus();
+                let place = row_rect(&output, line);
+                ui.scroll_to_rect(place, Some(Align::Center));
+            }
+            numbers(ui, &output, marks, gutter, id);
+        });
+    });
+}
+
+/// Puts the text's cursor at the beginning of a line, and selects it, so that it is seen.
+fn put_cursor(ui: &Ui, id: Id, text: &str, line: u32) {
+    let before: usize =
+        text.split_inclusive('\n').take(line.saturating_sub(1) as usize).map(|l| l.chars().count()).sum();
+    let length = text.lines().nth(line.saturating_sub(1) as usize).map_or(0, |line| line.chars().count());
+    let mut state = TextEditState::load(ui.ctx(), id).unwrap_or_default();
+    state.cursor.set_char_range(Some(CCursorRange::two(CCursor::new(before), CCursor::new(before + length))));
+    state.store(ui.ctx(), id);
+}
+
+/// Where a line (from 1) lies in the window.
+fn row_rect(output: &TextEditOutput, line: u32) -> Rect {
+    let row = rows(output).nth(line.saturating_sub(1) as usize);
+    row.unwrap_or(Rect::from_min_size(output.galley_pos, vec2(1.0, 14.0)))
+}
+
+/// Where the lines lie in the window: none is wrapped, so each is a row.
+fn rows(output: &TextEditOutput) -> impl Iterator<Item = Rect> + '_ {
+    output.galley.rows.iter().map(|row| row.rect().translate(output.galley_pos.to_vec2()))
+}
+
+/// The numbers at the left edge of what is seen, however far the text is scrolled; marks and what they say.
+fn numbers(ui: &Ui, output: &TextEditOutput, marks: &[Mark], gutter: f32, id: Id) {
+    let clip = ui.clip_rect();
+    let painter = ui.painter();
+    let left = clip.left();
+    let ground = Rect::from_min_max(pos2(left, clip.top()), pos2(left + gutter - 2.0, clip.bottom()));
+    painter.rect_filled(ground, 0.0, ui.visuals().extreme_bg_color);
+    let font = TextStyle::Monospace.resolve(ui.style());
+    for (index, row) in rows(output).enumerate() {
+        if row.bottom() < clip.top() || row.top() > clip.bottom() {
+            continue;
+        }
+        let line = index as u32 + 1;
+        let of_line: Vec<&Mark> = marks.iter().filter(|mark| mark.line == line).collect();
+        let worst = of_line.iter().map(|mark| mark.kind).max();
+        let color = worst.map_or(ui.visuals().weak_text_color(), |kind| tint(kind).of(ui));
+        let right = left + gutter - GAP;
+        painter.text(pos2(right, row.center().y), egui::Align2::RIGHT_CENTER, line.to_string(), font.clone(), color);
+        if worst.is_none() {
+            continue;
+        }
+        let mark = Rect::from_min_size(pos2(left, row.top()), vec2(MARK_WIDTH, row.height()));
+        painter.rect_filled(mark, 1.0, color);
+        let whole = Rect::from_min_max(pos2(left, row.top()), pos2(clip.right(), row.bottom()));
+        painter.rect_filled(whole, 0.0, color.gamma_multiply(0.13));
+        let said: Vec<&str> = of_line.iter().map(|mark| mark.text.as_str()).collect();
+        let place = Rect::from_min_max(pos2(left, row.top()), pos2(left + gutter, row.bottom()));
+        ui.interact(place, id.with(("mark", line)), Sense::hover()).on_hover_text(said.join("\n\n"));
+    }
+    let edge = Pos2::new(left + gutter - 4.0, clip.top());
+    painter.vline(edge.x, clip.y_range(), ui.visuals().widgets.noninteractive.bg_stroke);
+}
+
+/// The colour of a mark.
+fn tint(kind: MarkKind) -> colors::Tint {
+    match kind {
+        MarkKind::Error => colors::ERROR,
+        MarkKind::Mistake | MarkKind::Warning => colors::WARNING,
+    }
+}
+
+/// How much room the list below the text takes: as much as it needs, within reason.
+fn messages_height(ui: &Ui, marks: &[Mark], work: &Work) -> f32 {
+    let count = marks.len().min(MOST_LISTED) + usize::from(work.program.unusable.is_some());
+    if count == 0 { 0.0 } else { (16.0 + 40.0 * count as f32).min(0.32 * ui.available_height()) }
+}
+
+/// What was said of this file's lines; a click goes there.
+fn messages(ui: &mut Ui, work: &mut Work, marks: &[Mark]) {
+    if marks.is_empty() && work.program.unusable.is_none() {
+        return;
+    }
+    ScrollArea::vertical().id_salt("said of lines").auto_shrink([false, false]).show(ui, |ui| {
+        ui.spacing_mut().item_spacing.y = 3.0;
+        if let Some(why) = &work.program.unusable {
+            said(ui, icons::WARNING_CIRCLE, colors::ERROR.of(ui), why);
+        }
+        let mut wanted = None;
+        for (index, mark) in marks.iter().take(MOST_LISTED).enumerate() {
+            let icon = if mark.kind == MarkKind::Error { icons::WARNING_CIRCLE } else { icons::WARNING };
+            let line = said(ui, icon, tint(mark.kind).of(ui), &format!("Line {}: {}", mark.line, mark.text));
+            exported::note(ui, &line, &format!("said-{index}"), Role::Button, &mark.text, mark.line);
+            if line.on_hover_cursor(egui::CursorIcon::PointingHand).clicked() {
+                wanted = Some(mark.line);
+            }
+        }
+        if marks.len() > MOST_LISTED {
+            ui.label(RichText::new(format!("and {} more", marks.len() - MOST_LISTED)).small().weak());
+        }
+        if let Some(line) = wanted {
+            work.jump = Some((work.current, line));
+        }
+    });
+}
+
+fn said(ui: &mut Ui, icon: &str, color: Color32, text: &str) -> egui::Response {
+    ui.horizontal_top(|ui| {
+        ui.label(RichText::new(icon).font(theme::icon_font(15.0)).color(color));
+        ui.add(Label::new(text).wrap().sense(Sense::click()))
+    })
+    .inner
+}
+
+/// Whether there is a step back and one forth in a file, and those steps.
+pub fn step(ctx: &egui::Context, file: &mut OpenFile, forth: bool) -> bool {
+    let id = file.id();
+    let Some(mut state) = TextEditState::load(ctx, id).filter(|_| !file.locked) else { return false };
+    let range = state.cursor.char_range().unwrap_or_default();
+    let now = (range, file.text.clone());
+    let mut undoer = state.undoer();
+    let then = if forth { undoer.redo(&now) } else { undoer.undo(&now) };
+    let Some((range, text)) = then.cloned() else { return false };
+    file.text = text;
+    state.cursor.set_char_range(Some(range));
+    state.set_undoer(undoer);
+    state.store(ctx, id);
+    true
+}
+
+/// Remembers the text as it is, for a step back, before it becomes another one by no hand of the person's.
+pub fn remember(ctx: &egui::Context, file: &OpenFile) {
+    let id = file.id();
+    let mut state = TextEditState::load(ctx, id).unwrap_or_default();
+    let range = state.cursor.char_range().unwrap_or_default();
+    let mut undoer = state.undoer();
+    undoer.add_undo(&(range, file.text.clone()));
+    state.set_undoer(undoer);
+    state.store(ctx, id);
+}
+
+/// Lets the keys go to another field.
+pub fn let_go(ctx: &egui::Context, work: &Work) {
+    if let Some(file) = work.files.get(work.current) {
+        ctx.memory_mut(|memory| memory.surrender_focus(file.id()));
+    }
+}
+
+/// Whether there is a step back, and whether there is one forth.
+pub fn can_step(ctx: &egui::Context, file: &OpenFile) -> [bool; 2] {
+    let Some(state) = TextEditState::load(ctx, file.id()).filter(|_| !file.locked) else { return [false; 2] };
+    let now = (state.cursor.char_range().unwrap_or_default(), file.text.clone());
+    let undoer = state.undoer();
+    [undoer.has_undo(&now), undoer.has_redo(&now)]
+}

@@ -1,0 +1,215 @@
+//! A student's own files, put in place of those that are open. What was open stays whole, and can be put back.
+
+use super::work::{OpenFile, Work};
+use crate::files::ExerciseFile;
+use gonio_lab::live::{self, Use};
+use gonio_lab::submission::SourceFile;
+
+/// Files that were open together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FileSet {
+    /// With what was written in them.
+    pub files: Vec<OpenFile>,
+    /// The one in the editor.
+    pub current: usize,
+}
+
+/// What came of files that were given.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct ReplaceOutcome {
+    /// What is open now, for those who hear the screen; nothing where nothing was taken.
+    pub announcement: Option<String>,
+    /// What was left aside, and why: one sentence.
+    pub aside: Option<String>,
+}
+
+impl Work {
+    /// Puts files in place of those that are for the same: see [`live::handed`].
+    pub fn take(&mut self, given: Vec<ExerciseFile>) -> ReplaceOutcome {
+        let sources: Vec<SourceFile> =
+            given.iter().map(|file| SourceFile::new(file.name.clone(), file.bytes.clone())).collect();
+        let handed = live::handed(self.exercise, &sources);
+        let taken: Vec<(&SourceFile, Use)> =
+            handed.taken.iter().filter_map(|(index, of_file)| Some((sources.get(*index)?, *of_file))).collect();
+        if taken.is_empty() {
+            return ReplaceOutcome { announcement: None, aside: handed.aside };
+        }
+        let is_open = |file: &ExerciseFile| self.files.iter().position(|open| open.is_same(file));
+        let all: Option<Vec<usize>> =
+            handed.taken.iter().map(|(index, _)| given.get(*index).and_then(is_open)).collect();
+        let names: Vec<&str> = taken.iter().map(|(file, _)| file.name.as_str()).collect();
+        if let Some(&first) = all.as_ref().and_then(|all| all.first()) {
+            // Nothing is to be put away for what is there already.
+            self.current = first;
+            return ReplaceOutcome { announcement: Some(format!("{} is open", listed(&names))), aside: handed.aside };
+        }
+        let mut kept = Vec::new();
+        let mut away = Vec::new();
+        let open: Vec<&str> = self.files.iter().map(|file| file.name.as_str()).collect();
+        for file in &self.files {
+            let source = SourceFile::new(file.name.clone(), file.content());
+            if live::makes_way(self.exercise, &source, &taken, &open) { &mut away } else { &mut kept }
+                .push(file.clone());
+        }
+        let place = match away.as_slice() {
+            [] => String::new(),
+            away => format!(" in place of {}", listed(&away.iter().map(|file| file.name.as_str()).collect::<Vec<_>>())),
+        };
+        let announcement = format!("{} is open{place}", listed(&names));
+        let uses: Vec<Use> = taken.iter().map(|(_, of_file)| *of_file).collect();
+        let numbers: Vec<usize> = handed.taken.iter().map(|(index, _)| *index).collect();
+        self.sets += 1;
+        let first_new = kept.len();
+        let mut files = kept;
+        for (index, file) in given.into_iter().enumerate().filter(|(index, _)| numbers.contains(index)) {
+            files.push(OpenFile::new(self.exercise, file, (self.sets, index)).shown());
+        }
+        // The fragment shader is what is written at most.
+        let fragment = uses.iter().position(|of_file| of_file.fragment).unwrap_or(0);
+        self.replace(FileSet { files, current: first_new + fragment });
+        ReplaceOutcome { announcement: Some(announcement), aside: handed.aside }
+    }
+
+    /// Begins again with the files to start from.
+    pub fn begin_again(&mut self) {
+        self.sets += 1;
+        let mut files = Work::start_files(self.exercise, self.sets);
+        // Whoever begins again does not want a draft.
+        files.iter_mut().for_each(|file| file.draft_was_asked = true);
+        let current = Work::first_shown(self.exercise, &files);
+        self.replace(FileSet { files, current });
+    }
+
+    /// Puts the files back that were open before these; these are then those before, and nothing of them is lost.
+    pub fn put_back(&mut self) {
+        let Some(set) = self.before.pop() else { return };
+        let now = self.exchange(set);
+        self.before.insert(0, now);
+    }
+
+    /// Whether something was written and not saved in files that were open before.
+    pub fn has_unsaved_before(&self) -> bool {
+        self.before.iter().any(|set| set.files.iter().any(OpenFile::is_changed))
+    }
+
+    fn replace(&mut self, set: FileSet) {
+        let now = self.exchange(set);
+        // Twice the same is no help to who wants one of them back.
+        self.before.retain(|set| set.files != now.files);
+        self.before.push(now);
+    }
+
+    fn exchange(&mut self, set: FileSet) -> FileSet {
+        let files = std::mem::replace(&mut self.files, set.files);
+        let current = std::mem::replace(&mut self.current, set.current);
+        self.jump = None;
+        FileSet { files, current }
+    }
+}
+
+impl FileSet {
+    /// What is in it and not in `files`, by their names.
+    pub fn names_beside(&self, files: &[OpenFile]) -> String {
+        let is_there = |file: &OpenFile| files.iter().any(|other| other.id() == file.id());
+        listed(&self.files.iter().filter(|file| !is_there(file)).map(|file| file.name.as_str()).collect::<Vec<_>>())
+    }
+}
+
+/// Most names that are said.
+const MOST: usize = 4;
+
+/// Names as one says them.
+pub(super) fn listed(names: &[&str]) -> String {
+    match names {
+        [] => "nothing".to_owned(),
+        [one] => (*one).to_owned(),
+        [first @ .., last] if names.len() <= MOST => format!("{} and {last}", first.join(", ")),
+        several => {
+            let first: Vec<&str> = several.iter().take(MOST - 1).copied().collect();
+            format!("{} and {} more", first.join(", "), several.len() - first.len())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use gonio_lab::exercise;
+
+    const FRAGMENT: &str = "out vec4 FragColor;\nvoid main() { FragColor = vec4(1.0); }\n";
+
+    fn given(name: &str, text: &str) -> ExerciseFile {
+        ExerciseFile { name: name.into(), path: None, bytes: text.into() }
+    }
+
+    fn shown(work: &Work) -> Vec<&str> {
+        work.files.iter().filter(|file| file.is_shown()).map(|file| file.name.as_str()).collect()
+    }
+
+    #[test]
+    fn what_was_written_comes_back_however_often_files_are_given() {
+        let mut work = Work::new(exercise::find("ex04").unwrap(), Vec::new());
+        work.files[work.current].text = "what I wrote".into();
+        let taken = work.take(vec![given("light.txt", FRAGMENT), given("notes.txt", "to do")]);
+        assert_eq!(taken.announcement.as_deref(), Some("light.txt is open in place of start.frag"));
+        assert!(taken.aside.unwrap().contains("no shader in notes.txt"));
+        assert_eq!((shown(&work), work.current), (vec!["start.vert", "light.txt"], work.files.len() - 1));
+        assert!(!work.is_changed() && work.has_unsaved_before());
+        assert_eq!(work.before[0].names_beside(&work.files), "start.frag");
+        work.files[work.current].text = "more".into();
+        work.take(vec![given("start.frag", FRAGMENT)]);
+        // Two sets before this one: each comes, and then this one again.
+        let mut seen = Vec::new();
+        for _ in 0..3 {
+            work.put_back();
+            seen.push(work.files[work.current].text.clone());
+        }
+        assert_eq!(seen, ["more", "what I wrote", FRAGMENT]);
+        assert_eq!(work.before.len(), 2);
+    }
+
+    #[test]
+    fn what_is_open_already_is_shown_and_nothing_is_put_away() {
+        let mut work = Work::new(exercise::find("ex04").unwrap(), Vec::new());
+        let vertex = work.file_named("start.vert").unwrap();
+        let same = given("start.vert", &work.files[vertex].text);
+        assert_eq!(work.take(vec![same]).announcement.as_deref(), Some("start.vert is open"));
+        assert_eq!((work.current, work.before.len()), (vertex, 0));
+    }
+
+    #[test]
+    fn what_is_nothing_for_the_exercise_changes_nothing() {
+        let mut work = Work::new(exercise::find("ex04").unwrap(), Vec::new());
+        let before = work.files.clone();
+        let taken = work.take(vec![given("photo.png", "PNG\0")]);
+        assert_eq!(taken.announcement, None);
+        assert!(taken.aside.unwrap().contains("photo.png is nothing that ex04 reads"));
+        assert!(work.files == before && work.before.is_empty());
+    }
+
+    #[test]
+    fn one_begins_again_and_has_what_was_before() {
+        let mut work = Work::new(exercise::find("ex03").unwrap(), Vec::new());
+        let text = work.files[work.current].text.clone();
+        work.files[work.current].text = "mine".into();
+        let id = work.files[work.current].id();
+        work.begin_again();
+        assert_eq!(work.files[work.current].text, text);
+        assert_ne!(work.files[work.current].id(), id, "its undo is its own");
+        work.put_back();
+        assert_eq!((work.files[work.current].text.as_str(), work.files[work.current].id()), ("mine", id));
+    }
+
+    #[test]
+    fn names_are_said_as_one_says_them() {
+        for (names, said) in [
+            (&["a"][..], "a"),
+            (&["a", "b"], "a and b"),
+            (&["a", "b", "c", "d"], "a, b, c and d"),
+            (&["a", "b", "c", "d", "e"], "a, b, c and 2 more"),
+        ] {
+            assert_eq!(listed(names), said);
+        }
+    }
+}

@@ -1,0 +1,396 @@
+//! The laboratory in the window: an exercise's text, the student's files in an editor, their picture beside the right answer's,
+//! and what the checker says.
+//!
+//! | file | what |
+//! |---|---|
+//! | `work` | what is worked on: plain data |
+//! | `taking` | a student's own files, in place of those that are open |
+//! | `compiler` | what is done with it: files read and saved, pairs compiled, checks begun and heard |
+//! | `trials` | shaders tried outside of the window before its OpenGL gets them |
+//! | `drafts` | unsaved text, kept for the next window |
+//! | `drawing` | the pictures |
+//! | `editor`, `highlight` | the files' texts |
+//! | `bar`, `list`, `pictures` | the bar at the top, the exercises, the pictures and their settings |
+//! | `markdown`, `figure`, `verdict`, `given` | the pages beside: the text and its figures, the verdict, the variables |
+//! | `told` | its part of the exported state |
+//!
+//! It is apart from the scene and its document: entering and leaving it leaves them as they are.
+
+mod compiler;
+mod drafts;
+mod editor;
+mod figure;
+mod file_sets;
+mod highlight;
+mod list;
+mod markdown;
+mod pictures;
+mod preview;
+mod start;
+mod state_json;
+mod toolbar;
+mod trials;
+mod variables;
+mod verdict;
+mod work;
+
+pub use drafts::MOST_AGE as MOST_AGE_OF_DRAFTS;
+pub use file_sets::{FileSet, ReplaceOutcome};
+pub use preview::Picture;
+pub use start::Start;
+pub use work::{Judged, Mark, MarkKind, OpenFile, Page, PictureMode, ProgramFacts, Work};
+
+use crate::action::Action;
+use crate::exported::{self, Role};
+use crate::files::ExerciseFile;
+use crate::platform::Platform;
+use crate::scene_view::drawing::PaneRenderer;
+use crate::theme::colors;
+use compiler::Compiler;
+use drafts::Drafts;
+use egui::{Frame, Margin, Panel, ScrollArea, Ui};
+
+/// Below this width (points) everything lies one above the other: a phone held upright.
+const NARROW: f32 = 720.0;
+
+/// What a person asks for in the laboratory.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Command {
+    /// Begin an exercise: its word.
+    Begin(String),
+    /// The list of exercises.
+    List,
+    /// Back to the scene.
+    Leave,
+    /// Check what is in the editor.
+    Check,
+    /// No longer wait for the check.
+    StopChecking,
+    /// Open files in place of these.
+    Open,
+    /// The files that were open before these.
+    PutBack,
+    /// The files to start from in place of these.
+    BeginAgain,
+    /// The files to start from, handed out as they are.
+    StartFiles,
+    /// Save the files that were changed.
+    Save,
+    /// Save the files that are in memory into this folder.
+    SaveInto(String),
+    /// A step back in the current file.
+    Undo,
+    /// A step forth in the current file.
+    Redo,
+    /// The current file as it is on the disk.
+    TakeOther(usize),
+    /// The file as it is in the editor, also on the disk.
+    KeepMine(usize),
+    /// The saved texts in place of the drafts that were restored.
+    DiscardRestored,
+    /// The drafts stay; the note about them goes.
+    KeepRestored,
+    /// Light or dark.
+    Theme,
+}
+
+/// The laboratory.
+#[derive(Default)]
+pub struct ExerciseView {
+    /// Whether it is shown in place of the scene.
+    pub is_open: bool,
+    /// What is worked on.
+    pub work: Option<Work>,
+    /// Other exercises that were begun, with everything that was written there.
+    aside: Vec<Work>,
+    /// The list of exercises is shown, and not what is worked on.
+    is_listing: bool,
+    compiler: Compiler,
+    drafts: Drafts,
+}
+
+impl ExerciseView {
+    /// Begins an exercise with these files; without any, goes on where it was left, or begins with the files to start from. A
+    /// word that names none is one sentence.
+    pub fn begin(&mut self, start: Start) -> Result<(), String> {
+        let exercise = gonio_lab::exercise::find(&start.exercise)
+            .ok_or_else(|| format!("there is no exercise `{}`; the list names them all", start.exercise))?;
+        (self.is_open, self.is_listing) = (true, false);
+        if start.files.is_empty() && self.work.as_ref().is_some_and(|work| work.exercise.id == exercise.id) {
+            return Ok(());
+        }
+        let known = self.aside.iter().position(|work| start.files.is_empty() && work.exercise.id == exercise.id);
+        let next = match known {
+            Some(index) => self.aside.remove(index).resumed(),
+            None => Work::new(exercise, start.files),
+        };
+        self.compiler = Compiler::default();
+        self.aside.extend(self.work.replace(next));
+        Ok(())
+    }
+
+    /// Shows the list of exercises; what is worked on stays as it is.
+    pub fn list(&mut self) {
+        (self.is_open, self.is_listing) = (true, true);
+    }
+
+    /// Everything that was begun.
+    pub fn works(&self) -> impl Iterator<Item = &Work> {
+        self.work.iter().chain(&self.aside)
+    }
+
+    /// Puts text that an earlier window left unsaved into the files that are open now. Gives sentences for what went wrong.
+    pub fn restore_drafts(&mut self, ctx: &egui::Context, platform: &mut dyn Platform) -> Vec<String> {
+        self.work.as_mut().map_or_else(Vec::new, |work| self.drafts.restore(ctx, work, platform))
+    }
+
+    /// Keeps unsaved text for the next window, a moment after it was typed: to be called in every frame.
+    pub fn follow_drafts(&mut self, ctx: &egui::Context, platform: &mut dyn Platform) -> Vec<String> {
+        self.drafts.follow(ctx, self.work.iter().chain(&self.aside), platform)
+    }
+
+    /// Keeps unsaved text for the next window now.
+    pub fn flush_drafts(&mut self, platform: &mut dyn Platform) -> Vec<String> {
+        self.drafts.flush(self.work.iter().chain(&self.aside), platform)
+    }
+
+    /// How many drafts are kept.
+    pub fn drafts(&self) -> usize {
+        self.drafts.count()
+    }
+
+    /// Files on the disk that are to be watched.
+    pub fn paths(&self) -> Vec<std::path::PathBuf> {
+        self.works().flat_map(|work| work.files.iter().filter_map(|file| file.path.clone())).collect()
+    }
+
+    /// Puts a student's own files in place of those that are for the same.
+    pub fn take(&mut self, files: Vec<ExerciseFile>) -> ReplaceOutcome {
+        match self.work.as_mut().filter(|_| !self.is_listing) {
+            Some(work) => {
+                let taken = work.take(files);
+                self.compiler.begin_anew();
+                taken
+            }
+            None => {
+                let aside = "choose the exercise first that your files are for, and then give them again";
+                ReplaceOutcome { announcement: None, aside: Some(aside.to_owned()) }
+            }
+        }
+    }
+
+    /// Its part of the state: see [`exported::state`].
+    pub fn state(&self) -> serde_json::Value {
+        state_json::build(self)
+    }
+
+    /// Forgets what lay on the GPU: its context is gone, or will be.
+    pub fn release(&mut self) {
+        self.compiler.release();
+    }
+
+    /// A picture's pixels as they were drawn last, for tests: RGBA, the top row first, and how many columns and rows.
+    pub fn pixels(&self, picture: Picture) -> Option<(Vec<u8>, [u32; 2])> {
+        self.compiler.preview()?.pixels(picture)
+    }
+
+    /// How many pictures were drawn since it was begun.
+    pub fn pictures(&self) -> u64 {
+        self.compiler.preview().map_or(0, |preview| preview.pictures)
+    }
+
+    /// One frame of it, in all the room there is. Sentences that are to be said come back as errors.
+    pub fn ui(
+        &mut self,
+        ui: &mut Ui,
+        pane_renderer: Option<&mut PaneRenderer>,
+        platform: &mut dyn Platform,
+        actions: &mut Vec<Action>,
+    ) -> Vec<String> {
+        let mut said = Vec::new();
+        let mut commands = Vec::new();
+        let ctx = ui.ctx().clone();
+        let work = self.work.as_mut().filter(|_| !self.is_listing);
+        toolbar::keys(ui, work.as_deref(), &mut commands);
+        let Some(work) = work else {
+            toolbar::show(ui, None, &mut commands);
+            let begun: Vec<&Work> = self.works().collect();
+            list::show(ui, &begun, &mut commands);
+            self.apply(&ctx, commands, platform, actions, &mut said);
+            return said;
+        };
+        let seconds = ctx.input(|i| f64::from(i.stable_dt));
+        work.clock.advance(seconds);
+        self.compiler.follow(&ctx, work, pane_renderer.as_deref(), platform, &mut said);
+        toolbar::show(ui, Some(work), &mut commands);
+        let drawn = if ui.available_width() < NARROW {
+            narrow(ui, work, self.compiler.preview_mut(), pane_renderer, &mut commands)
+        } else {
+            wide(ui, work, self.compiler.preview_mut(), pane_renderer, &mut commands)
+        };
+        if let Err(why) = drawn {
+            said.push(why.to_string());
+        }
+        if work.clock.playing {
+            ctx.request_repaint();
+        }
+        self.apply(&ctx, commands, platform, actions, &mut said);
+        said
+    }
+
+    /// Does what was asked for.
+    fn apply(
+        &mut self,
+        ctx: &egui::Context,
+        commands: Vec<Command>,
+        platform: &mut dyn Platform,
+        actions: &mut Vec<Action>,
+        said: &mut Vec<String>,
+    ) {
+        for command in commands {
+            ctx.request_repaint();
+            match command {
+                Command::Begin(exercise) => actions.push(Action::StartExercise(exercise)),
+                Command::List => actions.push(Action::ListExercises),
+                Command::Open => {
+                    // Where a path is asked for, that is what is written next.
+                    self.work.as_ref().inspect(|work| editor::let_go(ctx, work));
+                    actions.push(Action::ChooseFiles);
+                }
+                Command::Leave => self.is_open = false,
+                Command::Theme => actions.push(Action::ToggleTheme),
+                other => {
+                    if let Some(work) = &mut self.work {
+                        self.compiler.apply(ctx, work, other, platform, said);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Files on the disk were changed by another program.
+    pub fn changed(&mut self, ctx: &egui::Context, paths: &[std::path::PathBuf]) -> Vec<String> {
+        let works = self.work.iter_mut().chain(&mut self.aside);
+        works.flat_map(|work| compiler::read_again(ctx, work, paths)).collect()
+    }
+}
+
+type Drawn = Result<(), gonio_gl::GlError>;
+
+/// The editor at the left, the picture above a page at the right.
+fn wide(
+    ui: &mut Ui,
+    work: &mut Work,
+    preview: Option<&mut preview::Preview>,
+    pane_renderer: Option<&mut PaneRenderer>,
+    commands: &mut Vec<Command>,
+) -> Drawn {
+    if work.page == Page::Editor {
+        work.page = Page::Text;
+    }
+    let inside = Frame::NONE.inner_margin(Margin::symmetric(10, 6));
+    let width = 0.48 * ui.available_width();
+    Panel::left("laboratory files").frame(inside).default_size(width).size_range(280.0..=1200.0).show(ui, |ui| {
+        edit(ui, work, commands);
+    });
+    let height = 0.5 * ui.available_height();
+    let page = Panel::bottom("laboratory page").frame(inside).default_size(height).size_range(120.0..=1200.0);
+    page.resizable(true).show(ui, |ui| {
+        pages(ui, work, &[Page::Text, Page::Verdict, Page::Variables]);
+        page_of(ui, work, commands);
+    });
+    egui::CentralPanel::no_frame().show(ui, |ui| pictures::show(ui, work, preview, pane_renderer)).inner
+}
+
+/// The picture above, and one page below.
+fn narrow(
+    ui: &mut Ui,
+    work: &mut Work,
+    preview: Option<&mut preview::Preview>,
+    pane_renderer: Option<&mut PaneRenderer>,
+    commands: &mut Vec<Command>,
+) -> Drawn {
+    let height = (0.36 * ui.available_height()).max(120.0);
+    let drawn = Panel::top("laboratory picture").frame(Frame::NONE).exact_size(height).resizable(false);
+    let drawn = drawn.show(ui, |ui| pictures::show(ui, work, preview, pane_renderer)).inner;
+    let inside = Frame::NONE.inner_margin(Margin::symmetric(10, 6));
+    egui::CentralPanel::default().frame(inside).show(ui, |ui| {
+        pages(ui, work, &[Page::Editor, Page::Text, Page::Verdict, Page::Variables]);
+        if work.page == Page::Editor {
+            edit(ui, work, commands);
+        } else {
+            page_of(ui, work, commands);
+        }
+    });
+    drawn
+}
+
+fn edit(ui: &mut Ui, work: &mut Work, commands: &mut Vec<Command>) {
+    match editor::show(ui, work) {
+        Some(editor::Asked::TakeOther(file)) => commands.push(Command::TakeOther(file)),
+        Some(editor::Asked::KeepMine(file)) => commands.push(Command::KeepMine(file)),
+        Some(editor::Asked::PutBack) => commands.push(Command::PutBack),
+        Some(editor::Asked::DiscardRestored) => commands.push(Command::DiscardRestored),
+        Some(editor::Asked::KeepRestored) => commands.push(Command::KeepRestored),
+        None => {}
+    }
+}
+
+/// The names of the pages, of which one is shown.
+fn pages(ui: &mut Ui, work: &mut Work, pages: &[Page]) {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        for &page in pages {
+            let (name, id) = match page {
+                Page::Editor => ("Files", "files"),
+                Page::Text => ("Exercise", "text"),
+                Page::Verdict => ("Verdict", "verdict"),
+                Page::Variables => ("Variables", "variables"),
+            };
+            let chosen = work.page == page;
+            let mut text = egui::RichText::new(name);
+            if chosen {
+                text = text.color(colors::ACCENT.of(ui));
+            }
+            let button = ui.add(egui::Button::new(text).selected(chosen).frame_when_inactive(false));
+            exported::note(ui, &button, &format!("page-{id}"), Role::Tab, name, chosen);
+            if button.clicked() {
+                work.page = page;
+            }
+        }
+    });
+    ui.separator();
+}
+
+fn page_of(ui: &mut Ui, work: &mut Work, commands: &mut Vec<Command>) {
+    let salt = (work.exercise.id.as_str(), work.page as u8);
+    ScrollArea::vertical().id_salt(salt).auto_shrink([false, false]).show(ui, |ui| match work.page {
+        Page::Text | Page::Editor => {
+            markdown::show(ui, work.exercise);
+            start_files(ui, work, commands);
+        }
+        Page::Verdict => verdict::show(ui, work, commands),
+        Page::Variables => variables::show(ui, work),
+    });
+}
+
+/// The files to start from, to be had again.
+fn start_files(ui: &mut Ui, work: &Work, commands: &mut Vec<Command>) {
+    ui.horizontal_wrapped(|ui| {
+        let mut button = |id: &str, label: &str, tip: &str, command: Command| {
+            let button = ui.button(label);
+            exported::note(ui, &button, id, Role::Button, label, "");
+            if button.on_hover_text(tip).clicked() {
+                commands.push(command);
+            }
+        };
+        let tip = "The files to start from in place of those that are open, which can be put back";
+        button("begin-again", "Begin again", tip, Command::BeginAgain);
+        if work.downloads {
+            let label = format!("Download {}.zip", work.exercise.id);
+            let tip = "This text, its figures and the files to start from, as they are";
+            button("start-files", &label, tip, Command::StartFiles);
+        }
+    });
+    ui.add_space(40.0);
+}

@@ -1,0 +1,243 @@
+//! The pictures beside the editor: which of them, in which scene, seen from where.
+
+use super::preview::{Picture, Preview, situations};
+use super::work::{PictureMode, Work};
+use crate::exported::{self, Role};
+use crate::scene_view::drawing::PaneRenderer;
+use crate::scene_view::{navigation, picture_size, present};
+use crate::theme::icons;
+use crate::widgets;
+use egui::{Align2, Color32, CornerRadius, Label, Rect, RichText, Sense, TextStyle, Ui, pos2, vec2};
+use gonio_gl::GlError;
+use gonio_lab::exercise::Kind;
+
+/// What captions stand on, over any picture.
+const GROUND: Color32 = Color32::from_black_alpha(150);
+/// Below this width (points) the scenes have a row of their own.
+const NARROW: f32 = 480.0;
+const INK: Color32 = Color32::from_gray(0xf2);
+
+/// Shows them in all the room there is.
+pub fn show(
+    ui: &mut Ui,
+    work: &mut Work,
+    preview: Option<&mut Preview>,
+    pane_renderer: Option<&mut PaneRenderer>,
+) -> Result<(), GlError> {
+    let whole = ui.available_rect_before_wrap();
+    ui.painter().rect_filled(whole, 0.0, ui.visuals().extreme_bg_color);
+    if work.exercise.kind != Kind::Shaders {
+        sentence(ui, whole, without_picture(work.exercise.kind));
+        return Ok(());
+    }
+    let (Some(preview), Some(pane_renderer)) = (preview, pane_renderer) else {
+        sentence(ui, whole, "There is no OpenGL here, so nothing is drawn.");
+        return Ok(());
+    };
+    settings(ui, work, preview);
+    let room = ui.available_rect_before_wrap();
+    let pictures = work.shown.pictures();
+    for (index, &picture) in pictures.iter().enumerate() {
+        let rect = part(room, index, pictures.len(), ui.ctx().pixels_per_point());
+        let size = picture_size(rect, ui.ctx().pixels_per_point());
+        let response = ui.allocate_rect(rect, Sense::click_and_drag());
+        let name = caption(picture);
+        exported::note(ui, &response, &format!("picture-{}", widgets::slug(name)), Role::Picture, name, "");
+        steer(ui, &response, work);
+        match preview.picture(picture, work, size, pane_renderer)? {
+            Some(shown) => present(ui, rect, shown),
+            None => sentence(ui, rect, nothing_yet(picture, work)),
+        }
+        if pictures.len() > 1 {
+            written(ui, rect, Align2::LEFT_BOTTOM, name, GROUND);
+        }
+        if picture == Picture::Yours && index == 0 {
+            let seen = situations(work, size);
+            if let (Some(pair), Some((_, first))) = (preview.pair(), seen.first()) {
+                work.program.variables = pair.given(first);
+            }
+        }
+    }
+    over(ui, room, work);
+    Ok(())
+}
+
+/// What is said over the pictures: that an older program is seen, that a newer one is being tested.
+fn over(ui: &Ui, room: Rect, work: &Work) {
+    let text = if work.program.is_trial_slow {
+        "The new program is tested in a process of its own before it is drawn"
+    } else if work.program.is_old {
+        "The last program that worked is shown"
+    } else {
+        return;
+    };
+    let rect = written(ui, room, Align2::CENTER_TOP, text, Color32::from_rgb(0x8a, 0x4b, 0x00));
+    let response = ui.interact(rect, ui.scope_id().with("older program"), Sense::hover());
+    exported::note(ui, &response, "older-program", Role::Text, text, "");
+}
+
+fn caption(picture: Picture) -> &'static str {
+    match picture {
+        Picture::Yours => "Yours",
+        Picture::Reference => "Reference",
+        Picture::Difference => "Difference",
+    }
+}
+
+fn nothing_yet(picture: Picture, work: &Work) -> &'static str {
+    match picture {
+        Picture::Yours if work.program.is_tried => "",
+        Picture::Yours if work.program.unusable.is_some() => "Your program is not drawn: the reason is below the text.",
+        Picture::Yours => "Your program does not compile yet: what is wrong stands below the text.",
+        Picture::Reference => "This exercise has no picture of its own.",
+        Picture::Difference => "There is no difference to be seen before your program compiles.",
+    }
+}
+
+fn without_picture(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Buffers => {
+            "Your program, in any language, writes a vertex buffer as .csv, .json or raw floats (.bin). Drop that file here, \
+             and press Check: it says which triangles are wrong and why."
+        }
+        Kind::HostProgram => {
+            "This exercise's program is a list of OpenGL calls. Mend the text, and press Check: gonio carries it out call by \
+             call. `gonio lab check ex11 FILE.txt` does the same on the command line."
+        }
+        Kind::Shaders | Kind::Faces => {
+            "Six faces are the answer here. Write the shader that draws them, or drop the six pictures that your own \
+             program made, and press Check."
+        }
+    }
+}
+
+/// Which pictures, which scene, and whether time runs.
+fn settings(ui: &mut Ui, work: &mut Work, preview: &Preview) {
+    let narrow = ui.available_width() < NARROW;
+    ui.add_space(4.0);
+    let which = |ui: &mut Ui, work: &mut Work| {
+        if preview.has_reference() {
+            let options = [
+                (PictureMode::Yours, "yours", "What your program draws"),
+                (PictureMode::Reference, "reference", "What the right answer draws"),
+                (PictureMode::Both, "both", "Both side by side"),
+                (PictureMode::Difference, "difference", "Where they differ: dark is the same"),
+            ];
+            widgets::choice(ui, "shown", "Picture", &mut work.shown, &options, PictureMode::default());
+        }
+    };
+    let row = |ui: &mut Ui, content: &mut dyn FnMut(&mut Ui)| {
+        ui.horizontal(|ui| {
+            ui.add_space(6.0);
+            ui.spacing_mut().item_spacing.x = 6.0;
+            content(ui);
+        });
+    };
+    if narrow {
+        row(ui, &mut |ui| which(ui, work));
+        row(ui, &mut |ui| scene_and_time(ui, work));
+    } else {
+        row(ui, &mut |ui| {
+            which(ui, work);
+            ui.separator();
+            scene_and_time(ui, work);
+        });
+    }
+    ui.add_space(2.0);
+}
+
+fn scene_and_time(ui: &mut Ui, work: &mut Work) {
+    if work.scenes.len() > 1 {
+        let mut scene = work.scene;
+        let options: Vec<(usize, &str, &str)> =
+            work.scenes.iter().enumerate().map(|(index, scene)| (index, scene.name, scene.shows)).collect();
+        if widgets::choice(ui, "scene", "Scene", &mut scene, &options, 0) {
+            work.look_at(scene);
+        }
+    }
+    let playing = work.clock.playing;
+    let (icon, tip) = if playing { (icons::PAUSE, "Let time stand still") } else { (icons::PLAY, "Let time run") };
+    if widgets::icon_button(ui, "play", icon, tip).clicked() {
+        work.clock.playing = !playing;
+    }
+    if widgets::icon_button(ui, "frame", icons::FRAME_CORNERS, "Look from where it was looked from first").clicked() {
+        let clock = work.clock;
+        work.look_at(work.scene);
+        work.clock = clock;
+    }
+}
+
+fn steer(ui: &Ui, response: &egui::Response, work: &mut Work) {
+    let Some(scene) = work.scene() else { return };
+    let looks_around = scene.looks_around;
+    let middle = scene.eye.target.as_dvec3();
+    let extent = f64::from(scene.eye.position.distance(scene.eye.target)).max(0.5);
+    let camera = &mut work.camera;
+    if navigation::steer(ui, response, camera, middle, extent, looks_around) {
+        ui.ctx().request_repaint();
+    }
+}
+
+/// One of several rectangles side by side, or one above the other where the room is upright. All have as many pixels: their
+/// pictures are compared.
+fn part(room: Rect, index: usize, count: usize, pixels_per_point: f32) -> Rect {
+    let whole = |points: f32| (points * pixels_per_point).floor() / pixels_per_point;
+    let min = pos2(whole(room.left()), whole(room.top()));
+    let share = |side: f32| whole(side / count.max(1) as f32);
+    let index = index as f32;
+    if room.width() >= room.height() {
+        let width = share(room.width());
+        Rect::from_min_size(min + vec2(index * width, 0.0), vec2(width, whole(room.height())))
+    } else {
+        let height = share(room.height());
+        Rect::from_min_size(min + vec2(0.0, index * height), vec2(whole(room.width()), height))
+    }
+}
+
+/// A sentence in the middle of where a picture would be.
+fn sentence(ui: &mut Ui, rect: Rect, text: &str) {
+    let width = (rect.width() - 40.0).clamp(60.0, 460.0);
+    let place = Rect::from_center_size(rect.center(), vec2(width, 90.0_f32.min(rect.height())));
+    let mut inner = ui.new_child(egui::UiBuilder::new().max_rect(place));
+    inner.add(Label::new(RichText::new(text).weak()).wrap());
+}
+
+/// Words over a picture; where they stand.
+fn written(ui: &Ui, rect: Rect, align: Align2, text: &str, ground: Color32) -> Rect {
+    let room = rect.shrink(8.0);
+    let style = TextStyle::Body.resolve(ui.style());
+    let mut job = egui::text::LayoutJob::simple(text.to_owned(), style, INK, (room.width() - 16.0).max(20.0));
+    job.halign = egui::Align::LEFT;
+    let galley = ui.painter().layout_job(job);
+    let place = align.align_size_within_rect(galley.size() + vec2(16.0, 8.0), room);
+    let painter = ui.painter().with_clip_rect(rect);
+    painter.rect_filled(place, CornerRadius::same(6), ground);
+    painter.galley(place.min + vec2(8.0, 4.0), galley, INK);
+    place
+}
+
+/// A word for tests of what is shown.
+pub fn word(shown: PictureMode) -> &'static str {
+    match shown {
+        PictureMode::Yours => "yours",
+        PictureMode::Reference => "reference",
+        PictureMode::Both => "both",
+        PictureMode::Difference => "difference",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pictures_side_by_side_have_as_many_pixels() {
+        for step in 0..200 {
+            let pixels_per_point = [1.0, 1.25, 1.5, 2.0, 1.1][step % 5];
+            let [left, top] = [0.37, 0.61].map(|share| share * step as f32);
+            let room = Rect::from_min_size(pos2(left, top), vec2(300.3 + left, 400.7 - 2.0 * top));
+            let sizes = [0, 1].map(|index| picture_size(part(room, index, 2, pixels_per_point), pixels_per_point));
+            assert_eq!(sizes[0], sizes[1], "{room:?} at {pixels_per_point}");
+        }
+    }
+}

@@ -1,0 +1,177 @@
+//! The pictures: the student's pair and the right answer, drawn when something changed.
+
+use super::work::{PictureMode, Work};
+use crate::scene_view::drawing::PaneRenderer;
+use gonio_gl::{Gl, GlError};
+use gonio_lab::live::{self, Body, Eye, LiveStage, Note, Pair, Source};
+use gonio_lab::stage::Situation;
+use gonio_render::{DifferenceScale, DisplayTexture, Presentation};
+
+/// Where nothing is drawn: the lab's programs clear to a dark grey too.
+const BACKGROUND: [f32; 3] = [0.13, 0.14, 0.16];
+/// 8-bit steps that get the last colour of the map of differences.
+const FULL_SCALE: f64 = 48.0;
+
+/// Which of the pictures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Picture {
+    /// The student's.
+    Yours = 0,
+    /// The right answer's.
+    Reference = 1,
+    /// Where they differ.
+    Difference = 2,
+}
+
+/// Of what a picture was drawn.
+type Drawn = ([u32; 2], Vec<(Body, Situation)>, u64);
+
+/// What the laboratory has on the GPU. Everything follows from the work and its sources.
+pub struct Preview {
+    gl: Gl,
+    stage: LiveStage,
+    pairs: [Option<Pair>; 2],
+    sky: Option<Pair>,
+    canvases: [Option<DisplayTexture>; 3],
+    drawn: [Option<Drawn>; 2],
+    /// Counts programs that were compiled.
+    serial: u64,
+    /// How many pictures were drawn.
+    pub pictures: u64,
+}
+
+impl Preview {
+    /// For an exercise, in the window's context.
+    pub fn new(gl: &Gl, work: &Work) -> Result<Self, GlError> {
+        let stage = LiveStage::new(gl)?;
+        let compiled = |source: Result<Source, String>| source.ok().and_then(|source| source.compile(gl).ok());
+        let reference = if live::is_drawn(work.exercise) { compiled(live::reference(work.exercise)) } else { None };
+        let has_sky = work.scenes.iter().any(|scene| scene.has_sky);
+        let sky = if has_sky { compiled(live::sky()) } else { None };
+        let none = || None;
+        Ok(Preview {
+            gl: gl.clone(),
+            stage,
+            pairs: [None, reference],
+            sky,
+            canvases: [none(), none(), none()],
+            drawn: [None, None],
+            serial: 0,
+            pictures: 0,
+        })
+    }
+
+    /// Compiles the student's pair: where it does, it is what is drawn from now on, and otherwise what was drawn before stays.
+    pub fn compile(&mut self, source: &Source) -> Result<&Pair, Vec<Note>> {
+        let pair = source.compile(&self.gl)?;
+        self.serial += 1;
+        Ok(self.pairs[0].insert(pair))
+    }
+
+    /// The student's pair that is drawn.
+    pub fn pair(&self) -> Option<&Pair> {
+        self.pairs[0].as_ref()
+    }
+
+    /// Whether there is a right answer to be seen.
+    pub fn has_reference(&self) -> bool {
+        self.pairs[1].is_some()
+    }
+
+    /// One of the pictures, to be shown by a paint callback, drawn if anything changed; `None` where there is none.
+    pub fn picture(
+        &mut self,
+        picture: Picture,
+        work: &Work,
+        size: [u32; 2],
+        pane_renderer: &mut PaneRenderer,
+    ) -> Result<Option<Presentation>, GlError> {
+        if size.contains(&0) {
+            return Ok(None);
+        }
+        if picture != Picture::Difference {
+            self.draw(picture as usize, work, size, pane_renderer)?;
+            return Ok(self.presented(picture, pane_renderer));
+        }
+        for which in [Picture::Yours, Picture::Reference] {
+            self.draw(which as usize, work, size, pane_renderer)?;
+        }
+        let [Some(yours), Some(reference), map] = &mut self.canvases else { return Ok(None) };
+        let map = match map {
+            Some(map) => map,
+            none => none.insert(DisplayTexture::new(&self.gl, size)?),
+        };
+        let scale = DifferenceScale { full_scale: FULL_SCALE, signed: false };
+        pane_renderer.renderer().paint_difference(yours, reference, scale, map)?;
+        Ok(self.presented(picture, pane_renderer))
+    }
+
+    fn presented(&self, picture: Picture, pane_renderer: &PaneRenderer) -> Option<Presentation> {
+        let canvas = self.canvases.get(picture as usize)?.as_ref()?;
+        Some(pane_renderer.presented(canvas))
+    }
+
+    fn draw(
+        &mut self,
+        which: usize,
+        work: &Work,
+        size: [u32; 2],
+        pane_renderer: &mut PaneRenderer,
+    ) -> Result<(), GlError> {
+        let (Some(scene), Some(pair)) = (work.scene(), self.pairs[which].as_ref()) else { return Ok(()) };
+        let bodies = situations(work, size);
+        let wanted = (size, bodies, if which == 0 { self.serial } else { 0 });
+        if self.drawn[which].as_ref() == Some(&wanted) {
+            return Ok(());
+        }
+        let (_, bodies, _) = &wanted;
+        self.stage.prepare(scene)?;
+        let canvas = match &mut self.canvases[which] {
+            Some(canvas) => canvas,
+            none => none.insert(DisplayTexture::new(&self.gl, size)?),
+        };
+        let sky = self.sky.as_ref().filter(|_| scene.has_sky);
+        let stage = &self.stage;
+        pane_renderer.renderer().paint_user_program(canvas, size, BACKGROUND, || {
+            if let (Some(sky), Some((_, first))) = (sky, bodies.first()) {
+                stage.draw(sky, &[(Body::Cube, first.clone())]);
+            }
+            stage.draw(pair, bodies);
+        })?;
+        self.pictures += 1;
+        self.drawn[which] = Some(wanted);
+        Ok(())
+    }
+
+    /// A picture's pixels as they were drawn last: RGBA, the top row first, and how many columns and rows. Waits for the GPU.
+    pub fn pixels(&self, picture: Picture) -> Option<(Vec<u8>, [u32; 2])> {
+        let canvas = self.canvases.get(picture as usize)?.as_ref()?;
+        Some((canvas.read8(), canvas.size()))
+    }
+}
+
+/// What programs are given for each body of the scene as it is looked at now.
+pub fn situations(work: &Work, size: [u32; 2]) -> Vec<(Body, Situation)> {
+    let Some(scene) = work.scene() else { return Vec::new() };
+    let camera = work.camera.to_camera();
+    let target = work.camera.target().map_or(camera.position + camera.front, glam::DVec3::from);
+    let eye = Eye {
+        position: camera.position.as_vec3(),
+        target: target.as_vec3(),
+        up: camera.up.as_vec3(),
+        fov_rad: scene.eye.fov_rad,
+    };
+    scene.situations(&eye, work.clock.time as f32, size)
+}
+
+impl PictureMode {
+    /// The pictures that are shown side by side.
+    pub fn pictures(self) -> &'static [Picture] {
+        match self {
+            PictureMode::Yours => &[Picture::Yours],
+            PictureMode::Reference => &[Picture::Reference],
+            PictureMode::Both => &[Picture::Yours, Picture::Reference],
+            PictureMode::Difference => &[Picture::Difference],
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! The view's part of the exported state.
+
+use super::work::{MarkKind, Page, Work};
+use super::{ExerciseView, pictures};
+use serde_json::{Value, json};
+
+/// One JSON object:
+///
+/// | key | what |
+/// |---|---|
+/// | `open` | whether it is shown in place of the scene |
+/// | `id` | the exercise's word, or null: the list is shown |
+/// | `files` | of each `name`, whether it is `changed` (not saved), in `conflict` with the disk, `restored` from a draft, and `shown` in a tab |
+/// | `drafts` | how many files have unsaved text that is kept for the next window |
+/// | `before` | how many sets of files were open before these, and can be put back |
+/// | `file`, `page`, `shown`, `scene` | the file in the editor; the page beside; which picture; in which scene |
+/// | `said` | what is said of lines of all files: `file`, `line`, `kind` (error, warning, mistake), `text` |
+/// | `unusable` | why there is no pair of shaders, or null |
+/// | `drawn`, `older`, `tried` | a pair is drawn; it is an older one; the newer one is tried outside of the window |
+/// | `trials` | how many pairs were tried outside of the window first |
+/// | `pictures` | how many were drawn |
+/// | `checking` | a check is under way |
+/// | `verdict` | null before the first check, else `word`, `summary`, `mistakes` (ids), `error` (why there is none), `stale` |
+pub fn build(view: &ExerciseView) -> Value {
+    let mut state = view.work.as_ref().map_or_else(|| json!({ "id": null }), of_work);
+    state["open"] = view.is_open.into();
+    state["pictures"] = view.pictures().into();
+    state["drafts"] = view.drafts().into();
+    state
+}
+
+fn of_work(work: &Work) -> Value {
+    let files: Vec<Value> = work
+        .files
+        .iter()
+        .map(|file| {
+            json!({
+                "name": file.name,
+                "changed": file.is_changed(),
+                "conflict": file.other.is_some(),
+                "restored": file.is_restored(),
+                "shown": file.is_shown(),
+            })
+        })
+        .collect();
+    let said: Vec<Value> = (0..work.files.len())
+        .flat_map(|index| work.marks(index).into_iter().map(move |mark| (index, mark)))
+        .map(|(index, mark)| {
+            let kind = match mark.kind {
+                MarkKind::Error => "error",
+                MarkKind::Warning => "warning",
+                MarkKind::Mistake => "mistake",
+            };
+            let file = work.files.get(index).map(|file| &file.name);
+            json!({ "file": file, "line": mark.line, "kind": kind, "text": mark.text })
+        })
+        .collect();
+    let verdict = work.judged.as_ref().map(|judged| {
+        let found = judged.verdict.as_ref().ok();
+        json!({
+            "word": found.map(|verdict| verdict.verdict),
+            "summary": found.map(|verdict| &verdict.summary),
+            "mistakes": found.map(|v| v.mistakes.iter().map(|mistake| &mistake.id).collect::<Vec<_>>()),
+            "error": judged.verdict.as_ref().err(),
+            "stale": work.is_judged_before(),
+        })
+    });
+    let page = match work.page {
+        Page::Editor => "editor",
+        Page::Text => "text",
+        Page::Verdict => "verdict",
+        Page::Variables => "variables",
+    };
+    json!({
+        "id": work.exercise.id,
+        "files": files,
+        "before": work.before.len(),
+        "file": work.files.get(work.current).map(|file| &file.name),
+        "page": page,
+        "shown": pictures::word(work.shown),
+        "scene": work.scene().map(|scene| scene.name),
+        "said": said,
+        "unusable": work.program.unusable,
+        "drawn": work.program.is_drawn,
+        "older": work.program.is_old,
+        "tried": work.program.is_tried,
+        "trials": work.trials,
+        "checking": work.checking,
+        "verdict": verdict,
+    })
+}

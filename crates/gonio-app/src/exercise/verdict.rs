@@ -1,0 +1,236 @@
+//! What the check said.
+
+use super::Command;
+use super::work::{Judged, Work};
+use crate::exported::{self, Role};
+use crate::theme::{self, colors, icons};
+use egui::{Color32, CornerRadius, Frame, Label, Margin, RichText, Sense, Ui};
+use gonio_lab::bank;
+use gonio_lab::verdict::{CompilerMessage, FoundMistake, Outcome, TermState, Verdict};
+
+/// Characters of a line that are quoted.
+const MOST_QUOTED: usize = 400;
+
+/// Shows it; a line that is named can be gone to.
+pub fn show(ui: &mut Ui, work: &mut Work, commands: &mut Vec<Command>) {
+    ui.spacing_mut().item_spacing.y = 6.0;
+    ui.horizontal_wrapped(|ui| {
+        let tip = "Pass what the lab's own solutions do too, where they differ from the textbook";
+        crate::widgets::toggle(ui, "as-the-lab", "as the lab does it", &mut work.as_the_lab, tip);
+        if !work.checking && ui.button("Check").clicked() {
+            commands.push(Command::Check);
+        }
+    });
+    if work.checking {
+        ui.horizontal(|ui| {
+            ui.spinner();
+            ui.label("It is being checked...");
+        });
+    }
+    let stale = work.is_judged_before();
+    let Some(judged) = work.judged.clone() else {
+        if !work.checking {
+            let hint = "Nothing was checked yet. The check draws your files in scenes made to tell mistakes apart, and says \
+                        what it found: by name, by line, and how to mend it.";
+            ui.add(Label::new(RichText::new(hint).weak()).wrap());
+        }
+        return;
+    };
+    if stale && !work.checking {
+        ui.add(
+            Label::new(RichText::new("The files were changed since: check again.").color(colors::WARNING.of(ui)))
+                .wrap(),
+        );
+    }
+    let Judged { verdict, .. } = judged;
+    match verdict {
+        Ok(verdict) => shown(ui, work, &verdict),
+        Err(why) => {
+            ui.add(Label::new(RichText::new(why).color(colors::ERROR.of(ui))).wrap());
+        }
+    }
+    ui.add_space(16.0);
+}
+
+fn shown(ui: &mut Ui, work: &mut Work, verdict: &Verdict) {
+    head(ui, verdict);
+    for message in &verdict.messages {
+        compiler_message(ui, work, message);
+    }
+    for (index, mistake) in verdict.mistakes.iter().enumerate() {
+        self::mistake(ui, work, index, mistake);
+    }
+    if let Some(other) = &verdict.runner_up {
+        let names: Vec<String> = other.ids.iter().map(|id| name_of(id)).collect();
+        let share = 100.0 * other.share_explained;
+        weak(ui, &format!("The next best explanation, {}, explains {share:.1} % of it.", names.join(", with ")));
+    }
+    terms(ui, verdict);
+    scenes(ui, verdict);
+    if !verdict.peculiarities.is_empty() {
+        heading(ui, "Right, and worth knowing");
+        for peculiarity in &verdict.peculiarities {
+            dotted(ui, &peculiarity.name, None);
+        }
+    }
+    if !verdict.warnings.is_empty() {
+        heading(ui, "Warnings");
+        for warning in &verdict.warnings {
+            dotted(ui, warning, Some(colors::WARNING.of(ui)));
+        }
+    }
+}
+
+fn head(ui: &mut Ui, verdict: &Verdict) {
+    let (word, icon, tint) = match verdict.verdict {
+        Outcome::Correct => ("Correct", icons::CHECK, colors::NORMAL),
+        Outcome::Wrong => ("Wrong", icons::WARNING, colors::WARNING),
+        Outcome::DoesNotCompile => ("It does not compile", icons::WARNING_CIRCLE, colors::ERROR),
+        Outcome::Unsure => ("Not judged", icons::QUESTION, colors::ACCENT),
+    };
+    let color = tint.of(ui);
+    let frame = Frame::NONE.fill(color.gamma_multiply(0.14)).corner_radius(CornerRadius::same(6));
+    let response = frame.inner_margin(Margin::symmetric(10, 8)).show(ui, |ui| {
+        ui.set_min_width(ui.available_width());
+        ui.horizontal(|ui| {
+            ui.label(RichText::new(icon).font(theme::icon_font(18.0)).color(color));
+            ui.label(RichText::new(word).font(theme::bold(16.0)).color(color));
+        });
+        ui.add(Label::new(verdict.summary.as_str()).wrap());
+    });
+    exported::note(ui, &response.response, "verdict", Role::Text, word, &verdict.summary);
+}
+
+fn mistake(ui: &mut Ui, work: &mut Work, index: usize, mistake: &FoundMistake) {
+    let frame = Frame::NONE.fill(ui.visuals().faint_bg_color).corner_radius(CornerRadius::same(6));
+    frame.inner_margin(Margin::symmetric(10, 8)).show(ui, |ui| {
+        ui.set_min_width(ui.available_width());
+        ui.spacing_mut().item_spacing.y = 5.0;
+        let name = RichText::new(&mistake.name).font(theme::bold(14.0)).color(ui.visuals().strong_text_color());
+        ui.add(Label::new(name).wrap());
+        let share = match mistake.share_explained {
+            share if share > 0.0 => format!("It explains {:.1} % of the difference.", 100.0 * share),
+            _ => "The source shows it; the picture is right by luck.".to_owned(),
+        };
+        ui.label(RichText::new(format!("{}   {share}", mistake.id)).small().weak());
+        if let (Some(file), Some(line)) = (&mistake.file, mistake.line) {
+            place(ui, work, &format!("mistake-{index}"), file, line, mistake.quoted.as_deref());
+        }
+        labelled(ui, "It looks like this:", &mistake.looks_like);
+        labelled(ui, "To mend it:", &mistake.mend);
+        if !mistake.or.is_empty() {
+            let names: Vec<String> = mistake.or.iter().map(|id| name_of(id)).collect();
+            labelled(ui, "No picture tells it from:", &names.join("; "));
+        }
+        if mistake.lab_does_it {
+            weak(ui, "The lab's own solution does the same; `as the lab does it` passes it.");
+        }
+        if !mistake.seed.is_empty() {
+            weak(ui, &format!("Taught in: {}", mistake.seed));
+        }
+    });
+}
+
+fn compiler_message(ui: &mut Ui, work: &mut Work, message: &CompilerMessage) {
+    let frame = Frame::NONE.fill(ui.visuals().faint_bg_color).corner_radius(CornerRadius::same(6));
+    frame.inner_margin(Margin::symmetric(10, 8)).show(ui, |ui| {
+        ui.set_min_width(ui.available_width());
+        ui.add(Label::new(RichText::new(&message.text).color(colors::ERROR.of(ui))).wrap());
+        if let Some(line) = message.line {
+            place(ui, work, &format!("message-{line}"), &message.file, line, message.quoted.as_deref());
+        }
+        if let Some(explanation) = &message.explanation {
+            ui.add(Label::new(explanation.as_str()).wrap());
+        }
+    });
+}
+
+/// A file's line, to be gone to, and what stands there.
+fn place(ui: &mut Ui, work: &mut Work, id: &str, file: &str, line: u32, quoted: Option<&str>) {
+    let label = format!("{file}:{line}");
+    let link = ui.link(RichText::new(&label).monospace());
+    exported::note(ui, &link, id, Role::Button, &label, "");
+    if link.clicked() {
+        work.go_to(file, line);
+    }
+    if let Some(quoted) = quoted {
+        let code = Frame::NONE.fill(ui.visuals().code_bg_color).corner_radius(4).inner_margin(Margin::symmetric(8, 4));
+        code.show(ui, |ui| ui.add(Label::new(RichText::new(beginning(quoted.trim())).monospace()).wrap()));
+    }
+}
+
+/// As much of a line as is worth quoting.
+fn beginning(line: &str) -> String {
+    match line.char_indices().nth(MOST_QUOTED) {
+        Some((end, _)) => format!("{}…", line.get(..end).unwrap_or_default()),
+        None => line.to_owned(),
+    }
+}
+
+fn terms(ui: &mut Ui, verdict: &Verdict) {
+    if verdict.terms.is_empty() {
+        return;
+    }
+    heading(ui, "Term by term");
+    ui.horizontal_wrapped(|ui| {
+        for term in &verdict.terms {
+            let (word, color) = match term.state {
+                TermState::Right => ("right", colors::NORMAL.of(ui)),
+                TermState::Wrong => ("wrong", colors::ERROR.of(ui)),
+                TermState::NotSeparable => ("cannot be seen alone", ui.visuals().weak_text_color()),
+            };
+            ui.label(format!("{}", term.term));
+            ui.label(RichText::new(word).color(color));
+            ui.add_space(8.0);
+        }
+    });
+}
+
+/// The scenes; those with one term alone are told by the terms.
+fn scenes(ui: &mut Ui, verdict: &Verdict) {
+    if verdict.scenes.is_empty() {
+        return;
+    }
+    heading(ui, "Scene by scene");
+    for scene in verdict.scenes.iter().filter(|scene| !scene.scene.ends_with(" alone")) {
+        ui.horizontal_wrapped(|ui| {
+            let (icon, color) =
+                if scene.right { (icons::CHECK, colors::NORMAL.of(ui)) } else { (icons::X, colors::ERROR.of(ui)) };
+            ui.label(RichText::new(icon).font(theme::icon_font(13.0)).color(color));
+            ui.label(RichText::new(&scene.scene).color(ui.visuals().strong_text_color()));
+            if !scene.right {
+                ui.label(RichText::new(format!("{:.0} % of it differs", 100.0 * scene.pixels_beyond)).color(color));
+            }
+            ui.add(Label::new(RichText::new(scene.shows.as_ref()).weak()).wrap());
+        });
+    }
+}
+
+/// A mistake's name, where the bank knows it.
+fn name_of(id: &str) -> String {
+    bank::find(id).map_or_else(|| format!("`{id}`"), |known| format!("“{}”", known.name))
+}
+
+fn heading(ui: &mut Ui, text: &str) {
+    ui.add_space(4.0);
+    ui.label(RichText::new(text).font(theme::bold(13.5)).color(ui.visuals().strong_text_color()));
+}
+
+fn weak(ui: &mut Ui, text: &str) {
+    ui.add(Label::new(RichText::new(text).weak()).wrap());
+}
+
+fn labelled(ui: &mut Ui, label: &str, text: &str) {
+    if !text.is_empty() {
+        ui.label(RichText::new(label).small().weak());
+        ui.add(Label::new(text).wrap().sense(Sense::hover()));
+    }
+}
+
+fn dotted(ui: &mut Ui, text: &str, color: Option<Color32>) {
+    ui.horizontal_top(|ui| {
+        ui.label("•");
+        let color = color.unwrap_or_else(|| ui.visuals().text_color());
+        ui.add(Label::new(RichText::new(text).color(color)).wrap());
+    });
+}

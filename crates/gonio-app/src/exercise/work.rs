@@ -1,0 +1,438 @@
+//! What is being worked on: an exercise, the student's files, what was said of them. Plain data.
+
+use super::file_sets::FileSet;
+use crate::files::ExerciseFile;
+use crate::session::Clock;
+use egui::Id;
+use gonio_lab::exercise::{Exercise, Kind};
+use gonio_lab::live::{Given, Note, NoteKind, Scene, scenes};
+use gonio_lab::submission::SourceFile;
+use gonio_lab::verdict::Verdict;
+use gonio_scene::settings::{Aim, CameraSettings};
+use std::path::PathBuf;
+
+/// A file that is being written.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OpenFile {
+    /// As it is called here.
+    pub name: String,
+    /// On the disk; nothing where it is in memory alone.
+    pub path: Option<PathBuf>,
+    /// As it is in the editor.
+    pub text: String,
+    /// As it is on the disk, or was when it was begun.
+    pub saved: Vec<u8>,
+    /// What it is on the disk now, where that is another text than both: the person is to choose.
+    pub other: Option<Vec<u8>>,
+    /// Why it cannot be written to: it is no text.
+    pub locked: bool,
+    /// The text is a draft that an earlier window left, and how long ago that was: "5 minutes ago".
+    pub restored: Option<String>,
+    /// It was looked for a draft of this file.
+    pub(super) draft_was_asked: bool,
+    /// Of the editor's widget.
+    id: Id,
+    /// Whether it has a tab.
+    is_shown: bool,
+}
+
+/// Endings of what is handed out with an exercise and is no answer.
+const PAPERS: [&str; 5] = [".md", ".svg", ".obj", ".png", ".jpg"];
+
+impl OpenFile {
+    /// As it was given: `number` tells it from files of the same name that were open at other times.
+    pub(super) fn new(exercise: &Exercise, file: ExerciseFile, number: (u64, usize)) -> Self {
+        let (text, locked) = decoded(&file.bytes);
+        let id = Id::unique("laboratory editor").with((&exercise.id, number, &file.name));
+        let name = file.name.to_ascii_lowercase();
+        let is_shown = !PAPERS.iter().any(|end| name.ends_with(end));
+        OpenFile {
+            name: file.name,
+            path: file.path,
+            text,
+            saved: file.bytes,
+            other: None,
+            locked,
+            restored: None,
+            draft_was_asked: false,
+            id,
+            is_shown,
+        }
+    }
+
+    /// The same with a tab, whatever it is called: it was given as an answer.
+    pub(super) fn shown(self) -> Self {
+        OpenFile { is_shown: true, ..self }
+    }
+
+    /// Whether this is what it was read from, and nothing was written in it.
+    pub(super) fn is_same(&self, file: &ExerciseFile) -> bool {
+        self.path == file.path && self.name == file.name && self.saved == file.bytes && !self.is_changed()
+    }
+
+    /// Whether there is something to save.
+    pub fn is_changed(&self) -> bool {
+        !self.locked && self.text.as_bytes() != self.saved
+    }
+
+    /// Whether it has a tab: what is handed out with an exercise and is no answer has none.
+    pub fn is_shown(&self) -> bool {
+        self.is_shown
+    }
+
+    /// What it holds for a check: a file that is no text as it is.
+    pub fn content(&self) -> Vec<u8> {
+        if self.locked { self.saved.clone() } else { self.text.clone().into_bytes() }
+    }
+
+    /// Of the editor's widget: its undo is this file's own.
+    pub fn id(&self) -> Id {
+        self.id
+    }
+
+    /// It is another file on the disk now. True where the editor's text became it; where there is text that was not saved,
+    /// nothing is lost, and the person is asked.
+    pub fn is_now(&mut self, bytes: Vec<u8>) -> bool {
+        if bytes == self.saved {
+            return false;
+        }
+        if self.is_changed() && self.text.as_bytes() != bytes {
+            self.other = Some(bytes);
+            return false;
+        }
+        self.take(bytes);
+        true
+    }
+
+    /// Makes what is on the disk the text.
+    pub fn take(&mut self, bytes: Vec<u8>) {
+        (self.text, self.locked) = decoded(&bytes);
+        self.saved = bytes;
+        self.other = None;
+        self.restored = None;
+    }
+
+    /// Whether its text is a draft that an earlier window left, and is not saved yet.
+    pub fn is_restored(&self) -> bool {
+        self.restored.is_some() && self.is_changed()
+    }
+}
+
+/// A text, and whether it is none that could be written back as it was.
+fn decoded(bytes: &[u8]) -> (String, bool) {
+    match std::str::from_utf8(bytes) {
+        // Numbers and pictures as letters are no help, and their lines may be endless.
+        _ if bytes.contains(&0) => (format!("{} bytes that are no text.\n", bytes.len()), true),
+        Ok(text) => (text.to_owned(), false),
+        Err(_) => (String::from_utf8_lossy(bytes).into_owned(), true),
+    }
+}
+
+/// Which picture is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum PictureMode {
+    /// The student's.
+    Yours,
+    /// The right answer's.
+    Reference,
+    /// Both side by side.
+    #[default]
+    Both,
+    /// Where they differ.
+    Difference,
+}
+
+/// What stands beside the editor.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Page {
+    /// The editor itself, where there is little room.
+    Editor,
+    /// The exercise's text.
+    #[default]
+    Text,
+    /// What the check said.
+    Verdict,
+    /// What the program's variables were taken for.
+    Variables,
+}
+
+/// What is known of the pair as it stands in the editor.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ProgramFacts {
+    /// What is said of lines.
+    pub notes: Vec<Note>,
+    /// Why there is no pair: one sentence.
+    pub unusable: Option<String>,
+    /// What was guessed or mended.
+    pub warnings: Vec<String>,
+    /// A pair was compiled and can be drawn: this one, or an earlier one.
+    pub is_drawn: bool,
+    /// What is drawn is an earlier one: the one in the editor does not compile.
+    pub is_old: bool,
+    /// It is tried outside of the window first: it may crash the driver, or never end.
+    pub is_tried: bool,
+    /// The trial takes so long that it should be announced.
+    pub is_trial_slow: bool,
+    /// What its variables were taken for, as it was drawn last.
+    pub variables: Vec<Given>,
+}
+
+/// A verdict, and of which texts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Judged {
+    /// What the check says, or why it said nothing.
+    pub verdict: Result<Verdict, String>,
+    /// [`Work::content`] at the time.
+    pub of: Vec<SourceFile>,
+}
+
+/// An exercise that is being worked on.
+#[derive(Clone, Debug)]
+pub struct Work {
+    /// Which.
+    pub exercise: &'static Exercise,
+    /// The student's files.
+    pub files: Vec<OpenFile>,
+    /// The one in the editor.
+    pub current: usize,
+    /// Which picture is shown.
+    pub shown: PictureMode,
+    /// What stands beside the editor.
+    pub page: Page,
+    /// The scenes to look at it in.
+    pub scenes: Vec<Scene>,
+    /// Which of them.
+    pub scene: usize,
+    /// Where one looks from.
+    pub camera: CameraSettings,
+    /// `now`.
+    pub clock: Clock,
+    /// Pass what the lab's own solutions do too.
+    pub as_the_lab: bool,
+    /// Of the pair in the editor.
+    pub program: ProgramFacts,
+    /// How many pairs were tried outside of the window before they were drawn, or not drawn, here.
+    pub trials: u32,
+    /// What the last check said.
+    pub judged: Option<Judged>,
+    /// A check is under way.
+    pub checking: bool,
+    /// A line that is to be shown: file and line.
+    pub jump: Option<(usize, u32)>,
+    /// A folder is asked for, to save into: as far as it is written.
+    pub asking: Option<String>,
+    /// Files that were open before these, the latest last.
+    pub before: Vec<FileSet>,
+    /// Files are saved as downloads here, for there are no folders.
+    pub downloads: bool,
+    /// Counts the sets of files that were opened.
+    pub(super) sets: u64,
+}
+
+impl Work {
+    /// Begins. Without files with the exercise's own ones to start from.
+    pub fn new(exercise: &'static Exercise, files: Vec<ExerciseFile>) -> Self {
+        let opened = |(index, file)| OpenFile::new(exercise, file, (0, index));
+        let files: Vec<OpenFile> = match files.is_empty() {
+            true => Work::start_files(exercise, 0),
+            false => files.into_iter().enumerate().map(opened).collect(),
+        };
+        let current = Work::first_shown(exercise, &files);
+        let scenes = scenes(exercise);
+        let mut work = Work {
+            exercise,
+            files,
+            current,
+            shown: PictureMode::default(),
+            page: Page::default(),
+            scenes,
+            scene: 0,
+            camera: CameraSettings::default(),
+            clock: Clock::default(),
+            as_the_lab: false,
+            program: ProgramFacts::default(),
+            trials: 0,
+            judged: None,
+            checking: false,
+            jump: None,
+            asking: None,
+            before: Vec::new(),
+            downloads: false,
+            sets: 0,
+        };
+        work.look_at(0);
+        work
+    }
+
+    /// The exercise's own files to start from, as the set of this number.
+    pub(super) fn start_files(exercise: &Exercise, set: u64) -> Vec<OpenFile> {
+        let file = |(name, text): (&str, &str)| ExerciseFile { name: name.into(), path: None, bytes: text.into() };
+        let opened = |(index, file)| OpenFile::new(exercise, file, (set, index));
+        exercise.start_files().map(file).enumerate().map(opened).collect()
+    }
+
+    /// The one of several files that is in the editor at first: where there is something to do.
+    pub(super) fn first_shown(exercise: &Exercise, files: &[OpenFile]) -> usize {
+        let answers = if exercise.kind == Kind::HostProgram { ".txt" } else { ".frag" };
+        let is_answer = |file: &OpenFile| file.is_shown() && file.name.ends_with(answers);
+        let has_to_do = |file: &OpenFile| file.is_shown() && file.text.contains("TODO");
+        let to_do = files.iter().position(|file| is_answer(file) && has_to_do(file));
+        let to_do = to_do.or_else(|| files.iter().position(has_to_do)).or_else(|| files.iter().position(is_answer));
+        to_do.or_else(|| files.iter().position(OpenFile::is_shown)).unwrap_or(0)
+    }
+
+    /// The same, put aside and taken up again: nothing is compiled yet.
+    pub fn resumed(self) -> Self {
+        Work { program: ProgramFacts::default(), checking: false, ..self }
+    }
+
+    /// Goes to another scene, and looks at it from its own place.
+    pub fn look_at(&mut self, scene: usize) {
+        self.scene = scene.min(self.scenes.len().saturating_sub(1));
+        let Some(scene) = self.scenes.get(self.scene) else { return };
+        let eye = scene.eye;
+        self.camera = CameraSettings {
+            position: eye.position.as_dvec3().to_array(),
+            aim: Aim::Target(eye.target.as_dvec3().to_array()),
+            up: eye.up.as_dvec3().to_array(),
+            fov_y: f64::from(eye.fov_rad).to_degrees(),
+            ..CameraSettings::default()
+        };
+        self.clock = Clock { time: 0.0, playing: scene.swing.length() > 0.0 };
+    }
+
+    /// The scene that is looked at.
+    pub fn scene(&self) -> Option<&Scene> {
+        self.scenes.get(self.scene)
+    }
+
+    /// All files as they are in the editor.
+    pub fn content(&self) -> Vec<SourceFile> {
+        self.files.iter().map(|file| SourceFile::new(file.name.clone(), file.content())).collect()
+    }
+
+    /// Whether anything was written that was not saved.
+    pub fn is_changed(&self) -> bool {
+        self.files.iter().any(OpenFile::is_changed)
+    }
+
+    /// Whether what the last check said is of other texts than these.
+    pub fn is_judged_before(&self) -> bool {
+        self.judged.as_ref().is_some_and(|judged| judged.of != self.content())
+    }
+
+    /// The number of a file that something was said of.
+    pub fn file_named(&self, name: &str) -> Option<usize> {
+        self.files.iter().position(|file| file.name == name)
+    }
+
+    /// Shows a line of a file.
+    pub fn go_to(&mut self, file: &str, line: u32) {
+        if let Some(index) = self.file_named(file) {
+            self.current = index;
+            self.jump = Some((index, line));
+        }
+    }
+
+    /// Everything that was said of lines of a file: line from 1, whether it is an error, the words. Those of the last check
+    /// as long as it is of these texts.
+    pub fn marks(&self, file: usize) -> Vec<Mark> {
+        let Some(file) = self.files.get(file) else { return Vec::new() };
+        let notes = self.program.notes.iter().filter(|note| note.message.file == file.name).map(|note| {
+            let message = &note.message;
+            let help = message.explanation.as_ref().map_or(String::new(), |help| format!("\n{help}"));
+            let severity = if note.kind == NoteKind::Error { MarkKind::Error } else { MarkKind::Warning };
+            Mark { line: message.line.unwrap_or(1), kind: severity, text: format!("{}{help}", message.text) }
+        });
+        let mut marks: Vec<Mark> = notes.collect();
+        if let Some(Judged { verdict: Ok(verdict), .. }) = self.judged.as_ref().filter(|_| !self.is_judged_before()) {
+            for mistake in verdict.mistakes.iter().filter(|mistake| mistake.file.as_ref() == Some(&file.name)) {
+                let text = format!("{}\n{}", mistake.name, mistake.mend);
+                marks.extend(mistake.line.map(|line| Mark { line, kind: MarkKind::Mistake, text }));
+            }
+            let known = |line: u32, marks: &[Mark]| marks.iter().any(|mark| mark.line == line);
+            for message in verdict.messages.iter().filter(|message| message.file == file.name) {
+                if let Some(line) = message.line.filter(|&line| !known(line, &marks)) {
+                    marks.push(Mark { line, kind: MarkKind::Error, text: message.text.clone() });
+                }
+            }
+        }
+        marks.sort_by_key(|mark| mark.line);
+        marks
+    }
+}
+
+/// How a line is marked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum MarkKind {
+    /// Other compilers may refuse it.
+    Warning,
+    /// The checker found a mistake.
+    Mistake,
+    /// It does not compile.
+    Error,
+}
+
+/// What is said of a line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mark {
+    /// From 1.
+    pub line: u32,
+    /// How bad it is.
+    pub kind: MarkKind,
+    /// In words.
+    pub text: String,
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use gonio_lab::exercise;
+
+    fn file(text: &str) -> OpenFile {
+        opened(text.into())
+    }
+
+    fn opened(bytes: Vec<u8>) -> OpenFile {
+        let ex04 = exercise::find("ex04").unwrap();
+        OpenFile::new(ex04, ExerciseFile { name: "a.vert".into(), path: None, bytes }, (0, 0))
+    }
+
+    #[test]
+    fn what_was_not_saved_is_never_written_over_by_a_reload() {
+        let mut file = file("one");
+        assert!(file.is_now(b"two".to_vec()), "nothing was changed here, so it is taken");
+        assert_eq!((file.text.as_str(), file.is_changed()), ("two", false));
+        file.text = "mine".into();
+        assert!(!file.is_now(b"three".to_vec()));
+        assert_eq!((file.text.as_str(), file.other.as_deref()), ("mine", Some(&b"three"[..])));
+        file.take(b"three".to_vec());
+        assert_eq!((file.text.as_str(), file.other), ("three", None));
+    }
+
+    #[test]
+    fn what_is_no_text_is_shown_and_left_as_it_is() {
+        let bytes = b"// caf\xe9".to_vec();
+        let file = opened(bytes.clone());
+        assert!(file.locked && !file.is_changed());
+        assert_eq!(file.content(), bytes);
+        let floats = opened([0.5_f32, -1.0].iter().flat_map(|number| number.to_le_bytes()).collect());
+        assert!(floats.locked && floats.content().len() == 8);
+        assert_eq!(floats.text, "8 bytes that are no text.\n");
+    }
+
+    #[test]
+    fn without_files_one_begins_with_the_exercises_own() {
+        let work = Work::new(exercise::find("ex04").unwrap(), Vec::new());
+        let shown: Vec<&str> = work.files.iter().filter(|f| f.is_shown()).map(|f| f.name.as_str()).collect();
+        assert_eq!(shown, ["start.frag", "start.vert"]);
+        assert_eq!(work.files[work.current].name, "start.frag");
+        // There is nothing to do in the fragment shader of the camera, and nothing but programs in the black triangle.
+        for (id, end) in [("ex01", "start.vert"), ("ex11", ".txt")] {
+            let work = Work::new(exercise::find(id).unwrap(), Vec::new());
+            assert!(work.files[work.current].name.ends_with(end), "{}", work.files[work.current].name);
+        }
+        assert!(!work.is_changed() && !work.scenes.is_empty());
+    }
+}

@@ -1,0 +1,195 @@
+//! Panes side by side, one wiped over the other, or their difference.
+
+use super::dragging::Dragging;
+use super::scale::{self, Scale};
+use super::{caption, drawn, over, pane, present};
+use crate::document::{Arrangement, Document};
+use crate::exported::{self, Role};
+use crate::scene_view::drawing::PaneRenderer;
+use crate::session::Session;
+use crate::theme::colors;
+use egui::{Align2, Color32, CornerRadius, CursorIcon, Rect, Sense, Stroke, StrokeKind, TextStyle, Ui, pos2, vec2};
+use gonio_gl::GlError;
+
+/// Between panes, points.
+const GAP: f32 = 2.0;
+/// Half the width of what takes hold of the divider: wide enough for a finger.
+const HOLD: f32 = 22.0;
+/// What captions stand on, over any picture.
+const GROUND: Color32 = Color32::from_black_alpha(150);
+const INK: Color32 = Color32::from_gray(0xf2);
+
+/// Rectangles for `count` panes: one beside the other, four as two rows; one above the other where the room is upright.
+pub fn arranged(room: Rect, count: usize) -> Vec<Rect> {
+    let count = count.max(1);
+    let columns = match count {
+        4 => 2,
+        _ if room.height() > room.width() => 1,
+        _ => count,
+    };
+    let rows = count.div_ceil(columns);
+    let width = (room.width() - GAP * (columns as f32 - 1.0)) / columns as f32;
+    let height = (room.height() - GAP * (rows as f32 - 1.0)) / rows as f32;
+    (0..count)
+        .map(|i| {
+            let (column, row) = ((i % columns) as f32, (i / columns) as f32);
+            let min = room.min + vec2(column * (width + GAP), row * (height + GAP));
+            Rect::from_min_size(min, vec2(width, height))
+        })
+        .collect()
+}
+
+/// A pane's caption, and a frame around the current one; nothing where there is one pane as the scene says.
+pub fn label(ui: &Ui, index: usize, rect: Rect, document: &Document, session: &Session) {
+    let panes = &document.panes;
+    if panes.list.len() > 1 {
+        let stroke = if index == panes.current {
+            Stroke::new(2.0, colors::ACCENT.in_theme(true))
+        } else {
+            Stroke::new(1.0, Color32::from_black_alpha(90))
+        };
+        ui.painter().rect_stroke(rect, CornerRadius::ZERO, stroke, StrokeKind::Inside);
+    } else if panes.list.first().is_none_or(|pane| pane.words().is_empty()) {
+        return;
+    }
+    let mut text = caption(document, index);
+    if session.comparison.panes.get(index).is_some_and(|facts| facts.preparing) {
+        text.push_str(" (being simplified)");
+    }
+    written(ui, rect, Align2::CENTER_BOTTOM, text);
+}
+
+/// A caption in a corner or at an edge of a rectangle, cut off where it is too long.
+fn written(ui: &Ui, rect: Rect, align: Align2, text: String) {
+    let room = rect.shrink(10.0);
+    let style = TextStyle::Body.resolve(ui.style());
+    let mut job = egui::text::LayoutJob::simple_singleline(text, style, INK);
+    job.wrap = egui::text::TextWrapping::truncate_at_width((room.width() - 16.0).max(20.0));
+    let galley = ui.painter().layout_job(job);
+    let place = align.align_size_within_rect(galley.size() + vec2(16.0, 8.0), room);
+    let painter = ui.painter().with_clip_rect(rect);
+    painter.rect_filled(place, CornerRadius::same(6), GROUND);
+    painter.galley(place.min + vec2(8.0, 4.0), galley, INK);
+}
+
+/// The pair of panes on each other, with a divider to drag.
+pub fn wipe(
+    ui: &mut Ui,
+    room: Rect,
+    share: f32,
+    document: &mut Document,
+    session: &mut Session,
+    pane_renderer: &mut PaneRenderer,
+) -> Result<(), GlError> {
+    let [first, second] = document.panes.pair;
+    // The second over all of the room: it takes what the pointer does.
+    let whole = pane(ui, second, room, document, session, pane_renderer)?;
+    let picture = drawn(ui, first, room, document, session, pane_renderer)?;
+    let mut x = room.left() + share.clamp(0.0, 1.0) * room.width();
+    let hold = Rect::from_center_size(pos2(x, room.center().y), vec2(2.0 * HOLD, room.height()));
+    let response = ui.interact(hold.intersect(room), ui.scope_id().with("wipe"), Sense::click_and_drag());
+    exported::note(ui, &response, "wipe", Role::Handle, "divider between two panes", format!("{share:.3}"));
+    if response.double_clicked() {
+        document.panes.arrangement = Arrangement::Wipe(0.5);
+    } else if response.is_dragged()
+        && let Some(place) = response.interact_pointer_pos()
+    {
+        x = place.x.clamp(room.left(), room.right());
+        document.panes.arrangement = Arrangement::Wipe((x - room.left()) / room.width().max(1.0));
+    }
+    let active = response.hovered() || response.dragged();
+    if active {
+        ui.ctx().set_cursor_icon(CursorIcon::ResizeHorizontal);
+    }
+    let left = Rect::from_min_max(room.min, pos2(x, room.bottom()));
+    let right = Rect::from_min_max(pos2(x, room.top()), room.max);
+    if let Some(picture) = picture {
+        // All of the picture, of which only the part left of the divider is let through.
+        ui.scope(|ui| {
+            ui.set_clip_rect(left.intersect(ui.clip_rect()));
+            present(ui, room, picture);
+        });
+    }
+    over(ui, second, &whole, document, session, pane_renderer)?;
+    divider(ui, room, x, active);
+    for (index, part) in [(first, left), (second, right)] {
+        // A sliver has no room for words.
+        if part.width() > 90.0 {
+            written(ui, part, Align2::CENTER_BOTTOM, caption(document, index));
+        }
+    }
+    Ok(())
+}
+
+/// A line from top to bottom, and a knob with two arrows in its middle.
+fn divider(ui: &Ui, room: Rect, x: f32, active: bool) {
+    let painter = ui.painter().with_clip_rect(room.intersect(ui.clip_rect()));
+    let color = if active { colors::ACCENT.in_theme(true) } else { Color32::WHITE };
+    painter.vline(x, room.y_range(), Stroke::new(3.0, Color32::from_black_alpha(110)));
+    painter.vline(x, room.y_range(), Stroke::new(1.5, color));
+    let center = pos2(x, room.center().y);
+    painter.circle(center, 16.0, Color32::from_black_alpha(170), Stroke::new(1.5, color));
+    for side in [-1.0, 1.0] {
+        let [tip, back] = [9.0, 4.5].map(|distance| center.x + side * distance);
+        let points = [pos2(back, center.y - 4.5), pos2(tip, center.y), pos2(back, center.y + 4.5)];
+        painter.line(points.to_vec(), Stroke::new(1.8, color));
+    }
+}
+
+/// Where the pair of panes differs, with its scale and its numbers.
+pub fn difference(
+    ui: &mut Ui,
+    room: Rect,
+    document: &mut Document,
+    session: &mut Session,
+    pane_renderer: &mut PaneRenderer,
+) -> Result<(), GlError> {
+    let [first, second] = document.panes.pair;
+    // The map lies over the first, which takes what the pointer does.
+    let whole = pane(ui, first, room, document, session, pane_renderer)?;
+    drawn(ui, second, room, document, session, pane_renderer)?;
+    let Some(map) = pane_renderer.difference(document, session)? else { return Ok(()) };
+    present(ui, room, map);
+    over(ui, first, &whole, document, session, pane_renderer)?;
+    let settings = document.panes.difference;
+    let scale = Scale { full_scale: settings.full_scale, signed: settings.signed };
+    scale::show(ui, room, &scale);
+    if let Some(facts) = &session.comparison.difference
+        && let Some([column, row]) = facts.worst
+    {
+        let [width, height] = facts.size.map(|side| side.max(1) as f32);
+        let place = room.min + room.size() * vec2((column as f32 + 0.5) / width, (row as f32 + 0.5) / height);
+        ui.painter().circle_stroke(place, 9.0, Stroke::new(3.0, Color32::from_black_alpha(140)));
+        ui.painter().circle_stroke(place, 9.0, Stroke::new(1.5, Color32::WHITE));
+    }
+    let text = if settings.signed {
+        format!("{} minus {}", caption(document, second), caption(document, first))
+    } else {
+        format!("difference of: {} and {}", caption(document, first), caption(document, second))
+    };
+    written(ui, room, Align2::CENTER_BOTTOM, text);
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn panes_fill_the_room_without_touching() {
+        for size in [vec2(1000.0, 600.0), vec2(360.0, 500.0)] {
+            let room = Rect::from_min_size(pos2(10.0, 20.0), size);
+            for count in 1..=4 {
+                let panes = arranged(room, count);
+                assert_eq!(panes.len(), count);
+                let area: f32 = panes.iter().map(Rect::area).sum();
+                // The gaps: at most three, each as long as the longer side.
+                assert!(area <= room.area() && area > room.area() - 3.0 * GAP * size.max_elem());
+                for (i, a) in panes.iter().enumerate() {
+                    assert!(room.expand(1e-3).contains_rect(*a));
+                    assert!(panes[i + 1..].iter().all(|b| !a.intersects(*b)), "{count} in {size}");
+                }
+            }
+        }
+    }
+}

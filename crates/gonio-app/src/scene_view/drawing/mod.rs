@@ -1,0 +1,197 @@
+//! The pictures of the panes: drawn by `gonio-gl` into textures, only when something changed.
+//!
+//! Everything on the GPU follows from document and session: after a lost context a new [`PaneRenderer`] draws the same.
+
+mod curve;
+mod details;
+mod observer;
+mod pair;
+mod pane;
+mod saved;
+#[cfg(test)]
+mod tests;
+
+use crate::document::Document;
+use crate::session::{FrameFacts, Session, Tab};
+use curve::CurveRun;
+use details::Details;
+use gonio_gl::trace::FrameRecord;
+use gonio_gl::{Gl, GlError};
+use gonio_render::{DisplayTexture, Presentation, Presenter, Renderer, View};
+use gonio_scene::{Frame, Scene};
+use pair::PairDrawing;
+use pane::PaneDrawing;
+use std::sync::Arc;
+
+/// Draws the panes with the window's own context.
+pub struct PaneRenderer {
+    gl: Gl,
+    renderer: Renderer,
+    presenter: Presenter,
+    panes: Vec<PaneDrawing>,
+    pair: PairDrawing,
+    details: Details,
+    curve: Option<CurveRun>,
+    observer: Option<observer::ObserverPicture>,
+}
+
+impl PaneRenderer {
+    /// For the window's context, which is current.
+    pub fn new(gl: Gl) -> Result<Self, GlError> {
+        let renderer = Renderer::new(gl.clone())?;
+        let presenter = Presenter::new(&gl)?;
+        Ok(PaneRenderer {
+            gl,
+            renderer,
+            presenter,
+            panes: Vec::new(),
+            pair: PairDrawing::default(),
+            details: Details::default(),
+            curve: None,
+            observer: None,
+        })
+    }
+
+    /// What draws; the laboratory draws other people's programs with it.
+    pub fn renderer(&mut self) -> &mut Renderer {
+        &mut self.renderer
+    }
+
+    /// The window's OpenGL.
+    pub fn gl(&self) -> &Gl {
+        &self.gl
+    }
+
+    /// A canvas without holes, to be shown by a paint callback.
+    pub fn presented(&self, canvas: &DisplayTexture) -> Presentation {
+        self.presenter.of(canvas.texture()).opaque()
+    }
+
+    /// The driver, as it calls itself.
+    pub fn driver(&self) -> &str {
+        &self.renderer.info().renderer
+    }
+
+    /// Whether first pictures are sketches: a graphics card draws whole ones before anybody sees the difference.
+    pub fn sketches(&self) -> bool {
+        self.renderer.info().is_software()
+    }
+
+    /// The scene of a pane as it was drawn last.
+    pub fn loaded(&self, pane: usize) -> Option<&Arc<Scene>> {
+        self.panes.get(pane)?.loaded.as_ref()
+    }
+
+    /// The frame of a pane as it was drawn last.
+    pub fn frame(&self, pane: usize) -> Option<&Frame> {
+        self.panes.get(pane)?.drawn.as_ref().map(|(frame, _)| frame)
+    }
+
+    /// Whether nothing of what is below a pane's picture can be seen through it, as it was drawn last.
+    pub fn is_opaque(&self, pane: usize) -> bool {
+        self.panes.get(pane).is_some_and(PaneDrawing::is_opaque)
+    }
+
+    /// The pixels of a pane as they are displayed, four bytes each, the top row first, and how many columns and rows there
+    /// are; `None` where nothing was drawn yet. Waits for the GPU.
+    pub fn pixels(&self, pane: usize) -> Option<(Vec<u8>, [u32; 2])> {
+        let canvas = self.panes.get(pane)?.canvas.as_ref()?;
+        Some((canvas.read8(), canvas.size()))
+    }
+
+    /// What OpenGL is told for a pane's picture as it was drawn last, with small pictures of all textures. None where
+    /// nothing was drawn.
+    pub fn record(&mut self, pane: usize) -> Result<Option<FrameRecord>, GlError> {
+        let Some(pane) = self.panes.get(pane) else { return Ok(None) };
+        let (Some((_, uploaded)), Some((frame, show))) = (&pane.uploaded, &pane.drawn) else { return Ok(None) };
+        // A special view is recorded as the picture is.
+        let view = if let View::Quantity(view) = show.view { Some(view) } else { None };
+        self.renderer.record_with_thumbnails(uploaded, frame, view).map(Some)
+    }
+
+    /// To be called before the pictures of a frame: `panes` are left, and meshes that were simplified beside the window
+    /// are taken in; where one is made, `ctx` is painted again when it is done.
+    pub fn begin(&mut self, ctx: &egui::Context, panes: usize) {
+        self.panes.truncate(panes);
+        self.details.begin(ctx);
+    }
+
+    /// The picture of a pane, `size` pixels, to be shown by a paint callback; drawn if anything changed since.
+    ///
+    /// While something moves ([`Session::moving`]) nothing is waited for, and if the panes took longer than
+    /// [`pane::SLOW_MS`] when they were drawn last, one sample a pixel must do until all is still. So it is with the first
+    /// pictures of a scene while it is sketched ([`Session::sketching`]).
+    pub fn picture(
+        &mut self,
+        index: usize,
+        document: &Document,
+        session: &Session,
+        size: [u32; 2],
+        facts: &mut FrameFacts,
+    ) -> Result<Option<Presentation>, GlError> {
+        let (Some(base), Some(settings)) = (&session.loaded, document.panes.list.get(index)) else { return Ok(None) };
+        if size.contains(&0) {
+            return Ok(None);
+        }
+        while self.panes.len() <= index {
+            self.panes.push(PaneDrawing::default());
+        }
+        let all_ms: f64 = self.panes.iter().map(|pane| pane.facts.ms).sum();
+        let pace = pane::Pace {
+            moving: session.moving || session.sketching,
+            reduced: session.adaptive && (session.sketching || all_ms > pane::SLOW_MS),
+            counted: session.tab == Tab::Compare,
+        };
+        let pane = &mut self.panes[index];
+        pane.follow(&mut self.renderer, &mut self.details, base, session.generation, settings)?;
+        pane.draw(&self.gl, &mut self.renderer, session.clock.time, size, pace, facts)?;
+        let picture = pane.canvas.as_ref().map(|canvas| self.presenter.of(canvas.texture()));
+        Ok(picture.map(|picture| if pane.is_opaque() { picture.opaque() } else { picture }))
+    }
+
+    /// The map of where the pair of panes differs, which both were drawn before in this frame; its numbers go to
+    /// `session` when nothing moves. `None` until both pictures have one size.
+    pub fn difference(&mut self, document: &Document, session: &mut Session) -> Result<Option<Presentation>, GlError> {
+        let [first, second] = document.panes.pair;
+        let (Some(a), Some(b)) = (self.panes.get(first), self.panes.get(second)) else { return Ok(None) };
+        let settings = document.panes.difference;
+        let drawn = self.pair.draw(&self.gl, &mut self.renderer, [a, b], document.panes.pair, settings)?;
+        if !drawn {
+            session.comparison.difference = None;
+            return Ok(None);
+        }
+        if !session.moving {
+            session.comparison.difference = self.pair.measured([a, b], document.panes.pair);
+        }
+        Ok(self.pair.map.as_ref().map(|map| self.presenter.of(map.texture())))
+    }
+
+    /// Tells the session what the panes took, and goes on with the curve of errors where it is asked for, by one picture;
+    /// whether there is more to do in the next frame.
+    pub fn measure(&mut self, document: &Document, session: &mut Session) -> Result<bool, GlError> {
+        let facts: Vec<_> = self.panes.iter().map(|pane| pane.facts.clone()).collect();
+        if session.comparison.panes != facts {
+            session.comparison.panes = facts;
+        }
+        if !session.comparison.curve.running {
+            self.curve = None;
+            return Ok(false);
+        }
+        let run = match self.curve.take() {
+            Some(run) => Some(run),
+            None => CurveRun::new(document, session, self.frame(document.panes.current)),
+        };
+        let Some(mut run) = run else {
+            session.comparison.curve.running = false;
+            return Ok(false);
+        };
+        let before = session.comparison.curve.progress;
+        let more = run.step(&self.gl, &mut self.renderer, &mut self.details, &mut session.comparison.curve)?;
+        session.comparison.curve.running = more;
+        if more {
+            self.curve = Some(run);
+        }
+        // While a mesh is made beside the window, that paints the next frame.
+        Ok(more && session.comparison.curve.progress != before)
+    }
+}

@@ -1,0 +1,241 @@
+//! The panes, drawn without a window.
+
+use super::PaneRenderer;
+use crate::document::{Arrangement, Document, Pane};
+use crate::scene_view;
+use crate::session::{FrameFacts, Session};
+use gonio_gl::{Gl, HeadlessContext};
+use gonio_light::{Quantity, Specular};
+use gonio_render::Renderer;
+use gonio_scene::SceneFile;
+use gonio_scene::detail::Detail;
+use gonio_scene::difference::of_bytes;
+use gonio_scene::edit::{Edited, apply};
+use gonio_scene::files::BuiltinOnly;
+use gonio_scene::scene_file::Shading;
+use gonio_scene::{Frame, ViewSpec, load};
+use std::path::Path;
+use std::sync::Arc;
+
+const SIZE: [u32; 2] = [160, 120];
+
+fn context() -> HeadlessContext {
+    HeadlessContext::new().unwrap_or_else(|why| panic!("{why}"))
+}
+
+fn opened(input: &str) -> (Document, Session) {
+    let scene = load::describe(&[input], &BuiltinOnly).unwrap_or_else(|e| panic!("{e}"));
+    let loaded = load::load(scene, Path::new(""), &BuiltinOnly).unwrap_or_else(|e| panic!("{e}"));
+    let document = Document::of(loaded.settings.clone());
+    (document, Session { loaded: Some(Arc::new(loaded)), ..Session::default() })
+}
+
+fn pane_renderer(gl: &Gl) -> PaneRenderer {
+    PaneRenderer::new(gl.clone()).unwrap_or_else(|why| panic!("{why}"))
+}
+
+/// All panes, as the window draws them; how many pictures that took.
+fn draw(pane_renderer: &mut PaneRenderer, document: &Document, session: &mut Session) -> u64 {
+    let mut facts = FrameFacts::default();
+    pane_renderer.begin(&egui::Context::default(), document.panes.list.len());
+    for index in 0..document.panes.list.len() {
+        let picture =
+            pane_renderer.picture(index, document, session, SIZE, &mut facts).unwrap_or_else(|e| panic!("{e}"));
+        assert!(picture.is_some());
+    }
+    facts.pictures
+}
+
+fn two_panes(document: &mut Document) {
+    let gouraud = Pane { shading: Some(Shading::Gouraud), specular: Some(Specular::Phong), ..Pane::default() };
+    document.panes.set(vec![gouraud, Pane { shading: Some(Shading::Flat), ..Pane::default() }]);
+}
+
+/// Each pane is what the renderer makes of the scene with the pane's settings.
+#[test]
+fn panes_are_the_renderers_pictures() {
+    let context = context();
+    let (mut document, mut session) = opened("builtin:sphere-128");
+    two_panes(&mut document);
+    let mut pane_renderer = pane_renderer(context.gl());
+    assert_eq!(draw(&mut pane_renderer, &document, &mut session), 2);
+    let mut renderer = Renderer::new(context.gl().clone()).unwrap_or_else(|e| panic!("{e}"));
+    for (index, pane) in document.panes.list.iter().enumerate() {
+        let scene = pane.applied_to(&document.scene);
+        let loaded = load::load(SceneFile::from(&scene), Path::new(""), &BuiltinOnly).unwrap_or_else(|e| panic!("{e}"));
+        let frame = Frame { width: SIZE[0], height: SIZE[1], ..loaded.frame(0.0) };
+        let uploaded = renderer.upload(&loaded).unwrap_or_else(|e| panic!("{e}"));
+        let drawn = renderer.render(&uploaded, &frame, None).unwrap_or_else(|e| panic!("{e}"));
+        let wanted = drawn.encoded8().unwrap_or_else(|e| panic!("{e}"));
+        let (pixels, size) = pane_renderer.pixels(index).unwrap_or_else(|| panic!("no picture"));
+        assert_eq!(size, SIZE);
+        let tally = of_bytes(&pixels, &wanted.rgba, 1.0);
+        // Half floats in the window, full ones in files: one step where rounding decides.
+        assert_eq!(tally.differing(), 0, "pane {index}: {:?}", tally.spread());
+    }
+}
+
+/// A window's room is filled below the picture only where that is seen: before there is a picture, beside panes, behind
+/// holes.
+#[test]
+fn the_ground_is_filled_only_where_it_is_seen() {
+    let context = context();
+    let (mut document, mut session) = opened("builtin:cube");
+    let mut pane_renderer = pane_renderer(context.gl());
+    let ctx = egui::Context::default();
+    let is_filled = |document: &mut Document, session: &mut Session, mut pane_renderer: Option<&mut PaneRenderer>| {
+        let screen = egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(400.0, 300.0));
+        let input = egui::RawInput { screen_rect: Some(screen), ..Default::default() };
+        let mut output = ctx.run_ui(input, |ui| {
+            // Nothing else has this colour.
+            ui.visuals_mut().extreme_bg_color = egui::Color32::from_rgb(1, 2, 3);
+            scene_view::show(ui, document, session, pane_renderer.as_deref_mut()).unwrap_or_else(|why| panic!("{why}"));
+        });
+        // Nobody shows what was drawn.
+        output.textures_delta.clear();
+        let is_ground = |shape: &egui::Shape| match shape {
+            egui::Shape::Rect(rect) => rect.fill == egui::Color32::from_rgb(1, 2, 3),
+            _ => false,
+        };
+        output.shapes.iter().any(|clipped| is_ground(&clipped.shape))
+    };
+    assert!(is_filled(&mut document, &mut session, None), "without OpenGL");
+    let loaded = session.loaded.take();
+    assert!(is_filled(&mut document, &mut session, Some(&mut pane_renderer)), "nothing is open");
+    session.loaded = loaded;
+    assert!(!is_filled(&mut document, &mut session, Some(&mut pane_renderer)), "the picture covers it");
+    let normal = ViewSpec { quantity: Quantity::Normal, light: None };
+    document.panes.set(vec![Pane { view: Some(normal), ..Pane::default() }]);
+    assert!(is_filled(&mut document, &mut session, Some(&mut pane_renderer)), "a debug view may have holes");
+    two_panes(&mut document);
+    assert!(is_filled(&mut document, &mut session, Some(&mut pane_renderer)), "between panes");
+    document.panes.arrangement = Arrangement::Wipe(0.5);
+    assert!(!is_filled(&mut document, &mut session, Some(&mut pane_renderer)), "one of two panes covers it");
+    document.scene.background.transparent = true;
+    let before = session.loaded.take().unwrap_or_else(|| panic!("it was there"));
+    let Ok(Edited::Done(applied)) = apply(&before, document.scene.clone()) else { panic!("it needs no files") };
+    session.loaded = Some(Arc::new(applied.loaded));
+    assert!(is_filled(&mut document, &mut session, Some(&mut pane_renderer)), "there is no background");
+}
+
+#[test]
+fn only_what_changed_is_drawn_again() {
+    let context = context();
+    let (mut document, mut session) = opened("builtin:sphere-128");
+    two_panes(&mut document);
+    let mut pane_renderer = pane_renderer(context.gl());
+    assert_eq!(draw(&mut pane_renderer, &document, &mut session), 2);
+    assert_eq!(draw(&mut pane_renderer, &document, &mut session), 0, "nothing changed");
+    document.panes.list[1].specular = Some(Specular::None);
+    assert_eq!(draw(&mut pane_renderer, &document, &mut session), 1, "one pane changed");
+    let facts = pane_renderer.panes[1].facts.clone();
+    assert_eq!(facts.triangles, 128);
+    // llvmpipe counts; flat shading hands over three vertices a triangle.
+    assert_eq!(facts.vertices, Some(3 * 128));
+    assert!(facts.fragments.is_some_and(|count| count > 1000));
+}
+
+/// The map's numbers are those of the two pictures on the CPU.
+#[test]
+fn the_difference_is_that_of_the_two_pictures() {
+    let context = context();
+    let (mut document, mut session) = opened("builtin:sphere-128");
+    two_panes(&mut document);
+    let mut pane_renderer = pane_renderer(context.gl());
+    draw(&mut pane_renderer, &document, &mut session);
+    let map = pane_renderer.difference(&document, &mut session).unwrap_or_else(|e| panic!("{e}"));
+    assert!(map.is_some());
+    let facts = session.comparison.difference.clone().unwrap_or_else(|| panic!("no numbers"));
+    let [a, b] = [0, 1].map(|pane| pane_renderer.pixels(pane).unwrap_or_else(|| panic!("no picture")).0);
+    let most = a.iter().zip(&b).map(|(a, b)| a.abs_diff(*b)).max().map(f64::from);
+    // Rounding of 1/255.
+    assert!(most.is_some_and(|most| (facts.spread.max - most).abs() < 1e-9 && most > 10.0));
+    let [x, y] = facts.worst.unwrap_or_else(|| panic!("nothing differs"));
+    let at = 4 * (y * SIZE[0] + x) as usize;
+    let there = (0..3).map(|c| a[at + c].abs_diff(b[at + c])).max().map(f64::from);
+    assert_eq!(there, most);
+}
+
+#[test]
+fn while_something_moves_one_sample_must_do_where_pictures_take_long() {
+    let context = context();
+    let (mut document, mut session) = opened("builtin:sphere-128");
+    let mut pane_renderer = pane_renderer(context.gl());
+    draw(&mut pane_renderer, &document, &mut session);
+    let samples = |pane_renderer: &PaneRenderer| pane_renderer.frame(0).map(|frame| frame.samples);
+    let all = session.loaded.as_ref().map(|loaded| loaded.settings.picture.samples);
+    assert_eq!(samples(&pane_renderer), all);
+    session.moving = true;
+    pane_renderer.panes[0].facts.ms = 1000.0;
+    assert_eq!(draw(&mut pane_renderer, &document, &mut session), 0, "nothing but the pointer moves");
+    session.clock.time = 0.5;
+    document.panes.list[0].shading = Some(Shading::Gouraud);
+    assert_eq!(draw(&mut pane_renderer, &document, &mut session), 1);
+    assert_eq!(samples(&pane_renderer), Some(1));
+    session.moving = false;
+    assert_eq!(draw(&mut pane_renderer, &document, &mut session), 1);
+    assert_eq!(samples(&pane_renderer), all);
+}
+
+#[test]
+fn a_sketch_comes_first_and_the_whole_picture_follows() {
+    let context = context();
+    let (document, mut session) = opened("builtin:sphere-128");
+    let mut pane_renderer = pane_renderer(context.gl());
+    assert!(pane_renderer.sketches(), "{}", pane_renderer.driver());
+    session.sketching = true;
+    assert_eq!(draw(&mut pane_renderer, &document, &mut session), 1);
+    assert_eq!(pane_renderer.frame(0).map(|frame| frame.samples), Some(1));
+    session.sketching = false;
+    assert_eq!(draw(&mut pane_renderer, &document, &mut session), 1);
+    let all = session.loaded.as_ref().map(|loaded| loaded.settings.picture.samples);
+    assert_eq!(pane_renderer.frame(0).map(|frame| frame.samples), all);
+    assert_eq!(draw(&mut pane_renderer, &document, &mut session), 0);
+}
+
+/// Coarser spheres are farther from the finest, and more in flat shading than in Phong's.
+#[test]
+fn the_curve_falls_towards_the_finest() {
+    let context = context();
+    let (document, mut session) = opened("builtin:sphere-128");
+    let mut pane_renderer = pane_renderer(context.gl());
+    draw(&mut pane_renderer, &document, &mut session);
+    session.comparison.curve.running = true;
+    let mut steps = 0;
+    while pane_renderer.measure(&document, &mut session).unwrap_or_else(|e| panic!("{e}")) {
+        steps += 1;
+        assert!(steps < 100, "it never ends");
+    }
+    let curve = &session.comparison.curve;
+    assert!(!curve.running && curve.against == "32768 triangles, Phong");
+    let rms = |shading, triangles| {
+        let point = curve.points.iter().find(|p| p.shading == shading && p.triangles == triangles);
+        point.map(|p| p.rms).unwrap_or_else(|| panic!("no point of {triangles} triangles"))
+    };
+    for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong] {
+        assert!(rms(shading, 32) > 2.0 * rms(shading, 512) && rms(shading, 512) > 2.0 * rms(shading, 8192));
+    }
+    assert!(rms(Shading::Flat, 512) > rms(Shading::Gouraud, 512));
+    assert!(rms(Shading::Gouraud, 512) > rms(Shading::Phong, 512));
+}
+
+/// A model in fewer triangles: made in a thread, the old ones are shown until it is done.
+#[test]
+fn a_pane_is_simplified_beside_the_window() {
+    let context = context();
+    let (mut document, mut session) = opened("builtin:suzanne");
+    let mut pane_renderer = pane_renderer(context.gl());
+    draw(&mut pane_renderer, &document, &mut session);
+    let before = pane_renderer.panes[0].facts.triangles;
+    document.panes.list[0].detail = Some(Detail::Share(0.25));
+    draw(&mut pane_renderer, &document, &mut session);
+    let ctx = egui::Context::default();
+    // As long as it takes: the test's own limit is that of the runner.
+    while pane_renderer.panes[0].facts.preparing {
+        std::thread::yield_now();
+        pane_renderer.begin(&ctx, 1);
+        draw(&mut pane_renderer, &document, &mut session);
+    }
+    let after = pane_renderer.panes[0].facts.triangles;
+    assert!(after <= before / 4 + 1 && after > before / 8, "{after} of {before}");
+}

@@ -1,0 +1,203 @@
+//! The strip over the picture: which view is shown, what is laid over it, and what its colours mean.
+
+use crate::document::{Document, Pane, VIEW_KEYS};
+use crate::exported::{self, Role};
+use crate::session::{Session, Tab};
+use crate::theme::{self, colors, icons};
+use egui::{Align2, Color32, FontId, Frame, Margin, Painter, Rect, RichText, Ui, UiBuilder, pos2, vec2};
+use glam::DVec3;
+use gonio_light::Quantity;
+use gonio_light::quantity::Encoding;
+use gonio_scene::{DisplayMap, SpecialView, ViewSpec};
+
+/// What it takes of a picture's height, in points, together with what is left free around it.
+pub const HEIGHT: f32 = 34.0;
+
+/// Shows the strip at the upper left of a pane. `frame` is what was drawn.
+pub fn show(ui: &mut Ui, rect: Rect, frame: &gonio_scene::Frame, document: &mut Document, session: &mut Session) {
+    let lights = document.scene.lights.len();
+    let Some(pane) = document.panes.current_mut() else { return };
+    let room = Rect::from_min_max(rect.min + vec2(10.0, 10.0), rect.max - vec2(10.0, 10.0));
+    let plate = Frame::NONE
+        .fill(ui.visuals().window_fill.gamma_multiply(0.9))
+        .corner_radius(7.0)
+        .inner_margin(Margin::symmetric(5, 3));
+    let shown = ui.scope_builder(UiBuilder::new().max_rect(room), |ui| {
+        plate.show(ui, |ui| {
+            ui.horizontal(|ui| {
+                ui.spacing_mut().item_spacing.x = 3.0;
+                chooser(ui, pane, lights);
+                ui.add_space(3.0);
+                overlays(ui, pane);
+                ui.add_space(3.0);
+                tools(ui, session);
+            });
+        });
+    });
+    let below = shown.response.rect.left_bottom() + vec2(0.0, 6.0);
+    legend(ui, &ui.painter_at(rect), below, pane, frame);
+}
+
+/// The view's name; a menu of all.
+fn chooser(ui: &mut Ui, pane: &mut Pane, lights: usize) {
+    let title = RichText::new(format!("{}  {}", title(pane), icons::CARET_DOWN));
+    let menu = ui.menu_button(title, |ui| {
+        ui.set_min_width(210.0);
+        let entry = |ui: &mut Ui, pane: &mut Pane, key: Option<usize>, quantity: Quantity| {
+            let is_shown = pane.special.is_none() && pane.view.map_or(Quantity::Total, |v| v.quantity) == quantity;
+            let symbol = quantity.symbol().map(|s| format!("  {s}")).unwrap_or_default();
+            let name = if quantity == Quantity::Total { "picture".to_owned() } else { format!("{quantity}{symbol}") };
+            let mut button = egui::Button::selectable(is_shown, name.as_str());
+            if let Some(key) = key {
+                button = button.shortcut_text(key.to_string());
+            }
+            let response = ui.add(button);
+            exported::note(ui, &response, &format!("view-{quantity}"), Role::Choice, &name, is_shown);
+            if response.on_hover_text(quantity.description().trim()).clicked() {
+                pane.special = None;
+                pane.view = (quantity != Quantity::Total).then_some(ViewSpec { quantity, light: None });
+                ui.close();
+            }
+        };
+        egui::ScrollArea::vertical().max_height(420.0).show(ui, |ui| {
+            entry(ui, pane, Some(0), Quantity::Total);
+            for (number, quantity) in VIEW_KEYS.into_iter().enumerate() {
+                entry(ui, pane, Some(number + 1), quantity);
+            }
+            ui.separator();
+            for view in [SpecialView::UvChecker, SpecialView::Overdraw] {
+                let is_shown = pane.special == Some(view);
+                let key = if view == SpecialView::Overdraw { "Shift + V" } else { "Shift + U" };
+                let response = ui.add(egui::Button::selectable(is_shown, view.name()).shortcut_text(key));
+                exported::note(ui, &response, &format!("view-{view}"), Role::Choice, view.name(), is_shown);
+                if response.on_hover_text(view.description().trim()).clicked() {
+                    pane.special = Some(view);
+                    ui.close();
+                }
+            }
+            ui.separator();
+            for &quantity in Quantity::ALL {
+                if quantity != Quantity::Total && !VIEW_KEYS.contains(&quantity) {
+                    entry(ui, pane, None, quantity);
+                }
+            }
+        });
+    });
+    exported::note(ui, &menu.response, "view-chooser", Role::Choice, "view", title_of(pane));
+    menu.response.on_hover_text("What is shown of the scene: the number keys choose, too");
+    // A view of one light says which.
+    if let Some(view) = pane.view.as_mut().filter(|view| pane.special.is_none() && view.quantity.per_light())
+        && lights > 1
+    {
+        let text = view.light.map_or_else(|| "first light".to_owned(), |light| format!("light {light}"));
+        ui.menu_button(format!("{text}  {}", icons::CARET_DOWN), |ui| {
+            for light in 0..lights {
+                if ui.selectable_label(view.light == Some(light), format!("light {light}")).clicked() {
+                    view.light = Some(light);
+                    ui.close();
+                }
+            }
+        });
+    }
+}
+
+fn title_of(pane: &Pane) -> String {
+    match (pane.special, pane.view) {
+        (Some(special), _) => special.name().to_owned(),
+        (None, Some(view)) => view.to_string(),
+        (None, None) => "picture".to_owned(),
+    }
+}
+
+fn title(pane: &Pane) -> String {
+    let symbol = pane.view.filter(|_| pane.special.is_none()).and_then(|view| view.quantity.symbol());
+    symbol.map_or_else(|| title_of(pane), |symbol| format!("{} {symbol}", title_of(pane)))
+}
+
+fn overlays(ui: &mut Ui, pane: &mut Pane) {
+    let overlays = &mut pane.overlays;
+    for (on, id, icon, tip) in [
+        (&mut overlays.wireframe, "overlay-wireframe", icons::POLYGON, "Wireframe (Shift + W)"),
+        (&mut overlays.normals, "overlay-normals", icons::WIND, "Normals (Shift + N)"),
+        (&mut overlays.boxes, "overlay-boxes", icons::BOUNDING_BOX, "Boxes (Shift + B)"),
+    ] {
+        if toggle(ui, id, icon, tip, *on) {
+            *on = !*on;
+        }
+    }
+}
+
+fn tools(ui: &mut Ui, session: &mut Session) {
+    let tip = "The camera from outside (O)";
+    if toggle(ui, "observer", icons::VIDEO_CAMERA, tip, session.observer.open) {
+        session.observer.toggle();
+    }
+    let probes = session.tab == Tab::Probe;
+    if toggle(ui, "probe-tool", icons::EYEDROPPER, "Probe the pixel under the pointer (P)", probes) {
+        session.tab = if probes { Tab::Lights } else { Tab::Probe };
+    }
+}
+
+/// An icon that is on or off; whether it was pressed.
+fn toggle(ui: &mut Ui, id: &str, icon: &str, tip: &str, on: bool) -> bool {
+    let color = if on { colors::ACCENT.of(ui) } else { ui.visuals().text_color() };
+    let text = RichText::new(icon).font(theme::icon_font(16.0)).color(color);
+    let response = ui.add(egui::Button::new(text).selected(on).frame_when_inactive(on));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, tip));
+    exported::note(ui, &response, id, Role::Toggle, tip, on);
+    response.on_hover_text(tip).clicked()
+}
+
+/// What the colours of a debug view mean.
+fn legend(ui: &Ui, painter: &Painter, place: egui::Pos2, pane: &Pane, frame: &gonio_scene::Frame) {
+    if pane.special.is_some() {
+        return;
+    }
+    let Some(view) = pane.view else { return };
+    let DisplayMap::Affine { scale, bias } = DisplayMap::for_view(Some(view), frame) else { return };
+    // What is shown as 0 and as 1.
+    let (low, high) = (-bias / scale, (DVec3::ONE - bias) / scale);
+    let names: &[(&str, Color32)] = match view.quantity.encoding() {
+        Encoding::Direction | Encoding::Position => &[("x", Color32::RED), ("y", Color32::GREEN), ("z", Color32::BLUE)],
+        _ if view.quantity == Quantity::Uv => &[("u", Color32::RED), ("v", Color32::GREEN)],
+        _ => &[("", Color32::WHITE)],
+    };
+    const WIDTH: f32 = 96.0;
+    const ROW: f32 = 16.0;
+    let size = vec2(WIDTH + 116.0, ROW * names.len() as f32 + 8.0);
+    let plate = Rect::from_min_size(place, size);
+    painter.rect_filled(plate, 7.0, ui.visuals().window_fill.gamma_multiply(0.9));
+    let font = FontId::monospace(11.0);
+    let ink = ui.visuals().text_color();
+    for (row, (name, color)) in names.iter().enumerate() {
+        let y = place.y + 4.0 + ROW * (row as f32 + 0.5);
+        let bar = Rect::from_center_size(pos2(place.x + 68.0 + 0.5 * WIDTH, y), vec2(WIDTH, 9.0));
+        gradient(painter, bar, *color);
+        painter.text(pos2(place.x + 8.0, y), Align2::LEFT_CENTER, name, font.clone(), ink);
+        let (from, to) = (number(low[row]), number(high[row]));
+        painter.text(bar.left_center() - vec2(5.0, 0.0), Align2::RIGHT_CENTER, from, font.clone(), ink);
+        painter.text(bar.right_center() + vec2(5.0, 0.0), Align2::LEFT_CENTER, to, font.clone(), ink);
+    }
+}
+
+/// From black to a colour; the numbers are not encoded, as in the view.
+fn gradient(painter: &Painter, rect: Rect, color: Color32) {
+    let mut mesh = egui::Mesh::default();
+    for (corner, tint) in [
+        (rect.left_top(), Color32::BLACK),
+        (rect.right_top(), color),
+        (rect.right_bottom(), color),
+        (rect.left_bottom(), Color32::BLACK),
+    ] {
+        mesh.colored_vertex(corner, tint);
+    }
+    mesh.add_triangle(0, 1, 2);
+    mesh.add_triangle(0, 2, 3);
+    painter.add(mesh);
+}
+
+/// Three digits are enough beside a bar.
+fn number(v: f64) -> String {
+    let rounded = (v * 100.0).round() / 100.0 + 0.0;
+    if rounded.abs() < 1000.0 { format!("{rounded}") } else { format!("{v:.1e}") }
+}

@@ -1,0 +1,444 @@
+//! The laboratory as a student uses it: the whole application, with OpenGL but without a window, checks in a thread.
+#![allow(missing_docs, clippy::unwrap_used)]
+
+mod support;
+
+use egui::{Event, Key, Modifiers, Vec2, vec2};
+use gonio_app::exercise::{Picture, PictureMode, Start};
+use gonio_app::exported;
+use gonio_app::files::ExerciseFile;
+use gonio_app::platform::{Event as PlatformEvent, Purpose, TrialOutcome};
+use gonio_lab::exercise;
+use serde_json::Value;
+use std::time::Duration;
+use support::Window;
+
+/// The right answer of an exercise, changed.
+fn answer(id: &str, change: impl Fn(&str, &str) -> String) -> Start {
+    let exercise = exercise::find(id).unwrap();
+    let file = |(name, text): (&'static str, &'static str)| ExerciseFile {
+        name: name.to_owned(),
+        path: None,
+        bytes: change(name, text).into_bytes(),
+    };
+    Start { exercise: id.to_owned(), files: exercise.reference_files().map(file).collect() }
+}
+
+fn right(id: &str) -> Start {
+    answer(id, |_, text| text.to_owned())
+}
+
+impl Window {
+    fn open(start: Start, size: Vec2) -> Self {
+        let mut window = Window::empty(size);
+        let ctx = window.harness.ctx.clone();
+        window.harness.state_mut().as_mut().unwrap().begin_exercise(&ctx, start);
+        window.steps(4);
+        window
+    }
+
+    fn empty(size: Vec2) -> Self {
+        Window::with("builtin:cube", size)
+    }
+
+    /// Files come, as from a drop.
+    fn hand(&mut self, files: &[(&str, &[u8])]) {
+        let given =
+            |(name, bytes): &(&str, &[u8])| ExerciseFile { name: (*name).into(), path: None, bytes: bytes.to_vec() };
+        self.here.coming.borrow_mut().push(PlatformEvent::ExerciseFiles(files.iter().map(given).collect()));
+        self.steps(2);
+    }
+
+    /// What is said over the picture and was not read.
+    fn messages(&self) -> Vec<String> {
+        self.app().session().messages.list().iter().map(|message| message.text.clone()).collect()
+    }
+
+    /// The laboratory's part of the state.
+    fn state(&self) -> Value {
+        self.app().state(&self.harness.ctx)["exercise"].clone()
+    }
+
+    /// Goes on until it is so: a check takes its time, and a text is compiled after a pause.
+    #[track_caller]
+    fn wait(&mut self, what: &str, wanted: impl Fn(&Value) -> bool) -> Value {
+        for _ in 0..1200 {
+            self.steps(1);
+            let state = self.state();
+            if wanted(&state) {
+                return state;
+            }
+            std::thread::sleep(Duration::from_millis(50));
+        }
+        panic!("waited in vain for {what}: {:#}", self.state());
+    }
+
+    fn click(&mut self, id: &str) {
+        let at = self.center(id);
+        self.click_at(at);
+        // The next click is another one, and none of a double click.
+        self.steps(30);
+    }
+
+    fn text(&self) -> String {
+        let work = self.app().exercise().work.as_ref().unwrap();
+        work.files[work.current].text.clone()
+    }
+
+    fn pixels(&self, picture: Picture) -> (Vec<u8>, [u32; 2]) {
+        self.app().exercise().pixels(picture).unwrap()
+    }
+}
+
+const DESK: Vec2 = vec2(1280.0, 800.0);
+const PHONE: Vec2 = vec2(390.0, 844.0);
+
+/// How many pixels of two pictures differ by more than two steps of 8 bits.
+fn differing(a: &[u8], b: &[u8]) -> usize {
+    assert_eq!(a.len(), b.len());
+    a.chunks(4).zip(b.chunks(4)).filter(|(a, b)| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > 2)).count()
+}
+
+#[test]
+fn the_right_answer_looks_like_the_reference_in_every_exercise() {
+    for exercise in exercise::all().iter().filter(|exercise| exercise.kind == exercise::Kind::Shaders) {
+        let mut window = Window::open(right(&exercise.id), DESK);
+        window.wait("the program", |s| s["drawn"] == true);
+        window.click("shown-both");
+        window.steps(2);
+        let (yours, size) = window.pixels(Picture::Yours);
+        let (reference, _) = window.pixels(Picture::Reference);
+        // Time may run: both are drawn in the same frame.
+        assert_eq!(differing(&yours, &reference), 0, "{}", exercise.id);
+        let first = yours[..4].to_vec();
+        let drawn = yours.chunks(4).filter(|pixel| **pixel != first).count();
+        assert!(drawn > (size[0] * size[1] / 20) as usize, "{}: {drawn} pixels are drawn", exercise.id);
+    }
+}
+
+#[test]
+fn a_mistake_is_seen_and_named_and_its_line_is_a_click_away() {
+    let start = answer("ex04", |_, text| text.replace("mat3(itM)", "mat3(M)"));
+    let mut window = Window::open(start, DESK);
+    window.wait("the program", |s| s["drawn"] == true);
+    window.click("shown-both");
+    // The lab's own scene hides it.
+    let of = |window: &Window| differing(&window.pixels(Picture::Yours).0, &window.pixels(Picture::Reference).0);
+    assert_eq!(of(&window), 0);
+    window.click("scene-stretched");
+    assert!(of(&window) > 1000, "{} pixels differ", of(&window));
+    window.press(Modifiers::COMMAND, Key::Enter);
+    assert_eq!(window.state()["checking"], true);
+    let state = window.wait("the verdict", |s| s["verdict"].is_object());
+    assert_eq!(
+        (&state["verdict"]["word"], &state["verdict"]["mistakes"][0]),
+        (&"wrong".into(), &"normal-by-model-matrix".into())
+    );
+    assert_eq!((&state["page"], &state["file"]), (&"verdict".into(), &"reference.frag".into()));
+    window.steps(2);
+    window.click("mistake-0");
+    assert_eq!(window.state()["file"], "reference.vert");
+}
+
+#[test]
+fn what_does_not_compile_is_said_at_its_line_and_the_last_picture_stays() {
+    let mut window = Window::open(right("ex06"), DESK);
+    window.wait("the program", |s| s["drawn"] == true);
+    window.steps(2);
+    let (before, _) = window.pixels(Picture::Yours);
+    window.click("editor");
+    window.press(Modifiers::COMMAND, Key::End);
+    window.harness.event(Event::Text("\nvoid broken(".into()));
+    let state = window.wait("the error", |s| s["older"] == true);
+    let lines = window.text().lines().count() as u64;
+    let said = state["said"].as_array().unwrap();
+    assert!(
+        said.iter().any(|n| n["kind"] == "error" && n["line"].as_u64().is_some_and(|l| l + 1 >= lines)),
+        "{said:?}"
+    );
+    window.widget("older-program");
+    assert_eq!(differing(&window.pixels(Picture::Yours).0, &before), 0);
+    assert_eq!(window.state()["files"][0]["changed"], true);
+    // By the key, and by the button.
+    let text = window.text();
+    window.steps(90);
+    window.press(Modifiers::COMMAND, Key::Z);
+    assert_ne!(window.text(), text);
+    window.wait("it to be well again", |s| s["older"] == false && s["said"].as_array().is_some_and(Vec::is_empty));
+    window.click("redo");
+    assert_eq!(window.text(), text);
+}
+
+#[test]
+fn nothing_is_given_to_the_windows_opengl_before_its_trial_came_back() {
+    let mut window = Window::empty(DESK);
+    let trials = window.here.trials.clone();
+    trials.borrow_mut().is_on = true;
+    let ctx = window.harness.ctx.clone();
+    window.harness.state_mut().as_mut().unwrap().begin_exercise(&ctx, right("ex04"));
+    window.wait("the trial", |s| s["tried"] == true);
+    window.steps(20);
+    assert_eq!((&window.state()["drawn"], trials.borrow().begun), (&false.into(), 1));
+    trials.borrow_mut().outcome = Some(TrialOutcome::Harmless);
+    window.wait("the program", |s| s["drawn"] == true && s["tried"] == false);
+    window.steps(2);
+    let (before, text) = (window.pixels(Picture::Yours).0, window.text());
+    // A text that is changed while it is tried is of no interest any more: its trial ends.
+    window.click("editor");
+    window.press(Modifiers::COMMAND, Key::End);
+    window.harness.event(Event::Text("// a".into()));
+    window.wait("a trial", |s| s["tried"] == true);
+    window.harness.event(Event::Text("b".into()));
+    window.steps(2);
+    assert_eq!((trials.borrow().begun, trials.borrow().running), (2, 0));
+    window.wait("another trial", |s| s["tried"] == true);
+    trials.borrow_mut().outcome = Some(TrialOutcome::Refused("It crashed.".into()));
+    let state = window.wait("the sentence", |s| s["unusable"].is_string());
+    assert_eq!(
+        (&state["unusable"], &state["older"], &state["tried"]),
+        (&"It crashed.".into(), &true.into(), &false.into())
+    );
+    window.widget("older-program");
+    assert_eq!(differing(&window.pixels(Picture::Yours).0, &before), 0, "the last picture stays");
+    // What was tried once is not tried again.
+    window.steps(90);
+    while window.text() != text {
+        window.press(Modifiers::COMMAND, Key::Z);
+    }
+    let state = window.wait("the program of before", |s| s["older"] == false && s["unusable"].is_null());
+    assert_eq!((&state["drawn"], trials.borrow().begun), (&true.into(), 3));
+}
+
+#[test]
+fn without_trials_what_cannot_hang_is_drawn_and_what_may_is_not() {
+    let outcome = TrialOutcome::Unavailable("there is no OpenGL".into());
+    let looping =
+        |_: &str, text: &str| text.replacen("void main() {", "void main() {\n    for (int i = 0; i < 2; ++i) {}", 1);
+    for (start, is_drawn) in [(right("ex04"), true), (answer("ex04", looping), false)] {
+        let mut window = Window::empty(DESK);
+        *window.here.trials.borrow_mut() =
+            support::Trials { is_on: true, outcome: Some(outcome.clone()), ..Default::default() };
+        let ctx = window.harness.ctx.clone();
+        window.harness.state_mut().as_mut().unwrap().begin_exercise(&ctx, start);
+        let state = window.wait("the end of the trial", |s| s["drawn"] == true || s["unusable"].is_string());
+        assert_eq!(state["drawn"], is_drawn);
+        assert_eq!(is_drawn, state["unusable"].is_null(), "{}", state["unusable"]);
+    }
+}
+
+#[test]
+fn each_file_has_its_own_undo() {
+    let mut window = Window::open(right("ex04"), DESK);
+    window.wait("the program", |s| s["drawn"] == true);
+    let type_into = |window: &mut Window, file: &str, text: &str| {
+        window.click(file);
+        window.click("editor");
+        window.harness.event(Event::Text(text.into()));
+        window.steps(90);
+        window.text()
+    };
+    let first = window.text();
+    type_into(&mut window, "file-0", "// one\n");
+    let second = type_into(&mut window, "file-1", "// two\n");
+    window.click("file-0");
+    window.click("undo");
+    assert_eq!(window.text(), first);
+    window.click("file-1");
+    assert_eq!(window.text(), second);
+}
+
+#[test]
+fn the_exercises_are_listed_begun_and_left_and_the_scene_stays() {
+    for size in [DESK, PHONE] {
+        let mut window = Window::empty(size);
+        let scene = window.app().document().clone();
+        if size == PHONE {
+            window.click("menu");
+        }
+        window.click("exercises");
+        assert_eq!(window.state()["open"], true);
+        window.click("exercise-ex03");
+        window.wait("the exercise", |s| s["exercise"] == "ex03" && s["drawn"] == true);
+        let names: Vec<Value> = window.state()["files"].as_array().unwrap().iter().map(|f| f["name"].clone()).collect();
+        assert!(names.contains(&"start.vert".into()), "{names:?}");
+        window.click("leave");
+        assert_eq!(window.state()["open"], false);
+        window.widget("term-diffuse");
+        assert_eq!(window.app().document().panes, scene.panes);
+    }
+}
+
+#[test]
+fn a_file_is_not_lost_to_another_exercise() {
+    let mut window = Window::open(right("ex04"), DESK);
+    window.wait("the program", |s| s["drawn"] == true);
+    window.click("editor");
+    window.harness.event(Event::Text("// mine".into()));
+    window.steps(2);
+    let text = window.text();
+    window.click("exercises");
+    window.click("exercise-ex03");
+    window.wait("the other", |s| s["exercise"] == "ex03" && s["drawn"] == true);
+    window.click("exercises");
+    window.click("exercise-ex04");
+    assert_eq!((&window.state()["exercise"], window.text()), (&"ex04".into(), text));
+    window.wait("its picture", |s| s["drawn"] == true);
+}
+
+#[test]
+fn a_camera_turns_around_the_object_and_both_pictures_follow() {
+    let mut window = Window::open(right("ex09"), DESK);
+    window.wait("the program", |s| s["drawn"] == true);
+    window.steps(2);
+    let (before, _) = window.pixels(Picture::Yours);
+    let from = window.center("picture-yours");
+    window.drag(from, vec2(120.0, 0.0));
+    assert!(differing(&window.pixels(Picture::Yours).0, &before) > 5000);
+}
+
+#[test]
+fn every_page_of_every_exercise_fits_a_phone() {
+    for exercise in exercise::all() {
+        let start = Start { exercise: exercise.id.clone(), files: Vec::new() };
+        let mut window = Window::open(start, PHONE);
+        for page in ["files", "text", "verdict", "variables"] {
+            window.click(&format!("page-{page}"));
+            for widget in exported::widgets(&window.harness.ctx) {
+                let [left, _, width, _] = widget.rect;
+                let is_scrolled = widget.id == "editor" || widget.id.starts_with("figure-");
+                assert!(
+                    is_scrolled || (left >= 0.0 && left + width <= PHONE.x + 1.0),
+                    "{}: {page}: {widget:?}",
+                    exercise.id
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_word_for_each_way_to_look() {
+    let mut window = Window::open(right("ex07"), DESK);
+    window.wait("the program", |s| s["drawn"] == true);
+    for (id, shown) in
+        [("reference", PictureMode::Reference), ("difference", PictureMode::Difference), ("yours", PictureMode::Yours)]
+    {
+        window.click(&format!("shown-{id}"));
+        assert_eq!(window.state()["shown"], id);
+        assert_eq!(window.app().exercise().work.as_ref().unwrap().shown, shown);
+    }
+    // The right answer differs nowhere from itself: the map is of one colour.
+    window.click("shown-difference");
+    let (map, _) = window.pixels(Picture::Difference);
+    assert!(map.chunks(4).all(|pixel| pixel == &map[..4]));
+}
+
+const GREEN: &[u8] = b"#version 330 core\nout vec4 FragColor;\nvoid main() { FragColor = vec4(0.0, 1.0, 0.0, 1.0); }\n";
+
+#[test]
+fn ones_own_file_takes_the_place_of_its_kind_and_what_was_written_comes_back() {
+    let mut window = Window::open(Start { exercise: "ex04".into(), files: Vec::new() }, DESK);
+    window.wait("the program", |s| s["drawn"] == true);
+    window.click("editor");
+    window.harness.event(Event::Text("// not saved\n".into()));
+    window.steps(2);
+    let written = window.text();
+    window.hand(&[("My shader.txt", GREEN), ("notes.md", b"to do")]);
+    let state = window.wait("the picture", |s| s["file"] == "My shader.txt" && s["drawn"] == true);
+    let shown: Vec<&Value> = state["files"].as_array().unwrap().iter().filter(|f| f["shown"] == true).collect();
+    assert_eq!(shown.iter().map(|f| f["name"].as_str().unwrap()).collect::<Vec<_>>(), ["start.vert", "My shader.txt"]);
+    assert!(window.messages().iter().any(|m| m.contains("notes.md")), "{:?}", window.messages());
+    window.steps(2);
+    let (pixels, _) = window.pixels(Picture::Yours);
+    assert!(pixels.chunks(4).any(|pixel| pixel[..3] == [0, 255, 0]), "it is drawn");
+    window.click("put-back");
+    assert_eq!((window.text(), window.state()["file"].as_str()), (written.clone(), Some("start.frag")));
+    // And that is its own undo again.
+    window.click("undo");
+    assert_ne!(window.text(), written);
+    window.click("put-back");
+    assert_eq!(window.text().as_bytes(), GREEN);
+}
+
+#[test]
+fn a_pair_in_a_program_takes_the_place_of_both_and_a_model_is_left_for_the_scene() {
+    let mut window = Window::open(Start { exercise: "ex04".into(), files: Vec::new() }, PHONE);
+    let exercise = exercise::find("ex04").unwrap();
+    let [vertex, fragment] = ["reference.vert", "reference.frag"].map(|name| exercise.file(name).unwrap());
+    let program = format!("const char* vs = R\"({vertex})\";\nconst char* fs = R\"({fragment})\";\n");
+    window.hand(&[("main.cpp", program.as_bytes())]);
+    let state = window.wait("the picture", |s| s["file"] == "main.cpp" && s["drawn"] == true);
+    assert_eq!(state["files"].as_array().unwrap().iter().filter(|f| f["shown"] == true).count(), 1);
+    let scene = window.app().document().clone();
+    window.hand(&[("cow.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")]);
+    assert!(window.messages().iter().any(|m| m.starts_with("cow.obj is a model")), "{:?}", window.messages());
+    assert_eq!((window.state()["open"].as_bool(), window.state()["file"].as_str()), (Some(true), Some("main.cpp")));
+    assert!(window.app().document().scene == scene.scene);
+    // The button asks for files for the exercise, and the list wants to know which exercise they are for.
+    window.click("open-files");
+    assert_eq!(window.here.asked.take(), Some(Purpose::Exercise));
+    window.click("path-cancel");
+    window.click("exercises");
+    window.hand(&[("a.frag", GREEN)]);
+    assert!(window.messages().iter().any(|m| m.starts_with("choose the exercise first")), "{:?}", window.messages());
+}
+
+#[test]
+fn of_several_buffers_the_one_in_the_editor_is_checked() {
+    let mut window = Window::open(Start { exercise: "ex02".into(), files: Vec::new() }, DESK);
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../gonio-lab/tests/ex02");
+    let [right, wrong] =
+        ["house.reference.csv", "house.start.csv"].map(|name| std::fs::read(folder.join(name)).unwrap());
+    let floats = [0_u8; 96];
+    window.hand(&[("house.csv", &right), ("house2.csv", &wrong), ("cube.bin", &floats)]);
+    for (tab, word) in [("house.csv", "correct"), ("house2.csv", "wrong")] {
+        let work = window.app().exercise().work.as_ref().unwrap();
+        let index = work.file_named(tab).unwrap();
+        window.click(&format!("file-{index}"));
+        window.press(Modifiers::COMMAND, Key::Enter);
+        let state = window.wait(tab, |s| s["checking"] == false && s["verdict"]["stale"] == false);
+        assert_eq!(state["verdict"]["word"], word, "{tab}: {}", state["verdict"]);
+    }
+    let work = window.app().exercise().work.as_ref().unwrap();
+    assert_eq!(work.files[work.file_named("cube.bin").unwrap()].text, "96 bytes that are no text.\n");
+}
+
+#[test]
+fn one_begins_again_without_losing_what_was_written() {
+    let mut window = Window::open(right("ex08"), DESK);
+    let before = window.text();
+    // The button stands below the text.
+    window.click("page-text");
+    let middle = window.center("page-text") + vec2(0.0, 80.0);
+    window.harness.event(Event::PointerMoved(middle));
+    for _ in 0..60 {
+        window.harness.event(Event::MouseWheel {
+            unit: egui::MouseWheelUnit::Point,
+            delta: vec2(0.0, -400.0),
+            phase: egui::TouchPhase::Move,
+            source: egui::MouseWheelSource::Unknown,
+            modifiers: Modifiers::NONE,
+        });
+        window.steps(1);
+    }
+    window.steps(30);
+    window.click("begin-again");
+    assert_eq!(window.state()["file"], "start.frag");
+    window.click("put-back");
+    assert_eq!((window.state()["file"].as_str(), window.text()), (Some("reference.frag"), before));
+}
+
+#[test]
+fn every_text_shows_its_figures() {
+    for size in [DESK, PHONE] {
+        for exercise in exercise::all() {
+            let figures: Vec<&str> = exercise.start_files().map(|(n, _)| n).filter(|n| n.ends_with(".svg")).collect();
+            let mut window = Window::open(Start { exercise: exercise.id.clone(), files: Vec::new() }, size);
+            window.click("page-text");
+            for figure in figures {
+                let [_, _, width, height] = window.widget(&format!("figure-{figure}")).rect;
+                assert!(width > 300.0 && height > 100.0, "{figure}: {width} x {height}");
+            }
+        }
+    }
+}

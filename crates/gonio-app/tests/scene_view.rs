@@ -1,0 +1,287 @@
+//! The picture as a person uses it: the whole application, with OpenGL but without a window.
+#![allow(clippy::unwrap_used)]
+
+mod support;
+
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2, vec2};
+use glam::DVec3;
+use gonio_app::exported;
+use gonio_app::session::{Selection, Tab};
+use gonio_reference::ReferenceScene;
+use gonio_scene::Frame;
+use gonio_scene::settings::CameraSettings;
+use std::time::Duration;
+use support::Window;
+
+/// A sphere, a lamp beside it, a sun, a spot from above.
+const SCENE: &str = r#"
+[camera]
+position = [0.0, 0.0, 6.0]
+target = [0.0, 0.0, 0.0]
+[[object]]
+model = "builtin:sphere-smooth"
+[[light]]
+kind = "point"
+name = "lamp"
+position = [1.3, 1.2, 1.0]
+[[light]]
+kind = "directional"
+name = "sun"
+direction = [1.0, -0.2, -0.4]
+intensity = 0.4
+[[light]]
+kind = "spot"
+name = "spot"
+position = [-1.2, 1.4, 1.0]
+direction = [1.0, -1.0, -1.0]
+"#;
+
+impl Window {
+    fn open(name: &str) -> Self {
+        Window::showing(name, SCENE, vec2(1100.0, 720.0))
+    }
+
+    /// A scene in a window of this size.
+    fn showing(name: &str, scene: &str, size: Vec2) -> Self {
+        let folder = std::env::temp_dir().join(format!("gonio-viewport-{name}-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap_or_else(|why| panic!("{why}"));
+        let file = folder.join("scene.toml");
+        std::fs::write(&file, scene).unwrap_or_else(|why| panic!("{why}"));
+        let mut window = Window::with(&file.to_string_lossy(), size);
+        // Read in a thread: a minute at most, on a machine that has much else to do.
+        for _ in 0..600 {
+            window.steps(1);
+            if window.pictures() > 0 {
+                break;
+            }
+            std::thread::sleep(Duration::from_millis(100));
+        }
+        let _ = std::fs::remove_dir_all(&folder);
+        window.steps(3);
+        assert_eq!(window.app().session().messages.list(), &[], "nothing had to be said");
+        window
+    }
+
+    /// A drag whose last way, `more`, comes in the same frame as the release: as where a frame takes long.
+    fn drag_and_release_at_once(&mut self, from: Pos2, way: Vec2, more: Vec2) {
+        self.move_to(from);
+        self.button(from, true);
+        for part in 1..=4 {
+            self.move_to(from + way * (part as f32 / 4.0));
+        }
+        let (at, button, modifiers) = (from + way + more, PointerButton::Primary, Modifiers::NONE);
+        // Of one frame: the harness would give each a frame of its own.
+        let released = Event::PointerButton { pos: at, button, pressed: false, modifiers };
+        self.harness.input_mut().events.extend([Event::PointerMoved(at), released]);
+        self.steps(3);
+    }
+
+    fn pictures(&self) -> u64 {
+        self.app().session().facts.pictures
+    }
+}
+
+/// A point of the window, for the numbers are rounded to what a person likes to read, and half of one for the pixels.
+const POINT: f32 = 1.5;
+
+#[test]
+fn a_lamp_follows_the_pointer_and_comes_back() {
+    let mut window = Window::open("lamp");
+    let before = window.app().document().clone();
+    let (start, way, drawn) = (window.center("light-0-handle"), vec2(70.0, -40.0), window.pictures());
+    window.drag(start, way);
+    let after = window.app().document().clone();
+    assert_eq!(after.scene.camera, before.scene.camera, "the camera stays while a light is dragged");
+    let [x, y, z] = after.scene.lights[0].position.unwrap_or_default();
+    assert!(x > 1.4 && y > 1.3 && (z - 1.0).abs() < 1e-6, "in the plane of the picture: {x}, {y}, {z}");
+    let end = window.center("light-0-handle");
+    assert!(end.distance(start + way) < POINT, "the handle is at {end}, the pointer at {}", start + way);
+    assert!(window.pictures() > drawn, "the picture was not drawn again");
+    assert_eq!(window.app().session().selection, Selection::Light(0));
+    // One gesture is one step.
+    window.press(Modifiers::COMMAND, Key::Z);
+    assert_eq!(window.app().document(), &before);
+}
+
+/// Nothing of a drag is lost, and it is still one step.
+#[test]
+fn what_is_dragged_is_left_where_it_is_released() {
+    let mut window = Window::open("release");
+    let before = window.app().document().clone();
+    let (start, way, more) = (window.center("light-0-handle"), vec2(40.0, -20.0), vec2(30.0, 40.0));
+    window.drag_and_release_at_once(start, way, more);
+    let end = window.center("light-0-handle");
+    assert!(end.distance(start + way + more) < POINT, "the handle is at {end}, the pointer at {}", start + way + more);
+    window.press(Modifiers::COMMAND, Key::Z);
+    assert_eq!(*window.app().document(), before);
+
+    let eye = |window: &Window| DVec3::from(window.app().document().scene.camera.position);
+    let (ground, first) = (window.center("pane-0") + vec2(-200.0, 150.0), eye(&window));
+    window.drag_and_release_at_once(ground, vec2(60.0, 0.0), vec2(60.0, 0.0));
+    let at_once = eye(&window);
+    window.press(Modifiers::COMMAND, Key::Z);
+    assert_eq!(*window.app().document(), before);
+    window.drag(ground, vec2(120.0, 0.0));
+    assert!(eye(&window).distance(at_once) < 1e-6 && at_once.distance(first) > 0.5, "{at_once} from {first}");
+}
+
+#[test]
+fn a_chosen_light_has_arms_along_the_axes() {
+    let mut window = Window::open("arms");
+    let lamp = window.center("light-0-handle");
+    window.click_at(lamp);
+    assert_eq!(window.app().session().selection, Selection::Light(0));
+    let (before, arm) = (window.app().document().scene.lights[0].position, window.center("light-0-x"));
+    window.drag(arm, vec2(50.0, 25.0));
+    let ([x0, y0, z0], [x, y, z]) =
+        (before.unwrap_or_default(), window.app().document().scene.lights[0].position.unwrap_or_default());
+    assert!(x > x0 + 0.1 && (y, z) == (y0, z0), "along x alone: {x}, {y}, {z}");
+}
+
+#[test]
+fn a_sun_turns_and_a_spot_opens() {
+    let mut window = Window::open("sun");
+    let start = window.center("light-1-handle");
+    window.drag(start, vec2(30.0, 60.0));
+    let end = window.center("light-1-handle");
+    assert!(end.distance(start + vec2(30.0, 60.0)) < POINT, "{end} for {start}");
+    let [_, y, _] = window.app().document().scene.lights[1].direction.unwrap_or_default();
+    assert!(y > -0.2, "it shines from farther below: {y}");
+
+    let spot = window.center("light-2-handle");
+    window.click_at(spot);
+    let before = window.app().document().scene.lights[2].clone();
+    let (end, rim) = (window.center("light-2-axis"), window.center("light-2-angle"));
+    window.drag(rim, 0.3 * (rim - end));
+    let after = window.app().document().scene.lights[2].clone();
+    assert!(after.outer_angle > before.outer_angle && after.inner_angle > before.inner_angle, "{after:?}");
+    assert_eq!(after.direction, before.direction);
+    window.drag(end, vec2(-40.0, 10.0));
+    let turned = window.app().document().scene.lights[2].clone();
+    assert!(turned.direction != after.direction && turned.position == before.position, "{turned:?}");
+}
+
+#[test]
+fn a_click_pins_the_probe_and_both_renderers_agree_there() {
+    let mut window = Window::open("probe");
+    // The side panel has its width once there are numbers in it: those of the pixel under the pointer.
+    let picture = window.center("pane-0");
+    window.move_to(picture);
+    window.press(Modifiers::NONE, Key::P);
+    while window.app().session().probing.reading().is_none() {
+        window.steps(1);
+        std::thread::yield_now();
+    }
+    window.steps(3);
+    let at = window.center("pane-0") + vec2(31.0, -42.0);
+    window.click_at(at);
+    assert_eq!(window.app().session().tab, Tab::Probe);
+    let reading = loop {
+        window.steps(1);
+        if let Some(reading) = window.app().session().probing.reading() {
+            break reading.clone();
+        }
+        std::thread::yield_now();
+    };
+    let [left, top, width, height] = window.widget("pane-0").rect;
+    // One pixel a point.
+    assert_eq!((reading.width, reading.height), (width as u32, height as u32));
+    assert_eq!((reading.x, reading.y), ((at.x - left) as u32, (at.y - top) as u32));
+    // The very numbers of `gonio probe`: the reference on the same scene and frame.
+    let loaded = reading.loaded.clone();
+    let frame = Frame { width: reading.width, height: reading.height, samples: 1, ..loaded.frame(0.0) };
+    let expected = ReferenceScene::new(&loaded).probe(&frame, reading.x, reading.y);
+    assert!(expected.is_some() && expected == reading.probe, "{expected:?}");
+    // The project's tolerance for the GPU against the reference.
+    let gpu = reading.gpu.unwrap_or_else(|| panic!("OpenGL's pixel could not be read"));
+    assert!(gpu.difference < 1e-3 && gpu.value[3] == 1.0, "{gpu:?}");
+    // It follows the light, at the same pixel.
+    let lamp = window.center("light-0-handle");
+    window.drag(lamp, vec2(-60.0, 0.0));
+    window.steps(2);
+    let now = window.app().session().probing.reading().cloned().unwrap_or_else(|| panic!("it is still pinned"));
+    assert!((now.x, now.y) == (reading.x, reading.y) && now.reference != reading.reference);
+    let difference = now.gpu.map_or(1.0, |gpu| gpu.difference);
+    assert!(difference < 1e-3, "{:?} {:?}", now.gpu, now.reference);
+    window.press(Modifiers::NONE, Key::Escape);
+    assert_eq!(window.app().session().probing.pinned, None);
+}
+
+#[test]
+fn the_axes_the_views_and_the_second_camera() {
+    let mut window = Window::open("views");
+    let end = window.center("look-along-x");
+    window.click_at(end);
+    let [x, y, z] = window.app().document().scene.camera.position;
+    assert!((x - 6.0).abs() < 1e-6 && y.abs() < 1e-6 && z.abs() < 1e-6, "from the end of x: {x}, {y}, {z}");
+    // Letters go to the picture while the pointer is over it and nothing is typed into.
+    let middle = window.center("pane-0");
+    window.move_to(middle);
+    let drawn = window.pictures();
+    window.press(Modifiers::SHIFT, Key::W);
+    window.press(Modifiers::NONE, Key::Num1);
+    let pane = window.app().document().panes.list[0].clone();
+    assert!(pane.overlays.wireframe && pane.view.is_some() && window.pictures() > drawn, "{pane:?}");
+    assert_eq!(window.widget("view-chooser").value, "normal");
+    window.press(Modifiers::SHIFT, Key::V);
+    assert_eq!(window.widget("view-chooser").value, "overdraw");
+    window.press(Modifiers::NONE, Key::O);
+    let inset = window.center("observer-view");
+    let camera = window.app().document().scene.camera.clone();
+    window.drag(inset, vec2(40.0, 10.0));
+    assert_eq!(window.app().document().scene.camera, camera, "turning the second eye moves the first");
+    let close = window.center("observer-close");
+    window.click_at(close);
+    assert!(exported::widgets(&window.harness.ctx).iter().all(|widget| widget.id != "observer-view"));
+}
+
+/// A scene that says nothing of a camera is whole in the picture however wide that is; and nothing has to be undone then.
+#[test]
+fn what_is_opened_is_whole_in_the_picture() {
+    let scene = "[[object]]\nmodel = \"builtin:cube\"\nscale = [3.0, 1.0, 1.0]\n";
+    let mut distances = Vec::new();
+    for size in [vec2(1100.0, 720.0), vec2(380.0, 800.0)] {
+        let window = Window::showing("framed", scene, size);
+        let loaded = window.app().session().loaded.clone().unwrap_or_else(|| panic!("it is open"));
+        let camera = window.app().document().scene.camera.clone();
+        let [_, _, width, height] = window.widget("pane-0").rect;
+        let frame = Frame { width: width as u32, height: height as u32, ..loaded.frame(0.0) };
+        // Where F would put it, but for the last digits of what was computed in other steps.
+        let again = loaded.framed(&camera, f64::from(width) / f64::from(height));
+        let places = |camera: &CameraSettings| [camera.position, camera.target().unwrap_or_default()].map(DVec3::from);
+        for (now, again) in places(&camera).into_iter().zip(places(&again)) {
+            assert!(now.distance(again) < 1e-9, "{now} and {again}");
+        }
+        let projection =
+            frame.camera.clip_from_view(f64::from(width) / f64::from(height)) * frame.camera.view_from_world();
+        let (min, max) = loaded.bounds();
+        for corner in 0..8 {
+            let side = |axis: usize| if corner >> axis & 1 == 0 { min[axis] } else { max[axis] };
+            let place = projection.project_point3(DVec3::new(side(0), side(1), side(2)));
+            // The corners of the box reach a little farther than the objects in it.
+            assert!(place.x.abs() < 1.15 && place.y.abs() < 1.15, "{size}: corner {corner} is at {place}");
+        }
+        assert_eq!(window.app().state(&window.harness.ctx)["undo"], false);
+        let [x, y, z] = camera.position;
+        distances.push((x * x + y * y + z * z).sqrt());
+    }
+    // The narrow one is about as wide as it is high, the other half as wide again.
+    assert!(distances[1] > 1.2 * distances[0], "{distances:?}");
+}
+
+/// On a slow machine a key may have been let go before the next frame is there.
+#[test]
+fn a_tap_moves_the_camera_however_short_it_is() {
+    let mut window = Window::open("tap");
+    let middle = window.center("pane-0");
+    window.move_to(middle);
+    let before = window.app().document().scene.camera.clone();
+    for pressed in [true, false] {
+        let (key, modifiers) = (Key::ArrowLeft, Modifiers::NONE);
+        let event = Event::Key { key, physical_key: None, pressed, repeat: false, modifiers };
+        window.harness.input_mut().events.push(event);
+    }
+    window.steps(2);
+    assert_ne!(window.app().document().scene.camera, before);
+    assert_eq!(window.app().state(&window.harness.ctx)["undo"], true);
+}
