@@ -6,15 +6,25 @@ use std::process::{Command, ExitCode};
 
 /// The targets in `fuzz/`, and the seeds of each: folders of files, and tables of test cases ([`TABLES`], or a `.txt`).
 const TARGETS: &[(&str, &[&str])] = &[
-    ("obj", &["crates/gonio-mesh/tests/corpus", "assets/models"]),
-    ("mtl", &["crates/gonio-mesh/tests/mtl", "crates/gonio-mesh/tests/corpus", "assets/models"]),
+    ("obj", &["crates/gonio-mesh/tests/obj.txt", "assets/models"]),
+    ("mtl", &["crates/gonio-mesh/tests/mtl.txt", "crates/gonio-mesh/tests/obj.txt", "assets/models"]),
     ("gltf", &["crates/gonio-mesh/tests/gltf"]),
-    ("collada", &["crates/gonio-mesh/tests/collada"]),
+    ("collada", &["crates/gonio-mesh/tests/collada.txt"]),
     ("ply", &["assets/models"]),
     ("stl", &["assets/models"]),
-    ("medit", &["crates/gonio-mesh/tests/medit"]),
-    ("any", &["crates/gonio-mesh/tests"]),
-    ("explain", &["crates/gonio-mesh/tests/corpus", "crates/gonio-mesh/tests/mtl"]),
+    ("medit", &["crates/gonio-mesh/tests/medit.txt"]),
+    (
+        "any",
+        &[
+            "crates/gonio-mesh/tests/obj.txt",
+            "crates/gonio-mesh/tests/mtl.txt",
+            "crates/gonio-mesh/tests/collada.txt",
+            "crates/gonio-mesh/tests/medit.txt",
+            "crates/gonio-mesh/tests/gltf",
+            "crates/gonio-mesh/tests/compression",
+        ],
+    ),
+    ("explain", &["crates/gonio-mesh/tests/obj.txt", "crates/gonio-mesh/tests/mtl.txt"]),
     ("environment", &["crates/gonio-image/tests/seeds"]),
     ("face_names", &["crates/gonio-environment/tests/names"]),
     ("glsl", &["crates/gonio-glsl/tests/pairs", "exercises/models"]),

@@ -212,6 +212,22 @@ pub fn selected<T>(cases: Vec<T>, name: impl Fn(&T) -> &str) -> Vec<T> {
     select(cases, name, &selection)
 }
 
+/// Compares what `actual` makes of each selected case with its expectation.
+///
+/// # Panics
+///
+/// If some differ, with the names and both texts of all of them.
+pub fn assert_as_expected(cases: Vec<ExpectedCase>, actual: impl Fn(&ExpectedCase) -> String) {
+    let mut differing = Vec::new();
+    for case in selected(cases, |case| &case.name) {
+        let actual = actual(&case);
+        if actual != case.expected {
+            differing.push(format!("--- {}, expected:\n{}--- actual:\n{actual}", case.name, case.expected));
+        }
+    }
+    assert!(differing.is_empty(), "{} cases differ:\n{}", differing.len(), differing.join("\n"));
+}
+
 fn select<T>(cases: Vec<T>, name: impl Fn(&T) -> &str, selection: &str) -> Vec<T> {
     let count = cases.len();
     let selected: Vec<T> = cases.into_iter().filter(|case| name(case).contains(selection)).collect();
@@ -275,6 +291,18 @@ void main() { }
         assert_eq!(tables.len(), 1);
         assert_eq!((tables[0].0.as_path(), tables[0].1.files()), (Path::new("b/table"), table().files()));
         std::fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    #[should_panic(expected = "1 cases differ:\n--- b.obj, expected:\n2\n--- actual:\n1\n")]
+    fn a_differing_case_is_named() {
+        let case = |name: &str, expected: &str| ExpectedCase {
+            name: name.to_owned(),
+            bytes: b"1\n".to_vec(),
+            expected: expected.to_owned(),
+        };
+        let content = |case: &ExpectedCase| String::from_utf8(case.bytes.clone()).unwrap();
+        assert_as_expected(vec![case("a.obj", "1\n"), case("b.obj", "2\n")], content);
     }
 
     #[test]

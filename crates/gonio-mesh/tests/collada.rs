@@ -7,15 +7,16 @@ mod hostile;
 #[path = "collada/summary.rs"]
 mod summary;
 
+use gonio_fixtures::assert_as_expected;
 use gonio_mesh::{AmbientRule, Channel, Limits, Material, Model, ModelLightKind, NoSidecars, ReadError, Wrap, collada};
-use summary::{check, compare, files, numbers};
+use summary::{cases, check, files, numbers};
 
 fn read(bytes: &[u8]) -> Result<Model, ReadError> {
     collada::read(bytes, &mut NoSidecars, &Limits::default())
 }
 
 fn documents() -> Vec<(String, Vec<u8>)> {
-    files("collada", "dae", 63)
+    files(cases("collada.txt", "dae", 63))
 }
 
 fn document(name: &str) -> Model {
@@ -24,8 +25,8 @@ fn document(name: &str) -> Model {
 }
 
 #[test]
-fn every_file_gives_what_is_written_beside_it() {
-    compare("collada", &documents(), |bytes| summary::summary(&read(bytes)));
+fn every_file_gives_what_is_expected() {
+    assert_as_expected(cases("collada.txt", "dae", 63), |case| summary::summary(&read(&case.bytes)));
 }
 
 #[test]

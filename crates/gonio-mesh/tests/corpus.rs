@@ -1,28 +1,32 @@
-//! Small files, one oddity each, with what they must give written by hand beside them (`NAME.obj.expected`): sizes,
-//! parts, triangles and every diagnostic, or the error.
+//! OBJ files with one oddity each, and what the reader must make of them: the table `obj.txt`. The expectations were written
+//! by hand: sizes, parts, triangles and every diagnostic, or the error.
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
+use gonio_fixtures::{ExpectedCase, FixtureTable, assert_as_expected};
 use gonio_mesh::{Limits, MissingSidecar, Model, ReadError, Sidecar, Sidecars, obj};
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::Path;
+use std::sync::LazyLock;
 
-fn corpus() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus")
-}
+/// The files, and the material libraries that they refer to.
+static TABLE: LazyLock<FixtureTable> = LazyLock::new(|| {
+    FixtureTable::read(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/obj.txt")).unwrap_or_else(|error| panic!("{error}"))
+});
 
-struct Folder(PathBuf);
+/// The libraries of the table.
+struct Libraries;
 
-impl Sidecars for Folder {
+impl Sidecars for Libraries {
     fn read(&mut self, name: &str) -> Result<Sidecar, MissingSidecar> {
-        let tried = vec![format!("here/{name}"), format!("there/{name}")];
-        let bytes = std::fs::read(self.0.join(name)).map_err(|_| MissingSidecar { tried, refused: None })?;
-        Ok(Sidecar { path: name.to_owned(), bytes })
+        let missing = || MissingSidecar { tried: vec![format!("here/{name}"), format!("there/{name}")], refused: None };
+        let bytes = TABLE.get(name.trim_start_matches("./")).ok_or_else(missing)?;
+        Ok(Sidecar { path: name.to_owned(), bytes: bytes.to_vec() })
     }
 }
 
 fn read(bytes: &[u8]) -> Result<Model, ReadError> {
-    obj::read(bytes, &mut Folder(corpus()), &Limits::default())
+    obj::read(bytes, &mut Libraries, &Limits::default())
 }
 
 fn summary(result: &Result<Model, ReadError>) -> String {
@@ -58,31 +62,26 @@ fn summary(result: &Result<Model, ReadError>) -> String {
     text
 }
 
+fn cases() -> Vec<ExpectedCase> {
+    let cases = TABLE.expected_cases("obj").unwrap_or_else(|error| panic!("{error}"));
+    assert!(cases.len() >= 75, "only {} cases", cases.len());
+    cases
+}
+
 fn files() -> Vec<(String, Vec<u8>)> {
-    let mut files: Vec<(String, Vec<u8>)> = std::fs::read_dir(corpus())
-        .unwrap()
-        .map(|entry| entry.unwrap().path())
-        .filter(|path| path.extension().is_some_and(|e| e == "obj"))
-        .map(|path| (path.file_name().unwrap().to_str().unwrap().to_owned(), std::fs::read(&path).unwrap()))
-        .collect();
-    files.sort();
-    assert!(files.len() >= 75, "only {} files found: is the corpus there?", files.len());
-    files
+    cases().into_iter().map(|case| (case.name, case.bytes)).collect()
 }
 
 #[test]
-fn every_file_gives_what_is_written_beside_it() {
-    let mut wrong = String::new();
-    for (name, bytes) in files() {
-        let expected = std::fs::read_to_string(corpus().join(format!("{name}.expected"))).unwrap();
-        // An empty line between blocks is for the reader.
-        let expected: String = expected.lines().filter(|line| !line.is_empty()).map(|l| format!("{l}\n")).collect();
-        let found = summary(&read(&bytes));
-        if found != expected {
-            write!(wrong, "--- {name}, expected:\n{expected}--- found:\n{found}").unwrap();
-        }
+fn every_file_gives_what_is_expected() {
+    assert_as_expected(cases(), |case| summary(&read(&case.bytes)));
+}
+
+#[test]
+fn names_tell_which_files_are_refused() {
+    for case in cases() {
+        assert_eq!(case.expected.starts_with("error "), case.name.starts_with("fail_"), "{}", case.name);
     }
-    assert!(wrong.is_empty(), "{wrong}");
 }
 
 /// No prefix of any file makes a panic, and whatever is read is consistent.
@@ -141,13 +140,13 @@ fn check_consistent(model: &Model) {
 #[test]
 fn limits_are_kept() {
     let quad = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
-    let message = |limits| obj::read(quad, &mut Folder(corpus()), &limits).unwrap_err().message;
+    let message = |limits| obj::read(quad, &mut Libraries, &limits).unwrap_err().message;
     let few_triangles = Limits { max_triangles: 1, ..Limits::default() };
     assert_eq!(message(few_triangles), "contains more than 1 triangles, which is the limit");
     let few_vertices = Limits { max_vertices: 3, ..Limits::default() };
     assert_eq!(message(few_vertices), "needs more than 3 vertices, which is the limit");
     let enough = Limits { max_vertices: 4, max_triangles: 2, ..Limits::default() };
-    assert_eq!(obj::read(quad, &mut Folder(corpus()), &enough).unwrap().mesh.indices, [0, 1, 2, 0, 2, 3]);
+    assert_eq!(obj::read(quad, &mut Libraries, &enough).unwrap().mesh.indices, [0, 1, 2, 0, 2, 3]);
 }
 
 /// A line without end is no reason to take memory without end.
@@ -156,7 +155,7 @@ fn a_polygon_has_a_most_of_corners_and_is_an_error_where_it_stands() {
     const MOST: usize = 4_194_304;
     let said = |face: &str, limits| {
         let text = format!("v 0 0 0\nv 1 0 0\nv 1 1 0\n{face}\n");
-        obj::read(text.as_bytes(), &mut Folder(corpus()), &limits).unwrap_err().to_string()
+        obj::read(text.as_bytes(), &mut Libraries, &limits).unwrap_err().to_string()
     };
     // As exporters write it, and with tabs.
     let at = 2 * MOST + 3;

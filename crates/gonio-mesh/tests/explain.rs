@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
+use gonio_fixtures::FixtureTable;
 use gonio_mesh::explain::{LineExplanation, LineValue, line, mtl_line};
 use gonio_mesh::{Limits, NoSidecars, Severity, encoding, obj};
 use std::path::Path;
@@ -321,16 +322,14 @@ fn lines_of_a_material_library() {
     assert_eq!((explanation.in_force[0].name.as_str(), explanation.in_force[0].line), ("red", 2));
 }
 
-fn corpus(folder: &str, extension: &str) -> Vec<(String, Vec<u8>)> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join(folder);
-    let mut files: Vec<(String, Vec<u8>)> = std::fs::read_dir(path)
-        .unwrap()
-        .map(|entry| entry.unwrap().path())
-        .filter(|path| path.extension().is_some_and(|e| e == extension))
-        .map(|path| (path.file_name().unwrap().to_str().unwrap().to_owned(), std::fs::read(&path).unwrap()))
-        .collect();
-    files.sort();
-    assert!(files.len() > 50, "only {} files in {folder}", files.len());
+/// The files of a table in `tests` that end in `.extension`.
+fn files(table: &str, extension: &str) -> Vec<(String, Vec<u8>)> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join(table);
+    let table = FixtureTable::read(path).unwrap_or_else(|error| panic!("{error}"));
+    let ending = format!(".{extension}");
+    let files = table.files().iter().filter(|file| file.path.ends_with(&ending));
+    let files: Vec<_> = files.map(|file| (file.path.clone(), file.bytes.clone())).collect();
+    assert!(files.len() > 50, "only {} files in {}", files.len(), table.name);
     files
 }
 
@@ -339,7 +338,7 @@ fn corpus(folder: &str, extension: &str) -> Vec<(String, Vec<u8>)> {
 #[test]
 fn the_reader_and_the_explanation_agree() {
     let mut agreed = 0;
-    for (name, bytes) in corpus("corpus", "obj") {
+    for (name, bytes) in files("obj.txt", "obj") {
         let (error, diagnostics) = match obj::read(&bytes, &mut NoSidecars, &Limits::default()) {
             Ok(model) => (None, model.diagnostics),
             Err(error) => (Some(error), Vec::new()),
@@ -378,8 +377,8 @@ fn every_line_of_every_prefix_is_explained() {
         assert_eq!(explained, ends.count() + usize::from(is_open), "{:?}", String::from_utf8_lossy(bytes));
     };
     let mut tried = 0;
-    for (folder, extension, explain) in [("corpus", "obj", line as Explain), ("mtl", "mtl", mtl_line as Explain)] {
-        for (_, bytes) in corpus(folder, extension) {
+    for (table, extension, explain) in [("obj.txt", "obj", line as Explain), ("mtl.txt", "mtl", mtl_line as Explain)] {
+        for (_, bytes) in files(table, extension) {
             let bytes = &bytes[..bytes.len().min(150)];
             for at in 0..bytes.len() {
                 check(explain, &bytes[..at]);

@@ -5,20 +5,21 @@
 #[path = "collada/summary.rs"]
 mod summary;
 
+use gonio_fixtures::assert_as_expected;
 use gonio_mesh::{Limits, Model, NoSidecars, ReadError, medit};
-use summary::{check, compare, files};
+use summary::{cases, check, files};
 
 fn read(bytes: &[u8]) -> Result<Model, ReadError> {
     medit::read(bytes, &mut NoSidecars, &Limits::default())
 }
 
 fn texts() -> Vec<(String, Vec<u8>)> {
-    files("medit", "mesh", 41)
+    files(cases("medit.txt", "mesh", 41))
 }
 
 #[test]
-fn every_file_gives_what_is_written_beside_it() {
-    compare("medit", &texts(), |bytes| summary::summary(&read(bytes)));
+fn every_file_gives_what_is_expected() {
+    assert_as_expected(cases("medit.txt", "mesh", 41), |case| summary::summary(&read(&case.bytes)));
 }
 
 #[test]

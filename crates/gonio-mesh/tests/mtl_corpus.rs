@@ -1,29 +1,25 @@
-//! Small material libraries, one statement or oddity each, with what they must give written by hand beside them
-//! (`NAME.mtl.expected`): each value, the line it came from and by which rule, what is not used, every diagnostic.
+//! Material libraries with one statement or oddity each, and what the reader must make of them: the table `mtl.txt`. The
+//! expectations were written by hand: each value, the line that it came from and by which rule, what is not used, and every
+//! diagnostic.
 //!
-//! `PROPERTY = VALUE | LINE: STATEMENT | RULE`. Values that no line gives are only listed in files `absent...`; `~` is
-//! for numbers rounded to four places.
+//! `PROPERTY = VALUE | LINE: STATEMENT | RULE`. Values without a line are only listed for files called `absent...`; `~` marks
+//! numbers that are rounded to four places.
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
+use gonio_fixtures::{ExpectedCase, FixtureTable, assert_as_expected};
 use gonio_mesh::{AmbientRule, Material, Source, TexelRule, TextureMap, Wrap, mtl};
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
 
-fn corpus() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/mtl")
+fn cases() -> Vec<ExpectedCase> {
+    let table = FixtureTable::read(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/mtl.txt"));
+    let cases = table.and_then(|table| table.expected_cases("mtl")).unwrap_or_else(|error| panic!("{error}"));
+    assert!(cases.len() >= 80, "only {} cases", cases.len());
+    cases
 }
 
 fn files() -> Vec<(String, Vec<u8>)> {
-    let mut files: Vec<(String, Vec<u8>)> = std::fs::read_dir(corpus())
-        .unwrap()
-        .map(|entry| entry.unwrap().path())
-        .filter(|path| path.extension().is_some_and(|e| e == "mtl"))
-        .map(|path| (path.file_name().unwrap().to_str().unwrap().to_owned(), std::fs::read(&path).unwrap()))
-        .collect();
-    files.sort();
-    assert!(files.len() >= 80, "only {} files found: is the corpus there?", files.len());
-    files
+    cases().into_iter().map(|case| (case.name, case.bytes)).collect()
 }
 
 fn color(color: [f32; 3]) -> String {
@@ -127,18 +123,15 @@ fn summary(name: &str, bytes: &[u8]) -> String {
 }
 
 #[test]
-fn every_file_gives_what_is_written_beside_it() {
-    let mut wrong = String::new();
-    for (name, bytes) in files() {
-        let expected = std::fs::read_to_string(corpus().join(format!("{name}.expected"))).unwrap();
-        let found = summary(&name, &bytes);
-        if found != expected {
-            write!(wrong, "--- {name}, expected:\n{expected}--- found:\n{found}").unwrap();
-        }
-        // Whoever is warned finds the place, and a name says what a file is about.
-        assert_eq!(expected.contains("warning:"), name.starts_with("warn_"), "{name}");
+fn every_file_gives_what_is_expected() {
+    assert_as_expected(cases(), |case| summary(&case.name, &case.bytes));
+}
+
+#[test]
+fn names_tell_which_files_give_warnings() {
+    for case in cases() {
+        assert_eq!(case.expected.contains("warning:"), case.name.starts_with("warn_"), "{}", case.name);
     }
-    assert!(wrong.is_empty(), "{wrong}");
 }
 
 /// Each value is accounted for once, in the order of the material's fields.

@@ -2,20 +2,28 @@
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
+use gonio_fixtures::FixtureTable;
 use gonio_mesh::write::{obj as write_obj, ply as write_ply};
 use gonio_mesh::{
     AmbientRule, Channel, EmbeddedImage, Limits, Material, Mesh, MetallicRoughness, MissingSidecar, Model, ModelCamera,
     ModelLight, ModelLightKind, NoSidecars, Part, Sidecar, Sidecars, Source, TextureMap, Wrap, obj, ply,
 };
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-struct Folder(PathBuf);
+/// The files of the table `obj.txt`, or those that gonio ships.
+struct Files(Vec<(String, Vec<u8>)>);
 
-impl Sidecars for Folder {
+impl Files {
+    fn get(&self, name: &str) -> Option<&[u8]> {
+        self.0.iter().find(|(known, _)| known == name).map(|(_, bytes)| bytes.as_slice())
+    }
+}
+
+impl Sidecars for &Files {
     fn read(&mut self, name: &str) -> Result<Sidecar, MissingSidecar> {
-        let missing = |_| MissingSidecar { tried: vec![name.to_owned()], refused: None };
-        let bytes = std::fs::read(self.0.join(name)).map_err(missing)?;
-        Ok(Sidecar { path: name.to_owned(), bytes })
+        let missing = || MissingSidecar { tried: vec![name.to_owned()], refused: None };
+        let bytes = self.get(name.trim_start_matches("./")).ok_or_else(missing)?;
+        Ok(Sidecar { path: name.to_owned(), bytes: bytes.to_vec() })
     }
 }
 
@@ -90,56 +98,52 @@ fn comparable(material: &Material) -> Material {
     material
 }
 
-fn obj_files() -> Vec<PathBuf> {
+/// Each OBJ that can be read, of the table and of the models that gonio ships, with its name.
+fn obj_models() -> Vec<(String, Model)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let list = |folder: PathBuf| std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-    let all = list(root.join("tests/corpus")).chain(list(root.join("../../assets/models")));
-    let mut files: Vec<PathBuf> = all.filter(|path| path.extension().is_some_and(|e| e == "obj")).collect();
-    files.sort();
-    files
-}
-
-fn read_file(path: &Path) -> Option<Model> {
-    let mut folder = Folder(path.parent().unwrap().to_owned());
-    obj::read(&std::fs::read(path).unwrap(), &mut folder, &Limits::default()).ok()
+    let table = FixtureTable::read(root.join("tests/obj.txt")).unwrap_or_else(|error| panic!("{error}"));
+    let cases = table.files().iter().map(|file| (file.path.clone(), file.bytes.clone())).collect();
+    let entries = std::fs::read_dir(root.join("../../assets/models")).unwrap().map(|entry| entry.unwrap().path());
+    let shipped = entries.filter(|path| path.is_file());
+    let shipped =
+        shipped.map(|path| (path.file_name().unwrap().to_str().unwrap().to_owned(), std::fs::read(&path).unwrap()));
+    let mut models = Vec::new();
+    for files in [Files(cases), Files(shipped.collect())] {
+        for (name, bytes) in files.0.iter().filter(|(name, _)| name.ends_with(".obj")) {
+            models.extend(obj::read(bytes, &mut &files, &Limits::default()).ok().map(|model| (name.clone(), model)));
+        }
+    }
+    assert!(models.len() >= 40, "only {} models", models.len());
+    models
 }
 
 /// Every OBJ of the corpus and every model that gonio ships: the same triangles, bit by bit, with the same materials.
 #[test]
 fn obj_files_come_back_as_they_were() {
-    let mut count = 0;
-    for path in obj_files() {
-        let Some(model) = read_file(&path) else { continue };
-        let name = path.file_name().unwrap().to_str().unwrap();
+    for (name, model) in obj_models() {
         let (again, ..) = through_obj(&model);
-        check_same_triangles(&again.mesh, &model.mesh, name);
+        check_same_triangles(&again.mesh, &model.mesh, &name);
         assert_eq!(surfaces(&again), surfaces(&model), "{name}");
         assert_eq!(again.mesh.smoothing_groups, model.mesh.smoothing_groups, "{name}");
         // sRGB there and back, each rounded to f32.
         let colors = again.mesh.colors.iter().flatten().zip(model.mesh.colors.iter().flatten());
         assert!(colors.clone().all(|(a, b)| (a - b).abs() < 1e-6), "{name}");
-        count += 1;
     }
-    assert!(count >= 40, "only {count} files: is the corpus there?");
 }
 
 /// The same by way of PLY, which has neither parts nor materials; colours have 8 bits there.
 #[test]
 fn meshes_come_back_from_ply() {
-    let mut count = 0;
-    for path in obj_files() {
-        let Some(model) = read_file(&path) else { continue };
+    for (name, model) in obj_models() {
         for encoding in [write_ply::Encoding::Binary, write_ply::Encoding::Ascii] {
             let again = through_ply(&model, encoding);
-            check_same_triangles(&again.mesh, &model.mesh, &path.display().to_string());
+            check_same_triangles(&again.mesh, &model.mesh, &name);
             let colors = again.mesh.colors.iter().flatten().zip(model.mesh.colors.iter().flatten());
-            assert!(colors.clone().all(|(a, b)| (a - b).abs() < 0.01), "{}", path.display());
+            assert!(colors.clone().all(|(a, b)| (a - b).abs() < 0.01), "{name}");
             let notes_only = again.diagnostics.iter().all(|d| d.severity == gonio_mesh::Severity::Note);
-            assert!(notes_only, "{}: {:?}", path.display(), again.diagnostics);
+            assert!(notes_only, "{name}: {:?}", again.diagnostics);
         }
-        count += 1;
     }
-    assert!(count >= 40, "only {count} files: is the corpus there?");
 }
 
 fn triangle() -> Mesh {

@@ -38,17 +38,15 @@ fn same_in_every_way(text: &[u8], name: &str) -> Result<Model, ReadError> {
 
 #[test]
 fn the_corpus_is_the_same_in_every_way() {
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus");
+    let table = gonio_fixtures::FixtureTable::read(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/obj.txt"));
+    let table = table.unwrap_or_else(|error| panic!("{error}"));
     let mut files = 0;
-    for path in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
-        if path.extension().is_some_and(|extension| extension == "obj") {
-            let bytes = std::fs::read(&path).unwrap();
-            let _ = same_in_every_way(&bytes, &path.to_string_lossy());
-            // The quick way wants room behind a line, which small files do not have.
-            let padded = [&bytes[..], b"\n", &b"#\n".repeat(100)].concat();
-            let _ = same_in_every_way(&padded, &path.to_string_lossy());
-            files += 1;
-        }
+    for file in table.files().iter().filter(|file| file.path.ends_with(".obj")) {
+        let _ = same_in_every_way(&file.bytes, &file.path);
+        // The quick way wants room behind a line, which small files do not have.
+        let padded = [&file.bytes[..], b"\n", &b"#\n".repeat(100)].concat();
+        let _ = same_in_every_way(&padded, &file.path);
+        files += 1;
     }
     assert!(files >= 69, "{files}");
 }

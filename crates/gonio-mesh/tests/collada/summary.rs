@@ -1,37 +1,25 @@
 //! What a reader makes of a file, as text that can be written by hand, and checks that hold for every model.
 
+use gonio_fixtures::{ExpectedCase, FixtureTable};
 use gonio_mesh::{Mesh, Model, ReadError, TextureMap};
 use std::fmt::{Display, Write as _};
 use std::path::Path;
 
-/// The files of a folder below `tests` that end in `.extension`, of which there must be at least `least`.
-pub fn files(folder: &str, extension: &str, least: usize) -> Vec<(String, Vec<u8>)> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join(folder);
-    let mut files: Vec<(String, Vec<u8>)> = std::fs::read_dir(folder)
-        .unwrap()
-        .map(|entry| entry.unwrap().path())
-        .filter(|path| path.extension().is_some_and(|e| e == extension))
-        .map(|path| (path.file_name().unwrap().to_str().unwrap().to_owned(), std::fs::read(&path).unwrap()))
-        .collect();
-    files.sort();
-    assert!(files.len() >= least, "only {} files found: are they there?", files.len());
-    files
+/// The cases of a table in `tests` whose names end in `.extension`, of which there must be at least `least`.
+pub fn cases(table: &str, extension: &str, least: usize) -> Vec<ExpectedCase> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join(table);
+    let cases = FixtureTable::read(path).and_then(|table| table.expected_cases(extension));
+    let cases = cases.unwrap_or_else(|error| panic!("{error}"));
+    assert!(cases.len() >= least, "only {} cases in {table}", cases.len());
+    for case in &cases {
+        assert_eq!(case.expected.starts_with("error "), case.name.starts_with("fail_"), "{}", case.name);
+    }
+    cases
 }
 
-/// Compares each file's summary with `NAME.expected` beside it.
-pub fn compare(folder: &str, files: &[(String, Vec<u8>)], summary: impl Fn(&[u8]) -> String) {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join(folder);
-    let mut wrong = String::new();
-    for (name, bytes) in files {
-        let expected = std::fs::read_to_string(folder.join(format!("{name}.expected"))).unwrap_or_default();
-        // An empty line between blocks is for the reader.
-        let expected: String = expected.lines().filter(|line| !line.is_empty()).map(|l| format!("{l}\n")).collect();
-        let found = summary(bytes);
-        if found != expected {
-            write!(wrong, "--- {name}, expected:\n{expected}--- found:\n{found}").unwrap();
-        }
-    }
-    assert!(wrong.is_empty(), "{wrong}");
+/// Names and contents.
+pub fn files(cases: Vec<ExpectedCase>) -> Vec<(String, Vec<u8>)> {
+    cases.into_iter().map(|case| (case.name, case.bytes)).collect()
 }
 
 /// Numbers with at most four places, -0 as 0.
