@@ -2,7 +2,7 @@
 
 use crate::checks::source::Source;
 use crate::checks::tree::TextFile;
-use crate::checks::{length, words};
+use crate::checks::{cycles, length, words};
 use crate::process;
 use crate::report::Findings;
 use std::path::Path;
@@ -12,6 +12,8 @@ use std::process::Command;
 pub const MOST_UNSAFE_BLOCKS: usize = 220;
 /// In at most so many files.
 pub const MOST_UNSAFE_FILES: usize = 60;
+/// At most so many import cycles of more than [`cycles::MOST_FILES`] files.
+pub const MOST_CYCLES: usize = 9;
 /// At most so many files tracked by git.
 pub const MOST_TRACKED_FILES: usize = 3700;
 
@@ -49,6 +51,20 @@ pub fn check_tracked(root: &Path) -> Findings {
         Ok(count) => Findings::pass().remarking(format!("{count}")),
         Err(error) => Findings::fail(error),
     }
+}
+
+/// Import cycles of too many files, against the limit.
+pub fn check_cycles(files: &[TextFile]) -> Findings {
+    let complaints = cycles::check(files);
+    if complaints.len() > MOST_CYCLES {
+        return Findings::of_complaints(&complaints);
+    }
+    let largest = cycles::cycles(files).first().map_or(cycles::MOST_FILES, Vec::len);
+    Findings::pass().remarking(format!(
+        "{} of more than {} files, largest {largest}",
+        complaints.len(),
+        cycles::MOST_FILES
+    ))
 }
 
 /// Terms of the glossary that several types are named after, and names that crates share.

@@ -135,6 +135,7 @@ fn house(report: &mut Report, root: &Path) {
     report.step("libraries keep quiet", || Findings::of_complaints(&output::check(&files)));
     report.step("unsafe blocks", || figures::check_unsafe(&files));
     report.step("tracked files", || figures::check_tracked(root));
+    report.step("import cycles", || figures::check_cycles(&files));
     report.step("length of files", || figures::check_length(&files));
     report.step("one meaning per word", || figures::check_words(&files));
     report.step("examples are tests", || Findings::of_complaints(&examples::check(&files)));
