@@ -73,6 +73,16 @@ pub struct FixtureCase {
     pub files: Vec<FixtureFile>,
 }
 
+impl FixtureCase {
+    /// The file at `path` below the case, as text.
+    pub fn text(&self, path: &str) -> Result<&str, FixtureError> {
+        let error = |line, problem| FixtureError { table: self.name.clone(), line, problem };
+        let file = self.files.iter().find(|file| file.path == path);
+        let file = file.ok_or_else(|| error(None, Problem::Missing(path.to_owned())))?;
+        str::from_utf8(&file.bytes).map_err(|_| error(Some(file.line), Problem::NotUtf8))
+    }
+}
+
 /// A file and the text that a test must make of it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ExpectedCase {
@@ -149,7 +159,7 @@ impl FixtureTable {
                 self.get(of).ok_or_else(|| self.error(file.line, Problem::NothingExpectedOf(of.to_owned())))?;
             } else if file.path.rsplit_once('.').is_some_and(|(_, ending)| ending == extension) {
                 let path = format!("{}.expected", file.path);
-                let expected = self.get(&path).ok_or_else(|| self.error(file.line, Problem::WithoutExpected(path)))?;
+                let expected = self.get(&path).ok_or_else(|| self.error(file.line, Problem::Missing(path)))?;
                 let expected = str::from_utf8(expected).map_err(|_| self.error(file.line, Problem::NotUtf8))?;
                 let expected =
                     expected.lines().filter(|line| !line.is_empty()).map(|line| format!("{line}\n")).collect();

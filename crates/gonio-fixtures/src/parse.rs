@@ -45,8 +45,8 @@ pub enum Problem {
     InvalidHex,
     /// A file outside of the folders that form the cases.
     OutsideOfCases,
-    /// The path of an expectation that a case lacks.
-    WithoutExpected(String),
+    /// The path of a file that a case lacks.
+    Missing(String),
     /// An expectation whose file is missing; the file's path.
     NothingExpectedOf(String),
 }
@@ -88,7 +88,7 @@ impl fmt::Display for Problem {
             Problem::InvalidEscape => f.write_str("invalid escape: expected `\\\\`, `\\t`, `\\r`, `\\n`, `\\xNN` or `\\u{N}`"),
             Problem::InvalidHex => f.write_str("invalid byte: expected two hexadecimal digits"),
             Problem::OutsideOfCases => f.write_str("a file outside of the folders of the cases"),
-            Problem::WithoutExpected(path) => write!(f, "`{path}` is missing"),
+            Problem::Missing(path) => write!(f, "`{path}` is missing"),
             Problem::NothingExpectedOf(path) => write!(f, "the expectation of a missing file, `{path}`"),
         }
     }

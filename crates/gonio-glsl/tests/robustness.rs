@@ -1,17 +1,14 @@
 //! No text, however broken, makes the front end panic or hang.
 
-use std::path::PathBuf;
-
+use gonio_fixtures::FixtureTable;
 use gonio_glsl::{Stage, Target, check, check_pair, leaves, parse, translate};
 
-fn pairs() -> Vec<(String, String)> {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/pairs");
-    let mut names: Vec<_> =
-        std::fs::read_dir(folder).expect("the folder of pairs").map(|e| e.expect("an entry").path()).collect();
-    names.retain(|p| p.extension().is_some_and(|e| e == "vert"));
-    names.sort();
-    let read = |p: PathBuf| std::fs::read_to_string(p).expect("a shader");
-    names.into_iter().map(|p| (read(p.clone()), read(p.with_extension("frag")))).collect()
+/// The texts of the table `pairs.txt`.
+fn sources() -> Vec<String> {
+    let table = FixtureTable::read(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/pairs.txt"));
+    let table = table.unwrap_or_else(|error| panic!("{error}"));
+    assert!(table.files().len() >= 50, "only {} shaders", table.files().len());
+    table.files().iter().map(|file| String::from_utf8(file.bytes.clone()).expect("a text")).collect()
 }
 
 /// Everything there is to do with a text.
@@ -34,9 +31,7 @@ fn all(source: &str) {
 
 #[test]
 fn cut_off_anywhere() {
-    let pairs = pairs();
-    assert!(pairs.len() >= 25);
-    for source in pairs.iter().flat_map(|(v, f)| [v, f]) {
+    for source in sources() {
         for end in (0..=source.len()).filter(|end| source.is_char_boundary(*end)) {
             all(&source[..end]);
         }
@@ -50,7 +45,7 @@ fn words_taken_away_doubled_and_exchanged() {
         random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (random >> 33) as usize % below.max(1)
     };
-    for source in pairs().iter().flat_map(|(v, f)| [v, f]) {
+    for source in sources() {
         let words: Vec<&str> = source.split_inclusive([' ', '\n', '(', ')', ';', '{', '}', ',']).collect();
         for _ in 0..60 {
             let mut words = words.clone();

@@ -1,21 +1,25 @@
 //! Whole pairs, as students write them, in both targets.
 
-use std::path::PathBuf;
-
+use gonio_fixtures::{FixtureTable, selected};
 use gonio_glsl::{
     Checked, LoopBound, Parsed, Severity, Stage, Target, Translated, check, check_pair, leaves, lookups, parse,
     translate, translate_bounded, translate_showing,
 };
 
+/// The selected pairs of the table `pairs.txt`: name, vertex and fragment shader.
 fn pairs() -> Vec<(String, String, String)> {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/pairs");
-    let mut paths: Vec<_> =
-        std::fs::read_dir(folder).expect("the pairs").map(|e| e.expect("an entry").path()).collect();
-    paths.retain(|p| p.extension().is_some_and(|e| e == "vert"));
-    paths.sort();
-    let read = |p: &PathBuf| std::fs::read_to_string(p).expect("a shader");
-    let name = |p: &PathBuf| p.file_stem().expect("a name").to_string_lossy().into_owned();
-    paths.iter().map(|p| (name(p), read(p), read(&p.with_extension("frag")))).collect()
+    let table = FixtureTable::read(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/pairs.txt"));
+    let cases = table.and_then(|table| table.cases()).unwrap_or_else(|error| panic!("{error}"));
+    assert!(cases.len() >= 25, "only {} pairs", cases.len());
+    selected(cases, |case| &case.name)
+        .into_iter()
+        .map(|case| {
+            let texts =
+                ["shader.vert", "shader.frag"].map(|path| case.text(path).unwrap_or_else(|error| panic!("{error}")));
+            let [vertex, fragment] = texts;
+            (case.name.clone(), vertex.to_owned(), fragment.to_owned())
+        })
+        .collect()
 }
 
 fn read(source: &str, stage: Stage) -> (Parsed, Checked) {
@@ -37,9 +41,7 @@ fn body(source: &str, stage: Stage, target: Target) -> String {
 
 #[test]
 fn no_pair_has_an_error() {
-    let pairs = pairs();
-    assert!(pairs.len() >= 25);
-    for (name, vertex, fragment) in pairs {
+    for (name, vertex, fragment) in pairs() {
         let (a, b) = (read(&vertex, Stage::Vertex), read(&fragment, Stage::Fragment));
         let both = check_pair(&a.1, &b.1);
         let all = [&a.0.problems, &a.1.problems, &b.0.problems, &b.1.problems, &both];

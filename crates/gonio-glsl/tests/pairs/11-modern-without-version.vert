@@ -1,8 +1,0 @@
-in vec3 position;
-in vec3 color;
-uniform mat4 M; uniform mat4 V; uniform mat4 P;
-out vec3 v_col;
-void main(){
- v_col = color;
- gl_Position = P*V*M*vec4(position, 1.0);
-}
