@@ -2,7 +2,7 @@
 
 #![no_main]
 
-use gonio_lab::buffers::{Expected, compare, read_buffer};
+use gonio_exercises::buffers::{Expected, compare, read_buffer};
 use libfuzzer_sys::fuzz_target;
 use std::sync::LazyLock;
 

@@ -2,7 +2,7 @@
 
 #![no_main]
 
-use gonio_lab::host::HostProgram;
+use gonio_exercises::gl_program::HostProgram;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|data: &[u8]| match HostProgram::parse_bytes(data, "host.txt") {

@@ -3,11 +3,12 @@
 #![no_main]
 
 use gonio_glsl::{Stage, check, parse};
-use gonio_lab::bank::{self, Model};
-use gonio_lab::locate::{Shader, Source};
-use gonio_lab::messages::{link_messages, to_messages};
-use gonio_lab::names::NamesFile;
-use gonio_lab::submission::{SourceFile, Submission};
+use gonio_check::mistakes::{self, Model};
+use gonio_check::dataflow::Shader;
+use gonio_check::driver_log::{link_messages, to_messages};
+use gonio_check::roles::NamesFile;
+use gonio_check::rules::Analysis;
+use gonio_check::submission::{SourceFile, Submission};
 use libfuzzer_sys::fuzz_target;
 
 const MODELS: [Model; 5] = [Model::Gouraud, Model::Phong, Model::Reflection, Model::Refraction, Model::Skybox];
@@ -25,7 +26,7 @@ fuzz_target!(|data: &[u8]| {
     let mut vertex = parse(&submission.vertex.text);
     let mut fragment = parse(&submission.fragment.text);
     let checked = [check(&mut vertex, Stage::Vertex), check(&mut fragment, Stage::Fragment)];
-    let source = Source::read(
+    let source = Analysis::new(
         &Shader { parsed: &vertex, checked: &checked[0] },
         &Shader { parsed: &fragment, checked: &checked[1] },
         &given,
@@ -33,7 +34,7 @@ fuzz_target!(|data: &[u8]| {
     let _ = source.written();
     let _ = source.in_source_only();
     for model in MODELS {
-        for mistake in bank::of(model) {
+        for mistake in mistakes::of(model) {
             let support = source.looks_like(&mistake.id, model);
             assert!((0.0..=1.0).contains(&support), "{}: {support}", mistake.id);
             if let Some(at) = source.line(&mistake.id, model) {

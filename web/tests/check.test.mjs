@@ -14,7 +14,7 @@ const { test } = suite();
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), "../..");
 const CORPUS = "crates/gonio-fixtures/corpus";
-const BUFFERS = "crates/gonio-lab/tests/ex02";
+const BUFFERS = "crates/gonio-exercises/tests/ex02";
 const HOST = "exercises/ex11-texture-unit/host";
 
 /** What students hand in, by exercise: right and wrong, one mistake and two, what does not compile; GLSL of every age, shaders

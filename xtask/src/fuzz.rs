@@ -29,9 +29,9 @@ const TARGETS: &[(&str, &[&str])] = &[
     ("face_names", &["crates/gonio-environment/tests/names"]),
     ("glsl", &["crates/gonio-glsl/tests/pairs.txt", "exercises/models"]),
     ("submission", &["crates/gonio-glsl/tests/pairs.txt", "exercises", TABLES]),
-    ("buffer", &["crates/gonio-lab/tests/ex02"]),
+    ("buffer", &["crates/gonio-exercises/tests/ex02"]),
     ("host", &["exercises/ex11-texture-unit/host"]),
-    (BATCH, &["crates/gonio-lab/tests/batches"]),
+    (BATCH, &["crates/gonio-exercises/tests/batches"]),
 ];
 
 /// The folder of tables of submissions.
@@ -109,7 +109,8 @@ fn found_in(name: &str) -> &'static str {
     match name {
         "environment" | "face_names" => "crates/gonio-environment/tests/found",
         "glsl" => "crates/gonio-glsl/tests/found",
-        "submission" | "buffer" | "host" | BATCH => "crates/gonio-lab/tests/found",
+        "submission" => "crates/gonio-check/tests/found",
+        "buffer" | "host" | BATCH => "crates/gonio-exercises/tests/found",
         _ => "crates/gonio-mesh/tests/found",
     }
 }

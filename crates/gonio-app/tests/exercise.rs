@@ -8,7 +8,7 @@ use gonio_app::exercise::{Picture, PictureMode, Start};
 use gonio_app::exported;
 use gonio_app::files::ExerciseFile;
 use gonio_app::platform::{Event as PlatformEvent, Purpose, TrialOutcome};
-use gonio_lab::exercise;
+use gonio_exercises::exercise;
 use serde_json::Value;
 use std::time::Duration;
 use support::Window;
@@ -386,7 +386,7 @@ fn a_pair_in_a_program_takes_the_place_of_both_and_a_model_is_left_for_the_scene
 #[test]
 fn of_several_buffers_the_one_in_the_editor_is_checked() {
     let mut window = Window::open(Start { exercise: "ex02".into(), files: Vec::new() }, DESK);
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../gonio-lab/tests/ex02");
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../gonio-exercises/tests/ex02");
     let [right, wrong] =
         ["house.reference.csv", "house.start.csv"].map(|name| std::fs::read(folder.join(name)).unwrap());
     let floats = [0_u8; 96];

@@ -40,7 +40,7 @@
 //! them to those whose names contain its value.
 //!
 //! ```sh
-//! GONIO_CASE=ex04/wrong/normal-mv cargo test -p gonio-lab --test corpus mistakes_are_named
+//! GONIO_CASE=ex04/wrong/normal-mv cargo test -p gonio-check --test corpus mistakes_are_named
 //! ```
 
 mod parse;

@@ -4,12 +4,12 @@
 //! holds up nobody, and ends with the worker.
 
 use eframe::glow;
+use gonio_check::CheckOptions;
+use gonio_check::submission::SourceFile;
+use gonio_check::verdict::Verdict;
+use gonio_exercises::Checker;
+use gonio_exercises::exercise;
 use gonio_gl::Gl;
-use gonio_lab::CheckOptions;
-use gonio_lab::check::Checker;
-use gonio_lab::exercise;
-use gonio_lab::submission::SourceFile;
-use gonio_lab::verdict::Verdict;
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 use web_sys::{OffscreenCanvas, WebGl2RenderingContext};
@@ -62,7 +62,7 @@ impl PageChecker {
         let bytes = contents.iter().map(|content| js_sys::Uint8Array::new(&content).to_vec());
         let files = names.into_iter().zip(bytes).map(|(name, bytes)| SourceFile::new(name, bytes)).collect();
         let options = CheckOptions { as_the_lab, ..CheckOptions::default() };
-        let outcome = gonio_lab::check(&mut self.checker, exercise, files, &options);
+        let outcome = gonio_exercises::check(&mut self.checker, exercise, files, &options);
         if self.context.is_context_lost() {
             return Err(
                 "the browser took the graphics away during the check; is there a loop in a shader that never ends?"

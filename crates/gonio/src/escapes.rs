@@ -1,6 +1,6 @@
 //! JSON and TOML that say the same with every hidden character as an escape, so that a terminal can show them.
 
-use gonio_lab::formats::is_hidden;
+use gonio_exercises::report::is_hidden;
 
 /// JSON with hidden characters as `\uXXXX`. A second `#` is escaped too: build servers obey `##[` in a log.
 pub fn json_for_terminal(json: &str) -> String {

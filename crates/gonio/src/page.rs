@@ -5,7 +5,7 @@
 //! printed, not obeyed. [`Style`] writes a mark that no input contains, because part of it is a random number of this process;
 //! only these marks become the terminal's sequences.
 
-use gonio_lab::formats::push_visible;
+use gonio_exercises::report::push_visible;
 use std::collections::hash_map::RandomState;
 use std::fmt::{Display, Formatter, Result};
 use std::hash::BuildHasher;

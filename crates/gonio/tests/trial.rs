@@ -3,7 +3,7 @@
 
 use gonio_app::platform::desktop::trial;
 use gonio_app::platform::{CheckRequest, Trial, TrialOutcome};
-use gonio_lab::exercise;
+use gonio_exercises::exercise;
 use std::path::Path;
 use std::time::Duration;
 

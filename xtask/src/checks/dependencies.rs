@@ -1,7 +1,7 @@
 //! Who may know whom: dependencies between crates point one way.
 //!
 //! ```text
-//! light <- mesh, image <- environment <- scene <- reference, gl <- lab <- app <- web, gonio (the command line)
+//! light <- mesh, image <- environment <- scene <- reference, gl <- check <- exercises <- app <- web, gonio (the command line)
 //! ```
 
 use serde_json::Value;
@@ -33,10 +33,15 @@ pub const RULES: &[Rule] = &[
     Rule { krate: "gonio-render", may_know: BELOW_RENDERER, tests_may_know: &["gonio-reference"] },
     // A language, and nothing of ours.
     Rule { krate: "gonio-glsl", may_know: &[], tests_may_know: &[] },
-    Rule { krate: "gonio-lab", may_know: BELOW_LAB, tests_may_know: &[] },
+    Rule { krate: "gonio-check", may_know: BELOW_CHECK, tests_may_know: &[] },
+    Rule { krate: "gonio-exercises", may_know: BELOW_EXERCISES, tests_may_know: &[] },
     Rule { krate: "gonio-app", may_know: BELOW_SHELLS, tests_may_know: &[] },
     // The page is the application, and the checker in a worker beside it.
-    Rule { krate: "gonio-web", may_know: &["gonio-app", "gonio-gl", "gonio-lab"], tests_may_know: &[] },
+    Rule {
+        krate: "gonio-web",
+        may_know: &["gonio-app", "gonio-gl", "gonio-check", "gonio-exercises"],
+        tests_may_know: &[],
+    },
     Rule { krate: "gonio", may_know: COMMAND_LINE, tests_may_know: &[] },
     // It measures the window too, as the command line opens it.
     Rule { krate: "gonio-bench", may_know: COMMAND_LINE, tests_may_know: &[] },
@@ -52,7 +57,7 @@ const BELOW_SCENES: &[&str] = &["gonio-light", "gonio-mesh", "gonio-image", "gon
 const BELOW_PICTURES: &[&str] = &["gonio-light", "gonio-mesh", "gonio-image", "gonio-environment", "gonio-scene"];
 const BELOW_RENDERER: &[&str] =
     &["gonio-light", "gonio-mesh", "gonio-image", "gonio-environment", "gonio-scene", "gonio-gl"];
-const BELOW_LAB: &[&str] = &[
+const BELOW_CHECK: &[&str] = &[
     "gonio-light",
     "gonio-mesh",
     "gonio-image",
@@ -62,6 +67,18 @@ const BELOW_LAB: &[&str] = &[
     "gonio-gl",
     "gonio-render",
     "gonio-glsl",
+];
+const BELOW_EXERCISES: &[&str] = &[
+    "gonio-light",
+    "gonio-mesh",
+    "gonio-image",
+    "gonio-environment",
+    "gonio-scene",
+    "gonio-reference",
+    "gonio-gl",
+    "gonio-render",
+    "gonio-glsl",
+    "gonio-check",
 ];
 const BELOW_SHELLS: &[&str] = &[
     "gonio-light",
@@ -73,7 +90,8 @@ const BELOW_SHELLS: &[&str] = &[
     "gonio-gl",
     "gonio-render",
     "gonio-glsl",
-    "gonio-lab",
+    "gonio-check",
+    "gonio-exercises",
 ];
 /// `gonio view` opens the window.
 const COMMAND_LINE: &[&str] = &[
@@ -86,7 +104,8 @@ const COMMAND_LINE: &[&str] = &[
     "gonio-gl",
     "gonio-render",
     "gonio-glsl",
-    "gonio-lab",
+    "gonio-check",
+    "gonio-exercises",
     "gonio-app",
 ];
 

@@ -5,7 +5,7 @@ use crate::files::{ExerciseFile, MemoryFiles};
 use crate::platform::{Event, FileDialog, Purpose};
 use crate::saving::Product;
 use crate::session::Settings;
-use gonio_lab::exercise;
+use gonio_exercises::exercise;
 use gonio_scene::files::FileSource;
 use std::path::PathBuf;
 use std::sync::Arc;

@@ -2,8 +2,8 @@
 
 use super::work::{OpenFile, Work};
 use crate::files::ExerciseFile;
-use gonio_lab::live::{self, Use};
-use gonio_lab::submission::SourceFile;
+use gonio_check::submission::SourceFile;
+use gonio_exercises::preview::{self, Use};
 
 /// Files that were open together.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,11 +24,11 @@ pub struct ReplaceOutcome {
 }
 
 impl Work {
-    /// Puts files in place of those that are for the same: see [`live::handed`].
+    /// Puts files in place of those that are for the same: see [`preview::handed`].
     pub fn take(&mut self, given: Vec<ExerciseFile>) -> ReplaceOutcome {
         let sources: Vec<SourceFile> =
             given.iter().map(|file| SourceFile::new(file.name.clone(), file.bytes.clone())).collect();
-        let handed = live::handed(self.exercise, &sources);
+        let handed = preview::handed(self.exercise, &sources);
         let taken: Vec<(&SourceFile, Use)> =
             handed.taken.iter().filter_map(|(index, of_file)| Some((sources.get(*index)?, *of_file))).collect();
         if taken.is_empty() {
@@ -48,7 +48,7 @@ impl Work {
         let open: Vec<&str> = self.files.iter().map(|file| file.name.as_str()).collect();
         for file in &self.files {
             let source = SourceFile::new(file.name.clone(), file.content());
-            if live::makes_way(self.exercise, &source, &taken, &open) { &mut away } else { &mut kept }
+            if preview::makes_way(self.exercise, &source, &taken, &open) { &mut away } else { &mut kept }
                 .push(file.clone());
         }
         let place = match away.as_slice() {
@@ -135,7 +135,7 @@ pub(super) fn listed(names: &[&str]) -> String {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
-    use gonio_lab::exercise;
+    use gonio_exercises::exercise;
 
     const FRAGMENT: &str = "out vec4 FragColor;\nvoid main() { FragColor = vec4(1.0); }\n";
 

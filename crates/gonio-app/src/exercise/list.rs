@@ -5,8 +5,8 @@ use super::work::Work;
 use crate::exported::{self, Role};
 use crate::theme::{self, colors};
 use egui::{CentralPanel, CornerRadius, Frame, Label, Margin, RichText, ScrollArea, Sense, Ui, UiBuilder};
-use gonio_lab::exercise;
-use gonio_lab::verdict::Outcome;
+use gonio_check::verdict::Outcome;
+use gonio_exercises::exercise;
 
 /// Points that lines of text should not be longer than.
 const WIDTH: f32 = 720.0;

@@ -4,7 +4,7 @@ use super::figure;
 use crate::theme;
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Color32, FontId, Frame, Label, Margin, RichText, TextStyle, Ui, vec2};
-use gonio_lab::exercise::Exercise;
+use gonio_exercises::exercise::Exercise;
 
 /// A part of a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -253,7 +253,7 @@ fn item(line: &str) -> Option<(String, &str)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use gonio_lab::exercise;
+    use gonio_exercises::exercise;
 
     #[test]
     fn a_text_is_taken_apart_as_it_is_meant() {

@@ -113,7 +113,7 @@ impl ExerciseView {
     /// Begins an exercise with these files; without any, goes on where it was left, or begins with the files to start from. A
     /// word that names none is one sentence.
     pub fn begin(&mut self, start: Start) -> Result<(), String> {
-        let exercise = gonio_lab::exercise::find(&start.exercise)
+        let exercise = gonio_exercises::exercise::find(&start.exercise)
             .ok_or_else(|| format!("there is no exercise `{}`; the list names them all", start.exercise))?;
         (self.is_open, self.is_listing) = (true, false);
         if start.files.is_empty() && self.work.as_ref().is_some_and(|work| work.exercise.id == exercise.id) {

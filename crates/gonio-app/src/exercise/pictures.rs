@@ -8,8 +8,8 @@ use crate::scene_view::{navigation, picture_size, present};
 use crate::theme::icons;
 use crate::widgets;
 use egui::{Align2, Color32, CornerRadius, Label, Rect, RichText, Sense, TextStyle, Ui, pos2, vec2};
+use gonio_exercises::exercise::Kind;
 use gonio_gl::GlError;
-use gonio_lab::exercise::Kind;
 
 /// What captions stand on, over any picture.
 const GROUND: Color32 = Color32::from_black_alpha(150);

@@ -2,9 +2,9 @@
 
 use super::work::{PictureMode, Work};
 use crate::scene_view::drawing::PaneRenderer;
+use gonio_check::testbench::Situation;
+use gonio_exercises::preview::{self, Body, Eye, LiveStage, Note, Pair, Source};
 use gonio_gl::{Gl, GlError};
-use gonio_lab::live::{self, Body, Eye, LiveStage, Note, Pair, Source};
-use gonio_lab::stage::Situation;
 use gonio_render::{DifferenceScale, DisplayTexture, Presentation};
 
 /// Where nothing is drawn: the lab's programs clear to a dark grey too.
@@ -45,9 +45,10 @@ impl Preview {
     pub fn new(gl: &Gl, work: &Work) -> Result<Self, GlError> {
         let stage = LiveStage::new(gl)?;
         let compiled = |source: Result<Source, String>| source.ok().and_then(|source| source.compile(gl).ok());
-        let reference = if live::is_drawn(work.exercise) { compiled(live::reference(work.exercise)) } else { None };
+        let reference =
+            if preview::is_drawn(work.exercise) { compiled(preview::reference(work.exercise)) } else { None };
         let has_sky = work.scenes.iter().any(|scene| scene.has_sky);
-        let sky = if has_sky { compiled(live::sky()) } else { None };
+        let sky = if has_sky { compiled(preview::sky()) } else { None };
         let none = || None;
         Ok(Preview {
             gl: gl.clone(),

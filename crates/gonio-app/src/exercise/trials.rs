@@ -2,7 +2,7 @@
 //! its picture at once.
 
 use crate::platform::{Trial, TrialOutcome};
-use gonio_lab::submission::SourceFile;
+use gonio_check::submission::SourceFile;
 use std::collections::{HashMap, VecDeque};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::time::Duration;

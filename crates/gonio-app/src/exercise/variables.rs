@@ -3,7 +3,7 @@
 use super::work::Work;
 use crate::theme::{self, colors};
 use egui::{CornerRadius, Frame, Label, Margin, RichText, Ui};
-use gonio_lab::live::Given;
+use gonio_exercises::preview::Given;
 
 /// Shows them: those that nothing is known of first.
 pub fn show(ui: &mut Ui, work: &Work) {

@@ -5,8 +5,8 @@ use super::work::{Judged, Work};
 use crate::exported::{self, Role};
 use crate::theme::{self, colors, icons};
 use egui::{Color32, CornerRadius, Frame, Label, Margin, RichText, Sense, Ui};
-use gonio_lab::bank;
-use gonio_lab::verdict::{CompilerMessage, FoundMistake, Outcome, TermState, Verdict};
+use gonio_check::mistakes;
+use gonio_check::verdict::{CompilerMessage, FoundMistake, Outcome, TermState, Verdict};
 
 /// Characters of a line that are quoted.
 const MOST_QUOTED: usize = 400;
@@ -208,7 +208,7 @@ fn scenes(ui: &mut Ui, verdict: &Verdict) {
 
 /// A mistake's name, where the bank knows it.
 fn name_of(id: &str) -> String {
-    bank::find(id).map_or_else(|| format!("`{id}`"), |known| format!("“{}”", known.name))
+    mistakes::find(id).map_or_else(|| format!("`{id}`"), |known| format!("“{}”", known.name))
 }
 
 fn heading(ui: &mut Ui, text: &str) {

@@ -4,10 +4,10 @@ use super::file_sets::FileSet;
 use crate::files::ExerciseFile;
 use crate::session::Clock;
 use egui::Id;
-use gonio_lab::exercise::{Exercise, Kind};
-use gonio_lab::live::{Given, Note, NoteKind, Scene, scenes};
-use gonio_lab::submission::SourceFile;
-use gonio_lab::verdict::Verdict;
+use gonio_check::submission::SourceFile;
+use gonio_check::verdict::Verdict;
+use gonio_exercises::exercise::{Exercise, Kind};
+use gonio_exercises::preview::{Given, Note, NoteKind, Scene, scenes};
 use gonio_scene::settings::{Aim, CameraSettings};
 use std::path::PathBuf;
 
@@ -388,7 +388,7 @@ pub struct Mark {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
-    use gonio_lab::exercise;
+    use gonio_exercises::exercise;
 
     fn file(text: &str) -> OpenFile {
         opened(text.into())

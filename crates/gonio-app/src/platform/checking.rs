@@ -1,6 +1,6 @@
 //! A check of a student's files, made elsewhere: in a process, in a worker. The window never waits for it.
 
-use gonio_lab::verdict::Verdict;
+use gonio_check::verdict::Verdict;
 
 /// What is to be checked.
 #[derive(Clone, Debug, PartialEq, Eq)]

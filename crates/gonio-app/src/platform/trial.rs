@@ -2,7 +2,7 @@
 //! nobody. Only what came back from there is given to the window's own OpenGL.
 
 use super::Checking;
-use gonio_lab::verdict::{Outcome, Verdict};
+use gonio_check::verdict::{Outcome, Verdict};
 
 /// The result of a trial.
 #[derive(Clone, Debug, PartialEq, Eq)]

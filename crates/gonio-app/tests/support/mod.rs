@@ -10,11 +10,11 @@ use gonio_app::platform::{
 use gonio_app::saving::Product;
 use gonio_app::session::Settings;
 use gonio_app::{App, theme};
+use gonio_check::submission::SourceFile;
+use gonio_check::verdict::Verdict;
+use gonio_exercises::Checker;
+use gonio_exercises::exercise;
 use gonio_gl::HeadlessContext;
-use gonio_lab::check::Checker;
-use gonio_lab::exercise;
-use gonio_lab::submission::SourceFile;
-use gonio_lab::verdict::Verdict;
 use gonio_scene::files::{Disk, FileSource};
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -109,8 +109,8 @@ impl Platform for Here {
             let context = HeadlessContext::new().unwrap();
             let exercise = exercise::find(&request.exercise).unwrap();
             let files = request.files.into_iter().map(|(name, bytes)| SourceFile { name, bytes }).collect();
-            let options = gonio_lab::CheckOptions { pair: None, as_the_lab: request.as_the_lab };
-            let verdict = gonio_lab::check(&mut Checker::new(context.gl()), exercise, files, &options);
+            let options = gonio_check::CheckOptions { pair: None, as_the_lab: request.as_the_lab };
+            let verdict = gonio_exercises::check(&mut Checker::new(context.gl()), exercise, files, &options);
             let _ = sender.send(verdict.map(|(verdict, _)| verdict).map_err(|why| why.to_string()));
             ctx.request_repaint();
         });

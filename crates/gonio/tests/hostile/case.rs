@@ -87,7 +87,7 @@ impl Answer {
 
     /// The answer as the laboratory has it.
     pub fn right(exercise: &'static str) -> Answer {
-        let found = gonio_lab::exercise::find(exercise).unwrap();
+        let found = gonio_exercises::exercise::find(exercise).unwrap();
         let text = |end: &str| {
             let (_, text) = found.reference_files().find(|(name, _)| name.ends_with(end)).unwrap();
             text.to_owned()

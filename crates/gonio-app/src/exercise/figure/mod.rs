@@ -158,7 +158,7 @@ impl Place<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use gonio_lab::exercise;
+    use gonio_exercises::exercise;
 
     /// Every letter of every figure is in the fonts that the page carries.
     #[test]

@@ -261,7 +261,7 @@ impl<'a> Element<'a> {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
-    use gonio_lab::exercise;
+    use gonio_exercises::exercise;
 
     #[test]
     fn elements_become_shapes() {

@@ -2,9 +2,9 @@
 
 use super::worker::{self, Request, Worker};
 use crate::platform::{CheckRequest, Checking};
-use gonio_lab::CheckOptions;
-use gonio_lab::submission::SourceFile;
-use gonio_lab::verdict::Verdict;
+use gonio_check::CheckOptions;
+use gonio_check::submission::SourceFile;
+use gonio_check::verdict::Verdict;
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -6,7 +6,7 @@
 use super::child::{self, Ended};
 use super::worker::{self, Request};
 use crate::platform::{CheckRequest, Trial, TrialOutcome};
-use gonio_lab::submission::SourceFile;
+use gonio_check::submission::SourceFile;
 use serde::{Deserialize, Serialize};
 use std::io::{Error, Read, Write};
 use std::path::Path;

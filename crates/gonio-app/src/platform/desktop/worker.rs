@@ -6,9 +6,9 @@
 //! then JSON) followed by the bytes that the header gives lengths of.
 
 use super::child::{self, Ended};
-use gonio_lab::CheckOptions;
-use gonio_lab::submission::SourceFile;
-use gonio_lab::verdict::Verdict;
+use gonio_check::CheckOptions;
+use gonio_check::submission::SourceFile;
+use gonio_check::verdict::Verdict;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::io::{Error, ErrorKind, Read, Write};
@@ -263,7 +263,7 @@ fn read_exactly(input: &mut impl Read, length: u64) -> Result<Vec<u8>, Error> {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use gonio_lab::verdict::Outcome;
+    use gonio_check::verdict::Outcome;
 
     fn request() -> Request {
         Request {

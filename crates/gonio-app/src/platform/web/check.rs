@@ -1,7 +1,7 @@
 //! A check in a worker beside the page, which may be ended whatever a shader does: `web/page/checking.js`.
 
 use crate::platform::{CheckRequest, Checking};
-use gonio_lab::verdict::Verdict;
+use gonio_check::verdict::Verdict;
 use js_sys::{Array, Function, Object, Promise, Reflect, Uint8Array};
 use std::cell::RefCell;
 use std::rc::Rc;

@@ -7,11 +7,11 @@ use crate::output::FileSet;
 use crate::output::atomic;
 use crate::report::{CliError, Outcome, Reporter, io_reason};
 use gonio_app::platform::desktop::worker;
-use gonio_lab::content_hash;
-use gonio_lab::exercise::Exercise;
-use gonio_lab::formats::{self, Fingerprint, Row, page_name};
-use gonio_lab::submission::{self, SourceFile};
-use gonio_lab::verdict::{Outcome as Word, Verdict};
+use gonio_check::submission::{self, SourceFile};
+use gonio_check::verdict::{Outcome as Word, Verdict};
+use gonio_exercises::content_hash;
+use gonio_exercises::exercise::Exercise;
+use gonio_exercises::report::{self, Fingerprint, Row, page_name};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -87,15 +87,15 @@ fn report(
     let rows: Vec<Row> = checked.iter().map(|one| Row::of(&one.label, &one.verdict, one.seconds)).collect();
     let fingerprints: Vec<(String, Fingerprint)> =
         checked.iter_mut().filter_map(|one| Some((one.label.clone(), one.fingerprint.take()?))).collect();
-    let similar = formats::similar_pairs(&fingerprints, SIMILAR);
+    let similar = report::similar_pairs(&fingerprints, SIMILAR);
     let title = format!("{}: {}", exercise.id, exercise.title);
-    let overview = formats::overview(&title, &rows, &similar, &class.skipped);
+    let overview = report::overview(&title, &rows, &similar, &class.skipped);
     let mut files = FileSet::new();
     files.add(&results.join("index.html"), overview.as_bytes())?;
-    files.add(&results.join("table.csv"), formats::csv(&rows).as_bytes())?;
+    files.add(&results.join("table.csv"), report::csv(&rows).as_bytes())?;
     if let Some(path) = &args.junit {
         let verdicts: Vec<(String, Verdict)> = checked.into_iter().map(|one| (one.label, one.verdict)).collect();
-        files.add(path, formats::junit(&verdicts).as_bytes())?;
+        files.add(path, report::junit(&verdicts).as_bytes())?;
     }
     files.commit()?;
     if reporter.json() {
@@ -183,7 +183,7 @@ fn one(
         _ => checked(args, exercise, gathered, &label, program)?,
     };
     let seconds = start.elapsed().as_secs_f64();
-    let made = made.unwrap_or_else(|| formats::page(&label, &verdict, None).into_bytes());
+    let made = made.unwrap_or_else(|| report::page(&label, &verdict, None).into_bytes());
     atomic::write(&page, &made)?;
     let kept = serde_json::to_vec(&Kept { content, seconds, verdict: verdict.clone() })
         .map_err(|error| CliError::new(format!("{} could not be written: {error}", kept_path.display())))?;

@@ -8,10 +8,10 @@ use crate::report::{CliError, Outcome, Reporter};
 use crate::values;
 use clap::Args;
 use gonio_app::platform::desktop::worker::{self, Answer, Request};
-use gonio_lab::CheckOptions;
-use gonio_lab::exercise::Exercise;
-use gonio_lab::formats;
-use gonio_lab::verdict::Outcome as Word;
+use gonio_check::CheckOptions;
+use gonio_check::verdict::Outcome as Word;
+use gonio_exercises::exercise::Exercise;
+use gonio_exercises::report;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -165,7 +165,7 @@ fn write(args: &CheckArgs, label: &str, Answer { verdict, page, sheet }: &Answer
     let mut files = FileSet::new();
     if let Some(path) = &args.page {
         // Of a check that was ended there are no pictures.
-        let page = page.clone().unwrap_or_else(|| formats::page(label, verdict, None).into_bytes());
+        let page = page.clone().unwrap_or_else(|| report::page(label, verdict, None).into_bytes());
         files.add(path, &page)?;
     }
     if let Some(path) = &args.sheet {
@@ -173,13 +173,13 @@ fn write(args: &CheckArgs, label: &str, Answer { verdict, page, sheet }: &Answer
         files.add(path, sheet.as_ref().ok_or_else(nothing)?)?;
     }
     if let Some(path) = &args.junit {
-        files.add(path, formats::junit(&[(label.to_owned(), verdict.clone())]).as_bytes())?;
+        files.add(path, report::junit(&[(label.to_owned(), verdict.clone())]).as_bytes())?;
     }
     if let Some(path) = &args.gradescope {
-        files.add(path, formats::gradescope(verdict, args.points).as_bytes())?;
+        files.add(path, report::gradescope(verdict, args.points).as_bytes())?;
     }
     if let Some(path) = &args.code_runner {
-        files.add(path, formats::code_runner(verdict).as_bytes())?;
+        files.add(path, report::code_runner(verdict).as_bytes())?;
     }
     files.commit()
 }

@@ -6,8 +6,8 @@ use crate::output::FileSet;
 use crate::page::{Page, Style};
 use crate::report::{CliError, Outcome, Reporter};
 use clap::Args;
-use gonio_lab::exercise::{self as exercises, Exercise};
-use gonio_lab::{GOAL, live};
+use gonio_exercises::exercise::{self as exercises, Exercise};
+use gonio_exercises::{GOAL, preview};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -119,7 +119,7 @@ pub fn start(args: &StartArgs, reporter: &Reporter) -> Result<Outcome, CliError>
     let mut set = FileSet::new();
     let mut written = add_all(&mut set, texts.chain(exercise.pictures()), &args.folder)?;
     let goal = args.folder.join(GOAL);
-    let mut is_drawn = live::is_drawn(exercise) && !goal.exists();
+    let mut is_drawn = preview::is_drawn(exercise) && !goal.exists();
     if is_drawn {
         match draw::goal(exercise) {
             Ok(picture) => {

@@ -4,8 +4,8 @@ use crate::cli::WordOptions;
 use crate::page::{Page, Style};
 use crate::report::{CliError, Outcome, Reporter};
 use clap::Args;
-use gonio_lab::bank::{self, Hypotheses, Mistake};
-use gonio_lab::check::structural;
+use gonio_check::mistakes::structural;
+use gonio_check::mistakes::{self, Hypotheses, Mistake};
 
 /// Every mistake that the checker knows, or one of them with its explanation.
 #[derive(Args, Debug)]
@@ -38,7 +38,7 @@ pub fn run(args: &MistakesArgs, reporter: &Reporter) -> Result<Outcome, CliError
 
 /// The bank's, and those that are no change of a line.
 fn all() -> Vec<Mistake> {
-    bank::all().iter().cloned().chain(structural()).collect()
+    mistakes::all().iter().cloned().chain(structural()).collect()
 }
 
 fn list(reporter: &Reporter) -> Result<Outcome, CliError> {
@@ -73,8 +73,8 @@ fn told(mistake: &Mistake) -> Page {
     }
     if let Some(model) = mistake.models.first() {
         let hypotheses = Hypotheses::of(*model);
-        let right = hypotheses.written(&gonio_lab::bank::Hypothesis::default());
-        let this = |h: &&gonio_lab::bank::Hypothesis| hypotheses.mistakes[h.made_of[0]].id == mistake.id;
+        let right = hypotheses.written(&gonio_check::mistakes::Hypothesis::default());
+        let this = |h: &&gonio_check::mistakes::Hypothesis| hypotheses.mistakes[h.made_of[0]].id == mistake.id;
         for hypothesis in hypotheses.singles.iter().filter(this) {
             page.blank();
             for (wrong, right) in hypotheses.written(hypothesis).iter().zip(&right) {

@@ -16,7 +16,7 @@ mod worker;
 use crate::cli::WordOptions;
 use crate::report::{CliError, Outcome, Reporter};
 use clap::Subcommand;
-use gonio_lab::exercise::{self, Exercise};
+use gonio_exercises::exercise::{self, Exercise};
 use std::path::PathBuf;
 
 /// Exercises, students' own shaders, and a checker that names the mistake.

@@ -69,7 +69,7 @@ pub fn run(args: &OpenArgs) -> Result<Outcome, CliError> {
 /// The files of a path: of a folder those within it, by their names there; of a zip in memory.
 fn read(path: &Path) -> Result<Vec<ExerciseFile>, CliError> {
     let found = intake::read(std::slice::from_ref(&path.to_owned()))?;
-    let given = |file: gonio_lab::submission::SourceFile| {
+    let given = |file: gonio_check::submission::SourceFile| {
         let place = if path.is_dir() { path.join(&file.name) } else { path.to_owned() };
         let is_itself = place.is_file() && (path.is_dir() || Path::new(&file.name) == path);
         let own = Path::new(&file.name).file_name().map(|name| name.to_string_lossy().into_owned());

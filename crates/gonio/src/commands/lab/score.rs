@@ -7,13 +7,14 @@ use crate::page::Page;
 use crate::report::{CliError, Outcome, Reporter};
 use clap::Args;
 use gonio_app::platform::desktop::child;
+use gonio_check::CheckOptions;
+use gonio_check::search::TASKS;
+use gonio_check::verdict::Outcome as Word;
+use gonio_exercises::Checker;
+use gonio_exercises::exercise::Exercise;
+use gonio_exercises::report::visible;
+use gonio_exercises::score::{Score, of_bank};
 use gonio_gl::HeadlessContext;
-use gonio_lab::CheckOptions;
-use gonio_lab::check::{Checker, TASKS};
-use gonio_lab::exercise::Exercise;
-use gonio_lab::formats::visible;
-use gonio_lab::score::{Score, of_bank};
-use gonio_lab::verdict::Outcome as Word;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
@@ -91,7 +92,7 @@ fn measure(args: &ScoreArgs, exercise: &Exercise) -> Result<Row, CliError> {
         for submission in right_answers(&right, exercise)? {
             let mut submitted = submission.gather().files;
             submitted.retain(|file| !file.name.ends_with("expected.toml"));
-            let (verdict, _) = gonio_lab::check(&mut checker, exercise, submitted, &CheckOptions::default())?;
+            let (verdict, _) = gonio_exercises::check(&mut checker, exercise, submitted, &CheckOptions::default())?;
             row.right_answers += 1;
             if verdict.verdict != Word::Correct {
                 row.false_alarms.push(submission.label);
@@ -168,7 +169,7 @@ fn table(rows: &[Row]) -> String {
         "| exercise | single, named right | pairs, named right | right answers | false alarms |\n|---|---|---|---|---|\n",
     );
     for Row { score, right_answers, false_alarms } in rows {
-        let share = |count: &gonio_lab::score::Count| {
+        let share = |count: &gonio_exercises::score::Count| {
             format!("{} of {} ({:.0} %)", count.named, count.visible, 100.0 * count.share())
         };
         text.push_str(&format!(

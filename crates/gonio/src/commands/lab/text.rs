@@ -1,8 +1,8 @@
 //! Verdicts for a terminal.
 
 use crate::page::{Page, Style};
-use gonio_lab::formats::Row;
-use gonio_lab::verdict::{FoundMistake, Outcome, PropertyState, TermState, Verdict};
+use gonio_check::verdict::{FoundMistake, Outcome, PropertyState, TermState, Verdict};
+use gonio_exercises::report::Row;
 
 const BOLD: Style = Style::Bold;
 const DIM: Style = Style::Dim;

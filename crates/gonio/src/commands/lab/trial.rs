@@ -6,11 +6,11 @@ use crate::report::{CliError, Outcome, Reporter};
 use clap::Args;
 use gonio_app::platform::desktop::trial::Answer;
 use gonio_app::platform::desktop::worker;
+use gonio_check::submission::SourceFile;
+use gonio_check::testbench::Situation;
+use gonio_exercises::exercise::Exercise;
+use gonio_exercises::preview::{self, Body, LiveStage, Pair, Scene, Source};
 use gonio_gl::{Gl, GlError, HeadlessContext};
-use gonio_lab::exercise::Exercise;
-use gonio_lab::live::{self, Body, LiveStage, Pair, Scene, Source};
-use gonio_lab::stage::Situation;
-use gonio_lab::submission::SourceFile;
 use gonio_render::{DisplayTexture, Renderer};
 use std::time::Instant;
 
@@ -87,7 +87,7 @@ fn seconds(gl: &Gl, exercise: &Exercise, pair: &Pair) -> Result<f64, GlError> {
     };
     let scale = LARGE_PIXELS / f64::from(SIDE * SIDE);
     let mut slowest = 0.0_f64;
-    for scene in live::scenes(exercise) {
+    for scene in preview::scenes(exercise) {
         for (index, time) in TIMES.into_iter().enumerate() {
             let drawn = easel.draw(pair, &scene, time, if index == 0 { 0 } else { REPEATS }, MOST_SECONDS / scale)?;
             if index > 0 {

@@ -3,10 +3,9 @@
 use super::exercise;
 use crate::report::{self, CliError, Outcome};
 use gonio_app::platform::desktop::worker::{self, Answer, Request};
+use gonio_exercises::Checker;
 use gonio_gl::HeadlessContext;
 use gonio_gl::headless::HeadlessOptions;
-use gonio_lab::check::Checker;
-use gonio_lab::formats;
 
 /// Stack of the thread that reads, compiles and draws: drivers recurse along the shader, and only what is touched is
 /// really taken.
@@ -30,12 +29,13 @@ fn check(request: Request) -> Result<Answer, String> {
     let context = HeadlessContext::with_options(&HeadlessOptions { es: request.es, ..Default::default() })
         .map_err(|why| why.message.replace("; `--backend cpu` needs none", ""))?;
     let mut checker = Checker::new(context.gl());
-    let (mut verdict, evidence) = gonio_lab::check(&mut checker, exercise, request.files, &request.options)
+    let (mut verdict, evidence) = gonio_exercises::check(&mut checker, exercise, request.files, &request.options)
         .map_err(|error| CliError::from(error).to_string())?;
     // As in render: the process ends next.
     std::mem::forget((checker, context));
     verdict.warnings.extend(request.left_out);
-    let page = request.page.map(|label| formats::page(&label, &verdict, evidence.as_ref()).into_bytes());
-    let sheet = evidence.filter(|_| request.sheet).map(|evidence| formats::sheet(&evidence, &verdict));
+    let page =
+        request.page.map(|label| gonio_exercises::report::page(&label, &verdict, evidence.as_ref()).into_bytes());
+    let sheet = evidence.filter(|_| request.sheet).map(|evidence| gonio_exercises::report::sheet(&evidence, &verdict));
     Ok(Answer { verdict, page, sheet })
 }

@@ -5,9 +5,9 @@ use crate::capture::Recorder;
 use crate::commands::frame;
 use crate::page::Page;
 use crate::report::{CliError, Outcome, Reporter};
+use gonio_check::submission::SourceFile;
+use gonio_exercises::gl_program::{self, HostProgram};
 use gonio_gl::trace::Severity;
-use gonio_lab::host::{self, HostProgram};
-use gonio_lab::submission::SourceFile;
 use gonio_render::gl_program::{GlProgramOptions, GlProgramRun};
 use serde_json::json;
 
@@ -75,7 +75,7 @@ fn carried_out(
     recorder: Option<Recorder>,
     context: &gonio_gl::HeadlessContext,
 ) -> Result<GlProgramRun, CliError> {
-    let mut known = host::exercise_files();
+    let mut known = gl_program::exercise_files();
     // Shaders of one's own, by their names without folders: `create_program` looks for them beside the program.
     for file in files.iter().filter(|file| !file.name.ends_with(".txt")) {
         let name = file.name.rsplit(['/', '\\']).next().unwrap_or(&file.name);
@@ -83,13 +83,13 @@ fn carried_out(
             known.shaders.insert(name.to_owned(), text.to_owned());
         }
     }
-    let known = host::for_context(context.gl(), &known);
+    let known = gl_program::for_context(context.gl(), &known);
     let options = GlProgramOptions { size: [args.size; 2], float: false, thumbnails: false };
     let mut recorder = recorder;
     if let Some(recorder) = &mut recorder {
         recorder.start();
     }
-    let run = host::run(context.gl(), &program.steps, &known, options);
+    let run = gl_program::run(context.gl(), &program.steps, &known, options);
     if let Some(recorder) = recorder {
         recorder.finish(context.gl())?;
     }

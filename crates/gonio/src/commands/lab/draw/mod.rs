@@ -13,12 +13,12 @@ use crate::output::atomic;
 use crate::report::{CliError, Outcome, Reporter};
 use crate::values;
 use clap::Args;
+use gonio_check::submission::SourceFile;
+use gonio_exercises::exercise::Kind;
+use gonio_exercises::preview;
 use gonio_gl::HeadlessContext;
 use gonio_image::EncodedPicture;
 use gonio_image::encode::png::{self, ColorTag};
-use gonio_lab::exercise::Kind;
-use gonio_lab::live;
-use gonio_lab::submission::SourceFile;
 use std::path::PathBuf;
 
 /// Draw what a student's files draw, and take the frame apart.
@@ -106,7 +106,7 @@ pub fn run(args: &DrawArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     };
     match exercise.kind {
         Kind::HostProgram => host::run(args, submitted, reporter),
-        Kind::Shaders if live::is_drawn(exercise) => shaders::run(args, exercise, submitted, reporter),
+        Kind::Shaders if preview::is_drawn(exercise) => shaders::run(args, exercise, submitted, reporter),
         _ => Err(CliError::new(format!("{} has no picture to draw", exercise.id))),
     }
 }

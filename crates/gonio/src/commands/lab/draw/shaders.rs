@@ -3,10 +3,10 @@
 use super::DrawArgs;
 use crate::capture::Recorder;
 use crate::report::{CliError, Outcome, Reporter};
+use gonio_check::submission::SourceFile;
+use gonio_exercises::exercise::Exercise;
+use gonio_exercises::preview::{self, Body, Given, LiveStage, Note, NoteKind, Pair, Scene, Source};
 use gonio_gl::HeadlessContext;
-use gonio_lab::exercise::Exercise;
-use gonio_lab::live::{self, Body, Given, LiveStage, Note, NoteKind, Pair, Scene, Source};
-use gonio_lab::submission::SourceFile;
 use gonio_render::{DisplayTexture, Renderer};
 use serde_json::json;
 
@@ -70,8 +70,8 @@ pub fn run(
 
 /// What the right answer draws, as PNG; an error where it cannot be drawn here.
 pub fn goal(exercise: &'static Exercise) -> Result<Vec<u8>, CliError> {
-    let source = live::reference(exercise).map_err(CliError::new)?;
-    let scene = live::scenes(exercise).into_iter().next();
+    let source = preview::reference(exercise).map_err(CliError::new)?;
+    let scene = preview::scenes(exercise).into_iter().next();
     let scene = scene.ok_or_else(|| CliError::new(format!("{} has no scene", exercise.id)))?;
     let drawn = on_a_large_stack(GOAL, 0.0, source, scene, None)?;
     super::encoded([GOAL; 2], drawn.rgba)
@@ -79,7 +79,7 @@ pub fn goal(exercise: &'static Exercise) -> Result<Vec<u8>, CliError> {
 
 /// The scene that was named, or the lab's own.
 fn scene(args: &DrawArgs, exercise: &Exercise) -> Result<Scene, CliError> {
-    let scenes = live::scenes(exercise);
+    let scenes = preview::scenes(exercise);
     let Some(wanted) = &args.scene else {
         return scenes.into_iter().next().ok_or_else(|| CliError::new(format!("{} has no scene", exercise.id)));
     };
@@ -119,7 +119,7 @@ fn draw(
         ));
     }
     let sky = match scene.has_sky {
-        true => live::sky().ok().and_then(|sky| sky.compile(gl).ok()),
+        true => preview::sky().ok().and_then(|sky| sky.compile(gl).ok()),
         false => None,
     };
     let mut renderer = Renderer::new(gl.clone())?;

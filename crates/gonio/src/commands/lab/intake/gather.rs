@@ -1,8 +1,8 @@
 //! The files of one submission, within bounds.
 
 use super::tree::Tree;
-use gonio_lab::class::is_noise;
-use gonio_lab::submission::SourceFile;
+use gonio_check::submission::SourceFile;
+use gonio_exercises::class::is_noise;
 
 /// Bytes of all files of a submission: six large faces and a project around them.
 const MAX_BYTES: u64 = 128 << 20;

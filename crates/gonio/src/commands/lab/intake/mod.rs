@@ -1,6 +1,6 @@
 //! From the paths that a person names to submissions: one, or those of a class.
 //!
-//! [`tree`] reads folders and archives, [`gonio_lab::class`] tells submissions apart, [`gather()`] reads the files of one.
+//! [`tree`] reads folders and archives, [`gonio_exercises::class`] tells submissions apart, [`gather()`] reads the files of one.
 
 mod gather;
 mod tree;
@@ -12,10 +12,10 @@ pub use gather::{Gathered, gather};
 
 use crate::report::CliError;
 use clap::ValueEnum;
-use gonio_lab::class::{self, Entry, Layout, Many};
-use gonio_lab::exercise::Exercise;
-use gonio_lab::live;
-use gonio_lab::submission::SourceFile;
+use gonio_check::submission::SourceFile;
+use gonio_exercises::class::{self, Entry, Layout, Many};
+use gonio_exercises::exercise::Exercise;
+use gonio_exercises::preview;
 use std::path::{Path, PathBuf};
 use tree::Tree;
 
@@ -184,7 +184,7 @@ fn of_groups(many: Many, level: &[Tree], mut skipped: Vec<String>) -> Class {
 fn holds_answer(exercise: &Exercise, tree: &Tree) -> bool {
     if !tree.is_container() {
         let file = tree.bytes().map(|bytes| SourceFile { name: tree.name.clone(), bytes });
-        return file.is_ok_and(|file| live::is_answer(exercise, &file));
+        return file.is_ok_and(|file| preview::is_answer(exercise, &file));
     }
-    live::is_complete(exercise, &gather([(tree, String::new())]).files)
+    preview::is_complete(exercise, &gather([(tree, String::new())]).files)
 }

@@ -7,7 +7,7 @@ const VERTEX: &str = "#version 330 core\nin vec3 p;\nvoid main() { gl_Position =
 const FRAGMENT: &str = "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n";
 
 fn exercise() -> &'static Exercise {
-    gonio_lab::exercise::find("ex04").unwrap()
+    gonio_exercises::exercise::find("ex04").unwrap()
 }
 
 /// A folder with files; names may have folders.

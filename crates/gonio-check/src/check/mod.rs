@@ -1,0 +1,281 @@
+//! From a student's files to a verdict.
+
+mod lookups;
+mod other_hosts;
+mod terms;
+mod unexplained;
+
+use crate::compile::{ParsedStage, compile, compiler_messages, does_not_link, first_message, strictness};
+use crate::dataflow::Shader;
+use crate::mistakes::{self, Model};
+use crate::panorama;
+use crate::roles::{Declared, Meaning, NamesFile};
+use crate::rules::{Analysis, Place};
+use crate::search::{Evidence, PLACES, Prepared, ShaderChecker, Task};
+use crate::submission::{SourceFile, Submission};
+use crate::verdict::{FoundMistake, Outcome, Peculiarity, Verdict};
+use gonio_gl::GlError;
+use gonio_glsl::{Stage, Target};
+use gonio_render::user_program::UserProgram;
+use std::rc::Rc;
+
+/// How a check is made.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct CheckOptions {
+    /// Of several pairs: the one whose file or variable is called so.
+    pub pair: Option<String>,
+    /// Pass what the lab's own solutions do too.
+    pub as_the_lab: bool,
+}
+
+/// What the checker has to know of an exercise.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ShaderExercise<'a> {
+    /// The identifier, such as `ex04`.
+    pub id: &'a str,
+    /// The vertex shader that students start from.
+    pub start_vertex: Option<&'a str>,
+    /// The fragment shader that students start from.
+    pub start_fragment: Option<&'a str>,
+}
+
+impl<'a> ShaderExercise<'a> {
+    /// An exercise without start files.
+    #[must_use]
+    pub fn new(id: &'a str) -> Self {
+        ShaderExercise { id, ..ShaderExercise::default() }
+    }
+}
+
+/// Checks a student's files. Errors are the driver's; everything that is wrong with the files is a verdict.
+pub fn check(
+    checker: &mut ShaderChecker,
+    exercise: &ShaderExercise<'_>,
+    files: Vec<SourceFile>,
+    options: &CheckOptions,
+) -> Result<(Verdict, Option<Evidence>), GlError> {
+    let unsure = |sentence: String| Ok((Verdict::new(exercise.id, Outcome::Unsure, sentence), None));
+    let Some(task) = Task::of(exercise.id) else {
+        return unsure(format!("{} cannot be checked yet", exercise.id));
+    };
+    let hints = [exercise.id];
+    let submission = match Submission::gather_with(files, options.pair.as_deref(), &hints) {
+        Ok(submission) => submission,
+        Err(error) => return unsure(error.to_string()),
+    };
+    let mut names = match submission.names.as_deref().map(NamesFile::parse).transpose() {
+        Ok(names) => names.unwrap_or_default(),
+        Err(error) => return unsure(error.to_string()),
+    };
+    let target = if gonio_render::user_program::is_embedded(checker.gl()) { Target::Es300 } else { Target::Core330 };
+    let vertex = ParsedStage::new(&submission.vertex, Stage::Vertex, target);
+    let fragment = ParsedStage::new(&submission.fragment, Stage::Fragment, target);
+    let program = match compile(checker.gl(), &vertex, &fragment) {
+        Ok(program) => program,
+        Err(broken) => {
+            let mut verdict = Verdict::new(exercise.id, Outcome::DoesNotCompile, "");
+            verdict.messages = compiler_messages(&broken, &vertex, &fragment);
+            verdict.summary = first_message(&verdict.messages, &broken);
+            verdict.warnings = submission.warnings.clone();
+            return Ok((verdict, None));
+        }
+    };
+    if let Some(verdict) = does_not_link(exercise.id, &vertex, &fragment) {
+        return Ok((verdict, None));
+    }
+    let read = |names: &NamesFile| {
+        let [vertex, fragment] =
+            [&vertex, &fragment].map(|stage| Shader { parsed: &stage.parsed, checked: &stage.checked });
+        Analysis::new(&vertex, &fragment, names)
+    };
+    let mut source = read(&names);
+    let by_use = if task.model.is_of_places() { Vec::new() } else { source.matrices_by_use() };
+    if !by_use.is_empty() {
+        for (name, role) in by_use {
+            names.names.entry(name).or_insert(Meaning::Role(role));
+        }
+        source = read(&names);
+    }
+    let source = Rc::new(source);
+    let asked = Rc::clone(&source);
+    let prepared = Prepared {
+        declared: gonio_glsl::leaves(&vertex.checked.interface)
+            .into_iter()
+            .chain(gonio_glsl::leaves(&fragment.checked.interface))
+            .map(|leaf| Declared::uniform(leaf.name.clone(), leaf.ty.written()))
+            .collect(),
+        names,
+        written: source.written(),
+        in_vain: in_vain(&fragment),
+        looks_like: Box::new(move |id, model| asked.looks_like(id, model)),
+    };
+    let (mut verdict, mut evidence) = match task.model {
+        Model::Panorama => panorama::check(checker, task.exercise, &program, &prepared)?,
+        _ => checker.check(task, &program, &prepared)?,
+    };
+    if task.model == Model::Camera
+        && let Some((by_places, seen)) = by_places(checker, &verdict, &vertex, &prepared)?
+    {
+        (verdict, evidence) = (by_places, seen);
+    }
+    if let Some((of_lookup, seen)) = lookups::judge(checker, task, [&vertex, &fragment], &prepared, &source, &verdict)?
+    {
+        (verdict, evidence) = (of_lookup, seen);
+    }
+    let place = |found: &mut FoundMistake, place: Place| {
+        let text = if place.stage == Stage::Vertex { &submission.vertex } else { &submission.fragment };
+        let (file, line, _) = text.place(place.span.line, place.span.column);
+        found.file = Some(file.to_owned());
+        found.line = Some(line);
+        found.quoted = text.line(place.span.line).map(str::to_owned);
+    };
+    if task.model == Model::Skybox {
+        other_hosts::trust(&mut verdict, &source);
+    }
+    by_the_source(&mut verdict, &source, task.model);
+    unexplained::mend(&mut verdict, evidence.as_ref(), &source, task);
+    for found in &mut verdict.mistakes {
+        if let Some(at) = source.line(&found.id, task.model) {
+            place(found, at);
+        }
+    }
+    for (id, at, sentence) in source.in_source_only() {
+        let Some(mut found) = in_source(id, sentence, task.model) else { continue };
+        place(&mut found, at);
+        if verdict.verdict == Outcome::Correct {
+            verdict.verdict = Outcome::Wrong;
+            verdict.summary = format!("{}; the picture is right here by luck", found.name);
+            verdict.score = verdict.score.min(0.9);
+        }
+        if verdict.mistakes.iter().all(|known| known.id != found.id) {
+            verdict.mistakes.push(found);
+        }
+    }
+    if let Some((at, sentence)) = source.seam_by_mipmaps().filter(|_| task.model == Model::Panorama) {
+        let text = if at.stage == Stage::Vertex { &submission.vertex } else { &submission.fragment };
+        let (file, line, _) = text.place(at.span.line, at.span.column);
+        verdict.warnings.push(format!("{file}:{line}: {sentence}"));
+    }
+    if options.as_the_lab {
+        pass_as_the_lab(&mut verdict);
+    }
+    if verdict.verdict == Outcome::Wrong && is_unchanged(exercise, &submission) {
+        tell_unchanged(&mut verdict);
+    }
+    if task.model.is_lit() {
+        terms::agree(&mut verdict);
+    }
+    verdict.warnings.extend(submission.warnings.iter().cloned());
+    verdict.warnings.extend(strictness(&vertex, &fragment));
+    Ok((verdict, evidence))
+}
+
+/// Whether the submission is still the start files, letter for letter.
+fn is_unchanged(exercise: &ShaderExercise<'_>, submission: &Submission) -> bool {
+    let is_same = |start: Option<&str>, text: &str| start.is_some_and(|start| start.lines().eq(text.lines()));
+    is_same(exercise.start_vertex, &submission.vertex.text)
+        && is_same(exercise.start_fragment, &submission.fragment.text)
+}
+
+/// Names that were found stay: they are what there is to do first. Guesses do not.
+fn tell_unchanged(verdict: &mut Verdict) {
+    verdict.summary = match verdict.mistakes.first() {
+        Some(first) => {
+            format!("these are the files one starts from, and nothing in them is changed yet; {}", first.name)
+        }
+        None => "these are the files one starts from, and nothing in them is changed yet".to_owned(),
+    };
+    verdict.runner_up = None;
+    verdict.peculiarities.clear();
+}
+
+/// Where colours are none of the vertices', a camera can be judged all the same: by how far away things are drawn.
+/// `None` where the colours tell, or places tell no more.
+fn by_places(
+    checker: &mut ShaderChecker,
+    verdict: &Verdict,
+    vertex: &ParsedStage<'_>,
+    prepared: &Prepared,
+) -> Result<Option<(Verdict, Option<Evidence>)>, GlError> {
+    let unexplained = verdict.verdict == Outcome::Wrong && verdict.mistakes.is_empty();
+    if !unexplained {
+        return Ok(None);
+    }
+    let fragment = checker.places_fragment();
+    let Ok(program) = UserProgram::new(checker.gl(), &vertex.translated.text, &fragment) else { return Ok(None) };
+    let (mut by_places, evidence) = checker.check(PLACES, &program, prepared)?;
+    if by_places.verdict == Outcome::Wrong && by_places.mistakes.is_empty() {
+        return Ok(None);
+    }
+    by_places.bound.clone_from(&verdict.bound);
+    by_places.warnings.push(
+        "the colours are not those of the vertices (`color`); only where things are drawn was judged, which is what \
+         this exercise asks, and the pictures show distances"
+            .to_owned(),
+    );
+    Ok(Some((by_places, evidence)))
+}
+
+/// From this support by the source on a mistake counts that the picture leaves open.
+pub(crate) const SURE: f32 = 0.95;
+
+/// What pictures leave open, and the source tells: which of two names, and what looks right because it is another right way.
+fn by_the_source(verdict: &mut Verdict, source: &Analysis, model: Model) {
+    // A diffuse term without its cosine is light from everywhere, and so is ambient light alone.
+    let flat = "diffuse-without-cosine";
+    let missing = "diffuse-missing";
+    if let Some(found) = verdict.mistakes.iter_mut().find(|found| found.id == flat)
+        && source.looks_like(missing, model) > source.looks_like(flat, model)
+        && let Some(other) = mistakes::of(model).find(|mistake| mistake.id == missing)
+    {
+        let other = FoundMistake::of_bank(other, found.share_explained);
+        *found = FoundMistake { or: vec![flat.to_owned()], ..other };
+        verdict.summary = found.name.clone();
+    }
+    // The product of diffuse and specular light is specular light weighted by the cosine.
+    let weighted = verdict.peculiarities.iter().any(|p| p.id == "specular-cosine-weighted");
+    let product = "terms-multiplied";
+    if verdict.verdict == Outcome::Correct
+        && weighted
+        && source.looks_like(product, model) > SURE
+        && let Some(mistake) = mistakes::of(model).find(|mistake| mistake.id == product)
+    {
+        // The pictures are those of a right answer: only the source shows it.
+        let found = FoundMistake::of_bank(mistake, 0.0);
+        verdict.verdict = Outcome::Wrong;
+        verdict.score = 0.5;
+        verdict.summary = found.name.clone();
+        verdict.mistakes.push(found);
+    }
+}
+
+/// Of ambient, diffuse and specular: whether the vertex shader hands it over and the fragment shader lets it lie.
+fn in_vain(fragment: &ParsedStage<'_>) -> [bool; 3] {
+    let unused = |word: &str| {
+        let inputs = fragment.checked.interface.inputs.iter();
+        inputs.filter(|input| !input.is_used).any(|input| input.name.to_ascii_lowercase().contains(word))
+    };
+    ["amb", "diff", "spec"].map(unused)
+}
+
+/// A mistake that only the source shows; `sentence` says how to mend it there.
+fn in_source(id: &str, sentence: String, model: Model) -> Option<FoundMistake> {
+    let mistake = mistakes::of(model).find(|mistake| mistake.id == id)?;
+    Some(FoundMistake { mend: sentence, ..FoundMistake::of_bank(mistake, 0.0) })
+}
+
+/// What the lab's own solutions do passes, and is said all the same.
+fn pass_as_the_lab(verdict: &mut Verdict) {
+    if verdict.verdict != Outcome::Wrong
+        || verdict.mistakes.is_empty()
+        || !verdict.mistakes.iter().all(|m| m.lab_does_it)
+    {
+        return;
+    }
+    let passed = std::mem::take(&mut verdict.mistakes);
+    verdict.peculiarities.extend(passed.into_iter().map(|m| Peculiarity { id: m.id, name: m.name }));
+    verdict.verdict = Outcome::Correct;
+    verdict.scenes.iter_mut().for_each(|scene| scene.right = true);
+    verdict.summary = "right as the lab's own solution is".to_owned();
+    verdict.score = 1.0;
+}

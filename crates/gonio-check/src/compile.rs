@@ -1,0 +1,185 @@
+//! Compiles a pair of shaders, and reports errors and portability problems at the student's own lines.
+
+use crate::driver_log::{self, Message};
+use crate::submission::StageText;
+use crate::verdict::{CompilerMessage, Outcome, Verdict};
+use gonio_gl::Gl;
+use gonio_glsl::{Checked, Limit, Lookup, LoopBound, Parsed, Problem, Severity, Stage, Target, Translated};
+use gonio_render::user_program::{BrokenProgram, UserProgram};
+
+/// A shader of a submission, parsed, checked and translated for the context.
+pub struct ParsedStage<'a> {
+    /// The student's text.
+    pub text: &'a StageText,
+    pub(crate) parsed: Parsed,
+    /// Names and types.
+    pub checked: Checked,
+    /// The text that the driver compiles.
+    pub translated: Translated,
+    target: Target,
+}
+
+impl<'a> ParsedStage<'a> {
+    /// Parses, checks and translates a shader. Loops are bounded by [`LoopBound::STUDENTS`].
+    pub fn new(text: &'a StageText, stage: Stage, target: Target) -> Self {
+        let mut parsed = gonio_glsl::parse(&text.text);
+        let checked = gonio_glsl::check(&mut parsed, stage);
+        let translated = gonio_glsl::translate_bounded(&parsed, &checked, target, Some(LoopBound::STUDENTS));
+        ParsedStage { text, parsed, checked, translated, target }
+    }
+
+    /// The text of the stage, putting out what it looks up there.
+    pub fn showing(&self, lookup: Lookup) -> String {
+        let bound = Some(LoopBound::STUDENTS);
+        gonio_glsl::translate_showing(&self.parsed, &self.checked, self.target, bound, Some(lookup)).text
+    }
+
+    /// Where it looks cubemaps up.
+    pub fn lookups(&self) -> Vec<Lookup> {
+        gonio_glsl::lookups(&self.parsed)
+    }
+
+    /// Every problem that the parser and the type checker found.
+    pub fn problems(&self) -> impl Iterator<Item = &Problem> {
+        self.parsed.problems.iter().chain(&self.checked.problems)
+    }
+
+    /// The limit of size or depth that it exceeds: no driver must see it then.
+    pub fn refusal(&self) -> Option<&Problem> {
+        self.parsed.refusal().or(self.checked.refusal())
+    }
+
+    /// A problem at its place in the student's file.
+    pub fn message(&self, problem: &Problem) -> CompilerMessage {
+        let (file, line, column) = self.text.place(problem.span.line, problem.span.column);
+        CompilerMessage {
+            file: file.to_owned(),
+            line: Some(line),
+            column: Some(column),
+            text: problem.message.clone(),
+            quoted: self.text.line(problem.span.line).map(str::to_owned),
+            explanation: problem.help.clone(),
+        }
+    }
+}
+
+/// Most messages of one kind that are told: what follows from the first is no help.
+const MOST_MESSAGES: usize = 12;
+
+/// Compiles and links, unless our own reader refuses one of the two for its size or depth: drivers have no such limits, and
+/// crash in our process.
+pub fn compile(gl: &Gl, vertex: &ParsedStage<'_>, fragment: &ParsedStage<'_>) -> Result<UserProgram, BrokenProgram> {
+    if vertex.refusal().is_some() || fragment.refusal().is_some() {
+        let log = |stage: &ParsedStage<'_>| stage.refusal().map(|problem| problem.message.clone());
+        return Err(BrokenProgram { vertex_log: log(vertex), fragment_log: log(fragment), ..BrokenProgram::default() });
+    }
+    let program = UserProgram::new(gl, &vertex.translated.text, &fragment.translated.text)?;
+    // Where the translation mended what every compiler refuses, the student's own text tells.
+    let refused = |stage: &ParsedStage<'_>| stage.problems().any(|problem| problem.severity == Severity::Error);
+    if refused(vertex) || refused(fragment) {
+        UserProgram::new(gl, &vertex.text.text, &fragment.text.text)?;
+    }
+    // This driver may be more lenient than all others: what the version does not have is wrong in any case.
+    let missing = |stage: &ParsedStage<'_>| {
+        let is_missing = |p: &Problem| p.severity == Severity::Error && NOT_IN_VERSION.contains(&p.code);
+        stage.problems().any(is_missing).then(String::new)
+    };
+    match (missing(vertex), missing(fragment)) {
+        (None, None) => Ok(program),
+        (vertex_log, fragment_log) => Err(BrokenProgram { vertex_log, fragment_log, ..BrokenProgram::default() }),
+    }
+}
+
+/// Problems that Mesa does not see: `texture2D` in `#version 300 es` (GLSL ES 3.00, section 8.8 has no such function; the
+/// reference compiler and browsers refuse it).
+const NOT_IN_VERSION: [&str; 1] = ["old-function"];
+/// A varying that is read and that the vertex shader does not have: the specification has it refused, and not every driver does.
+pub(crate) fn does_not_link(exercise: &str, vertex: &ParsedStage<'_>, fragment: &ParsedStage<'_>) -> Option<Verdict> {
+    let problems = gonio_glsl::check_pair(&vertex.checked, &fragment.checked);
+    let refused = |p: &&Problem| p.severity == Severity::Error && p.code == "not-given";
+    let messages: Vec<CompilerMessage> =
+        problems.iter().filter(refused).take(MOST_MESSAGES).map(|p| fragment.message(p)).collect();
+    let first = messages.first()?;
+    let mut verdict = Verdict::new(exercise, Outcome::DoesNotCompile, "");
+    verdict.summary = match first.line {
+        Some(line) => format!("{}:{line}: {}", first.file, first.text),
+        None => format!("{}: {}", first.file, first.text),
+    };
+    verdict.messages = messages;
+    Some(verdict)
+}
+
+/// What the driver says, at the student's lines; what our own reader found comes first where it is on the same line or where
+/// the driver names none, for it is said in plain words.
+pub fn compiler_messages(
+    broken: &BrokenProgram,
+    vertex: &ParsedStage<'_>,
+    fragment: &ParsedStage<'_>,
+) -> Vec<CompilerMessage> {
+    let mut told = Vec::new();
+    for (stage, log) in [(vertex, &broken.vertex_log), (fragment, &broken.fragment_log)] {
+        let Some(log) = log else { continue };
+        if let Some(refusal) = stage.refusal().filter(|refusal| refusal.limit != Some(Limit::SyntaxErrors)) {
+            // What else is wrong may follow from it.
+            told.push(stage.message(refusal));
+            continue;
+        }
+        let own: Vec<CompilerMessage> =
+            stage.problems().filter(|p| p.severity == Severity::Error).map(|p| stage.message(p)).collect();
+        if own.is_empty() {
+            let messages = driver_log::to_messages(log, stage.text, stage.translated.first_line);
+            told.extend(messages.into_iter().take(MOST_MESSAGES).map(of_driver));
+        } else {
+            told.extend(own.into_iter().take(MOST_MESSAGES));
+        }
+    }
+    if let Some(log) = &broken.link_log {
+        let own: Vec<CompilerMessage> = gonio_glsl::check_pair(&vertex.checked, &fragment.checked)
+            .iter()
+            .filter(|p| p.severity == Severity::Error)
+            .map(|p| fragment.message(p))
+            .collect();
+        if own.is_empty() {
+            let messages = driver_log::link_messages(log, vertex.text, fragment.text);
+            told.extend(messages.into_iter().take(MOST_MESSAGES).map(of_driver));
+        } else {
+            told.extend(own.into_iter().take(MOST_MESSAGES));
+        }
+    }
+    told
+}
+
+fn of_driver(message: Message) -> CompilerMessage {
+    CompilerMessage {
+        file: message.file,
+        line: message.line,
+        column: message.column,
+        text: message.text,
+        quoted: message.quoted,
+        explanation: message.explanation,
+    }
+}
+
+pub(crate) fn first_message(messages: &[CompilerMessage], broken: &BrokenProgram) -> String {
+    match messages.first() {
+        Some(CompilerMessage { file, line: Some(line), text, .. }) => format!("{file}:{line}: {text}"),
+        Some(message) => format!("{}: {}", message.file, message.text),
+        None => broken.to_string(),
+    }
+}
+
+/// What this driver takes and others may not.
+pub(crate) fn strictness(vertex: &ParsedStage<'_>, fragment: &ParsedStage<'_>) -> Vec<String> {
+    let said = |stage: &ParsedStage<'_>, problem: &Problem| {
+        let (file, line, _) = stage.text.place(problem.span.line, problem.span.column);
+        format!("{file}:{line}: {}; other compilers may refuse it", problem.message)
+    };
+    let mut warnings: Vec<String> = Vec::new();
+    for stage in [vertex, fragment] {
+        warnings.extend(stage.problems().filter(|p| p.severity != Severity::Hint).map(|p| said(stage, p)));
+    }
+    let pair = gonio_glsl::check_pair(&vertex.checked, &fragment.checked);
+    warnings.extend(pair.iter().filter(|p| p.severity != Severity::Hint).map(|p| said(fragment, p)));
+    warnings.truncate(MOST_MESSAGES);
+    warnings
+}

@@ -1,0 +1,147 @@
+//! `if` and `switch`, on symbols: where two ways leave two values behind, the value is a choice between them.
+
+use super::graph::{Graph, Id, Op};
+use super::run::{Flow, Runner};
+use gonio_glsl::ast::{BinaryOp, Expr};
+use gonio_glsl::{Span, Statement, StatementKind, Type};
+
+/// Places where a `switch` is entered; of others nothing is known.
+const MOST_WAYS: usize = 32;
+
+/// A place where a `switch` is entered.
+struct Way<'a> {
+    /// The values that lead there.
+    labels: Vec<&'a Expr>,
+    is_default: bool,
+    /// All statements from there on: who leaves no `break` at their end goes on with the next label's.
+    body: &'a [Statement],
+}
+
+/// The ways through a `switch` in their order. Labels with nothing between them are one way.
+fn ways(body: &[Statement]) -> Vec<Way<'_>> {
+    let mut ways: Vec<Way> = Vec::new();
+    let mut follows_label = false;
+    for (index, statement) in body.iter().enumerate() {
+        let StatementKind::Case(label) = &statement.kind else {
+            follows_label = false;
+            continue;
+        };
+        let body = &body[index + 1..];
+        match ways.last_mut().filter(|_| follows_label) {
+            Some(way) => way.body = body,
+            None => ways.push(Way { labels: Vec::new(), is_default: false, body }),
+        }
+        if let Some(way) = ways.last_mut() {
+            way.labels.extend(label);
+            way.is_default |= label.is_none();
+        }
+        follows_label = true;
+    }
+    ways
+}
+
+impl<'a> Runner<'a> {
+    pub(crate) fn branch(
+        &mut self,
+        condition: &'a Expr,
+        then: &'a Statement,
+        otherwise: Option<&'a Statement>,
+    ) -> Flow {
+        let test = self.expression(condition);
+        self.either(
+            test,
+            condition.span,
+            |runner| runner.in_scope(|runner| runner.statement(then)),
+            |runner| match otherwise {
+                Some(otherwise) => runner.in_scope(|runner| runner.statement(otherwise)),
+                None => Flow::Next,
+            },
+        )
+    }
+
+    /// As a chain of `if`s, one for each place where it is entered; `default` is the last `else`, wherever it stands.
+    pub(crate) fn switch(&mut self, value: &'a Expr, body: &'a [Statement]) -> Flow {
+        let span = value.span;
+        let value = self.expression(value);
+        let mut ways = ways(body);
+        let default = ways.iter().position(|way| way.is_default).map(|at| ways.remove(at));
+        ways.truncate(MOST_WAYS);
+        self.first_of((value, span), &ways, default.as_ref())
+    }
+
+    fn first_of(&mut self, value: (Id, Span), ways: &[Way<'a>], default: Option<&Way<'a>>) -> Flow {
+        let Some((way, others)) = ways.split_first() else {
+            return default.map_or(Flow::Next, |way| self.way(way));
+        };
+        // Each way lies within the one before, as deep as an `else if` would.
+        let flow = if self.enter() {
+            let test = self.leads_to(value, way);
+            self.either(test, value.1, |runner| runner.way(way), |runner| runner.first_of(value, others, default))
+        } else {
+            Flow::Left
+        };
+        self.leave();
+        flow
+    }
+
+    fn way(&mut self, way: &Way<'a>) -> Flow {
+        match self.in_scope(|runner| runner.statements(way.body)) {
+            Flow::Broke => Flow::Next,
+            flow => flow,
+        }
+    }
+
+    /// Whether the value is one of a way's labels.
+    fn leads_to(&mut self, (value, span): (Id, Span), way: &Way<'a>) -> Id {
+        let mut any = None;
+        for label in &way.labels {
+            let number = self.expression(label);
+            let is_it = self.push(Op::Binary(BinaryOp::Equal, value, number), span, Some(&Type::BOOL));
+            any = Some(match any {
+                Some(others) => self.push(Op::Binary(BinaryOp::Or, others, is_it), span, Some(&Type::BOOL)),
+                None => is_it,
+            });
+        }
+        any.unwrap_or(Graph::UNKNOWN)
+    }
+
+    /// Both ways, one after the other from the same beginning; what differs after them is a choice. Only one, where the test
+    /// is known.
+    fn either(
+        &mut self,
+        test: Id,
+        span: Span,
+        then: impl FnOnce(&mut Self) -> Flow,
+        otherwise: impl FnOnce(&mut Self) -> Flow,
+    ) -> Flow {
+        if let Some(known) = self.graph.scalar(test) {
+            return if known != 0.0 { then(self) } else { otherwise(self) };
+        }
+        self.pay_for(self.scopes.len());
+        let before = self.scopes.clone();
+        self.conditions.push(test);
+        let first = then(self);
+        let after = std::mem::replace(&mut self.scopes, before);
+        let second = otherwise(self);
+        self.conditions.pop();
+        for (index, scope) in after.into_iter().enumerate() {
+            for (name, a) in scope {
+                let Some(b) = self.scopes.get(index).and_then(|scope| scope.get(&name)).copied() else { continue };
+                // A branch that left does not go on with its locals, but outputs stay as they are.
+                let merged = match (first == Flow::Next, second == Flow::Next) {
+                    (false, true) if index > 0 => b,
+                    (true, false) if index > 0 => a,
+                    _ if a == b || a == Graph::UNKNOWN => b,
+                    _ if b == Graph::UNKNOWN => a,
+                    _ => self.graph.push_like(Op::Select(test, a, b), a, self.stage, span),
+                };
+                self.scopes[index].insert(name, merged);
+            }
+        }
+        match (first, second) {
+            (Flow::Next, _) | (_, Flow::Next) => Flow::Next,
+            (Flow::Left, Flow::Left) => Flow::Left,
+            _ => Flow::Broke,
+        }
+    }
+}

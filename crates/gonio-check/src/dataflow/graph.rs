@@ -1,0 +1,215 @@
+//! What a program computes, as a graph: each node made of earlier ones, with the place in the source that made it.
+
+use crate::roles::Role;
+use gonio_glsl::ast::BinaryOp;
+use gonio_glsl::{Components, Scalar, Span, Stage, Type};
+
+use super::fold;
+
+/// A node's number; its parts have smaller ones, so that whatever is known of all parts can be found in one pass.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) struct Id(pub u32);
+
+/// What a node is.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Op {
+    /// Nothing is known of it.
+    Unknown,
+    /// Known without running the shader.
+    Number(Components),
+    /// An attribute, a uniform, or a part of one: `light.light_pos`.
+    Input {
+        name: String,
+        role: Option<Role>,
+    },
+    /// What the vertex shader gave, between three vertices.
+    Interpolated(Id),
+    /// What was written to a variable of that name.
+    Copy(Id, String),
+    Neg(Id),
+    Binary(BinaryOp, Id, Id),
+    /// One of GLSL's own functions.
+    Call(String, Vec<Id>),
+    /// A vector or matrix made of parts.
+    Construct(Vec<Id>),
+    /// `.xyz`
+    Swizzle(Id, String),
+    /// `[..]`, of what is no array of ours.
+    Index(Id, Option<usize>),
+    /// One or the other.
+    Select(Id, Id, Id),
+    /// A vector of which some letters were written, or a matrix with a column written, `[3]`.
+    Write(Id, String, Id),
+    Struct(Vec<(String, Id)>),
+    Array(Vec<Id>),
+}
+
+#[derive(Clone, Debug)]
+pub(crate) struct Node {
+    pub op: Op,
+    pub stage: Stage,
+    pub span: Span,
+    /// Components: 1 to 4, or those of a matrix; 0 where it has none or they are not known.
+    pub width: u8,
+    pub is_matrix: bool,
+    pub is_integer: bool,
+    /// Its value, where that is known without running the shader.
+    pub number: Option<Components>,
+}
+
+/// No honest program comes near.
+const MOST_NODES: usize = 40_000;
+
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Graph {
+    nodes: Vec<Node>,
+}
+
+impl Graph {
+    pub fn new() -> Self {
+        let mut graph = Graph::default();
+        graph.push(Op::Unknown, Stage::Vertex, Span::default(), None);
+        graph
+    }
+
+    /// What stands for everything that is not known.
+    pub const UNKNOWN: Id = Id(0);
+
+    pub fn push(&mut self, op: Op, stage: Stage, span: Span, ty: Option<&Type>) -> Id {
+        if self.nodes.len() >= MOST_NODES {
+            return Self::UNKNOWN;
+        }
+        let number = fold::number(self, &op, ty);
+        let width = ty.and_then(Type::components).unwrap_or(0).min(16) as u8;
+        let is_matrix = matches!(ty, Some(Type::Matrix { .. }));
+        let is_integer = matches!(ty.and_then(Type::scalar), Some(Scalar::Int | Scalar::UInt));
+        self.nodes.push(Node { op, stage, span, width, is_matrix, is_integer, number });
+        Id(self.nodes.len() as u32 - 1)
+    }
+
+    /// A node made of a known one, of its type.
+    pub fn push_like(&mut self, op: Op, like: Id, stage: Stage, span: Span) -> Id {
+        let Node { width, is_matrix, is_integer, .. } = *self.node(like);
+        let id = self.push(op, stage, span, None);
+        if id != Self::UNKNOWN
+            && let Some(node) = self.nodes.get_mut(id.0 as usize)
+        {
+            (node.width, node.is_matrix, node.is_integer) = (width, is_matrix, is_integer);
+        }
+        id
+    }
+
+    pub fn node(&self, id: Id) -> &Node {
+        // Ids come from `push` only.
+        &self.nodes[id.0 as usize]
+    }
+
+    pub fn op(&self, id: Id) -> &Op {
+        &self.node(id).op
+    }
+
+    pub fn number(&self, id: Id) -> Option<&Components> {
+        self.node(id).number.as_ref()
+    }
+
+    /// The number, where it is one component, or several equal ones.
+    pub fn scalar(&self, id: Id) -> Option<f64> {
+        let number = self.number(id)?;
+        let first = *number.first()?;
+        number.iter().all(|n| *n == first).then_some(first)
+    }
+
+    pub fn ids(&self) -> impl DoubleEndedIterator<Item = Id> + use<> {
+        (0..self.nodes.len() as u32).map(Id)
+    }
+
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    pub fn parts(&self, id: Id) -> Vec<Id> {
+        match self.op(id) {
+            Op::Unknown | Op::Number(_) | Op::Input { .. } => Vec::new(),
+            Op::Interpolated(a) | Op::Copy(a, _) | Op::Neg(a) | Op::Swizzle(a, _) | Op::Index(a, _) => vec![*a],
+            Op::Binary(_, a, b) | Op::Write(a, _, b) => vec![*a, *b],
+            Op::Select(a, b, c) => vec![*a, *b, *c],
+            Op::Call(_, parts) | Op::Construct(parts) | Op::Array(parts) => parts.clone(),
+            Op::Struct(fields) => fields.iter().map(|(_, id)| *id).collect(),
+        }
+    }
+
+    /// The node without the variables that it was written to.
+    pub fn plain(&self, mut id: Id) -> Id {
+        while let Op::Copy(inner, _) = self.op(id) {
+            id = *inner;
+        }
+        id
+    }
+
+    /// The node without variables, stages, and changes of the number of components.
+    pub fn core(&self, mut id: Id) -> Id {
+        loop {
+            id = match self.op(id) {
+                Op::Copy(inner, _) | Op::Interpolated(inner) => *inner,
+                Op::Swizzle(inner, letters) if is_leading(letters) => *inner,
+                Op::Write(_, letters, value) if is_leading(letters) => *value,
+                Op::Write(before, letters, _) if letters == "a" || letters == "w" => *before,
+                Op::Construct(parts) if !self.node(id).is_matrix => match parts[..] {
+                    [one] => one,
+                    [first, last] if self.node(first).width == 3 && self.number(last).is_some() => first,
+                    _ => match self.repeated(parts) {
+                        Some(first) => first,
+                        None => return id,
+                    },
+                },
+                _ => return id,
+            }
+        }
+    }
+
+    /// Whether two nodes are the same value, read twice perhaps.
+    pub fn is_same(&self, a: Id, b: Id) -> bool {
+        let (a, b) = (self.plain(a), self.plain(b));
+        a == b
+            || a != Self::UNKNOWN
+                && matches!(self.op(a), Op::Input { .. } | Op::Interpolated(_))
+                && self.op(a) == self.op(b)
+    }
+
+    /// The one number that all of the first three components are: `vec4(i, i, i, 1.0)`.
+    pub fn repeated(&self, parts: &[Id]) -> Option<Id> {
+        let first = *parts.first()?;
+        let is_grey = parts.len() >= 3 && parts[1..3].iter().all(|part| self.is_same(*part, first));
+        (is_grey && self.node(first).width == 1).then_some(first)
+    }
+
+    /// The call of a function of that name, without variables around it.
+    pub fn call(&self, id: Id, name: &str) -> Option<&[Id]> {
+        match self.op(self.plain(id)) {
+            Op::Call(called, parts) if called == name => Some(parts),
+            _ => None,
+        }
+    }
+
+    /// Everything that these are made of, they themselves included, in the order of their numbers.
+    pub fn reachable(&self, from: &[Id], into: impl Fn(Id) -> bool) -> Vec<Id> {
+        let mut seen = vec![false; self.len()];
+        let mut open: Vec<Id> = from.to_vec();
+        while let Some(id) = open.pop() {
+            if !std::mem::replace(&mut seen[id.0 as usize], true) && into(id) {
+                open.extend(self.parts(id));
+            }
+        }
+        self.ids().filter(|id| seen[id.0 as usize]).collect()
+    }
+}
+
+/// `.xyz`, `.rgb`, `.xyzw`: the first components in their order.
+pub(crate) fn is_leading(letters: &str) -> bool {
+    letters.len() >= 3 && ["xyzw", "rgba", "stpq"].iter().any(|set| set.starts_with(letters))
+}
+
+/// The component that a letter means.
+pub(crate) fn component(letter: char) -> Option<usize> {
+    ["xyzw", "rgba", "stpq"].iter().find_map(|set| set.find(letter))
+}

@@ -1,0 +1,21 @@
+//! Checks students' shaders: draws a submission in test scenes, finds the mistake that explains its pictures, and locates
+//! that mistake in the source.
+#![cfg_attr(test, allow(clippy::unwrap_used))]
+
+mod check;
+pub mod compile;
+pub mod dataflow;
+pub mod driver_log;
+pub mod interpreter;
+pub mod mistakes;
+pub mod nearest;
+pub mod panorama;
+pub mod roles;
+pub mod rules;
+pub mod search;
+pub mod submission;
+pub mod testbench;
+pub mod verdict;
+
+pub use check::{CheckOptions, ShaderExercise, check};
+pub use search::ShaderChecker;

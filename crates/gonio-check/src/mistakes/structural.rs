@@ -1,0 +1,45 @@
+//! Mistakes that are not a change of one line.
+
+use super::{Mistake, Model};
+
+/// Mistakes that are another model, or more than any model has, and not a change of a line.
+pub fn structural() -> Vec<Mistake> {
+    let mistake = |(id, name, looks_like, mend): &(&str, &str, &str, &str)| Mistake {
+        id: (*id).to_owned(),
+        name: (*name).to_owned(),
+        models: vec![Model::Phong, Model::Gouraud],
+        looks_like: (*looks_like).to_owned(),
+        mend: (*mend).to_owned(),
+        seed: "Where is the rendering equation computed?".to_owned(),
+        ..Mistake::default()
+    };
+    STRUCTURAL.iter().map(mistake).collect()
+}
+
+/// Their words, names, looks and mends.
+const STRUCTURAL: &[(&str, &str, &str, &str)] = &[
+    (
+        "phong-instead-of-gouraud",
+        "The light is computed for each fragment instead of each vertex",
+        "The picture is smoother than Gouraud shading is.",
+        "Compute the light in the vertex shader and hand the colour over to the fragment shader.",
+    ),
+    (
+        "gouraud-instead-of-phong",
+        "The light is computed for each vertex instead of each fragment",
+        "The light is interpolated across triangles, and highlights are angular or missing.",
+        "Hand position and normal over to the fragment shader, and compute the light there.",
+    ),
+    (
+        "ambient-in-cone",
+        "The spot light's cone cuts the ambient term too",
+        "Outside of the cone it is black, where ambient light should be left.",
+        "Multiply only the diffuse and the specular term by what the cone leaves of the light.",
+    ),
+    (
+        "attenuation-other-formula",
+        "The light fades by another formula than 1 / (kc + kl d + kq d^2)",
+        "The light is too bright or too dark at most distances, or ends all at once.",
+        "`1.0 / (constant + linear * d + quadratic * d * d)`. In a project of your own it may be meant so.",
+    ),
+];

@@ -1,0 +1,163 @@
+//! Where faces are drawn: a square or a cube, a panorama, a small target.
+
+use super::tiles::Tiles;
+use crate::mistakes::Hypothesis;
+use crate::roles::{Bindings, Kind, Role};
+use crate::search::CompiledModel;
+use crate::testbench::{Shape, numbers, scene};
+use glam::{DVec3, Vec3};
+use gonio_environment::{Conversion, Panorama, convert};
+use gonio_gl::{Gl, GlError};
+use gonio_render::user_program::{FloatTexture, Stream, StreamMesh, TileTarget, UserProgram};
+
+/// A panorama as a texture needs no more columns: a face then has a quarter of them.
+const MOST_COLUMNS: u32 = 1024;
+/// Columns and rows of the panorama that shaders are tried with.
+const SMOOTH: [u32; 2] = [128, 64];
+const PANORAMA_UNIT: u32 = 0;
+
+/// What faces are drawn with.
+pub struct FaceStage {
+    square: StreamMesh,
+    cube: StreamMesh,
+    panorama: FloatTexture,
+    /// All six at once.
+    together: TileTarget,
+    /// One, whose first pixel is the target's: programs may ask for gl_FragCoord.
+    alone: TileTarget,
+    side: u32,
+}
+
+impl FaceStage {
+    /// With the colours that mirrors are tried in: smooth, so that rounding does not count, and without any symmetry.
+    pub fn smooth(gl: &Gl, side: u32) -> Result<Self, GlError> {
+        let colours = |direction: DVec3| {
+            let [r, g, b] = crate::testbench::radiance(direction.as_vec3());
+            Vec3::new(r, g, b).as_dvec3()
+        };
+        FaceStage::new(gl, side, &Panorama::from_function(SMOOTH[0], SMOOTH[1], colours))
+    }
+
+    /// With a panorama that is made smaller where it is larger than is wanted.
+    pub fn of_panorama(gl: &Gl, side: u32, panorama: &Panorama) -> Result<Self, GlError> {
+        let (width, height) = (panorama.image.width, panorama.image.height);
+        if width <= MOST_COLUMNS && height <= MOST_COLUMNS {
+            return FaceStage::new(gl, side, panorama);
+        }
+        let from = convert::From::Panorama(panorama);
+        let smaller = Conversion::default().panorama(from, MOST_COLUMNS, MOST_COLUMNS / 2);
+        FaceStage::new(gl, side, &smaller)
+    }
+
+    fn new(gl: &Gl, side: u32, panorama: &Panorama) -> Result<Self, GlError> {
+        let corners = [-1.0, -1.0, 0.0, 1.0, -1.0, 0.0, 1.0, 1.0, 0.0, -1.0, 1.0, 0.0_f32];
+        let coords = [0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0_f32];
+        let stream = |name, components, numbers| Stream { name, components, numbers };
+        let square = [stream("position", 3, corners.as_slice()), stream("tex_coord", 2, coords.as_slice())];
+        let mesh = Shape::Cube.mesh();
+        let cube = [stream("position", 3, &mesh.positions), stream("tex_coord", 2, &mesh.tex_coords)];
+        let image = &panorama.image;
+        let size = [image.width as usize, image.height as usize];
+        Ok(FaceStage {
+            square: StreamMesh::new(gl, &square, &[0, 1, 2, 0, 2, 3], "face")?,
+            cube: StreamMesh::new(gl, &cube, &mesh.indices, "cube")?,
+            panorama: FloatTexture::panorama(gl, size, &image.pixels, "panorama")?,
+            together: TileTarget::new(gl, side, 6)?,
+            alone: TileTarget::new(gl, side, 1)?,
+            side,
+        })
+    }
+
+    /// A student's program: a draw for each of the first `faces`, each alone; the others stay black.
+    pub fn draw_student(
+        &self,
+        program: &UserProgram,
+        bindings: &Bindings,
+        fixed: &[(String, Vec<f32>)],
+        is_cube: bool,
+        faces: usize,
+    ) -> Result<Tiles, GlError> {
+        let feed = feed(program, bindings);
+        let mut pixels = Vec::new();
+        for face in 0..faces {
+            self.alone.begin();
+            self.panorama.bind(PANORAMA_UNIT);
+            program.bind();
+            for (name, values) in fixed {
+                program.set(name, values);
+            }
+            self.set(program, bindings, face);
+            self.alone.select(0);
+            if is_cube { &self.cube } else { &self.square }.draw(program, &feed);
+            if let Some(error) = self.alone.error() {
+                return Err(error);
+            }
+            pixels.extend(self.alone.read(1));
+        }
+        Ok(self.tiles(&pixels))
+    }
+
+    /// What the model draws under a hypothesis.
+    pub fn draw_model(&self, model: &CompiledModel, hypothesis: &Hypothesis) -> Result<Tiles, GlError> {
+        // Without a choice it is the one program of all hypotheses.
+        let made = model.program(&Hypothesis::default())?;
+        let (program, bindings) = (&made.program, &made.bindings);
+        let feed = feed(program, bindings);
+        self.together.begin();
+        self.panorama.bind(PANORAMA_UNIT);
+        program.bind();
+        for (name, values) in model.ways_of(hypothesis) {
+            program.set(&name, &values);
+        }
+        for face in 0..6 {
+            self.set(program, bindings, face);
+            self.together.select(face);
+            self.square.draw(program, &feed);
+        }
+        match self.together.error() {
+            Some(error) => Err(error),
+            None => Ok(self.tiles(&self.together.read(6))),
+        }
+    }
+
+    fn set(&self, program: &UserProgram, bindings: &Bindings, face: usize) {
+        let situation = scene::face(face);
+        for bound in bindings.bound.iter().filter(|bound| bound.declared.kind == Kind::Uniform) {
+            let glsl_type = bound.declared.glsl_type.as_str();
+            let values = match (glsl_type, bound.role) {
+                ("sampler2D", _) => Some(vec![PANORAMA_UNIT as f32]),
+                (_, Role::Face) => Some(vec![face as f32]),
+                (_, Role::Resolution) => Some(vec![self.side as f32; 2]),
+                (_, role) => numbers(role, glsl_type, &situation),
+            };
+            if let Some(values) = values {
+                program.set(&bound.declared.name, &values);
+            }
+        }
+    }
+
+    /// The first row of OpenGL's pictures is the faces' first: t = -1.
+    fn tiles(&self, pixels: &[[f32; 4]]) -> Tiles {
+        let side = self.side as usize;
+        let face = |face: usize| {
+            let of_face = pixels.get(face * side * side..(face + 1) * side * side).unwrap_or_default();
+            let mut face: Vec<[f32; 3]> = of_face.iter().map(|[r, g, b, _]| [*r, *g, *b]).collect();
+            face.resize(side * side, [0.0; 3]);
+            face
+        };
+        Tiles { side, faces: std::array::from_fn(face) }
+    }
+}
+
+/// Locations of attributes, and the streams that feed them.
+fn feed(program: &UserProgram, bindings: &Bindings) -> Vec<(u32, usize)> {
+    let stream = |role: Role| match role {
+        Role::Position => Some(0),
+        Role::TexCoord => Some(1),
+        _ => None,
+    };
+    let attributes = bindings.bound.iter().filter(|bound| bound.declared.kind == Kind::Attribute);
+    attributes
+        .filter_map(|bound| Some((program.attribute_location(&bound.declared.name)?, stream(bound.role)?)))
+        .collect()
+}

@@ -1,0 +1,217 @@
+//! What is wrong with six faces: with all of them by a hypothesis of the bank, with each by how it lies.
+
+use super::tiles::{Fit, Tiles, Tolerance, WAYS};
+use crate::mistakes::faces::{FACES, swapped_id, turned_id};
+use crate::mistakes::{Hypotheses, Hypothesis, Model};
+use crate::search::LooksLike;
+use gonio_gl::GlError;
+
+/// What faces are held against.
+pub struct Task<'a> {
+    /// The model's.
+    pub hypotheses: &'a Hypotheses,
+    /// From when on two pictures differ.
+    pub tolerance: Tolerance,
+    /// What the source says where pictures are silent.
+    pub looks_like: &'a LooksLike,
+}
+
+/// What draws under a hypothesis.
+pub type Predict<'a> = dyn FnMut(&Hypothesis) -> Result<Tiles, GlError> + 'a;
+
+/// Where each face's picture belongs and in which way it lies; `None` where it is like none.
+pub type Placed = [Option<(usize, usize)>; 6];
+
+const AS_IT_SHOULD: Placed = [Some((0, 0)), Some((1, 0)), Some((2, 0)), Some((3, 0)), Some((4, 0)), Some((5, 0))];
+
+/// What was found.
+#[derive(Clone, Debug)]
+pub struct Explanation {
+    /// Ids of what is wrong with all faces, the bank's.
+    pub global: Vec<String>,
+    /// Ids of what is wrong with single faces, the bank's.
+    pub local: Vec<String>,
+    /// Ids that explain it just as well as the one that is named.
+    pub or: Vec<String>,
+    /// Faces that nothing explains.
+    pub unexplained: Vec<usize>,
+    /// How each face compares with what it should be.
+    pub held: [Fit; 6],
+    /// What it should be.
+    pub reference: Tiles,
+    /// What the explanation draws.
+    pub predicted: Tiles,
+}
+
+impl Explanation {
+    /// Looks for the one with the fewest mistakes.
+    pub fn of(task: &Task<'_>, seen: &Tiles, predict: &mut Predict<'_>) -> Result<Self, GlError> {
+        let reference = predict(&Hypothesis::default())?;
+        let held = std::array::from_fn(|face| seen.fit(face, &reference, face, 0, task.tolerance));
+        let mut found = Explanation {
+            global: Vec::new(),
+            local: Vec::new(),
+            or: Vec::new(),
+            unexplained: Vec::new(),
+            held,
+            predicted: reference.clone(),
+            reference,
+        };
+        let search = Search { task, seen };
+        let plain = search.place(&found.reference);
+        if plain == AS_IT_SHOULD {
+            return Ok(found);
+        }
+        if seen.all_are_one(task.tolerance) {
+            found.global = vec!["face-ignored".to_owned()];
+            found.predicted = seen.clone();
+            return Ok(found);
+        }
+        let mut candidates = vec![Candidate::new(Hypothesis::default(), plain, &found.reference)];
+        let singles: Vec<&Hypothesis> = search.of_all_faces().collect();
+        let mut drawn = Vec::new();
+        for single in &singles {
+            drawn.push(predict(single)?);
+        }
+        for (single, tiles) in singles.iter().zip(&drawn) {
+            if search.is_whole(tiles) {
+                candidates.push(Candidate::new((*single).clone(), AS_IT_SHOULD, tiles));
+            }
+        }
+        if candidates.iter().all(|candidate| candidate.cost() > 1) {
+            // With one of them, and faces that lie otherwise; or with two of them.
+            for (single, tiles) in singles.iter().zip(&drawn) {
+                candidates.push(Candidate::new((*single).clone(), search.place(tiles), tiles));
+            }
+        }
+        if candidates.iter().all(|candidate| candidate.cost() > 2) {
+            for (at, one) in singles.iter().enumerate() {
+                let others = singles.iter().skip(at + 1).filter(|other| other.made_of != one.made_of);
+                for both in others.filter_map(|other| one.and(other)) {
+                    let tiles = predict(&both)?;
+                    if search.is_whole(&tiles) {
+                        candidates.push(Candidate::new(both, AS_IT_SHOULD, &tiles));
+                    }
+                }
+            }
+        }
+        search.choose(candidates, &mut found);
+        Ok(found)
+    }
+
+    /// Whether nothing is wrong.
+    pub fn is_right(&self) -> bool {
+        self.global.is_empty() && self.local.is_empty() && self.unexplained.is_empty()
+    }
+}
+
+/// An explanation that was tried.
+struct Candidate {
+    hypothesis: Hypothesis,
+    placed: Placed,
+    tiles: Tiles,
+}
+
+impl Candidate {
+    fn new(hypothesis: Hypothesis, placed: Placed, tiles: &Tiles) -> Self {
+        Candidate { hypothesis, placed, tiles: tiles.clone() }
+    }
+
+    /// Mistakes, and far more for faces that are like none.
+    fn cost(&self) -> usize {
+        let unexplained = self.placed.iter().filter(|placed| placed.is_none()).count();
+        self.hypothesis.made_of.len() + local(&self.placed).len() + 10 * unexplained
+    }
+}
+
+/// The ids of what is wrong with single faces.
+fn local(placed: &Placed) -> Vec<String> {
+    let mut ids = Vec::new();
+    let moved: Vec<usize> = (0..6).filter(|&face| placed[face].is_some_and(|(of, _)| of != face)).collect();
+    for &face in &moved {
+        let Some((of, _)) = placed[face] else { continue };
+        let is_swapped = placed[of].is_some_and(|(back, _)| back == face);
+        if is_swapped && face < of {
+            ids.push(swapped_id(face, of));
+        } else if !is_swapped {
+            // One that has another's picture, or a circle of three and more.
+            ids.push(format!("face-{}-shows-{}", FACES[face].0, FACES[of].0));
+        }
+    }
+    for (face, placed) in placed.iter().enumerate() {
+        if let Some((_, way @ 1..)) = placed {
+            ids.push(turned_id(face, way - 1));
+        }
+    }
+    ids
+}
+
+struct Search<'a> {
+    task: &'a Task<'a>,
+    seen: &'a Tiles,
+}
+
+impl<'a> Search<'a> {
+    /// Hypotheses about all faces at once.
+    fn of_all_faces(&self) -> impl Iterator<Item = &'a Hypothesis> {
+        let hypotheses = self.task.hypotheses;
+        hypotheses.singles.iter().filter(move |single| {
+            let variables = single.choices.keys().map(|line| hypotheses.variables[*line].as_str());
+            let is_of_a_face = |variable: &str| FACES.iter().any(|(word, _)| *word == variable);
+            let is_ignored = single.made_of.iter().any(|&m| hypotheses.mistakes[m].id == "face-ignored");
+            !variables.into_iter().any(is_of_a_face) && !is_ignored
+        })
+    }
+
+    fn fits(&self, fit: &Fit) -> bool {
+        fit.beyond <= self.task.tolerance.share
+    }
+
+    fn is_whole(&self, tiles: &Tiles) -> bool {
+        (0..6).all(|face| self.fits(&self.seen.fit(face, tiles, face, 0, self.task.tolerance)))
+            && self.place(tiles) == AS_IT_SHOULD
+    }
+
+    /// Where each face belongs: as it should lie wherever nothing else is clearly better.
+    fn place(&self, tiles: &Tiles) -> Placed {
+        std::array::from_fn(|face| {
+            let fit = |of: usize, way: usize| self.seen.fit(face, tiles, of, way, self.task.tolerance);
+            let all = (0..6).flat_map(|of| (0..WAYS).map(move |way| (of, way)));
+            let mut fitting: Vec<((usize, usize), Fit)> =
+                all.map(|(of, way)| ((of, way), fit(of, way))).filter(|(_, fit)| self.fits(fit)).collect();
+            let best = fitting.iter().map(|(_, fit)| fit.square).fold(f64::INFINITY, f64::min);
+            // Rounding alone tells nothing.
+            fitting.retain(|(_, fit)| fit.square <= 1.5 * best + 1e-6);
+            let rank = |(of, way): &(usize, usize)| (*of != face, *way != 0, *of, *way);
+            fitting.into_iter().map(|(place, _)| place).min_by_key(rank)
+        })
+    }
+
+    /// Takes the explanation with the fewest mistakes; of several the one that the source supports.
+    fn choose(&self, candidates: Vec<Candidate>, found: &mut Explanation) {
+        let Some(least) = candidates.iter().map(Candidate::cost).min() else { return };
+        let ids = |candidate: &Candidate| -> Vec<String> {
+            let made_of = candidate.hypothesis.made_of.iter();
+            made_of.map(|&m| self.task.hypotheses.mistakes[m].id.clone()).collect()
+        };
+        let support = |candidate: &Candidate| -> f32 {
+            let ids = ids(candidate);
+            let sum: f32 = ids.iter().map(|id| (self.task.looks_like)(id, Model::Panorama)).sum();
+            // Nothing speaks for or against single faces.
+            if ids.is_empty() { 0.5 } else { sum / ids.len() as f32 }
+        };
+        let mut equal: Vec<&Candidate> = candidates.iter().filter(|candidate| candidate.cost() == least).collect();
+        // Stable: where the source is silent, the bank's order stays.
+        equal.sort_by(|a, b| support(b).total_cmp(&support(a)));
+        let Some(best) = equal.first() else { return };
+        found.global = ids(best);
+        found.local = local(&best.placed);
+        found.unexplained = (0..6).filter(|&face| best.placed[face].is_none()).collect();
+        found.predicted = best.tiles.laid(&best.placed);
+        if let ([only], true) = (found.global.as_slice(), found.local.is_empty()) {
+            let others = equal.iter().skip(1).flat_map(|other| ids(other));
+            found.or = others.filter(|id| id != only).collect();
+            found.or.dedup();
+        }
+    }
+}

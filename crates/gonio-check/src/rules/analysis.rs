@@ -1,0 +1,117 @@
+//! What the source of a pair of shaders shows: which mistakes it makes and where, and which constants are written in it.
+
+use super::constants::{self, Written};
+use super::{Answer, answer, power_under_maximum};
+use crate::dataflow::{Id, Op, Reading, Shader, by_use};
+use crate::mistakes::Model;
+use crate::roles::{NamesFile, Role};
+use gonio_glsl::{Span, Stage};
+
+/// An expression of the student's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// In which shader.
+    pub stage: Stage,
+    /// Where.
+    pub span: Span,
+    /// From 0 to 1, how far the source shows the mistake there.
+    pub confidence: f32,
+}
+
+/// A pair of shaders that has been read; all questions can be asked of it.
+pub struct Analysis {
+    pub(super) reading: Reading,
+}
+
+impl Analysis {
+    /// Reads a pair. `names` says what names mean where nothing else tells.
+    #[must_use]
+    pub fn new(vertex: &Shader, fragment: &Shader, names: &NamesFile) -> Self {
+        Analysis { reading: Reading::of(vertex, fragment, names) }
+    }
+
+    /// Constants in the source where a uniform could be, as far as they flow into the colour.
+    #[must_use]
+    pub fn written(&self) -> Written {
+        constants::written(&self.reading)
+    }
+
+    /// Whether V is cut down to its rotation somewhere, used or not.
+    #[must_use]
+    pub fn turns_only(&self) -> bool {
+        let graph = &self.reading.graph;
+        let is_view = |id: Id| self.reading.role(graph.core(id)) == Some(Role::View);
+        graph.ids().any(|id| match graph.op(id) {
+            Op::Construct(parts) => graph.node(id).is_matrix && parts.len() == 1 && is_view(parts[0]),
+            _ => false,
+        })
+    }
+
+    /// Matrices whose names say nothing, and what they must be for the position to be what it is.
+    #[must_use]
+    pub fn matrices_by_use(&self) -> Vec<(String, Role)> {
+        by_use::matrices(&self.reading)
+    }
+
+    /// The place in the source that looks like a mistake of the catalogue, or where what is missing belongs. `None` where the
+    /// source does not tell.
+    #[must_use]
+    pub fn line(&self, id: &str, model: Model) -> Option<Place> {
+        match answer(&self.reading, id, model) {
+            Answer::At(node, confidence) => self.place(node, confidence),
+            Answer::Not | Answer::Silent => None,
+        }
+    }
+
+    /// How far the source supports a mistake: 1 if the very expression is there, 0 if it is there and right, 0.5 if the source
+    /// does not tell.
+    #[must_use]
+    pub fn looks_like(&self, id: &str, model: Model) -> f32 {
+        match answer(&self.reading, id, model) {
+            Answer::At(_, support) => support,
+            Answer::Not => 0.0,
+            Answer::Silent => 0.5,
+        }
+    }
+
+    /// Mistakes that no picture shows: id, place, and a sentence for the student.
+    #[must_use]
+    pub fn in_source_only(&self) -> Vec<(&'static str, Place, String)> {
+        let found = power_under_maximum(&self.reading).and_then(|node| self.place(node, 1.0));
+        let sentence = "`pow` of a negative number is undefined: the `max` belongs inside, \
+                        `pow(max(dot(R, V), 0.0), shininess)`";
+        found.map(|place| ("specular-power-of-negative", place, sentence.to_owned())).into_iter().collect()
+    }
+
+    /// Whether the function that is called at that place looks something up that flows into the colour.
+    #[must_use]
+    pub fn puts_out_lookup(&self, name: Span) -> bool {
+        let graph = &self.reading.graph;
+        self.reading.lookups().into_iter().any(|(call, _)| {
+            let node = graph.node(call);
+            node.stage == Stage::Fragment && node.span.start <= name.start && name.end <= node.span.end
+        })
+    }
+
+    /// Where a panorama is looked up at an angle that jumps from one edge to the other, by a function that chooses its
+    /// mipmap by how fast that changes: harmless as long as there are no mipmaps.
+    #[must_use]
+    pub fn seam_by_mipmaps(&self) -> Option<(Place, String)> {
+        let graph = &self.reading.graph;
+        let jumps = |place: Id| {
+            let parts = graph.reachable(&[place], |_| true);
+            parts.iter().any(|id| matches!(graph.op(*id), Op::Call(name, _) if name == "atan"))
+        };
+        let by_itself =
+            |call: Id| matches!(graph.op(call), Op::Call(name, _) if matches!(name.as_str(), "texture" | "texture2D"));
+        let (call, _) = self.reading.lookups().into_iter().find(|(call, at)| by_itself(*call) && jumps(*at))?;
+        let sentence = "with mipmaps there would be a line behind you, where u jumps from 1 to 0; \
+                        `textureLod(panorama, place, 0.0)` never shows it";
+        Some((self.place(call, 1.0)?, sentence.to_owned()))
+    }
+
+    fn place(&self, node: Id, confidence: f32) -> Option<Place> {
+        let node = self.reading.graph.node(node);
+        (node.span.line > 0).then_some(Place { stage: node.stage, span: node.span, confidence })
+    }
+}

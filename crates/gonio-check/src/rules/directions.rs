@@ -1,0 +1,111 @@
+//! Mistakes with the directions to the light and to the eye.
+
+use super::{Answer, At, Not, Silent, specular};
+use crate::dataflow::vector::{Incoming, Kind, Space, Vector};
+use crate::dataflow::{Id, Op, Reading};
+use crate::mistakes::Model;
+
+pub(super) fn answer(reading: &Reading, id: &str, model: Model) -> Option<Answer> {
+    let light = |wanted: &dyn Fn(Vector) -> bool| first(reading, &reading.lights(), wanted);
+    let eye = |wanted: &dyn Fn(Vector) -> bool| first(reading, &eyes(reading, model), wanted);
+    Some(match id {
+        "light-direction-reversed" if reading.signs_cancel() => Not,
+        "light-direction-reversed" => {
+            let turned = reading.diffuse_dots().into_iter().find_map(|(dot, ..)| reading.turned_after(dot));
+            match reversed(reading, &diffuse_lights(reading)) {
+                Not => Answer::of(turned, 0.9, Not),
+                answer => answer,
+            }
+        }
+        "light-direction-not-normalised" => light(&|v| matches!(v.kind, Kind::ToLight(..)) && !v.is_unit),
+        "light-direction-minus-normal" => light(&|v| v.kind == Kind::LightMinusNormal),
+        "light-position-as-direction" => light(&|v| matches!(v.kind, Kind::Light(Some(_))))
+            .or(|| match light(&|v| v.kind == Kind::Light(None)) {
+                // A place that is written down may be meant as a direction.
+                At(id, _) => At(id, 0.9),
+                answer => answer,
+            })
+            .or(|| constant_light(reading)),
+        "view-direction-reversed" => {
+            let eyes: Vec<Id> = eyes(reading, model).into_iter().filter(|id| in_highlight(reading, *id)).collect();
+            if specular::signs_cancel(reading) { Not } else { reversed(reading, &eyes) }
+        }
+        "view-position-as-direction" => eye(&|v| v.kind == Kind::Eye),
+        "view-direction-not-normalised" | "refraction-direction-not-normalised" => {
+            eye(&|v| matches!(v.kind, Kind::ToEye(_)) && !v.is_unit)
+        }
+        "view-position-at-origin" => match eye(&|v| matches!(v.kind, Kind::Point(space) if space != Space::View)) {
+            At(id, support) => At(source(reading, id), support),
+            answer => answer,
+        },
+        "view-direction-is-front" => eye(&|v| matches!(v.kind, Kind::Front | Kind::Constant)),
+        _ => return None,
+    })
+}
+
+fn eyes(reading: &Reading, model: Model) -> Vec<Id> {
+    let mut found = reading.eyes();
+    if !model.is_lit() || found.is_empty() {
+        found.extend(reading.reflections(Incoming::Other));
+    }
+    found
+}
+
+/// The first variable that a direction was written to, before it was normalised and written to others.
+fn source(reading: &Reading, slot: Id) -> Id {
+    let (mut id, mut best) = (slot, slot);
+    loop {
+        id = match reading.graph.op(id) {
+            Op::Copy(inner, _) => {
+                best = id;
+                *inner
+            }
+            Op::Call(name, parts) if name == "normalize" && !parts.is_empty() => parts[0],
+            _ => return best,
+        };
+    }
+}
+
+fn diffuse_lights(reading: &Reading) -> Vec<Id> {
+    reading.diffuse_dots().into_iter().flat_map(|(_, a, b)| [a, b]).collect()
+}
+
+fn in_highlight(reading: &Reading, id: Id) -> bool {
+    reading.specular_dots().iter().any(|(_, a, b)| *a == id || *b == id)
+}
+
+fn first(reading: &Reading, slots: &[Id], wanted: &dyn Fn(Vector) -> bool) -> Answer {
+    let known: Vec<(Id, Vector)> = slots.iter().filter_map(|id| Some((*id, reading.vector(*id)?))).collect();
+    match known.iter().find(|(_, vector)| wanted(*vector)) {
+        Some((id, _)) => At(reading.spot(*id), 1.0),
+        None if known.is_empty() => Silent,
+        None => Not,
+    }
+}
+
+/// Where a direction to the light or the eye was turned round, or subtracted the wrong way.
+fn reversed(reading: &Reading, slots: &[Id]) -> Answer {
+    let towards: Vec<Vector> = slots
+        .iter()
+        .filter_map(|id| reading.vector(*id))
+        .filter(|vector| matches!(vector.kind, Kind::ToLight(..) | Kind::ToEye(_) | Kind::Light(_)))
+        .collect();
+    match towards.iter().find(|vector| vector.sign < 0.0) {
+        Some(vector) => At(vector.turned_at.unwrap_or(vector.at), 1.0),
+        None if towards.is_empty() => Silent,
+        None => Not,
+    }
+}
+
+/// A direction that is written down: the light's, if it meets the normal.
+fn constant_light(reading: &Reading) -> Answer {
+    for (_, a, b) in reading.diffuse_dots() {
+        for (one, other) in [(a, b), (b, a)] {
+            let is = |id: Id, is: &dyn Fn(Vector) -> bool| reading.vector(id).is_some_and(is);
+            if is(one, &|v| v.kind == Kind::Constant) && is(other, &|v| v.is_normal()) {
+                return At(one, 0.9);
+            }
+        }
+    }
+    if reading.lights().is_empty() { Silent } else { Not }
+}

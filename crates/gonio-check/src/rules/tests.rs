@@ -1,0 +1,447 @@
+#![allow(clippy::unwrap_used)]
+
+use super::*;
+use crate::dataflow::Shader;
+use crate::mistakes::Model;
+use crate::roles::{NamesFile, Role};
+use glam::Vec3;
+use gonio_glsl::{Stage, check, parse};
+
+/// A pair from sources.
+fn read(vertex: &str, fragment: &str) -> Analysis {
+    let (mut vertex, mut fragment) = (parse(vertex), parse(fragment));
+    let checked = [check(&mut vertex, Stage::Vertex), check(&mut fragment, Stage::Fragment)];
+    let shaders =
+        [Shader { parsed: &vertex, checked: &checked[0] }, Shader { parsed: &fragment, checked: &checked[1] }];
+    Analysis::new(&shaders[0], &shaders[1], &NamesFile::default())
+}
+
+/// A fragment shader with the model's vertex shader before it.
+fn fragment(head: &str, body: &str) -> Analysis {
+    let given = "in vec3 world_position; in vec3 v_normal; out vec4 FragColor; uniform vec3 u_view_pos;";
+    let text = format!("#version 330 core\n{given}\n{head}\nvoid main() {{\n{body}\n}}\n");
+    let source = read(Model::Phong.sources()[0], &text);
+    assert!(source.reading.colour.is_some(), "{text}");
+    source
+}
+
+#[test]
+fn the_models_themselves_make_no_mistake() {
+    for model in Model::ALL {
+        let [vertex, fragment] = model.sources();
+        let source = read(vertex, fragment);
+        for mistake in crate::mistakes::of(model).filter(|mistake| !mistake.harmless) {
+            // Where a picture tells that it is made, the source tells at most where.
+            let line = source.line(&mistake.id, model).filter(|place| place.confidence >= 0.5);
+            assert_eq!(line, None, "{model:?} {}", mistake.id);
+            assert!(source.looks_like(&mistake.id, model) <= 0.5, "{model:?} {}", mistake.id);
+        }
+    }
+}
+
+#[test]
+fn every_mistake_put_into_its_model_is_found_at_its_line() {
+    // The change of a line of the model is the mistake; what it makes of other lines is not.
+    let elsewhere = [
+        // In the line that hands the normal on, not where it is transformed.
+        "normal-not-normalised-in-vertex",
+    ];
+    let (mut right, mut wrong, mut all) = (0, Vec::new(), 0);
+    for model in Model::ALL {
+        for mistake in crate::mistakes::of(model).filter(|mistake| !mistake.harmless) {
+            for change in mistake.change.iter().filter(|change| change.len() == 1) {
+                let (variable, value) = change.iter().next().unwrap();
+                let mut sources = model.sources().map(str::to_owned);
+                let mut line = None;
+                for source in &mut sources {
+                    let lines: Vec<String> = source
+                        .lines()
+                        .enumerate()
+                        .map(|(at, text)| match text.split_once(" = ") {
+                            Some((left, _)) if left.ends_with(&format!(" {variable}")) && text.starts_with(' ') => {
+                                line = Some(at as u32 + 1);
+                                format!("{left} = {value};")
+                            }
+                            _ => text.to_owned(),
+                        })
+                        .collect();
+                    *source = lines.join("\n");
+                }
+                let Some(line) = line else { continue };
+                all += 1;
+                let found = read(&sources[0], &sources[1]).line(&mistake.id, model).map(|place| place.span.line);
+                // What is wrong with a camera is told where it stands in the matrix.
+                let is_elsewhere = model == Model::Camera || elsewhere.contains(&mistake.id.as_str());
+                if found == Some(line) || is_elsewhere && found.is_some() {
+                    right += 1;
+                } else {
+                    wrong.push(format!("{model:?} {} {variable} = {value}: {found:?}, not {line}", mistake.id));
+                }
+            }
+        }
+    }
+    assert!(all >= 200, "{all}");
+    assert!(f64::from(right) >= 0.9 * f64::from(all), "{right} of {all}: {wrong:#?}");
+}
+
+#[test]
+fn exponents_that_are_written_are_found() {
+    let lit = "vec3 N = normalize(v_normal); vec3 L = normalize(vec3(1.0, 2.0, 3.0) - world_position); \
+               vec3 V = normalize(u_view_pos - world_position); float c = max(dot(reflect(-L, N), V), 0.0);";
+    for (head, value, wanted) in [
+        ("", "pow(c, 32.0)", Some(32.0)),
+        ("", "pow(c, 8)", Some(8.0)),
+        ("const float shininess = 4.0 * 8.0;", "pow(c, shininess)", Some(32.0)),
+        ("#define EXPONENT 16.0", "pow(c, EXPONENT)", Some(16.0)),
+        ("float raised(float x, float by) { return pow(x, by); }", "raised(c, 12.0)", Some(12.0)),
+        ("", "exp2(log2(c) * 32.0)", Some(32.0)),
+        ("", "exp(20.0 * log(c))", Some(20.0)),
+        ("float square(float x) { return x * x; }", "square(square(square(square(square(c)))))", Some(32.0)),
+        ("float raised(float x) { for (int i = 0; i < 5; i++) x *= x; return x; }", "raised(c)", Some(32.0)),
+        ("uniform float shininess;", "pow(c, shininess)", None),
+        // Never put out.
+        ("uniform float shininess;", "0.0 * pow(c, 32.0) + pow(c, shininess)", None),
+        // Not of a cosine.
+        ("", "pow(1.0 + world_position.x, 2.2) * c", None),
+        ("", "c", None),
+    ] {
+        let source = fragment(head, &format!("{lit}\nfloat s = {value};\nFragColor = vec4(vec3(s), 1.0);"));
+        let found = source.written().shininess;
+        assert_eq!(found.map(|n| (n * 1000.0).round() / 1000.0), wanted, "{head} {value}");
+    }
+}
+
+#[test]
+fn lights_that_are_written_are_found() {
+    let wanted = Some(Vec3::new(1.0, 2.0, 1.5));
+    for (head, value, wanted) in [
+        ("", "normalize(vec3(1.0, 2.0, 1.5) - world_position)", wanted),
+        ("const vec3 light = vec3(1.0, 2.0, 1.5);", "normalize(light - world_position)", wanted),
+        ("const vec3 lightPos = vec3(1.0, 2.0, 1.5);", "normalize(lightPos)", wanted),
+        ("#define LIGHT vec3(1.0, 2.0, 3.0 / 2.0)", "normalize(LIGHT - world_position)", wanted),
+        ("", "-normalize(world_position - vec3(1.0, 2.0, 1.5))", wanted),
+        ("vec3 to(vec3 p) { return normalize(p - world_position); }", "to(vec3(1, 2, 1.5))", wanted),
+        ("struct Light { vec3 position; };", "normalize(Light(vec3(1.0, 2.0, 1.5)).position - world_position)", wanted),
+        ("uniform vec3 lightPos;", "normalize(lightPos - world_position)", None),
+        ("const vec3 unused = vec3(1.0); uniform vec3 lightPos;", "normalize(lightPos - world_position)", None),
+    ] {
+        let body = format!("vec3 L = {value};\nFragColor = vec4(vec3(max(dot(normalize(v_normal), L), 0.0)), 1.0);");
+        assert_eq!(fragment(head, &body).written().light_position, wanted, "{head} {value}");
+    }
+}
+
+#[test]
+fn attenuations_that_are_written_are_found() {
+    let full = [Some(1.0), Some(0.14), Some(0.07)];
+    for (head, value, wanted) in [
+        ("", "1.0 / (1.0 + 0.14 * d + 0.07 * d * d)", full),
+        ("", "1.0 / (1.0 + 0.14 * d + 0.07 * pow(d, 2.0))", full),
+        ("", "1.0 / (1.0 + (0.14 + 0.07 * d) * d)", full),
+        ("", "1.0 / dot(vec3(1.0, 0.14, 0.07), vec3(1.0, d, d * d))", full),
+        ("const float kc = 1.0, kl = 0.14, kq = 0.07;", "1.0 / (kc + kl * d + kq * (d * d))", full),
+        ("uniform float linear;", "1.0 / (1.0 + linear * d + 0.07 * d * d)", [Some(1.0), None, Some(0.07)]),
+        ("", "1.0 / (1.0 + 0.07 * d * d)", [Some(1.0), None, Some(0.07)]),
+        ("", "1.0 / (d * d)", [None; 3]),
+        ("", "1.0", [None; 3]),
+    ] {
+        let body = format!(
+            "vec3 to = vec3(1.0, 2.0, 3.0) - world_position; float d = length(to);\nfloat a = {value};\n\
+             FragColor = vec4(vec3(a * max(dot(normalize(v_normal), normalize(to)), 0.0)), 1.0);"
+        );
+        assert_eq!(fragment(head, &body).written().attenuation, wanted, "{head} {value}");
+    }
+}
+
+#[test]
+fn indices_that_are_written_are_found() {
+    for (head, value, wanted) in [
+        ("", "1.0 / 1.52", Some(1.52)),
+        ("", "0.658", Some(1.52)),
+        ("const float n1 = 1.0, n2 = 1.33;", "n1 / n2", Some(1.33)),
+        ("", "1.52", Some(1.52)),
+        ("uniform float refractionIndice;", "1.0 / refractionIndice", None),
+        ("", "1.0", None),
+    ] {
+        let head = format!("uniform samplerCube skybox;\n{head}");
+        let body = format!(
+            "vec3 I = normalize(world_position - u_view_pos);\nfloat ratio = {value};\n\
+             FragColor = texture(skybox, refract(I, normalize(v_normal), ratio));"
+        );
+        let found = fragment(&head, &body).written().refraction_index;
+        assert_eq!(found.map(|n| (n * 100.0).round() / 100.0), wanted, "{head} {value}");
+    }
+}
+
+#[test]
+fn what_no_picture_tells_apart_the_source_does() {
+    let highlight = |reflected: &str, eye: &str| {
+        fragment(
+            "uniform vec3 lightPos;",
+            &format!(
+                "vec3 N = normalize(v_normal); vec3 L = normalize(lightPos - world_position);\nvec3 V = normalize({eye});\n\
+                 vec3 R = {reflected};\nFragColor = vec4(vec3(pow(max(dot(R, V), 0.0), 32.0)), 1.0);"
+            ),
+        )
+    };
+    let (towards, away) = ("u_view_pos - world_position", "world_position - u_view_pos");
+    for (reflected, eye, sign, view) in [
+        ("reflect(-L, N)", towards, 0.0, 0.0),
+        ("reflect(L, N)", towards, 1.0, 0.0),
+        ("reflect(-L, N)", away, 0.0, 1.0),
+        ("reflect(L, N)", away, 0.0, 0.0),
+        ("2.0 * dot(N, L) * N - L", towards, 0.0, 0.0),
+        ("L - 2.0 * dot(N, L) * N", towards, 1.0, 0.0),
+    ] {
+        let source = highlight(reflected, eye);
+        let found = ["specular-reflect-sign", "view-direction-reversed"].map(|id| source.looks_like(id, Model::Phong));
+        assert_eq!(found, [sign, view], "{reflected}, {eye}");
+    }
+    let diffuse = |n: &str, l: &str| {
+        fragment(
+            "uniform vec3 lightPos;",
+            &format!(
+                "vec3 N = normalize(v_normal); vec3 L = normalize(lightPos - world_position);\n\
+                 FragColor = vec4(vec3(max(dot({n}, {l}), 0.0)), 1.0);"
+            ),
+        )
+    };
+    for (n, l, normal, light) in
+        [("N", "L", 0.0, 0.0), ("-N", "L", 1.0, 0.0), ("N", "-L", 0.0, 1.0), ("-N", "-L", 0.0, 0.0)]
+    {
+        let source = diffuse(n, l);
+        let found = ["normal-reversed", "light-direction-reversed"].map(|id| source.looks_like(id, Model::Phong));
+        assert_eq!(found, [normal, light], "{n}, {l}");
+    }
+}
+
+#[test]
+fn a_maximum_around_the_power_is_told() {
+    for (value, is_told) in [
+        ("max(pow(dot(R, V), 32.0), 0.0)", true),
+        ("clamp(pow(dot(R, V), 32.0), 0.0, 1.0)", true),
+        ("pow(max(dot(R, V), 0.0), 32.0)", false),
+        ("max(pow(max(dot(R, V), 0.0), 32.0), 0.0)", false),
+        // That one a picture shows.
+        ("pow(dot(R, V), 32.0)", false),
+    ] {
+        let source = fragment(
+            "uniform vec3 lightPos;",
+            &format!(
+                "vec3 N = normalize(v_normal); vec3 L = normalize(lightPos - world_position);\n\
+                 vec3 V = normalize(u_view_pos - world_position); vec3 R = reflect(-L, N);\n\
+                 float s = {value};\nFragColor = vec4(vec3(s), 1.0);"
+            ),
+        );
+        let told = source.in_source_only();
+        assert_eq!(told.len(), usize::from(is_told), "{value}");
+        for (id, place, sentence) in told {
+            assert_eq!((id, place.stage, place.span.line), ("specular-power-of-negative", Stage::Fragment, 7));
+            assert!(sentence.contains("max"));
+        }
+    }
+}
+
+/// The line of what a `face` is given, in a function of `face` and `st` whose lines begin with the second; 0 where none is found.
+fn line_of_face(head: &str, lines: &[&str], id: &str) -> u32 {
+    let text = format!(
+        "#version 330 core\nin vec2 st; uniform int face; uniform sampler2D panorama; out vec4 FragColor; {head} vec3 ray() {{\n{}\n}}\n\
+         void main() {{ vec3 d = normalize(ray());\n\
+         FragColor = texture(panorama, vec2(atan(d.x, -d.z) / 6.2831853 + 0.5, acos(d.y) / 3.14159265)); }}",
+        lines.join("\n")
+    );
+    let vertex = "#version 330 core\nin vec3 position; out vec2 st;\n\
+                  void main() { st = position.xy; gl_Position = vec4(position, 1.0); }";
+    read(vertex, &text).line(id, Model::Panorama).map_or(0, |place| place.span.line)
+}
+
+#[test]
+fn the_case_of_a_face_is_found_however_it_is_chosen() {
+    const ID: [&str; 3] = ["face-posx-mirrored", "face-posy-flipped", "face-negz-transposed"];
+    let found = |head: &str, lines: &[&str]| ID.map(|id| line_of_face(head, lines, id));
+    let (x, y, z) = ("vec3(1.0, -st.y, -st.x)", "vec3(st.x, 1.0, st.y)", "vec3(-st.x, -st.y, -1.0)");
+    let other = "vec3(st.x, -1.0, -st.y)";
+    let chain = [
+        &format!("if (face == 0) return {x};"),
+        &format!("else if (2 == face) return {y};"),
+        &format!("else if (face == 1 || face == 3 || face == 4) return {other};"),
+        &format!("return {z};"),
+    ];
+    assert_eq!(found("", &chain.map(String::as_str)), [3, 4, 6], "if, with what is left over");
+    let returned = [
+        "switch (face) {",
+        &format!("case 0: return {x};"),
+        &format!("case 2: return {y};"),
+        &format!("case 1: case 3: case 4: return {other};"),
+        &format!("default: return {z}; }}"),
+    ];
+    assert_eq!(found("", &returned), [4, 5, 7], "returned");
+    let written = [
+        "vec3 d; switch (int(face)) {",
+        &format!("default: d = {z}; break;"),
+        &format!("case UP: {{ float t = st.y; d = {y}; break; }}"),
+        &format!("case A: case B: case C: d = {other}; break;"),
+        &format!("case RIGHT: d = {x}; }}"),
+        "return d;",
+    ];
+    let head = "const int RIGHT = 0; const int A = 1, UP = A + 1, B = 3, C = 4;";
+    assert_eq!(found(head, &written), [7, 5, 4], "written, by constants, `default` first");
+    let fallen = [
+        "vec3 d; float side = 1.0; switch (face) {",
+        "case 5: side = -1.0;",
+        "case 4: d = vec3(side * st.x, -st.y, side); break;",
+        "case 3: side = -1.0;",
+        "case 2: d = vec3(st.x, side, side * st.y); break;",
+        "case 1: side = -1.0;",
+        "case 0: d = vec3(side, -st.y, -side * st.x); }",
+        "return d;",
+    ];
+    assert_eq!(found("", &fallen), [9, 7, 5], "fallen through");
+    let apart = [
+        "float x = 0.0, y = -st.y, z = 0.0; switch (face) { case 0:",
+        "x = 1.0;",
+        "z = -st.x; break; case 2:",
+        "x = st.x;",
+        "y = 1.0; z = st.y; break; case 5:",
+        "x = -st.x;",
+        "z = -1.0; }",
+        "return vec3(x, y, z);",
+    ];
+    assert_eq!(found("", &apart), [4, 6, 8], "number by number");
+    // A `switch` over something else says nothing of a face.
+    assert_eq!(found("uniform int mode;", &["switch (mode) { case 0: return st.xyx; } return st.yxy;"]), [0, 0, 0]);
+}
+
+/// Each branch keeps what all names were before it; a few thousand of both were gigabytes and minutes.
+#[test]
+fn many_branches_among_many_names_are_given_up() {
+    let is_read = |names: usize, branch: &str| {
+        let names: String = (0..names).map(|i| format!("float a{i};")).collect();
+        let body = format!("void main() {{ {} c = v; }}", branch.repeat(3000));
+        let head = "#version 330\nin vec4 v; out vec4 c;";
+        read("", &format!("{head} {names} {body}")).reading.colour.map(|_| ())
+    };
+    for branch in ["if (v.x > 0.0) ;", "if (v.x > 0.0) { return; }"] {
+        assert_eq!((is_read(20, branch), is_read(3000, branch)), (Some(()), None), "{branch}");
+    }
+}
+
+#[test]
+fn no_source_makes_it_panic_or_hang() {
+    let deep = |open: &str, close: &str, count: usize| format!("{}x{}", open.repeat(count), close.repeat(count));
+    let bodies = [
+        String::new(),
+        "float x = x; x = x + x;".into(),
+        "float x = 1.0; for (;;) { x *= x; }".into(),
+        "float x = 1.0; while (x > 0.0) x = f(x);".into(),
+        "for (int i = 0; i < 8; i++) for (int j = 0; j < 8; j++) for (int k = 0; k < 8; k++) for (int l = 0; l < 8; l++) \
+         for (int m = 0; m < 8; m++) c += c * f(float(i));"
+            .into(),
+        "v.q = 1.0; v.xyzwxyzw = v; v[7] = 1.0; v[-1] = 2.0; v.x.y.z = 1.0;".into(),
+        "float a[3]; a[1000000] = 1.0; a[-5] = 2.0; c = vec4(a[2000000000]);".into(),
+        "return; c = vec4(1.0);".into(),
+        "c = vec4(); c = vec3(1.0); c = pow(); c = dot(1.0); c = reflect(v); c = max(1.0); c = clamp(1.0, 2.0);".into(),
+        "int i = 0; i = i / i; i = 1 % 0; c = vec4(i / 0, 1.0 / 0.0, 0.0 / 0.0, pow(-1.0, 0.5));".into(),
+        "switch (1) { case 0: c = v; break; default: c = -v; }".into(),
+        "switch (int(v.x)) { } switch (int(v.x)) { c = v; } switch (int(v.x)) { case 0: } switch (int(v.x)) { case: default: }".into(),
+        format!("switch (int(v.x)) {{ {} }}", (0..3000).map(|i| format!("case {i}: c.x = v.x * {i}.0;")).collect::<String>()),
+        format!("switch (int(v.x)) {{ {} c = v; }}", (0..5000).map(|i| format!("case {i}:")).collect::<String>()),
+        format!("{} c = v; {}", "switch (int(v.x)) { case 1: case 2: c = -v; default: ".repeat(60), "}".repeat(60)),
+        format!(
+            "{} c = v; {}",
+            format!("switch (int(v.x)) {{ {} case 40: ", "case 1: c += v; break;".repeat(31)).repeat(60),
+            "}".repeat(60)
+        ),
+        "do { c = v; continue; } while (true);".into(),
+        format!("float x = 1.0; c = vec4({});", deep("(", ")", 150)),
+        format!("float x = 1.0; c = vec4({});", deep("-", "", 190)),
+        format!("float x = 1.0; c = vec4({});", vec!["x"; 5000].join(" + ")),
+        format!("float x = 1.0; {} c = vec4(x);", "x = x * x + x;".repeat(3000)),
+        format!("vec4 x; {} c = vec4(x.x);", "x.y = x.x; x.z = 1.0;".repeat(3000)),
+        format!("{} c = v; {}", "if (v.x > 0.0) {".repeat(150), "}".repeat(150)),
+        "c = ".into(),
+        "}}}} {{{{".into(),
+    ];
+    let head = "#version 330\nin vec4 v; out vec4 c; struct S { S s; float x; }; uniform S s; const float k = k;\n\
+                float f(float x) { return f(x) + f(x * 2.0); } float g(float x) { return f(g(x)); }\n";
+    for body in &bodies {
+        let text = format!("{head}void main() {{ {body} }}");
+        for (vertex, fragment) in [(text.as_str(), text.as_str()), ("", text.as_str()), (text.as_str(), "\u{feff}")] {
+            let source = read(vertex, fragment);
+            assert!(source.written().shininess.is_none_or(f32::is_finite));
+            assert!(source.in_source_only().len() <= 1);
+            for mistake in crate::mistakes::all() {
+                for model in &mistake.models {
+                    let support = source.looks_like(&mistake.id, *model);
+                    assert!((0.0..=1.0).contains(&support), "{}", mistake.id);
+                    let place = source.line(&mistake.id, *model);
+                    assert!(place.is_none_or(|place| place.span.line > 0), "{}", mistake.id);
+                }
+            }
+        }
+    }
+    assert_eq!(read("", "").looks_like("no-such-mistake", Model::Phong), 0.5);
+}
+
+fn by_use(uniforms: &str, position: &str) -> Vec<(String, Role)> {
+    let vertex = format!(
+        "#version 330 core\nin vec3 position; {uniforms}\nvoid main() {{ vec4 p = vec4(position, 1.0); gl_Position = {position}; }}"
+    );
+    read(&vertex, "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }").matrices_by_use()
+}
+
+#[test]
+fn matrices_are_told_by_how_they_are_multiplied() {
+    let found = by_use("uniform mat4 camera, transform;", "camera * transform * p");
+    assert_eq!(found, [("camera".to_owned(), Role::ViewProjection), ("transform".to_owned(), Role::Model)]);
+    let found = by_use("uniform mat4 one, two, three;", "one * (two * (three * p))");
+    let roles: Vec<Role> = found.into_iter().map(|(_, role)| role).collect();
+    assert_eq!(roles, [Role::Projection, Role::View, Role::Model]);
+    assert_eq!(by_use("uniform mat4 all;", "all * p"), [("all".to_owned(), Role::ModelViewProjection)]);
+    // What names say stays, in whatever order: it may be the mistake.
+    assert_eq!(by_use("uniform mat4 P, V, M;", "M * V * P * p"), []);
+    assert_eq!(by_use("uniform mat4 M, thing;", "M * thing * p"), []);
+    assert_eq!(by_use("uniform mat4 one, two;", "one * two * two * one * p"), []);
+}
+
+#[test]
+fn a_sun_is_a_direction_that_nothing_calls_a_place() {
+    let sun = |head: &str, body: &str| {
+        let body = format!("{body}\nFragColor = vec4(max(dot(normalize(v_normal), L), 0.0));");
+        fragment(head, &body).written()
+    };
+    let found = sun("", "vec3 L = normalize(vec3(0.0, 3.0, 4.0));").sun.unwrap();
+    assert!((found.to_light - Vec3::new(0.0, 0.6, 0.8)).length() < 1e-6 && !found.in_view);
+    assert!(sun("const vec3 sunDir = vec3(1.0, 0.0, 0.0);", "vec3 L = -sunDir;").sun.unwrap().to_light.x < -0.9);
+    assert_eq!(sun("", "vec3 lightPos = vec3(0.0, 3.0, 4.0); vec3 L = normalize(lightPos);").sun, None);
+    assert_eq!(sun("", "vec3 L = normalize(vec3(0.0, 3.0, 4.0) - world_position);").sun, None);
+    assert_eq!(sun("uniform vec3 lightDir;", "vec3 L = normalize(-lightDir);").points_to_light, Some(false));
+    assert_eq!(sun("uniform vec3 lightDir;", "vec3 L = normalize(lightDir);").points_to_light, Some(true));
+}
+
+#[test]
+fn a_cone_is_no_diffuse_term() {
+    let head = "uniform vec3 lightDir, lightPos; uniform float ambientStrength;";
+    let body = |sum: &str| {
+        format!(
+            "vec3 L = normalize(lightPos - world_position); float diffuse = max(dot(normalize(v_normal), L), 0.0);
+            float cone = smoothstep(0.8, 0.9, dot(-L, normalize(lightDir)));
+            FragColor = vec4(vec3({sum}), 1.0);"
+        )
+    };
+    let looks = |sum: &str| fragment(head, &body(sum)).looks_like("ambient-in-cone", Model::Phong);
+    assert_eq!(looks("cone * (ambientStrength + diffuse)"), 1.0);
+    assert_eq!(looks("ambientStrength + cone * diffuse"), 0.0);
+    assert_eq!(looks("ambientStrength + diffuse"), 0.5);
+    let turned = fragment(head, &body("cone * diffuse")).looks_like("light-direction-reversed", Model::Phong);
+    assert_eq!(turned, 0.0);
+}
+
+#[test]
+fn who_cuts_the_translation_off_knows_that_it_comes() {
+    let turns = |place: &str| {
+        let vertex = format!("#version 330 core\nin vec3 position; uniform mat4 V, P;\nvoid main() {{ {place} }}");
+        read(&vertex, "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }").turns_only()
+    };
+    assert!(turns("mat4 turned = mat4(mat3(V)); gl_Position = P * V * vec4(position, 1.0);"));
+    assert!(!turns("gl_Position = P * V * vec4(position, 1.0);"));
+}

@@ -1,0 +1,219 @@
+//! From what was found to what is said.
+
+use super::compare::Comparison;
+use super::parameterisation::Freedom;
+use super::search::{Entry, Found, Search, Tried};
+use super::task::Task;
+use crate::roles::Bindings;
+use crate::testbench::{Sheet, Stage};
+use crate::verdict::{
+    BoundVariable, FoundMistake, Outcome, Peculiarity, RunnerUp, SceneVerdict, TermState, TermVerdict, Verdict,
+};
+
+/// What is wrong scores no more than this, however many scenes it is right in.
+const MOST_FOR_WRONG: f64 = 0.9;
+/// A runner-up is told from this share on.
+const RUNNER_UP_FROM: f64 = 0.25;
+/// A name is given from this share of the difference on, where some of it is left over.
+pub(super) const NAMED_FROM: f64 = 0.985;
+/// ... and by that much more than the next best.
+const CLEARER_BY: f64 = 0.01;
+
+/// What was bound to what, for people.
+pub fn bound(bindings: &Bindings) -> Vec<BoundVariable> {
+    let known = bindings.bound.iter().map(|b| (&b.declared, Some(b.role.to_string())));
+    let unknown = bindings.unknown.iter().map(|declared| (declared, None));
+    known
+        .chain(unknown)
+        .map(|(declared, role)| BoundVariable {
+            name: declared.name.clone(),
+            glsl_type: declared.glsl_type.clone(),
+            role,
+        })
+        .collect()
+}
+
+/// Uniforms whose values `names.toml` gives.
+pub fn fixed(bindings: &Bindings) -> Vec<(String, Vec<f32>)> {
+    bindings.fixed.iter().map(|fixed| (fixed.declared.name.clone(), fixed.values.clone())).collect()
+}
+
+/// A mistake of the bank, or one that is no change of a line, by its word.
+pub fn mistake(id: &str, share: f64) -> Option<FoundMistake> {
+    if let Some(known) = crate::mistakes::find(id) {
+        return Some(FoundMistake { lab_does_it: known.lab_does_it, ..FoundMistake::of_bank(known, share) });
+    }
+    crate::mistakes::structural()
+        .into_iter()
+        .find(|known| known.id == id)
+        .map(|known| FoundMistake::of_bank(&known, share))
+}
+
+/// Everything but what was bound.
+pub fn verdict(task: &Task, search: &Search<'_>, found: &Found<'_>, held: &Comparison, in_vain: [bool; 3]) -> Verdict {
+    let (stage, seen) = (search.stage, search.seen);
+    let mut verdict = Verdict::new(task.exercise, Outcome::Wrong, "");
+    verdict.scenes = scenes(stage, held);
+    let Some(best) = found.ranking.first() else { return verdict };
+    let entry = search.entries.get(best.model);
+    let right = verdict.scenes.iter().filter(|scene| scene.right).count();
+    verdict.score = (right as f64 / verdict.scenes.len().max(1) as f64).min(MOST_FOR_WRONG);
+    let undefined = undefined_pixels(seen);
+    if undefined > 0 {
+        verdict.warnings.push(format!(
+            "{undefined} pixels are no number (NaN or infinite): a division by 0, a root or a power of something negative"
+        ));
+    }
+    let next = found.ranking.iter().skip(1).find(|tried| !tried.wrong().is_empty());
+    let names_well = best.rest.is_same()
+        || (best.explained >= NAMED_FROM && next.is_none_or(|next| best.explained - next.explained >= CLEARER_BY));
+    let words: Vec<String> = entry.and_then(|entry| entry.word).map(str::to_owned).into_iter().collect();
+    let missing = missing_terms(task, best, in_vain);
+    let is_right = best.rest.is_same() && words.is_empty() && best.wrong().is_empty();
+    if is_right && missing.is_empty() {
+        verdict.verdict = Outcome::Correct;
+        verdict.score = 1.0;
+        verdict.peculiarities = peculiarities(task, best, entry);
+        verdict.summary = match verdict.peculiarities.is_empty() {
+            true => "right in every scene".to_owned(),
+            false => "right in every scene, in a way of its own".to_owned(),
+        };
+        return verdict;
+    }
+    // Nothing of it could be explained by a name that was made up: say what fails, and stop there.
+    if !names_well {
+        let wrong: Vec<&str> = verdict.scenes.iter().filter(|s| !s.right).map(|s| s.scene.as_str()).collect();
+        verdict.summary =
+            format!("no mistake that gonio knows explains it; it differs from the reference in: {}", wrong.join(", "));
+        if !best.wrong().is_empty() && best.explained >= RUNNER_UP_FROM {
+            let ids = best.wrong().into_iter().map(str::to_owned).collect();
+            verdict.runner_up = Some(RunnerUp { ids, share_explained: best.explained });
+        }
+        return verdict;
+    }
+    let share = if best.rest.is_same() { 1.0 } else { best.explained };
+    let ids: Vec<String> =
+        words.into_iter().chain(best.wrong().into_iter().map(str::to_owned)).chain(missing).collect();
+    verdict.mistakes = ids.iter().filter_map(|id| mistake(id, share)).collect();
+    verdict.peculiarities = peculiarities(task, best, entry);
+    for mistake in &mut verdict.mistakes {
+        mistake.or = crate::mistakes::find(&mistake.id).map_or(Vec::new(), |known| known.looks_the_same_as.clone());
+    }
+    let count = verdict.mistakes.len();
+    for mistake in verdict.mistakes.iter_mut().filter(|_| best.wrong().len() == count) {
+        for other in alternatives(found, best, &mistake.id) {
+            if !mistake.or.contains(&other) {
+                mistake.or.push(other);
+            }
+        }
+    }
+    let not_the_same =
+        |tried: &&Tried<'_>| !tried.wrong().is_empty() && tried.wrong() != best.wrong() && !tried.rest.is_same();
+    let next = found.ranking.iter().find(not_the_same).filter(|tried| tried.explained >= RUNNER_UP_FROM);
+    verdict.runner_up = next.map(|tried| RunnerUp {
+        ids: tried.wrong().into_iter().map(str::to_owned).collect(),
+        share_explained: tried.explained,
+    });
+    let names: Vec<&str> = verdict.mistakes.iter().map(|m| m.name.as_str()).collect();
+    verdict.summary = names.join("; and: ");
+    verdict
+}
+
+fn undefined_pixels(seen: &Sheet) -> usize {
+    seen.pixels.iter().filter(|p| Sheet::is_drawn(p) && p.iter().take(3).any(|c| !c.is_finite())).count()
+}
+
+fn peculiarities(task: &Task, best: &Tried<'_>, entry: Option<&Entry>) -> Vec<Peculiarity> {
+    let harmless = best.made_of.iter().filter(|m| m.harmless);
+    let mut all: Vec<Peculiarity> = harmless.map(|m| Peculiarity { id: m.id.clone(), name: m.name.clone() }).collect();
+    if entry.is_some_and(|entry| entry.is_right && entry.model != task.model) {
+        let name = "The light is computed for each vertex (Gouraud shading)".to_owned();
+        all.push(Peculiarity { id: "light-per-vertex".to_owned(), name });
+    }
+    // Who goes ahead of the exercise is not wrong; diffuse light belongs to a highlight as a matter of course.
+    const AHEAD: [(usize, &str, &str); 2] = [
+        (0, "ambient-added", "Ambient light is added, which the exercise does not ask for"),
+        (2, "specular-added", "A highlight is added, which the exercise does not ask for"),
+    ];
+    for (term, id, name) in AHEAD {
+        let is_there = best.strengths[term].is_some_and(|strength| strength.iter().any(|s| *s > 1e-2));
+        if is_there && !task.wanted[term] {
+            all.push(Peculiarity { id: id.to_owned(), name: name.to_owned() });
+        }
+    }
+    all
+}
+
+/// Terms that have no strength, and that the exercise asks for or the source computes in vain.
+fn missing_terms(task: &Task, best: &Tried<'_>, in_vain: [bool; 3]) -> Vec<String> {
+    const WORDS: [&str; 3] = ["ambient-missing", "diffuse-missing", "specular-missing"];
+    let absent = |strength: &Option<[f64; 3]>| strength.is_some_and(|s| s.iter().all(|s| *s < 1e-3));
+    // Light from everywhere where diffuse light belongs is diffuse light without its cosine.
+    let flat = !task.wanted[0] && best.strengths[0].is_some_and(|s| s.iter().any(|s| *s > 1e-2));
+    let word = |term: usize| if term == 1 && flat { "diffuse-without-cosine" } else { WORDS[term] };
+    (0..3)
+        .filter(|&term| absent(&best.strengths[term]))
+        .filter(|&term| task.wanted[term] || in_vain[term])
+        .map(|term| word(term).to_owned())
+        .filter(|word| !best.wrong().contains(&word.as_str()))
+        .collect()
+}
+
+/// Mistakes that leave just as little over in the place of this one: no picture tells them apart.
+fn alternatives(found: &Found<'_>, best: &Tried<'_>, id: &str) -> Vec<String> {
+    let others: Vec<&str> = best.wrong().into_iter().filter(|other| *other != id).collect();
+    let same = |tried: &&Tried<'_>| {
+        tried.rest.is_same() && tried.model == best.model && tried.wrong().len() == others.len() + 1
+    };
+    let mut names: Vec<String> = Vec::new();
+    for tried in found.ranking.iter().filter(same) {
+        let mut wrong = tried.wrong();
+        for other in &others {
+            if let Some(at) = wrong.iter().position(|word| word == other) {
+                wrong.remove(at);
+            }
+        }
+        if let [only] = wrong[..]
+            && only != id
+            && !names.iter().any(|known| known == only)
+        {
+            names.push(only.to_owned());
+        }
+    }
+    names
+}
+
+/// Scene by scene: `held` compares with the right answer.
+fn scenes(stage: &Stage, held: &Comparison) -> Vec<SceneVerdict> {
+    stage
+        .situations()
+        .iter()
+        .take(held.beyond.len())
+        .enumerate()
+        .map(|(index, situation)| SceneVerdict {
+            scene: situation.name.clone(),
+            shows: situation.shows.into(),
+            right: held.agrees(index),
+            pixels_beyond: held.beyond.get(index).copied().unwrap_or(1.0),
+            worst: held.worst.get(index).copied().unwrap_or(1.0),
+        })
+        .collect()
+}
+
+/// Term by term, by the situations with one term alone. `held` compares with the right answer in all situations.
+pub fn terms(stage: &Stage, freedom: &Freedom, held: Option<&Comparison>) -> Vec<TermVerdict> {
+    crate::mistakes::TERMS
+        .into_iter()
+        .enumerate()
+        .map(|(index, term)| {
+            let is_alone = |name: &str| name.ends_with(&format!("{term} alone"));
+            let mut alone = stage.situations().iter().enumerate().filter(|(_, s)| is_alone(&s.name));
+            let state = match held.filter(|_| !freedom.to_find[index]) {
+                None => TermState::NotSeparable,
+                Some(held) if alone.all(|(situation, _)| held.agrees(situation)) => TermState::Right,
+                Some(_) => TermState::Wrong,
+            };
+            TermVerdict { term: term.into(), state }
+        })
+        .collect()
+}

@@ -1,0 +1,173 @@
+//! Strengths that a program does not take from outside: they are found in its pictures.
+//!
+//! Light is linear in the strength of each term. So where a program's own strengths are unknown, its picture is
+//! `known + sum of strength_t * term_t`, and the strengths are what brings the model nearest (least squares, each channel by
+//! itself). Two numbers a channel hardly ever make a wrong picture right, for they hold in all situations together.
+
+use crate::testbench::Sheet;
+use gonio_render::user_program::NOT_DRAWN;
+
+/// The strengths found, and the picture that they give.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fit {
+    /// Of each term, for red, green and blue.
+    pub strengths: Vec<[f64; 3]>,
+    /// What the model draws with them.
+    pub predicted: Sheet,
+}
+
+/// A channel's numbers at the pixels that count.
+pub type Plane = Vec<f32>;
+
+/// The strengths that bring `known + sum strength * (term - known)` nearest to `seen`, of one channel.
+pub fn strengths(seen: &[f32], known: &[f32], terms: &[&[f32]]) -> Vec<f64> {
+    let count = terms.len();
+    let (mut matrix, mut right) = (vec![0.0_f64; count * count], vec![0.0_f64; count]);
+    let mut beyond_known = vec![0.0_f64; count];
+    for (index, (&s, &k)) in seen.iter().zip(known).enumerate() {
+        // What is burnt out tells only that it is bright.
+        if !(s.is_finite() && k.is_finite() && s < 1.0) {
+            continue;
+        }
+        for (beyond, term) in beyond_known.iter_mut().zip(terms) {
+            *beyond = f64::from(term.get(index).copied().unwrap_or(f32::NAN) - k);
+        }
+        if !beyond_known.iter().all(|x| x.is_finite()) {
+            continue;
+        }
+        let wanted = f64::from(s - k);
+        for (row, a) in beyond_known.iter().enumerate() {
+            right[row] += a * wanted;
+            for (sum, b) in matrix[row * count..].iter_mut().zip(&beyond_known) {
+                *sum += a * b;
+            }
+        }
+    }
+    solve(matrix, right)
+}
+
+/// Brings `known + sum strength * term` nearest to `seen`, in the situations that `known` and `terms` have.
+pub fn fit(seen: &Sheet, known: &Sheet, terms: &[Sheet]) -> Fit {
+    let is_everywhere = |index: usize, s: &[f32; 4], k: &[f32; 4]| {
+        Sheet::is_drawn(s) && Sheet::is_drawn(k) && terms.iter().all(|term| Sheet::is_drawn(&term.pixels[index]))
+    };
+    let pixels = seen.pixels.iter().zip(&known.pixels).enumerate();
+    let counting: Vec<usize> = pixels.filter(|(index, (s, k))| is_everywhere(*index, s, k)).map(|(i, _)| i).collect();
+    let of_channel = |channel: usize| {
+        let plane = |sheet: &Sheet| -> Plane { counting.iter().map(|&index| sheet.pixels[index][channel]).collect() };
+        let planes: Vec<Plane> = terms.iter().map(plane).collect();
+        let planes: Vec<&[f32]> = planes.iter().map(Vec::as_slice).collect();
+        strengths(&plane(seen), &plane(known), &planes)
+    };
+    let [red, green, blue] = [0, 1, 2].map(of_channel);
+    let found: Vec<[f64; 3]> = red.iter().zip(green).zip(blue).map(|((r, g), b)| [*r, g, b]).collect();
+    let mut predicted = known.clone();
+    for (index, pixel) in predicted.pixels.iter_mut().enumerate() {
+        if !Sheet::is_drawn(pixel) {
+            *pixel = NOT_DRAWN;
+            continue;
+        }
+        let zero = *pixel;
+        for (term, strength) in terms.iter().zip(&found) {
+            for channel in 0..3 {
+                pixel[channel] += strength[channel] as f32 * (term.pixels[index][channel] - zero[channel]);
+            }
+        }
+    }
+    Fit { strengths: found, predicted }
+}
+
+/// Solves a small symmetric system; unknowns that the equations say nothing of are 0, and so are negative ones.
+fn solve(mut matrix: Vec<f64>, mut right: Vec<f64>) -> Vec<f64> {
+    let count = right.len();
+    // Terms may differ by twenty orders of magnitude, where a vector that should have been normalised was not.
+    let sizes: Vec<f64> = (0..count).map(|i| matrix[i * count + i].sqrt()).collect();
+    let mut free: Vec<bool> = sizes.iter().map(|&size| size > 1e-6 && size.is_finite()).collect();
+    let scale = |i: usize| if free[i] { sizes[i] } else { 1.0 };
+    for i in 0..count {
+        right[i] /= scale(i);
+        for j in 0..count {
+            matrix[i * count + j] /= scale(i) * scale(j);
+        }
+    }
+    let scales: Vec<f64> = (0..count).map(scale).collect();
+    let unscaled = |solution: Vec<f64>| solution.into_iter().zip(&scales).map(|(x, scale)| x / scale).collect();
+    let (matrix_kept, right_kept) = (matrix.clone(), right.clone());
+    loop {
+        matrix.copy_from_slice(&matrix_kept);
+        right.copy_from_slice(&right_kept);
+        for i in (0..count).filter(|&i| !free[i]) {
+            for j in 0..count {
+                matrix[i * count + j] = 0.0;
+                matrix[j * count + i] = 0.0;
+            }
+            matrix[i * count + i] = 1.0;
+            right[i] = 0.0;
+        }
+        let solution = eliminate(&mut matrix, &mut right);
+        // Light does not take away: a strength below 0 is none.
+        let Some(worst) =
+            (0..count).filter(|&i| free[i] && solution[i] < -1e-6).min_by(|&a, &b| solution[a].total_cmp(&solution[b]))
+        else {
+            return unscaled(solution);
+        };
+        free[worst] = false;
+    }
+}
+
+/// Gauss's elimination with a pivot; rows without one give 0.
+fn eliminate(matrix: &mut [f64], right: &mut [f64]) -> Vec<f64> {
+    let count = right.len();
+    for column in 0..count {
+        let pivot = (column..count)
+            .max_by(|&a, &b| matrix[a * count + column].abs().total_cmp(&matrix[b * count + column].abs()))
+            .unwrap_or(column);
+        if matrix[pivot * count + column].abs() < 1e-12 {
+            continue;
+        }
+        for j in 0..count {
+            matrix.swap(column * count + j, pivot * count + j);
+        }
+        right.swap(column, pivot);
+        for row in (0..count).filter(|&row| row != column) {
+            let factor = matrix[row * count + column] / matrix[column * count + column];
+            for j in 0..count {
+                matrix[row * count + j] -= factor * matrix[column * count + j];
+            }
+            right[row] -= factor * right[column];
+        }
+    }
+    (0..count)
+        .map(|i| if matrix[i * count + i].abs() < 1e-12 { 0.0 } else { right[i] / matrix[i * count + i] })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sheet(values: &[f32]) -> Sheet {
+        Sheet { pixels: values.iter().map(|&v| [v, 2.0 * v, 0.5 * v, 1.0]).collect() }
+    }
+
+    #[test]
+    fn strengths_are_found_again() {
+        let (known, a, b) = (sheet(&[0.0; 4]), sheet(&[0.1, 0.2, 0.0, 0.1]), sheet(&[0.0, 0.1, 0.3, 0.1]));
+        let seen = sheet(&[0.05, 0.18, 0.24, 0.13]); // 0.5 a + 0.8 b
+        let fit = fit(&seen, &known, &[a, b]);
+        for channel in 0..3 {
+            assert!((fit.strengths[0][channel] - 0.5).abs() < 1e-5, "{fit:?}");
+            assert!((fit.strengths[1][channel] - 0.8).abs() < 1e-5, "{fit:?}");
+        }
+        assert!((fit.predicted.pixels[1][0] - 0.18).abs() < 1e-5);
+    }
+
+    #[test]
+    fn a_term_that_is_not_there_is_0_and_never_negative() {
+        let (known, a, b) = (sheet(&[0.0; 3]), sheet(&[0.1, 0.2, 0.3]), sheet(&[0.3, 0.1, 0.1]));
+        let seen = sheet(&[0.02, 0.15, 0.25]); // nearest with b at -0.1
+        let fit = fit(&seen, &known, &[a, b]);
+        assert_eq!(fit.strengths[1], [0.0; 3]);
+        assert!(fit.strengths[0][0] > 0.5);
+    }
+}

@@ -1,0 +1,237 @@
+//! The checker: draws a student's program in situations that tell mistakes apart, and looks for what explains it.
+
+mod compare;
+mod conclusion;
+mod endless;
+mod fit;
+mod guided;
+mod on_cpu;
+mod parameterisation;
+mod predict;
+mod properties;
+mod right;
+mod search;
+mod task;
+
+pub use compare::{Comparison, PIXEL_TOLERANCE, PIXELS_TOLERANCE, pixel_difference};
+pub use conclusion::mistake as named;
+pub(crate) use conclusion::{bound, fixed};
+pub(crate) use endless::{drawn as drawn_unless_endless, verdict as endless_verdict};
+pub use parameterisation::{Freedom, Lights, Second};
+pub use predict::{CompiledModel, declared};
+pub use task::{PLACES, TASKS, Task};
+
+use crate::mistakes::{Hypothesis, Model};
+use crate::roles::{self, Declared, Kind, NamesFile, Role};
+use crate::rules::Written;
+use crate::testbench::{Sheet, Stage};
+use crate::verdict::{Outcome, Verdict};
+use gonio_gl::{Gl, GlError};
+use gonio_render::user_program::UserProgram;
+use on_cpu::Canvases;
+use search::{Entry, Found, Search};
+use std::collections::HashMap;
+
+/// A pair of shaders that runs here, and what is known of it beside its pictures.
+pub struct Prepared {
+    /// Uniforms that the source declares, used or not.
+    pub declared: Vec<Declared>,
+    /// What names mean, where nothing else tells.
+    pub names: NamesFile,
+    /// What is written in the source where a uniform could be.
+    pub written: Written,
+    /// Of ambient, diffuse and specular: whether the source computes it and lets it lie.
+    pub in_vain: [bool; 3],
+    /// What the source says of a mistake where pictures are silent: 0 contradicted, 1 the very expression is there.
+    pub looks_like: LooksLike,
+}
+
+/// How far a source supports that it makes a mistake of the bank, in a model.
+pub type LooksLike = Box<dyn Fn(&str, Model) -> f32>;
+
+/// What a check draws: for sheets of pictures beside a verdict.
+#[derive(Clone, Debug)]
+pub struct Evidence {
+    /// The student's.
+    pub seen: Sheet,
+    /// The right answer's.
+    pub reference: Sheet,
+    /// What the named mistakes draw, where there are any.
+    pub predicted: Option<Sheet>,
+    /// The situations' words, in order.
+    pub scenes: Vec<String>,
+}
+
+/// Checks pairs of shaders, one after the other, in one context. What it compiles is kept.
+pub struct ShaderChecker {
+    gl: Gl,
+    models: HashMap<Model, CompiledModel>,
+    stages: HashMap<&'static str, (Stage, [usize; 2])>,
+}
+
+impl ShaderChecker {
+    /// In this context.
+    pub fn new(gl: &Gl) -> Self {
+        ShaderChecker { gl: gl.clone(), models: HashMap::new(), stages: HashMap::new() }
+    }
+
+    /// The context.
+    pub fn gl(&self) -> &Gl {
+        &self.gl
+    }
+
+    /// A model, compiled when it is first asked for.
+    pub fn model(&mut self, model: Model) -> &CompiledModel {
+        let gl = &self.gl;
+        self.models.entry(model).or_insert_with(|| CompiledModel::new(gl, model))
+    }
+
+    /// A fragment shader for this context that shows how far away everything is, whatever colours there are.
+    pub fn places_fragment(&self) -> String {
+        let [_, fragment] = Model::Places.sources();
+        crate::testbench::for_context(&self.gl, fragment)
+    }
+
+    /// The right answer as this program would have drawn it: with its own strengths, and in its own way.
+    fn reference(
+        &self,
+        task: &Task,
+        search: &Search<'_>,
+        found: &Found<'_>,
+        in_vain: [bool; 3],
+    ) -> Result<Sheet, GlError> {
+        let (right_model, right) = right::answer(search, found);
+        let best = found.ranking.first().filter(|best| best.rest.is_same());
+        let Some(strengths) = best.map(|best| best.strengths).filter(|s| s.iter().any(Option::is_some)) else {
+            let drawn = search.drawn(right_model, right, search.situations)?;
+            return Ok(drawn.sheet.unwrap_or_else(|| search.seen.clone()));
+        };
+        // A term that is not there would have been there with its whole strength.
+        let strength = |term: usize| match strengths[term] {
+            Some(found) if found.iter().any(|s| *s > 1e-3) => found,
+            _ => [if task.wanted[term] || in_vain[term] { 1.0 } else { 0.0 }; 3],
+        };
+        let peculiar = best.is_some_and(|best| best.made_of.iter().any(|mistake| mistake.harmless));
+        let hypothesis = if peculiar { right } else { Hypothesis::default() };
+        let (model, cast) = (search.models[right_model], &search.casts[right_model]);
+        model.predict_with(search.stage, cast, &hypothesis, search.situations, [0, 1, 2].map(strength))
+    }
+
+    fn prepare(&mut self, task: &'static Task) -> Result<(), GlError> {
+        for model in std::iter::once(task.model).chain(task.other.map(|(model, _)| model)) {
+            self.model(model);
+        }
+        if !self.stages.contains_key(task.exercise) {
+            let (situations, whole) = task.situations();
+            self.stages.insert(task.exercise, (Stage::new(&self.gl, situations)?, whole));
+        }
+        Ok(())
+    }
+
+    /// Checks a program that was linked. Errors are the driver's, not the student's.
+    pub fn check(
+        &mut self,
+        task: &'static Task,
+        program: &UserProgram,
+        prepared: &Prepared,
+    ) -> Result<(Verdict, Option<Evidence>), GlError> {
+        self.prepare(task)?;
+        let (stage, [whole, of_two]) = &self.stages[task.exercise];
+        let bindings = roles::bind(&predict::declared(program), &prepared.names);
+        let bound = conclusion::bound(&bindings);
+        if !bindings.bound.iter().any(|b| b.declared.kind == Kind::Attribute && b.role == Role::Position) {
+            let mut verdict = Verdict::new(
+                task.exercise,
+                Outcome::Unsure,
+                "no attribute was found that could be the position; call it `position`, or say in names.toml which it is",
+            );
+            verdict.bound = bound;
+            return Ok((verdict, None));
+        }
+        let declared = roles::bind(&prepared.declared, &prepared.names);
+        let freedom = Freedom::of(task, &bindings, &declared, &prepared.written);
+        let cast = stage.cast(program, &bindings, |situation| freedom.apply(situation));
+        let fixed = conclusion::fixed(&bindings);
+        let all = stage.situations().len();
+        let drawn = endless::drawn(program, &fixed, &[1, all], |fixed, count| {
+            let seen = stage.draw(program, &cast, fixed, count)?;
+            stage.complaint()?;
+            Ok(seen)
+        })?;
+        let Some(seen) = drawn else {
+            let mut verdict = endless::verdict(task.exercise);
+            verdict.bound = bound;
+            return Ok((verdict, None));
+        };
+        let whole = whole + if freedom.second == Second::None { 0 } else { *of_two };
+        let entries = entries(task, &freedom);
+        let models: Vec<&CompiledModel> = entries.iter().map(|entry| &self.models[&entry.model]).collect();
+        let casts: Vec<_> =
+            models.iter().zip(&entries).map(|(model, entry)| model.cast(&freedom, entry.lights)).collect();
+        let canvases: Vec<_> =
+            models.iter().zip(&casts).map(|(model, cast)| Canvases::new(stage, model, cast, &seen, whole)).collect();
+        let search = Search {
+            stage,
+            entries: &entries,
+            models: &models,
+            casts: &casts,
+            canvases: &canvases,
+            seen: &seen,
+            situations: whole,
+        };
+        let found = search.run(&|id, model| (prepared.looks_like)(id, models[model].hypotheses.model))?;
+        let reference = self.reference(task, &search, &found, prepared.in_vain)?;
+        let held = Comparison::of(&seen, &reference, whole);
+        let mut verdict = conclusion::verdict(task, &search, &found, &held, prepared.in_vain);
+        if task.model.is_lit() {
+            let (model, right) = right::answer(&search, &found);
+            // Where nothing can be looked at alone there is nothing to draw.
+            let alone = match freedom.to_find {
+                [true, true, true] => None,
+                _ => search.drawn(model, right, all)?.sheet,
+            };
+            let held = alone.map(|reference| Comparison::of(&seen, &reference, all));
+            verdict.terms = conclusion::terms(stage, &freedom, held.as_ref());
+            let student = properties::Student { stage, program, bindings: &bindings, fixed: &fixed, freedom: &freedom };
+            verdict.properties = student.properties(&seen, whole)?;
+            properties::tell(&mut verdict);
+        }
+        stage.complaint()?;
+        verdict.bound = bound;
+        let predicted =
+            found.ranking.first().filter(|best| !best.made_of.is_empty()).and_then(|best| best.sheet.clone());
+        let evidence = Evidence {
+            reference,
+            predicted,
+            scenes: stage.situations().iter().take(whole).map(|s| s.name.clone()).collect(),
+            seen,
+        };
+        Ok((verdict, Some(evidence)))
+    }
+}
+
+/// The ways that an answer may take, the usual one first.
+fn entries(task: &Task, freedom: &Freedom) -> Vec<Entry> {
+    let mut entries: Vec<Entry> = Vec::new();
+    let right = freedom.right_lights();
+    for &lights in right {
+        entries.push(Entry { model: task.model, lights, is_right: true, word: None });
+    }
+    if let (Some((model, word)), Some(&lights)) = (task.other, right.first()) {
+        entries.push(Entry { model, lights, is_right: word.is_none(), word });
+    }
+    for &lights in freedom.wrong_lights() {
+        // A light that cannot be switched may be there for the one term that is wrong, or for nothing.
+        let word = match lights {
+            Lights::First if freedom.second == Second::Switched => Some("second-light-missing"),
+            Lights::Second => Some("lights-overwritten"),
+            Lights::EachAmbient => Some("ambient-twice"),
+            _ => None,
+        };
+        entries.push(Entry { model: task.model, lights, is_right: false, word });
+    }
+    entries
+}
+
+#[cfg(test)]
+mod on_cpu_tests;

@@ -1,0 +1,248 @@
+//! Hypotheses held against a program's picture on the CPU, thousands of them in a second.
+
+use super::compare::{Comparison, Tally, channel_difference};
+use super::fit::{Plane, strengths};
+use super::predict::{CompiledModel, Lit, ModelCast, Strengths, model_names};
+use crate::interpreter::{Cast, Plan, Points, Run, Value};
+use crate::mistakes::Hypothesis;
+use crate::roles::{self, Declared};
+use crate::testbench::{Sheet, Situation, Stage, TILE, numbers};
+use gonio_gl::GlError;
+use std::cell::{OnceCell, RefCell};
+use std::collections::{BTreeMap, HashMap};
+use std::rc::Rc;
+
+/// How closely it is looked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Detail {
+    /// Every fourth pixel: enough to rank by.
+    Coarse,
+    /// Every pixel.
+    Full,
+}
+
+/// A model with what a student's program is given, and the picture that it is held against.
+pub struct Canvases<'a> {
+    stage: &'a Stage,
+    model: &'a CompiledModel,
+    seen: &'a Sheet,
+    situations: usize,
+    plan: Rc<Plan>,
+    points: Rc<Points>,
+    /// The terms whose strengths have to be found.
+    terms: Vec<usize>,
+    /// Of each light: without those terms, and then each of them alone.
+    casts: Rc<Vec<Cast>>,
+    /// Of each light: all of them together.
+    whole: Rc<Vec<Cast>>,
+    /// Of each light: whether a hypothesis holds in it.
+    is_changed: Vec<bool>,
+    /// By what is written to `gl_Position`.
+    known: RefCell<HashMap<(String, Detail), Rc<Canvas>>>,
+}
+
+/// The pixels that a way of placing vertices draws, and the program's picture there.
+struct Canvas {
+    by_terms: Run,
+    whole: OnceCell<Run>,
+    surface: crate::testbench::Surface,
+    seen: [Plane; 3],
+    /// Of each situation: pixels that only one of both draws.
+    lost: Vec<usize>,
+}
+
+impl<'a> Canvases<'a> {
+    /// Of a model; `None` where it can only be drawn by the driver.
+    pub fn new(
+        stage: &'a Stage,
+        model: &'a CompiledModel,
+        cast: &ModelCast,
+        seen: &'a Sheet,
+        situations: usize,
+    ) -> Option<Self> {
+        let plan = Rc::clone(model.plan.as_ref()?);
+        let lights = cast.lights.each();
+        let given = |light: usize, lit| given(&plan, stage, cast, |situation| cast.apply(situation, light, lit));
+        let lit = || std::iter::once(Lit::Known).chain(cast.terms.iter().map(|&term| Lit::Term(term)));
+        let casts = lights.iter().flat_map(|&(light, _)| lit().map(move |lit| (light, lit)));
+        let casts = casts.map(|(light, lit)| given(light, lit)).collect();
+        let whole = lights.iter().map(|&(light, _)| given(light, Lit::Whole)).collect();
+        Some(Canvases {
+            stage,
+            model,
+            seen,
+            situations,
+            points: Rc::new(stage.points(situations)),
+            terms: cast.terms.clone(),
+            casts: Rc::new(casts),
+            whole: Rc::new(whole),
+            is_changed: lights.iter().map(|(_, is_changed)| *is_changed).collect(),
+            plan,
+            known: RefCell::default(),
+        })
+    }
+
+    /// What a hypothesis leaves over, and the strengths that had to be found for it.
+    pub fn compare(&self, hypothesis: &Hypothesis, detail: Detail) -> Result<(Comparison, Strengths), GlError> {
+        let place = self.model.hypotheses.text_of("gl_Position", hypothesis).unwrap_or_default();
+        let canvas = self.canvas(place, detail)?;
+        let is_whole = !self.terms.is_empty() && self.model.is_whole(hypothesis);
+        let run = if is_whole {
+            canvas.whole.get_or_init(|| {
+                let drawn = canvas.surface.drawn.clone();
+                Run::new(Rc::clone(&self.plan), Rc::clone(&self.points), drawn, Rc::clone(&self.whole))
+            })
+        } else {
+            &canvas.by_terms
+        };
+        let colours = self.colours(run, hypothesis);
+        let spans = &canvas.surface.drawn.spans;
+        let count = if is_whole { 1 } else { self.terms.len() };
+        // What is to be found is a factor for it all: then nothing is known.
+        let first_term = usize::from(!is_whole);
+        let mut predicted: Vec<Plane> = Vec::with_capacity(3);
+        let (mut found, mut shows) = (vec![Vec::with_capacity(3); count], vec![false; count]);
+        for channel in 0..3 {
+            let added = |cast: usize| added(&colours, cast, first_term + count, channel, spans);
+            let known = if is_whole { vec![0.0; canvas.surface.places.len()] } else { added(0) };
+            let planes: Vec<Plane> = (0..count).map(|term| added(first_term + term)).collect();
+            let terms: Vec<&[f32]> = planes.iter().map(Vec::as_slice).collect();
+            let mut sum = known.clone();
+            let strengths = if count == 0 { Vec::new() } else { strengths(&canvas.seen[channel], &known, &terms) };
+            for (index, (term, strength)) in terms.iter().zip(strengths).enumerate() {
+                found[index].push(strength);
+                shows[index] |= term.iter().zip(&known).any(|(a, b)| a != b);
+                let strength = strength as f32;
+                for (sum, (term, known)) in sum.iter_mut().zip(term.iter().zip(&known)) {
+                    *sum += strength * (term - known);
+                }
+            }
+            predicted.push(sum);
+        }
+        let mut strengths = [None; 3];
+        if !is_whole {
+            for ((&term, found), shows) in self.terms.iter().zip(found).zip(shows) {
+                strengths[term] = <[f64; 3]>::try_from(found).ok().filter(|_| shows);
+            }
+        }
+        Ok((canvas.comparison(&predicted), strengths))
+    }
+
+    /// What the model puts out, light by light and cast by cast.
+    fn colours(&self, run: &Run, hypothesis: &Hypothesis) -> Vec<Rc<Value>> {
+        let changed = run.colours(&hypothesis.choices);
+        if self.is_changed.iter().all(|is_changed| *is_changed) {
+            return changed;
+        }
+        let own = run.colours(&BTreeMap::new());
+        let per_light = (own.len() / self.is_changed.len().max(1)).max(1);
+        let is_changed = |cast: usize| self.is_changed.get(cast / per_light).copied().unwrap_or(true);
+        let both = changed.into_iter().zip(own).enumerate();
+        both.map(|(cast, (changed, own))| if is_changed(cast) { changed } else { own }).collect()
+    }
+
+    fn canvas(&self, place: &str, detail: Detail) -> Result<Rc<Canvas>, GlError> {
+        let key = (place.to_owned(), detail);
+        if let Some(known) = self.known.borrow().get(&key) {
+            return Ok(Rc::clone(known));
+        }
+        let counts = |place: u32| {
+            let (x, y) = (place % TILE, place / TILE % TILE);
+            detail == Detail::Full || (x % 2 == 0 && y % 2 == 0)
+        };
+        let all = self.stage.surface(place)?;
+        let is_seen = |place: u32| self.seen.pixels.get(place as usize).is_some_and(Sheet::is_drawn);
+        let surface = all.filtered(self.situations, |place| counts(place) && is_seen(place));
+        let size = TILE * TILE;
+        let lost = |situation: usize| {
+            let tile = situation as u32 * size..(situation as u32 + 1) * size;
+            let seen = tile.filter(|&place| counts(place) && is_seen(place)).count();
+            let span = all.drawn.spans.get(situation).cloned().unwrap_or_default();
+            let drawn = span.filter(|&index| counts(all.places[index])).count();
+            let both = surface.drawn.spans.get(situation).map_or(0, ExactSizeIterator::len);
+            (seen - both) + (drawn - both)
+        };
+        let plane = |channel: usize| -> Plane {
+            surface.places.iter().map(|&place| self.seen.pixels[place as usize][channel]).collect()
+        };
+        let drawn = surface.drawn.clone();
+        let canvas = Rc::new(Canvas {
+            by_terms: Run::new(Rc::clone(&self.plan), Rc::clone(&self.points), drawn, Rc::clone(&self.casts)),
+            whole: OnceCell::new(),
+            seen: std::array::from_fn(plane),
+            lost: (0..self.situations).map(lost).collect(),
+            surface,
+        });
+        self.known.borrow_mut().insert(key, Rc::clone(&canvas));
+        Ok(canvas)
+    }
+}
+
+impl Canvas {
+    fn comparison(&self, predicted: &[Plane]) -> Comparison {
+        let tally = |(span, lost): (&std::ops::Range<usize>, &usize)| {
+            let mut tally = Tally::default();
+            for index in span.clone() {
+                let channels = predicted.iter().zip(&self.seen);
+                let difference = channels.map(|(p, s)| channel_difference(p[index], s[index])).fold(0.0, f32::max);
+                tally.add(difference);
+            }
+            tally.add_lost(*lost);
+            tally
+        };
+        self.surface.drawn.spans.iter().zip(&self.lost).map(tally).collect()
+    }
+}
+
+/// A cast's channel, of all lights together; there are `casts` casts a light.
+fn added(colours: &[Rc<Value>], cast: usize, casts: usize, channel: usize, spans: &[std::ops::Range<usize>]) -> Plane {
+    let mut lights = colours.iter().skip(cast).step_by(casts.max(1)).map(|colour| colour.plane(channel, spans));
+    let mut sum = lights.next().unwrap_or_default();
+    for light in lights {
+        sum.iter_mut().zip(light).for_each(|(sum, light)| *sum += light);
+    }
+    sum
+}
+
+/// What every input of a model holds.
+fn given(plan: &Plan, stage: &Stage, cast: &ModelCast, change: impl Fn(&mut Situation)) -> Cast {
+    let declared: Vec<Declared> = plan
+        .inputs
+        .iter()
+        .filter(|input| input.name != WRITTEN_EXPONENT)
+        .map(|input| Declared::uniform(&input.name, &input.glsl_type))
+        .collect();
+    let roles: HashMap<String, _> =
+        roles::bind(&declared, &model_names()).bound.into_iter().map(|b| (b.declared.name, b.role)).collect();
+    let situations: Vec<Situation> = stage
+        .situations()
+        .iter()
+        .cloned()
+        .map(|mut situation| {
+            change(&mut situation);
+            situation
+        })
+        .collect();
+    let value = |name: &str, glsl_type: &str| {
+        let of = |situation: &Situation| match roles.get(name) {
+            Some(role) => numbers(*role, glsl_type, situation).unwrap_or_default(),
+            None if name == WRITTEN_EXPONENT => vec![cast.exponent],
+            None => Vec::new(),
+        };
+        let numbers = situations.iter().map(of);
+        let padded =
+            |numbers: Vec<f32>| -> [f32; 16] { std::array::from_fn(|i| numbers.get(i).copied().unwrap_or(0.0)) };
+        match glsl_type {
+            "mat4" => Value::Matrix(4, numbers.map(|n| glam::Mat4::from_cols_array(&padded(n))).collect()),
+            _ => {
+                let width = glsl_type.strip_prefix("vec").and_then(|digits| digits.parse().ok()).unwrap_or(1);
+                let first = |n: Vec<f32>| -> [f32; 4] { std::array::from_fn(|i| padded(n.clone())[i]) };
+                Value::Same(width, numbers.map(first).collect())
+            }
+        }
+    };
+    plan.inputs.iter().map(|input| Rc::new(value(&input.name, &input.glsl_type))).collect()
+}
+
+/// No uniform of the stage but a number out of the student's source.
+const WRITTEN_EXPONENT: &str = "written_exponent";

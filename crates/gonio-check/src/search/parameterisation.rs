@@ -1,0 +1,355 @@
+//! What a program takes from outside, and what is written in it: only the former can be varied.
+
+use super::task::Task;
+use crate::roles::{Bindings, Role};
+use crate::rules::{Written, WrittenSun};
+use crate::testbench::{Light, Situation};
+use glam::{Mat3, Vec3};
+
+/// The exponent that the lab's programs have.
+const USUAL_EXPONENT: f32 = 32.0;
+
+/// A light that is a direction and no place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Sun {
+    /// Given from outside.
+    Given {
+        /// Whether it is used as the direction towards the light.
+        points_to_light: bool,
+    },
+    Written(WrittenSun),
+}
+
+/// Whether a program has a second light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Second {
+    /// It has not.
+    None,
+    /// It has, and the light can be switched off from outside.
+    Switched,
+    /// It has no more than the light's place.
+    Always,
+}
+
+/// Which lights a model is lit by, and in which of them a hypothesis holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lights {
+    /// There is only one.
+    One,
+    /// Both, added up.
+    Both,
+    /// Only the first of two.
+    First,
+    /// Only the second of two.
+    Second,
+    /// Both, with an ambient term that belongs to neither.
+    OneAmbient,
+    /// Both, with one ambient term for all that is counted again for each.
+    EachAmbient,
+    /// Both, and the first of them is as it should be.
+    WrongInSecond,
+    /// Both, and the second of them is as it should be.
+    WrongInFirst,
+}
+
+impl Lights {
+    /// The lights that count, each with whether the hypothesis holds in it.
+    pub fn each(self) -> &'static [(usize, bool)] {
+        match self {
+            Lights::One | Lights::First => &[(0, true)],
+            Lights::Second => &[(1, true)],
+            Lights::Both | Lights::OneAmbient | Lights::EachAmbient => &[(0, true), (1, true)],
+            Lights::WrongInSecond => &[(0, false), (1, true)],
+            Lights::WrongInFirst => &[(0, true), (1, false)],
+        }
+    }
+}
+
+/// What may be varied, and what is fixed to which value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Freedom {
+    /// Of ambient, diffuse and specular: whether the strength is not given from outside, so that it has to be found.
+    pub to_find: [bool; 3],
+    /// Of the same: whether it is given all the same, and only the material's colour is not.
+    given: [bool; 3],
+    /// Of the same: what is usual in the exercise.
+    usual: [f32; 3],
+    /// Whether the material's colour is given from outside.
+    material: bool,
+    light_position: Option<Vec3>,
+    shininess: Option<f32>,
+    /// The exponent that stands in the source: what the bank's mistakes call `written_exponent`.
+    pub written_exponent: Option<f32>,
+    attenuation: [Option<f32>; 3],
+    refraction_index: Option<f32>,
+    /// Whether there is a second light.
+    pub second: Second,
+    /// Of the second light, what it has of its own: ambient, diffuse, specular, attenuation.
+    own: [bool; 4],
+    /// Whether it has a colour of its own.
+    coloured: bool,
+    /// Whether the number of lights is given.
+    counted: bool,
+    other_light: Option<Vec3>,
+    sun: Option<Sun>,
+    /// Nothing says which way is up: the program has Y written in it.
+    upright: bool,
+}
+
+/// Whether a role tells which way is up for the camera.
+fn says_up(role: Role) -> bool {
+    matches!(
+        role,
+        Role::WorldUp
+            | Role::ViewUp
+            | Role::ViewRight
+            | Role::View
+            | Role::ModelView
+            | Role::ViewProjection
+            | Role::ModelViewProjection
+    )
+}
+
+impl Freedom {
+    /// Of a program that takes what is bound, and declares strengths and colours that it may not use.
+    pub fn of(task: &Task, bindings: &Bindings, declared: &Bindings, written: &Written) -> Self {
+        let has = |wanted: &dyn Fn(Role) -> bool| bindings.bound.iter().any(|bound| wanted(bound.role));
+        let bindings_or_source = |wanted: &dyn Fn(Role) -> bool| {
+            bindings.bound.iter().chain(&declared.bound).any(|bound| wanted(bound.role))
+        };
+        // Only one exercise gives strengths; elsewhere one that is declared and not used is a leftover.
+        let has_or_declares =
+            |wanted: &dyn Fn(Role) -> bool| has(wanted) || (task.attenuated && bindings_or_source(wanted));
+        let is_material = |role| {
+            matches!(role, Role::MaterialColor | Role::MaterialAmbient | Role::MaterialDiffuse | Role::MaterialSpecular)
+        };
+        // Where a texture gives the colour, a colour that is declared and not used is a leftover.
+        let is_textured = has(&|role| role == Role::DiffuseTexture);
+        // One for the highlight alone is none of the object's.
+        let is_whole = |role| is_material(role) && role != Role::MaterialSpecular;
+        let material = if is_textured { has(&is_whole) } else { bindings_or_source(&is_whole) };
+        let given = [
+            has_or_declares(&|role| matches!(role, Role::AmbientStrength(_) | Role::AmbientColor(_))),
+            has_or_declares(&|role| matches!(role, Role::DiffuseStrength(_) | Role::DiffuseColor(_))),
+            has_or_declares(&|role| matches!(role, Role::SpecularStrength(_) | Role::SpecularColor(_))),
+        ];
+        // A term that the exercise does not ask for may be there or not.
+        let to_find =
+            std::array::from_fn(|term| task.model.is_lit() && !(given[term] && material && task.wanted[term]));
+        let lit_from_outside =
+            has(&|role| matches!(role, Role::LightPos(_) | Role::LightPosInView(_) | Role::LightDirection(_)));
+        let of_second = |wanted: &dyn Fn(Role) -> bool| {
+            bindings.bound.iter().any(|bound| {
+                // An array's elements are the lights' from the first on.
+                let last = bound.role.light().map(|first| first.saturating_add(bound.declared.array.max(1) - 1));
+                last.is_some_and(|last| last >= 1) && wanted(bound.role)
+            })
+        };
+        // A direction alone is a sun's, and the exercises know lamps: it stays dark.
+        let is_place = |role| matches!(role, Role::LightPos(_) | Role::LightPosInView(_));
+        let coloured = of_second(&|role| matches!(role, Role::LightColor(_)));
+        let own = [
+            of_second(&|role| matches!(role, Role::AmbientStrength(_) | Role::AmbientColor(_))),
+            of_second(&|role| matches!(role, Role::DiffuseStrength(_) | Role::DiffuseColor(_))),
+            of_second(&|role| matches!(role, Role::SpecularStrength(_) | Role::SpecularColor(_))),
+            of_second(&|role| {
+                matches!(
+                    role,
+                    Role::AttenuationConstant(_)
+                        | Role::AttenuationLinear(_)
+                        | Role::AttenuationQuadratic(_)
+                        | Role::Attenuation(_)
+                )
+            }),
+        ];
+        let second = if !of_second(&is_place) {
+            Second::None
+        } else if coloured || own[1] || own[2] || has(&|role| role == Role::LightCount) {
+            Second::Switched
+        } else {
+            Second::Always
+        };
+        let fixed = |given: bool, written: Option<f32>, usual: f32| (!given).then(|| written.unwrap_or(usual));
+        // Beside a place, a direction is where a lamp is turned to.
+        let is_given = has(&|role| matches!(role, Role::LightDirection(_))) && !has(&is_place);
+        // The place of the exercise's own lamp is no direction.
+        let is_lamp = |sun: &WrittenSun| sun.to_light.dot(task.light_position.normalize_or_zero()) > 0.9999;
+        let sun = match written.sun.filter(|sun| !lit_from_outside && !is_lamp(sun)) {
+            Some(sun) => Some(Sun::Written(sun)),
+            None => is_given.then(|| Sun::Given { points_to_light: written.points_to_light.unwrap_or(false) }),
+        };
+        // A sun is as bright here as there.
+        let usual = if task.attenuated && sun.is_none() { [1.0, 0.14, 0.07] } else { [1.0, 0.0, 0.0] };
+        Freedom {
+            to_find,
+            given,
+            usual: [0.0, 1.0, if task.wanted[2] { 1.0 } else { 0.0 }],
+            material,
+            light_position: (!lit_from_outside).then(|| written.light_position.unwrap_or(task.light_position)),
+            // The exercises give the exponent: another one that is written is no choice but a mistake.
+            // The lab's own, written for one light and taken from outside for another, is one and the same.
+            shininess: match written.shininess {
+                Some(exponent) if exponent == USUAL_EXPONENT => written.shininess,
+                _ => fixed(has(&|role| role == Role::Shininess), None, USUAL_EXPONENT),
+            },
+            written_exponent: written.shininess,
+            attenuation: std::array::from_fn(|degree| {
+                let is_given = has(&|role| match role {
+                    Role::AttenuationConstant(_) => degree == 0,
+                    Role::AttenuationLinear(_) => degree == 1,
+                    Role::AttenuationQuadratic(_) => degree == 2,
+                    role => matches!(role, Role::Attenuation(_)),
+                });
+                fixed(is_given, written.attenuation[degree], usual[degree])
+            }),
+            refraction_index: fixed(
+                has(&|role| matches!(role, Role::RefractionIndex | Role::RefractionRatio)),
+                written.refraction_index,
+                1.52,
+            ),
+            second,
+            own,
+            coloured,
+            counted: has(&|role| role == Role::LightCount),
+            other_light: written.other_light.filter(|_| lit_from_outside),
+            sun,
+            upright: task.model.is_of_places() && !has(&says_up),
+        }
+    }
+
+    /// In which ways a right answer may be lit: where the ambient term is not said to be a light's, it may be each one's or none's.
+    pub fn right_lights(&self) -> &'static [Lights] {
+        match self.second {
+            Second::None => &[Lights::One],
+            _ if self.coloured && !self.own[0] => &[Lights::Both, Lights::OneAmbient],
+            _ => &[Lights::Both],
+        }
+    }
+
+    /// In which other ways an answer is looked at: what is wrong with one of two lights alone.
+    pub fn wrong_lights(&self) -> &'static [Lights] {
+        match self.second {
+            Second::None => &[],
+            _ if self.counted && !self.own[0] => {
+                &[Lights::First, Lights::Second, Lights::EachAmbient, Lights::WrongInSecond, Lights::WrongInFirst]
+            }
+            _ => &[Lights::First, Lights::Second, Lights::WrongInSecond, Lights::WrongInFirst],
+        }
+    }
+
+    /// Whether the second light can be dimmed by itself.
+    pub fn dims_second(&self) -> bool {
+        self.second == Second::Switched && (self.coloured || self.own[1])
+    }
+
+    /// Whether a program knows of another light than the one that it is lit by.
+    pub fn knows_another(&self) -> bool {
+        self.second != Second::None || self.other_light.is_some()
+    }
+
+    /// Whether the light stands where the source says and nowhere else.
+    pub fn has_written_light(&self) -> bool {
+        self.light_position.is_some() || self.other_light.is_some()
+    }
+
+    /// Whether some strengths have to be found.
+    pub fn must_find(&self) -> bool {
+        self.to_find.iter().any(|find| *find)
+    }
+
+    /// Changes a situation for the model, lit by one of the lights: of the terms whose strengths have to be found, all but
+    /// `term` are dark.
+    pub fn apply_to_model(&self, situation: &mut Situation, lights: Lights, light: usize, term: Option<usize>) {
+        self.apply_for(situation, lights, light, |index, given, strength| {
+            if term != Some(index) {
+                0.0
+            } else if given {
+                strength
+            } else {
+                1.0
+            }
+        });
+    }
+
+    /// Changes a situation for the model, lit by one of the lights: terms whose strengths have to be found are of equal strength.
+    pub fn apply_whole(&self, situation: &mut Situation, lights: Lights, light: usize) {
+        let usual = |index: usize, given: bool, strength: f32| if given { strength } else { self.usual[index] };
+        self.apply_for(situation, lights, light, usual);
+    }
+
+    fn apply_for(
+        &self,
+        situation: &mut Situation,
+        lights: Lights,
+        light: usize,
+        strength_of: impl Fn(usize, bool, f32) -> f32,
+    ) {
+        self.apply(situation);
+        // The last of the lights that there are.
+        let is_second = light > 0 && !(lights == Lights::Second && self.counted && situation.other.is_none());
+        let is_missing = is_second && situation.other.is_none();
+        if is_second {
+            let first = situation.light;
+            situation.light = situation.other.unwrap_or_else(|| first.dark());
+            situation.other = Some(first);
+        }
+        let is_one_ambient = lights == Lights::OneAmbient || !self.own[0] && !self.coloured;
+        let light = &mut situation.light;
+        let brightness = if self.coloured { light.brightness } else { 1.0 };
+        let strengths = [&mut light.ambient, &mut light.diffuse, &mut light.specular];
+        for (index, strength) in strengths.into_iter().enumerate() {
+            if self.to_find[index] {
+                *strength = strength_of(index, self.given[index], *strength);
+            }
+            *strength *= match index {
+                0 if is_one_ambient && lights != Lights::EachAmbient => f32::from(u8::from(!is_second)),
+                _ if is_missing => 0.0,
+                _ => brightness,
+            };
+        }
+    }
+
+    /// Changes a situation to what the program can be given.
+    pub fn apply(&self, situation: &mut Situation) {
+        if !self.material {
+            situation.material = Vec3::ONE;
+        }
+        if let Some(position) = self.light_position {
+            situation.light.position = position;
+        }
+        if self.upright {
+            situation.up = Vec3::Y;
+        }
+        situation.shininess = self.shininess.unwrap_or(situation.shininess);
+        situation.refraction_index = self.refraction_index.unwrap_or(situation.refraction_index);
+        for (constant, fixed) in situation.light.attenuation.iter_mut().zip(self.attenuation) {
+            *constant = fixed.unwrap_or(*constant);
+        }
+        let centre = situation.world_from_model.w_axis.truncate();
+        match self.sun {
+            Some(Sun::Given { points_to_light }) => {
+                situation.light = Light { points_to_light, ..situation.light.as_sun(centre) };
+            }
+            Some(Sun::Written(sun)) => {
+                let to_world = Mat3::from_mat4(situation.view_from_world()).transpose();
+                let to_light = if sun.in_view { to_world * sun.to_light } else { sun.to_light };
+                situation.light = Light { position: centre + to_light, ..situation.light }.as_sun(centre);
+            }
+            None => {}
+        }
+        let (light, elsewhere) = (situation.light, situation.elsewhere());
+        match self.second {
+            Second::None => situation.other = self.other_light.map(|position| Light { position, ..light.dark() }),
+            Second::Always => situation.other = Some(Light { position: elsewhere, ..light }),
+            // What it has not of its own it shares with the first.
+            Second::Switched => {
+                if let Some(other) = &mut situation.other {
+                    other.diffuse = if self.own[1] { other.diffuse } else { light.diffuse };
+                    other.specular = if self.own[2] { other.specular } else { light.specular };
+                    other.attenuation = if self.own[3] { other.attenuation } else { light.attenuation };
+                    other.ambient = if self.own[0] { other.ambient } else { light.ambient };
+                }
+            }
+        }
+    }
+}

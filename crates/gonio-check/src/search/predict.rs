@@ -1,0 +1,250 @@
+//! What a model draws under a hypothesis, by the driver.
+
+use super::fit::{Fit, fit};
+use super::parameterisation::{Freedom, Lights};
+use crate::interpreter::Plan;
+use crate::mistakes::{Hypotheses, Hypothesis, Model};
+use crate::roles::{self, Bindings, Declared, Kind, NamesFile};
+use crate::testbench::{Sheet, Situation, Stage, for_context};
+use gonio_gl::{Gl, GlError};
+use gonio_render::user_program::UserProgram;
+use std::cell::RefCell;
+use std::collections::{BTreeMap, HashMap};
+use std::rc::Rc;
+
+/// A model with its hypotheses, and the programs that were made of it.
+pub struct CompiledModel {
+    /// Its hypotheses.
+    pub hypotheses: Hypotheses,
+    /// The same on the CPU, where the model can be worked out there.
+    pub plan: Option<Rc<Plan>>,
+    gl: Gl,
+    /// Where it can: one program a hypothesis that was drawn. Where not: one that is every hypothesis, under no choice.
+    programs: RefCell<HashMap<BTreeMap<usize, usize>, Rc<Program>>>,
+}
+
+/// A program and what its uniforms mean.
+pub struct Program {
+    /// Linked.
+    pub program: UserProgram,
+    /// But for those that choose among hypotheses.
+    pub bindings: Bindings,
+}
+
+/// What a model draws, and the strengths that had to be found for it.
+#[derive(Clone, Debug)]
+pub struct Prediction {
+    /// In all situations.
+    pub sheet: Sheet,
+    /// See [`Strengths`].
+    pub strengths: Strengths,
+}
+
+/// Of ambient, diffuse and specular, for red, green and blue, where they had to be found.
+pub type Strengths = [Option<[f64; 3]>; 3];
+
+impl CompiledModel {
+    /// Reads it. What the driver makes of it shows when it is drawn.
+    pub fn new(gl: &Gl, model: Model) -> Self {
+        let hypotheses = Hypotheses::of(model);
+        // The CPU knows how surfaces are lit, and not where else they are drawn.
+        let is_lit_surface = !model.is_of_places() && model != Model::Panorama;
+        let plan = is_lit_surface.then(|| Plan::of(&hypotheses)).flatten().map(Rc::new);
+        CompiledModel { hypotheses, plan, gl: gl.clone(), programs: RefCell::default() }
+    }
+
+    /// 330 core, or 300 es where the context is such.
+    pub fn program(&self, hypothesis: &Hypothesis) -> Result<Rc<Program>, GlError> {
+        let is_own = self.plan.is_some();
+        let choices = if is_own { hypothesis.choices.clone() } else { BTreeMap::new() };
+        if let Some(known) = self.programs.borrow().get(&choices) {
+            return Ok(Rc::clone(known));
+        }
+        let sources = if is_own { self.hypotheses.written(hypothesis) } else { self.hypotheses.sources() };
+        let [vertex, fragment] = sources.map(|source| for_context(&self.gl, &source));
+        let program = UserProgram::new(&self.gl, &vertex, &fragment)
+            .map_err(|broken| GlError::new(format!("the laboratory's own model does not compile here: {broken}")))?;
+        // Those that choose among hypotheses have words of the equation in their names.
+        let known: Vec<Declared> = declared(&program)
+            .into_iter()
+            .filter(|declared| !declared.name.starts_with("way_") && declared.name != "written_exponent")
+            .collect();
+        let bindings = roles::bind(&known, &model_names());
+        let program = Rc::new(Program { program, bindings });
+        self.programs.borrow_mut().insert(choices, Rc::clone(&program));
+        Ok(program)
+    }
+
+    /// What it is given: nothing but hypotheses changes afterwards.
+    pub fn cast(&self, freedom: &Freedom, lights: Lights) -> ModelCast {
+        ModelCast {
+            terms: (0..3).filter(|&term| freedom.to_find[term]).collect(),
+            exponent: freedom.written_exponent.unwrap_or(1.0),
+            freedom: freedom.clone(),
+            lights,
+        }
+    }
+
+    /// Draws it without the terms whose strengths have to be found, or with one of them alone, or with all; light is added up.
+    fn draw(
+        &self,
+        stage: &Stage,
+        cast: &ModelCast,
+        lit: Lit,
+        hypothesis: &Hypothesis,
+        situations: usize,
+    ) -> Result<Sheet, GlError> {
+        let mut sum: Option<Sheet> = None;
+        for &(light, is_changed) in cast.lights.each() {
+            let plain = Hypothesis::default();
+            let hypothesis = if is_changed { hypothesis } else { &plain };
+            let Program { program, bindings } = &*self.program(hypothesis)?;
+            let given = stage.cast(program, bindings, |situation| cast.apply(situation, light, lit));
+            let sheet = stage.draw(program, &given, &self.ways(cast, hypothesis), situations)?;
+            match &mut sum {
+                None => sum = Some(sheet),
+                Some(sum) => {
+                    for (sum, pixel) in sum.pixels.iter_mut().zip(&sheet.pixels).filter(|(s, _)| Sheet::is_drawn(s)) {
+                        sum.iter_mut().zip(pixel).take(3).for_each(|(sum, light)| *sum += light);
+                    }
+                }
+            }
+        }
+        sum.ok_or_else(|| GlError::new("a model without any light"))
+    }
+
+    /// What it draws. `seen` is what strengths are found for.
+    pub fn predict(
+        &self,
+        stage: &Stage,
+        cast: &ModelCast,
+        seen: &Sheet,
+        hypothesis: &Hypothesis,
+        situations: usize,
+    ) -> Result<Prediction, GlError> {
+        let draw = |lit| self.draw(stage, cast, lit, hypothesis, situations);
+        if cast.must_find() && self.is_whole(hypothesis) {
+            let whole = draw(Lit::Whole)?;
+            let mut dark = whole.clone();
+            for pixel in dark.pixels.iter_mut().filter(|pixel| Sheet::is_drawn(pixel)) {
+                *pixel = [0.0, 0.0, 0.0, 1.0];
+            }
+            let Fit { predicted, .. } = fit(seen, &dark, &[whole]);
+            return Ok(Prediction { sheet: predicted, strengths: [None; 3] });
+        }
+        let known = draw(Lit::Known)?;
+        if !cast.must_find() {
+            return Ok(Prediction { sheet: known, strengths: [None; 3] });
+        }
+        let sheets = cast.terms.iter().map(|&term| draw(Lit::Term(term))).collect::<Result<Vec<_>, _>>()?;
+        let Fit { strengths: found, predicted } = fit(seen, &known, &sheets);
+        let mut strengths = [None; 3];
+        for ((term, strength), sheet) in cast.terms.iter().zip(found).zip(&sheets) {
+            // Of a term that this hypothesis does not put out, no strength can be told.
+            let shows =
+                sheet.pixels.iter().zip(&known.pixels).any(|(a, b)| a[0] != b[0] || a[1] != b[1] || a[2] != b[2]);
+            strengths[*term] = shows.then_some(strength);
+        }
+        Ok(Prediction { sheet: predicted, strengths })
+    }
+
+    /// Whether its picture is no sum of terms.
+    pub fn is_whole(&self, hypothesis: &Hypothesis) -> bool {
+        hypothesis.made_of.iter().any(|&mistake| self.hypotheses.mistakes[mistake].whole)
+    }
+
+    /// What it draws with strengths that were found already.
+    pub fn predict_with(
+        &self,
+        stage: &Stage,
+        cast: &ModelCast,
+        hypothesis: &Hypothesis,
+        situations: usize,
+        strengths: [[f64; 3]; 3],
+    ) -> Result<Sheet, GlError> {
+        let known = self.draw(stage, cast, Lit::Known, hypothesis, situations)?;
+        let mut sheet = known.clone();
+        for &term in &cast.terms {
+            let alone = self.draw(stage, cast, Lit::Term(term), hypothesis, situations)?;
+            for (pixel, (alone, known)) in sheet.pixels.iter_mut().zip(alone.pixels.iter().zip(&known.pixels)) {
+                for channel in 0..3 {
+                    pixel[channel] += strengths[term][channel] as f32 * (alone[channel] - known[channel]);
+                }
+            }
+        }
+        Ok(sheet)
+    }
+
+    /// What chooses a hypothesis, for whoever draws it alone.
+    pub fn ways_of(&self, hypothesis: &Hypothesis) -> Vec<(String, Vec<f32>)> {
+        let way = |line: usize| hypothesis.choices.get(&line).copied().unwrap_or(0);
+        let lines = if self.plan.is_some() { 0..0 } else { 0..self.hypotheses.variables.len() };
+        lines.map(|line| (self.hypotheses.uniform(line), vec![way(line) as f32])).collect()
+    }
+
+    /// What chooses a hypothesis, where one program is all of them.
+    fn ways(&self, cast: &ModelCast, hypothesis: &Hypothesis) -> Vec<(String, Vec<f32>)> {
+        let mut ways = self.ways_of(hypothesis);
+        ways.push(("written_exponent".to_owned(), vec![cast.exponent]));
+        ways
+    }
+}
+
+/// What the names mean that models have for what belongs to no one: the place of the light that is not being added.
+pub fn model_names() -> NamesFile {
+    let meaning = crate::roles::Meaning::Role(crate::roles::Role::LightPos(1));
+    NamesFile { names: [("other_light_pos".to_owned(), meaning)].into() }
+}
+
+/// Which terms of those whose strengths have to be found are lit.
+#[derive(Clone, Copy)]
+pub enum Lit {
+    /// None of them.
+    Known,
+    /// One alone.
+    Term(usize),
+    /// All.
+    Whole,
+}
+
+/// What a model is given in every situation.
+pub struct ModelCast {
+    /// Terms whose strengths have to be found.
+    pub terms: Vec<usize>,
+    /// What may be varied.
+    pub freedom: Freedom,
+    /// The exponent that stands in the student's source.
+    pub exponent: f32,
+    /// What it is lit by.
+    pub lights: Lights,
+}
+
+impl ModelCast {
+    /// Changes a situation to what the model is given for one of its lights.
+    pub fn apply(&self, situation: &mut Situation, light: usize, lit: Lit) {
+        match lit {
+            Lit::Known => self.freedom.apply_to_model(situation, self.lights, light, None),
+            Lit::Term(term) => self.freedom.apply_to_model(situation, self.lights, light, Some(term)),
+            Lit::Whole => self.freedom.apply_whole(situation, self.lights, light),
+        }
+    }
+
+    /// Whether some strengths have to be found.
+    pub fn must_find(&self) -> bool {
+        !self.terms.is_empty()
+    }
+}
+
+/// What a program uses, as names are found for it.
+pub fn declared(program: &UserProgram) -> Vec<Declared> {
+    let of = |kind: Kind| {
+        move |variable: &gonio_render::user_program::ProgramVariable| Declared {
+            name: variable.name.clone(),
+            glsl_type: variable.glsl_type.clone(),
+            array: variable.elements,
+            kind,
+        }
+    };
+    let uniforms = program.uniforms().filter(|uniform| uniform.name != gonio_glsl::DRAWN_ALL_THE_SAME);
+    program.attributes().map(of(Kind::Attribute)).chain(uniforms.map(of(Kind::Uniform))).collect()
+}

@@ -1,0 +1,222 @@
+//! What holds of every light equation, tried with the student's program alone: it is held against itself.
+
+use super::compare::{PIXEL_TOLERANCE, channel_difference};
+use super::parameterisation::Freedom;
+use crate::roles::{Bindings, Role};
+use crate::testbench::{Light, Sheet, Situation, Stage};
+use crate::verdict::{Outcome, PropertyState, PropertyVerdict, Verdict};
+use glam::{EulerRot, Quat};
+use gonio_gl::GlError;
+use gonio_render::user_program::UserProgram;
+
+/// So many of the first situations are looked at: a stretched torus and a coarse sphere.
+const SITUATIONS: usize = 2;
+/// The share of pixels that may differ. Set by outlines: where the world is turned, matrices are others, and so are their
+/// rounding errors.
+const MOST_BEYOND: f64 = 0.02;
+/// Attenuations grow by this factor to leave no light but the ambient one.
+const FAR: f32 = 1e9;
+
+/// A student's program and what it may be given.
+pub struct Student<'a> {
+    /// Where it is drawn.
+    pub stage: &'a Stage,
+    /// The program.
+    pub program: &'a UserProgram,
+    /// What its variables mean.
+    pub bindings: &'a Bindings,
+    /// Uniforms with values of the student's own.
+    pub fixed: &'a [(String, Vec<f32>)],
+    /// What may be varied.
+    pub freedom: &'a Freedom,
+}
+
+/// The words, what is right and what is wrong.
+const WORDS: [(&str, &str, &str); 5] = [
+    (
+        "finite",
+        "every pixel is a number",
+        "some pixels are no number (NaN) or infinite: a division by 0, or a root or a power of something negative",
+    ),
+    (
+        "unchanged-when-turned",
+        "the picture stays when the world is turned: model, light and camera together",
+        "the picture changes when the world is turned, model, light and camera together: some vectors are not in the same space",
+    ),
+    (
+        "linear-in-light",
+        "half the light gives half the picture",
+        "half the light does not give half the picture: light has to be multiplied in once and added up, nothing else",
+    ),
+    (
+        "additive-over-lights",
+        "two lights together give what each of them gives alone, added up",
+        "two lights together do not give what each of them gives alone, added up",
+    ),
+    (
+        "falls-with-distance",
+        "light falls off with the distance as the attenuation's constants say",
+        "light does not fall off as the attenuation's constants say: twice the constants have to give half the light",
+    ),
+];
+
+impl Student<'_> {
+    fn has(&self, wanted: impl Fn(Role) -> bool) -> bool {
+        self.bindings.bound.iter().any(|bound| wanted(bound.role))
+    }
+
+    fn draw(&self, change: impl Fn(&mut Situation)) -> Result<Sheet, GlError> {
+        let cast = self.stage.cast(self.program, self.bindings, |situation| {
+            self.freedom.apply(situation);
+            change(situation);
+        });
+        self.stage.draw(self.program, &cast, self.fixed, SITUATIONS)
+    }
+
+    /// All of them; `seen` is what the program draws in `situations` situations.
+    pub fn properties(&self, seen: &Sheet, situations: usize) -> Result<Vec<PropertyVerdict>, GlError> {
+        let finite = (0..situations).filter(|&tile| {
+            let is_number = |p: &[f32; 4]| p.iter().take(3).all(|c| c.is_finite());
+            !seen.tile(tile).iter().filter(|p| Sheet::is_drawn(p)).all(is_number)
+        });
+        let found =
+            [Some(finite.collect()), self.turned(seen)?, self.linear(seen)?, self.additive()?, self.attenuated(seen)?];
+        let verdict = |((id, right, wrong), found): (&(&str, &str, &str), Option<Vec<usize>>)| {
+            let (state, sentence) = match &found {
+                None => (PropertyState::NotApplicable, right),
+                Some(failing) if failing.is_empty() => (PropertyState::Right, right),
+                Some(_) => (PropertyState::Wrong, wrong),
+            };
+            let name = |tile: usize| self.stage.situations().get(tile).map(|situation| situation.name.clone());
+            let scenes = found.unwrap_or_default().into_iter().filter_map(name).collect();
+            PropertyVerdict { id: (*id).to_owned(), sentence: (*sentence).to_owned(), state, scenes }
+        };
+        Ok(WORDS.iter().zip(found).map(verdict).collect())
+    }
+
+    fn turned(&self, seen: &Sheet) -> Result<Option<Vec<usize>>, GlError> {
+        // A light that is written down stays where it is.
+        if self.freedom.has_written_light() {
+            return Ok(None);
+        }
+        let turn = Quat::from_euler(EulerRot::YXZ, 0.7, 0.5, 0.3);
+        let turned = self.draw(|situation| *situation = situation.turned(turn))?;
+        Ok(failing(seen, |tile, index, channel| turned.tile(tile)[index][channel]))
+    }
+
+    fn linear(&self, seen: &Sheet) -> Result<Option<Vec<usize>>, GlError> {
+        let coloured = self.has(|role| matches!(role, Role::LightColor(_)));
+        let strong = self.has(|role| {
+            matches!(
+                role,
+                Role::AmbientStrength(_)
+                    | Role::AmbientColor(_)
+                    | Role::DiffuseStrength(_)
+                    | Role::DiffuseColor(_)
+                    | Role::SpecularStrength(_)
+                    | Role::SpecularColor(_)
+            )
+        });
+        if !coloured && !strong {
+            return Ok(None);
+        }
+        let scaled = |factor: f32| {
+            move |situation: &mut Situation| {
+                for light in std::iter::once(&mut situation.light).chain(&mut situation.other) {
+                    if coloured {
+                        light.brightness *= factor;
+                    } else {
+                        light.ambient *= factor;
+                        light.diffuse *= factor;
+                        light.specular *= factor;
+                    }
+                }
+            }
+        };
+        let (half, none) = (self.draw(scaled(0.5))?, self.draw(scaled(0.0))?);
+        Ok(failing(seen, |tile, index, channel| {
+            let none = none.tile(tile)[index][channel];
+            none + 2.0 * (half.tile(tile)[index][channel] - none)
+        }))
+    }
+
+    fn additive(&self) -> Result<Option<Vec<usize>>, GlError> {
+        if !self.freedom.dims_second() {
+            return Ok(None);
+        }
+        let lit = |first: bool, second: bool| {
+            self.draw(move |situation| {
+                let place = situation.elsewhere();
+                let other = Light { position: place, ambient: 0.05, ..situation.light };
+                situation.other = Some(if second { other } else { other.dark() });
+                situation.light = if first { situation.light } else { situation.light.dark() };
+            })
+        };
+        let (both, first, second, none) = (lit(true, true)?, lit(true, false)?, lit(false, true)?, lit(false, false)?);
+        Ok(failing(&both, |tile, index, channel| {
+            let of = |sheet: &Sheet| sheet.tile(tile)[index][channel];
+            of(&first) + of(&second) - of(&none)
+        }))
+    }
+
+    fn attenuated(&self, seen: &Sheet) -> Result<Option<Vec<usize>>, GlError> {
+        let all = [
+            self.has(|role| matches!(role, Role::AttenuationConstant(_))),
+            self.has(|role| matches!(role, Role::AttenuationLinear(_))),
+            self.has(|role| matches!(role, Role::AttenuationQuadratic(_))),
+        ];
+        if !all.iter().all(|has| *has) {
+            return Ok(None);
+        }
+        let scaled = |factor: f32| {
+            move |situation: &mut Situation| {
+                for light in std::iter::once(&mut situation.light).chain(&mut situation.other) {
+                    light.attenuation = light.attenuation.map(|constant| constant * factor);
+                }
+            }
+        };
+        let (twice, far) = (self.draw(scaled(2.0))?, self.draw(scaled(FAR))?);
+        Ok(failing(seen, |tile, index, channel| {
+            let far = far.tile(tile)[index][channel];
+            far + 2.0 * (twice.tile(tile)[index][channel] - far)
+        }))
+    }
+}
+
+/// The tiles in which a picture is not what it has to be. Where it is burnt out, or no number, nothing can be told; `None` where
+/// it is so everywhere.
+fn failing(seen: &Sheet, expected: impl Fn(usize, usize, usize) -> f32) -> Option<Vec<usize>> {
+    let counted = |tile: usize| {
+        let (mut all, mut beyond) = (0_usize, 0_usize);
+        for (index, pixel) in seen.tile(tile).iter().enumerate() {
+            let expected = [0, 1, 2].map(|channel| expected(tile, index, channel));
+            let [r, g, b] = expected;
+            let is_usable = |pixel: &[f32; 4]| {
+                Sheet::is_drawn(pixel) && pixel.iter().take(3).all(|c| c.is_finite() && *c < 1.0 && *c > -1e3)
+            };
+            if is_usable(pixel) && is_usable(&[r, g, b, 1.0]) {
+                all += 1;
+                let channels = pixel.iter().zip(&expected);
+                let difference = channels.map(|(a, b)| channel_difference(*a, *b)).fold(0.0, f32::max);
+                beyond += usize::from(difference > PIXEL_TOLERANCE);
+            }
+        }
+        (all, beyond)
+    };
+    let counts: Vec<(usize, usize)> = (0..SITUATIONS).map(counted).collect();
+    let fails = |tile: &usize| counts[*tile].1 as f64 > MOST_BEYOND * counts[*tile].0 as f64;
+    counts.iter().any(|(all, _)| *all > 0).then(|| (0..SITUATIONS).filter(fails).collect())
+}
+
+/// Where nothing has a name, what does not hold says at least where to look.
+pub fn tell(verdict: &mut Verdict) {
+    if verdict.verdict != Outcome::Wrong || !verdict.mistakes.is_empty() {
+        return;
+    }
+    let wrong = verdict.properties.iter().filter(|property| property.state == PropertyState::Wrong);
+    // That pixels are no numbers is among the warnings already.
+    let told: Vec<&str> = wrong.filter(|p| p.id != "finite").map(|property| property.sentence.as_str()).collect();
+    if !told.is_empty() {
+        verdict.summary = format!("{}; {}", verdict.summary, told.join("; "));
+    }
+}

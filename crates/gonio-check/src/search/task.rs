@@ -1,0 +1,89 @@
+//! What the exercises ask of a pair of shaders.
+
+use crate::mistakes::Model;
+use crate::testbench::{Situation, scene};
+use glam::Vec3;
+
+/// What an exercise asks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Task {
+    /// The exercise's word: `ex04`.
+    pub exercise: &'static str,
+    /// The right answer.
+    pub model: Model,
+    /// Another way to compute it, and the word for doing so where it is a mistake.
+    pub other: Option<(Model, Option<&'static str>)>,
+    /// Whether ambient, diffuse and specular light must be there.
+    pub wanted: [bool; 3],
+    /// Whether light fades with distance.
+    pub attenuated: bool,
+    /// Where the lab's own light is, for programs that have it written in them.
+    pub light_position: Vec3,
+}
+
+const LAMP: Vec3 = Vec3::new(0.5, 0.5, -0.7);
+
+/// All exercises of which a pair of shaders is the answer.
+pub const TASKS: &[Task] = &[
+    task("ex01", Model::Camera, None, [false; 3]),
+    task("ex03", Model::Gouraud, Some((Model::Phong, Some("phong-instead-of-gouraud"))), [false, true, false]),
+    task("ex04", Model::Phong, Some((Model::Gouraud, Some("gouraud-instead-of-phong"))), [false, true, false]),
+    task("ex05", Model::Gouraud, Some((Model::Phong, Some("phong-instead-of-gouraud"))), [false, false, true]),
+    task("ex06", Model::Phong, Some((Model::Gouraud, Some("gouraud-instead-of-phong"))), [false, false, true]),
+    Task {
+        attenuated: true,
+        light_position: Vec3::new(1.0, 2.0, 1.5),
+        // The exercise does not say where the equation is to be computed.
+        ..task("ex07", Model::Phong, Some((Model::Gouraud, None)), [true, true, true])
+    },
+    task("ex08", Model::Skybox, None, [false; 3]),
+    task("ex09", Model::Reflection, None, [false; 3]),
+    task("ex10", Model::Refraction, None, [false; 3]),
+    task("s1", Model::Panorama, None, [false; 3]),
+];
+
+/// Exercise 01 by its places alone: for programs whose colours are none of the vertices'.
+pub const PLACES: &Task = &task("ex01", Model::Places, None, [false; 3]);
+
+const fn task(
+    exercise: &'static str,
+    model: Model,
+    other: Option<(Model, Option<&'static str>)>,
+    wanted: [bool; 3],
+) -> Task {
+    Task { exercise, model, other, wanted, attenuated: false, light_position: LAMP }
+}
+
+impl Task {
+    /// Of an exercise.
+    pub fn of(exercise: &str) -> Option<&'static Task> {
+        TASKS.iter().find(|task| task.exercise == exercise)
+    }
+
+    /// Where it is tried: whole, then those for programs with several lights, and then with one term alone; and how many of the
+    /// first and of the second kind.
+    pub fn situations(&self) -> (Vec<Situation>, [usize; 2]) {
+        let mut all = match self.model {
+            Model::Phong | Model::Gouraud => scene::lit(),
+            Model::Reflection | Model::Refraction => scene::mirrored(),
+            Model::Skybox => scene::skies(),
+            Model::Camera | Model::Places => scene::cameras(),
+            Model::Panorama => (0..6).map(scene::face).collect(),
+        };
+        let whole = all.len();
+        let mut of_two = 0;
+        if self.model.is_lit() {
+            let isolated = scene::isolated(&all);
+            let by_two = scene::lit_by_two();
+            of_two = by_two.len();
+            all.extend(by_two);
+            all.extend(isolated);
+        }
+        if !self.attenuated {
+            for light in all.iter_mut().flat_map(|s| std::iter::once(&mut s.light).chain(&mut s.other)) {
+                light.attenuation = [1.0, 0.0, 0.0];
+            }
+        }
+        (all, [whole, of_two])
+    }
+}

@@ -1,0 +1,355 @@
+//! From files as students hand them in to a pair of shaders.
+//!
+//! Any names and endings; one file with both stages; a program whose strings hold them; a whole folder. What was
+//! guessed, mended or left aside is a warning; what cannot be used is one [`IntakeError`].
+
+mod choose;
+mod decode;
+mod error;
+mod literal;
+mod split;
+mod stage;
+mod text;
+pub mod words;
+
+#[cfg(test)]
+mod tests;
+
+pub use error::IntakeError;
+pub use stage::Stage;
+pub use stage::without_comments;
+pub use text::StageText;
+
+use choose::Candidate;
+
+/// A file as it was handed in.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SourceFile {
+    /// Its name as the user gave it; may have folders.
+    pub name: String,
+    /// Its content.
+    pub bytes: Vec<u8>,
+}
+
+impl SourceFile {
+    /// A file of that name and content.
+    #[must_use]
+    pub fn new(name: impl Into<String>, bytes: impl Into<Vec<u8>>) -> Self {
+        Self { name: name.into(), bytes: bytes.into() }
+    }
+}
+
+/// A pair of shaders ready for the compiler.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Submission {
+    /// The vertex stage.
+    pub vertex: StageText,
+    /// The fragment stage.
+    pub fragment: StageText,
+    /// The content of `names.toml`, if there was one.
+    pub names: Option<String>,
+    /// What was guessed, mended or left aside, a sentence or two each.
+    pub warnings: Vec<String>,
+}
+
+impl Submission {
+    /// The pair in these files. Of several pairs it is the object's, then the last.
+    ///
+    /// # Errors
+    /// An [`IntakeError`] where there is no pair.
+    pub fn gather(files: Vec<SourceFile>) -> Result<Self, IntakeError> {
+        Self::gather_with(files, None, &[])
+    }
+
+    /// The pair whose file or variable is called `wanted` (a part is enough, capitals and marks do not count).
+    ///
+    /// # Errors
+    /// An [`IntakeError`] where there is no pair, or none of that name.
+    pub fn gather_choosing(files: Vec<SourceFile>, wanted: &str) -> Result<Self, IntakeError> {
+        Self::gather_with(files, Some(wanted), &[])
+    }
+
+    /// The pair that is `wanted`; otherwise the one whose names hold one of `hints` (the earlier hint counts more, for
+    /// example `["ex04", "phong", "diffuse"]`); otherwise as [`gather`](Self::gather).
+    ///
+    /// # Errors
+    /// An [`IntakeError`] where there is no pair, or none of the wanted name.
+    pub fn gather_with(files: Vec<SourceFile>, wanted: Option<&str>, hints: &[&str]) -> Result<Self, IntakeError> {
+        if files.is_empty() {
+            return Err(IntakeError::NoFiles);
+        }
+        // One that is not a shader among two was meant to be one; among many it is something else.
+        let mut intake = Intake { few: files.len() <= 2, ..Intake::default() };
+        for file in &files {
+            intake.take(file);
+        }
+        intake.finish(wanted, hints, files.iter().map(|file| file.name.clone()).collect())
+    }
+}
+
+/// What of a pair a file holds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Holds {
+    /// A vertex shader.
+    pub vertex: bool,
+    /// A fragment shader.
+    pub fragment: bool,
+    /// What names mean.
+    pub names: bool,
+}
+
+/// What of a pair this file holds. One whose stage nothing tells counts as both.
+///
+/// # Errors
+/// An [`IntakeError`] where it was meant to be a shader and cannot be read.
+pub fn holds(file: &SourceFile) -> Result<Holds, IntakeError> {
+    if kind(&file.name) == Kind::Perhaps && decode::decode(&file.name, &file.bytes).is_err() {
+        return Ok(Holds::default());
+    }
+    let mut intake = Intake { few: true, ..Intake::default() };
+    intake.take(file);
+    if let Some(error) = intake.errors.into_iter().next() {
+        return Err(error);
+    }
+    let has = |stage| !intake.undecided.is_empty() || intake.candidates.iter().any(|found| found.stage == stage);
+    Ok(Holds { vertex: has(Stage::Vertex), fragment: has(Stage::Fragment), names: intake.names.is_some() })
+}
+
+/// What has been found so far.
+#[derive(Default)]
+struct Intake {
+    candidates: Vec<Candidate>,
+    names: Option<String>,
+    /// File and what had to be mended in it; told only of files that are taken.
+    mended: Vec<(String, String)>,
+    /// Shaders of no stage that can be told.
+    undecided: Vec<(String, String)>,
+    few: bool,
+    left_aside: Vec<String>,
+    /// Of files that should have been shaders; they count only where no pair is found without them.
+    errors: Vec<IntakeError>,
+}
+
+/// What a file's name says about its use.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Names,
+    /// Of no interest, and not worth a word.
+    Silent,
+    /// No shader.
+    Aside,
+    Program(literal::Language),
+    /// The ending says that it is a shader.
+    Shader,
+    /// A shader if its content is one.
+    Perhaps,
+}
+
+fn kind(name: &str) -> Kind {
+    let path = name.replace('\\', "/");
+    let mut parts = path.split('/').rev();
+    let base = parts.next().unwrap_or_default();
+    let is_silent_folder = |part: &str| {
+        matches!(
+            part,
+            "__MACOSX" | ".git" | ".svn" | ".vs" | ".vscode" | ".idea" | "node_modules" | "CMakeFiles" | "_deps"
+        ) || part.starts_with("cmake-build")
+    };
+    if parts.clone().any(is_silent_folder) || base.starts_with("._") || matches!(base, ".DS_Store" | "Thumbs.db") {
+        return Kind::Silent;
+    }
+    if base.eq_ignore_ascii_case("names.toml") {
+        return Kind::Names;
+    }
+    let in_other_code = parts.any(|part| {
+        matches!(part.to_lowercase().as_str(), "build" | "debug" | "release" | "3rdparty" | "external" | "glad" | "glm")
+    });
+    let lower = base.to_lowercase();
+    if in_other_code || base.starts_with('.') || lower.starts_with("cmake") || lower.starts_with("readme") {
+        return Kind::Aside;
+    }
+    if let Some(language) = literal::language(base) {
+        return Kind::Program(language);
+    }
+    match lower.rsplit_once('.').map_or("", |(_, ending)| ending) {
+        "md" | "rst" | "pdf" | "doc" | "docx" | "odt" | "png" | "jpg" | "jpeg" | "bmp" | "tga" | "gif" | "webp"
+        | "hdr" | "exr" | "svg" | "psd" | "ppm" | "dds" | "ktx" | "obj" | "mtl" | "fbx" | "gltf" | "glb" | "ply"
+        | "stl" | "mesh" | "dae" | "blend" | "zip" | "gz" | "rar" | "7z" | "exe" | "dll" | "so" | "lib" | "a" | "o"
+        | "pdb" | "sln" | "vcxproj" | "filters" | "user" | "toml" | "json" | "yaml" | "yml" | "xml" | "ini"
+        | "cmake" | "make" | "lock" | "log" | "csv" | "css" | "mp4" | "mov" | "wav" | "mp3" | "ttf" | "otf" | "bat"
+        | "sh" | "geom" | "gs" | "tesc" | "tese" | "tcs" | "tes" | "comp" | "spv" | "ipynb" => Kind::Aside,
+        "vert" | "frag" | "vs" | "fs" | "vsh" | "fsh" | "vertexshader" | "fragmentshader" | "glsl" | "vp" | "fp" => {
+            Kind::Shader
+        }
+        _ if lower == "makefile" || lower == "license" => Kind::Aside,
+        _ => Kind::Perhaps,
+    }
+}
+
+impl Intake {
+    fn take(&mut self, file: &SourceFile) {
+        let name = &file.name;
+        let kind = kind(name);
+        match kind {
+            Kind::Silent => return,
+            Kind::Aside => return self.left_aside.push(name.clone()),
+            Kind::Names | Kind::Program(_) | Kind::Shader | Kind::Perhaps => {}
+        }
+        let text = match decode::decode(name, &file.bytes) {
+            Ok((text, warning)) => {
+                self.mended.extend(warning.map(|warning| (name.clone(), warning)));
+                text
+            }
+            Err(_) if kind == Kind::Perhaps && !self.few => return self.left_aside.push(name.clone()),
+            Err(error) => {
+                self.errors.push(error);
+                return;
+            }
+        };
+        let found_before = self.candidates.len() + self.undecided.len();
+        match kind {
+            Kind::Names => return self.names = Some(text),
+            Kind::Program(language) => self.take_program(name, &text, language),
+            _ => self.take_shader(name, text, kind == Kind::Shader),
+        }
+        if self.candidates.len() + self.undecided.len() == found_before {
+            self.left_aside.push(name.clone());
+        }
+    }
+
+    fn take_program(&mut self, name: &str, text: &str, language: literal::Language) {
+        let found = literal::shaders(text, language);
+        if found.is_empty() {
+            // A shader under a program's name (`shader.h` to be included as it is, `vertex.c`).
+            let code = stage::without_comments(text);
+            if code.contains("gl_Position") || code.contains("gl_FragColor") || code.contains("#version") {
+                self.take_plain(name, text.to_owned(), &code, false);
+            }
+            return;
+        }
+        for literal in found {
+            let code = stage::without_comments(&literal.text.text);
+            let both = split::split(&literal.text.text, &code).is_some();
+            let (stage, warning) = stage::tell(&format!("{name} `{}`", literal.variable), &literal.variable, &code);
+            let hole = literal
+                .has_holes
+                .then(|| format!("{name} puts values into `{}` with ${{...}}; gonio left them out.", literal.variable));
+            let Some(stage) = stage.filter(|_| !both) else { continue };
+            self.candidates.push(Candidate {
+                stage,
+                text: literal.text.finish(name),
+                variable: Some(literal.variable),
+                warning: warning.or(hole),
+            });
+        }
+    }
+
+    fn take_shader(&mut self, name: &str, text: String, surely: bool) {
+        let code = stage::without_comments(&text);
+        // A program's strings under a shader's name: `vertex.glsl` with `const char* vs = "..."` or `R"(...)"`.
+        if code.contains('"') {
+            let before = self.candidates.len();
+            let found = literal::shaders(&text, literal::Language::C);
+            if !found.is_empty() {
+                self.take_program(name, &text, literal::Language::C);
+            }
+            if self.candidates.len() > before {
+                return;
+            }
+        }
+        if let Some((vertex, fragment)) = split::split(&text, &code) {
+            for (stage, builder) in [(Stage::Vertex, vertex), (Stage::Fragment, fragment)] {
+                let text = builder.finish(name);
+                self.candidates.push(Candidate { stage, text, variable: None, warning: None });
+            }
+            return;
+        }
+        self.take_plain(name, text, &code, surely);
+    }
+
+    /// A file that is one stage, if it is one.
+    fn take_plain(&mut self, name: &str, text: String, code: &str, surely: bool) {
+        let (glsl, main) = stage::looks_like_glsl(code);
+        let named = stage::said_by_name(name) != stage::Said::Nothing;
+        // Without a `main` it may still be the student's shader: then its name must say so.
+        if !(main && glsl || named && (surely || glsl)) {
+            return;
+        }
+        match stage::tell(name, name, code) {
+            (Some(stage), warning) => {
+                let text = StageText::whole(name, text);
+                self.candidates.push(Candidate { stage, text, variable: None, warning });
+            }
+            (None, _) => self.undecided.push((name.to_owned(), text)),
+        }
+    }
+
+    /// One shader that could be either stage is the one that its partner is not.
+    fn tell_undecided_by_partner(&mut self) {
+        let has = |stage| self.candidates.iter().any(|c| c.stage == stage);
+        let missing = match (has(Stage::Vertex), has(Stage::Fragment)) {
+            (true, false) => Some(Stage::Fragment),
+            (false, true) => Some(Stage::Vertex),
+            _ => None,
+        };
+        for (index, (name, text)) in std::mem::take(&mut self.undecided).into_iter().enumerate() {
+            match missing {
+                Some(stage) if index == 0 => {
+                    let warning =
+                        Some(format!("neither name nor content of {name} say its stage: taken as the {stage} shader."));
+                    let text = StageText::whole(name, text);
+                    self.candidates.push(Candidate { stage, text, variable: None, warning });
+                }
+                _ => self.left_aside.push(name),
+            }
+        }
+    }
+
+    /// Of several shaders that their names call vertex shaders, one that puts out a colour and no position is the fragment
+    /// shader: `vertex lighting.glsl`.
+    fn tell_misnamed_by_content(&mut self) {
+        if self.candidates.len() < 2 || self.candidates.iter().any(|found| found.stage == Stage::Fragment) {
+            return;
+        }
+        let is_fragment = |found: &Candidate| {
+            let evidence = stage::evidence(&stage::without_comments(&found.text.text));
+            evidence.rather_fragment && !evidence.vertex
+        };
+        let misnamed: Vec<usize> = (0..self.candidates.len()).filter(|&at| is_fragment(&self.candidates[at])).collect();
+        if let [at] = misnamed.as_slice() {
+            let found = &mut self.candidates[*at];
+            found.stage = Stage::Fragment;
+            found.warning = Some(format!(
+                "{} is named like a vertex shader, but puts out a colour and no gl_Position: taken as the fragment \
+                 shader. Rename it.",
+                found.text.file
+            ));
+        }
+    }
+
+    fn finish(mut self, wanted: Option<&str>, hints: &[&str], files: Vec<String>) -> Result<Submission, IntakeError> {
+        self.tell_undecided_by_partner();
+        self.tell_misnamed_by_content();
+        let chosen = match choose::choose(&self.candidates, wanted, hints) {
+            Ok(chosen) => chosen,
+            // A file that could not be read is the better reason.
+            Err(error) => {
+                return Err(match (self.errors.into_iter().next(), error) {
+                    (Some(unreadable), _) => unreadable,
+                    (None, IntakeError::NoShader { .. }) => IntakeError::NoShader { files },
+                    (None, error) => error,
+                });
+            }
+        };
+        let (vertex, fragment, chosen_because) = chosen;
+        let is_taken = |name: &str| name == vertex.text.file || name == fragment.text.file || kind(name) == Kind::Names;
+        let mut warnings: Vec<String> =
+            self.mended.into_iter().filter(|(name, _)| is_taken(name)).map(|(_, warning)| warning).collect();
+        warnings.extend(chosen_because);
+        warnings.extend(self.errors.iter().map(|error| format!("left aside: {error}")));
+        if !self.left_aside.is_empty() {
+            warnings.push(format!("left aside: {}", error::list(&self.left_aside)));
+        }
+        Ok(Submission { vertex: vertex.text, fragment: fragment.text, names: self.names, warnings })
+    }
+}

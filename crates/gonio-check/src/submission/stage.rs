@@ -1,0 +1,332 @@
+//! Which stage a text is of: told from its name, and from its content where the name is silent or contradicts it.
+
+use super::words::words_of;
+use std::fmt;
+
+/// A stage of the pipeline that students write.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Stage {
+    /// Once per vertex.
+    Vertex,
+    /// Once per fragment.
+    Fragment,
+}
+
+impl Stage {
+    /// The other one.
+    #[must_use]
+    pub const fn other(self) -> Self {
+        match self {
+            Self::Vertex => Self::Fragment,
+            Self::Fragment => Self::Vertex,
+        }
+    }
+}
+
+impl fmt::Display for Stage {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Vertex => "vertex",
+            Self::Fragment => "fragment",
+        })
+    }
+}
+
+/// The stage that one word names.
+pub(super) fn stage_of_word(word: &str) -> Option<Stage> {
+    match word {
+        "vertex" | "vertices" | "vert" | "vs" | "vsh" | "vshader" | "vertexshader" | "vertshader" | "vshad"
+        | "sommet" | "sommets" | "vtx" | "vertexsource" | "vssrc" | "vssource" | "vertsrc" => Some(Stage::Vertex),
+        "fragment" | "fragments" | "frag" | "fs" | "fsh" | "fshader" | "fragmentshader" | "fragshader" | "pixel"
+        | "pixelshader" | "ps" | "fshad" | "frg" | "fragmentsource" | "fssrc" | "fssource" | "fragsrc" => {
+            Some(Stage::Fragment)
+        }
+        _ => None,
+    }
+}
+
+/// What a name says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Said {
+    Nothing,
+    One(Stage),
+    /// Words for both stages.
+    Both,
+}
+
+fn join(said: impl Iterator<Item = Stage>) -> Said {
+    said.fold(Said::Nothing, |so_far, stage| match so_far {
+        Said::Nothing => Said::One(stage),
+        Said::One(other) if other == stage => so_far,
+        _ => Said::Both,
+    })
+}
+
+/// What a name's words say: a file's (with its folders), or a variable's.
+///
+/// The ending counts most, then the words of the name, then single letters, then the folder.
+pub(super) fn said_by_name(name: &str) -> Said {
+    let path = name.replace('\\', "/");
+    let (folder, base) = path.rsplit_once('/').unwrap_or(("", &path));
+    if let Some((_, ending)) = base.rsplit_once('.')
+        && let Some(stage) = stage_of_word(&ending.to_lowercase())
+    {
+        // `vertex.frag`: let the content decide.
+        return match said_by_words(base) {
+            Said::Both => Said::Both,
+            _ => Said::One(stage),
+        };
+    }
+    match said_by_words(base) {
+        Said::Nothing => said_by_words(folder.rsplit('/').next().unwrap_or_default()),
+        said => said,
+    }
+}
+
+fn said_by_words(name: &str) -> Said {
+    match said_by_whole_words(name) {
+        Said::Nothing => said_by_letters(name),
+        said => said,
+    }
+}
+
+/// What `v` and `f` say: little, for `light v2` is a second version.
+fn said_by_letters(name: &str) -> Said {
+    join(words_of(name).iter().filter_map(|word| match word.as_str() {
+        "v" => Some(Stage::Vertex),
+        "f" => Some(Stage::Fragment),
+        _ => None,
+    }))
+}
+
+fn said_by_whole_words(name: &str) -> Said {
+    let words = words_of(name);
+    let said = join(words.iter().filter_map(|word| stage_of_word(word)));
+    if said != Said::Nothing {
+        return said;
+    }
+    // Words written together: `vertexlighting`, `myfragshader`.
+    join(words.iter().flat_map(|word| {
+        let vertex = word.contains("vertex") || word.starts_with("vert") && !word.starts_with("vertical");
+        let fragment = word.contains("frag");
+        vertex.then_some(Stage::Vertex).into_iter().chain(fragment.then_some(Stage::Fragment))
+    }))
+}
+
+/// Whether a name tells its stage by a single letter and by nothing else.
+fn is_said_by_letters_alone(name: &str) -> bool {
+    let path = name.replace('\\', "/");
+    let base = path.rsplit('/').next().unwrap_or_default();
+    let by_ending = base.rsplit('.').any(|part| stage_of_word(&part.to_lowercase()).is_some());
+    !by_ending && said_by_whole_words(base) == Said::Nothing && said_by_letters(base) != Said::Nothing
+}
+
+/// How the content of a text speaks for a stage.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Evidence {
+    /// Only a vertex shader can hold it.
+    pub(super) vertex: bool,
+    /// Only a fragment shader can hold it.
+    pub(super) fragment: bool,
+    /// A fragment shader usually holds it.
+    pub(super) rather_fragment: bool,
+}
+
+/// Reads a text whose comments are blanked out.
+pub(super) fn evidence(code: &str) -> Evidence {
+    let mut found = Evidence::default();
+    let mut previous = ["", ""];
+    for word in identifiers(code) {
+        match word {
+            "gl_Position" | "gl_PointSize" | "gl_VertexID" | "gl_InstanceID" | "attribute" | "gl_Vertex"
+            | "ftransform" => {
+                found.vertex = true;
+            }
+            "gl_FragColor" | "gl_FragData" | "gl_FragCoord" | "gl_FragDepth" | "gl_FrontFacing" | "gl_PointCoord"
+            | "discard" | "dFdx" | "dFdy" | "fwidth" => found.fragment = true,
+            "texture" | "texture2D" | "textureCube" => found.rather_fragment = true,
+            _ if previous[0] == "out" && matches!(previous[1], "vec4" | "vec3") => found.rather_fragment = true,
+            _ => {}
+        }
+        previous = [previous[1], word];
+    }
+    found
+}
+
+/// The stage of a text: its name's, unless only its content speaks clearly. With a warning where the two disagree.
+pub(super) fn tell(shown: &str, name: &str, code: &str) -> (Option<Stage>, Option<String>) {
+    let found = evidence(code);
+    let by_content = match (found.vertex, found.fragment) {
+        (true, false) => Some(Stage::Vertex),
+        (false, true) => Some(Stage::Fragment),
+        _ => None,
+    };
+    if is_said_by_letters_alone(name) {
+        let by_all = by_content.or(found.rather_fragment.then_some(Stage::Fragment));
+        if by_all.is_some() {
+            return (by_all, None);
+        }
+    }
+    match (said_by_name(name), by_content) {
+        (Said::One(named), Some(content))
+            if named != content && !(named == Stage::Fragment && found.rather_fragment) =>
+        {
+            let because = if content == Stage::Vertex { "gl_Position" } else { "what only a fragment shader has" };
+            let warning = format!(
+                "{shown} is named like a {named} shader, but holds {because}: taken as the {content} shader. Rename it."
+            );
+            (Some(content), Some(warning))
+        }
+        (Said::One(named), _) => (Some(named), None),
+        (_, Some(content)) => (Some(content), None),
+        (_, None) => {
+            let stage = if found.vertex {
+                Some(Stage::Vertex)
+            } else if found.rather_fragment {
+                Some(Stage::Fragment)
+            } else {
+                None
+            };
+            (stage, None)
+        }
+    }
+}
+
+/// The words of a source text, in order.
+pub(super) fn identifiers(code: &str) -> impl Iterator<Item = &str> {
+    code.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_'))
+        .filter(|word| word.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_'))
+}
+
+/// Whether a text whose comments are blanked out looks like GLSL, and whether it has a `main`.
+pub(super) fn looks_like_glsl(code: &str) -> (bool, bool) {
+    let (mut main, mut glsl) = (false, code.contains("#version"));
+    let mut previous = "";
+    for word in identifiers(code) {
+        main |= word == "main" && previous == "void";
+        glsl |= word.starts_with("gl_")
+            || matches!(word, "vec2" | "vec3" | "vec4" | "mat3" | "mat4" | "uniform" | "varying" | "sampler2D");
+        previous = word;
+    }
+    (glsl, main)
+}
+
+/// Blanks comments out; every other character keeps its line and column.
+pub fn without_comments(text: &str) -> String {
+    let mut code = String::with_capacity(text.len());
+    let mut chars = text.chars().peekable();
+    while let Some(c) = chars.next() {
+        match (c, chars.peek()) {
+            ('/', Some('/')) => {
+                code.push(' ');
+                while let Some(c) = chars.next_if(|&c| c != '\n') {
+                    code.push(' ');
+                    // A backslash joins the next line to the comment.
+                    if c == '\\' && chars.next_if_eq(&'\n').is_some() {
+                        code.push('\n');
+                    }
+                }
+            }
+            ('/', Some('*')) => {
+                chars.next();
+                code.push_str("  ");
+                let mut star = false;
+                for c in chars.by_ref() {
+                    code.push(if c == '\n' { '\n' } else { ' ' });
+                    if star && c == '/' {
+                        break;
+                    }
+                    star = c == '*';
+                }
+            }
+            _ => code.push(c),
+        }
+    }
+    code
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_tell_the_stage() {
+        use Said::{Both, Nothing, One};
+        use Stage::{Fragment, Vertex};
+        for (name, said) in [
+            ("shader.vert", One(Vertex)),
+            ("shader.frag", One(Fragment)),
+            ("phong.vs", One(Vertex)),
+            ("phong.fs", One(Fragment)),
+            ("a.vsh", One(Vertex)),
+            ("a.FSH", One(Fragment)),
+            ("vertex.txt", One(Vertex)),
+            ("FragmentShader.txt", One(Fragment)),
+            ("shader.vert.txt", One(Vertex)),
+            ("a.frag.glsl", One(Fragment)),
+            ("basic.vertexshader", One(Vertex)),
+            ("basic.fragmentshader", One(Fragment)),
+            ("shader_vs.glsl", One(Vertex)),
+            ("fsPhong.glsl", One(Fragment)),
+            ("vShader", One(Vertex)),
+            ("fshader", One(Fragment)),
+            ("phong-v.glsl", One(Vertex)),
+            ("ex04F.glsl", One(Fragment)),
+            ("vertexshader", One(Vertex)),
+            ("myfragshader.glsl", One(Fragment)),
+            ("work/vertex/phong.glsl", One(Vertex)),
+            ("work\\frag\\phong.glsl", One(Fragment)),
+            ("vertex/phong.frag", One(Fragment)),
+            ("pixel.hlsl", One(Fragment)),
+            ("vertex.frag", Both),
+            ("vert_frag.glsl", Both),
+            ("convert.glsl", Nothing),
+            ("vertical.glsl", Nothing),
+            ("phong.glsl", Nothing),
+            ("", Nothing),
+            ("objectVertexShaderSource", One(Vertex)),
+            ("sourceF", One(Fragment)),
+            ("FRAGMENT_SHADER_SRC", One(Fragment)),
+        ] {
+            assert_eq!(said_by_name(name), said, "{name}");
+        }
+    }
+
+    #[test]
+    fn content_decides_where_names_do_not() {
+        use Stage::{Fragment, Vertex};
+        for (name, text, stage, warned) in [
+            ("a.glsl", "void main(){gl_Position=vec4(0);}", Some(Vertex), false),
+            ("a.glsl", "out vec4 c; void main(){c=vec4(0);}", Some(Fragment), false),
+            ("a.glsl", "out vec4 c; void main(){gl_Position=c;}", Some(Vertex), false),
+            ("a.glsl", "void main(){gl_FragColor=vec4(0);}", Some(Fragment), false),
+            ("a.glsl", "void main(){if(x)discard;}", Some(Fragment), false),
+            ("a.glsl", "void main(){c=texture(t,v);}", Some(Fragment), false),
+            ("a.glsl", "// gl_Position\nout vec4 c;void main(){}", Some(Fragment), false),
+            ("a.glsl", "/* gl_FragColor \n*/void main(){}", None, false),
+            ("vertex.frag", "void main(){gl_Position=vec4(0);}", Some(Vertex), false),
+            ("a.frag", "attribute vec3 p;void main(){gl_Position=vec4(0);}", Some(Vertex), true),
+            ("a.vert", "void main(){gl_FragColor=vec4(0);}", Some(Fragment), true),
+            // A version is no stage.
+            ("final v2.glsl", "out vec4 c;void main(){c=vec4(0);}", Some(Fragment), false),
+            ("light_v2.txt", "void main(){gl_FragColor=vec4(0);}", Some(Fragment), false),
+            ("final v2.glsl", "void main(){gl_Position=vec4(0);}", Some(Vertex), false),
+            ("phong_f.glsl", "void main(){gl_Position=vec4(0);}", Some(Vertex), false),
+            ("phong_v.glsl", "in vec3 p;void main(){}", Some(Vertex), false),
+            ("phong_v.frag", "void main(){}", Some(Fragment), false),
+            // A slip inside a stage is the compiler's to name.
+            ("a.vert", "out vec4 c;void main(){}", Some(Vertex), false),
+            ("a.frag", "out vec4 c;void main(){gl_Position=c;}", Some(Fragment), false),
+        ] {
+            let (told, warning) = tell(name, name, &without_comments(text));
+            assert_eq!((told, warning.is_some()), (stage, warned), "{name}: {text}");
+        }
+    }
+
+    #[test]
+    fn comments_are_blanked_and_places_kept() {
+        assert_eq!(without_comments("a//b\nc/*d\ne*/f/"), "a   \nc   \n   f/");
+        assert_eq!(without_comments("a//b\\\nc\nd"), "a    \n \nd");
+        assert_eq!(without_comments("/*"), "  ");
+    }
+}

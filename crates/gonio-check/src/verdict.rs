@@ -1,0 +1,316 @@
+//! What a check says, for people and for machines.
+
+use crate::mistakes::Mistake;
+use serde::{Deserialize, Deserializer, Serialize};
+use std::borrow::Cow;
+
+/// The word for it all.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Outcome {
+    /// As the exercise asks, or as right in another way.
+    Correct,
+    /// Something is wrong, named or not.
+    Wrong,
+    /// A compiler refuses it.
+    DoesNotCompile,
+    /// It could not be judged: what is missing is said.
+    Unsure,
+}
+
+/// A mistake that was found.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FoundMistake {
+    /// The bank's word.
+    pub id: String,
+    /// What is wrong, in half a sentence.
+    pub name: String,
+    /// How much of the difference it explains, together with the others that were found: 0 to 1.
+    #[serde(deserialize_with = "or_infinite")]
+    pub share_explained: f64,
+    /// The student's file and line that look like it, where they were found.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub file: Option<String>,
+    /// See `file`; from 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line: Option<u32>,
+    /// The line itself.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub quoted: Option<String>,
+    /// What it looks like.
+    pub looks_like: String,
+    /// How to mend it.
+    pub mend: String,
+    /// The section of the lecture that teaches it.
+    pub seed: String,
+    /// Mistakes whose pictures are the same: it may be any of them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub or: Vec<String>,
+    /// The lab's own solutions do the same.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub lab_does_it: bool,
+}
+
+impl FoundMistake {
+    /// A mistake of which no more is known yet than its word, its name and its share, 0 to 1.
+    pub fn new(id: impl Into<String>, name: impl Into<String>, share_explained: f64) -> Self {
+        FoundMistake {
+            id: id.into(),
+            name: name.into(),
+            share_explained,
+            file: None,
+            line: None,
+            quoted: None,
+            looks_like: String::new(),
+            mend: String::new(),
+            seed: String::new(),
+            or: Vec::new(),
+            lab_does_it: false,
+        }
+    }
+
+    /// One of the bank's, as the bank teaches it. What looks the same, and whether the lab does it too, is for who
+    /// compared pictures to say.
+    pub fn of_bank(mistake: &Mistake, share_explained: f64) -> Self {
+        let Mistake { id, name, looks_like, mend, seed, .. } = mistake;
+        FoundMistake::new(id, name, share_explained).taught(looks_like, mend, seed)
+    }
+
+    /// With what it looks like, how to mend it, and the section of the lecture that teaches it.
+    pub fn taught(self, looks_like: impl Into<String>, mend: impl Into<String>, seed: impl Into<String>) -> Self {
+        FoundMistake { looks_like: looks_like.into(), mend: mend.into(), seed: seed.into(), ..self }
+    }
+
+    /// With the file that it stands in, its line from 1 and the line itself.
+    pub fn at(self, file: impl Into<String>, line: Option<u32>, quoted: impl Into<String>) -> Self {
+        FoundMistake { file: Some(file.into()), line, quoted: Some(quoted.into()), ..self }
+    }
+}
+
+/// How a term of the equation fares, where it could be looked at alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum TermState {
+    /// As the reference has it.
+    Right,
+    /// Not so.
+    Wrong,
+    /// Its strength is not given from outside, so it cannot be looked at alone.
+    NotSeparable,
+}
+
+/// A term and how it fares.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct TermVerdict {
+    /// `ambient`, `diffuse` or `specular`.
+    pub term: Cow<'static, str>,
+    /// How it fares.
+    pub state: TermState,
+}
+
+/// A situation and how it fares.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SceneVerdict {
+    /// The situation's word.
+    pub scene: String,
+    /// What it shows that others do not.
+    pub shows: Cow<'static, str>,
+    /// Whether the pictures are the same.
+    pub right: bool,
+    /// The share of the object's pixels that differ by more than a step of 8 bits.
+    #[serde(deserialize_with = "or_infinite")]
+    pub pixels_beyond: f64,
+    /// The largest difference of a channel, 0 to 1.
+    #[serde(deserialize_with = "or_infinite")]
+    pub worst: f32,
+}
+
+/// A message of a compiler, at the student's own line.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct CompilerMessage {
+    /// The student's file.
+    pub file: String,
+    /// From 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line: Option<u32>,
+    /// From 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub column: Option<u32>,
+    /// What the compiler says.
+    pub text: String,
+    /// The line itself.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub quoted: Option<String>,
+    /// What it means.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub explanation: Option<String>,
+}
+
+/// What a variable of the program was taken for, and what it was given.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct BoundVariable {
+    /// OpenGL's name for it.
+    pub name: String,
+    /// Its type.
+    #[serde(rename = "type")]
+    pub glsl_type: String,
+    /// What it was taken for; `None` where nothing fits, and it holds 0.
+    pub role: Option<String>,
+}
+
+/// What a check says.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Verdict {
+    /// The exercise's word.
+    pub exercise: String,
+    /// The word for it all.
+    pub verdict: Outcome,
+    /// In one sentence.
+    pub summary: String,
+    /// What is wrong, the most telling first.
+    pub mistakes: Vec<FoundMistake>,
+    /// The next best explanation, where a name was given or nearly so.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub runner_up: Option<RunnerUp>,
+    /// Right, but worth knowing: `id: sentence`.
+    pub peculiarities: Vec<Peculiarity>,
+    /// What may go wrong elsewhere.
+    pub warnings: Vec<String>,
+    /// Term by term.
+    pub terms: Vec<TermVerdict>,
+    /// Situation by situation.
+    pub scenes: Vec<SceneVerdict>,
+    /// What needs no reference: tried with programs that compute light.
+    #[serde(default)]
+    pub properties: Vec<PropertyVerdict>,
+    /// Where it does not compile.
+    pub messages: Vec<CompilerMessage>,
+    /// What was bound to what.
+    pub bound: Vec<BoundVariable>,
+    /// Right answers are 1, wrong ones by the share of situations that are right; 0 where it does not compile.
+    #[serde(deserialize_with = "or_infinite")]
+    pub score: f64,
+}
+
+/// Whether something holds that has to hold of every light equation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PropertyState {
+    /// It does.
+    Right,
+    /// It does not.
+    Wrong,
+    /// The program does not take from outside what would have to be varied.
+    NotApplicable,
+}
+
+/// What was tried with the student's program alone, without any reference.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct PropertyVerdict {
+    /// A stable kebab-case word.
+    pub id: String,
+    /// What holds or does not, in one sentence.
+    pub sentence: String,
+    /// Which of the two.
+    pub state: PropertyState,
+    /// The situations in which it does not hold.
+    pub scenes: Vec<String>,
+}
+
+/// The next best explanation.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct RunnerUp {
+    /// The bank's words.
+    pub ids: Vec<String>,
+    /// How much of the difference it explains.
+    #[serde(deserialize_with = "or_infinite")]
+    pub share_explained: f64,
+}
+
+/// Something right that is done in another way.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Peculiarity {
+    /// The bank's word.
+    pub id: String,
+    /// In half a sentence.
+    pub name: String,
+}
+
+impl Verdict {
+    /// A verdict that says no more than this.
+    pub fn new(exercise: &str, verdict: Outcome, summary: impl Into<String>) -> Self {
+        Verdict {
+            exercise: exercise.to_owned(),
+            verdict,
+            summary: summary.into(),
+            mistakes: Vec::new(),
+            runner_up: None,
+            peculiarities: Vec::new(),
+            warnings: Vec::new(),
+            terms: Vec::new(),
+            scenes: Vec::new(),
+            properties: Vec::new(),
+            messages: Vec::new(),
+            bound: Vec::new(),
+            score: if verdict == Outcome::Correct { 1.0 } else { 0.0 },
+        }
+    }
+
+    /// Of a check that was ended because it never would have: after so many seconds.
+    pub fn endless(exercise: &str, seconds: u64) -> Self {
+        let summary =
+            format!("it did not finish within {seconds} seconds; is there a loop in a shader that never ends?");
+        Verdict::new(exercise, Outcome::Unsure, summary)
+    }
+
+    /// Of a check whose process crashed.
+    pub fn crashed(exercise: &str) -> Self {
+        let summary = "the check crashed: the graphics driver here cannot compile or run this shader";
+        Verdict::new(exercise, Outcome::Unsure, summary)
+    }
+
+    /// Of a check that was ended because of the memory it took.
+    pub fn too_large(exercise: &str) -> Self {
+        let summary = "checking it took more than a gigabyte of memory, and was stopped; is there a giant array?";
+        Verdict::new(exercise, Outcome::Unsure, summary)
+    }
+}
+
+/// A number as JSON has it, which knows no infinite ones: it writes `null` for them, and for what is no number.
+fn or_infinite<'de, T, D>(deserializer: D) -> Result<T, D::Error>
+where
+    T: Deserialize<'de> + From<f32>,
+    D: Deserializer<'de>,
+{
+    Ok(Option::<T>::deserialize(deserializer)?.unwrap_or_else(|| T::from(f32::INFINITY)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_verdict_is_read_as_it_was_written() {
+        let mut verdict = Verdict::new("ex04", Outcome::Wrong, "The normal is not transformed");
+        let found = FoundMistake::new("normal-raw", "The normal is not transformed", 0.997);
+        let found = found.taught("the light turns with the model", "multiply", "3.1");
+        verdict.mistakes = vec![found.clone().at("a.vert", Some(3), "v = normal;"), found];
+        verdict.terms = vec![TermVerdict { term: "diffuse".into(), state: TermState::NotSeparable }];
+        let scene = |worst| SceneVerdict {
+            scene: "lab".into(),
+            shows: "the lab's own".into(),
+            right: false,
+            pixels_beyond: 0.25,
+            worst,
+        };
+        verdict.scenes = vec![scene(0.5)];
+        let read = |verdict: &Verdict| {
+            serde_json::from_str::<Verdict>(&serde_json::to_string(verdict).unwrap_or_default())
+                .map_err(|e| e.to_string())
+        };
+        assert_eq!(read(&verdict), Ok(verdict.clone()));
+        // What a program divides by zero is no number in JSON.
+        verdict.scenes = vec![scene(f32::NAN)];
+        assert_eq!(read(&verdict).map(|read| read.scenes[0].worst), Ok(f32::INFINITY));
+    }
+}

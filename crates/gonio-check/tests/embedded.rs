@@ -1,0 +1,151 @@
+//! The same verdict in OpenGL ES 3, which is what a browser has, as in OpenGL.
+#![allow(clippy::unwrap_used)]
+
+mod submissions;
+
+use gonio_check::ShaderChecker;
+use gonio_check::verdict::{Outcome, Verdict};
+use gonio_gl::HeadlessContext;
+use gonio_gl::headless::HeadlessOptions;
+use submissions::{Submission, submissions};
+
+/// Submissions of each exercise and kind: all of them would take minutes.
+const OF_EACH: usize = 4;
+
+/// Of each exercise some right ones and some wrong ones, from all over the list.
+fn sample() -> Vec<Submission> {
+    let mut sample = Vec::new();
+    for kind in ["correct", "wrong"] {
+        let mut all = submissions(kind);
+        let mut exercises: Vec<String> = all.iter().map(|submission| submission.exercise.clone()).collect();
+        exercises.dedup();
+        for exercise in exercises {
+            let (mut of_it, others): (Vec<_>, Vec<_>) = all.into_iter().partition(|s| s.exercise == exercise);
+            let step = (of_it.len() / OF_EACH).max(1);
+            of_it.truncate(step * OF_EACH);
+            sample.extend(of_it.into_iter().step_by(step));
+            all = others;
+        }
+    }
+    sample
+}
+
+/// What has to be the same: the word, the names, their lines, and for what does not compile the lines of the messages.
+#[derive(Debug, PartialEq)]
+struct Said {
+    verdict: Outcome,
+    mistakes: Vec<(String, Option<String>, Option<u32>)>,
+    peculiarities: Vec<String>,
+    messages: Vec<(String, Option<u32>)>,
+}
+
+impl Said {
+    fn by(verdict: Verdict) -> Self {
+        Said {
+            verdict: verdict.verdict,
+            mistakes: verdict.mistakes.into_iter().map(|m| (m.id, m.file, m.line)).collect(),
+            peculiarities: verdict.peculiarities.into_iter().map(|p| p.id).collect(),
+            // What a compiler complains of after its first message is its own affair.
+            messages: verdict.messages.into_iter().take(1).map(|m| (m.file, m.line)).collect(),
+        }
+    }
+}
+
+fn said(sample: &[Submission], es: bool) -> Vec<Said> {
+    let context = HeadlessContext::with_options(&HeadlessOptions { es, ..Default::default() })
+        .unwrap_or_else(|why| panic!("{why}"));
+    let mut checker = ShaderChecker::new(context.gl());
+    sample.iter().map(|submission| Said::by(submission.check(&mut checker))).collect()
+}
+
+#[test]
+fn verdicts_are_the_same_in_opengl_es() {
+    let sample = sample();
+    assert!(sample.len() >= 60, "{}", sample.len());
+    // Each context is current in a thread of its own.
+    let (desktop, embedded) = std::thread::scope(|scope| {
+        let desktop = scope.spawn(|| said(&sample, false));
+        let embedded = said(&sample, true);
+        (desktop.join().unwrap(), embedded)
+    });
+    let differ: Vec<String> = sample
+        .iter()
+        .zip(desktop.iter().zip(&embedded))
+        .filter(|(_, (desktop, embedded))| desktop != embedded)
+        .map(|(submission, (desktop, embedded))| format!("{}\n  {desktop:?}\n  {embedded:?}", submission.name))
+        .collect();
+    assert!(differ.is_empty(), "{} of {}:\n{}", differ.len(), sample.len(), differ.join("\n"));
+}
+
+/// The right answer of exercise 04 with more text: `globals` before `main` and `body` at its beginning, in one stage.
+fn changed(stage: &str, globals: &str, body: &str) -> Submission {
+    let right =
+        submissions("correct").into_iter().find(|submission| submission.name == "ex04/correct/lab-plain").unwrap();
+    let mut files = right.files;
+    let file = files.iter_mut().find(|file| file.name.contains(stage)).unwrap();
+    let text = String::from_utf8(file.bytes.clone()).unwrap();
+    let (head, main) = text.split_once("void main").unwrap();
+    let (open, rest) = main.split_once('{').unwrap();
+    file.bytes = format!("{head}{globals}\nvoid main{open}{{ {body}{rest}").into_bytes();
+    Submission { files, name: String::new(), exercise: right.exercise, expected: toml::Table::new() }
+}
+
+/// Loops that never end: what stands before `main`, and what in it.
+const ENDLESS: &[(&str, &str)] = &[
+    ("", "while (true) { }"),
+    ("", "for (;;) ;"),
+    ("", "int i = 0; do { i = 0; } while (i < 1);"),
+    ("", "for (int i = 0; i < 10; i++) i--;"),
+    ("", "for (int i = 0; ; i++) if (i < 0) break;"),
+    ("", "int i = 0; while (i < 10) { if (i > 20) return; }"),
+    ("void spin() { while (true) { } }", "spin();"),
+    ("uniform float unset;", "for (float x = 0.0; x < 1.0; x += unset) { }"),
+    ("", "for (int i = 0; i < 4; i++) { int j = 0; while (j < 4) { for (int k = 0; k < 4; k++) { } } }"),
+    ("#define FOREVER for (;;) { }", "FOREVER"),
+];
+
+/// Loops that end, and change nothing.
+const ENDING: &[(&str, &str)] = &[
+    ("", "for (int i = 0; i < 500; i++) { if (i > 400) continue; }"),
+    ("", "int i = 0; while (i < 20000) i++;"),
+    ("", "int n = 0; for (int i = 0; i < 20000; i++) n += i; if (n == 1) return;"),
+    (
+        "int f(int n) { int s = 0; for (int i = 0; i < n; i++) s += i; return s; }",
+        "if (f(9999) + f(9999) == 1) return;",
+    ),
+];
+
+fn every_loop_is_judged_by_whether_it_ends(es: bool) {
+    let context = HeadlessContext::with_options(&HeadlessOptions { es, ..Default::default() })
+        .unwrap_or_else(|why| panic!("{why}"));
+    let mut checker = ShaderChecker::new(context.gl());
+    let of_fragments = [
+        ("", "if (gl_FragCoord.x < 9.0 && gl_FragCoord.y < 20.0) while (true) { }"),
+        ("", "while (true) { } discard;"),
+        ("", "while (true) { if (gl_FragCoord.x < -1.0) discard; }"),
+    ];
+    let of_vertices = [("", "if (gl_VertexID % 50 == 7) while (true) { }")];
+    for (stage, more) in [("vert", &of_vertices[..]), ("frag", &of_fragments[..])] {
+        for (globals, body) in ENDLESS.iter().chain(more) {
+            let verdict = changed(stage, globals, body).check(&mut checker);
+            assert_eq!(verdict.verdict, Outcome::Unsure, "{stage}: {body}: {}", verdict.summary);
+            assert!(verdict.summary.contains("never ends"), "{stage}: {body}: {}", verdict.summary);
+        }
+        // What ends is no mistake, and is no variable of the student's.
+        for (globals, body) in ENDING {
+            let verdict = changed(stage, globals, body).check(&mut checker);
+            assert_eq!(verdict.verdict, Outcome::Correct, "{stage}: {body}: {}", verdict.summary);
+            assert!(verdict.bound.iter().all(|bound| !bound.name.contains("gonio")), "{:?}", verdict.bound);
+        }
+    }
+}
+
+#[test]
+fn a_loop_without_end_ends_in_a_verdict_in_opengl() {
+    every_loop_is_judged_by_whether_it_ends(false);
+}
+
+#[test]
+fn a_loop_without_end_ends_in_a_verdict_in_opengl_es() {
+    every_loop_is_judged_by_whether_it_ends(true);
+}

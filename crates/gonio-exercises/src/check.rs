@@ -1,0 +1,206 @@
+//! From a student's files to a verdict, for every kind of exercise.
+
+use crate::buffers::{self, Expected};
+use crate::cubemap;
+use crate::exercise::{Exercise, Kind};
+use crate::gl_program::{self, GlProgramFiles, GlProgramImage, HostOutcome};
+use gonio_check::search::Evidence;
+use gonio_check::submission::SourceFile;
+use gonio_check::verdict::{CompilerMessage, FoundMistake, Outcome, Verdict};
+use gonio_check::{CheckOptions, ShaderChecker, ShaderExercise};
+use gonio_gl::{Gl, GlError};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// The picture of the right answer that an exercise is begun with.
+pub const GOAL: &str = "goal.png";
+
+/// Checks submissions, one after the other, in one context. What it compiles is kept.
+pub struct Checker {
+    shaders: ShaderChecker,
+    images: BTreeMap<String, Arc<GlProgramImage>>,
+}
+
+impl Checker {
+    /// In this context.
+    pub fn new(gl: &Gl) -> Self {
+        Checker { shaders: ShaderChecker::new(gl), images: BTreeMap::new() }
+    }
+
+    /// Gives an image that host programs may name: PNG, JPEG, BMP, TGA or GIF. Wanted on the web, where the program carries
+    /// none. An error says why it cannot be read.
+    pub fn give_image(&mut self, name: &str, bytes: &[u8]) -> Result<(), String> {
+        let image = GlProgramImage::decode(name, bytes).map_err(|why| format!("{name}: {why}"))?;
+        self.images.insert(name.to_owned(), Arc::new(image));
+        Ok(())
+    }
+
+    /// What host programs may name.
+    fn host_files(&self) -> GlProgramFiles {
+        let mut files = gl_program::exercise_files();
+        files.images.extend(self.images.clone());
+        files
+    }
+}
+
+/// Checks a student's files. Errors are the driver's; everything that is wrong with the files is a verdict.
+pub fn check(
+    checker: &mut Checker,
+    exercise: &Exercise,
+    files: Vec<SourceFile>,
+    options: &CheckOptions,
+) -> Result<(Verdict, Option<Evidence>), GlError> {
+    match exercise.kind {
+        Kind::Buffers => return Ok((buffers(exercise, files), None)),
+        Kind::HostProgram => {
+            return Ok((host_program(checker.shaders.gl(), exercise, files, &checker.host_files())?, None));
+        }
+        Kind::Faces if answers_with_pictures(exercise, &files) => {
+            return cubemap::check(&mut checker.shaders, exercise, &files);
+        }
+        Kind::Shaders | Kind::Faces => {}
+    }
+    // What was handed out beside the shaders is nobody's answer.
+    let handed_out = |name: &str| {
+        let name = name.rsplit(['/', '\\']).next().unwrap_or(name);
+        name == GOAL || [".md", ".svg"].iter().any(|end| name.ends_with(end)) && exercise.file(name).is_some()
+    };
+    let files: Vec<SourceFile> =
+        files.into_iter().filter(|file| !handed_out(&file.name) && !is_given_picture(exercise, file)).collect();
+    let shader_exercise = ShaderExercise {
+        id: &exercise.id,
+        start_vertex: exercise.file("start.vert"),
+        start_fragment: exercise.file("start.frag"),
+    };
+    gonio_check::check(&mut checker.shaders, &shader_exercise, files, options)
+}
+
+/// Whether there are pictures among the files beside what was handed out, so that they are the answer.
+fn answers_with_pictures(exercise: &Exercise, files: &[SourceFile]) -> bool {
+    let pictures = files.iter().filter(|file| cubemap::is_picture(file) && !is_given_picture(exercise, file)).count();
+    // One that lies beside shaders is a texture or a screenshot.
+    pictures > 1 || pictures > 0 && files.iter().all(|file| cubemap::is_picture(file) || file.name.ends_with(".md"))
+}
+
+/// What was handed out, as it was.
+fn is_given_picture(exercise: &Exercise, file: &SourceFile) -> bool {
+    exercise.pictures().any(|(_, bytes)| file.bytes == bytes)
+}
+
+/// What ends a list of files that could be the answer.
+fn answers<'a>(files: &'a [SourceFile], endings: &[&str]) -> Vec<&'a SourceFile> {
+    let fits = |name: &str| {
+        let name = name.to_ascii_lowercase();
+        endings.iter().any(|ending| name.ends_with(ending))
+    };
+    let fitting: Vec<&SourceFile> = files.iter().filter(|file| fits(&file.name)).collect();
+    if fitting.is_empty() && files.len() == 1 { files.iter().collect() } else { fitting }
+}
+
+/// A vertex buffer against what the exercise's model holds.
+fn buffers(exercise: &Exercise, files: Vec<SourceFile>) -> Verdict {
+    let answers = answers(&files, &buffers::ENDINGS);
+    let [answer] = answers.as_slice() else {
+        let summary = match answers.len() {
+            0 => "there is no buffer among the files: hand in a .csv, .json or .bin as text.md says".to_owned(),
+            count => format!("there are {count} buffers among the files; check one at a time"),
+        };
+        return Verdict::new(&exercise.id, Outcome::Unsure, summary);
+    };
+    let buffer = match buffers::read_buffer(&answer.name, &answer.bytes) {
+        Ok(buffer) => buffer,
+        Err(error) => return Verdict::new(&exercise.id, Outcome::Unsure, error.to_string()),
+    };
+    let models: Vec<(String, Expected)> = exercise
+        .start_files()
+        .filter(|(name, _)| name.ends_with(".obj"))
+        .filter_map(|(name, text)| Some((name.to_owned(), Expected::of_obj(text.as_bytes()).ok()?)))
+        .collect();
+    let Some((model, expected)) = buffers::choose(&models, &answer.name, &buffer) else {
+        let summary = "it is like none of the exercise's models; call the file as its model, such as cube.csv";
+        return Verdict::new(&exercise.id, Outcome::Unsure, summary);
+    };
+    let found = buffers::compare(expected, &buffer);
+    let outcome = match found.verdict {
+        buffers::Verdict::Correct => Outcome::Correct,
+        buffers::Verdict::Wrong => Outcome::Wrong,
+        buffers::Verdict::Unsure => Outcome::Unsure,
+    };
+    let names: Vec<&str> = found.mistakes.iter().map(|mistake| mistake.name).collect();
+    let summary = match (outcome, names.is_empty()) {
+        (Outcome::Correct, _) => format!("all {} triangles of {model} are there", found.shares.triangles_expected),
+        (_, false) => format!("{} (of {model})", names.join("; and: ")),
+        (_, true) => format!(
+            "{:.0} % of the triangles of {model} are right; no mistake that gonio knows explains the others",
+            100.0 * found.shares.all
+        ),
+    };
+    let mut verdict = Verdict::new(&exercise.id, outcome, summary);
+    verdict.score = if outcome == Outcome::Correct { 1.0 } else { found.shares.all.min(0.95) };
+    let or: Vec<String> = found.alternatives.iter().map(|ids| ids.join(" and ")).collect();
+    verdict.mistakes = found
+        .mistakes
+        .iter()
+        .map(|mistake| {
+            let known = FoundMistake::new(mistake.id, mistake.name, mistake.share_explained);
+            let known = known.taught(mistake.explanation, mistake.how_to_mend, &exercise.seed);
+            let line = |example: &buffers::Example| u32::try_from(example.line?).ok();
+            let placed = match &mistake.example {
+                Some(example) => known.at(model, line(example), &example.line_text),
+                None => known,
+            };
+            FoundMistake { or: or.clone(), ..placed }
+        })
+        .collect();
+    verdict.warnings = found.warnings.iter().chain(&buffer.warnings).cloned().collect();
+    verdict
+}
+
+/// A host program, carried out; `given` are the files that it may name.
+fn host_program(
+    gl: &Gl,
+    exercise: &Exercise,
+    files: Vec<SourceFile>,
+    given: &GlProgramFiles,
+) -> Result<Verdict, GlError> {
+    let answers = answers(&files, &[".txt"]);
+    let [answer] = answers.as_slice() else {
+        let summary = match answers.len() {
+            0 => "there is no host program among the files: hand in a .txt as text.md says".to_owned(),
+            count => format!("there are {count} host programs among the files; check one at a time"),
+        };
+        return Ok(Verdict::new(&exercise.id, Outcome::Unsure, summary));
+    };
+    let found = gl_program::check_bytes(gl, &answer.bytes, &answer.name, given)?;
+    let outcome = match found.verdict {
+        HostOutcome::Correct => Outcome::Correct,
+        HostOutcome::Wrong => Outcome::Wrong,
+        HostOutcome::DoesNotCompile => Outcome::DoesNotCompile,
+    };
+    let mut verdict = Verdict::new(&exercise.id, outcome, found.summary.clone());
+    verdict.score = if outcome == Outcome::Correct { 1.0 } else { found.share_right.min(0.95) };
+    verdict.mistakes = found
+        .mistakes
+        .into_iter()
+        .map(|mistake| {
+            FoundMistake::new(mistake.id, mistake.name, 1.0)
+                .taught(mistake.looks_like, mistake.mend, &exercise.seed)
+                .at(&answer.name, Some(mistake.line), mistake.quoted)
+        })
+        .collect();
+    verdict.messages = found
+        .errors
+        .into_iter()
+        .map(|error| CompilerMessage {
+            file: answer.name.clone(),
+            line: Some(error.line),
+            column: Some(error.column),
+            text: error.message,
+            quoted: None,
+            explanation: (!error.help.is_empty()).then_some(error.help),
+        })
+        .collect();
+    let at = |line: Option<u32>| line.map_or(String::new(), |line| format!("{}:{line}: ", answer.name));
+    verdict.warnings = found.warnings.into_iter().map(|w| format!("{}{}", at(w.line), w.text)).collect();
+    Ok(verdict)
+}

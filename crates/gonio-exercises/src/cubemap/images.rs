@@ -1,0 +1,133 @@
+//! Six faces and their panorama out of the files that were handed in.
+
+use super::FINE;
+use crate::exercise::Exercise;
+use gonio_check::panorama::Tiles;
+use gonio_check::submission::SourceFile;
+use gonio_environment::{Arrangement, Face, Layout, Panorama, arrange, names};
+use gonio_image::decode::{FileFormat, Shape, decode};
+use gonio_image::{Image, Limits};
+
+/// Faces smaller than this cannot be told apart.
+const LEAST: u32 = 32;
+/// More pictures than this are no six faces.
+const MOST: usize = 40;
+
+/// Whether a file is a picture, by its first bytes.
+pub fn is_picture(file: &SourceFile) -> bool {
+    FileFormat::detect(&file.bytes).is_some()
+}
+
+/// What was handed in.
+pub struct Handed {
+    /// In OpenGL's order, each square and of one size, as the files have them.
+    faces: [Image; 6],
+    /// What they were made from.
+    pub panorama: Panorama,
+    /// What is good to know.
+    pub warnings: Vec<String>,
+}
+
+impl Handed {
+    /// Reads them; what is missing is said in a sentence.
+    pub fn read(exercise: &Exercise, files: &[SourceFile]) -> Result<Self, String> {
+        let pictures: Vec<&SourceFile> = files.iter().filter(|file| is_picture(file)).collect();
+        if pictures.len() > MOST {
+            return Err(format!("there are {} pictures among the files; hand in six faces", pictures.len()));
+        }
+        let mut read: Vec<(&str, Image)> = Vec::new();
+        for file in pictures {
+            let decoded = decode(&file.name, &file.bytes, &Limits::default()).map_err(|error| error.to_string())?;
+            match decoded.shape {
+                Shape::Picture(image) => read.push((file.name.as_str(), image)),
+                Shape::Faces(_) => return Err(format!("{}: hand the six faces in as PNG or JPEG", file.name)),
+            }
+        }
+        let mut warnings = Vec::new();
+        let (panoramas, others): (Vec<_>, Vec<_>) =
+            read.into_iter().partition(|(name, image)| is_panorama(name, image));
+        let panorama = match panoramas.into_iter().next() {
+            Some((_, image)) => image,
+            None => given(exercise)?,
+        };
+        let faces = match others.as_slice() {
+            [] => {
+                return Err("there are no faces among the files: hand in six pictures, posx.png to negz.png".to_owned());
+            }
+            [(name, image)] => in_one(name, image, &mut warnings)?,
+            several => in_six(several, &mut warnings)?,
+        };
+        let size = faces[0].width;
+        if let Some(other) = faces.iter().find(|face| face.width != face.height || face.width != size) {
+            return Err(format!(
+                "the faces must be square and of one size; one has {} x {} pixels, another {} x {}",
+                faces[0].width, faces[0].height, other.width, other.height
+            ));
+        }
+        if size < LEAST {
+            return Err(format!(
+                "the faces have {size} x {size} pixels; {LEAST} x {LEAST} are needed to tell them apart"
+            ));
+        }
+        let natural = panorama.width / 4;
+        if size * 2 < natural {
+            warnings.push(format!(
+                "the faces have {size} x {size} pixels: much of what the panorama shows is lost; {natural} x {natural} keep it"
+            ));
+        }
+        let panorama = Panorama::new(panorama).map_err(|error| error.to_string())?;
+        Ok(Handed { faces, panorama, warnings })
+    }
+
+    /// The faces as small pictures.
+    pub fn tiles(&self, side: usize) -> Tiles {
+        let face = |face: &Image| face.pixels.iter().map(|[r, g, b, _]| [*r, *g, *b]).collect();
+        Tiles { side: self.faces[0].width as usize, faces: self.faces.each_ref().map(face) }.smaller(side)
+    }
+
+    /// How sharp they are against a reference of [`FINE`] pixels, 1 for as sharp.
+    pub fn sharpness(&self, reference: &Tiles) -> f64 {
+        let side = self.faces[0].width.clamp(LEAST, FINE) as usize;
+        let possible = reference.smaller(side).encoded().sharpness();
+        if possible > 1e-6 { self.tiles(side).encoded().sharpness() / possible } else { 1.0 }
+    }
+}
+
+fn is_panorama(name: &str, image: &Image) -> bool {
+    let name = name.rsplit(['/', '\\']).next().unwrap_or(name).to_ascii_lowercase();
+    let is_called = ["pano", "equirect", "latlong"].iter().any(|word| name.contains(word));
+    image.width == 2 * image.height || is_called && image.width != image.height
+}
+
+/// The exercise's own panorama.
+fn given(exercise: &Exercise) -> Result<Image, String> {
+    let (name, bytes) =
+        exercise.pictures().next().ok_or("the exercise has no panorama; hand yours in with the faces")?;
+    match decode(name, bytes, &Limits::default()).map_err(|error| error.to_string())?.shape {
+        Shape::Picture(image) => Ok(image),
+        Shape::Faces(_) => Err(format!("{name} is no panorama")),
+    }
+}
+
+/// A cross or a strip.
+fn in_one(name: &str, image: &Image, warnings: &mut Vec<String>) -> Result<[Image; 6], String> {
+    let arrangement = arrange::recognise(image.width, image.height).arrangement;
+    if matches!(arrangement, Arrangement::Equirectangular | Arrangement::Faces) {
+        return Err(format!(
+            "{name} has {} x {} pixels, which is neither a cross nor a strip of six faces; hand in posx.png to negz.png",
+            image.width, image.height
+        ));
+    }
+    let arranged = arrange::to_cubemap(image, arrangement, Layout::OpenGl).map_err(|error| error.to_string())?;
+    warnings.extend(arranged.warnings);
+    warnings.push(format!("{name} was read as a {arrangement}"));
+    Ok(arranged.cubemap.faces(Layout::OpenGl))
+}
+
+/// Six files, by their names.
+fn in_six(files: &[(&str, Image)], warnings: &mut Vec<String>) -> Result<[Image; 6], String> {
+    let known: Vec<&str> = files.iter().map(|(name, _)| *name).collect();
+    let assigned = names::assign(&known).map_err(|error| error.to_string())?;
+    warnings.extend(assigned.notes);
+    Ok(Face::ALL.map(|face| files[assigned.files[face as usize]].1.clone()))
+}

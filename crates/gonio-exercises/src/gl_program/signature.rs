@@ -1,0 +1,338 @@
+//! What each call wants, word by word.
+
+use super::reader::{Named, Problem, Word, is_name, no_call, shown};
+use gonio_check::nearest::nearest;
+use gonio_render::gl_program::{
+    CONSTANTS, Call, Constant, Number, ObjectKind, Pointer, Selector, UniformArgument, constant,
+};
+use std::collections::HashMap;
+
+/// Calls, and what they want.
+const SIGNATURES: &[(&str, &[&str])] = &[
+    ("load_image", &["FILE"]),
+    ("create_program", &["VERT", "FRAG"]),
+    ("gen_texture", &[]),
+    ("gen_buffer", &[]),
+    ("gen_vertex_array", &[]),
+    ("delete_texture", &["TEXTURE"]),
+    ("delete_buffer", &["BUFFER"]),
+    ("delete_vertex_array", &["ARRAY"]),
+    ("bind_vertex_array", &["ARRAY"]),
+    ("bind_buffer", &["TARGET", "BUFFER"]),
+    ("buffer_data", &["TARGET", "DATA", "USAGE"]),
+    ("vertex_attrib_pointer", &["ATTRIBUTE", "SIZE", "TYPE", "NORMALIZED", "STRIDE", "OFFSET"]),
+    ("enable_vertex_attrib_array", &["ATTRIBUTE"]),
+    ("disable_vertex_attrib_array", &["ATTRIBUTE"]),
+    ("active_texture", &["UNIT"]),
+    ("bind_texture", &["TARGET", "TEXTURE"]),
+    ("tex_image_2d", &["TARGET", "LEVEL", "FORMAT", "IMAGE"]),
+    ("tex_parameter", &["TARGET", "PARAMETER", "VALUE"]),
+    ("generate_mipmap", &["TARGET"]),
+    ("use_program", &["PROGRAM"]),
+    ("uniform_1i", &["UNIFORM", "NUMBER"]),
+    ("uniform_1f", &["UNIFORM", "X"]),
+    ("uniform_2f", &["UNIFORM", "X", "Y"]),
+    ("uniform_3f", &["UNIFORM", "X", "Y", "Z"]),
+    ("uniform_4f", &["UNIFORM", "X", "Y", "Z", "W"]),
+    ("viewport", &["X", "Y", "WIDTH", "HEIGHT"]),
+    ("enable", &["WHAT"]),
+    ("disable", &["WHAT"]),
+    ("clear_color", &["R", "G", "B", "A"]),
+    ("clear", &["WHAT"]),
+    ("draw_arrays", &["MODE", "FIRST", "COUNT"]),
+    ("draw_elements", &["MODE", "COUNT", "TYPE", "OFFSET"]),
+];
+
+/// All words that a line may begin with, but for names.
+pub const WORDS: &[&str] = &{
+    let mut words = [""; SIGNATURES.len() + 2];
+    let mut i = 0;
+    while i < SIGNATURES.len() {
+        words[i] = SIGNATURES[i].0;
+        i += 1;
+    }
+    words[i] = "data";
+    words[i + 1] = "indices";
+    words
+};
+
+/// Names that are known in a line.
+type Names = HashMap<String, Named>;
+/// The call of a line, and the name that it gives.
+type Read = (Call, Option<(String, Named)>);
+
+/// Reads a line that begins no list.
+pub fn call(words: &[Word<'_>], names: &Names) -> Result<Read, Problem> {
+    let (returned, rest) = match words {
+        [name, equals, rest @ ..] if equals.text == "=" => (Some(*name), rest),
+        [name, ..] if name.text.contains('=') => {
+            return Err(Problem::at(*name, "blanks are missing around `=`", "write `name = call`"));
+        }
+        _ => (None, words),
+    };
+    let Some((&word, given)) = rest.split_first() else {
+        let end = words[words.len() - 1];
+        return Err(Problem::at(end, "there is no call after `=`", "write `name = gen_texture` or the like"));
+    };
+    let Some((_, wanted)) = SIGNATURES.iter().find(|(known, _)| *known == word.text) else {
+        return Err(no_call(word));
+    };
+    // `clear` takes as many as there are.
+    let fits = if word.text == "clear" { !given.is_empty() } else { given.len() == wanted.len() };
+    if !fits {
+        let plural = if wanted.len() == 1 { "" } else { "s" };
+        return Err(Problem::at(
+            given.get(wanted.len()).copied().unwrap_or(word),
+            format!("`{}` wants {} argument{plural}, and here are {}", word.text, wanted.len(), given.len()),
+            format!("write `{}`", [&[word.text], *wanted].concat().join(" ")),
+        ));
+    }
+    let arguments = Arguments { given, names };
+    let name = match returned {
+        None => String::new(),
+        Some(name) if !is_name(name.text) || WORDS.contains(&name.text) || name.text == "end" => {
+            return Err(Problem::at(
+                name,
+                format!("`{}` cannot be a name", shown(name.text)),
+                "take a word of letters",
+            ));
+        }
+        Some(name) if constant(name.text).is_some() => {
+            return Err(Problem::at(name, format!("`{}` is a constant of OpenGL", name.text), "take another name"));
+        }
+        Some(name) => match names.get(name.text) {
+            Some(known @ (Named::Data | Named::Image)) => {
+                let message = format!("`{}` is {} already", name.text, known.words());
+                return Err(Problem::at(name, message, "take another name"));
+            }
+            _ => name.text.to_owned(),
+        },
+    };
+    let call = arguments.call(word.text, name.clone())?;
+    let gives = match &call {
+        Call::LoadImage { .. } => Some(Named::Image),
+        Call::CreateProgram { .. } | Call::Generate { .. } => Some(Named::Number),
+        _ => None,
+    };
+    match (gives, returned) {
+        (Some(named), Some(_)) => Ok((call, Some((name, named)))),
+        (Some(_), None) => {
+            let help = format!("write `name = {}`", word.text);
+            Err(Problem::at(word, format!("nothing keeps what `{}` returns", word.text), help))
+        }
+        (None, Some(name)) => {
+            let message = format!("`{}` returns nothing that `{}` could keep", word.text, shown(name.text));
+            Err(Problem::at(name, message, format!("write `{}` alone", word.text)))
+        }
+        (None, None) => Ok((call, None)),
+    }
+}
+
+/// The words after a call's name, as many as it wants.
+struct Arguments<'a> {
+    given: &'a [Word<'a>],
+    names: &'a Names,
+}
+
+impl Arguments<'_> {
+    fn call(&self, word: &str, name: String) -> Result<Call, Problem> {
+        Ok(match word {
+            "load_image" => Call::LoadImage { name, file: self.file(0)? },
+            "create_program" => Call::CreateProgram { name, vertex: self.file(0)?, fragment: self.file(1)? },
+            "gen_texture" => Call::Generate { name, kind: ObjectKind::Texture },
+            "gen_buffer" => Call::Generate { name, kind: ObjectKind::Buffer },
+            "gen_vertex_array" => Call::Generate { name, kind: ObjectKind::VertexArray },
+            "delete_texture" => Call::Delete { kind: ObjectKind::Texture, object: self.number(0)? },
+            "delete_buffer" => Call::Delete { kind: ObjectKind::Buffer, object: self.number(0)? },
+            "delete_vertex_array" => Call::Delete { kind: ObjectKind::VertexArray, object: self.number(0)? },
+            "bind_vertex_array" => Call::BindVertexArray(self.number(0)?),
+            "bind_buffer" => Call::BindBuffer { target: self.constant(0)?, buffer: self.number(1)? },
+            "buffer_data" => {
+                let data = self.named(1, Named::Data, "data NAME ... end")?;
+                Call::BufferData { target: self.constant(0)?, data, usage: self.constant(2)? }
+            }
+            "vertex_attrib_pointer" => Call::VertexAttribPointer(Pointer {
+                attribute: self.variable(0)?,
+                size: self.whole(1)?,
+                kind: self.constant(2)?,
+                normalized: self.truth(3)?,
+                stride: self.whole(4)?,
+                offset: self.whole(5)?,
+            }),
+            "enable_vertex_attrib_array" => Call::SwitchAttribute { attribute: self.variable(0)?, on: true },
+            "disable_vertex_attrib_array" => Call::SwitchAttribute { attribute: self.variable(0)?, on: false },
+            "active_texture" => Call::ActiveTexture(self.selector(0)?),
+            "bind_texture" => Call::BindTexture { target: self.constant(0)?, texture: self.number(1)? },
+            "tex_image_2d" => {
+                let image = self.named(3, Named::Image, "NAME = load_image FILE")?;
+                let (target, level) = (self.constant(0)?, self.whole(1)?);
+                Call::TexImage2d { target, level, format: self.constant(2)?, image }
+            }
+            "tex_parameter" => {
+                let (target, parameter) = (self.constant(0)?, self.constant(1)?);
+                Call::TexParameter { target, parameter, value: self.selector(2)? }
+            }
+            "generate_mipmap" => Call::GenerateMipmap { target: self.constant(0)? },
+            "use_program" => Call::UseProgram(self.number(0)?),
+            "uniform_1i" => {
+                Call::Uniform { uniform: self.variable(0)?, given: UniformArgument::Whole(self.number(1)?) }
+            }
+            "uniform_1f" | "uniform_2f" | "uniform_3f" | "uniform_4f" => {
+                let numbers = (1..self.given.len()).map(|at| self.float(at)).collect::<Result<_, _>>()?;
+                Call::Uniform { uniform: self.variable(0)?, given: UniformArgument::Floats(numbers) }
+            }
+            "viewport" => Call::Viewport([self.whole(0)?, self.whole(1)?, self.whole(2)?, self.whole(3)?]),
+            "enable" => Call::Switch { what: self.constant(0)?, on: true },
+            "disable" => Call::Switch { what: self.constant(0)?, on: false },
+            "clear_color" => Call::ClearColor([self.float(0)?, self.float(1)?, self.float(2)?, self.float(3)?]),
+            "clear" => Call::Clear(self.bits()?),
+            "draw_arrays" => Call::DrawArrays { mode: self.constant(0)?, first: self.whole(1)?, count: self.whole(2)? },
+            "draw_elements" => {
+                let (mode, count) = (self.constant(0)?, self.whole(1)?);
+                Call::DrawElements { mode, count, kind: self.constant(2)?, offset: self.whole(3)? }
+            }
+            _ => return Err(Problem { column: 1, message: format!("there is no call `{word}`"), help: String::new() }),
+        })
+    }
+
+    fn word(&self, at: usize) -> Result<Word<'_>, Problem> {
+        let missing = || Problem { column: 1, message: "an argument is missing".to_owned(), help: String::new() };
+        self.given.get(at).copied().ok_or_else(missing)
+    }
+
+    /// A file's name: no path that leads elsewhere is ever opened, only looked for among the files that were given.
+    fn file(&self, at: usize) -> Result<String, Problem> {
+        let word = self.word(at)?;
+        Ok(word.text.trim_matches('"').to_owned())
+    }
+
+    /// An attribute's or a uniform's name.
+    fn variable(&self, at: usize) -> Result<String, Problem> {
+        let word = self.word(at)?;
+        let bare = word.text.trim_matches('"');
+        // GLSL's names, with members and elements.
+        let fits = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '.' | '[' | ']');
+        if bare.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
+            && bare.len() <= 128
+            && bare.chars().all(fits)
+        {
+            return Ok(bare.to_owned());
+        }
+        let help = "write the name that it has in the shader; its location is looked up";
+        Err(Problem::at(word, format!("`{}` names no variable of a shader", shown(word.text)), help))
+    }
+
+    fn whole(&self, at: usize) -> Result<i32, Problem> {
+        let word = self.word(at)?;
+        word.text.parse().map_err(|_| {
+            let big = word.text.parse::<i128>().is_ok();
+            let message = match big {
+                true => format!("`{}` is too large", shown(word.text)),
+                false => format!("`{}` is no whole number", shown(word.text)),
+            };
+            Problem::at(word, message, "write a whole number such as 32")
+        })
+    }
+
+    fn float(&self, at: usize) -> Result<f32, Problem> {
+        let word = self.word(at)?;
+        let number = word.text.trim_end_matches('f').parse().ok().filter(|number: &f32| number.is_finite());
+        number.ok_or_else(|| {
+            Problem::at(word, format!("`{}` is no number", shown(word.text)), "write a number such as 0.5")
+        })
+    }
+
+    fn truth(&self, at: usize) -> Result<bool, Problem> {
+        let word = self.word(at)?;
+        match word.text {
+            "TRUE" => Ok(true),
+            "FALSE" => Ok(false),
+            other => Err(Problem::at(word, format!("`{}` is neither TRUE nor FALSE", shown(other)), "write FALSE")),
+        }
+    }
+
+    fn constant(&self, at: usize) -> Result<Constant, Problem> {
+        let word = self.word(at)?;
+        constant(word.text).ok_or_else(|| no_constant(word))
+    }
+
+    /// A number, or a name that stands for one.
+    fn number(&self, at: usize) -> Result<Number, Problem> {
+        let word = self.word(at)?;
+        match self.names.get(word.text) {
+            Some(Named::Number) => return Ok(Number::Variable(word.text.to_owned())),
+            Some(other) => {
+                let message = format!("`{}` is {} and no number", word.text, other.words());
+                return Err(Problem::at(word, message, "give the name that a call returned its number to"));
+            }
+            None => {}
+        }
+        if is_name(word.text) {
+            let numbers = self.names.iter().filter(|(_, named)| **named == Named::Number);
+            let mut known: Vec<&str> = numbers.map(|(name, _)| name.as_str()).collect();
+            known.sort_unstable();
+            let help = match nearest(word.text, known) {
+                Some(known) => format!("did you mean `{known}`?"),
+                None => format!("a line `{} = ...` must come before", shown(word.text)),
+            };
+            return Err(Problem::at(word, format!("there is no `{}` yet", shown(word.text)), help));
+        }
+        Ok(Number::Literal(self.whole(at)?))
+    }
+
+    /// A constant, or a number in its place.
+    fn selector(&self, at: usize) -> Result<Selector, Problem> {
+        let word = self.word(at)?;
+        if let Some(constant) = constant(word.text) {
+            return Ok(Selector::Constant(constant));
+        }
+        if word.text.starts_with(|c: char| c.is_ascii_digit() || c == '-') || self.names.contains_key(word.text) {
+            return Ok(Selector::Number(self.number(at)?));
+        }
+        Err(no_constant(word))
+    }
+
+    fn named(&self, at: usize, wanted: Named, how: &str) -> Result<String, Problem> {
+        let word = self.word(at)?;
+        match self.names.get(word.text) {
+            Some(named) if *named == wanted => Ok(word.text.to_owned()),
+            Some(named) => {
+                let message = format!("`{}` is {} and not {}", word.text, named.words(), wanted.words());
+                Err(Problem::at(word, message, format!("make one with `{how}`")))
+            }
+            None => {
+                let mut known: Vec<&str> = self.names.iter().filter(|n| *n.1 == wanted).map(|n| n.0.as_str()).collect();
+                known.sort_unstable();
+                let help = match nearest(word.text, known) {
+                    Some(known) => format!("did you mean `{known}`?"),
+                    None => format!("make it before, with `{how}`"),
+                };
+                Err(Problem::at(word, format!("there is no `{}` yet", shown(word.text)), help))
+            }
+        }
+    }
+
+    /// Bits, joined by blanks or `|`.
+    fn bits(&self) -> Result<Vec<Constant>, Problem> {
+        let mut bits = Vec::new();
+        for word in self.given {
+            for part in word.text.split('|').filter(|part| !part.is_empty()) {
+                bits.push(constant(part).ok_or_else(|| no_constant(Word { text: part, column: word.column }))?);
+            }
+        }
+        Ok(bits)
+    }
+}
+
+fn no_constant(word: Word<'_>) -> Problem {
+    let bare = word.text.trim_start_matches("GL_").trim_end_matches([',', ')', ';']);
+    let help = if bare != word.text && constant(bare).is_some() {
+        format!("write `{bare}`, without GL_, commas and brackets")
+    } else {
+        match nearest(bare, CONSTANTS.iter().map(|constant| constant.name)) {
+            Some(known) => format!("did you mean `{known}`?"),
+            None => "constants are written in capitals, without GL_".to_owned(),
+        }
+    };
+    Problem::at(word, format!("there is no constant `{}`", shown(word.text)), help)
+}

@@ -1,0 +1,305 @@
+//! Files that are given to an exercise while it is worked on: what each is for, and which others make way for it.
+
+use crate::buffers;
+use crate::cubemap;
+use crate::exercise::{Exercise, Kind};
+use crate::gl_program::HostProgram;
+use gonio_check::submission::{self, Holds, SourceFile};
+use gonio_mesh::Format;
+
+/// What a file is for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Use {
+    /// It holds a vertex shader.
+    pub vertex: bool,
+    /// It holds a fragment shader.
+    pub fragment: bool,
+    /// It says what names mean: `names.toml`.
+    pub names: bool,
+    /// It is a vertex buffer.
+    pub buffer: bool,
+    /// It is a host program.
+    pub host_program: bool,
+    /// It is a picture: a face, or several.
+    pub picture: bool,
+}
+
+/// What came of files that were given.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Handed {
+    /// Those that the exercise can do something with, by their numbers among what was given, and what each is for.
+    pub taken: Vec<(usize, Use)>,
+    /// What was left aside, and why: one sentence. There is one where nothing was taken.
+    pub aside: Option<String>,
+}
+
+/// Most files that a sentence names.
+const MOST_NAMED: usize = 3;
+
+/// Whether a file is, by its content, something that the exercise can be answered with: a shader, a vertex buffer, a host
+/// program, a picture of a face.
+pub fn is_answer(exercise: &Exercise, file: &SourceFile) -> bool {
+    let Ok(Some(found)) = used(exercise, file) else { return false };
+    match exercise.kind {
+        // Any text could be meant as one: it counts where most of it can be read.
+        Kind::HostProgram => found.host_program && is_host_program(file),
+        Kind::Buffers => found.buffer && buffers::read_buffer(&file.name, &file.bytes).is_ok(),
+        Kind::Shaders | Kind::Faces => found.vertex || found.fragment || found.picture,
+    }
+}
+
+/// Whether these files answer the exercise by themselves: both stages of a program, or one file of another kind.
+pub fn is_complete(exercise: &Exercise, files: &[SourceFile]) -> bool {
+    let of_files = files.iter().filter(|file| is_answer(exercise, file));
+    let all = of_files.filter_map(|file| used(exercise, file).ok()?).fold(Use::default(), Use::with);
+    all.vertex && all.fragment || all.buffer || all.host_program || all.picture
+}
+
+fn is_host_program(file: &SourceFile) -> bool {
+    let lines = file.bytes.split(|byte| *byte == b'\n').filter(|line| !line.trim_ascii().is_empty()).count();
+    HostProgram::parse_bytes(&file.bytes, &file.name).map_or_else(|errors| 2 * errors.len() < lines, |_| true)
+}
+
+/// Tells what these files are for. What is handed out with the exercise and is no answer is left aside without a word, as
+/// long as there is anything else.
+pub fn handed(exercise: &Exercise, files: &[SourceFile]) -> Handed {
+    let mut handed = Handed::default();
+    let mut aside: Vec<(&str, String)> = Vec::new();
+    for (index, file) in files.iter().enumerate() {
+        match used(exercise, file) {
+            Ok(Some(of_file)) => handed.taken.push((index, of_file)),
+            Ok(None) => {}
+            Err(why) => aside.push((base(&file.name), why)),
+        }
+    }
+    handed.aside = match aside.as_slice() {
+        [] if handed.taken.is_empty() => {
+            Some(format!("nothing of it is an answer: {} reads {}", exercise.id, what_it_reads(exercise.kind)))
+        }
+        [] => None,
+        [(_, why)] => Some(why.clone()),
+        several => {
+            let named: Vec<&str> = several.iter().take(MOST_NAMED).map(|(name, _)| *name).collect();
+            let more = match several.len().saturating_sub(MOST_NAMED) {
+                0 => String::new(),
+                more => format!(" and {more} more"),
+            };
+            let reads = what_it_reads(exercise.kind);
+            Some(format!("left aside: {}{more}; {} reads {reads}", named.join(", "), exercise.id))
+        }
+    };
+    handed
+}
+
+/// Whether a file that is open makes way for these: they are for the same, or one is called the same.
+pub fn makes_way(exercise: &Exercise, open: &SourceFile, taken: &[(&SourceFile, Use)], all: &[&str]) -> bool {
+    if taken.iter().any(|(file, _)| base(&file.name) == base(&open.name)) {
+        return true;
+    }
+    let Ok(Some(old)) = used(exercise, open) else { return false };
+    // A face that is called as one of those that are open is that face, mended; others are another answer.
+    let is_open = |file: &SourceFile| all.iter().any(|name| base(name) == base(&file.name));
+    let other_pictures = taken.iter().any(|(file, new)| new.picture && !is_open(file));
+    let new = taken.iter().fold(Use::default(), |all, (_, new)| all.with(*new));
+    let (old_shader, new_shader) = (old.vertex || old.fragment, new.vertex || new.fragment);
+    (old.vertex && new.vertex)
+        || (old.fragment && new.fragment)
+        || (old.names && new.names)
+        || (old.buffer && new.buffer)
+        || (old_shader && new.picture)
+        || (old.picture && (new_shader || other_pictures))
+}
+
+impl Use {
+    fn with(self, other: Use) -> Use {
+        Use {
+            vertex: self.vertex || other.vertex,
+            fragment: self.fragment || other.fragment,
+            names: self.names || other.names,
+            buffer: self.buffer || other.buffer,
+            host_program: self.host_program || other.host_program,
+            picture: self.picture || other.picture,
+        }
+    }
+}
+
+/// What one file is for; nothing where it was handed out and is no answer. An error is one sentence.
+fn used(exercise: &Exercise, file: &SourceFile) -> Result<Option<Use>, String> {
+    let name = base(&file.name);
+    let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending).to_ascii_lowercase();
+    if is_handed_out(exercise, file) {
+        return Ok(None);
+    }
+    let is_model = |format: &Format| format.extension() == ending;
+    if Format::ALL.iter().any(is_model) || (ending == "toml" && !name.eq_ignore_ascii_case("names.toml")) {
+        let what = if ending == "toml" { "a scene" } else { "a model" };
+        return Err(format!("{name} is {what}: leave the laboratory by the arrow at its top left, and open it there"));
+    }
+    let is_buffer = || buffers::ENDINGS.iter().any(|known| known.strip_prefix('.') == Some(ending.as_str()));
+    let found = match exercise.kind {
+        Kind::Buffers if is_buffer() => Some(Use { buffer: true, ..Use::default() }),
+        // The program that wrote it, in any language.
+        Kind::Buffers if is_text(file) => Some(Use::default()),
+        Kind::HostProgram if ending == "txt" && is_text(file) => Some(Use { host_program: true, ..Use::default() }),
+        Kind::Faces if cubemap::is_picture(file) => Some(Use { picture: true, ..Use::default() }),
+        Kind::Shaders | Kind::Faces => match submission::holds(file).map_err(|error| error.to_string())? {
+            Holds { vertex: false, fragment: false, names: false } => None,
+            Holds { vertex, fragment, names } => Some(Use { vertex, fragment, names, ..Use::default() }),
+        },
+        Kind::Buffers | Kind::HostProgram => None,
+    };
+    found.map(Some).ok_or_else(|| {
+        let reads = what_it_reads(exercise.kind);
+        match exercise.kind {
+            Kind::Shaders | Kind::Faces if is_text(file) => {
+                format!("there is no shader in {name}: {} reads {reads}", exercise.id)
+            }
+            _ => format!("{name} is nothing that {} reads: it reads {reads}", exercise.id),
+        }
+    })
+}
+
+/// What an exercise reads, in words.
+fn what_it_reads(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Shaders => {
+            "a vertex and a fragment shader, in files of any names or as strings of a program, and names.toml"
+        }
+        Kind::Faces => "a vertex and a fragment shader, or six faces as pictures",
+        Kind::Buffers => "a vertex buffer (.csv, .tsv, .json, or raw floats as .bin, .raw or .f32)",
+        Kind::HostProgram => "host programs (.txt)",
+    }
+}
+
+/// Whether it came with the exercise and cannot be an answer.
+fn is_handed_out(exercise: &Exercise, file: &SourceFile) -> bool {
+    let name = base(&file.name);
+    let is_paper = |name: &str| [".md", ".svg", ".obj"].iter().any(|end| name.ends_with(end));
+    let has = |known: &str| is_paper(known) && base(known) == name;
+    name == crate::GOAL
+        || exercise.start_files().any(|(known, _)| has(known))
+        || exercise.pictures().any(|(_, bytes)| file.bytes == bytes)
+        || (exercise.kind == Kind::HostProgram && exercise.start_files().any(|(known, _)| known == name))
+}
+
+fn is_text(file: &SourceFile) -> bool {
+    std::str::from_utf8(&file.bytes).is_ok_and(|text| !text.contains('\0'))
+}
+
+/// The name without its folders.
+fn base(name: &str) -> &str {
+    name.rsplit(['/', '\\']).next().unwrap_or(name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exercise;
+
+    const VERTEX: &str = "#version 330 core\nin vec3 position;\nvoid main() { gl_Position = vec4(position, 1.0); }\n";
+    const FRAGMENT: &str = "#version 330 core\nout vec4 FragColor;\nvoid main() { FragColor = vec4(1.0); }\n";
+    const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
+
+    fn file(name: &str, bytes: impl AsRef<[u8]>) -> SourceFile {
+        SourceFile::new(name, bytes.as_ref())
+    }
+
+    /// The letters of what a file is for: v, f, n, b, h, p; `-` for text beside, nothing for a file that is handed out.
+    fn letters(exercise: &str, name: &str, bytes: impl AsRef<[u8]>) -> String {
+        let exercise = exercise::find(exercise).unwrap();
+        match used(exercise, &file(name, bytes)) {
+            Ok(Some(Use::NOTHING)) => "-".into(),
+            Ok(Some(u)) => [u.vertex, u.fragment, u.names, u.buffer, u.host_program, u.picture]
+                .iter()
+                .zip("vfnbhp".chars())
+                .filter_map(|(is, letter)| is.then_some(letter))
+                .collect(),
+            Ok(None) => String::new(),
+            Err(why) => why,
+        }
+    }
+
+    impl Use {
+        const NOTHING: Use =
+            Use { vertex: false, fragment: false, names: false, buffer: false, host_program: false, picture: false };
+    }
+
+    #[test]
+    fn the_kind_of_a_file_decides_what_it_is_for() {
+        let cpp = format!("const char* v = R\"({VERTEX})\";\nconst char* f = R\"({FRAGMENT})\";\n");
+        for (exercise, name, bytes, wanted) in [
+            ("ex04", "my light.txt", VERTEX.as_bytes(), "v"),
+            ("ex04", "a/b/light", FRAGMENT.as_bytes(), "f"),
+            // It does not compile, and its name says what it is to be.
+            ("ex04", "light.frag", b"void", "f"),
+            ("ex04", "main.cpp", cpp.as_bytes(), "vf"),
+            ("ex04", "names.toml", b"[uniforms]\n", "n"),
+            ("ex04", "mine/text.md", b"# Phong", ""),
+            ("ex04", "goal.png", PNG, ""),
+            ("s1", "posx.png", PNG, "p"),
+            ("s1", "start.vert", VERTEX.as_bytes(), "v"),
+            ("ex02", "cube.csv", b"0,0,0\n", "b"),
+            ("ex02", "cube.bin", b"\0\0\0\0", "b"),
+            ("ex02", "reader.lua", b"print(1)", "-"),
+            ("ex02", "models/cube.obj", b"v 0 0 0", ""),
+            ("ex11", "mine.txt", b"glDrawArrays", "h"),
+            ("ex11", "start.vert", VERTEX.as_bytes(), ""),
+        ] {
+            assert_eq!(letters(exercise, name, bytes), wanted, "{exercise}: {name}");
+        }
+    }
+
+    #[test]
+    fn what_is_nothing_for_the_exercise_is_one_sentence() {
+        for (exercise, name, bytes, wanted) in [
+            ("ex04", "notes.txt", &b"to do"[..], "there is no shader in notes.txt: ex04 reads a vertex and"),
+            ("ex04", "photo.png", PNG, "photo.png is nothing that ex04 reads"),
+            ("ex04", "cow.obj", b"v 0 0 0", "cow.obj is a model: leave the laboratory"),
+            ("ex04", "room.toml", b"[camera]", "room.toml is a scene: leave the laboratory"),
+            ("ex04", "light.vert", b"void main\0", "light.vert is not a text file (a zero byte at offset 9)"),
+            ("ex04", "light.frag", b"", "light.frag is empty"),
+            ("ex02", "cube.dat", b"\0\xff", "cube.dat is nothing that ex02 reads: it reads a vertex buffer (.csv"),
+            ("ex11", "mine.c", b"glDrawArrays", "mine.c is nothing that ex11 reads: it reads host programs (.txt)"),
+            ("s1", "movie.mp4", b"\0\0", "movie.mp4 is nothing that s1 reads"),
+        ] {
+            let said = letters(exercise, name, bytes);
+            assert!(said.starts_with(wanted), "{exercise}: {name}: {said}");
+        }
+        let ex04 = exercise::find("ex04").unwrap();
+        let many: Vec<SourceFile> = (0..5).map(|n| file(&format!("{n}.txt"), "words")).collect();
+        let aside = handed(ex04, &many).aside.unwrap();
+        assert!(aside.starts_with("left aside: 0.txt, 1.txt, 2.txt and 2 more; ex04 reads"), "{aside}");
+        let paper = handed(ex04, &[file("text.md", "# Phong")]);
+        assert!(paper.taken.is_empty() && paper.aside.unwrap().starts_with("nothing of it is an answer"));
+        let both = handed(ex04, &[file("text.md", "# Phong"), file("a.vert", VERTEX)]);
+        assert_eq!((both.taken.len(), both.aside), (1, None));
+    }
+
+    #[test]
+    fn what_is_for_the_same_makes_way_and_the_rest_stays() {
+        let left = |id: &str, open: &[SourceFile], given: &[SourceFile]| -> Vec<String> {
+            let exercise = exercise::find(id).unwrap();
+            let taken: Vec<(&SourceFile, Use)> =
+                handed(exercise, given).taken.iter().map(|(index, of)| (&given[*index], *of)).collect();
+            let all: Vec<&str> = open.iter().map(|file| file.name.as_str()).collect();
+            let stays = |open: &&SourceFile| !makes_way(exercise, open, &taken, &all);
+            open.iter().filter(stays).map(|file| file.name.clone()).collect()
+        };
+        let pair = [file("text.md", "#"), file("start.vert", VERTEX), file("start.frag", FRAGMENT)];
+        assert_eq!(left("ex04", &pair, &[file("mine", FRAGMENT)]), ["text.md", "start.vert"]);
+        assert_eq!(left("ex04", &pair, &[file("a", FRAGMENT), file("b", VERTEX)]), ["text.md"]);
+        assert_eq!(left("ex04", &pair, &[file("names.toml", "")]).len(), 3, "an empty one is refused");
+        assert_eq!(left("ex04", &pair, &[file("names.toml", "[uniforms]")]).len(), 3);
+        // Pictures and shaders are two ways to answer; a single face is that face, mended.
+        assert_eq!(left("s1", &pair, &[file("posx.png", PNG)]), ["text.md"]);
+        let faces = ["posx.png", "negx.png"].map(|name| file(name, PNG));
+        assert_eq!(left("s1", &faces, &[file("new/posx.png", PNG)]), ["negx.png"]);
+        assert_eq!(left("s1", &faces, &[file("cross.png", PNG)]), [""; 0]);
+        assert_eq!(left("s1", &faces, &[file("a.frag", FRAGMENT)]), [""; 0]);
+        // One buffer is checked at a time; of host programs there are many.
+        let buffers = [file("start/obj_reader.py", "print()"), file("cube.csv", "1")];
+        assert_eq!(left("ex02", &buffers, &[file("gem.json", "[]")]), ["start/obj_reader.py"]);
+        let programs = [file("host/one.txt", "gl"), file("host/two.txt", "gl")];
+        assert_eq!(left("ex11", &programs, &[file("two.txt", "gl"), file("three.txt", "gl")]), ["host/one.txt"]);
+    }
+}

@@ -1,0 +1,156 @@
+//! From files to a program, again and again while they are being written.
+
+use crate::exercise::Exercise;
+use gonio_check::compile::{self, ParsedStage};
+use gonio_check::roles::{self, Bindings, NamesError, NamesFile};
+use gonio_check::search::declared;
+use gonio_check::submission::{SourceFile, Submission};
+use gonio_check::verdict::CompilerMessage;
+use gonio_gl::Gl;
+use gonio_glsl::{Class, Severity, Stage, Target};
+use gonio_render::user_program::{UserProgram, is_embedded};
+
+/// How much there is to say of a line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum NoteKind {
+    /// Other compilers may refuse it.
+    Warning,
+    /// It does not compile.
+    Error,
+}
+
+/// What there is to say of a line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Note {
+    /// How bad it is.
+    pub kind: NoteKind,
+    /// What is said, and where.
+    pub message: CompilerMessage,
+}
+
+/// A pair of shaders among a student's files, read but not compiled.
+#[derive(Clone, Debug)]
+pub struct Source {
+    submission: Submission,
+    names: NamesFile,
+}
+
+/// A pair of shaders that runs.
+pub struct Pair {
+    /// The program.
+    pub program: UserProgram,
+    /// What its variables mean.
+    pub bindings: Bindings,
+    /// What other compilers may refuse, by file and line.
+    pub notes: Vec<Note>,
+    /// What was guessed, mended or left aside, and what of `names.toml` nobody asked for: a sentence each.
+    pub warnings: Vec<String>,
+}
+
+/// Texts beyond this many bytes are no shaders that a person wrote.
+const LONG: usize = 200_000;
+/// Numbers beyond this are no sizes of arrays that a person wrote.
+const LARGE: u64 = 4096;
+/// Macros beyond this many may be made to explode.
+const MANY_MACROS: usize = 16;
+
+impl Source {
+    /// Finds the pair. An error is one sentence.
+    pub fn gather(exercise: &Exercise, files: Vec<SourceFile>) -> Result<Self, String> {
+        let is_text = |name: &str| [".md", ".svg", ".obj"].iter().any(|end| name.ends_with(end));
+        let files = files.into_iter().filter(|file| !is_text(&file.name)).collect();
+        let submission =
+            Submission::gather_with(files, None, &[exercise.id.as_str()]).map_err(|error| error.to_string())?;
+        let names = submission.names.as_deref().map(NamesFile::parse).transpose();
+        let names = names.map_err(|error: NamesError| error.to_string())?.unwrap_or_default();
+        Ok(Source { submission, names })
+    }
+
+    /// Whether a driver that compiles or draws it here and now may never come back: there are loops, or what is large. Such
+    /// a pair is tried elsewhere first.
+    pub fn is_risky(&self) -> bool {
+        [&self.submission.vertex.text, &self.submission.fragment.text].into_iter().any(|text| is_risky(text))
+    }
+
+    /// Compiles. What is wrong comes back by file and line; there is at least one sentence then.
+    pub fn compile(&self, gl: &Gl) -> Result<Pair, Vec<Note>> {
+        let target = if is_embedded(gl) { Target::Es300 } else { Target::Core330 };
+        let vertex = ParsedStage::new(&self.submission.vertex, Stage::Vertex, target);
+        let fragment = ParsedStage::new(&self.submission.fragment, Stage::Fragment, target);
+        let program = compile::compile(gl, &vertex, &fragment).map_err(|broken| {
+            let mut messages = compile::compiler_messages(&broken, &vertex, &fragment);
+            if messages.is_empty() {
+                messages.push(CompilerMessage {
+                    file: self.submission.fragment.file.clone(),
+                    line: None,
+                    column: None,
+                    text: broken.to_string(),
+                    quoted: None,
+                    explanation: None,
+                });
+            }
+            messages.into_iter().map(|message| Note { kind: NoteKind::Error, message }).collect::<Vec<_>>()
+        })?;
+        let bindings = roles::bind(&declared(&program), &self.names);
+        let notes = [&vertex, &fragment]
+            .into_iter()
+            .flat_map(|stage| {
+                let strict = stage.problems().filter(|problem| problem.severity != Severity::Hint);
+                strict.map(|problem| Note { kind: NoteKind::Warning, message: stage.message(problem) })
+            })
+            .collect();
+        let unused = bindings.unused.iter().map(|name| format!("names.toml speaks of `{name}`, which is not used"));
+        let warnings = self.submission.warnings.iter().cloned().chain(unused).collect();
+        Ok(Pair { program, bindings, notes, warnings })
+    }
+}
+
+fn is_risky(text: &str) -> bool {
+    if text.len() > LONG {
+        return true;
+    }
+    let mut macros = 0;
+    gonio_glsl::classify(text).iter().any(|part| {
+        let word = text.get(part.start as usize..part.end as usize).unwrap_or_default();
+        match part.class {
+            Class::Keyword => matches!(word, "for" | "while" | "do"),
+            // Loops of a macro's making, sizes of arrays, and macros of macros of macros.
+            Class::Directive => {
+                macros += usize::from(word == "define");
+                matches!(word, "for" | "while" | "do") || macros > MANY_MACROS
+            }
+            Class::Number => word.parse::<u64>().is_ok_and(|number| number > LARGE),
+            _ => false,
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exercise::{self, Kind};
+
+    #[test]
+    fn what_may_never_end_is_told_beforehand() {
+        for (text, risky) in [
+            ("void main() { }", false),
+            ("#define N 4\nvoid main() { int a = 4096; float forward = 1e9; } // for ever", false),
+            ("void main() { for (;;) {} }", true),
+            ("void main() { while(true) {} }", true),
+            ("#define LOOP for(;;)\nvoid main() { LOOP {} }", true),
+            ("float a[100000];", true),
+        ] {
+            assert_eq!(is_risky(text), risky, "{text}");
+        }
+        assert!(is_risky(&"#define A A\n".repeat(20)));
+        assert!(is_risky(&" ".repeat(LONG + 1)));
+    }
+
+    #[test]
+    fn every_reference_of_shaders_is_a_pair_and_none_is_risky() {
+        for exercise in exercise::all().iter().filter(|exercise| exercise.kind == Kind::Shaders) {
+            let source = crate::preview::reference(exercise).unwrap_or_else(|why| panic!("{}: {why}", exercise.id));
+            assert!(!source.is_risky(), "{}", exercise.id);
+        }
+    }
+}

@@ -1,0 +1,211 @@
+//! What programs are drawn with, but for themselves: meshes, the sky, a white texture.
+
+use super::{Body, Pair, Scene};
+use gonio_check::roles::{Bound, Kind, Role};
+use gonio_check::testbench::{CUBEMAP_UNIT, Situation, WHITE_UNIT, numbers_of_array, samplers, sky, stream_of, unit};
+use gonio_gl::{Gl, GlError};
+use gonio_render::user_program::{FloatTexture, Stream, StreamMesh};
+use std::cell::RefCell;
+use std::rc::Rc;
+
+/// What an attribute or a uniform of a program was taken for, and what it holds.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Given {
+    /// OpenGL's name for it.
+    pub name: String,
+    /// As GLSL writes it.
+    pub glsl_type: String,
+    /// What it was taken for, and what told so; `None` where nothing fits.
+    pub role: Option<(String, String)>,
+    /// What it holds, for people.
+    pub value: String,
+}
+
+/// Meshes and textures on the GPU.
+pub struct LiveStage {
+    gl: Gl,
+    meshes: RefCell<[Option<Rc<StreamMesh>>; Body::ALL.len()]>,
+    cubemap: FloatTexture,
+    white: FloatTexture,
+}
+
+impl LiveStage {
+    /// In this context, which is current.
+    pub fn new(gl: &Gl) -> Result<Self, GlError> {
+        Ok(LiveStage {
+            gl: gl.clone(),
+            meshes: RefCell::default(),
+            cubemap: FloatTexture::cube(gl, sky::SIDE, &sky::faces(), "the laboratory's sky")?,
+            white: FloatTexture::flat(gl, [1, 1], &[[1.0; 4]], "white")?,
+        })
+    }
+
+    /// Makes what a scene needs on the GPU, before anything is drawn of it.
+    pub fn prepare(&self, scene: &Scene) -> Result<(), GlError> {
+        scene.parts.iter().map(|part| part.body).chain([Body::Cube]).try_for_each(|body| self.mesh(body).map(drop))
+    }
+
+    fn mesh(&self, body: Body) -> Result<Rc<StreamMesh>, GlError> {
+        if let Some(mesh) = &self.meshes.borrow()[body.index()] {
+            return Ok(mesh.clone());
+        }
+        let mesh = body.mesh();
+        let stream = |name, components, numbers| Stream { name, components, numbers };
+        let streams = [
+            stream("position", 3, &mesh.positions[..]),
+            stream("normal", 3, &mesh.normals),
+            stream("tex_coord", 2, &mesh.tex_coords),
+            stream("color", 3, &mesh.colors),
+        ];
+        let made = Rc::new(StreamMesh::new(&self.gl, &streams, &mesh.indices, &format!("{body:?}"))?);
+        self.meshes.borrow_mut()[body.index()] = Some(made.clone());
+        Ok(made)
+    }
+
+    /// Draws a program onto what is bound: each body with what its situation says. Bodies that were not prepared are left out.
+    pub fn draw(&self, pair: &Pair, bodies: &[(Body, Situation)]) {
+        let feed: Vec<(u32, usize)> = of_kind(pair, Kind::Attribute)
+            .filter_map(|b| Some((pair.program.attribute_location(&b.declared.name)?, stream_of(b.role)?)))
+            .collect();
+        self.cubemap.bind(CUBEMAP_UNIT);
+        self.white.bind(WHITE_UNIT);
+        pair.program.bind();
+        for (index, values) in samplers(&pair.program, &pair.bindings) {
+            pair.program.set_index(index, &values);
+        }
+        for fixed in &pair.bindings.fixed {
+            pair.program.set(&fixed.declared.name, &fixed.values);
+        }
+        for (body, situation) in bodies {
+            for bound in of_kind(pair, Kind::Uniform).filter(|bound| unit(&bound.declared.glsl_type).is_none()) {
+                if let Some(values) = held(bound, situation) {
+                    pair.program.set(&bound.declared.name, &values);
+                }
+            }
+            if let Some(mesh) = &self.meshes.borrow()[body.index()] {
+                mesh.draw(&pair.program, &feed);
+            }
+        }
+    }
+}
+
+fn of_kind(pair: &Pair, kind: Kind) -> impl Iterator<Item = &Bound> {
+    pair.bindings.bound.iter().filter(move |bound| bound.declared.kind == kind)
+}
+
+/// A uniform's numbers.
+fn held(bound: &Bound, situation: &Situation) -> Option<Vec<f32>> {
+    let glsl_type = bound.declared.glsl_type.as_str();
+    match unit(glsl_type) {
+        Some(unit) => Some(vec![unit as f32]),
+        None => numbers_of_array(bound.role, glsl_type, bound.declared.array, situation),
+    }
+}
+
+impl Pair {
+    /// Whether there is an attribute that could be the position: without it nothing is seen.
+    pub fn has_position(&self) -> bool {
+        self.bindings.bound.iter().any(|b| b.declared.kind == Kind::Attribute && b.role == Role::Position)
+    }
+
+    /// Every attribute and uniform, what it was taken for and what it holds in a situation.
+    pub fn given(&self, situation: &Situation) -> Vec<Given> {
+        let bound = self.bindings.bound.iter().map(|bound| {
+            let value = match (bound.declared.kind, held(bound, situation)) {
+                (Kind::Attribute, _) if stream_of(bound.role).is_some() => "the mesh's".to_owned(),
+                (Kind::Attribute, _) => "0 0 0 1: the mesh has none".to_owned(),
+                (Kind::Uniform, None) => "0".to_owned(),
+                (Kind::Uniform, Some(values)) => written(&bound.declared.glsl_type, &values),
+            };
+            Given {
+                name: bound.declared.name.clone(),
+                glsl_type: bound.declared.glsl_type.clone(),
+                role: Some((bound.role.to_string(), bound.how.to_string())),
+                value,
+            }
+        });
+        let fixed = self.bindings.fixed.iter().map(|fixed| Given {
+            name: fixed.declared.name.clone(),
+            glsl_type: fixed.declared.glsl_type.clone(),
+            role: Some(("a value".to_owned(), "by names.toml".to_owned())),
+            value: written(&fixed.declared.glsl_type, &fixed.values),
+        });
+        let unknown = self.bindings.unknown.iter().map(|declared| Given {
+            name: declared.name.clone(),
+            glsl_type: declared.glsl_type.clone(),
+            role: None,
+            value: if declared.kind == Kind::Attribute { "0 0 0 1".to_owned() } else { "0".to_owned() },
+        });
+        bound.chain(fixed).chain(unknown).collect()
+    }
+}
+
+/// Numbers as people read them: a matrix by its rows, a sampler by what it looks up.
+fn written(glsl_type: &str, values: &[f32]) -> String {
+    let number = |value: &f32| {
+        let text = format!("{value:.3}");
+        let text = text.trim_end_matches('0').trim_end_matches('.');
+        if text == "-0" { "0".to_owned() } else { text.to_owned() }
+    };
+    let line = |values: Vec<&f32>| values.into_iter().map(number).collect::<Vec<_>>().join("  ");
+    match glsl_type {
+        "samplerCube" => "unit 0: the laboratory's sky".to_owned(),
+        "sampler2D" => "unit 1: white".to_owned(),
+        "mat2" | "mat3" | "mat4" => {
+            let side = glsl_type.bytes().last().map_or(4, |digit| usize::from(digit - b'0'));
+            let row = |row| line(values.iter().skip(row).step_by(side).take(side).collect());
+            (0..side).map(row).collect::<Vec<_>>().join("\n")
+        }
+        _ => {
+            let count = match glsl_type {
+                "vec2" => 2,
+                "vec3" => 3,
+                "float" | "int" | "bool" | "uint" => 1,
+                _ => values.len(),
+            };
+            line(values.iter().take(count).collect())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_written_as_people_read_them() {
+        assert_eq!(written("vec3", &[1.0, -0.0001, 0.25, 1.0]), "1  0  0.25");
+        assert_eq!(written("float", &[32.0]), "32");
+        // By columns in memory, by rows on paper.
+        assert_eq!(written("mat2", &[1.0, 2.0, 3.0, 4.0]), "1  3\n2  4");
+        assert_eq!(written("samplerCube", &[0.0]), "unit 0: the laboratory's sky");
+    }
+
+    #[test]
+    fn samplers_of_two_types_beside_each_other_draw() {
+        use gonio_check::submission::SourceFile;
+        let exercise = crate::exercise::find("ex09").unwrap();
+        let reference = |name: &str| exercise.file(name).unwrap().to_owned();
+        // Nothing is known of the second sampler: were it to read unit 0, which the sky has, no draw would be valid.
+        let fragment = reference("reference.frag")
+            .replace("uniform vec3 u_view_pos;", "uniform sampler2D qqq; uniform vec3 u_view_pos;")
+            .replace("void main() {", "void main() { vec4 leftover = texture(qqq, vec2(0.5)) - 1.0;")
+            .replace("FragColor = ", "FragColor = leftover + ");
+        assert!(fragment.matches("leftover").count() == 2 && fragment.contains("sampler2D qqq"), "{fragment}");
+        let files = [("a.vert", reference("reference.vert")), ("a.frag", fragment)];
+        let files = files.map(|(name, text)| SourceFile::new(name, text)).into();
+        let context = gonio_gl::HeadlessContext::new().unwrap();
+        let gl = context.gl();
+        let pair = crate::preview::Source::gather(exercise, files).unwrap().compile(gl).unwrap();
+        let scene = crate::preview::scenes(exercise).remove(0);
+        let stage = LiveStage::new(gl).unwrap();
+        stage.prepare(&scene).unwrap();
+        let target = gonio_render::user_program::TileTarget::new(gl, 32, 1).unwrap();
+        target.begin();
+        target.select(0);
+        stage.draw(&pair, &scene.situations(&scene.eye, 0.0, [32, 32]));
+        assert_eq!(target.error(), None);
+        let middle = target.read(1)[16 * 32 + 16];
+        assert!(middle.iter().take(3).any(|channel| *channel > 0.05), "{middle:?}");
+    }
+}

@@ -1,0 +1,250 @@
+//! The scenes that an exercise is looked at in: the lab's own, and one that shows what the lab's own hides.
+
+use crate::exercise::Exercise;
+use glam::{Mat4, Quat, Vec3};
+use gonio_check::search::Task;
+use gonio_check::testbench::{Light, Shape, Situation, StageMesh, mesh, scene::LAB_LIGHT};
+
+/// What is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Body {
+    /// A sphere of radius 1 whose triangles are a quarter of its height.
+    ExtremelyCoarse,
+    /// One whose outline still has corners.
+    Coarse,
+    /// One that looks round.
+    Smooth,
+    /// Radii 0.7 and 0.3 around the y axis, smooth.
+    Torus,
+    /// From -1 to 1: a skybox.
+    Cube,
+    /// A small pyramid, its corners in five colours.
+    Pyramid,
+    /// The same within a globe of many colours.
+    Landmarks,
+}
+
+impl Body {
+    /// Every one, by its number in [`Body::index`].
+    pub const ALL: [Body; 7] =
+        [Body::ExtremelyCoarse, Body::Coarse, Body::Smooth, Body::Torus, Body::Cube, Body::Pyramid, Body::Landmarks];
+
+    /// Its place in [`Body::ALL`].
+    pub fn index(self) -> usize {
+        self as usize
+    }
+
+    /// Its vertices and triangles.
+    pub fn mesh(self) -> StageMesh {
+        match self {
+            Body::ExtremelyCoarse => mesh::sphere(8, 5),
+            Body::Coarse => mesh::sphere(20, 12),
+            Body::Smooth => mesh::sphere(72, 48),
+            Body::Torus => mesh::torus(96, 48),
+            Body::Cube => Shape::Cube.mesh(),
+            Body::Pyramid => Shape::Pyramid.mesh(),
+            Body::Landmarks => Shape::Landmarks.mesh(),
+        }
+    }
+}
+
+/// Where one looks from. In the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Eye {
+    /// The camera.
+    pub position: Vec3,
+    /// What it looks at.
+    pub target: Vec3,
+    /// Which way is up in the picture.
+    pub up: Vec3,
+    /// Radians: what is seen along the picture's shorter side.
+    pub fov_rad: f32,
+}
+
+/// One of a scene's objects.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Part {
+    /// What it is.
+    pub body: Body,
+    /// M.
+    pub world_from_model: Mat4,
+}
+
+/// Objects, a light and where one looks from first.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// A word or two, for people.
+    pub name: &'static str,
+    /// What it shows, a sentence.
+    pub shows: &'static str,
+    /// The objects.
+    pub parts: Vec<Part>,
+    /// The light at time 0, without what it swings.
+    pub light: Light,
+    /// The lamp's place is moved by this times sin(now), as the lab's is in exercise 07.
+    pub swing: Vec3,
+    /// The first one.
+    pub eye: Eye,
+    /// Whether the sky is seen behind the objects.
+    pub has_sky: bool,
+    /// Whether the camera stands still and turns its head, as under a sky.
+    pub looks_around: bool,
+}
+
+impl Scene {
+    /// What a program is given for each object, seen from `eye` at `time` (seconds) in a picture of `width` by `height`
+    /// pixels. The matrices are those of a square picture, as wide as the longer side.
+    pub fn situations(&self, eye: &Eye, time: f32, size: [u32; 2]) -> Vec<(Body, Situation)> {
+        let [width, height] = size.map(|side| side.max(1) as f32);
+        let longer = (width / height).max(height / width);
+        let fov_y_rad = 2.0 * ((0.5 * eye.fov_rad).tan() * longer).atan();
+        let light = Light { position: self.light.position + self.swing * time.sin(), ..self.light };
+        let situation = |part: &Part| Situation {
+            name: self.name.to_owned(),
+            shows: self.shows,
+            shape: Shape::Sphere,
+            world_from_model: part.world_from_model,
+            eye: eye.position,
+            target: eye.target,
+            up: eye.up,
+            fov_y_rad,
+            light,
+            other: None,
+            material: Vec3::new(0.5, 0.6, 0.8),
+            shininess: 32.0,
+            refraction_index: 1.52,
+            time,
+        };
+        self.parts.iter().map(|part| (part.body, situation(part))).collect()
+    }
+}
+
+/// The lab's scene of an exercise first; at least one.
+pub fn scenes(exercise: &Exercise) -> Vec<Scene> {
+    match exercise.id.as_str() {
+        "ex01" => vec![pyramid(), landmarks()],
+        "ex08" => vec![sky()],
+        "ex09" | "ex10" => vec![mirrored(Body::Smooth), mirrored(Body::Torus)],
+        id => {
+            let task = Task::of(id);
+            let attenuation =
+                if task.is_some_and(|task| task.attenuated) { LAB_LIGHT.attenuation } else { [1.0, 0.0, 0.0] };
+            let light = Light {
+                position: task.map_or(LAB_LIGHT.position, |task| task.light_position),
+                attenuation,
+                ..LAB_LIGHT
+            };
+            let lab = if id == "ex07" { one_sphere(light) } else { three_spheres(light) };
+            vec![lab, stretched(Light { attenuation, ..LAB_LIGHT })]
+        }
+    }
+}
+
+fn eye(position: [f32; 3], target: [f32; 3], fov_deg: f32) -> Eye {
+    Eye { position: position.into(), target: target.into(), up: Vec3::Y, fov_rad: fov_deg.to_radians() }
+}
+
+fn scene(name: &'static str, shows: &'static str, parts: Vec<Part>, light: Light, eye: Eye) -> Scene {
+    Scene { name, shows, parts, light, swing: Vec3::ZERO, eye, has_sky: false, looks_around: false }
+}
+
+/// Exercise 01's: the camera stands before it and looks straight ahead.
+fn pyramid() -> Scene {
+    let parts = vec![Part { body: Body::Pyramid, world_from_model: Mat4::IDENTITY }];
+    let shows = "the lab's own: a pyramid at the origin";
+    scene("the lab's", shows, parts, LAB_LIGHT, eye([0.0, 0.0, 2.0], [0.0; 3], LAB_FOV_DEG))
+}
+
+/// What a pyramid at the origin and a camera that does not turn hide.
+fn landmarks() -> Scene {
+    let turn = Quat::from_euler(glam::EulerRot::YXZ, 25f32.to_radians(), 40f32.to_radians(), 15f32.to_radians());
+    let model = Mat4::from_scale_rotation_translation(Vec3::new(0.8, 1.1, 0.6), turn, Vec3::new(0.3, -0.2, -0.4));
+    let parts = vec![Part { body: Body::Landmarks, world_from_model: model }];
+    let shows = "the pyramid turned and moved within a globe of many colours, seen by a camera that is turned too";
+    scene("turned", shows, parts, LAB_LIGHT, eye([1.1, 0.7, 1.0], [0.2, -0.1, -0.4], LAB_FOV_DEG))
+}
+
+/// What the lab's 45 radians come to, degrees.
+const LAB_FOV_DEG: f32 = 58.3;
+
+/// Exercise 07's.
+fn one_sphere(light: Light) -> Scene {
+    let model = Mat4::from_translation(Vec3::new(0.0, 0.0, -2.0)) * Mat4::from_scale(Vec3::splat(0.5));
+    let parts = vec![Part { body: Body::Smooth, world_from_model: model }];
+    let eye = eye([0.0, 0.0, 0.0], [0.0, 0.0, -2.0], 38.0);
+    let shows = "the lab's own: a sphere at half its size, and a lamp that swings";
+    Scene { swing: Vec3::new(0.0, 0.0, 2.0), ..scene("the lab's", shows, parts, light, eye) }
+}
+
+/// That of exercises 03 to 06.
+fn three_spheres(light: Light) -> Scene {
+    let part = |body, x: f32| {
+        let model = Mat4::from_translation(Vec3::new(x, 0.0, -2.0)) * Mat4::from_scale(Vec3::splat(0.5));
+        Part { body, world_from_model: model }
+    };
+    let parts = vec![part(Body::ExtremelyCoarse, -1.15), part(Body::Coarse, 0.0), part(Body::Smooth, 1.15)];
+    let shows = "the lab's own: a sphere of few triangles, one of more, one of many";
+    scene("the lab's", shows, parts, light, eye([0.0, 0.35, 2.2], [0.0, 0.0, -2.0], 52.0))
+}
+
+/// What a model that is scaled evenly and not turned hides.
+fn stretched(light: Light) -> Scene {
+    let turn = Quat::from_euler(glam::EulerRot::YXZ, 50f32.to_radians(), 35f32.to_radians(), 20f32.to_radians());
+    let scale = Vec3::new(0.6, 1.2, 0.3);
+    let model = Mat4::from_scale_rotation_translation(scale, turn, Vec3::new(0.4, -0.3, -0.6));
+    let parts = vec![Part { body: Body::Torus, world_from_model: model }];
+    let light = Light { position: Vec3::new(1.6, 2.2, 1.2), ..light };
+    let shows = "a ring that is stretched, turned and moved: normals by M, and matrices in the wrong order, show here";
+    scene("stretched", shows, parts, light, eye([1.9, 1.1, 2.0], [0.4, -0.3, -0.6], 34.0))
+}
+
+/// A body that shows the sky around it.
+fn mirrored(body: Body) -> Scene {
+    let turn = Quat::from_euler(glam::EulerRot::YXZ, 0.5, 0.9, 0.0);
+    let (name, shows) = match body {
+        Body::Torus => ("a ring", "a ring, stretched and turned: its normals are nothing like its positions"),
+        _ => ("a sphere", "a smooth sphere under the lab's sky"),
+    };
+    let model = match body {
+        Body::Torus => Mat4::from_scale_rotation_translation(Vec3::new(1.0, 1.3, 0.8), turn, Vec3::ZERO),
+        _ => Mat4::IDENTITY,
+    };
+    let parts = vec![Part { body, world_from_model: model }];
+    Scene { has_sky: true, ..scene(name, shows, parts, LAB_LIGHT, eye([0.0, 0.6, 3.6], [0.0; 3], 46.0)) }
+}
+
+/// From within a cube.
+fn sky() -> Scene {
+    let parts = vec![Part { body: Body::Cube, world_from_model: Mat4::IDENTITY }];
+    let shows = "the sky, from a camera that stands away from the origin: a sky that comes nearer with it is wrong";
+    let eye = eye([0.3, 0.2, 0.4], [0.3, 0.3, -1.0], 68.0);
+    Scene { looks_around: true, ..scene("the sky", shows, parts, LAB_LIGHT, eye) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exercise;
+
+    #[test]
+    fn a_picture_of_any_shape_shows_all_that_a_square_one_does() {
+        let exercise = exercise::find("ex04").unwrap();
+        let scene = &scenes(exercise)[0];
+        let seen = |size| {
+            let (_, situation) = scene.situations(&scene.eye, 0.0, size).remove(0);
+            (0.5 * situation.fov_y_rad).tan()
+        };
+        let square = seen([100, 100]);
+        for (size, times) in [([200, 100], 2.0), ([100, 300], 3.0)] {
+            assert!((seen(size) / square - times).abs() < 1e-4, "{size:?}");
+        }
+    }
+
+    #[test]
+    fn the_lamp_of_exercise_07_swings_as_its_text_says() {
+        let scene = &scenes(exercise::find("ex07").unwrap())[0];
+        let at = |time: f32| scene.situations(&scene.eye, time, [10, 10])[0].1.light.position;
+        assert_eq!(at(0.0), Vec3::new(1.0, 2.0, 1.5));
+        assert!((at(std::f32::consts::FRAC_PI_2) - Vec3::new(1.0, 2.0, 3.5)).length() < 1e-5);
+    }
+}

@@ -1,0 +1,160 @@
+//! Results for the graders of courses: Gradescope, and CodeRunner in Moodle.
+
+use super::html::{messages_html, mistakes_html, notes_html, verdict_html};
+use super::text::{line, percent, place, plain, unit, words};
+use gonio_check::verdict::{Outcome, SceneVerdict, TermState, Verdict};
+use serde_json::{Value, json};
+
+/// What Gradescope reads from `results.json`.
+///
+/// Used: `score`, which is the verdict's share of `max_score` (not below 0; no number is 0), and stands above the tests' sum;
+/// `output` as `text`, so that nothing in it is taken for markup; `test_output_format`; `visibility` and `stdout_visibility`;
+/// `tests` with `name`, `status`, `score`, `max_score`, `output` and `visibility`: the verdict, the terms and the scenes. The
+/// scenes share `max_score` out evenly; without scenes it belongs to the verdict. Terms have a status and no points, and those
+/// that cannot be looked at alone not even that.
+pub fn gradescope(verdict: &Verdict, max_score: f64) -> String {
+    let max_score = if max_score.is_finite() { max_score.max(0.0) } else { 0.0 };
+    let points = |share: f64| {
+        let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 };
+        (share * max_score * 1e6).round() / 1e6
+    };
+    let mut tests = vec![whole(verdict)];
+    if verdict.scenes.is_empty() {
+        tests[0]["score"] = json!(points(verdict.score));
+        tests[0]["max_score"] = json!(max_score);
+    }
+    for term in &verdict.terms {
+        let mut test = json!({
+            "name": format!("{} term", line(&term.term)),
+            "output": term_words(term.state),
+            "visibility": "visible",
+        });
+        if let Some(right) = is_right(term.state) {
+            test["status"] = json!(status(right));
+        }
+        tests.push(test);
+    }
+    let each = points(1.0 / verdict.scenes.len().max(1) as f64);
+    for scene in &verdict.scenes {
+        tests.push(json!({
+            "name": format!("scene: {}", line(&scene.scene)),
+            "status": status(scene.right),
+            "score": if scene.right { each } else { 0.0 },
+            "max_score": each,
+            "output": scene_words(scene),
+            "visibility": "visible",
+        }));
+    }
+    json!({
+        "score": points(verdict.score),
+        "output": told(verdict),
+        "output_format": "text",
+        "test_output_format": "text",
+        "visibility": "visible",
+        "stdout_visibility": "hidden",
+        "tests": tests,
+    })
+    .to_string()
+}
+
+/// What a combinator template grader of Moodle's CodeRunner returns.
+///
+/// Used: `fraction`; `prologuehtml`, the verdict, the mistakes and the compiler's messages; `testresults`, whose first row names
+/// the columns (`iscorrect` is shown as tick or cross), with a row a term and a scene; `columnformats`, all `%s`, so that the
+/// page escapes the cells; `epiloguehtml`, peculiarities and warnings. Not `got`: it belongs to graders of single tests, and CodeRunner
+/// refuses a combinator's answer that has any other field.
+pub fn code_runner(verdict: &Verdict) -> String {
+    let row = |right: bool, name: String, result: String| json!([u8::from(right), name, result]);
+    let mut results = vec![json!(["iscorrect", "Test", "Result"])];
+    results.push(row(verdict.verdict == Outcome::Correct, "verdict".to_owned(), line(&verdict.summary)));
+    for term in &verdict.terms {
+        // A row has a tick or a cross: a term that was not looked at has neither.
+        if let Some(right) = is_right(term.state) {
+            results.push(row(right, format!("{} term", line(&term.term)), term_words(term.state).to_owned()));
+        }
+    }
+    for scene in &verdict.scenes {
+        results.push(row(scene.right, format!("scene: {}", line(&scene.scene)), scene_words(scene)));
+    }
+    json!({
+        "fraction": unit(verdict.score),
+        "prologuehtml": format!("{}{}{}", verdict_html(verdict, false), mistakes_html(verdict), messages_html(verdict)),
+        "testresults": results,
+        "columnformats": ["%s", "%s", "%s"],
+        "epiloguehtml": notes_html(verdict),
+    })
+    .to_string()
+}
+
+fn status(right: bool) -> &'static str {
+    if right { "passed" } else { "failed" }
+}
+
+fn is_right(state: TermState) -> Option<bool> {
+    match state {
+        TermState::Right => Some(true),
+        TermState::Wrong => Some(false),
+        TermState::NotSeparable => None,
+    }
+}
+
+fn term_words(state: TermState) -> &'static str {
+    match state {
+        TermState::Right => "right",
+        TermState::Wrong => "wrong",
+        TermState::NotSeparable => "its strength is not given from outside, so it cannot be looked at alone",
+    }
+}
+
+fn scene_words(scene: &SceneVerdict) -> String {
+    match scene.right {
+        true => format!("the same as the reference ({})", line(&scene.shows)),
+        false => format!(
+            "{} of the pixels differ from the reference, by up to {:.3} ({})",
+            percent(scene.pixels_beyond),
+            scene.worst,
+            line(&scene.shows)
+        ),
+    }
+}
+
+fn whole(verdict: &Verdict) -> Value {
+    json!({
+        "name": "verdict",
+        "status": status(verdict.verdict == Outcome::Correct),
+        "output": format!("{}: {}", words(verdict.verdict), plain(&verdict.summary)),
+        "visibility": "visible",
+    })
+}
+
+/// All that a student should read, as plain text.
+fn told(verdict: &Verdict) -> String {
+    let mut told = vec![format!("{}: {}", words(verdict.verdict), plain(&verdict.summary))];
+    for mistake in &verdict.mistakes {
+        told.push(String::new());
+        told.push(format!("{} [{}]", line(&mistake.name), line(&mistake.id)));
+        if let Some(place) = place(mistake.file.as_deref(), mistake.line) {
+            told.push(format!("  where: {place}"));
+        }
+        if let Some(quoted) = &mistake.quoted {
+            told.push(format!("    {}", line(quoted)));
+        }
+        told.push(format!("  it explains {} of the difference", percent(mistake.share_explained)));
+        told.push(format!("  what it looks like: {}", line(&mistake.looks_like)));
+        told.push(format!("  how to mend it: {}", line(&mistake.mend)));
+        told.push(format!("  in the lecture: {}", line(&mistake.seed)));
+    }
+    for message in &verdict.messages {
+        told.push(String::new());
+        let place = place(Some(&message.file), message.line).unwrap_or_default();
+        told.push(format!("{place}: {}", line(&message.text)));
+        told.extend(message.quoted.as_deref().map(|quoted| format!("    {}", line(quoted))));
+        told.extend(message.explanation.as_deref().map(|explanation| format!("  {}", line(explanation))));
+    }
+    if !verdict.peculiarities.is_empty() || !verdict.warnings.is_empty() {
+        told.push(String::new());
+    }
+    told.extend(verdict.peculiarities.iter().map(|known| format!("peculiar, and right: {}", line(&known.name))));
+    told.extend(verdict.warnings.iter().map(|warning| format!("warning: {}", line(warning))));
+    told.join("\n")
+}

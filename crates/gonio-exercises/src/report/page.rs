@@ -1,0 +1,226 @@
+//! One submission's page.
+
+use super::html::{Icon, document, messages_html, mistakes_html, notes_html, shown, verdict_html};
+use super::picture::{Kind, Pictures, heat};
+use super::text::{count, escaped_line, percent};
+use gonio_check::search::Evidence;
+use gonio_check::testbench::TILE;
+use gonio_check::verdict::{BoundVariable, Outcome, SceneVerdict, TermState, TermVerdict, Verdict};
+use std::fmt::Write as _;
+
+/// CSS pixels along a side of a picture: a whole multiple, so that all its pixels are squares of one size.
+const SHOWN: u32 = 4 * TILE;
+
+/// A page for a student, in one HTML file that loads nothing and runs nothing: the verdict, each mistake with its place and how to
+/// mend it, the compiler's messages, terms, scenes with pictures where there is evidence, peculiarities, warnings, and what
+/// was bound to what. `label` is the submission's name. It is light or dark as the reader's system is, and fits a phone.
+///
+/// Pictures are linear light encoded as sRGB; pixels are enlarged unsmoothed; what is no number is magenta; where nothing is
+/// drawn a checkered ground shows. Differences are colours on one scale for the whole page.
+pub fn page(label: &str, verdict: &Verdict, evidence: Option<&Evidence>) -> String {
+    let exercise = crate::exercise::find(&verdict.exercise);
+    let title = exercise.map_or_else(String::new, |exercise| format!(" · {}", escaped_line(&exercise.title)));
+    let pictures = evidence.map(|evidence| Pictures::of(evidence, verdict)).filter(|pictures| pictures.count() > 0);
+    let mut body = format!(
+        "<header>\n<p class=\"over\">{}{title}</p>\n<h1>{}</h1>\n</header>\n",
+        escaped_line(&verdict.exercise),
+        escaped_line(label)
+    );
+    body.push_str(&verdict_html(verdict, true));
+    body.push_str(&mistakes_html(verdict));
+    body.push_str(&messages_html(verdict));
+    body.push_str(&terms(&verdict.terms));
+    body.push_str(&scenes(verdict, pictures.as_ref()));
+    body.push_str(&notes_html(verdict));
+    body.push_str(&bound(&verdict.bound));
+    body.push_str("<footer><p>Checked by gonio’s laboratory.</p></footer>\n");
+    document(&format!("{label}: {}", super::text::words(verdict.verdict)), &body)
+}
+
+fn terms(terms: &[TermVerdict]) -> String {
+    if terms.is_empty() {
+        return String::new();
+    }
+    let mut html = String::from("<section>\n<h2>Term by term</h2>\n<ul class=\"terms\">\n");
+    for term in terms {
+        let (class, icon, words) = match term.state {
+            TermState::Right => ("right", Icon::Right, "right"),
+            TermState::Wrong => ("wrong", Icon::Wrong, "wrong"),
+            TermState::NotSeparable => ("apart", Icon::None, "not looked at alone"),
+        };
+        let _ = writeln!(
+            html,
+            "<li class=\"{class}\">{}<span><b>{}</b> {words}</span></li>",
+            icon.svg(),
+            escaped_line(&term.term)
+        );
+    }
+    html.push_str("</ul>\n");
+    if terms.iter().any(|term| term.state == TermState::NotSeparable) {
+        html.push_str(
+            "<p class=\"hint\">A term can be looked at alone where its strength is a uniform, so that it can be set to 0 from outside.</p>\n",
+        );
+    }
+    html.push_str("</section>\n");
+    html
+}
+
+fn scenes(verdict: &Verdict, pictures: Option<&Pictures<'_>>) -> String {
+    if verdict.scenes.is_empty() {
+        return String::new();
+    }
+    let (alone, whole): (Vec<_>, Vec<_>) = verdict.scenes.iter().partition(|scene| scene.scene.ends_with(" alone"));
+    let mut html = String::from("<section class=\"scenes\">\n<h2>Scene by scene</h2>\n");
+    if !whole.is_empty() {
+        html.push_str(&table(verdict, &whole, pictures));
+    }
+    if !alone.is_empty() {
+        let right = alone.iter().filter(|scene| scene.right).count();
+        let _ = write!(
+            html,
+            "<details>\n<summary>With one term alone: {right} of {} right</summary>\n{}</details>\n",
+            count(alone.len(), "scene", "scenes"),
+            table(verdict, &alone, pictures)
+        );
+    }
+    if let Some(pictures) = pictures {
+        html.push_str(&legend(verdict, pictures));
+    }
+    html.push_str("</section>\n");
+    html
+}
+
+/// What a column of pictures is called.
+fn caption(kind: Kind, verdict: &Verdict) -> &'static str {
+    match (kind, verdict.verdict) {
+        (Kind::Yours, _) => "Yours",
+        (Kind::Reference, _) => "Reference",
+        (Kind::Difference, _) => "Difference",
+        (Kind::Predicted, Outcome::Correct) => "Your way",
+        (Kind::Predicted, _) => "Predicted",
+    }
+}
+
+/// Roles stand beside the elements, because a narrow page lays the cells out otherwise and browsers then forget that it is a table.
+fn table(verdict: &Verdict, scenes: &[&SceneVerdict], pictures: Option<&Pictures<'_>>) -> String {
+    let kinds = pictures.map(Pictures::kinds).unwrap_or_default();
+    let mut html = String::from(
+        "<table role=\"table\">\n<thead role=\"rowgroup\"><tr role=\"row\"><th role=\"columnheader\" scope=\"col\">Scene</th>",
+    );
+    for kind in &kinds {
+        let _ = write!(html, "<th role=\"columnheader\" scope=\"col\">{}</th>", caption(*kind, verdict));
+    }
+    html.push_str("</tr></thead>\n<tbody role=\"rowgroup\">\n");
+    for scene in scenes {
+        let _ = write!(html, "<tr role=\"row\">{}", scene_head(scene));
+        for kind in &kinds {
+            let caption = caption(*kind, verdict);
+            let picture = pictures.and_then(|pictures| pictures.find(&scene.scene, *kind));
+            let picture = picture.map_or_else(String::new, |picture| {
+                let name = escaped_line(&scene.scene);
+                let uri = picture.data_uri();
+                format!("<img alt=\"{caption}, {name}\" width=\"{SHOWN}\" height=\"{SHOWN}\" src=\"{uri}\">")
+            });
+            let _ = write!(
+                html,
+                "<td role=\"cell\"><span class=\"caption\" aria-hidden=\"true\">{caption}</span>{picture}</td>"
+            );
+        }
+        html.push_str("</tr>\n");
+    }
+    html.push_str("</tbody>\n</table>\n");
+    html
+}
+
+fn scene_head(scene: &SceneVerdict) -> String {
+    let (class, icon) = if scene.right { ("right", Icon::Right) } else { ("wrong", Icon::Wrong) };
+    let measure = match scene.right {
+        true => String::new(),
+        false => format!(
+            "<span class=\"measure\">{} of its pixels differ, by up to {:.2}</span>",
+            percent(scene.pixels_beyond),
+            scene.worst
+        ),
+    };
+    format!(
+        "<th role=\"rowheader\" scope=\"row\"><span class=\"name {class}\">{}<span><b>{}</b> {class}</span></span><span class=\"shows\">{}</span>{measure}</th>",
+        icon.svg(),
+        escaped_line(&scene.scene),
+        escaped_line(&scene.shows)
+    )
+}
+
+fn legend(verdict: &Verdict, pictures: &Pictures<'_>) -> String {
+    let stops: Vec<String> = (0..=8)
+        .map(|step| {
+            let [r, g, b] = heat(step as f32 / 8.0);
+            format!("rgb({r} {g} {b})")
+        })
+        .collect();
+    let full = pictures.full;
+    let more = if full < 1.0 { format!("{full} or more") } else { "1".to_owned() };
+    let mut notes = vec![
+        "<li><span class=\"swatch nan\"></span>no number (NaN)</li>".to_owned(),
+        "<li><span class=\"swatch checker\"></span>nothing is drawn</li>".to_owned(),
+    ];
+    if pictures.kinds().contains(&Kind::Predicted) {
+        let what = match (verdict.verdict, verdict.mistakes.len()) {
+            (Outcome::Correct, _) => "Your way: the reference, computed as yours is",
+            (_, 1) => "Predicted: what the mistake draws",
+            _ => "Predicted: what the mistakes draw together",
+        };
+        notes.push(format!("<li>{what}</li>"));
+    }
+    notes.insert(
+        0,
+        format!(
+            "<li>Difference: 0 <span class=\"scale\" style=\"background: linear-gradient(90deg, {})\"></span> {more}</li>",
+            stops.join(", ")
+        ),
+    );
+    let own_way = match verdict.peculiarities.is_empty() {
+        true => "",
+        false => {
+            " The reference has a way of its own: where yours is right in another way, the pictures may differ, \
+             and the scene is right all the same."
+        }
+    };
+    format!(
+        "<ul class=\"legend\">\n{}\n</ul>\n<p class=\"hint\">Colours are taken as linear light and encoded for the screen (sRGB): \
+         a window that does not do so shows the same numbers darker.{own_way}</p>\n",
+        notes.join("\n")
+    )
+}
+
+fn bound(bound: &[BoundVariable]) -> String {
+    if bound.is_empty() {
+        return String::new();
+    }
+    let unknown = bound.iter().filter(|variable| variable.role.is_none()).count();
+    let each = |variable: &BoundVariable| {
+        let (class, role) = match &variable.role {
+            Some(role) => ("", format!("<code>{}</code>", escaped_line(role))),
+            None => (" class=\"unknown\"", format!("{}nothing that gonio knows: it holds 0", Icon::Unsure.svg())),
+        };
+        format!(
+            "<tr{class}><th scope=\"row\"><code>{}</code></th><td><code>{}</code></td><td>{role}</td></tr>\n",
+            escaped_line(&variable.name),
+            escaped_line(&variable.glsl_type)
+        )
+    };
+    let rows = shown(bound, each, |more| format!("<tr><td colspan=\"3\">And {more} more.</td></tr>\n"));
+    let (open, said) = match unknown {
+        0 => ("", String::new()),
+        some => (" open", format!(", {some} unknown")),
+    };
+    let hint = match unknown {
+        0 => "",
+        _ => "<p class=\"hint\">A file <code>names.toml</code> beside the shaders can say what these are.</p>\n",
+    };
+    format!(
+        "<section class=\"bound\">\n<h2>What was bound to what</h2>\n<details{open}>\n<summary>{}{said}</summary>\n\
+         <table>\n<thead><tr><th scope=\"col\">Name</th><th scope=\"col\">Type</th><th scope=\"col\">Taken for</th></tr></thead>\n\
+         <tbody>\n{rows}</tbody>\n</table>\n{hint}</details>\n</section>\n",
+        count(bound.len(), "variable", "variables")
+    )
+}

@@ -1,0 +1,294 @@
+//! Pictures of situations as bytes that screens show, and as PNG.
+
+use gonio_check::search::{Evidence, PIXEL_TOLERANCE, pixel_difference};
+use gonio_check::testbench::{Sheet, TILE};
+use gonio_check::verdict::{Outcome, Verdict};
+
+/// A pixel that holds no number.
+pub const NAN_COLOUR: [u8; 4] = [255, 0, 255, 255];
+
+/// A picture: rows from the top, RGBA.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Picture {
+    /// Pixels in a row.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// `width * height`.
+    pub pixels: Vec<[u8; 4]>,
+}
+
+/// Linear light, 0 to 1, as the 8 bits of a screen (IEC 61966-2-1).
+fn srgb(linear: f32) -> u8 {
+    let linear = linear.clamp(0.0, 1.0);
+    let encoded = if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 };
+    (encoded * 255.0).round() as u8
+}
+
+/// What is drawn at a pixel: opaque, [`NAN_COLOUR`] where a channel is no number, nothing where nothing is drawn. A student's
+/// alpha is left aside: the lab does not blend.
+fn shown(pixel: &[f32; 4]) -> [u8; 4] {
+    match pixel {
+        pixel if !Sheet::is_drawn(pixel) => [0; 4],
+        [r, g, b, _] if r.is_nan() || g.is_nan() || b.is_nan() => NAN_COLOUR,
+        [r, g, b, _] => [srgb(*r), srgb(*g), srgb(*b), 255],
+    }
+}
+
+/// Colours of differences from 0 to 1: from near black over violet and orange to a pale yellow. Their brightness rises evenly, so that
+/// they can be told apart without colours too.
+const HEAT: [[f32; 3]; 5] =
+    [[14.0, 11.0, 32.0], [88.0, 26.0, 110.0], [188.0, 55.0, 84.0], [246.0, 138.0, 44.0], [252.0, 248.0, 176.0]];
+
+/// The colour of a difference; 1 and above are the brightest.
+pub fn heat(share: f32) -> [u8; 3] {
+    let at = if share.is_nan() { 1.0 } else { share.clamp(0.0, 1.0) } * (HEAT.len() - 1) as f32;
+    let below = (at.floor() as usize).min(HEAT.len() - 2);
+    let part = at - below as f32;
+    let mix = |channel: usize| HEAT[below][channel] * (1.0 - part) + HEAT[below + 1][channel] * part;
+    [mix(0).round() as u8, mix(1).round() as u8, mix(2).round() as u8]
+}
+
+/// One of the rows of a sheet of pictures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// The student's.
+    Yours,
+    /// The right answer's.
+    Reference,
+    /// How far apart these two are.
+    Difference,
+    /// What the named mistakes draw.
+    Predicted,
+}
+
+/// The pictures of a verdict.
+pub struct Pictures<'a> {
+    evidence: &'a Evidence,
+    /// The scenes' words and the tiles they lie in.
+    scenes: Vec<(String, usize)>,
+    /// The difference from which on [`heat`] is brightest.
+    pub full: f32,
+    /// Whether what was predicted is of interest: a mistake that was named, or a right answer's own way.
+    has_prediction: bool,
+}
+
+impl<'a> Pictures<'a> {
+    /// Those of all scenes that the verdict names and the evidence holds.
+    pub fn of(evidence: &'a Evidence, verdict: &Verdict) -> Self {
+        // The scenes of a verdict are in the sheet's order; those with one term alone come after the ones that have words.
+        let tile = |(index, word): (usize, &String)| {
+            evidence.scenes.iter().position(|known| known == word).or((index >= evidence.scenes.len()).then_some(index))
+        };
+        let words: Vec<String> = verdict.scenes.iter().map(|scene| scene.scene.clone()).collect();
+        let mut scenes: Vec<(String, usize)> =
+            words.iter().enumerate().filter_map(|(index, word)| Some((word.clone(), tile((index, word))?))).collect();
+        if words.is_empty() {
+            scenes = evidence.scenes.iter().cloned().enumerate().map(|(tile, word)| (word, tile)).collect();
+        }
+        scenes.retain(|(_, tile)| !evidence.seen.tile(*tile).is_empty() && !evidence.reference.tile(*tile).is_empty());
+        let full = full(evidence, &scenes);
+        let says_so = !verdict.mistakes.is_empty() || verdict.verdict == Outcome::Correct;
+        Pictures { evidence, scenes, full, has_prediction: says_so && evidence.predicted.is_some() }
+    }
+
+    /// How many scenes there are.
+    pub fn count(&self) -> usize {
+        self.scenes.len()
+    }
+
+    /// Which rows there are: a prediction is shown where it bears a name, for a guess is none.
+    pub fn kinds(&self) -> Vec<Kind> {
+        let mut kinds = vec![Kind::Yours, Kind::Reference, Kind::Difference];
+        kinds.extend(self.has_prediction.then_some(Kind::Predicted));
+        kinds
+    }
+
+    /// The one of that number, from 0.
+    pub fn nth(&self, scene: usize, kind: Kind) -> Option<Picture> {
+        self.picture(self.scenes.get(scene)?.1, kind)
+    }
+
+    /// The one of that word.
+    pub fn find(&self, scene: &str, kind: Kind) -> Option<Picture> {
+        let (_, tile) = self.scenes.iter().find(|(word, _)| word == scene)?;
+        self.picture(*tile, kind)
+    }
+
+    fn picture(&self, tile: usize, kind: Kind) -> Option<Picture> {
+        let Evidence { seen, reference, predicted, .. } = self.evidence;
+        let pixels: Vec<[u8; 4]> = match kind {
+            Kind::Yours => seen.tile(tile).iter().map(shown).collect(),
+            Kind::Reference => reference.tile(tile).iter().map(shown).collect(),
+            Kind::Predicted => predicted.as_ref()?.tile(tile).iter().map(shown).collect(),
+            Kind::Difference => {
+                let both = seen.tile(tile).iter().zip(reference.tile(tile));
+                both.map(|(a, b)| self.difference(a, b)).collect()
+            }
+        };
+        let side = TILE as usize;
+        // The bottom row comes first in OpenGL, and last in a file.
+        let rows = || pixels.chunks_exact(side).rev();
+        (rows().len() == side).then(|| Picture {
+            width: TILE,
+            height: TILE,
+            pixels: rows().flatten().copied().collect(),
+        })
+    }
+
+    fn difference(&self, a: &[f32; 4], b: &[f32; 4]) -> [u8; 4] {
+        if !Sheet::is_drawn(a) && !Sheet::is_drawn(b) {
+            return [0; 4];
+        }
+        if is_nan(a) != is_nan(b) {
+            return NAN_COLOUR;
+        }
+        let [r, g, b] = heat(pixel_difference(a, b) / self.full);
+        [r, g, b, 255]
+    }
+}
+
+fn is_nan(pixel: &[f32; 4]) -> bool {
+    Sheet::is_drawn(pixel) && pixel.iter().take(3).any(|channel| channel.is_nan())
+}
+
+/// The scale of the differences, the same in all scenes: a half, a quarter and so on, as small as leaves no more than one in
+/// twenty of the differing pixels beyond it.
+fn full(evidence: &Evidence, scenes: &[(String, usize)]) -> f32 {
+    let both = |tile: usize| evidence.seen.tile(tile).iter().zip(evidence.reference.tile(tile));
+    let mut differences: Vec<f32> = scenes
+        .iter()
+        .flat_map(|(_, tile)| both(*tile))
+        .map(|(a, b)| pixel_difference(a, b))
+        .filter(|difference| *difference > PIXEL_TOLERANCE)
+        .collect();
+    differences.sort_by(f32::total_cmp);
+    let Some(most) = differences.get(differences.len() * 19 / 20) else { return 1.0 };
+    let mut full = 1.0_f32;
+    while full / 2.0 >= *most && full > 1.0 / 32.0 {
+        full /= 2.0;
+    }
+    full
+}
+
+impl Picture {
+    /// As a file.
+    pub fn png(&self) -> Vec<u8> {
+        let bytes: Vec<u8> = self.pixels.iter().flatten().copied().collect();
+        let mut file = Vec::new();
+        let mut encoder = png::Encoder::new(&mut file, self.width, self.height);
+        encoder.set_color(png::ColorType::Rgba);
+        encoder.set_depth(png::BitDepth::Eight);
+        encoder.set_compression(png::Compression::High);
+        // Memory takes all that is written; a picture of the wrong size, which is not made here, would leave an empty file.
+        match encoder.write_header().and_then(|mut writer| writer.write_image_data(&bytes)) {
+            Ok(()) => file,
+            Err(_) => Vec::new(),
+        }
+    }
+
+    /// As the address of an `img`.
+    pub fn data_uri(&self) -> String {
+        format!("data:image/png;base64,{}", base64(&self.png()))
+    }
+}
+
+/// RFC 4648, section 4.
+fn base64(bytes: &[u8]) -> String {
+    const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    for three in bytes.chunks(3) {
+        let byte = |index: usize| u32::from(three.get(index).copied().unwrap_or(0));
+        let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
+        for letter in 0..4 {
+            let index = (bits >> (18 - 6 * letter)) & 63;
+            text.push(if letter > three.len() { '=' } else { char::from(LETTERS[index as usize]) });
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+
+    use super::*;
+    use gonio_render::user_program::NOT_DRAWN;
+
+    #[test]
+    fn base64_is_that_of_the_rfc() {
+        for (text, expected) in
+            [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foob", "Zm9vYg=="), ("fooba", "Zm9vYmE=")]
+        {
+            assert_eq!(base64(text.as_bytes()), expected);
+        }
+        assert_eq!(base64(&[0xff, 0xfe, 0xfb]), "//77");
+    }
+
+    #[test]
+    fn light_is_encoded_for_screens() {
+        assert_eq!([0.0, 0.5, 1.0, 7.0, -1.0, f32::INFINITY].map(srgb), [0, 188, 255, 255, 0, 255]);
+        assert_eq!(shown(&[0.5, f32::NAN, 0.0, 1.0]), NAN_COLOUR);
+        assert_eq!(shown(&NOT_DRAWN), [0; 4]);
+        assert_eq!(shown(&[1.0, 0.0, 0.5, 0.0]), [255, 0, 188, 255]);
+    }
+
+    #[test]
+    fn differences_grow_brighter() {
+        let brightness = |share: f32| heat(share).iter().map(|&channel| u32::from(channel)).sum::<u32>();
+        for step in 0..20 {
+            assert!(brightness(step as f32 / 20.0) < brightness((step + 1) as f32 / 20.0), "{step}");
+        }
+        assert_eq!(heat(9.0), heat(1.0));
+        assert_eq!(heat(f32::NAN), heat(1.0));
+    }
+
+    fn evidence(difference: f32) -> Evidence {
+        let size = (TILE * TILE) as usize;
+        let mut seen = vec![[0.25, 0.25, 0.25, 1.0]; 2 * size];
+        let reference = Sheet { pixels: seen.clone() };
+        for pixel in &mut seen[..TILE as usize] {
+            pixel[1] += difference;
+        }
+        seen[size] = NOT_DRAWN;
+        let scenes = vec!["one".to_owned(), "two".to_owned()];
+        Evidence { seen: Sheet { pixels: seen }, reference, predicted: None, scenes }
+    }
+
+    #[test]
+    fn the_bottom_row_comes_last() {
+        let evidence = evidence(0.2);
+        let pictures = Pictures::of(&evidence, &Verdict::new("ex04", Outcome::Wrong, ""));
+        assert_eq!(pictures.count(), 2);
+        assert_eq!(pictures.full, 0.25);
+        let difference = pictures.find("one", Kind::Difference).unwrap();
+        let [r, g, b] = heat(0.2 / 0.25);
+        let last = difference.pixels.len() - 1;
+        assert_eq!(difference.pixels[last][0].abs_diff(r), 0);
+        assert_eq!(difference.pixels[last], [r, g, b, 255]);
+        assert_eq!(difference.pixels[0][..3], heat(0.0));
+        assert!(pictures.find("three", Kind::Yours).is_none() && pictures.find("one", Kind::Predicted).is_none());
+        let two = pictures.nth(1, Kind::Yours).unwrap();
+        assert_eq!(two.pixels[last - (TILE as usize - 1)], [0; 4]);
+    }
+
+    #[test]
+    fn a_png_can_be_read_back() {
+        let evidence = evidence(0.2);
+        let pictures = Pictures::of(&evidence, &Verdict::new("ex04", Outcome::Wrong, ""));
+        let picture = pictures.nth(0, Kind::Yours).unwrap();
+        let mut reader = png::Decoder::new(std::io::Cursor::new(picture.png())).read_info().unwrap();
+        let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+        let info = reader.next_frame(&mut bytes).unwrap();
+        assert_eq!((info.width, info.height, info.color_type), (TILE, TILE, png::ColorType::Rgba));
+        assert_eq!(bytes, picture.pixels.concat());
+    }
+
+    #[test]
+    fn too_few_pixels_are_no_picture() {
+        let mut evidence = evidence(0.2);
+        evidence.seen.pixels.truncate(7);
+        assert_eq!(Pictures::of(&evidence, &Verdict::new("ex04", Outcome::Wrong, "")).count(), 0);
+        assert!(super::super::sheet(&evidence, &Verdict::new("ex04", Outcome::Wrong, "")).is_empty());
+    }
+}

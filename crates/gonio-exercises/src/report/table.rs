@@ -1,0 +1,119 @@
+//! Many submissions in a table.
+
+use super::text::{line, place, plain, unit, word};
+use super::visible::is_hidden;
+use gonio_check::verdict::{Outcome, Verdict};
+use serde::{Deserialize, Serialize};
+
+/// A submission in a batch.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Row {
+    /// Its label: the folder's name.
+    pub submission: String,
+    /// The exercise's word.
+    pub exercise: String,
+    /// The word for it all.
+    pub verdict: Outcome,
+    /// In one sentence.
+    pub summary: String,
+    /// 0 to 1.
+    pub score: f64,
+    /// What is wrong.
+    pub mistakes: Vec<RowMistake>,
+    /// Where to look first, `file:line`: at the first mistake that has a place, or at the compiler's first message.
+    pub place: Option<String>,
+    /// What may go wrong elsewhere.
+    pub warnings: Vec<String>,
+    /// How long the check took.
+    pub seconds: f64,
+}
+
+/// A mistake of a submission in a batch.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct RowMistake {
+    /// The bank's word.
+    pub id: String,
+    /// What is wrong, in half a sentence.
+    pub name: String,
+    /// How much of the difference it explains: 0 to 1.
+    pub share_explained: f64,
+    /// `file:line`, or `file` alone, where it was found.
+    pub place: Option<String>,
+}
+
+impl Row {
+    /// What a verdict says of a submission, and how long that took.
+    pub fn of(label: &str, verdict: &Verdict, seconds: f64) -> Self {
+        let mistake = |mistake: &gonio_check::verdict::FoundMistake| RowMistake {
+            id: mistake.id.clone(),
+            name: mistake.name.clone(),
+            share_explained: mistake.share_explained,
+            place: place(mistake.file.as_deref(), mistake.line),
+        };
+        let mistakes: Vec<RowMistake> = verdict.mistakes.iter().map(mistake).collect();
+        Row {
+            submission: label.to_owned(),
+            exercise: verdict.exercise.clone(),
+            verdict: verdict.verdict,
+            summary: verdict.summary.clone(),
+            score: verdict.score,
+            place: mistakes.iter().find_map(|mistake| mistake.place.clone()).or_else(|| {
+                let message = verdict.messages.first()?;
+                place(Some(&message.file), message.line)
+            }),
+            mistakes,
+            warnings: verdict.warnings.clone(),
+            seconds,
+        }
+    }
+}
+
+/// The columns of [`csv`].
+const COLUMNS: [&str; 9] =
+    ["submission", "exercise", "verdict", "score", "mistakes", "shares", "places", "warnings", "seconds"];
+
+/// A table for spreadsheets: RFC 4180 (cells with commas, quotes or line breaks in quotes, quotes doubled, lines end with CR
+/// LF), UTF-8, a head line.
+///
+/// `mistakes`, `shares` and `places` have as many words as there are mistakes, in the same order; a place that was not found is
+/// `?`, and blanks within one are `_`. Without mistakes `places` is that of the compiler's first message, if there is one.
+/// Warnings are separated by `; `. A text that begins with `=`, `+`, `-`, `@`, a tab or a line
+/// break would be run by a spreadsheet as a formula: an apostrophe is put in front of it.
+pub fn csv(rows: &[Row]) -> String {
+    let mut table = COLUMNS.join(",");
+    table.push_str("\r\n");
+    for row in rows {
+        let words = |word: &dyn Fn(&RowMistake) -> String| {
+            row.mistakes.iter().map(|mistake| word(mistake).replace(' ', "_")).collect::<Vec<_>>().join(" ")
+        };
+        let places = words(&|mistake| mistake.place.as_deref().map_or_else(|| "?".to_owned(), line));
+        let seconds = if row.seconds.is_finite() { row.seconds.max(0.0) } else { 0.0 };
+        let cells = [
+            cell(&row.submission),
+            cell(&row.exercise),
+            cell(word(row.verdict)),
+            format!("{:.4}", unit(row.score)),
+            cell(&words(&|mistake| line(&mistake.id))),
+            cell(&words(&|mistake| format!("{:.4}", unit(mistake.share_explained)))),
+            cell(&if row.mistakes.is_empty() { row.place.clone().unwrap_or_default() } else { places }),
+            cell(&row.warnings.iter().map(|warning| line(warning)).collect::<Vec<_>>().join("; ")),
+            format!("{seconds:.3}"),
+        ];
+        table.push_str(&cells.join(","));
+        table.push_str("\r\n");
+    }
+    table
+}
+
+/// A text as a cell.
+fn cell(text: &str) -> String {
+    // A spreadsheet looks past blanks, and past what takes no place.
+    let begins = text.trim_start_matches(|c: char| c == ' ' || (is_hidden(c) && !matches!(c, '\t' | '\r' | '\n')));
+    let is_formula = begins.starts_with(['=', '+', '-', '@', '\t', '\r', '\n', '＝', '＋', '－', '＠']);
+    let text = plain(text);
+    let text = if is_formula { format!("'{text}") } else { text };
+    match text.contains([',', ';', '"', '\n', '\t']) || text.starts_with(' ') || text.ends_with(' ') {
+        true => format!("\"{}\"", text.replace('"', "\"\"")),
+        false => text,
+    }
+}

@@ -1,0 +1,430 @@
+//! Hostile names and sources in every format, each read back by a reader of its own.
+#![allow(clippy::unwrap_used)]
+
+use super::*;
+use gonio_check::search::Evidence;
+use gonio_check::testbench::{Sheet, TILE};
+use gonio_check::verdict::{
+    BoundVariable, CompilerMessage, FoundMistake, Outcome, Peculiarity, RunnerUp, SceneVerdict, TermState, TermVerdict,
+    Verdict,
+};
+use gonio_render::user_program::NOT_DRAWN;
+use serde_json::Value;
+
+/// All that has ever ended a quotation too early.
+const EVIL: &str = "</script><script>alert('1')</script>\"'&amp;<!--]]>\0\u{1b}[2J\u{202e}txt\u{2066}\u{200f}\u{feff}\u{ffff}\r\n=1+1`;\\";
+
+/// A verdict with [`EVIL`] wherever a student's file or the driver has a say.
+fn evil(outcome: Outcome) -> Verdict {
+    let evil = || EVIL.to_owned();
+    let mut verdict = Verdict::new("ex04", outcome, EVIL);
+    let found = FoundMistake::new("normal-by-model-matrix", EVIL, 0.9971).taught(EVIL, EVIL, EVIL);
+    verdict.mistakes = vec![FoundMistake {
+        or: vec![evil(), "diffuse-absolute".to_owned()],
+        lab_does_it: true,
+        ..found.at(EVIL, Some(14), EVIL)
+    }];
+    verdict.runner_up = Some(RunnerUp { ids: vec![evil()], share_explained: 0.5 });
+    verdict.peculiarities = vec![Peculiarity { id: evil(), name: evil() }];
+    verdict.warnings = vec![evil()];
+    verdict.terms = vec![
+        TermVerdict { term: "ambient".into(), state: TermState::Right },
+        TermVerdict { term: "diffuse".into(), state: TermState::Wrong },
+        TermVerdict { term: "specular".into(), state: TermState::NotSeparable },
+    ];
+    let scene = |scene: &str, right, pixels_beyond, worst| SceneVerdict {
+        scene: scene.to_owned(),
+        shows: "what others do not".into(),
+        right,
+        pixels_beyond,
+        worst,
+    };
+    verdict.scenes = vec![
+        scene("lab", true, 0.0, 0.0),
+        scene(EVIL, false, f64::NAN, f32::NAN),
+        scene("lab, diffuse alone", false, 0.5, 0.25),
+    ];
+    verdict.messages = vec![CompilerMessage {
+        file: evil(),
+        line: Some(3),
+        column: Some(7),
+        text: evil(),
+        quoted: Some(evil()),
+        explanation: Some(evil()),
+    }];
+    let bound = |role| BoundVariable { name: evil(), glsl_type: evil(), role };
+    verdict.bound = vec![bound(Some(evil())), bound(None)];
+    verdict.score = 1.0 / 3.0;
+    verdict
+}
+
+fn evidence() -> Evidence {
+    let size = (TILE * TILE) as usize;
+    let mut seen = vec![[0.5, 0.25, 2.0, 0.0]; 3 * size];
+    seen[5] = [f32::NAN, 0.0, f32::INFINITY, 1.0];
+    seen[6] = NOT_DRAWN;
+    let reference = Sheet { pixels: vec![[0.4, 0.25, 1.0, 1.0]; 3 * size] };
+    let scenes = vec!["lab".to_owned(), EVIL.to_owned()];
+    Evidence { seen: Sheet { pixels: seen }, predicted: Some(reference.clone()), reference, scenes }
+}
+
+/// What can be told apart in markup.
+#[derive(Debug, Default)]
+struct Markup {
+    /// Elements in order, with their attributes.
+    elements: Vec<(String, Vec<(String, String)>)>,
+    /// All text, with references resolved.
+    text: String,
+}
+
+/// Reads XML, and of HTML what is written like it: elements that are empty by definition need no end.
+fn read_markup(source: &str, empty: &[&str]) -> Markup {
+    assert!(
+        source
+            .chars()
+            .all(|c| matches!(c, '\t' | '\n' | '\r' | '\u{20}'..='\u{d7ff}' | '\u{e000}'..='\u{fffd}' | '\u{10000}'..)),
+        "a character that XML forbids"
+    );
+    let mut markup = Markup::default();
+    let mut open: Vec<String> = Vec::new();
+    let mut rest = source;
+    while let Some(start) = rest.find('<') {
+        markup.text.push_str(&resolved(&rest[..start]));
+        let (tag, after) = rest[start + 1..].split_once('>').expect("a tag that does not end");
+        rest = after;
+        if tag.starts_with(['?', '!']) {
+            assert!(markup.elements.is_empty(), "only in the beginning: {tag}");
+        } else if let Some(name) = tag.strip_prefix('/') {
+            assert_eq!(open.pop().as_deref(), Some(name));
+        } else {
+            let (tag, is_closed) = tag.strip_suffix('/').map_or((tag, false), |tag| (tag, true));
+            let (name, attributes) = tag.split_once(' ').unwrap_or((tag, ""));
+            assert!(!name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '-'), "{tag}");
+            markup.elements.push((name.to_owned(), read_attributes(attributes)));
+            if !is_closed && !empty.contains(&name) {
+                open.push(name.to_owned());
+            }
+        }
+    }
+    assert!(open.is_empty(), "{open:?}");
+    assert!(rest.trim().is_empty(), "{rest}");
+    markup
+}
+
+fn read_attributes(mut text: &str) -> Vec<(String, String)> {
+    let mut attributes: Vec<(String, String)> = Vec::new();
+    loop {
+        text = text.trim_start();
+        if text.is_empty() {
+            return attributes;
+        }
+        // HTML has attributes without a value.
+        let end = text.find(['=', ' ']).unwrap_or(text.len());
+        let (name, after) = text.split_at(end);
+        assert!(name.chars().all(|c| c.is_ascii_alphabetic() || c == '-' || c == ':'), "{name}");
+        assert!(attributes.iter().all(|(known, _)| known != name), "{name} twice");
+        let Some(after) = after.strip_prefix('=') else {
+            attributes.push((name.to_owned(), String::new()));
+            text = after;
+            continue;
+        };
+        let quote = after.chars().next().filter(|c| matches!(c, '"' | '\'')).expect("an attribute in quotes");
+        let (value, after) = after[1..].split_once(quote).expect("an attribute that ends");
+        assert!(!value.contains('<'), "{value}");
+        attributes.push((name.to_owned(), resolved(value)));
+        text = after;
+    }
+}
+
+fn resolved(text: &str) -> String {
+    let mut parts = text.split('&');
+    let mut resolved = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let (name, after) = part.split_once(';').expect("an & that is none of ours");
+        resolved.push(match name {
+            "amp" => '&',
+            "lt" => '<',
+            "gt" => '>',
+            "quot" => '"',
+            "#39" => '\'',
+            other => panic!("&{other};"),
+        });
+        resolved.push_str(after);
+    }
+    resolved
+}
+
+fn read_page(page: &str) -> Markup {
+    assert!(page.starts_with("<!DOCTYPE html>\n"));
+    let markup = read_markup(page, &["meta", "img", "br"]);
+    for (name, attributes) in &markup.elements {
+        assert!(!["script", "iframe", "object", "base", "form", "link"].contains(&name.as_str()), "{name}");
+        for (attribute, value) in attributes {
+            assert!(!attribute.starts_with("on"), "{attribute}");
+            let is_safe = match attribute.as_str() {
+                "src" => value.starts_with("data:image/png;base64,"),
+                "href" => value.starts_with("./") && value.ends_with(".html"),
+                _ => true,
+            };
+            assert!(is_safe, "{attribute}={value}");
+        }
+    }
+    nothing_invisible(page);
+    markup
+}
+
+fn nothing_invisible(text: &str) {
+    let hidden: String = text.chars().filter(|&c| is_hidden(c) && !matches!(c, '\n' | '\r' | '\t')).collect();
+    assert!(hidden.is_empty(), "{hidden:?}");
+}
+
+/// Quoted cells may hold anything, the others no comma, quote or line break.
+fn read_csv(table: &str) -> Vec<Vec<String>> {
+    let (mut rows, mut row, mut cell, mut quoted) = (Vec::new(), Vec::new(), String::new(), false);
+    let mut characters = table.chars().peekable();
+    while let Some(c) = characters.next() {
+        match (quoted, c) {
+            (true, '"') if characters.peek() == Some(&'"') => cell.extend(characters.next()),
+            (true, '"') => {
+                quoted = false;
+                assert!(matches!(characters.peek(), Some(',' | '\r')), "something behind a quotation");
+            }
+            (true, c) => cell.push(c),
+            (false, '"') => {
+                assert!(cell.is_empty(), "a quote within a cell");
+                quoted = true;
+            }
+            (false, ',') => row.push(std::mem::take(&mut cell)),
+            (false, '\r') => {
+                assert_eq!(characters.next(), Some('\n'));
+                row.push(std::mem::take(&mut cell));
+                rows.push(std::mem::take(&mut row));
+            }
+            (false, c) => {
+                assert_ne!(c, '\n');
+                cell.push(c);
+            }
+        }
+    }
+    assert!(!quoted && row.is_empty() && cell.is_empty());
+    rows
+}
+
+const OUTCOMES: [Outcome; 4] = [Outcome::Correct, Outcome::Wrong, Outcome::DoesNotCompile, Outcome::Unsure];
+
+#[test]
+fn junit_counts_what_it_holds() {
+    let verdicts: Vec<(String, Verdict)> =
+        OUTCOMES.into_iter().map(|outcome| (EVIL.to_owned(), evil(outcome))).collect();
+    let xml = junit(&verdicts);
+    nothing_invisible(&xml);
+    let markup = read_markup(&xml, &[]);
+    let count = |wanted: &str| markup.elements.iter().filter(|(name, _)| name == wanted).count();
+    // In each: the whole, three terms, three scenes. Wrong are a term and two scenes, and the whole once.
+    assert_eq!((count("testsuite"), count("testcase")), (4, 28));
+    assert_eq!((count("failure"), count("error"), count("skipped")), (13, 2, 4));
+    let (name, attributes) = &markup.elements[0];
+    assert_eq!(name, "testsuites");
+    for (attribute, value) in [("tests", "28"), ("failures", "13"), ("errors", "2"), ("skipped", "4")] {
+        assert!(attributes.contains(&(attribute.to_owned(), value.to_owned())), "{attribute}: {attributes:?}");
+    }
+    let (_, attributes) = markup.elements.iter().find(|(name, _)| name == "testcase").unwrap();
+    assert!(attributes.contains(&("line".to_owned(), "14".to_owned())), "{attributes:?}");
+    let (_, attributes) = &markup.elements.iter().find(|(name, _)| name == "failure").unwrap();
+    assert!(attributes[0].1.contains("</script><script>alert('1')") || attributes[0].1.contains("diffuse"));
+    assert!(markup.text.contains("explains 99.7 % of the difference"));
+    assert_eq!(read_markup(&junit(&[]), &[]).elements.len(), 1);
+}
+
+#[test]
+fn junit_fails_the_terms_that_are_wrong_and_no_others() {
+    for state in [TermState::Right, TermState::Wrong, TermState::NotSeparable] {
+        let mut verdict = Verdict::new("ex07", Outcome::Wrong, "wrong");
+        verdict.terms = vec![TermVerdict { term: "diffuse".into(), state }];
+        let xml = junit(&[("a".to_owned(), verdict)]);
+        assert_eq!(xml.contains("the diffuse term is wrong"), state == TermState::Wrong, "{state:?}");
+    }
+}
+
+#[test]
+fn gradescope_gets_points_and_reasons() {
+    for outcome in OUTCOMES {
+        let text = gradescope(&evil(outcome), 12.0);
+        nothing_invisible(&text);
+        let json: Value = serde_json::from_str(&text).unwrap();
+        assert_eq!(json["score"], 4.0);
+        assert_eq!(json["output_format"], "text");
+        let tests = json["tests"].as_array().unwrap();
+        assert_eq!(tests.len(), 7);
+        let sum = |key: &str| tests.iter().filter_map(|test| test[key].as_f64()).sum::<f64>();
+        assert_eq!((sum("score"), sum("max_score")), (4.0, 12.0));
+        let status = if outcome == Outcome::Correct { "passed" } else { "failed" };
+        assert_eq!(tests[0]["status"], status);
+        assert!(tests[3].get("status").is_none(), "{}", tests[3]);
+        assert!(tests.iter().all(|test| test["visibility"] == "visible" && test["output"].is_string()));
+        assert!(json["output"].as_str().unwrap().contains(":14\n"));
+    }
+}
+
+#[test]
+fn gradescope_without_scenes_and_without_numbers() {
+    let json: Value =
+        serde_json::from_str(&gradescope(&Verdict::new("ex04", Outcome::DoesNotCompile, "it does not"), 5.0)).unwrap();
+    assert_eq!((json["score"].as_f64(), json["tests"][0]["max_score"].as_f64()), (Some(0.0), Some(5.0)));
+    let mut verdict = Verdict::new("ex04", Outcome::Correct, "");
+    for (score, max_score, expected) in
+        [(f64::NAN, 5.0, 0.0), (1.0, f64::NAN, 0.0), (1.0, -3.0, 0.0), (7.0, 5.0, 5.0), (1.0, f64::INFINITY, 0.0)]
+    {
+        verdict.score = score;
+        let json: Value = serde_json::from_str(&gradescope(&verdict, max_score)).unwrap();
+        assert_eq!(json["score"].as_f64(), Some(expected), "{score} {max_score}");
+    }
+}
+
+#[test]
+fn code_runner_gets_only_fields_that_it_knows() {
+    for outcome in OUTCOMES {
+        let text = code_runner(&evil(outcome));
+        nothing_invisible(&text);
+        let json: Value = serde_json::from_str(&text).unwrap();
+        let known = ["fraction", "prologuehtml", "testresults", "columnformats", "epiloguehtml"];
+        assert!(json.as_object().unwrap().keys().all(|key| known.contains(&key.as_str())), "{json}");
+        assert_eq!(json["fraction"], 0.333333);
+        let results = json["testresults"].as_array().unwrap();
+        let columns = json["columnformats"].as_array().unwrap().len();
+        assert!(results.iter().all(|row| row.as_array().unwrap().len() == columns));
+        // The head, the whole, two terms that could be looked at, three scenes.
+        assert_eq!(results.len(), 7);
+        assert_eq!(results[0][0], "iscorrect");
+        assert_eq!(results[1][0], u8::from(outcome == Outcome::Correct));
+        let html =
+            format!("<div>{}{}</div>", json["prologuehtml"].as_str().unwrap(), json["epiloguehtml"].as_str().unwrap());
+        let markup = read_markup(&html, &[]);
+        assert!(markup.elements.iter().all(|(name, _)| name != "script" && name != "svg"));
+        assert!(markup.text.contains("</script><script>alert('1')"));
+    }
+}
+
+fn evil_row() -> Row {
+    Row::of(EVIL, &evil(Outcome::Wrong), 0.25)
+}
+
+#[test]
+fn a_table_holds_a_line_a_submission() {
+    let mut second = evil(Outcome::DoesNotCompile);
+    second.mistakes.clear();
+    second.messages[0].file = "a b.frag".to_owned();
+    let mut third = evil(Outcome::Wrong);
+    third.mistakes.push(FoundMistake { id: "ambient-twice".to_owned(), file: None, ..third.mistakes[0].clone() });
+    third.mistakes[0].file = Some("a b.frag".to_owned());
+    let rows = [evil_row(), Row::of("second", &second, f64::NAN), Row::of("third, and last", &third, 1.0)];
+    let table = csv(&rows);
+    nothing_invisible(&table);
+    let read = read_csv(&table);
+    assert_eq!(read.len(), 4);
+    assert!(read.iter().all(|row| row.len() == 9), "{read:?}");
+    assert_eq!(read[0][0], "submission");
+    assert!(read[1][0].starts_with("</script>") && read[1][0].contains("\n=1+1"), "{:?}", read[1][0]);
+    assert_eq!(read[2][6], "a b.frag:3");
+    assert_eq!(read[3][0], "third, and last");
+    assert_eq!(
+        read[3][1..7],
+        ["ex04", "wrong", "0.3333", "normal-by-model-matrix ambient-twice", "0.9971 0.9971", "a_b.frag:14 ?"]
+    );
+    assert_eq!(read[2][8], "0.000");
+}
+
+#[test]
+fn no_cell_is_a_formula() {
+    for label in ["=1+1", "+1", "-1", "@SUM(A1)", "  =1", "\u{200b}=1", "\t=1", "\r\n=1", "\0=1", "＝1"] {
+        let mut row = evil_row();
+        row.submission = label.to_owned();
+        let read = read_csv(&csv(&[row]));
+        assert!(read[1][0].starts_with('\''), "{label:?}: {:?}", read[1][0]);
+    }
+    let mut row = evil_row();
+    row.submission = "a=b".to_owned();
+    assert_eq!(read_csv(&csv(&[row]))[1][0], "a=b");
+}
+
+#[test]
+fn a_page_says_all_and_runs_nothing() {
+    let evidence = evidence();
+    for outcome in OUTCOMES {
+        let verdict = evil(outcome);
+        for evidence in [None, Some(&evidence)] {
+            let page = page(EVIL, &verdict, evidence);
+            let markup = read_page(&page);
+            let pictures = markup.elements.iter().filter(|(name, _)| name == "img").count();
+            assert_eq!(pictures, evidence.map_or(0, |_| 12));
+            for word in
+                [text::words(outcome), r"\u{202e}", r"\x00", "line 14", "99.7 % of the difference", "The difference"]
+            {
+                let word = word.trim_start_matches("The ");
+                assert!(markup.text.to_lowercase().contains(&word.to_lowercase()), "{word}");
+            }
+            assert!(markup.text.contains("</script><script>alert('1')</script>\"'&amp;<!--]]>"));
+            let alone = markup.elements.iter().filter(|(name, _)| name == "h1").count();
+            assert_eq!(alone, 1);
+        }
+    }
+}
+
+#[test]
+fn a_page_of_a_right_answer_has_no_word_of_mistakes() {
+    let mut verdict = Verdict::new("ex04", Outcome::Correct, "right in every scene");
+    verdict.terms = vec![TermVerdict { term: "diffuse".into(), state: TermState::Right }];
+    let markup = read_page(&page("ada", &verdict, None));
+    assert!(markup.text.contains("Right in every scene.") && markup.text.contains("Correct"));
+    assert!(
+        !markup.text.contains("What is wrong")
+            && ["compiler", "Scene by scene", "was bound"].iter().all(|word| !markup.text.contains(word)),
+        "{}",
+        markup.text
+    );
+}
+
+#[test]
+fn a_file_as_long_as_it_likes_makes_no_long_page() {
+    let mut verdict = evil(Outcome::DoesNotCompile);
+    let message =
+        CompilerMessage { text: "x".repeat(1 << 16), quoted: Some("y".repeat(1 << 16)), ..verdict.messages[0].clone() };
+    verdict.messages = vec![message; 300];
+    verdict.warnings = vec!["w".repeat(1 << 16); 300];
+    verdict.bound = vec![verdict.bound[0].clone(); 300];
+    let page = page("long", &verdict, None);
+    read_page(&page);
+    assert!(page.len() < 1 << 20, "{}", page.len());
+    assert!(page.contains("And 260 more"));
+}
+
+#[test]
+fn an_overview_counts_sorts_and_links() {
+    let mut rows = vec![evil_row(), Row::of("Group 10", &Verdict::new("ex04", Outcome::Correct, ""), 0.5)];
+    rows.push(Row::of("group 9", &evil(Outcome::Wrong), 0.5));
+    rows.push(Row::of("", &Verdict::new("ex04", Outcome::Unsure, EVIL), f64::INFINITY));
+    let similar = [("group 9".to_owned(), "Group 10".to_owned(), 0.7), (EVIL.to_owned(), "group 9".to_owned(), 0.96)];
+    let page = overview(EVIL, &rows, &similar, &[EVIL.to_owned()]);
+    let markup = read_page(&page);
+    let links: Vec<&str> = markup
+        .elements
+        .iter()
+        .filter(|(name, _)| name == "a")
+        .filter_map(|(_, attributes)| attributes.iter().find(|(name, _)| name == "href"))
+        .map(|(_, address)| address.as_str())
+        .collect();
+    assert_eq!(links.len(), 8);
+    assert_eq!(links[1], "./group%209.html");
+    assert_eq!(links[2..4], ["./group%209.html", "./Group%2010.html"]);
+    assert_eq!((links[4], links[6], links[7]), ("./~.html", "./group%209.html", "./Group%2010.html"));
+    assert!(markup.text.contains("96 %") && markup.text.contains("70 %"));
+    // Two of four are wrong, and both make the mistake: its bar is full, theirs is half.
+    let widths: Vec<&str> = markup
+        .elements
+        .iter()
+        .flat_map(|(_, attributes)| attributes)
+        .filter_map(|(name, value)| (name == "style").then_some(value.as_str()))
+        .collect();
+    assert_eq!(widths, ["width: 25.0%", "width: 50.0%", "width: 25.0%", "width: 100.0%"]);
+    read_page(&overview("none", &[], &[], &[]));
+}

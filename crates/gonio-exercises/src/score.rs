@@ -1,0 +1,117 @@
+//! The checker measured: each mistake of the bank is made in the exercise's model, handed in, and looked for.
+
+use crate::check::{Checker, check};
+use crate::exercise::Exercise;
+use gonio_check::CheckOptions;
+use gonio_check::mistakes::{Hypotheses, Hypothesis};
+use gonio_check::search::{Comparison, Evidence, Task};
+use gonio_check::submission::SourceFile;
+use gonio_check::verdict::{Outcome, Verdict};
+use gonio_gl::GlError;
+use serde::{Deserialize, Serialize};
+
+/// How many were named right.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Count {
+    /// Handed in, and to be seen in some scene.
+    pub visible: usize,
+    /// Named right, alone or among names that no picture tells apart.
+    pub named: usize,
+    /// Called wrong without any name.
+    pub unnamed: usize,
+    /// Given another name: what was made, and what was said.
+    pub misnamed: Vec<(String, String)>,
+    /// Not to be seen in this exercise: called right, and rightly so.
+    pub invisible: usize,
+    /// Pairs of which one hides the other, and alone explains the whole picture.
+    pub hidden: usize,
+}
+
+impl Count {
+    /// The share named right, of those that can be seen: 1 of none.
+    pub fn share(&self) -> f64 {
+        if self.visible == 0 { 1.0 } else { self.named as f64 / self.visible as f64 }
+    }
+
+    fn add(&mut self, made: &[&str], verdict: &Verdict) {
+        if verdict.verdict == Outcome::Correct {
+            self.invisible += 1;
+            return;
+        }
+        // Under its own name, or under one that no picture tells from it.
+        let is_made = |found: &gonio_check::verdict::FoundMistake| {
+            made.iter().any(|id| found.id == *id || found.or.iter().any(|or| or == id))
+        };
+        let whole = verdict.mistakes.iter().all(|found| found.share_explained >= 1.0 && is_made(found));
+        if whole && !verdict.mistakes.is_empty() && verdict.mistakes.len() < made.len() {
+            self.hidden += 1;
+            return;
+        }
+        self.visible += 1;
+        let is_said =
+            |id: &&str| verdict.mistakes.iter().any(|found| found.id == **id || found.or.iter().any(|or| or == *id));
+        let said: Vec<&str> = verdict.mistakes.iter().map(|found| found.id.as_str()).collect();
+        if made.iter().all(is_said) && said.len() == made.len() {
+            self.named += 1;
+        } else if said.is_empty() {
+            self.unnamed += 1;
+        } else {
+            self.misnamed.push((made.join(" and "), said.join(" and ")));
+        }
+    }
+}
+
+/// An exercise's measure.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Score {
+    /// The exercise's word.
+    pub exercise: String,
+    /// Mistakes by themselves.
+    pub single: Count,
+    /// Two at once.
+    pub pairs: Count,
+}
+
+/// Makes every mistake of the bank that an exercise's model can have, every way to make it, and `pairs` pairs of them spread
+/// evenly over all.
+pub fn of_bank(checker: &mut Checker, exercise: &Exercise, pairs: usize) -> Result<Score, GlError> {
+    let mut score = Score { exercise: exercise.id.clone(), ..Score::default() };
+    let Some(task) = Task::of(&exercise.id) else { return Ok(score) };
+    let hypotheses = Hypotheses::of(task.model);
+    let is_wrong = |h: &&Hypothesis| h.made_of.iter().all(|&m| !hypotheses.mistakes[m].harmless);
+    let singles: Vec<&Hypothesis> = hypotheses.singles.iter().filter(is_wrong).collect();
+    let mut hand_in = |hypothesis: &Hypothesis| -> Result<(Verdict, Option<Evidence>), GlError> {
+        let [vertex, fragment] = hypotheses.written(hypothesis);
+        let files = vec![SourceFile::new("made.vert", vertex), SourceFile::new("made.frag", fragment)];
+        check(checker, exercise, files, &CheckOptions::default())
+    };
+    let ids = |h: &Hypothesis| -> Vec<&str> { h.made_of.iter().map(|&m| hypotheses.mistakes[m].id.as_str()).collect() };
+    // Those that show by themselves: nothing else can be one of two.
+    let mut shown: Vec<(&Hypothesis, Option<Evidence>)> = Vec::new();
+    for single in &singles {
+        let (verdict, evidence) = hand_in(single)?;
+        score.single.add(&ids(single), &verdict);
+        if verdict.verdict != Outcome::Correct {
+            shown.push((single, evidence));
+        }
+    }
+    let all = shown.len() * shown.len().saturating_sub(1) / 2;
+    let step = (all / pairs.max(1)).max(1);
+    let both = shown.iter().enumerate().flat_map(|(i, a)| shown[i + 1..].iter().map(move |b| (a, b)));
+    for ((a, drawn_by_a), (b, drawn_by_b)) in both.step_by(step).take(pairs) {
+        let Some(both) = a.and(b).filter(|both| ids(both).windows(2).all(|pair| pair[0] != pair[1])) else { continue };
+        let (verdict, evidence) = hand_in(&both)?;
+        if [drawn_by_a, drawn_by_b].into_iter().any(|alone| is_same_picture(&evidence, alone)) {
+            score.pairs.hidden += 1;
+        } else {
+            score.pairs.add(&ids(&both), &verdict);
+        }
+    }
+    Ok(score)
+}
+
+/// Whether one of two mistakes draws the same by itself: then no picture tells that there are two.
+fn is_same_picture(both: &Option<Evidence>, alone: &Option<Evidence>) -> bool {
+    let (Some(both), Some(alone)) = (both, alone) else { return false };
+    Comparison::of(&both.seen, &alone.seen, both.scenes.len()).is_same()
+}
