@@ -83,6 +83,7 @@ fn cargo_steps(report: &mut Report, root: &Path, extent: Extent) -> bool {
     let built = report.step("build of the tests", || {
         cargo_check(root, &["test", "--locked", "--workspace", "--all-targets", "--no-run"], &[])
     });
+    let page_build = (built && extent == Extent::Everything).then(browser::build_in_background);
     if built {
         report.step("tests", || cargo_test(root));
         report.step("checker, score", || score::check(root));
@@ -96,6 +97,9 @@ fn cargo_steps(report: &mut Report, root: &Path, extent: Extent) -> bool {
         for (krate, bare) in WEB {
             report.step(&format!("wasm32 {krate}"), || check_web(root, krate, *bare));
         }
+    }
+    if let Some(page_build) = page_build {
+        page_build.wait();
     }
     built
 }

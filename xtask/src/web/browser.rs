@@ -4,6 +4,7 @@ use super::{Build, build_page, node, target_folder};
 use crate::process;
 use crate::report::Findings;
 use std::path::Path;
+use std::process::{Command, Stdio};
 
 /// Builds the page. Also fails if a first visit would load too much.
 pub fn build(root: &Path, build: Build) -> Findings {
@@ -24,6 +25,31 @@ pub fn build(root: &Path, build: Build) -> Findings {
             Findings::pass().remarking(remark)
         }
         Err(error) => Findings::fail(error),
+    }
+}
+
+/// A build of the page that runs while the tests do.
+pub struct BackgroundBuild(Option<std::process::Child>);
+
+/// Starts building the page with the lowest priority: tests leave a core idle for part of the time, and link-time optimisation
+/// of the module uses one. `build` then finds everything built. A failure here is not reported, because `build` repeats it.
+pub fn build_in_background() -> BackgroundBuild {
+    let program = std::env::current_exe().ok().filter(|_| cfg!(unix));
+    let child = program.and_then(|program| {
+        let mut command = Command::new("nice");
+        command.args(["-n", "19"]).arg(program).arg("web");
+        command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn().ok()
+    });
+    BackgroundBuild(child)
+}
+
+impl BackgroundBuild {
+    /// Waits until the build has ended.
+    pub fn wait(self) {
+        if let Some(mut child) = self.0 {
+            // Its exit code does not matter: `build` reports failures.
+            let _ = child.wait();
+        }
     }
 }
 
