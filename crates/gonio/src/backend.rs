@@ -101,6 +101,50 @@ impl Opened {
         }
     }
 
+    /// Falls back on the CPU if pictures of this size are larger than the driver can draw.
+    pub fn for_size(self, width: u32, height: u32, options: &BackendOptions) -> Result<Opened, CliError> {
+        match self {
+            Opened::Gl(gl) if width.max(height) > gl.renderer.info().max_size => {
+                let why = format!(
+                    "{width}x{height} is more than the {} pixels along a side that this driver can draw",
+                    gl.renderer.info().max_size
+                );
+                if options.backend == BackendChoice::Gl {
+                    return Err(CliError::new(format!("{why}; `--backend cpu` can")));
+                }
+                if gl.recorder.is_some() {
+                    return Err(CliError::new(format!("{why}, so there is nothing to capture; take a smaller --size")));
+                }
+                Ok(Opened::Cpu { reason: Some(why) })
+            }
+            other => Ok(other),
+        }
+    }
+
+    /// Returns the renderer if OpenGL draws.
+    pub fn renderer(&mut self) -> Option<&mut Renderer> {
+        match self {
+            Opened::Gl(gl) => Some(&mut gl.renderer),
+            Opened::Cpu { .. } => None,
+        }
+    }
+
+    /// Describes the backend for `--json`.
+    pub fn report(&self) -> BackendReport {
+        match self {
+            Opened::Gl(gl) => BackendReport::new(Some(gl.renderer.info()), None),
+            Opened::Cpu { reason } => BackendReport::new(None, reason.as_deref()),
+        }
+    }
+
+    /// Describes the backend in one clause.
+    pub fn sentence(&self) -> String {
+        match self {
+            Opened::Gl(gl) => sentence(Some(gl.renderer.info()), None),
+            Opened::Cpu { reason } => sentence(None, reason.as_deref()),
+        }
+    }
+
     /// Gives the scene to the backend.
     pub fn take_scene(
         self,
@@ -110,24 +154,7 @@ impl Opened {
         times: &Times,
     ) -> Result<Backend, CliError> {
         let picture = &scene.settings.picture;
-        let opened = match self {
-            Opened::Gl(gl) if picture.width.max(picture.height) > gl.renderer.info().max_size => {
-                let why = format!(
-                    "{}x{} is more than the {} pixels along a side that this driver can draw",
-                    picture.width,
-                    picture.height,
-                    gl.renderer.info().max_size
-                );
-                if options.backend == BackendChoice::Gl {
-                    return Err(CliError::new(format!("{why}; `--backend cpu` can")));
-                }
-                if gl.recorder.is_some() {
-                    return Err(CliError::new(format!("{why}, so there is nothing to capture; take a smaller --size")));
-                }
-                Opened::Cpu { reason: Some(why) }
-            }
-            other => other,
-        };
+        let opened = self.for_size(picture.width, picture.height, options)?;
         match opened {
             Opened::Gl(mut gl) => {
                 let _busy = reporter.busy("copying the scene to the GPU");
@@ -278,26 +305,39 @@ impl Backend {
 
     /// For `--json`.
     pub fn report(&self) -> BackendReport {
-        let driver = self.driver();
+        BackendReport::new(self.driver(), self.reason())
+    }
+
+    /// Which backend, and why.
+    pub fn sentence(&self) -> String {
+        sentence(self.driver(), self.reason())
+    }
+
+    fn reason(&self) -> Option<&str> {
+        match self {
+            Backend::Cpu { reason, .. } => reason.as_deref(),
+            Backend::Gl { .. } => None,
+        }
+    }
+}
+
+impl BackendReport {
+    fn new(driver: Option<&DriverInfo>, reason: Option<&str>) -> Self {
         BackendReport {
             name: if driver.is_some() { "gl" } else { "cpu" },
             renderer: driver.map(|d| d.renderer.clone()),
             version: driver.map(|d| d.version.clone()),
             glsl: driver.map(|d| d.glsl.clone()),
-            reason: match self {
-                Backend::Cpu { reason, .. } => reason.clone(),
-                Backend::Gl { .. } => None,
-            },
+            reason: reason.map(str::to_owned),
         }
     }
+}
 
-    /// Which backend, and why.
-    pub fn sentence(&self) -> String {
-        match self {
-            Backend::Gl { gl, .. } => format!("drawn by OpenGL ({})", gl.renderer.info().renderer),
-            Backend::Cpu { reason: Some(reason), .. } => format!("drawn by the CPU reference: {reason}"),
-            Backend::Cpu { reason: None, .. } => "drawn by the CPU reference".into(),
-        }
+fn sentence(driver: Option<&DriverInfo>, reason: Option<&str>) -> String {
+    match (driver, reason) {
+        (Some(driver), _) => format!("drawn by OpenGL ({})", driver.renderer),
+        (None, Some(reason)) => format!("drawn by the CPU reference: {reason}"),
+        (None, None) => "drawn by the CPU reference".into(),
     }
 }
 

@@ -9,6 +9,7 @@
 use crate::escapes::json_for_terminal;
 use crate::page::{Page, Style, line_for_terminal};
 use clap::Parser;
+use gonio_gallery::GalleryError;
 use gonio_gl::GlError;
 use gonio_image::ImageError;
 use gonio_mesh::{Cause, Diagnostic, ReadError, Severity};
@@ -129,6 +130,16 @@ impl From<ReadError> for CliError {
             None => "",
         };
         CliError::Message(format!("{error}{hint}"))
+    }
+}
+
+impl From<GalleryError> for CliError {
+    fn from(error: GalleryError) -> Self {
+        match error {
+            GalleryError::Scene(error) => error.into(),
+            GalleryError::OpenGl(error) => error.into(),
+            other => CliError::new(other.to_string()),
+        }
     }
 }
 

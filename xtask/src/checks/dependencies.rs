@@ -19,6 +19,9 @@ pub struct Rule {
 
 /// The one place that says it. A new crate adds itself here.
 pub const RULES: &[Rule] = &[
+    // Stand-ins for other people's crates below egui: thin/README.md.
+    Rule { krate: "harfrust", may_know: &[], tests_may_know: &[] },
+    Rule { krate: "vello_cpu", may_know: &[], tests_may_know: &[] },
     // Tables of test cases: every crate's tests may read them (`FOR_ALL_TESTS`).
     Rule { krate: "gonio-fixtures", may_know: &[], tests_may_know: &[] },
     Rule { krate: "gonio-light", may_know: &[], tests_may_know: &[] },
@@ -31,6 +34,8 @@ pub const RULES: &[Rule] = &[
     Rule { krate: "gonio-gl", may_know: &[], tests_may_know: &[] },
     // The GPU's pictures are compared with the reference's.
     Rule { krate: "gonio-render", may_know: BELOW_RENDERER, tests_may_know: &["gonio-reference"] },
+    // It draws, and sets text as the window does.
+    Rule { krate: "gonio-gallery", may_know: BELOW_GALLERY, tests_may_know: &[] },
     // A language, and nothing of ours.
     Rule { krate: "gonio-glsl", may_know: &[], tests_may_know: &[] },
     Rule { krate: "gonio-check", may_know: BELOW_CHECK, tests_may_know: &[] },
@@ -45,9 +50,6 @@ pub const RULES: &[Rule] = &[
     Rule { krate: "gonio", may_know: COMMAND_LINE, tests_may_know: &[] },
     // It measures the window too, as the command line opens it.
     Rule { krate: "gonio-bench", may_know: COMMAND_LINE, tests_may_know: &[] },
-    // Stand-ins for other people's crates below egui: thin/README.md.
-    Rule { krate: "harfrust", may_know: &[], tests_may_know: &[] },
-    Rule { krate: "vello_cpu", may_know: &[], tests_may_know: &[] },
     Rule { krate: "gonio-web-bindgen", may_know: &[], tests_may_know: &[] },
     Rule { krate: "gonio-web-split", may_know: &[], tests_may_know: &[] },
     Rule { krate: "xtask", may_know: &["gonio-fixtures"], tests_may_know: &[] },
@@ -57,6 +59,18 @@ const BELOW_SCENES: &[&str] = &["gonio-light", "gonio-mesh", "gonio-image", "gon
 const BELOW_PICTURES: &[&str] = &["gonio-light", "gonio-mesh", "gonio-image", "gonio-environment", "gonio-scene"];
 const BELOW_RENDERER: &[&str] =
     &["gonio-light", "gonio-mesh", "gonio-image", "gonio-environment", "gonio-scene", "gonio-gl"];
+const BELOW_GALLERY: &[&str] = &[
+    "gonio-light",
+    "gonio-mesh",
+    "gonio-image",
+    "gonio-environment",
+    "gonio-scene",
+    "gonio-reference",
+    "gonio-gl",
+    "gonio-render",
+    "harfrust",
+    "vello_cpu",
+];
 const BELOW_CHECK: &[&str] = &[
     "gonio-light",
     "gonio-mesh",
@@ -103,6 +117,7 @@ const COMMAND_LINE: &[&str] = &[
     "gonio-reference",
     "gonio-gl",
     "gonio-render",
+    "gonio-gallery",
     "gonio-glsl",
     "gonio-check",
     "gonio-exercises",

@@ -34,6 +34,7 @@ const WEB: &[(&str, bool)] = &[
     ("gonio-scene", false),
     ("gonio-gl", true),
     ("gonio-render", false),
+    ("gonio-gallery", false),
 ];
 
 /// Runs every step, also after one has failed.

@@ -1,24 +1,18 @@
 //! `gonio tour`: every technique on several models.
 //!
-//! [`sections`] says what is shown, [`draw`] draws it, [`sheet`] and [`page`] put it together. A new
-//! technique adds itself by a file in [`sections`].
+//! The exhibits, the contact sheet and the page are those of `gonio-gallery`. This module has the options, the
+//! progress bar and the files.
 
-mod canvas;
-mod converted;
+mod command;
 mod draw;
-mod exhibit;
-mod layout;
-mod maths;
-mod page;
 mod report;
-mod sections;
-mod sheet;
 
 use crate::cli::{BackendOptions, WordOptions};
 use crate::output::{FileSet, atomic};
 use crate::report::{CliError, Outcome, Reporter, Times};
 use crate::values;
 use clap::Args;
+use gonio_gallery::{SheetLayout, contact_sheet, page, sections};
 use gonio_image::encode::png::{self, ColorTag};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -53,18 +47,18 @@ pub struct TourArgs {
 fn scale(text: &str) -> Result<f64, String> {
     match values::number(text)? {
         factor if (0.05..=2.0).contains(&factor) => Ok(factor),
-        _ => Err(format!("`{text}` is no scale of the tour; 0.05 to 2 is wanted")),
+        _ => Err(format!("invalid scale `{text}`: expected a number from 0.05 to 2")),
     }
 }
 
-/// Where the tour's files are, and those that will appear there together.
+/// The folder of the tour, and the files that will appear there together.
 pub struct Folder {
     path: PathBuf,
     set: FileSet,
 }
 
 impl Folder {
-    /// Makes what is missing, and finds out whether files can be written.
+    /// Creates missing folders and checks that files can be written.
     fn new(path: &Path) -> Result<Self, CliError> {
         let mut folder = Folder { path: path.to_owned(), set: FileSet::new() };
         for inner in [path.to_owned(), path.join("pictures"), path.join("scenes")] {
@@ -86,22 +80,22 @@ impl Folder {
         self.set.add(path, bytes)
     }
 
-    /// A picture's file.
+    /// Returns the path of a picture.
     pub fn picture(&self, name: &str) -> PathBuf {
         self.path.join("pictures").join(format!("{name}.png"))
     }
 
-    /// A scene's file.
+    /// Returns the path of a scene.
     pub fn scene(&self, name: &str) -> PathBuf {
         self.path.join("scenes").join(format!("{name}.toml"))
     }
 
-    /// The contact sheet.
+    /// Returns the path of the contact sheet.
     pub fn sheet(&self) -> PathBuf {
         self.path.join("sheet.png")
     }
 
-    /// The web page.
+    /// Returns the path of the web page.
     pub fn page(&self) -> PathBuf {
         self.path.join("index.html")
     }
@@ -112,15 +106,17 @@ pub fn run(args: &TourArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let start = Instant::now();
     let times = Times::default();
     let sections = sections::all()?;
-    let layout = layout::Layout::new(&sections, args.scale);
+    let layout = SheetLayout::new(&sections, args.scale);
     let mut folder = Folder::new(&args.output)?;
     let drawn = draw::all(args, &mut folder, &sections, &layout, reporter, &times)?;
-    let foot = format!("{} pictures, {}", drawn.shown.len(), drawn.sentence);
-    let sheet = times.measure("sheet", || sheet::compose(&sections, &layout, &drawn.shown, &foot))?;
+    let foot = format!("{} pictures, {}", drawn.exhibits.len(), drawn.drawn_by);
+    let sheet = times.measure("sheet", || {
+        contact_sheet::compose(&sections, &layout, &drawn.exhibits, &foot, "gonio tour -o tour")
+    })?;
     times.measure("write", || -> Result<(), CliError> {
         folder.add(&folder.sheet(), &png::encode8(&sheet.encoded(), ColorTag::Srgb)?)?;
-        // The page last: whatever it names is there.
-        folder.add(&folder.page(), page::write(&sections, &drawn).as_bytes())?;
+        // The page comes last, so that all files it names are there.
+        folder.add(&folder.page(), page::write(&sections, &drawn.exhibits, &drawn.drawn_by).as_bytes())?;
         std::mem::take(&mut folder.set).commit()
     })?;
     times.add("total", start.elapsed());
@@ -130,7 +126,7 @@ pub fn run(args: &TourArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     } else {
         reporter.note(format!(
             "{} pictures in {:.1} s; open {}",
-            drawn.shown.len(),
+            drawn.exhibits.len(),
             start.elapsed().as_secs_f64(),
             folder.page().display()
         ));

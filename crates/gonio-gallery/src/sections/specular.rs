@@ -1,13 +1,14 @@
 //! The specular term: which one, which convention, how shiny.
 
-use super::super::exhibit::{Exhibit, Section, Stage};
-use crate::report::CliError;
+use crate::GalleryError;
+use crate::base_scene::BaseScene;
+use crate::exhibit::{Exhibit, Section};
 use gonio_light::{Convention, Specular};
 use gonio_scene::scene_file::{EquationSpec, SceneFile};
 use std::f64::consts::PI;
 
 /// Two rows: the choices on Suzanne, the exponents on a sphere.
-pub fn section() -> Result<Section, CliError> {
+pub fn section() -> Result<Section, GalleryError> {
     let mut exponents = Vec::new();
     for (specular, word, equation) in [
         (Specular::Phong, "Phong", "spec = ⟨R·V⟩^{!{γ}},  R = 2 (N·L) N − L"),
@@ -27,14 +28,14 @@ pub fn section() -> Result<Section, CliError> {
     })
 }
 
-fn choices() -> Result<Vec<Exhibit>, CliError> {
+fn choices() -> Result<Vec<Exhibit>, GalleryError> {
     let exhibit =
         |name: &str, caption: &str, remark: &str, change: fn(&mut EquationSpec), equation: &str, look: &str| {
-            let scene = Stage::Suzanne.with(|s| {
+            let scene = BaseScene::Suzanne.with(|s| {
                 closer(s);
                 change(&mut s.equation);
             })?;
-            Ok::<_, CliError>(Exhibit::new(name, caption, scene).remark(remark).aspect(1.25).tells(equation, look))
+            Ok::<_, GalleryError>(Exhibit::new(name, caption, scene).remark(remark).aspect(1.25).about(equation, look))
         };
     let mut row = vec![
         exhibit(
@@ -70,12 +71,12 @@ fn choices() -> Result<Vec<Exhibit>, CliError> {
             "The factor cos θ that the lab's specular term has lost: grazing highlights fade out instead of ending.",
         )?,
     ];
-    let scene = Stage::Suzanne.with(|s| {
+    let scene = BaseScene::Suzanne.with(|s| {
         closer(s);
         s.equation.convention = Convention::Physical;
         radiometric(s);
     })?;
-    row.push(Exhibit::new("specular-physical", "physical", scene).remark("k_d / π, cosine-weighted").aspect(1.25).tells(
+    row.push(Exhibit::new("specular-physical", "physical", scene).remark("k_d / π, cosine-weighted").aspect(1.25).about(
         "L_o = A + Σ_i [ !{\\f{k_d}{π}} + k_s spec_i ] L_i !{⟨N·L_i⟩}",
         "The equation's own form: the albedo over π, every term times cos θ, the lights π times as strong so that the \
          diffuse part stays the same. Its highlights are stronger against it.",
@@ -83,8 +84,8 @@ fn choices() -> Result<Vec<Exhibit>, CliError> {
     Ok(row)
 }
 
-fn exponent(specular: Specular, word: &str, gamma: f64, equation: &str) -> Result<Exhibit, CliError> {
-    let scene = Stage::Sphere.with(|s| {
+fn exponent(specular: Specular, word: &str, gamma: f64, equation: &str) -> Result<Exhibit, GalleryError> {
+    let scene = BaseScene::Sphere.with(|s| {
         s.objects[0].model = "builtin:sphere-smooth".into();
         s.objects[0].material.shininess = Some(gamma);
         s.equation.specular = specular;
@@ -96,7 +97,7 @@ fn exponent(specular: Specular, word: &str, gamma: f64, equation: &str) -> Resul
             32.0 => "the lab's",
             _ => "polished",
         })
-        .tells(
+        .about(
             equation,
             "The exponent narrows the highlight and leaves its height: a polished sphere sends back less light in all.",
         ))

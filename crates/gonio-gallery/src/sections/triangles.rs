@@ -1,13 +1,14 @@
 //! What triangles cost, and what they give.
 
-use super::super::exhibit::{Exhibit, Section, Stage};
-use crate::report::CliError;
+use crate::GalleryError;
+use crate::base_scene::BaseScene;
+use crate::exhibit::{Exhibit, Section};
 use gonio_scene::scene_file::Shading;
 
 /// Coarse and smooth, Gouraud and Phong, with the numbers of vertices and fragments lit.
-pub fn section() -> Result<Section, CliError> {
+pub fn section() -> Result<Section, GalleryError> {
     let exhibit = |name: &str, model: &str, shading, caption: &str, look: &str| {
-        let scene = Stage::Sphere.with(|s| {
+        let scene = BaseScene::Sphere.with(|s| {
             s.objects[0].model = format!("builtin:{model}");
             s.objects[0].shading = shading;
             s.objects[0].material.shininess = Some(64.0);
@@ -16,7 +17,7 @@ pub fn section() -> Result<Section, CliError> {
             Shading::Gouraud => "L_o = α !{L_o(p_0)} + β !{L_o(p_1)} + γ !{L_o(p_2)}",
             _ => "L_o(!{N}) at every fragment",
         };
-        Ok::<_, CliError>(Exhibit::new(name, caption, scene).aspect(1.3).counted().tells(equation, look))
+        Ok::<_, GalleryError>(Exhibit::new(name, caption, scene).aspect(1.3).with_counts().about(equation, look))
     };
     let gouraud = Shading::Gouraud;
     Ok(Section {
@@ -61,10 +62,10 @@ pub fn section() -> Result<Section, CliError> {
                 "3 968, Phong",
                 "Nothing left to see of the triangles.",
             )?,
-            Exhibit::new("triangles-suzanne", "15 744, Phong", Stage::Suzanne.scene()?)
+            Exhibit::new("triangles-suzanne", "15 744, Phong", BaseScene::Suzanne.scene()?)
                 .aspect(1.3)
-                .counted()
-                .tells("L_o(!{N}) at every fragment", "As many triangles as a small character in a game has."),
+                .with_counts()
+                .about("L_o(!{N}) at every fragment", "As many triangles as a small character in a game has."),
         ]],
     })
 }

@@ -1,46 +1,46 @@
-//! Where everything stands on the sheet.
+//! The positions of headings and pictures on the contact sheet.
 
-use super::exhibit::Section;
+use crate::exhibit::Section;
 
-/// Lengths at the sheet's full size, in pixels.
+/// Width of the sheet. All lengths here are pixels at full size.
 pub const WIDTH: f64 = 1920.0;
-/// On every side.
+/// Margin on every side.
 pub const MARGIN: f64 = 64.0;
-/// Between pictures.
+/// Gap between pictures.
 const GAP: f64 = 18.0;
-/// Between pictures with a sign between them.
+/// Gap between pictures with a sign between them.
 const JOINED_GAP: f64 = 58.0;
-/// The title above everything.
+/// Height of the title.
 const TITLE: f64 = 214.0;
-/// From the end of a section to the baseline of the next heading.
+/// Distance from the end of a section to the baseline of the next heading.
 const ABOVE_HEADING: f64 = 88.0;
-/// From a heading's baseline to its pictures.
+/// Distance from a heading's baseline to its pictures.
 const BELOW_HEADING: f64 = 30.0;
-/// Caption and remark below a picture.
+/// Height of caption and remark below a picture.
 const CAPTION: f64 = 80.0;
-/// Between rows, beyond the caption.
+/// Gap between rows, beyond the caption.
 const BETWEEN_ROWS: f64 = 12.0;
-/// Below the last section.
+/// Height of the foot below the last section.
 const FOOT: f64 = 84.0;
 
-/// A picture's place, in pixels.
+/// The position and size of a picture in pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
-    /// Of the left edge.
+pub struct Placement {
+    /// The left edge.
     pub x: u32,
-    /// Of the upper edge.
+    /// The upper edge.
     pub y: u32,
     /// At least 1.
     pub width: u32,
     /// At least 1.
     pub height: u32,
-    /// Width of the gap to its left, for the sign in it.
+    /// Width of the gap to its left, which may hold a sign.
     pub gap: f64,
 }
 
-/// The whole sheet.
-pub struct Layout {
-    /// All lengths are multiplied by this.
+/// The layout of a contact sheet.
+pub struct SheetLayout {
+    /// The factor of all lengths.
     pub scale: f64,
     /// Pixels.
     pub width: u32,
@@ -48,16 +48,16 @@ pub struct Layout {
     pub height: u32,
     /// Baseline of each section's heading; none for a section without a title.
     pub headings: Vec<Option<f64>>,
-    /// Of every exhibit, in order.
-    pub places: Vec<Place>,
+    /// The placement of every exhibit, in order.
+    pub placements: Vec<Placement>,
 }
 
-impl Layout {
-    /// Rows that are filled from margin to margin.
+impl SheetLayout {
+    /// Lays out rows that are filled from margin to margin.
     pub fn new(sections: &[Section], scale: f64) -> Self {
         let content = WIDTH - 2.0 * MARGIN;
         let mut y = TITLE;
-        let (mut headings, mut places) = (Vec::new(), Vec::new());
+        let (mut headings, mut placements) = (Vec::new(), Vec::new());
         for section in sections {
             if section.title.is_empty() {
                 headings.push(None);
@@ -86,7 +86,7 @@ impl Layout {
                     x += gap;
                     let right = x + height * exhibit.aspect;
                     let pixel = |v: f64| (v * scale).round() as u32;
-                    places.push(Place {
+                    placements.push(Placement {
                         x: pixel(x),
                         y: pixel(y),
                         width: (pixel(right) - pixel(x)).max(1),
@@ -99,6 +99,12 @@ impl Layout {
             }
         }
         y += FOOT;
-        Layout { scale, width: (WIDTH * scale).round() as u32, height: (y * scale).ceil() as u32, headings, places }
+        SheetLayout {
+            scale,
+            width: (WIDTH * scale).round() as u32,
+            height: (y * scale).ceil() as u32,
+            headings,
+            placements,
+        }
     }
 }

@@ -1,13 +1,14 @@
 //! Skyboxes, mirrors, and light from everywhere.
 
-use super::super::exhibit::{Exhibit, Section, Stage};
-use crate::report::CliError;
+use crate::GalleryError;
+use crate::base_scene::BaseScene;
+use crate::exhibit::{Exhibit, Section};
 use gonio_light::Fresnel;
 use gonio_scene::color_value::Color;
 use gonio_scene::scene_file::{LightSourceKind, LightSpec, SceneFile};
 
 /// Three rows: behind an object, in it, on it.
-pub fn section() -> Result<Section, CliError> {
+pub fn section() -> Result<Section, GalleryError> {
     Ok(Section {
         id: "environments",
         title: "Environments",
@@ -25,12 +26,12 @@ fn environment(scene: &mut SceneFile, image: &str, rotate: [f64; 3]) {
     environment.rotate = rotate;
 }
 
-fn skyboxes() -> Result<Vec<Exhibit>, CliError> {
+fn skyboxes() -> Result<Vec<Exhibit>, GalleryError> {
     const SEEN: &str = "L = !{E(−V)}";
     let exhibit = |name: &str, remark: &str, look: &str, change: &dyn Fn(&mut SceneFile)| {
-        let scene = Stage::RoomSphere.with(change)?;
-        Ok::<_, CliError>(
-            Exhibit::new(format!("skybox-{name}"), name, scene).remark(remark).aspect(1.75).tells(SEEN, look),
+        let scene = BaseScene::RoomSphere.with(change)?;
+        Ok::<_, GalleryError>(
+            Exhibit::new(format!("skybox-{name}"), name, scene).remark(remark).aspect(1.75).about(SEEN, look),
         )
     };
     Ok(vec![
@@ -88,15 +89,15 @@ fn skyboxes() -> Result<Vec<Exhibit>, CliError> {
     ])
 }
 
-fn mirrors() -> Result<Vec<Exhibit>, CliError> {
+fn mirrors() -> Result<Vec<Exhibit>, GalleryError> {
     const MIRROR: &str = "L = !{E(R)},   R = 2 (N·V) N − V";
     let mirror = |s: &mut SceneFile| s.objects[0].material.reflectivity = Some(1.0);
     Ok(vec![
-        Exhibit::new("mirror-sphere", "a mirror", Stage::RoomSphere.with(mirror)?).remark("w = 1").tells(
+        Exhibit::new("mirror-sphere", "a mirror", BaseScene::RoomSphere.with(mirror)?).remark("w = 1").about(
             MIRROR,
             "Nearly the whole room, also what is behind the eye: at the outline even what is behind the sphere.",
         ),
-        Exhibit::new("mirror-suzanne", "Suzanne as one", Stage::RoomSuzanne.with(mirror)?).remark("w = 1").tells(
+        Exhibit::new("mirror-suzanne", "Suzanne as one", BaseScene::RoomSuzanne.with(mirror)?).remark("w = 1").about(
             MIRROR,
             "Where she is nearly plane the room is large, where she is strongly curved it is small. She does not see \
              herself: E depends on a direction only.",
@@ -104,7 +105,7 @@ fn mirrors() -> Result<Vec<Exhibit>, CliError> {
         Exhibit::new(
             "mirror-debug",
             "left is left",
-            Stage::RoomSphere.with(|s| {
+            BaseScene::RoomSphere.with(|s| {
                 mirror(s);
                 environment(s, "debug", [0.0; 3]);
                 s.camera.position = Some([0.0, 0.3, 2.9]);
@@ -112,7 +113,7 @@ fn mirrors() -> Result<Vec<Exhibit>, CliError> {
             })?,
         )
         .remark("+Z is behind the eye")
-        .tells(
+        .about(
             MIRROR,
             "A mirror shows writing mirrored, and behind the sphere it is not: the proof that the environment itself is \
              the right way round.",
@@ -120,28 +121,28 @@ fn mirrors() -> Result<Vec<Exhibit>, CliError> {
         Exhibit::new(
             "mirror-blended",
             "a third of a mirror",
-            Stage::RoomSuzanne.with(|s| s.objects[0].material.reflectivity = Some(0.3))?,
+            BaseScene::RoomSuzanne.with(|s| s.objects[0].material.reflectivity = Some(0.3))?,
         )
         .remark("w = 0.3 from everywhere")
-        .tells("L = (1 − !{0.3}) L_o + !{0.3} E(R)", "The lit surface and the mirror, mixed alike at every angle."),
+        .about("L = (1 − !{0.3}) L_o + !{0.3} E(R)", "The lit surface and the mirror, mixed alike at every angle."),
         Exhibit::new(
             "mirror-lacquer",
             "lacquer",
-            Stage::RoomSuzanne.with(|s| {
+            BaseScene::RoomSuzanne.with(|s| {
                 mirror(s);
                 s.objects[0].material.fresnel = Some(Fresnel::Exact);
                 s.objects[0].material.refraction_index = Some(1.5);
             })?,
         )
         .remark("w = F, index 1.5")
-        .tells(
+        .about(
             "L = (1 − !{F}) L_o + !{F} E(R)",
             "Fresnel's factor as weight: 4 % where one looks straight at the red, a mirror at grazing angles.",
         ),
     ])
 }
 
-fn image_based() -> Result<Vec<Exhibit>, CliError> {
+fn image_based() -> Result<Vec<Exhibit>, GalleryError> {
     let lit_by_it_alone = |s: &mut SceneFile| {
         s.lights.clear();
         // The window to the left, so that there is more light from one side than from the other.
@@ -150,7 +151,7 @@ fn image_based() -> Result<Vec<Exhibit>, CliError> {
     };
     let suzanne =
         |name: &str, caption: &str, remark: &str, diffuse, specular, gamma: f64, equation: &str, look: &str| {
-            let scene = Stage::RoomSuzanne.with(|s| {
+            let scene = BaseScene::RoomSuzanne.with(|s| {
                 lit_by_it_alone(s);
                 let material = &mut s.objects[0].material;
                 material.ambient = Some(Color::grey(0.0));
@@ -158,7 +159,7 @@ fn image_based() -> Result<Vec<Exhibit>, CliError> {
                 material.specular = Some(Color(specular));
                 material.shininess = Some(gamma);
             })?;
-            Ok::<_, CliError>(Exhibit::new(name, caption, scene).remark(remark).tells(equation, look))
+            Ok::<_, GalleryError>(Exhibit::new(name, caption, scene).remark(remark).about(equation, look))
         };
     const GLOSSY: &str = "∫ f_γ E … ≈ E_γ(R') !{(A k_s + B)}";
     let (metal, dark) = ([0.95, 0.68, 0.36], [0.02, 0.012, 0.006]);
@@ -208,7 +209,7 @@ fn image_based() -> Result<Vec<Exhibit>, CliError> {
         Exhibit::new(
             "ibl-still-life",
             "blurred behind",
-            Stage::StillLife.with(|s| {
+            BaseScene::StillLife.with(|s| {
                 lit_by_it_alone(s);
                 s.environment.get_or_insert_default().blur = 0.25;
                 s.camera.position = Some([2.5, 2.35, 6.4]);
@@ -218,9 +219,9 @@ fn image_based() -> Result<Vec<Exhibit>, CliError> {
             })?,
         )
         .aspect(1.6)
-        .exact()
+        .at_sheet_size()
         .remark("the still life by the room's light")
-        .tells(
+        .about(
             "L = !{E_γ(−V)}",
             "The same blurred cubemaps behind the objects keep the eye on what is in front. There are no shadows: E does \
              not know the objects.",

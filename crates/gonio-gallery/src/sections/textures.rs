@@ -1,14 +1,15 @@
 //! Textures and their filters; tone maps.
 
-use super::super::exhibit::{Exhibit, Section, Stage};
-use crate::report::CliError;
+use crate::GalleryError;
+use crate::base_scene::BaseScene;
+use crate::exhibit::{Exhibit, Section};
 use gonio_light::color::ToneMap;
 use gonio_scene::TextureFilter;
 use gonio_scene::color_value::Color;
 use gonio_scene::scene_file::SceneFile;
 
 /// Two rows.
-pub fn section() -> Result<Section, CliError> {
+pub fn section() -> Result<Section, GalleryError> {
     Ok(Section {
         id: "textures",
         title: "Textures and tone",
@@ -19,35 +20,35 @@ pub fn section() -> Result<Section, CliError> {
     })
 }
 
-fn filters() -> Result<Vec<Exhibit>, CliError> {
+fn filters() -> Result<Vec<Exhibit>, GalleryError> {
     let close = |s: &mut SceneFile| {
         s.camera.position = Some([-3.2, 0.16, 1.45]);
         s.camera.target = Some([-1.0, 0.3, -0.25]);
         s.camera.fov_y = Some(36.0);
     };
     let exhibit = |name: &str, caption: &str, remark: &str, filter, look: &str| {
-        let scene = Stage::StillLife.with(|s| {
+        let scene = BaseScene::StillLife.with(|s| {
             close(s);
             s.picture.texture_filter = filter;
         })?;
-        Ok::<_, CliError>(
+        Ok::<_, GalleryError>(
             Exhibit::new(name, caption, scene)
-                .exact()
+                .at_sheet_size()
                 .remark(remark)
                 .aspect(1.75)
-                .tells("k_d = !{texture(u, v)}", look),
+                .about("k_d = !{texture(u, v)}", look),
         )
     };
-    let without = Stage::StillLife.with(|s| {
+    let without = BaseScene::StillLife.with(|s| {
         close(s);
         s.objects[0].material.textures = Some(false);
     })?;
     Ok(vec![
         Exhibit::new("texture-none", "without", without)
-            .exact()
+            .at_sheet_size()
             .remark("k_d of the material alone")
             .aspect(1.75)
-            .tells(
+            .about(
                 "k_d ~{texture(u, v)}",
                 "The floor and the crate have no colour of their own: their k_d is the texture's.",
             ),
@@ -75,17 +76,17 @@ fn filters() -> Result<Vec<Exhibit>, CliError> {
     ])
 }
 
-fn tones() -> Result<Vec<Exhibit>, CliError> {
+fn tones() -> Result<Vec<Exhibit>, GalleryError> {
     let exhibit = |tone_map: ToneMap, caption: &str, remark: &str, equation: &str, look: &str| {
-        let scene = Stage::StillLife.with(|s| {
+        let scene = BaseScene::StillLife.with(|s| {
             s.picture.tone_map = tone_map;
             s.picture.exposure = 2.5;
             // The background is light too: so much over-exposed it would no longer be dark.
             s.background.top = Color([0.001, 0.0013, 0.0022]);
             s.background.bottom = Color([0.003, 0.0035, 0.005]);
         })?;
-        Ok::<_, CliError>(
-            Exhibit::new(format!("tone-{tone_map}"), caption, scene).remark(remark).aspect(1.75).tells(equation, look),
+        Ok::<_, GalleryError>(
+            Exhibit::new(format!("tone-{tone_map}"), caption, scene).remark(remark).aspect(1.75).about(equation, look),
         )
     };
     Ok(vec![

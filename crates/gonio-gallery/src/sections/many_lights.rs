@@ -1,7 +1,8 @@
 //! Hundreds of small lights in one pass.
 
-use super::super::exhibit::{Exhibit, Section, Stage};
-use crate::report::CliError;
+use crate::GalleryError;
+use crate::base_scene::BaseScene;
+use crate::exhibit::{Exhibit, Section};
 use gonio_scene::color_value::Color;
 use gonio_scene::scene_file::{LightSourceKind, LightSpec};
 use std::f64::consts::{PI, TAU};
@@ -12,7 +13,7 @@ const CARPET: usize = 200;
 const RING: usize = 24;
 
 /// A carpet and a ring of lights.
-pub fn section() -> Result<Section, CliError> {
+pub fn section() -> Result<Section, GalleryError> {
     Ok(Section {
         id: "many-lights",
         title: "Many lights",
@@ -22,8 +23,8 @@ pub fn section() -> Result<Section, CliError> {
     })
 }
 
-fn carpet() -> Result<Exhibit, CliError> {
-    let scene = Stage::StillLife.with(|s| {
+fn carpet() -> Result<Exhibit, GalleryError> {
+    let scene = BaseScene::StillLife.with(|s| {
         s.lights.truncate(1);
         s.lights[0].intensity = Some(0.05);
         s.lights.extend((0..CARPET).map(carpet_light));
@@ -34,18 +35,18 @@ fn carpet() -> Result<Exhibit, CliError> {
     })?;
     Ok(Exhibit::new("many-lights", format!("{CARPET} point lights in one pass"), scene)
         .aspect(1.9)
-        .exact()
+        .at_sheet_size()
         .remark("a sunflower of lamps a hand above the floor, each fading with 1 / (0.35 + 14 d^2)")
-        .tells(
+        .about(
             "L_o = A + E + !{Σ_{i=1}^{200}} [ k_d ⟨N·L_i⟩ + k_s spec_i ] L_i !{att_i}",
             "Every fragment sums all lights. Each pool of light on the floor is one of them; in the dark squares and on \
              the crate each has its own small mirror image.",
         ))
 }
 
-fn ring() -> Result<Exhibit, CliError> {
+fn ring() -> Result<Exhibit, GalleryError> {
     let pearl = Some(Color::grey(0.3));
-    let scene = Stage::Suzanne.with(|s| {
+    let scene = BaseScene::Suzanne.with(|s| {
         s.lights.truncate(1);
         s.lights[0].intensity = Some(0.04);
         s.lights.extend((0..RING).map(|i| {
@@ -66,9 +67,9 @@ fn ring() -> Result<Exhibit, CliError> {
         (material.specular, material.shininess) = (Some(Color::grey(0.7)), Some(60.0));
     })?;
     Ok(Exhibit::new("ring-of-lights", format!("{RING} lights in a ring"), scene)
-        .exact()
+        .at_sheet_size()
         .remark("grey all over: every colour here is a light's")
-        .tells(
+        .about(
             "L_o = A + !{Σ_{i=1}^{24}} [ k_d ⟨N·L_i⟩ + k_s spec_i ] !{L_i} att_i",
             "A colour wheel of lamps around a grey head: what faces a lamp takes its colour, and where lamps mix the \
              grey returns.",

@@ -1,13 +1,14 @@
-//! `index.html`: one file with its style in it, no scripts, no network.
+//! The web page of the gallery: one HTML file with its style in it, no scripts, no network.
 
-use super::draw::{Result, Shown, grouped};
-use super::exhibit::{Section, Subject};
-use super::maths::{escape, html, mathml};
+use crate::drawing::{DrawnExhibit, grouped};
+use crate::exhibit::{Section, Subject};
+use crate::markup::{self, escape, html, mathml};
 
 const STYLE: &str = include_str!("page.css");
 
-/// The page. Pictures and scenes are named relative to it.
-pub fn write(sections: &[Section], drawn: &Result<'_>) -> String {
+/// Writes the page. Pictures and scenes are named relative to it: `pictures/NAME.png`, `scenes/NAME.toml`, `sheet.png`.
+/// `drawn_by` is a clause such as "drawn by the CPU reference".
+pub fn write(sections: &[Section], drawn: &[DrawnExhibit<'_>], drawn_by: &str) -> String {
     let mut page = String::with_capacity(64 * 1024);
     let whole = sections.first().map_or("", |s| s.equation);
     page += &format!(
@@ -19,14 +20,14 @@ pub fn write(sections: &[Section], drawn: &Result<'_>) -> String {
          <p>{} pictures, {}. Under each: the equation with the terms in play, what to look at, and the command that \
          makes it again. All on <a href=\"sheet.png\">one sheet</a>.</p>\n<nav>\n",
         mathml(whole),
-        drawn.shown.len(),
-        escape(&drawn.sentence),
+        drawn.len(),
+        escape(drawn_by),
     );
     for section in sections.iter().filter(|s| !s.title.is_empty()) {
         page += &format!("<a href=\"#{}\">{}</a>\n", section.id, html(section.title));
     }
     page += "</nav>\n</header>\n<main>\n";
-    let mut shown = drawn.shown.iter();
+    let mut drawn = drawn.iter();
     for (index, section) in sections.iter().enumerate() {
         let class = if index == 0 { " class=\"first\"" } else { "" };
         page += &format!("<section id=\"{}\"{class}>\n", section.id);
@@ -41,8 +42,8 @@ pub fn write(sections: &[Section], drawn: &Result<'_>) -> String {
         for row in &section.rows {
             let class = if row.len() <= 2 { "row large" } else { "row" };
             page += &format!("<div class=\"{class}\">\n");
-            for shown in shown.by_ref().take(row.len()) {
-                page += &figure(shown);
+            for drawn in drawn.by_ref().take(row.len()) {
+                page += &figure(drawn);
             }
             page += "</div>\n";
         }
@@ -58,38 +59,38 @@ pub fn write(sections: &[Section], drawn: &Result<'_>) -> String {
     page
 }
 
-fn figure(shown: &Shown<'_>) -> String {
-    let exhibit = shown.exhibit;
+fn figure(drawn: &DrawnExhibit<'_>) -> String {
+    let exhibit = drawn.exhibit;
     let name = escape(&exhibit.name);
-    let alt: String = super::maths::runs(&exhibit.caption).into_iter().map(|r| r.text).collect();
+    let alt: String = markup::runs(&exhibit.caption).into_iter().map(|r| r.text).collect();
     format!(
         "<figure id=\"{name}\">\n<a href=\"pictures/{name}.png\"><img src=\"pictures/{name}.png\" width=\"{}\" \
          height=\"{}\" alt=\"{}\" loading=\"lazy\"></a>\n<figcaption>\n<h3>{}</h3>\n<p>{}</p>\n\
          <div class=\"formula\">{}</div>\n<p>{}</p>\n<dl>\n{}</dl>\n<code>{}</code>\n</figcaption>\n</figure>\n",
-        shown.width,
-        shown.height,
+        drawn.width,
+        drawn.height,
         escape(&alt),
         html(&exhibit.caption),
-        html(&shown.remark()),
+        html(&drawn.remark()),
         mathml(&exhibit.equation),
         html(&exhibit.look),
-        facts(shown, &name),
-        escape(&shown.command),
+        facts(drawn, &name),
+        escape(&drawn.command),
     )
 }
 
-/// How it was made, in numbers.
-fn facts(shown: &Shown<'_>, name: &str) -> String {
-    let size = format!("{:.1} ms at {} × {}", shown.ms, shown.width, shown.height);
-    if let Subject::Converted(_) = shown.exhibit.subject {
+/// The numbers of a picture: differences, times, counts.
+fn facts(drawn: &DrawnExhibit<'_>, name: &str) -> String {
+    let size = format!("{:.1} ms at {} × {}", drawn.ms, drawn.width, drawn.height);
+    if let Subject::Environment(_) = drawn.exhibit.subject {
         return format!("<dt>converted in</dt><dd>{size}</dd>\n");
     }
-    let difference = match &shown.difference {
+    let difference = match &drawn.difference {
         Some(d) => format!(
             "max {}, mean {:.3}; {:.2} % of pixels within 1",
             d.max,
             d.mean,
-            // Rounded down: 100 is said only where it is all of them.
+            // Rounded down: 100 appears only if all pixels are within one step.
             (d.within_one * 1e4).floor() / 100.0
         ),
         None => "n/a: drawn by the CPU".to_owned(),
@@ -99,7 +100,7 @@ fn facts(shown: &Shown<'_>, name: &str) -> String {
         "<dt>GPU against CPU</dt><dd>{difference}</dd>\n<dt>drawn in</dt><dd>{size}</dd>\n\
          <dt>vertices lit</dt><dd>{}</dd>\n<dt>fragments lit</dt><dd>{}</dd>\n\
          <dt>scene</dt><dd><a href=\"scenes/{name}.toml\">{name}.toml</a></dd>\n",
-        count(shown.counts.vertices),
-        count(shown.counts.fragments),
+        count(drawn.counts.vertices),
+        count(drawn.counts.fragments),
     )
 }

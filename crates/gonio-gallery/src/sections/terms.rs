@@ -1,19 +1,20 @@
 //! The terms of the equation, each alone, and their sum.
 
-use super::super::exhibit::{Exhibit, Section, Stage};
-use crate::report::CliError;
+use crate::GalleryError;
+use crate::base_scene::BaseScene;
+use crate::exhibit::{Exhibit, Section};
 use gonio_scene::SceneFile;
 use gonio_scene::scene_file::LightSourceKind;
 
 /// A, E, the diffuse and the specular term, and L.
-pub fn section() -> Result<Section, CliError> {
+pub fn section() -> Result<Section, GalleryError> {
     let only = |name: &str, caption: &str, remark: &str, joiner, terms: [bool; 4], equation: &str, look: &str| {
-        let scene = Stage::StillLife.with(|scene| {
+        let scene = BaseScene::StillLife.with(|scene| {
             keep(scene, terms);
             scene.camera.fov_y = Some(29.5);
         })?;
-        Ok::<_, CliError>(
-            Exhibit::new(name, caption, scene).remark(remark).aspect(1.45).joined(joiner).tells(equation, look),
+        Ok::<_, GalleryError>(
+            Exhibit::new(name, caption, scene).remark(remark).aspect(1.45).joined(joiner).about(equation, look),
         )
     };
     Ok(Section {

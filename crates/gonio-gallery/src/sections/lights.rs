@@ -1,7 +1,8 @@
 //! Kinds of light, attenuation, and a light that moves.
 
-use super::super::exhibit::{Exhibit, Section, Stage};
-use crate::report::CliError;
+use crate::GalleryError;
+use crate::base_scene::BaseScene;
+use crate::exhibit::{Exhibit, Section};
 use gonio_scene::color_value::Color;
 use gonio_scene::scene_file::{LightSourceKind, LightSpec, MotionKind, MotionSpec, SceneFile};
 use std::f64::consts::TAU;
@@ -9,7 +10,7 @@ use std::f64::consts::TAU;
 const WARM: Color = Color([1.0, 0.82, 0.6]);
 
 /// Three rows: kinds, attenuation, motion.
-pub fn section() -> Result<Section, CliError> {
+pub fn section() -> Result<Section, GalleryError> {
     let mut second = attenuation()?;
     second.extend(motion()?);
     Ok(Section {
@@ -22,7 +23,7 @@ pub fn section() -> Result<Section, CliError> {
     })
 }
 
-fn kinds() -> Result<Vec<Exhibit>, CliError> {
+fn kinds() -> Result<Vec<Exhibit>, GalleryError> {
     let point = LightSpec {
         kind: LightSourceKind::Point,
         position: Some([0.35, 1.9, 1.9]),
@@ -33,8 +34,8 @@ fn kinds() -> Result<Vec<Exhibit>, CliError> {
         ..LightSpec::default()
     };
     let exhibit = |name: &str, caption: &str, remark: &str, light, equation: &str, look: &str| {
-        let scene = Stage::StillLife.with(|s| only(s, 0.03, light))?;
-        Ok::<_, CliError>(Exhibit::new(name, caption, scene).remark(remark).aspect(1.7).tells(equation, look))
+        let scene = BaseScene::StillLife.with(|s| only(s, 0.03, light))?;
+        Ok::<_, GalleryError>(Exhibit::new(name, caption, scene).remark(remark).aspect(1.7).about(equation, look))
     };
     Ok(vec![
         exhibit(
@@ -94,9 +95,9 @@ fn kinds() -> Result<Vec<Exhibit>, CliError> {
     ])
 }
 
-fn attenuation() -> Result<Vec<Exhibit>, CliError> {
+fn attenuation() -> Result<Vec<Exhibit>, GalleryError> {
     let exhibit = |name: &str, caption: &str, k_q: f64, look: &str| {
-        let scene = Stage::StillLife.with(|s| {
+        let scene = BaseScene::StillLife.with(|s| {
             let light = LightSpec {
                 kind: LightSourceKind::Point,
                 position: Some([-0.6, 1.1, 0.9]),
@@ -109,11 +110,11 @@ fn attenuation() -> Result<Vec<Exhibit>, CliError> {
             only(s, 0.02, light);
             s.camera.fov_y = Some(31.5);
         })?;
-        Ok::<_, CliError>(
+        Ok::<_, GalleryError>(
             Exhibit::new(name, caption, scene)
                 .remark(format!("k_q = {k_q}"))
                 .aspect(1.35)
-                .tells("att_i = \\f{1}{!{k_c} + k_l d + !{k_q} d^2}", look),
+                .about("att_i = \\f{1}{!{k_c} + k_l d + !{k_q} d^2}", look),
         )
     };
     Ok(vec![
@@ -128,8 +129,8 @@ fn attenuation() -> Result<Vec<Exhibit>, CliError> {
     ])
 }
 
-fn motion() -> Result<Vec<Exhibit>, CliError> {
-    let scene = Stage::Sphere.with(|s| {
+fn motion() -> Result<Vec<Exhibit>, GalleryError> {
+    let scene = BaseScene::Sphere.with(|s| {
         s.objects[0].model = "builtin:sphere-smooth".into();
         let light = LightSpec {
             kind: LightSourceKind::Point,
@@ -158,7 +159,7 @@ fn motion() -> Result<Vec<Exhibit>, CliError> {
                 .remark(place)
                 .aspect(0.9)
                 .at(time)
-                .tells(
+                .about(
                     "p_i(t) = p_i + a !{sin(2π t / T)}",
                     "The light swings along z as in exercise 07; the highlight and the shadow line follow it.",
                 )

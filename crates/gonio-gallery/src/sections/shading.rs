@@ -1,23 +1,24 @@
 //! Where the equation is evaluated.
 
-use super::super::exhibit::{Exhibit, Section, Stage};
-use crate::report::CliError;
+use crate::GalleryError;
+use crate::base_scene::BaseScene;
+use crate::exhibit::{Exhibit, Section};
 use gonio_scene::scene_file::{Normals, Shading};
 
 /// Flat, flat per face, Gouraud, Phong on a sphere of 224 triangles, and on Suzanne.
-pub fn section() -> Result<Section, CliError> {
+pub fn section() -> Result<Section, GalleryError> {
     let sphere = |name: &str, caption: &str, remark: &str, shading, equation: &str, look: &str| {
-        let scene = Stage::Sphere.with(|s| s.objects[0].shading = shading)?;
-        Ok::<_, CliError>(Exhibit::new(name, caption, scene).remark(remark).tells(equation, look))
+        let scene = BaseScene::Sphere.with(|s| s.objects[0].shading = shading)?;
+        Ok::<_, GalleryError>(Exhibit::new(name, caption, scene).remark(remark).about(equation, look))
     };
     let suzanne = |name: &str, caption: &str, remark: &str, shading, normals, look: &str| {
-        let scene = Stage::Suzanne.with(|s| {
+        let scene = BaseScene::Suzanne.with(|s| {
             s.objects[0].shading = shading;
             s.objects[0].normals = normals;
             s.camera.fov_y = Some(21.0);
             s.camera.target = Some([-0.04, 0.1, 0.3]);
         })?;
-        Ok::<_, CliError>(Exhibit::new(name, caption, scene).remark(remark).tells("L_o = A + E + Σ_i … !{N}", look))
+        Ok::<_, GalleryError>(Exhibit::new(name, caption, scene).remark(remark).about("L_o = A + E + Σ_i … !{N}", look))
     };
     let spheres = vec![
         sphere(

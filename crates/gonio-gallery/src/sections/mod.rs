@@ -1,5 +1,4 @@
-//! The registry of the tour: a new capability writes a section in a file of its own and adds a line
-//! here.
+//! The sections of the gallery. A new technique adds a file here, and a line to [`SECTIONS`].
 
 mod brdfs;
 mod cubemaps;
@@ -15,11 +14,10 @@ mod textures;
 mod triangles;
 mod views;
 
-use super::exhibit::Section;
-use crate::report::CliError;
+use crate::GalleryError;
+use crate::exhibit::Section;
 
-/// Makes a section.
-type Maker = fn() -> Result<Section, CliError>;
+type Maker = fn() -> Result<Section, GalleryError>;
 
 /// In the order of the sheet.
 const SECTIONS: [Maker; 13] = [
@@ -38,16 +36,21 @@ const SECTIONS: [Maker; 13] = [
     many_lights::section,
 ];
 
-/// Every section.
-pub fn all() -> Result<Vec<Section>, CliError> {
+/// Returns all sections in the order of the contact sheet.
+///
+/// # Errors
+///
+/// A built-in scene that cannot be read.
+pub fn all() -> Result<Vec<Section>, GalleryError> {
     SECTIONS.iter().map(|make| make()).collect()
 }
 
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
-    use super::super::exhibit::{Stage, Subject};
     use super::*;
+    use crate::base_scene::BaseScene;
+    use crate::exhibit::Subject;
     use std::collections::HashSet;
     use std::path::Path;
 
@@ -74,9 +77,9 @@ mod tests {
     }
 
     #[test]
-    fn every_stage_reads() {
-        for stage in Stage::ALL {
-            assert!(!stage.scene().unwrap().lights.is_empty(), "{stage:?}");
+    fn every_base_scene_reads() {
+        for base in BaseScene::ALL {
+            assert!(!base.scene().unwrap().lights.is_empty(), "{base:?}");
         }
     }
 }

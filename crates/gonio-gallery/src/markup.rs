@@ -1,25 +1,24 @@
-//! A small markup for formulas in captions and equations, and what becomes of it: MathML and HTML on the
-//! page, pieces of text on the sheet.
+//! A small markup for formulas in captions and equations: MathML and HTML for the page, text runs for the sheet.
 //!
-//! `_x`, `_{..}` below; `^x`, `^{..}` above; `\f{a}{b}` a fraction; `!{..}` stressed; `~{..}` faded;
-//! `{..}` belongs together. All else is itself; nothing is an error.
+//! `_x`, `_{..}` is a subscript; `^x`, `^{..}` a superscript; `\f{a}{b}` a fraction; `!{..}` stressed; `~{..}` faded;
+//! `{..}` a group. All other text stands for itself, and no text is an error.
 
-/// How something stands out.
+/// How strongly a part of a formula stands out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Style {
-    /// Not at all.
+pub enum Emphasis {
+    /// Plain text.
     #[default]
     Plain,
-    /// In play.
+    /// A term at work.
     Stressed,
-    /// Not in play.
+    /// A term that is switched off.
     Faded,
 }
 
 #[derive(Clone, Debug, PartialEq)]
 enum Node {
     Text(String),
-    Group(Style, Vec<Node>),
+    Group(Emphasis, Vec<Node>),
     Below(Vec<Node>),
     Above(Vec<Node>),
     Fraction(Vec<Node>, Vec<Node>),
@@ -27,40 +26,42 @@ enum Node {
 
 /// A piece of text on one line.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Run {
-    /// What stands there.
+pub struct TextRun {
+    /// The text.
     pub text: String,
     /// Relative to the line's size.
     pub size: f32,
     /// Upwards, relative to the line's size.
     pub rise: f32,
     /// How it stands out.
-    pub style: Style,
+    pub emphasis: Emphasis,
 }
 
-/// For the sheet: runs of text.
-pub fn runs(markup: &str) -> Vec<Run> {
-    fn walk(nodes: &[Node], size: f32, rise: f32, style: Style, to: &mut Vec<Run>) {
+/// Converts markup to runs of text, for the sheet.
+pub fn runs(markup: &str) -> Vec<TextRun> {
+    fn walk(nodes: &[Node], size: f32, rise: f32, emphasis: Emphasis, to: &mut Vec<TextRun>) {
         for node in nodes {
             match node {
-                Node::Text(text) => to.push(Run { text: text.clone(), size, rise, style }),
-                Node::Group(own, inner) => walk(inner, size, rise, if *own == Style::Plain { style } else { *own }, to),
-                Node::Below(inner) => walk(inner, 0.7 * size, rise - 0.16 * size, style, to),
-                Node::Above(inner) => walk(inner, 0.7 * size, rise + 0.32 * size, style, to),
+                Node::Text(text) => to.push(TextRun { text: text.clone(), size, rise, emphasis }),
+                Node::Group(own, inner) => {
+                    walk(inner, size, rise, if *own == Emphasis::Plain { emphasis } else { *own }, to)
+                }
+                Node::Below(inner) => walk(inner, 0.7 * size, rise - 0.16 * size, emphasis, to),
+                Node::Above(inner) => walk(inner, 0.7 * size, rise + 0.32 * size, emphasis, to),
                 Node::Fraction(over, under) => {
-                    walk(over, size, rise, style, to);
-                    to.push(Run { text: " / ".into(), size, rise, style });
-                    walk(under, size, rise, style, to);
+                    walk(over, size, rise, emphasis, to);
+                    to.push(TextRun { text: " / ".into(), size, rise, emphasis });
+                    walk(under, size, rise, emphasis, to);
                 }
             }
         }
     }
     let mut to = Vec::new();
-    walk(&parse(markup), 1.0, 0.0, Style::Plain, &mut to);
+    walk(&parse(markup), 1.0, 0.0, Emphasis::Plain, &mut to);
     to
 }
 
-/// For a sentence of the page.
+/// Converts markup to HTML, for a sentence of the page.
 pub fn html(markup: &str) -> String {
     fn walk(nodes: &[Node], to: &mut String) {
         for node in nodes {
@@ -75,9 +76,9 @@ pub fn html(markup: &str) -> String {
                     walk(under, to);
                     continue;
                 }
-                Node::Group(Style::Plain, inner) => ("", inner, ""),
-                Node::Group(Style::Stressed, inner) => ("<b>", inner, "</b>"),
-                Node::Group(Style::Faded, inner) => ("<span class=\"off\">", inner, "</span>"),
+                Node::Group(Emphasis::Plain, inner) => ("", inner, ""),
+                Node::Group(Emphasis::Stressed, inner) => ("<b>", inner, "</b>"),
+                Node::Group(Emphasis::Faded, inner) => ("<span class=\"off\">", inner, "</span>"),
                 Node::Below(inner) => ("<sub>", inner, "</sub>"),
                 Node::Above(inner) => ("<sup>", inner, "</sup>"),
             };
@@ -91,17 +92,17 @@ pub fn html(markup: &str) -> String {
     to
 }
 
-/// A formula of the page.
+/// Converts markup to MathML, for a formula of the page.
 pub fn mathml(markup: &str) -> String {
     format!("<math>{}</math>", row(&parse(markup)))
 }
 
-/// Text in HTML.
+/// Escapes text for HTML.
 pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// Something that may have an index and an exponent.
+/// A base with an optional subscript and superscript.
 #[derive(Default)]
 struct Atom {
     base: String,
@@ -114,11 +115,11 @@ fn row(nodes: &[Node]) -> String {
     for node in nodes {
         match node {
             Node::Text(text) => tokens(text, &mut atoms),
-            Node::Group(style, inner) => {
-                let class = match style {
-                    Style::Plain => "",
-                    Style::Stressed => " class=\"on\"",
-                    Style::Faded => " class=\"off\"",
+            Node::Group(emphasis, inner) => {
+                let class = match emphasis {
+                    Emphasis::Plain => "",
+                    Emphasis::Stressed => " class=\"on\"",
+                    Emphasis::Faded => " class=\"off\"",
                 };
                 atoms.push(Atom { base: format!("<mrow{class}>{}</mrow>", row(inner)), ..Atom::default() });
             }
@@ -187,7 +188,7 @@ fn parse(markup: &str) -> Vec<Node> {
     nodes(&mut rest, 0)
 }
 
-/// Deeper than any formula; braces beyond are taken as they are.
+/// Deeper than any formula; braces beyond are plain text.
 const DEEPEST: usize = 16;
 
 fn nodes(rest: &mut &str, depth: usize) -> Vec<Node> {
@@ -204,16 +205,16 @@ fn nodes(rest: &mut &str, depth: usize) -> Vec<Node> {
             None
         } else if rest.starts_with("!{") {
             *rest = &rest[1..];
-            Some(Node::Group(Style::Stressed, argument(rest, depth)))
+            Some(Node::Group(Emphasis::Stressed, argument(rest, depth)))
         } else if rest.starts_with("~{") {
             *rest = &rest[1..];
-            Some(Node::Group(Style::Faded, argument(rest, depth)))
+            Some(Node::Group(Emphasis::Faded, argument(rest, depth)))
         } else if rest.starts_with("\\f{") {
             *rest = &rest[2..];
             let over = argument(rest, depth);
             Some(Node::Fraction(over, argument(rest, depth)))
         } else if c == '{' {
-            Some(Node::Group(Style::Plain, argument(rest, depth)))
+            Some(Node::Group(Emphasis::Plain, argument(rest, depth)))
         } else if (c == '_' || c == '^') && rest.len() > 1 {
             *rest = &rest[1..];
             let inner = argument(rest, depth);
@@ -271,11 +272,11 @@ mod tests {
         let runs = runs("k_d ~{x}");
         let texts: Vec<&str> = runs.iter().map(|r| r.text.as_str()).collect();
         assert_eq!(texts, ["k", "d", " ", "x"]);
-        assert!(runs[1].rise < 0.0 && runs[1].size < 1.0 && runs[3].style == Style::Faded);
+        assert!(runs[1].rise < 0.0 && runs[1].size < 1.0 && runs[3].emphasis == Emphasis::Faded);
     }
 
     #[test]
-    fn unfinished_markup_is_no_trouble() {
+    fn unfinished_markup_is_not_an_error() {
         for text in ["{", "}", "_", "a_", "^", "\\f{", "\\f{a", "!{", "a}b", &"{".repeat(1000), &"^".repeat(1000)] {
             let _ = (mathml(text), html(text), runs(text));
         }

@@ -1,7 +1,8 @@
 //! Water, ice, glass, diamond: the lab's refraction, and beyond it.
 
-use super::super::exhibit::{Exhibit, Section, Stage};
-use crate::report::CliError;
+use crate::GalleryError;
+use crate::base_scene::BaseScene;
+use crate::exhibit::{Exhibit, Section};
 use gonio_light::fresnel::Medium;
 use gonio_light::{Fresnel, Surfaces};
 use gonio_scene::color_value::Color;
@@ -10,19 +11,24 @@ use gonio_scene::scene_file::{MaterialOverride, SceneFile};
 const SEED: &str = "T = (n N·V − √(1 − n^2 (1 − (N·V)^2))) N − n V";
 
 /// The table twice, then what counts beside the index.
-pub fn section() -> Result<Section, CliError> {
+pub fn section() -> Result<Section, GalleryError> {
     Ok(Section {
         id: "refraction",
         title: "Refraction",
         equation: "L = F E(R) + (1 − F) E(T),   T = (n N·V − √(1 − n^2 (1 − (N·V)^2))) N − n V",
         introduction: "n is the index outside over the one inside. As in the lab, the ray of sight is bent once, where it \
                        enters; the last row follows it through the body.",
-        rows: vec![table(Stage::RoomSphere, "")?, table(Stage::RoomSuzanne, "-suzanne")?, fresnel()?, through()?],
+        rows: vec![
+            table(BaseScene::RoomSphere, "")?,
+            table(BaseScene::RoomSuzanne, "-suzanne")?,
+            fresnel()?,
+            through()?,
+        ],
     })
 }
 
 /// The lab's table of indices.
-fn table(stage: Stage, suffix: &str) -> Result<Vec<Exhibit>, CliError> {
+fn table(base: BaseScene, suffix: &str) -> Result<Vec<Exhibit>, GalleryError> {
     let look = |medium| match medium {
         Medium::Air => "The index of what is around it: nothing is bent, nothing is reflected, nothing is seen.",
         Medium::Water => "Straight through in the middle, bent more and more towards the outline, where F takes over.",
@@ -33,32 +39,32 @@ fn table(stage: Stage, suffix: &str) -> Result<Vec<Exhibit>, CliError> {
         }
     };
     let exhibit = |&medium: &Medium| {
-        let scene = stage.with(|s| s.objects[0].material.medium = Some(medium))?;
+        let scene = base.with(|s| s.objects[0].material.medium = Some(medium))?;
         let index = medium.refraction_index();
         Ok(Exhibit::new(format!("refraction-{medium}{suffix}"), medium.name(), scene)
             .remark(format!("n = 1 / {index}"))
-            .tells(format!("!{{n = \\f{{1}}{{{index}}}}},   {SEED}"), look(medium)))
+            .about(format!("!{{n = \\f{{1}}{{{index}}}}},   {SEED}"), look(medium)))
     };
     Medium::ALL.iter().map(exhibit).collect()
 }
 
 /// A picture of glass with something changed.
 fn glass(
-    stage: Stage,
+    base: BaseScene,
     name: &str,
     (caption, remark): (&str, &str),
     (equation, look): (&str, &str),
     change: impl FnOnce(&mut MaterialOverride),
-) -> Result<Exhibit, CliError> {
-    let scene = stage.with(|s: &mut SceneFile| {
+) -> Result<Exhibit, GalleryError> {
+    let scene = base.with(|s: &mut SceneFile| {
         s.objects[0].material.medium = Some(Medium::Glass);
         change(&mut s.objects[0].material);
     })?;
-    Ok(Exhibit::new(name, caption, scene).remark(remark).aspect(1.3).tells(equation, look))
+    Ok(Exhibit::new(name, caption, scene).remark(remark).aspect(1.3).about(equation, look))
 }
 
-fn fresnel() -> Result<Vec<Exhibit>, CliError> {
-    let sphere = Stage::RoomSphere;
+fn fresnel() -> Result<Vec<Exhibit>, GalleryError> {
+    let sphere = BaseScene::RoomSphere;
     Ok(vec![
         glass(
             sphere,
@@ -88,7 +94,7 @@ fn fresnel() -> Result<Vec<Exhibit>, CliError> {
             |m| m.fresnel = Some(Fresnel::Exact),
         )?,
         glass(
-            Stage::RoomSuzanne,
+            BaseScene::RoomSuzanne,
             "refraction-tint",
             ("tinted", "what goes through is multiplied"),
             (
@@ -100,11 +106,11 @@ fn fresnel() -> Result<Vec<Exhibit>, CliError> {
     ])
 }
 
-fn through() -> Result<Vec<Exhibit>, CliError> {
+fn through() -> Result<Vec<Exhibit>, GalleryError> {
     let both = |m: &mut MaterialOverride| m.surfaces = Some(Surfaces::Two);
     let row = vec![
         glass(
-            Stage::RoomSphere,
+            BaseScene::RoomSphere,
             "two-sphere",
             ("in and out", "two surfaces: upside down"),
             (
@@ -115,7 +121,7 @@ fn through() -> Result<Vec<Exhibit>, CliError> {
             both,
         )?,
         glass(
-            Stage::RoomSuzanne,
+            BaseScene::RoomSuzanne,
             "two-suzanne",
             ("Suzanne in glass", "totally reflected inside of her"),
             (
@@ -125,7 +131,7 @@ fn through() -> Result<Vec<Exhibit>, CliError> {
             both,
         )?,
         glass(
-            Stage::RoomSphere,
+            BaseScene::RoomSphere,
             "two-dispersion",
             ("dispersion", "diamond, eight times its own"),
             (
@@ -140,7 +146,7 @@ fn through() -> Result<Vec<Exhibit>, CliError> {
             },
         )?,
         glass(
-            Stage::RoomSuzanne,
+            BaseScene::RoomSuzanne,
             "two-absorption",
             ("absorption", "the longer the way, the darker"),
             (
@@ -155,5 +161,5 @@ fn through() -> Result<Vec<Exhibit>, CliError> {
         )?,
     ];
     // Several rays for each sample: as dear as the rest of the section together.
-    Ok(row.into_iter().map(Exhibit::exact).collect())
+    Ok(row.into_iter().map(Exhibit::at_sheet_size).collect())
 }

@@ -1,12 +1,13 @@
 //! Debug views: the vectors and scalars of the equation as colours.
 
-use super::super::exhibit::{Exhibit, Section, Stage};
-use crate::report::CliError;
+use crate::GalleryError;
+use crate::base_scene::BaseScene;
+use crate::exhibit::{Exhibit, Section};
 use gonio_light::Quantity;
 use gonio_scene::{SceneFile, ViewSpec};
 
 /// Two rows of six.
-pub fn section() -> Result<Section, CliError> {
+pub fn section() -> Result<Section, GalleryError> {
     let vectors: [(Quantity, &str, &str, &str, &str); 6] = [
         (
             Quantity::Normal,
@@ -84,18 +85,18 @@ pub fn section() -> Result<Section, CliError> {
         ),
     ];
     let row =
-        |stage: Stage, table: [(Quantity, &str, &str, &str, &str); 6], aspect: f64, change: fn(&mut SceneFile)| {
+        |base: BaseScene, table: [(Quantity, &str, &str, &str, &str); 6], aspect: f64, change: fn(&mut SceneFile)| {
             table
                 .iter()
                 .map(|&(quantity, caption, remark, equation, look)| {
-                    let scene = stage.with(change)?;
+                    let scene = base.with(change)?;
                     Ok(Exhibit::new(format!("view-{quantity}"), caption, scene)
                         .remark(remark)
                         .aspect(aspect)
                         .view(ViewSpec { quantity, light: None })
-                        .tells(equation, look))
+                        .about(equation, look))
                 })
-                .collect::<Result<Vec<Exhibit>, CliError>>()
+                .collect::<Result<Vec<Exhibit>, GalleryError>>()
         };
     Ok(Section {
         id: "views",
@@ -104,8 +105,8 @@ pub fn section() -> Result<Section, CliError> {
         introduction: "Every quantity can be looked at alone (gonio render --debug), and read as numbers at any pixel \
                        (gonio probe). Directions are shown as (x + 1) / 2.",
         rows: vec![
-            row(Stage::Suzanne, vectors, 1.2, |scene| scene.camera.fov_y = Some(27.0))?,
-            row(Stage::StillLife, scalars, 1.35, |scene| {
+            row(BaseScene::Suzanne, vectors, 1.2, |scene| scene.camera.fov_y = Some(27.0))?,
+            row(BaseScene::StillLife, scalars, 1.35, |scene| {
                 scene.camera.fov_y = Some(31.5);
                 // A law whose factor stays within [0, 1].
                 for light in &mut scene.lights {

@@ -1,17 +1,18 @@
 //! The BRDFs of Appendix 6 on the donut.
 
-use super::super::exhibit::{Exhibit, Section, Stage};
-use crate::report::CliError;
+use crate::GalleryError;
+use crate::base_scene::BaseScene;
+use crate::exhibit::{Exhibit, Section};
 use gonio_light::Convention;
 use gonio_light::brdf::BrdfKind;
 use gonio_scene::color_value::Color;
 use std::f64::consts::PI;
 
 /// Six lobes.
-pub fn section() -> Result<Section, CliError> {
+pub fn section() -> Result<Section, GalleryError> {
     let exhibit =
         |name: &str, kind, b: f64, matrix: Option<[f64; 3]>, caption: &str, remark: &str, f: &str, look: &str| {
-            let scene = Stage::StillLife.with(|s| {
+            let scene = BaseScene::StillLife.with(|s| {
                 s.equation.convention = Convention::Physical;
                 s.equation.brdf = Some(kind);
                 s.equation.brdf_normalised = true;
@@ -35,7 +36,7 @@ pub fn section() -> Result<Section, CliError> {
                 s.camera.target = Some([1.2, 0.27, 0.8]);
                 s.camera.fov_y = Some(32.0);
             })?;
-            Ok::<_, CliError>(Exhibit::new(name, caption, scene).remark(remark).aspect(1.15).tells(f, look))
+            Ok::<_, GalleryError>(Exhibit::new(name, caption, scene).remark(remark).aspect(1.15).about(f, look))
         };
     Ok(Section {
         id: "brdfs",

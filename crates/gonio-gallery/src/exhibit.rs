@@ -1,0 +1,132 @@
+//! Sections of rows of exhibits. Nothing here depends on how they are drawn.
+
+use crate::environment_picture::EnvironmentPicture;
+use gonio_scene::{SceneFile, ViewSpec};
+
+/// A chapter of the gallery. Its texts may use the markup of [`crate::markup`].
+pub struct Section {
+    /// For links, reports and file names: lower case letters.
+    pub id: &'static str,
+    /// The heading; empty for the pictures at the very top.
+    pub title: &'static str,
+    /// The part of the equation that the section is about.
+    pub equation: &'static str,
+    /// One or two sentences.
+    pub introduction: &'static str,
+    /// The pictures; those of one row have the same height.
+    pub rows: Vec<Vec<Exhibit>>,
+}
+
+/// The source of a picture.
+pub enum Subject {
+    /// A scene, complete but for the size of its picture, which the row decides.
+    Scene(Box<SceneFile>),
+    /// An environment laid out on the plane: a conversion on the CPU, without a scene.
+    Environment(EnvironmentPicture),
+}
+
+/// One picture.
+pub struct Exhibit {
+    /// Names its files, without an extension; unique in the gallery.
+    pub name: String,
+    /// A few words below the picture.
+    pub caption: String,
+    /// A few words below the caption.
+    pub remark: String,
+    /// The equation with the terms at work: `!{..}` is emphasised, `~{..}` is switched off.
+    pub equation: String,
+    /// One or two sentences on what to look at.
+    pub look: String,
+    /// The source of the picture.
+    pub subject: Subject,
+    /// A debug view in place of a scene's picture.
+    pub view: Option<ViewSpec>,
+    /// Seconds; moves the lights that move.
+    pub time: f64,
+    /// Width over height.
+    pub aspect: f64,
+    /// A sign before the picture on the sheet: `+`, `=` or an arrow.
+    pub joiner: Option<&'static str>,
+    /// Replaces the remark by the number of vertices and fragments lit.
+    pub counts_as_remark: bool,
+    /// Draws the picture at its size on the sheet, because single pixels matter or take long to draw.
+    pub at_sheet_size: bool,
+}
+
+impl Exhibit {
+    /// Creates a square picture of `scene`.
+    pub fn new(name: impl Into<String>, caption: impl Into<String>, scene: SceneFile) -> Self {
+        Self::with_subject(name.into(), caption.into(), Subject::Scene(Box::new(scene)))
+    }
+
+    /// Creates a picture of an environment with the aspect of its form.
+    pub fn environment(name: impl Into<String>, caption: impl Into<String>, picture: EnvironmentPicture) -> Self {
+        Self::with_subject(name.into(), caption.into(), Subject::Environment(picture)).aspect(picture.aspect())
+    }
+
+    fn with_subject(name: String, caption: String, subject: Subject) -> Self {
+        Exhibit {
+            name,
+            caption,
+            remark: String::new(),
+            equation: String::new(),
+            look: String::new(),
+            subject,
+            view: None,
+            time: 0.0,
+            aspect: 1.0,
+            joiner: None,
+            counts_as_remark: false,
+            at_sheet_size: false,
+        }
+    }
+
+    /// Sets the small line below the caption.
+    pub fn remark(mut self, remark: impl Into<String>) -> Self {
+        self.remark = remark.into();
+        self
+    }
+
+    /// Sets the equation and the sentences on what to look at.
+    pub fn about(mut self, equation: impl Into<String>, look: impl Into<String>) -> Self {
+        self.equation = equation.into();
+        self.look = look.into();
+        self
+    }
+
+    /// Sets width over height.
+    pub fn aspect(mut self, aspect: f64) -> Self {
+        self.aspect = aspect;
+        self
+    }
+
+    /// Shows a debug view in place of the picture.
+    pub fn view(mut self, view: ViewSpec) -> Self {
+        self.view = Some(view);
+        self
+    }
+
+    /// Sets the time in seconds.
+    pub fn at(mut self, time: f64) -> Self {
+        self.time = time;
+        self
+    }
+
+    /// Sets the sign before the picture: `+`, `=` or an arrow.
+    pub fn joined(mut self, joiner: Option<&'static str>) -> Self {
+        self.joiner = joiner;
+        self
+    }
+
+    /// Draws the picture at its size on the sheet.
+    pub fn at_sheet_size(mut self) -> Self {
+        self.at_sheet_size = true;
+        self
+    }
+
+    /// Replaces the remark by the number of vertices and fragments lit.
+    pub fn with_counts(mut self) -> Self {
+        self.counts_as_remark = true;
+        self
+    }
+}
