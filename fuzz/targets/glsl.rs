@@ -2,7 +2,7 @@
 
 #![no_main]
 
-use gonio_glsl::{Stage, Target, check, check_pair, leaves, parse, translate};
+use gonio_glsl::{Stage, OutputVersion, check, check_pair, leaves, parse, translate};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|data: &[u8]| {
@@ -10,7 +10,7 @@ fuzz_target!(|data: &[u8]| {
     let both = [Stage::Vertex, Stage::Fragment].map(|stage| {
         let mut parsed = parse(text);
         let checked = check(&mut parsed, stage);
-        for target in [Target::Core330, Target::Es300] {
+        for target in [OutputVersion::Core330, OutputVersion::Es300] {
             let translated = translate(&parsed, &checked, target);
             assert!(!translated.text.is_empty());
         }

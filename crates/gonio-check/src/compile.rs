@@ -4,7 +4,7 @@ use crate::driver_log::{self, Message};
 use crate::submission::StageText;
 use crate::verdict::{CompilerMessage, Outcome, Verdict};
 use gonio_gl::Gl;
-use gonio_glsl::{Checked, Limit, Lookup, LoopBound, Parsed, Problem, Severity, Stage, Target, Translated};
+use gonio_glsl::{Checked, Limit, Lookup, LoopBound, OutputVersion, Parsed, Problem, Severity, Stage, Translated};
 use gonio_render::user_program::{BrokenProgram, UserProgram};
 
 /// A shader of a submission, parsed, checked and translated for the context.
@@ -16,12 +16,12 @@ pub struct ParsedStage<'a> {
     pub checked: Checked,
     /// The text that the driver compiles.
     pub translated: Translated,
-    target: Target,
+    target: OutputVersion,
 }
 
 impl<'a> ParsedStage<'a> {
     /// Parses, checks and translates a shader. Loops are bounded by [`LoopBound::STUDENTS`].
-    pub fn new(text: &'a StageText, stage: Stage, target: Target) -> Self {
+    pub fn new(text: &'a StageText, stage: Stage, target: OutputVersion) -> Self {
         let mut parsed = gonio_glsl::parse(&text.text);
         let checked = gonio_glsl::check(&mut parsed, stage);
         let translated = gonio_glsl::translate_bounded(&parsed, &checked, target, Some(LoopBound::STUDENTS));

@@ -475,7 +475,7 @@ impl BinaryOp {
     }
 
     /// The operator of this mark and how tightly it binds, from 1.
-    pub(crate) fn of(mark: &str) -> Option<(Self, u8)> {
+    pub(crate) fn from_mark(mark: &str) -> Option<(Self, u8)> {
         Some(match mark {
             "||" => (Self::Or, 1),
             "^^" => (Self::Xor, 2),

@@ -1,6 +1,6 @@
 //! What each stretch of a source is, for whoever shows it in colours.
 
-use crate::lex::{self, Kind};
+use crate::lex::{self, TokenKind};
 use crate::types::words;
 use crate::{Version, builtins};
 
@@ -50,7 +50,7 @@ pub fn classify(source: &str) -> Vec<Classified> {
     for token in lex::lex(source, &mut Vec::new()) {
         comments(source, at, token.start as usize, &mut found);
         at = token.end as usize;
-        if token.kind == Kind::End {
+        if token.kind == TokenKind::End {
             break;
         }
         if token.first_on_line {
@@ -63,20 +63,20 @@ pub fn classify(source: &str) -> Vec<Classified> {
     found
 }
 
-fn class_of(text: &str, kind: Kind) -> Class {
+fn class_of(text: &str, kind: TokenKind) -> Class {
     const NEWEST: Version = Version { number: 460, ..Version::NONE };
     match kind {
-        Kind::Number => Class::Number,
-        Kind::Mark => Class::Mark,
-        Kind::Stray | Kind::End => Class::Stray,
-        Kind::Name if matches!(text, "true" | "false") => Class::Number,
-        Kind::Name if text == "void" || words::is_type(text, NEWEST) => Class::Type,
-        Kind::Name if words::is_qualifier(text, NEWEST) || words::is_statement(text, NEWEST) => Class::Keyword,
-        Kind::Name if text == "precision" => Class::Keyword,
-        Kind::Name if builtins::is_name(text) => Class::Function,
+        TokenKind::Number => Class::Number,
+        TokenKind::Mark => Class::Mark,
+        TokenKind::Stray | TokenKind::End => Class::Stray,
+        TokenKind::Name if matches!(text, "true" | "false") => Class::Number,
+        TokenKind::Name if text == "void" || words::is_type(text, NEWEST) => Class::Type,
+        TokenKind::Name if words::is_qualifier(text, NEWEST) || words::is_statement(text, NEWEST) => Class::Keyword,
+        TokenKind::Name if text == "precision" => Class::Keyword,
+        TokenKind::Name if builtins::is_name(text) => Class::Function,
         // Nobody else may call anything so.
-        Kind::Name if text.starts_with("gl_") => Class::Variable,
-        Kind::Name => Class::Name,
+        TokenKind::Name if text.starts_with("gl_") => Class::Variable,
+        TokenKind::Name => Class::Name,
     }
 }
 

@@ -8,7 +8,7 @@ use crate::{Limit, Problem, Span};
 
 /// What sort of token.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum TokenKind {
     /// A name or a keyword.
     Name,
     /// A number, perhaps badly written.
@@ -24,7 +24,7 @@ pub(crate) enum Kind {
 /// One token.
 #[derive(Debug, Clone)]
 pub(crate) struct Token {
-    pub kind: Kind,
+    pub kind: TokenKind,
     pub text: Rc<str>,
     /// Where to point to: for a token out of a macro, the use of the macro.
     pub span: Span,
@@ -41,7 +41,7 @@ pub(crate) struct Token {
 
 impl Token {
     pub fn is(&self, text: &str) -> bool {
-        &*self.text == text && matches!(self.kind, Kind::Mark | Kind::Name)
+        &*self.text == text && matches!(self.kind, TokenKind::Mark | TokenKind::Name)
     }
 }
 
@@ -56,7 +56,7 @@ struct Lexer<'a> {
     texts: HashMap<&'a str, Rc<str>>,
 }
 
-/// All tokens of a source, the last being [`Kind::End`].
+/// All tokens of a source, the last being [`TokenKind::End`].
 pub(crate) fn lex(source: &str, problems: &mut Vec<Problem>) -> Vec<Token> {
     let mut lexer =
         Lexer { source, bytes: source.as_bytes(), at: 0, line: 1, column: 1, line_ended: true, texts: HashMap::new() };
@@ -71,7 +71,7 @@ pub(crate) fn lex(source: &str, problems: &mut Vec<Problem>) -> Vec<Token> {
         let place = (lexer.at, lexer.line, lexer.column);
         let kind = lexer.token();
         let span = Span { start: place.0 as u32, end: lexer.at as u32, line: place.1, column: place.2 };
-        if kind != Kind::End && tokens.len() >= MOST_RAW_TOKENS {
+        if kind != TokenKind::End && tokens.len() >= MOST_RAW_TOKENS {
             problems.push(Problem::beyond(span, Limit::Tokens));
             lexer.at = lexer.bytes.len();
             continue;
@@ -80,7 +80,7 @@ pub(crate) fn lex(source: &str, problems: &mut Vec<Problem>) -> Vec<Token> {
         let (start, end) = (span.start, span.end);
         let token = Token { kind, text, span, start, end, region: 0, first_on_line, space_before, frozen: false };
         tokens.push(token);
-        if kind == Kind::End {
+        if kind == TokenKind::End {
             return tokens;
         }
     }
@@ -201,29 +201,29 @@ impl<'a> Lexer<'a> {
         }
     }
 
-    fn token(&mut self) -> Kind {
+    fn token(&mut self) -> TokenKind {
         let byte = self.peek();
         if self.at_end() {
-            return Kind::End;
+            return TokenKind::End;
         }
         if byte == b'_' || byte.is_ascii_alphabetic() {
             self.word();
-            return Kind::Name;
+            return TokenKind::Name;
         }
         if byte.is_ascii_digit() || (byte == b'.' && self.peek_at(1).is_ascii_digit()) {
             self.number();
-            return Kind::Number;
+            return TokenKind::Number;
         }
         for mark in MARKS {
             if mark.bytes().enumerate().all(|(ahead, wanted)| self.peek_at(ahead) == wanted) {
                 for _ in 0..mark.len() {
                     self.advance();
                 }
-                return Kind::Mark;
+                return TokenKind::Mark;
             }
         }
         self.advance();
-        if b"+-*/%<>=!~&|^?:;,.()[]{}#".contains(&byte) { Kind::Mark } else { Kind::Stray }
+        if b"+-*/%<>=!~&|^?:;,.()[]{}#".contains(&byte) { TokenKind::Mark } else { TokenKind::Stray }
     }
 
     fn word(&mut self) {

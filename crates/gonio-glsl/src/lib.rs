@@ -13,6 +13,7 @@ mod parse;
 mod preprocess;
 mod problem;
 mod span;
+mod token_limits;
 mod translate;
 mod types;
 mod version;
@@ -34,7 +35,7 @@ pub use translate::{
     translate_showing,
 };
 pub use types::{Scalar, Type};
-pub use version::{Stage, Target, Version};
+pub use version::{OutputVersion, Stage, Version};
 
 /// A shader that was read.
 #[derive(Debug, Clone)]
@@ -70,11 +71,11 @@ pub fn parse(source: &str) -> Parsed {
     let mut raw = lex::lex(source, &mut problems);
     if is_cut {
         let end = raw.last().map(|token| token.span).unwrap_or_default();
-        limits::refuse(&mut raw, &mut problems, Limit::Bytes, end);
+        token_limits::refuse(&mut raw, &mut problems, Limit::Bytes, end);
     }
-    limits::hold(&mut raw, limits::MOST_RAW_TOKENS, &mut problems);
+    token_limits::check(&mut raw, limits::MOST_RAW_TOKENS, &mut problems);
     let mut found = preprocess::preprocess(raw, &mut problems);
-    limits::hold(&mut found.tokens, limits::MOST_TOKENS, &mut problems);
+    token_limits::check(&mut found.tokens, limits::MOST_TOKENS, &mut problems);
     if problems.iter().any(|problem| problem.limit.is_some()) {
         found.tokens.drain(..found.tokens.len().saturating_sub(1));
     }

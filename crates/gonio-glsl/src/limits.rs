@@ -5,9 +5,6 @@
 //! a thread with a stack of 8 MiB. Limits leave at least a factor of 2 before the first crash, and about a gigabyte or half
 //! a minute where nothing crashes. ANGLE, the compiler of browsers, has 256 for nested expressions, statements and calls.
 
-use crate::lex::{Kind, Token};
-use crate::{Problem, Span};
-
 /// Bytes of a source. A generated shader of 10,000 lines is shorter.
 pub const MOST_BYTES: usize = 4 << 20;
 /// Tokens in a source, branches that are not compiled included.
@@ -139,50 +136,4 @@ impl std::fmt::Display for Limit {
             Self::SyntaxErrors => write!(f, "too many errors: parsing stops here"),
         }
     }
-}
-
-/// Holds the tokens themselves against the limits, wherever they stand: what cannot be parsed is given to the driver too.
-/// Where one is exceeded, nothing is left but the end.
-pub(crate) fn hold(tokens: &mut Vec<Token>, most: usize, problems: &mut Vec<Problem>) {
-    let Some((limit, span)) = exceeded(tokens, most) else { return };
-    refuse(tokens, problems, limit, span);
-}
-
-/// Tells that a limit is exceeded, and leaves nothing of the tokens but the end.
-pub(crate) fn refuse(tokens: &mut Vec<Token>, problems: &mut Vec<Problem>, limit: Limit, span: Span) {
-    if !problems.iter().any(|problem| problem.limit.is_some()) {
-        problems.push(Problem::beyond(span, limit));
-    }
-    tokens.drain(..tokens.len().saturating_sub(1));
-}
-
-fn exceeded(tokens: &[Token], most: usize) -> Option<(Limit, Span)> {
-    if let Some(token) = tokens.get(most) {
-        return Some((Limit::Tokens, token.span));
-    }
-    let mut depth = 0_usize;
-    for (index, token) in tokens.iter().enumerate() {
-        match token.kind {
-            Kind::Name if token.text.len() > MOST_NAME_BYTES => return Some((Limit::Name, token.span)),
-            Kind::Mark => match &*token.text {
-                "(" | "[" | "{" => depth += 1,
-                ")" | "]" | "}" => depth = depth.saturating_sub(1),
-                _ => {}
-            },
-            Kind::Number if index > 0 && tokens[index - 1].is("[") => {
-                let digits = token.text.trim_end_matches(['u', 'U']);
-                let is_sizeable = tokens.get(index + 1).is_some_and(|next| next.is("]"));
-                let is_number = digits.bytes().all(|digit| digit.is_ascii_digit());
-                let is_large = digits.parse::<u64>().map_or(is_number, |number| number > MOST_COMPONENTS);
-                if is_sizeable && is_large {
-                    return Some((Limit::Components, token.span));
-                }
-            }
-            _ => {}
-        }
-        if depth > MOST_NESTED {
-            return Some((Limit::Nested, token.span));
-        }
-    }
-    None
 }

@@ -66,14 +66,14 @@ pub enum Stage {
 
 /// What a shader is translated into.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Target {
+pub enum OutputVersion {
     /// `#version 330 core`.
     Core330,
     /// `#version 300 es`, which is WebGL 2.
     Es300,
 }
 
-impl Target {
+impl OutputVersion {
     /// The version as the language knows it.
     #[must_use]
     pub fn version(self) -> Version {

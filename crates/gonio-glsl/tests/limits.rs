@@ -2,7 +2,7 @@
 
 mod hostile;
 
-use gonio_glsl::{Limit, LoopBound, Stage, Target, check, check_pair, leaves, parse, translate_bounded};
+use gonio_glsl::{Limit, LoopBound, OutputVersion, Stage, check, check_pair, leaves, parse, translate_bounded};
 use hostile::{Pair, pairs};
 
 /// Everything there is to do with a pair: the limits that it exceeds, with their lines.
@@ -12,7 +12,7 @@ fn read(pair: &Pair) -> Vec<(Limit, u32)> {
     for (source, stage) in [(&pair.vertex, Stage::Vertex), (&pair.fragment, Stage::Fragment)] {
         let mut parsed = parse(source);
         let checked = check(&mut parsed, stage);
-        for target in [Target::Core330, Target::Es300] {
+        for target in [OutputVersion::Core330, OutputVersion::Es300] {
             assert!(!translate_bounded(&parsed, &checked, target, Some(LoopBound::STUDENTS)).text.is_empty());
         }
         assert!(leaves(&checked.interface).len() < 10_000, "{}", pair.name);

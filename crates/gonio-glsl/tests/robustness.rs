@@ -1,7 +1,7 @@
 //! No text, however broken, makes the front end panic or hang.
 
 use gonio_fixtures::FixtureTable;
-use gonio_glsl::{Stage, Target, check, check_pair, leaves, parse, translate};
+use gonio_glsl::{OutputVersion, Stage, check, check_pair, leaves, parse, translate};
 
 /// The texts of the table `pairs.txt`.
 fn sources() -> Vec<String> {
@@ -17,7 +17,7 @@ fn all(source: &str) {
     for stage in [Stage::Vertex, Stage::Fragment] {
         let mut parsed = parse(source);
         let checked = check(&mut parsed, stage);
-        for target in [Target::Core330, Target::Es300] {
+        for target in [OutputVersion::Core330, OutputVersion::Es300] {
             assert!(!translate(&parsed, &checked, target).text.is_empty());
         }
         for problem in parsed.problems.iter().chain(&checked.problems) {

@@ -2,7 +2,7 @@
 
 use gonio_fixtures::{FixtureTable, selected};
 use gonio_glsl::{
-    Checked, LoopBound, Parsed, Severity, Stage, Target, Translated, check, check_pair, leaves, lookups, parse,
+    Checked, LoopBound, OutputVersion, Parsed, Severity, Stage, Translated, check, check_pair, leaves, lookups, parse,
     translate, translate_bounded, translate_showing,
 };
 
@@ -28,13 +28,13 @@ fn read(source: &str, stage: Stage) -> (Parsed, Checked) {
     (parsed, checked)
 }
 
-fn into(source: &str, stage: Stage, target: Target) -> Translated {
+fn into(source: &str, stage: Stage, target: OutputVersion) -> Translated {
     let (parsed, checked) = read(source, stage);
     translate(&parsed, &checked, target)
 }
 
 /// The lines of the student's part.
-fn body(source: &str, stage: Stage, target: Target) -> String {
+fn body(source: &str, stage: Stage, target: OutputVersion) -> String {
     let found = into(source, stage, target);
     found.text.lines().skip(found.first_line as usize - 1).collect::<Vec<_>>().join("\n")
 }
@@ -54,7 +54,7 @@ fn no_pair_has_an_error() {
 #[test]
 fn a_translation_needs_no_forgiveness() {
     for (name, vertex, fragment) in pairs() {
-        for target in [Target::Core330, Target::Es300] {
+        for target in [OutputVersion::Core330, OutputVersion::Es300] {
             let mut checked = Vec::new();
             for (source, stage) in [(&vertex, Stage::Vertex), (&fragment, Stage::Fragment)] {
                 let found = into(source, stage, target);
@@ -79,7 +79,7 @@ fn uniforms_keep_their_names() {
     for (name, vertex, fragment) in pairs() {
         for (source, stage) in [(&vertex, Stage::Vertex), (&fragment, Stage::Fragment)] {
             let before = read(source, stage).1.interface;
-            for target in [Target::Core330, Target::Es300] {
+            for target in [OutputVersion::Core330, OutputVersion::Es300] {
                 let found = into(source, stage, target);
                 let after = read(&found.text, stage).1.interface;
                 for uniform in &before.uniforms {
@@ -120,9 +120,9 @@ fn es_wants_its_conversions_written_out() {
     for (from, to) in cases {
         let head = "#version 460\n#define TWO 2\n#define HALF(x) (0.5 * x)\nuniform float f; uniform int i; in vec3 v; out vec4 o;\nfloat g(float x, int n) { return x; }\n";
         let source = format!("{head}void main() {{ float a; a = 0.;\n{{ {from} }}\no = vec4(a); }}\n");
-        let found = body(&source, Stage::Fragment, Target::Es300);
+        let found = body(&source, Stage::Fragment, OutputVersion::Es300);
         assert_eq!(found.lines().nth(6), Some(&*format!("{{ {to} }}")), "{found}");
-        let found = body(&source, Stage::Fragment, Target::Core330);
+        let found = body(&source, Stage::Fragment, OutputVersion::Core330);
         let kept = if from.starts_with("uint") { to } else { from };
         assert_eq!(found.lines().nth(6), Some(&*format!("{{ {kept} }}")), "{found}");
     }
@@ -131,32 +131,37 @@ fn es_wants_its_conversions_written_out() {
 #[test]
 fn declarations_change_their_words() {
     let cases = [
-        (Stage::Vertex, Target::Core330, "attribute vec3 p;", "in vec3 p;"),
-        (Stage::Vertex, Target::Core330, "varying mediump vec3 p;", "out highp vec3 p;"),
-        (Stage::Fragment, Target::Core330, "varying vec3 p;", "in vec3 p;"),
-        (Stage::Fragment, Target::Es300, "precision lowp float;", "precision highp float;"),
-        (Stage::Vertex, Target::Es300, "layout(location = 2) in vec3 p;", "layout(location = 2) in vec3 p;"),
-        (Stage::Vertex, Target::Es300, "layout(location = 2) out vec3 p;", " out vec3 p;"),
-        (Stage::Vertex, Target::Es300, "noperspective out vec3 p;", "out vec3 p;"),
-        (Stage::Vertex, Target::Es300, "out flat int p;", "flat out int p;"),
-        (Stage::Vertex, Target::Core330, "uniform double k = 2.0lf;", "uniform float k = 2.0;"),
-        (Stage::Vertex, Target::Es300, "uniform float k = 2.0, l;", "uniform float k , l;"),
+        (Stage::Vertex, OutputVersion::Core330, "attribute vec3 p;", "in vec3 p;"),
+        (Stage::Vertex, OutputVersion::Core330, "varying mediump vec3 p;", "out highp vec3 p;"),
+        (Stage::Fragment, OutputVersion::Core330, "varying vec3 p;", "in vec3 p;"),
+        (Stage::Fragment, OutputVersion::Es300, "precision lowp float;", "precision highp float;"),
+        (Stage::Vertex, OutputVersion::Es300, "layout(location = 2) in vec3 p;", "layout(location = 2) in vec3 p;"),
+        (Stage::Vertex, OutputVersion::Es300, "layout(location = 2) out vec3 p;", " out vec3 p;"),
+        (Stage::Vertex, OutputVersion::Es300, "noperspective out vec3 p;", "out vec3 p;"),
+        (Stage::Vertex, OutputVersion::Es300, "out flat int p;", "flat out int p;"),
+        (Stage::Vertex, OutputVersion::Core330, "uniform double k = 2.0lf;", "uniform float k = 2.0;"),
+        (Stage::Vertex, OutputVersion::Es300, "uniform float k = 2.0, l;", "uniform float k , l;"),
         (
             Stage::Vertex,
-            Target::Es300,
+            OutputVersion::Es300,
             "layout(location = 1, binding = 2) uniform sampler2D s;",
             " uniform sampler2D s;",
         ),
-        (Stage::Vertex, Target::Core330, "layout(std140, binding = 2) uniform B { vec3 x; };", "uniform vec3 x;"),
         (
             Stage::Vertex,
-            Target::Es300,
+            OutputVersion::Core330,
+            "layout(std140, binding = 2) uniform B { vec3 x; };",
+            "uniform vec3 x;",
+        ),
+        (
+            Stage::Vertex,
+            OutputVersion::Es300,
             "uniform B { layout(offset = 16) vec3 x; mat4 m[2]; } b; float f() { return b.x.y + (b.m)[1][0].x; }",
             "uniform vec3 B_x; uniform mat4 B_m[2]; float f() { return B_x.y + B_m[1][0].x; }",
         ),
-        (Stage::Vertex, Target::Es300, "float k[2] = {1, 2};", "float k[2] = float[2](1.0, 2.0);"),
-        (Stage::Vertex, Target::Es300, "#extension GL_ARB_x : enable", ""),
-        (Stage::Vertex, Target::Core330, "float k = 1.0;;", "float k = 1.0;"),
+        (Stage::Vertex, OutputVersion::Es300, "float k[2] = {1, 2};", "float k[2] = float[2](1.0, 2.0);"),
+        (Stage::Vertex, OutputVersion::Es300, "#extension GL_ARB_x : enable", ""),
+        (Stage::Vertex, OutputVersion::Core330, "float k = 1.0;;", "float k = 1.0;"),
     ];
     for (stage, target, from, to) in cases {
         let head = if from.contains("attribute") || from.contains("varying") { "#version 120" } else { "#version 460" };
@@ -195,7 +200,7 @@ fn the_interface_is_listed() {
     let c = &found.outputs[0];
     assert_eq!((c.interpolation.as_deref(), c.precision.as_deref()), (Some("flat"), Some("highp")));
     assert!(found.uniforms[0].initial && found.uniforms[0].is_used);
-    let defaults = into(source, Stage::Vertex, Target::Es300).uniform_defaults;
+    let defaults = into(source, Stage::Vertex, OutputVersion::Es300).uniform_defaults;
     assert_eq!(defaults[0].value, Some(vec![1.5]));
 }
 
@@ -212,7 +217,7 @@ fn stages_have_to_agree() {
 /// What stands in a bounded shader, in which no line has moved.
 fn bounded(source: &str, stage: Stage) -> String {
     let (parsed, checked) = read(source, stage);
-    let found = translate_bounded(&parsed, &checked, Target::Es300, Some(LoopBound { turns: 50 }));
+    let found = translate_bounded(&parsed, &checked, OutputVersion::Es300, Some(LoopBound { turns: 50 }));
     let (parsed, again) = read(&found.text, stage);
     let problems: Vec<String> = parsed.problems.iter().chain(&again.problems).map(ToString::to_string).collect();
     assert_eq!(problems, [""; 0], "{}", found.text);
@@ -237,7 +242,7 @@ fn loops_end_where_they_are_told_to() {
     assert!(vertex.contains(": vec4(2.0, 2.0, 2.0, 1.0)"), "{vertex}");
     // Without loops nothing is changed.
     let plain = "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }";
-    assert_eq!(bounded(plain, Stage::Fragment), body(plain, Stage::Fragment, Target::Es300));
+    assert_eq!(bounded(plain, Stage::Fragment), body(plain, Stage::Fragment, OutputVersion::Es300));
 }
 
 #[test]
@@ -321,7 +326,7 @@ fn a_look_up_is_put_out_in_the_place_of_what_is_made_of_it() {
         let (parsed, checked) = read(source, Stage::Fragment);
         let found = lookups(&parsed);
         assert_eq!(found.len(), 2, "{source}");
-        for target in [Target::Core330, Target::Es300] {
+        for target in [OutputVersion::Core330, OutputVersion::Es300] {
             for lookup in &found {
                 let bound = Some(LoopBound { turns: 9 });
                 let text = translate_showing(&parsed, &checked, target, bound, Some(*lookup)).text;

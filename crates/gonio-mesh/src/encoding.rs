@@ -287,10 +287,10 @@ mod tests {
         bytes.extend([0x00, 0xDC, 0x00, 0xD8, b'x', 0, b'!']);
         let converted = to_utf8(&bytes);
         assert_eq!(String::from_utf8_lossy(&converted.bytes), "o a\r\no b\u{fffd}\u{fffd}x\u{fffd}");
-        let said: Vec<String> = converted.diagnostics.iter().map(ToString::to_string).collect();
+        let messages: Vec<String> = converted.diagnostics.iter().map(ToString::to_string).collect();
         let expected =
             "2:4: warning: 3 invalid code units of UTF-16 (little-endian), replaced by U+FFFD: the file is damaged";
-        assert_eq!(said, [expected]);
+        assert_eq!(messages, [expected]);
         let beyond = [0xFF, 0xFE, 0, 0, b'a', 0, 0, 0, 0, 0, 0x11, 0];
         assert_eq!(&*to_utf8(&beyond).bytes, "a\u{fffd}".as_bytes());
     }
@@ -299,15 +299,15 @@ mod tests {
     fn xml_declares_its_encoding() {
         let text = |bytes: &[u8]| {
             let (text, diagnostics) = xml_to_text(bytes);
-            let said: Vec<String> = diagnostics.iter().map(ToString::to_string).collect();
-            (text.into_owned(), said.join("\n"))
+            let messages: Vec<String> = diagnostics.iter().map(ToString::to_string).collect();
+            (text.into_owned(), messages.join("\n"))
         };
         let declared = |encoding: &str, rest: &[u8]| {
             [format!("<?xml version='1.0' encoding = '{encoding}'?>\n").as_bytes(), rest].concat()
         };
         for name in ["ISO-8859-1", "iso-8859-1", "windows-1252"] {
-            let (found, said) = text(&declared(name, b"<a>\x80\xE9</a>"));
-            assert_eq!((found.lines().nth(1), said.as_str()), (Some("<a>€é</a>"), ""), "{name}");
+            let (found, messages) = text(&declared(name, b"<a>\x80\xE9</a>"));
+            assert_eq!((found.lines().nth(1), messages.as_str()), (Some("<a>€é</a>"), ""), "{name}");
         }
         // What is UTF-8 by chance is not, where the declaration says otherwise; but a mark is stronger.
         let utf8 = declared("ISO-8859-1", "é".as_bytes());
@@ -316,14 +316,14 @@ mod tests {
         assert!(text(&marked).0.ends_with("\né") && text(&marked).0.starts_with("<?xml"));
         // Of an encoding that is not known only ASCII is sure.
         assert_eq!(text(&declared("Shift_JIS", b"abc")).1, "");
-        let said = text(&declared("Shift_JIS", b"a\x83\x65")).1;
+        let messages = text(&declared("Shift_JIS", b"a\x83\x65")).1;
         assert!(
-            said.starts_with("2:2: warning: the text has the encoding \"Shift_JIS\", which is not supported"),
-            "{said}"
+            messages.starts_with("2:2: warning: the text has the encoding \"Shift_JIS\", which is not supported"),
+            "{messages}"
         );
-        let (found, said) = text(b"<a>\xFC</a>");
+        let (found, messages) = text(b"<a>\xFC</a>");
         assert_eq!(found, "<a>ü</a>");
-        assert!(said.starts_with("1:4: warning: the text is not UTF-8: "), "{said}");
+        assert!(messages.starts_with("1:4: warning: the text is not UTF-8: "), "{messages}");
         // A document that was saved as UTF-8, and still says UTF-16.
         assert_eq!(text("<?xml version='1.0' encoding='UTF-16'?>é".as_bytes()).1, "");
         for (bytes, _) in encoded("<?xml version='1.0' encoding='ISO-8859-1'?><é/>") {

@@ -40,7 +40,7 @@ pub mod write;
 pub use diagnostic::{Cause, Diagnostic, ReadError, Severity};
 pub use format::Format;
 pub use limits::Limits;
-pub use material::{AmbientRule, Material, MetallicRoughness, Source};
+pub use material::{AmbientRule, Material, MetallicRoughness, PropertySource};
 pub use mesh::{Bounds, Mesh, NormalSource, Part};
 pub use model_scene::{EmbeddedImage, ModelCamera, ModelLight, ModelLightKind};
 pub use sidecar::{MissingSidecar, NoSidecars, Sidecar, SidecarUse, Sidecars};

@@ -52,9 +52,9 @@ pub struct Material {
     /// above are already made of its numbers; its textures are still to be applied.
     pub metallic_roughness: Option<MetallicRoughness>,
     /// Values of the file that no term of the light equation takes: sheen, clearcoat, anisotropy.
-    pub unused: Vec<Source>,
+    pub unused: Vec<PropertySource>,
     /// Where the values above came from, in the order of the fields.
-    pub sources: Vec<Source>,
+    pub sources: Vec<PropertySource>,
     /// The file that describes it, as the user knows it, where that is not the model's own.
     pub file: Option<String>,
 }
@@ -104,7 +104,7 @@ impl MetallicRoughness {
 
 /// Where a value of a material came from.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Source {
+pub struct PropertySource {
     /// The field's name: `diffuse`, `shininess`, `diffuse_map`.
     pub property: &'static str,
     /// The line that says it, from 1; `None` where no line does, or where the format has no lines.
@@ -118,7 +118,7 @@ pub struct Source {
     pub rule: String,
 }
 
-/// The fields of a [`Material`] that [`Source`]s name, in its order.
+/// The fields of a [`Material`] that [`PropertySource`]s name, in its order.
 const PROPERTIES: [&str; 15] = [
     "ambient",
     "diffuse",

@@ -78,9 +78,9 @@ impl Reports {
         severity: Severity,
         message: impl FnOnce() -> String,
     ) {
-        let said = self.list.len();
+        let own_count = self.list.len();
         self.add(kind, severity, 0, None, message);
-        for (_, _, diagnostic) in &mut self.list[said..] {
+        for (_, _, diagnostic) in &mut self.list[own_count..] {
             diagnostic.line = None;
         }
     }
@@ -117,7 +117,7 @@ impl Reports {
     }
 
     /// Whether so many of a kind were told that more are only counted.
-    pub(crate) fn is_told(&self, kind: &'static str) -> bool {
+    pub(crate) fn is_saturated(&self, kind: &'static str) -> bool {
         self.kinds.iter().any(|(known, count, _)| *known == kind && *count >= MOST_OF_A_KIND)
     }
 

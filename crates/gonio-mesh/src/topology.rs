@@ -81,7 +81,7 @@ fn is_closed(mesh: &Mesh, sums: &[u64], place_of_vertex: &[u32]) -> bool {
 
 /// Whether each piece (triangles that hang together by places) of a closed surface encloses a positive volume.
 fn all_volumes_positive(mesh: &Mesh, place_of_vertex: &[u32]) -> bool {
-    let mut pieces = Pieces::new(place_of_vertex.len());
+    let mut pieces = DisjointSets::new(place_of_vertex.len());
     for triangle in mesh.indices.as_chunks::<3>().0 {
         let [a, b, c] = triangle.map(|vertex| place_of_vertex[vertex as usize]);
         pieces.join(a, b);
@@ -104,13 +104,13 @@ fn all_volumes_positive(mesh: &Mesh, place_of_vertex: &[u32]) -> bool {
 }
 
 /// Sets that can be joined (union-find, with path halving: R. E. Tarjan and J. van Leeuwen, 1984).
-struct Pieces {
+struct DisjointSets {
     parents: Vec<u32>,
 }
 
-impl Pieces {
+impl DisjointSets {
     fn new(count: usize) -> Self {
-        Pieces { parents: (0..count as u32).collect() }
+        DisjointSets { parents: (0..count as u32).collect() }
     }
 
     fn root(&mut self, mut place: u32) -> u32 {

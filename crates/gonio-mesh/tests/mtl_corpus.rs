@@ -8,7 +8,7 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 use gonio_fixtures::{ExpectedCase, FixtureTable, assert_as_expected};
-use gonio_mesh::{AmbientRule, Material, Source, TexelRule, TextureMap, Wrap, mtl};
+use gonio_mesh::{AmbientRule, Material, PropertySource, TexelRule, TextureMap, Wrap, mtl};
 use std::fmt::Write as _;
 
 fn cases() -> Vec<ExpectedCase> {
@@ -81,7 +81,7 @@ fn value(material: &Material, property: &str) -> String {
     }
 }
 
-fn source(source: &Source) -> String {
+fn source(source: &PropertySource) -> String {
     let mut text = match source.line {
         Some(line) => format!(" | {line}: {}", source.written),
         None => " | -".to_owned(),

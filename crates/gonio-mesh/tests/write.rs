@@ -6,7 +6,7 @@ use gonio_fixtures::FixtureTable;
 use gonio_mesh::write::{obj as write_obj, ply as write_ply};
 use gonio_mesh::{
     AmbientRule, Channel, EmbeddedImage, Limits, Material, Mesh, MetallicRoughness, MissingSidecar, Model, ModelCamera,
-    ModelLight, ModelLightKind, NoSidecars, Part, Sidecar, Sidecars, Source, TextureMap, Wrap, obj, ply,
+    ModelLight, ModelLightKind, NoSidecars, Part, PropertySource, Sidecar, Sidecars, TextureMap, Wrap, obj, ply,
 };
 use std::path::Path;
 
@@ -295,8 +295,12 @@ fn lossy() -> Model {
         TextureMap { rotation: 1.0, wrap: [Wrap::Mirror, Wrap::Repeat], embedded: Some(1), ..TextureMap::new("x") };
     material.diffuse_map = Some(map);
     material.emitted_map = Some(TextureMap::new("black.png"));
-    let sheen =
-        |property, written: &str| Source { property, line: None, written: written.to_owned(), rule: String::new() };
+    let sheen = |property, written: &str| PropertySource {
+        property,
+        line: None,
+        written: written.to_owned(),
+        rule: String::new(),
+    };
     material.unused = vec![sheen("sheen", "sheenColorFactor = 1"), sheen("Pc", "Pc 0.5")];
     let mut model = painted(vec![material]);
     model.images = vec![

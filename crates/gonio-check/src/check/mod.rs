@@ -15,7 +15,7 @@ use crate::search::{Evidence, PLACES, Prepared, ShaderChecker, Task};
 use crate::submission::{SourceFile, Submission};
 use crate::verdict::{FoundMistake, Outcome, Peculiarity, Verdict};
 use gonio_gl::GlError;
-use gonio_glsl::{Stage, Target};
+use gonio_glsl::{OutputVersion, Stage};
 use gonio_render::user_program::UserProgram;
 use std::rc::Rc;
 
@@ -67,7 +67,11 @@ pub fn check(
         Ok(names) => names.unwrap_or_default(),
         Err(error) => return unsure(error.to_string()),
     };
-    let target = if gonio_render::user_program::is_embedded(checker.gl()) { Target::Es300 } else { Target::Core330 };
+    let target = if gonio_render::user_program::is_embedded(checker.gl()) {
+        OutputVersion::Es300
+    } else {
+        OutputVersion::Core330
+    };
     let vertex = ParsedStage::new(&submission.vertex, Stage::Vertex, target);
     let fragment = ParsedStage::new(&submission.fragment, Stage::Fragment, target);
     let program = match compile(checker.gl(), &vertex, &fragment) {

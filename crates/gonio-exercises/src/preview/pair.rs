@@ -7,7 +7,7 @@ use gonio_check::search::declared;
 use gonio_check::submission::{SourceFile, Submission};
 use gonio_check::verdict::CompilerMessage;
 use gonio_gl::Gl;
-use gonio_glsl::{Class, Severity, Stage, Target};
+use gonio_glsl::{Class, OutputVersion, Severity, Stage};
 use gonio_render::user_program::{UserProgram, is_embedded};
 
 /// How much there is to say of a line.
@@ -74,7 +74,7 @@ impl Source {
 
     /// Compiles. What is wrong comes back by file and line; there is at least one sentence then.
     pub fn compile(&self, gl: &Gl) -> Result<Pair, Vec<Note>> {
-        let target = if is_embedded(gl) { Target::Es300 } else { Target::Core330 };
+        let target = if is_embedded(gl) { OutputVersion::Es300 } else { OutputVersion::Core330 };
         let vertex = ParsedStage::new(&self.submission.vertex, Stage::Vertex, target);
         let fragment = ParsedStage::new(&self.submission.fragment, Stage::Fragment, target);
         let program = compile::compile(gl, &vertex, &fragment).map_err(|broken| {

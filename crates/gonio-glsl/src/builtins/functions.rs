@@ -95,10 +95,10 @@ fn particular(word: &str, variant: usize) -> Option<Type> {
     let count = (variant % 4 + 1) as u8;
     let vector = |scalar| (count > 1).then_some(Type::Vector(scalar, count));
     match word {
-        "genType" => Some(Type::of(Float, count)),
-        "genIType" => Some(Type::of(Int, count)),
-        "genUType" => Some(Type::of(UInt, count)),
-        "genBType" => Some(Type::of(Bool, count)),
+        "genType" => Some(Type::scalar_or_vector(Float, count)),
+        "genIType" => Some(Type::scalar_or_vector(Int, count)),
+        "genUType" => Some(Type::scalar_or_vector(UInt, count)),
+        "genBType" => Some(Type::scalar_or_vector(Bool, count)),
         "vec" => vector(Float),
         "ivec" => vector(Int),
         "uvec" => vector(UInt),

@@ -254,12 +254,12 @@ impl Checker<'_> {
         };
         let most = name.chars().filter_map(|c| set.find(c)).max().unwrap_or(0);
         if most >= usize::from(size) {
-            let ty = Type::of(scalar, size);
+            let ty = Type::scalar_or_vector(scalar, size);
             let message = format!("`{ty}` has no component `{}`", &set[most..=most]);
             self.error(span, "bad-swizzle", message);
             return None;
         }
-        Some(Type::of(scalar, name.len() as u8))
+        Some(Type::scalar_or_vector(scalar, name.len() as u8))
     }
 
     /// What `[..]` takes out.
@@ -268,7 +268,9 @@ impl Checker<'_> {
         let (of, count) = match base {
             Type::Array(of, count) => ((**of).clone(), *count),
             Type::Vector(scalar, size) => (Type::Scalar(*scalar), Some(u32::from(*size))),
-            Type::Matrix { scalar, columns, rows } => (Type::of(*scalar, *rows), Some(u32::from(*columns))),
+            Type::Matrix { scalar, columns, rows } => {
+                (Type::scalar_or_vector(*scalar, *rows), Some(u32::from(*columns)))
+            }
             _ => {
                 self.error(span, "not-an-array", format!("`{base}` cannot be indexed"));
                 return None;

@@ -256,7 +256,9 @@ impl Checker<'_> {
         let members: Vec<Option<Type>> = match &*ty {
             Type::Array(of, _) => vec![Some((**of).clone()); list.len()],
             Type::Vector(scalar, n) => vec![Some(Type::Scalar(*scalar)); usize::from(*n)],
-            Type::Matrix { scalar, columns, rows } => vec![Some(Type::of(*scalar, *rows)); usize::from(*columns)],
+            Type::Matrix { scalar, columns, rows } => {
+                vec![Some(Type::scalar_or_vector(*scalar, *rows)); usize::from(*columns)]
+            }
             Type::Struct(name) => {
                 self.structs.get(name).map(|s| s.members.iter().map(|m| m.1.clone()).collect()).unwrap_or_default()
             }

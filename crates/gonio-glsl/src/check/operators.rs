@@ -134,10 +134,10 @@ fn shape_of(op: BinaryOp, a: &Type, b: &Type) -> Option<Type> {
         (Type::Vector(..) | Type::Matrix { .. }, Type::Scalar(_)) => Some(a.clone()),
         (Type::Vector(_, m), Type::Vector(_, n)) => (m == n).then(|| a.clone()),
         (Type::Matrix { scalar, columns, rows }, Type::Vector(_, n)) if op == BinaryOp::Multiply => {
-            (columns == n).then(|| Type::of(*scalar, *rows))
+            (columns == n).then(|| Type::scalar_or_vector(*scalar, *rows))
         }
         (Type::Vector(_, n), Type::Matrix { scalar, columns, rows }) if op == BinaryOp::Multiply => {
-            (rows == n).then(|| Type::of(*scalar, *columns))
+            (rows == n).then(|| Type::scalar_or_vector(*scalar, *columns))
         }
         (Type::Matrix { scalar, columns, rows }, Type::Matrix { columns: c, rows: r, .. }) => {
             if op == BinaryOp::Multiply {

@@ -3,14 +3,14 @@
 use super::{Parse, Parser};
 use crate::TokenRange;
 use crate::ast::{Declaration, Declarator, LayoutEntry, Precision, Qualifier, StructDefinition, TypeName};
-use crate::lex::Kind;
+use crate::lex::TokenKind;
 use crate::types::words;
 
 impl Parser<'_> {
     #[inline(never)]
     pub(super) fn qualifiers(&mut self) -> Parse<Vec<Qualifier>> {
         let mut list = Vec::new();
-        while self.token().kind == Kind::Name
+        while self.token().kind == TokenKind::Name
             && words::is_qualifier(&self.token().text, self.version)
             && !self.is_used_as_name(self.token())
         {
@@ -34,7 +34,7 @@ impl Parser<'_> {
         let mut entries = Vec::new();
         while !self.is(")") {
             let first = self.here();
-            if self.token().kind != Kind::Name {
+            if self.token().kind != TokenKind::Name {
                 let message = format!("expected a layout qualifier such as `location = 0`, found {}", self.found());
                 return self.fail(self.token().span, "layout", message);
             }
@@ -61,10 +61,10 @@ impl Parser<'_> {
             return Ok(TypeName { name, span, tokens, sizes, definition: Some(Box::new(definition)) });
         }
         let token = self.token();
-        if token.kind == Kind::Stray {
+        if token.kind == TokenKind::Stray {
             return self.stray();
         }
-        if token.kind != Kind::Name || words::is_statement(&token.text, self.version) {
+        if token.kind != TokenKind::Name || words::is_statement(&token.text, self.version) {
             let message = format!("expected a type such as `vec3`, found {}", self.found());
             return self.fail(token.span, "missing-type", message);
         }

@@ -2,7 +2,7 @@
 
 use super::{Parse, Parser};
 use crate::ast::{BinaryOp, Call, Expr, ExprKind, Literal, UnaryOp};
-use crate::lex::Kind;
+use crate::lex::TokenKind;
 use crate::limits::{MOST_ARRAY_SIZES, MOST_NESTED};
 use crate::types::words;
 use crate::{Limit, Problem, TokenRange, Type};
@@ -64,10 +64,10 @@ impl Parser<'_> {
             return self.ternary(left);
         }
         let mark = &self.token().text;
-        if self.token().kind != Kind::Mark || !ASSIGNMENTS.contains(&&**mark) {
+        if self.token().kind != TokenKind::Mark || !ASSIGNMENTS.contains(&&**mark) {
             return Ok(left);
         }
-        let op = BinaryOp::of(&mark[..mark.len() - 1]).map(|(op, _)| op);
+        let op = BinaryOp::from_mark(&mark[..mark.len() - 1]).map(|(op, _)| op);
         self.advance();
         let value = self.assignment()?;
         let tokens = left.tokens.to(value.tokens);
@@ -92,7 +92,7 @@ impl Parser<'_> {
         let mut left = self.unary()?;
         loop {
             let token = self.token();
-            let Some((op, rank)) = BinaryOp::of(&token.text).filter(|(_, rank)| *rank > least) else { break };
+            let Some((op, rank)) = BinaryOp::from_mark(&token.text).filter(|(_, rank)| *rank > least) else { break };
             self.advance();
             let right = self.binary(rank)?;
             let tokens = left.tokens.to(right.tokens);
@@ -105,7 +105,7 @@ impl Parser<'_> {
     fn unary(&mut self) -> Parse<Box<Expr>> {
         let token = self.token();
         let op = match &*token.text {
-            _ if token.kind != Kind::Mark => return self.postfix(),
+            _ if token.kind != TokenKind::Mark => return self.postfix(),
             "+" => UnaryOp::Plus,
             "-" => UnaryOp::Minus,
             "!" => UnaryOp::Not,
@@ -158,7 +158,7 @@ impl Parser<'_> {
     #[inline(never)]
     fn field(&mut self, base: Box<Expr>, first: TokenRange) -> Parse<Box<Expr>> {
         let token = self.token();
-        if token.kind != Kind::Name {
+        if token.kind != TokenKind::Name {
             let message =
                 format!("expected a member or components such as `xyz` after the `.`, found {}", self.found());
             return self.fail(token.span, "missing-name", message);
@@ -179,7 +179,7 @@ impl Parser<'_> {
         let token = self.token();
         let first = self.here();
         match token.kind {
-            Kind::Number => {
+            TokenKind::Number => {
                 self.advance();
                 let literal = match number(&token.text) {
                     Ok(literal) => literal,
@@ -191,8 +191,8 @@ impl Parser<'_> {
                 };
                 self.expr(ExprKind::Literal(literal), first)
             }
-            Kind::Name => self.word(),
-            Kind::Stray => self.stray(),
+            TokenKind::Name => self.word(),
+            TokenKind::Stray => self.stray(),
             _ if token.is("(") => {
                 self.advance();
                 let mut inner = self.expression()?;
@@ -204,7 +204,7 @@ impl Parser<'_> {
             _ if token.is("{") => self.list(),
             _ => {
                 let message = match token.kind {
-                    Kind::End => "expected an expression, found the end of the file".to_string(),
+                    TokenKind::End => "expected an expression, found the end of the file".to_string(),
                     _ => format!("expected an expression, found {}", self.found()),
                 };
                 let span = if self.starts_line() { self.behind() } else { token.span };

@@ -2,7 +2,7 @@
 
 use super::{Parse, Parser};
 use crate::ast::{Function, InterfaceBlock, Item, Param, Qualifier, Qualify, TypeName, Unit};
-use crate::lex::Kind;
+use crate::lex::TokenKind;
 use crate::types::words;
 use crate::{Problem, TokenRange};
 
@@ -49,7 +49,7 @@ impl Parser<'_> {
     /// `type name (`: a function begins here, whatever went before.
     pub(super) fn starts_function(&self) -> bool {
         let token = self.token();
-        (self.is_type_name(token) || token.is("void")) && self.ahead(1).kind == Kind::Name && self.ahead(2).is("(")
+        (self.is_type_name(token) || token.is("void")) && self.ahead(1).kind == TokenKind::Name && self.ahead(2).is("(")
     }
 
     fn item(&mut self) -> Parse<Item> {
@@ -70,7 +70,7 @@ impl Parser<'_> {
         if self.is("precision") {
             return Ok(Item::Precision(self.precision()?));
         }
-        if token.kind == Kind::Stray {
+        if token.kind == TokenKind::Stray {
             return self.stray();
         }
         let qualifiers = self.qualifiers()?;
@@ -78,13 +78,13 @@ impl Parser<'_> {
             if self.take(";") {
                 return Ok(self.qualify(first, qualifiers, Vec::new()));
             }
-            let is_bare = self.token().kind == Kind::Name
+            let is_bare = self.token().kind == TokenKind::Name
                 && !self.starts_type()
                 && (self.ahead(1).is(";") || self.ahead(1).is(","));
             if is_bare && qualifiers.iter().any(|q| matches!(&*q.word, "invariant" | "precise")) {
                 return self.names_to_qualify(first, qualifiers);
             }
-            if self.token().kind == Kind::Name && self.ahead(1).is("{") && !self.is("struct") {
+            if self.token().kind == TokenKind::Name && self.ahead(1).is("{") && !self.is("struct") {
                 return self.block(first, qualifiers);
             }
         }
@@ -93,7 +93,7 @@ impl Parser<'_> {
             return self.fail(token.span, "outside-function", message);
         }
         let ty = self.type_name()?;
-        if self.token().kind == Kind::Name && self.ahead(1).is("(") {
+        if self.token().kind == TokenKind::Name && self.ahead(1).is("(") {
             return self.function(first, qualifiers, ty);
         }
         Ok(Item::Declaration(self.declarators(first, qualifiers, ty)?))
@@ -106,12 +106,12 @@ impl Parser<'_> {
     /// `x = 1;`, `if (..)`, `main();` where only declarations can stand.
     fn is_statement_outside(&self) -> bool {
         let (token, next) = (self.token(), self.ahead(1));
-        if token.kind != Kind::Name {
+        if token.kind != TokenKind::Name {
             return matches!(&*token.text, "++" | "--" | "{");
         }
         let controls = ["if", "for", "while", "do", "return", "break", "continue", "discard", "else", "switch"];
         controls.contains(&&*token.text)
-            || (next.kind == Kind::Mark
+            || (next.kind == TokenKind::Mark
                 && !words::is_type(&token.text, self.version)
                 && !matches!(&*next.text, "[" | ";" | "{" | "}" | ")"))
     }
@@ -138,7 +138,7 @@ impl Parser<'_> {
         let (name, name_tokens) = self.name("a block")?;
         let members = self.members("block")?;
         let close = TokenRange { first: self.at.saturating_sub(1) as u32, last: self.at.saturating_sub(1) as u32 };
-        let instance = if self.token().kind == Kind::Name && (self.ahead(1).is(";") || self.ahead(1).is("[")) {
+        let instance = if self.token().kind == TokenKind::Name && (self.ahead(1).is(";") || self.ahead(1).is("[")) {
             Some(self.declarator()?)
         } else {
             None
@@ -197,7 +197,7 @@ impl Parser<'_> {
             let qualifiers = self.qualifiers()?;
             let ty = self.type_name()?;
             let (mut name, mut tokens) = (String::new(), ty.tokens);
-            if self.token().kind == Kind::Name {
+            if self.token().kind == TokenKind::Name {
                 (name, tokens) = self.name("a parameter")?;
             }
             let sizes = self.sizes()?;

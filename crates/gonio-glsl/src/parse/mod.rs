@@ -8,7 +8,7 @@ mod statements;
 use std::collections::HashSet;
 
 use crate::ast::Unit;
-use crate::lex::{Kind, Token};
+use crate::lex::{Token, TokenKind};
 use crate::limits::MOST_NESTED;
 use crate::types::words;
 use crate::{Limit, Problem, Span, TokenRange, Version};
@@ -75,7 +75,7 @@ impl<'p> Parser<'p> {
     }
 
     fn is_end(&self) -> bool {
-        self.token().kind == Kind::End
+        self.token().kind == TokenKind::End
     }
 
     /// Takes the token if it is this one.
@@ -138,8 +138,8 @@ impl<'p> Parser<'p> {
     fn found(&self) -> String {
         let token = self.token();
         match token.kind {
-            Kind::End => "the end of the file".into(),
-            Kind::Stray => format!("the character `{}`", token.text.escape_debug()),
+            TokenKind::End => "the end of the file".into(),
+            TokenKind::Stray => format!("the character `{}`", token.text.escape_debug()),
             _ => format!("`{}`", token.text),
         }
     }
@@ -168,14 +168,14 @@ impl<'p> Parser<'p> {
             return Ok(());
         }
         let (next, before) = (self.token(), self.before());
-        if matches!(&*next.text, ")" | "]") && next.kind == Kind::Mark {
+        if matches!(&*next.text, ")" | "]") && next.kind == TokenKind::Mark {
             let message = format!("unexpected `{}`: it closes nothing", next.text);
             return self.fail(next.span, "stray-bracket", message);
         }
-        if next.kind == Kind::Stray {
+        if next.kind == TokenKind::Stray {
             return self.stray();
         }
-        if next.span.line == before.span.line && next.kind != Kind::End && !next.is("}") {
+        if next.span.line == before.span.line && next.kind != TokenKind::End && !next.is("}") {
             let message = format!("expected an operator or `;` before {}", self.found());
             return self.fail(next.span, "missing-semicolon", message);
         }
@@ -192,10 +192,10 @@ impl<'p> Parser<'p> {
     #[inline(never)]
     fn name(&mut self, of: &str) -> Parse<(String, TokenRange)> {
         let token = self.token();
-        if token.kind == Kind::Stray {
+        if token.kind == TokenKind::Stray {
             return self.stray();
         }
-        if token.kind != Kind::Name {
+        if token.kind != TokenKind::Name {
             let message = format!("expected the name of {of}, found {}", self.found());
             return self.fail(token.span, "missing-name", message);
         }
@@ -238,25 +238,26 @@ impl<'p> Parser<'p> {
     }
 
     fn is_type_name(&self, token: &Token) -> bool {
-        token.kind == Kind::Name && (words::is_type(&token.text, self.version) || self.structs.contains(&*token.text))
+        token.kind == TokenKind::Name
+            && (words::is_type(&token.text, self.version) || self.structs.contains(&*token.text))
     }
 
     /// Whether a declaration begins here: a qualifier, a type, or two names in a row.
     fn is_declaration(&self) -> bool {
         let token = self.token();
-        if token.kind != Kind::Name || (words::is_statement(&token.text, self.version) && !self.is_prefix(token)) {
+        if token.kind != TokenKind::Name || (words::is_statement(&token.text, self.version) && !self.is_prefix(token)) {
             return false;
         }
         if self.is_prefix(token) {
             return true;
         }
         let next = self.ahead(1);
-        if next.kind == Kind::Name {
+        if next.kind == TokenKind::Name {
             // `a` and on the next line `b = ..`: an `;` is missing, unless `a` is a type.
             return self.is_type_name(token) || next.span.line == token.span.line;
         }
         if next.is("[") {
-            return self.behind_brackets(1).kind == Kind::Name && self.is_type_name(token);
+            return self.behind_brackets(1).kind == TokenKind::Name && self.is_type_name(token);
         }
         words::is_type(&token.text, self.version) && !next.is("(") && !next.is(".")
     }
@@ -269,7 +270,7 @@ impl<'p> Parser<'p> {
     fn is_used_as_name(&self, token: &Token) -> bool {
         let next = self.ahead(1);
         matches!(&*token.text, "sample" | "patch" | "buffer" | "shared" | "smooth" | "flat" | "precise")
-            && next.kind == Kind::Mark
+            && next.kind == TokenKind::Mark
     }
 
     /// The token behind `[..][..]`, where the first bracket stands so many places ahead.
@@ -285,7 +286,7 @@ impl<'p> Parser<'p> {
                 if depth == 0 && !self.ahead(ahead + 1).is("[") {
                     return self.ahead(ahead + 1);
                 }
-            } else if token.kind == Kind::End || token.is(";") {
+            } else if token.kind == TokenKind::End || token.is(";") {
                 return token;
             }
             ahead += 1;

@@ -2,7 +2,7 @@
 
 use super::{Parse, Parser};
 use crate::ast::{Condition, Statement, StatementKind};
-use crate::lex::Kind;
+use crate::lex::TokenKind;
 use crate::{Problem, TokenRange};
 
 impl Parser<'_> {
@@ -66,7 +66,7 @@ impl Parser<'_> {
                     }
                 }
                 ";" | "{" | "}" => return false,
-                _ if token.kind == Kind::End => return false,
+                _ if token.kind == TokenKind::End => return false,
                 _ => {}
             }
         }
@@ -112,10 +112,10 @@ impl Parser<'_> {
     #[inline(never)]
     fn statement_kind(&mut self) -> Parse<Box<Statement>> {
         let token = self.token();
-        if token.kind == Kind::Mark && token.is("{") {
+        if token.kind == TokenKind::Mark && token.is("{") {
             return self.block_statement();
         }
-        if token.kind == Kind::Name {
+        if token.kind == TokenKind::Name {
             match &*token.text {
                 "if" => return self.branch(),
                 "for" => return self.for_loop(),
@@ -148,7 +148,7 @@ impl Parser<'_> {
         if self.take(";") {
             return Ok(made(StatementKind::Empty));
         }
-        let word = if token.kind == Kind::Name { &*token.text } else { "" };
+        let word = if token.kind == TokenKind::Name { &*token.text } else { "" };
         match word {
             "return" => {
                 self.advance();

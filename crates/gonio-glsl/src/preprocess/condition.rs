@@ -1,7 +1,7 @@
 //! The expression behind `#if`.
 
 use super::Preprocessor;
-use crate::lex::{Kind, Token};
+use crate::lex::{Token, TokenKind};
 use crate::{Limit, Problem, Span};
 
 /// Brackets and signs within each other.
@@ -38,7 +38,7 @@ impl Preprocessor<'_> {
             let Some(name) = tokens.get(at) else { break };
             at += 1 + usize::from(in_brackets);
             let text = if self.is_defined(name) { "1" } else { "0" };
-            out.push(Token { kind: Kind::Number, text: text.into(), ..name.clone() });
+            out.push(Token { kind: TokenKind::Number, text: text.into(), ..name.clone() });
         }
         out
     }
@@ -118,8 +118,8 @@ impl Reader<'_> {
                 value
             }
             // A name that is no macro counts as zero.
-            _ if token.kind == Kind::Name => 0,
-            text if token.kind == Kind::Number => number(text)?,
+            _ if token.kind == TokenKind::Name => 0,
+            text if token.kind == TokenKind::Number => number(text)?,
             _ => return None,
         };
         self.nested -= 1;

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use super::{Conditional, Directive, Macro, Preprocessor};
-use crate::lex::{Kind, Token};
+use crate::lex::{Token, TokenKind};
 use crate::{Problem, Severity, Span, Version};
 
 const KNOWN_VERSIONS: [u32; 16] = [100, 110, 120, 130, 140, 150, 300, 310, 320, 330, 400, 410, 420, 430, 440, 450];
@@ -50,7 +50,7 @@ impl Preprocessor<'_> {
     }
 
     fn define(&mut self, rest: &[Token], span: Span) {
-        let Some(name) = rest.first().filter(|t| t.kind == Kind::Name) else {
+        let Some(name) = rest.first().filter(|t| t.kind == TokenKind::Name) else {
             let message = "expected a name after `#define`";
             self.problems.push(Problem::error(span, "define", message));
             return;
@@ -70,11 +70,12 @@ impl Preprocessor<'_> {
                 self.problems.push(Problem::error(name.span, "define", message));
                 return;
             };
-            let names = body[1..close].iter().filter(|t| t.kind == Kind::Name).map(|t| Rc::clone(&t.text)).collect();
+            let names =
+                body[1..close].iter().filter(|t| t.kind == TokenKind::Name).map(|t| Rc::clone(&t.text)).collect();
             parameters = Some(names);
             body = &body[close + 1..];
         }
-        for token in body.iter().filter(|t| t.kind == Kind::Name) {
+        for token in body.iter().filter(|t| t.kind == TokenKind::Name) {
             self.macro_words.push((token.text.to_string(), token.start, token.end));
         }
         self.all_macros.push(name.text.to_string());

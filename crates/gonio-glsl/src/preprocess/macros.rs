@@ -3,19 +3,19 @@
 use std::rc::Rc;
 
 use super::{Frame, Macro, Preprocessor};
-use crate::lex::{Kind, Token};
+use crate::lex::{Token, TokenKind};
 use crate::limits::{MOST_EXPANDED, MOST_MACROS_IN_ARGUMENTS, MOST_MACROS_IN_MACROS, MOST_NAME_BYTES};
 use crate::{Limit, Problem, Span};
 
 impl Preprocessor<'_> {
     /// The token itself, or nothing if it was a macro, whose text then lies on `frames`.
     pub(super) fn expand(&mut self, mut token: Token, frames: &mut Vec<Frame>, from_file: bool) -> Option<Token> {
-        if token.kind != Kind::Name || token.frozen {
+        if token.kind != TokenKind::Name || token.frozen {
             return Some(token);
         }
         if let Some(number) = self.predefined(&token) {
             token.text = number.into();
-            token.kind = Kind::Number;
+            token.kind = TokenKind::Number;
             return Some(token);
         }
         let Some(found) = self.macros.get(&token.text).cloned() else { return Some(token) };

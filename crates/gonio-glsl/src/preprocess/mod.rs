@@ -7,7 +7,7 @@ mod macros;
 use std::collections::HashMap;
 use std::rc::Rc;
 
-use crate::lex::{Kind, Token};
+use crate::lex::{Token, TokenKind};
 use crate::{Limit, Problem, Span, Version};
 
 /// A line beginning with `#`, for the translation.
@@ -115,7 +115,7 @@ impl Preprocessor<'_> {
         loop {
             if frames.is_empty() {
                 let Some(token) = self.raw.get(self.at) else { break };
-                if token.kind == Kind::End {
+                if token.kind == TokenKind::End {
                     break;
                 }
                 if token.first_on_line && token.is("#") {
@@ -165,7 +165,7 @@ impl Preprocessor<'_> {
     fn take_line(&mut self) -> Vec<Token> {
         let mut line: Vec<Token> = Vec::new();
         while let Some(token) = self.raw.get(self.at) {
-            if token.kind == Kind::End || (token.first_on_line && !line.is_empty()) {
+            if token.kind == TokenKind::End || (token.first_on_line && !line.is_empty()) {
                 break;
             }
             line.push(token.clone());
@@ -187,7 +187,7 @@ impl Preprocessor<'_> {
             return None;
         }
         let token = self.raw.get(self.at)?;
-        if token.kind == Kind::End || (token.first_on_line && token.is("#")) {
+        if token.kind == TokenKind::End || (token.first_on_line && token.is("#")) {
             return None;
         }
         self.at += 1;

@@ -14,7 +14,7 @@ use std::collections::BTreeSet;
 
 use crate::ast::Item;
 use crate::constant::Components;
-use crate::{Checked, Parsed, Problem, Span, Stage, Target, TokenRange, Type};
+use crate::{Checked, OutputVersion, Parsed, Problem, Span, Stage, TokenRange, Type};
 use edits::Edits;
 
 pub use loops::{DRAWN_ALL_THE_SAME, LoopBound};
@@ -68,7 +68,7 @@ const MAIN: &str = "gonio_main";
 struct Translator<'t> {
     parsed: &'t Parsed,
     checked: &'t Checked,
-    target: Target,
+    target: OutputVersion,
     edits: Edits,
     problems: Vec<Problem>,
     renames: Vec<Rename>,
@@ -85,13 +85,18 @@ struct Translator<'t> {
 
 /// Writes a shader for another version. The tree has to be the one that `checked` was made of.
 #[must_use]
-pub fn translate(parsed: &Parsed, checked: &Checked, target: Target) -> Translated {
+pub fn translate(parsed: &Parsed, checked: &Checked, target: OutputVersion) -> Translated {
     translate_bounded(parsed, checked, target, None)
 }
 
 /// The same with loops that end, where a bound is given: see [`DRAWN_ALL_THE_SAME`].
 #[must_use]
-pub fn translate_bounded(parsed: &Parsed, checked: &Checked, target: Target, bound: Option<LoopBound>) -> Translated {
+pub fn translate_bounded(
+    parsed: &Parsed,
+    checked: &Checked,
+    target: OutputVersion,
+    bound: Option<LoopBound>,
+) -> Translated {
     translate_showing(parsed, checked, target, bound, None)
 }
 
@@ -100,7 +105,7 @@ pub fn translate_bounded(parsed: &Parsed, checked: &Checked, target: Target, bou
 pub fn translate_showing(
     parsed: &Parsed,
     checked: &Checked,
-    target: Target,
+    target: OutputVersion,
     bound: Option<LoopBound>,
     shown: Option<Lookup>,
 ) -> Translated {
@@ -139,8 +144,8 @@ pub fn translate_showing(
 impl Translator<'_> {
     fn finish(mut self) -> Translated {
         let mut text = match self.target {
-            Target::Core330 => String::from("#version 330 core\n"),
-            Target::Es300 => String::from(
+            OutputVersion::Core330 => String::from("#version 330 core\n"),
+            OutputVersion::Es300 => String::from(
                 "#version 300 es\nprecision highp float; precision highp int; precision highp sampler2D; \
                  precision highp samplerCube; precision highp sampler3D; precision highp sampler2DArray; \
                  precision highp sampler2DShadow; precision highp samplerCubeShadow; precision highp sampler2DArrayShadow;\n",
@@ -180,7 +185,7 @@ impl Translator<'_> {
     }
 
     fn is_es(&self) -> bool {
-        self.target == Target::Es300
+        self.target == OutputVersion::Es300
     }
 
     fn stage(&self) -> Stage {

@@ -56,12 +56,12 @@ impl Type {
     /// A vector of floats, or `float` itself for 1.
     #[must_use]
     pub fn floats(count: u8) -> Self {
-        Self::of(Scalar::Float, count)
+        Self::scalar_or_vector(Scalar::Float, count)
     }
 
     /// A vector, or the scalar itself for 1.
     #[must_use]
-    pub fn of(scalar: Scalar, count: u8) -> Self {
+    pub fn scalar_or_vector(scalar: Scalar, count: u8) -> Self {
         if count == 1 { Self::Scalar(scalar) } else { Self::Vector(scalar, count) }
     }
 

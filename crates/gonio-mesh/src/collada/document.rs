@@ -95,8 +95,8 @@ impl<'t> Document<'t> {
     }
 
     /// Whether so much of a kind was told that more is only counted.
-    pub(super) fn is_told(&self, kind: &'static str) -> bool {
-        self.reports.borrow().is_told(kind)
+    pub(super) fn is_saturated(&self, kind: &'static str) -> bool {
+        self.reports.borrow().is_saturated(kind)
     }
 
     /// What most likely explains that nothing is left, as an end of a sentence.

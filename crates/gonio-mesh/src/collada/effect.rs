@@ -4,7 +4,7 @@ use super::document::{Document, name_of};
 use super::image::{Images, Parameters, texture};
 use super::xml::Element;
 use crate::text::quote;
-use crate::{AmbientRule, Channel, Material, ReadError, Severity, Source, TexelRule, TextureMap};
+use crate::{AmbientRule, Channel, Material, PropertySource, ReadError, Severity, TexelRule, TextureMap};
 
 /// `k_d` of an effect that says nothing of it: a new material of Blender's.
 const DIFFUSE: f32 = 0.8;
@@ -16,7 +16,7 @@ const SHININESS_OF_ONE: f32 = 128.0;
 const REFRACTION_INDEX: f32 = 1.5;
 
 /// A material, and what the texture coordinates of its textures are called.
-pub(super) struct Made {
+pub(super) struct EffectMaterial {
     pub(super) material: Material,
     pub(super) tex_coord: Option<String>,
 }
@@ -26,7 +26,7 @@ pub(super) fn material<'t>(
     document: &Document<'t>,
     images: &mut Images,
     element: Element<'t>,
-) -> Result<Made, ReadError> {
+) -> Result<EffectMaterial, ReadError> {
     let name = name_of(element);
     let instance = element.child("instance_effect");
     let effect = instance.and_then(|instance| document.target(instance, "url", &["effect"]));
@@ -43,9 +43,9 @@ pub(super) fn material<'t>(
             let name = quote(name.as_bytes());
             format!("the material {name} has no readable profile_COMMON effect: using the default material")
         });
-        return Ok(Made { material: Material { name, ..Material::default() }, tex_coord: None });
+        return Ok(EffectMaterial { material: Material { name, ..Material::default() }, tex_coord: None });
     };
-    let parameters = Parameters::of(&[Some(technique), Some(profile), Some(effect)]);
+    let parameters = Parameters::from_scopes(&[Some(technique), Some(profile), Some(effect)]);
     let mut reader = Reader {
         document,
         images,
@@ -64,7 +64,7 @@ pub(super) fn material<'t>(
     material.sort_sources();
     material.unused = std::mem::take(&mut reader.unused);
     let tex_coord = reader.one_tex_coord();
-    Ok(Made { material, tex_coord })
+    Ok(EffectMaterial { material, tex_coord })
 }
 
 const SHADERS: [&str; 4] = ["phong", "blinn", "lambert", "constant"];
@@ -75,8 +75,8 @@ struct Reader<'a, 't> {
     parameters: Parameters<'t>,
     /// Of the material, in quotes.
     name: String,
-    sources: Vec<Source>,
-    unused: Vec<Source>,
+    sources: Vec<PropertySource>,
+    unused: Vec<PropertySource>,
     /// What textures call their texture coordinates, with the byte of each.
     tex_coords: Vec<(String, usize)>,
 }
@@ -121,7 +121,7 @@ impl<'t> Reader<'_, 't> {
     }
 
     fn source(&mut self, property: &'static str, line: u64, written: String, rule: &str) {
-        self.sources.push(Source { property, line: Some(line), written, rule: rule.to_owned() });
+        self.sources.push(PropertySource { property, line: Some(line), written, rule: rule.to_owned() });
     }
 
     fn color(&mut self, shader: Element<'t>, name: &'static str) -> Result<Option<Value>, ReadError> {
@@ -317,7 +317,7 @@ impl<'t> Reader<'_, 't> {
     /// Mirrors, which no term of the light equation shows.
     fn reflection(&mut self, shader: Element<'t>) -> Result<(), ReadError> {
         if let Some(value) = self.color(shader, "reflective")? {
-            self.unused.push(Source {
+            self.unused.push(PropertySource {
                 property: "reflective",
                 line: Some(value.line),
                 written: value.written,
@@ -326,7 +326,12 @@ impl<'t> Reader<'_, 't> {
         }
         if let Some((value, line, _)) = self.float(shader, "reflectivity")? {
             let written = format!("<reflectivity> {value}");
-            self.unused.push(Source { property: "reflectivity", line: Some(line), written, rule: String::new() });
+            self.unused.push(PropertySource {
+                property: "reflectivity",
+                line: Some(line),
+                written,
+                rule: String::new(),
+            });
         }
         Ok(())
     }

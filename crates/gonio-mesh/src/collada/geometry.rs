@@ -1,7 +1,7 @@
 //! Geometries: their primitives, as polygons of corners.
 
 use super::document::{Document, name_of};
-use super::source::{Input, Semantic, Sources, inputs};
+use super::source::{DataSources, Input, Semantic, inputs};
 use super::xml::Element;
 use crate::{ReadError, Severity};
 use std::collections::BTreeMap;
@@ -57,7 +57,7 @@ const UNSUPPORTED: [&str; 3] = ["convex_mesh", "spline", "brep"];
 /// Reads the polygons of a `geometry`.
 pub(super) fn read(
     document: &Document<'_>,
-    sources: &mut Sources,
+    sources: &mut DataSources,
     element: Element<'_>,
     counts: &mut BTreeMap<&'static str, u64>,
 ) -> Result<Geometry, ReadError> {
@@ -125,7 +125,7 @@ impl Shape {
 
 fn primitive(
     document: &Document<'_>,
-    sources: &mut Sources,
+    sources: &mut DataSources,
     element: Element<'_>,
     shape: Shape,
     name: &str,
@@ -161,11 +161,11 @@ fn check_count(document: &Document<'_>, element: Element<'_>, shape: Shape, made
         Shape::Strips | Shape::Fans => element.all("p").count() as u64,
         _ => shape.count(made),
     };
-    if let Some(said) = document.count(element, "count")
-        && said != there
+    if let Some(declared) = document.count(element, "count")
+        && declared != there
     {
         document.add(COUNTS, Severity::Warning, element.at(), || {
-            format!("<{}> declares {said}, but contains {there}", element.name())
+            format!("<{}> declares {declared}, but contains {there}", element.name())
         });
     }
 }

@@ -20,7 +20,7 @@ pub(super) struct Parameters<'t> {
 }
 
 impl<'t> Parameters<'t> {
-    pub(super) fn of(scopes: &[Option<Element<'t>>]) -> Self {
+    pub(super) fn from_scopes(scopes: &[Option<Element<'t>>]) -> Self {
         let mut by_sid = HashMap::new();
         for parameter in scopes.iter().flatten().flat_map(|scope| scope.all("newparam")) {
             if let Some(sid) = parameter.attribute("sid") {

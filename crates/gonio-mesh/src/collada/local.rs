@@ -51,7 +51,7 @@ pub(super) fn build(
     let mut joiner: Option<(Layout, Joiner<3>, u32)> = None;
     let mut triangulator = Triangulator::default();
     for (index, primitive) in geometry.primitives.iter().enumerate() {
-        let Some(inputs) = Inputs::of(primitive, sets.get(index).copied().flatten()) else { continue };
+        let Some(inputs) = Inputs::from_primitive(primitive, sets.get(index).copied().flatten()) else { continue };
         let layout = inputs.layout();
         // Vertices are shared by primitives that have the same sources.
         let (_, joined, base) = match joiner.take() {
@@ -81,7 +81,7 @@ struct Inputs<'a> {
 }
 
 impl<'a> Inputs<'a> {
-    fn of(primitive: &'a Primitive, set: Option<u32>) -> Option<Self> {
+    fn from_primitive(primitive: &'a Primitive, set: Option<u32>) -> Option<Self> {
         Some(Inputs {
             position: primitive.input(Semantic::Position, None)?,
             normal: primitive.input(Semantic::Normal, None),
@@ -169,8 +169,11 @@ impl Assembler<'_, '_> {
 
     fn report_index(&self, kind: &'static str, number: usize, message: impl FnOnce() -> String) {
         // Only the first few are looked for: it takes time in proportion to the file.
-        let at =
-            if self.document.is_told(kind) { self.primitive.at } else { self.primitive.place(self.document, number) };
+        let at = if self.document.is_saturated(kind) {
+            self.primitive.at
+        } else {
+            self.primitive.place(self.document, number)
+        };
         self.document.add_loss(kind, at, message);
     }
 

@@ -1,7 +1,7 @@
 //! All materials of the document, and which of them a primitive has.
 
 use super::document::{Document, name_of};
-use super::effect::{self, Made};
+use super::effect::{self, EffectMaterial};
 use super::image::Images;
 use super::xml::Element;
 use crate::text::quote;
@@ -10,7 +10,7 @@ use std::collections::HashMap;
 
 /// The materials of the document.
 pub(super) struct Materials {
-    made: Vec<Made>,
+    made: Vec<EffectMaterial>,
     /// By their elements.
     index_of: HashMap<u32, usize>,
     needs_default: bool,

@@ -1,6 +1,6 @@
 //! COLLADA 1.4 and 1.5, `.dae` (Khronos Group, 2008, "COLLADA - Digital Asset Schema Release 1.4.1" and "1.5.0").
 //!
-//! XML becomes a tree (`xml`), in which addresses are looked up (`document`). Nodes are walked through (`scene`); each
+//! XML becomes a tree (`xml`), in which addresses are looked up (`document`). Nodes are walked through (`walker`); each
 //! geometry that one places is read once (`geometry`, `source`), made an indexed mesh once (`local`) and then copied to
 //! where it stands (`build`).
 
@@ -12,16 +12,16 @@ mod image;
 mod light;
 mod local;
 mod materials;
-mod scene;
 mod source;
 mod transform;
+mod walker;
 mod xml;
 
 use crate::encoding::xml_to_text;
 use crate::line_index::LineIndex;
 use crate::{Diagnostic, Limits, Model, ReadError, Sidecars};
 use document::Document;
-use scene::Scene;
+use walker::NodeWalker;
 use xml::Tree;
 
 /// Reads a COLLADA document. Documents that it refers to are not read; textures are left to the caller.
@@ -65,11 +65,11 @@ pub fn read(bytes: &[u8], _sidecars: &mut dyn Sidecars, limits: &Limits) -> Resu
     let tree = Tree::parse(text, &lines, limits)?;
     let document = Document::new(&tree, &lines, limits);
     check_version(&document);
-    let mut scene = Scene::new(&document)?;
+    let mut scene = NodeWalker::new(&document)?;
     scene.walk()?;
     let contents = contents(&document, &scene);
     report_cuts(&document, &scene);
-    let Scene { materials, builder, lights, cameras, .. } = scene;
+    let NodeWalker { materials, builder, lights, cameras, .. } = scene;
     let mut mesh = builder.finish();
     if mesh.indices.is_empty() {
         let counts: Vec<String> = contents.iter().map(|(name, count)| format!("{count} {name}")).collect();
@@ -112,7 +112,7 @@ const COUNTED: [(&str, &str); 9] = [
     ("library_nodes", "node"),
 ];
 
-fn contents(document: &Document<'_>, scene: &Scene<'_, '_>) -> Vec<(String, u64)> {
+fn contents(document: &Document<'_>, scene: &NodeWalker<'_, '_>) -> Vec<(String, u64)> {
     let root = document.tree.root();
     let count = |(library, name): (&'static str, &'static str)| {
         let count = root.all(library).flat_map(|library| library.all(name)).count();
@@ -126,7 +126,7 @@ fn contents(document: &Document<'_>, scene: &Scene<'_, '_>) -> Vec<(String, u64)
     contents
 }
 
-fn report_cuts(document: &Document<'_>, scene: &Scene<'_, '_>) {
+fn report_cuts(document: &Document<'_>, scene: &NodeWalker<'_, '_>) {
     if scene.cuts.not_simple > 0 {
         let message =
             format!("{} polygons cross or touch themselves: their triangles are guessed", scene.cuts.not_simple);

@@ -9,7 +9,7 @@ use std::rc::Rc;
 
 /// Rows of a `source`.
 #[derive(Clone)]
-pub(super) struct Source {
+pub(super) struct DataSource {
     array: Rc<FloatArray>,
     /// The number of the array where each wanted parameter of row 0 stands.
     columns: [Option<usize>; 4],
@@ -18,7 +18,7 @@ pub(super) struct Source {
     pub(super) rows: usize,
 }
 
-impl Source {
+impl DataSource {
     /// Row `row`; 0 for parameters that are missing (1 for the fourth, which is an opacity).
     pub(super) fn row(&self, row: usize) -> [f32; 4] {
         let mut values = [0.0, 0.0, 0.0, 1.0];
@@ -51,17 +51,21 @@ impl Source {
 
 /// Arrays and sources that were read, by their elements.
 #[derive(Default)]
-pub(super) struct Sources {
+pub(super) struct DataSources {
     arrays: HashMap<u32, Rc<FloatArray>>,
-    sources: HashMap<u32, Option<Source>>,
+    sources: HashMap<u32, Option<DataSource>>,
     /// Sources of which it was told that numbers are not finite.
-    told: HashSet<u32>,
+    reported: HashSet<u32>,
 }
 
-impl Sources {
+impl DataSources {
     /// The source of this element, with the parameters of a point, direction or colour; `None`, which is told, where
     /// it has none that can be read.
-    pub(super) fn get(&mut self, document: &Document<'_>, element: Element<'_>) -> Result<Option<Source>, ReadError> {
+    pub(super) fn get(
+        &mut self,
+        document: &Document<'_>,
+        element: Element<'_>,
+    ) -> Result<Option<DataSource>, ReadError> {
         if let Some(known) = self.sources.get(&element.index) {
             return Ok(known.clone());
         }
@@ -70,7 +74,7 @@ impl Sources {
         Ok(source)
     }
 
-    fn read(&mut self, document: &Document<'_>, element: Element<'_>) -> Result<Option<Source>, ReadError> {
+    fn read(&mut self, document: &Document<'_>, element: Element<'_>) -> Result<Option<DataSource>, ReadError> {
         let accessor = element.path(&["technique_common", "accessor"]);
         let array = match accessor {
             Some(accessor) => document.target(accessor, "source", &["float_array", "int_array"]),
@@ -96,16 +100,16 @@ impl Sources {
         let last = columns.iter().flatten().max().copied().unwrap_or(0) as u64;
         let available =
             length.checked_sub(offset).and_then(|rest| rest.checked_sub(last + 1)).map_or(0, |r| r / stride + 1);
-        let said = accessor.and_then(|a| document.count(a, "count")).unwrap_or(available);
-        if said > available {
+        let declared = accessor.and_then(|a| document.count(a, "count")).unwrap_or(available);
+        if declared > available {
             document.add(TOO_SHORT, Severity::Warning, accessor.unwrap_or(element).at(), || {
-                format!("the accessor declares {said} rows, but the array contains only {available}")
+                format!("the accessor declares {declared} rows, but the array contains only {available}")
             });
         }
         // `available` is 0 where any of these is too large for the array, and then no row is looked at.
         let small = |value: u64| usize::try_from(value).unwrap_or(0);
         let columns = columns.map(|column| column.map(|c| c.saturating_add(small(offset))));
-        Ok(Some(Source { array, columns, stride: small(stride), rows: small(said.min(available)) }))
+        Ok(Some(DataSource { array, columns, stride: small(stride), rows: small(declared.min(available)) }))
     }
 
     fn array(&mut self, document: &Document<'_>, element: Element<'_>) -> Result<Rc<FloatArray>, ReadError> {
@@ -114,11 +118,11 @@ impl Sources {
         }
         let array = Rc::new(document.array(element)?);
         let held = array.values.len() as u64;
-        if let Some(said) = document.count(element, "count")
-            && said != held
+        if let Some(declared) = document.count(element, "count")
+            && declared != held
         {
             document.add(TOO_SHORT, Severity::Warning, element.at(), || {
-                format!("<{}> declares {said} numbers, but contains {held}", element.name())
+                format!("<{}> declares {declared} numbers, but contains {held}", element.name())
             });
         }
         self.arrays.insert(element.index, array.clone());
@@ -129,12 +133,12 @@ impl Sources {
 /// Tells once of each source that it has numbers which are not finite. Positions are an error where they are used.
 fn report_not_finite(
     document: &Document<'_>,
-    sources: &mut Sources,
+    sources: &mut DataSources,
     semantic: Semantic,
-    source: &Source,
+    source: &DataSource,
     element: Element<'_>,
 ) {
-    if semantic == Semantic::Position || !source.array.has_not_finite || !sources.told.insert(element.index) {
+    if semantic == Semantic::Position || !source.array.has_not_finite || !sources.reported.insert(element.index) {
         return;
     }
     let Some(first) = source.not_finite(0..source.rows).next() else { return };
@@ -178,7 +182,7 @@ pub(super) struct Input {
     /// Of several of the same meaning.
     pub(super) set: u32,
     pub(super) offset: usize,
-    pub(super) source: Source,
+    pub(super) source: DataSource,
     /// The element of the source: equal ones are the same source.
     pub(super) element: u32,
 }
@@ -206,7 +210,7 @@ impl Semantic {
 /// The inputs of a primitive, those of its `vertices` included, and how many numbers a corner has.
 pub(super) fn inputs(
     document: &Document<'_>,
-    sources: &mut Sources,
+    sources: &mut DataSources,
     primitive: Element<'_>,
 ) -> Result<(Vec<Input>, usize), ReadError> {
     let mut inputs = Vec::new();
@@ -229,7 +233,7 @@ pub(super) fn inputs(
 
 fn add(
     document: &Document<'_>,
-    sources: &mut Sources,
+    sources: &mut DataSources,
     input: Element<'_>,
     offset: usize,
     inputs: &mut Vec<Input>,

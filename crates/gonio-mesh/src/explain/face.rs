@@ -26,18 +26,18 @@ pub struct FaceCorner {
     /// In bytes, from 1.
     pub column: u64,
     /// What its first index points at; `None` where it points at nothing.
-    pub vertex: Option<Target>,
+    pub vertex: Option<ReferencedAttribute>,
     /// What its second index points at.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub tex_coord: Option<Target>,
+    pub tex_coord: Option<ReferencedAttribute>,
     /// What its third index points at.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub normal: Option<Target>,
+    pub normal: Option<ReferencedAttribute>,
 }
 
 /// What an index points at.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Target {
+pub struct ReferencedAttribute {
     /// The index as written: from 1, or negative, counted back from the line.
     pub written: i64,
     /// The same counted from the start of the file, from 1.
@@ -180,7 +180,7 @@ fn target_of(corner: &Corner, found: &[Vec<Attribute>; 3]) -> FaceCorner {
     let target = |kind: usize| {
         let attribute = find(&found[kind], corner.numbers[kind]?)?;
         let (written, number, line) = (corner.indices[kind]?, attribute.number, attribute.line);
-        Some(Target { written, number, line, value: attribute.values.clone() })
+        Some(ReferencedAttribute { written, number, line, value: attribute.values.clone() })
     };
     FaceCorner {
         written: corner.written.clone(),
@@ -279,7 +279,7 @@ fn meaning_of_face(number: u64, corners: u64, triangles: &[[usize; 3]]) -> Strin
 
 /// `corner 2 is `-3/-1`: vertex 6 (line 9): 0.5 0 1; texture coordinate 4 (line 15): 0 1`
 fn words_of_corner(number: usize, corner: &FaceCorner) -> String {
-    let words = |what: &str, target: &Target| {
+    let words = |what: &str, target: &ReferencedAttribute| {
         format!("{what} {} (line {}): {}", target.number, target.line, numbers(&target.value))
     };
     let vertex = corner.vertex.as_ref().map_or("no vertex".to_owned(), |target| words("vertex", target));

@@ -14,7 +14,7 @@ use crate::encoding::to_utf8;
 use crate::{Diagnostic, ReadError};
 use serde::Serialize;
 
-pub use face::{FaceCorner, Target};
+pub use face::{FaceCorner, ReferencedAttribute};
 
 /// The longest part of a line or name that is shown, in characters.
 const LONGEST: usize = 500;

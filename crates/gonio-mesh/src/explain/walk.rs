@@ -70,7 +70,7 @@ pub(super) enum Keyword {
 }
 
 impl Keyword {
-    fn of(word: &[u8]) -> Self {
+    fn from_word(word: &[u8]) -> Self {
         match word {
             b"v" => Keyword::Attribute(0),
             b"vt" => Keyword::Attribute(1),
@@ -96,7 +96,7 @@ pub(super) fn find(bytes: &[u8], line: u64) -> Result<(Extent, State), ReadError
     let mut cursor = Cursor::new(bytes);
     while !cursor.at_end() && line > 0 {
         let (start, first_line) = (cursor.position(), cursor.line());
-        let keyword = if cursor.next_word() { Keyword::of(cursor.word()) } else { Keyword::Other };
+        let keyword = if cursor.next_word() { Keyword::from_word(cursor.word()) } else { Keyword::Other };
         let named = if keyword.has_name() { (cursor.name(), first_line) } else { (String::new(), 0) };
         cursor.next_line();
         let extent = Extent::ending_at(start, first_line, &cursor, bytes);
@@ -121,7 +121,7 @@ pub(super) fn faces_after(bytes: &[u8], extent: Extent, until: &[Keyword]) -> (u
     while !cursor.at_end() {
         let line = cursor.line();
         if cursor.next_word() {
-            let keyword = Keyword::of(cursor.word());
+            let keyword = Keyword::from_word(cursor.word());
             if until.contains(&keyword) {
                 return (faces, Some(line));
             }
@@ -153,7 +153,7 @@ pub(super) fn attributes(bytes: &[u8], wanted: &[Vec<u64>; 3]) -> ([Vec<Attribut
     while !cursor.at_end() && missing > 0 {
         if cursor.next_word() {
             let line = cursor.line();
-            let keyword = Keyword::of(cursor.word());
+            let keyword = Keyword::from_word(cursor.word());
             if let Keyword::Attribute(kind) = keyword {
                 counts[kind] += 1;
                 if wanted[kind].get(found[kind].len()) == Some(&counts[kind]) {

@@ -3,7 +3,7 @@
 //! [`Accessor::open`] checks every range; what is read afterwards cannot leave its buffer.
 
 use super::buffer::{Buffers, View, range};
-use super::json::At;
+use super::json::JsonRef;
 use crate::ReadError;
 use std::ops::Range;
 
@@ -56,7 +56,7 @@ struct Array<'v> {
 
 /// An array of the file.
 pub(super) struct Accessor<'v> {
-    pub at: At<'v>,
+    pub at: JsonRef<'v>,
     pub count: usize,
     width: usize,
     normalized: bool,
@@ -75,8 +75,8 @@ impl<'v> Accessor<'v> {
     /// The accessor that the number `key` of `from` names, with elements of one of `widths` components.
     pub fn open(
         buffers: &mut Buffers<'v, '_>,
-        root: At<'v>,
-        from: At<'v>,
+        root: JsonRef<'v>,
+        from: JsonRef<'v>,
         key: &'v str,
         widths: &[usize],
     ) -> Result<Option<Self>, ReadError> {
@@ -87,7 +87,7 @@ impl<'v> Accessor<'v> {
         let width = ["SCALAR", "VEC2", "VEC3", "VEC4", "MAT4"].iter().position(|name| *name == kind);
         let width = width.map(|i| [1, 2, 3, 4, 16][i]).filter(|width| widths.contains(width));
         let width = width.ok_or_else(|| {
-            let (path, user) = (at.path(), from.get(key).map_or_else(String::new, At::path));
+            let (path, user) = (at.path(), from.get(key).map_or_else(String::new, JsonRef::path));
             ReadError::new(format!("{path} has the type {kind:?}, which {user} cannot have"))
         })?;
         let dense = match buffers.view(at, "bufferView")? {
@@ -144,7 +144,7 @@ impl<'v> Accessor<'v> {
     }
 }
 
-fn component(at: At<'_>) -> Result<Component, ReadError> {
+fn component(at: JsonRef<'_>) -> Result<Component, ReadError> {
     let code = at.unsigned("componentType")?.ok_or_else(|| at.lacks("componentType"))?;
     Component::of_code(code).ok_or_else(|| {
         let what = "is not one of 5120 (i8), 5121 (u8), 5122 (i16), 5123 (u16), 5125 (u32), 5126 (f32)";
@@ -155,7 +155,7 @@ fn component(at: At<'_>) -> Result<Component, ReadError> {
 impl<'v> Sparse<'v> {
     fn open(
         buffers: &mut Buffers<'v, '_>,
-        at: At<'v>,
+        at: JsonRef<'v>,
         whole: usize,
         width: usize,
         values_are: Component,
@@ -183,7 +183,13 @@ impl<'v> Sparse<'v> {
 
 impl<'v> Array<'v> {
     /// Checks that `count` elements from the `byteOffset` of `at` lie within the view.
-    fn open(view: View<'v>, at: At<'v>, count: usize, width: usize, component: Component) -> Result<Self, ReadError> {
+    fn open(
+        view: View<'v>,
+        at: JsonRef<'v>,
+        count: usize,
+        width: usize,
+        component: Component,
+    ) -> Result<Self, ReadError> {
         let element = width * component.size();
         let stride = view.stride.unwrap_or(element);
         if stride < element {

@@ -1,6 +1,6 @@
 //! Buffers, and the views into them. A buffer is fetched when the first of its bytes is wanted.
 
-use super::json::At;
+use super::json::JsonRef;
 use super::uri::Uri;
 use crate::{ReadError, SidecarUse, Sidecars};
 use std::borrow::Cow;
@@ -13,7 +13,7 @@ type Bytes<'v> = Rc<Cow<'v, [u8]>>;
 
 /// The buffers of a file.
 pub(super) struct Buffers<'v, 's> {
-    root: At<'v>,
+    root: JsonRef<'v>,
     /// The chunk of a `.glb`.
     binary: Option<&'v [u8]>,
     sidecars: &'s mut dyn Sidecars,
@@ -40,12 +40,12 @@ impl View<'_> {
 }
 
 impl<'v, 's> Buffers<'v, 's> {
-    pub fn new(root: At<'v>, binary: Option<&'v [u8]>, sidecars: &'s mut dyn Sidecars) -> Self {
+    pub fn new(root: JsonRef<'v>, binary: Option<&'v [u8]>, sidecars: &'s mut dyn Sidecars) -> Self {
         Buffers { root, binary, sidecars, fetched: HashMap::new(), files: HashMap::new(), uses: Vec::new() }
     }
 
     /// The view that the number `key` of `from` names.
-    pub fn view(&mut self, from: At<'v>, key: &'v str) -> Result<Option<View<'v>>, ReadError> {
+    pub fn view(&mut self, from: JsonRef<'v>, key: &'v str) -> Result<Option<View<'v>>, ReadError> {
         let Some((_, at)) = from.target(self.root, key, "bufferViews")? else { return Ok(None) };
         let Some((index, buffer)) = at.target(self.root, "buffer", "buffers")? else { return Err(at.lacks("buffer")) };
         let bytes = self.bytes(index, buffer)?;
@@ -60,7 +60,7 @@ impl<'v, 's> Buffers<'v, 's> {
         Ok(Some(View { bytes, range, stride }))
     }
 
-    fn bytes(&mut self, index: usize, at: At<'v>) -> Result<Bytes<'v>, ReadError> {
+    fn bytes(&mut self, index: usize, at: JsonRef<'v>) -> Result<Bytes<'v>, ReadError> {
         if let Some(bytes) = self.fetched.get(&index) {
             return Ok(bytes.clone());
         }
@@ -83,7 +83,7 @@ impl<'v, 's> Buffers<'v, 's> {
         Ok(bytes)
     }
 
-    fn fetch(&mut self, uri: &'v str, at: At<'v>) -> Result<Bytes<'v>, ReadError> {
+    fn fetch(&mut self, uri: &'v str, at: JsonRef<'v>) -> Result<Bytes<'v>, ReadError> {
         if let Some(bytes) = self.files.get(uri) {
             return Ok(bytes.clone());
         }

@@ -1,6 +1,6 @@
 //! Extensions: which are understood, and what to say of the others.
 
-use super::json::At;
+use super::json::JsonRef;
 use crate::report::Reports;
 use crate::{Diagnostic, ReadError};
 
@@ -41,7 +41,7 @@ const REFUSED: &[(&str, &str)] = &[
 ];
 
 /// Refuses a file that cannot be shown without an extension; warns of others.
-pub(super) fn check(root: At<'_>, reports: &mut Reports) -> Result<(), ReadError> {
+pub(super) fn check(root: JsonRef<'_>, reports: &mut Reports) -> Result<(), ReadError> {
     for at in root.list("extensionsRequired")? {
         let name = at.value.as_str().unwrap_or_default();
         if UNDERSTOOD.contains(&name) || lost_without(name).is_some() {
@@ -50,17 +50,17 @@ pub(super) fn check(root: At<'_>, reports: &mut Reports) -> Result<(), ReadError
         let advice = find(REFUSED, name).unwrap_or("export it without that extension");
         return Err(ReadError::new(format!("needs the extension {name:?}, which is not supported: {advice}")));
     }
-    let mut said: Vec<&str> = Vec::new();
+    let mut reported: Vec<&str> = Vec::new();
     for at in root.list("extensionsUsed")? {
         let name = at.value.as_str().unwrap_or_default();
         // Those of materials are reported where they are used.
         if UNDERSTOOD.contains(&name) || name.starts_with("KHR_materials_") && find(SURVIVED, name).is_none() {
             continue;
         }
-        if said.contains(&name) || said.len() > 50 {
+        if reported.contains(&name) || reported.len() > 50 {
             continue;
         }
-        said.push(name);
+        reported.push(name);
         let lost = match (find(SURVIVED, name), find(REFUSED, name)) {
             (Some(lost), _) => lost,
             (None, Some(_)) => "the rest of the file is shown",

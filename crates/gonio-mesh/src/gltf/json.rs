@@ -21,7 +21,7 @@ const UNSIGNED: &str = "a non-negative integer";
 
 /// A value and where it stands.
 #[derive(Clone, Copy)]
-pub(super) struct At<'v> {
+pub(super) struct JsonRef<'v> {
     pub value: &'v Value,
     steps: [Step<'v>; MOST_STEPS],
     depth: usize,
@@ -33,14 +33,14 @@ enum Step<'v> {
     Index(usize),
 }
 
-impl<'v> At<'v> {
+impl<'v> JsonRef<'v> {
     /// The whole file.
     pub fn root(value: &'v Value) -> Self {
-        At { value, steps: [Step::Index(0); MOST_STEPS], depth: 0 }
+        JsonRef { value, steps: [Step::Index(0); MOST_STEPS], depth: 0 }
     }
 
     fn below(self, value: &'v Value, step: Step<'v>) -> Self {
-        let mut below = At { value, ..self };
+        let mut below = JsonRef { value, ..self };
         // Deeper than any place of glTF: the path stays that of the place above.
         if let Some(free) = below.steps.get_mut(self.depth) {
             *free = step;
@@ -50,18 +50,18 @@ impl<'v> At<'v> {
     }
 
     /// A member of an object; none where it is absent or null.
-    pub fn get(self, key: &'v str) -> Option<At<'v>> {
+    pub fn get(self, key: &'v str) -> Option<JsonRef<'v>> {
         let value = self.value.get(key).filter(|value| !value.is_null())?;
         Some(self.below(value, Step::Key(key)))
     }
 
     /// An element of an array.
-    pub fn item(self, index: usize) -> Option<At<'v>> {
+    pub fn item(self, index: usize) -> Option<JsonRef<'v>> {
         Some(self.below(self.value.as_array()?.get(index)?, Step::Index(index)))
     }
 
     /// The elements of the array `key`; none where it is absent.
-    pub fn list(self, key: &'v str) -> Result<impl Iterator<Item = At<'v>>, ReadError> {
+    pub fn list(self, key: &'v str) -> Result<impl Iterator<Item = JsonRef<'v>>, ReadError> {
         let list = self.get(key);
         if let Some(list) = list
             && !list.value.is_array()
@@ -78,18 +78,23 @@ impl<'v> At<'v> {
     }
 
     /// The members of an object with their names.
-    pub fn members(self) -> impl Iterator<Item = (&'v str, At<'v>)> {
+    pub fn members(self) -> impl Iterator<Item = (&'v str, JsonRef<'v>)> {
         let members = self.value.as_object().into_iter().flatten();
         members.map(move |(key, value)| (key.as_str(), self.below(value, Step::Key(key))))
     }
 
     /// What an extension adds to this object.
-    pub fn extension(self, name: &'v str) -> Option<At<'v>> {
+    pub fn extension(self, name: &'v str) -> Option<JsonRef<'v>> {
         self.get("extensions")?.get(name)
     }
 
     /// What the array `list` of the file has at the place that the number `key` names.
-    pub fn target(self, root: At<'v>, key: &'v str, list: &'v str) -> Result<Option<(usize, At<'v>)>, ReadError> {
+    pub fn target(
+        self,
+        root: JsonRef<'v>,
+        key: &'v str,
+        list: &'v str,
+    ) -> Result<Option<(usize, JsonRef<'v>)>, ReadError> {
         let Some(index) = self.index(key)? else { return Ok(None) };
         match root.get(list).and_then(|list| list.item(index)) {
             Some(found) => Ok(Some((index, found))),
@@ -120,7 +125,7 @@ impl<'v> At<'v> {
 
     /// The same, as an index or a count.
     pub fn index(self, key: &'v str) -> Result<Option<usize>, ReadError> {
-        self.get(key).map(At::as_index).transpose()
+        self.get(key).map(JsonRef::as_index).transpose()
     }
 
     /// A number.

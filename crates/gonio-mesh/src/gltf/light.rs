@@ -1,6 +1,6 @@
 //! Lights (`KHR_lights_punctual`) and cameras: they stand at their node and look along its -z, with +y up.
 
-use super::json::At;
+use super::json::JsonRef;
 use crate::report::Reports;
 use crate::{Diagnostic, ModelCamera, ModelLight, ModelLightKind, ReadError, Severity};
 use glam::{DMat4, DVec3};
@@ -9,14 +9,14 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 const EXTENSION: &str = "KHR_lights_punctual";
 
 /// The file's lights.
-pub(super) fn count(root: At<'_>) -> usize {
+pub(super) fn count(root: JsonRef<'_>) -> usize {
     root.extension(EXTENSION).map_or(0, |extension| extension.count("lights"))
 }
 
 /// The light at a node, if there is one; a broken one is a warning.
 pub(super) fn at_node(
-    root: At<'_>,
-    node: At<'_>,
+    root: JsonRef<'_>,
+    node: JsonRef<'_>,
     model_from_node: &DMat4,
     reports: &mut Reports,
 ) -> Option<ModelLight> {
@@ -27,8 +27,8 @@ pub(super) fn at_node(
 
 /// The camera at a node, if there is one; a broken one is a warning.
 pub(super) fn camera_at_node(
-    root: At<'_>,
-    node: At<'_>,
+    root: JsonRef<'_>,
+    node: JsonRef<'_>,
     model_from_node: &DMat4,
     reports: &mut Reports,
 ) -> Option<ModelCamera> {
@@ -46,9 +46,9 @@ fn survived<T>(read: Result<Option<T>, ReadError>, lost: &str, reports: &mut Rep
 }
 
 fn light(
-    root: At<'_>,
-    user: At<'_>,
-    node: At<'_>,
+    root: JsonRef<'_>,
+    user: JsonRef<'_>,
+    node: JsonRef<'_>,
     model_from_node: &DMat4,
     reports: &mut Reports,
 ) -> Result<Option<ModelLight>, ReadError> {
@@ -88,7 +88,7 @@ fn light(
     }))
 }
 
-fn spot(at: At<'_>) -> Result<ModelLightKind, ReadError> {
+fn spot(at: JsonRef<'_>) -> Result<ModelLightKind, ReadError> {
     let cone = at.get("spot");
     let angle = |key, default| -> Result<f64, ReadError> {
         Ok(cone.map_or(Ok(None), |cone| cone.number(key))?.unwrap_or(default))
@@ -99,8 +99,8 @@ fn spot(at: At<'_>) -> Result<ModelLightKind, ReadError> {
 }
 
 fn camera(
-    root: At<'_>,
-    node: At<'_>,
+    root: JsonRef<'_>,
+    node: JsonRef<'_>,
     model_from_node: &DMat4,
     reports: &mut Reports,
 ) -> Result<Option<ModelCamera>, ReadError> {
@@ -135,7 +135,7 @@ fn camera(
 }
 
 /// Where a node stands, where its -z points, and where its +y points, as far as it is at right angles to that.
-fn pose(node: At<'_>, model_from_node: &DMat4) -> Result<(DVec3, DVec3, DVec3), ReadError> {
+fn pose(node: JsonRef<'_>, model_from_node: &DMat4) -> Result<(DVec3, DVec3, DVec3), ReadError> {
     let position = model_from_node.w_axis.truncate();
     let direction = (-model_from_node.z_axis.truncate()).try_normalize();
     let up = direction.and_then(|d| model_from_node.y_axis.truncate().reject_from_normalized(d).try_normalize());

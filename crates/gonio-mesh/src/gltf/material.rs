@@ -1,11 +1,13 @@
 //! Materials in the terms of the light equation, by the rule of [`MetallicRoughness`].
 
 use super::buffer::Buffers;
-use super::json::At;
+use super::json::JsonRef;
 use super::primitive::MaterialUse;
 use super::texture::Textures;
 use crate::report::Reports;
-use crate::{AmbientRule, Channel, Material, MetallicRoughness, ReadError, Severity, Source, TexelRule, TextureMap};
+use crate::{
+    AmbientRule, Channel, Material, MetallicRoughness, PropertySource, ReadError, Severity, TexelRule, TextureMap,
+};
 
 /// Extensions that add what the light equation has no term for, and what that is.
 const WITHOUT_TERM: [(&str, &str); 8] = [
@@ -41,7 +43,7 @@ impl ReadMaterial {
 
 /// Reads one material. Nothing in it ends the reading: what is wrong is a warning, and the default is taken.
 pub(super) fn read<'v>(
-    at: At<'v>,
+    at: JsonRef<'v>,
     textures: &mut Textures<'v>,
     buffers: &mut Buffers<'v, '_>,
     reports: &mut Reports,
@@ -69,7 +71,7 @@ pub(super) fn read<'v>(
 
 /// A material in the making.
 struct Draft<'d, 'v, 's> {
-    at: At<'v>,
+    at: JsonRef<'v>,
     material: Material,
     textures: &'d mut Textures<'v>,
     buffers: &'d mut Buffers<'v, 's>,
@@ -101,7 +103,7 @@ impl<'v> Draft<'_, 'v, '_> {
             (true, false) => format!("glTF's default; {rule}"),
             (false, _) => rule,
         };
-        self.material.sources.push(Source { property, line: None, written, rule });
+        self.material.sources.push(PropertySource { property, line: None, written, rule });
     }
 
     fn warn(&mut self, error: ReadError) {
@@ -110,7 +112,7 @@ impl<'v> Draft<'_, 'v, '_> {
     }
 
     /// A number within bounds.
-    fn number(&mut self, place: Option<At<'v>>, key: &'static str, default: f64, most: f64) -> Found<f32> {
+    fn number(&mut self, place: Option<JsonRef<'v>>, key: &'static str, default: f64, most: f64) -> Found<f32> {
         let Some(place) = place else { return Found { value: default as f32, written: String::new() } };
         let written = place.written(key);
         match place.number(key) {
@@ -126,7 +128,7 @@ impl<'v> Draft<'_, 'v, '_> {
     /// A colour within bounds.
     fn color<const N: usize>(
         &mut self,
-        place: Option<At<'v>>,
+        place: Option<JsonRef<'v>>,
         key: &'static str,
         default: f32,
         most: f64,
@@ -156,7 +158,7 @@ impl<'v> Draft<'_, 'v, '_> {
     }
 
     /// A texture; those on other texture coordinates than the first are left out, as a mesh has one set.
-    fn texture(&mut self, place: Option<At<'v>>, key: &'static str) -> Option<(TextureMap, String)> {
+    fn texture(&mut self, place: Option<JsonRef<'v>>, key: &'static str) -> Option<(TextureMap, String)> {
         let info = place?.get(key)?;
         let placed = self.textures.map(info, self.buffers, self.reports)?;
         let set = *self.tex_coord_set.get_or_insert(placed.tex_coord_set);
@@ -277,7 +279,7 @@ impl<'v> Draft<'_, 'v, '_> {
     }
 
     /// `KHR_materials_pbrSpecularGlossiness`: roughness is 1 - glossiness.
-    fn specular_glossiness(&mut self, at: At<'v>) -> Base {
+    fn specular_glossiness(&mut self, at: JsonRef<'v>) -> Base {
         let place = Some(at);
         let color = self.color::<4>(place, "diffuseFactor", 1.0, 1.0);
         let specular = self.color::<3>(place, "specularFactor", 1.0, 1.0);
@@ -405,7 +407,7 @@ impl<'v> Draft<'_, 'v, '_> {
     }
 
     fn unused(&mut self, property: &'static str, written: String, rule: &str) {
-        self.material.unused.push(Source { property, line: None, written, rule: rule.to_owned() });
+        self.material.unused.push(PropertySource { property, line: None, written, rule: rule.to_owned() });
     }
 
     /// What no term of the light equation takes.

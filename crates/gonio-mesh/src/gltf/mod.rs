@@ -38,9 +38,9 @@ use crate::report::Reports;
 use crate::{Cause, Diagnostic, Limits, Material, Model, ReadError, Severity, Sidecars};
 use buffer::Buffers;
 use glam::DMat4;
-use json::At;
+use json::JsonRef;
 use material::ReadMaterial;
-use node::Places;
+use node::PlacedNodes;
 use primitive::{Geometry, MaterialUse, Placement};
 use serde_json::Value;
 use texture::Textures;
@@ -60,7 +60,7 @@ fn read_utf8(bytes: &[u8], sidecars: &mut dyn Sidecars, limits: &Limits) -> Resu
     let mut reports = Reports::default();
     let container = container::open(bytes, &mut reports)?;
     let value: Value = serde_json::from_slice(container.json).map_err(|e| no_json(&e, container.is_binary))?;
-    let root = At::root(&value);
+    let root = JsonRef::root(&value);
     check_version(root)?;
     extension::check(root, &mut reports)?;
     let mut buffers = Buffers::new(root, container.binary, sidecars);
@@ -106,7 +106,7 @@ fn version_1() -> ReadError {
     ReadError::new("this is glTF 1.0, which is not supported: convert it to glTF 2.0, for example with gltf-pipeline")
 }
 
-fn check_version(root: At<'_>) -> Result<(), ReadError> {
+fn check_version(root: JsonRef<'_>) -> Result<(), ReadError> {
     let asset = root.get("asset");
     // Early files of glTF 1.0 have a number.
     if asset.and_then(|asset| asset.get("version")?.value.as_f64()).is_some_and(|version| (0.0..2.0).contains(&version))
@@ -132,7 +132,7 @@ fn check_version(root: At<'_>) -> Result<(), ReadError> {
 
 /// All materials of the file, used or not.
 fn materials<'v>(
-    root: At<'v>,
+    root: JsonRef<'v>,
     textures: &mut Textures<'v>,
     buffers: &mut Buffers<'v, '_>,
     reports: &mut Reports,
@@ -150,11 +150,11 @@ fn materials<'v>(
 
 /// What nodes become.
 struct Reader<'v, 's> {
-    root: At<'v>,
+    root: JsonRef<'v>,
     buffers: Buffers<'v, 's>,
     reports: Reports,
     materials: Vec<ReadMaterial>,
-    places: Places,
+    places: PlacedNodes,
     default_material: Option<usize>,
     model: Model,
 }
@@ -193,7 +193,7 @@ impl<'v> Reader<'v, '_> {
 
     fn mesh(
         &mut self,
-        mesh: At<'v>,
+        mesh: JsonRef<'v>,
         name: &str,
         model_from_mesh: DMat4,
         geometry: &mut Geometry<'_>,
@@ -210,7 +210,7 @@ impl<'v> Reader<'v, '_> {
         Ok(())
     }
 
-    fn material_use(&mut self, primitive: At<'v>) -> Result<MaterialUse, ReadError> {
+    fn material_use(&mut self, primitive: JsonRef<'v>) -> Result<MaterialUse, ReadError> {
         if let Some((index, _)) = primitive.target(self.root, "material", "materials")? {
             return Ok(self.materials[index].use_as(index));
         }
@@ -242,7 +242,7 @@ impl<'v> Reader<'v, '_> {
 }
 
 /// Counts in the file's own words.
-fn contents(root: At<'_>, geometry: &Geometry<'_>) -> Vec<(String, u64)> {
+fn contents(root: JsonRef<'_>, geometry: &Geometry<'_>) -> Vec<(String, u64)> {
     const LISTS: [&str; 14] = [
         "scenes",
         "nodes",
@@ -271,7 +271,7 @@ fn contents(root: At<'_>, geometry: &Geometry<'_>) -> Vec<(String, u64)> {
 }
 
 #[cold]
-fn nothing_to_draw(root: At<'_>, nodes: usize, out_of_range: u64) -> ReadError {
+fn nothing_to_draw(root: JsonRef<'_>, nodes: usize, out_of_range: u64) -> ReadError {
     let meshes = root.count("meshes");
     let why =
         if out_of_range > 0 { format!("; {out_of_range} triangles have an index out of range") } else { String::new() };

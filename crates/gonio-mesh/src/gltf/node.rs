@@ -1,27 +1,27 @@
 //! The scene: which nodes are in it, and where they stand.
 
-use super::json::At;
+use super::json::JsonRef;
 use crate::report::Reports;
 use crate::{Diagnostic, ReadError, Severity};
 use glam::{DMat4, DQuat, DVec3};
 
 /// A node of the scene.
-pub(super) struct Placed {
+pub(super) struct PlacedNode {
     pub node: usize,
     pub model_from_node: DMat4,
 }
 
 /// The nodes of the scene.
-pub(super) struct Places {
+pub(super) struct PlacedNodes {
     /// Parents before children, children in order.
-    pub placed: Vec<Placed>,
+    pub placed: Vec<PlacedNode>,
     /// Of each node of the file its index among these.
     place_of_node: Vec<usize>,
 }
 
-impl Places {
+impl PlacedNodes {
     /// A node, if it is in the scene.
-    pub fn of_node(&self, node: usize) -> Option<&Placed> {
+    pub fn of_node(&self, node: usize) -> Option<&PlacedNode> {
         let place = self.place_of_node.get(node)?;
         self.placed.get(*place)
     }
@@ -34,7 +34,7 @@ const ROOT: usize = usize::MAX - 1;
 /// The nodes of the default scene (else of the first, else all).
 ///
 /// Every node has one parent (glTF 2.0, section 3.5.2); where it has more, or stands below itself, that is an error.
-pub(super) fn place(root: At<'_>, reports: &mut Reports) -> Result<Places, ReadError> {
+pub(super) fn place(root: JsonRef<'_>, reports: &mut Reports) -> Result<PlacedNodes, ReadError> {
     let nodes = root.count("nodes");
     let mut walk = Walk { root, parent: vec![NOT_SEEN; nodes], stack: Vec::new() };
     match scene(root, reports)? {
@@ -48,17 +48,17 @@ pub(super) fn place(root: At<'_>, reports: &mut Reports) -> Result<Places, ReadE
         let model_from_node = model_from_parent * parent_from_node(at, reports)?;
         walk.push_children(at, "children", node, model_from_node)?;
         place_of_node[node] = placed.len();
-        placed.push(Placed { node, model_from_node });
+        placed.push(PlacedNode { node, model_from_node });
     }
     let outside = nodes - placed.len();
     if outside > 0 {
         reports.push(0, Diagnostic::note(format!("{outside} of {nodes} nodes are not in the scene: left out")));
     }
-    Ok(Places { placed, place_of_node })
+    Ok(PlacedNodes { placed, place_of_node })
 }
 
 /// The scene that is shown.
-fn scene<'v>(root: At<'v>, reports: &mut Reports) -> Result<Option<At<'v>>, ReadError> {
+fn scene<'v>(root: JsonRef<'v>, reports: &mut Reports) -> Result<Option<JsonRef<'v>>, ReadError> {
     let chosen = match root.target(root, "scene", "scenes")? {
         Some((_, scene)) => Some(scene),
         None => root.get("scenes").and_then(|scenes| scenes.item(0)),
@@ -73,7 +73,7 @@ fn scene<'v>(root: At<'v>, reports: &mut Reports) -> Result<Option<At<'v>>, Read
 }
 
 struct Walk<'v> {
-    root: At<'v>,
+    root: JsonRef<'v>,
     /// Of each node.
     parent: Vec<usize>,
     /// Nodes to be visited, with their parent's transform.
@@ -83,7 +83,7 @@ struct Walk<'v> {
 impl<'v> Walk<'v> {
     fn push_children(
         &mut self,
-        at: At<'v>,
+        at: JsonRef<'v>,
         key: &'v str,
         above: usize,
         model_from_parent: DMat4,
@@ -156,7 +156,7 @@ impl<'v> Walk<'v> {
 }
 
 /// The node's own transform: its matrix, or scale, then rotation, then translation.
-fn parent_from_node(at: At<'_>, reports: &mut Reports) -> Result<DMat4, ReadError> {
+fn parent_from_node(at: JsonRef<'_>, reports: &mut Reports) -> Result<DMat4, ReadError> {
     let translation = at.numbers("translation")?;
     let rotation = at.numbers::<4>("rotation")?;
     let scale = at.numbers("scale")?;

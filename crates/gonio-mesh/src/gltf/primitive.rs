@@ -2,7 +2,7 @@
 
 use super::accessor::Accessor;
 use super::buffer::Buffers;
-use super::json::At;
+use super::json::JsonRef;
 use super::triangles::{self, Topology};
 use crate::limits::{too_many_triangles, too_many_vertices};
 use crate::report::Reports;
@@ -100,9 +100,9 @@ impl<'l> Geometry<'l> {
     /// Appends a primitive.
     pub fn add<'v>(
         &mut self,
-        at: At<'v>,
+        at: JsonRef<'v>,
         placement: &Placement<'_>,
-        root: At<'v>,
+        root: JsonRef<'v>,
         buffers: &mut Buffers<'v, '_>,
         reports: &mut Reports,
     ) -> Result<(), ReadError> {
@@ -135,7 +135,7 @@ impl<'l> Geometry<'l> {
             reports.add_without_line("primitives with extra corners", Severity::Warning, message);
         }
         self.drop_out_of_range(&mut corners, positions.count, at, reports);
-        let Some(used) = Used::of(&mut corners) else {
+        let Some(used) = Used::by_corners(&mut corners) else {
             let message = || format!("{} has no triangles", at.path());
             reports.add_without_line("primitives without triangles", Severity::Warning, message);
             return Ok(());
@@ -171,7 +171,7 @@ impl<'l> Geometry<'l> {
         self.append(&vertices, &used, &corners, placement, at)
     }
 
-    fn not_drawn(&mut self, at: At<'_>, points: bool, reports: &mut Reports) -> Result<(), ReadError> {
+    fn not_drawn(&mut self, at: JsonRef<'_>, points: bool, reports: &mut Reports) -> Result<(), ReadError> {
         let (count, what) =
             if points { (&mut self.counts.points, "points") } else { (&mut self.counts.lines, "lines") };
         *count += 1;
@@ -205,7 +205,7 @@ impl<'l> Geometry<'l> {
         Ok(triangles::corners(list, topology))
     }
 
-    fn drop_out_of_range(&mut self, corners: &mut Vec<u32>, count: usize, at: At<'_>, reports: &mut Reports) {
+    fn drop_out_of_range(&mut self, corners: &mut Vec<u32>, count: usize, at: JsonRef<'_>, reports: &mut Reports) {
         let is_there = |corner: &u32| (*corner as usize) < count;
         let before = corners.len();
         let Some(first) = corners.iter().copied().find(|corner| !is_there(corner)) else { return };
@@ -222,7 +222,7 @@ impl<'l> Geometry<'l> {
         reports.add_without_line("primitives with an index out of range", Severity::Warning, message);
     }
 
-    fn report_other_attributes(&mut self, attributes: At<'_>, set: &str, reports: &mut Reports) {
+    fn report_other_attributes(&mut self, attributes: JsonRef<'_>, set: &str, reports: &mut Reports) {
         for (name, at) in attributes.members() {
             let kind = match name {
                 "POSITION" | "NORMAL" | "TANGENT" | "COLOR_0" => continue,
@@ -239,7 +239,7 @@ impl<'l> Geometry<'l> {
     }
 
     /// Checks that what follows may be allocated.
-    fn reserve(&mut self, used: &Used, triangles: u64, at: At<'_>) -> Result<(), ReadError> {
+    fn reserve(&mut self, used: &Used, triangles: u64, at: JsonRef<'_>) -> Result<(), ReadError> {
         let vertices = self.mesh.positions.len() as u64 + used.count as u64;
         if vertices > self.limits.max_vertices.min(u64::from(u32::MAX)) {
             return Err(self.too_many_vertices());
@@ -260,7 +260,7 @@ impl<'l> Geometry<'l> {
         Err(too_many_triangles(most))
     }
 
-    fn check_bytes(&self, more: u64, at: At<'_>) -> Result<(), ReadError> {
+    fn check_bytes(&self, more: u64, at: JsonRef<'_>) -> Result<(), ReadError> {
         let most = self.limits.max_bytes;
         if self.bytes.saturating_add(more) <= most {
             return Ok(());
@@ -269,7 +269,7 @@ impl<'l> Geometry<'l> {
             .caused_by(Cause::MemoryLimit))
     }
 
-    fn check_work(&mut self, bytes: u64, at: At<'_>) -> Result<(), ReadError> {
+    fn check_work(&mut self, bytes: u64, at: JsonRef<'_>) -> Result<(), ReadError> {
         self.bytes_read = self.bytes_read.saturating_add(bytes);
         if self.bytes_read <= self.limits.max_bytes.saturating_mul(MOST_READINGS) {
             return Ok(());
@@ -293,7 +293,7 @@ impl<'l> Geometry<'l> {
         used: &Used,
         corners: &[u32],
         placement: &Placement<'_>,
-        at: At<'_>,
+        at: JsonRef<'_>,
     ) -> Result<(), ReadError> {
         let map = Map::new(placement.model_from_mesh);
         let first = self.mesh.positions.len();
@@ -428,7 +428,7 @@ struct Used {
 
 impl Used {
     /// Of the corners of triangles, which are renumbered so that the first vertex used is 0, and none is left out.
-    fn of(corners: &mut [u32]) -> Option<Used> {
+    fn by_corners(corners: &mut [u32]) -> Option<Used> {
         let (first, last) = (*corners.iter().min()?, *corners.iter().max()?);
         let range = first as usize..last as usize + 1;
         let mut is_used = vec![false; range.len()];

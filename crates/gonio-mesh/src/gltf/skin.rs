@@ -2,8 +2,8 @@
 
 use super::accessor::Accessor;
 use super::buffer::Buffers;
-use super::json::At;
-use super::node::Places;
+use super::json::JsonRef;
+use super::node::PlacedNodes;
 use crate::ReadError;
 use glam::DMat4;
 
@@ -11,12 +11,12 @@ use glam::DMat4;
 /// every joint as long as none was moved. The transform of the mesh's node counts for nothing (glTF 2.0, section
 /// 3.7.3.3). `None` where the skin does not say.
 pub(super) fn model_from_mesh<'v>(
-    root: At<'v>,
-    skin: At<'v>,
-    places: &Places,
+    root: JsonRef<'v>,
+    skin: JsonRef<'v>,
+    places: &PlacedNodes,
     buffers: &mut Buffers<'v, '_>,
 ) -> Result<Option<DMat4>, ReadError> {
-    let joint = skin.get("joints").and_then(|joints| joints.item(0)).map(At::as_index).transpose()?;
+    let joint = skin.get("joints").and_then(|joints| joints.item(0)).map(JsonRef::as_index).transpose()?;
     let Some(joint) = joint.and_then(|joint| places.of_node(joint)) else { return Ok(None) };
     let joint_from_mesh = match Accessor::open(buffers, root, skin, "inverseBindMatrices", &[16])? {
         Some(matrices) if matrices.count > 0 => {

@@ -1,7 +1,7 @@
 //! Textures: which picture, how it lies on the model, what is beyond its edges.
 
 use super::buffer::Buffers;
-use super::json::At;
+use super::json::JsonRef;
 use super::uri::Uri;
 use crate::report::Reports;
 use crate::{Cause, Diagnostic, EmbeddedImage, ReadError, Severity, TextureMap, Wrap};
@@ -9,7 +9,7 @@ use std::collections::HashMap;
 
 /// The pictures of a file, as they are asked for.
 pub(super) struct Textures<'v> {
-    root: At<'v>,
+    root: JsonRef<'v>,
     /// Those inside the file.
     pub images: Vec<EmbeddedImage>,
     /// By their number in the file.
@@ -26,20 +26,25 @@ struct Picture {
 }
 
 /// A texture, and which TEXCOORD_n it lies on.
-pub(super) struct Placed {
+pub(super) struct TextureUse {
     pub map: TextureMap,
     pub tex_coord_set: usize,
 }
 
 impl<'v> Textures<'v> {
     /// Pictures inside the file may take `max_bytes` together.
-    pub fn new(root: At<'v>, max_bytes: u64) -> Self {
+    pub fn new(root: JsonRef<'v>, max_bytes: u64) -> Self {
         let (images, known) = (Vec::new(), HashMap::new());
         Textures { root, images, known, bytes: 0, max_bytes, nearest_is_said: false }
     }
 
     /// What a textureInfo names; what is wrong with it is a warning, and the texture is left out.
-    pub fn map(&mut self, info: At<'v>, buffers: &mut Buffers<'v, '_>, reports: &mut Reports) -> Option<Placed> {
+    pub fn map(
+        &mut self,
+        info: JsonRef<'v>,
+        buffers: &mut Buffers<'v, '_>,
+        reports: &mut Reports,
+    ) -> Option<TextureUse> {
         match self.try_map(info, buffers, reports) {
             Ok(placed) => Some(placed),
             Err(error) => {
@@ -52,10 +57,10 @@ impl<'v> Textures<'v> {
 
     fn try_map(
         &mut self,
-        info: At<'v>,
+        info: JsonRef<'v>,
         buffers: &mut Buffers<'v, '_>,
         reports: &mut Reports,
-    ) -> Result<Placed, ReadError> {
+    ) -> Result<TextureUse, ReadError> {
         let Some((_, texture)) = info.target(self.root, "index", "textures")? else { return Err(info.lacks("index")) };
         let picture = self.picture(texture, buffers)?;
         let mut map = TextureMap { embedded: picture.embedded, ..TextureMap::new(picture.path) };
@@ -75,10 +80,10 @@ impl<'v> Textures<'v> {
             set_transform(&mut map, transform)?;
             tex_coord_set = transform.index("texCoord")?.unwrap_or(tex_coord_set);
         }
-        Ok(Placed { map, tex_coord_set })
+        Ok(TextureUse { map, tex_coord_set })
     }
 
-    fn picture(&mut self, texture: At<'v>, buffers: &mut Buffers<'v, '_>) -> Result<Picture, ReadError> {
+    fn picture(&mut self, texture: JsonRef<'v>, buffers: &mut Buffers<'v, '_>) -> Result<Picture, ReadError> {
         let mut source = texture.target(self.root, "source", "images")?;
         for name in ["EXT_texture_webp", "KHR_texture_basisu", "EXT_texture_avif", "MSFT_texture_dds"] {
             if let (None, Some(extension)) = (source, texture.extension(name)) {
@@ -109,7 +114,7 @@ impl<'v> Textures<'v> {
         Ok(picture)
     }
 
-    fn check_bytes(&self, more: usize, image: At<'_>) -> Result<(), ReadError> {
+    fn check_bytes(&self, more: usize, image: JsonRef<'_>) -> Result<(), ReadError> {
         let most = self.max_bytes;
         if self.bytes.saturating_add(more as u64) <= most {
             return Ok(());
@@ -118,7 +123,7 @@ impl<'v> Textures<'v> {
         Err(ReadError::new(message).caused_by(Cause::MemoryLimit))
     }
 
-    fn embed(&mut self, name: String, bytes: Vec<u8>, image: At<'_>) -> Result<Picture, ReadError> {
+    fn embed(&mut self, name: String, bytes: Vec<u8>, image: JsonRef<'_>) -> Result<Picture, ReadError> {
         self.check_bytes(bytes.len(), image)?;
         self.bytes += bytes.len() as u64;
         self.images.push(EmbeddedImage { name: name.clone(), bytes });
@@ -126,7 +131,7 @@ impl<'v> Textures<'v> {
     }
 }
 
-fn wrap(sampler: At<'_>, key: &'static str) -> Result<Wrap, ReadError> {
+fn wrap(sampler: JsonRef<'_>, key: &'static str) -> Result<Wrap, ReadError> {
     match sampler.unsigned(key)? {
         None | Some(10497) => Ok(Wrap::Repeat),
         Some(33071) => Ok(Wrap::Clamp),
@@ -155,7 +160,7 @@ fn wrap(sampler: At<'_>, key: &'static str) -> Result<Wrap, ReadError> {
 /// ```
 ///
 /// which is `R(t) * (s * uv) + offset` with the same scale and the same angle.
-fn set_transform(map: &mut TextureMap, transform: At<'_>) -> Result<(), ReadError> {
+fn set_transform(map: &mut TextureMap, transform: JsonRef<'_>) -> Result<(), ReadError> {
     let offset = transform.numbers("offset")?.unwrap_or([0.0; 2]);
     let scale = transform.numbers("scale")?.unwrap_or([1.0; 2]);
     let rotation = transform.number("rotation")?.unwrap_or(0.0);

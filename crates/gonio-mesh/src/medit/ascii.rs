@@ -1,6 +1,6 @@
 //! `.mesh`: words and numbers between blanks, in as many lines as anyone likes.
 
-use super::content::{Content, Numbers, Places};
+use super::content::{Content, Locator, Numbers};
 use super::keywords::{self, Keyword, Rows};
 use crate::line_index::LineIndex;
 use crate::report::Reports;
@@ -15,10 +15,10 @@ pub(super) fn read<'a>(
     bytes: &'a [u8],
     limits: &Limits,
     reports: &mut Reports,
-) -> Result<(Content, Places<'a>), ReadError> {
+) -> Result<(Content, Locator<'a>), ReadError> {
     let lines = LineIndex::new(bytes);
     let content = sections(&mut Words::new(bytes, &lines), limits, reports)?;
-    Ok((content, Places::Text(lines)))
+    Ok((content, Locator::Text(lines)))
 }
 
 fn sections(words: &mut Words<'_>, limits: &Limits, reports: &mut Reports) -> Result<Content, ReadError> {

@@ -4,7 +4,7 @@
 //! positions), 4 (also 64-bit integers). Each section is a keyword's code, the position of the next section (0: there
 //! is none), the number of rows, the rows.
 
-use super::content::{Content, Numbers, Places};
+use super::content::{Content, Locator, Numbers};
 use super::keywords::{self, Keyword, Rows};
 use crate::report::Reports;
 use crate::{Limits, ReadError, Severity};
@@ -19,7 +19,7 @@ pub(super) fn read<'a>(
     bytes: &'a [u8],
     limits: &Limits,
     reports: &mut Reports,
-) -> Result<(Content, Places<'a>), ReadError> {
+) -> Result<(Content, Locator<'a>), ReadError> {
     let mut cursor = Bytes { bytes, at: 4, big_endian: bytes.first() == Some(&0), version: 0, section: "the header" };
     cursor.version = cursor.int32()?;
     if !(1..=4).contains(&cursor.version) {
@@ -42,14 +42,14 @@ pub(super) fn read<'a>(
         read_section(section, &mut cursor, &mut content, limits, reports)?;
     }
     if !has_end {
-        Places::Binary.say(
+        Locator::Binary.say(
             Severity::Warning,
             bytes.len(),
             reports,
             "there is no End at the end: is the file cut off?".into(),
         );
     }
-    Ok((content, Places::Binary))
+    Ok((content, Locator::Binary))
 }
 
 /// A section of a known keyword.
@@ -90,7 +90,9 @@ fn sections(cursor: &mut Bytes<'_>, reports: &mut Reports) -> Result<(Vec<Sectio
         };
         match keyword {
             Some(keyword) => sections.push(Section { keyword, at, data, end }),
-            None => Places::Binary.warn("unknown keywords", at, reports, || format!("unknown keyword {code}: skipped")),
+            None => {
+                Locator::Binary.warn("unknown keywords", at, reports, || format!("unknown keyword {code}: skipped"))
+            }
         }
         if next == 0 {
             break;
@@ -113,7 +115,7 @@ fn read_section(
     }
     if content.has(keyword) {
         let message = format!("duplicate section {}: ignored", keyword.name);
-        Places::Binary.say(Severity::Warning, section.at, reports, message);
+        Locator::Binary.say(Severity::Warning, section.at, reports, message);
         return Ok(());
     }
     let mut numbers = cursor.enter(section);

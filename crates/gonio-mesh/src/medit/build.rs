@@ -1,6 +1,6 @@
 //! From faces to an indexed mesh with a part for each reference.
 
-use super::content::{Content, Places};
+use super::content::{Content, Locator};
 use super::surface::Face;
 use crate::join::Joiner;
 use crate::limits::{too_many_triangles, too_many_vertices};
@@ -16,7 +16,7 @@ const MOST_REFERENCES: usize = 1024;
 pub(super) fn build(
     content: &Content,
     mut faces: Vec<Face>,
-    places: &Places<'_>,
+    locator: &Locator<'_>,
     limits: &Limits,
     reports: &mut Reports,
 ) -> Result<(Mesh, Vec<Material>), ReadError> {
@@ -32,7 +32,7 @@ pub(super) fn build(
             format!("there are {distinct} different references, more than {MOST_REFERENCES}: merged into one part");
         reports.push(u64::MAX, Diagnostic::warning(message));
     }
-    let normals = Normals::new(content, places, reports);
+    let normals = Normals::new(content, locator, reports);
     let mut builder = Builder::new(content, normals, limits, triangles as usize);
     let mut materials: Vec<Material> = Vec::new();
     let mut latest = None;
@@ -73,7 +73,7 @@ struct Normals<'a> {
 }
 
 impl<'a> Normals<'a> {
-    fn new(content: &'a Content, places: &Places<'_>, reports: &mut Reports) -> Self {
+    fn new(content: &'a Content, locator: &Locator<'_>, reports: &mut Reports) -> Self {
         let count = content.normals.len();
         let mut normals = Normals { of_vertices: Vec::new(), of_corners: Vec::new(), count };
         let mut lost = 0;
@@ -103,7 +103,7 @@ impl<'a> Normals<'a> {
             let at = content.counts.iter().find(|(keyword, ..)| what(keyword.name)).map_or(0, |(.., at)| *at);
             let message =
                 format!("{lost} normals are missing or belong to no vertex ({count} Normals): using averaged normals");
-            places.say(Severity::Warning, at, reports, message);
+            locator.say(Severity::Warning, at, reports, message);
         }
         normals
     }

@@ -164,20 +164,20 @@ fn point(dimension: usize, numbers: &mut impl Numbers) -> Result<[f32; 3], ReadE
 }
 
 /// How places are told: as lines and columns of a text, as bytes of a binary file.
-pub(super) enum Places<'a> {
+pub(super) enum Locator<'a> {
     Text(LineIndex<'a>),
     Binary,
 }
 
-impl Places<'_> {
+impl Locator<'_> {
     /// A warning that may be due at many places; `kind` is a phrase for "and 5 more: KIND".
     pub(super) fn warn(&self, kind: &'static str, at: usize, reports: &mut Reports, message: impl FnOnce() -> String) {
         match self {
-            Places::Text(lines) => {
+            Locator::Text(lines) => {
                 let (line, column) = lines.place(at);
                 reports.add_loss(kind, line, Some(column), message);
             }
-            Places::Binary => {
+            Locator::Binary => {
                 reports.add_without_line(kind, Severity::Warning, || format!("{} (at byte {})", message(), at + 1));
             }
         }
@@ -186,11 +186,11 @@ impl Places<'_> {
     /// A diagnostic at a byte.
     pub(super) fn say(&self, severity: Severity, at: usize, reports: &mut Reports, message: String) {
         let (order, diagnostic) = match self {
-            Places::Text(lines) => {
+            Locator::Text(lines) => {
                 let (line, column) = lines.place(at);
                 (line, Diagnostic::warning(message).at(line, Some(column)))
             }
-            Places::Binary => (0, Diagnostic::warning(format!("{message} (at byte {})", at + 1))),
+            Locator::Binary => (0, Diagnostic::warning(format!("{message} (at byte {})", at + 1))),
         };
         reports.push(order, Diagnostic { severity, ..diagnostic });
     }

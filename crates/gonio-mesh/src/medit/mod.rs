@@ -11,7 +11,7 @@ mod surface;
 use crate::encoding::read_as_utf8;
 use crate::report::Reports;
 use crate::{Diagnostic, Limits, Model, ReadError, Severity, Sidecars};
-use content::{Content, Places};
+use content::{Content, Locator};
 
 /// Reads a Medit file, a text or a binary file of version 1 to 4 in either byte order; it names no other files.
 ///
@@ -36,26 +36,26 @@ pub fn read(bytes: &[u8], _sidecars: &mut dyn Sidecars, limits: &Limits) -> Resu
 /// Reads a binary file, or a text in UTF-8.
 fn read_utf8(bytes: &[u8], limits: &Limits) -> Result<Model, ReadError> {
     let mut reports = Reports::default();
-    let (content, places) = if binary::is_binary(bytes) {
+    let (content, locator) = if binary::is_binary(bytes) {
         binary::read(bytes, limits, &mut reports)?
     } else {
         ascii::read(bytes, limits, &mut reports)?
     };
-    report_not_drawn(&content, &places, &mut reports);
-    let faces = surface::faces(&content, &places, &mut reports);
+    report_not_drawn(&content, &locator, &mut reports);
+    let faces = surface::faces(&content, &locator, &mut reports);
     if faces.is_empty() {
         return Err(nothing_to_draw(&content, &reports));
     }
-    let (mesh, materials) = build::build(&content, faces, &places, limits, &mut reports)?;
+    let (mesh, materials) = build::build(&content, faces, &locator, limits, &mut reports)?;
     let contents = content.counts.iter().map(|(keyword, count, _)| (keyword.name.to_owned(), *count)).collect();
     Ok(Model { mesh, materials, contents, diagnostics: reports.finish(), ..Model::default() })
 }
 
-fn report_not_drawn(content: &Content, places: &Places<'_>, reports: &mut Reports) {
+fn report_not_drawn(content: &Content, locator: &Locator<'_>, reports: &mut Reports) {
     let ignored = || content.counts.iter().filter(|(k, count, _)| k.rows == keywords::Rows::Counted && *count > 0);
     let names: Vec<&str> = ignored().map(|(keyword, ..)| keyword.name).collect();
     if let Some((.., at)) = ignored().next() {
-        places.say(Severity::Note, *at, reports, format!("{} are not drawn", names.join(", ")));
+        locator.say(Severity::Note, *at, reports, format!("{} are not drawn", names.join(", ")));
     }
 }
 

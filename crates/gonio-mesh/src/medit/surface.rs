@@ -1,6 +1,6 @@
 //! Which faces are drawn: the surface that the file has, or else the boundary of its bodies.
 
-use super::content::{Content, Elements, Places};
+use super::content::{Content, Elements, Locator};
 use super::keywords::Rows;
 use crate::Severity;
 use crate::report::Reports;
@@ -28,16 +28,16 @@ impl Face {
 }
 
 /// All faces that are drawn, in the order of the file.
-pub(super) fn faces(content: &Content, places: &Places<'_>, reports: &mut Reports) -> Vec<Face> {
+pub(super) fn faces(content: &Content, locator: &Locator<'_>, reports: &mut Reports) -> Vec<Face> {
     let has_surface = content.elements.iter().any(|e| !e.is_volume && !e.references.is_empty());
     let mut faces = Vec::new();
     let mut boundary = Vec::new();
     for elements in content.elements.iter().filter(|e| !e.references.is_empty()) {
-        explain(elements, has_surface, content, places, reports);
+        explain(elements, has_surface, content, locator, reports);
         match (elements.is_volume, has_surface) {
-            (false, _) => add_surface(elements, content, places, reports, &mut faces),
+            (false, _) => add_surface(elements, content, locator, reports, &mut faces),
             (true, true) => {}
-            (true, false) => add_volume(elements, content, places, reports, &mut boundary),
+            (true, false) => add_volume(elements, content, locator, reports, &mut boundary),
         }
     }
     if !has_surface {
@@ -47,7 +47,7 @@ pub(super) fn faces(content: &Content, places: &Places<'_>, reports: &mut Report
 }
 
 /// Says what becomes of elements where that is not plain.
-fn explain(elements: &Elements, has_surface: bool, content: &Content, places: &Places<'_>, reports: &mut Reports) {
+fn explain(elements: &Elements, has_surface: bool, content: &Content, locator: &Locator<'_>, reports: &mut Reports) {
     let keyword = elements.keyword;
     let at = content.counts.iter().find(|(k, ..)| k.code == keyword.code).map_or(0, |(.., at)| *at);
     let is_curved = match keyword.rows {
@@ -62,7 +62,7 @@ fn explain(elements: &Elements, has_surface: bool, content: &Content, places: &P
         (false, _) if is_curved => format!("{} are drawn by their corners, as if they were flat", keyword.name),
         (false, _) => return,
     };
-    places.say(Severity::Note, at, reports, message);
+    locator.say(Severity::Note, at, reports, message);
 }
 
 /// The vertices of an element, from 0, or nothing where one of them does not exist.
@@ -70,14 +70,14 @@ fn vertices<'a>(
     elements: &'a Elements,
     index: usize,
     content: &Content,
-    places: &Places<'_>,
+    locator: &Locator<'_>,
     reports: &mut Reports,
 ) -> Option<&'a [u32]> {
     let corners = elements.vertices.get(index * elements.corners..(index + 1) * elements.corners)?;
     let count = content.vertices.len();
     let Some(bad) = corners.iter().find(|&&v| v == 0 || v as usize > count) else { return Some(corners) };
     let at = elements.places.get(index).copied().unwrap_or(0);
-    places.warn(NO_VERTEX, at, reports, || {
+    locator.warn(NO_VERTEX, at, reports, || {
         let name = elements.keyword.name;
         let bad = if *bad == NONE { "an invalid vertex index".to_owned() } else { format!("the vertex {bad}") };
         format!("an element of {name} refers to {bad}, but vertices are numbered 1 to {count}: it is left out")
@@ -88,14 +88,14 @@ fn vertices<'a>(
 fn add_surface(
     elements: &Elements,
     content: &Content,
-    places: &Places<'_>,
+    locator: &Locator<'_>,
     reports: &mut Reports,
     faces: &mut Vec<Face>,
 ) {
     faces.reserve(elements.references.len());
     let has_normals = matches!(elements.keyword.rows, Rows::Surface { corners, nodes } if corners == nodes);
     for (index, &reference) in elements.references.iter().enumerate() {
-        if let Some(v) = vertices(elements, index, content, places, reports) {
+        if let Some(v) = vertices(elements, index, content, locator, reports) {
             let corner = |i: usize| v.get(i).map_or(NONE, |vertex| vertex - 1);
             let corners = [corner(0), corner(1), corner(2), corner(3)];
             faces.push(Face { corners, reference, element: has_normals.then_some((elements.corners, index)) });
@@ -112,7 +112,7 @@ const HEXAHEDRON: &[[usize; 4]] = &[[0, 1, 2, 3], [4, 5, 6, 7], [0, 1, 5, 4], [1
 fn add_volume(
     elements: &Elements,
     content: &Content,
-    places: &Places<'_>,
+    locator: &Locator<'_>,
     reports: &mut Reports,
     faces: &mut Vec<Face>,
 ) {
@@ -123,7 +123,7 @@ fn add_volume(
         _ => HEXAHEDRON,
     };
     for (index, &reference) in elements.references.iter().enumerate() {
-        let Some(v) = vertices(elements, index, content, places, reports) else { continue };
+        let Some(v) = vertices(elements, index, content, locator, reports) else { continue };
         let at =
             |vertex: u32| content.vertices.get(vertex as usize).map_or(DVec3::ZERO, |p| DVec3::from(p.map(f64::from)));
         let center = v.iter().map(|vertex| at(vertex - 1)).sum::<DVec3>() / v.len() as f64;

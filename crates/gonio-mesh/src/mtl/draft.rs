@@ -1,40 +1,40 @@
 //! A material while its statements are read: what was written, and nothing else.
 
-use super::map::{self, NotDone, Use};
-use super::values::{Place, Said, color, only_scalar, put};
+use super::map::{self, MapUse, UnsupportedOptions};
+use super::values::{Located, Place, color, only_scalar, put};
 use crate::report::Reports;
 use crate::text::{Cursor, quote};
-use crate::{Channel, Severity, Source, TextureMap};
+use crate::{Channel, PropertySource, Severity, TextureMap};
 
 /// The statements of one material.
 #[derive(Default)]
 pub(super) struct Draft {
     pub(super) name: String,
     pub(super) line: u64,
-    pub(super) ambient: Option<Said<[f32; 3]>>,
-    pub(super) diffuse: Option<Said<[f32; 3]>>,
-    pub(super) specular: Option<Said<[f32; 3]>>,
-    pub(super) emitted: Option<Said<[f32; 3]>>,
-    pub(super) shininess: Option<Said<f32>>,
-    pub(super) refraction_index: Option<Said<f32>>,
-    pub(super) opacity: Option<Said<f32>>,
-    pub(super) transparency: Option<Said<f32>>,
-    pub(super) illumination_model: Option<Said<u8>>,
-    pub(super) ambient_map: Option<Said<TextureMap>>,
-    pub(super) diffuse_map: Option<Said<TextureMap>>,
-    pub(super) specular_map: Option<Said<TextureMap>>,
-    pub(super) emitted_map: Option<Said<TextureMap>>,
-    pub(super) shininess_map: Option<Said<TextureMap>>,
-    pub(super) opacity_map: Option<Said<TextureMap>>,
-    pub(super) transparency_map: Option<Said<TextureMap>>,
-    pub(super) normal_map: Option<Said<TextureMap>>,
-    pub(super) bump_map: Option<Said<TextureMap>>,
-    pub(super) metallic: Option<Said<f32>>,
-    pub(super) roughness: Option<Said<f32>>,
-    pub(super) metallic_map: Option<Said<TextureMap>>,
-    pub(super) roughness_map: Option<Said<TextureMap>>,
+    pub(super) ambient: Option<Located<[f32; 3]>>,
+    pub(super) diffuse: Option<Located<[f32; 3]>>,
+    pub(super) specular: Option<Located<[f32; 3]>>,
+    pub(super) emitted: Option<Located<[f32; 3]>>,
+    pub(super) shininess: Option<Located<f32>>,
+    pub(super) refraction_index: Option<Located<f32>>,
+    pub(super) opacity: Option<Located<f32>>,
+    pub(super) transparency: Option<Located<f32>>,
+    pub(super) illumination_model: Option<Located<u8>>,
+    pub(super) ambient_map: Option<Located<TextureMap>>,
+    pub(super) diffuse_map: Option<Located<TextureMap>>,
+    pub(super) specular_map: Option<Located<TextureMap>>,
+    pub(super) emitted_map: Option<Located<TextureMap>>,
+    pub(super) shininess_map: Option<Located<TextureMap>>,
+    pub(super) opacity_map: Option<Located<TextureMap>>,
+    pub(super) transparency_map: Option<Located<TextureMap>>,
+    pub(super) normal_map: Option<Located<TextureMap>>,
+    pub(super) bump_map: Option<Located<TextureMap>>,
+    pub(super) metallic: Option<Located<f32>>,
+    pub(super) roughness: Option<Located<f32>>,
+    pub(super) metallic_map: Option<Located<TextureMap>>,
+    pub(super) roughness_map: Option<Located<TextureMap>>,
     /// Statements without a term in the light equation, the last of each keyword.
-    pub(super) unused: Vec<Source>,
+    pub(super) unused: Vec<PropertySource>,
 }
 
 /// Statements of the format, and of its physically based extension, that the light equation has no term for.
@@ -67,17 +67,17 @@ impl Draft {
         keyword: &[u8],
         place: Place,
         cursor: &mut Cursor<'_>,
-        not_done: &mut NotDone,
+        unsupported: &mut UnsupportedOptions,
         reports: &mut Reports,
     ) -> bool {
         // Programs disagree about the case of letters, and no two statements differ only in it.
         let lower = keyword.to_ascii_lowercase();
-        let (slot, name): (&mut Option<Said<[f32; 3]>>, _) = match lower.as_slice() {
+        let (slot, name): (&mut Option<Located<[f32; 3]>>, _) = match lower.as_slice() {
             b"ka" => (&mut self.ambient, "Ka"),
             b"kd" => (&mut self.diffuse, "Kd"),
             b"ks" => (&mut self.specular, "Ks"),
             b"ke" => (&mut self.emitted, "Ke"),
-            _ => return self.scalar_or_map(&lower, place, cursor, not_done, reports),
+            _ => return self.scalar_or_map(&lower, place, cursor, unsupported, reports),
         };
         put(slot, color(cursor, name, reports), &place, name, reports);
         true
@@ -88,10 +88,10 @@ impl Draft {
         lower: &[u8],
         place: Place,
         cursor: &mut Cursor<'_>,
-        not_done: &mut NotDone,
+        unsupported: &mut UnsupportedOptions,
         reports: &mut Reports,
     ) -> bool {
-        let (slot, name): (&mut Option<Said<f32>>, _) = match lower {
+        let (slot, name): (&mut Option<Located<f32>>, _) = match lower {
             b"ns" => (&mut self.shininess, "Ns"),
             b"ni" => (&mut self.refraction_index, "Ni"),
             b"tr" => (&mut self.transparency, "Tr"),
@@ -105,7 +105,7 @@ impl Draft {
                 put(&mut self.illumination_model, illumination_model(cursor, reports), &place, "illum", reports);
                 return true;
             }
-            _ => return self.map_or_unused(lower, place, cursor, not_done, reports),
+            _ => return self.map_or_unused(lower, place, cursor, unsupported, reports),
         };
         put(slot, only_scalar(cursor, name, reports), &place, name, reports);
         true
@@ -116,38 +116,38 @@ impl Draft {
         lower: &[u8],
         place: Place,
         cursor: &mut Cursor<'_>,
-        not_done: &mut NotDone,
+        unsupported: &mut UnsupportedOptions,
         reports: &mut Reports,
     ) -> bool {
         let (slot, name, purpose) = match lower {
-            b"map_ka" => (&mut self.ambient_map, "map_Ka", Use::Color),
-            b"map_kd" => (&mut self.diffuse_map, "map_Kd", Use::Color),
-            b"map_ks" => (&mut self.specular_map, "map_Ks", Use::Color),
-            b"map_ke" | b"map_emissive" => (&mut self.emitted_map, "map_Ke", Use::Color),
-            b"map_ns" => (&mut self.shininess_map, "map_Ns", Use::Scalar),
-            b"map_d" | b"map_opacity" => (&mut self.opacity_map, "map_d", Use::Scalar),
-            b"map_tr" => (&mut self.transparency_map, "map_Tr", Use::Scalar),
-            b"map_bump" | b"bump" => (&mut self.bump_map, "map_Bump", Use::Bump),
-            b"norm" | b"map_kn" | b"map_norm" => (&mut self.normal_map, "norm", Use::Bump),
-            b"map_pr" => (&mut self.roughness_map, "map_Pr", Use::Scalar),
-            b"map_pm" => (&mut self.metallic_map, "map_Pm", Use::Scalar),
+            b"map_ka" => (&mut self.ambient_map, "map_Ka", MapUse::Color),
+            b"map_kd" => (&mut self.diffuse_map, "map_Kd", MapUse::Color),
+            b"map_ks" => (&mut self.specular_map, "map_Ks", MapUse::Color),
+            b"map_ke" | b"map_emissive" => (&mut self.emitted_map, "map_Ke", MapUse::Color),
+            b"map_ns" => (&mut self.shininess_map, "map_Ns", MapUse::Scalar),
+            b"map_d" | b"map_opacity" => (&mut self.opacity_map, "map_d", MapUse::Scalar),
+            b"map_tr" => (&mut self.transparency_map, "map_Tr", MapUse::Scalar),
+            b"map_bump" | b"bump" => (&mut self.bump_map, "map_Bump", MapUse::Bump),
+            b"norm" | b"map_kn" | b"map_norm" => (&mut self.normal_map, "norm", MapUse::Bump),
+            b"map_pr" => (&mut self.roughness_map, "map_Pr", MapUse::Scalar),
+            b"map_pm" => (&mut self.metallic_map, "map_Pm", MapUse::Scalar),
             b"map_rma" | b"map_orm" => {
-                self.packed_map(lower == b"map_orm", &place, cursor, not_done, reports);
+                self.packed_map(lower == b"map_orm", &place, cursor, unsupported, reports);
                 return true;
             }
             b"refl" | b"map_refl" => {
-                self.surroundings(&place, cursor, not_done, reports);
+                self.surroundings(&place, cursor, unsupported, reports);
                 return true;
             }
             // Heights for displacement: no part of a material's light.
             b"disp" | b"map_disp" => {
-                map::read(cursor, "disp", Use::Bump, not_done, reports);
+                map::read(cursor, "disp", MapUse::Bump, unsupported, reports);
                 self.keep_unused("disp", &place, "displacement is not supported");
                 return true;
             }
             _ => return self.unused(lower, &place),
         };
-        let map = map::read(cursor, name, purpose, not_done, reports).map(|statement| statement.texture);
+        let map = map::read(cursor, name, purpose, unsupported, reports).map(|statement| statement.texture);
         put(slot, map, &place, name, reports);
         true
     }
@@ -158,12 +158,12 @@ impl Draft {
         is_orm: bool,
         place: &Place,
         cursor: &mut Cursor<'_>,
-        not_done: &mut NotDone,
+        unsupported: &mut UnsupportedOptions,
         reports: &mut Reports,
     ) {
         let (name, roughness, metallic) =
             if is_orm { ("map_ORM", Channel::Green, Channel::Blue) } else { ("map_RMA", Channel::Red, Channel::Green) };
-        let map = map::read(cursor, name, Use::Scalar, not_done, reports).map(|statement| statement.texture);
+        let map = map::read(cursor, name, MapUse::Scalar, unsupported, reports).map(|statement| statement.texture);
         let of_channel = |channel| {
             map.clone().map(|mut map| {
                 map.texel.channel = Some(channel);
@@ -175,8 +175,14 @@ impl Draft {
     }
 
     /// `refl -type sphere sky.png`. Blender writes its picture of metalness as `map_refl`.
-    fn surroundings(&mut self, place: &Place, cursor: &mut Cursor<'_>, not_done: &mut NotDone, reports: &mut Reports) {
-        let Some(read) = map::read(cursor, "refl", Use::Surroundings, not_done, reports) else { return };
+    fn surroundings(
+        &mut self,
+        place: &Place,
+        cursor: &mut Cursor<'_>,
+        unsupported: &mut UnsupportedOptions,
+        reports: &mut Reports,
+    ) {
+        let Some(read) = map::read(cursor, "refl", MapUse::Surroundings, unsupported, reports) else { return };
         let path = quote(read.texture.path.as_bytes());
         reports.add("reflection maps", Severity::Note, place.line, Some(place.column), || {
             let how = read.projection.map(|word| format!(" ({word})")).unwrap_or_default();
@@ -196,7 +202,7 @@ impl Draft {
     fn keep_unused(&mut self, property: &'static str, place: &Place, rule: &str) {
         self.unused.retain(|source| source.property != property);
         let (line, written) = (Some(place.line), place.written.clone());
-        self.unused.push(Source { property, line, written, rule: rule.to_owned() });
+        self.unused.push(PropertySource { property, line, written, rule: rule.to_owned() });
     }
 }
 

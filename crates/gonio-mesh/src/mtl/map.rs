@@ -6,7 +6,7 @@ use crate::{Channel, Severity, TextureMap, Wrap};
 
 /// What a texture is for.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Use {
+pub(super) enum MapUse {
     /// Three numbers, encoded as sRGB.
     Color,
     /// One number.
@@ -52,12 +52,12 @@ const PROJECTIONS: [&str; 7] =
 
 /// Options that are understood and not done, to be told once each.
 #[derive(Default)]
-pub(super) struct NotDone {
+pub(super) struct UnsupportedOptions {
     /// Option, how often, the first one's line and column.
     options: Vec<(&'static str, u64, u64, Option<u64>)>,
 }
 
-impl NotDone {
+impl UnsupportedOptions {
     fn add(&mut self, option: &'static str, line: u64, column: Option<u64>) {
         match self.options.iter_mut().find(|known| known.0 == option) {
             Some(known) => known.1 += 1,
@@ -84,13 +84,14 @@ pub(super) struct Statement {
 pub(super) fn read(
     cursor: &mut Cursor<'_>,
     keyword: &'static str,
-    purpose: Use,
-    not_done: &mut NotDone,
+    purpose: MapUse,
+    unsupported: &mut UnsupportedOptions,
     reports: &mut Reports,
 ) -> Option<Statement> {
     let line = cursor.line();
     let texture = TextureMap { line: Some(line), ..TextureMap::new("") };
-    let mut reader = Reader { statement: Statement { texture, projection: None }, keyword, purpose, not_done, reports };
+    let mut reader =
+        Reader { statement: Statement { texture, projection: None }, keyword, purpose, unsupported, reports };
     let mut name = reader.options(cursor, Some(line));
     // Some programs write the options last (`bump.jpg -bm 1.5`).
     while let Some(at) = trailing_option(&name) {
@@ -146,14 +147,14 @@ fn option(word: &[u8]) -> Option<&'static (&'static str, Values)> {
 struct Reader<'a> {
     statement: Statement,
     keyword: &'static str,
-    purpose: Use,
-    not_done: &'a mut NotDone,
+    purpose: MapUse,
+    unsupported: &'a mut UnsupportedOptions,
     reports: &'a mut Reports,
 }
 
 /// A value of an option and where the option stands: its line, and its column where that is known.
 #[derive(Clone, Copy)]
-struct At {
+struct OptionPlace {
     option: &'static str,
     line: u64,
     column: Option<u64>,
@@ -184,7 +185,7 @@ impl Reader<'_> {
                 continue;
             };
             cursor.word();
-            let at = At { option: name, line: own_line, column };
+            let at = OptionPlace { option: name, line: own_line, column };
             let mut numbers = [0.0; 3];
             match values {
                 Values::UpToThree => self.numbers(cursor, &mut numbers, at),
@@ -199,7 +200,7 @@ impl Reader<'_> {
         cursor.name()
     }
 
-    fn numbers(&mut self, cursor: &mut Cursor<'_>, numbers: &mut [f32], at: At) {
+    fn numbers(&mut self, cursor: &mut Cursor<'_>, numbers: &mut [f32], at: OptionPlace) {
         let mut count = 0;
         while count < numbers.len() && cursor.next_word() {
             let Ok(value) = cursor.number() else { break };
@@ -221,16 +222,16 @@ impl Reader<'_> {
             ("-mm", numbers) => {
                 (texture.texel.base, texture.texel.gain) = (numbers[0], numbers.get(1).copied().unwrap_or(1.0));
             }
-            ("-bm", numbers) if self.purpose == Use::Bump => texture.bump_multiplier = numbers[0],
+            ("-bm", numbers) if self.purpose == MapUse::Bump => texture.bump_multiplier = numbers[0],
             ("-bm", [1.0]) => {}
             ("-t" | "-boost", numbers) if numbers.iter().all(|n| *n == 0.0) => {}
-            _ => self.not_done.add(at.option, at.line, at.column),
+            _ => self.unsupported.add(at.option, at.line, at.column),
         }
     }
 
-    fn word(&mut self, value: &str, at: At) {
+    fn word(&mut self, value: &str, at: OptionPlace) {
         let is = |word: &str| value.eq_ignore_ascii_case(word);
-        let is_colors = self.purpose == Use::Color;
+        let is_colors = self.purpose == MapUse::Color;
         match at.option {
             "-clamp" if is("on") => self.statement.texture.wrap = [Wrap::Clamp; 2],
             "-clamp" if is("off") => self.statement.texture.wrap = [Wrap::Repeat; 2],
@@ -241,24 +242,24 @@ impl Reader<'_> {
                 self.bad_word(value, "on or off", at);
             }
             "-imfchan" => match channel(value) {
-                Some(Some(_)) if is_colors => self.not_done.add(at.option, at.line, at.column),
+                Some(Some(_)) if is_colors => self.unsupported.add(at.option, at.line, at.column),
                 Some(Some(channel)) => self.statement.texture.texel.channel = Some(channel),
-                Some(None) => self.not_done.add(at.option, at.line, at.column),
+                Some(None) => self.unsupported.add(at.option, at.line, at.column),
                 None => self.bad_word(value, "r, g, b, m, l or z", at),
             },
             "-colorspace" if if is_colors { is("sRGB") } else { is("linear") || is("raw") || is("non-color") } => {}
-            "-type" if self.purpose == Use::Surroundings => {
+            "-type" if self.purpose == MapUse::Surroundings => {
                 let known = PROJECTIONS.into_iter().find(|known| is(known));
                 if known.is_none() {
                     self.bad_word(value, "sphere or cube_top, cube_bottom, cube_front and so on", at);
                 }
                 self.statement.projection = known;
             }
-            option => self.not_done.add(option, at.line, at.column),
+            option => self.unsupported.add(option, at.line, at.column),
         }
     }
 
-    fn bad_word(&mut self, value: &str, expected: &str, at: At) {
+    fn bad_word(&mut self, value: &str, expected: &str, at: OptionPlace) {
         let keyword = self.keyword;
         self.reports.add("texture options that are not understood", Severity::Warning, at.line, at.column, || {
             format!("{keyword} has {} {} instead of {expected}: it is skipped", at.option, quote(value.as_bytes()))

@@ -10,9 +10,9 @@ mod values;
 use crate::encoding::to_utf8;
 use crate::report::Reports;
 use crate::text::{Cursor, quote};
-use crate::{Diagnostic, Material, Severity, Source};
+use crate::{Diagnostic, Material, PropertySource, Severity};
 use draft::Draft;
-use map::NotDone;
+use map::UnsupportedOptions;
 use rules::Rules;
 use std::collections::HashMap;
 use values::Place;
@@ -82,9 +82,9 @@ struct Reader {
     /// Where a name is in `materials`, and its line.
     by_name: HashMap<String, (usize, u64)>,
     reports: Reports,
-    not_done: NotDone,
+    unsupported: UnsupportedOptions,
     unused: Unused,
-    has_told_physical: bool,
+    has_reported_physical: bool,
     /// Statements before the first `newmtl` have no one to go to.
     has_homeless: bool,
 }
@@ -112,8 +112,8 @@ impl Reader {
             }
             return;
         };
-        let place = Place::of(line, column, keyword, cursor);
-        if !draft.statement(keyword, place, cursor, &mut self.not_done, &mut self.reports) {
+        let place = Place::of_statement(line, column, keyword, cursor);
+        if !draft.statement(keyword, place, cursor, &mut self.unsupported, &mut self.reports) {
             self.reports.add("unknown statements", Severity::Warning, line, Some(column), || {
                 format!("unknown material statement {}", quote(keyword))
             });
@@ -137,7 +137,7 @@ impl Reader {
             reports: &mut self.reports,
             sources: Vec::new(),
             unused: Vec::new(),
-            has_told_physical: &mut self.has_told_physical,
+            has_reported_physical: &mut self.has_reported_physical,
         };
         let material = rules.material(draft);
         match earlier {
@@ -163,7 +163,7 @@ impl Reader {
                 if bytes.is_empty() { "the material library is empty" } else { "contains no material (newmtl)" };
             self.reports.push(0, Diagnostic::note(message));
         }
-        self.not_done.report(&mut self.reports);
+        self.unsupported.report(&mut self.reports);
         self.unused.report(&mut self.reports);
         (self.materials, self.reports.finish())
     }
@@ -179,7 +179,7 @@ struct Unused {
 
 impl Unused {
     /// Those of a material that would change its picture.
-    fn count(&mut self, sources: &[Source]) {
+    fn count(&mut self, sources: &[PropertySource]) {
         let has_coat = sources.iter().any(|source| source.property == "Pc" && !is_idle(source));
         for source in sources {
             // Blender writes `Pcr 0.03` without a coat; refl is told of by itself.
@@ -208,7 +208,7 @@ impl Unused {
 }
 
 /// Whether a statement says what is so without it: no sheen, no coat, a filter that lets all through.
-fn is_idle(source: &Source) -> bool {
+fn is_idle(source: &PropertySource) -> bool {
     let neutral = if source.property == "Tf" { 1.0 } else { 0.0 };
     let mut numbers = source.written.split_whitespace().skip(1).map(|word| word.parse::<f32>());
     let has_numbers = source.written.split_whitespace().count() > 1;

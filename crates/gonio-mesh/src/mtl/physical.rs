@@ -7,7 +7,7 @@
 
 use super::draft::Draft;
 use super::rules::{Rules, Sourced, Surface};
-use super::values::{Said, source};
+use super::values::{Located, source};
 use crate::{MetallicRoughness, Severity, TextureMap};
 
 /// `Pr` where neither it nor `Ns` is written: a new material of Blender's.
@@ -18,15 +18,15 @@ pub(super) struct Physical {
     base_color: [f32; 3],
     metallic: Sourced<f32>,
     roughness: Sourced<f32>,
-    metallic_map: Option<Said<TextureMap>>,
-    roughness_map: Option<Said<TextureMap>>,
+    metallic_map: Option<Located<TextureMap>>,
+    roughness_map: Option<Located<TextureMap>>,
     /// Whether the roughness is that of `Ns`.
     is_from_exponent: bool,
 }
 
 impl Physical {
     /// `None` where the material has no such statement.
-    pub(super) fn of(draft: &mut Draft, base_color: [f32; 3], rules: &mut Rules<'_>) -> Option<Self> {
+    pub(super) fn from_draft(draft: &mut Draft, base_color: [f32; 3], rules: &mut Rules<'_>) -> Option<Self> {
         let (metallic_map, roughness_map) = (draft.metallic_map.take(), draft.roughness_map.take());
         let (metallic, roughness) = (draft.metallic.take(), draft.roughness.take());
         if metallic_map.is_none() && roughness_map.is_none() && metallic.is_none() && roughness.is_none() {
@@ -66,7 +66,7 @@ impl Physical {
         let (metallic, roughness) = (self.metallic.0, self.roughness.0);
         let statement = if self.metallic.1.line.is_some() { &self.metallic.1 } else { &self.roughness.1 };
         if draft.specular.is_some() || draft.shininess.is_some() && !self.is_from_exponent {
-            rules.tell_physical(statement.line.unwrap_or(draft.line));
+            rules.report_physical(statement.line.unwrap_or(draft.line));
         }
         const RULE: &str = "replaced by Pr or Pm";
         rules.discard("Ks", draft.specular.take(), RULE);
@@ -105,10 +105,10 @@ impl Physical {
         surface.specular.0 = MetallicRoughness::specular(self.base_color, metallic);
         surface.specular.1.rule = "from 0.04 to the base color, by metalness".to_owned();
         rules.sources.extend([self.metallic.1, self.roughness.1]);
-        let mut map = |property, said: Option<Said<TextureMap>>| {
-            let said = said?;
-            rules.sources.push(said.source(property, ""));
-            Some(said.value)
+        let mut map = |property, located: Option<Located<TextureMap>>| {
+            let located = located?;
+            rules.sources.push(located.source(property, ""));
+            Some(located.value)
         };
         Some(MetallicRoughness {
             base_color: self.base_color,
@@ -123,20 +123,20 @@ impl Physical {
 /// A number from 0 to 1 that a map is multiplied by; 0 would hide the map. `None` where nothing is written.
 fn factor(
     [property, keyword]: [&'static str; 2],
-    said: &Option<Said<f32>>,
-    map: &Option<Said<TextureMap>>,
+    located: &Option<Located<f32>>,
+    map: &Option<Located<TextureMap>>,
     rules: &mut Rules<'_>,
 ) -> Option<Sourced<f32>> {
-    let Some(said) = said else {
+    let Some(located) = located else {
         return map.as_ref().map(|_| (1.0, source::<()>(property, None, "not written beside its map: 1")));
     };
-    if said.value == 0.0 && map.is_some() {
-        let (line, column, name) = (said.place.line, Some(said.place.column), &rules.name);
+    if located.value == 0.0 && map.is_some() {
+        let (line, column, name) = (located.place.line, Some(located.place.column), &rules.name);
         rules.reports.add("numbers that are 0 beside their maps", Severity::Note, line, column, || {
             format!("{keyword} of {name} is 0 beside its map: treated as 1")
         });
-        return Some((1.0, said.source(property, "0 beside its map: treated as 1")));
+        return Some((1.0, located.source(property, "0 beside its map: treated as 1")));
     }
-    let rule = if said.value > 1.0 { "at most 1" } else { "" };
-    Some((said.value.min(1.0), said.source(property, rule)))
+    let rule = if located.value > 1.0 { "at most 1" } else { "" };
+    Some((located.value.min(1.0), located.source(property, rule)))
 }

@@ -3,10 +3,10 @@
 
 use super::draft::Draft;
 use super::physical::Physical;
-use super::values::{Said, source};
+use super::values::{Located, source};
 use crate::report::Reports;
 use crate::text::quote;
-use crate::{AmbientRule, Material, Severity, Source, TextureMap};
+use crate::{AmbientRule, Material, PropertySource, Severity, TextureMap};
 
 /// `Kd` where neither it nor `map_Kd` is written: a new material of Blender's.
 const DIFFUSE: f32 = 0.8;
@@ -24,15 +24,15 @@ pub(super) struct Rules<'a> {
     /// Where diagnostics go.
     pub(super) reports: &'a mut Reports,
     /// Of the values that are settled.
-    pub(super) sources: Vec<Source>,
+    pub(super) sources: Vec<PropertySource>,
     /// What is not taken.
-    pub(super) unused: Vec<Source>,
+    pub(super) unused: Vec<PropertySource>,
     /// Whether it was said that `Pr` and `Pm` win.
-    pub(super) has_told_physical: &'a mut bool,
+    pub(super) has_reported_physical: &'a mut bool,
 }
 
 /// A value, and where it came from.
-pub(super) type Sourced<T> = (T, Source);
+pub(super) type Sourced<T> = (T, PropertySource);
 
 impl Rules<'_> {
     /// The material.
@@ -48,7 +48,7 @@ impl Rules<'_> {
         let (specular, specular_source) =
             self.color("specular", "Ks", &draft.specular, &draft.specular_map, (0.0, "0"));
         let (emitted, emitted_source) = self.color("emitted", "Ke", &draft.emitted, &draft.emitted_map, (0.0, "0"));
-        let physical = Physical::of(&mut draft, diffuse, self);
+        let physical = Physical::from_draft(&mut draft, diffuse, self);
         let is_matte = self.illumination_model(&draft, &physical, specular);
 
         let mut surface = Surface {
@@ -76,8 +76,8 @@ impl Rules<'_> {
         self.sources.push(ambient.1);
         self.sources.extend(sources);
         self.sources.extend([refraction_index.1, opacity_source]);
-        if let Some(said) = &draft.illumination_model {
-            self.sources.push(said.source("illumination_model", illumination_rule(said.value)));
+        if let Some(located) = &draft.illumination_model {
+            self.sources.push(located.source("illumination_model", illumination_rule(located.value)));
         }
         let mut material = Material {
             ambient: ambient.0,
@@ -87,7 +87,7 @@ impl Rules<'_> {
             shininess: surface.shininess.0,
             refraction_index: refraction_index.0,
             opacity,
-            illumination_model: draft.illumination_model.map(|said| said.value),
+            illumination_model: draft.illumination_model.map(|located| located.value),
             diffuse_map: self.map("diffuse_map", draft.diffuse_map, ""),
             specular_map: self.map("specular_map", draft.specular_map, ""),
             emitted_map: self.map("emitted_map", draft.emitted_map, ""),
@@ -110,22 +110,22 @@ impl Rules<'_> {
         material
     }
 
-    fn map(&mut self, property: &'static str, said: Option<Said<TextureMap>>, rule: &str) -> Option<TextureMap> {
-        let said = said?;
-        self.sources.push(said.source(property, rule));
-        Some(said.value)
+    fn map(&mut self, property: &'static str, located: Option<Located<TextureMap>>, rule: &str) -> Option<TextureMap> {
+        let located = located?;
+        self.sources.push(located.source(property, rule));
+        Some(located.value)
     }
 
     /// Says, once for a library, that `Pr` and `Pm` win.
-    pub(super) fn tell_physical(&mut self, line: u64) {
-        if !std::mem::replace(self.has_told_physical, true) {
+    pub(super) fn report_physical(&mut self, line: u64) {
+        if !std::mem::replace(self.has_reported_physical, true) {
             self.reports.note(line, "where Pr or Pm is written, Ks and Ns are not used");
         }
     }
 
     /// A statement that is not taken, by a rule.
-    pub(super) fn discard<T>(&mut self, property: &'static str, said: Option<Said<T>>, rule: &str) {
-        self.unused.extend(said.map(|said| said.source(property, rule)));
+    pub(super) fn discard<T>(&mut self, property: &'static str, located: Option<Located<T>>, rule: &str) {
+        self.unused.extend(located.map(|located| located.source(property, rule)));
     }
 
     /// The color that a map is multiplied by: black would hide the map, which no one can have meant.
@@ -133,21 +133,21 @@ impl Rules<'_> {
         &mut self,
         property: &'static str,
         keyword: &str,
-        said: &Option<Said<[f32; 3]>>,
-        map: &Option<Said<TextureMap>>,
+        located: &Option<Located<[f32; 3]>>,
+        map: &Option<Located<TextureMap>>,
         (absent, absent_text): (f32, &str),
     ) -> Sourced<[f32; 3]> {
-        match (said, map) {
-            (Some(said), Some(_)) if said.value == [0.0; 3] => {
-                let (line, column, name) = (said.place.line, Some(said.place.column), &self.name);
+        match (located, map) {
+            (Some(located), Some(_)) if located.value == [0.0; 3] => {
+                let (line, column, name) = (located.place.line, Some(located.place.column), &self.name);
                 self.reports.add("colors that are black beside their maps", Severity::Note, line, column, || {
                     format!("{keyword} of {name} is black beside map_{keyword}: treated as 1 1 1")
                 });
-                ([1.0; 3], said.source(property, format!("black beside map_{keyword}: treated as 1 1 1")))
+                ([1.0; 3], located.source(property, format!("black beside map_{keyword}: treated as 1 1 1")))
             }
-            (Some(said), _) => {
-                let is_xyz = said.place.written.to_ascii_lowercase().contains(" xyz ");
-                (said.value, said.source(property, if is_xyz { "from CIE XYZ to linear sRGB" } else { "" }))
+            (Some(located), _) => {
+                let is_xyz = located.place.written.to_ascii_lowercase().contains(" xyz ");
+                (located.value, located.source(property, if is_xyz { "from CIE XYZ to linear sRGB" } else { "" }))
             }
             (None, Some(_)) => {
                 let rule = format!("not written beside map_{keyword}: 1 1 1");
@@ -172,17 +172,17 @@ impl Rules<'_> {
         }
         match &draft.ambient {
             None => (FOLLOWS, source::<()>("ambient", None, "not written: follows the diffuse color")),
-            Some(said) if said.value == [1.0; 3] => {
-                (FOLLOWS, said.source("ambient", "1 1 1, as Blender always writes: follows the diffuse color"))
+            Some(located) if located.value == [1.0; 3] => {
+                (FOLLOWS, located.source("ambient", "1 1 1, as Blender always writes: follows the diffuse color"))
             }
-            Some(said) => (AmbientRule::Value(said.value), said.source("ambient", "")),
+            Some(located) => (AmbientRule::Value(located.value), located.source("ambient", "")),
         }
     }
 
     /// Says what a model asks for that is not done. Returns the rule by which it switches the highlight off, if so.
     fn illumination_model(&mut self, draft: &Draft, physical: &Option<Physical>, specular: [f32; 3]) -> Option<String> {
-        let said = draft.illumination_model.as_ref()?;
-        let (model, line, column) = (said.value, said.place.line, Some(said.place.column));
+        let located = draft.illumination_model.as_ref()?;
+        let (model, line, column) = (located.value, located.place.line, Some(located.place.column));
         let name = &self.name;
         if let Some(wish) = wish_of_model(model) {
             self.reports.add("unsupported illumination models", Severity::Note, line, column, || {
@@ -203,7 +203,7 @@ impl Rules<'_> {
     }
 
     fn shininess(&mut self, draft: &Draft, is_seen: bool) -> Sourced<f32> {
-        let Some(said) = &draft.shininess else {
+        let Some(located) = &draft.shininess else {
             return match draft.shininess_map {
                 Some(_) => (
                     SHININESS_OF_MAP,
@@ -212,13 +212,13 @@ impl Rules<'_> {
                 None => (SHININESS, source::<()>("shininess", None, "not written: 32")),
             };
         };
-        let (line, column, name) = (said.place.line, Some(said.place.column), &self.name);
-        match (said.value, &draft.shininess_map) {
+        let (line, column, name) = (located.place.line, Some(located.place.column), &self.name);
+        match (located.value, &draft.shininess_map) {
             (0.0, Some(_)) => {
                 self.reports.add("exponents of 0 beside their maps", Severity::Note, line, column, || {
                     format!("Ns of {name} is 0 beside map_Ns: treated as 1000")
                 });
-                (SHININESS_OF_MAP, said.source("shininess", "0 beside map_Ns: treated as 1000"))
+                (SHININESS_OF_MAP, located.source("shininess", "0 beside map_Ns: treated as 1000"))
             }
             (value, _) if value < 1.0 => {
                 if is_seen {
@@ -226,16 +226,18 @@ impl Rules<'_> {
                         format!("the material {name} has Ns {value}: using 1, the minimum")
                     });
                 }
-                (1.0, said.source("shininess", "at least 1"))
+                (1.0, located.source("shininess", "at least 1"))
             }
-            (value, _) => (value, said.source("shininess", "")),
+            (value, _) => (value, located.source("shininess", "")),
         }
     }
 
     fn refraction_index(&mut self, draft: &Draft) -> Sourced<f32> {
         match &draft.refraction_index {
-            Some(said) if said.value > 0.0 => (said.value, said.source("refraction_index", "")),
-            Some(said) => (REFRACTION_INDEX, said.source("refraction_index", "0 is not a refraction index: using 1.5")),
+            Some(located) if located.value > 0.0 => (located.value, located.source("refraction_index", "")),
+            Some(located) => {
+                (REFRACTION_INDEX, located.source("refraction_index", "0 is not a refraction index: using 1.5"))
+            }
             None => (REFRACTION_INDEX, source::<()>("refraction_index", None, "not written: 1.5")),
         }
     }
@@ -245,13 +247,13 @@ impl Rules<'_> {
         const PROPERTY: &str = "opacity";
         if draft.opacity_map.is_none()
             && draft.opacity.is_none()
-            && let (Some(map), Some(said)) = (&mut draft.transparency_map, &draft.transparency)
+            && let (Some(map), Some(located)) = (&mut draft.transparency_map, &draft.transparency)
         {
             // map_Tr is multiplied by Tr, and the product is what light goes through.
-            let gain = if said.value == 0.0 { 1.0 } else { said.value.min(1.0) };
+            let gain = if located.value == 0.0 { 1.0 } else { located.value.min(1.0) };
             (map.value.texel.base, map.value.texel.gain) = (map.value.texel.base * gain, map.value.texel.gain * gain);
-            let rule = if said.value == 0.0 { "0 beside map_Tr: treated as 1" } else { "1 - Tr * map_Tr" };
-            return (1.0, said.source(PROPERTY, rule));
+            let rule = if located.value == 0.0 { "0 beside map_Tr: treated as 1" } else { "1 - Tr * map_Tr" };
+            return (1.0, located.source(PROPERTY, rule));
         }
         let (value, from) = match (&draft.opacity, &draft.transparency) {
             (Some(d), Some(tr)) if (d.value - (1.0 - tr.value)).abs() > 1e-4 => {
@@ -272,7 +274,7 @@ impl Rules<'_> {
             self.reports.add("opacities of 0 beside their maps", Severity::Note, line, None, || {
                 format!("the opacity of {name} is 0 beside its map: treated as 1")
             });
-            return (1.0, Source { rule: "0 beside its map: treated as 1".to_owned(), ..from });
+            return (1.0, PropertySource { rule: "0 beside its map: treated as 1".to_owned(), ..from });
         }
         if value <= 0.0 {
             self.reports.add("invisible materials", Severity::Note, line, None, || {
@@ -285,8 +287,8 @@ impl Rules<'_> {
     /// `map_d`, or `map_Tr` the other way round.
     fn opacity_map(
         &mut self,
-        opacity: Option<Said<TextureMap>>,
-        transparency: Option<Said<TextureMap>>,
+        opacity: Option<Located<TextureMap>>,
+        transparency: Option<Located<TextureMap>>,
     ) -> Option<TextureMap> {
         let Some(mut map) = transparency else { return self.map("opacity_map", opacity, "") };
         if opacity.is_some() {

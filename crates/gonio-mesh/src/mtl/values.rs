@@ -2,7 +2,7 @@
 
 use crate::report::Reports;
 use crate::text::{BadNumber, Cursor, quote};
-use crate::{Severity, Source};
+use crate::{PropertySource, Severity};
 
 /// The longest text of a statement that is kept, in characters.
 const LONGEST: usize = 80;
@@ -18,7 +18,7 @@ pub(super) struct Place {
 
 impl Place {
     /// Of the statement whose keyword was just read.
-    pub(super) fn of(line: u64, column: u64, keyword: &[u8], cursor: &Cursor<'_>) -> Self {
+    pub(super) fn of_statement(line: u64, column: u64, keyword: &[u8], cursor: &Cursor<'_>) -> Self {
         let rest = cursor.rest();
         // More than is kept, so that a name of some gigabytes is not copied.
         let rest = Cursor::new(&rest[..rest.len().min(8 * LONGEST)]).name();
@@ -34,29 +34,33 @@ impl Place {
 
 /// What a statement says.
 #[derive(Clone)]
-pub(super) struct Said<T> {
+pub(super) struct Located<T> {
     pub(super) value: T,
     pub(super) place: Place,
 }
 
-impl<T> Said<T> {
+impl<T> Located<T> {
     /// Where a material's property came from.
-    pub(super) fn source(&self, property: &'static str, rule: impl Into<String>) -> Source {
-        Source { property, line: Some(self.place.line), written: self.place.written.clone(), rule: rule.into() }
+    pub(super) fn source(&self, property: &'static str, rule: impl Into<String>) -> PropertySource {
+        PropertySource { property, line: Some(self.place.line), written: self.place.written.clone(), rule: rule.into() }
     }
 }
 
 /// The source of a property that a statement may have given, else of one by a rule.
-pub(super) fn source<T>(property: &'static str, said: Option<&Said<T>>, rule: impl Into<String>) -> Source {
-    match said {
-        Some(said) => said.source(property, rule),
-        None => Source { property, line: None, written: String::new(), rule: rule.into() },
+pub(super) fn source<T>(
+    property: &'static str,
+    located: Option<&Located<T>>,
+    rule: impl Into<String>,
+) -> PropertySource {
+    match located {
+        Some(located) => located.source(property, rule),
+        None => PropertySource { property, line: None, written: String::new(), rule: rule.into() },
     }
 }
 
 /// Keeps what a statement says, if it says something. The last of two statements counts, which is noted.
 pub(super) fn put<T>(
-    slot: &mut Option<Said<T>>,
+    slot: &mut Option<Located<T>>,
     value: Option<T>,
     place: &Place,
     keyword: &'static str,
@@ -69,7 +73,7 @@ pub(super) fn put<T>(
             format!("{keyword} is already set on line {line}: using this one")
         });
     }
-    *slot = Some(Said { value, place: place.clone() });
+    *slot = Some(Located { value, place: place.clone() });
 }
 
 /// `r g b`, one number for grey, or `xyz x y z`: linear RGB. A file of a spectrum is not read.

@@ -1,7 +1,7 @@
 //! The mesh out of attributes, vertices and triangles.
 
 use super::attributes::Attributes;
-use super::vertices::{Corner, Kind, Vertices};
+use super::vertices::{Corner, CornerAttributes, Vertices};
 use crate::limits::{too_many_triangles, too_many_vertices};
 use crate::{Limits, Mesh, NormalSource, ReadError};
 use rayon::prelude::*;
@@ -30,8 +30,8 @@ pub(super) fn mesh(
     if indices.len() as u64 / 3 > limits.max_triangles {
         return Err(too_many_triangles(limits.max_triangles));
     }
-    let normals = gather(attributes.normals, &first_kinds, Kind::normal);
-    let tex_coords = gather(attributes.tex_coords, &first_kinds, Kind::tex_coord);
+    let normals = gather(attributes.normals, &first_kinds, CornerAttributes::normal);
+    let tex_coords = gather(attributes.tex_coords, &first_kinds, CornerAttributes::tex_coord);
     let colors = gather_colors(attributes.colors, &first_kinds);
     let positions = gather_positions(attributes.positions, &first_kinds);
     first_kinds.renumber(position_count, &mut indices);
@@ -84,8 +84,12 @@ impl Used {
 }
 
 /// One attribute of all vertices; none where no vertex has it. `index` gives it from 1, or 0.
-fn gather<const N: usize>(mut values: Vec<[f32; N]>, used: &Used, index: impl Fn(Kind) -> usize) -> Vec<[f32; N]> {
-    let value = |values: &[[f32; N]], kind: Kind| match index(kind).checked_sub(1) {
+fn gather<const N: usize>(
+    mut values: Vec<[f32; N]>,
+    used: &Used,
+    index: impl Fn(CornerAttributes) -> usize,
+) -> Vec<[f32; N]> {
+    let value = |values: &[[f32; N]], kind: CornerAttributes| match index(kind).checked_sub(1) {
         Some(place) => values[place],
         None => [0.0; N],
     };

@@ -1,7 +1,7 @@
 //! The first pass: what vertices are made of (`v`, `vt`, `vn`). All other statements are stepped over, and where they
 //! lie is remembered for the second pass, which then knows all vertices, those behind a face too.
 
-use super::quick::{Line, REACH, small_numbers};
+use super::fast_path::{Line, REACH, small_numbers};
 use super::scan::{self, Blanks, WINDOW};
 use crate::report::Reports;
 use crate::text::{BadNumber, Cursor, quote};
@@ -49,13 +49,13 @@ pub(super) struct Segment {
 const SMALLEST_GAP: usize = 1024;
 
 impl Attributes {
-    /// Of a piece of a file, which begins and ends between two statements. `quick` allows the quick way, which
+    /// Of a piece of a file, which begins and ends between two statements. `fast_path` allows the quick way, which
     /// changes nothing but the time.
-    pub(super) fn parse(bytes: &[u8], piece: Range<usize>, quick: bool) -> Self {
+    pub(super) fn parse(bytes: &[u8], piece: Range<usize>, fast_path: bool) -> Self {
         let mut attributes = Attributes { lines: 1, ..Attributes::default() };
         let mut at = piece.start;
         while at < piece.end {
-            if quick && let Some(next) = attributes.quick(bytes, at, piece.end) {
+            if fast_path && let Some(next) = attributes.plain_line(bytes, at, piece.end) {
                 at = next;
                 continue;
             }
@@ -77,7 +77,7 @@ impl Attributes {
 
     /// One plain attribute, or any number of plain other lines; where the next line starts.
     #[inline(always)]
-    fn quick(&mut self, bytes: &[u8], at: usize, end: usize) -> Option<usize> {
+    fn plain_line(&mut self, bytes: &[u8], at: usize, end: usize) -> Option<usize> {
         match bytes.get(at)? {
             b'v' => {
                 let length = self.plain_attribute(bytes.get(at..)?.first_chunk()?)?;

@@ -1,12 +1,12 @@
 //! What is worth telling about all of a file: what it holds, and what is odd about it as a whole.
 
 use super::attributes::Attributes;
-use super::said::{MOST_COUNTED, NAMES, Said};
+use super::statistics::{MOST_COUNTED, NAMES, Statistics};
 use crate::Diagnostic;
 use crate::report::Reports;
 
 /// What the file holds, in its own words: what there is none of is left out.
-pub(super) fn list(attributes: &Attributes, said: &Said) -> Vec<(String, u64)> {
+pub(super) fn list(attributes: &Attributes, statistics: &Statistics) -> Vec<(String, u64)> {
     let mut contents: Vec<(String, u64)> = Vec::new();
     let mut add = |name: String, count: u64| {
         if count > 0 {
@@ -17,23 +17,23 @@ pub(super) fn list(attributes: &Attributes, said: &Said) -> Vec<(String, u64)> {
         add((*name).to_owned(), count);
     }
     add("v with a color".to_owned(), attributes.colored);
-    for (corners, count) in said.faces.iter().enumerate() {
+    for (corners, count) in statistics.faces.iter().enumerate() {
         let or_more = if corners > MOST_COUNTED { " or more" } else { "" };
         add(format!("f of {corners}{or_more} corners"), *count);
     }
-    add("f left out".to_owned(), said.lost);
+    add("f left out".to_owned(), statistics.lost);
     for keyword in ["l", "p"] {
-        add(keyword.to_owned(), said.tallies.count_of(keyword.as_bytes()));
+        add(keyword.to_owned(), statistics.tallies.count_of(keyword.as_bytes()));
     }
-    for (name, count) in NAMES.iter().zip(said.names) {
+    for (name, count) in NAMES.iter().zip(statistics.names) {
         add((*name).to_owned(), count);
     }
     contents
 }
 
 /// Says what is odd.
-pub(super) fn report(attributes: &Attributes, said: &Said, reports: &mut Reports) {
-    said.tallies.report(reports);
+pub(super) fn report(attributes: &Attributes, statistics: &Statistics, reports: &mut Reports) {
+    statistics.tallies.report(reports);
     if let Some(line) = attributes.weighted {
         reports.note(line, "the weights (w) of vertices are ignored: they only matter to free-form curves");
     }
@@ -42,20 +42,20 @@ pub(super) fn report(attributes: &Attributes, said: &Said, reports: &mut Reports
     if attributes.colored > 0 && lacking > 0 {
         at_end(reports, format!("{lacking} of {total} vertices have no color: using white"));
     }
-    for (line, what) in said.without_any.iter().zip(["texture coordinates (vt)", "normals (vn)"]) {
+    for (line, what) in statistics.without_any.iter().zip(["texture coordinates (vt)", "normals (vn)"]) {
         if let Some(line) = *line {
             reports.warning(line, format!("faces refer to {what}, but the file has none"));
         }
     }
     let (total, consequences) =
-        (said.corners(), ["texture coordinate: using (0, 0)", "normal: using averaged normals"]);
-    for ((lacking, line), consequence) in said.without.into_iter().zip(consequences) {
+        (statistics.corners(), ["texture coordinate: using (0, 0)", "normal: using averaged normals"]);
+    for ((lacking, line), consequence) in statistics.without.into_iter().zip(consequences) {
         // Where only some lack it the picture shows it.
         if lacking > 0 && lacking < total {
             reports.warning(line, format!("{lacking} of {total} corners of faces have no {consequence}"));
         }
     }
-    let [not_simple, too_large] = said.cuts;
+    let [not_simple, too_large] = statistics.cuts;
     if not_simple > 0 {
         at_end(reports, format!("{not_simple} polygons cross or touch themselves: their triangles are guessed"));
     }

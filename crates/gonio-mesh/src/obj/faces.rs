@@ -1,11 +1,11 @@
 //! The second pass: faces into triangles of vertices, and everything else that is said between them.
 
 use super::attributes::{Attributes, Segment};
+use super::part_spans::{PartSpans, SmoothingGroup};
 use super::plain_face::PlainFace;
-use super::runs::{Runs, SmoothingGroup};
-use super::said::{MOST_COUNTED, Said};
+use super::statistics::{MOST_COUNTED, Statistics};
 use super::triangles::Triangles;
-use super::vertices::{Corner, Kind, Vertices};
+use super::vertices::{Corner, CornerAttributes, Vertices};
 use crate::limits::too_many_triangles;
 use crate::polygon::{Cut, FEW, MOST_CORNERS, Triangulator, too_many_corners};
 use crate::report::Reports;
@@ -28,10 +28,10 @@ pub(super) struct Faces<'a> {
     pub(super) vertices: Vertices,
     pub(super) triangles: Triangles<'a>,
     most_triangles: u64,
-    pub(super) runs: Runs,
+    pub(super) spans: PartSpans,
     /// Each `mtllib`, with its line.
     pub(super) libraries: Vec<(u64, String)>,
-    pub(super) said: Said,
+    pub(super) statistics: Statistics,
     pub(super) reports: Reports,
     /// Indices of the face that is read which lie beyond the end.
     beyond: Vec<Beyond>,
@@ -50,7 +50,7 @@ impl<'a> Faces<'a> {
         segments: &[Segment],
         triangles: Triangles<'a>,
         most_triangles: u64,
-        quick: bool,
+        fast_path: bool,
     ) -> Result<Self, ReadError> {
         let mut faces = Faces {
             bytes,
@@ -61,9 +61,9 @@ impl<'a> Faces<'a> {
             vertices: Vertices::new(attributes.positions.len()),
             triangles,
             most_triangles,
-            runs: Runs::default(),
+            spans: PartSpans::default(),
             libraries: Vec::new(),
-            said: Said::default(),
+            statistics: Statistics::default(),
             reports: Reports::default(),
             beyond: Vec::new(),
             corners: Vec::new(),
@@ -75,16 +75,16 @@ impl<'a> Faces<'a> {
         for segment in segments {
             faces.counts = segment.counts;
             faces.line = segment.line;
-            faces.segment(segment.bytes.start, segment.bytes.end, quick)?;
+            faces.segment(segment.bytes.start, segment.bytes.end, fast_path)?;
         }
-        faces.runs.finish(faces.triangles.count());
+        faces.spans.finish(faces.triangles.count());
         Ok(faces)
     }
 
-    fn segment(&mut self, start: usize, end: usize, quick: bool) -> Result<(), ReadError> {
+    fn segment(&mut self, start: usize, end: usize, fast_path: bool) -> Result<(), ReadError> {
         let mut at = start;
         while at < end {
-            if quick && self.bytes[at] == b'f' && self.bytes.get(at + 1) == Some(&b' ') {
+            if fast_path && self.bytes[at] == b'f' && self.bytes.get(at + 1) == Some(&b' ') {
                 let blanks = usize::from(self.bytes.get(at + 2) == Some(&b' '));
                 let start = at + 2 + blanks;
                 let is_negative = self.bytes.get(start) == Some(&b'-');
@@ -94,7 +94,7 @@ impl<'a> Faces<'a> {
                     at = next;
                     continue;
                 }
-            } else if quick && self.bytes[at] == b'v' && self.step_over_attribute(&mut at) {
+            } else if fast_path && self.bytes[at] == b'v' && self.step_over_attribute(&mut at) {
                 continue;
             }
             at = self.statement(at)?;
@@ -166,8 +166,8 @@ impl<'a> Faces<'a> {
     /// Counts a face that will be drawn.
     #[inline(always)]
     fn begin_face(&mut self, corners: &[Corner]) {
-        self.said.faces[corners.len().min(MOST_COUNTED + 1)] += 1;
-        self.runs.begin_face(&self.triangles);
+        self.statistics.faces[corners.len().min(MOST_COUNTED + 1)] += 1;
+        self.spans.begin_face(&self.triangles);
         if corners.iter().fold(false, |lacks, corner| lacks | corner.1.lacks_something()) {
             self.count_lacking(corners);
         }
@@ -175,9 +175,10 @@ impl<'a> Faces<'a> {
 
     /// Counts corners without texture coordinate, or normal.
     fn count_lacking(&mut self, corners: &[Corner]) {
-        let count = |lacks: fn(Kind) -> bool| corners.iter().filter(|corner| lacks(corner.1)).count() as u64;
+        let count =
+            |lacks: fn(CornerAttributes) -> bool| corners.iter().filter(|corner| lacks(corner.1)).count() as u64;
         let lacking = [count(|kind| kind.tex_coord() == 0), count(|kind| kind.normal() == 0)];
-        for (kind, (without, lacking)) in self.said.without.iter_mut().zip(lacking).enumerate() {
+        for (kind, (without, lacking)) in self.statistics.without.iter_mut().zip(lacking).enumerate() {
             if without.0 == 0 {
                 without.1 = self.line;
             }
@@ -204,7 +205,7 @@ impl<'a> Faces<'a> {
             return self.polygon(&corners);
         }
         self.begin_face(&corners);
-        self.said.polygon_corners += 4;
+        self.statistics.polygon_corners += 4;
         let mut vertex = |corner| self.vertices.of_corner(corner);
         let [a, b, c, d] = [vertex(a)?, vertex(b)?, vertex(c)?, vertex(d)?];
         self.triangles.push([a, b, c]);
@@ -217,19 +218,19 @@ impl<'a> Faces<'a> {
     fn polygon(&mut self, corners: &[Corner]) -> Result<(), ReadError> {
         self.find_polygon(corners);
         if self.polygon.len() < 3 {
-            self.said.lost += 1;
+            self.statistics.lost += 1;
             self.reports.add_loss("faces with fewer than 3 different corners", self.line, None, || {
                 "f has fewer than 3 different corners: it is left out".to_owned()
             });
             return Ok(());
         }
         self.begin_face(corners);
-        self.said.polygon_corners += corners.len() as u64;
+        self.statistics.polygon_corners += corners.len() as u64;
         let cut = self.cut()?;
         match cut {
             Cut::Fan | Cut::Ears => {}
-            Cut::NotSimple => self.said.cuts[0] += 1,
-            Cut::TooLarge => self.said.cuts[1] += 1,
+            Cut::NotSimple => self.statistics.cuts[0] += 1,
+            Cut::TooLarge => self.statistics.cuts[1] += 1,
         }
         // Of all faces only polygons take much more memory than their text.
         if self.triangles.count() as u64 > self.most_triangles {
@@ -296,20 +297,20 @@ impl<'a> Faces<'a> {
                 b"vn" => self.count(2),
                 b"f" | b"fo" => self.any_face(&mut cursor)?,
                 b"o" | b"g" => {
-                    self.said.names[usize::from(keyword == b"g")] += 1;
-                    self.runs.name_part(cursor.name());
+                    self.statistics.names[usize::from(keyword == b"g")] += 1;
+                    self.spans.name_part(cursor.name());
                     true
                 }
                 b"s" => self.smoothing_group(&mut cursor),
                 b"usemtl" => {
-                    self.said.names[3] += 1;
-                    self.runs.use_material(cursor.name(), line);
+                    self.statistics.names[3] += 1;
+                    self.spans.use_material(cursor.name(), line);
                     true
                 }
                 b"mtllib" => self.library(&mut cursor),
-                _ => self.said.tallies.count(keyword, line),
+                _ => self.statistics.tallies.count(keyword, line),
             };
-            self.said.statements += u64::from(is_understood);
+            self.statistics.statements += u64::from(is_understood);
         }
         cursor.next_line();
         self.line = cursor.line();
@@ -323,7 +324,7 @@ impl<'a> Faces<'a> {
     }
 
     fn library(&mut self, cursor: &mut Cursor<'_>) -> bool {
-        self.said.names[4] += 1;
+        self.statistics.names[4] += 1;
         let line = cursor.line();
         let name = cursor.name();
         if name.is_empty() {
@@ -337,13 +338,13 @@ impl<'a> Faces<'a> {
     }
 
     fn smoothing_group(&mut self, cursor: &mut Cursor<'_>) -> bool {
-        self.said.names[2] += 1;
+        self.statistics.names[2] += 1;
         let group = SmoothingGroup::read(cursor);
         if let Some((line, column, message)) = group.problem {
             let kind = "smoothing groups that are not understood";
             self.reports.add(kind, Severity::Warning, line, Some(column), || message);
         }
-        self.runs.smooth(self.triangles.count(), group.number);
+        self.spans.smooth(self.triangles.count(), group.number);
         true
     }
 
@@ -374,7 +375,7 @@ impl<'a> Faces<'a> {
         }
         let result = if is_lost { Ok(()) } else { self.face(&corners) };
         self.beyond.clear();
-        self.said.lost += u64::from(is_lost);
+        self.statistics.lost += u64::from(is_lost);
         self.corners = corners;
         result.map(|()| false)
     }
@@ -416,7 +417,7 @@ impl<'a> Faces<'a> {
         if !cursor.at_word_end() {
             return Err(not_a_corner(cursor));
         }
-        Ok(Some(((corner[0] - 1) as u32, Kind::new(corner[1], corner[2]))))
+        Ok(Some(((corner[0] - 1) as u32, CornerAttributes::new(corner[1], corner[2]))))
     }
 
     /// An index as written, from 1 or negative; `None` where it points at nothing.
@@ -431,7 +432,7 @@ impl<'a> Faces<'a> {
     fn report_index(&mut self, kind: usize, index: i64, line: u64, column: u64) {
         let total = self.totals[kind];
         if kind > 0 && index > 0 && total == 0 {
-            self.said.without_any[kind - 1].get_or_insert(line);
+            self.statistics.without_any[kind - 1].get_or_insert(line);
             return;
         }
         const MORE: [&str; 3] =

@@ -2,7 +2,7 @@
 
 use super::attributes::Attributes;
 use super::triangles::Triangles;
-use super::vertices::{Corner, Kind, Vertices};
+use super::vertices::{Corner, CornerAttributes, Vertices};
 use crate::ReadError;
 use rayon::prelude::*;
 use std::mem;
@@ -167,7 +167,7 @@ impl<'a, 'b> Stretch<'a, 'b> {
             }
             let kind = self.vertices.first(vertex);
             if kind.is_used() && kind != all.first(vertex) {
-                self.vertices.set_first(vertex, Kind::number(self.found.len() as u32));
+                self.vertices.set_first(vertex, CornerAttributes::number(self.found.len() as u32));
                 self.found.push((index, kind));
             }
         }

@@ -7,21 +7,21 @@
 //! forward. Both work on pieces of the file at the same time (`pieces`); what they give is put together in the file's
 //! order (`join`) and made a mesh (`assemble`): the same one, whatever the number of pieces.
 //!
-//! Lines in plain form take a quick way (`quick`, `plain_face`, `scan`) to the same result that reading byte by byte has.
+//! Lines in plain form take a quick way (`fast_path`, `plain_face`, `scan`) to the same result that reading byte by byte has.
 
 mod assemble;
 mod attributes;
 mod contents;
 mod faces;
+mod fast_path;
 mod join;
 mod materials;
+mod part_spans;
 mod parts;
 mod pieces;
 mod plain_face;
-mod quick;
-mod runs;
-mod said;
 mod scan;
+mod statistics;
 mod tallies;
 #[cfg(test)]
 mod tests;
@@ -36,15 +36,15 @@ use attributes::{Attributes, Segment};
 use faces::Faces;
 use gonio_light::color::srgb_decode_f32;
 use materials::MaterialTable;
+pub(crate) use part_spans::SmoothingGroup;
 use parts::Parts;
 use pieces::Plan;
 use rayon::prelude::*;
-pub(crate) use runs::SmoothingGroup;
-use said::Said;
+use statistics::Statistics;
 use std::mem;
 use std::ops::Range;
 use triangles::Triangles;
-use vertices::{Kind, Vertices};
+use vertices::{CornerAttributes, Vertices};
 
 /// Reads an OBJ file; its material libraries are asked of `sidecars`.
 ///
@@ -69,19 +69,19 @@ pub fn read(bytes: &[u8], sidecars: &mut dyn Sidecars, limits: &Limits) -> Resul
 fn read_with(bytes: &[u8], sidecars: &mut dyn Sidecars, limits: &Limits, plan: Plan) -> Result<Model, ReadError> {
     refuse_other_formats(bytes)?;
     let mut attributes = read_attributes(bytes, plan);
-    let Rest { mut reports, said, mut parts, libraries, vertices, indices } =
-        read_rest(bytes, &mut attributes, limits, plan)?;
-    let contents = contents::list(&attributes, &said);
+    let SecondPass { mut reports, statistics, mut parts, libraries, vertices, indices } =
+        read_second_pass(bytes, &mut attributes, limits, plan)?;
+    let contents = contents::list(&attributes, &statistics);
     let vertex_count = attributes.positions.len() as u64;
-    contents::report(&attributes, &said, &mut reports);
-    if said.understood() + attributes.counts().iter().sum::<u64>() == 0 {
+    contents::report(&attributes, &statistics, &mut reports);
+    if statistics.understood() + attributes.counts().iter().sum::<u64>() == 0 {
         return Err(nothing_understood(&reports));
     }
     decode_colors(&mut attributes.colors, &mut reports);
     let mut materials = MaterialTable::read(&libraries, sidecars, &mut reports);
     parts.find_materials(&mut materials, &mut reports);
     if indices.is_empty() {
-        return Err(nothing_to_draw(vertex_count, said.face_count(), &reports));
+        return Err(nothing_to_draw(vertex_count, statistics.face_count(), &reports));
     }
     let mut mesh = assemble::mesh(attributes, vertices, indices, limits)?;
     let sidecars = materials.take_sidecars();
@@ -93,7 +93,7 @@ fn read_with(bytes: &[u8], sidecars: &mut dyn Sidecars, limits: &Limits, plan: P
 /// The first pass.
 fn read_attributes(bytes: &[u8], plan: Plan) -> Attributes {
     let pieces = pieces::split(bytes, plan.pieces);
-    let parse = |piece: Range<usize>| Attributes::parse(bytes, piece, plan.quick);
+    let parse = |piece: Range<usize>| Attributes::parse(bytes, piece, plan.fast_path);
     join::attributes(match pieces.as_slice() {
         [all] => vec![parse(all.clone())],
         _ => pieces.into_par_iter().map(parse).collect(),
@@ -101,9 +101,9 @@ fn read_attributes(bytes: &[u8], plan: Plan) -> Attributes {
 }
 
 /// What the second pass gives, in the order of the file.
-struct Rest {
+struct SecondPass {
     reports: Reports,
-    said: Said,
+    statistics: Statistics,
     parts: Parts,
     libraries: Vec<(u64, String)>,
     vertices: Vertices,
@@ -111,13 +111,18 @@ struct Rest {
 }
 
 /// The second pass. Where both have an error, the first one in the file is returned.
-fn read_rest(bytes: &[u8], attributes: &mut Attributes, limits: &Limits, plan: Plan) -> Result<Rest, ReadError> {
+fn read_second_pass(
+    bytes: &[u8],
+    attributes: &mut Attributes,
+    limits: &Limits,
+    plan: Plan,
+) -> Result<SecondPass, ReadError> {
     let reports = mem::take(&mut attributes.reports);
     let segments = mem::take(&mut attributes.segments);
     let first_error = attributes.error.take().or_else(|| too_many(attributes));
     let stretches = pieces::stretches(&segments, plan.stretches);
     let most = limits.max_triangles;
-    let parse = |stretch: &[Segment], room| Faces::read(bytes, attributes, stretch, room, most, plan.quick);
+    let parse = |stretch: &[Segment], room| Faces::read(bytes, attributes, stretch, room, most, plan.fast_path);
     let mut indices = Vec::new();
     let read: Result<Vec<Faces<'_>>, ReadError> = match stretches.as_slice() {
         [all] => parse(all, Triangles::of_all(triangles::likely_count(all))).map(|faces| vec![faces]),
@@ -133,45 +138,51 @@ fn read_rest(bytes: &[u8], attributes: &mut Attributes, limits: &Limits, plan: P
         (Err(error), _) if error.line.is_some() => return Err(error),
         (_, Some(error)) | (Err(error), None) => return Err(error),
         // Too many kinds of rubbish to be counted in pieces.
-        (Ok(faces), None) if faces.len() > 1 && faces.iter().any(|faces| faces.said.tallies.is_full) => {
+        (Ok(faces), None) if faces.len() > 1 && faces.iter().any(|faces| faces.statistics.tallies.is_full) => {
             drop(faces);
             vec![parse(&segments, Triangles::of_all(0))?]
         }
         (Ok(faces), None) => faces,
     };
     let is_one = faces.len() == 1;
-    let (rest, parts) = Rest::join(reports, faces)?;
+    let (rest, parts) = SecondPass::join(reports, faces)?;
     let indices = triangles::join(if is_one { Vec::new() } else { indices }, &stretches, parts);
-    Ok(Rest { indices, ..rest })
+    Ok(SecondPass { indices, ..rest })
 }
 
 /// For each stretch how much of its room for indices is used, and the indices that found none.
 type Leftovers = Vec<(usize, Vec<u32>)>;
 
-impl Rest {
+impl SecondPass {
     /// All but the triangles, which are not yet in one place.
     fn join(reports: Reports, stretches: Vec<Faces<'_>>) -> Result<(Self, Leftovers), ReadError> {
-        let (mut said, mut parts, mut libraries, mut all_reports) =
-            (Said::default(), Parts::default(), Vec::new(), reports);
+        let (mut statistics, mut parts, mut libraries, mut all_reports) =
+            (Statistics::default(), Parts::default(), Vec::new(), reports);
         let mut pieces = Vec::with_capacity(stretches.len());
         for stretch in stretches {
-            let Faces { vertices, triangles, runs, libraries: more, said: more_said, reports, .. } = stretch;
-            parts.append(runs, triangles.count());
+            let Faces { vertices, triangles, spans, libraries: more, statistics: more_statistics, reports, .. } =
+                stretch;
+            parts.append(spans, triangles.count());
             libraries.extend(more);
-            said.append(more_said);
+            statistics.append(more_statistics);
             all_reports.append(reports, 0);
             pieces.push((vertices, triangles));
         }
         let vertices = join::vertices(&mut pieces)?;
         let triangles = pieces.into_iter().map(|(_, triangles)| triangles.finish()).collect();
-        let rest = Rest { reports: all_reports, said, parts, libraries, vertices, indices: Vec::new() };
-        Ok((rest, triangles))
+        let second_pass =
+            SecondPass { reports: all_reports, statistics, parts, libraries, vertices, indices: Vec::new() };
+        Ok((second_pass, triangles))
     }
 }
 
 /// More of something than there are numbers for it.
 fn too_many(attributes: &Attributes) -> Option<ReadError> {
-    let limits = [("v", u64::from(u32::MAX) - 1), ("vt", Kind::MOST_TEX_COORDS), ("vn", Kind::MOST_NORMALS)];
+    let limits = [
+        ("v", u64::from(u32::MAX) - 1),
+        ("vt", CornerAttributes::MOST_TEX_COORDS),
+        ("vn", CornerAttributes::MOST_NORMALS),
+    ];
     let counts = attributes.counts();
     let ((keyword, most), _) = limits.into_iter().zip(counts).find(|((_, most), count)| count > most)?;
     Some(ReadError::new(format!("contains more than {most} {keyword} statements, which is the limit")))

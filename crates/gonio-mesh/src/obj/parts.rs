@@ -1,7 +1,7 @@
 //! Parts and smoothing groups of the mesh, out of what was said between the faces.
 
 use super::materials::MaterialTable;
-use super::runs::Runs;
+use super::part_spans::PartSpans;
 use crate::report::Reports;
 use crate::{Mesh, Part};
 use std::mem;
@@ -22,26 +22,26 @@ pub(super) struct Parts {
 
 impl Parts {
     /// The runs of a stretch of so many triangles, which follows those before.
-    pub(super) fn append(&mut self, runs: Runs, triangle_count: usize) {
+    pub(super) fn append(&mut self, part_spans: PartSpans, triangle_count: usize) {
         let first = self.triangle_count;
-        for run in runs.runs {
-            self.end_run(first + run.first_triangle);
-            if let Some(name) = run.part {
+        for span in part_spans.spans {
+            self.end_span(first + span.first_triangle);
+            if let Some(name) = span.part {
                 self.name = name;
             }
-            if let Some((name, line)) = run.material {
+            if let Some((name, line)) = span.material {
                 // The same again is as if it had not been said.
                 if self.material.as_ref().is_none_or(|(current, _)| *current != name) {
                     self.material = Some((name, line));
                 }
             }
         }
-        self.smoothing.extend(runs.smoothing.into_iter().map(|(triangle, group)| (first + triangle, group)));
+        self.smoothing.extend(part_spans.smoothing.into_iter().map(|(triangle, group)| (first + triangle, group)));
         self.triangle_count += triangle_count;
     }
 
     /// The triangles up to this one belong to what has been said so far.
-    fn end_run(&mut self, end: usize) {
+    fn end_span(&mut self, end: usize) {
         let first_triangle = self.parts.last().map_or(0, |part| part.first_triangle + part.triangle_count);
         if end > first_triangle {
             let (name, triangle_count) = (self.name.clone(), end - first_triangle);
@@ -52,7 +52,7 @@ impl Parts {
 
     /// Looks the materials up; runs that do not differ become one.
     pub(super) fn find_materials(&mut self, table: &mut MaterialTable, reports: &mut Reports) {
-        self.end_run(self.triangle_count);
+        self.end_span(self.triangle_count);
         let mut parts: Vec<Part> = Vec::new();
         for (part, named) in mem::take(&mut self.parts).into_iter().zip(mem::take(&mut self.materials)) {
             let material = table.index_of(named.filter(|(name, _)| !name.is_empty()));

@@ -11,7 +11,7 @@ pub(super) struct Plan {
     /// Into how many stretches its faces are cut at most; each has a table of vertices of its own.
     pub(super) stretches: usize,
     /// Whether lines in plain form are read in the quick way.
-    pub(super) quick: bool,
+    pub(super) fast_path: bool,
 }
 
 /// Bytes that are worth a piece of their own.
@@ -24,7 +24,7 @@ impl Plan {
         // Not to be asked without need: it may start the threads.
         let threads = if most < 2 { 1 } else { rayon::current_num_threads() };
         let for_each = |count: usize| if threads < 2 { 1 } else { (count * threads).min(most) };
-        Plan { pieces: for_each(8), stretches: for_each(1), quick: true }
+        Plan { pieces: for_each(8), stretches: for_each(1), fast_path: true }
     }
 }
 

@@ -1,9 +1,9 @@
 //! Faces in their plain form: `f` and corners of digits, slashes and minus signs, with one blank between them.
 
 use super::faces::Faces;
-use super::quick::{Line, REACH};
+use super::fast_path::{Line, REACH};
 use super::scan;
-use super::vertices::{Corner, Kind};
+use super::vertices::{Corner, CornerAttributes};
 
 /// A face as exporters write it, being read.
 pub(super) struct PlainFace<'a> {
@@ -70,7 +70,7 @@ fn plain_corner<const NEGATIVE: bool>(line: &mut Line<'_>, faces: &Faces<'_>) ->
             }
         }
     }
-    Some((((position.value - 1) as u32, Kind::new(tex_coord.value, normal.value)), end))
+    Some((((position.value - 1) as u32, CornerAttributes::new(tex_coord.value, normal.value)), end))
 }
 
 /// An index that points at something, from 1, and how it is written.

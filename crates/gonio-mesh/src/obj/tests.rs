@@ -14,10 +14,10 @@ fn read(text: &[u8], plan: Plan) -> Result<Model, ReadError> {
 
 /// Read byte by byte in one piece, and in every other way: the same. Returns that.
 fn same_in_every_way(text: &[u8], name: &str) -> Result<Model, ReadError> {
-    let expected = read(text, Plan { pieces: 1, stretches: 1, quick: false });
+    let expected = read(text, Plan { pieces: 1, stretches: 1, fast_path: false });
     for (pieces, stretches) in [(1, 1), (2, 1), (2, 2), (3, 2), (4, 4), (7, 3), (9, 9), (40, 40)] {
-        for quick in [true, false] {
-            let plan = Plan { pieces, stretches, quick };
+        for fast_path in [true, false] {
+            let plan = Plan { pieces, stretches, fast_path };
             let found = read(text, plan);
             match (&expected, &found) {
                 (Ok(expected), Ok(found)) => {

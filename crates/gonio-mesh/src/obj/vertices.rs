@@ -10,9 +10,9 @@ use std::collections::HashMap;
 
 /// Texture coordinate and normal of a corner, as one number: their indices from 1, 0 for none.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub(super) struct Kind(u64);
+pub(super) struct CornerAttributes(u64);
 
-impl Kind {
+impl CornerAttributes {
     /// Set in every kind, so that it differs from no kind at all.
     const IS_USED: u64 = 1 << 63;
     /// The largest index of a normal.
@@ -23,7 +23,7 @@ impl Kind {
     /// Of indices within the limits above.
     #[inline(always)]
     pub(super) fn new(tex_coord: u64, normal: u64) -> Self {
-        Kind(Self::IS_USED | normal << 32 | tex_coord)
+        CornerAttributes(Self::IS_USED | normal << 32 | tex_coord)
     }
 
     /// Whether there is one at all.
@@ -51,7 +51,7 @@ impl Kind {
 
     /// A number in place of a kind, which is none.
     pub(super) fn number(number: u32) -> Self {
-        Kind(u64::from(number))
+        CornerAttributes(u64::from(number))
     }
 
     /// The number, where this is one.
@@ -61,7 +61,7 @@ impl Kind {
 }
 
 /// A corner: its position, from 0, and what else it has.
-pub(super) type Corner = (u32, Kind);
+pub(super) type Corner = (u32, CornerAttributes);
 
 /// Vertices of some faces.
 #[derive(Default)]
@@ -128,13 +128,13 @@ impl Vertices {
 
     /// The first kind of corner of a position.
     #[inline(always)]
-    pub(super) fn first(&self, position: usize) -> Kind {
-        Kind(self.first[position])
+    pub(super) fn first(&self, position: usize) -> CornerAttributes {
+        CornerAttributes(self.first[position])
     }
 
     /// Puts something in place of the first kind of a position.
     #[inline(always)]
-    pub(super) fn set_first(&mut self, position: usize, kind: Kind) {
+    pub(super) fn set_first(&mut self, position: usize, kind: CornerAttributes) {
         self.first[position] = kind.0;
         self.touched[position / BLOCK] = true;
     }
@@ -154,12 +154,12 @@ impl Vertices {
 
     /// Used positions and their first kinds, in order.
     #[inline(always)]
-    pub(super) fn firsts(&self) -> impl Iterator<Item = (usize, Kind)> {
+    pub(super) fn firsts(&self) -> impl Iterator<Item = (usize, CornerAttributes)> {
         self.first
             .iter()
             .enumerate()
             .filter(|(_, first)| **first != 0)
-            .map(|(position, first)| (position, Kind(*first)))
+            .map(|(position, first)| (position, CornerAttributes(*first)))
     }
 
     /// How many positions are used.

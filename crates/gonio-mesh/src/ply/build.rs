@@ -55,7 +55,7 @@ fn cut(
     let keeps_corners = !faces.tex_coords.is_empty() || !faces.colors.is_empty();
     let mut triangles =
         Triangles { indices: Vec::with_capacity(faces.corners.len()), corners: Vec::new(), parts: Vec::new() };
-    let mut odd = Odd::default();
+    let mut anomalies = Anomalies::default();
     let mut triangulator = Triangulator::default();
     let (mut polygon, mut points) = (Vec::new(), Vec::new());
     let mut first_corner = 0;
@@ -72,7 +72,7 @@ fn cut(
         points.clear();
         points.extend(polygon.iter().map(|&corner| vertices.positions[faces.corners[corner] as usize]));
         if vertices.not_finite > 0 && !points.iter().flatten().all(|c| c.is_finite()) {
-            odd.not_finite += 1;
+            anomalies.not_finite += 1;
             continue;
         }
         let before = triangles.indices.len() / 3;
@@ -83,15 +83,15 @@ fn cut(
                 triangles.corners.extend(corners.map(|corner| if faces.tex_coords.is_empty() { face } else { corner }));
             }
         });
-        odd.count(how);
+        anomalies.count(how);
         let after = triangles.indices.len() / 3;
         if after as u64 > limits.max_triangles {
             return Err(too_many_triangles(limits.max_triangles));
         }
-        let material = odd.material(faces.textures.get(face).copied().unwrap_or(0), texture_count, face);
+        let material = anomalies.material(faces.textures.get(face).copied().unwrap_or(0), texture_count, face);
         extend_parts(&mut triangles.parts, material, before, after - before);
     }
-    odd.report(reports);
+    anomalies.report(reports);
     Ok(triangles)
 }
 
@@ -105,14 +105,14 @@ fn extend_parts(parts: &mut Vec<Part>, material: usize, first_triangle: usize, t
 
 /// What may be odd about any face.
 #[derive(Default)]
-struct Odd {
+struct Anomalies {
     not_finite: u64,
     not_simple: u64,
     too_large: u64,
     textures: Tally,
 }
 
-impl Odd {
+impl Anomalies {
     fn count(&mut self, cut: Cut) {
         match cut {
             Cut::Fan | Cut::Ears => {}

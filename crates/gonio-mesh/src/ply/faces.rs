@@ -1,8 +1,8 @@
 //! The elements `face` and `tristrips`: polygons as lists of vertices.
 
 use super::header::{Element, Property};
+use super::number_reader::{ListProblem, NumberReader, explain, list_length, skip_property};
 use super::scalar::Scalar;
-use super::source::{ListProblem, Source, explain, list_length, skip_property};
 use super::vertices::{LinearFromSrgb, color_slot};
 use crate::polygon::MOST_CORNERS;
 use crate::report::Reports;
@@ -16,7 +16,7 @@ pub(super) const NO_TEXTURE: i64 = -1;
 #[derive(Default)]
 pub(super) struct Faces {
     /// How many the file tells of.
-    pub(super) told: u64,
+    pub(super) declared: u64,
     pub(super) corners: Vec<u32>,
     /// Where in `corners` each face ends.
     pub(super) ends: Vec<usize>,
@@ -75,7 +75,7 @@ struct Face {
 
 /// Reads the element `face`. Faces that point at no vertex are left out.
 pub(super) fn read(
-    source: &mut impl Source,
+    source: &mut impl NumberReader,
     element: &Element,
     roles: &[Role],
     vertex_count: u64,
@@ -87,7 +87,7 @@ pub(super) fn read(
     let has = |role| roles.contains(&role);
     let (has_tex_coords, has_texture, has_color) = (has(Role::TexCoords), has(Role::Texture), has(Role::Color(0)));
     let linear = LinearFromSrgb::new();
-    let mut faces = Faces { told: element.count, ..Faces::default() };
+    let mut faces = Faces { declared: element.count, ..Faces::default() };
     // A face takes more bytes than this, if it is one.
     faces.ends.reserve((element.count as usize).min(source.left() / 4));
     let mut face = Face::default();
@@ -120,7 +120,7 @@ pub(super) fn read(
 
 impl Face {
     #[inline]
-    fn property(&mut self, source: &mut impl Source, property: &Property, role: Role) -> Result<(), ListProblem> {
+    fn property(&mut self, source: &mut impl NumberReader, property: &Property, role: Role) -> Result<(), ListProblem> {
         match (role, property.count) {
             (Role::Corners, Some(count)) => numbers(source, property, count, MOST_CORNERS as u64, &mut self.corners),
             (Role::TexCoords, Some(count)) => {
@@ -145,7 +145,7 @@ impl Face {
 
 #[inline]
 fn numbers(
-    source: &mut impl Source,
+    source: &mut impl NumberReader,
     property: &Property,
     count: Scalar,
     most: u64,
@@ -212,7 +212,11 @@ impl Faces {
 }
 
 /// Reads the element `tristrips`: strips of triangles, of which every second one turns the other way; -1 parts them.
-pub(super) fn read_strips(source: &mut impl Source, element: &Element, vertex_count: u64) -> Result<Faces, ReadError> {
+pub(super) fn read_strips(
+    source: &mut impl NumberReader,
+    element: &Element,
+    vertex_count: u64,
+) -> Result<Faces, ReadError> {
     let mut faces = Faces::default();
     let mut strip = Vec::new();
     let roles = Role::all_of(element);
@@ -233,7 +237,7 @@ pub(super) fn read_strips(source: &mut impl Source, element: &Element, vertex_co
                 if a == b || b == c || a == c {
                     continue;
                 }
-                faces.told += 1;
+                faces.declared += 1;
                 let turned = if i % 2 == 0 { [a, b, c] } else { [b, a, c] };
                 faces.add(&turned, vertex_count, source.line(), "strip", index);
             }

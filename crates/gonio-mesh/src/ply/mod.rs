@@ -21,17 +21,17 @@
 mod build;
 mod faces;
 mod header;
+mod number_reader;
 mod scalar;
-mod source;
 mod vertices;
 
 use crate::encoding::read_as_utf8;
 use crate::report::Reports;
-use crate::{Diagnostic, Limits, Material, Model, ReadError, Sidecars, Source as Origin, TextureMap};
+use crate::{Diagnostic, Limits, Material, Model, PropertySource as Origin, ReadError, Sidecars, TextureMap};
 use faces::{Faces, Role};
 use header::{Element, Encoding, Header};
-use source::{Binary, Source, Text, explain, skip_property};
-use vertices::{Plan, Vertices};
+use number_reader::{AsciiReader, BinaryReader, NumberReader, explain, skip_property};
+use vertices::{VertexLayout, Vertices};
 
 /// Reads a PLY file. It names no other files but textures.
 ///
@@ -50,15 +50,15 @@ fn read_utf8(bytes: &[u8], limits: &Limits) -> Result<Model, ReadError> {
     let header = Header::parse(bytes, &mut reports)?;
     let at = header.end;
     let body = match header.encoding {
-        Encoding::Ascii => Body::read(Text::new(bytes, at, header.end_line), &header, limits, &mut reports)?,
-        Encoding::LittleEndian => Body::read(Binary::new(bytes, at, false), &header, limits, &mut reports)?,
-        Encoding::BigEndian => Body::read(Binary::new(bytes, at, true), &header, limits, &mut reports)?,
+        Encoding::Ascii => Body::read(AsciiReader::new(bytes, at, header.end_line), &header, limits, &mut reports)?,
+        Encoding::LittleEndian => Body::read(BinaryReader::new(bytes, at, false), &header, limits, &mut reports)?,
+        Encoding::BigEndian => Body::read(BinaryReader::new(bytes, at, true), &header, limits, &mut reports)?,
     };
     let Some(vertices) = body.vertices else {
         return Err(ReadError::new("has no vertex element: nothing to draw"));
     };
     let vertex_count = vertices.positions.len();
-    if body.faces.told == 0 {
+    if body.faces.declared == 0 {
         let points = if vertex_count == 1 { "point" } else { "points" };
         return Err(ReadError::new(format!("contains {vertex_count} {points} but no faces: nothing to draw")));
     }
@@ -67,7 +67,7 @@ fn read_utf8(bytes: &[u8], limits: &Limits) -> Result<Model, ReadError> {
     let has_colors = !vertices.colors.is_empty() || !body.faces.colors.is_empty();
     let mesh = build::mesh(vertices, &body.faces, header.textures.len(), limits, &mut reports)?;
     if mesh.indices.is_empty() {
-        return Err(nothing_to_draw(vertex_count, body.faces.told, &reports));
+        return Err(nothing_to_draw(vertex_count, body.faces.declared, &reports));
     }
     if !header.textures.is_empty() && mesh.tex_coords.is_empty() {
         let message = "the file names a texture, but it has no texture coordinates";
@@ -92,7 +92,7 @@ struct Body {
 }
 
 impl Body {
-    fn read<S: Source>(
+    fn read<S: NumberReader>(
         mut source: S,
         header: &Header,
         limits: &Limits,
@@ -105,16 +105,16 @@ impl Body {
             let is_first = header.elements[..i].iter().all(|other| other.name != element.name);
             match element.name.as_str() {
                 "vertex" if is_first => {
-                    let plan = Plan::of(element);
-                    body.list_unread(element, |property| plan.reads(property));
-                    body.vertices = Some(vertices::read(&mut source, element, &plan, limits, reports)?);
+                    let layout = VertexLayout::of_element(element);
+                    body.list_unread(element, |property| layout.reads(property));
+                    body.vertices = Some(vertices::read(&mut source, element, &layout, limits, reports)?);
                 }
-                "face" if is_first && body.faces.told == 0 => {
+                "face" if is_first && body.faces.declared == 0 => {
                     let roles = Role::all_of(element);
                     body.list_unread(element, |property| roles[property] != Role::Unused);
                     body.faces = faces::read(&mut source, element, &roles, vertex_count)?;
                 }
-                "tristrips" if is_first && body.faces.told == 0 => {
+                "tristrips" if is_first && body.faces.declared == 0 => {
                     body.faces = faces::read_strips(&mut source, element, vertex_count)?;
                 }
                 _ => {
@@ -137,7 +137,7 @@ impl Body {
 }
 
 /// Nothing is allocated for elements that cannot be there.
-fn check_count(source: &impl Source, element: &Element, encoding: Encoding) -> Result<(), ReadError> {
+fn check_count(source: &impl NumberReader, element: &Element, encoding: Encoding) -> Result<(), ReadError> {
     let least = element.least_size(encoding) as u64;
     let possible = (source.left() as u64).checked_div(least).unwrap_or(u64::MAX);
     if element.count <= possible {
@@ -148,7 +148,7 @@ fn check_count(source: &impl Source, element: &Element, encoding: Encoding) -> R
     Err(ReadError::new(format!("{message}, but at most {possible} fit in the remaining bytes; get it again")))
 }
 
-fn step_over(source: &mut impl Source, element: &Element) -> Result<(), ReadError> {
+fn step_over(source: &mut impl NumberReader, element: &Element) -> Result<(), ReadError> {
     if element.properties.is_empty() {
         return Ok(());
     }

@@ -1,7 +1,7 @@
 //! The element `vertex`.
 
 use super::header::Element;
-use super::source::{ListProblem, Source, explain, skip_property};
+use super::number_reader::{ListProblem, NumberReader, explain, skip_property};
 use crate::report::Reports;
 use crate::tally::Tally;
 use crate::{Diagnostic, Limits, ReadError, Severity};
@@ -55,7 +55,7 @@ pub(super) struct Vertices {
 }
 
 /// Which property goes where.
-pub(super) struct Plan {
+pub(super) struct VertexLayout {
     slots: Vec<Option<usize>>,
     /// What each property of a colour is divided by.
     whites: Vec<f32>,
@@ -64,9 +64,9 @@ pub(super) struct Plan {
     has_colors: bool,
 }
 
-impl Plan {
+impl VertexLayout {
     /// The first property of a name counts; a list is none of these.
-    pub(super) fn of(element: &Element) -> Plan {
+    pub(super) fn of_element(element: &Element) -> VertexLayout {
         let mut taken = [false; SLOTS];
         let mut slots: Vec<Option<usize>> = Vec::with_capacity(element.properties.len());
         for property in &element.properties {
@@ -75,18 +75,18 @@ impl Plan {
             slots.push(free);
         }
         let has = |range: std::ops::Range<usize>| taken[range].iter().all(|&taken| taken);
-        let plan = Plan {
+        let layout = VertexLayout {
             slots,
             whites: element.properties.iter().map(|p| p.value.white() as f32).collect(),
             has_normals: has(NORMAL..TEX_COORD),
             has_tex_coords: has(TEX_COORD..COLOR),
             has_colors: has(COLOR..ALPHA),
         };
-        plan.without_halves()
+        layout.without_halves()
     }
 
     /// Two of three coordinates of a normal are none: they are stepped over.
-    fn without_halves(mut self) -> Plan {
+    fn without_halves(mut self) -> VertexLayout {
         let keeps = |slot: usize| match slot {
             0..NORMAL => true,
             NORMAL..TEX_COORD => self.has_normals,
@@ -118,13 +118,13 @@ impl Plan {
 
 /// Reads all of them.
 pub(super) fn read(
-    source: &mut impl Source,
+    source: &mut impl NumberReader,
     element: &Element,
-    plan: &Plan,
+    layout: &VertexLayout,
     limits: &Limits,
     reports: &mut Reports,
 ) -> Result<Vertices, ReadError> {
-    plan.check()?;
+    layout.check()?;
     if element.count > limits.max_vertices.min(u64::from(u32::MAX)) {
         let most = limits.max_vertices.min(u64::from(u32::MAX));
         return Err(ReadError::new(format!(
@@ -136,18 +136,18 @@ pub(super) fn read(
     let count = element.count as usize;
     let mut vertices = Vertices::default();
     vertices.positions.reserve_exact(count);
-    vertices.normals.reserve_exact(if plan.has_normals { count } else { 0 });
-    vertices.tex_coords.reserve_exact(if plan.has_tex_coords { count } else { 0 });
-    vertices.colors.reserve_exact(if plan.has_colors { count } else { 0 });
-    let mut odd = Odd::default();
+    vertices.normals.reserve_exact(if layout.has_normals { count } else { 0 });
+    vertices.tex_coords.reserve_exact(if layout.has_tex_coords { count } else { 0 });
+    vertices.colors.reserve_exact(if layout.has_colors { count } else { 0 });
+    let mut anomalies = Anomalies::default();
     for index in 0..element.count {
         let mut values = [0.0_f32; SLOTS];
         values[ALPHA] = 1.0;
         source.begin();
         for (i, property) in element.properties.iter().enumerate() {
-            match plan.slots[i] {
+            match layout.slots[i] {
                 Some(slot) => match source.coordinate(property.value) {
-                    Ok(value) if slot >= COLOR => values[slot] = value / plan.whites[i],
+                    Ok(value) if slot >= COLOR => values[slot] = value / layout.whites[i],
                     Ok(value) => values[slot] = value,
                     Err(problem) => {
                         return Err(explain(ListProblem::Number(problem), source, element, index, property));
@@ -157,46 +157,46 @@ pub(super) fn read(
             }
         }
         source.end();
-        odd.line = source.line();
-        vertices.push(&values, plan, index, &mut odd);
+        anomalies.line = source.line();
+        vertices.push(&values, layout, index, &mut anomalies);
     }
-    vertices.decode_colors(&mut odd, reports);
-    odd.report(reports);
+    vertices.decode_colors(&mut anomalies, reports);
+    anomalies.report(reports);
     Ok(vertices)
 }
 
 impl Vertices {
-    fn push(&mut self, values: &[f32; SLOTS], plan: &Plan, index: u64, odd: &mut Odd) {
+    fn push(&mut self, values: &[f32; SLOTS], layout: &VertexLayout, index: u64, anomalies: &mut Anomalies) {
         let &[x, y, z, nx, ny, nz, u, v, r, g, b, a] = values;
         self.positions.push([x, y, z]);
         if ![x, y, z].iter().all(|c| c.is_finite()) {
             self.not_finite += 1;
         }
-        if plan.has_normals {
+        if layout.has_normals {
             if ![nx, ny, nz].iter().all(|c| c.is_finite()) {
-                odd.normals.add(odd.line, || format!("vertex {index}"));
+                anomalies.normals.add(anomalies.line, || format!("vertex {index}"));
             }
             let unit = DVec3::new(nx.into(), ny.into(), nz.into()).normalize_or_zero();
             self.normals.push(unit.as_vec3().to_array());
         }
-        if plan.has_tex_coords {
+        if layout.has_tex_coords {
             let finite = u.is_finite() && v.is_finite();
             if !finite {
-                odd.tex_coords.add(odd.line, || format!("vertex {index}"));
+                anomalies.tex_coords.add(anomalies.line, || format!("vertex {index}"));
             }
             self.tex_coords.push(if finite { [u, v] } else { [0.0; 2] });
         }
-        if plan.has_colors {
+        if layout.has_colors {
             let color = [r, g, b, a];
             if !color.iter().all(|c| c.is_finite()) {
-                odd.colors_not_finite.add(odd.line, || format!("vertex {index}"));
+                anomalies.colors_not_finite.add(anomalies.line, || format!("vertex {index}"));
             }
             self.colors.push(color.map(|c| if c.is_finite() { c } else { 0.0 }));
         }
     }
 
     /// From sRGB to linear, in place.
-    fn decode_colors(&mut self, odd: &mut Odd, reports: &mut Reports) {
+    fn decode_colors(&mut self, anomalies: &mut Anomalies, reports: &mut Reports) {
         let largest = self.colors.iter().flat_map(|c| &c[..3]).fold(0.0, |a: f32, &b| a.max(b));
         let is_in_bytes = largest > 1.0 && largest <= 255.0;
         if is_in_bytes {
@@ -210,7 +210,7 @@ impl Vertices {
                 *color = [r / 255.0, g / 255.0, b / 255.0, if a > 1.0 { a / 255.0 } else { a }];
             }
             if !color.iter().all(|c| (0.0..=1.0).contains(c)) {
-                odd.colors.add(None, || format!("vertex {index}"));
+                anomalies.colors.add(None, || format!("vertex {index}"));
             }
             *color = linear.rgba(*color);
         }
@@ -219,7 +219,7 @@ impl Vertices {
 
 /// What may be odd about any vertex.
 #[derive(Default)]
-struct Odd {
+struct Anomalies {
     line: Option<u64>,
     normals: Tally,
     tex_coords: Tally,
@@ -227,7 +227,7 @@ struct Odd {
     colors: Tally,
 }
 
-impl Odd {
+impl Anomalies {
     fn report(&self, reports: &mut Reports) {
         self.normals.report(Severity::Warning, reports, |tally| {
             let vertices = tally.counted("vertex has", "vertices have");

@@ -9,7 +9,8 @@ use crate::text::{BadNumber, Cursor, quote};
 use crate::{Limits, ReadError, Severity};
 
 pub(super) fn read(bytes: &[u8], limits: &Limits, reports: &mut Reports) -> Result<Facets, ReadError> {
-    let mut reader = Reader { facets: Facets::default(), open: Open::default(), odd: Odd::default(), limits };
+    let mut reader =
+        Reader { facets: Facets::default(), open: Open::default(), anomalies: Anomalies::default(), limits };
     let mut cursor = Cursor::new(bytes);
     while !cursor.at_end() {
         while cursor.next_word() {
@@ -23,7 +24,7 @@ pub(super) fn read(bytes: &[u8], limits: &Limits, reports: &mut Reports) -> Resu
 struct Reader<'a> {
     facets: Facets,
     open: Open,
-    odd: Odd,
+    anomalies: Anomalies,
     limits: &'a Limits,
 }
 
@@ -40,7 +41,7 @@ struct Open {
 }
 
 #[derive(Default)]
-struct Odd {
+struct Anomalies {
     polygons: Tally,
     too_short: Tally,
     normals: Tally,
@@ -104,14 +105,14 @@ impl Reader<'_> {
         if is_there {
             return normal;
         }
-        self.odd.normals.add(Some(line), String::new);
+        self.anomalies.normals.add(Some(line), String::new);
         [0.0; 3]
     }
 
     /// A facet or solid begins before the last facet ended.
     fn end_unended_facet(&mut self) -> Result<(), ReadError> {
         if self.open.facet {
-            self.odd.unended.add(Some(self.open.line), String::new);
+            self.anomalies.unended.add(Some(self.open.line), String::new);
             return self.end_facet();
         }
         Ok(())
@@ -124,9 +125,9 @@ impl Reader<'_> {
         let place = || format!("that of line {line}");
         match corners[..] {
             [a, b, c] => drop(facets.add(normal, [a, b, c], Some(line), place)),
-            [] | [_] | [_, _] => self.odd.too_short.add(Some(line), String::new),
+            [] | [_] | [_, _] => self.anomalies.too_short.add(Some(line), String::new),
             ref corners if corners.iter().flatten().all(|c| c.is_finite()) => {
-                self.odd.polygons.add(Some(line), String::new);
+                self.anomalies.polygons.add(Some(line), String::new);
                 triangulator.triangulate(corners, |triangle| {
                     facets.add(normal, triangle.map(|i| corners[i]), Some(line), place);
                 });
@@ -151,20 +152,25 @@ impl Reader<'_> {
         let warn = |tally: &Tally, reports: &mut Reports, one: &str, many: &str| {
             tally.report(Severity::Warning, reports, |tally| tally.counted(one, many));
         };
-        let odd = &self.odd;
-        warn(&odd.unended, reports, "facet has no endfacet", "facets have no endfacet (this is the first)");
+        let anomalies = &self.anomalies;
+        warn(&anomalies.unended, reports, "facet has no endfacet", "facets have no endfacet (this is the first)");
         let (one, many) = ("facet has fewer than 3 corners", "facets have fewer than 3 corners");
-        warn(&odd.too_short, reports, &format!("{one}: left out"), &format!("{many} (this is the first): left out"));
+        warn(
+            &anomalies.too_short,
+            reports,
+            &format!("{one}: left out"),
+            &format!("{many} (this is the first): left out"),
+        );
         let (one, many) = ("facet has more than 3 corners", "facets have more than 3 corners");
         warn(
-            &odd.polygons,
+            &anomalies.polygons,
             reports,
             &format!("{one}: triangulated"),
             &format!("{many} (this is the first): triangulated"),
         );
         let (one, many) = ("facet has an invalid normal", "facets have an invalid normal");
         let rest = "computed from the corners";
-        warn(&odd.normals, reports, &format!("{one}: {rest}"), &format!("{many} (this is the first): {rest}"));
+        warn(&anomalies.normals, reports, &format!("{one}: {rest}"), &format!("{many} (this is the first): {rest}"));
         let solids = self.facets.solids.len() as u64;
         self.facets.contents = vec![("solid".to_owned(), solids), ("facet".to_owned(), self.facets.count() as u64)];
         Ok(self.facets)

@@ -3,7 +3,7 @@
 use super::Facets;
 use crate::report::Reports;
 use crate::tally::Tally;
-use crate::{Diagnostic, Limits, Material, ReadError, Severity, Source};
+use crate::{Diagnostic, Limits, Material, PropertySource, ReadError, Severity};
 use gonio_light::color::srgb_decode;
 
 const HEADER: usize = 80;
@@ -11,7 +11,7 @@ const FACETS_AT: usize = 84;
 const FACET: usize = 50;
 
 /// How many facets the file says it has, in either byte order.
-fn told(bytes: &[u8], is_big_endian: bool) -> Option<u64> {
+fn declared_count(bytes: &[u8], is_big_endian: bool) -> Option<u64> {
     let count = bytes.get(HEADER..)?.first_chunk().copied()?;
     Some(u64::from(if is_big_endian { u32::from_be_bytes(count) } else { u32::from_le_bytes(count) }))
 }
@@ -22,11 +22,13 @@ fn size_of(count: u64) -> u64 {
 
 /// Whether the file is as long as it says, in either byte order.
 pub(super) fn has_exact_size(bytes: &[u8]) -> bool {
-    [false, true].iter().any(|&order| told(bytes, order).is_some_and(|count| size_of(count) == bytes.len() as u64))
+    [false, true]
+        .iter()
+        .any(|&order| declared_count(bytes, order).is_some_and(|count| size_of(count) == bytes.len() as u64))
 }
 
 pub(super) fn read(bytes: &[u8], limits: &Limits, reports: &mut Reports) -> Result<Facets, ReadError> {
-    let Some(count) = told(bytes, false) else {
+    let Some(count) = declared_count(bytes, false) else {
         let message = format!("this is not an STL file: it does not begin with `solid`, and {} bytes", bytes.len());
         return Err(ReadError::new(message + " are too few for a binary one (84 at least)"));
     };
@@ -62,28 +64,28 @@ pub(super) fn read(bytes: &[u8], limits: &Limits, reports: &mut Reports) -> Resu
 }
 
 /// How many facets to read, in which byte order.
-fn count_and_order(bytes: &[u8], told_count: u64, reports: &mut Reports) -> Result<(u64, bool), ReadError> {
+fn count_and_order(bytes: &[u8], declared: u64, reports: &mut Reports) -> Result<(u64, bool), ReadError> {
     let size = bytes.len() as u64;
     let there = (size - FACETS_AT as u64) / FACET as u64;
     let mut warn = |message: String| reports.push(0, Diagnostic::warning(message));
-    if size == size_of(told_count) {
-        return Ok((told_count, false));
+    if size == size_of(declared) {
+        return Ok((declared, false));
     }
-    if let Some(count) = told(bytes, true).filter(|&count| size == size_of(count)) {
+    if let Some(count) = declared_count(bytes, true).filter(|&count| size == size_of(count)) {
         warn("the numbers are big-endian, contrary to the specification: read as such".to_owned());
         return Ok((count, true));
     }
-    if told_count == 0 && there > 0 && size == size_of(there) {
+    if declared == 0 && there > 0 && size == size_of(there) {
         warn(format!("the file declares no facets but contains {there}: they are read"));
         return Ok((there, false));
     }
-    if size < size_of(told_count) {
-        let message = format!("the file declares {told_count} facets but contains only {there}: it is cut off");
+    if size < size_of(declared) {
+        let message = format!("the file declares {declared} facets but contains only {there}: it is cut off");
         return Err(ReadError::new(message + " (or not an STL file), get it again"));
     }
-    let more = size - size_of(told_count);
-    warn(format!("{more} bytes after the last facet (from byte {}) are ignored", size_of(told_count)));
-    Ok((told_count, false))
+    let more = size - size_of(declared);
+    warn(format!("{more} bytes after the last facet (from byte {}) are ignored", size_of(declared)));
+    Ok((declared, false))
 }
 
 /// Gives facets, or the material, the colours of the file.
@@ -112,11 +114,11 @@ fn color_by_viscam(facets: &mut Facets, attributes: &[u16], reports: &mut Report
         let colored = attributes.iter().filter(|a| has_color(**a)).count() as u64;
         facets.contents.push(("facet with a color".to_owned(), colored));
     }
-    let mut odd = Tally::default();
+    let mut anomalies = Tally::default();
     for (index, _) in attributes.iter().enumerate().filter(|(_, a)| **a != 0 && !has_color(**a)) {
-        odd.add(None, || format!("facet {index}"));
+        anomalies.add(None, || format!("facet {index}"));
     }
-    odd.report(Severity::Note, reports, |tally| {
+    anomalies.report(Severity::Note, reports, |tally| {
         let facets = tally.counted("facet has", "facets have");
         format!("{facets} attribute bytes that are not a color (the first is {}): ignored", tally.first)
     });
@@ -132,7 +134,7 @@ fn color_by_magics(facets: &mut Facets, rgba: &[u8], attributes: &[u16], reports
         opacity = 1.0;
     }
     let source =
-        |property, rule: &str| Source { property, line: None, written: written.clone(), rule: rule.to_owned() };
+        |property, rule: &str| PropertySource { property, line: None, written: written.clone(), rule: rule.to_owned() };
     // No facet of a colour of its own is black: programs that know no colours write 0.
     let has_color = |attribute: u16| attribute & 0x8000 == 0;
     let is_colored = attributes.iter().any(|&attribute| has_color(attribute) && attribute != 0);
@@ -153,6 +155,6 @@ fn color_by_magics(facets: &mut Facets, rgba: &[u8], attributes: &[u16], reports
 }
 
 fn white_material(rule: &str) -> Material {
-    let source = Source { property: "diffuse", line: None, written: String::new(), rule: rule.to_owned() };
+    let source = PropertySource { property: "diffuse", line: None, written: String::new(), rule: rule.to_owned() };
     Material { diffuse: [1.0; 3], sources: vec![source], ..Material::default() }
 }

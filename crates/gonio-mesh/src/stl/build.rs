@@ -64,23 +64,24 @@ fn parts(facets: &Facets) -> Vec<Part> {
 
 /// One for each facet: as written, or of its corners.
 fn normals(facets: &Facets, reports: &mut Reports) -> (Vec<[f32; 3]>, NormalSource) {
-    let mut odd = Odd::default();
+    let mut anomalies = Anomalies::default();
     let normals = facets.corners.chunks_exact(3).zip(&facets.normals).enumerate();
-    let normals: Vec<[f32; 3]> = normals.map(|(i, (corners, &written))| odd.normal(i, corners, written)).collect();
-    let computed = odd.absent.count + odd.against.count + odd.off.count;
-    odd.report(facets.count(), reports);
+    let normals: Vec<[f32; 3]> =
+        normals.map(|(i, (corners, &written))| anomalies.normal(i, corners, written)).collect();
+    let computed = anomalies.absent.count + anomalies.against.count + anomalies.off.count;
+    anomalies.report(facets.count(), reports);
     (normals, if computed == 0 { NormalSource::File } else { NormalSource::Flat })
 }
 
 #[derive(Default)]
-struct Odd {
+struct Anomalies {
     absent: Tally,
     against: Tally,
     off: Tally,
     no_area: Tally,
 }
 
-impl Odd {
+impl Anomalies {
     fn normal(&mut self, facet: usize, corners: &[[f32; 3]], written: [f32; 3]) -> [f32; 3] {
         let place = || format!("facet {facet}");
         // No unit vector comes of what is zero, infinite or no number.

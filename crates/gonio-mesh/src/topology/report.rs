@@ -1,6 +1,6 @@
 //! What is odd about how a mesh's triangles hang together, counted, with the first places.
 
-use super::Pieces;
+use super::DisjointSets;
 use crate::Mesh;
 use crate::weld::{self, Table, mix};
 use glam::{DVec3, Vec3};
@@ -89,10 +89,10 @@ pub fn report(mesh: &Mesh) -> TopologyReport {
     let mut report = TopologyReport { triangles: mesh.triangle_count() as u64, ..TopologyReport::default() };
     let is_point_or_edge = surface.degenerate(&mut report);
     surface.duplicates(&is_point_or_edge, &mut report);
-    let edges = Edges::of(&surface, &is_point_or_edge);
-    let mut fans = Pieces::new(mesh.indices.len());
-    let mut sides = Sides::new(mesh.triangle_count());
-    let mut pieces = Pieces::new(place_count);
+    let edges = HalfEdges::of_surface(&surface, &is_point_or_edge);
+    let mut fans = DisjointSets::new(mesh.indices.len());
+    let mut sides = OrientationSets::new(mesh.triangle_count());
+    let mut pieces = DisjointSets::new(place_count);
     let mut is_balanced = true;
     edges.visit(|low, high, uses| {
         report.edges += 1;
@@ -146,7 +146,7 @@ impl Surface<'_> {
         Finding { triangles: with.iter().copied().chain([t]).collect(), positions }
     }
 
-    fn edge_finding(&self, low: u32, high: u32, uses: &[Use]) -> Finding {
+    fn edge_finding(&self, low: u32, high: u32, uses: &[HalfEdge]) -> Finding {
         let triangles: Vec<usize> = uses.iter().take(MOST_PLACES).map(|edge| edge.triangle()).collect();
         let position = |place: u32| {
             let corner = triangles.first().map(|&t| self.mesh.triangle(t)).unwrap_or_default();
@@ -197,7 +197,7 @@ impl Surface<'_> {
     }
 
     /// Joins the corners of two triangles at both ends of an edge that they share.
-    fn join_fans(&self, fans: &mut Pieces, ends: [u32; 2], a: usize, b: usize) {
+    fn join_fans(&self, fans: &mut DisjointSets, ends: [u32; 2], a: usize, b: usize) {
         for end in ends {
             let corner = |t: usize| self.places(t).iter().position(|&place| place == end).map(|k| (3 * t + k) as u32);
             if let (Some(a), Some(b)) = (corner(a), corner(b)) {
@@ -207,7 +207,13 @@ impl Surface<'_> {
     }
 
     /// Counts positions, those with more than one fan, and the pieces.
-    fn positions(&self, left_out: &[bool], fans: &mut Pieces, pieces: &mut Pieces, report: &mut TopologyReport) {
+    fn positions(
+        &self,
+        left_out: &[bool],
+        fans: &mut DisjointSets,
+        pieces: &mut DisjointSets,
+        report: &mut TopologyReport,
+    ) {
         const NONE: u32 = u32::MAX;
         let mut fan_of_place = vec![NONE; self.place_count];
         let mut is_odd = vec![false; self.place_count];
@@ -231,7 +237,7 @@ impl Surface<'_> {
     }
 
     /// Area, volume, and whether every piece is the right way out.
-    fn measure(&self, pieces: &mut Pieces, report: &mut TopologyReport) {
+    fn measure(&self, pieces: &mut DisjointSets, report: &mut TopologyReport) {
         let origin = self.mesh.bounds().map_or(DVec3::ZERO, |bounds| bounds.center().as_dvec3());
         let mut volumes = vec![0.0_f64; if report.closed { self.place_count } else { 0 }];
         let mut volume = 0.0;
@@ -267,14 +273,14 @@ fn is_rotation([a, b, c]: [u32; 3], other: [u32; 3]) -> bool {
 
 /// A triangle's side along an edge: the triangle, and which way it goes.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-struct Use {
+struct HalfEdge {
     /// The place at the other end.
     high: u32,
     /// The corner it begins at, and, in the lowest bit, whether it goes from the lower place to the higher.
     corner: u64,
 }
 
-impl Use {
+impl HalfEdge {
     fn triangle(self) -> usize {
         (self.corner >> 1) as usize / 3
     }
@@ -285,14 +291,14 @@ impl Use {
 }
 
 /// All sides of all triangles, by the lower of their places.
-struct Edges {
-    uses: Vec<Use>,
+struct HalfEdges {
+    uses: Vec<HalfEdge>,
     /// Where those of each place end.
     ends: Vec<usize>,
 }
 
-impl Edges {
-    fn of(surface: &Surface<'_>, left_out: &[bool]) -> Self {
+impl HalfEdges {
+    fn of_surface(surface: &Surface<'_>, left_out: &[bool]) -> Self {
         let triangles = || (0..surface.mesh.triangle_count()).filter(|&t| !left_out[t]);
         let sides = |t: usize| {
             let [a, b, c] = surface.places(t);
@@ -307,20 +313,20 @@ impl Edges {
             // For now, where the place's begin.
             total += std::mem::replace(end, total);
         }
-        let mut uses = vec![Use { high: 0, corner: 0 }; total];
+        let mut uses = vec![HalfEdge { high: 0, corner: 0 }; total];
         for t in triangles() {
             for (k, (from, to)) in sides(t).into_iter().enumerate() {
                 let at = &mut ends[from.min(to) as usize];
                 let corner = ((3 * t + k) as u64) << 1 | u64::from(from < to);
-                uses[*at] = Use { high: from.max(to), corner };
+                uses[*at] = HalfEdge { high: from.max(to), corner };
                 *at += 1;
             }
         }
-        Edges { uses, ends }
+        HalfEdges { uses, ends }
     }
 
     /// Calls `visit` with the two places of each edge and its uses, in the order of the places.
-    fn visit(mut self, mut visit: impl FnMut(u32, u32, &[Use])) {
+    fn visit(mut self, mut visit: impl FnMut(u32, u32, &[HalfEdge])) {
         let mut first = 0;
         for (low, end) in self.ends.into_iter().enumerate() {
             let uses = &mut self.uses[first..end];
@@ -335,15 +341,15 @@ impl Edges {
 
 /// Triangles joined with or without turning one over: sets that remember, for each, whether it is turned against the
 /// set's root (union-find with parity).
-struct Sides {
+struct OrientationSets {
     parents: Vec<u32>,
     is_turned: Vec<bool>,
     is_orientable: bool,
 }
 
-impl Sides {
+impl OrientationSets {
     fn new(count: usize) -> Self {
-        Sides { parents: (0..count as u32).collect(), is_turned: vec![false; count], is_orientable: true }
+        OrientationSets { parents: (0..count as u32).collect(), is_turned: vec![false; count], is_orientable: true }
     }
 
     /// The root, and whether the triangle is turned against it.

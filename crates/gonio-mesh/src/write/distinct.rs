@@ -12,7 +12,7 @@ pub(super) struct Distinct {
 
 impl Distinct {
     /// Of `count` values (below 2^32), `N` numbers each: equal are those with the same bits.
-    pub(super) fn of<const N: usize>(count: usize, value: impl Fn(usize) -> [f32; N]) -> Distinct {
+    pub(super) fn from_values<const N: usize>(count: usize, value: impl Fn(usize) -> [f32; N]) -> Distinct {
         let bits = |index: usize| value(index).map(f32::to_bits);
         let mut table = Table::with_room_for(count);
         let mut distinct = Distinct { number_of: Vec::with_capacity(count), firsts: Vec::new() };
@@ -44,7 +44,7 @@ mod tests {
     #[test]
     fn the_same_bits_are_one_value() {
         let values = [[0.0], [1.0], [-0.0], [1.0], [0.0]];
-        let distinct = Distinct::of(values.len(), |i| values[i]);
+        let distinct = Distinct::from_values(values.len(), |i| values[i]);
         assert_eq!(distinct.number_of, [0, 1, 2, 1, 0]);
         assert_eq!(distinct.firsts, [0, 1, 2]);
     }

@@ -102,7 +102,7 @@ struct Numbers {
 fn write_vertices(mesh: &Mesh, text: &mut Text) -> Numbers {
     let count = mesh.positions.len();
     let positions = if mesh.colors.is_empty() {
-        let positions = Distinct::of(count, |i| mesh.positions[i]);
+        let positions = Distinct::from_values(count, |i| mesh.positions[i]);
         positions.indices().for_each(|i| text.statement("v", &mesh.positions[i]));
         positions
     } else {
@@ -110,7 +110,7 @@ fn write_vertices(mesh: &Mesh, text: &mut Text) -> Numbers {
             let ([x, y, z], [r, g, b, _]) = (mesh.positions[i], mesh.colors[i]);
             [x, y, z, r, g, b]
         };
-        let positions = Distinct::of(count, colored);
+        let positions = Distinct::from_values(count, colored);
         for i in positions.indices() {
             let [x, y, z, r, g, b] = colored(i);
             let [r, g, b] = [r, g, b].map(|c| srgb_encode(c.into()) as f32);
@@ -118,9 +118,9 @@ fn write_vertices(mesh: &Mesh, text: &mut Text) -> Numbers {
         }
         positions
     };
-    let tex_coords = Distinct::of(mesh.tex_coords.len(), |i| mesh.tex_coords[i]);
+    let tex_coords = Distinct::from_values(mesh.tex_coords.len(), |i| mesh.tex_coords[i]);
     tex_coords.indices().for_each(|i| text.statement("vt", &mesh.tex_coords[i]));
-    let normals = Distinct::of(mesh.normals.len(), |i| mesh.normals[i]);
+    let normals = Distinct::from_values(mesh.normals.len(), |i| mesh.normals[i]);
     normals.indices().for_each(|i| text.statement("vn", &mesh.normals[i]));
     Numbers { positions: positions.number_of, tex_coords: tex_coords.number_of, normals: normals.number_of }
 }

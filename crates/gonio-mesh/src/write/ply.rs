@@ -36,7 +36,7 @@ pub struct PlyFiles {
 pub fn write(model: &Model, stem: &str, encoding: Encoding) -> PlyFiles {
     let mesh = &model.mesh;
     let images = image_files(model, stem);
-    let textures = Textures::of(model);
+    let textures = Textures::of_model(model);
     let mut diagnostics = Vec::new();
     let mut text = Text::default();
     write_header(mesh, &textures, &images, encoding, &mut text, &mut diagnostics);
@@ -65,7 +65,7 @@ struct Textures<'a> {
 }
 
 impl<'a> Textures<'a> {
-    fn of(model: &'a Model) -> Self {
+    fn of_model(model: &'a Model) -> Self {
         let is_used = |index: usize| model.mesh.parts.iter().any(|part| part.material == index);
         let mut textures = Textures { maps: Vec::new(), number_of: Vec::new() };
         for (index, material) in model.materials.iter().enumerate() {

@@ -1,7 +1,7 @@
 //! Materials in the terms of the light equation.
 
 use crate::builder::{File, near, says};
-use gonio_mesh::{AmbientRule, Material, MetallicRoughness, Model, Source};
+use gonio_mesh::{AmbientRule, Material, MetallicRoughness, Model, PropertySource};
 use serde_json::{Value, json};
 
 /// A triangle of this material.
@@ -27,7 +27,7 @@ fn odd(material: Value) -> (Material, Vec<String>) {
     (model.materials.remove(0), said)
 }
 
-fn source<'m>(sources: &'m [Source], property: &str) -> &'m Source {
+fn source<'m>(sources: &'m [PropertySource], property: &str) -> &'m PropertySource {
     sources.iter().find(|s| s.property == property).unwrap_or_else(|| panic!("{property}: {sources:?}"))
 }
 

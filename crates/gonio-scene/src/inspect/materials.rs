@@ -1,7 +1,7 @@
 //! Materials as they were understood: each value, and where it came from.
 
 use crate::model_file::ModelFile;
-use gonio_mesh::{AmbientRule, Material, Source, TexelRule, TextureMap, Wrap};
+use gonio_mesh::{AmbientRule, Material, PropertySource, TexelRule, TextureMap, Wrap};
 use serde::Serialize;
 
 /// A material, value by value.
@@ -18,7 +18,7 @@ pub struct MaterialReport {
     pub values: Vec<ValueReport>,
     /// What the file says of it that no term of the light equation takes.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub unused: Vec<Source>,
+    pub unused: Vec<PropertySource>,
 }
 
 /// A value of a material.
@@ -92,7 +92,7 @@ fn values(m: &Material) -> Vec<ValueReport> {
         .into_iter()
         .map(|(property, value)| {
             // Those of the other parametrisation are named `metallic_roughness.metallic`.
-            let is_its = |source: &&Source| source.property.rsplit('.').next() == Some(property);
+            let is_its = |source: &&PropertySource| source.property.rsplit('.').next() == Some(property);
             let source = m.sources.iter().find(is_its);
             ValueReport {
                 property,

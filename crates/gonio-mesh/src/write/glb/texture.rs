@@ -10,7 +10,7 @@ use std::collections::HashMap;
 pub(super) type PictureKey = (Option<usize>, String);
 
 /// What was written of textures.
-pub(super) struct Written {
+pub(super) struct TextureLists {
     pub textures: Vec<Value>,
     pub samplers: Vec<Value>,
     pub images: Vec<Value>,
@@ -20,7 +20,7 @@ pub(super) struct Written {
 pub(super) struct TextureWriter<'m, 'i> {
     embedded: &'m [EmbeddedImage],
     ask: &'i mut dyn FnMut(&TextureMap) -> Option<Vec<u8>>,
-    written: Written,
+    written: TextureLists,
     known_images: HashMap<PictureKey, Option<usize>>,
     known_samplers: HashMap<[Wrap; 2], usize>,
     known_textures: HashMap<(usize, usize), usize>,
@@ -31,17 +31,17 @@ impl<'m, 'i> TextureWriter<'m, 'i> {
         TextureWriter {
             embedded,
             ask,
-            written: Written { textures: Vec::new(), samplers: Vec::new(), images: Vec::new() },
+            written: TextureLists { textures: Vec::new(), samplers: Vec::new(), images: Vec::new() },
             known_images: HashMap::new(),
             known_samplers: HashMap::new(),
             known_textures: HashMap::new(),
         }
     }
 
-    pub fn finish(&mut self) -> Written {
-        let Written { textures, samplers, images } = &mut self.written;
+    pub fn finish(&mut self) -> TextureLists {
+        let TextureLists { textures, samplers, images } = &mut self.written;
         let take = std::mem::take::<Vec<Value>>;
-        Written { textures: take(textures), samplers: take(samplers), images: take(images) }
+        TextureLists { textures: take(textures), samplers: take(samplers), images: take(images) }
     }
 
     /// A textureInfo; none where there is no picture to be had.

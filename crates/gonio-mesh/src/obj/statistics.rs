@@ -4,7 +4,7 @@ use super::tallies::Tallies;
 
 /// Numbers of things in a stretch of a file.
 #[derive(Default)]
-pub(super) struct Said {
+pub(super) struct Statistics {
     /// Statements that were understood, faces apart.
     pub(super) statements: u64,
     /// Faces by number of corners, the last for all larger ones; those left out are not in it.
@@ -24,7 +24,7 @@ pub(super) struct Said {
     pub(super) tallies: Tallies,
 }
 
-impl Said {
+impl Statistics {
     /// Statements that were understood, attributes apart.
     pub(super) fn understood(&self) -> u64 {
         self.statements + self.face_count()
@@ -41,7 +41,7 @@ impl Said {
     }
 
     /// With those of the stretch that follows.
-    pub(super) fn append(&mut self, other: Said) {
+    pub(super) fn append(&mut self, other: Statistics) {
         fn add<const N: usize>(sums: &mut [u64; N], more: [u64; N]) {
             sums.iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
         }
@@ -65,5 +65,5 @@ impl Said {
 /// Corners up to which faces are counted apart.
 pub(super) const MOST_COUNTED: usize = 8;
 
-/// The statements counted in [`Said::names`].
+/// The statements counted in [`Statistics::names`].
 pub(super) const NAMES: [&str; 5] = ["o", "g", "s", "usemtl", "mtllib"];

@@ -12,7 +12,7 @@ use crate::text::quote;
 
 /// Why there is no number.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Problem {
+pub(super) enum NumberProblem {
     /// The file is at its end.
     Ended,
     /// Something else stands here, at this line and column.
@@ -20,17 +20,17 @@ pub(super) enum Problem {
 }
 
 /// Where numbers come from.
-pub(super) trait Source {
+pub(super) trait NumberReader {
     /// Before each element.
     fn begin(&mut self) {}
     /// After each element.
     fn end(&mut self) {}
     /// The next number, for coordinates: rounded once.
-    fn coordinate(&mut self, scalar: Scalar) -> Result<f32, Problem>;
+    fn coordinate(&mut self, scalar: Scalar) -> Result<f32, NumberProblem>;
     /// The next number, for counts and indices.
-    fn number(&mut self, scalar: Scalar) -> Result<f64, Problem>;
+    fn number(&mut self, scalar: Scalar) -> Result<f64, NumberProblem>;
     /// Steps over a number.
-    fn skip(&mut self, scalar: Scalar) -> Result<(), Problem>;
+    fn skip(&mut self, scalar: Scalar) -> Result<(), NumberProblem>;
     /// How many bytes are left.
     fn left(&self) -> usize;
     /// The line of the element that is being read, of text.
@@ -40,7 +40,7 @@ pub(super) trait Source {
 }
 
 /// Text: each element on a line of its own.
-pub(super) struct Text<'a> {
+pub(super) struct AsciiReader<'a> {
     bytes: &'a [u8],
     at: usize,
     line: u64,
@@ -51,11 +51,11 @@ pub(super) struct Text<'a> {
     left_over: Tally,
 }
 
-impl<'a> Text<'a> {
+impl<'a> AsciiReader<'a> {
     /// From `at`, which is the beginning of a line.
     pub(super) fn new(bytes: &'a [u8], at: usize, line: u64) -> Self {
         let (continued, left_over) = (Tally::default(), Tally::default());
-        Text { bytes, at, line, line_start: at, element_line: line, continued, left_over }
+        AsciiReader { bytes, at, line, line_start: at, element_line: line, continued, left_over }
     }
 
     #[inline]
@@ -82,7 +82,7 @@ impl<'a> Text<'a> {
 
     /// To the next word, which ought to be on this line.
     #[inline]
-    fn find_word(&mut self) -> Result<(), Problem> {
+    fn find_word(&mut self) -> Result<(), NumberProblem> {
         self.skip_blanks();
         while self.skip_line_end() {
             let line = self.line;
@@ -91,7 +91,7 @@ impl<'a> Text<'a> {
             }
             self.skip_blanks();
         }
-        if self.at < self.bytes.len() { Ok(()) } else { Err(Problem::Ended) }
+        if self.at < self.bytes.len() { Ok(()) } else { Err(NumberProblem::Ended) }
     }
 
     #[inline]
@@ -106,7 +106,7 @@ impl<'a> Text<'a> {
     }
 
     /// The number that the standard library reads here, or what Microsoft's wrote for what is none.
-    fn slow_number(&mut self) -> Result<f64, Problem> {
+    fn slow_number(&mut self) -> Result<f64, NumberProblem> {
         let word = self.word();
         let text = std::str::from_utf8(word).unwrap_or_default();
         let microsoft_nan = || text.trim_start_matches('-').starts_with("1.#").then_some(f64::NAN);
@@ -117,13 +117,13 @@ impl<'a> Text<'a> {
             }
             None => {
                 let column = (self.at - self.line_start) as u64 + 1;
-                Err(Problem::NoNumber { found: quote(word), line: self.line, column })
+                Err(NumberProblem::NoNumber { found: quote(word), line: self.line, column })
             }
         }
     }
 }
 
-impl Source for Text<'_> {
+impl NumberReader for AsciiReader<'_> {
     fn begin(&mut self) {
         self.skip_blanks();
         while self.skip_line_end() {
@@ -144,7 +144,7 @@ impl Source for Text<'_> {
     }
 
     #[inline]
-    fn coordinate(&mut self, _: Scalar) -> Result<f32, Problem> {
+    fn coordinate(&mut self, _: Scalar) -> Result<f32, NumberProblem> {
         self.find_word()?;
         if let Some((value, length)) = number::f32_prefix(&self.bytes[self.at..])
             && self.is_word_end(self.at + length)
@@ -156,7 +156,7 @@ impl Source for Text<'_> {
     }
 
     #[inline]
-    fn number(&mut self, _: Scalar) -> Result<f64, Problem> {
+    fn number(&mut self, _: Scalar) -> Result<f64, NumberProblem> {
         self.find_word()?;
         if let Some((value, length)) = number::integer_prefix(&self.bytes[self.at..])
             && self.is_word_end(self.at + length)
@@ -167,7 +167,7 @@ impl Source for Text<'_> {
         self.slow_number()
     }
 
-    fn skip(&mut self, _: Scalar) -> Result<(), Problem> {
+    fn skip(&mut self, _: Scalar) -> Result<(), NumberProblem> {
         self.find_word()?;
         self.at += self.word().len();
         Ok(())
@@ -202,36 +202,36 @@ impl Source for Text<'_> {
 }
 
 /// Bytes.
-pub(super) struct Binary<'a> {
+pub(super) struct BinaryReader<'a> {
     bytes: &'a [u8],
     at: usize,
     is_big_endian: bool,
 }
 
-impl<'a> Binary<'a> {
+impl<'a> BinaryReader<'a> {
     pub(super) fn new(bytes: &'a [u8], at: usize, is_big_endian: bool) -> Self {
-        Binary { bytes, at, is_big_endian }
+        BinaryReader { bytes, at, is_big_endian }
     }
 }
 
-impl Source for Binary<'_> {
+impl NumberReader for BinaryReader<'_> {
     #[inline]
-    fn coordinate(&mut self, scalar: Scalar) -> Result<f32, Problem> {
+    fn coordinate(&mut self, scalar: Scalar) -> Result<f32, NumberProblem> {
         self.number(scalar).map(|value| value as f32)
     }
 
     #[inline]
-    fn number(&mut self, scalar: Scalar) -> Result<f64, Problem> {
+    fn number(&mut self, scalar: Scalar) -> Result<f64, NumberProblem> {
         let rest = self.bytes.get(self.at..).unwrap_or_default();
-        let value = scalar.read(rest, self.is_big_endian).ok_or(Problem::Ended)?;
+        let value = scalar.read(rest, self.is_big_endian).ok_or(NumberProblem::Ended)?;
         self.at += scalar.size();
         Ok(value)
     }
 
     #[inline]
-    fn skip(&mut self, scalar: Scalar) -> Result<(), Problem> {
+    fn skip(&mut self, scalar: Scalar) -> Result<(), NumberProblem> {
         if self.left() < scalar.size() {
-            return Err(Problem::Ended);
+            return Err(NumberProblem::Ended);
         }
         self.at += scalar.size();
         Ok(())
@@ -255,7 +255,7 @@ impl Source for Binary<'_> {
 
 /// The length of the list that comes next, as it is told: nothing may be allocated for it.
 #[inline]
-pub(super) fn list_length(source: &mut impl Source, count: Scalar) -> Result<u64, ListProblem> {
+pub(super) fn list_length(source: &mut impl NumberReader, count: Scalar) -> Result<u64, ListProblem> {
     let length = source.number(count)?;
     // Beyond 2^64 it is 2^64 - 1, which the file is too short for as well.
     if length >= 0.0 && length.fract() == 0.0 { Ok(length as u64) } else { Err(ListProblem::BadLength(length)) }
@@ -263,19 +263,19 @@ pub(super) fn list_length(source: &mut impl Source, count: Scalar) -> Result<u64
 
 /// Why a list cannot be read.
 pub(super) enum ListProblem {
-    Number(Problem),
+    Number(NumberProblem),
     BadLength(f64),
     TooManyCorners,
 }
 
-impl From<Problem> for ListProblem {
-    fn from(problem: Problem) -> Self {
+impl From<NumberProblem> for ListProblem {
+    fn from(problem: NumberProblem) -> Self {
         ListProblem::Number(problem)
     }
 }
 
 /// Steps over a property, whatever it is.
-pub(super) fn skip_property(source: &mut impl Source, property: &Property) -> Result<(), ListProblem> {
+pub(super) fn skip_property(source: &mut impl NumberReader, property: &Property) -> Result<(), ListProblem> {
     let Some(count) = property.count else { return Ok(source.skip(property.value)?) };
     for _ in 0..list_length(source, count)? {
         source.skip(property.value)?;
@@ -287,7 +287,7 @@ pub(super) fn skip_property(source: &mut impl Source, property: &Property) -> Re
 #[cold]
 pub(super) fn explain(
     problem: ListProblem,
-    source: &impl Source,
+    source: &impl NumberReader,
     element: &Element,
     index: u64,
     property: &Property,
@@ -298,8 +298,8 @@ pub(super) fn explain(
         None => error,
     };
     match problem {
-        ListProblem::Number(Problem::Ended) => ended(element, index),
-        ListProblem::Number(Problem::NoNumber { found, line, column }) => {
+        ListProblem::Number(NumberProblem::Ended) => ended(element, index),
+        ListProblem::Number(NumberProblem::NoNumber { found, line, column }) => {
             let message =
                 format!("{what} {index} has {found} for {name}, which is not a number: export the file again");
             ReadError::new(message).at(line, Some(column))

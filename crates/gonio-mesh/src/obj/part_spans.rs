@@ -6,23 +6,23 @@ use std::mem;
 
 /// Runs of triangles in a stretch of a file.
 #[derive(Default)]
-pub(super) struct Runs {
-    pub(super) runs: Vec<Run>,
+pub(super) struct PartSpans {
+    pub(super) spans: Vec<PartSpan>,
     /// Where each smoothing group begins (a triangle), and its number.
     pub(super) smoothing: Vec<(usize, u32)>,
-    /// What has been said since the last run.
-    next: Option<Run>,
+    /// What has been said since the last span.
+    next: Option<PartSpan>,
     /// What was said last, perhaps in this stretch.
-    last: Run,
+    last: PartSpan,
 }
 
-/// A run of triangles with one name and material.
+/// A span of triangles with one name and material.
 #[derive(Clone, Default)]
-pub(super) struct Run {
+pub(super) struct PartSpan {
     pub(super) first_triangle: usize,
-    /// The latest of `o` and `g`; `None` where it is that of the run before.
+    /// The latest of `o` and `g`; `None` where it is that of the span before.
     pub(super) part: Option<String>,
-    /// `usemtl` (an empty name is no material) and its line; `None` where it is that of the run before.
+    /// `usemtl` (an empty name is no material) and its line; `None` where it is that of the span before.
     pub(super) material: Option<(String, u64)>,
 }
 
@@ -53,7 +53,7 @@ impl SmoothingGroup {
     }
 }
 
-impl Runs {
+impl PartSpans {
     /// `o` or `g`.
     pub(super) fn name_part(&mut self, name: String) {
         if self.last.part.as_ref() != Some(&name) {
@@ -84,20 +84,20 @@ impl Runs {
     #[inline(always)]
     pub(super) fn begin_face(&mut self, before: &Triangles<'_>) {
         if self.next.is_some() {
-            self.begin_run(before.count());
+            self.begin_span(before.count());
         }
     }
 
     #[cold]
-    fn begin_run(&mut self, first_triangle: usize) {
-        let run = mem::take(&mut self.next).unwrap_or_default();
-        self.runs.push(Run { first_triangle, ..run });
+    fn begin_span(&mut self, first_triangle: usize) {
+        let span = mem::take(&mut self.next).unwrap_or_default();
+        self.spans.push(PartSpan { first_triangle, ..span });
     }
 
     /// The stretch is over: what was said after its last face is for the one after it.
     pub(super) fn finish(&mut self, first_triangle: usize) {
         if self.next.is_some() {
-            self.begin_run(first_triangle);
+            self.begin_span(first_triangle);
         }
     }
 }

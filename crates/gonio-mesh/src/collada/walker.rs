@@ -5,7 +5,7 @@ use super::document::{Document, name_of};
 use super::geometry::{self, Geometry};
 use super::local::{self, Cuts, LocalMesh};
 use super::materials::{Binding, Materials, part_name};
-use super::source::Sources;
+use super::source::DataSources;
 use super::xml::Element;
 use super::{light, transform};
 use crate::text::quote;
@@ -22,11 +22,11 @@ const MOST_STEPS: u64 = 2_000_000;
 const MOST_CONTROLLERS: usize = 8;
 
 /// A walk through the nodes.
-pub(super) struct Scene<'d, 't> {
+pub(super) struct NodeWalker<'d, 't> {
     document: &'d Document<'t>,
     model_from_file: DMat4,
     meter: f64,
-    sources: Sources,
+    sources: DataSources,
     pub(super) materials: Materials,
     pub(super) builder: Builder<'t>,
     pub(super) lights: Vec<ModelLight>,
@@ -51,14 +51,14 @@ enum Step<'t> {
     Leave(u32),
 }
 
-impl<'d, 't> Scene<'d, 't> {
+impl<'d, 't> NodeWalker<'d, 't> {
     pub(super) fn new(document: &'d Document<'t>) -> Result<Self, ReadError> {
         let (model_from_file, meter) = transform::model_from_file(document)?;
-        Ok(Scene {
+        Ok(NodeWalker {
             document,
             model_from_file,
             meter,
-            sources: Sources::default(),
+            sources: DataSources::default(),
             materials: Materials::read(document)?,
             builder: Builder::new(document.limits),
             lights: Vec::new(),
