@@ -31,13 +31,12 @@ fn every_kind_is_read_whole() {
 /// The files that fuzzing begins with are whole, of every kind, and read.
 #[test]
 fn every_seed_is_read() {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/seeds");
+    let table = gonio_fixtures::FixtureTable::read(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/seeds.txt"));
+    let table = table.unwrap_or_else(|error| panic!("{error}"));
     let mut names = Vec::new();
-    for entry in std::fs::read_dir(folder).unwrap_or_else(|e| panic!("{folder}: {e}")) {
-        let path = entry.unwrap_or_else(|e| panic!("{folder}: {e}")).path();
-        let bytes = std::fs::read(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
-        let name = path.file_stem().unwrap_or_default().to_string_lossy().replace('_', " ");
-        match decode::decode(&name, &bytes, &LIMITS) {
+    for file in table.files() {
+        let name = file.path.trim_end_matches(".bin").replace('_', " ");
+        match decode::decode(&name, &file.bytes, &LIMITS) {
             Ok(decoded) => check(&decoded),
             Err(error) => panic!("{error}"),
         }
