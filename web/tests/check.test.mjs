@@ -2,19 +2,20 @@
 
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
+import { existsSync } from "node:fs";
 import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
-import { dirname, join } from "node:path";
+import { basename, dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { promisify } from "node:util";
-import { readCase } from "./support/fixtures.mjs";
+import { readFiles } from "./support/fixtures.mjs";
 import { settled, suite } from "./support/lab.mjs";
 
 const { test } = suite();
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), "../..");
-const CORPUS = "crates/gonio-fixtures/corpus";
-const BUFFERS = "crates/gonio-exercises/tests/ex02";
+const CORPUS = "crates/gonio-check/corpus";
+const BUFFERS = "crates/gonio-exercises/tests/buffers";
 const HOST = "exercises/ex11-texture-unit/host";
 
 /** What students hand in, by exercise: right and wrong, one mistake and two, what does not compile; GLSL of every age, shaders
@@ -36,11 +37,11 @@ const SUBMISSIONS = {
   ex11: [`${HOST}/reference.txt`, `${HOST}/texture-name-as-unit.txt`, `${HOST}/stride-wrong.txt`],
 };
 
-/** Reads the files of a submission, without `expected.toml`: [{ name, bytes }]. A path without an extension is a case of a table. */
+/** Reads the files of a submission, without `expected.toml`: [{ name, bytes }]. What is not a file is part of a table. */
 async function readSubmission(path) {
   const at = join(ROOT, path);
-  if (/\.\w+$/.test(path)) return [{ name: path.slice(path.lastIndexOf("/") + 1), bytes: await readFile(at) }];
-  const files = await readCase(`${dirname(at)}.txt`, path.slice(path.lastIndexOf("/") + 1));
+  if (existsSync(at)) return [{ name: basename(at), bytes: await readFile(at) }];
+  const files = await readFiles(`${dirname(at)}.txt`, basename(at));
   return files.filter(({ name }) => name !== "expected.toml");
 }
 

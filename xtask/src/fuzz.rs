@@ -29,13 +29,13 @@ const TARGETS: &[(&str, &[&str])] = &[
     ("face_names", &["crates/gonio-environment/tests/names.txt"]),
     ("glsl", &["crates/gonio-glsl/tests/pairs.txt", "exercises/models"]),
     ("submission", &["crates/gonio-glsl/tests/pairs.txt", "exercises", TABLES]),
-    ("buffer", &["crates/gonio-exercises/tests/ex02"]),
+    ("buffer", &["crates/gonio-exercises/tests/buffers.txt"]),
     ("host", &["exercises/ex11-texture-unit/host"]),
-    (BATCH, &["crates/gonio-exercises/tests/batches"]),
+    (BATCH, &["crates/gonio-exercises/tests/batches.txt"]),
 ];
 
 /// The folder of tables of submissions.
-const TABLES: &str = "crates/gonio-fixtures/corpus";
+const TABLES: &str = "crates/gonio-check/corpus";
 
 /// The target that runs the whole program.
 const BATCH: &str = "batch";

@@ -9,7 +9,7 @@ const DOCUMENT: &str = "exercises/README.md";
 const BEGIN: &str = "<!-- made by `cargo xtask score` -->\n";
 const END: &str = "<!-- end of what is made -->\n";
 /// Tables of submissions in many styles.
-const CORPUS: &str = "crates/gonio-fixtures/corpus";
+const CORPUS: &str = "crates/gonio-check/corpus";
 /// Counts may differ by this much: drivers differ in the last bit, and a mistake at the limit of 8 bits is visible with one
 /// driver and not with another.
 const STEPS: usize = 2;

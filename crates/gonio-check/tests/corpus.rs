@@ -1,4 +1,4 @@
-//! Students' submissions, each with what is right or wrong about it: crates/gonio-fixtures/corpus.
+//! Students' submissions, each with what is right or wrong about it: crates/gonio-check/corpus.
 //!
 //! The tolerances are the project's sixth issue's: no false alarm at all, single mistakes 97 %, pairs 85 %.
 #![allow(clippy::unwrap_used)]

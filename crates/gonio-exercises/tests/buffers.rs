@@ -4,6 +4,7 @@
 mod support;
 
 use gonio_exercises::buffers::{Verdict, Vertex, choose, compare, names, read_buffer};
+use gonio_fixtures::selected;
 use std::collections::BTreeSet;
 use support::{Format, formats, models, programs_output, shuffled};
 
@@ -34,7 +35,7 @@ fn the_exercises_own_programs_are_judged_rightly() {
     let models = models();
     let outputs = programs_output();
     assert!(outputs.len() >= 21, "only {} files", outputs.len());
-    for (name, bytes) in outputs {
+    for (name, bytes) in selected(outputs, |(name, _)| name) {
         let (stem, kind) = name.split_once('.').expect("model.kind.ending");
         let buffer = read_buffer(&name, &bytes).expect("a buffer");
         let (chosen, expected) = choose(&models, &format!("{stem}.csv"), &buffer).expect("a model");

@@ -2,8 +2,8 @@
 
 import { readFile } from "node:fs/promises";
 
-/** Reads the files of one case (a folder at the top of the table): [{ name, bytes }]. Headers with flags are not supported. */
-export async function readCase(table, wanted) {
+/** Reads the file at `path` in a table, or the files of that folder: [{ name, bytes }]. Headers with flags are not supported. */
+export async function readFiles(table, path) {
   const files = [];
   let lines;
   for (const line of (await readFile(table, "utf8")).split("\n").slice(0, -1)) {
@@ -11,12 +11,12 @@ export async function readCase(table, wanted) {
       lines?.push(`${line}\n`);
       continue;
     }
-    const [, folder, name, flags] = /^-- ([^/]+)\/(.+?)( \[.*\])? --$/.exec(line) ?? [];
+    const [, at, flags] = /^-- (.+?)( \[.*\])? --$/.exec(line) ?? [];
     lines = [];
-    if (folder !== wanted) continue;
+    if (at !== path && !at?.startsWith(`${path}/`)) continue;
     if (flags !== undefined) throw new Error(`${table}: cannot read a file with flags: ${line}`);
-    files.push({ name, lines });
+    files.push({ name: at === path ? path : at.slice(path.length + 1), lines });
   }
-  if (files.length === 0) throw new Error(`${table} has no case ${wanted}`);
+  if (files.length === 0) throw new Error(`${table} does not contain ${path}`);
   return files.map(({ name, lines }) => ({ name, bytes: Buffer.from(lines.join("")) }));
 }

@@ -1,4 +1,4 @@
-//! The submissions of crates/gonio-fixtures/corpus, as tests read them: its README.md explains `expected.toml`.
+//! The submissions of crates/gonio-check/corpus, as tests read them: its README.md explains `expected.toml`.
 #![allow(dead_code, reason = "each test uses a part")]
 
 use gonio_check::submission::SourceFile;
@@ -29,7 +29,7 @@ impl Submission {
 
 /// Returns all submissions of one sort, `correct` or `wrong`, in order of exercise and name.
 pub fn submissions(sort: &str) -> Vec<Submission> {
-    let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("../gonio-fixtures/corpus");
+    let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus");
     let mut all = Vec::new();
     for (folder, table) in tables_below(&corpus).unwrap_or_else(|error| panic!("{error}")) {
         if !folder.ends_with(sort) {

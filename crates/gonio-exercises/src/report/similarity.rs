@@ -236,7 +236,7 @@ uniform vec3 lampe;   out vec4 couleur; in vec3 normale;
     }
 
     fn corpus() -> Vec<(String, Vec<String>)> {
-        let table = Path::new(env!("CARGO_MANIFEST_DIR")).join("../gonio-fixtures/corpus/ex07/correct.txt");
+        let table = Path::new(env!("CARGO_MANIFEST_DIR")).join("../gonio-check/corpus/ex07/correct.txt");
         let mut all = Vec::new();
         for case in gonio_fixtures::FixtureTable::read(table).and_then(|table| table.cases()).unwrap() {
             let files = case.files.into_iter().filter(|file| file.path != "expected.toml");

@@ -1,6 +1,7 @@
 //! The exercise's models, and writers of every format.
 
 use gonio_exercises::buffers::{Attributes, Expected, Vertex};
+use gonio_fixtures::FixtureTable;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -27,7 +28,9 @@ pub fn models() -> Vec<(String, Expected)> {
 
 /// Files that the exercise's programs wrote: MODEL.start.csv, MODEL.reference.raw and so on.
 pub fn programs_output() -> Vec<(String, Vec<u8>)> {
-    files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/ex02"))
+    let table = FixtureTable::read(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/buffers.txt"));
+    let table = table.unwrap_or_else(|error| panic!("{error}"));
+    table.files().iter().map(|file| (file.path.clone(), file.bytes.clone())).collect()
 }
 
 /// A random number from 0 to `below` - 1 (Knuth's MMIX).
