@@ -123,5 +123,5 @@ test("checks may run side by side, and what is no exercise is said", async (lab)
   }, files);
   assert.equal(first.verdict, "correct", first.summary);
   assert.equal(second.verdict, "unsure", second.summary);
-  assert.match(failed, /no exercise `ex99`/);
+  assert.match(failed, /unknown exercise `ex99`/);
 });

@@ -54,7 +54,7 @@ test("files that are dropped take the place of their kind, and what was written 
   await lab.drop({ name: "My light.txt", text: GREEN });
   const state = await lab.until(({ exercise }) => exercise.file === "My light.txt" && exercise.drawn);
   assert.deepEqual([shown(state), state.exercise.before, state.messages], [["start.vert", "My light.txt"], 1, []]);
-  assert.match(state.announcement, /My light.txt is open in place of start.frag/);
+  assert.match(state.announcement, /opened My light.txt in place of start.frag/);
   await lab.rest();
   const green = await lab.picture("picture-yours");
   await lab.click("put-back");

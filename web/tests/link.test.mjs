@@ -32,7 +32,7 @@ test("a link brings the same scene to somebody else", async (lab) => {
   await lab.click("light-1-on");
   await lab.click("save");
   const sent = await lab.click("copy-link");
-  assert.match(sent.announcement, /clipboard/);
+  assert.match(sent.announcement, /link/);
   const link = await lab.clipboard();
   assert.ok(link.startsWith(`${lab.url}#scene=`) && link.length < 4000, link);
   const picture = await lab.saved();

@@ -41,35 +41,36 @@ const FILES: &str = "Files";
 /// The one table: what is listed is what is done. The longer combination of a key goes first, for the shorter would take
 /// it.
 const TABLE: &[Shortcut] = &[
-    row(PICTURE, "Drag", "turn around the point looked at"),
-    row(PICTURE, "Shift + drag", "move sideways"),
+    row(PICTURE, "Drag", "orbit around the target"),
+    row(PICTURE, "Shift + drag", "pan"),
     row(PICTURE, "Right button + drag", "look around"),
-    row(PICTURE, "Wheel", "nearer, farther"),
-    row(PICTURE, "w a s d, z q s d, arrows", "fly; e and c up and down; with Shift faster"),
-    row(PICTURE, "F", "everything into the picture").on(Modifiers::NONE, Key::F, || Action::Frame),
-    row(PICTURE, "Space", "let time run, or stop it").on(Modifiers::NONE, Key::Space, || Action::PlayOrPause),
-    row(PICTURE, "P", "probe the pixel under the pointer; a click pins it, Esc lets it go").on(
+    row(PICTURE, "Wheel", "zoom"),
+    row(PICTURE, "w a s d, z q s d, arrows", "fly; e and c move up and down; Shift is faster"),
+    row(PICTURE, "F", "frame all objects").on(Modifiers::NONE, Key::F, || Action::Frame),
+    row(PICTURE, "Space", "play or pause the animation").on(Modifiers::NONE, Key::Space, || Action::PlayOrPause),
+    row(PICTURE, "P", "probe the pixel under the pointer; a click pins it, Esc unpins it").on(
         Modifiers::NONE,
         Key::P,
         || Action::ToggleProbe,
     ),
-    row(PICTURE, "O", "the camera from outside").on(Modifiers::NONE, Key::O, || Action::ToggleObserver),
+    row(PICTURE, "O", "show the camera and its frustum from outside")
+        .on(Modifiers::NONE, Key::O, || Action::ToggleObserver),
     row(PICTURE, "Shift + W", "wireframe").on(Modifiers::SHIFT, Key::W, || Action::Overlay(Overlay::Wireframe)),
     row(PICTURE, "Shift + N", "normals").on(Modifiers::SHIFT, Key::N, || Action::Overlay(Overlay::Normals)),
-    row(PICTURE, "Shift + B", "boxes").on(Modifiers::SHIFT, Key::B, || Action::Overlay(Overlay::Boxes)),
-    row(PICTURE, "Shift + U", "texture coordinates as a checker")
+    row(PICTURE, "Shift + B", "bounding boxes").on(Modifiers::SHIFT, Key::B, || Action::Overlay(Overlay::Boxes)),
+    row(PICTURE, "Shift + U", "checkerboard of the texture coordinates")
         .on(Modifiers::SHIFT, Key::U, || Action::Special(SpecialView::UvChecker)),
-    row(PICTURE, "Shift + V", "overdraw: fragments at each pixel")
+    row(PICTURE, "Shift + V", "overdraw: fragments per pixel")
         .on(Modifiers::SHIFT, Key::V, || Action::Special(SpecialView::Overdraw)),
     row(WINDOW, "Ctrl + Y, Ctrl + Shift + Z", "redo").on(SHIFTED, Key::Z, || Action::Redo),
     row(WINDOW, "", "").on(Modifiers::COMMAND, Key::Y, || Action::Redo),
     row(WINDOW, "Ctrl + Z", "undo").on(Modifiers::COMMAND, Key::Z, || Action::Undo),
-    row(WINDOW, "Double click on a value", "back to what it was in the file"),
-    row(WINDOW, "Ctrl + plus, Ctrl + minus", "larger, smaller; Ctrl + 0 as it was"),
-    row(WINDOW, "T", "light or dark").on(Modifiers::NONE, Key::T, || Action::ToggleTheme),
-    row(WINDOW, "?", "this list").on(Modifiers::NONE, Key::Questionmark, || Action::ToggleHelp),
-    row(WINDOW, "Esc", "close what is open"),
-    row(FILES, "Ctrl + O", "open files; or drop them on the window")
+    row(WINDOW, "Double click on a value", "reset it to its default"),
+    row(WINDOW, "Ctrl + plus, Ctrl + minus", "enlarge or shrink the interface; Ctrl + 0 resets it"),
+    row(WINDOW, "T", "switch between light and dark theme").on(Modifiers::NONE, Key::T, || Action::ToggleTheme),
+    row(WINDOW, "?", "show this list").on(Modifiers::NONE, Key::Questionmark, || Action::ToggleHelp),
+    row(WINDOW, "Esc", "close the open dialog"),
+    row(FILES, "Ctrl + O", "open files (or drop them on the window)")
         .on(Modifiers::COMMAND, Key::O, || Action::ChooseFiles),
     row(FILES, "Ctrl + Shift + S", "save the scene").on(SHIFTED, Key::S, || Action::Save(Product::Scene)),
     row(FILES, "Ctrl + S", "save the picture").on(Modifiers::COMMAND, Key::S, || Action::Save(Product::Picture)),
@@ -85,11 +86,11 @@ pub fn list() -> Vec<(&'static str, Vec<(&'static str, String)>)> {
     let mut views = vec![("0", "the picture".to_owned())];
     for (digit, quantity) in DIGITS.into_iter().zip(VIEW_KEYS) {
         let symbol = quantity.symbol().map(|s| format!(" ({s})")).unwrap_or_default();
-        views.push((digit, format!("{quantity}{symbol} as a colour")));
+        views.push((digit, format!("{quantity}{symbol}")));
     }
     vec![
         (PICTURE, in_group(PICTURE)),
-        ("Instead of the picture", views),
+        ("Views in place of the picture", views),
         (WINDOW, in_group(WINDOW)),
         (FILES, in_group(FILES)),
     ]

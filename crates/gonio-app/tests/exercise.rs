@@ -380,7 +380,7 @@ fn a_pair_in_a_program_takes_the_place_of_both_and_a_model_is_left_for_the_scene
     window.click("path-cancel");
     window.click("exercises");
     window.hand(&[("a.frag", GREEN)]);
-    assert!(window.messages().iter().any(|m| m.starts_with("choose the exercise first")), "{:?}", window.messages());
+    assert!(window.messages().iter().any(|m| m.starts_with("select the exercise first")), "{:?}", window.messages());
 }
 
 #[test]

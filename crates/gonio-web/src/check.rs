@@ -58,7 +58,7 @@ impl PageChecker {
         contents: js_sys::Array,
         as_the_lab: bool,
     ) -> Result<String, String> {
-        let exercise = exercise::find(exercise).ok_or_else(|| format!("there is no exercise `{exercise}`"))?;
+        let exercise = exercise::find(exercise).ok_or_else(|| format!("unknown exercise `{exercise}`"))?;
         let bytes = contents.iter().map(|content| js_sys::Uint8Array::new(&content).to_vec());
         let files = names.into_iter().zip(bytes).map(|(name, bytes)| SourceFile::new(name, bytes)).collect();
         let options = CheckOptions { as_the_lab, ..CheckOptions::default() };

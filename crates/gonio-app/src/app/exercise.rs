@@ -73,17 +73,17 @@ impl App {
             return;
         }
         let end = match failures.first() {
-            Some(why) => format!("to close again throws it away, because {why}"),
-            None => "to close again keeps it as a draft, which is there when you open these files again".to_owned(),
+            Some(why) => format!("closing again discards it, because {why}"),
+            None => "closing again keeps it as a draft, which is restored when you open these files again".to_owned(),
         };
         let changed = self.exercise.works().find(|work| work.is_changed());
         let before = || self.exercise.works().find(|work| work.has_unsaved_before());
         let sentence = match (changed, before()) {
             (Some(work), _) => {
-                format!("what you wrote for {} is not saved; Ctrl + S saves it, and {end}", work.exercise.id)
+                format!("your changes to {} are not saved: Ctrl + S saves them, and {end}", work.exercise.id)
             }
             (None, Some(work)) => format!(
-                "what you wrote for {} before you opened other files is not saved; `Put back` brings it back, and {end}",
+                "your changes to the previous files of {} are not saved: `Put back` restores them, and {end}",
                 work.exercise.id
             ),
             (None, None) => return,

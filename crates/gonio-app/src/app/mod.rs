@@ -26,7 +26,7 @@ use std::sync::Arc;
 /// What is shown where nothing was asked for.
 pub const FIRST_SCENE: &str = "builtin:still-life";
 
-const NOTHING_DRAWN: &str = "there is no picture yet; wait until the scene is read";
+const NOTHING_DRAWN: &str = "there is no picture yet: wait until the scene is loaded";
 
 /// The application.
 pub struct App {
@@ -73,7 +73,7 @@ impl App {
         let pane_renderer = gl.and_then(|gl| match PaneRenderer::new(gl) {
             Ok(pane_renderer) => Some(pane_renderer),
             Err(why) => {
-                session.messages.say(Severity::Error, format!("nothing can be drawn: {why}"));
+                session.messages.say(Severity::Error, format!("OpenGL rendering is not available: {why}"));
                 None
             }
         });
@@ -128,7 +128,9 @@ impl App {
                 self.session.facts.renderer = pane_renderer.driver().to_owned();
                 self.pane_renderer = Some(pane_renderer);
             }
-            Some(Err(why)) => self.session.messages.say(Severity::Error, format!("nothing can be drawn: {why}")),
+            Some(Err(why)) => {
+                self.session.messages.say(Severity::Error, format!("OpenGL rendering is not available: {why}"))
+            }
             None => {}
         }
     }
@@ -251,7 +253,7 @@ impl App {
             true => LoadRequest::Again(self.opened.clone()),
             false => LoadRequest::Refresh(Box::new(self.document.scene.clone())),
         };
-        self.session.busy = Some(format!("reading {} again", names(&changed)));
+        self.session.busy = Some(format!("reloading {}", names(&changed)));
         self.loader.start(wanted, self.files.clone(), self.opened.limits, ctx);
     }
 
@@ -284,7 +286,7 @@ impl App {
                 self.session.clock = Default::default();
                 self.session.selection = Default::default();
                 self.session.probing.forget();
-                self.session.announcement = format!("{} is open", self.session.title);
+                self.session.announcement = format!("opened {}", self.session.title);
                 self.document = Document::of(loaded.settings.clone());
                 self.history = History::new(&self.document);
                 self.opened_camera = loaded.settings.camera.clone();
@@ -304,10 +306,10 @@ impl App {
                     // Applied with the rest of the document, right after this.
                     self.document.scene.camera = camera;
                 }
-                self.session.announcement = format!("{} was read again", self.session.title);
+                self.session.announcement = format!("reloaded {}", self.session.title);
             }
             LoadRequest::Refresh(scene) => {
-                self.session.announcement = "what changed on disk was read again".into();
+                self.session.announcement = "reloaded the changed files".into();
                 // What was edited meanwhile stays.
                 if *scene == self.document.scene {
                     self.document.scene = loaded.settings.clone();
@@ -381,7 +383,7 @@ impl App {
             Action::CopyLink => match link::of_scene(&self.document.scene) {
                 Ok(fragment) => {
                     ctx.copy_text(self.platform.link(&fragment));
-                    self.session.announcement = "the link is on the clipboard".into();
+                    self.session.announcement = "copied the link".into();
                 }
                 Err(why) => self.session.messages.say(Severity::Error, why),
             },
@@ -396,7 +398,7 @@ impl App {
             }
             Action::Redo => {
                 if self.history.redo(&mut self.document) {
-                    self.session.announcement = "done again".into();
+                    self.session.announcement = "redone".into();
                 }
             }
             Action::Frame => {
@@ -443,7 +445,7 @@ impl App {
     fn record_frame(&mut self, ctx: &egui::Context) {
         let Some(pane_renderer) = &mut self.pane_renderer else { return };
         let record = pane_renderer.record(self.document.panes.current).unwrap_or_else(|why| {
-            self.session.messages.say(Severity::Error, format!("the frame cannot be taken apart: {why}"));
+            self.session.messages.say(Severity::Error, format!("the frame cannot be recorded: {why}"));
             None
         });
         let before = self.session.recorded_frame.take();

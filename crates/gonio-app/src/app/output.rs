@@ -11,7 +11,7 @@ impl App {
         let folder = cfg!(not(target_arch = "wasm32")).then(|| Path::new(place).parent()).flatten();
         let saved = self.produced(product, folder).and_then(|bytes| self.platform.write(place, &bytes));
         match saved {
-            Ok(place) => self.session.announcement = format!("saved: {place}"),
+            Ok(place) => self.session.announcement = format!("saved {place}"),
             Err(why) => self.session.messages.say(Severity::Error, why),
         }
     }
@@ -46,7 +46,7 @@ impl App {
             Ok(DisplayedPicture { size: [width, height], rgba, .. }) => {
                 let size = [width as usize, height as usize];
                 ctx.copy_image(egui::ColorImage::from_rgba_premultiplied(size, &rgba));
-                self.session.announcement = "the picture is on the clipboard".into();
+                self.session.announcement = "copied the picture".into();
             }
             Err(why) => self.session.messages.say(Severity::Error, why),
         }

@@ -134,9 +134,10 @@ impl Pane {
         }));
         words.extend(self.reflectance.map(|r| written(r.name())));
         words.extend(self.convention.map(|c| c.name().to_owned()));
-        words.extend(self.cosine_weighted.map(|weighted| {
-            if weighted { "spec weighted by cos θ".to_owned() } else { "spec not weighted".to_owned() }
-        }));
+        words
+            .extend(self.cosine_weighted.map(|weighted| {
+                if weighted { "spec times <N.L>".to_owned() } else { "spec without <N.L>".to_owned() }
+            }));
         words.extend(self.special.map(|special| special.to_string()));
         let view = self.view.filter(|_| self.special.is_none());
         words.extend(view.map(|view| match view.light {
@@ -152,7 +153,7 @@ impl Pane {
     /// [`Self::words`] as one caption.
     pub fn caption(&self) -> String {
         let words = self.words();
-        if words.is_empty() { "as the scene".to_owned() } else { words.join(" · ") }
+        if words.is_empty() { "as in the scene".to_owned() } else { words.join(" · ") }
     }
 }
 

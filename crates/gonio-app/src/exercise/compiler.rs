@@ -144,7 +144,7 @@ impl Compiler {
             None if source.is_risky() => return self.try_first(ctx, work, key, &content, platform),
             Some(TrialOutcome::Unavailable(why)) if source.is_risky() => {
                 self.compiled = Some(content);
-                return refuse(work, format!("This shader is not drawn, because it could not be tested first: {why}"));
+                return refuse(work, format!("This shader is not drawn because it could not be tested: {why}"));
             }
             Some(_) | None => {}
         }
@@ -160,8 +160,8 @@ impl Compiler {
                 notes: pair.notes.clone(),
                 warnings: pair.warnings.clone(),
                 unusable: (!pair.has_position()).then(|| {
-                    "Nothing is seen: no attribute was found that could be the position. Call it `position`, or say in \
-                     names.toml which it is"
+                    "Nothing is drawn: no attribute was recognised as the position. Name it `position`, or declare it in \
+                     names.toml"
                         .to_owned()
                 }),
                 is_drawn: true,
@@ -378,13 +378,13 @@ fn save_into(work: &mut Work, folder: &str, platform: &mut dyn Platform) -> Vec<
     let in_memory = work.files.iter().all(|file| file.path.is_none());
     let is_meant = |file: &OpenFile| file.path.is_none() && (in_memory || file.is_changed());
     if let Some(file) = work.files.iter().find(|file| is_meant(file) && place(&file.name).exists()) {
-        return vec![format!("{} is there already; name another folder", place(&file.name).display())];
+        return vec![format!("{} already exists: choose another folder", place(&file.name).display())];
     }
     for file in work.files.iter_mut().filter(|file| is_meant(file)) {
         let path = place(&file.name);
         let made = path.parent().map_or(Ok(()), std::fs::create_dir_all);
         if let Err(why) = made {
-            return vec![format!("{} could not be made: {why}", folder.display())];
+            return vec![format!("{} could not be created: {why}", folder.display())];
         }
         let bytes = file.content();
         match platform.write(&path.to_string_lossy(), &bytes) {
@@ -407,7 +407,7 @@ pub fn read_again(ctx: &Context, work: &mut Work, paths: &[PathBuf]) -> Vec<Stri
                     editor::remember(ctx, &before);
                 }
             }
-            Err(why) => said.push(format!("{} cannot be read again: {why}", path.display())),
+            Err(why) => said.push(format!("{} could not be reloaded: {why}", path.display())),
         }
     }
     said

@@ -153,7 +153,7 @@ impl Drafts {
                     self.kept.insert(key.clone(), file.text.clone());
                 }
                 Err(why) => failures.push(format!(
-                    "the unsaved text of {} is not kept as a draft: {why}; Ctrl + S saves the file",
+                    "the unsaved changes to {} could not be kept as a draft: {why}; Ctrl + S saves the file",
                     file.name
                 )),
             }
@@ -192,7 +192,7 @@ fn unsaved<'a>(works: impl Iterator<Item = &'a Work>) -> Vec<Unsaved<'a>> {
 
 fn keep(key: &str, exercise: &str, file: &OpenFile, platform: &mut dyn Platform) -> Result<(), String> {
     if file.text.len() > MOST_BYTES {
-        return Err(format!("it has more than {} MB", MOST_BYTES / (1024 * 1024)));
+        return Err(format!("the file is larger than {} MB", MOST_BYTES / (1024 * 1024)));
     }
     let draft = Draft {
         exercise: exercise.to_owned(),

@@ -221,8 +221,8 @@ fn what_cannot_be_kept_is_said_once_and_tried_again() {
     assert_eq!(
         said,
         [
-            "the unsaved text of light.frag is not kept as a draft: the disk is full; Ctrl + S saves the file",
-            "the unsaved text of light.frag is not kept as a draft: it has more than 1 MB; Ctrl + S saves the file"
+            "the unsaved changes to light.frag could not be kept as a draft: the disk is full; Ctrl + S saves the file",
+            "the unsaved changes to light.frag could not be kept as a draft: the file is larger than 1 MB; Ctrl + S saves the file"
         ]
     );
     // Whoever closes the window is told again.

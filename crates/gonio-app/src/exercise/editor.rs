@@ -75,11 +75,9 @@ fn tabs(ui: &mut Ui, work: &mut Work) {
             let button = egui::Button::new(label).selected(chosen).frame_when_inactive(chosen);
             let button = ui.add(button);
             let tip = match (&file.path, file.locked) {
-                (_, true) => {
-                    "This file is no UTF-8 text: it is shown, drawn and checked, and cannot be changed here".into()
-                }
+                (_, true) => "This file is not UTF-8 text: it can be drawn and checked, but not edited".into(),
                 (Some(path), _) => path.display().to_string(),
-                (None, _) => "In memory; Ctrl + S saves it".into(),
+                (None, _) => "In memory only; Ctrl + S saves it".into(),
             };
             exported::note(ui, &button, &format!("file-{index}"), Role::Tab, &file.name, chosen);
             if button.on_hover_text(tip).clicked() {
@@ -99,9 +97,9 @@ fn restored(ui: &mut Ui, work: &Work) -> Option<Asked> {
     let files: Vec<&OpenFile> = work.files.iter().filter(|file| file.is_restored() && !in_conflict(file)).collect();
     let age = files.first()?.restored.as_deref()?;
     let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
-    let sentence = format!("Unsaved text from {age} was restored in {}. It is not saved yet.", listed(&names));
+    let sentence = format!("Restored unsaved changes from {age} in {}. They are not saved yet.", listed(&names));
     let answers =
-        [("discard-restored", "Discard it", Asked::DiscardRestored), ("keep-restored", "Keep it", Asked::KeepRestored)];
+        [("discard-restored", "Discard", Asked::DiscardRestored), ("keep-restored", "Keep", Asked::KeepRestored)];
     question(ui, "restored", colors::ACCENT.of(ui), &sentence, answers)
 }
 
@@ -111,14 +109,14 @@ fn conflict(ui: &mut Ui, work: &Work) -> Option<Asked> {
     let file = work.files.get(current).filter(|file| file.other.is_some())?;
     let sentence = match file.restored.as_ref().filter(|_| file.is_restored()) {
         Some(age) => format!(
-            "Unsaved text from {age} was restored in {name}, but {name} has changed on the disk since then. Both texts are \
-             kept until you choose one.",
+            "Restored unsaved changes from {age} in {name}, but {name} has changed on disk since then. Both versions \
+             are kept until you choose one.",
             name = file.name
         ),
-        None => format!("{} was changed on the disk, and what you wrote here is not saved.", file.name),
+        None => format!("{} has changed on disk, and you have unsaved changes here.", file.name),
     };
     let answers = [
-        ("take-other", "Take the one on the disk", Asked::TakeOther(current)),
+        ("take-other", "Load the version on disk", Asked::TakeOther(current)),
         ("keep-mine", "Keep mine and save it", Asked::KeepMine(current)),
     ];
     question(ui, "conflict", colors::WARNING.of(ui), &sentence, answers)
@@ -149,12 +147,12 @@ fn question(ui: &mut Ui, id: &str, tint: Color32, sentence: &str, answers: [(&st
 fn put_back(ui: &mut Ui, work: &Work) -> Option<Asked> {
     let before = work.before.last()?;
     ui.horizontal_wrapped(|ui| {
-        let unsaved = if before.files.iter().any(OpenFile::is_changed) { ", with what is not saved there" } else { "" };
-        let sentence = format!("Before: {}{unsaved}.", before.names_beside(&work.files));
+        let unsaved = if before.files.iter().any(OpenFile::is_changed) { ", with unsaved changes" } else { "" };
+        let sentence = format!("Previously open: {}{unsaved}.", before.names_beside(&work.files));
         ui.add(Label::new(RichText::new(sentence).small().weak()).wrap());
         let button = ui.small_button("Put back");
         exported::note(ui, &button, "put-back", Role::Button, "Put back", work.before.len());
-        let tip = "The files that were open before these; these can then be put back in the same way";
+        let tip = "Switch back to the files that were open before; these can be put back in the same way";
         button.on_hover_text(tip).clicked().then_some(Asked::PutBack)
     })
     .inner

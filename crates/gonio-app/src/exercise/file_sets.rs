@@ -41,7 +41,7 @@ impl Work {
         if let Some(&first) = all.as_ref().and_then(|all| all.first()) {
             // Nothing is to be put away for what is there already.
             self.current = first;
-            return ReplaceOutcome { announcement: Some(format!("{} is open", listed(&names))), aside: handed.aside };
+            return ReplaceOutcome { announcement: Some(format!("opened {}", listed(&names))), aside: handed.aside };
         }
         let mut kept = Vec::new();
         let mut away = Vec::new();
@@ -55,7 +55,7 @@ impl Work {
             [] => String::new(),
             away => format!(" in place of {}", listed(&away.iter().map(|file| file.name.as_str()).collect::<Vec<_>>())),
         };
-        let announcement = format!("{} is open{place}", listed(&names));
+        let announcement = format!("opened {}{place}", listed(&names));
         let uses: Vec<Use> = taken.iter().map(|(_, of_file)| *of_file).collect();
         let numbers: Vec<usize> = handed.taken.iter().map(|(index, _)| *index).collect();
         self.sets += 1;
@@ -152,7 +152,7 @@ mod tests {
         let mut work = Work::new(exercise::find("ex04").unwrap(), Vec::new());
         work.files[work.current].text = "what I wrote".into();
         let taken = work.take(vec![given("light.txt", FRAGMENT), given("notes.txt", "to do")]);
-        assert_eq!(taken.announcement.as_deref(), Some("light.txt is open in place of start.frag"));
+        assert_eq!(taken.announcement.as_deref(), Some("opened light.txt in place of start.frag"));
         assert!(taken.aside.unwrap().contains("no shader in notes.txt"));
         assert_eq!((shown(&work), work.current), (vec!["start.vert", "light.txt"], work.files.len() - 1));
         assert!(!work.is_changed() && work.has_unsaved_before());
@@ -174,7 +174,7 @@ mod tests {
         let mut work = Work::new(exercise::find("ex04").unwrap(), Vec::new());
         let vertex = work.file_named("start.vert").unwrap();
         let same = given("start.vert", &work.files[vertex].text);
-        assert_eq!(work.take(vec![same]).announcement.as_deref(), Some("start.vert is open"));
+        assert_eq!(work.take(vec![same]).announcement.as_deref(), Some("opened start.vert"));
         assert_eq!((work.current, work.before.len()), (vertex, 0));
     }
 

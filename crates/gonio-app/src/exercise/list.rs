@@ -21,9 +21,9 @@ pub fn show(ui: &mut Ui, begun: &[&Work], commands: &mut Vec<Command>) {
                 ui.add_space(margin);
                 ui.vertical(|ui| {
                     ui.set_max_width(WIDTH.min(ui.available_width()));
-                    ui.label(RichText::new("The exercises").font(theme::bold(20.0)).color(ui.visuals().strong_text_color()));
-                    let sentence = "Write shaders, see them at once beside the right answer, and ask what is wrong with them: \
-                                    by name, by line, and how to mend it.";
+                    ui.label(RichText::new("Exercises").font(theme::bold(20.0)).color(ui.visuals().strong_text_color()));
+                    let sentence = "Edit shaders, compare them live with the correct answer, and have gonio find the mistakes: \
+                                    by name, by line, and how to fix them.";
                     ui.add(Label::new(RichText::new(sentence).weak()).wrap());
                     ui.add_space(8.0);
                     for exercise in exercise::all() {
@@ -41,8 +41,8 @@ fn state_of(work: &Work) -> &'static str {
     let outcome = work.judged.as_ref().and_then(|judged| judged.verdict.as_ref().ok()).map(|found| found.verdict);
     match outcome {
         Some(Outcome::Correct) => "correct",
-        _ if work.is_changed() => "not saved",
-        _ => "begun",
+        _ if work.is_changed() => "unsaved",
+        _ => "in progress",
     }
 }
 

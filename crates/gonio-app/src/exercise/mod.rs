@@ -114,7 +114,7 @@ impl ExerciseView {
     /// word that names none is one sentence.
     pub fn begin(&mut self, start: Start) -> Result<(), String> {
         let exercise = gonio_exercises::exercise::find(&start.exercise)
-            .ok_or_else(|| format!("there is no exercise `{}`; the list names them all", start.exercise))?;
+            .ok_or_else(|| format!("unknown exercise `{}`: select one from the list", start.exercise))?;
         (self.is_open, self.is_listing) = (true, false);
         if start.files.is_empty() && self.work.as_ref().is_some_and(|work| work.exercise.id == exercise.id) {
             return Ok(());
@@ -173,7 +173,7 @@ impl ExerciseView {
                 taken
             }
             None => {
-                let aside = "choose the exercise first that your files are for, and then give them again";
+                let aside = "select the exercise first, then open its files again";
                 ReplaceOutcome { announcement: None, aside: Some(aside.to_owned()) }
             }
         }
@@ -384,11 +384,11 @@ fn start_files(ui: &mut Ui, work: &Work, commands: &mut Vec<Command>) {
                 commands.push(command);
             }
         };
-        let tip = "The files to start from in place of those that are open, which can be put back";
-        button("begin-again", "Begin again", tip, Command::BeginAgain);
+        let tip = "Start over with the original files; the open ones can be put back";
+        button("begin-again", "Start over", tip, Command::BeginAgain);
         if work.downloads {
             let label = format!("Download {}.zip", work.exercise.id);
-            let tip = "This text, its figures and the files to start from, as they are";
+            let tip = "The text, its figures and the original files";
             button("start-files", &label, tip, Command::StartFiles);
         }
     });

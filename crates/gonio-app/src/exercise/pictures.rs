@@ -31,7 +31,7 @@ pub fn show(
         return Ok(());
     }
     let (Some(preview), Some(pane_renderer)) = (preview, pane_renderer) else {
-        sentence(ui, whole, "There is no OpenGL here, so nothing is drawn.");
+        sentence(ui, whole, "Nothing is drawn because OpenGL is not available.");
         return Ok(());
     };
     settings(ui, work, preview);
@@ -65,9 +65,9 @@ pub fn show(
 /// What is said over the pictures: that an older program is seen, that a newer one is being tested.
 fn over(ui: &Ui, room: Rect, work: &Work) {
     let text = if work.program.is_trial_slow {
-        "The new program is tested in a process of its own before it is drawn"
+        "Testing the new program in a separate process before drawing it"
     } else if work.program.is_old {
-        "The last program that worked is shown"
+        "Showing the last program that compiled"
     } else {
         return;
     };
@@ -87,25 +87,27 @@ fn caption(picture: Picture) -> &'static str {
 fn nothing_yet(picture: Picture, work: &Work) -> &'static str {
     match picture {
         Picture::Yours if work.program.is_tried => "",
-        Picture::Yours if work.program.unusable.is_some() => "Your program is not drawn: the reason is below the text.",
-        Picture::Yours => "Your program does not compile yet: what is wrong stands below the text.",
-        Picture::Reference => "This exercise has no picture of its own.",
-        Picture::Difference => "There is no difference to be seen before your program compiles.",
+        Picture::Yours if work.program.unusable.is_some() => {
+            "Your program is not drawn; the reason is below the editor."
+        }
+        Picture::Yours => "Your program does not compile; the errors are below the editor.",
+        Picture::Reference => "This exercise has no reference picture.",
+        Picture::Difference => "The difference is shown once your program compiles.",
     }
 }
 
 fn without_picture(kind: Kind) -> &'static str {
     match kind {
         Kind::Buffers => {
-            "Your program, in any language, writes a vertex buffer as .csv, .json or raw floats (.bin). Drop that file here, \
-             and press Check: it says which triangles are wrong and why."
+            "Write a program in any language that outputs a vertex buffer as .csv, .json or raw floats (.bin). Drop that \
+             file here and press Check to see which triangles are wrong, and why."
         }
         Kind::HostProgram => {
-            "This exercise's program is a list of OpenGL calls. Mend the text, and press Check: gonio carries it out call by \
-             call. `gonio lab check ex11 FILE.txt` does the same on the command line."
+            "This exercise is a list of OpenGL calls. Fix it and press Check: gonio executes it call by call. On the command \
+             line: `gonio lab check ex11 FILE.txt`."
         }
         Kind::Shaders | Kind::Faces => {
-            "Six faces are the answer here. Write the shader that draws them, or drop the six pictures that your own \
+            "The answer is six cube faces. Write the shader that draws them, or drop the six pictures that your own \
              program made, and press Check."
         }
     }
@@ -118,10 +120,10 @@ fn settings(ui: &mut Ui, work: &mut Work, preview: &Preview) {
     let which = |ui: &mut Ui, work: &mut Work| {
         if preview.has_reference() {
             let options = [
-                (PictureMode::Yours, "yours", "What your program draws"),
-                (PictureMode::Reference, "reference", "What the right answer draws"),
+                (PictureMode::Yours, "yours", "The picture of your program"),
+                (PictureMode::Reference, "reference", "The picture of the correct answer"),
                 (PictureMode::Both, "both", "Both side by side"),
-                (PictureMode::Difference, "difference", "Where they differ: dark is the same"),
+                (PictureMode::Difference, "difference", "The difference: dark where they agree"),
             ];
             widgets::choice(ui, "shown", "Picture", &mut work.shown, &options, PictureMode::default());
         }
@@ -156,11 +158,11 @@ fn scene_and_time(ui: &mut Ui, work: &mut Work) {
         }
     }
     let playing = work.clock.playing;
-    let (icon, tip) = if playing { (icons::PAUSE, "Let time stand still") } else { (icons::PLAY, "Let time run") };
+    let (icon, tip) = if playing { (icons::PAUSE, "Pause") } else { (icons::PLAY, "Play") };
     if widgets::icon_button(ui, "play", icon, tip).clicked() {
         work.clock.playing = !playing;
     }
-    if widgets::icon_button(ui, "frame", icons::FRAME_CORNERS, "Look from where it was looked from first").clicked() {
+    if widgets::icon_button(ui, "frame", icons::FRAME_CORNERS, "Reset the camera").clicked() {
         let clock = work.clock;
         work.look_at(work.scene);
         work.clock = clock;

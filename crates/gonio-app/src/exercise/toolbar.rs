@@ -51,7 +51,7 @@ pub fn show(ui: &mut Ui, work: Option<&mut Work>, commands: &mut Vec<Command>) {
                 commands.push(Command::Leave);
             }
             if !narrow {
-                ui.label(RichText::new("ExerciseView").font(theme::bold(16.0)).color(ui.visuals().strong_text_color()));
+                ui.label(RichText::new("Exercises").font(theme::bold(16.0)).color(ui.visuals().strong_text_color()));
                 ui.add_space(4.0);
             }
             if let Some(work) = &work {
@@ -60,7 +60,7 @@ pub fn show(ui: &mut Ui, work: Option<&mut Work>, commands: &mut Vec<Command>) {
                 } else {
                     format!("{}  {}", work.exercise.id, work.exercise.title)
                 };
-                if button(ui, "exercises", RichText::new(label), "Another exercise", true) {
+                if button(ui, "exercises", RichText::new(label), "Select another exercise", true) {
                     commands.push(Command::List);
                 }
                 check(ui, work, narrow, commands);
@@ -68,7 +68,7 @@ pub fn show(ui: &mut Ui, work: Option<&mut Work>, commands: &mut Vec<Command>) {
             }
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let dark = ui.visuals().dark_mode;
-                if icon(ui, "theme", if dark { icons::SUN } else { icons::MOON }, "Light or dark", true) {
+                if icon(ui, "theme", if dark { icons::SUN } else { icons::MOON }, "Light or dark theme", true) {
                     commands.push(Command::Theme);
                 }
             });
@@ -83,7 +83,7 @@ pub fn show(ui: &mut Ui, work: Option<&mut Work>, commands: &mut Vec<Command>) {
 fn check(ui: &mut Ui, work: &Work, narrow: bool, commands: &mut Vec<Command>) {
     if work.checking {
         ui.spinner();
-        if button(ui, "stop-checking", RichText::new("Stop"), "No longer wait for the check (Esc)", true) {
+        if button(ui, "stop-checking", RichText::new("Stop"), "Stop the check (Esc)", true) {
             commands.push(Command::StopChecking);
         }
         return;
@@ -92,13 +92,13 @@ fn check(ui: &mut Ui, work: &Work, narrow: bool, commands: &mut Vec<Command>) {
     let fill = colors::ACCENT.of(ui).gamma_multiply(0.35);
     let check = ui.add(Button::new(text.color(ui.visuals().strong_text_color())).fill(fill));
     exported::note(ui, &check, "check", Role::Button, "Check", "");
-    if check.on_hover_text("What is right and what is wrong with it, by name and line (Ctrl + Enter)").clicked() {
+    if check.on_hover_text("Find mistakes by name and line (Ctrl + Enter)").clicked() {
         commands.push(Command::Check);
     }
 }
 
 fn files(ui: &mut Ui, work: &Work, commands: &mut Vec<Command>) {
-    let tip = "Open your own files in place of these (Ctrl + O); or drop them here";
+    let tip = "Open your own files in place of these (Ctrl + O), or drop them here";
     if icon(ui, "open-files", icons::FOLDER_OPEN, tip, true) {
         commands.push(Command::Open);
     }
@@ -121,11 +121,12 @@ fn ask(ui: &Ui, work: &mut Work, commands: &mut Vec<Command>) {
     let Some(mut folder) = work.asking.take() else { return };
     let (mut open, mut done) = (true, false);
     let width = 420_f32.min(ui.ctx().content_rect().width() - 48.0);
-    let window = Window::new("Save into a folder").open(&mut open).collapsible(false).resizable(false);
+    let window = Window::new("Save to a folder").open(&mut open).collapsible(false).resizable(false);
     window.anchor(Align2::CENTER_CENTER, vec2(0.0, -60.0)).show(ui.ctx(), |ui| {
         ui.set_width(width);
         ui.label(
-            RichText::new("It is made if it is not there. From then on the files may be changed in any editor.").weak(),
+            RichText::new("The folder is created if it does not exist. You can then edit the files in any editor.")
+                .weak(),
         );
         let field = ui.add(TextEdit::singleline(&mut folder).desired_width(f32::INFINITY).id_salt("folder"));
         exported::note(ui, &field, "folder", Role::Text, "Folder", &folder);

@@ -10,8 +10,8 @@ pub fn show(ui: &mut Ui, work: &Work) {
     ui.spacing_mut().item_spacing.y = 5.0;
     let given = &work.program.variables;
     if given.is_empty() {
-        let words = "Here stands what each of your attributes and uniforms was taken for, and what it holds, once your \
-                     program compiles.";
+        let words = "Once your program compiles, this page lists the meaning and the value of each of your attributes and \
+                     uniforms.";
         ui.add(Label::new(RichText::new(words).weak()).wrap());
         return;
     }
@@ -32,10 +32,10 @@ fn hint(ui: &mut Ui, name: &str, count: usize) {
     let frame = Frame::NONE.fill(colors::WARNING.of(ui).gamma_multiply(0.14)).corner_radius(CornerRadius::same(6));
     frame.inner_margin(Margin::symmetric(10, 8)).show(ui, |ui| {
         ui.set_min_width(ui.available_width());
-        let which = if count == 1 { "One of your variables is" } else { "Some of your variables are" };
+        let which = if count == 1 { "One variable is" } else { "Some variables are" };
         let words = format!(
-            "{which} not known to gonio, and hold 0. That is all right for what you do not need. Otherwise add a file \
-             names.toml that says what they mean:"
+            "{which} not recognised, and set to 0. Ignore this for variables that you do not need. Otherwise declare their \
+             meaning in a file names.toml:"
         );
         ui.add(Label::new(words).wrap());
         let example = format!("[names]\n\"{name}\" = \"light-pos\"   # or a value: [1.0, 0.5, 0.2]");
@@ -52,7 +52,7 @@ fn row(ui: &mut Ui, given: &Given) {
                 ui.label(RichText::new(role).font(theme::bold(13.0)).color(colors::ACCENT.of(ui))).on_hover_text(how);
             }
             None => {
-                ui.label(RichText::new("not known").color(colors::WARNING.of(ui)));
+                ui.label(RichText::new("not recognised").color(colors::WARNING.of(ui)));
             }
         }
         if !given.value.contains('\n') {

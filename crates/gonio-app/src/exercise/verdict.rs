@@ -15,8 +15,8 @@ const MOST_QUOTED: usize = 400;
 pub fn show(ui: &mut Ui, work: &mut Work, commands: &mut Vec<Command>) {
     ui.spacing_mut().item_spacing.y = 6.0;
     ui.horizontal_wrapped(|ui| {
-        let tip = "Pass what the lab's own solutions do too, where they differ from the textbook";
-        crate::widgets::toggle(ui, "as-the-lab", "as the lab does it", &mut work.as_the_lab, tip);
+        let tip = "Also accept the ways of the lab's own solutions where they differ from the textbook";
+        crate::widgets::toggle(ui, "as-the-lab", "accept the lab's variants", &mut work.as_the_lab, tip);
         if !work.checking && ui.button("Check").clicked() {
             commands.push(Command::Check);
         }
@@ -24,22 +24,21 @@ pub fn show(ui: &mut Ui, work: &mut Work, commands: &mut Vec<Command>) {
     if work.checking {
         ui.horizontal(|ui| {
             ui.spinner();
-            ui.label("It is being checked...");
+            ui.label("Checking...");
         });
     }
     let stale = work.is_judged_before();
     let Some(judged) = work.judged.clone() else {
         if !work.checking {
-            let hint = "Nothing was checked yet. The check draws your files in scenes made to tell mistakes apart, and says \
-                        what it found: by name, by line, and how to mend it.";
+            let hint = "Not checked yet. The check draws your program in test scenes that reveal mistakes, and reports each \
+                        mistake by name and line, with a fix.";
             ui.add(Label::new(RichText::new(hint).weak()).wrap());
         }
         return;
     };
     if stale && !work.checking {
         ui.add(
-            Label::new(RichText::new("The files were changed since: check again.").color(colors::WARNING.of(ui)))
-                .wrap(),
+            Label::new(RichText::new("The files have changed since this check.").color(colors::WARNING.of(ui))).wrap(),
         );
     }
     let Judged { verdict, .. } = judged;
@@ -63,12 +62,15 @@ fn shown(ui: &mut Ui, work: &mut Work, verdict: &Verdict) {
     if let Some(other) = &verdict.runner_up {
         let names: Vec<String> = other.ids.iter().map(|id| name_of(id)).collect();
         let share = 100.0 * other.share_explained;
-        weak(ui, &format!("The next best explanation, {}, explains {share:.1} % of it.", names.join(", with ")));
+        weak(
+            ui,
+            &format!("The next best explanation, {}, explains {share:.1} % of the difference.", names.join(", with ")),
+        );
     }
     terms(ui, verdict);
     scenes(ui, verdict);
     if !verdict.peculiarities.is_empty() {
-        heading(ui, "Right, and worth knowing");
+        heading(ui, "Correct, but worth knowing");
         for peculiarity in &verdict.peculiarities {
             dotted(ui, &peculiarity.name, None);
         }
@@ -85,7 +87,7 @@ fn head(ui: &mut Ui, verdict: &Verdict) {
     let (word, icon, tint) = match verdict.verdict {
         Outcome::Correct => ("Correct", icons::CHECK, colors::NORMAL),
         Outcome::Wrong => ("Wrong", icons::WARNING, colors::WARNING),
-        Outcome::DoesNotCompile => ("It does not compile", icons::WARNING_CIRCLE, colors::ERROR),
+        Outcome::DoesNotCompile => ("Does not compile", icons::WARNING_CIRCLE, colors::ERROR),
         Outcome::Unsure => ("Not judged", icons::QUESTION, colors::ACCENT),
     };
     let color = tint.of(ui);
@@ -110,20 +112,20 @@ fn mistake(ui: &mut Ui, work: &mut Work, index: usize, mistake: &FoundMistake) {
         ui.add(Label::new(name).wrap());
         let share = match mistake.share_explained {
             share if share > 0.0 => format!("It explains {:.1} % of the difference.", 100.0 * share),
-            _ => "The source shows it; the picture is right by luck.".to_owned(),
+            _ => "Found in the source; the picture happens to be correct.".to_owned(),
         };
         ui.label(RichText::new(format!("{}   {share}", mistake.id)).small().weak());
         if let (Some(file), Some(line)) = (&mistake.file, mistake.line) {
             place(ui, work, &format!("mistake-{index}"), file, line, mistake.quoted.as_deref());
         }
-        labelled(ui, "It looks like this:", &mistake.looks_like);
-        labelled(ui, "To mend it:", &mistake.mend);
+        labelled(ui, "Symptom:", &mistake.looks_like);
+        labelled(ui, "How to fix it:", &mistake.mend);
         if !mistake.or.is_empty() {
             let names: Vec<String> = mistake.or.iter().map(|id| name_of(id)).collect();
-            labelled(ui, "No picture tells it from:", &names.join("; "));
+            labelled(ui, "Same picture as:", &names.join("; "));
         }
         if mistake.lab_does_it {
-            weak(ui, "The lab's own solution does the same; `as the lab does it` passes it.");
+            weak(ui, "The lab's own solution does the same; `accept the lab's variants` passes it.");
         }
         if !mistake.seed.is_empty() {
             weak(ui, &format!("Taught in: {}", mistake.seed));
@@ -171,13 +173,13 @@ fn terms(ui: &mut Ui, verdict: &Verdict) {
     if verdict.terms.is_empty() {
         return;
     }
-    heading(ui, "Term by term");
+    heading(ui, "Terms");
     ui.horizontal_wrapped(|ui| {
         for term in &verdict.terms {
             let (word, color) = match term.state {
-                TermState::Right => ("right", colors::NORMAL.of(ui)),
+                TermState::Right => ("correct", colors::NORMAL.of(ui)),
                 TermState::Wrong => ("wrong", colors::ERROR.of(ui)),
-                TermState::NotSeparable => ("cannot be seen alone", ui.visuals().weak_text_color()),
+                TermState::NotSeparable => ("not separable", ui.visuals().weak_text_color()),
             };
             ui.label(format!("{}", term.term));
             ui.label(RichText::new(word).color(color));
@@ -191,7 +193,7 @@ fn scenes(ui: &mut Ui, verdict: &Verdict) {
     if verdict.scenes.is_empty() {
         return;
     }
-    heading(ui, "Scene by scene");
+    heading(ui, "Test scenes");
     for scene in verdict.scenes.iter().filter(|scene| !scene.scene.ends_with(" alone")) {
         ui.horizontal_wrapped(|ui| {
             let (icon, color) =
@@ -199,7 +201,9 @@ fn scenes(ui: &mut Ui, verdict: &Verdict) {
             ui.label(RichText::new(icon).font(theme::icon_font(13.0)).color(color));
             ui.label(RichText::new(&scene.scene).color(ui.visuals().strong_text_color()));
             if !scene.right {
-                ui.label(RichText::new(format!("{:.0} % of it differs", 100.0 * scene.pixels_beyond)).color(color));
+                ui.label(
+                    RichText::new(format!("{:.0} % of the pixels differ", 100.0 * scene.pixels_beyond)).color(color),
+                );
             }
             ui.add(Label::new(RichText::new(scene.shows.as_ref()).weak()).wrap());
         });

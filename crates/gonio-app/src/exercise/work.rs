@@ -122,7 +122,7 @@ impl OpenFile {
 fn decoded(bytes: &[u8]) -> (String, bool) {
     match std::str::from_utf8(bytes) {
         // Numbers and pictures as letters are no help, and their lines may be endless.
-        _ if bytes.contains(&0) => (format!("{} bytes that are no text.\n", bytes.len()), true),
+        _ if bytes.contains(&0) => (format!("{} bytes of binary data.\n", bytes.len()), true),
         Ok(text) => (text.to_owned(), false),
         Err(_) => (String::from_utf8_lossy(bytes).into_owned(), true),
     }
@@ -419,7 +419,7 @@ mod tests {
         assert_eq!(file.content(), bytes);
         let floats = opened([0.5_f32, -1.0].iter().flat_map(|number| number.to_le_bytes()).collect());
         assert!(floats.locked && floats.content().len() == 8);
-        assert_eq!(floats.text, "8 bytes that are no text.\n");
+        assert_eq!(floats.text, "8 bytes of binary data.\n");
     }
 
     #[test]

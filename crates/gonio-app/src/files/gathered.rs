@@ -62,12 +62,12 @@ pub fn gather(names: &[String], source: &dyn FileSource) -> Result<Gathered, Str
     let kinds = "a model (.obj .gltf .glb .dae .ply .stl .mesh .meshb), a scene (.toml), a zip of these, or a picture as \
                  the environment";
     Err(match names {
-        [] => "there are no files in what was given".to_owned(),
+        [] => "no files to open".to_owned(),
         [one] if kinds_sidecar(one) => {
-            format!("`{one}` belongs to a model; give the model together with it")
+            format!("`{one}` belongs to a model: open it together with the model")
         }
-        [one] => format!("`{one}` cannot be opened; give {kinds}"),
-        several => format!("none of these {} files can be opened; give {kinds}", several.len()),
+        [one] => format!("`{one}` cannot be opened: expected {kinds}"),
+        several => format!("none of these {} files can be opened: expected {kinds}", several.len()),
     })
 }
 

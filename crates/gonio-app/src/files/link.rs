@@ -23,20 +23,20 @@ pub fn of_scene(scene: &SceneSettings) -> Result<String, String> {
     let files = environments.filter(|name| environment_file::builtin_of(name).is_none());
     if let Some(file) = models.chain(files).next() {
         return Err(format!(
-            "a link carries the scene and not its files, and `{file}` is one; save the scene and send both"
+            "a link contains the scene but not its files such as `{file}`: save the scene and send both"
         ));
     }
     let mut encoder = DeflateEncoder::new(Vec::new(), Compression::best());
     let packed = encoder.write_all(SceneFile::from(scene).to_toml_string().as_bytes()).and_then(|()| encoder.finish());
     // Writing to memory does not fail.
-    let packed = packed.map_err(|why| format!("the scene could not be packed: {why}"))?;
+    let packed = packed.map_err(|why| format!("the scene could not be compressed: {why}"))?;
     Ok(format!("{KEY}{}", base64url(&packed)))
 }
 
 /// The scene file that such a part of an address carries: `None` where it is about something else, or one sentence.
 pub fn scene_file(fragment: &str) -> Option<Result<String, String>> {
     let text = fragment.trim_start_matches('#').strip_prefix(KEY)?;
-    Some(unpack(text).ok_or_else(|| "the scene in the link is damaged; copy the whole link".to_owned()))
+    Some(unpack(text).ok_or_else(|| "the scene in the link is damaged: copy the whole link".to_owned()))
 }
 
 fn unpack(text: &str) -> Option<String> {

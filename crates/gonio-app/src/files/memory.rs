@@ -55,10 +55,7 @@ impl FileSource for MemoryFiles {
         if !self.list(path).is_empty() {
             return Err(ErrorKind::IsADirectory.into());
         }
-        Err(Error::new(
-            ErrorKind::NotFound,
-            "it is not among the files that were given; give it together with the others",
-        ))
+        Err(Error::new(ErrorKind::NotFound, "it is not among the opened files; open it together with the others"))
     }
 
     fn list(&self, folder: &Path) -> Vec<PathBuf> {

@@ -59,14 +59,16 @@ pub struct Entry {
 
 /// The directory of a zip of at most so many files, without unpacking anything. An error is one sentence.
 pub fn entries(bytes: &[u8], most_files: usize) -> Result<Vec<Entry>, String> {
-    let end = find_end(bytes).ok_or("the zip is cut off or damaged: its directory is missing")?;
+    let end = find_end(bytes).ok_or("the zip file is truncated or damaged: its directory is missing")?;
     let count = number(bytes, end + 10, 2)? as usize;
     let mut at = number(bytes, end + 16, 4)? as usize;
     if count == 0xffff || at == 0xffff_ffff {
-        return Err("the zip is of the 64-bit kind, which is not read; unpack it and give the files".into());
+        return Err("Zip64 files are not supported: unpack the zip file and open its contents".into());
     }
     if count > most_files {
-        return Err(format!("the zip holds {count} files, more than {most_files}; unpack it and give those wanted"));
+        return Err(format!(
+            "the zip file holds {count} files, more than {most_files}: unpack it and open only those that you need"
+        ));
     }
     let mut entries = Vec::new();
     for _ in 0..count {
@@ -93,7 +95,7 @@ impl Entry {
     pub fn unpack(&self, zip: &[u8]) -> Result<Vec<u8>, String> {
         let name = String::from_utf8_lossy(&self.name);
         if self.is_encrypted {
-            return Err(format!("`{name}` in the zip is encrypted; unpack it and give the files"));
+            return Err(format!("`{name}` in the zip file is encrypted: unpack it and open its contents"));
         }
         if part(zip, self.local, 4)? != LOCAL {
             return Err(damaged());
@@ -122,11 +124,14 @@ pub fn unpack_within(bytes: &[u8], limits: &Limits) -> Result<MemoryFiles, Strin
         }
         if entry.size > limits.file_bytes {
             let most = limits.file_bytes >> 20;
-            return Err(format!("`{name}` in the zip has more than {most} MiB, which is the limit for one file"));
+            return Err(format!("`{name}` in the zip file is larger than {most} MiB, the limit for one file"));
         }
         total += entry.size;
         if total > limits.bytes {
-            return Err(format!("the zip holds more than {} MiB; unpack it and give the files", limits.bytes >> 20));
+            return Err(format!(
+                "the zip file holds more than {} MiB: unpack it and open its contents",
+                limits.bytes >> 20
+            ));
         }
         wanted.push((name, entry));
     }
@@ -138,7 +143,7 @@ pub fn unpack_within(bytes: &[u8], limits: &Limits) -> Result<MemoryFiles, Strin
 }
 
 fn inflate(content: &[u8], method: u64, size: u64, name: &str) -> Result<Vec<u8>, String> {
-    let wrong = || format!("`{name}` in the zip is damaged: it does not have the size that the zip's directory says");
+    let wrong = || format!("`{name}` in the zip file is damaged: its size differs from the directory's entry");
     let bytes = match method {
         0 if content.len() as u64 != size => return Err(wrong()),
         0 => content.to_vec(),
@@ -148,11 +153,13 @@ fn inflate(content: &[u8], method: u64, size: u64, name: &str) -> Result<Vec<u8>
             DeflateDecoder::new(content)
                 .take(size + 1)
                 .read_to_end(&mut bytes)
-                .map_err(|_| format!("`{name}` in the zip is damaged; make the zip again"))?;
+                .map_err(|_| format!("`{name}` in the zip file is damaged: create the zip file again"))?;
             bytes
         }
         _ => {
-            return Err(format!("`{name}` in the zip is packed in a way that is not read; use Deflate, or no packing"));
+            return Err(format!(
+                "`{name}` in the zip file uses an unsupported compression method: use Deflate or none"
+            ));
         }
     };
     if bytes.len() as u64 != size { Err(wrong()) } else { Ok(bytes) }
@@ -179,7 +186,7 @@ fn number(bytes: &[u8], at: usize, len: usize) -> Result<u64, String> {
 }
 
 fn damaged() -> String {
-    "the zip is cut off or damaged; make it again".into()
+    "the zip file is truncated or damaged: create it again".into()
 }
 
 #[cfg(test)]
@@ -284,7 +291,7 @@ mod tests {
         let mut zip = zip_of(&[("a.obj", &[0; 100_000], true)]);
         let directory = zip.windows(4).position(|w| w == ENTRY).unwrap_or_default();
         zip[directory + 24..directory + 28].copy_from_slice(&10_u32.to_le_bytes());
-        assert!(unpack(&zip).is_err_and(|why| why.contains("does not have the size")));
+        assert!(unpack(&zip).is_err_and(|why| why.contains("its size differs")));
         zip[directory + 24..directory + 28].copy_from_slice(&0xf000_0000_u32.to_le_bytes());
         assert!(unpack(&zip).is_err_and(|why| why.contains("more than 1024 MiB")));
     }
@@ -299,11 +306,11 @@ mod tests {
             unpack_within(&two, &limits).err()
         };
         assert_eq!(refused(2, 2, 3), None);
-        let file = "`a.obj` in the zip has more than 1 MiB, which is the limit for one file";
+        let file = "`a.obj` in the zip file is larger than 1 MiB, the limit for one file";
         assert_eq!(refused(2, 1, 3).as_deref(), Some(file));
-        let all = "the zip holds more than 2 MiB; unpack it and give the files";
+        let all = "the zip file holds more than 2 MiB: unpack it and open its contents";
         assert_eq!(refused(2, 2, 2).as_deref(), Some(all));
-        let files = "the zip holds 2 files, more than 1; unpack it and give those wanted";
+        let files = "the zip file holds 2 files, more than 1: unpack it and open only those that you need";
         assert_eq!(refused(1, 2, 3).as_deref(), Some(files));
     }
 
@@ -319,6 +326,6 @@ mod tests {
         let end = zip.len() - END_SIZE;
         zip[end + 10..end + 12].copy_from_slice(&300_u16.to_le_bytes());
         let refused = unpack_within(&zip, &Limits::SUBMISSION).err();
-        assert_eq!(refused.as_deref(), Some("the zip holds more than 256 MiB; unpack it and give the files"));
+        assert_eq!(refused.as_deref(), Some("the zip file holds more than 256 MiB: unpack it and open its contents"));
     }
 }

@@ -9,7 +9,7 @@ pub fn show(ui: &Ui, session: &mut Session) {
     let room = ui.ctx().content_rect();
     // On a phone the keys' column is what gives way.
     let key_width = if room.width() < 480.0 { 96.0 } else { 190.0 };
-    Window::new("Keys")
+    Window::new("Keyboard shortcuts")
         .open(&mut session.help)
         .collapsible(false)
         .resizable(false)

@@ -39,8 +39,8 @@ pub fn show(ui: &Ui, session: &Session, actions: &mut Vec<Action>) {
                             }
                             ui.horizontal(|ui| {
                                 let id = |what: &str| format!("{what}-{}", message.id);
-                                let read = ui.small_button("Understood");
-                                exported::note(ui, &read, &id("dismiss"), Role::Button, "Understood", "");
+                                let read = ui.small_button("Dismiss");
+                                exported::note(ui, &read, &id("dismiss"), Role::Button, "Dismiss", "");
                                 if read.clicked() {
                                     actions.push(Action::Dismiss(message.id));
                                 }

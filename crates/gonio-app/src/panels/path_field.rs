@@ -12,10 +12,10 @@ pub fn show(ui: &Ui, session: &mut Session, purpose: Purpose, actions: &mut Vec<
     let Some(mut asking) = session.asking.take() else { return };
     let (title, hint, verb) = match asking.saves {
         None if purpose == Purpose::Exercise => {
-            ("Open", "Path of your file, or of a folder or a zip with your files; or drop them on the window", "Open")
+            ("Open", "Path of a file, folder or zip file; you can also drop files on the window", "Open")
         }
-        Some(_) => ("Save as", "Path of the file to write", "Save"),
-        None => ("Open", "Path of a model, a scene, a zip or a picture; or drop files on the window", "Open"),
+        Some(_) => ("Save as", "Path of the file", "Save"),
+        None => ("Open", "Path of a model, scene, zip file or picture; you can also drop files on the window", "Open"),
     };
     let (mut open, mut done) = (true, false);
     let width = 460_f32.min(ui.ctx().content_rect().width() - 48.0);

@@ -18,13 +18,13 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
     if session.loaded.is_none() {
         return;
     }
-    heading(ui, "Shown in this pane");
+    heading(ui, "View of this pane");
     view(ui, document);
     heading(ui, "Environment");
     environment(ui, &mut document.scene);
     heading(ui, "Background");
     background(ui, &mut document.scene.background);
-    heading(ui, "From light to the picture");
+    heading(ui, "Display");
     output(ui, &mut document.scene.picture);
 }
 
@@ -60,9 +60,9 @@ fn view(ui: &mut Ui, document: &mut Document) {
     let mut quantity = pane.view.map(|view| view.quantity);
     let titles: Vec<(Quantity, String)> =
         GROUPS.iter().flat_map(|(group, members)| members.iter().map(move |q| (*q, titled(group, *q)))).collect();
-    let mut options = vec![(None, "the picture", "L_o, through exposure, tone map and encoding")];
+    let mut options = vec![(None, "the picture", "L_o with exposure, tone mapping and colour encoding")];
     options.extend(titles.iter().map(|(q, title)| (Some(*q), title.as_str(), q.description().trim())));
-    let tip = "A vector, a term or a factor of the equation as a colour (number keys)";
+    let tip = "A vector, term or factor of the equation as a colour (number keys)";
     if row(ui, "View", tip, |ui| dropdown(ui, "view", "what is shown", &mut quantity, &options)) {
         pane.view = quantity.map(|quantity| ViewSpec { quantity, light: None });
     }
@@ -71,13 +71,13 @@ fn view(ui: &mut Ui, document: &mut Document) {
         return;
     }
     let (first, tip) = if view.quantity.summed_over_lights() {
-        ("sum of all", "The sum over the lights")
+        ("sum of all", "Sum over all lights")
     } else {
         ("the first", "The first light that is not ambient")
     };
     let mut options = vec![(None, first, tip)];
     options.extend(names.iter().enumerate().map(|(i, name)| (Some(i), name.as_str(), "")));
-    row(ui, "Of light", "Whose share is shown", |ui| {
+    row(ui, "Of light", "Light whose contribution is shown", |ui| {
         dropdown(ui, "view-light", "of which light", &mut view.light, &options);
     });
 }
@@ -91,22 +91,19 @@ fn titled(group: &str, quantity: Quantity) -> String {
 }
 
 fn environment(ui: &mut Ui, scene: &mut SceneSettings) {
-    const BUILTIN: [(&str, &str); 3] = [
-        ("debug", "Six colours with names: shows what is where"),
-        ("sky", "A sky with a sun"),
-        ("room", "A room with windows"),
-    ];
+    const BUILTIN: [(&str, &str); 3] =
+        [("debug", "Six labelled colours, one per face"), ("sky", "A sky with a sun"), ("room", "A room with windows")];
     let image = scene.environment.as_ref().map(|environment| environment.image.clone());
     let own = image.clone().filter(|image| BUILTIN.iter().all(|(name, _)| name != image));
     let mut names: Vec<(&str, &str)> = vec![("none", "Only the background colours")];
     names.extend(BUILTIN);
     if let Some(own) = &own {
-        names.push((own.as_str(), "The scene's own"));
+        names.push((own.as_str(), "From the scene"));
     }
     let options: Vec<(usize, &str, &str)> = names.iter().enumerate().map(|(i, (name, tip))| (i, *name, *tip)).collect();
     let before = image.as_deref().and_then(|image| names.iter().position(|(name, _)| *name == image)).unwrap_or(0);
     let mut chosen = before;
-    row(ui, "Image", "What surrounds the scene; drop a panorama or six faces for another one", |ui| {
+    row(ui, "Image", "Surroundings of the scene; drop a panorama or six cube faces to use your own", |ui| {
         dropdown(ui, "environment", "environment", &mut chosen, &options);
     });
     if chosen != before {
@@ -121,18 +118,18 @@ fn environment(ui: &mut Ui, scene: &mut SceneSettings) {
         });
     }
     let Some(environment) = &mut scene.environment else { return };
-    row(ui, "Light", "Whether it lights the objects", |ui| {
+    row(ui, "Light", "Whether the environment lights the objects", |ui| {
         let tip = "Diffuse light and glossy reflection";
         toggle(ui, "environment-light", "lights the objects", &mut environment.light, tip);
     });
-    row(ui, "Background", "Whether it is seen behind the objects", |ui| {
-        toggle(ui, "environment-visible", "is seen", &mut environment.visible, "Behind the objects");
+    row(ui, "Background", "Whether the environment is visible behind the objects", |ui| {
+        toggle(ui, "environment-visible", "is visible", &mut environment.visible, "Behind the objects");
     });
-    row(ui, "Intensity", "All of its light is multiplied by this", |ui| {
-        let number = Number::new("environment-intensity", "intensity").tip("All of its light times this");
+    row(ui, "Intensity", "Factor on the light of the environment", |ui| {
+        let number = Number::new("environment-intensity", "intensity").tip("Factor on the light of the environment");
         number.range(0.0..=1e6).default(1.0).step(0.01).show(ui, &mut environment.intensity);
     });
-    row(ui, "Turned", "Yaw, pitch and roll: about y, then x, then z", |ui| {
+    row(ui, "Rotation", "Yaw, pitch and roll: about y, then x, then z", |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         for ((name, tip), value) in [("yaw", "Yaw: to the left"), ("pitch", "Pitch: upwards"), ("roll", "Roll")]
             .into_iter()
@@ -143,43 +140,43 @@ fn environment(ui: &mut Ui, scene: &mut SceneSettings) {
             number.step(1.0).width(66.0).show(ui, value);
         }
     });
-    row(ui, "Blur", "How blurred it is behind the objects", |ui| {
-        let number = Number::new("environment-blur", "blur").tip("How blurred it is behind the objects");
+    row(ui, "Blur", "Blur of the visible environment", |ui| {
+        let number = Number::new("environment-blur", "blur").tip("Blur of the visible environment");
         number.range(0.0..=1.0).default(0.0).show(ui, &mut environment.blur);
     });
 }
 
 fn background(ui: &mut Ui, background: &mut BackgroundSpec) {
     let usual = BackgroundSpec::default();
-    row(ui, "Top", "At the picture's upper edge, linear RGB", |ui| {
+    row(ui, "Top", "Colour at the upper edge, linear RGB", |ui| {
         color(ui, "background-top", "background at the top", &mut background.top, Some(usual.top), "");
     });
-    row(ui, "Bottom", "At the picture's lower edge, linear RGB", |ui| {
+    row(ui, "Bottom", "Colour at the lower edge, linear RGB", |ui| {
         color(ui, "background-bottom", "background at the bottom", &mut background.bottom, Some(usual.bottom), "");
     });
     row(ui, "", "", |ui| {
-        let tip = "A saved picture gets an alpha channel";
+        let tip = "Saved pictures get an alpha channel";
         toggle(ui, "background-transparent", "transparent", &mut background.transparent, tip);
     });
 }
 
 fn output(ui: &mut Ui, picture: &mut PictureSpec) {
-    row(ui, "Exposure", "Light is multiplied by 2 to this power", |ui| {
-        let number = Number::new("exposure", "exposure").tip("Stops: light is multiplied by 2 to this power");
+    row(ui, "Exposure", "Stops: each doubles the light", |ui| {
+        let number = Number::new("exposure", "exposure").tip("Stops: each doubles the light");
         number.unit(" EV").range(-64.0..=64.0).default(0.0).step(0.02).show(ui, &mut picture.exposure);
     });
-    row(ui, "Tone map", "How light above 1 is brought into the display's range", |ui| {
+    row(ui, "Tone map", "Maps light above 1 to the range of the display", |ui| {
         choice(ui, "tone-map", "tone map", &mut picture.tone_map, &named_options!(ToneMap), ToneMap::None);
     });
-    row(ui, "Encoding", "How light becomes the picture's numbers", |ui| {
+    row(ui, "Encoding", "Conversion of linear light to the picture's values", |ui| {
         let options = named_options!(ColorEncoding);
         choice(ui, "encoding", "colour encoding", &mut picture.color, &options, ColorEncoding::Srgb);
     });
-    row(ui, "Samples", "Places in each pixel where edges are looked at", |ui| {
+    row(ui, "Samples", "Samples per pixel, for smooth edges", |ui| {
         let options = [(1, "1", ""), (2, "2", ""), (4, "4", ""), (8, "8", ""), (16, "16", "")];
         choice(ui, "samples", "samples per pixel", &mut picture.samples, &options, 4);
     });
-    row(ui, "Textures", "How textures are sampled", |ui| {
+    row(ui, "Textures", "Texture filter", |ui| {
         let options = named_options!(TextureFilter);
         dropdown(ui, "texture-filter", "texture filter", &mut picture.texture_filter, &options);
     });

@@ -28,7 +28,7 @@ pub fn show(ui: &mut Ui, session: &Session) {
             let label = ui.label(RichText::new(text).monospace().small().weak());
             label.on_hover_ui(|ui| {
                 ui.label(&facts.renderer);
-                ui.label("Pixels of the current pane, and how long its last picture took that was waited for");
+                ui.label("Size of the current pane, and time of the last finished frame");
                 for note in &facts.notes {
                     ui.label(note);
                 }

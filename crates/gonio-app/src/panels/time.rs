@@ -19,8 +19,7 @@ pub fn period(document: &Document) -> Option<f64> {
 pub fn show(ui: &mut Ui, document: &Document, session: &Session, actions: &mut Vec<Action>) {
     let Some(period) = period(document) else { return };
     let clock = &session.clock;
-    let (icon, tip) =
-        if clock.playing { (icons::PAUSE, "Stop time (Space)") } else { (icons::PLAY, "Let time run (Space)") };
+    let (icon, tip) = if clock.playing { (icons::PAUSE, "Pause (Space)") } else { (icons::PLAY, "Play (Space)") };
     if icon_button(ui, "play", icon, tip).clicked() {
         actions.push(Action::PlayOrPause);
     }

@@ -12,7 +12,7 @@ use gonio_scene::files;
 /// Below this width (points) the files are behind one button.
 const NARROW: f32 = 560.0;
 /// What the laboratory is, in a sentence.
-const EXERCISES: &str = "Exercises: write shaders, see them beside the right answer, and have them checked";
+const EXERCISES: &str = "Shader exercises: edit, compare with the correct answer, and check";
 
 /// Shows it.
 pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &History, actions: &mut Vec<Action>) {
@@ -24,7 +24,7 @@ pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &Histo
             let text = RichText::new(icons::LIST).font(theme::icon_font(17.0));
             menu(ui, "menu", text, "Files", |ui| {
                 entry(ui, "open", "Open...", "Open a model or a scene (Ctrl + O)", Action::ChooseFiles, actions);
-                entry(ui, "exercises", "Laboratory", EXERCISES, Action::ShowExercise, actions);
+                entry(ui, "exercises", "Exercises", EXERCISES, Action::ShowExercise, actions);
                 ui.separator();
                 save_entries(ui, actions);
                 ui.separator();
@@ -37,16 +37,16 @@ pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &Histo
             }
             let text = RichText::new(icons::FLOPPY_DISK).font(theme::icon_font(17.0));
             menu(ui, "save", text, "Save the picture or the scene", |ui| save_entries(ui, actions));
-            menu(ui, "samples", "Samples".into(), "Models and scenes that gonio carries", |ui| {
+            menu(ui, "samples", "Samples".into(), "Built-in models and scenes", |ui| {
                 samples_entries(ui, actions);
             });
             if !session.settings.recent.is_empty() {
-                menu(ui, "recent", "Recent".into(), "What was opened before", |ui| {
+                menu(ui, "recent", "Recent".into(), "Recently opened files", |ui| {
                     recent_entries(ui, session, actions);
                 });
             }
-            let button = ui.add(egui::Button::new("Laboratory").frame_when_inactive(false));
-            exported::note(ui, &button, "exercises", Role::Button, "Laboratory", "");
+            let button = ui.add(egui::Button::new("Exercises").frame_when_inactive(false));
+            exported::note(ui, &button, "exercises", Role::Button, "Exercises", "");
             if button.on_hover_text(EXERCISES).clicked() {
                 actions.push(Action::ShowExercise);
             }
@@ -58,15 +58,15 @@ pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &Histo
         if icon(ui, "redo", icons::ARROW_U_UP_RIGHT, "Redo (Ctrl + Y)", history.can_redo()) {
             actions.push(Action::Redo);
         }
-        if icon(ui, "frame", icons::FRAME_CORNERS, "Everything into the picture (F)", session.loaded.is_some()) {
+        if icon(ui, "frame", icons::FRAME_CORNERS, "Frame all objects (F)", session.loaded.is_some()) {
             actions.push(Action::Frame);
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if icon(ui, "help", icons::QUESTION, "Keys (?)", true) {
+            if icon(ui, "help", icons::QUESTION, "Keyboard shortcuts (?)", true) {
                 actions.push(Action::ToggleHelp);
             }
             let dark = ui.visuals().dark_mode;
-            if icon(ui, "theme", if dark { icons::SUN } else { icons::MOON }, "Light or dark (T)", true) {
+            if icon(ui, "theme", if dark { icons::SUN } else { icons::MOON }, "Light or dark theme (T)", true) {
                 actions.push(Action::ToggleTheme);
             }
             ui.add(egui::Label::new(RichText::new(&session.title).weak()).truncate());
@@ -113,7 +113,7 @@ fn save_entries(ui: &mut Ui, actions: &mut Vec<Action>) {
     }
     ui.separator();
     entry(ui, "copy-picture", "Copy the picture", "", Action::CopyPicture, actions);
-    let tip = "A link to this page that carries the scene: samples, lights, camera and all settings";
+    let tip = "A link to this page with the scene in it: sample models, lights, camera and all settings";
     entry(ui, "copy-link", "Copy a link to the scene", tip, Action::CopyLink, actions);
 }
 
@@ -134,16 +134,16 @@ fn recent_entries(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
 /// What a sample is, in a sentence.
 fn sentence(sample: &str) -> &'static str {
     match sample {
-        "cube" => "Six faces, hard edges: where flat and Phong shading are the same",
-        "sphere-coarse" => "Few triangles, one normal a face: where the shadings differ most",
-        "sphere-coarse-averaged" => "Few triangles, averaged normals: what interpolation hides",
-        "sphere-smooth" => "Many triangles: what all shadings come to",
+        "cube" => "Six faces with hard edges: flat and Phong shading look the same",
+        "sphere-coarse" => "Few triangles with one normal per face: the shadings differ most",
+        "sphere-coarse-averaged" => "Few triangles with averaged normals: interpolation hides the edges",
+        "sphere-smooth" => "Many triangles: all shadings look the same",
         "still-life" => "Several materials and textures on one table",
-        "suzanne" => "The head of a monkey, as in many programs",
-        "glass-and-mirror" => "What shows its surroundings",
+        "suzanne" => "Blender's monkey head",
+        "glass-and-mirror" => "Objects that reflect and refract their surroundings",
         "lab-07" => "The scene of exercise 07",
-        "light-kinds" => "Directional, point and spot light beside each other",
-        "shadings" => "Flat, Gouraud and Phong beside each other",
+        "light-kinds" => "A directional, a point and a spot light side by side",
+        "shadings" => "Flat, Gouraud and Phong shading side by side",
         "three-spheres" => "Three spheres under three lights",
         _ => "",
     }

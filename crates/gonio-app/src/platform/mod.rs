@@ -137,7 +137,7 @@ pub trait Platform {
     /// Begins to check a student's files, where nothing that they do can harm or hold up the window.
     fn check(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Checking> {
         let _ = (request, ctx);
-        Box::new(Refused::new("nothing can be checked here; `gonio lab check` does it on the command line"))
+        Box::new(Refused::new("checks are not available here: run `gonio lab check` on the command line"))
     }
     /// Whether [`Platform::trial`] runs in a process of its own and is cheap. Then every pair of shaders is tried before the
     /// window's OpenGL gets it; otherwise only those that may never end.

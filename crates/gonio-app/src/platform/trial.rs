@@ -56,6 +56,6 @@ impl Trial for ByCheck {
             Ok(verdict) => verdict.summary,
             Err(why) => why,
         };
-        Some(TrialOutcome::Refused(format!("This shader is not drawn here, because it may never end: {why}")))
+        Some(TrialOutcome::Refused(format!("This shader is not drawn because it may never finish: {why}")))
     }
 }

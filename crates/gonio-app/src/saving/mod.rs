@@ -35,8 +35,8 @@ impl Product {
     /// As a menu calls it.
     pub fn title(self) -> &'static str {
         match self {
-            Product::Picture => "Picture as shown (PNG)",
-            Product::SizedPicture => "Picture in the scene's size (PNG)",
+            Product::Picture => "Picture as displayed (PNG)",
+            Product::SizedPicture => "Picture at the scene's resolution (PNG)",
             Product::Light => "Linear light (EXR)",
             Product::Scene => "Scene (TOML)",
         }

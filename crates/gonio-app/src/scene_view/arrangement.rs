@@ -54,7 +54,7 @@ pub fn label(ui: &Ui, index: usize, rect: Rect, document: &Document, session: &S
     }
     let mut text = caption(document, index);
     if session.comparison.panes.get(index).is_some_and(|facts| facts.preparing) {
-        text.push_str(" (being simplified)");
+        text.push_str(" (simplifying)");
     }
     written(ui, rect, Align2::CENTER_BOTTOM, text);
 }
@@ -165,7 +165,7 @@ pub fn difference(
     let text = if settings.signed {
         format!("{} minus {}", caption(document, second), caption(document, first))
     } else {
-        format!("difference of: {} and {}", caption(document, first), caption(document, second))
+        format!("difference of {} and {}", caption(document, first), caption(document, second))
     };
     written(ui, room, Align2::CENTER_BOTTOM, text);
     Ok(())

@@ -40,7 +40,7 @@ pub fn show(ui: &Ui, projection: &Projection, document: &mut Document, session: 
         let name = format!("{}{}", if letter.is_some() { "" } else { "-" }, axis_letter(axis));
         let hit = Rect::from_center_size(end, Vec2::splat(2.0 * END + 2.0));
         let response = ui.interact(hit, ui.scope_id().with(("axis", &name)), Sense::click());
-        let tip = format!("Look along {name}, from its end");
+        let tip = format!("Look along {name}");
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &tip));
         exported::note(ui, &response, &format!("look-along-{name}"), Role::Button, &tip, "");
         let hovered = response.hovered();

@@ -78,7 +78,7 @@ pub fn show(
     pane_renderer: &mut PaneRenderer,
 ) -> Result<(), GlError> {
     let response = ui.allocate_rect(rect, Sense::click_and_drag());
-    let what = "the camera from outside";
+    let what = "the camera and its frustum from outside";
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, what));
     exported::note(ui, &response, "observer-view", Role::Picture, what, "");
     let aspect = f64::from(rect.width() / rect.height());
@@ -171,7 +171,7 @@ fn buttons(ui: &mut Ui, rect: Rect, observer: &mut Observer) {
     if button(close, "observer-close", icons::X, "Close (O)", false) {
         observer.open = false;
     }
-    let tip = "Let it go around by itself";
+    let tip = "Rotate automatically";
     if button(turn, "observer-turn", icons::REPEAT, tip, observer.turning) {
         observer.turning = !observer.turning;
     }

@@ -84,7 +84,7 @@ fn chooser(ui: &mut Ui, pane: &mut Pane, lights: usize) {
         });
     });
     exported::note(ui, &menu.response, "view-chooser", Role::Choice, "view", title_of(pane));
-    menu.response.on_hover_text("What is shown of the scene: the number keys choose, too");
+    menu.response.on_hover_text("View of the scene (number keys)");
     // A view of one light says which.
     if let Some(view) = pane.view.as_mut().filter(|view| pane.special.is_none() && view.quantity.per_light())
         && lights > 1
@@ -119,7 +119,7 @@ fn overlays(ui: &mut Ui, pane: &mut Pane) {
     for (on, id, icon, tip) in [
         (&mut overlays.wireframe, "overlay-wireframe", icons::POLYGON, "Wireframe (Shift + W)"),
         (&mut overlays.normals, "overlay-normals", icons::WIND, "Normals (Shift + N)"),
-        (&mut overlays.boxes, "overlay-boxes", icons::BOUNDING_BOX, "Boxes (Shift + B)"),
+        (&mut overlays.boxes, "overlay-boxes", icons::BOUNDING_BOX, "Bounding boxes (Shift + B)"),
     ] {
         if toggle(ui, id, icon, tip, *on) {
             *on = !*on;
@@ -128,7 +128,7 @@ fn overlays(ui: &mut Ui, pane: &mut Pane) {
 }
 
 fn tools(ui: &mut Ui, session: &mut Session) {
-    let tip = "The camera from outside (O)";
+    let tip = "Show the camera and its frustum from outside (O)";
     if toggle(ui, "observer", icons::VIDEO_CAMERA, tip, session.observer.open) {
         session.observer.toggle();
     }

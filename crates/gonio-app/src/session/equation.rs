@@ -58,15 +58,15 @@ impl Term {
     /// What it is, in a sentence.
     pub const fn description(self) -> &'static str {
         match self {
-            Term::Ambient => "A, ambient light: what comes from everywhere, never weakened",
-            Term::Emitted => "E, what the surface emits",
-            Term::Environment => "Light of the environment: diffuse, and its glossy reflection",
-            Term::Diffuse => "diff, the diffuse term: the same to every side",
-            Term::Specular => "spec, the specular term: the highlight",
+            Term::Ambient => "A, ambient light: the same from every direction, never attenuated",
+            Term::Emitted => "E, the light that the surface emits",
+            Term::Environment => "Light from the environment: diffuse and glossy reflection",
+            Term::Diffuse => "diff k_d, the diffuse term: the same in every viewing direction",
+            Term::Specular => "k_s spec_i, the specular term: the highlight",
             Term::Light => "L_i, the colour of light i times its intensity",
-            Term::Attenuation => "att, attenuation: how light weakens with distance",
-            Term::Spot => "spot, the edge of a spot's cone",
-            Term::Cosine => "cos \u{3b8}, the cosine between the normal and the way to the light",
+            Term::Attenuation => "att_i, attenuation: the decrease of light with distance",
+            Term::Spot => "spot_i, the soft edge of a spot light's cone",
+            Term::Cosine => "<N.L_i>, the cosine of the angle between normal and light direction, at least 0",
         }
     }
 }

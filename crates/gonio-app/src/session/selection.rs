@@ -55,13 +55,13 @@ impl Tab {
     /// What is behind it, in a sentence.
     pub fn description(self) -> &'static str {
         match self {
-            Tab::Lights => "The lights: each is a row of the sum",
-            Tab::Objects => "Models, their place and their material",
-            Tab::Camera => "The eye and its matrices",
-            Tab::Picture => "Environment, background and the way from light to the picture",
-            Tab::Probe => "The equation at one pixel, with its numbers",
-            Tab::Compare => "The same scene in one to four ways",
-            Tab::Frame => "What the GPU was asked to do for this picture",
+            Tab::Lights => "Lights: each adds one summand to the equation",
+            Tab::Objects => "Models, their transformations and materials",
+            Tab::Camera => "Camera parameters and matrices",
+            Tab::Picture => "Environment, background, exposure and tone mapping",
+            Tab::Probe => "The light equation at one pixel, in numbers",
+            Tab::Compare => "The scene with up to four settings side by side",
+            Tab::Frame => "The OpenGL calls that drew this picture",
         }
     }
 }

@@ -108,7 +108,7 @@ fn text(ui: &mut Ui, id: &str, label: &str, value: &mut Color) {
             _ => {}
         }
     }
-    response.on_hover_text("#rrggbb (sRGB), or r,g,b or one number (linear, above 1 too)");
+    response.on_hover_text("#rrggbb (sRGB), or r,g,b or one number (linear, may exceed 1)");
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use crate::exported::{self, Role};
 use egui::{DragValue, Response, Sense, TextStyle, Ui, UiBuilder, vec2};
+use gonio_light::is_noise;
 use std::ops::RangeInclusive;
 
 /// A number and what is known of it.
@@ -151,10 +152,13 @@ fn step_of(value: f64, range: &RangeInclusive<f64>) -> f64 {
     (0.01 * value.abs()).clamp(0.01, 1e12)
 }
 
-/// A number as it is shown: up to four digits behind the point, and never more than seven characters or so.
+/// Formats a number with up to four decimals, in about seven characters at most. Numerical noise is 0.
 pub fn compact(v: f64) -> String {
+    if is_noise(v) {
+        return "0".to_owned();
+    }
     let size = v.abs();
-    if size != 0.0 && !(1e-4..1e6).contains(&size) {
+    if !(1e-4..1e6).contains(&size) {
         return format!("{v:.2e}");
     }
     let decimals = match size {
@@ -185,6 +189,7 @@ mod tests {
         for (value, shown) in [
             (0.0, "0"),
             (-0.0, "0"),
+            (0.5e-46, "0"),
             (1.5, "1.5"),
             (0.125, "0.125"),
             (-2.0, "-2"),

@@ -26,7 +26,7 @@ fn save(window: &mut Window, key: &str, name: &str) {
     window.rest();
     window.key(key);
     answer(window, name);
-    let wanted = format!("saved: {name}");
+    let wanted = format!("saved {name}");
     window.wait(&wanted, |s| s["announcement"] == wanted.as_str());
 }
 

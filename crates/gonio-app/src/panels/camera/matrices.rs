@@ -23,7 +23,7 @@ const VIEW: Table = Table {
         ["Right.x", "Right.y", "Right.z", "\u{2212}Right \u{22c5} Position"],
         ["Up.x", "Up.y", "Up.z", "\u{2212}Up \u{22c5} Position"],
         ["\u{2212}Front.x", "\u{2212}Front.y", "\u{2212}Front.z", "Front \u{22c5} Position"],
-        ["0", "0", "0", "1: points stay points"],
+        ["0", "0", "0", "1, for points"],
     ],
 };
 
@@ -35,20 +35,20 @@ const PROJECTION: Table = Table {
         ["f / aspect, f = 1 / tan(fov / 2), aspect = width / height", "0", "0", "0"],
         ["0", "f = 1 / tan(fov / 2)", "0", "0"],
         ["0", "0", "(far + near) / (near \u{2212} far)", "2 far near / (near \u{2212} far)"],
-        ["0", "0", "\u{2212}1: w is the depth in front of the eye, by which x, y and z are divided", "0"],
+        ["0", "0", "\u{2212}1: w becomes the depth, by which x, y and z are divided", "0"],
     ],
 };
 
 /// Shows both.
 pub fn show(ui: &mut Ui, camera: &Camera, aspect: f64) {
     heading(ui, "View matrix V").on_hover_text(
-        "From world to eye space: the camera's axes as rows, and in the last column its position, seen along them",
+        "From world to eye space: the camera axes as rows, and in the last column minus the position in those axes",
     );
     table(ui, &VIEW, camera.view_from_world(), row_tints(ui));
     let [front_x, front_y, front_z] = camera.front.to_array();
     let text = format!("Front = ({front_x:.3}, {front_y:.3}, {front_z:.3})");
     ui.label(RichText::new(text).font(digits()).color(colors::AXIS_Z.of(ui)));
-    heading(ui, "Projection matrix P").on_hover_text("From eye to clip space, OpenGL's: z from -1 (near) to 1 (far)");
+    heading(ui, "Projection matrix P").on_hover_text("From eye to OpenGL's clip space: z from -1 (near) to 1 (far)");
     let weak = ui.visuals().weak_text_color();
     table(ui, &PROJECTION, camera.clip_from_view(aspect), [weak; 4]);
 }

@@ -39,14 +39,14 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
 
 fn place(ui: &mut Ui, spec: &mut CameraSettings) {
     heading(ui, "Place");
-    let tip = "The eye, world space";
+    let tip = "Camera position in world space";
     row(ui, "Position", tip, |ui| Vector::new("camera-position", "position").tip(tip).show(ui, &mut spec.position));
     let camera = spec.to_camera();
     let (mut yaw, mut pitch) = camera.yaw_pitch_deg();
     // A camera that looks along angles gets the point ahead of it.
     let ahead = (camera.position + camera.front).to_array();
     let mut target = spec.target().unwrap_or(ahead);
-    let tip = "The point looked at, world space";
+    let tip = "The point that the camera looks at, in world space";
     if row(ui, "Target", tip, |ui| Vector::new("camera-target", "target").tip(tip).show(ui, &mut target)) {
         spec.aim = Aim::Target(target);
     }
@@ -70,7 +70,7 @@ fn place(ui: &mut Ui, spec: &mut CameraSettings) {
     if (yaw, pitch) != before {
         turn(spec, &camera, target.into(), yaw, pitch);
     }
-    let tip = "WorldUp: which way is up, made perpendicular to the viewing direction";
+    let tip = "WorldUp: the up direction, made perpendicular to the viewing direction";
     row(ui, "Up", tip, |ui| {
         Vector::new("camera-up", "up").tip(tip).default(defaults::UP).step(0.01).show(ui, &mut spec.up)
     });
@@ -86,7 +86,7 @@ fn turn(spec: &mut CameraSettings, camera: &Camera, target: DVec3, yaw: f64, pit
 
 fn lens(ui: &mut Ui, spec: &mut CameraSettings) {
     heading(ui, "Lens");
-    row(ui, "Field of view", "Full vertical angle of what is seen", |ui| {
+    row(ui, "Field of view", "Full vertical angle", |ui| {
         let tip = "Full vertical field of view; the lab's 45 rad are 58.3\u{b0}";
         Number::new("camera-fov", "field of view")
             .tip(tip)
@@ -98,8 +98,8 @@ fn lens(ui: &mut Ui, spec: &mut CameraSettings) {
     let (mut near, mut far) = (spec.near, spec.far);
     let before = (near, far);
     for (id, label, tip, value) in [
-        ("camera-near", "Near", "Distance of the near plane, world units", &mut near),
-        ("camera-far", "Far", "Distance of the far plane, world units", &mut far),
+        ("camera-near", "Near", "Distance of the near plane, in world units", &mut near),
+        ("camera-far", "Far", "Distance of the far plane, in world units", &mut far),
     ] {
         row(ui, label, tip, |ui| {
             Number::new(id, label).tip(tip).range(1e-6..=1e9).show(ui, value);

@@ -21,8 +21,8 @@ pub fn show(ui: &mut Ui, session: &mut Session) {
             (false, false) => "Draw it again",
         };
         let button = noted(ui, |ui| ui.button(label), "curve", label, curve.points.len());
-        let tip = "Draws the scene from few triangles to many, flat, Gouraud and Phong, and compares each picture with \
-                   the finest one";
+        let tip = "Draws the scene with more and more triangles in flat, Gouraud and Phong shading, and compares each \
+                   picture with the finest one";
         if button.on_hover_text(tip).clicked() {
             curve.running = !curve.running;
         }
@@ -41,7 +41,7 @@ pub fn show(ui: &mut Ui, session: &mut Session) {
         color: tint.of(ui),
         points: of(curve, shading).map(|p| [p.triangles as f64, p.rms]).collect(),
     });
-    let plot = Plot { x_label: "triangles", y_label: "RMS difference, of 255", lines: lines.collect() };
+    let plot = Plot { x_label: "triangles", y_label: "RMS difference (0 to 255)", lines: lines.collect() };
     plot.show(ui, "error curve");
     ui.label(RichText::new(format!("against {}", curve.against)).small().weak());
     table(ui, curve);

@@ -8,7 +8,7 @@ use egui::{Grid, RichText, Ui};
 pub fn show(ui: &mut Ui, session: &Session) {
     let panes = &session.comparison.panes;
     if panes.is_empty() {
-        ui.weak("Nothing is drawn yet");
+        ui.weak("Nothing has been drawn yet");
         return;
     }
     // Of one width for each column, so that digits stand below each other and nothing jumps.
@@ -18,8 +18,8 @@ pub fn show(ui: &mut Ui, session: &Session) {
     };
     let header = line(["", "triangles", "vertices", "fragments", "ms"]);
     ui.label(RichText::new(header).monospace().size(11.0).weak()).on_hover_text(
-        "How often the vertex shader ran, which is where Gouraud shading lights; how often the fragment shader ran (whole \
-         blocks of 2 x 2 included), where the others light; and what the last picture took that was waited for",
+        "Vertex shader runs, where Gouraud shading evaluates the equation; fragment shader runs (including helper \
+         fragments in blocks of 2 x 2), where the other shadings do; and the time of the last finished frame",
     );
     for (index, pane) in panes.iter().enumerate() {
         let count = |n: Option<u64>| n.map_or("–".to_owned(), |n| grouped(n, SPACE));
@@ -38,7 +38,7 @@ pub fn show(ui: &mut Ui, session: &Session) {
 /// How the pair differs.
 pub fn difference(ui: &mut Ui, session: &Session) {
     let Some(facts) = &session.comparison.difference else {
-        ui.weak("The two have not been compared yet");
+        ui.weak("The panes have not been compared yet");
         return;
     };
     Grid::new("difference").num_columns(2).spacing([14.0, 4.0]).show(ui, |ui| {
@@ -48,14 +48,14 @@ pub fn difference(ui: &mut Ui, session: &Session) {
             ui.end_row();
         };
         let differing = format!("{} pixels, {:.2} %", grouped(facts.differing, SPACE), facts.percent());
-        row("Differing", "By more than 1/255 in a colour", differing);
+        row("Differing", "By more than 1/255 in some channel", differing);
         row("Largest", "8-bit steps", format!("{:.0}/255", facts.spread.max));
         row("Mean", "Of the absolute differences, 8-bit steps", format!("{:.3}/255", facts.spread.mean));
         row("RMS", "Root of the mean square, 8-bit steps", format!("{:.3}/255", facts.spread.rms));
         let psnr = facts.psnr_db.map_or("equal".to_owned(), |db| format!("{db:.1} dB"));
         row("PSNR", "20 log10(255 / RMS)", psnr);
         if let Some([column, row_of]) = facts.worst {
-            row("Most at", "Column and row of the pixel, ringed in the map", format!("{column}, {row_of}"));
+            row("Maximum at", "Column and row of the pixel, circled in the map", format!("{column}, {row_of}"));
         }
     });
 }

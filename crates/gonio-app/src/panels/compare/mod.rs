@@ -25,9 +25,9 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, _: &mut
     settings::show(ui, document, session.loaded.as_deref());
     section(ui, "Measured");
     measured::show(ui, session);
-    let adaptive = ui.checkbox(&mut session.adaptive, "One sample while something moves, where pictures take long");
+    let adaptive = ui.checkbox(&mut session.adaptive, "One sample per pixel while something moves, if frames are slow");
     exported::note(ui, &adaptive, "adaptive", Role::Toggle, "One sample while moving", session.adaptive);
-    section(ui, "Error against the finest");
+    section(ui, "Error against the finest mesh");
     curve::show(ui, session);
 }
 
@@ -67,7 +67,7 @@ fn list(ui: &mut Ui, document: &mut Document) {
                 panes.current = index;
             }
             if panes.list.len() > 1 {
-                let tip = format!("Take pane {} away", index + 1);
+                let tip = format!("Remove pane {}", index + 1);
                 let icon = RichText::new(icons::X).font(crate::theme::icon_font(14.0));
                 let button = noted(ui, |ui| ui.button(icon), &format!("remove-pane-{index}"), &tip, "");
                 if button.on_hover_text(&tip).clicked() {
@@ -81,12 +81,12 @@ fn list(ui: &mut Ui, document: &mut Document) {
     }
     ui.horizontal_wrapped(|ui| {
         let room = panes.list.len() < Panes::MOST;
-        let add = egui::Button::new("Add a pane like this");
-        if noted(ui, |ui| ui.add_enabled(room, add), "add-pane", "Add a pane like this", "").clicked() {
+        let add = egui::Button::new("Add a copy of this pane");
+        if noted(ui, |ui| ui.add_enabled(room, add), "add-pane", "Add a copy of this pane", "").clicked() {
             panes.add();
         }
         if panes.list.len() > 1 {
-            let same = noted(ui, |ui| ui.button("Make all like this"), "copy-pane", "Make all like this", "");
+            let same = noted(ui, |ui| ui.button("Apply to all panes"), "copy-pane", "Apply to all panes", "");
             if same.on_hover_text("Copies the settings of the current pane to the others").clicked() {
                 let settings = panes.current().cloned().unwrap_or_default();
                 panes.list.iter_mut().for_each(|pane| pane.clone_from(&settings));
@@ -102,9 +102,14 @@ fn arrangement(ui: &mut Ui, document: &mut Document, session: &mut Session) {
     ui.horizontal_wrapped(|ui| {
         let wipe = if let Arrangement::Wipe(at) = panes.arrangement { at } else { 0.5 };
         for (id, label, tip, arrangement) in [
-            ("side-by-side", "Side by side", "Each pane has a part of the room", Arrangement::SideBySide),
-            ("wipe-mode", "Wipe", "Two on each other, with a divider to drag", Arrangement::Wipe(wipe)),
-            ("difference-mode", "Difference", "Where two differ, in colours", Arrangement::Difference),
+            ("side-by-side", "Side by side", "All panes next to each other", Arrangement::SideBySide),
+            ("wipe-mode", "Wipe", "Two panes on top of each other, with a divider to drag", Arrangement::Wipe(wipe)),
+            (
+                "difference-mode",
+                "Difference",
+                "Colour map of the difference between two panes",
+                Arrangement::Difference,
+            ),
         ] {
             let chosen = std::mem::discriminant(&panes.arrangement) == std::mem::discriminant(&arrangement);
             let button = noted(ui, |ui| ui.selectable_label(chosen, label), id, label, chosen);
@@ -135,7 +140,7 @@ fn arrangement(ui: &mut Ui, document: &mut Document, session: &mut Session) {
     if panes.arrangement == Arrangement::Difference {
         let settings = &mut panes.difference;
         ui.horizontal(|ui| {
-            let tip = "The difference, in 8-bit steps of 255, that gets the brightest colour";
+            let tip = "The difference, in 8-bit steps, that gets the brightest colour";
             ui.label("Full scale").on_hover_text(tip);
             let slider = egui::Slider::new(&mut settings.full_scale, 1.0..=255.0).logarithmic(true).max_decimals(0);
             let slider = ui.add(slider).on_hover_text(tip);
@@ -144,7 +149,7 @@ fn arrangement(ui: &mut Ui, document: &mut Document, session: &mut Session) {
                 *settings = crate::document::DifferenceSettings { signed: settings.signed, ..Default::default() };
             }
         });
-        let signed = ui.checkbox(&mut settings.signed, "Signed: the second minus the first");
+        let signed = ui.checkbox(&mut settings.signed, "Signed: second minus first");
         exported::note(ui, &signed, "signed", Role::Toggle, "Signed", settings.signed);
         measured::difference(ui, session);
     }

@@ -22,7 +22,7 @@ fn presets(scene: &SceneSettings) -> Vec<Preset> {
         (with_detail(Detail::Share(0.05)), Pane::default())
     };
     vec![
-        ("one", "One", "One pane, as the scene says", vec![Pane::default()]),
+        ("one", "One", "One pane with the scene's settings", vec![Pane::default()]),
         (
             "shadings",
             "Flat | Gouraud | Phong",
@@ -32,16 +32,16 @@ fn presets(scene: &SceneSettings) -> Vec<Preset> {
         (
             "speculars",
             "Phong | Blinn-Phong",
-            "⟨R·V⟩ or ⟨N·H⟩ to the power of the shininess",
+            "⟨R·V⟩ or ⟨N·H⟩ to the power of g, the shininess",
             vec![specular(Specular::Phong), specular(Specular::BlinnPhong)],
         ),
         (
             "conventions",
             "Lab | physical",
-            "Without and with 1/π and the specular term's cosine",
+            "Without and with 1/π and the cosine of the specular term",
             vec![convention(Convention::Lab), convention(Convention::Physical)],
         ),
-        ("details", "Coarse | smooth", "Few triangles and many", vec![coarse, fine]),
+        ("details", "Coarse | smooth", "Few and many triangles", vec![coarse, fine]),
     ]
 }
 

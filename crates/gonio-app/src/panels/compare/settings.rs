@@ -9,7 +9,7 @@ use gonio_scene::detail::{self, Detail};
 use gonio_scene::scene_file::Shading;
 use gonio_scene::{Scene, SceneSettings, ViewSpec};
 
-const AS_SCENE: &str = "as the scene";
+const AS_SCENE: &str = "as in the scene";
 
 /// Shows them; `loaded` is what the scene is without them.
 pub fn show(ui: &mut Ui, document: &mut Document, loaded: Option<&Scene>) {
@@ -23,7 +23,7 @@ pub fn show(ui: &mut Ui, document: &mut Document, loaded: Option<&Scene>) {
         let conventions = Convention::ALL.iter().map(|&c| (c, c.name().to_owned()));
         choice(ui, "pane-convention", "Convention", &mut pane.convention, conventions.collect());
         let weights = [(true, "yes".to_owned()), (false, "no".to_owned())];
-        choice(ui, "pane-cosine-weighted", "spec times cos θ", &mut pane.cosine_weighted, weights.into());
+        choice(ui, "pane-cosine-weighted", "spec times <N.L>", &mut pane.cosine_weighted, weights.into());
         let brdfs = Reflectance::all().into_iter().map(|r| (r, r.name().to_owned()));
         choice(ui, "pane-brdf", "BRDF", &mut pane.reflectance, brdfs.collect());
         let view = |quantity: Quantity| (ViewSpec { quantity, light: None }, quantity.to_string());
@@ -31,8 +31,8 @@ pub fn show(ui: &mut Ui, document: &mut Document, loaded: Option<&Scene>) {
         detail(ui, pane, scene, loaded);
     });
     if *pane != Pane::default() {
-        let reset = ui.button("All as the scene");
-        exported::note(ui, &reset, "pane-reset", Role::Button, "All as the scene", "");
+        let reset = ui.button("Reset to the scene");
+        exported::note(ui, &reset, "pane-reset", Role::Button, "Reset to the scene", "");
         if reset.clicked() {
             *pane = Pane::default();
         }
@@ -66,7 +66,7 @@ fn choice<T: Copy + PartialEq>(ui: &mut Ui, id: &str, label: &str, value: &mut O
 /// How many triangles: of the sphere, or a share of each model's.
 fn detail(ui: &mut Ui, pane: &mut Pane, scene: &SceneSettings, loaded: Option<&Scene>) {
     let name = ui.add(egui::Label::new("Triangles").sense(egui::Sense::click()));
-    if name.on_hover_text("Double click: as the scene").double_clicked() {
+    if name.on_hover_text("Double click: as in the scene").double_clicked() {
         pane.detail = None;
     }
     ui.vertical(|ui| {
@@ -92,7 +92,7 @@ fn detail(ui: &mut Ui, pane: &mut Pane, scene: &SceneSettings, loaded: Option<&S
         }
         let mut percent = if let Some(Detail::Share(share)) = pane.detail { 100.0 * share } else { 100.0 };
         let slider = egui::Slider::new(&mut percent, 1.0..=100.0).step_by(1.0).logarithmic(true).suffix(" %");
-        let slider = ui.add(slider).on_hover_text("Simplified to this share of each model's triangles");
+        let slider = ui.add(slider).on_hover_text("Share of each model's triangles that is kept");
         exported::note(ui, &slider, "pane-simplify", Role::Number, "Share of the triangles", percent);
         if slider.changed() {
             pane.detail = (percent < 100.0).then_some(Detail::Share(percent / 100.0));

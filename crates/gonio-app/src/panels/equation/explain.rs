@@ -18,17 +18,17 @@ pub fn show(ui: &mut Ui, document: &Document, session: &Session, scene: &SceneSe
         ui.label(now);
     }
     let how = match switch::is_on(document, term) {
-        None if term == Term::Light => "Click: the lights",
+        None if term == Term::Light => "Click: show the lights",
         None => return,
         Some(on) if switch::SUMMANDS.contains(&term) => {
             if on {
-                "Click: off. Double click: alone"
+                "Click: switch off. Double click: show it alone"
             } else {
-                "Click: on. Double click: alone"
+                "Click: switch on. Double click: show it alone"
             }
         }
-        Some(true) => "Click: off, it counts as 1",
-        Some(false) => "Click: on",
+        Some(true) => "Click: switch off (counts as 1)",
+        Some(false) => "Click: switch on",
     };
     ui.label(RichText::new(how).small().weak());
 }
@@ -66,8 +66,10 @@ fn now(scene: &SceneSettings, session: &Session, term: Term) -> Option<String> {
         },
         Term::Specular => match (e.brdf, e.specular) {
             (Some(brdf), _) => format!("The lobe of the BRDF {brdf}"),
-            (None, Specular::None) => "There is none; a click chooses Blinn-Phong".into(),
-            (None, specular) => format!("{specular}{}", if e.gated { ", none where the light is behind" } else { "" }),
+            (None, Specular::None) => "None; a click selects Blinn-Phong".into(),
+            (None, specular) => {
+                format!("{specular}{}", if e.gated { ", 0 where the light is behind the surface" } else { "" })
+            }
         },
         Term::Light => {
             let lit = scene.lights.iter().filter(|l| l.kind != LightSourceKind::Ambient);
@@ -77,15 +79,15 @@ fn now(scene: &SceneSettings, session: &Session, term: Term) -> Option<String> {
         Term::Attenuation => {
             let places = count(LightSourceKind::Point) + count(LightSourceKind::Spot);
             match places {
-                0 => "No light of this scene has a place: att is 1".into(),
-                1 => "For one light; directional lights have att = 1".into(),
-                n => format!("For {n} lights; directional lights have att = 1"),
+                0 => "This scene has only directional lights: att is 1".into(),
+                1 => "Applies to one light; directional lights have att = 1".into(),
+                n => format!("Applies to {n} lights; directional lights have att = 1"),
             }
         }
         Term::Spot => match count(LightSourceKind::Spot) {
-            0 => "There is no spot in this scene: it is 1".into(),
-            1 => "For one spot; it is 1 for other lights".into(),
-            n => format!("For {n} spots; it is 1 for other lights"),
+            0 => "This scene has no spot light: spot is 1".into(),
+            1 => "Applies to one spot light; other lights have spot = 1".into(),
+            n => format!("Applies to {n} spot lights; other lights have spot = 1"),
         },
         Term::Cosine => "0 where the light is behind the surface".into(),
     })

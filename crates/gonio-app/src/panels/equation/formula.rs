@@ -34,29 +34,42 @@ fn n_dot_l() -> Node {
     Node::clamped_product(v("N"), indexed(v("L")))
 }
 
-fn cosine() -> Node {
-    Node::row([up("cos"), Node::thin(), indexed(v("\u{3b8}"))])
-}
-
 /// Whether the specular term is weighted by the cosine, which then stands outside the brackets.
 fn is_weighted(e: &EquationSettings) -> bool {
     e.brdf.is_some() || e.cosine_weighted
 }
 
-/// The name of a term as it stands in the equation.
-pub fn symbol(term: Term) -> Node {
-    let named = |text: &str| up(text);
-    let node = match term {
+fn k(index: &str) -> Node {
+    v("k").below(v(index))
+}
+
+/// The symbol of a factor or summand without its colour.
+fn plain_symbol(term: Term) -> Node {
+    match term {
         Term::Ambient => v("A"),
         Term::Emitted => v("E"),
         Term::Environment => v("L").below(up("env")),
-        Term::Diffuse => named("diff"),
-        Term::Specular => indexed(named("spec")),
+        Term::Diffuse => up("diff"),
+        Term::Specular => indexed(up("spec")),
         // The intensity of a light; the direction to it is L_i too, in the definitions.
         Term::Light => indexed(v("L")),
-        Term::Attenuation => indexed(named("att")),
-        Term::Spot => indexed(named("spot")),
-        Term::Cosine => cosine(),
+        Term::Attenuation => indexed(up("att")),
+        Term::Spot => indexed(up("spot")),
+        Term::Cosine => n_dot_l(),
+    }
+}
+
+/// The symbol that the definition of a term starts with.
+pub fn symbol(term: Term) -> Node {
+    plain_symbol(term).tagged(tag(term))
+}
+
+/// A term as it appears in the equation: the diffuse and the specular term with their material colours.
+fn summand(term: Term) -> Node {
+    let node = match term {
+        Term::Diffuse => Node::row([plain_symbol(term), Node::thin(), k("d")]),
+        Term::Specular => Node::row([k("s"), Node::thin(), plain_symbol(term)]),
+        _ => plain_symbol(term),
     };
     node.tagged(tag(term))
 }
@@ -79,12 +92,13 @@ pub fn equation(scene: &SceneSettings) -> Vec<Node> {
         parts.push(Node::row([before, term]));
     }
     let weighted = is_weighted(e);
-    let mut inside = vec![Node::binary("+"), Node::Sum(Box::new(v("i"))), Node::thin(), up("("), symbol(Term::Diffuse)];
+    let mut inside =
+        vec![Node::binary("+"), Node::Sum(Box::new(v("i"))), Node::thin(), up("["), summand(Term::Diffuse)];
     if !weighted {
         inside.extend([Node::thin(), symbol(Term::Cosine)]);
     }
     parts.push(Node::Row(inside));
-    parts.push(Node::row([Node::binary("+"), symbol(Term::Specular), up(")")]));
+    parts.push(Node::row([Node::binary("+"), summand(Term::Specular), up("]")]));
     let mut factors = vec![Node::thin(), symbol(Term::Light), Node::thin(), symbol(Term::Attenuation)];
     let has_spots = scene.lights.iter().any(|light| light.kind == LightSourceKind::Spot);
     if has_spots || !e.spot {
@@ -100,7 +114,6 @@ pub fn equation(scene: &SceneSettings) -> Vec<Node> {
 /// What a term is, as an equation.
 pub fn definition(scene: &SceneSettings, term: Term) -> Node {
     let e = &scene.equation;
-    let k = |index: &str| v("k").below(v(index));
     let is = |right: Node| Node::row([symbol(term), Node::relation("="), right]);
     match term {
         Term::Ambient => is(Node::row([k("a"), Node::thin(), v("L").below(v("a"))])),
@@ -122,7 +135,7 @@ pub fn definition(scene: &SceneSettings, term: Term) -> Node {
         ])),
         Term::Diffuse => {
             let over_pi = e.brdf.is_some() || e.convention == Convention::Physical;
-            is(if over_pi { k("d").over(v("\u{3c0}")) } else { k("d") })
+            is(if over_pi { up("1").over(v("\u{3c0}")) } else { up("1") })
         }
         Term::Specular => is(specular(e)),
         Term::Light => {
@@ -148,38 +161,36 @@ pub fn definition(scene: &SceneSettings, term: Term) -> Node {
             indexed(v("S")),
             up(")"),
         ])),
-        Term::Cosine => is(n_dot_l()),
+        Term::Cosine => is(Node::row([up("max("), v("N"), up("\u{22c5}"), indexed(v("L")), up(", 0)")])),
     }
 }
 
 fn specular(e: &EquationSettings) -> Node {
-    let gamma = || v("\u{3b3}");
-    let phong = || Node::clamped_product(indexed(v("R")), v("V")).sup(gamma());
-    let blinn = || Node::clamped_product(v("N"), indexed(v("H"))).sup(gamma());
-    let k_s = v("k").below(v("s"));
-    let times = |lobe: Node| Node::row([k_s.clone(), Node::thin(), lobe]);
+    let exponent = || v("g");
+    let phong = || Node::clamped_product(indexed(v("R")), v("V")).sup(exponent());
+    let blinn = || Node::clamped_product(v("N"), indexed(v("H"))).sup(exponent());
     if let Some(brdf) = e.brdf {
-        let gamma_plus = |n: &str| Node::row([gamma(), Node::binary("+"), up(n)]);
-        let phong_factor = || gamma_plus("2").over(Node::row([up("2"), v("\u{3c0}")]));
+        let exponent_plus = |n: &str| Node::row([exponent(), Node::binary("+"), up(n)]);
+        let phong_factor = || exponent_plus("2").over(Node::row([up("2"), v("\u{3c0}")]));
         let lobe = match brdf {
             BrdfKind::Lambert => return up("0"),
             BrdfKind::Phong => phong(),
             BrdfKind::Blinn => blinn(),
             BrdfKind::Lafortune => {
                 let product = [up("\u{27e8}\u{2212}"), indexed(v("L")), up("\u{22c5}"), v("A"), v("V"), up("\u{27e9}")];
-                Node::Row(product.into()).sup(gamma())
+                Node::Row(product.into()).sup(exponent())
             }
-            BrdfKind::Ward => return times(ward(e.brdf_normalised)),
+            BrdfKind::Ward => return ward(e.brdf_normalised),
         };
         return match (e.brdf_normalised, brdf) {
-            (false, _) => times(lobe),
+            (false, _) => lobe,
             (true, BrdfKind::Blinn) => {
-                let over = Node::row([up("("), gamma_plus("2"), up(")("), gamma_plus("4"), up(")")]);
-                let power = up("2").sup(Node::row([up("\u{2212}"), gamma(), up("/2")]));
-                let under = Node::row([up("8"), v("\u{3c0}"), up("("), power, Node::binary("+"), gamma(), up(")")]);
-                times(Node::row([over.over(under), lobe]))
+                let over = Node::row([up("("), exponent_plus("2"), up(")("), exponent_plus("4"), up(")")]);
+                let power = up("2").sup(Node::row([up("\u{2212}"), exponent(), up("/2")]));
+                let under = Node::row([up("8"), v("\u{3c0}"), up("("), power, Node::binary("+"), exponent(), up(")")]);
+                Node::row([over.over(under), lobe])
             }
-            (true, _) => times(Node::row([phong_factor(), lobe])),
+            (true, _) => Node::row([phong_factor(), lobe]),
         };
     }
     let lobe = match e.specular {
@@ -187,7 +198,7 @@ fn specular(e: &EquationSettings) -> Node {
         Specular::Phong => phong(),
         Specular::BlinnPhong => blinn(),
     };
-    let mut whole = vec![times(lobe)];
+    let mut whole = vec![lobe];
     if e.gated {
         whole.extend([up("   if "), v("N"), up("\u{22c5}"), indexed(v("L")), Node::relation(">"), up("0")]);
     }

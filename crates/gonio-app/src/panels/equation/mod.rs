@@ -175,7 +175,7 @@ fn act(document: &mut Document, session: &mut Session, actions: &mut Vec<Action>
         actions.push(Action::Show(Tab::Lights));
     }
     session.announcement = match (switch::is_on(document, term), alone) {
-        (Some(true), true) => format!("{term} alone, or with the others again"),
+        (Some(true), true) => format!("{term} alone, or all terms again"),
         (Some(true), false) => format!("{term} is on"),
         (Some(false), _) => format!("{term} is off"),
         (None, _) => format!("{term}"),

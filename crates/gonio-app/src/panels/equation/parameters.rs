@@ -41,14 +41,14 @@ pub fn show(
                         .default(1.0)
                         .show(ui, &mut environment.intensity);
                 }
-                None => drop(ui.label("The scene has no environment: choose one under Picture")),
+                None => drop(ui.label("This scene has no environment; select one in the Picture tab")),
             },
             Term::Ambient | Term::Light | Term::Attenuation | Term::Spot => {
                 for (is, about) in [
-                    (Term::Ambient, "never weakened: the sum of the ambient lights"),
-                    (Term::Light, "each light is a row of the sum"),
-                    (Term::Attenuation, "each light has its own; 1 for directional lights"),
-                    (Term::Spot, "from 0 at the edge of the cone to 1 inside; 1 for other lights"),
+                    (Term::Ambient, "the sum of the ambient lights, never attenuated"),
+                    (Term::Light, "each light adds one summand"),
+                    (Term::Attenuation, "set per light; 1 for directional lights"),
+                    (Term::Spot, "0 at the edge of the cone, 1 inside; 1 for other lights"),
                 ] {
                     if is == term {
                         ui.label(RichText::new(about).weak());
@@ -57,11 +57,11 @@ pub fn show(
                 link(ui, "Lights", Tab::Lights, actions);
             }
             Term::Emitted => {
-                ui.label(RichText::new("the material's own light").weak());
+                ui.label(RichText::new("set per material").weak());
                 link(ui, "Objects", Tab::Objects, actions);
             }
             Term::Cosine => {
-                let tip = "On back faces the normal is turned to the viewer";
+                let tip = "Flip the normal of back faces towards the viewer";
                 toggle(ui, "two-sided", "two-sided", &mut document.scene.equation.two_sided, tip);
             }
         }
@@ -111,9 +111,9 @@ fn specular(ui: &mut Ui, document: &mut Document) {
             switch::set_specular(document, value);
         }
         let e = &mut document.scene.equation;
-        toggle(ui, "gated", "gated", &mut e.gated, "No specular light where N\u{22c5}L is not above 0");
-        let tip = "The specular term times cos \u{3b8}: the factor that the lab's equation has lost";
-        toggle(ui, "cosine-weighted", "times cos \u{3b8}", &mut e.cosine_weighted, tip);
+        toggle(ui, "gated", "gated", &mut e.gated, "No specular light where N\u{22c5}L \u{2264} 0");
+        let tip = "Multiply the specular term by <N.L>, which the lab's equation omits";
+        toggle(ui, "cosine-weighted", "times <N.L>", &mut e.cosine_weighted, tip);
     }
     brdf(ui, document);
 }
@@ -121,17 +121,17 @@ fn specular(ui: &mut Ui, document: &mut Document) {
 /// The BRDFs in place of both terms.
 fn brdf(ui: &mut Ui, document: &mut Document) {
     let e: &mut EquationSettings = &mut document.scene.equation;
-    let mut options: Vec<(Option<BrdfKind>, &str, &str)> =
-        vec![(None, "none", "The lab's two terms, diffuse and specular")];
+    let mut options: Vec<(Option<BrdfKind>, &str, &str)> = vec![(None, "none", "The lab's diffuse and specular terms")];
     options.extend(BrdfKind::ALL.iter().map(|kind| (Some(*kind), kind.name(), kind.description())));
-    ui.label(RichText::new("BRDF").weak()).on_hover_text("A BRDF in place of both terms, in 1/sr; it has no A");
+    ui.label(RichText::new("BRDF").weak())
+        .on_hover_text("A BRDF (1/sr) in place of the diffuse and specular terms; it has no ambient term");
     ui.scope(|ui| {
         ui.set_max_width(110.0);
         dropdown(ui, "brdf", "BRDF", &mut e.brdf, &options);
     });
     let Some(kind) = e.brdf else { return };
     if kind != BrdfKind::Lambert {
-        let tip = "With the factor that keeps its energy in bounds";
+        let tip = "With the factor that conserves energy";
         toggle(ui, "brdf-normalised", "normalised", &mut e.brdf_normalised, tip);
     }
     if kind == BrdfKind::Lafortune {

@@ -20,7 +20,7 @@ pub fn show(ui: &mut Ui, taken: &mut RecordedFrame) {
     let samplers = CollapsingHeader::new(format!("Samplers, units, textures ({})", draw.samplers.len()));
     samplers.id_salt("samplers").default_open(true).show(ui, |ui| {
         if draw.samplers.is_empty() {
-            ui.label(RichText::new("This draw reads no texture.").weak());
+            ui.label(RichText::new("This draw samples no texture.").weak());
         }
         draw.samplers.iter().for_each(|sampler| self::sampler(ui, taken, sampler));
     });
@@ -47,8 +47,8 @@ fn facts(ui: &mut Ui, draw: &DrawRecord) {
     Grid::new("draw facts").num_columns(2).spacing([12.0, 2.0]).show(ui, |ui| {
         for (name, value) in [
             ("drawn", primitives(draw)),
-            ("vertex shader ran", count(draw.vertices_shaded)),
-            ("fragment shader ran", count(draw.fragments_shaded)),
+            ("vertex shader runs", count(draw.vertices_shaded)),
+            ("fragment shader runs", count(draw.fragments_shaded)),
             ("depth", depth),
             ("culled", cull),
             ("blending", blend),
@@ -92,13 +92,13 @@ fn sampler(ui: &mut Ui, taken: &RecordedFrame, sampler: &SamplerRecord) {
     })
     .response
     .on_hover_text(format!(
-        "`{}` holds {}, the number of a texture unit; to that unit the texture was bound",
+        "The sampler `{}` holds {}, the texture unit that the texture is bound to",
         sampler.name, sampler.unit
     ));
 }
 
 fn about(texture: Option<&TextureRecord>, sampler: &SamplerRecord) -> String {
-    let Some(texture) = texture else { return "no texture is bound there".to_owned() };
+    let Some(texture) = texture else { return "no texture is bound to this unit".to_owned() };
     let levels =
         if texture.levels.len() == 1 { "1 level".to_owned() } else { format!("{} levels", texture.levels.len()) };
     let sampled = match &sampler.sampling {
@@ -114,7 +114,7 @@ fn uniform(ui: &mut Ui, uniform: &UniformValue) {
         ui.label(RichText::new(&uniform.name).monospace());
         ui.label(RichText::new(&uniform.glsl_type).small().weak());
         if !uniform.sent {
-            ui.label(RichText::new("never sent").small().color(colors::WARNING.of(ui)));
+            ui.label(RichText::new("never set").small().color(colors::WARNING.of(ui)));
         }
     });
     let rows = rows(uniform);
@@ -162,7 +162,7 @@ fn rows(uniform: &UniformValue) -> Vec<String> {
 
 fn attributes(ui: &mut Ui, draw: &DrawRecord) {
     if draw.attributes.is_empty() {
-        ui.label(RichText::new("None: the vertices are made from their numbers.").weak());
+        ui.label(RichText::new("None: the vertex shader computes the vertices from gl_VertexID.").weak());
     }
     for attribute in &draw.attributes {
         ui.horizontal(|ui| {

@@ -11,10 +11,10 @@ pub fn show(ui: &mut Ui, taken: &mut RecordedFrame) {
         let color = colors::NORMAL.of(ui);
         ui.horizontal(|ui| {
             ui.label(RichText::new(icons::CHECK).font(theme::icon_font(15.0)).color(color));
-            ui.add(Label::new(RichText::new("Nothing is wrong with this frame").color(color)).wrap());
+            ui.add(Label::new(RichText::new("No problems found in this frame").color(color)).wrap());
         })
         .response
-        .on_hover_text("Every sampler reads what was bound for it, every uniform was sent, every attribute is fed.");
+        .on_hover_text("Every sampler reads a bound texture, every uniform is set, and every attribute has data.");
         return;
     }
     let mut chosen = taken.draw;

@@ -33,7 +33,7 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &Session, index: usiz
 
 fn values(ui: &mut Ui, light: &mut LightSettings, session: &Session, index: usize) {
     let id = |name: &str| format!("light-{index}-{name}");
-    row(ui, "Name", "For reports and lists", |ui| {
+    row(ui, "Name", "Used in reports and lists", |ui| {
         let edit = TextEdit::singleline(&mut light.name).id_salt("name").hint_text(light.kind.name());
         let response = ui.add(edit.desired_width(ui.available_width() - 8.0));
         exported::note(ui, &response, &id("name"), Role::Text, "name", &light.name);
@@ -44,7 +44,7 @@ fn values(ui: &mut Ui, light: &mut LightSettings, session: &Session, index: usiz
         edits::convert(light, kind, session);
     }
     if let Some(position) = &mut light.position {
-        let tip = "Position, world space; where it does not move, or begins to";
+        let tip = "Position in world space, at time 0 if the light moves";
         let moved = row(ui, "Position", tip, |ui| Vector::new(&id("position"), "position").tip(tip).show(ui, position));
         let path = light.motion.as_mut().map(|motion| &mut motion.path);
         if moved
@@ -55,7 +55,7 @@ fn values(ui: &mut Ui, light: &mut LightSettings, session: &Session, index: usiz
         }
     }
     if let Some(direction) = &mut light.direction {
-        let tip = "The way its light travels; need not have length 1";
+        let tip = "Direction of the light's travel, of any length";
         row(ui, "Direction", tip, |ui| {
             Vector::new(&id("direction"), "direction").tip(tip).step(0.01).show(ui, direction)
         });
@@ -87,9 +87,14 @@ fn attenuation(ui: &mut Ui, light: &mut LightSettings, session: &Session, index:
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         let names = [
-            ("kc", "k_c, constant: 1 at no distance", constant, 0.005),
-            ("kl", "k_l, times the distance", linear, 0.002),
-            ("kq", "k_q, times its square; k_c = k_l = 0, k_q = 1 is the inverse square law", quadratic, 0.002),
+            ("kc", "k_c, the constant coefficient", constant, 0.005),
+            ("kl", "k_l, the linear coefficient", linear, 0.002),
+            (
+                "kq",
+                "k_q, the quadratic coefficient; k_c = k_l = 0, k_q = 1 is the inverse square law",
+                quadratic,
+                0.002,
+            ),
         ];
         for ((name, tip, default, step), value) in names.into_iter().zip(&mut values) {
             ui.label(egui::RichText::new(name).weak());
@@ -109,8 +114,14 @@ fn cone(ui: &mut Ui, light: &mut LightSettings, index: usize) {
     let (mut inner, mut outer) = (light.inner_angle, light.outer_angle);
     let before = (inner, outer);
     let angles = [
-        ("inner", "Inner angle", "Half angle of the fully lit cone", &mut inner, defaults::INNER_ANGLE),
-        ("outer", "Outer angle", "Half angle at which the light ends", &mut outer, defaults::OUTER_ANGLE),
+        ("inner", "Inner angle", "Half angle of the cone with full intensity", &mut inner, defaults::INNER_ANGLE),
+        (
+            "outer",
+            "Outer angle",
+            "Half angle of the cone outside of which there is no light",
+            &mut outer,
+            defaults::OUTER_ANGLE,
+        ),
     ];
     for (name, label, tip, value, default) in angles {
         row(ui, label, tip, |ui| {
@@ -142,16 +153,16 @@ fn tools(ui: &mut Ui, index: usize, count: usize) -> Option<Edit> {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         for (name, icon, tip, edit, enabled) in [
-            ("duplicate", icons::COPY, "A copy of this light", Edit::Duplicate(index), true),
-            ("up", icons::CARET_UP, "One place up in the sum", Edit::Up(index), index > 0),
-            ("down", icons::CARET_DOWN, "One place down in the sum", Edit::Down(index), index + 1 < count),
+            ("duplicate", icons::COPY, "Duplicate this light", Edit::Duplicate(index), true),
+            ("up", icons::CARET_UP, "Move up", Edit::Up(index), index > 0),
+            ("down", icons::CARET_DOWN, "Move down", Edit::Down(index), index + 1 < count),
         ] {
             if tool_button(ui, &format!("light-{index}-{name}"), icon, tip, None, enabled).clicked() {
                 asked = Some(edit);
             }
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            if icon_button(ui, &format!("light-{index}-remove"), icons::TRASH, "Take this light out").clicked() {
+            if icon_button(ui, &format!("light-{index}-remove"), icons::TRASH, "Remove this light").clicked() {
                 asked = Some(Edit::Remove(index));
             }
         });

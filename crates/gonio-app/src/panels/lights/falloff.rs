@@ -38,5 +38,5 @@ pub fn show(ui: &mut Ui, [constant, linear, quadratic]: [f64; 3], reach: f64, he
     let font = FontId::proportional(10.5);
     let text = format!("att = {} at d = {}", compact(at(here)), compact(here));
     painter.text(plot.right_top(), Align2::RIGHT_TOP, text, font, weak);
-    response.on_hover_text("att over the distance d; the dot is the middle of the scene");
+    response.on_hover_text("att as a function of the distance d; the dot marks the centre of the scene");
 }

@@ -53,7 +53,7 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
         edits::apply(document, session, edit);
     }
     if document.scene.lights.is_empty() {
-        ui.label(RichText::new("No light: only A, E and the environment are left").weak());
+        ui.label(RichText::new("No lights: only A, E and the environment remain").weak());
     }
     add(ui, document, session);
     let _ = actions;
@@ -68,13 +68,17 @@ fn row(ui: &mut Ui, document: &mut Document, session: &mut Session, index: usize
     let mut make_alone = false;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 3.0;
-        let (icon, tip) = if on { (icons::EYE, "On: click for off") } else { (icons::EYE_SLASH, "Off: click for on") };
+        let (icon, tip) = if on {
+            (icons::EYE, "on; click to switch it off")
+        } else {
+            (icons::EYE_SLASH, "off; click to switch it on")
+        };
         let eye = tool_button(ui, &format!("light-{index}-on"), icon, &format!("{name}: {tip}"), None, true);
         if eye.clicked() {
             light.enabled = !on;
         }
         let tint = only.then(|| colors::ACCENT.of(ui));
-        let tip = if only { "All lights again" } else { "This light alone" };
+        let tip = if only { "show all lights again" } else { "show this light alone" };
         let alone =
             tool_button(ui, &format!("light-{index}-alone"), icons::TARGET, &format!("{name}: {tip}"), tint, true);
         make_alone = alone.clicked();
@@ -85,7 +89,7 @@ fn row(ui: &mut Ui, document: &mut Document, session: &mut Session, index: usize
             }
             let id = format!("light-{index}-intensity");
             let number = Number::new(&id, "intensity")
-                .tip("Intensity: L_i is the colour times this")
+                .tip("Intensity: L_i is the colour times the intensity")
                 .range(0.0..=1e6)
                 .default(defaults::LIGHT_INTENSITY)
                 .width(58.0);

@@ -15,33 +15,33 @@ const MOST_POINTS: usize = 24;
 /// Shows it.
 pub fn show(ui: &mut Ui, light: &mut LightSettings, session: &Session, index: usize) {
     let mut kind = light.motion.as_ref().map(|motion| motion.path.kind());
-    let mut options = vec![(None, "still", "It does not move")];
+    let mut options = vec![(None, "none", "The light does not move")];
     options.extend(MotionKind::ALL.iter().map(|kind| (Some(*kind), kind.name(), kind.description())));
-    let changed = row(ui, "Motion", "How the light moves with time", |ui| {
+    let changed = row(ui, "Motion", "Motion over time", |ui| {
         dropdown(ui, &format!("light-{index}-motion"), "motion", &mut kind, &options)
     });
     if changed {
         light.motion = kind.map(|kind| fresh(kind, light, session));
     }
     let Some(motion) = &mut light.motion else { return };
-    row(ui, "Period", "Seconds for one turn", |ui| {
+    row(ui, "Period", "Duration of one cycle, in seconds", |ui| {
         let id = format!("light-{index}-period");
-        let number = Number::new(&id, "period").tip("Seconds for one turn").unit(" s");
+        let number = Number::new(&id, "period").tip("Duration of one cycle, in seconds").unit(" s");
         number.range(0.01..=1e6).default(4.0).show(ui, &mut motion.period);
     });
     match &mut motion.path {
         MotionPath::Oscillate { amplitude } => {
-            row(ui, "Amplitude", "How far to each side, world units", |ui| {
+            row(ui, "Amplitude", "Largest displacement, in world units", |ui| {
                 let id = format!("light-{index}-amplitude");
-                Vector::new(&id, "amplitude").tip("How far to each side, world units").show(ui, amplitude);
+                Vector::new(&id, "amplitude").tip("Largest displacement, in world units").show(ui, amplitude);
             });
         }
         MotionPath::Circle { center, axis } => {
-            row(ui, "Centre", "What it goes around, world space", |ui| {
+            row(ui, "Centre", "Centre of the circle, in world space", |ui| {
                 Vector::new(&format!("light-{index}-center"), "centre").show(ui, center);
             });
             let before = *axis;
-            row(ui, "Axis", "It turns about this direction", |ui| {
+            row(ui, "Axis", "Axis of rotation", |ui| {
                 Vector::new(&format!("light-{index}-axis"), "axis").default(defaults::MOTION_AXIS).show(ui, axis);
             });
             // A direction of length 0 is none.
@@ -60,13 +60,13 @@ fn path(ui: &mut Ui, points: &mut Vec<[f64; 3]>, index: usize) {
     let mut removed = None;
     let count = points.len();
     for (number, point) in points.iter_mut().enumerate().take(MOST_POINTS) {
-        row(ui, &format!("Point {}", number + 1), "World space; the path is closed", |ui| {
+        row(ui, &format!("Point {}", number + 1), "In world space; the path is closed", |ui| {
             let id = format!("light-{index}-point-{number}");
             ui.scope(|ui| {
                 ui.set_max_width(ui.available_width() - 26.0);
                 Vector::new(&id, "point").show(ui, point);
             });
-            if count > 2 && icon_button(ui, &format!("{id}-remove"), icons::X, "Take this point out").clicked() {
+            if count > 2 && icon_button(ui, &format!("{id}-remove"), icons::X, "Remove this point").clicked() {
                 removed = Some(number);
             }
         });
@@ -75,7 +75,7 @@ fn path(ui: &mut Ui, points: &mut Vec<[f64; 3]>, index: usize) {
         points.remove(number);
     }
     row(ui, "", "", |ui| {
-        if icon_button(ui, &format!("light-{index}-add-point"), icons::PLUS, "One more point").clicked() {
+        if icon_button(ui, &format!("light-{index}-add-point"), icons::PLUS, "Add a point").clicked() {
             let last = points.last().copied().unwrap_or_default();
             points.push([last[0] + 0.5, last[1], last[2]]);
         }

@@ -27,8 +27,7 @@ pub fn show(ui: &mut Ui, with: &mut MaterialOverride, files: &[&Material], index
         [] => {}
         [one] => drop(ui.label(RichText::new(format!("{} in the file", named(one))).small().weak())),
         [one, rest @ ..] => {
-            let text =
-                format!("{} and {} more in the file; what is changed here is changed for all", named(one), rest.len());
+            let text = format!("{} and {} more in the file; changes apply to all of them", named(one), rest.len());
             ui.label(RichText::new(text).small().weak());
         }
     }
@@ -48,12 +47,12 @@ pub fn show(ui: &mut Ui, with: &mut MaterialOverride, files: &[&Material], index
         color_of(first.specular),
     );
     colored(ui, &line("emitted", "E", "Emitted light, linear RGB"), &mut with.emitted, color_of(first.emitted));
-    let shininess = line("shininess", "\u{3b3}", "Shininess \u{3b3}: the exponent of the highlight");
+    let shininess = line("shininess", "g", "Shininess g: the exponent of the highlight");
     number(ui, &shininess, &mut with.shininess, tidy(first.shininess), 1.0..=1e6);
-    let opacity = line("opacity", "Opacity", "1 opaque, 0 invisible");
+    let opacity = line("opacity", "Opacity", "1 is opaque, 0 invisible");
     number(ui, &opacity, &mut with.opacity, tidy(first.opacity), 0.0..=1.0);
     let textures = line("textures", "Textures", "Whether the model's textures are used");
-    let options = [(None, "as in the file", ""), (Some(false), "none", "Only the numbers count")];
+    let options = [(None, "as in the file", ""), (Some(false), "none", "Ignore the textures")];
     words(ui, &textures, &mut with.textures, &options);
     optics(ui, with, &first, &line);
 }
@@ -69,35 +68,45 @@ fn optics<'a>(
     first: &Material,
     line: &dyn Fn(&str, &'static str, &'static str) -> Line<'a>,
 ) {
-    let mut media = vec![(None, "none", "A surface, not a clear body")];
+    let mut media = vec![(None, "none", "An opaque surface")];
     media.extend(Medium::ALL.iter().map(|m| (Some(*m), m.name(), m.description())));
-    words(ui, &line("medium", "Medium", "A clear body of this medium"), &mut with.medium, &media);
+    words(ui, &line("medium", "Medium", "A transparent body of this medium"), &mut with.medium, &media);
     let clear = with.medium.is_some();
     let index = with.medium.map_or(tidy(first.refraction_index), Medium::refraction_index);
-    let refraction = line("refraction-index", "Index \u{3b7}", "Index of refraction; air has 1");
+    let refraction = line("refraction-index", "Index \u{3b7}", "Index of refraction (air: 1)");
     number(ui, &refraction, &mut with.refraction_index, index, 0.01..=100.0);
-    let reflectivity = line("reflectivity", "Reflectivity", "From the lit surface (0) to a mirror (1)");
+    let reflectivity = line("reflectivity", "Reflectivity", "0 is the lit surface, 1 a mirror");
     number(ui, &reflectivity, &mut with.reflectivity, 0.0, 0.0..=1.0);
-    let transmission = line("transmission", "Transmission", "From opaque (0) to a clear body (1)");
+    let transmission = line("transmission", "Transmission", "0 is opaque, 1 transparent");
     number(ui, &transmission, &mut with.transmission, if clear { 1.0 } else { 0.0 }, 0.0..=1.0);
     let usual = if clear { Fresnel::Exact } else { Fresnel::None };
-    let usual = if usual == Fresnel::Exact { "as usual (exact)" } else { "as usual (none)" };
+    let usual = if usual == Fresnel::Exact { "default (exact)" } else { "default (none)" };
     let mut factors = vec![(None, usual, "Exact for a medium, none for a surface")];
     factors.extend(named_options!(Fresnel).into_iter().map(|(f, name, tip)| (Some(f), name, tip)));
-    words(ui, &line("fresnel", "Fresnel", "How much is reflected, by the angle"), &mut with.fresnel, &factors[..]);
+    words(
+        ui,
+        &line("fresnel", "Fresnel", "Dependence of the reflection on the angle"),
+        &mut with.fresnel,
+        &factors[..],
+    );
     let white = Color::grey(1.0);
-    colored(ui, &line("tint", "Tint", "Colour of what is let through, 0 to 1"), &mut with.tint, white);
+    colored(ui, &line("tint", "Tint", "Colour of the transmitted light, 0 to 1"), &mut with.tint, white);
     if let Some(tint) = &mut with.tint {
         // A body lets no more light through than comes.
         tint.0 = tint.0.map(|v| v.min(1.0));
     }
     let absorption = line("absorption", "Absorption", "Per world unit and channel, between two surfaces");
     colored(ui, &absorption, &mut with.absorption, Color::grey(0.0));
-    let dispersion = line("dispersion", "Dispersion", "Index for blue light less that for red");
+    let dispersion = line("dispersion", "Dispersion", "Index of refraction for blue light minus that for red");
     number(ui, &dispersion, &mut with.dispersion, 0.0, -1.0..=1.0);
-    let mut surfaces = vec![(None, "as usual (one)", "As in the lab")];
+    let mut surfaces = vec![(None, "default (one)", "As in the lab")];
     surfaces.extend(named_options!(Surfaces).into_iter().map(|(s, name, tip)| (Some(s), name, tip)));
-    words(ui, &line("surfaces", "Surfaces", "At how many surfaces light is refracted"), &mut with.surfaces, &surfaces);
+    words(
+        ui,
+        &line("surfaces", "Surfaces", "Number of surfaces at which light is refracted"),
+        &mut with.surfaces,
+        &surfaces,
+    );
 }
 
 /// A number of a file of 32 bits, without the digits that 64 would add.
@@ -118,7 +127,7 @@ fn with_reset<T>(ui: &mut Ui, line: &Line<'_>, value: &mut Option<T>, show: impl
         });
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let changed = value.is_some();
-            let tip = if changed { "Back to what the file says" } else { "As in the file" };
+            let tip = if changed { "Reset to the value in the file" } else { "As in the file" };
             let id = format!("{}-reset", line.id);
             if tool_button(ui, &id, icons::ARROW_COUNTER_CLOCKWISE, tip, None, changed).clicked() {
                 *value = None;

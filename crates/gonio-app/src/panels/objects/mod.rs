@@ -58,7 +58,7 @@ fn title(
             let mut toggled = false;
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let caret = if selected { icons::CARET_UP } else { icons::CARET_DOWN };
-                let tip = format!("Values of {}", spec.name);
+                let tip = format!("Properties of {}", spec.name);
                 toggled |= icon_button(ui, &format!("object-{index}-open"), caret, &tip).clicked();
                 ui.label(RichText::new(size).small().weak());
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
@@ -107,12 +107,12 @@ fn details(
 
 fn place(ui: &mut Ui, spec: &mut ObjectSpec, index: usize) {
     let id = |name: &str| format!("object-{index}-{name}");
-    row(ui, "Name", "For reports and debug groups", |ui| {
+    row(ui, "Name", "Used in reports and OpenGL debug groups", |ui| {
         let edit = TextEdit::singleline(&mut spec.name).id_salt("name");
         let response = ui.add(edit.desired_width(ui.available_width() - 8.0));
         exported::note(ui, &response, &id("name"), Role::Text, "name", &spec.name);
     });
-    let tip = "Applied last, world units";
+    let tip = "Applied last, in world units";
     row(ui, "Translate", tip, |ui| {
         Vector::new(&id("translate"), "translate").tip(tip).default([0.0; 3]).show(ui, &mut spec.translate)
     });
@@ -123,7 +123,7 @@ fn place(ui: &mut Ui, spec: &mut ObjectSpec, index: usize) {
         vector.range(-36000.0..=36000.0).step(0.5).show(ui, &mut spec.rotate)
     });
     let before = spec.scale;
-    let tip = "Applied first, per axis; Shift while dragging: finer";
+    let tip = "Applied first, per axis; hold Shift to drag finely";
     row(ui, "Scale", tip, |ui| {
         Vector::new(&id("scale"), "scale").tip(tip).default([1.0; 3]).step(0.005).show(ui, &mut spec.scale)
     });
@@ -143,13 +143,13 @@ fn surface(ui: &mut Ui, spec: &mut ObjectSpec, loaded: Option<&Scene>, index: us
             Shading::ALL.iter().zip(names).map(|(shading, name)| (*shading, name, shading.description())).collect();
         choice(ui, &id("shading"), "shading", &mut spec.shading, &options, Shading::Phong);
     });
-    row(ui, "Normals", "Which normals the mesh gets", |ui| {
+    row(ui, "Normals", "Source of the mesh's normals", |ui| {
         let options = named_options!(Normals);
         choice(ui, &id("normals"), "normals", &mut spec.normals, &options, Normals::File);
     });
     if spec.normals != Normals::Flat {
         let mut angle = spec.crease_angle.unwrap_or(180.0);
-        let tip = "Faces that differ by more are not averaged; 180\u{b0} averages all";
+        let tip = "Edges with a larger angle stay sharp; 180\u{b0} averages all normals";
         let changed = row(ui, "Crease angle", tip, |ui| {
             let id = id("crease-angle");
             let number = Number::new(&id, "crease angle").tip(tip).unit("\u{b0}").range(0.0..=180.0).default(180.0);
@@ -175,14 +175,14 @@ fn tools(ui: &mut Ui, index: usize, count: usize) -> Option<edits::Edit> {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         let id = |name: &str| format!("object-{index}-{name}");
-        if icon_button(ui, &id("frame"), icons::FRAME_CORNERS, "This object into the picture").clicked() {
+        if icon_button(ui, &id("frame"), icons::FRAME_CORNERS, "Frame this object").clicked() {
             asked = Some(edits::Edit::Frame(index));
         }
-        if icon_button(ui, &id("duplicate"), icons::COPY, "A copy of this object beside it").clicked() {
+        if icon_button(ui, &id("duplicate"), icons::COPY, "Duplicate this object").clicked() {
             asked = Some(edits::Edit::Duplicate(index));
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let tip = if count > 1 { "Take this object out" } else { "A scene has at least one object" };
+            let tip = if count > 1 { "Remove this object" } else { "A scene needs at least one object" };
             if crate::widgets::tool_button(ui, &id("remove"), icons::TRASH, tip, None, count > 1).clicked() {
                 asked = Some(edits::Edit::Remove(index));
             }

@@ -49,7 +49,7 @@ fn bars(reading: &Reading, probe: &Probe) -> Vec<Bar> {
         // As much as is seen in the mirror and through the glass: what is not the lit surface's.
         let (mirror, through) = (probe.optics.mirror_share(around.sight.fresnel.y), probe.optics.transmission);
         let own = (1.0 - through) * (1.0 - mirror) * (probe.lit + around.diffuse + around.specular);
-        bar("mirror, glass".into(), vec![("seen", ENVIRONMENT, (probe.radiance - own).max(DVec3::ZERO))]);
+        bar("mirror and glass".into(), vec![("seen", ENVIRONMENT, (probe.radiance - own).max(DVec3::ZERO))]);
     }
     bars
 }
@@ -79,7 +79,7 @@ pub fn show(ui: &mut Ui, reading: &Reading, probe: &Probe) {
             ui.monospace(RichText::new(number(bar.length())).size(11.5));
             let lines: Vec<String> =
                 bar.parts.iter().map(|(name, _, light)| format!("{name}: {}", triple(*light))).collect();
-            response.on_hover_text(format!("{}\nlength: luminance", lines.join("\n")));
+            response.on_hover_text(format!("{}\nbar length: luminance", lines.join("\n")));
         });
     }
     legend(ui);

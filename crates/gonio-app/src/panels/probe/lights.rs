@@ -26,7 +26,7 @@ pub fn show(ui: &mut Ui, reading: &Reading, probe: &Probe, selection: Selection)
                 (true, Some(vertex)) => {
                     format!("Corner {number}: vertex {vertex}, weight {:.4}", probe.barycentrics.to_array()[number % 3])
                 }
-                _ => "At the triangle's centroid".to_owned(),
+                _ => "At the centroid of the triangle".to_owned(),
             };
             super::heading(ui, &title);
             corner(ui, reading, terms, number);
@@ -34,8 +34,8 @@ pub fn show(ui: &mut Ui, reading: &Reading, probe: &Probe, selection: Selection)
         super::heading(ui, if at_corners { "Interpolated" } else { "Light" });
         Grid::new("interpolated").num_columns(4).spacing([8.0, 2.0]).show(ui, |ui| {
             let (diffuse, specular) = (Some(colors::DIFFUSE.of(ui)), Some(colors::SPECULAR.of(ui)));
-            vector_row(ui, "diffuse light", "Sum of diff cos L_i att spot", sums.diffuse, diffuse);
-            vector_row(ui, "specular light", "Sum of spec L_i att spot", sums.specular, specular);
+            vector_row(ui, "diffuse light", "Sum of diff <N.L_i> L_i att_i spot_i", sums.diffuse, diffuse);
+            vector_row(ui, "specular light", "Sum of spec_i L_i att_i spot_i", sums.specular, specular);
         });
         return;
     }
@@ -54,11 +54,11 @@ pub fn show(ui: &mut Ui, reading: &Reading, probe: &Probe, selection: Selection)
 fn factors(ui: &mut Ui, light: &LightTerms) {
     Grid::new(("factors", light.light)).num_columns(5).spacing([6.0, 0.0]).show(ui, |ui| {
         let factors = [
-            ("cos \u{3b8}", "N.L", light.cos_theta),
-            ("att", "Attenuation by the distance", light.attenuation),
-            ("spot", "The spot's cone", light.spot),
+            ("<N.L>", "Cosine of the angle between normal and light direction", light.cos_theta.max(0.0)),
+            ("att", "Attenuation with distance", light.attenuation),
+            ("spot", "Spot cone factor", light.spot),
             ("diff", "1, or 1/pi in the physical convention", light.diff),
-            ("spec", "As it enters the sum", light.spec),
+            ("spec", "Specular factor, without k_s", light.spec),
         ];
         for (symbol, tip, _) in factors {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
@@ -76,7 +76,7 @@ fn factors(ui: &mut Ui, light: &LightTerms) {
         facts.push(format!("d {}", number(light.distance)));
     }
     if light.cos_theta <= 0.0 {
-        facts.push("behind the surface".to_owned());
+        facts.push(format!("N.L {}: behind the surface", number(light.cos_theta)));
     }
     ui.label(RichText::new(facts.join("   ")).small().weak());
 }
@@ -88,10 +88,10 @@ fn products(ui: &mut Ui, light: &LightTerms) {
         let (r, h) = (tint(colors::REFLECTION), tint(colors::HALF));
         vector_row(ui, "L", "To the light, world space", light.l, of_light);
         vector_row(ui, "R", "L mirrored about N", light.r, r);
-        vector_row(ui, "H", "Half of L and V", light.h, h);
-        vector_row(ui, "L_i att spot", "What arrives, linear RGB", light.incident, None);
-        vector_row(ui, "diffuse", "diff k_d cos L_i att spot", light.diffuse, diffuse);
-        vector_row(ui, "specular", "k_s spec L_i att spot", light.specular, specular);
+        vector_row(ui, "H", "Halfway between L and V", light.h, h);
+        vector_row(ui, "L_i att spot", "Incident light, linear RGB", light.incident, None);
+        vector_row(ui, "diffuse", "diff k_d <N.L_i> L_i att_i spot_i", light.diffuse, diffuse);
+        vector_row(ui, "specular", "k_s spec_i L_i att_i spot_i", light.specular, specular);
     });
 }
 
@@ -104,7 +104,7 @@ fn corner(ui: &mut Ui, reading: &Reading, terms: &Terms, number: usize) {
             let of = name(reading, light.light);
             let (diffuse, specular) = (colors::DIFFUSE.of(ui), colors::SPECULAR.of(ui));
             let factors = format!(
-                "{of}: cos {:.4}, att {:.4}, spot {:.4}, spec {:.4}",
+                "{of}: N.L {:.4}, att {:.4}, spot {:.4}, spec {:.4}",
                 light.cos_theta, light.attenuation, light.spot, light.spec
             );
             vector_row(ui, &format!("{of} diffuse"), &factors, light.diffuse_light, Some(diffuse));

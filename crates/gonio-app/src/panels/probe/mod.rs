@@ -24,13 +24,13 @@ pub fn show(ui: &mut Ui, _: &mut Document, session: &mut Session, actions: &mut 
         ui.horizontal(|ui| {
             ui.add(egui::Spinner::new().size(14.0));
             let triangles = session.probing.building_triangles();
-            ui.label(RichText::new(format!("the reference is being built: {triangles} triangles")).weak());
+            ui.label(RichText::new(format!("preparing the CPU reference: {triangles} triangles")).weak());
         });
     }
     let Some(reading) = reading else {
         ui.add_space(8.0);
-        let hint = "Point at the picture: here stands the light equation of that pixel, with its numbers. A click pins the \
-                    pixel, Escape lets it go.";
+        let hint = "Point at the picture to see the light equation of that pixel in numbers. A click pins the pixel, \
+                    Escape unpins it.";
         ui.label(RichText::new(hint).weak());
         return;
     };
@@ -39,12 +39,12 @@ pub fn show(ui: &mut Ui, _: &mut Document, session: &mut Session, actions: &mut 
         ui.add_space(8.0);
         let sky = reading.frame.surroundings.is_some_and(|s| s.visible);
         let what = if sky { "the environment" } else { "the background" };
-        ui.label(format!("No object is seen there, but {what}."));
+        ui.label(format!("This pixel shows {what}."));
         return;
     };
-    heading(ui, "Where the light comes from");
+    heading(ui, "Light by source");
     bars::show(ui, &reading, probe);
-    heading(ui, "The equation, in numbers");
+    heading(ui, "The equation in numbers");
     sum::show(ui, &reading, probe);
     lights::show(ui, &reading, probe, session.selection);
     surface::show(ui, &reading, probe);
@@ -63,9 +63,9 @@ fn header(ui: &mut Ui, session: &mut Session, reading: Option<&Reading>, actions
             let probing = &mut session.probing;
             let pinned = probing.pinned.is_some();
             let (icon, tip) = if pinned {
-                (icons::PUSH_PIN_SLASH, "Let the pixel go (Escape)")
+                (icons::PUSH_PIN_SLASH, "Unpin the pixel (Escape)")
             } else {
-                (icons::PUSH_PIN, "Pinned by a click in the picture")
+                (icons::PUSH_PIN, "Click in the picture to pin a pixel")
             };
             if button(ui, "probe-unpin", icon, tip, pinned).clicked() {
                 probing.pinned = None;
@@ -108,10 +108,10 @@ fn values(ui: &mut Ui, reading: &Reading) {
             ui.end_row();
         };
         let [r, g, b, _] = reading.reference;
-        row(ui, "CPU", "The reference: f64, through the pixel's centre, linear", reading.displayed, [r, g, b]);
+        row(ui, "CPU", "CPU reference in f64 at the pixel centre, linear RGB", reading.displayed, [r, g, b]);
         if let Some(GpuValue { value, displayed, .. }) = reading.gpu {
             let [r, g, b, _] = value.map(f64::from);
-            row(ui, "OpenGL", "What the GPU draws there with one sample, linear", displayed, [r, g, b]);
+            row(ui, "OpenGL", "OpenGL with one sample, linear RGB", displayed, [r, g, b]);
         }
     });
     ui.horizontal(|ui| match reading.gpu {
@@ -121,7 +121,7 @@ fn values(ui: &mut Ui, reading: &Reading) {
             exported::note(ui, &response, "probe-difference", Role::Text, "largest difference", gpu.difference);
         }
         None => {
-            ui.label(RichText::new("OpenGL's value could not be read").small().weak());
+            ui.label(RichText::new("The OpenGL value could not be read").small().weak());
         }
     });
 }

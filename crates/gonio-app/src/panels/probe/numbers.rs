@@ -2,13 +2,14 @@
 
 use egui::{Align, Color32, Layout, RichText, Ui, vec2};
 use glam::DVec3;
+use gonio_light::is_noise;
 
 /// Width of a number's column, points.
 const WIDTH: f32 = 49.0;
 
-/// Four decimals, or an exponent where that would hide the number.
+/// Formats a number with four decimals, or an exponent where that would hide it. Numerical noise is 0.
 pub fn number(v: f64) -> String {
-    if v == 0.0 {
+    if is_noise(v) {
         return "0".to_owned();
     }
     let size = v.abs();
@@ -74,6 +75,7 @@ mod tests {
             (54.321, "54.32"),
             (12345.6, "12346"),
             (1.2e-7, "1e-7"),
+            (0.5e-46, "0"),
             (f64::INFINITY, "-"),
         ] {
             assert_eq!(number(v), text);

@@ -26,12 +26,12 @@ pub fn show(ui: &mut Ui, reading: &Reading, probe: &Probe) {
         formula(ui, &numbers(probe, channel));
     }
     if reading.frame.equation.terms != gonio_light::TermSwitches::default() {
-        let remark = "Terms that are switched off count as 0, attenuation and spot as 1.";
+        let remark = "Terms that are switched off count as 0; attenuation and spot count as 1.";
         ui.label(RichText::new(remark).small().weak());
     }
     if probe.radiance != probe.lit {
         let [r, g, b] = probe.radiance.to_array().map(short);
-        let text = format!("with what is seen of the environment: {r}  {g}  {b}");
+        let text = format!("with the reflected and refracted environment: {r}  {g}  {b}");
         ui.label(RichText::new(text).small().color(colors::ENVIRONMENT.of(ui)));
     }
 }
@@ -73,12 +73,12 @@ fn symbols(probe: &Probe) -> Vec<Node> {
         return parts;
     }
     let i = || v("i");
-    let cosine = Node::row([up("cos"), Node::thin(), v("\u{3b8}").below(i())]);
+    let cosine = Node::clamped_product(v("N"), v("L").below(i()));
     let diffuse = Node::row([up("diff"), Node::thin(), k("d"), Node::thin(), cosine]).tagged(DIFFUSE);
     let specular = Node::row([k("s"), Node::thin(), up("spec").below(i())]).tagged(SPECULAR);
     let light = [v("L").below(i()), Node::thin(), up("att").below(i()), Node::thin(), up("spot").below(i())];
-    parts.push(Node::row([Node::binary("+"), Node::Sum(Box::new(i())), Node::thin(), up("("), diffuse]));
-    parts.push(Node::row([Node::binary("+"), specular, up(")"), Node::thin(), Node::row(light).tagged(LIGHT)]));
+    parts.push(Node::row([Node::binary("+"), Node::Sum(Box::new(i())), Node::thin(), up("["), diffuse]));
+    parts.push(Node::row([Node::binary("+"), specular, up("]"), Node::thin(), Node::row(light).tagged(LIGHT)]));
     parts
 }
 
@@ -107,7 +107,7 @@ fn numbers(probe: &Probe, channel: usize) -> Vec<Node> {
         let diffuse = product([up(&short(light.diff)), of(surface.diffuse), cosine]).tagged(DIFFUSE);
         let specular = product([of(surface.specular), up(&short(light.spec))]).tagged(SPECULAR);
         let arriving = of(light.incident).tagged(LIGHT);
-        let inside = Node::row([up("("), diffuse, Node::binary("+"), specular, up(")")]);
+        let inside = Node::row([up("["), diffuse, Node::binary("+"), specular, up("]")]);
         parts.push(plus(product([inside, arriving])));
     }
     parts

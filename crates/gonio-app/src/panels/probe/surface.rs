@@ -22,7 +22,7 @@ pub fn show(ui: &mut Ui, reading: &Reading, probe: &Probe) {
         let terms = &probe.terms;
         vector_row(ui, "position", "World space", probe.position, None);
         vector_row(ui, "N", "The shading normal", terms.point.normal, Some(colors::NORMAL.of(ui)));
-        vector_row(ui, "N geometric", "The triangle's own", probe.geometry.geometric_normal, None);
+        vector_row(ui, "N geometric", "Normal of the triangle", probe.geometry.geometric_normal, None);
         vector_row(ui, "V", "To the eye", terms.point.view, Some(colors::VIEW.of(ui)));
     });
     heading(ui, &format!("Material {}", probe.material_name));
@@ -34,7 +34,7 @@ pub fn show(ui: &mut Ui, reading: &Reading, probe: &Probe) {
         vector_row(ui, "E", "Emitted", surface.emitted, Some(colors::EMITTED.of(ui)));
     });
     let shininess = number(probe.surface.shininess);
-    let text = format!("shininess {shininess}   refraction index {}", number(probe.surface.refraction_index));
+    let text = format!("shininess {shininess}   index of refraction {}", number(probe.surface.refraction_index));
     ui.label(RichText::new(text).small().weak());
     texels(ui, probe);
     environment(ui, reading, probe);
@@ -49,7 +49,7 @@ fn facts(ui: &mut Ui, probe: &Probe) {
     fact(ui, "weights", format!("{:.4}, {:.4}, {:.4}", w.x, w.y, w.z));
     let side = match (probe.front_facing, probe.normal_turned) {
         (true, _) => "front",
-        (false, true) => "back, N turned to the viewer",
+        (false, true) => "back, N flipped towards the viewer",
         (false, false) => "back",
     };
     fact(ui, "side", side);
@@ -58,7 +58,7 @@ fn facts(ui: &mut Ui, probe: &Probe) {
     fact(ui, "uv", format!("{}, {}", number(probe.geometry.uv.x), number(probe.geometry.uv.y)));
     if probe.opacity < 1.0 || probe.surfaces_behind > 0 {
         let behind = probe.surfaces_behind;
-        fact(ui, "opacity", format!("{}, {behind} seen through it", number(probe.opacity)));
+        fact(ui, "opacity", format!("{}, {behind} surfaces visible through it", number(probe.opacity)));
     }
 }
 
@@ -93,21 +93,21 @@ fn environment(ui: &mut Ui, reading: &Reading, probe: &Probe) {
     Grid::new("environment").num_columns(4).spacing([8.0, 2.0]).show(ui, |ui| {
         let tint = Some(colors::ENVIRONMENT.of(ui));
         if how.lights {
-            vector_row(ui, "diffuse", "k_d times its light about N", seen.diffuse, tint);
+            vector_row(ui, "diffuse", "k_d times the irradiance about N", seen.diffuse, tint);
             vector_row(ui, "specular", "Its glossy reflection", seen.specular, tint);
         }
         if !probe.optics.is_plain() {
             vector_row(ui, "R", "V mirrored about N", seen.sight.reflection, None);
-            vector_row(ui, "E(R)", "What a mirror shows", seen.sight.reflected, tint);
-            vector_row(ui, "(1-F) tint E(T)", "What clear glass shows", seen.sight.transmitted, tint);
-            vector_row(ui, "F", "Fresnel's factor of red, green and blue", seen.sight.fresnel, None);
+            vector_row(ui, "E(R)", "Reflected environment", seen.sight.reflected, tint);
+            vector_row(ui, "(1-F) tint E(T)", "Refracted environment", seen.sight.transmitted, tint);
+            vector_row(ui, "F", "Fresnel reflectance per channel", seen.sight.fresnel, None);
         }
     });
     if !probe.optics.is_plain() {
         let fresnel = match probe.optics.fresnel {
-            Fresnel::None => "no Fresnel factor",
-            Fresnel::Exact => "Fresnel exact",
-            Fresnel::Schlick => "Fresnel by Schlick",
+            Fresnel::None => "no Fresnel",
+            Fresnel::Exact => "exact Fresnel",
+            Fresnel::Schlick => "Schlick's Fresnel",
         };
         let share = number(probe.optics.mirror_share(seen.sight.fresnel.y));
         let text = format!("mirror {share}   transmission {}   {fresnel}", number(probe.optics.transmission));

@@ -31,7 +31,7 @@ pub fn of(reading: &Reading) -> String {
         line("light", super::lights::name(reading, light.light));
         line("  L", triple(light.l));
         let factors = [
-            ("cos", light.cos_theta),
+            ("N.L", light.cos_theta),
             ("att", light.attenuation),
             ("spot", light.spot),
             ("diff", light.diff),

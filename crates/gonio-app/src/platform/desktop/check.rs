@@ -54,7 +54,7 @@ impl Checking for Process {
         let answer = match self.answers.try_recv() {
             Ok(answer) => answer,
             Err(TryRecvError::Empty) => return None,
-            Err(TryRecvError::Disconnected) => Err("the check ended without a word; try it again".into()),
+            Err(TryRecvError::Disconnected) => Err("the check ended without an answer: try again".into()),
         };
         self.answered = true;
         Some(answer)

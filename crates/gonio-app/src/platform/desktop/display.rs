@@ -23,7 +23,9 @@ pub fn check() -> Result<(), String> {
 #[cfg(target_os = "linux")]
 fn check_libraries() -> Result<(), String> {
     let lacks = |library: &str, package: &str| {
-        format!("the window needs {library}, which is not installed; on Debian and Ubuntu: apt-get install {package}")
+        format!(
+            "the window needs {library}, which is not installed: on Debian and Ubuntu, run `apt-get install {package}`"
+        )
     };
     if xkbcommon_dl::xkbcommon_option().is_none() {
         return Err(lacks("libxkbcommon.so.0", "libxkbcommon0"));

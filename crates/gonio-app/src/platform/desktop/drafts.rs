@@ -87,7 +87,7 @@ impl DraftFolder {
 
     /// This window's folder, which is made when it is first wanted.
     fn session(&mut self) -> Result<&Session, String> {
-        let failed = |why: Error| format!("a folder in `{}` could not be made: {why}", self.root.display());
+        let failed = |why: Error| format!("a folder in `{}` could not be created: {why}", self.root.display());
         match &mut self.own {
             Some(own) => Ok(own),
             own => Ok(own.insert(Session::new(&self.root).map_err(failed)?)),
@@ -308,7 +308,7 @@ mod tests {
         let root = Root::new("file");
         fs::write(&root.0, "a file").unwrap();
         let why = root.window().keep("a", "text").unwrap_err();
-        assert!(why.contains("could not be made") && !why.contains('\n'), "{why}");
+        assert!(why.contains("could not be created") && !why.contains('\n'), "{why}");
         assert_eq!(root.window().take("a"), None);
         fs::remove_file(&root.0).unwrap();
     }

@@ -26,7 +26,10 @@ pub fn read(paths: &[String]) -> Result<Vec<ExerciseFile>, String> {
     match files.len() {
         0 => Err(format!("there are no files in {}", paths.join(", "))),
         1..=MOST_FILES => Ok(files),
-        _ => Err(format!("there are more than {MOST_FILES} files in {}; give those of the exercise", paths.join(", "))),
+        _ => Err(format!(
+            "there are more than {MOST_FILES} files in {}: open only those of the exercise",
+            paths.join(", ")
+        )),
     }
 }
 
@@ -35,7 +38,7 @@ fn one(path: &Path, files: &mut Vec<ExerciseFile>) -> Result<(), String> {
     let told = |why: std::io::Error| format!("`{}` cannot be read: {why}", path.display());
     let size = std::fs::metadata(path).map_err(told)?.len();
     if size > MOST_BYTES {
-        return Err(format!("`{}` has {} MB, and is no student's answer", path.display(), size / 1_000_000));
+        return Err(format!("`{}` is too large for an exercise: {} MB", path.display(), size / 1_000_000));
     }
     let bytes = Disk.read_within(path, MOST_BYTES).map_err(told)?.into_vec();
     if zip::is_zip(&bytes) {

@@ -181,7 +181,7 @@ impl Platform for Desktop {
     fn check(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Checking> {
         let begun = match &self.program {
             Some(program) => check::begin(program, &request, ctx),
-            None => Err("gonio's own program was not found; run `gonio lab check` in a terminal".into()),
+            None => Err("the gonio program was not found: run `gonio lab check` in a terminal".into()),
         };
         match begun {
             Ok(checking) => Box::new(checking),
@@ -197,7 +197,7 @@ impl Platform for Desktop {
         let ctx = ctx.clone();
         let begun = match &self.program {
             Some(program) => trial::begin(program, &request, move || ctx.request_repaint()),
-            None => Err("gonio's own program was not found".into()),
+            None => Err("the gonio program was not found".into()),
         };
         match begun {
             Ok(trial) => Box::new(trial),

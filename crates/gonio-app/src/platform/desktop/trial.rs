@@ -53,9 +53,9 @@ pub struct Process {
 
 /// Starts the trial; `done` is called when there is an outcome to ask for. An error is one sentence.
 pub fn begin(program: &Path, request: &CheckRequest, done: impl FnOnce() + Send + 'static) -> Result<Process, String> {
-    let mut command = child::command(program).map_err(|why| format!("gonio could not start its trial: {why}"))?;
+    let mut command = child::command(program).map_err(|why| format!("the shader test could not be started: {why}"))?;
     command.args(["lab", "trial", &request.exercise]);
-    run(command, &request.files, done).map_err(|why| format!("gonio could not start its trial: {why}"))
+    run(command, &request.files, done).map_err(|why| format!("the shader test could not be started: {why}"))
 }
 
 fn run(
@@ -103,13 +103,13 @@ fn finish(child: &mut Child, input: Vec<u8>, given_up: impl Fn() -> bool) -> Tri
     match ended {
         Ok(Ended::ByItself(status)) => answered(status, &output.recv().unwrap_or_default()),
         Ok(other) => stopped(other),
-        Err(why) => TrialOutcome::Unavailable(format!("gonio lost sight of its trial: {why}")),
+        Err(why) => TrialOutcome::Unavailable(format!("the shader test could not be monitored: {why}")),
     }
 }
 
 fn answered(status: ExitStatus, output: &str) -> TrialOutcome {
     if status.code() == Some(CODE_OF_ERRORS) {
-        return TrialOutcome::Unavailable("gonio could not try the shader outside of the window".into());
+        return TrialOutcome::Unavailable("the shader could not be tested outside of the window".into());
     }
     if !status.success() {
         return TrialOutcome::Refused(

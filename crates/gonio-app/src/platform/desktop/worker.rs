@@ -119,14 +119,14 @@ impl Worker {
         // Where the process ended before it had read everything, its answer counts.
         let _ = self.writer.join();
         let said = |verdict| Ok(Answer { verdict, page: None, sheet: None });
-        match ended.map_err(|why| format!("what became of the check is not known: {why}"))? {
+        match ended.map_err(|why| format!("the check could not be monitored: {why}"))? {
             Ended::TooLong => said(Verdict::endless(&self.exercise, patience.as_secs())),
             Ended::TooLarge => said(Verdict::too_large(&self.exercise)),
-            Ended::GivenUp => Err("the check was given up".into()),
+            Ended::GivenUp => Err("the check was stopped".into()),
             Ended::ByItself(status) => match answer {
                 Ok(Some(answer)) => Ok(answer),
                 Ok(None) if status.code().is_none_or(is_crash) => said(Verdict::crashed(&self.exercise)),
-                Ok(None) => Err("the check ended without an answer; try it again".into()),
+                Ok(None) => Err("the check ended without an answer: try again".into()),
                 Err(why) => Err(why),
             },
         }

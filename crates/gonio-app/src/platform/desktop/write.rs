@@ -28,12 +28,12 @@ pub fn beside_and_renamed(place: &Path, bytes: &[u8]) -> Result<(), String> {
 
 fn reason(why: &Error) -> String {
     match why.kind() {
-        ErrorKind::NotFound => "there is no such folder; choose another, or make it".into(),
-        ErrorKind::PermissionDenied => "the folder may not be written to; choose another".into(),
-        ErrorKind::IsADirectory => "this is a folder; add a file name".into(),
-        ErrorKind::InvalidFilename => "this is no file name; add one".into(),
+        ErrorKind::NotFound => "no such folder: create it, or choose another".into(),
+        ErrorKind::PermissionDenied => "permission denied: choose another folder".into(),
+        ErrorKind::IsADirectory => "this is a folder: add a file name".into(),
+        ErrorKind::InvalidFilename => "the file name is missing".into(),
         ErrorKind::StorageFull => "the disk is full".into(),
-        _ => format!("{why}; choose another place"),
+        _ => format!("{why}: choose another place"),
     }
 }
 

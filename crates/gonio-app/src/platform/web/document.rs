@@ -49,8 +49,8 @@ fn words(why: JsValue) -> String {
 }
 
 fn window() -> Result<(Window, Document), String> {
-    let window = web_sys::window().ok_or("there is no page")?;
-    let document = window.document().ok_or("there is no page")?;
+    let window = web_sys::window().ok_or("the page has no window")?;
+    let document = window.document().ok_or("the page has no window")?;
     Ok((window, document))
 }
 
@@ -79,7 +79,7 @@ thread_local! {
 
 /// Asks for files by the browser's dialog. An error is one sentence.
 pub fn choose(answer: impl Fn(Vec<NamedFile>) + 'static) -> Result<(), String> {
-    let failed = |_| "the browser does not let files be chosen; drop them on the page".to_owned();
+    let failed = |_| "the browser does not allow choosing files: drop them on the page".to_owned();
     let (_, document) = window()?;
     let input: HtmlInputElement =
         document.create_element("input").map_err(failed)?.dyn_into().map_err(|e| failed(e.into()))?;
@@ -104,7 +104,7 @@ pub fn choose(answer: impl Fn(Vec<NamedFile>) + 'static) -> Result<(), String> {
 
 /// Hands a file out as a download. An error is one sentence.
 pub fn download(name: &str, bytes: &[u8]) -> Result<(), String> {
-    let failed = |why: JsValue| format!("`{name}` could not be handed out: {}", words(why));
+    let failed = |why: JsValue| format!("`{name}` could not be downloaded: {}", words(why));
     let (_, document) = window()?;
     let blob = Blob::new_with_u8_array_sequence(&Array::of1(&Uint8Array::from(bytes))).map_err(failed)?;
     let url = Url::create_object_url_with_blob(&blob).map_err(failed)?;
@@ -146,7 +146,7 @@ pub fn keep(text: &str) {
 
 /// Keeps a draft of unsaved text. An error is one sentence.
 pub fn keep_draft(key: &str, text: &str) -> Result<(), String> {
-    let storage = storage().ok_or("this browser keeps nothing for this page")?;
+    let storage = storage().ok_or("this browser has no storage for this page")?;
     let full = |_| "the browser's storage for this page is full".to_owned();
     storage.set_item(&format!("{DRAFT}{key}"), text).map_err(full)
 }

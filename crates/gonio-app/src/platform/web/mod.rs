@@ -161,7 +161,7 @@ impl Platform for Web {
     }
 
     fn open_paths(&mut self, paths: Vec<String>, _: Purpose, ctx: &egui::Context) {
-        let why = format!("a page cannot open {} by its path; drop the file on the page", paths.join(", "));
+        let why = format!("a web page cannot open {} by its path: drop the file on the page", paths.join(", "));
         self.events.borrow_mut().push(Event::Failed(why));
         ctx.request_repaint();
     }

@@ -212,7 +212,7 @@ impl Handles<'_> {
             draw::selected(&self.painter, place, colors::ACCENT.of(self.ui));
         }
         if response.hovered() || response.dragged() {
-            let where_to = if mark.place.is_some() { "" } else { "   outside of the picture: drag it in" };
+            let where_to = if mark.place.is_some() { "" } else { "   outside of the picture: drag to bring it in" };
             let text = format!("{name}   {}{where_to}", coordinates(mark));
             let below = place + vec2(0.0, draw::RADIUS + 14.0);
             let color = self.ui.visuals().strong_text_color();
@@ -281,7 +281,7 @@ impl Handles<'_> {
         let mut touched = false;
         if let Some(place) = self.projection.to_window(end) {
             let response = self.handle(mark, Part::AxisEnd, place);
-            exported_handle(self, &response, mark.index, "axis", "where the spot points", "");
+            exported_handle(self, &response, mark.index, "axis", "direction of the spot light", "");
             let radius = if response.hovered() || response.dragged() { 6.0 } else { 4.5 };
             ink::disc(&self.painter, place, radius, mark.color, false);
             if let Some(from) = mark.place {
