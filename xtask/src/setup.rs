@@ -69,6 +69,19 @@ fn is_root() -> bool {
     process::stdout_of(Command::new("id").arg("-u")).is_ok_and(|id| id.trim() == "0")
 }
 
+/// The version of cargo-deny that reads `deny.toml`.
+const CARGO_DENY: &str = "0.20.2";
+
+/// Installs cargo-deny if it is missing. A debug build suffices and takes a third of the time.
+pub fn cargo_deny(root: &Path) -> Result<(), String> {
+    if process::stdout_of(process::cargo(root).args(["deny", "--version"])).is_ok() {
+        return Ok(());
+    }
+    let arguments = ["install", "--locked", "--debug", "--no-default-features", "cargo-deny", "--version", CARGO_DENY];
+    let outcome = process::run(process::cargo(root).args(arguments));
+    if outcome.success { Ok(()) } else { Err(format!("{}\nrun: cargo {}", outcome.text, arguments.join(" "))) }
+}
+
 /// Adds missing components and targets to the pinned toolchain, which rustup reads from `rust-toolchain.toml`.
 pub fn toolchain(root: &Path, targets: &[&str]) -> Findings {
     let rustup = |arguments: &[&str]| {

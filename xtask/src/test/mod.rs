@@ -92,6 +92,7 @@ fn cargo_steps(report: &mut Report, root: &Path, extent: Extent) -> bool {
         report.step("tests", || Findings::fail("not run, because the tests did not build"));
     }
     if extent == Extent::Everything {
+        report.step("licences and duplicates", || check_dependencies(root));
         for target in DESKTOPS {
             report.step(target, || check_desktop(root, target));
         }
@@ -158,6 +159,15 @@ fn cargo_test(root: &Path) -> Findings {
     let arguments = ["test", "--locked", "--workspace", "--no-fail-fast", "--all-targets"];
     let outcome = process::run(process::cargo(root).args(arguments));
     cargo_output::findings(outcome.success, &outcome.text)
+}
+
+/// Compares the dependencies with `deny.toml`. Advisories need a database from the network: `cargo deny check advisories`.
+fn check_dependencies(root: &Path) -> Findings {
+    if let Err(error) = setup::cargo_deny(root) {
+        return Findings::fail(error);
+    }
+    cargo_check(root, &["deny", "--offline", "--log-level", "warn", "check", "bans", "licenses", "sources"], &[])
+        .remarking("advisories: `cargo deny check advisories`")
 }
 
 fn check_desktop(root: &Path, target: &str) -> Findings {
