@@ -8,7 +8,6 @@
 //! [`load`] is enough when it comes before OpenGL.
 
 use crate::{Gl, GlError};
-use glow::HasContext;
 use renderdoc::{RenderDoc, V112};
 use std::path::{Path, PathBuf};
 
@@ -26,6 +25,7 @@ pub fn is_loaded() -> bool {
 /// [`PRELOAD`] is something, this is always an error.
 pub fn load() -> Result<(), GlError> {
     #[cfg(windows)]
+    #[allow(unsafe_code)]
     // SAFETY: loading a library runs its initialisers; RenderDoc is made to be loaded into any program.
     if let Ok(library) = unsafe { libloading::Library::new("renderdoc.dll") } {
         // It has patched other libraries by now, so it stays.
@@ -83,8 +83,7 @@ impl Capture {
         // error (GL_INVALID_FRAMEBUFFER_OPERATION, RenderDoc 1.24), which is none of ours. A driver has one
         // flag, or one for each of its parts.
         for _ in 0..8 {
-            // SAFETY: reads and clears a flag.
-            if unsafe { gl.get_error() } == glow::NO_ERROR {
+            if gl.get_error() == glow::NO_ERROR {
                 break;
             }
         }

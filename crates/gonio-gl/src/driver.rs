@@ -2,7 +2,6 @@
 
 use crate::Dialect;
 use crate::Gl;
-use glow::HasContext;
 
 /// WEBGL_debug_renderer_info
 const UNMASKED_RENDERER_WEBGL: u32 = 0x9246;
@@ -36,41 +35,32 @@ impl DriverInfo {
         ["llvmpipe", "softpipe", "SwiftShader"].iter().any(|name| self.renderer.contains(name))
     }
 
-    pub fn of(gl: &Gl) -> Self {
-        let version = gl.version();
-        let has = |extension: &str| gl.supported_extensions().contains(extension);
-        let at_least_4_6 = !version.is_embedded && (version.major, version.minor) >= (4, 6);
-        // SAFETY: queries of constants of the context.
-        unsafe {
-            #[cfg(not(target_arch = "wasm32"))]
-            let samples = [glow::RGBA32F, glow::DEPTH_COMPONENT24].map(|format| {
-                let mut most = [0];
-                gl.get_internal_format_i32_slice(glow::RENDERBUFFER, format, glow::SAMPLES, &mut most);
-                most[0]
-            });
-            // WebGL answers that question with all numbers of samples, which glow wants to fit into the slice. This is
-            // the limit of formats of bytes; a target of floats that has fewer is made with one.
-            #[cfg(target_arch = "wasm32")]
-            let samples = [gl.get_parameter_i32(glow::MAX_SAMPLES)];
-            // Browsers give the renderer's own name only to those who ask for the unmasked one.
-            let name = if has("WEBGL_debug_renderer_info") { UNMASKED_RENDERER_WEBGL } else { glow::RENDERER };
-            // Multisampled textures have a limit of their own; OpenGL ES 3.0 has none of them.
-            let textures =
-                if version.is_embedded { i32::MAX } else { gl.get_parameter_i32(glow::MAX_COLOR_TEXTURE_SAMPLES) };
-            let sizes = [glow::MAX_TEXTURE_SIZE, glow::MAX_RENDERBUFFER_SIZE].map(|p| gl.get_parameter_i32(p));
-            DriverInfo {
-                renderer: gl.get_parameter_string(name),
-                version: gl.get_parameter_string(glow::VERSION),
-                glsl: gl.get_parameter_string(glow::SHADING_LANGUAGE_VERSION),
-                max_samples: samples.into_iter().chain([textures]).min().unwrap_or(1).max(1) as u32,
-                max_size: sizes.into_iter().min().unwrap_or(2048).max(1) as u32,
-                max_cube_size: gl.get_parameter_i32(glow::MAX_CUBE_MAP_TEXTURE_SIZE).max(1) as u32,
-                dialect: gl.dialect(),
-                anisotropy: at_least_4_6
-                    || has("GL_EXT_texture_filter_anisotropic")
-                    || has("EXT_texture_filter_anisotropic"),
-                pipeline_statistics: at_least_4_6 || has("GL_ARB_pipeline_statistics_query"),
-            }
+    /// Asks the driver of a context.
+    pub fn new(gl: &Gl) -> Self {
+        let at_least_4_6 = !gl.is_embedded() && gl.version() >= (4, 6);
+        #[cfg(not(target_arch = "wasm32"))]
+        let samples = [glow::RGBA32F, glow::DEPTH_COMPONENT24].map(|format| gl.functions().get_most_samples(format));
+        // WebGL answers that question with all numbers of samples, which glow wants to fit into the slice. This is
+        // the limit of formats of bytes; a target of floats that has fewer is made with one.
+        #[cfg(target_arch = "wasm32")]
+        let samples = [gl.get_parameter_i32(glow::MAX_SAMPLES)];
+        // Browsers give the renderer's own name only to those who ask for the unmasked one.
+        let name = if gl.supports("WEBGL_debug_renderer_info") { UNMASKED_RENDERER_WEBGL } else { glow::RENDERER };
+        // Multisampled textures have a limit of their own; OpenGL ES 3.0 has none of them.
+        let textures = if gl.is_embedded() { i32::MAX } else { gl.get_parameter_i32(glow::MAX_COLOR_TEXTURE_SAMPLES) };
+        let sizes = [glow::MAX_TEXTURE_SIZE, glow::MAX_RENDERBUFFER_SIZE].map(|p| gl.get_parameter_i32(p));
+        DriverInfo {
+            renderer: gl.get_parameter_string(name),
+            version: gl.get_parameter_string(glow::VERSION),
+            glsl: gl.get_parameter_string(glow::SHADING_LANGUAGE_VERSION),
+            max_samples: samples.into_iter().chain([textures]).min().unwrap_or(1).max(1) as u32,
+            max_size: sizes.into_iter().min().unwrap_or(2048).max(1) as u32,
+            max_cube_size: gl.get_parameter_i32(glow::MAX_CUBE_MAP_TEXTURE_SIZE).max(1) as u32,
+            dialect: gl.dialect(),
+            anisotropy: at_least_4_6
+                || gl.supports("GL_EXT_texture_filter_anisotropic")
+                || gl.supports("EXT_texture_filter_anisotropic"),
+            pipeline_statistics: at_least_4_6 || gl.supports("GL_ARB_pipeline_statistics_query"),
         }
     }
 }

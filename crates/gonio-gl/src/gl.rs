@@ -1,62 +1,134 @@
-//! The OpenGL functions, and what must live as long as they are called.
+//! The OpenGL of a context, and what must live as long as it is called.
 
 use crate::Dialect;
-use crate::trace::Mirror;
-use glow::HasContext;
+use crate::functions::Functions;
+use crate::trace::recorder::Recorder;
+use crate::trace::state::State;
 use std::any::Any;
-use std::ops::Deref;
+use std::cell::RefCell;
 use std::rc::Rc;
 use std::sync::Arc;
 
-/// The functions of a context that is current on this thread. Cheap to clone; not `Send`, as a
-/// context is current on one thread only. Make one for a context and clone it: clones know together what exists and what
-/// is bound (see `record`).
+/// The OpenGL of a context that is current on this thread. Cheap to clone; not `Send`, as a context is current on one
+/// thread only. Make one for a context and clone it: clones know together what exists and what is bound (see
+/// [`crate::trace`]).
+///
+/// Its methods are OpenGL's functions, named as in glow. They are safe: wrong arguments raise an error that
+/// [`Gl::get_error`] gives, as in OpenGL itself. Calls that would read or write beyond their memory are not made, and raise
+/// `GL_INVALID_OPERATION`.
 #[derive(Clone)]
 pub struct Gl {
     // Fields drop in the order of declaration: the functions before the context that they belong to.
-    functions: Arc<glow::Context>,
-    /// What exists and what is bound, for records of frames.
-    mirror: Rc<Mirror>,
+    functions: Rc<Functions>,
+    tracker: Rc<Tracker>,
     _context: Option<Rc<dyn Any>>,
 }
 
+/// What calls through a [`Gl`] and its clones have made of the context.
+#[derive(Default)]
+struct Tracker {
+    /// What exists and what is bound.
+    state: RefCell<State>,
+    /// While a recording runs.
+    recorder: RefCell<Option<Box<Recorder>>>,
+    /// Whether each call is asked for its error, so that what OpenGL refuses is not noted.
+    asks_for_errors: bool,
+}
+
 impl Gl {
-    /// The functions of a context that somebody else keeps current: a window's, a web page's.
-    pub fn of_window(functions: Arc<glow::Context>) -> Self {
-        Gl { functions, mirror: Rc::default(), _context: None }
+    /// The OpenGL of a context that somebody else keeps current: a window's, a web page's. They may use it as well, between
+    /// our calls, if [`crate::SavedState`] stands around each run of ours.
+    pub fn of_window(context: Arc<glow::Context>) -> Self {
+        Gl { functions: Rc::new(Functions::new(context)), tracker: Rc::default(), _context: None }
     }
 
-    /// The functions of a context that ends with the last clone of this.
+    /// The OpenGL of a context that ends with the last clone of this.
     #[cfg(feature = "headless")]
     pub(crate) fn keeping_alive(functions: Arc<glow::Context>, context: impl Any) -> Self {
-        Gl { functions, mirror: Rc::default(), _context: Some(Rc::new(context)) }
+        Gl { _context: Some(Rc::new(context)), ..Gl::of_window(functions) }
     }
 
-    /// The same functions, with a mirror that knows nothing yet: what is made through it is in no other's records, and
-    /// whoever uses it puts bindings back through the other one when done.
+    /// The same context for calls that may be wrong: it knows of no objects yet, and notes of each call whether OpenGL took
+    /// it. What is made through it is in no other's records. Whoever uses it puts bindings back through the other one when
+    /// done.
     pub fn apart(&self) -> Gl {
-        Gl { functions: self.functions.clone(), mirror: Rc::default(), _context: self._context.clone() }
+        let tracker = Tracker { asks_for_errors: true, ..Tracker::default() };
+        Gl { functions: self.functions.clone(), tracker: Rc::new(tracker), _context: self._context.clone() }
     }
 
     /// The dialect of GLSL that the context compiles.
     pub fn dialect(&self) -> Dialect {
-        if self.functions.version().is_embedded { Dialect::Es300 } else { Dialect::Core330 }
+        if self.is_embedded() { Dialect::Es300 } else { Dialect::Core330 }
     }
 
-    /// glow's functions, past our own of the same name: what is called here is not noted.
-    pub fn functions(&self) -> &glow::Context {
+    /// Whether the context is one of OpenGL ES, as WebGL2 is.
+    pub fn is_embedded(&self) -> bool {
+        self.functions.is_embedded()
+    }
+
+    /// The context's version: major, minor.
+    pub fn version(&self) -> (u32, u32) {
+        self.functions.version()
+    }
+
+    /// Whether the context has an extension.
+    pub fn supports(&self, extension: &str) -> bool {
+        self.functions.supports(extension)
+    }
+
+    /// Fetches and clears an error; `GL_NO_ERROR` where there is none.
+    #[inline]
+    pub fn get_error(&self) -> u32 {
+        self.functions.get_error()
+    }
+
+    /// The functions, past the notes.
+    #[inline]
+    pub(crate) fn functions(&self) -> &Functions {
         &self.functions
     }
 
-    /// What exists and what is bound.
-    pub(crate) fn mirror(&self) -> &Mirror {
-        &self.mirror
+    /// Reads or changes what is known of the context. Not from within itself.
+    #[inline]
+    pub(crate) fn with_state<T>(&self, f: impl FnOnce(&mut State) -> T) -> T {
+        f(&mut self.tracker.state.borrow_mut())
     }
-}
 
-impl Deref for Gl {
-    type Target = glow::Context;
-    fn deref(&self) -> &glow::Context {
-        &self.functions
+    /// Notes a call that was made, if OpenGL took it.
+    #[inline]
+    pub(crate) fn note(&self, f: impl FnOnce(&mut State)) {
+        if self.is_noted() {
+            self.with_state(f);
+        }
+    }
+
+    /// Whether the call before is to be noted: a [`Gl`] that is apart leaves out what OpenGL refused. The error is kept for
+    /// [`Gl::get_error`].
+    #[inline]
+    pub(crate) fn is_noted(&self) -> bool {
+        if !self.tracker.asks_for_errors {
+            return true;
+        }
+        match self.functions.get_own_error() {
+            glow::NO_ERROR => true,
+            error => {
+                self.functions.raise(error);
+                false
+            }
+        }
+    }
+
+    /// Does something with the recorder, where a recording runs.
+    #[inline]
+    pub(crate) fn recorded(&self, f: impl FnOnce(&mut Recorder, &mut State, &Functions)) {
+        if let Some(recorder) = self.tracker.recorder.borrow_mut().as_deref_mut() {
+            self.with_state(|state| f(recorder, state, &self.functions));
+        }
+    }
+
+    /// Begins or ends a recording: the recorder that ran until now is given back.
+    pub(crate) fn exchange_recorder(&self, recorder: Option<Box<Recorder>>) -> Option<Box<Recorder>> {
+        self.with_state(|state| state.is_recording = recorder.is_some());
+        self.tracker.recorder.replace(recorder)
     }
 }

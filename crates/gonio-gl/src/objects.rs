@@ -1,13 +1,12 @@
 //! OpenGL objects that free themselves, and carry a label for debuggers.
 
+use crate::calls::native_name;
 use crate::{Gl, GlError};
-use glow::HasContext;
 
 /// Names an object for RenderDoc and driver messages, where the driver can (KHR_debug).
 fn label(gl: &Gl, kind: u32, name: u32, text: &str) {
-    if gl.supports_debug() {
-        // SAFETY: the name is of an object of this kind that was just created and bound once.
-        unsafe { gl.object_label(kind, name, Some(text)) };
+    if gl.functions().supports_debug() {
+        gl.object_label(kind, name, Some(text));
     }
 }
 
@@ -20,9 +19,8 @@ impl<'a> DebugGroup<'a> {
     /// Opens the group.
     pub fn new(gl: &'a Gl, name: &str) -> Self {
         gl.group_opened(name);
-        if gl.supports_debug() {
-            // SAFETY: pushed and popped in pairs by this guard.
-            unsafe { gl.push_debug_group(glow::DEBUG_SOURCE_APPLICATION, 0, name) };
+        if gl.functions().supports_debug() {
+            gl.push_debug_group(glow::DEBUG_SOURCE_APPLICATION, 0, name);
         }
         DebugGroup { gl }
     }
@@ -31,9 +29,8 @@ impl<'a> DebugGroup<'a> {
 impl Drop for DebugGroup<'_> {
     fn drop(&mut self) {
         self.gl.group_closed();
-        if self.gl.supports_debug() {
-            // SAFETY: closes the group that `new` opened.
-            unsafe { self.gl.pop_debug_group() };
+        if self.gl.functions().supports_debug() {
+            self.gl.pop_debug_group();
         }
     }
 }
@@ -49,8 +46,7 @@ macro_rules! object {
         impl $Object {
             /// One, bound to nothing.
             pub fn create(gl: &Gl) -> Result<Self, GlError> {
-                // SAFETY: creating an object has no precondition but a current context, which `Gl` is.
-                let handle = unsafe { gl.$create() }
+                let handle = gl.$create()
                     .map_err(|why| GlError::new(format!(concat!("OpenGL gave no ", stringify!($Object), ": {}"), why)))?;
                 Ok($Object { gl: gl.clone(), handle })
             }
@@ -63,8 +59,7 @@ macro_rules! object {
 
         impl Drop for $Object {
             fn drop(&mut self) {
-                // SAFETY: the object was created by this context and is deleted once.
-                unsafe { self.gl.$delete(self.handle) };
+                self.gl.$delete(self.handle);
             }
         }
     };
@@ -95,32 +90,13 @@ object!(
     Query, Query, create_query, delete_query
 );
 
-/// OpenGL's own number of an object, which labels want.
-macro_rules! native_name {
-    ($handle:expr) => {{
-        #[cfg(not(target_arch = "wasm32"))]
-        let name: u32 = $handle.0.into();
-        // WebGL has no labels; the number is never read there.
-        #[cfg(target_arch = "wasm32")]
-        let name = {
-            let _ = $handle;
-            0
-        };
-        name
-    }};
-}
-pub(crate) use native_name;
-
 impl Buffer {
     /// A buffer with `bytes` in it. `target` is where it is bound to be filled: an index buffer must be
     /// made while its vertex array is bound.
     pub fn with_bytes(gl: &Gl, target: u32, bytes: &[u8], usage: u32, name: &str) -> Result<Self, GlError> {
         let buffer = Buffer::create(gl)?;
-        // SAFETY: the buffer is this context's; its storage is copied from the slice.
-        unsafe {
-            gl.bind_buffer(target, Some(buffer.handle));
-            gl.buffer_data_u8_slice(target, bytes, usage);
-        }
+        gl.bind_buffer(target, Some(buffer.handle));
+        gl.buffer_data(target, bytes, usage);
         gl.name_buffer(buffer.handle, name);
         label(gl, glow::BUFFER, native_name!(buffer.handle), name);
         Ok(buffer)
@@ -131,8 +107,7 @@ impl VertexArray {
     /// A vertex array, bound.
     pub fn bound(gl: &Gl, name: &str) -> Result<Self, GlError> {
         let array = VertexArray::create(gl)?;
-        // SAFETY: the array is this context's.
-        unsafe { gl.bind_vertex_array(Some(array.handle)) };
+        gl.bind_vertex_array(Some(array.handle));
         gl.name_vertex_array(array.handle, name);
         label(gl, glow::VERTEX_ARRAY, native_name!(array.handle), name);
         Ok(array)
@@ -143,8 +118,7 @@ impl TextureObject {
     /// A 2-D texture, bound to the active unit.
     pub fn bound(gl: &Gl, name: &str) -> Result<Self, GlError> {
         let texture = TextureObject::create(gl)?;
-        // SAFETY: the texture is this context's.
-        unsafe { gl.bind_texture(glow::TEXTURE_2D, Some(texture.handle)) };
+        gl.bind_texture(glow::TEXTURE_2D, Some(texture.handle));
         gl.name_texture(texture.handle, name);
         label(gl, glow::TEXTURE, native_name!(texture.handle), name);
         Ok(texture)
@@ -155,8 +129,7 @@ impl TextureObject {
     /// An array of 2-D textures, bound to the active unit.
     pub fn array(gl: &Gl, name: &str) -> Result<Self, GlError> {
         let texture = TextureObject::create(gl)?;
-        // SAFETY: the texture is this context's.
-        unsafe { gl.bind_texture(glow::TEXTURE_2D_ARRAY, Some(texture.handle)) };
+        gl.bind_texture(glow::TEXTURE_2D_ARRAY, Some(texture.handle));
         gl.name_texture(texture.handle, name);
         label(gl, glow::TEXTURE, native_name!(texture.handle), name);
         Ok(texture)
@@ -167,8 +140,7 @@ impl TextureObject {
     /// A cubemap, bound to the active unit.
     pub fn cube(gl: &Gl, name: &str) -> Result<Self, GlError> {
         let texture = TextureObject::create(gl)?;
-        // SAFETY: the texture is this context's.
-        unsafe { gl.bind_texture(glow::TEXTURE_CUBE_MAP, Some(texture.handle)) };
+        gl.bind_texture(glow::TEXTURE_CUBE_MAP, Some(texture.handle));
         gl.name_texture(texture.handle, name);
         label(gl, glow::TEXTURE, native_name!(texture.handle), name);
         Ok(texture)
@@ -179,11 +151,8 @@ impl TextureObject {
     /// A texture of `samples` samples per texel, bound to the active unit. OpenGL only.
     pub fn multisampled(gl: &Gl, format: u32, size: [i32; 2], samples: i32, name: &str) -> Result<Self, GlError> {
         let texture = TextureObject::create(gl)?;
-        // SAFETY: as for renderbuffers: sizes are checked by the caller, memory by the framebuffer.
-        unsafe {
-            gl.bind_texture(glow::TEXTURE_2D_MULTISAMPLE, Some(texture.handle));
-            gl.tex_image_2d_multisample(glow::TEXTURE_2D_MULTISAMPLE, samples, format as i32, size[0], size[1], true);
-        }
+        gl.bind_texture(glow::TEXTURE_2D_MULTISAMPLE, Some(texture.handle));
+        gl.tex_image_2d_multisample(glow::TEXTURE_2D_MULTISAMPLE, samples, format as i32, size[0], size[1], true);
         gl.name_texture(texture.handle, name);
         label(gl, glow::TEXTURE, native_name!(texture.handle), name);
         Ok(texture)
@@ -194,12 +163,8 @@ impl Renderbuffer {
     /// Storage of `samples` samples per pixel (0: not multisampled).
     pub fn new(gl: &Gl, format: u32, size: [i32; 2], samples: i32, name: &str) -> Result<Self, GlError> {
         let buffer = Renderbuffer::create(gl)?;
-        // SAFETY: sizes were checked against the driver's limits by the caller; a driver out of memory
-        // raises a GL error, and the framebuffer is then incomplete, which is checked.
-        unsafe {
-            gl.bind_renderbuffer(glow::RENDERBUFFER, Some(buffer.handle));
-            gl.renderbuffer_storage_multisample(glow::RENDERBUFFER, samples, format, size[0], size[1]);
-        }
+        gl.bind_renderbuffer(glow::RENDERBUFFER, Some(buffer.handle));
+        gl.renderbuffer_storage_multisample(glow::RENDERBUFFER, samples, format, size[0], size[1]);
         gl.name_renderbuffer(buffer.handle, name);
         label(gl, glow::RENDERBUFFER, native_name!(buffer.handle), name);
         Ok(buffer)
@@ -210,8 +175,7 @@ impl Framebuffer {
     /// A framebuffer, bound for drawing and reading.
     pub fn bound(gl: &Gl, name: &str) -> Result<Self, GlError> {
         let framebuffer = Framebuffer::create(gl)?;
-        // SAFETY: the framebuffer is this context's.
-        unsafe { gl.bind_framebuffer(glow::FRAMEBUFFER, Some(framebuffer.handle)) };
+        gl.bind_framebuffer(glow::FRAMEBUFFER, Some(framebuffer.handle));
         gl.name_framebuffer(framebuffer.handle, name);
         label(gl, glow::FRAMEBUFFER, native_name!(framebuffer.handle), name);
         Ok(framebuffer)

@@ -3,7 +3,6 @@
 use crate::driver::DriverInfo;
 use crate::objects::Query;
 use crate::{Gl, GlError};
-use glow::HasContext;
 
 /// ARB_pipeline_statistics_query
 const VERTEX_SHADER_INVOCATIONS: u32 = 0x82F0;
@@ -34,38 +33,31 @@ pub struct StoppedQueries {
 }
 
 impl StatisticsQueries {
+    /// Begins to count, where the driver can.
     pub fn begin(gl: &Gl, info: &DriverInfo) -> Result<Self, GlError> {
         if !info.pipeline_statistics {
             return Ok(StatisticsQueries { queries: None });
         }
         let queries = [Query::new(gl)?, Query::new(gl)?];
-        // SAFETY: the targets exist where the extension does, and no query of them is running: each
-        // frame ends its own.
-        unsafe {
-            gl.begin_query(VERTEX_SHADER_INVOCATIONS, queries[0].handle());
-            gl.begin_query(FRAGMENT_SHADER_INVOCATIONS, queries[1].handle());
-        }
+        gl.begin_query(VERTEX_SHADER_INVOCATIONS, queries[0].handle());
+        gl.begin_query(FRAGMENT_SHADER_INVOCATIONS, queries[1].handle());
         Ok(StatisticsQueries { queries: Some(queries) })
     }
 
+    /// Ends counting.
     pub fn end(self, gl: &Gl, draw_calls: u32) -> StoppedQueries {
         if self.queries.is_some() {
-            // SAFETY: ends what `begin` began.
-            unsafe {
-                gl.end_query(FRAGMENT_SHADER_INVOCATIONS);
-                gl.end_query(VERTEX_SHADER_INVOCATIONS);
-            }
+            gl.end_query(FRAGMENT_SHADER_INVOCATIONS);
+            gl.end_query(VERTEX_SHADER_INVOCATIONS);
         }
         StoppedQueries { gl: gl.clone(), queries: self.queries, draw_calls }
     }
 }
 
 impl StoppedQueries {
+    /// Reads the counters, which waits for the GPU.
     pub fn read(&self) -> GpuStatistics {
-        let count = |query: &Query| {
-            // SAFETY: the query has ended; asking for its result waits for it.
-            u64::from(unsafe { self.gl.get_query_parameter_u32(query.handle(), glow::QUERY_RESULT) })
-        };
+        let count = |query: &Query| u64::from(self.gl.get_query_parameter_u32(query.handle(), glow::QUERY_RESULT));
         GpuStatistics {
             vertices: self.queries.as_ref().map(|q| count(&q[0])),
             fragments: self.queries.as_ref().map(|q| count(&q[1])),

@@ -2,8 +2,7 @@
 
 use crate::Dialect;
 use crate::objects::{Framebuffer, Renderbuffer, TextureObject};
-use crate::{Gl, GlError};
-use glow::{HasContext, PixelPackData, PixelUnpackData};
+use crate::{Gl, GlError, Texels};
 
 /// How exactly light is kept before it becomes a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,14 +86,11 @@ fn texture_target(
 ) -> Result<(Framebuffer, TextureObject), GlError> {
     let texture = TextureObject::bound(gl, name)?;
     storage(gl, format, transfer, size);
-    // SAFETY: the texture is bound.
-    unsafe {
-        for parameter in [glow::TEXTURE_MIN_FILTER, glow::TEXTURE_MAG_FILTER] {
-            gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, glow::NEAREST as i32);
-        }
-        for parameter in [glow::TEXTURE_WRAP_S, glow::TEXTURE_WRAP_T] {
-            gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, glow::CLAMP_TO_EDGE as i32);
-        }
+    for parameter in [glow::TEXTURE_MIN_FILTER, glow::TEXTURE_MAG_FILTER] {
+        gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, glow::NEAREST as i32);
+    }
+    for parameter in [glow::TEXTURE_WRAP_S, glow::TEXTURE_WRAP_T] {
+        gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, glow::CLAMP_TO_EDGE as i32);
     }
     let framebuffer = Framebuffer::bound(gl, name)?;
     attach_texture(gl, glow::TEXTURE_2D, &texture);
@@ -103,32 +99,21 @@ fn texture_target(
 
 /// Gives the bound texture memory.
 fn storage(gl: &Gl, format: u32, (transfer, kind): (u32, u32), size: [i32; 2]) {
-    let nothing = PixelUnpackData::Slice(None);
-    // SAFETY: a texture is bound; no data is given, so none is read.
-    unsafe {
-        gl.tex_image_2d(glow::TEXTURE_2D, 0, format as i32, size[0], size[1], 0, transfer, kind, nothing);
-    }
+    gl.tex_image_2d(glow::TEXTURE_2D, 0, format, size, Texels::none(transfer, kind));
 }
 
 /// Attaches a texture to the bound framebuffer.
 fn attach_texture(gl: &Gl, target: u32, texture: &TextureObject) {
-    // SAFETY: both are this context's, and a framebuffer is bound.
-    unsafe {
-        gl.framebuffer_texture_2d(glow::FRAMEBUFFER, glow::COLOR_ATTACHMENT0, target, Some(texture.handle()), 0);
-    }
+    gl.framebuffer_texture_2d(glow::FRAMEBUFFER, glow::COLOR_ATTACHMENT0, target, Some(texture.handle()), 0);
 }
 
 /// Attaches a renderbuffer to the bound framebuffer.
 fn attach_renderbuffer(gl: &Gl, attachment: u32, buffer: &Renderbuffer) {
-    // SAFETY: both are this context's, and a framebuffer is bound.
-    unsafe {
-        gl.framebuffer_renderbuffer(glow::FRAMEBUFFER, attachment, glow::RENDERBUFFER, Some(buffer.handle()));
-    }
+    gl.framebuffer_renderbuffer(glow::FRAMEBUFFER, attachment, glow::RENDERBUFFER, Some(buffer.handle()));
 }
 
 fn check_complete(gl: &Gl, what: &str, size: [i32; 2], samples: i32) -> Result<(), GlError> {
-    // SAFETY: a framebuffer is bound.
-    let status = unsafe { gl.check_framebuffer_status(glow::FRAMEBUFFER) };
+    let status = gl.check_framebuffer_status(glow::FRAMEBUFFER);
     if status == glow::FRAMEBUFFER_COMPLETE {
         return Ok(());
     }
@@ -179,29 +164,23 @@ impl Target {
     /// where the target holds the rows from `first_row` of a picture of `picture_height`.
     pub fn begin(&self, gl: &Gl, first_row: i32, picture_height: i32) {
         let grid = self.sampling.grid();
-        // SAFETY: the framebuffer is complete.
-        unsafe {
-            gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.drawn.handle()));
-            gl.viewport(0, -first_row * grid, self.size[0] * grid, picture_height * grid);
-            gl.disable(glow::SCISSOR_TEST);
-            gl.color_mask(true, true, true, true);
-            gl.depth_mask(true);
-            gl.clear_color(0.0, 0.0, 0.0, 0.0);
-            gl.clear_depth_f32(1.0);
-            gl.clear(glow::COLOR_BUFFER_BIT | glow::DEPTH_BUFFER_BIT);
-        }
+        gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.drawn.handle()));
+        gl.viewport(0, -first_row * grid, self.size[0] * grid, picture_height * grid);
+        gl.disable(glow::SCISSOR_TEST);
+        gl.color_mask(true, true, true, true);
+        gl.depth_mask(true);
+        gl.clear_color(0.0, 0.0, 0.0, 0.0);
+        gl.clear_depth_f32(1.0);
+        gl.clear(glow::COLOR_BUFFER_BIT | glow::DEPTH_BUFFER_BIT);
     }
 
     /// Averages the samples where the output shader cannot do it.
     pub fn resolve(&self, gl: &Gl) {
         let Color::Blitted { resolved, .. } = &self.color else { return };
         let [w, h] = self.size;
-        // SAFETY: both framebuffers are complete, of the same size and format.
-        unsafe {
-            gl.bind_framebuffer(glow::READ_FRAMEBUFFER, Some(self.drawn.handle()));
-            gl.bind_framebuffer(glow::DRAW_FRAMEBUFFER, Some(resolved.handle()));
-            gl.blit_framebuffer(0, 0, w, h, 0, 0, w, h, glow::COLOR_BUFFER_BIT, glow::NEAREST);
-        }
+        gl.bind_framebuffer(glow::READ_FRAMEBUFFER, Some(self.drawn.handle()));
+        gl.bind_framebuffer(glow::DRAW_FRAMEBUFFER, Some(resolved.handle()));
+        gl.blit_framebuffer([0, 0, w, h], [0, 0, w, h], glow::COLOR_BUFFER_BIT, glow::NEAREST);
     }
 
     /// What the output shader has to average, and how many of it: samples, or texels along a side.
@@ -219,17 +198,17 @@ impl Target {
             Color::Single(texture) | Color::Blitted { texture, .. } => (glow::TEXTURE_2D, texture),
             Color::Samples(texture) => (glow::TEXTURE_2D_MULTISAMPLE, texture),
         };
-        // SAFETY: the texture is this context's, of this kind.
-        unsafe { gl.bind_texture(target, Some(texture.handle())) };
+        gl.bind_texture(target, Some(texture.handle()));
     }
 }
 
 impl Target {
     /// The texels of a target of one sample, four values each, the bottom row first. Waits for the GPU.
     pub fn read_single(&self, gl: &Gl) -> Vec<f32> {
-        // SAFETY: the framebuffer is complete.
-        unsafe { gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.drawn.handle())) };
-        read_bound(gl, self.size, glow::FLOAT)
+        gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.drawn.handle()));
+        let mut values = vec![0.0; values_of(self.size)];
+        gl.read_rgba_f32(whole(self.size), &mut values);
+        values
     }
 }
 
@@ -258,8 +237,7 @@ impl OutputTarget {
     /// RGBA8 whose texture somebody else shows, pixel for pixel. Leaves no framebuffer bound.
     pub fn to_be_shown(gl: &Gl, size: [i32; 2]) -> Result<Self, GlError> {
         let target = Self::new(gl, size, false)?;
-        // SAFETY: unbinding has no precondition.
-        unsafe { gl.bind_texture(glow::TEXTURE_2D, None) };
+        gl.bind_texture(glow::TEXTURE_2D, None);
         target.unbind(gl);
         Ok(target)
     }
@@ -270,13 +248,10 @@ impl OutputTarget {
             return Ok(());
         }
         let shown = (glow::RGBA, glow::UNSIGNED_BYTE);
-        // SAFETY: the texture and the framebuffer are this context's; no data is given, so none is read.
-        unsafe {
-            gl.bind_texture(glow::TEXTURE_2D, Some(self.texture.handle()));
-            storage(gl, glow::RGBA8, shown, size);
-            gl.bind_texture(glow::TEXTURE_2D, None);
-            gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.framebuffer.handle()));
-        }
+        gl.bind_texture(glow::TEXTURE_2D, Some(self.texture.handle()));
+        storage(gl, glow::RGBA8, shown, size);
+        gl.bind_texture(glow::TEXTURE_2D, None);
+        gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.framebuffer.handle()));
         self.size = size;
         if self.depth.take().is_some() {
             self.add_depth(gl)?;
@@ -298,13 +273,10 @@ impl OutputTarget {
         if self.depth.is_none() {
             self.add_depth(gl)?;
         }
-        // SAFETY: the framebuffer is complete.
-        unsafe {
-            gl.disable(glow::SCISSOR_TEST);
-            gl.depth_mask(true);
-            gl.clear_depth_f32(1.0);
-            gl.clear(glow::DEPTH_BUFFER_BIT);
-        }
+        gl.disable(glow::SCISSOR_TEST);
+        gl.depth_mask(true);
+        gl.clear_depth_f32(1.0);
+        gl.clear(glow::DEPTH_BUFFER_BIT);
         Ok(())
     }
 
@@ -320,55 +292,44 @@ impl OutputTarget {
 
     /// Binds no framebuffer: the window's own, where there is one.
     pub fn unbind(&self, gl: &Gl) {
-        // SAFETY: no precondition.
-        unsafe { gl.bind_framebuffer(glow::FRAMEBUFFER, None) };
+        gl.bind_framebuffer(glow::FRAMEBUFFER, None);
     }
 
     /// Binds it for drawing.
     pub fn bind(&self, gl: &Gl) {
-        // SAFETY: the framebuffer is complete.
-        unsafe {
-            gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.framebuffer.handle()));
-            gl.viewport(0, 0, self.size[0], self.size[1]);
-        }
+        gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.framebuffer.handle()));
+        gl.viewport(0, 0, self.size[0], self.size[1]);
     }
 
     /// Reads one pixel of an 8-bit target, which waits for what draws into it.
     pub fn wait(&self, gl: &Gl) {
         let mut pixel = [0_u8; 4];
-        // SAFETY: the framebuffer is complete, and the slice has room for one pixel of four bytes.
-        unsafe {
-            gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.framebuffer.handle()));
-            let place = PixelPackData::Slice(Some(&mut pixel));
-            gl.read_pixels(0, 0, 1, 1, glow::RGBA, glow::UNSIGNED_BYTE, place);
-        }
+        gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.framebuffer.handle()));
+        gl.read_rgba8([0, 0, 1, 1], &mut pixel);
     }
 
     /// Reads an 8-bit target, in the order in which it was drawn.
     pub fn read8(&self, gl: &Gl) -> Vec<u8> {
-        self.read(gl, glow::UNSIGNED_BYTE)
+        let mut values = vec![0; values_of(self.size)];
+        gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.framebuffer.handle()));
+        gl.read_rgba8(whole(self.size), &mut values);
+        values
     }
 
     /// Reads a float target, in the order in which it was drawn.
     pub fn read_f32(&self, gl: &Gl) -> Vec<f32> {
-        self.read(gl, glow::FLOAT)
-    }
-
-    fn read<T: bytemuck::Pod>(&self, gl: &Gl, kind: u32) -> Vec<T> {
-        // SAFETY: the framebuffer is complete.
-        unsafe { gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.framebuffer.handle())) };
-        read_bound(gl, self.size, kind)
+        let mut values = vec![0.0; values_of(self.size)];
+        gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.framebuffer.handle()));
+        gl.read_rgba_f32(whole(self.size), &mut values);
+        values
     }
 }
 
-/// The pixels of the bound framebuffer, four values each, of the kind that callers name together with `T`.
-fn read_bound<T: bytemuck::Pod>(gl: &Gl, size: [i32; 2], kind: u32) -> Vec<T> {
-    let mut values = vec![T::zeroed(); size[0] as usize * size[1] as usize * 4];
-    let slice = PixelPackData::Slice(Some(bytemuck::cast_slice_mut(&mut values)));
-    // SAFETY: the framebuffer is complete, and the slice has room for four values per pixel of this kind.
-    unsafe {
-        gl.pixel_store_i32(glow::PACK_ALIGNMENT, 4);
-        gl.read_pixels(0, 0, size[0], size[1], glow::RGBA, kind, slice);
-    }
-    values
+/// Four for each pixel.
+fn values_of(size: [i32; 2]) -> usize {
+    size[0] as usize * size[1] as usize * 4
+}
+
+fn whole([width, height]: [i32; 2]) -> [i32; 4] {
+    [0, 0, width, height]
 }

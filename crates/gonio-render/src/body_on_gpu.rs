@@ -2,10 +2,9 @@
 
 use crate::body_tree::BodyTable;
 use crate::glsl::BODY_ROW;
-use glow::{HasContext, PixelUnpackData};
 use gonio_gl::objects::TextureObject;
 use gonio_gl::program::Program;
-use gonio_gl::{Gl, GlError};
+use gonio_gl::{Gl, GlError, Texels};
 use gonio_light::{DVec3, Optics};
 
 /// An object's own triangles for rays that go through it; freed when dropped.
@@ -23,23 +22,15 @@ impl BodyOnGpu {
         }
         table.texels.resize(rows * BODY_ROW, [0.0; 4]);
         let texture = TextureObject::bound(gl, &format!("inside of {name}"))?;
-        // SAFETY: the texture is bound, and the slice holds rows of BODY_ROW texels of four floats.
-        unsafe {
-            gl.pixel_store_i32(glow::UNPACK_ALIGNMENT, 4);
-            gl.tex_image_2d(
-                glow::TEXTURE_2D,
-                0,
-                glow::RGBA32F as i32,
-                BODY_ROW as i32,
-                rows as i32,
-                0,
-                glow::RGBA,
-                glow::FLOAT,
-                PixelUnpackData::Slice(Some(bytemuck::cast_slice(&table.texels))),
-            );
-            for parameter in [glow::TEXTURE_MIN_FILTER, glow::TEXTURE_MAG_FILTER] {
-                gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, glow::NEAREST as i32);
-            }
+        gl.tex_image_2d(
+            glow::TEXTURE_2D,
+            0,
+            glow::RGBA32F,
+            [BODY_ROW as i32, rows as i32],
+            Texels::f32(glow::RGBA, bytemuck::cast_slice(&table.texels)),
+        );
+        for parameter in [glow::TEXTURE_MIN_FILTER, glow::TEXTURE_MAG_FILTER] {
+            gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, glow::NEAREST as i32);
         }
         table.texels = Vec::new();
         Ok(Some(BodyOnGpu { texture, table }))
@@ -47,11 +38,8 @@ impl BodyOnGpu {
 
     /// Binds it to a texture unit.
     pub fn bind(&self, gl: &Gl, unit: u32) {
-        // SAFETY: the texture is this context's; the unit exists (16 are guaranteed).
-        unsafe {
-            gl.active_texture(glow::TEXTURE0 + unit);
-            gl.bind_texture(glow::TEXTURE_2D, Some(self.texture.handle()));
-        }
+        gl.active_texture(glow::TEXTURE0 + unit);
+        gl.bind_texture(glow::TEXTURE_2D, Some(self.texture.handle()));
     }
 
     /// Sets the uniforms of body.glsl.

@@ -1,14 +1,13 @@
 //! Panoramas and cubemaps converted into one another by the GPU: the same pictures as gonio-environment makes on the CPU,
 //! to f32's rounding.
 
-use glow::{HasContext, PixelUnpackData};
 use gonio_environment::convert::{self, Conversion, Filter, From, Sheets};
 use gonio_environment::{Cubemap, Face, Layout, Panorama, panorama};
 use gonio_gl::Dialect;
 use gonio_gl::objects::{TextureObject, VertexArray};
 use gonio_gl::program::Program;
 use gonio_gl::target::OutputTarget;
-use gonio_gl::{DriverInfo, Gl, GlError};
+use gonio_gl::{DriverInfo, Gl, GlError, Texels};
 use gonio_image::Image;
 use std::fmt::Write;
 
@@ -38,7 +37,7 @@ enum Target {
 impl Converter {
     /// In a context.
     pub fn new(gl: Gl) -> Result<Self, GlError> {
-        let info = DriverInfo::of(&gl);
+        let info = DriverInfo::new(&gl);
         let no_attributes = VertexArray::bound(&gl, "no attributes")?;
         Ok(Converter { gl, info, no_attributes })
     }
@@ -147,11 +146,8 @@ impl Converter {
         program.set_mat3("source_from_target", &turn);
         program.set_ivec2("source_size", source.size.map(|v| v as i32));
         program.set_ivec2("target_size", size.map(|v| v as i32));
-        // SAFETY: the texture is this context's, of this kind.
-        unsafe {
-            self.gl.active_texture(glow::TEXTURE0);
-            self.gl.bind_texture(glow::TEXTURE_2D_ARRAY, Some(source.texture.handle()));
-        }
+        self.gl.active_texture(glow::TEXTURE0);
+        self.gl.bind_texture(glow::TEXTURE_2D_ARRAY, Some(source.texture.handle()));
         Ok(program)
     }
 
@@ -160,18 +156,14 @@ impl Converter {
         let gl = &self.gl;
         let output = OutputTarget::new(gl, size.map(|v| v as i32), true)?;
         output.bind(gl);
-        // SAFETY: the triangle's vertices come from gl_VertexID alone; the program and its texture are bound.
-        unsafe {
-            gl.disable(glow::DEPTH_TEST);
-            gl.disable(glow::BLEND);
-            gl.disable(glow::CULL_FACE);
-            gl.bind_vertex_array(Some(self.no_attributes.handle()));
-            gl.draw_arrays(glow::TRIANGLES, 0, 3);
-            gl.bind_vertex_array(None);
-        }
+        gl.disable(glow::DEPTH_TEST);
+        gl.disable(glow::BLEND);
+        gl.disable(glow::CULL_FACE);
+        gl.bind_vertex_array(Some(self.no_attributes.handle()));
+        gl.draw_arrays(glow::TRIANGLES, 0, 3);
+        gl.bind_vertex_array(None);
         let values = output.read_f32(gl);
-        // SAFETY: a query of the context.
-        match unsafe { gl.get_error() } {
+        match gl.get_error() {
             glow::NO_ERROR => Ok(values),
             error => Err(GlError::new(format!("OpenGL could not convert the environment (error {error:#06x})"))),
         }
@@ -189,32 +181,23 @@ struct Source {
 impl Source {
     fn upload(gl: &Gl, from: &From<'_>, sheets: &Sheets<'_>) -> Result<Self, GlError> {
         let texture = TextureObject::array(gl, "conversion's source")?;
-        // SAFETY: the texture is bound, and the slice holds width * height * layers texels of four floats.
-        unsafe {
-            gl.pixel_store_i32(glow::UNPACK_ALIGNMENT, 4);
-            gl.tex_image_3d(
-                glow::TEXTURE_2D_ARRAY,
-                0,
-                glow::RGBA32F as i32,
-                sheets.width as i32,
-                sheets.height as i32,
-                sheets.layers as i32,
-                0,
-                glow::RGBA,
-                glow::FLOAT,
-                PixelUnpackData::Slice(Some(bytemuck::cast_slice(&sheets.texels))),
-            );
-            // Floats need not be filterable, and are only fetched: a texture is complete with these.
-            for parameter in [glow::TEXTURE_MIN_FILTER, glow::TEXTURE_MAG_FILTER] {
-                gl.tex_parameter_i32(glow::TEXTURE_2D_ARRAY, parameter, glow::NEAREST as i32);
-            }
-            gl.tex_parameter_i32(glow::TEXTURE_2D_ARRAY, glow::TEXTURE_MAX_LEVEL, 0);
-            if gl.get_error() != glow::NO_ERROR {
-                return Err(GlError::new(format!(
-                    "the driver has no memory for {} pictures of {} x {} floats; convert on the CPU",
-                    sheets.layers, sheets.width, sheets.height
-                )));
-            }
+        gl.tex_image_3d(
+            glow::TEXTURE_2D_ARRAY,
+            0,
+            glow::RGBA32F,
+            [sheets.width as i32, sheets.height as i32, sheets.layers as i32],
+            Texels::f32(glow::RGBA, bytemuck::cast_slice(&sheets.texels)),
+        );
+        // Floats need not be filterable, and are only fetched: a texture is complete with these.
+        for parameter in [glow::TEXTURE_MIN_FILTER, glow::TEXTURE_MAG_FILTER] {
+            gl.tex_parameter_i32(glow::TEXTURE_2D_ARRAY, parameter, glow::NEAREST as i32);
+        }
+        gl.tex_parameter_i32(glow::TEXTURE_2D_ARRAY, glow::TEXTURE_MAX_LEVEL, 0);
+        if gl.get_error() != glow::NO_ERROR {
+            return Err(GlError::new(format!(
+                "the driver has no memory for {} pictures of {} x {} floats; convert on the CPU",
+                sheets.layers, sheets.width, sheets.height
+            )));
         }
         let border = 2 * sheets.border;
         let size = [sheets.width - border, sheets.height - border];

@@ -4,10 +4,9 @@
 //! [`Cubemap`]'s do. (A 2-D texture of ours is flipped, because there v runs upwards.)
 
 use crate::half;
-use glow::{HasContext, PixelUnpackData};
 use gonio_environment::{BrdfTable, Cubemap, Face};
 use gonio_gl::objects::TextureObject;
-use gonio_gl::{Gl, GlError};
+use gonio_gl::{Gl, GlError, Texels};
 use gonio_scene::LoadedEnvironment;
 use std::cell::OnceCell;
 use std::sync::Arc;
@@ -114,26 +113,18 @@ fn upload_brdf(gl: &Gl) -> Result<TextureObject, GlError> {
     let texture = TextureObject::bound(gl, "environment BRDF")?;
     let halves: Vec<u16> = BrdfTable::get().values().as_flattened().iter().map(|&v| half::bits_of(v)).collect();
     let size = BrdfTable::SIZE as i32;
-    // SAFETY: the texture is bound, and the slice holds size * size texels of two halves.
-    unsafe {
-        gl.pixel_store_i32(glow::UNPACK_ALIGNMENT, 4);
-        gl.tex_image_2d(
-            glow::TEXTURE_2D,
-            0,
-            glow::RG16F as i32,
-            size,
-            size,
-            0,
-            glow::RG,
-            glow::HALF_FLOAT,
-            PixelUnpackData::Slice(Some(bytemuck::cast_slice(&halves))),
-        );
-        for parameter in [glow::TEXTURE_MIN_FILTER, glow::TEXTURE_MAG_FILTER] {
-            gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, glow::LINEAR as i32);
-        }
-        for parameter in [glow::TEXTURE_WRAP_S, glow::TEXTURE_WRAP_T] {
-            gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, glow::CLAMP_TO_EDGE as i32);
-        }
+    gl.tex_image_2d(
+        glow::TEXTURE_2D,
+        0,
+        glow::RG16F,
+        [size, size],
+        Texels::f16(glow::RG, bytemuck::cast_slice(&halves)),
+    );
+    for parameter in [glow::TEXTURE_MIN_FILTER, glow::TEXTURE_MAG_FILTER] {
+        gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, glow::LINEAR as i32);
+    }
+    for parameter in [glow::TEXTURE_WRAP_S, glow::TEXTURE_WRAP_T] {
+        gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, glow::CLAMP_TO_EDGE as i32);
     }
     Ok(texture)
 }
@@ -159,30 +150,24 @@ impl CubeTexture {
             upload_level(gl, level, map);
             last = level;
         }
-        // SAFETY: the cubemap is bound; the levels up to `last` have just been filled.
-        unsafe {
-            for (parameter, value) in [
-                (glow::TEXTURE_BASE_LEVEL, 0),
-                (glow::TEXTURE_MAX_LEVEL, last),
-                (glow::TEXTURE_MAG_FILTER, glow::LINEAR as i32),
-                (glow::TEXTURE_MIN_FILTER, glow::LINEAR_MIPMAP_LINEAR as i32),
-                (glow::TEXTURE_WRAP_S, glow::CLAMP_TO_EDGE as i32),
-                (glow::TEXTURE_WRAP_T, glow::CLAMP_TO_EDGE as i32),
-                (glow::TEXTURE_WRAP_R, glow::CLAMP_TO_EDGE as i32),
-            ] {
-                gl.tex_parameter_i32(glow::TEXTURE_CUBE_MAP, parameter, value);
-            }
+        for (parameter, value) in [
+            (glow::TEXTURE_BASE_LEVEL, 0),
+            (glow::TEXTURE_MAX_LEVEL, last),
+            (glow::TEXTURE_MAG_FILTER, glow::LINEAR as i32),
+            (glow::TEXTURE_MIN_FILTER, glow::LINEAR_MIPMAP_LINEAR as i32),
+            (glow::TEXTURE_WRAP_S, glow::CLAMP_TO_EDGE as i32),
+            (glow::TEXTURE_WRAP_T, glow::CLAMP_TO_EDGE as i32),
+            (glow::TEXTURE_WRAP_R, glow::CLAMP_TO_EDGE as i32),
+        ] {
+            gl.tex_parameter_i32(glow::TEXTURE_CUBE_MAP, parameter, value);
         }
         Ok(CubeTexture { texture, size: first.size(), last_level: last, levels_left_out: left_out })
     }
 
     /// Binds it to a texture unit.
     pub fn bind(&self, gl: &Gl, unit: u32) {
-        // SAFETY: the cubemap is this context's; the unit exists (16 are guaranteed).
-        unsafe {
-            gl.active_texture(glow::TEXTURE0 + unit);
-            gl.bind_texture(glow::TEXTURE_CUBE_MAP, Some(self.texture.handle()));
-        }
+        gl.active_texture(glow::TEXTURE0 + unit);
+        gl.bind_texture(glow::TEXTURE_CUBE_MAP, Some(self.texture.handle()));
     }
 }
 
@@ -192,21 +177,13 @@ fn upload_level(gl: &Gl, level: i32, map: &Cubemap) {
         let halves: Vec<u16> = map.face(face).as_flattened().iter().map(|&v| half::bits_of(v)).collect();
         // OpenGL numbers its targets in the order of the faces.
         let target = glow::TEXTURE_CUBE_MAP_POSITIVE_X + face as u32;
-        // SAFETY: a cubemap is bound, and the slice holds size * size RGBA texels of halves.
-        unsafe {
-            gl.pixel_store_i32(glow::UNPACK_ALIGNMENT, 4);
-            gl.tex_image_2d(
-                target,
-                level,
-                glow::RGBA16F as i32,
-                map.size() as i32,
-                map.size() as i32,
-                0,
-                glow::RGBA,
-                glow::HALF_FLOAT,
-                PixelUnpackData::Slice(Some(bytemuck::cast_slice(&halves))),
-            );
-        }
+        gl.tex_image_2d(
+            target,
+            level,
+            glow::RGBA16F,
+            [map.size() as i32, map.size() as i32],
+            Texels::f16(glow::RGBA, bytemuck::cast_slice(&halves)),
+        );
     }
 }
 
@@ -218,9 +195,8 @@ pub(crate) struct Seamless<'a> {
 impl<'a> Seamless<'a> {
     /// From now on.
     pub fn new(gl: &'a Gl) -> Self {
-        if !gl.version().is_embedded {
-            // SAFETY: plain state, which OpenGL has since 3.2.
-            unsafe { gl.enable(glow::TEXTURE_CUBE_MAP_SEAMLESS) };
+        if !gl.is_embedded() {
+            gl.enable(glow::TEXTURE_CUBE_MAP_SEAMLESS);
         }
         Seamless { gl }
     }
@@ -228,9 +204,8 @@ impl<'a> Seamless<'a> {
 
 impl Drop for Seamless<'_> {
     fn drop(&mut self) {
-        if !self.gl.version().is_embedded {
-            // SAFETY: plain state, put back.
-            unsafe { self.gl.disable(glow::TEXTURE_CUBE_MAP_SEAMLESS) };
+        if !self.gl.is_embedded() {
+            self.gl.disable(glow::TEXTURE_CUBE_MAP_SEAMLESS);
         }
     }
 }

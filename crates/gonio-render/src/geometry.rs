@@ -2,7 +2,6 @@
 
 use crate::glsl::ATTRIBUTES;
 use glam::Vec3;
-use glow::HasContext;
 use gonio_gl::objects::{Buffer, VertexArray};
 use gonio_gl::{Gl, GlError};
 use gonio_mesh::Mesh;
@@ -66,11 +65,9 @@ impl Geometry {
             let label = format!("{name}: {attribute_name}");
             buffers.push(Buffer::with_bytes(gl, glow::ARRAY_BUFFER, bytes, glow::STATIC_DRAW, &label)?);
             attribute(gl, attribute_name, 3);
-            // SAFETY: plain state of the array that is bound.
-            unsafe { gl.vertex_attrib_divisor(location(attribute_name), 1) };
+            gl.vertex_attrib_divisor(location(attribute_name), 1);
         }
-        // SAFETY: unbinding has no precondition.
-        unsafe { gl.bind_vertex_array(None) };
+        gl.bind_vertex_array(None);
         let count = starts.len().min(ways.len());
         Ok(Geometry { array, _buffers: buffers, bytes: count * 24, has_colors: false, count })
     }
@@ -82,8 +79,7 @@ impl Geometry {
         let bytes: &[u8] = bytemuck::cast_slice(&corners);
         let buffer = Buffer::with_bytes(gl, glow::ARRAY_BUFFER, bytes, glow::STATIC_DRAW, name)?;
         attribute(gl, "position", 3);
-        // SAFETY: unbinding has no precondition.
-        unsafe { gl.bind_vertex_array(None) };
+        gl.bind_vertex_array(None);
         let (bytes, count) = (bytes.len(), corners.len());
         Ok(Geometry { array, _buffers: vec![buffer], bytes, has_colors: false, count })
     }
@@ -124,16 +120,14 @@ impl Geometry {
             attribute(gl, attribute_name, components);
         }
         fill(bytemuck::cast_slice(&mesh.indices), glow::ELEMENT_ARRAY_BUFFER, "indices")?;
-        // SAFETY: unbinding has no precondition; later bindings cannot change this array any more.
-        unsafe { gl.bind_vertex_array(None) };
+        gl.bind_vertex_array(None);
         Ok(Geometry { array, _buffers: buffers, bytes, has_colors: !mesh.colors.is_empty(), count: mesh.indices.len() })
     }
 
     /// Makes it what the next draws read. Attributes that the mesh lacks get their constants, which
     /// are the context's state, not the array's.
     pub fn bind(&self, gl: &Gl) {
-        // SAFETY: the array is this context's.
-        unsafe { gl.bind_vertex_array(Some(self.array.handle())) };
+        gl.bind_vertex_array(Some(self.array.handle()));
         constant(gl, "normal", [0.0; 4]);
         constant(gl, "tex_coord", [0.0; 4]);
         constant(gl, "tangent", [0.0, 0.0, 0.0, 1.0]);
@@ -177,14 +171,10 @@ fn location(name: &str) -> u32 {
 }
 
 fn attribute(gl: &Gl, name: &str, components: i32) {
-    // SAFETY: a vertex array and the buffer that holds this attribute, tightly packed, are bound.
-    unsafe {
-        gl.enable_vertex_attrib_array(location(name));
-        gl.vertex_attrib_pointer_f32(location(name), components, glow::FLOAT, false, 0, 0);
-    }
+    gl.enable_vertex_attrib_array(location(name));
+    gl.vertex_attrib_pointer_f32(location(name), components, glow::FLOAT, false, 0, 0);
 }
 
 fn constant(gl: &Gl, name: &str, [x, y, z, w]: [f32; 4]) {
-    // SAFETY: sets the context's current value of an attribute, which reads no memory.
-    unsafe { gl.vertex_attrib_4_f32(location(name), x, y, z, w) };
+    gl.vertex_attrib_4_f32(location(name), x, y, z, w);
 }

@@ -3,7 +3,7 @@
 //! [`Renderer`] draws a loaded scene into a linear float picture and encodes it, on every context of `gonio-gl`: a
 //! window's, a web page's, or one without a window. The GLSL is in `shaders/`; the pure functions in `shaders/light/`
 //! are the twins of `gonio-light`'s.
-#![allow(unsafe_code)]
+#![forbid(unsafe_code)]
 
 mod body_on_gpu;
 mod body_tree;

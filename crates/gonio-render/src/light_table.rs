@@ -2,9 +2,8 @@
 
 use crate::glsl::{LIGHT_DIRECTIONAL, LIGHT_POINT, LIGHT_SPOT, LIGHT_TEXELS, LIGHTS_IN_UNIFORMS, LIGHTS_PER_ROW};
 use glam::DVec3;
-use glow::{HasContext, PixelUnpackData};
 use gonio_gl::objects::TextureObject;
-use gonio_gl::{Gl, GlError};
+use gonio_gl::{Gl, GlError, Texels};
 use gonio_light::{Light, LightKind, vector};
 
 /// One light: `LIGHT_TEXELS` texels of four floats.
@@ -23,14 +22,11 @@ impl LightTable {
     /// An empty table.
     pub fn new(gl: &Gl) -> Result<Self, GlError> {
         let texture = TextureObject::bound(gl, "lights")?;
-        // SAFETY: the texture is bound; it has one level and is read by texelFetch only.
-        unsafe {
-            for parameter in [glow::TEXTURE_MIN_FILTER, glow::TEXTURE_MAG_FILTER] {
-                gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, glow::NEAREST as i32);
-            }
-            for parameter in [glow::TEXTURE_WRAP_S, glow::TEXTURE_WRAP_T] {
-                gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, glow::CLAMP_TO_EDGE as i32);
-            }
+        for parameter in [glow::TEXTURE_MIN_FILTER, glow::TEXTURE_MAG_FILTER] {
+            gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, glow::NEAREST as i32);
+        }
+        for parameter in [glow::TEXTURE_WRAP_S, glow::TEXTURE_WRAP_T] {
+            gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, glow::CLAMP_TO_EDGE as i32);
         }
         Ok(LightTable { texture, ends: [0; 3], few: Vec::new() })
     }
@@ -67,22 +63,14 @@ impl LightTable {
         // A single row may be narrower; WebGL2 has no limit from below.
         let width = if height == 1 { rows.len().max(1) } else { LIGHTS_PER_ROW };
         rows.resize(width * height, Row::default());
-        // SAFETY: the slice holds width * height lights of LIGHT_TEXELS RGBA texels each.
-        unsafe {
-            gl.bind_texture(glow::TEXTURE_2D, Some(self.texture.handle()));
-            gl.pixel_store_i32(glow::UNPACK_ALIGNMENT, 4);
-            gl.tex_image_2d(
-                glow::TEXTURE_2D,
-                0,
-                glow::RGBA32F as i32,
-                (width * LIGHT_TEXELS) as i32,
-                height as i32,
-                0,
-                glow::RGBA,
-                glow::FLOAT,
-                PixelUnpackData::Slice(Some(bytemuck::cast_slice(&rows))),
-            );
-        }
+        gl.bind_texture(glow::TEXTURE_2D, Some(self.texture.handle()));
+        gl.tex_image_2d(
+            glow::TEXTURE_2D,
+            0,
+            glow::RGBA32F,
+            [(width * LIGHT_TEXELS) as i32, height as i32],
+            Texels::f32(glow::RGBA, bytemuck::cast_slice(&rows)),
+        );
     }
 
     /// The table's row of the scene's light `index`; `None` for ambient lights and beyond the end.

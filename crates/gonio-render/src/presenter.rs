@@ -4,7 +4,6 @@
 //! whoever paints the window; that callback must be `Send` and holds no object of ours, only their names.
 
 use crate::glsl::presentation_sources;
-use glow::HasContext;
 use gonio_gl::objects::VertexArray;
 use gonio_gl::program::Program;
 use gonio_gl::{Gl, GlError};
@@ -12,15 +11,12 @@ use gonio_gl::{Gl, GlError};
 /// What showing pictures takes; freed when dropped.
 pub struct Presenter {
     program: Program,
-    /// Core profiles draw nothing without one.
-    no_attributes: VertexArray,
 }
 
 /// A picture to be shown: names of objects that live in the [`Presenter`] and in the picture's owner.
 #[derive(Clone, Copy, Debug)]
 pub struct Presentation {
     program: glow::Program,
-    vertex_array: glow::VertexArray,
     texture: glow::Texture,
     opaque: bool,
 }
@@ -32,16 +28,12 @@ impl Presenter {
         let program = Program::new(gl, "presentation", &vertex, &fragment, &[])?;
         program.bind();
         program.set_i32("picture", 0);
-        let no_attributes = VertexArray::bound(gl, "presentation")?;
-        // SAFETY: unbinding has no precondition.
-        unsafe { gl.bind_vertex_array(None) };
-        Ok(Presenter { program, no_attributes })
+        Ok(Presenter { program })
     }
 
     /// A texture whose first row is the picture's top, of colours as they are displayed, premultiplied. It may have holes.
     pub fn of(&self, texture: glow::Texture) -> Presentation {
-        let (program, vertex_array) = (self.program.handle(), self.no_attributes.handle());
-        Presentation { program, vertex_array, texture, opaque: false }
+        Presentation { program: self.program.handle(), texture, opaque: false }
     }
 }
 
@@ -54,24 +46,22 @@ impl Presentation {
     /// Draws it over the whole of the current viewport, which should be of the texture's size, within the current scissor
     /// rectangle. Changes the program, the vertex array, texture unit 0, the blend function and whether there is blending.
     /// A picture whose texture is gone is black: OpenGL takes the name of a deleted object for none.
-    pub fn draw(&self, gl: &glow::Context) {
-        // SAFETY: the objects were made by this context (a window has one), and the triangle's corners come from
-        // gl_VertexID alone.
-        unsafe {
-            gl.use_program(Some(self.program));
-            gl.bind_vertex_array(Some(self.vertex_array));
-            gl.active_texture(glow::TEXTURE0);
-            gl.bind_texture(glow::TEXTURE_2D, Some(self.texture));
-            if self.opaque {
-                gl.disable(glow::BLEND)
-            } else {
-                gl.enable(glow::BLEND)
-            }
-            gl.blend_func(glow::ONE, glow::ONE_MINUS_SRC_ALPHA);
-            gl.disable(glow::DEPTH_TEST);
-            gl.disable(glow::CULL_FACE);
-            gl.draw_arrays(glow::TRIANGLES, 0, 3);
-            gl.bind_vertex_array(None);
+    pub fn draw(&self, gl: &Gl) {
+        // Core profiles draw nothing without a vertex array, and one of another `Gl` is not known to this one.
+        let Ok(array) = VertexArray::bound(gl, "presentation") else { return };
+        gl.use_program(Some(self.program));
+        gl.active_texture(glow::TEXTURE0);
+        gl.bind_texture(glow::TEXTURE_2D, Some(self.texture));
+        if self.opaque {
+            gl.disable(glow::BLEND)
+        } else {
+            gl.enable(glow::BLEND)
         }
+        gl.blend_func(glow::ONE, glow::ONE_MINUS_SRC_ALPHA);
+        gl.disable(glow::DEPTH_TEST);
+        gl.disable(glow::CULL_FACE);
+        gl.draw_arrays(glow::TRIANGLES, 0, 3);
+        gl.bind_vertex_array(None);
+        drop(array);
     }
 }

@@ -1,9 +1,8 @@
 //! Textures on the GPU: sRGB colours decoded by the hardware, mipmapped, anisotropic.
 
-use glow::{HasContext, PixelUnpackData};
 use gonio_gl::objects::TextureObject;
 use gonio_gl::trace::Content;
-use gonio_gl::{Gl, GlError};
+use gonio_gl::{Gl, GlError, Texels};
 use gonio_mesh::Wrap;
 use gonio_scene::{ColorSpace, Texture, TextureFilter};
 
@@ -37,28 +36,17 @@ pub fn upload(gl: &Gl, texture: &Texture, max_size: u32) -> Result<TextureObject
 /// Fills one level of the bound texture from rows that begin at the top.
 fn upload_level(gl: &Gl, color_space: ColorSpace, level: i32, size: [u32; 2], rgba: &[u8]) {
     let flipped = rgba.chunks_exact(size[0] as usize * 4).rev().flatten();
-    let fill = |format: u32, kind: u32, bytes: &[u8]| {
-        // SAFETY: the texture is bound, and the slice holds width * height RGBA texels of this kind.
-        unsafe {
-            gl.pixel_store_i32(glow::UNPACK_ALIGNMENT, 4);
-            gl.tex_image_2d(
-                glow::TEXTURE_2D,
-                level,
-                format as i32,
-                size[0] as i32,
-                size[1] as i32,
-                0,
-                glow::RGBA,
-                kind,
-                PixelUnpackData::Slice(Some(bytes)),
-            );
-        }
+    let fill = |format: u32, texels: Texels<'_>| {
+        gl.tex_image_2d(glow::TEXTURE_2D, level, format, size.map(|side| side as i32), texels);
     };
     match color_space {
-        ColorSpace::Srgb => fill(glow::SRGB8_ALPHA8, glow::UNSIGNED_BYTE, &flipped.copied().collect::<Vec<u8>>()),
+        ColorSpace::Srgb => {
+            let colors: Vec<u8> = flipped.copied().collect();
+            fill(glow::SRGB8_ALPHA8, Texels::u8(glow::RGBA, &colors));
+        }
         ColorSpace::Data => {
             let signed: Vec<f32> = flipped.map(|&t| f32::from(t) / 127.5 - 1.0).collect();
-            fill(glow::RGBA16F, glow::FLOAT, bytemuck::cast_slice(&signed));
+            fill(glow::RGBA16F, Texels::f32(glow::RGBA, &signed));
         }
     }
 }
@@ -81,19 +69,16 @@ pub fn set_sampling(gl: &Gl, filter: TextureFilter, wraps: [Wrap; 2], anisotropy
         Wrap::Clamp => glow::CLAMP_TO_EDGE,
         Wrap::Mirror => glow::MIRRORED_REPEAT,
     });
-    // SAFETY: a 2-D texture is bound to the active unit; the enums are valid for these parameters.
-    unsafe {
-        for (parameter, value) in [
-            (glow::TEXTURE_MIN_FILTER, minify),
-            (glow::TEXTURE_MAG_FILTER, magnify),
-            (glow::TEXTURE_WRAP_S, wrap_s),
-            (glow::TEXTURE_WRAP_T, wrap_t),
-        ] {
-            gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, value as i32);
-        }
-        if anisotropy {
-            let level = if filter == TextureFilter::Anisotropic { MAX_ANISOTROPY } else { 1.0 };
-            gl.tex_parameter_f32(glow::TEXTURE_2D, glow::TEXTURE_MAX_ANISOTROPY_EXT, level);
-        }
+    for (parameter, value) in [
+        (glow::TEXTURE_MIN_FILTER, minify),
+        (glow::TEXTURE_MAG_FILTER, magnify),
+        (glow::TEXTURE_WRAP_S, wrap_s),
+        (glow::TEXTURE_WRAP_T, wrap_t),
+    ] {
+        gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, value as i32);
+    }
+    if anisotropy {
+        let level = if filter == TextureFilter::Anisotropic { MAX_ANISOTROPY } else { 1.0 };
+        gl.tex_parameter_f32(glow::TEXTURE_2D, glow::TEXTURE_MAX_ANISOTROPY_EXT, level);
     }
 }

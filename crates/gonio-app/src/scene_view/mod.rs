@@ -21,7 +21,7 @@ use crate::scene_view::drawing::PaneRenderer;
 use crate::session::{Selection, Session, Tab};
 use eframe::egui_glow;
 use egui::{Color32, Pos2, Rect, Response, Sense, Ui, vec2};
-use gonio_gl::GlError;
+use gonio_gl::{Gl, GlError};
 use gonio_render::Presentation;
 use gonio_scene::Scene;
 use std::sync::Arc;
@@ -222,7 +222,7 @@ fn aim(ui: &Ui, projection: &Projection, document: &Document, loaded: &Scene) {
 /// Shows a picture in a rectangle.
 /// Shows a finished picture in a rectangle of its size.
 pub(crate) fn present(ui: &Ui, rect: Rect, picture: Presentation) {
-    let callback = egui_glow::CallbackFn::new(move |_, painter| picture.draw(painter.gl()));
+    let callback = egui_glow::CallbackFn::new(move |_, painter| picture.draw(&Gl::of_window(painter.gl().clone())));
     ui.painter().add(egui::PaintCallback { rect, callback: Arc::new(callback) });
 }
 

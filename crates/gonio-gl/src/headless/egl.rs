@@ -1,4 +1,5 @@
 //! EGL, loaded at run time: nothing is needed to build, and its absence is an ordinary error.
+#![allow(unsafe_code)]
 
 use super::HeadlessOptions;
 use crate::GlError;
@@ -30,7 +31,13 @@ impl Platform {
         Ok(Platform { egl, display, context })
     }
 
-    pub fn proc_address(&self, name: &str) -> *const c_void {
+    /// The functions of the context, which is current.
+    pub fn functions(&self) -> glow::Context {
+        // SAFETY: `new` has made the context current on this thread, so these are that context's functions.
+        unsafe { glow::Context::from_loader_function(|name| self.proc_address(name)) }
+    }
+
+    fn proc_address(&self, name: &str) -> *const c_void {
         self.egl.get_proc_address(name).map_or(std::ptr::null(), |f| f as *const c_void)
     }
 }

@@ -1,4 +1,5 @@
 //! Windows and macOS: their OpenGL wants a window, so a hidden one is made through winit and glutin.
+#![allow(unsafe_code)]
 
 use super::HeadlessOptions;
 use crate::GlError;
@@ -54,7 +55,13 @@ impl Platform {
         Ok(Platform { context, _surface: surface, _window: window, _event_loop: event_loop })
     }
 
-    pub fn proc_address(&self, name: &str) -> *const c_void {
+    /// The functions of the context, which is current.
+    pub fn functions(&self) -> glow::Context {
+        // SAFETY: `new` has made the context current on this thread, so these are that context's functions.
+        unsafe { glow::Context::from_loader_function(|name| self.proc_address(name)) }
+    }
+
+    fn proc_address(&self, name: &str) -> *const c_void {
         CString::new(name).map_or(std::ptr::null(), |name| self.context.display().get_proc_address(&name))
     }
 }

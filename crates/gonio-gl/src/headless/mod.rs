@@ -12,7 +12,6 @@ use egl::Platform;
 use glutin_window::Platform;
 
 use crate::{Gl, GlError};
-use glow::HasContext;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -44,19 +43,17 @@ impl HeadlessContext {
     /// The same with options.
     pub fn with_options(options: &HeadlessOptions) -> Result<Self, GlError> {
         let platform = Platform::new(options)?;
-        // SAFETY: the platform has just made a context current on this thread, so its loader returns
-        // pointers to that context's functions.
-        let gl = unsafe { glow::Context::from_loader_function(|name| platform.proc_address(name)) };
-        let version = gl.version();
+        let gl = Gl::keeping_alive(Arc::new(platform.functions()), platform);
+        let (major, minor) = gl.version();
         let wanted = if options.es { (3, 0) } else { MINIMUM_VERSION };
-        if (version.major, version.minor) < wanted {
+        if (major, minor) < wanted {
             return Err(GlError::new(format!(
                 "the driver offers OpenGL {}.{}, and {}.{} is the least that gonio needs; a newer driver \
                  (or Mesa's software one) would do, and `--backend cpu` needs none",
-                version.major, version.minor, wanted.0, wanted.1
+                major, minor, wanted.0, wanted.1
             )));
         }
-        Ok(HeadlessContext { gl: Gl::keeping_alive(Arc::new(gl), platform) })
+        Ok(HeadlessContext { gl })
     }
 
     /// The functions.

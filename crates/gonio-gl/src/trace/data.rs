@@ -5,6 +5,9 @@
 
 use serde::Serialize;
 
+/// Most draw calls that a record lists; more are counted. A model of transparent triangles may have one draw for each.
+pub const MOST_DRAWS: usize = 2000;
+
 /// All that happened while a recording ran, in order.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct FrameRecord {
@@ -18,7 +21,7 @@ pub struct FrameRecord {
     pub programs: Vec<ProgramRecord>,
     /// Every texture that there is, by id: also those that no draw reads.
     pub textures: Vec<TextureRecord>,
-    /// Draw calls beyond the most that are kept ([`super::MOST_DRAWS`]).
+    /// Draw calls beyond the most that are kept ([`MOST_DRAWS`]).
     pub draws_left_out: usize,
     /// What else is worth knowing, a sentence each.
     pub notes: Vec<String>,

@@ -3,7 +3,7 @@
 use super::data::{AttributeDeclaration, Numbers, ProgramRecord, UniformDeclaration};
 use super::state::{ProgramState, base_name};
 use super::words::{self, Scalar, TextureKind};
-use glow::HasContext;
+use crate::functions::Functions;
 
 /// A program's attributes and uniforms.
 pub struct Interface {
@@ -33,31 +33,28 @@ impl ActiveUniform {
 }
 
 /// Reads what a linked program wants.
-pub fn interface(gl: &glow::Context, program: glow::Program, index: usize) -> Interface {
+pub fn interface(gl: &Functions, program: glow::Program, index: usize) -> Interface {
     let mut attributes = Vec::new();
     let mut uniforms = Vec::new();
-    // SAFETY: queries of a linked program of this context, within the numbers that it has given.
-    unsafe {
-        for index in 0..gl.get_active_attributes(program) {
-            let Some(attribute) = gl.get_active_attribute(program, index) else { continue };
-            // gl_VertexID and its like have none.
-            let Some(location) = gl.get_attrib_location(program, &attribute.name) else { continue };
-            let glsl_type = words::glsl_type(attribute.atype);
-            attributes.push(AttributeDeclaration { name: attribute.name, glsl_type, location });
-        }
-        for index in 0..gl.get_active_uniforms(program) {
-            let Some(uniform) = gl.get_active_uniform(program, index) else { continue };
-            let name = base_name(&uniform.name).to_owned();
-            let locations: Vec<_> = (0..uniform.size)
-                .filter_map(|element| match uniform.size {
-                    1 => gl.get_uniform_location(program, &uniform.name),
-                    _ => gl.get_uniform_location(program, &format!("{name}[{element}]")),
-                })
-                .collect();
-            // Members of blocks have none.
-            if !locations.is_empty() {
-                uniforms.push(ActiveUniform { name, code: uniform.utype, locations });
-            }
+    for index in 0..gl.get_active_attributes(program) {
+        let Some(attribute) = gl.get_active_attribute(program, index) else { continue };
+        // gl_VertexID and its like have none.
+        let Some(location) = gl.get_attrib_location(program, &attribute.name) else { continue };
+        let glsl_type = words::glsl_type(attribute.atype);
+        attributes.push(AttributeDeclaration { name: attribute.name, glsl_type, location });
+    }
+    for index in 0..gl.get_active_uniforms(program) {
+        let Some(uniform) = gl.get_active_uniform(program, index) else { continue };
+        let name = base_name(&uniform.name).to_owned();
+        let locations: Vec<_> = (0..uniform.size)
+            .filter_map(|element| match uniform.size {
+                1 => gl.get_uniform_location(program, &uniform.name),
+                _ => gl.get_uniform_location(program, &format!("{name}[{element}]")),
+            })
+            .collect();
+        // Members of blocks have none.
+        if !locations.is_empty() {
+            uniforms.push(ActiveUniform { name, code: uniform.utype, locations });
         }
     }
     attributes.sort_by_key(|attribute| attribute.location);
@@ -96,7 +93,7 @@ fn number(_: &glow::UniformLocation) -> Option<u32> {
 }
 
 /// What a uniform that is no sampler holds. `sent` are the whole numbers last given: glow does not read `bool` on the web.
-pub fn value(gl: &glow::Context, program: glow::Program, uniform: &ActiveUniform, sent: Option<&[i32]>) -> Numbers {
+pub fn value(gl: &Functions, program: glow::Program, uniform: &ActiveUniform, sent: Option<&[i32]>) -> Numbers {
     let Some((scalar, each)) = words::layout(uniform.code) else { return Numbers::Float(Vec::new()) };
     let count = each * uniform.locations.len();
     // Each element is read into room for exactly its numbers: more than that and glow panics on the web.
@@ -104,8 +101,7 @@ pub fn value(gl: &glow::Context, program: glow::Program, uniform: &ActiveUniform
         Scalar::Float => {
             let mut numbers = vec![0.0; count];
             for (location, numbers) in uniform.locations.iter().zip(numbers.chunks_exact_mut(each)) {
-                // SAFETY: the program is linked, the location its own, and the slice as long as its type.
-                unsafe { gl.get_uniform_f32(program, location, numbers) };
+                gl.get_uniform_f32(program, location, numbers);
             }
             Numbers::Float(numbers)
         }
@@ -113,8 +109,7 @@ pub fn value(gl: &glow::Context, program: glow::Program, uniform: &ActiveUniform
         Scalar::Uint => {
             let mut numbers = vec![0; count];
             for (location, numbers) in uniform.locations.iter().zip(numbers.chunks_exact_mut(each)) {
-                // SAFETY: the program is linked, the location its own, and the slice as long as its type.
-                unsafe { gl.get_uniform_u32(program, location, numbers) };
+                gl.get_uniform_u32(program, location, numbers);
             }
             Numbers::Uint(numbers)
         }
@@ -128,19 +123,17 @@ pub fn value(gl: &glow::Context, program: glow::Program, uniform: &ActiveUniform
     }
 }
 
-fn whole_numbers(gl: &glow::Context, program: glow::Program, uniform: &ActiveUniform, each: usize) -> Vec<i32> {
+fn whole_numbers(gl: &Functions, program: glow::Program, uniform: &ActiveUniform, each: usize) -> Vec<i32> {
     let mut numbers = vec![0; each * uniform.locations.len()];
     for (location, numbers) in uniform.locations.iter().zip(numbers.chunks_exact_mut(each)) {
-        // SAFETY: as in `value`.
-        unsafe { gl.get_uniform_i32(program, location, numbers) };
+        gl.get_uniform_i32(program, location, numbers);
     }
     numbers
 }
 
 /// The unit of a sampler's element.
-pub fn unit(gl: &glow::Context, program: glow::Program, location: &glow::UniformLocation) -> u32 {
+pub fn unit(gl: &Functions, program: glow::Program, location: &glow::UniformLocation) -> u32 {
     let mut unit = [0];
-    // SAFETY: as in `value`; a sampler holds one whole number.
-    unsafe { gl.get_uniform_i32(program, location, &mut unit) };
+    gl.get_uniform_i32(program, location, &mut unit);
     unit[0].max(0) as u32
 }

@@ -1,30 +1,14 @@
 //! Turns calls into a record, while one is made.
 
-use super::MOST_DRAWS;
 use super::data::{
-    AttachmentRecord, BindingRecord, ClearRecord, FrameRecord, LevelRecord, PassRecord, Subject, TargetRecord,
-    TextureRecord,
+    AttachmentRecord, ClearRecord, FrameRecord, LevelRecord, MOST_DRAWS, PassRecord, TargetRecord, TextureRecord,
 };
 use super::program_reader::Interface;
 use super::state::{Attached, State, TextureState};
 use super::words::{self, TextureKind};
-use glow::HasContext;
-use std::collections::{HashMap, HashSet};
-use std::rc::Rc;
-
-/// A draw call as it was given.
-pub struct Call {
-    /// `GL_TRIANGLES`, ...
-    pub mode: u32,
-    /// The first vertex; where it is indexed, the first index's byte.
-    pub first: i32,
-    /// Vertices or indices.
-    pub count: i32,
-    /// `GL_UNSIGNED_INT`, ... where it is indexed.
-    pub index_type: Option<u32>,
-    /// How many times.
-    pub instances: i32,
-}
+use crate::bounds::DrawCall;
+use crate::functions::Functions;
+use std::collections::HashMap;
 
 /// ARB_pipeline_statistics_query
 const VERTEX_SHADER_INVOCATIONS: u32 = 0x82F0;
@@ -38,18 +22,8 @@ pub struct Recorder {
     pub(super) record: FrameRecord,
     /// Open debug groups.
     pub groups: Vec<String>,
-    /// What the calls are for, and its number.
-    pub subject: Option<(usize, Rc<Subject>)>,
-    /// How many there were.
-    pub subjects: usize,
-    /// Attributes whose constants were set.
-    pub constants: HashSet<u32>,
-    /// Since the draw before.
-    pub(super) bound: Vec<BindingRecord>,
     /// Programs that have drawn.
     pub(super) interfaces: HashMap<glow::Program, Interface>,
-    /// Of deleted textures.
-    gone: Vec<TextureRecord>,
     /// Whether the GPU can count.
     counts: bool,
     /// Whether a buffer's bytes can be read back.
@@ -63,51 +37,29 @@ pub struct Recorder {
 
 impl Recorder {
     /// For a driver that can count shader invocations, or not.
-    pub fn new(gl: &glow::Context, counts: bool) -> Self {
-        // SAFETY: a query of a constant of the context.
-        let texture_units = unsafe { gl.get_parameter_i32(glow::MAX_COMBINED_TEXTURE_IMAGE_UNITS) }.max(0) as u32;
+    pub fn new(gl: &Functions, counts: bool) -> Self {
+        let texture_units = gl.get_parameter_i32(glow::MAX_COMBINED_TEXTURE_IMAGE_UNITS).max(0) as u32;
         Recorder {
             record: FrameRecord { texture_units, ..FrameRecord::default() },
             groups: Vec::new(),
-            subject: None,
-            subjects: 0,
-            constants: HashSet::new(),
-            bound: Vec::new(),
             interfaces: HashMap::new(),
-            gone: Vec::new(),
             counts,
             // OpenGL ES has no glGetBufferSubData; WebGL2 has.
-            reads_buffers: cfg!(target_arch = "wasm32") || !gl.version().is_embedded,
+            reads_buffers: cfg!(target_arch = "wasm32") || !gl.is_embedded(),
             queries: Vec::new(),
             pass: None,
             drawing: false,
         }
     }
 
-    /// Notes a binding.
-    pub fn bound(&mut self, state: &State, kind: TextureKind, texture: Option<glow::Texture>) {
-        let texture = texture.and_then(|texture| state.textures.get(&texture)).map(|texture| texture.label.id);
-        self.bound.push(BindingRecord { unit: state.active_unit as u32, kind: kind.name().to_owned(), texture });
-    }
-
-    /// Keeps what is known about a texture that is deleted.
-    pub fn deleted(&mut self, texture: &TextureState) {
-        self.gone.push(texture_record(texture));
-    }
-
     /// Notes a clear.
-    pub fn cleared(&mut self, state: &State, gl: &glow::Context, mask: u32) {
+    pub fn cleared(&mut self, state: &State, gl: &Functions, mask: u32) {
         let mut clear = ClearRecord::default();
-        // SAFETY: queries of plain state, into room for the four numbers of a colour and the one of a depth.
-        unsafe {
-            if mask & glow::COLOR_BUFFER_BIT != 0 {
-                let mut color = [0.0; 4];
-                gl.get_parameter_f32_slice(glow::COLOR_CLEAR_VALUE, &mut color);
-                clear.color = Some(color);
-            }
-            if mask & glow::DEPTH_BUFFER_BIT != 0 {
-                clear.depth = Some(gl.get_parameter_f32(glow::DEPTH_CLEAR_VALUE));
-            }
+        if mask & glow::COLOR_BUFFER_BIT != 0 {
+            clear.color = Some(gl.get_clear_color());
+        }
+        if mask & glow::DEPTH_BUFFER_BIT != 0 {
+            clear.depth = Some(gl.get_clear_depth());
         }
         self.enter_pass(state).cleared = Some(clear);
     }
@@ -136,7 +88,7 @@ impl Recorder {
     }
 
     /// Notes all that a draw will read, and begins to count.
-    pub fn before_draw(&mut self, state: &mut State, gl: &glow::Context, call: &Call) {
+    pub fn before_draw(&mut self, state: &mut State, gl: &Functions, call: &DrawCall) {
         self.drawing = self.record.draws.len() < MOST_DRAWS;
         if !self.drawing {
             self.record.draws_left_out += 1;
@@ -145,34 +97,29 @@ impl Recorder {
         self.enter_pass(state).draw_count += 1;
         let draw = self.snapshot(state, gl, call);
         self.record.draws.push(draw);
-        // SAFETY: the targets exist where the extension does; whoever records counts nothing else meanwhile.
-        unsafe {
-            let queries = match (self.counts, gl.create_query(), gl.create_query()) {
-                (true, Ok(vertices), Ok(fragments)) => {
-                    gl.begin_query(VERTEX_SHADER_INVOCATIONS, vertices);
-                    gl.begin_query(FRAGMENT_SHADER_INVOCATIONS, fragments);
-                    Some([vertices, fragments])
-                }
-                (_, vertices, fragments) => {
-                    [vertices, fragments].into_iter().flatten().for_each(|query| gl.delete_query(query));
-                    None
-                }
-            };
-            self.queries.push(queries);
-        }
+        // Whoever records counts nothing else meanwhile.
+        let queries = match (self.counts, gl.create_query(), gl.create_query()) {
+            (true, Ok(vertices), Ok(fragments)) => {
+                gl.begin_query(VERTEX_SHADER_INVOCATIONS, vertices);
+                gl.begin_query(FRAGMENT_SHADER_INVOCATIONS, fragments);
+                Some([vertices, fragments])
+            }
+            (_, vertices, fragments) => {
+                [vertices, fragments].into_iter().flatten().for_each(|query| gl.delete_query(query));
+                None
+            }
+        };
+        self.queries.push(queries);
     }
 
     /// Ends the counting, and asks for errors.
-    pub fn after_draw(&mut self, gl: &glow::Context) {
+    pub fn after_draw(&mut self, gl: &Functions) {
         if !std::mem::take(&mut self.drawing) {
             return;
         }
         if self.queries.last().is_some_and(Option::is_some) {
-            // SAFETY: ends what `before_draw` began.
-            unsafe {
-                gl.end_query(FRAGMENT_SHADER_INVOCATIONS);
-                gl.end_query(VERTEX_SHADER_INVOCATIONS);
-            }
+            gl.end_query(FRAGMENT_SHADER_INVOCATIONS);
+            gl.end_query(VERTEX_SHADER_INVOCATIONS);
         }
         if let Some(draw) = self.record.draws.last_mut() {
             draw.errors.extend(errors(gl));
@@ -180,11 +127,10 @@ impl Recorder {
     }
 
     /// The record. Waits for the GPU's numbers.
-    pub fn finish(mut self, state: &State, gl: &glow::Context) -> FrameRecord {
+    pub fn finish(mut self, state: &State, gl: &Functions) -> FrameRecord {
         for (draw, queries) in self.record.draws.iter_mut().zip(std::mem::take(&mut self.queries)) {
             let Some(queries) = queries else { continue };
-            // SAFETY: the queries have ended; asking for a result waits for it. Each is deleted once.
-            let [vertices, fragments] = queries.map(|query| unsafe {
+            let [vertices, fragments] = queries.map(|query| {
                 let count = gl.get_query_parameter_u32(query, glow::QUERY_RESULT);
                 gl.delete_query(query);
                 u64::from(count)
@@ -194,7 +140,7 @@ impl Recorder {
         }
         let mut textures: Vec<TextureRecord> = state.textures.values().map(texture_record).collect();
         textures.sort_by_key(|texture| texture.id);
-        textures.append(&mut self.gone);
+        textures.extend(state.deleted_textures.iter().map(texture_record));
         self.record.textures = textures;
         if self.record.draws_left_out > 0 {
             self.record.notes.push(format!(
@@ -210,20 +156,18 @@ impl Recorder {
     }
 
     /// Frees what an unfinished recording holds.
-    pub fn abandon(self, gl: &glow::Context) {
+    pub fn abandon(self, gl: &Functions) {
         for query in self.queries.into_iter().flatten().flatten() {
-            // SAFETY: created by this context, deleted once.
-            unsafe { gl.delete_query(query) };
+            gl.delete_query(query);
         }
     }
 }
 
 /// Errors that OpenGL has not told yet.
-pub(super) fn errors(gl: &glow::Context) -> Vec<String> {
+pub fn errors(gl: &Functions) -> Vec<String> {
     let mut errors = Vec::new();
     while errors.len() < MOST_ERRORS {
-        // SAFETY: reads and clears a flag.
-        match unsafe { gl.get_error() } {
+        match gl.get_error() {
             glow::NO_ERROR => break,
             code => errors.push(words::error(code)),
         }

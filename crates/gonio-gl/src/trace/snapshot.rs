@@ -6,10 +6,11 @@ use super::data::{
     SamplingRecord, StateRecord, UniformValue,
 };
 use super::program_reader::{self, ActiveUniform, Interface};
-use super::recorder::{Call, Recorder, errors, texture_record};
+use super::recorder::{Recorder, errors, texture_record};
 use super::state::{Binding, State};
 use super::words::{self, TextureKind};
-use glow::HasContext;
+use crate::bounds::DrawCall;
+use crate::functions::Functions;
 use std::rc::Rc;
 
 /// Bytes of indices that are read to find the highest vertex.
@@ -19,10 +20,10 @@ const INITIAL_CONSTANT: [f32; 4] = [0.0, 0.0, 0.0, 1.0];
 
 impl Recorder {
     /// What a draw will read.
-    pub(super) fn snapshot(&mut self, state: &mut State, gl: &glow::Context, call: &Call) -> DrawRecord {
+    pub(super) fn snapshot(&mut self, state: &mut State, gl: &Functions, call: &DrawCall) -> DrawRecord {
         // Before anything of ours could raise one.
         let errors = errors(gl);
-        let subject = self.subject.as_ref().map(|(_, subject)| Rc::as_ref(subject).clone());
+        let subject = state.subject.as_ref().map(|(_, subject)| Rc::as_ref(subject).clone());
         let program = state.program;
         if let Some(program) = program.filter(|program| !self.interfaces.contains_key(program)) {
             let interface = program_reader::interface(gl, program, self.record.programs.len());
@@ -52,31 +53,30 @@ impl Recorder {
                 .unwrap_or_default(),
             attributes: interface.map(|(_, interface)| self.attributes(gl, state, interface)).unwrap_or_default(),
             units: units(state),
-            bound: std::mem::take(&mut self.bound),
+            bound: std::mem::take(&mut state.bindings),
             errors,
         }
     }
 
-    fn highest_vertex(&self, state: &mut State, gl: &glow::Context, call: &Call) -> Option<u32> {
+    fn highest_vertex(&self, state: &mut State, gl: &Functions, call: &DrawCall) -> Option<u32> {
         let count = u32::try_from(call.count).ok().filter(|count| *count > 0)?;
         let first = u32::try_from(call.first).ok()?;
         let Some(index_type) = call.index_type else { return Some(first + count - 1) };
         let each = index_bytes(index_type) as usize;
         let bytes = count as usize * each;
-        let held = state.array().index_buffer.and_then(|buffer| state.buffers.get(&buffer))?.bytes;
+        let held = state.array().index_buffer.and_then(|buffer| state.buffers.get(&buffer))?.contents.borrow().bytes;
         if !self.reads_buffers || bytes > MOST_INDEX_BYTES || u64::from(first) + bytes as u64 > held {
             return None;
         }
         let mut indices = vec![0; bytes];
-        // SAFETY: an index buffer is bound, and holds these bytes.
-        unsafe { gl.get_buffer_sub_data(glow::ELEMENT_ARRAY_BUFFER, call.first, &mut indices) };
+        gl.get_buffer_sub_data(glow::ELEMENT_ARRAY_BUFFER, call.first, &mut indices);
         let number = |bytes: &[u8]| bytes.iter().rev().fold(0, |number, byte| number << 8 | u32::from(*byte));
         indices.chunks_exact(each).map(number).max()
     }
 
     fn samplers(
         &self,
-        gl: &glow::Context,
+        gl: &Functions,
         state: &State,
         program: glow::Program,
         interface: &Interface,
@@ -95,7 +95,7 @@ impl Recorder {
                 let owner = binding.and_then(|binding| binding.owner.as_ref());
                 let sampling = binding.and_then(|_| sampling(gl, kind, unit));
                 let texture = binding.and_then(|binding| state.textures.get(&binding.texture)).map(texture_record);
-                let mine = self.subject.as_ref().map(|(serial, _)| *serial);
+                let mine = state.subject.as_ref().map(|(serial, _)| *serial);
                 let foreign = owner.filter(|(serial, _)| Some(*serial) != mine);
                 samplers.push(SamplerRecord {
                     name: match uniform.locations.len() {
@@ -114,21 +114,20 @@ impl Recorder {
                 });
             }
         }
-        // SAFETY: plain state, put back after the questions above.
-        unsafe { gl.active_texture(glow::TEXTURE0 + state.active_unit as u32) };
+        gl.active_texture(glow::TEXTURE0 + state.active_unit as u32);
         samplers
     }
 
-    fn attributes(&self, gl: &glow::Context, state: &mut State, interface: &Interface) -> Vec<AttributeRecord> {
+    fn attributes(&self, gl: &Functions, state: &mut State, interface: &Interface) -> Vec<AttributeRecord> {
         let mut attributes = Vec::new();
         for declaration in &interface.attributes {
-            let fed = state.array().attributes.get(&declaration.location).copied().filter(|fed| fed.enabled);
+            let fed = state.array().attributes.get(&declaration.location).cloned().filter(|fed| fed.enabled);
             let source = if let Some(fed) = fed {
                 let buffer = fed.buffer.and_then(|buffer| state.buffers.get(&buffer));
                 AttributeSource::Array(ArraySource {
                     buffer: buffer.map_or(0, |buffer| buffer.label.id),
                     buffer_name: buffer.map(|buffer| buffer.label.name.clone()).unwrap_or_default(),
-                    buffer_bytes: buffer.map_or(0, |buffer| buffer.bytes),
+                    buffer_bytes: buffer.map_or(0, |buffer| buffer.contents.borrow().bytes),
                     components: fed.components,
                     component_type: words::component(fed.component_type),
                     element_bytes: fed.components * words::component_bytes(fed.component_type),
@@ -138,13 +137,8 @@ impl Recorder {
                     divisor: fed.divisor,
                 })
             } else {
-                let mut value = INITIAL_CONSTANT;
-                // SAFETY: a question about a location that the program has given, into room for four numbers.
-                unsafe {
-                    let what = glow::CURRENT_VERTEX_ATTRIB;
-                    gl.get_vertex_attrib_parameter_f32_slice(declaration.location, what, &mut value);
-                }
-                let set = self.constants.contains(&declaration.location) || value != INITIAL_CONSTANT;
+                let value = gl.get_constant_attribute(declaration.location);
+                let set = state.constants.contains(&declaration.location) || value != INITIAL_CONSTANT;
                 AttributeSource::Constant { value, set }
             };
             attributes.push(AttributeRecord {
@@ -178,7 +172,7 @@ fn index_bytes(index_type: u32) -> i32 {
     words::component_bytes(index_type) as i32
 }
 
-fn values(gl: &glow::Context, state: &State, program: glow::Program, interface: &Interface) -> Vec<UniformValue> {
+fn values(gl: &Functions, state: &State, program: glow::Program, interface: &Interface) -> Vec<UniformValue> {
     let known = state.programs.get(&program);
     let value = |uniform: &ActiveUniform| {
         let sent = known.and_then(|program| program.sent.get(&uniform.name)).and_then(Option::as_deref);
@@ -193,50 +187,39 @@ fn values(gl: &glow::Context, state: &State, program: glow::Program, interface: 
 }
 
 /// How the texture of a unit is sampled. Leaves that unit active.
-fn sampling(gl: &glow::Context, kind: TextureKind, unit: u32) -> Option<SamplingRecord> {
+fn sampling(gl: &Functions, kind: TextureKind, unit: u32) -> Option<SamplingRecord> {
     if kind == TextureKind::Multisample {
         return None; // It is only fetched, and has no such parameters.
     }
-    // SAFETY: the unit exists, for a sampler reads it; a texture of this kind is bound to it.
-    unsafe {
-        gl.active_texture(glow::TEXTURE0 + unit);
-        let parameter = |what: u32| gl.get_tex_parameter_i32(kind.target(), what).max(0) as u32;
-        Some(SamplingRecord {
-            min_filter: words::sampling(parameter(glow::TEXTURE_MIN_FILTER)),
-            mag_filter: words::sampling(parameter(glow::TEXTURE_MAG_FILTER)),
-            wrap: [glow::TEXTURE_WRAP_S, glow::TEXTURE_WRAP_T].map(|what| words::sampling(parameter(what))),
-            base_level: parameter(glow::TEXTURE_BASE_LEVEL),
-            max_level: parameter(glow::TEXTURE_MAX_LEVEL),
-        })
-    }
+    gl.active_texture(glow::TEXTURE0 + unit);
+    let parameter = |what: u32| gl.get_tex_parameter_i32(kind.target(), what).max(0) as u32;
+    Some(SamplingRecord {
+        min_filter: words::sampling(parameter(glow::TEXTURE_MIN_FILTER)),
+        mag_filter: words::sampling(parameter(glow::TEXTURE_MAG_FILTER)),
+        wrap: [glow::TEXTURE_WRAP_S, glow::TEXTURE_WRAP_T].map(|what| words::sampling(parameter(what))),
+        base_level: parameter(glow::TEXTURE_BASE_LEVEL),
+        max_level: parameter(glow::TEXTURE_MAX_LEVEL),
+    })
 }
 
 /// Blending, depth, culling and where is drawn.
-fn fixed_functions(gl: &glow::Context) -> StateRecord {
-    // SAFETY: queries of plain state, into room for as many numbers as each has.
-    unsafe {
-        let number = |what: u32| gl.get_parameter_i32(what).max(0) as u32;
-        let rectangle = |what: u32| {
-            let mut numbers = [0; 4];
-            gl.get_parameter_i32_slice(what, &mut numbers);
-            numbers
-        };
-        let factors = |from: u32, onto: u32| [from, onto].map(|what| words::factor(number(what)));
-        StateRecord {
-            blend: gl.is_enabled(glow::BLEND).then(|| BlendRecord {
-                color: factors(glow::BLEND_SRC_RGB, glow::BLEND_DST_RGB),
-                alpha: factors(glow::BLEND_SRC_ALPHA, glow::BLEND_DST_ALPHA),
-            }),
-            depth_test: gl.is_enabled(glow::DEPTH_TEST).then(|| words::comparison(number(glow::DEPTH_FUNC))),
-            depth_mask: gl.get_parameter_bool(glow::DEPTH_WRITEMASK),
-            cull: gl.is_enabled(glow::CULL_FACE).then(|| words::faces(number(glow::CULL_FACE_MODE))),
-            front_face: match number(glow::FRONT_FACE) {
-                glow::CW => "clockwise".to_owned(),
-                _ => "counter-clockwise".to_owned(),
-            },
-            color_mask: gl.get_parameter_bool_array(glow::COLOR_WRITEMASK),
-            viewport: rectangle(glow::VIEWPORT),
-            scissor: gl.is_enabled(glow::SCISSOR_TEST).then(|| rectangle(glow::SCISSOR_BOX)),
-        }
+fn fixed_functions(gl: &Functions) -> StateRecord {
+    let number = |what: u32| gl.get_parameter_i32(what).max(0) as u32;
+    let factors = |from: u32, onto: u32| [from, onto].map(|what| words::factor(number(what)));
+    StateRecord {
+        blend: gl.is_enabled(glow::BLEND).then(|| BlendRecord {
+            color: factors(glow::BLEND_SRC_RGB, glow::BLEND_DST_RGB),
+            alpha: factors(glow::BLEND_SRC_ALPHA, glow::BLEND_DST_ALPHA),
+        }),
+        depth_test: gl.is_enabled(glow::DEPTH_TEST).then(|| words::comparison(number(glow::DEPTH_FUNC))),
+        depth_mask: gl.get_depth_mask(),
+        cull: gl.is_enabled(glow::CULL_FACE).then(|| words::faces(number(glow::CULL_FACE_MODE))),
+        front_face: match number(glow::FRONT_FACE) {
+            glow::CW => "clockwise".to_owned(),
+            _ => "counter-clockwise".to_owned(),
+        },
+        color_mask: gl.get_color_mask(),
+        viewport: gl.get_rectangle(glow::VIEWPORT),
+        scissor: gl.is_enabled(glow::SCISSOR_TEST).then(|| gl.get_rectangle(glow::SCISSOR_BOX)),
     }
 }

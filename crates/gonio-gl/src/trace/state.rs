@@ -1,27 +1,14 @@
-//! What exists and what is bound, as the calls through [`crate::Gl`] have made it.
+//! What exists and what is bound, as calls have made it.
 //!
 //! OpenGL can be asked for most of this, WebGL2 for little: not for a texture's size, nor for its format. So it is noted
 //! when it is made, which is seldom; of what happens often only the few words of a binding are kept.
 
-use super::data::{Content, Subject};
-use super::recorder::Recorder;
+use super::data::{BindingRecord, Content, Subject};
 use super::words::TextureKind;
-use std::cell::RefCell;
-use std::collections::{BTreeMap, HashMap};
+use crate::bounds::{CheckedDraw, Contents, DrawCall, EnabledArray, Limits, SharedContents};
+use crate::memory::AttributeLayout;
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::rc::Rc;
-
-/// The state of a context, shared by all clones of its [`crate::Gl`].
-#[derive(Default)]
-pub struct Mirror {
-    state: RefCell<State>,
-}
-
-impl Mirror {
-    /// Reads or changes the state. Not from within itself.
-    pub fn with<T>(&self, f: impl FnOnce(&mut State) -> T) -> T {
-        f(&mut self.state.borrow_mut())
-    }
-}
 
 /// What exists and what is bound.
 #[derive(Default)]
@@ -54,8 +41,20 @@ pub struct State {
     pub program: Option<glow::Program>,
     /// Kinds and sources of shaders, while a recording runs.
     pub shaders: HashMap<glow::Shader, (u32, String)>,
-    /// While a recording runs.
-    pub recorder: Option<Box<Recorder>>,
+    /// Whether a recording runs.
+    pub is_recording: bool,
+    /// What the calls are for, and its number, while a recording runs.
+    pub subject: Option<(usize, Rc<Subject>)>,
+    /// How many subjects there were.
+    pub subjects: usize,
+    /// Textures that were bound since the draw before, while a recording runs.
+    pub bindings: Vec<BindingRecord>,
+    /// Attributes whose constants were set while a recording ran.
+    pub constants: HashSet<u32>,
+    /// Textures that were deleted while a recording ran.
+    pub deleted_textures: Vec<TextureState>,
+    /// Grows whenever a buffer is filled.
+    fills: u64,
     /// How many objects were made, where OpenGL shows no numbers of its own.
     pub made: u32,
 }
@@ -93,6 +92,281 @@ impl State {
     /// The vertex array that is bound.
     pub fn array(&mut self) -> &mut ArrayState {
         self.arrays.entry(self.vertex_array).or_default()
+    }
+
+    /// The id of a new object: OpenGL's number of it, or the next one where there is none.
+    pub fn id_for(&mut self, native_name: u32) -> u32 {
+        if native_name != 0 {
+            return native_name;
+        }
+        self.made += 1;
+        self.made
+    }
+
+    /// Forgets all that only matters to a recording.
+    pub fn forget_recording(&mut self) {
+        self.subject = None;
+        self.subjects = 0;
+        self.bindings.clear();
+        self.constants.clear();
+        self.deleted_textures.clear();
+        self.shaders.clear();
+    }
+}
+
+/// Notes of calls on textures.
+impl State {
+    /// `glBindTexture`
+    pub fn texture_bound(&mut self, target: u32, texture: Option<glow::Texture>) {
+        let Some(kind) = TextureKind::of_target(target) else { return };
+        let owner = self.subject.clone();
+        if let Some(slot) = self.slot(kind) {
+            *slot = texture.map(|texture| Binding { texture, owner });
+        }
+        if !self.is_recording {
+            return;
+        }
+        let texture = texture.and_then(|texture| self.textures.get_mut(&texture)).map(|texture| {
+            texture.kind = Some(kind);
+            texture.label.id
+        });
+        self.bindings.push(BindingRecord { unit: self.active_unit as u32, kind: kind.name().to_owned(), texture });
+    }
+
+    /// `glDeleteTextures`, which unbinds what it deletes.
+    pub fn texture_deleted(&mut self, texture: glow::Texture) {
+        for slot in self.units.iter_mut().flat_map(|unit| &mut unit.bound) {
+            if slot.as_ref().is_some_and(|binding| binding.texture == texture) {
+                *slot = None;
+            }
+        }
+        if let Some(deleted) = self.textures.remove(&texture).filter(|_| self.is_recording) {
+            self.deleted_textures.push(deleted);
+        }
+    }
+
+    /// `glTexImage2D` and its like: width, height, layers.
+    pub fn image(&mut self, target: u32, level: i32, format: u32, [width, height, depth]: [i32; 3], samples: i32) {
+        if let Some(texture) = self.bound_texture(target) {
+            texture.image(target, level, format, [width, height], depth, samples);
+        }
+    }
+
+    /// `glGenerateMipmap`
+    pub fn mipmaps_generated(&mut self, target: u32) {
+        if let Some(texture) = self.bound_texture(target) {
+            texture.mipmaps();
+        }
+    }
+}
+
+/// Notes of calls on buffers and vertex arrays.
+impl State {
+    /// `glBindBuffer`
+    pub fn buffer_bound(&mut self, target: u32, buffer: Option<glow::Buffer>) {
+        match target {
+            glow::ARRAY_BUFFER => self.array_buffer = buffer,
+            glow::ELEMENT_ARRAY_BUFFER => {
+                let contents = self.contents(buffer);
+                let array = self.array();
+                array.index_buffer = buffer;
+                array.indices = contents;
+            }
+            _ => {}
+        }
+    }
+
+    /// The buffer that is bound to a target.
+    pub fn buffer_of(&mut self, target: u32) -> Option<glow::Buffer> {
+        match target {
+            glow::ARRAY_BUFFER => self.array_buffer,
+            glow::ELEMENT_ARRAY_BUFFER => self.array().index_buffer,
+            _ => None,
+        }
+    }
+
+    fn contents(&self, buffer: Option<glow::Buffer>) -> Option<SharedContents> {
+        self.buffers.get(&buffer?).map(|buffer| buffer.contents.clone())
+    }
+
+    /// `glBufferData`
+    pub fn buffer_filled(&mut self, target: u32, data: &[u8]) {
+        if let Some(buffer) = self.buffer_of(target).and_then(|buffer| self.buffers.get(&buffer)) {
+            buffer.contents.replace(Contents::new(data, target == glow::ELEMENT_ARRAY_BUFFER));
+            self.fills += 1;
+        }
+    }
+
+    /// `glDeleteBuffers`: the bound vertex array lets go of it, others keep what it contains.
+    pub fn buffer_deleted(&mut self, buffer: glow::Buffer) {
+        self.buffers.remove(&buffer);
+        if self.array_buffer == Some(buffer) {
+            self.array_buffer = None;
+        }
+        let Some(array) = self.arrays.get_mut(&self.vertex_array) else { return };
+        array.limits = None;
+        for attribute in array.attributes.values_mut().filter(|attribute| attribute.buffer == Some(buffer)) {
+            attribute.buffer = None;
+            attribute.contents = None;
+        }
+        if array.index_buffer == Some(buffer) {
+            array.index_buffer = None;
+            array.indices = None;
+        }
+    }
+
+    /// `glVertexAttribPointer`
+    pub fn attribute_described(&mut self, index: u32, layout: AttributeLayout) {
+        let buffer = self.array_buffer;
+        let contents = self.contents(buffer);
+        let attribute = self.array().attribute(index);
+        attribute.buffer = buffer;
+        attribute.contents = contents;
+        attribute.components = layout.components.max(0) as u32;
+        attribute.component_type = layout.component_type;
+        attribute.normalized = layout.normalized;
+        attribute.stride = layout.stride.max(0) as u32;
+        attribute.offset = layout.offset.max(0) as u32;
+    }
+
+    /// `glVertexAttrib4f`
+    pub fn constant_set(&mut self, index: u32) {
+        if self.is_recording {
+            self.constants.insert(index);
+        }
+    }
+
+    /// `glDeleteVertexArrays`
+    pub fn vertex_array_deleted(&mut self, array: glow::VertexArray) {
+        self.arrays.remove(&Some(array));
+        if self.vertex_array == Some(array) {
+            self.vertex_array = None;
+        }
+    }
+
+    /// A draw with the bound vertex array, if nothing that it reads lies beyond its buffers.
+    pub fn check_draw(&mut self, call: DrawCall) -> Option<CheckedDraw> {
+        let (bound, fills) = (self.vertex_array, self.fills);
+        let array = self.array();
+        // Nothing is known of what others have made; OpenGL would go on with the array that was bound before.
+        if bound.is_some() && array.label.id == 0 && !cfg!(target_arch = "wasm32") {
+            return None;
+        }
+        let limits = match array.limits {
+            Some((known_at, limits)) if known_at == fills => limits,
+            _ => {
+                let enabled = array.attributes.values().filter(|attribute| attribute.enabled);
+                let limits = Limits::least_of(enabled.map(AttributeState::as_enabled_array));
+                array.limits = Some((fills, limits));
+                limits
+            }
+        };
+        let indices = array.indices.as_ref().map(|indices| indices.borrow());
+        CheckedDraw::new(call, bound, limits, indices.as_deref())
+    }
+}
+
+/// Notes of calls on framebuffers.
+impl State {
+    /// `glBindFramebuffer`
+    pub fn framebuffer_bound(&mut self, target: u32, framebuffer: Option<glow::Framebuffer>) {
+        if target != glow::READ_FRAMEBUFFER {
+            self.draw_framebuffer = framebuffer;
+        }
+    }
+
+    /// `glDeleteFramebuffers`
+    pub fn framebuffer_deleted(&mut self, framebuffer: glow::Framebuffer) {
+        self.framebuffers.remove(&framebuffer);
+        if self.draw_framebuffer == Some(framebuffer) {
+            self.draw_framebuffer = None;
+        }
+    }
+
+    /// `glFramebufferTexture2D`, `glFramebufferRenderbuffer`: to the framebuffer that is drawn into, for attachments are made
+    /// where both bindings are the same.
+    pub fn attached(&mut self, attachment: u32, what: Option<Attached>) {
+        let framebuffer = self.draw_framebuffer.and_then(|framebuffer| self.framebuffers.get_mut(&framebuffer));
+        match (framebuffer, what) {
+            (Some(framebuffer), Some(what)) => drop(framebuffer.attachments.insert(attachment, what)),
+            (Some(framebuffer), None) => drop(framebuffer.attachments.remove(&attachment)),
+            (None, _) => {}
+        }
+    }
+
+    /// `glRenderbufferStorageMultisample`
+    pub fn renderbuffer_made(&mut self, samples: i32, format: u32, size: [i32; 2]) {
+        if let Some(buffer) = self.renderbuffer.and_then(|buffer| self.renderbuffers.get_mut(&buffer)) {
+            buffer.format = format;
+            buffer.size = size.map(|side| side.max(0) as u32);
+            buffer.samples = samples.max(1) as u32;
+        }
+    }
+}
+
+/// Notes of calls on shaders and programs.
+impl State {
+    /// `glCreateShader`
+    pub fn shader_created(&mut self, shader: glow::Shader, kind: u32) {
+        if self.is_recording {
+            self.shaders.insert(shader, (kind, String::new()));
+        }
+    }
+
+    /// `glShaderSource`
+    pub fn shader_source(&mut self, shader: glow::Shader, source: &str) {
+        if let Some((_, kept)) = self.shaders.get_mut(&shader) {
+            *kept = source.to_owned();
+        }
+    }
+
+    /// `glAttachShader`
+    pub fn shader_attached(&mut self, program: glow::Program, shader: glow::Shader) {
+        let (Some((kind, source)), Some(program)) = (self.shaders.get(&shader), self.programs.get_mut(&program)) else {
+            return;
+        };
+        let [vertex, fragment] = &mut program.sources;
+        *(if *kind == glow::VERTEX_SHADER { vertex } else { fragment }) = source.clone();
+    }
+
+    /// `glLinkProgram`, which sets all uniforms to 0.
+    pub fn program_linked(&mut self, program: glow::Program) {
+        if let Some(program) = self.programs.get_mut(&program) {
+            program.is_fresh = self.is_recording;
+            program.sent.clear();
+            program.looked_up.clear();
+        }
+    }
+
+    /// `glDeleteProgram`
+    pub fn program_deleted(&mut self, program: glow::Program) {
+        self.programs.remove(&program);
+    }
+
+    /// `glGetUniformLocation`
+    pub fn uniform_located(&mut self, program: glow::Program, location: &glow::UniformLocation, name: &str) {
+        if let Some(program) = self.programs.get_mut(&program) {
+            #[allow(clippy::clone_on_copy)] // not Copy on the web
+            program.looked_up.push((location.clone(), name.to_owned()));
+        }
+    }
+
+    /// `glUniform...` for the program in use: whole numbers as they were given.
+    #[inline]
+    pub fn uniform_set(&mut self, location: Option<&glow::UniformLocation>, numbers: Option<&[i32]>) {
+        // Often called: nothing is looked up while nothing is recorded.
+        if self.is_recording {
+            self.record_uniform(location, numbers);
+        }
+    }
+
+    fn record_uniform(&mut self, location: Option<&glow::UniformLocation>, numbers: Option<&[i32]>) {
+        let program = self.program.and_then(|program| self.programs.get_mut(&program));
+        let (Some(program), Some(location)) = (program, location) else { return };
+        let name = program.looked_up.iter().find(|(known, _)| known == location);
+        if let Some(name) = name.map(|(_, name)| base_name(name).to_owned()) {
+            program.sent.insert(name, numbers.map(<[i32]>::to_vec));
+        }
     }
 }
 
@@ -187,8 +461,8 @@ impl TextureState {
 pub struct BufferState {
     /// Number and label.
     pub label: Label,
-    /// Bytes.
-    pub bytes: u64,
+    /// What it contains.
+    pub contents: SharedContents,
 }
 
 /// A vertex array.
@@ -200,15 +474,29 @@ pub struct ArrayState {
     pub attributes: HashMap<u32, AttributeState>,
     /// What is bound to `GL_ELEMENT_ARRAY_BUFFER`.
     pub index_buffer: Option<glow::Buffer>,
+    /// What that buffer contains.
+    pub indices: Option<SharedContents>,
+    /// How many vertices the enabled arrays have, and how often buffers had been filled when they were counted.
+    pub limits: Option<(u64, Limits)>,
+}
+
+impl ArrayState {
+    /// An attribute, to be changed.
+    pub fn attribute(&mut self, index: u32) -> &mut AttributeState {
+        self.limits = None;
+        self.attributes.entry(index).or_default()
+    }
 }
 
 /// An attribute of a vertex array.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Default)]
 pub struct AttributeState {
     /// Whether it is read from its buffer.
     pub enabled: bool,
     /// The buffer that was bound when it was described.
     pub buffer: Option<glow::Buffer>,
+    /// What that buffer contains.
+    contents: Option<SharedContents>,
     /// Numbers for each vertex; 0 where it was not described.
     pub components: u32,
     /// `GL_FLOAT`, ...
@@ -221,6 +509,19 @@ pub struct AttributeState {
     pub offset: u32,
     /// As given.
     pub divisor: u32,
+}
+
+impl AttributeState {
+    fn as_enabled_array(&self) -> EnabledArray<'_> {
+        EnabledArray {
+            contents: self.contents.as_ref(),
+            components: self.components,
+            component_type: self.component_type,
+            stride: self.stride,
+            offset: self.offset,
+            divisor: self.divisor,
+        }
+    }
 }
 
 /// A framebuffer.

@@ -8,7 +8,6 @@ use crate::program::Program;
 use crate::target::OutputTarget;
 use crate::{Gl, GlError};
 use glam::Vec2;
-use glow::HasContext;
 
 /// One triangle over the whole picture.
 const VERTEX: &str = "void main() {
@@ -23,7 +22,7 @@ const FRAGMENT: &str = include_str!("../../shaders/thumbnail.frag");
 pub fn fill(gl: &Gl, record: &mut FrameRecord) -> Result<(), GlError> {
     let mut painter = Painter { gl, array: VertexArray::bound(gl, "thumbnails")?, programs: [None, None] };
     for texture in &mut record.textures {
-        let found = gl.mirror().with(|state| {
+        let found = gl.with_state(|state| {
             state
                 .textures
                 .iter()
@@ -34,11 +33,8 @@ pub fn fill(gl: &Gl, record: &mut FrameRecord) -> Result<(), GlError> {
             texture.thumbnail = Some(painter.paint(handle, kind, texture)?);
         }
     }
-    // SAFETY: unbinding has no precondition.
-    unsafe {
-        gl.bind_vertex_array(None);
-        gl.use_program(None);
-    }
+    gl.bind_vertex_array(None);
+    gl.use_program(None);
     Ok(())
 }
 
@@ -82,25 +78,22 @@ impl Painter<'_> {
         program.set_i32("signed_halves", (texture.content == Content::SignedHalves).into());
         program.set_i32("encodes", is_linear(texture).into());
         program.set_i32("opaque", (texture.content == Content::Plain && texture.format.ends_with('F')).into());
-        // SAFETY: the triangle's vertices come from gl_VertexID alone; the texture is of this kind, and has texels.
-        unsafe {
-            gl.viewport(0, 0, size[0] as i32, size[1] as i32);
-            gl.disable(glow::DEPTH_TEST);
-            gl.disable(glow::BLEND);
-            gl.disable(glow::CULL_FACE);
-            gl.disable(glow::SCISSOR_TEST);
-            gl.active_texture(glow::TEXTURE0);
-            gl.bind_texture(kind.target(), Some(handle));
-            let filter = gl.get_tex_parameter_i32(kind.target(), glow::TEXTURE_MIN_FILTER);
-            if texture.levels.len() == 1 {
-                // It may lack the mipmaps that its filter wants, and would be black.
-                gl.tex_parameter_i32(kind.target(), glow::TEXTURE_MIN_FILTER, glow::NEAREST as i32);
-            }
-            gl.bind_vertex_array(Some(self.array.handle()));
-            gl.draw_arrays(glow::TRIANGLES, 0, 3);
-            gl.tex_parameter_i32(kind.target(), glow::TEXTURE_MIN_FILTER, filter);
-            gl.bind_texture(kind.target(), None);
+        gl.viewport(0, 0, size[0] as i32, size[1] as i32);
+        gl.disable(glow::DEPTH_TEST);
+        gl.disable(glow::BLEND);
+        gl.disable(glow::CULL_FACE);
+        gl.disable(glow::SCISSOR_TEST);
+        gl.active_texture(glow::TEXTURE0);
+        gl.bind_texture(kind.target(), Some(handle));
+        let filter = gl.get_tex_parameter_i32(kind.target(), glow::TEXTURE_MIN_FILTER);
+        if texture.levels.len() == 1 {
+            // It may lack the mipmaps that its filter wants, and would be black.
+            gl.tex_parameter_i32(kind.target(), glow::TEXTURE_MIN_FILTER, glow::NEAREST as i32);
         }
+        gl.bind_vertex_array(Some(self.array.handle()));
+        gl.draw_arrays(glow::TRIANGLES, 0, 3);
+        gl.tex_parameter_i32(kind.target(), glow::TEXTURE_MIN_FILTER, filter);
+        gl.bind_texture(kind.target(), None);
         Ok(Thumbnail { width: size[0], height: size[1], rgba: output.read8(gl) })
     }
 }

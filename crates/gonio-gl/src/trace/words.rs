@@ -159,6 +159,7 @@ pub fn component_bytes(code: u32) -> u32 {
     match code {
         glow::BYTE | glow::UNSIGNED_BYTE => 1,
         glow::SHORT | glow::UNSIGNED_SHORT | glow::HALF_FLOAT => 2,
+        glow::DOUBLE => 8,
         _ => 4,
     }
 }

@@ -89,7 +89,7 @@ fn fits(source: &Source, highest: u32) -> Result<(), Refusal> {
         ));
     };
     let held = buffer.borrow().bytes.len() as u64;
-    let each = pointer.size.max(0) as u64 * u64::from(number_bytes(pointer.kind.value));
+    let each = pointer.size.max(0) as u64 * u64::from(words::component_bytes(pointer.kind.value));
     let stride = if pointer.stride == 0 { each } else { pointer.stride.max(0) as u64 };
     let end = pointer.offset.max(0) as u64 + stride * u64::from(highest) + each;
     if end > held {
@@ -103,11 +103,6 @@ fn fits(source: &Source, highest: u32) -> Result<(), Refusal> {
         ));
     }
     Ok(())
-}
-
-/// Bytes of one number of an attribute.
-fn number_bytes(kind: u32) -> u32 {
-    if kind == glow::DOUBLE { 8 } else { words::component_bytes(kind) }
 }
 
 /// The highest vertex that is read; `None` where none is.

@@ -19,9 +19,8 @@ pub use errors::CallError;
 pub use files::{GlProgramFiles, GlProgramImage, MOST_TEXELS};
 pub use guard::MOST_VERTICES;
 
-use crate::renderer::saved_state::SavedState;
 use crate::user_program::BrokenProgram;
-use glow::HasContext;
+use gonio_gl::SavedState;
 use gonio_gl::target::OutputTarget;
 use gonio_gl::trace::{Finding, FrameRecord, Recording, lint};
 use gonio_gl::{Gl, GlError};
@@ -128,7 +127,7 @@ pub fn run(
     options: GlProgramOptions,
 ) -> Result<GlProgramRun, GlProgramFailure> {
     let size = options.size.map(|side| side.clamp(1, MOST_TEXELS));
-    let _saved = SavedState::of(gl);
+    let _saved = SavedState::save(gl);
     let _emptied = EmptyUnits { gl };
     // Made by the other `Gl`: the host program draws into what it takes for its window.
     let mut window = OutputTarget::new(gl, size.map(|side| side as i32), options.float)?;
@@ -185,31 +184,28 @@ fn merge(record: &mut FrameRecord, runner: &Runner<'_>, steps: &[Step]) -> Vec<C
 
 /// All state that a host program can see, as a new context has it.
 fn begin_anew(gl: &Gl, size: [i32; 2]) {
-    // SAFETY: plain state; the framebuffer is complete. Attributes from 0 to 15 exist everywhere.
-    unsafe {
-        for switch in [glow::DEPTH_TEST, glow::CULL_FACE, glow::BLEND, glow::SCISSOR_TEST, glow::STENCIL_TEST] {
-            gl.disable(switch);
-        }
-        gl.scissor(0, 0, size[0], size[1]);
-        gl.blend_func(glow::ONE, glow::ZERO);
-        gl.blend_equation(glow::FUNC_ADD);
-        gl.depth_func(glow::LESS);
-        gl.depth_mask(true);
-        gl.color_mask(true, true, true, true);
-        gl.cull_face(glow::BACK);
-        gl.front_face(glow::CCW);
-        gl.bind_vertex_array(None);
-        gl.bind_buffer(glow::ARRAY_BUFFER, None);
-        for location in 0..ATTRIBUTES {
-            gl.functions().vertex_attrib_4_f32(location, 0.0, 0.0, 0.0, 1.0);
-        }
-        gl.active_texture(glow::TEXTURE0);
-        gl.clear_color(0.0, 0.0, 0.0, 1.0);
-        gl.clear(glow::COLOR_BUFFER_BIT);
-        gl.clear_color(0.0, 0.0, 0.0, 0.0);
-        // What was wrong before is not the host program's. (A lost context gives errors without end.)
-        (0..MOST_ERRORS).find(|_| gl.get_error() == glow::NO_ERROR);
+    for switch in [glow::DEPTH_TEST, glow::CULL_FACE, glow::BLEND, glow::SCISSOR_TEST, glow::STENCIL_TEST] {
+        gl.disable(switch);
     }
+    gl.scissor(0, 0, size[0], size[1]);
+    gl.blend_func(glow::ONE, glow::ZERO);
+    gl.blend_equation(glow::FUNC_ADD);
+    gl.depth_func(glow::LESS);
+    gl.depth_mask(true);
+    gl.color_mask(true, true, true, true);
+    gl.cull_face(glow::BACK);
+    gl.front_face(glow::CCW);
+    gl.bind_vertex_array(None);
+    gl.bind_buffer(glow::ARRAY_BUFFER, None);
+    for location in 0..ATTRIBUTES {
+        gl.vertex_attrib_4_f32(location, 0.0, 0.0, 0.0, 1.0);
+    }
+    gl.active_texture(glow::TEXTURE0);
+    gl.clear_color(0.0, 0.0, 0.0, 1.0);
+    gl.clear(glow::COLOR_BUFFER_BIT);
+    gl.clear_color(0.0, 0.0, 0.0, 0.0);
+    // What was wrong before is not the host program's. (A lost context gives errors without end.)
+    (0..MOST_ERRORS).find(|_| gl.get_error() == glow::NO_ERROR);
 }
 
 /// Empties units when it is dropped: what the host program bound there is gone, and its `Gl` with it.
@@ -220,15 +216,11 @@ struct EmptyUnits<'a> {
 impl Drop for EmptyUnits<'_> {
     fn drop(&mut self) {
         let gl = self.gl;
-        // SAFETY: unbinding has no precondition; every OpenGL has so many units over all stages.
-        unsafe {
-            for unit in (0..UNITS).rev() {
-                gl.active_texture(glow::TEXTURE0 + unit);
-                gl.bind_texture(glow::TEXTURE_2D, None);
-                gl.bind_texture(glow::TEXTURE_CUBE_MAP, None);
-            }
-            gl.bind_buffer(glow::ARRAY_BUFFER, None);
-            gl.pixel_store_i32(glow::UNPACK_ALIGNMENT, 4);
+        for unit in (0..UNITS).rev() {
+            gl.active_texture(glow::TEXTURE0 + unit);
+            gl.bind_texture(glow::TEXTURE_2D, None);
+            gl.bind_texture(glow::TEXTURE_CUBE_MAP, None);
         }
+        gl.bind_buffer(glow::ARRAY_BUFFER, None);
     }
 }

@@ -8,10 +8,9 @@ use super::guard::{self, Asked, Refusal};
 use super::program::LinkedShaders;
 use super::state::{BufferWithBytes, ProgramState, Source};
 use super::{GlProgramFailure, MOST_BUFFER_BYTES, MOST_TEXEL_BYTES};
-use glow::{HasContext, PixelUnpackData};
 use gonio_gl::objects::{Buffer, TextureObject, VertexArray};
 use gonio_gl::trace::words;
-use gonio_gl::{Gl, GlError};
+use gonio_gl::{Gl, GlError, Texels};
 use std::cell::RefCell;
 use std::rc::Rc;
 
@@ -118,18 +117,17 @@ impl<'a> Runner<'a> {
         Ok(())
     }
 
-    /// Makes a call past the record first, and a second time noted where OpenGL took it: a record has no call that was
-    /// refused. (All of these calls do the same when they are made twice.)
-    fn attempt(&self, call: &Call, plain: impl FnOnce(&glow::Context), noted: impl FnOnce(&Gl)) -> Refused {
-        plain(self.gl.functions());
-        // SAFETY: reads and clears a flag.
-        let code = unsafe { self.gl.functions().get_error() };
-        if code == glow::NO_ERROR {
-            noted(&self.gl);
-            return Ok(());
+    /// Makes a call, and gives OpenGL's error if it refuses it. The [`Gl`] is apart, so a call that was refused is not in
+    /// the record.
+    fn attempt(&self, call: &Call, make: impl FnOnce(&Gl)) -> Refused {
+        make(&self.gl);
+        match self.gl.get_error() {
+            glow::NO_ERROR => Ok(()),
+            error => {
+                let code = error_name(error);
+                Err(Refusal::new(code, why(call, code)))
+            }
         }
-        let code = word_of(code);
-        Err(Refusal::new(code, why(call, code)))
     }
 
     /// A call that neither makes an object nor draws.
@@ -177,8 +175,7 @@ impl<'a> Runner<'a> {
         if number != 0 && object.is_none() {
             return Err(Refusal::new("INVALID_OPERATION", format!("there is no vertex array of number {number}")));
         }
-        // SAFETY: the array is this context's.
-        unsafe { self.gl.bind_vertex_array(object.map(VertexArray::handle)) };
+        self.gl.bind_vertex_array(object.map(VertexArray::handle));
         self.state.array = number;
         Ok(())
     }
@@ -190,10 +187,7 @@ impl<'a> Runner<'a> {
             return Err(Refusal::new("INVALID_OPERATION", format!("there is no buffer of number {number}")));
         }
         let handle = found.as_ref().map(|buffer| buffer.borrow().object.handle());
-        // SAFETY: the buffer is this context's; a target that is none is refused.
-        let bind = |gl: &glow::Context| unsafe { gl.bind_buffer(target.value, handle) };
-        // SAFETY: the same.
-        self.attempt(call, bind, |gl| unsafe { gl.bind_buffer(target.value, handle) })?;
+        self.attempt(call, |gl| gl.bind_buffer(target.value, handle))?;
         match target.value {
             glow::ARRAY_BUFFER => self.state.array_buffer = found.map(|_| number),
             glow::ELEMENT_ARRAY_BUFFER => self.state.view().indices = found,
@@ -217,11 +211,7 @@ impl<'a> Runner<'a> {
             let most = MOST_BUFFER_BYTES >> 20;
             return Err(Refusal::new("OUT_OF_MEMORY", format!("gonio keeps at most {most} MB of buffers")));
         }
-        // SAFETY: a buffer is bound; its storage is copied from the slice. A usage that is none is refused.
-        let fill = |gl: &glow::Context| unsafe { gl.buffer_data_u8_slice(target.value, &bytes, usage.value) };
-        // SAFETY: the same.
-        let noted = |gl: &Gl| unsafe { gl.buffer_data_u8_slice(target.value, &bytes, usage.value) };
-        self.attempt(call, fill, noted)?;
+        self.attempt(call, |gl| gl.buffer_data(target.value, &bytes, usage.value))?;
         buffer.borrow_mut().bytes = bytes;
         Ok(())
     }
@@ -257,28 +247,19 @@ impl<'a> Runner<'a> {
             ));
         }
         let Pointer { size, kind, normalized, stride, offset, .. } = *pointer;
-        // SAFETY: a vertex array is bound; what reaches beyond the buffer is found before a draw reads it.
-        let tell = |gl: &glow::Context| unsafe {
+        self.attempt(call, |gl| {
             gl.vertex_attrib_pointer_f32(location, size, kind.value, normalized, stride, offset);
-        };
-        // SAFETY: the same.
-        let noted = |gl: &Gl| unsafe {
-            gl.vertex_attrib_pointer_f32(location, size, kind.value, normalized, stride, offset);
-        };
-        self.attempt(call, tell, noted)?;
+        })?;
         self.state.view().sources.insert(location, Source { pointer: pointer.clone(), buffer });
         Ok(())
     }
 
     fn switch_attribute(&mut self, attribute: &str, on: bool) -> Refused {
         let location = self.location(attribute)?;
-        // SAFETY: the location is one that OpenGL has given; draws check what enabled arrays reach.
-        unsafe {
-            if on {
-                self.gl.enable_vertex_attrib_array(location)
-            } else {
-                self.gl.disable_vertex_attrib_array(location)
-            }
+        if on {
+            self.gl.enable_vertex_attrib_array(location)
+        } else {
+            self.gl.disable_vertex_attrib_array(location)
         }
         let enabled = &mut self.state.view().enabled;
         if on {
@@ -294,10 +275,7 @@ impl<'a> Runner<'a> {
             Selector::Constant(constant) => constant.value,
             Selector::Number(number) => self.state.value(number) as u32,
         };
-        // SAFETY: what is no unit is refused.
-        let activate = |gl: &glow::Context| unsafe { gl.active_texture(value) };
-        // SAFETY: the same.
-        self.attempt(call, activate, |gl| unsafe { gl.active_texture(value) })?;
+        self.attempt(call, |gl| gl.active_texture(value))?;
         self.state.unit = value.wrapping_sub(glow::TEXTURE0);
         Ok(())
     }
@@ -308,10 +286,7 @@ impl<'a> Runner<'a> {
         if number != 0 && handle.is_none() {
             return Err(Refusal::new("INVALID_OPERATION", format!("there is no texture of number {number}")));
         }
-        // SAFETY: the texture is this context's; a target that is none, or not its own, is refused.
-        let bind = |gl: &glow::Context| unsafe { gl.bind_texture(target.value, handle) };
-        // SAFETY: the same.
-        self.attempt(call, bind, |gl| unsafe { gl.bind_texture(target.value, handle) })?;
+        self.attempt(call, |gl| gl.bind_texture(target.value, handle))?;
         self.state.bound.insert((self.state.unit, target.value), number);
         Ok(())
     }
@@ -347,28 +322,16 @@ impl<'a> Runner<'a> {
             glow::RG8 | glow::RG => (2, glow::RG),
             glow::RGBA8 | glow::RGBA | glow::SRGB8_ALPHA8 => (4, glow::RGBA),
             // OpenGL ES makes no mipmaps of SRGB8.
-            glow::SRGB8 if self.gl.version().is_embedded => (4, glow::RGBA),
+            glow::SRGB8 if self.gl.is_embedded() => (4, glow::RGBA),
             _ => (3, glow::RGB),
         };
         let format = match format.value {
             glow::SRGB8 if channels == 4 => glow::SRGB8_ALPHA8,
             other => other,
-        } as i32;
+        };
         let texels = image.texels(channels);
-        let (width, height) = (width as i32, height as i32);
-        // SAFETY: the slice has width * height texels of as many bytes as the transfer format says, without gaps
-        // between rows; no buffer is bound to be unpacked from. What cannot be is refused.
-        let fill = |gl: &glow::Context| unsafe {
-            gl.pixel_store_i32(glow::UNPACK_ALIGNMENT, 1);
-            let (kind, texels) = (glow::UNSIGNED_BYTE, PixelUnpackData::Slice(Some(&texels)));
-            gl.tex_image_2d(target.value, level, format, width, height, 0, transfer, kind, texels);
-        };
-        // SAFETY: the same.
-        let noted = |gl: &Gl| unsafe {
-            let (kind, texels) = (glow::UNSIGNED_BYTE, PixelUnpackData::Slice(Some(&texels)));
-            gl.tex_image_2d(target.value, level, format, width, height, 0, transfer, kind, texels);
-        };
-        self.attempt(call, fill, noted)
+        let size = [width as i32, height as i32];
+        self.attempt(call, |gl| gl.tex_image_2d(target.value, level, format, size, Texels::u8(transfer, &texels)))
     }
 
     fn parameter(&mut self, call: &Call, target: Constant, parameter: Constant, value: &Selector) -> Refused {
@@ -377,17 +340,12 @@ impl<'a> Runner<'a> {
             Selector::Constant(constant) => constant.value as i32,
             Selector::Number(number) => self.state.value(number),
         };
-        // SAFETY: plain state of a texture; what cannot be is refused.
-        let set = |gl: &glow::Context| unsafe { gl.tex_parameter_i32(target.value, parameter.value, value) };
-        self.attempt(call, set, |_| ())
+        self.attempt(call, |gl| gl.tex_parameter_i32(target.value, parameter.value, value))
     }
 
     fn mipmap(&mut self, call: &Call, target: Constant) -> Refused {
         self.something_bound(target)?;
-        // SAFETY: a texture is bound; what cannot be is refused.
-        let make = |gl: &glow::Context| unsafe { gl.generate_mipmap(target.value) };
-        // SAFETY: the same.
-        self.attempt(call, make, |gl| unsafe { gl.generate_mipmap(target.value) })
+        self.attempt(call, |gl| gl.generate_mipmap(target.value))
     }
 
     fn use_program(&mut self, program: &Number) -> Refused {
@@ -396,8 +354,7 @@ impl<'a> Runner<'a> {
         if number != 0 && found.is_none() {
             return Err(Refusal::new("INVALID_VALUE", format!("there is no program of number {number}")));
         }
-        // SAFETY: linked, and of this context.
-        unsafe { self.gl.use_program(found.as_ref().map(|program| program.handle)) };
+        self.gl.use_program(found.as_ref().map(|program| program.handle));
         self.state.used = found;
         Ok(())
     }
@@ -419,54 +376,31 @@ impl<'a> Runner<'a> {
         match given {
             UniformArgument::Whole(number) => {
                 let value = self.state.value(number);
-                // SAFETY: the location is of the program in use; a type or unit that does not fit is refused.
-                let set = |gl: &glow::Context| unsafe { gl.uniform_1_i32(at, value) };
-                // SAFETY: the same.
-                self.attempt(call, set, |gl| unsafe { gl.uniform_1_i32(at, value) })
+                self.attempt(call, |gl| gl.uniform_1_i32(at, value))
             }
             UniformArgument::Floats(numbers) => {
                 let n = |i: usize| numbers.get(i).copied().unwrap_or(0.0);
-                // SAFETY: as above.
-                let set = |gl: &glow::Context| unsafe {
-                    match numbers.len() {
-                        0 | 1 => gl.uniform_1_f32(at, n(0)),
-                        2 => gl.uniform_2_f32(at, n(0), n(1)),
-                        3 => gl.uniform_3_f32(at, n(0), n(1), n(2)),
-                        _ => gl.uniform_4_f32(at, n(0), n(1), n(2), n(3)),
-                    }
-                };
-                // SAFETY: the same.
-                let noted = |gl: &Gl| unsafe {
-                    match numbers.len() {
-                        0 | 1 => gl.uniform_1_f32(at, n(0)),
-                        2 => gl.uniform_2_f32(at, n(0), n(1)),
-                        3 => gl.uniform_3_f32(at, n(0), n(1), n(2)),
-                        _ => gl.uniform_4_f32(at, n(0), n(1), n(2), n(3)),
-                    }
-                };
-                self.attempt(call, set, noted)
+                self.attempt(call, |gl| match numbers.len() {
+                    0 | 1 => gl.uniform_1_f32(at, n(0)),
+                    2 => gl.uniform_2_f32(at, n(0), n(1)),
+                    3 => gl.uniform_3_f32(at, n(0), n(1), n(2)),
+                    _ => gl.uniform_4_f32(at, n(0), n(1), n(2), n(3)),
+                })
             }
         }
     }
 
     fn fixed_function(&mut self, call: &Call) -> Refused {
-        // SAFETY: plain state; what cannot be is refused. The framebuffer that is cleared is complete.
-        let change = |gl: &glow::Context| unsafe {
-            match call {
-                Call::Viewport([x, y, width, height]) => gl.viewport(*x, *y, *width, *height),
-                Call::Switch { what, on: true } => gl.enable(what.value),
-                Call::Switch { what, on: false } => gl.disable(what.value),
-                Call::ClearColor([r, g, b, a]) => gl.clear_color(*r, *g, *b, *a),
-                _ => {}
-            }
-        };
-        self.attempt(call, change, |_| ())?;
+        self.attempt(call, |gl| match call {
+            Call::Viewport([x, y, width, height]) => gl.viewport(*x, *y, *width, *height),
+            Call::Switch { what, on: true } => gl.enable(what.value),
+            Call::Switch { what, on: false } => gl.disable(what.value),
+            Call::ClearColor([r, g, b, a]) => gl.clear_color(*r, *g, *b, *a),
+            _ => {}
+        })?;
         if let Call::Clear(bits) = call {
             let mask = bits.iter().fold(0, |mask, bit| mask | bit.value);
-            // SAFETY: the framebuffer is complete; other bits than OpenGL's are refused.
-            let clear = |gl: &glow::Context| unsafe { gl.clear(mask) };
-            // SAFETY: the same.
-            self.attempt(call, clear, |gl| unsafe { gl.clear(mask) })?;
+            self.attempt(call, |gl| gl.clear(mask))?;
         }
         Ok(())
     }
@@ -489,23 +423,19 @@ impl<'a> Runner<'a> {
                 self.note(step, refusal);
             }
             Ok(hidden) => {
-                // SAFETY: a program is in use and a vertex array bound; all that the draw reads was found to lie within
-                // its buffers, and arrays that nobody reads and that do not are off meanwhile.
-                unsafe {
-                    hidden.iter().for_each(|location| gl.functions().disable_vertex_attrib_array(*location));
-                    match asked.index_type {
-                        None => gl.draw_arrays(asked.mode, asked.first, asked.count),
-                        Some(kind) => gl.draw_elements(asked.mode, asked.count, kind, asked.first),
-                    }
-                    hidden.iter().for_each(|location| gl.functions().enable_vertex_attrib_array(*location));
+                hidden.iter().for_each(|location| gl.disable_vertex_attrib_array(*location));
+                match asked.index_type {
+                    None => gl.draw_arrays(asked.mode, asked.first, asked.count),
+                    Some(kind) => gl.draw_elements(asked.mode, asked.count, kind, asked.first),
                 }
+                hidden.iter().for_each(|location| gl.enable_vertex_attrib_array(*location));
             }
         }
     }
 }
 
-/// OpenGL's word for an error.
-fn word_of(code: u32) -> &'static str {
+/// OpenGL's name of an error.
+fn error_name(code: u32) -> &'static str {
     match code {
         glow::INVALID_ENUM => "INVALID_ENUM",
         glow::INVALID_VALUE => "INVALID_VALUE",

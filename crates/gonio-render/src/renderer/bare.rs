@@ -2,7 +2,6 @@
 
 use super::Renderer;
 use crate::scene_on_gpu::{GpuScene, wants_unshared};
-use glow::HasContext;
 use gonio_gl::GlError;
 
 impl Renderer {
@@ -26,28 +25,20 @@ impl Renderer {
         geometry.as_ref().ok_or_else(wrong)?.bind(gl);
         let first = run.first_triangle * 3 * size_of::<u32>();
         let count = run.triangle_count * 3;
-        // SAFETY: plain state.
-        unsafe {
-            if object.object.closed {
-                gl.enable(glow::CULL_FACE);
-                gl.cull_face(glow::BACK);
-            }
-            gl.front_face(if object.mirrored { glow::CW } else { glow::CCW });
+        if object.object.closed {
+            gl.enable(glow::CULL_FACE);
+            gl.cull_face(glow::BACK);
         }
+        gl.front_face(if object.mirrored { glow::CW } else { glow::CCW });
         for _ in 0..frames {
             target.begin(gl, 0, target.size[1]);
-            // SAFETY: as in `render`: the run lies within the buffers that are bound.
-            unsafe { gl.draw_elements(glow::TRIANGLES, count as i32, glow::UNSIGNED_INT, first as i32) };
+            gl.draw_elements(glow::TRIANGLES, count as i32, glow::UNSIGNED_INT, first as i32);
             target.resolve(gl);
-            // SAFETY: waits for the commands above; no precondition.
-            unsafe { gl.finish() };
+            gl.finish();
         }
-        // SAFETY: plain state, put back.
-        unsafe {
-            gl.disable(glow::CULL_FACE);
-            gl.front_face(glow::CCW);
-            gl.bind_vertex_array(None);
-        }
+        gl.disable(glow::CULL_FACE);
+        gl.front_face(glow::CCW);
+        gl.bind_vertex_array(None);
         self.shared.check_error("the bare loop")
     }
 }

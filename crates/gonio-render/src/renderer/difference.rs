@@ -1,11 +1,10 @@
 //! Where two finished pictures differ, drawn on the GPU.
 
 use super::Renderer;
-use super::saved_state::SavedState;
 use crate::display_texture::DisplayTexture;
 use crate::glsl::difference_sources;
-use glow::HasContext;
 use gonio_gl::GlError;
+use gonio_gl::SavedState;
 use gonio_gl::objects::DebugGroup;
 use gonio_gl::program::Program;
 use std::rc::Rc;
@@ -36,7 +35,7 @@ impl Renderer {
         }
         let shared = self.shared.clone();
         let gl = &shared.gl;
-        let _state = SavedState::of(gl);
+        let _state = SavedState::save(gl);
         let _group = DebugGroup::new(gl, "difference");
         map.fit(first.size())?;
         let known = shared.difference.borrow().clone();
@@ -55,21 +54,17 @@ impl Renderer {
         program.set_f32("full_scale", scale.full_scale.max(1e-3) as f32);
         program.set_i32("is_signed", i32::from(scale.signed));
         map.output().bind(gl);
-        // SAFETY: the textures are the canvases', which are alive; the triangle's corners come from gl_VertexID alone, and
-        // the units exist (16 are guaranteed).
-        unsafe {
-            gl.disable(glow::DEPTH_TEST);
-            gl.disable(glow::BLEND);
-            gl.disable(glow::CULL_FACE);
-            gl.disable(glow::SCISSOR_TEST);
-            for (unit, canvas) in [(1, second), (0, first)] {
-                gl.active_texture(glow::TEXTURE0 + unit);
-                gl.bind_texture(glow::TEXTURE_2D, Some(canvas.texture()));
-            }
-            gl.bind_vertex_array(Some(shared.no_attributes.handle()));
-            gl.draw_arrays(glow::TRIANGLES, 0, 3);
-            gl.bind_vertex_array(None);
+        gl.disable(glow::DEPTH_TEST);
+        gl.disable(glow::BLEND);
+        gl.disable(glow::CULL_FACE);
+        gl.disable(glow::SCISSOR_TEST);
+        for (unit, canvas) in [(1, second), (0, first)] {
+            gl.active_texture(glow::TEXTURE0 + unit);
+            gl.bind_texture(glow::TEXTURE_2D, Some(canvas.texture()));
         }
+        gl.bind_vertex_array(Some(shared.no_attributes.handle()));
+        gl.draw_arrays(glow::TRIANGLES, 0, 3);
+        gl.bind_vertex_array(None);
         Ok(())
     }
 }

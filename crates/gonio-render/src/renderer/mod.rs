@@ -12,7 +12,6 @@ mod pass;
 mod pixel;
 mod record;
 mod sampling;
-pub(crate) mod saved_state;
 mod shared;
 mod special;
 mod surroundings;
@@ -29,7 +28,6 @@ use crate::gpu_cache::GpuCache;
 use crate::light_table::LightTable;
 use crate::scene_on_gpu::{GpuObject, GpuScene, Run};
 use crate::textures;
-use glow::HasContext;
 use gonio_gl::Dialect;
 use gonio_gl::DriverInfo;
 use gonio_gl::objects::{DebugGroup, TextureObject, VertexArray};
@@ -58,7 +56,7 @@ pub struct Renderer {
 impl Renderer {
     /// For a current context.
     pub fn new(gl: Gl) -> Result<Self, GlError> {
-        let info = DriverInfo::of(&gl);
+        let info = DriverInfo::new(&gl);
         let light_table = LightTable::new(&gl)?;
         let white = textures::white(&gl)?;
         let no_attributes = VertexArray::bound(&gl, "no attributes")?;
@@ -116,8 +114,7 @@ impl Renderer {
         };
         let statistics = queries.end(gl, draw_calls);
         target.resolve(gl);
-        // SAFETY: waits for the commands above; no precondition.
-        unsafe { gl.finish() };
+        gl.finish();
         shared.check_error("drawing the scene")?;
         let look = Look::new(view, frame);
         Ok(Drawn { shared, target, look, statistics: statistics.read(), notes })
@@ -182,16 +179,12 @@ impl Renderer {
     ) -> Result<u32, GlError> {
         let shared = self.shared.clone();
         let gl = &shared.gl;
-        // SAFETY: plain state; the unit exists (16 are guaranteed).
-        unsafe { gl.active_texture(glow::TEXTURE0 + texture_unit("light_table")) };
+        gl.active_texture(glow::TEXTURE0 + texture_unit("light_table"));
         self.light_table.fill(gl, &frame.lights);
         target.begin(gl, first_row, frame.height as i32);
-        // SAFETY: plain state.
-        unsafe {
-            gl.enable(glow::DEPTH_TEST);
-            gl.depth_func(glow::LESS);
-            gl.disable(glow::BLEND);
-        }
+        gl.enable(glow::DEPTH_TEST);
+        gl.depth_func(glow::LESS);
+        gl.disable(glow::BLEND);
         let mut pass = Pass {
             shared: &shared,
             scene,
@@ -223,31 +216,22 @@ impl Renderer {
         }
         if !transparent.is_empty() {
             let _group = DebugGroup::new(gl, "transparent, back to front");
-            // SAFETY: plain state; colours are premultiplied.
-            unsafe {
-                // A debug view shows the nearest surface as if it were opaque.
-                if !pass.is_view() {
-                    gl.enable(glow::BLEND);
-                    gl.blend_func(glow::ONE, glow::ONE_MINUS_SRC_ALPHA);
-                    gl.depth_mask(false);
-                }
+            // A debug view shows the nearest surface as if it were opaque.
+            if !pass.is_view() {
+                gl.enable(glow::BLEND);
+                gl.blend_func(glow::ONE, glow::ONE_MINUS_SRC_ALPHA);
+                gl.depth_mask(false);
             }
             for draw in &transparent {
                 pass.draw(draw)?;
                 draw_calls += 1;
             }
-            // SAFETY: plain state, put back.
-            unsafe {
-                gl.disable(glow::BLEND);
-                gl.depth_mask(true);
-            }
+            gl.disable(glow::BLEND);
+            gl.depth_mask(true);
         }
-        // SAFETY: plain state, put back.
-        unsafe {
-            gl.disable(glow::CULL_FACE);
-            gl.front_face(glow::CCW);
-            gl.bind_vertex_array(None);
-        }
+        gl.disable(glow::CULL_FACE);
+        gl.front_face(glow::CCW);
+        gl.bind_vertex_array(None);
         Ok(draw_calls)
     }
 }

@@ -3,7 +3,6 @@
 use super::shared::Shared;
 use crate::glsl::{Display, OutputKey};
 use glam::{DVec3, Vec2};
-use glow::HasContext;
 use gonio_gl::GlError;
 use gonio_gl::objects::DebugGroup;
 use gonio_gl::program::Program;
@@ -113,8 +112,7 @@ impl Shared {
             DisplayMap::Light(transform) => program.set_f32("exposure", transform.exposure as f32),
         }
         output.bind(gl);
-        // SAFETY: plain state. The viewport keeps the triangle within the band.
-        unsafe { gl.viewport(0, band.picture_height - band.first_row - band.rows, target.size[0], band.rows) };
+        gl.viewport(0, band.picture_height - band.first_row - band.rows, target.size[0], band.rows);
         self.draw_over_all(target);
         Ok(())
     }
@@ -128,17 +126,14 @@ impl Shared {
     /// Draws one triangle over the whole viewport, by the bound program, with a target's pixels on unit 0.
     pub(super) fn draw_over_all(&self, target: &Target) {
         let gl = &self.gl;
-        // SAFETY: the triangle's vertices come from gl_VertexID alone; the texture is the target's.
-        unsafe {
-            gl.disable(glow::DEPTH_TEST);
-            gl.disable(glow::BLEND);
-            gl.disable(glow::CULL_FACE);
-            gl.active_texture(glow::TEXTURE0);
-            target.bind_linear(gl);
-            gl.bind_vertex_array(Some(self.no_attributes.handle()));
-            gl.draw_arrays(glow::TRIANGLES, 0, 3);
-            gl.bind_vertex_array(None);
-        }
+        gl.disable(glow::DEPTH_TEST);
+        gl.disable(glow::BLEND);
+        gl.disable(glow::CULL_FACE);
+        gl.active_texture(glow::TEXTURE0);
+        target.bind_linear(gl);
+        gl.bind_vertex_array(Some(self.no_attributes.handle()));
+        gl.draw_arrays(glow::TRIANGLES, 0, 3);
+        gl.bind_vertex_array(None);
     }
 }
 

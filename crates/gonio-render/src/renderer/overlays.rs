@@ -11,7 +11,6 @@ use crate::glsl::SpecialProgram;
 use crate::gpu_cache::GpuCache;
 use crate::scene_on_gpu::{GpuObject, GpuScene, wants_unshared};
 use glam::{DMat4, DVec3, Mat3, Mat4, Vec2};
-use glow::HasContext;
 use gonio_gl::GlError;
 use gonio_gl::objects::DebugGroup;
 use gonio_gl::program::Program;
@@ -50,25 +49,19 @@ impl Shared {
         canvas.begin_overlays()?;
         // The canvas' first row is the picture's top.
         let clip_from_world = DMat4::from_scale(DVec3::new(1.0, -1.0, 1.0)) * clip_from_world(frame);
-        // SAFETY: plain state. Surfaces are pushed back a little, so that lines on them are in front of them.
-        unsafe {
-            gl.enable(glow::DEPTH_TEST);
-            gl.depth_func(glow::LEQUAL);
-            gl.disable(glow::BLEND);
-            gl.color_mask(false, false, false, false);
-            gl.enable(glow::POLYGON_OFFSET_FILL);
-            gl.polygon_offset(1.0, 2.0);
-        }
+        gl.enable(glow::DEPTH_TEST);
+        gl.depth_func(glow::LEQUAL);
+        gl.disable(glow::BLEND);
+        gl.color_mask(false, false, false, false);
+        gl.enable(glow::POLYGON_OFFSET_FILL);
+        gl.polygon_offset(1.0, 2.0);
         let filled = self.draw_plainly(SpecialProgram::Count, scene, frame, &clip_from_world);
-        // SAFETY: plain state, put back; colours are premultiplied.
-        unsafe {
-            gl.color_mask(true, true, true, true);
-            gl.disable(glow::POLYGON_OFFSET_FILL);
-            gl.polygon_offset(0.0, 0.0);
-            gl.depth_mask(false);
-            gl.enable(glow::BLEND);
-            gl.blend_func(glow::ONE, glow::ONE_MINUS_SRC_ALPHA);
-        }
+        gl.color_mask(true, true, true, true);
+        gl.disable(glow::POLYGON_OFFSET_FILL);
+        gl.polygon_offset(0.0, 0.0);
+        gl.depth_mask(false);
+        gl.enable(glow::BLEND);
+        gl.blend_func(glow::ONE, glow::ONE_MINUS_SRC_ALPHA);
         let mut lines = Lines { shared: self, scene, cache, frame, clip_from_world, calls: filled? };
         if overlays.wireframe {
             lines.wireframe()?;
@@ -80,13 +73,10 @@ impl Shared {
             lines.normals()?;
         }
         let calls = lines.calls;
-        // SAFETY: plain state, put back.
-        unsafe {
-            gl.disable(glow::BLEND);
-            gl.disable(glow::DEPTH_TEST);
-            gl.depth_mask(true);
-            gl.bind_vertex_array(None);
-        }
+        gl.disable(glow::BLEND);
+        gl.disable(glow::DEPTH_TEST);
+        gl.depth_mask(true);
+        gl.bind_vertex_array(None);
         Ok(calls)
     }
 }
@@ -112,18 +102,15 @@ impl Lines<'_> {
             let geometry = self.scene.overlay_geometry(gl, self.cache, object, Form::Corners)?;
             geometry.bind(gl);
             program.set_mat4("clip_from_model", &(self.clip_from_world * object.world_from_model).as_mat4());
-            // SAFETY: the array has so many vertices.
-            unsafe {
-                // Back faces of closed objects are hidden anyway; their edges would show through at silhouettes.
-                if object.object.closed {
-                    gl.enable(glow::CULL_FACE);
-                    gl.cull_face(glow::BACK);
-                }
-                gl.front_face(if object.mirrored != flipped { glow::CW } else { glow::CCW });
-                gl.draw_arrays(glow::TRIANGLES, 0, geometry.count as i32);
-                gl.disable(glow::CULL_FACE);
-                gl.front_face(glow::CCW);
+            // Back faces of closed objects are hidden anyway; their edges would show through at silhouettes.
+            if object.object.closed {
+                gl.enable(glow::CULL_FACE);
+                gl.cull_face(glow::BACK);
             }
+            gl.front_face(if object.mirrored != flipped { glow::CW } else { glow::CCW });
+            gl.draw_arrays(glow::TRIANGLES, 0, geometry.count as i32);
+            gl.disable(glow::CULL_FACE);
+            gl.front_face(glow::CCW);
             self.calls += 1;
         }
         Ok(())
@@ -177,8 +164,7 @@ impl Lines<'_> {
         let world_from_model: Mat4 = object.world_from_model.as_mat4();
         program.set_mat4("world_from_model", &world_from_model);
         program.set_mat3("way_world_from_model", &way);
-        // SAFETY: the array has so many instances; the four vertices of each come from gl_VertexID alone.
-        unsafe { gl.draw_arrays_instanced(glow::TRIANGLE_STRIP, 0, 4, geometry.count as i32) };
+        gl.draw_arrays_instanced(glow::TRIANGLE_STRIP, 0, 4, geometry.count as i32);
         self.calls += 1;
         Ok(())
     }

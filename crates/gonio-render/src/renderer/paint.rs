@@ -1,12 +1,12 @@
 //! A frame for a window: onto a canvas, with nothing to wait for, and with the window's own state left as it was.
 
 use super::output::{Band, Look};
-use super::saved_state::SavedState;
 use super::{Drawn8, PANES, Renderer};
 use crate::display_options::DisplayOptions;
 use crate::display_texture::DisplayTexture;
 use crate::scene_on_gpu::GpuScene;
 use gonio_gl::GlError;
+use gonio_gl::SavedState;
 use gonio_gl::objects::DebugGroup;
 use gonio_gl::statistics::{GpuStatistics, StatisticsQueries};
 use gonio_gl::target::Precision;
@@ -78,7 +78,7 @@ impl Renderer {
         view: Option<ViewSpec>,
     ) -> Result<Picture, GlError> {
         let shared = self.shared.clone();
-        let _state = SavedState::of(&shared.gl);
+        let _state = SavedState::save(&shared.gl);
         self.render(scene, frame, view)?.linear()
     }
 
@@ -92,7 +92,7 @@ impl Renderer {
     ) -> Result<Painted, GlError> {
         let shared = self.shared.clone();
         let gl = &shared.gl;
-        let _state = SavedState::of(gl);
+        let _state = SavedState::save(gl);
         let _group = DebugGroup::new(gl, "paint");
         let mut notes = Vec::new();
         let height = frame.height as i32;

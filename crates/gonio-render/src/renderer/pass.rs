@@ -10,7 +10,6 @@ use crate::light_table::LightTable;
 use crate::scene_on_gpu::{GpuObject, GpuScene, Run, wants_unshared};
 use crate::textures;
 use glam::{DMat4, DVec3};
-use glow::HasContext;
 use gonio_gl::GlError;
 use gonio_gl::objects::DebugGroup;
 use gonio_gl::program::Program;
@@ -72,18 +71,14 @@ impl<'a> Pass<'a> {
         self.set_material(&program, key, object, material);
         let first = draw.run.first_triangle * 3 * size_of::<u32>();
         let count = draw.run.triangle_count * 3;
-        // SAFETY: the run lies within the index buffer, whose indices lie within the vertex buffers: the
-        // mesh's readers guarantee both.
-        unsafe {
-            if object.object.closed {
-                gl.enable(glow::CULL_FACE);
-                gl.cull_face(glow::BACK);
-            } else {
-                gl.disable(glow::CULL_FACE);
-            }
-            gl.front_face(if object.mirrored { glow::CW } else { glow::CCW });
-            gl.draw_elements(glow::TRIANGLES, count as i32, glow::UNSIGNED_INT, first as i32);
+        if object.object.closed {
+            gl.enable(glow::CULL_FACE);
+            gl.cull_face(glow::BACK);
+        } else {
+            gl.disable(glow::CULL_FACE);
         }
+        gl.front_face(if object.mirrored { glow::CW } else { glow::CCW });
+        gl.draw_elements(glow::TRIANGLES, count as i32, glow::UNSIGNED_INT, first as i32);
         Ok(())
     }
 
@@ -235,11 +230,8 @@ impl<'a> Pass<'a> {
     fn bind_map(&self, program: &Program, sampler: &str, transform: &'static str, map: Option<&BoundTexture>) {
         let gl = &self.shared.gl;
         let texture = map.and_then(|m| self.scene.textures.get(m.texture)).map_or(self.white, |t| t.handle());
-        // SAFETY: the texture is this context's; the unit exists (16 are guaranteed).
-        unsafe {
-            gl.active_texture(glow::TEXTURE0 + texture_unit(sampler));
-            gl.bind_texture(glow::TEXTURE_2D, Some(texture));
-        }
+        gl.active_texture(glow::TEXTURE0 + texture_unit(sampler));
+        gl.bind_texture(glow::TEXTURE_2D, Some(texture));
         let map = map.copied().unwrap_or(BoundTexture::plain(0));
         // Sampling is the texture's state, and a texture may serve two materials: set at each use.
         textures::set_sampling(gl, self.frame.texture_filter, map.wrap, self.shared.info.anisotropy);

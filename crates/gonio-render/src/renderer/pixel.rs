@@ -1,11 +1,11 @@
 //! One pixel of a frame as OpenGL draws it: what a probe sets beside the reference.
 
 use super::output::{Band, Look};
-use super::saved_state::SavedState;
 use super::{PANES, Renderer};
 use crate::glsl::Display;
 use crate::scene_on_gpu::GpuScene;
 use gonio_gl::GlError;
+use gonio_gl::SavedState;
 use gonio_gl::objects::DebugGroup;
 use gonio_gl::target::{OutputTarget, Precision};
 use gonio_scene::Frame;
@@ -21,7 +21,7 @@ impl Renderer {
         let (x, y) = (x.min(frame.width.max(1) - 1), y.min(frame.height.max(1) - 1));
         let shared = self.shared.clone();
         let gl = &shared.gl;
-        let _state = SavedState::of(gl);
+        let _state = SavedState::save(gl);
         let _group = DebugGroup::new(gl, "one pixel");
         let mut notes = Vec::new();
         // One more than the panes, so that none of their targets has to go for it.

@@ -1,11 +1,11 @@
 //! A frame drawn to be looked at: every call of it in a record.
 
 use super::output::{Band, Look};
-use super::saved_state::SavedState;
 use super::shared::Shared;
 use super::{PANES, Renderer};
 use crate::scene_on_gpu::GpuScene;
 use gonio_gl::GlError;
+use gonio_gl::SavedState;
 use gonio_gl::objects::DebugGroup;
 use gonio_gl::target::{OutputTarget, Precision};
 use gonio_gl::trace::{FrameRecord, Recording};
@@ -17,7 +17,7 @@ impl Renderer {
     /// away. A window's state is left as [`Renderer::paint`] leaves it.
     pub fn record(&mut self, scene: &GpuScene, frame: &Frame, view: Option<ViewSpec>) -> Result<FrameRecord, GlError> {
         let shared = self.shared.clone();
-        let _state = SavedState::of(&shared.gl);
+        let _state = SavedState::save(&shared.gl);
         let (recording, _output) = self.recorded(scene, frame, view)?;
         let mut record = recording.recording.finish();
         self.shared.complete(&mut record, recording.notes);
@@ -32,7 +32,7 @@ impl Renderer {
         view: Option<ViewSpec>,
     ) -> Result<FrameRecord, GlError> {
         let shared = self.shared.clone();
-        let _state = SavedState::of(&shared.gl);
+        let _state = SavedState::save(&shared.gl);
         let (recording, _output) = self.recorded(scene, frame, view)?;
         let mut record = recording.recording.finish_with_thumbnails()?;
         self.shared.complete(&mut record, recording.notes);

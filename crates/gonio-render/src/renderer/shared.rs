@@ -1,7 +1,6 @@
 //! What all parts of the renderer share: the context, the driver's limits and the linked programs.
 
 use crate::glsl::{ATTRIBUTES, OutputKey, SceneKey, SpecialProgram};
-use glow::HasContext;
 use gonio_gl::objects::VertexArray;
 use gonio_gl::program::Program;
 use gonio_gl::{DriverInfo, Gl, GlError};
@@ -45,14 +44,12 @@ impl Shared {
 
     /// Clears OpenGL's error flags, of which it has a few.
     pub fn forget_errors(&self) {
-        // SAFETY: reads a flag. A lost context reports the loss for ever, so not for ever.
-        (0..8).take_while(|_| unsafe { self.gl.get_error() } != glow::NO_ERROR).for_each(drop);
+        (0..8).take_while(|_| self.gl.get_error() != glow::NO_ERROR).for_each(drop);
     }
 
     /// Turns OpenGL's error flag into an error; `doing` completes "... while".
     pub fn check_error(&self, doing: &str) -> Result<(), GlError> {
-        // SAFETY: reads a flag.
-        match unsafe { self.gl.get_error() } {
+        match self.gl.get_error() {
             glow::NO_ERROR => Ok(()),
             glow::OUT_OF_MEMORY => Err(GlError::new(format!(
                 "the driver ran out of memory while {doing}; a smaller picture or model may do"

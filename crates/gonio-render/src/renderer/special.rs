@@ -6,7 +6,6 @@ use super::{Renderer, sorted_transparent};
 use crate::glsl::{ATTRIBUTES, SpecialProgram};
 use crate::scene_on_gpu::{GpuObject, GpuScene, wants_unshared};
 use glam::{DMat4, Vec2};
-use glow::HasContext;
 use gonio_gl::GlError;
 use gonio_gl::objects::DebugGroup;
 use gonio_gl::program::Program;
@@ -51,18 +50,12 @@ impl Shared {
             }
             let first = run.first_triangle * 3 * size_of::<u32>();
             let count = run.triangle_count * 3;
-            // SAFETY: as in `Pass::draw`: the run lies within the buffers that are bound.
-            unsafe {
-                self.gl.draw_elements(glow::TRIANGLES, count as i32, glow::UNSIGNED_INT, first as i32);
-            }
+            self.gl.draw_elements(glow::TRIANGLES, count as i32, glow::UNSIGNED_INT, first as i32);
             calls += 1;
         }
-        // SAFETY: plain state, put back.
-        unsafe {
-            self.gl.disable(glow::CULL_FACE);
-            self.gl.front_face(glow::CCW);
-            self.gl.bind_vertex_array(None);
-        }
+        self.gl.disable(glow::CULL_FACE);
+        self.gl.front_face(glow::CCW);
+        self.gl.bind_vertex_array(None);
         Ok(calls)
     }
 
@@ -83,16 +76,13 @@ impl Shared {
         program.set_mat4("clip_from_model", &(*clip_from_world * object.world_from_model).as_mat4());
         program.set_mat4("world_from_model", &object.world_from_model.as_mat4());
         program.set_mat3("normal_world_from_model", &object.normal_world_from_model);
-        // SAFETY: plain state.
-        unsafe {
-            if object.object.closed {
-                gl.enable(glow::CULL_FACE);
-                gl.cull_face(glow::BACK);
-            } else {
-                gl.disable(glow::CULL_FACE);
-            }
-            gl.front_face(if object.mirrored != flipped { glow::CW } else { glow::CCW });
+        if object.object.closed {
+            gl.enable(glow::CULL_FACE);
+            gl.cull_face(glow::BACK);
+        } else {
+            gl.disable(glow::CULL_FACE);
         }
+        gl.front_face(if object.mirrored != flipped { glow::CW } else { glow::CCW });
         Ok(())
     }
 
@@ -107,25 +97,18 @@ impl Shared {
         let gl = &self.gl;
         let _group = DebugGroup::new(gl, view.name());
         target.begin(gl, 0, frame.height as i32);
-        // SAFETY: plain state.
-        unsafe {
-            gl.enable(glow::DEPTH_TEST);
-            gl.depth_func(glow::LESS);
-            gl.disable(glow::BLEND);
-        }
+        gl.enable(glow::DEPTH_TEST);
+        gl.depth_func(glow::LESS);
+        gl.disable(glow::BLEND);
         let clip_from_world = clip_from_world(frame);
         match view {
             SpecialView::Nothing => Ok(0),
             SpecialView::UvChecker => self.draw_plainly(SpecialProgram::UvChecker, scene, frame, &clip_from_world),
             SpecialView::Overdraw => {
-                // SAFETY: plain state, put back.
-                unsafe {
-                    gl.enable(glow::BLEND);
-                    gl.blend_func(glow::ONE, glow::ONE);
-                }
+                gl.enable(glow::BLEND);
+                gl.blend_func(glow::ONE, glow::ONE);
                 let drawn = self.draw_plainly(SpecialProgram::Count, scene, frame, &clip_from_world);
-                // SAFETY: as above.
-                unsafe { gl.disable(glow::BLEND) };
+                gl.disable(glow::BLEND);
                 drawn
             }
         }
@@ -150,7 +133,7 @@ impl Renderer {
     /// The framebuffer's binding and the state of a window are left as [`Self::paint`] leaves them.
     pub fn count_fragments(&mut self, scene: &GpuScene, frame: &Frame) -> Result<u64, GlError> {
         let shared = self.shared.clone();
-        let _state = super::saved_state::SavedState::of(&shared.gl);
+        let _state = gonio_gl::SavedState::save(&shared.gl);
         let frame = Frame { samples: 1, ..frame.clone() };
         let target = self.target_for(scene, &frame, frame.height as i32, Precision::Half, PANES, &mut Vec::new())?;
         shared.draw_special(SpecialView::Overdraw, scene, &frame, &target)?;

@@ -5,7 +5,6 @@ use crate::environment_on_gpu::{CubeTexture, EnvironmentOnGpu, Gloss, Seamless};
 use crate::glsl::{Sight, SurroundingsKey, fresnel_number, sky_sources, texture_unit};
 use crate::scene_on_gpu::{GpuObject, GpuScene};
 use glam::DMat3;
-use glow::HasContext;
 use gonio_environment::BrdfTable;
 use gonio_gl::objects::DebugGroup;
 use gonio_gl::program::Program;
@@ -38,11 +37,8 @@ impl<'a> Around<'a> {
         let gloss = wants_gloss.then(|| textures.gloss(gl)).transpose()?;
         gloss.map_or(&textures.map, |gloss| &gloss.map).bind(gl, texture_unit("glossy_map"));
         if let Some(gloss) = gloss {
-            // SAFETY: the texture is this context's; the unit exists (16 are guaranteed).
-            unsafe {
-                gl.active_texture(glow::TEXTURE0 + texture_unit("environment_brdf"));
-                gl.bind_texture(glow::TEXTURE_2D, Some(gloss.brdf.handle()));
-            }
+            gl.active_texture(glow::TEXTURE0 + texture_unit("environment_brdf"));
+            gl.bind_texture(glow::TEXTURE_2D, Some(gloss.brdf.handle()));
         }
         let mipmapped = matches!(frame.texture_filter, TextureFilter::Mipmap | TextureFilter::Anisotropic);
         textures.map.bind(gl, texture_unit("environment_map"));
@@ -115,17 +111,14 @@ impl<'a> Around<'a> {
         program.set_f32("environment_intensity", self.surroundings.intensity as f32);
         program.set_f32("environment_level", level as f32);
         seen.bind(gl, unit);
-        // SAFETY: plain state; the triangle's vertices come from gl_VertexID alone.
-        unsafe {
-            gl.depth_func(glow::LEQUAL);
-            gl.depth_mask(false);
-            gl.disable(glow::CULL_FACE);
-            gl.bind_vertex_array(Some(shared.no_attributes.handle()));
-            gl.draw_arrays(glow::TRIANGLES, 0, 3);
-            gl.bind_vertex_array(None);
-            gl.depth_mask(true);
-            gl.depth_func(glow::LESS);
-        }
+        gl.depth_func(glow::LEQUAL);
+        gl.depth_mask(false);
+        gl.disable(glow::CULL_FACE);
+        gl.bind_vertex_array(Some(shared.no_attributes.handle()));
+        gl.draw_arrays(glow::TRIANGLES, 0, 3);
+        gl.bind_vertex_array(None);
+        gl.depth_mask(true);
+        gl.depth_func(glow::LESS);
         self.textures.map.bind(gl, unit);
         Ok(())
     }

@@ -2,12 +2,11 @@
 
 use super::Renderer;
 use super::output::{Band, Look};
-use super::saved_state::SavedState;
 use crate::display_texture::DisplayTexture;
 use crate::glsl::Display;
-use glow::HasContext;
 use gonio_gl::Dialect;
 use gonio_gl::GlError;
+use gonio_gl::SavedState;
 use gonio_gl::objects::DebugGroup;
 use gonio_gl::target::{Precision, Sampling, Target};
 use std::rc::Rc;
@@ -35,7 +34,7 @@ impl Renderer {
     ) -> Result<(), GlError> {
         let shared = self.shared.clone();
         let gl = &shared.gl;
-        let _state = SavedState::of(gl);
+        let _state = SavedState::save(gl);
         let _group = DebugGroup::new(gl, "user program");
         let most = shared.info.max_size;
         let size = size.map(|side| side.clamp(1, most) as i32);
@@ -45,20 +44,16 @@ impl Renderer {
         target.begin(gl, 0, size[1]);
         let side = size[0].max(size[1]);
         let [r, g, b] = background;
-        // SAFETY: plain state; the framebuffer is complete. Alpha stays 1, whatever a program puts out there.
-        unsafe {
-            gl.clear_color(r, g, b, 1.0);
-            gl.clear(glow::COLOR_BUFFER_BIT);
-            gl.viewport((size[0] - side) / 2, (size[1] - side) / 2, side, side);
-            gl.color_mask(true, true, true, false);
-            gl.disable(glow::BLEND);
-            gl.disable(glow::CULL_FACE);
-            gl.enable(glow::DEPTH_TEST);
-            gl.depth_func(glow::LEQUAL);
-        }
+        gl.clear_color(r, g, b, 1.0);
+        gl.clear(glow::COLOR_BUFFER_BIT);
+        gl.viewport((size[0] - side) / 2, (size[1] - side) / 2, side, side);
+        gl.color_mask(true, true, true, false);
+        gl.disable(glow::BLEND);
+        gl.disable(glow::CULL_FACE);
+        gl.enable(glow::DEPTH_TEST);
+        gl.depth_func(glow::LEQUAL);
         draw();
-        // SAFETY: plain state, put back.
-        unsafe { gl.color_mask(true, true, true, true) };
+        gl.color_mask(true, true, true, true);
         target.resolve(gl);
         let whole = Band { picture_height: size[1], first_row: 0, rows: size[1] };
         shared.output_into(canvas.output(), &target, whole, &Look::of_numbers(), Display::Affine)

@@ -1,7 +1,7 @@
 //! The difference map on the GPU against the same colours on the CPU.
 
 use crate::{DifferenceScale, DisplayTexture, Renderer};
-use glow::HasContext;
+use gonio_gl::Texels;
 use gonio_scene::difference::{heat, signed};
 
 const SIZE: [u32; 2] = [48, 32];
@@ -9,13 +9,8 @@ const SIZE: [u32; 2] = [48, 32];
 /// A canvas of given pixels.
 fn canvas(gl: &gonio_gl::Gl, pixels: &[u8]) -> DisplayTexture {
     let canvas = DisplayTexture::new(gl, SIZE).unwrap_or_else(|e| panic!("{e}"));
-    let [width, height] = SIZE.map(|side| side as i32);
-    // SAFETY: the texture is the canvas', and the slice has four bytes for each pixel.
-    unsafe {
-        gl.bind_texture(glow::TEXTURE_2D, Some(canvas.texture()));
-        let data = glow::PixelUnpackData::Slice(Some(pixels));
-        gl.tex_sub_image_2d(glow::TEXTURE_2D, 0, 0, 0, width, height, glow::RGBA, glow::UNSIGNED_BYTE, data);
-    }
+    gl.bind_texture(glow::TEXTURE_2D, Some(canvas.texture()));
+    gl.tex_sub_image_2d(glow::TEXTURE_2D, 0, [0, 0], SIZE.map(|side| side as i32), Texels::u8(glow::RGBA, pixels));
     canvas
 }
 

@@ -4,10 +4,10 @@ use crate::environment_on_gpu::{CubeTexture, EnvironmentOnGpu, Seamless};
 use crate::gpu_cache::GpuCache;
 use crate::scene_on_gpu::GpuScene;
 use glam::DVec3;
-use glow::{HasContext, PixelUnpackData};
 use gonio_environment::{CubeMips, Cubemap, Face, Layout};
 use gonio_gl::Dialect;
 use gonio_gl::DriverInfo;
+use gonio_gl::Texels;
 use gonio_gl::objects::{TextureObject, VertexArray};
 use gonio_gl::program::Program;
 use gonio_gl::target::OutputTarget;
@@ -34,36 +34,28 @@ fn look_up(es: bool, mips: &CubeMips, at: &[[f32; 4]]) -> Vec<[f32; 4]> {
     let height = at.len().div_ceil(width);
     let mut places = at.to_vec();
     places.resize(width * height, [0.0, 0.0, 1.0, 0.0]);
-    // SAFETY: a context is current; the unit exists.
-    unsafe { gl.active_texture(glow::TEXTURE1) };
+    gl.active_texture(glow::TEXTURE1);
     let texture = TextureObject::bound(gl, "places").unwrap_or_else(|why| panic!("{why}"));
     let target = OutputTarget::new(gl, [width as i32, height as i32], true).unwrap_or_else(|why| panic!("{why}"));
     let array = VertexArray::bound(gl, "none").unwrap_or_else(|why| panic!("{why}"));
     let _seamless = Seamless::new(gl);
-    // SAFETY: a context is current; the slice holds width * height texels; the triangle reads no attribute.
-    unsafe {
-        gl.bind_texture(glow::TEXTURE_2D, Some(texture.handle()));
-        gl.tex_parameter_i32(glow::TEXTURE_2D, glow::TEXTURE_MIN_FILTER, glow::NEAREST as i32);
-        gl.tex_parameter_i32(glow::TEXTURE_2D, glow::TEXTURE_MAG_FILTER, glow::NEAREST as i32);
-        gl.tex_image_2d(
-            glow::TEXTURE_2D,
-            0,
-            glow::RGBA32F as i32,
-            width as i32,
-            height as i32,
-            0,
-            glow::RGBA,
-            glow::FLOAT,
-            PixelUnpackData::Slice(Some(bytemuck::cast_slice(&places))),
-        );
-        cube.bind(gl, 0);
-        target.bind(gl);
-        program.bind();
-        program.set_i32("map", 0);
-        program.set_i32("places", 1);
-        gl.bind_vertex_array(Some(array.handle()));
-        gl.draw_arrays(glow::TRIANGLES, 0, 3);
-    }
+    gl.bind_texture(glow::TEXTURE_2D, Some(texture.handle()));
+    gl.tex_parameter_i32(glow::TEXTURE_2D, glow::TEXTURE_MIN_FILTER, glow::NEAREST as i32);
+    gl.tex_parameter_i32(glow::TEXTURE_2D, glow::TEXTURE_MAG_FILTER, glow::NEAREST as i32);
+    gl.tex_image_2d(
+        glow::TEXTURE_2D,
+        0,
+        glow::RGBA32F,
+        [width as i32, height as i32],
+        Texels::f32(glow::RGBA, bytemuck::cast_slice(&places)),
+    );
+    cube.bind(gl, 0);
+    target.bind(gl);
+    program.bind();
+    program.set_i32("map", 0);
+    program.set_i32("places", 1);
+    gl.bind_vertex_array(Some(array.handle()));
+    gl.draw_arrays(glow::TRIANGLES, 0, 3);
     let values = target.read_f32(gl);
     bytemuck::cast_slice::<f32, [f32; 4]>(&values)[..at.len()].to_vec()
 }
@@ -157,7 +149,7 @@ fn a_body_that_does_not_fit_is_told() {
     let text = "[[object]]\nmodel = \"builtin:cube\"\nmaterial = { medium = \"glass\", surfaces = \"two\" }\n";
     let scene = gonio_scene::toml_reader::read(text).unwrap_or_else(|why| panic!("{why}"));
     let mut scene = gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}"));
-    let info = DriverInfo::of(context.gl());
+    let info = DriverInfo::new(context.gl());
     let small = DriverInfo { max_size: 0, ..info.clone() };
     let upload = |scene: &Scene, info| {
         let scene =

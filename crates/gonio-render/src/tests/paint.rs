@@ -4,7 +4,6 @@ use super::context;
 use crate::display_options::{DisplayOptions, View};
 use crate::renderer::Renderer;
 use crate::{DisplayTexture, Presenter};
-use glow::HasContext;
 use gonio_gl::Gl;
 use gonio_gl::target::Precision;
 use gonio_light::Quantity;
@@ -84,11 +83,8 @@ fn a_picture_is_shown_pixel_for_pixel_over_what_is_seen_through_it() {
         let picture = presenter.of(canvas.texture());
         let picture = if transparent { picture } else { picture.opaque() };
         window.output().bind(&gl);
-        // SAFETY: plain state of a current context.
-        unsafe {
-            gl.clear_color(0.0, 1.0, 0.0, 1.0);
-            gl.clear(glow::COLOR_BUFFER_BIT);
-        }
+        gl.clear_color(0.0, 1.0, 0.0, 1.0);
+        gl.clear(glow::COLOR_BUFFER_BIT);
         picture.draw(&gl);
         let (picture, shown) = (canvas.read8(), window.read8());
         // A window's first row in memory is its lowest.
@@ -136,41 +132,36 @@ fn the_state_of_a_window_is_left_alone() {
     let mut canvas = DisplayTexture::new(&gl, [40, 30]).unwrap_or_else(|why| panic!("{why}"));
     let mine = DisplayTexture::new(&gl, [64, 64]).unwrap_or_else(|why| panic!("{why}"));
     let state = |gl: &Gl| -> Vec<i32> {
-        // SAFETY: queries of plain state.
-        unsafe {
-            let mut all: Vec<i32> = [
-                glow::DRAW_FRAMEBUFFER_BINDING,
-                glow::READ_FRAMEBUFFER_BINDING,
-                glow::BLEND_SRC_RGB,
-                glow::BLEND_DST_RGB,
-                glow::BLEND_SRC_ALPHA,
-                glow::BLEND_DST_ALPHA,
-                glow::DEPTH_FUNC,
-                glow::ACTIVE_TEXTURE,
-                glow::VERTEX_ARRAY_BINDING,
-                glow::CURRENT_PROGRAM,
-                glow::FRONT_FACE,
-                glow::SAMPLER_BINDING,
-            ]
-            .map(|parameter| gl.get_parameter_i32(parameter))
-            .to_vec();
-            for parameter in [glow::VIEWPORT, glow::SCISSOR_BOX] {
-                let mut four = [0; 4];
-                gl.get_parameter_i32_slice(parameter, &mut four);
-                all.extend(four);
-            }
-            let switches = [
-                glow::SCISSOR_TEST,
-                glow::BLEND,
-                glow::DEPTH_TEST,
-                glow::CULL_FACE,
-                glow::STENCIL_TEST,
-                glow::POLYGON_OFFSET_FILL,
-            ];
-            all.extend(switches.map(|switch| i32::from(gl.is_enabled(switch))));
-            all.push(i32::from(gl.get_parameter_bool(glow::DEPTH_WRITEMASK)));
-            all
+        let mut all: Vec<i32> = [
+            glow::DRAW_FRAMEBUFFER_BINDING,
+            glow::READ_FRAMEBUFFER_BINDING,
+            glow::BLEND_SRC_RGB,
+            glow::BLEND_DST_RGB,
+            glow::BLEND_SRC_ALPHA,
+            glow::BLEND_DST_ALPHA,
+            glow::DEPTH_FUNC,
+            glow::ACTIVE_TEXTURE,
+            glow::VERTEX_ARRAY_BINDING,
+            glow::CURRENT_PROGRAM,
+            glow::FRONT_FACE,
+            glow::SAMPLER_BINDING,
+        ]
+        .map(|parameter| gl.get_parameter_i32(parameter))
+        .to_vec();
+        for parameter in [glow::VIEWPORT, glow::SCISSOR_BOX] {
+            all.extend(gl.get_rectangle(parameter));
         }
+        let switches = [
+            glow::SCISSOR_TEST,
+            glow::BLEND,
+            glow::DEPTH_TEST,
+            glow::CULL_FACE,
+            glow::STENCIL_TEST,
+            glow::POLYGON_OFFSET_FILL,
+        ];
+        all.extend(switches.map(|switch| i32::from(gl.is_enabled(switch))));
+        all.push(i32::from(gl.get_depth_mask()));
+        all
     };
     for show in [
         DisplayOptions { view: View::Picture, overlays: ALL },
@@ -178,28 +169,24 @@ fn the_state_of_a_window_is_left_alone() {
         DisplayOptions { view: View::Special(SpecialView::UvChecker), ..DisplayOptions::default() },
     ] {
         mine.output().bind(&gl);
-        // SAFETY: plain state of a current context.
-        unsafe {
-            gl.viewport(3, 4, 50, 40);
-            gl.scissor(1, 2, 30, 20);
-            gl.enable(glow::SCISSOR_TEST);
-            gl.enable(glow::BLEND);
-            gl.enable(glow::STENCIL_TEST);
-            gl.blend_func_separate(glow::ONE, glow::ONE_MINUS_SRC_ALPHA, glow::ONE_MINUS_DST_ALPHA, glow::ONE);
-            gl.depth_func(glow::GEQUAL);
-            gl.depth_mask(false);
-            gl.active_texture(glow::TEXTURE3);
-            gl.use_program(None);
-            gl.bind_vertex_array(None);
-        }
+        gl.viewport(3, 4, 50, 40);
+        gl.scissor(1, 2, 30, 20);
+        gl.enable(glow::SCISSOR_TEST);
+        gl.enable(glow::BLEND);
+        gl.enable(glow::STENCIL_TEST);
+        gl.blend_func_separate(glow::ONE, glow::ONE_MINUS_SRC_ALPHA, glow::ONE_MINUS_DST_ALPHA, glow::ONE);
+        gl.depth_func(glow::GEQUAL);
+        gl.depth_mask(false);
+        gl.active_texture(glow::TEXTURE3);
+        gl.use_program(None);
+        gl.bind_vertex_array(None);
         let before = state(&gl);
         let first = renderer.paint(&uploaded, &scene.frame(0.0), &show, &mut canvas);
         first.unwrap_or_else(|why| panic!("{why}"));
         assert_eq!(state(&gl), before, "{show:?}");
         let pixels = canvas.read8();
         mine.output().bind(&gl);
-        // SAFETY: as above.
-        unsafe { gl.disable(glow::SCISSOR_TEST) };
+        gl.disable(glow::SCISSOR_TEST);
         let second = renderer.paint(&uploaded, &scene.frame(0.0), &show, &mut canvas);
         second.unwrap_or_else(|why| panic!("{why}"));
         assert!(canvas.read8() == pixels, "nobody else's scissor or stencil takes part: {show:?}");

@@ -3,8 +3,8 @@
 
 use crate::glsl::light_functions;
 use glam::{DVec3, Vec2};
-use glow::{HasContext, PixelUnpackData};
 use gonio_gl::Dialect;
+use gonio_gl::Texels;
 use gonio_gl::objects::{DebugGroup, TextureObject, VertexArray};
 use gonio_gl::program::Program;
 use gonio_gl::target::OutputTarget;
@@ -72,30 +72,22 @@ fn run_glsl(es: bool, body: &str, cases: &[Case]) -> Vec<[f32; 4]> {
     let texture = TextureObject::bound(gl, "cases").expect("a texture");
     let target = OutputTarget::new(gl, [width as i32, height as i32], true).expect("a float target");
     let array = VertexArray::bound(gl, "none").expect("a vertex array");
-    // SAFETY: a context is current; the slice holds width * 4 texels a row; the triangle reads no
-    // attribute.
-    unsafe {
-        gl.bind_texture(glow::TEXTURE_2D, Some(texture.handle()));
-        gl.tex_parameter_i32(glow::TEXTURE_2D, glow::TEXTURE_MIN_FILTER, glow::NEAREST as i32);
-        gl.tex_parameter_i32(glow::TEXTURE_2D, glow::TEXTURE_MAG_FILTER, glow::NEAREST as i32);
-        gl.tex_image_2d(
-            glow::TEXTURE_2D,
-            0,
-            glow::RGBA32F as i32,
-            4 * width as i32,
-            height as i32,
-            0,
-            glow::RGBA,
-            glow::FLOAT,
-            PixelUnpackData::Slice(Some(bytemuck::cast_slice(cases))),
-        );
-        target.bind(gl);
-        program.bind();
-        program.set_i32("cases", 0);
-        program.set_vec2("unused", Vec2::ZERO);
-        gl.bind_vertex_array(Some(array.handle()));
-        gl.draw_arrays(glow::TRIANGLES, 0, 3);
-    }
+    gl.bind_texture(glow::TEXTURE_2D, Some(texture.handle()));
+    gl.tex_parameter_i32(glow::TEXTURE_2D, glow::TEXTURE_MIN_FILTER, glow::NEAREST as i32);
+    gl.tex_parameter_i32(glow::TEXTURE_2D, glow::TEXTURE_MAG_FILTER, glow::NEAREST as i32);
+    gl.tex_image_2d(
+        glow::TEXTURE_2D,
+        0,
+        glow::RGBA32F,
+        [4 * width as i32, height as i32],
+        Texels::f32(glow::RGBA, bytemuck::cast_slice(cases)),
+    );
+    target.bind(gl);
+    program.bind();
+    program.set_i32("cases", 0);
+    program.set_vec2("unused", Vec2::ZERO);
+    gl.bind_vertex_array(Some(array.handle()));
+    gl.draw_arrays(glow::TRIANGLES, 0, 3);
     let values = target.read_f32(gl);
     bytemuck::cast_slice(&values).to_vec()
 }

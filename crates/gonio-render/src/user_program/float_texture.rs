@@ -1,8 +1,7 @@
 //! Textures for programs that somebody else wrote.
 
-use glow::{HasContext, PixelUnpackData};
 use gonio_gl::objects::TextureObject;
-use gonio_gl::{Gl, GlError};
+use gonio_gl::{Gl, GlError, Texels};
 
 /// A texture of float texels, filtered linearly, without smaller copies.
 pub struct FloatTexture {
@@ -23,8 +22,7 @@ impl FloatTexture {
     /// A panorama: repeated along its rows, held at its first and its last one. The first row lies at t = 0.
     pub fn panorama(gl: &Gl, size: [usize; 2], rgba: &[[f32; 4]], name: &str) -> Result<Self, GlError> {
         let panorama = Self::flat(gl, size, rgba, name)?;
-        // SAFETY: the texture was bound when it was made.
-        unsafe { gl.tex_parameter_i32(glow::TEXTURE_2D, glow::TEXTURE_WRAP_T, glow::CLAMP_TO_EDGE as i32) };
+        gl.tex_parameter_i32(glow::TEXTURE_2D, glow::TEXTURE_WRAP_T, glow::CLAMP_TO_EDGE as i32);
         Ok(panorama)
     }
 
@@ -40,11 +38,8 @@ impl FloatTexture {
 
     /// Binds it to a unit.
     pub fn bind(&self, unit: u32) {
-        // SAFETY: the texture is this context's, of this kind; units below 16 exist everywhere.
-        unsafe {
-            self.gl.active_texture(glow::TEXTURE0 + unit.min(15));
-            self.gl.bind_texture(self.target, Some(self.object.handle()));
-        }
+        self.gl.active_texture(glow::TEXTURE0 + unit.min(15));
+        self.gl.bind_texture(self.target, Some(self.object.handle()));
     }
 }
 
@@ -53,13 +48,7 @@ fn fill(gl: &Gl, target: u32, [w, h]: [usize; 2], rgba: &[[f32; 4]], name: &str)
     if rgba.len() != w * h {
         return Err(GlError::new(format!("{name}: {} texels are not {w} x {h}", rgba.len())));
     }
-    let bytes: &[u8] = bytemuck::cast_slice(rgba);
-    let data = PixelUnpackData::Slice(Some(bytes));
-    // SAFETY: the texture is bound, and the slice holds w * h texels of four floats.
-    unsafe {
-        gl.pixel_store_i32(glow::UNPACK_ALIGNMENT, 4);
-        gl.tex_image_2d(target, 0, glow::RGBA16F as i32, w as i32, h as i32, 0, glow::RGBA, glow::FLOAT, data);
-    }
+    gl.tex_image_2d(target, 0, glow::RGBA16F, [w as i32, h as i32], Texels::f32(glow::RGBA, rgba.as_flattened()));
     Ok(())
 }
 
@@ -70,10 +59,7 @@ fn finish(gl: &Gl, target: u32, wrap: u32) {
         (glow::TEXTURE_WRAP_S, wrap),
         (glow::TEXTURE_WRAP_T, wrap),
     ];
-    // SAFETY: the texture is bound.
-    unsafe {
-        for (parameter, value) in parameters {
-            gl.tex_parameter_i32(target, parameter, value as i32);
-        }
+    for (parameter, value) in parameters {
+        gl.tex_parameter_i32(target, parameter, value as i32);
     }
 }

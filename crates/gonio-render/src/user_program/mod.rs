@@ -15,6 +15,5 @@ pub use tiles::{NOT_DRAWN, TileTarget};
 
 /// Whether a context speaks OpenGL ES (WebGL2 is one of those), whose shaders begin with `#version 300 es`.
 pub fn is_embedded(gl: &gonio_gl::Gl) -> bool {
-    use glow::HasContext;
-    gl.version().is_embedded
+    gl.is_embedded()
 }

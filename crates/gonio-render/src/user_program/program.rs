@@ -1,6 +1,5 @@
 //! A program with whatever attributes and uniforms it has.
 
-use glow::HasContext;
 use gonio_gl::trace::words;
 use gonio_gl::{Gl, GlError};
 use std::cell::RefCell;
@@ -65,76 +64,68 @@ pub struct UserProgram {
 impl UserProgram {
     /// Compiles and links. Both logs are there where both shaders are broken.
     pub fn new(gl: &Gl, vertex: &str, fragment: &str) -> Result<Self, BrokenProgram> {
-        // SAFETY: objects of this context, used in the order that the specification asks for; the shaders are deleted
-        // once the program holds them, and the program is owned before anything can fail.
-        unsafe {
-            let handle = gl.create_program().map_err(GlError::new)?;
-            let mut program = UserProgram {
-                gl: gl.clone(),
-                handle,
-                attributes: Vec::new(),
-                uniforms: Vec::new(),
-                given: RefCell::default(),
-            };
-            let mut shaders = Vec::new();
-            for (kind, source) in [(glow::VERTEX_SHADER, vertex), (glow::FRAGMENT_SHADER, fragment)] {
-                let shader = gl.create_shader(kind).map_err(GlError::new)?;
-                gl.shader_source(shader, source);
-                gl.compile_shader(shader);
-                gl.attach_shader(handle, shader);
-                shaders.push(shader);
-            }
-            gl.link_program(handle);
-            let linked = gl.get_program_link_status(handle);
-            let log = |&shader: &glow::Shader| {
-                (!gl.get_shader_compile_status(shader)).then(|| gl.get_shader_info_log(shader))
-            };
-            let mut broken = BrokenProgram::default();
-            if !linked {
-                [broken.vertex_log, broken.fragment_log] = [log(&shaders[0]), log(&shaders[1])];
-                if broken.vertex_log.is_none() && broken.fragment_log.is_none() {
-                    broken.link_log = Some(gl.get_program_info_log(handle));
-                }
-            }
-            for shader in shaders {
-                gl.detach_shader(handle, shader);
-                gl.delete_shader(shader);
-            }
-            if !linked {
-                return Err(broken);
-            }
-            program.read_interface();
-            Ok(program)
+        let handle = gl.create_program().map_err(GlError::new)?;
+        let mut program = UserProgram {
+            gl: gl.clone(),
+            handle,
+            attributes: Vec::new(),
+            uniforms: Vec::new(),
+            given: RefCell::default(),
+        };
+        let mut shaders = Vec::new();
+        for (kind, source) in [(glow::VERTEX_SHADER, vertex), (glow::FRAGMENT_SHADER, fragment)] {
+            let shader = gl.create_shader(kind).map_err(GlError::new)?;
+            gl.shader_source(shader, source);
+            gl.compile_shader(shader);
+            gl.attach_shader(handle, shader);
+            shaders.push(shader);
         }
+        gl.link_program(handle);
+        let linked = gl.get_program_link_status(handle);
+        let log =
+            |&shader: &glow::Shader| (!gl.get_shader_compile_status(shader)).then(|| gl.get_shader_info_log(shader));
+        let mut broken = BrokenProgram::default();
+        if !linked {
+            [broken.vertex_log, broken.fragment_log] = [log(&shaders[0]), log(&shaders[1])];
+            if broken.vertex_log.is_none() && broken.fragment_log.is_none() {
+                broken.link_log = Some(gl.get_program_info_log(handle));
+            }
+        }
+        for shader in shaders {
+            gl.detach_shader(handle, shader);
+            gl.delete_shader(shader);
+        }
+        if !linked {
+            return Err(broken);
+        }
+        program.read_interface();
+        Ok(program)
     }
 
     fn read_interface(&mut self) {
         let gl = &self.gl;
-        // SAFETY: queries of a linked program of this context, within the numbers that it has given.
-        unsafe {
-            for index in 0..gl.get_active_attributes(self.handle) {
-                let Some(attribute) = gl.get_active_attribute(self.handle, index) else { continue };
-                // gl_VertexID and its like have none.
-                let Some(location) = gl.get_attrib_location(self.handle, &attribute.name) else { continue };
-                let elements = attribute.size.max(1) as u32;
-                let (code, glsl_type) = (attribute.atype, words::glsl_type(attribute.atype));
-                self.attributes.push((ProgramVariable { name: attribute.name, glsl_type, elements, code }, location));
-            }
-            for index in 0..gl.get_active_uniforms(self.handle) {
-                let Some(uniform) = gl.get_active_uniform(self.handle, index) else { continue };
-                let name = uniform.name.strip_suffix("[0]").unwrap_or(&uniform.name).to_owned();
-                let locations: Vec<_> = (0..uniform.size)
-                    .filter_map(|element| match uniform.size {
-                        1 => gl.get_uniform_location(self.handle, &uniform.name),
-                        _ => gl.get_uniform_location(self.handle, &format!("{name}[{element}]")),
-                    })
-                    .collect();
-                // Members of blocks have none.
-                if !locations.is_empty() {
-                    let elements = locations.len() as u32;
-                    let glsl_type = words::glsl_type(uniform.utype);
-                    self.uniforms.push((ProgramVariable { name, glsl_type, elements, code: uniform.utype }, locations));
-                }
+        for index in 0..gl.get_active_attributes(self.handle) {
+            let Some(attribute) = gl.get_active_attribute(self.handle, index) else { continue };
+            // gl_VertexID and its like have none.
+            let Some(location) = gl.get_attrib_location(self.handle, &attribute.name) else { continue };
+            let elements = attribute.size.max(1) as u32;
+            let (code, glsl_type) = (attribute.atype, words::glsl_type(attribute.atype));
+            self.attributes.push((ProgramVariable { name: attribute.name, glsl_type, elements, code }, location));
+        }
+        for index in 0..gl.get_active_uniforms(self.handle) {
+            let Some(uniform) = gl.get_active_uniform(self.handle, index) else { continue };
+            let name = uniform.name.strip_suffix("[0]").unwrap_or(&uniform.name).to_owned();
+            let locations: Vec<_> = (0..uniform.size)
+                .filter_map(|element| match uniform.size {
+                    1 => gl.get_uniform_location(self.handle, &uniform.name),
+                    _ => gl.get_uniform_location(self.handle, &format!("{name}[{element}]")),
+                })
+                .collect();
+            // Members of blocks have none.
+            if !locations.is_empty() {
+                let elements = locations.len() as u32;
+                let glsl_type = words::glsl_type(uniform.utype);
+                self.uniforms.push((ProgramVariable { name, glsl_type, elements, code: uniform.utype }, locations));
             }
         }
         self.attributes.sort_by_key(|(_, location)| *location);
@@ -169,8 +160,7 @@ impl UserProgram {
 
     /// Makes it the current program. Wanted before `set` and before a draw.
     pub fn bind(&self) {
-        // SAFETY: linked, and of this context.
-        unsafe { self.gl.use_program(Some(self.handle)) };
+        self.gl.use_program(Some(self.handle));
     }
 
     /// Gives a uniform its numbers, of the bound program: matrices by columns, samplers their unit, integers and booleans
@@ -203,32 +193,28 @@ impl UserProgram {
         let (gl, at) = (&self.gl, Some(location));
         let int = |i: usize| v.get(i).map_or(0, |x| x.round() as i32);
         let uint = |i: usize| v.get(i).map_or(0, |x| x.round() as u32);
-        // SAFETY: the location is the bound program's, and the call is of its type; slices are as long as it says.
-        unsafe {
-            match code {
-                glow::FLOAT => gl.uniform_1_f32(at, v[0]),
-                glow::FLOAT_VEC2 => gl.uniform_2_f32(at, v[0], v[1]),
-                glow::FLOAT_VEC3 => gl.uniform_3_f32(at, v[0], v[1], v[2]),
-                glow::FLOAT_VEC4 => gl.uniform_4_f32_slice(at, v),
-                glow::FLOAT_MAT2 => gl.uniform_matrix_2_f32_slice(at, false, v),
-                glow::FLOAT_MAT3 => gl.uniform_matrix_3_f32_slice(at, false, v),
-                glow::FLOAT_MAT4 => gl.uniform_matrix_4_f32_slice(at, false, v),
-                glow::INT_VEC2 | glow::BOOL_VEC2 => gl.uniform_2_i32(at, int(0), int(1)),
-                glow::INT_VEC3 | glow::BOOL_VEC3 => gl.uniform_3_i32(at, int(0), int(1), int(2)),
-                glow::INT_VEC4 | glow::BOOL_VEC4 => gl.uniform_4_i32(at, int(0), int(1), int(2), int(3)),
-                glow::UNSIGNED_INT => gl.uniform_1_u32(at, uint(0)),
-                // int, bool and samplers; what is rarer (doubles, non-square matrices) stays 0.
-                glow::INT | glow::BOOL => gl.uniform_1_i32(at, int(0)),
-                _ if words::TextureKind::of_sampler(code).is_some() => gl.uniform_1_i32(at, int(0)),
-                _ => {}
-            }
+        match code {
+            glow::FLOAT => gl.uniform_1_f32(at, v[0]),
+            glow::FLOAT_VEC2 => gl.uniform_2_f32(at, v[0], v[1]),
+            glow::FLOAT_VEC3 => gl.uniform_3_f32(at, v[0], v[1], v[2]),
+            glow::FLOAT_VEC4 => gl.uniform_4_f32_slice(at, v),
+            glow::FLOAT_MAT2 => gl.uniform_matrix_2_f32_slice(at, false, v),
+            glow::FLOAT_MAT3 => gl.uniform_matrix_3_f32_slice(at, false, v),
+            glow::FLOAT_MAT4 => gl.uniform_matrix_4_f32_slice(at, false, v),
+            glow::INT_VEC2 | glow::BOOL_VEC2 => gl.uniform_2_i32(at, int(0), int(1)),
+            glow::INT_VEC3 | glow::BOOL_VEC3 => gl.uniform_3_i32(at, int(0), int(1), int(2)),
+            glow::INT_VEC4 | glow::BOOL_VEC4 => gl.uniform_4_i32(at, int(0), int(1), int(2), int(3)),
+            glow::UNSIGNED_INT => gl.uniform_1_u32(at, uint(0)),
+            // int, bool and samplers; what is rarer (doubles, non-square matrices) stays 0.
+            glow::INT | glow::BOOL => gl.uniform_1_i32(at, int(0)),
+            _ if words::TextureKind::of_sampler(code).is_some() => gl.uniform_1_i32(at, int(0)),
+            _ => {}
         }
     }
 }
 
 impl Drop for UserProgram {
     fn drop(&mut self) {
-        // SAFETY: created by this context, deleted once.
-        unsafe { self.gl.delete_program(self.handle) };
+        self.gl.delete_program(self.handle);
     }
 }

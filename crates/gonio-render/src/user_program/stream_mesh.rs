@@ -41,8 +41,7 @@ impl StreamMesh {
         }
         let bytes: &[u8] = bytemuck::cast_slice(indices);
         let indices_buffer = Buffer::with_bytes(gl, glow::ELEMENT_ARRAY_BUFFER, bytes, glow::STATIC_DRAW, name)?;
-        // SAFETY: unbinding has no precondition.
-        unsafe { gl.bind_vertex_array(None) };
+        gl.bind_vertex_array(None);
         let count = indices.len() as i32;
         Ok(StreamMesh { gl: gl.clone(), array, streams: buffers, _indices: indices_buffer, count })
     }
@@ -51,22 +50,18 @@ impl StreamMesh {
     /// read (0, 0, 0, 1).
     pub fn draw(&self, program: &UserProgram, feed: &[(u32, usize)]) {
         let gl = &self.gl;
-        // SAFETY: the array and its buffers are this context's and hold as many vertices as the indices name; locations
-        // are the program's.
-        unsafe {
-            gl.bind_vertex_array(Some(self.array.handle()));
-            for location in program.locations() {
-                gl.disable_vertex_attrib_array(location);
-                gl.vertex_attrib_4_f32(location, 0.0, 0.0, 0.0, 1.0);
-            }
-            for &(location, stream) in feed {
-                let Some((components, buffer)) = self.streams.get(stream) else { continue };
-                gl.bind_buffer(glow::ARRAY_BUFFER, Some(buffer.handle()));
-                gl.enable_vertex_attrib_array(location);
-                gl.vertex_attrib_pointer_f32(location, *components, glow::FLOAT, false, 0, 0);
-            }
-            gl.draw_elements(glow::TRIANGLES, self.count, glow::UNSIGNED_INT, 0);
-            gl.bind_vertex_array(None);
+        gl.bind_vertex_array(Some(self.array.handle()));
+        for location in program.locations() {
+            gl.disable_vertex_attrib_array(location);
+            gl.vertex_attrib_4_f32(location, 0.0, 0.0, 0.0, 1.0);
         }
+        for &(location, stream) in feed {
+            let Some((components, buffer)) = self.streams.get(stream) else { continue };
+            gl.bind_buffer(glow::ARRAY_BUFFER, Some(buffer.handle()));
+            gl.enable_vertex_attrib_array(location);
+            gl.vertex_attrib_pointer_f32(location, *components, glow::FLOAT, false, 0, 0);
+        }
+        gl.draw_elements(glow::TRIANGLES, self.count, glow::UNSIGNED_INT, 0);
+        gl.bind_vertex_array(None);
     }
 }

@@ -1,6 +1,5 @@
 //! A float target cut into tiles: many small pictures of one program, read back at once.
 
-use glow::HasContext;
 use gonio_gl::Dialect;
 use gonio_gl::target::{Precision, Sampling, Target};
 use gonio_gl::{Gl, GlError};
@@ -23,7 +22,7 @@ impl TileTarget {
         let columns = (count as f64).sqrt().ceil().max(1.0) as i32;
         let rows = (count as i32 + columns - 1) / columns;
         let size = [columns * side as i32, rows.max(1) * side as i32];
-        let dialect = if gl.version().is_embedded { Dialect::Es300 } else { Dialect::Core330 };
+        let dialect = if gl.is_embedded() { Dialect::Es300 } else { Dialect::Core330 };
         let target = Target::new(gl, dialect, size, Sampling::Multi(1), Precision::Full)?;
         Ok(TileTarget { gl: gl.clone(), target, side: side as i32, columns, count })
     }
@@ -38,17 +37,14 @@ impl TileTarget {
         let gl = &self.gl;
         self.target.begin(gl, 0, self.target.size[1]);
         let [r, g, b, a] = NOT_DRAWN;
-        // SAFETY: the framebuffer is complete; the state set is what every draw here wants.
-        unsafe {
-            gl.clear_color(r, g, b, a);
-            gl.clear(glow::COLOR_BUFFER_BIT | glow::DEPTH_BUFFER_BIT);
-            gl.disable(glow::BLEND);
-            gl.disable(glow::CULL_FACE);
-            gl.disable(glow::STENCIL_TEST);
-            gl.enable(glow::DEPTH_TEST);
-            // At the far plane too, as a skybox wants it.
-            gl.depth_func(glow::LEQUAL);
-        }
+        gl.clear_color(r, g, b, a);
+        gl.clear(glow::COLOR_BUFFER_BIT | glow::DEPTH_BUFFER_BIT);
+        gl.disable(glow::BLEND);
+        gl.disable(glow::CULL_FACE);
+        gl.disable(glow::STENCIL_TEST);
+        gl.enable(glow::DEPTH_TEST);
+        // At the far plane too, as a skybox wants it.
+        gl.depth_func(glow::LEQUAL);
     }
 
     /// Later draws go into this tile alone. False where there is none of that number.
@@ -57,19 +53,15 @@ impl TileTarget {
             return false;
         }
         let (x, y) = (tile as i32 % self.columns * self.side, tile as i32 / self.columns * self.side);
-        // SAFETY: plain state.
-        unsafe {
-            self.gl.viewport(x, y, self.side, self.side);
-            self.gl.enable(glow::SCISSOR_TEST);
-            self.gl.scissor(x, y, self.side, self.side);
-        }
+        self.gl.viewport(x, y, self.side, self.side);
+        self.gl.enable(glow::SCISSOR_TEST);
+        self.gl.scissor(x, y, self.side, self.side);
         true
     }
 
     /// The first tiles one after the other, each `side * side` pixels, the bottom row first. Waits for the GPU.
     pub fn read(&self, count: usize) -> Vec<[f32; 4]> {
-        // SAFETY: plain state.
-        unsafe { self.gl.disable(glow::SCISSOR_TEST) };
+        self.gl.disable(glow::SCISSOR_TEST);
         let all = self.target.read_single(&self.gl);
         let (side, width) = (self.side as usize, self.target.size[0] as usize);
         let count = count.min(self.count);
@@ -87,8 +79,7 @@ impl TileTarget {
 
     /// What OpenGL complained about since it was last asked; `None` where it did not.
     pub fn error(&self) -> Option<GlError> {
-        // SAFETY: no precondition.
-        let code = unsafe { self.gl.get_error() };
+        let code = self.gl.get_error();
         (code != glow::NO_ERROR).then(|| GlError::new(format!("OpenGL reported error {code:#06x} while drawing")))
     }
 }

@@ -1,12 +1,11 @@
 //! A sequence of OpenGL calls to be recorded: what a student might write, right or wrong, in few words.
 
-use crate::Gl;
 use crate::headless::HeadlessContext;
 use crate::objects::{Buffer, TextureObject, VertexArray};
 use crate::program::Program;
 use crate::target::OutputTarget;
 use crate::trace::{Finding, FrameRecord, Recording, Rule, lint};
-use glow::{HasContext, PixelUnpackData};
+use crate::{Gl, Texels};
 
 /// What is drawn into has so many pixels along a side.
 pub const SIDE: i32 = 16;
@@ -90,34 +89,31 @@ impl Lab {
 
     fn texels(&mut self, unit: u32, name: &str, target: u32) -> u32 {
         let gl = &self.gl;
-        // SAFETY: the unit exists in every OpenGL.
-        unsafe { gl.active_texture(glow::TEXTURE0 + unit) };
+        gl.active_texture(glow::TEXTURE0 + unit);
         let (texture, faces) = match target {
             glow::TEXTURE_2D => (TextureObject::bound(gl, name), glow::TEXTURE_2D..=glow::TEXTURE_2D),
             _ => (TextureObject::cube(gl, name), glow::TEXTURE_CUBE_MAP_POSITIVE_X..=glow::TEXTURE_CUBE_MAP_NEGATIVE_Z),
         };
         let texture = texture.unwrap_or_else(|e| panic!("{e}"));
         let red = [255, 0, 0, 255].repeat(16);
-        // SAFETY: a texture of the target is bound, and the slice holds 4 x 4 texels of four bytes.
-        unsafe {
-            for face in faces {
-                let data = PixelUnpackData::Slice(Some(&red));
-                gl.tex_image_2d(face, 0, glow::RGBA8 as i32, 4, 4, 0, glow::RGBA, glow::UNSIGNED_BYTE, data);
-            }
-            gl.tex_parameter_i32(target, glow::TEXTURE_MIN_FILTER, glow::LINEAR as i32);
+        for face in faces {
+            gl.tex_image_2d(face, 0, glow::RGBA8, [4, 4], Texels::u8(glow::RGBA, &red));
         }
+        gl.tex_parameter_i32(target, glow::TEXTURE_MIN_FILTER, glow::LINEAR as i32);
         let id = texture.handle().0.get();
         self.textures.push(texture);
         id
     }
 
+    /// OpenGL's name of the texture that was made last.
+    pub fn newest_texture(&self) -> Option<glow::Texture> {
+        self.textures.last().map(TextureObject::handle)
+    }
+
     /// Binds a texture that was made before, the first being 0.
     pub fn bind(&self, unit: u32, which: usize) {
-        // SAFETY: the texture is this context's, of two dimensions.
-        unsafe {
-            self.gl.active_texture(glow::TEXTURE0 + unit);
-            self.gl.bind_texture(glow::TEXTURE_2D, Some(self.textures[which].handle()));
-        }
+        self.gl.active_texture(glow::TEXTURE0 + unit);
+        self.gl.bind_texture(glow::TEXTURE_2D, Some(self.textures[which].handle()));
     }
 
     /// Three vertices of six numbers each, position and normal, in one buffer; their strides.
@@ -128,12 +124,9 @@ impl Lab {
             .collect();
         let bytes = bytemuck::cast_slice(&numbers);
         let buffer = Buffer::with_bytes(&self.gl, glow::ARRAY_BUFFER, bytes, glow::STATIC_DRAW, "corners");
-        // SAFETY: the buffer is bound; a test that gives strides too large draws nothing with them, or is after that.
-        unsafe {
-            for (location, stride) in (0..).zip(strides) {
-                self.gl.enable_vertex_attrib_array(location);
-                self.gl.vertex_attrib_pointer_f32(location, 3, glow::FLOAT, false, stride, 12 * location as i32);
-            }
+        for (location, stride) in (0..).zip(strides) {
+            self.gl.enable_vertex_attrib_array(location);
+            self.gl.vertex_attrib_pointer_f32(location, 3, glow::FLOAT, false, stride, 12 * location as i32);
         }
         buffer.unwrap_or_else(|e| panic!("{e}"))
     }
@@ -145,8 +138,7 @@ impl Lab {
 
     /// Draws so many.
     pub fn draw_vertices(&self, count: i32) {
-        // SAFETY: where arrays are enabled, drivers that check (Mesa does) read nothing beyond their buffers.
-        unsafe { self.gl.draw_arrays(glow::TRIANGLES, 0, count) };
+        self.gl.draw_arrays(glow::TRIANGLES, 0, count);
     }
 
     /// What was recorded, and what is wrong with it.

@@ -2,7 +2,6 @@
 
 use super::lab::{CORNERS, both, only};
 use crate::trace::{Rule, Severity, Subject};
-use glow::HasContext;
 
 const ONE: &str = "uniform sampler2D picture;\nout vec4 c;\nvoid main() { c = texture(picture, vec2(0.5)); }\n";
 const TWO: &str = "uniform sampler2D first;\nuniform sampler2D second;\nout vec4 c;\n\
@@ -115,11 +114,8 @@ fn a_feedback_loop() {
         lab.program(CORNERS, ONE);
         lab.used().set_i32("picture", 0);
         let framebuffer = crate::objects::Framebuffer::bound(lab.gl(), "itself").unwrap_or_else(|e| panic!("{e}"));
-        // SAFETY: the texture that is bound to the active unit is attached to the framebuffer that is bound.
-        unsafe {
-            let texture = lab.gl().get_parameter_texture(glow::TEXTURE_BINDING_2D);
-            lab.gl().framebuffer_texture_2d(glow::FRAMEBUFFER, glow::COLOR_ATTACHMENT0, glow::TEXTURE_2D, texture, 0);
-        }
+        let texture = lab.newest_texture();
+        lab.gl().framebuffer_texture_2d(glow::FRAMEBUFFER, glow::COLOR_ATTACHMENT0, glow::TEXTURE_2D, texture, 0);
         lab.draw();
         let (record, findings) = lab.finish();
         let finding = only(&findings, Rule::FeedbackLoop, 1);
@@ -215,14 +211,12 @@ fn a_filter_that_wants_mipmaps_that_are_not_there() {
         lab.program(CORNERS, ONE);
         lab.used().set_i32("picture", 0);
         let filter = |filter: u32| {
-            // SAFETY: the texture is bound to the active unit.
-            unsafe { lab.gl().tex_parameter_i32(glow::TEXTURE_2D, glow::TEXTURE_MIN_FILTER, filter as i32) };
+            lab.gl().tex_parameter_i32(glow::TEXTURE_2D, glow::TEXTURE_MIN_FILTER, filter as i32);
         };
         filter(glow::LINEAR_MIPMAP_LINEAR);
         lab.draw();
         assert_eq!(lab.pixel()[0], 0, "it reads black");
-        // SAFETY: the texture is bound to the active unit.
-        unsafe { lab.gl().generate_mipmap(glow::TEXTURE_2D) };
+        lab.gl().generate_mipmap(glow::TEXTURE_2D);
         lab.draw();
         assert_eq!(lab.pixel()[0], 255, "and now it is complete");
         let (_, findings) = lab.finish();

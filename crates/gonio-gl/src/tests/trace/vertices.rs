@@ -95,8 +95,7 @@ fn an_attribute_without_an_array() {
     both(|mut lab| {
         lit(&mut lab, Mat4::IDENTITY, Mat3::IDENTITY);
         let _buffer = lab.vertices([24, 24]);
-        // SAFETY: plain state of the vertex array.
-        unsafe { lab.gl().disable_vertex_attrib_array(1) };
+        lab.gl().disable_vertex_attrib_array(1);
         lab.draw();
         let (_, findings) = lab.finish();
         let finding = only(&findings, Rule::AttributeWithoutArray, 1);
@@ -106,11 +105,8 @@ fn an_attribute_without_an_array() {
         // One normal for all vertices may well be meant, where somebody has set it.
         lit(&mut lab, Mat4::IDENTITY, Mat3::IDENTITY);
         let _buffer = lab.vertices([24, 24]);
-        // SAFETY: plain state.
-        unsafe {
-            lab.gl().disable_vertex_attrib_array(1);
-            lab.gl().vertex_attrib_4_f32(1, 0.0, 0.0, 0.0, 1.0);
-        }
+        lab.gl().disable_vertex_attrib_array(1);
+        lab.gl().vertex_attrib_4_f32(1, 0.0, 0.0, 0.0, 1.0);
         lab.draw();
         let (_, findings) = lab.finish();
         assert_eq!(findings, []);
