@@ -8,6 +8,7 @@
 //! belongs to one of the two by the top-left rule of rasterisers, so that no ray hits both.
 
 use crate::geometry::WorldGeometry;
+use crate::samples::sample_width;
 use glam::{DVec2, DVec3};
 use gonio_scene::{Camera, Frame};
 use rayon::prelude::*;
@@ -20,6 +21,8 @@ pub(crate) struct EyeSpace {
     pub half_extent: DVec2,
     /// Pixels.
     pub size: DVec2,
+    /// The part of a pixel's width that a ray stands for.
+    pub sample_width: f64,
     /// [`WorldGeometry::positions`] in eye space.
     pub positions: Vec<DVec3>,
 }
@@ -28,7 +31,8 @@ pub(crate) struct EyeSpace {
 pub(crate) trait RaySpace {
     /// Three corners in it.
     fn corners(&self, vertices: [u32; 3]) -> [DVec3; 3];
-    /// What is added to a ray for the next pixel on the right, and for the one below.
+    /// The footprint of a ray: the difference to a ray beside it on the right, and to one below. They are as far away as
+    /// the samples of the picture are from each other.
     fn steps(&self) -> [DVec2; 2];
 }
 
@@ -39,7 +43,7 @@ impl RaySpace for EyeSpace {
     }
 
     fn steps(&self) -> [DVec2; 2] {
-        let step = 2.0 * self.half_extent / self.size;
+        let step = self.sample_width * 2.0 * self.half_extent / self.size;
         [DVec2::new(step.x, 0.0), DVec2::new(0.0, -step.y)]
     }
 }
@@ -68,6 +72,7 @@ impl EyeSpace {
             camera,
             half_extent: DVec2::new(tan * size.x / size.y, tan),
             size,
+            sample_width: sample_width(frame.samples),
             positions: geometry.positions.par_iter().map(to_eye).collect(),
         }
     }

@@ -6,6 +6,7 @@ use crate::intersect::RaySpace;
 use crate::ray::Ray;
 use crate::render::FrameContext;
 use crate::sample_positions;
+use crate::samples::sample_width;
 use crate::shade::CornerCache;
 use crate::visibility::NOTHING;
 use glam::{DVec2, DVec3, DVec4};
@@ -39,7 +40,7 @@ struct Workspace {
 struct Around<'a> {
     ray: &'a Ray,
     geometry: &'a WorldGeometry,
-    /// Directions of the next pixels on the right and below.
+    /// Directions a sample's width farther to the right, and farther down.
     beside: [DVec3; 2],
 }
 
@@ -67,6 +68,7 @@ fn draw(
 ) -> Picture {
     let context = FrameContext::new(reference, frame, pixel_angle_rad);
     let positions = sample_positions(frame.samples);
+    let step = sample_width(frame.samples);
     let mut picture = Picture::new(width, height, [0.0; 4]);
     let rows = picture.pixels.par_chunks_mut(width as usize).enumerate();
     rows.for_each_init(Workspace::default, |workspace, (row, pixels)| {
@@ -74,7 +76,7 @@ fn draw(
             let along = |position: &[f64; 2]| {
                 let (x, y) = (column as f64 + position[0], row as f64 + position[1]);
                 let ray = Ray::new(frame.camera.position, direction(x, y));
-                let beside = [direction(x + 1.0, y), direction(x, y + 1.0)];
+                let beside = [direction(x + step, y), direction(x, y + step)];
                 radiance(&context, &ray, beside, workspace)
             };
             let sum: DVec4 = positions.iter().map(along).sum();
@@ -84,7 +86,7 @@ fn draw(
     picture
 }
 
-/// Premultiplied RGBA along a ray; `beside` are the directions of the next pixels on the right and below.
+/// Premultiplied RGBA along a ray; `beside` are the directions a sample's width to the right and below.
 fn radiance(context: &FrameContext, ray: &Ray, beside: [DVec3; 2], workspace: &mut Workspace) -> DVec4 {
     let geometry = context.shader.geometry;
     let Workspace { corners, layers } = workspace;

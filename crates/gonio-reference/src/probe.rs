@@ -97,6 +97,7 @@ pub struct TexelReport {
 
 /// What is behind all objects at the centre of a pixel.
 pub(crate) fn behind(reference: &ReferenceScene, frame: &Frame, x: u32, y: u32) -> DVec4 {
+    let frame = &Frame { samples: 1, ..frame.clone() };
     let centre = [f64::from(x) + 0.5, f64::from(y) + 0.5];
     let direction = || frame.camera.ray_direction(centre[0], centre[1], frame.width, frame.height);
     FrameContext::of_camera(reference, frame).behind(direction, centre[1] / f64::from(frame.height))
@@ -106,6 +107,7 @@ pub(crate) fn probe(reference: &ReferenceScene, frame: &Frame, x: u32, y: u32) -
     if x >= frame.width || y >= frame.height {
         return None;
     }
+    let frame = &Frame { samples: 1, ..frame.clone() };
     let context = FrameContext::of_camera(reference, frame);
     let eye = EyeSpace::new(reference.world(), frame);
     let mut visible = Visible::default();

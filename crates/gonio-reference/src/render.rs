@@ -3,6 +3,7 @@
 use crate::fragment::{Fragment, Hit};
 use crate::intersect::{EyeSpace, RaySpace, cross};
 use crate::sample_positions;
+use crate::samples::sample_width;
 use crate::shade::{CornerCache, Shader};
 use crate::surroundings::Environment;
 use crate::visibility::{Block, Layer, NOTHING, Visible};
@@ -47,9 +48,10 @@ struct Workspace {
 }
 
 impl<'a> FrameContext<'a> {
-    /// `pixel_angle_rad`: what a pixel in the middle of the picture covers.
+    /// `pixel_angle_rad` is the angle that a pixel in the middle of the picture covers.
     pub fn new(reference: &'a ReferenceScene, frame: &'a Frame, pixel_angle_rad: f64) -> Self {
-        let environment = Environment::new(&reference.scene, frame, pixel_angle_rad);
+        let sample_angle_rad = pixel_angle_rad * sample_width(frame.samples);
+        let environment = Environment::new(&reference.scene, frame, sample_angle_rad);
         FrameContext { reference, frame, shader: Shader { geometry: reference.world(), frame, environment } }
     }
 

@@ -43,6 +43,12 @@ pub fn sample_positions(count: u32) -> Vec<[f64; 2]> {
     sixteenths.iter().map(|p| p.map(|v| 0.5 + f64::from(v) / 16.0)).collect()
 }
 
+/// The part of a pixel's width that each of `count` samples stands for: the footprint by which a sample's texture is
+/// filtered. With a whole pixel's footprint the average of the samples would be blurred twice.
+pub(crate) fn sample_width(count: u32) -> f64 {
+    1.0 / f64::from(count.max(1)).sqrt()
+}
+
 fn rooks(count: u32) -> Vec<[f64; 2]> {
     let golden = (f64::from(count) * 0.618_033_988_749_894_9).round() as u32;
     // 1 always shares no divisor, so a step is always found.

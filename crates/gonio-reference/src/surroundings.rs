@@ -32,10 +32,11 @@ pub(crate) struct Environment<'a> {
 }
 
 impl<'a> Environment<'a> {
-    /// `None` where the frame has none. `pixel_angle_rad`: what a pixel in the middle of the picture covers.
+    /// `None` where the frame has none. `sample_angle_rad` is the angle that a sample in the middle of the picture
+    /// stands for.
     ///
     /// Not to be called for each pixel: what the environment makes at the first wish is made here.
-    pub fn new(scene: &'a Scene, frame: &Frame, pixel_angle_rad: f64) -> Option<Self> {
+    pub fn new(scene: &'a Scene, frame: &Frame, sample_angle_rad: f64) -> Option<Self> {
         let loaded: &LoadedEnvironment = scene.environment.as_ref()?;
         let how = frame.surroundings?;
         let has_levels = matches!(frame.texture_filter, TextureFilter::Mipmap | TextureFilter::Anisotropic);
@@ -45,7 +46,7 @@ impl<'a> Environment<'a> {
             loaded,
             how,
             has_levels,
-            background_level: if has_levels { level(loaded.seen().full().size(), pixel_angle_rad) } else { 0.0 },
+            background_level: if has_levels { level(loaded.seen().full().size(), sample_angle_rad) } else { 0.0 },
             blurred: (how.visible && how.blur > 0.0).then(|| loaded.seen_glossy()),
             diffuse: (how.lights && terms.diffuse).then(|| loaded.harmonics().polynomial()),
             glossy: (how.lights && terms.specular && any_gloss()).then(|| (loaded.glossy(), BrdfTable::get())),
@@ -135,7 +136,7 @@ impl<'a> Environment<'a> {
     }
 
     /// Which of the smaller copies are seen in the direction of `R` and in those of `T`: how far the two turn to the next
-    /// pixel says it. What comes out of a body is taken from the copy of the `T` that goes in, and all channels from
+    /// sample says it. What comes out of a body is taken from the copy of the `T` that goes in, and all channels from
     /// that of the middle one.
     fn levels(
         &self,

@@ -245,6 +245,7 @@ mod tests {
             camera,
             half_extent: DVec2::ONE,
             size: DVec2::ONE,
+            sample_width: 1.0,
             positions: vec![DVec3::new(-9.0, -9.0, 2.0), DVec3::new(9.0, -9.0, 2.0), DVec3::new(0.0, 9.0, 2.0)],
         };
         let triangle = Triangle {
