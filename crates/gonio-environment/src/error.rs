@@ -10,12 +10,14 @@ pub struct EnvironmentError {
     pub file: Option<String>,
     /// One sentence, without final full stop.
     pub message: String,
+    /// Whether a larger limit on memory would help.
+    pub over_limit: bool,
 }
 
 impl EnvironmentError {
     /// An error that names no file yet.
     pub fn new(message: impl Into<String>) -> Self {
-        EnvironmentError { file: None, message: message.into() }
+        EnvironmentError { file: None, message: message.into(), over_limit: false }
     }
 
     /// The same about a named file, where none is named yet.
@@ -37,7 +39,7 @@ impl fmt::Display for EnvironmentError {
 impl std::error::Error for EnvironmentError {}
 
 impl From<ImageError> for EnvironmentError {
-    fn from(ImageError { file, message }: ImageError) -> Self {
-        EnvironmentError { file, message }
+    fn from(ImageError { file, message, over_limit }: ImageError) -> Self {
+        EnvironmentError { file, message, over_limit }
     }
 }

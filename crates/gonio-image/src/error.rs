@@ -9,12 +9,14 @@ pub struct ImageError {
     pub file: Option<String>,
     /// One sentence without a final full stop.
     pub message: String,
+    /// Whether a larger limit on memory would help.
+    pub over_limit: bool,
 }
 
 impl ImageError {
     /// Creates an error that does not name a file yet.
     pub fn new(message: impl Into<String>) -> Self {
-        ImageError { file: None, message: message.into() }
+        ImageError { file: None, message: message.into(), over_limit: false }
     }
 
     /// Names the file, unless one is named already.

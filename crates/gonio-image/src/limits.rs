@@ -34,11 +34,12 @@ impl Limits {
             _ => {
                 let many = if pictures == 1 { String::new() } else { format!("{pictures} times ") };
                 let needed = bytes.map_or_else(|| "more than can be counted".to_owned(), gibibytes);
-                Err(ImageError::new(format!(
+                let message = format!(
                     "{many}{width} x {height} pixels are {needed} when decoded, and the limit is {}; make the picture \
-                     smaller or raise the limit (--max-memory)",
+                     smaller",
                     gibibytes(self.max_bytes)
-                )))
+                );
+                Err(ImageError { over_limit: true, ..ImageError::new(message) })
             }
         }
     }
@@ -74,8 +75,8 @@ mod tests {
         let limits = Limits { max_bytes: 8 << 30 };
         assert_eq!(limits.pixels(32768, 16384, 1), Ok(1 << 29));
         let refused = limits.pixels(32768, 16385, 1).map_err(|e| e.message);
-        let wanted = "32768 x 16385 pixels are 8.0 GiB when decoded, and the limit is 8.0 GiB; make the picture smaller \
-                      or raise the limit (--max-memory)";
+        let wanted =
+            "32768 x 16385 pixels are 8.0 GiB when decoded, and the limit is 8.0 GiB; make the picture smaller";
         assert_eq!(refused, Err(wanted.to_owned()));
         assert!(limits.pixels(u64::MAX, 3, 6).is_err());
         assert!(limits.pixels(0, 3, 1).is_err());

@@ -26,17 +26,33 @@ pub struct Diagnostic {
     pub line: Option<u64>,
     /// In bytes, from 1.
     pub column: Option<u64>,
+    /// The cause, where a setting of the program can remove it.
+    #[serde(skip)]
+    pub cause: Option<Cause>,
 }
 
 impl Diagnostic {
     /// A warning without a position.
     pub fn warning(message: impl Into<String>) -> Self {
-        Diagnostic { severity: Severity::Warning, message: message.into(), file: None, line: None, column: None }
+        Diagnostic {
+            severity: Severity::Warning,
+            message: message.into(),
+            file: None,
+            line: None,
+            column: None,
+            cause: None,
+        }
     }
 
     /// A note without a position.
     pub fn note(message: impl Into<String>) -> Self {
         Diagnostic { severity: Severity::Note, ..Self::warning(message) }
+    }
+
+    /// The same with a cause that a setting can remove.
+    pub fn caused_by(mut self, cause: Cause) -> Self {
+        self.cause = Some(cause);
+        self
     }
 
     /// The same at a line, and perhaps a column.
@@ -64,14 +80,22 @@ impl fmt::Display for Diagnostic {
     }
 }
 
-/// A cause of an error that a setting of the program can remove. Whoever has such a setting may name it beside the
-/// sentence of the error, which does not.
+/// A cause of an error or a warning that a setting of the program can remove. Messages name no option and no control:
+/// a program adds those that it has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cause {
     /// The file needs more memory than [`Limits::max_bytes`](crate::Limits::max_bytes).
     MemoryLimit,
     /// The file lies outside the folders that may be read.
     Sandbox,
+    /// The file was named as a model, and it is an environment.
+    EnvironmentAsModel,
+    /// A scene needs an environment and has none.
+    NoEnvironment,
+    /// The layout of an environment's faces was guessed.
+    GuessedLayout,
+    /// A panorama was made into a coarser cubemap than it is.
+    CoarseEnvironment,
 }
 
 /// Why a file could not be read at all.

@@ -6,7 +6,7 @@ use crate::model_kind::{self, InputKind};
 use crate::scene_file::{ObjectSpec, SceneFile};
 use crate::toml_reader;
 use crate::toml_tree::line_and_column;
-use gonio_mesh::{ReadError, encoding};
+use gonio_mesh::{Cause, ReadError, encoding};
 use std::borrow::Cow;
 use std::path::Path;
 
@@ -40,15 +40,14 @@ fn describe_one(input: &str, files: &dyn FileSource) -> Result<(SceneFile, bool)
     let path = files::resolve(Path::new(""), input);
     let explain = |e: std::io::Error| {
         if e.kind() == std::io::ErrorKind::NotFound && environment_file::builtin_of(input).is_some() {
-            return ReadError::new(
-                "this is a built-in environment, not a model; to surround a model by it, name it as the environment \
-                 (--environment)",
-            );
+            let message = "this is a built-in environment, not a model; to surround a model by it, name it as the \
+                           environment";
+            return ReadError::new(message).caused_by(Cause::EnvironmentAsModel);
         }
         files::failed(&e)
     };
     let bytes = files::read(files, &path).map_err(explain)?;
-    match model_kind::tell(&bytes, &path).map_err(ReadError::new)? {
+    match model_kind::tell(&bytes, &path)? {
         InputKind::Model => {
             let object = ObjectSpec { model: input.to_owned(), ..ObjectSpec::default() };
             Ok((SceneFile { objects: vec![object], ..SceneFile::default() }, false))

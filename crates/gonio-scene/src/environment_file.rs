@@ -377,7 +377,8 @@ fn memory(decoded: &Decoded) -> u64 {
 
 fn told(error: EnvironmentError, name: &str) -> ReadError {
     let file = error.file.unwrap_or_else(|| name.to_owned());
-    ReadError::new(error.message).in_file(&file)
+    let cause = error.over_limit.then_some(Cause::MemoryLimit);
+    ReadError { cause, ..ReadError::new(error.message) }.in_file(&file)
 }
 
 fn said(decoded: &Decoded, name: &str) -> Vec<Diagnostic> {
@@ -447,11 +448,9 @@ pub(crate) fn load<S: FileSource>(
 /// Says which layout the faces were taken to be in.
 fn layout_taken(layout: Layout, name: &str) -> Diagnostic {
     let other = if layout == Layout::OpenGl { Layout::Photographic } else { Layout::OpenGl };
-    let message = format!(
-        "its faces are taken for the layout `{layout}`; if the world is mirrored, `layout` (--environment-layout) = \
-         {other} rights it"
-    );
-    Diagnostic::note(message).in_file(name)
+    let message =
+        format!("the faces are read in the layout `{layout}`; if the world looks mirrored, set the layout `{other}`");
+    Diagnostic::note(message).caused_by(Cause::GuessedLayout).in_file(name)
 }
 
 /// The cubemap of a size, or of the size that suits it.
@@ -464,10 +463,10 @@ fn as_cubemap(source: Source, size: Option<u32>, name: &str, diagnostics: &mut V
     let size = size.unwrap_or(usual);
     if usual < natural && size < natural {
         let message = format!(
-            "the panorama is as fine as a cubemap of {natural} texels an edge, and is made into one of {size}; `size` \
-             (--environment-size) asks for more"
+            "the panorama is as fine as a cubemap of {natural} texels an edge, and is made into one of {size}; to \
+             keep more, set a larger size"
         );
-        diagnostics.push(Diagnostic::note(message).in_file(name));
+        diagnostics.push(Diagnostic::note(message).caused_by(Cause::CoarseEnvironment).in_file(name));
     }
     match source {
         Source::Cubemap(map) if map.size() == size => map,

@@ -15,7 +15,7 @@ use crate::validate;
 use glam::{DMat4, DQuat, DVec3};
 use gonio_light::{Fresnel, Optics};
 use gonio_mesh::normals::Averaging;
-use gonio_mesh::{Diagnostic, Limits, Material, Mesh, ReadError, normals, topology};
+use gonio_mesh::{Cause, Diagnostic, Limits, Material, Mesh, ReadError, normals, topology};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -42,7 +42,7 @@ pub fn load_within(
     files: &dyn FileSource,
     limits: &Limits,
 ) -> Result<Scene, ReadError> {
-    validate::check(&scene).map_err(|p| ReadError::new(p.message))?;
+    validate::check(&scene)?;
     let files = &Budgeted::new(files, limits.max_bytes);
 
     // Each file once.
@@ -184,9 +184,10 @@ pub(crate) fn with_normals(mesh: Mesh, choice: NormalChoice) -> (Mesh, Vec<Diagn
 /// That nothing is there to be mirrored.
 pub(crate) fn lacks_surroundings() -> Diagnostic {
     Diagnostic::warning(
-        "mirrors and glass show their surroundings, and the scene has none: they look like any surface; give \
-         --environment, or [environment] in the scene file",
+        "mirrors and glass show their surroundings, and the scene has none: they look like any surface; add an \
+         [environment] to the scene file",
     )
+    .caused_by(Cause::NoEnvironment)
 }
 
 /// The settings of a scene file whose objects are read.

@@ -1,7 +1,7 @@
 //! What an input is: told by its content first, then by its name.
 
 use gonio_image::decode::FileFormat;
-use gonio_mesh::{Format, compression, encoding, format};
+use gonio_mesh::{Cause, Format, ReadError, compression, encoding, format};
 use std::path::Path;
 
 /// What can be read.
@@ -15,18 +15,19 @@ const READABLE: &str = "models (.obj .gltf .glb .dae .ply .stl .mesh .meshb, als
                         can be read";
 
 /// What the file named `name` with these bytes is, or why it cannot be read.
-pub(crate) fn tell(bytes: &[u8], name: &Path) -> Result<InputKind, String> {
+pub(crate) fn tell(bytes: &[u8], name: &Path) -> Result<InputKind, ReadError> {
     if bytes.is_empty() {
-        return Err(format!("the file is empty; {READABLE}"));
+        return Err(ReadError::new(format!("the file is empty; {READABLE}")));
     }
     if compression::is_compressed(bytes) {
         return Ok(InputKind::Model);
     }
     if let Some(picture) = FileFormat::detect(bytes) {
-        return Err(format!(
-            "this is {what}, not a model; to surround a model by it, name it as the environment (--environment)",
+        let message = format!(
+            "this is {what}, not a model; to surround a model by it, name it as the environment",
             what = environment_kind(picture)
-        ));
+        );
+        return Err(ReadError::new(message).caused_by(Cause::EnvironmentAsModel));
     }
     let extension = name.extension().and_then(|e| e.to_str()).unwrap_or("").to_ascii_lowercase();
     // A scene file is one by its name and content; a name alone makes only what is nothing else a scene.
@@ -40,8 +41,8 @@ pub(crate) fn tell(bytes: &[u8], name: &Path) -> Result<InputKind, String> {
     }
     match Format::detect(bytes, &name.to_string_lossy()) {
         Ok(_) => Ok(InputKind::Model),
-        Err(Some(other)) => Err(format!("this is {other}; {READABLE}")),
-        Err(None) => Err(unknown(bytes, &extension)),
+        Err(Some(other)) => Err(ReadError::new(format!("this is {other}; {READABLE}"))),
+        Err(None) => Err(ReadError::new(unknown(bytes, &extension))),
     }
 }
 

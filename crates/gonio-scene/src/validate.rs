@@ -7,6 +7,7 @@ use crate::scene_file::{
 };
 use glam::DVec3;
 use gonio_light::vector::unit;
+use gonio_mesh::{Cause, ReadError};
 
 /// Most pixels along one side of a picture.
 pub const MAX_SIDE: u32 = 16384;
@@ -22,6 +23,14 @@ pub struct Problem {
     pub path: String,
     /// One sentence that names the key.
     pub message: String,
+    /// The cause, where a setting of the program can remove it.
+    pub cause: Option<Cause>,
+}
+
+impl From<Problem> for ReadError {
+    fn from(problem: Problem) -> Self {
+        ReadError { cause: problem.cause, ..ReadError::new(problem.message) }
+    }
 }
 
 impl std::fmt::Display for Problem {
@@ -138,8 +147,8 @@ pub const MAX_CUBEMAP_SIZE: u32 = 8192;
 fn check_environment(e: &EnvironmentSpec) -> Check {
     let at = "environment";
     if e.image.trim().is_empty() {
-        let wants = "the environment needs `image` (--environment): debug, sky, room, a picture or a folder of six";
-        return fail(at, "", wants);
+        let message = "the environment needs `image`: debug, sky, room, a picture or a folder of six faces".to_owned();
+        return Err(Problem { path: at.to_owned(), message, cause: Some(Cause::NoEnvironment) });
     }
     if let Some(size) = e.size.filter(|size| !(1..=MAX_CUBEMAP_SIZE).contains(size)) {
         return fail(at, "size", format!("`size` must be 1 to {MAX_CUBEMAP_SIZE} texels, not {size}"));
@@ -276,7 +285,7 @@ fn check_motion(at_light: &str, m: &MotionSpec, position: Option<[f64; 3]>) -> C
 
 fn fail(at: &str, key: &str, message: impl Into<String>) -> Check {
     let dot = if at.is_empty() || key.is_empty() { "" } else { "." };
-    Err(Problem { path: format!("{at}{dot}{key}"), message: message.into() })
+    Err(Problem { path: format!("{at}{dot}{key}"), message: message.into(), cause: None })
 }
 
 fn check_number(at: &str, key: &str, value: Option<f64>, allowed: impl Fn(f64) -> bool, range: &str) -> Check {

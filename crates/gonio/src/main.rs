@@ -10,6 +10,7 @@ mod cli;
 mod cli_environment;
 mod commands;
 mod escapes;
+mod hints;
 mod limits;
 mod loading;
 mod memory;

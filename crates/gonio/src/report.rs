@@ -7,12 +7,13 @@
 #![allow(clippy::print_stderr, clippy::print_stdout)]
 
 use crate::escapes::json_for_terminal;
+use crate::hints::hint;
 use crate::page::{Page, Style, line_for_terminal};
 use clap::Parser;
 use gonio_gallery::GalleryError;
 use gonio_gl::GlError;
 use gonio_image::ImageError;
-use gonio_mesh::{Cause, Diagnostic, ReadError, Severity};
+use gonio_mesh::{Diagnostic, ReadError, Severity};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fmt::Display;
 use std::io::{self, IsTerminal, Write};
@@ -124,12 +125,7 @@ impl Display for CliError {
 
 impl From<ReadError> for CliError {
     fn from(error: ReadError) -> Self {
-        let hint = match error.cause {
-            Some(Cause::MemoryLimit) => "; --max-memory raises the limit",
-            Some(Cause::Sandbox) => "; without --sandbox it is read",
-            None => "",
-        };
-        CliError::Message(format!("{error}{hint}"))
+        CliError::Message(format!("{error}{}", hint(error.cause)))
     }
 }
 
@@ -324,7 +320,7 @@ pub fn diagnostic_text(diagnostic: &Diagnostic) -> String {
     } else if let Some(line) = diagnostic.line {
         text.push_str(&format!("line {line}: "));
     }
-    text + &diagnostic.message
+    text + &diagnostic.message + hint(diagnostic.cause)
 }
 
 fn stdout_error(error: io::Error) -> CliError {

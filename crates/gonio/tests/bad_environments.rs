@@ -124,7 +124,8 @@ fn models_and_environments_are_not_exchanged() {
         ("sky.dds", "a DDS texture"),
         ("sky", "a built-in environment"),
     ] {
-        let pieces = [&format!("{name}: this is {what}"), "not a model", "name it as the environment (--environment)"];
+        let pieces =
+            [&format!("{name}: this is {what}"), "not a model", "name it as the environment with --environment"];
         lab.render(&[name, "-o", "out.png"]).refused(&pieces);
         // As an environment it is a good one.
         if name != "sky" {
@@ -280,7 +281,7 @@ fn options_that_are_wrong() {
         let name = option.split('=').next().unwrap();
         render(&[&["--environment", "sky"], &given[..]].concat()).refused(&[name, piece]);
     }
-    render(&["--environment-blur", "0.5"]).refused(&["the environment needs `image` (--environment)"]);
+    render(&["--environment-blur", "0.5"]).refused(&["the environment needs `image`", "--environment gives it one"]);
     render(&["--environment", "sky", "--environment-background", "skyy"]).refused(&["skyy", "did you mean `sky`"]);
     render(&["--material", "glas"]).refused(&["--material", "did you mean `glass`"]);
     let convert = |args: &[&str]| lab.run(&[&["environment", "convert", "sky", "out"], args].concat());

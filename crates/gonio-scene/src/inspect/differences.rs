@@ -46,7 +46,7 @@ const KNOWN: [Known; 9] = [
         difference: Difference {
             feature: "no normals",
             others: "three.js makes flat ones, tobj none",
-            here: "averaged, weighted by angle; --normals flat makes flat ones",
+            here: "averaged, weighted by angle; flat ones with `normals = \"flat\"`",
         },
     },
     Known {

@@ -227,7 +227,7 @@ fn models_and_environments_are_told_apart() {
         "s.toml: this is a scene file, not a picture; to draw it, name it as the input"
     );
     let told = |name: &str| describe(&[name], &files).unwrap_err().to_string();
-    let remedy = "not a model; to surround a model by it, name it as the environment (--environment)";
+    let remedy = "not a model; to surround a model by it, name it as the environment";
     assert_eq!(told("p.png"), format!("p.png: this is a PNG image, {remedy}"));
     assert_eq!(told("sky"), format!("sky: this is a built-in environment, {remedy}"));
     assert!(told("skyy").contains("there is no such file"));
@@ -337,10 +337,10 @@ fn panoramas_become_cubemaps_as_fine_and_at_most_usual() {
 fn a_layout_that_nobody_named_is_told() {
     let told = |environment: &str| -> Vec<String> {
         let diagnostics = scene(environment).0.diagnostics;
-        diagnostics.into_iter().map(|d| d.message).filter(|m| m.contains("taken for the layout")).collect()
+        diagnostics.into_iter().map(|d| d.message).filter(|m| m.contains("read in the layout")).collect()
     };
-    let photographic = "its faces are taken for the layout `photographic`; if the world is mirrored, `layout` \
-                        (--environment-layout) = opengl rights it";
+    let photographic = "the faces are read in the layout `photographic`; if the world looks mirrored, set the \
+                        layout `opengl`";
     assert_eq!(told("image = \"faces\""), [photographic]);
     let by_format = told("image = \"../k.ktx2\"");
     assert!(matches!(&by_format[..], [one] if one.contains("`opengl`")), "{by_format:?}");
@@ -366,10 +366,7 @@ fn keys_of_an_environment_are_checked() {
         let text = format!("[[object]]\nmodel = \"builtin:cube\"\n[environment]\n{text}");
         assert_eq!(toml_reader::read(&text).unwrap_err().to_string(), expected);
     };
-    says(
-        "blur = 0.5\n",
-        "3:1: the environment needs `image` (--environment): debug, sky, room, a picture or a folder of six",
-    );
+    says("blur = 0.5\n", "3:1: the environment needs `image`: debug, sky, room, a picture or a folder of six faces");
     says("image = \"sky\"\nblur = 2\n", "5:8: `blur` must be 0 to 1, not 2");
     says("image = \"sky\"\nsize = 0\n", "5:8: `size` must be 1 to 8192 texels, not 0");
     says("image = \"sky\"\nintensity = -1\n", "5:13: `intensity` must be 0 to 1000000, not -1");

@@ -1,5 +1,6 @@
 //! An inspection as a page of text.
 
+use crate::hints::hint;
 use crate::page::{self, Style};
 use gonio_mesh::explain::LineExplanation;
 use gonio_mesh::{Diagnostic, ModelLightKind, NormalSource, Severity};
@@ -271,7 +272,7 @@ impl Page {
         self.heading("Warnings and notes");
         self.rows(diagnostics, |page, d| {
             let style = if d.severity == Severity::Warning { WARNING } else { FAINT };
-            page.0.line(format_args!("  {style}{d}{style:#}"));
+            page.0.line(format_args!("  {style}{d}{hint}{style:#}", hint = hint(d.cause)));
         });
     }
 
