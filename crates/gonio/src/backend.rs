@@ -1,4 +1,4 @@
-//! Who draws: OpenGL or the CPU reference, behind one face.
+//! The two renderers, OpenGL and the CPU reference, behind one interface.
 
 use crate::capture::Recorder;
 use crate::cli::BackendOptions;
@@ -12,23 +12,22 @@ use serde::Serialize;
 use std::borrow::Cow;
 use std::path::Path;
 
-/// `--backend`
+/// The renderer that `--backend` asks for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum BackendChoice {
-    /// OpenGL where it can be had, else the CPU reference.
+    /// OpenGL where available, else the CPU reference.
     #[default]
     Auto,
     /// OpenGL, or an error.
     Gl,
-    /// The reference, in f64 on all cores.
+    /// The CPU reference, in f64 on all cores.
     Cpu,
 }
 
 impl BackendChoice {
-    /// All.
     pub const ALL: &'static [Self] = &[Self::Auto, Self::Gl, Self::Cpu];
 
-    /// As written.
+    /// The name on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::Auto => "auto",
@@ -38,31 +37,29 @@ impl BackendChoice {
     }
 }
 
-/// A backend before it has a scene: made while the scene is being read.
+/// A backend without a scene, created while the scene is being read.
 pub enum Opened {
-    /// A context and a renderer.
     Gl(Box<OpenGl>),
-    /// The CPU, and why not OpenGL where that was wanted.
+    /// The CPU, and the reason if OpenGL was preferred.
     Cpu {
-        /// One sentence.
         reason: Option<String>,
     },
 }
 
 /// A context and the renderer in it.
 pub struct OpenGl {
-    // In this order: the renderer frees its objects while the context is there.
+    // In this order: the renderer frees its objects while the context exists.
     renderer: Renderer,
     context: HeadlessContext,
-    /// Of the first picture.
+    /// Captures the first picture.
     recorder: Option<Recorder>,
-    /// Nothing but pictures of 8 bits a channel is wanted.
+    /// Only pictures of 8 bits per channel are needed.
     eight_bits: bool,
 }
 
 impl OpenGl {
-    /// Draws one picture for RenderDoc: in one piece, so that each part is drawn once, and encoded. What is
-    /// written as a picture is drawn afterwards, as without a capture.
+    /// Draws one picture for RenderDoc: encoded, and in one piece, so that each object is drawn once. The picture that is
+    /// written is drawn afterwards, as without a capture.
     fn record(
         &mut self,
         mut recorder: Recorder,
@@ -77,13 +74,12 @@ impl OpenGl {
 }
 
 impl Opened {
-    /// Makes what the options ask for; `auto` falls back on the CPU.
+    /// Creates the backend that the options ask for; `auto` falls back on the CPU.
     ///
-    /// A RenderDoc `capture`, which [`crate::capture::prepare`] has made possible, has to be announced
-    /// before OpenGL is loaded.
+    /// RenderDoc must know of a `capture` before OpenGL is loaded. [`crate::capture::prepare`] has made it possible.
     pub fn new(options: &BackendOptions, capture: Option<&Path>, times: &Times) -> Result<Opened, CliError> {
         if let Some(threads) = options.threads {
-            // Fails only where the pool exists already, and nothing has used it yet.
+            // Fails only if the pool exists already, and nothing has used it yet.
             let _ = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
         }
         if options.backend == BackendChoice::Cpu {
@@ -106,14 +102,14 @@ impl Opened {
         match self {
             Opened::Gl(gl) if width.max(height) > gl.renderer.info().max_size => {
                 let why = format!(
-                    "{width}x{height} is more than the {} pixels along a side that this driver can draw",
+                    "{width}x{height} is too large for this driver, which draws at most {} pixels along a side",
                     gl.renderer.info().max_size
                 );
                 if options.backend == BackendChoice::Gl {
-                    return Err(CliError::new(format!("{why}; `--backend cpu` can")));
+                    return Err(CliError::new(format!("{why}; `--backend cpu` draws it")));
                 }
                 if gl.recorder.is_some() {
-                    return Err(CliError::new(format!("{why}, so there is nothing to capture; take a smaller --size")));
+                    return Err(CliError::new(format!("{why}, so it cannot be captured; choose a smaller --size")));
                 }
                 Ok(Opened::Cpu { reason: Some(why) })
             }
@@ -129,7 +125,6 @@ impl Opened {
         }
     }
 
-    /// Describes the backend for `--json`.
     pub fn report(&self) -> BackendReport {
         match self {
             Opened::Gl(gl) => BackendReport::new(Some(gl.renderer.info()), None),
@@ -137,7 +132,6 @@ impl Opened {
         }
     }
 
-    /// Describes the backend in one clause.
     pub fn sentence(&self) -> String {
         match self {
             Opened::Gl(gl) => sentence(Some(gl.renderer.info()), None),
@@ -145,7 +139,7 @@ impl Opened {
         }
     }
 
-    /// Gives the scene to the backend.
+    /// Uploads the scene to the GPU, or sorts its triangles for the CPU.
     pub fn take_scene(
         self,
         scene: &Scene,
@@ -175,6 +169,15 @@ fn open_gl(options: &BackendOptions) -> Result<(Renderer, HeadlessContext), goni
     Ok((Renderer::new(context.gl().clone())?, context))
 }
 
+/// The driver of a new context without a window.
+pub fn find_driver(options: &BackendOptions) -> Result<DriverInfo, gonio_gl::GlError> {
+    let (renderer, context) = open_gl(options)?;
+    let driver = renderer.info().clone();
+    // The process ends soon; the system frees the context faster.
+    std::mem::forget((renderer, context));
+    Ok(driver)
+}
+
 pub fn open_context(options: &BackendOptions) -> Result<HeadlessContext, gonio_gl::GlError> {
     HeadlessContext::with_options(&gonio_gl::headless::HeadlessOptions {
         egl_library: options.egl_library.as_ref().map(Into::into),
@@ -184,18 +187,13 @@ pub fn open_context(options: &BackendOptions) -> Result<HeadlessContext, gonio_g
 
 /// A backend with its scene.
 pub enum Backend {
-    /// OpenGL.
     Gl {
-        /// Context and renderer.
         gl: Box<OpenGl>,
-        /// The scene on the GPU.
         gpu: Box<GpuScene>,
     },
-    /// The reference.
     Cpu {
-        /// The scene with its acceleration structure.
         scene: Box<ReferenceScene>,
-        /// Why not OpenGL, where that was wanted.
+        /// The reason for the CPU if OpenGL was preferred.
         reason: Option<String>,
     },
 }
@@ -214,15 +212,14 @@ pub struct BackendReport {
     /// `GL_SHADING_LANGUAGE_VERSION`
     #[serde(skip_serializing_if = "Option::is_none")]
     pub glsl: Option<String>,
-    /// Why the CPU draws where OpenGL was wanted.
+    /// The reason for the CPU if OpenGL was preferred.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reason: Option<String>,
 }
 
 impl Backend {
-    /// Draws the picture (`None`) and debug views of one frame, and hands each to `each` with its
-    /// place in `views`. The CPU traces its rays once for all; a picture leaves the GPU before the next
-    /// is drawn.
+    /// Draws the picture (`None`) and debug views of one frame, and calls `each` for each with its index in `views`. The CPU
+    /// traces its rays once for all of them; a picture leaves the GPU before the next is drawn.
     pub fn draw(
         &mut self,
         frame: &Frame,
@@ -263,7 +260,7 @@ impl Backend {
         Ok(())
     }
 
-    /// Draws pictures with overlays, or special views: OpenGL does it, in 8 bits a channel.
+    /// Draws pictures with overlays, or special views, which takes OpenGL, in 8 bits per channel.
     pub fn draw_shown(
         &mut self,
         frame: &Frame,
@@ -274,8 +271,8 @@ impl Backend {
     ) -> Result<(), CliError> {
         let Backend::Gl { gl, gpu } = self else {
             return Err(CliError::new(
-                "--overlay and the views uv-checker, overdraw and nothing are drawn with OpenGL, and the CPU reference \
-                 draws here; leave --backend cpu out, or see what `gonio render` says about OpenGL without them",
+                "--overlay and the views uv-checker, overdraw and nothing need OpenGL, which is not available here; \
+                 `gonio render` without them reports the reason",
             ));
         };
         for (index, show) in shows.iter().enumerate() {
@@ -288,14 +285,14 @@ impl Backend {
         Ok(())
     }
 
-    /// Only pictures of 8 bits a channel will be asked for, which OpenGL draws faster.
+    /// Promises that only pictures of 8 bits per channel will be read, which OpenGL draws faster.
     pub fn for_eight_bits(&mut self) {
         if let Backend::Gl { gl, .. } = self {
             gl.eight_bits = true;
         }
     }
 
-    /// The driver, where there is one.
+    /// The OpenGL driver, if OpenGL draws.
     pub fn driver(&self) -> Option<&DriverInfo> {
         match self {
             Backend::Gl { gl, .. } => Some(gl.renderer.info()),
@@ -303,12 +300,11 @@ impl Backend {
         }
     }
 
-    /// For `--json`.
     pub fn report(&self) -> BackendReport {
         BackendReport::new(self.driver(), self.reason())
     }
 
-    /// Which backend, and why.
+    /// A sentence that names the backend, and the reason for it.
     pub fn sentence(&self) -> String {
         sentence(self.driver(), self.reason())
     }
@@ -343,28 +339,27 @@ fn sentence(driver: Option<&DriverInfo>, reason: Option<&str>) -> String {
 
 /// A finished frame.
 pub enum Shot {
-    /// Still on the GPU.
+    /// On the GPU.
     Gl(Drawn),
-    /// Of 8 bits a channel and nothing else.
+    /// With 8 bits per channel only.
     Gl8(Drawn8),
-    /// With the map that shows it.
+    /// With the map from its values to what is displayed.
     Cpu(Rendered, DisplayMap),
 }
 
-/// What was counted while drawing.
+/// Counters of one frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Counts {
-    /// Vertices lit or transformed.
+    /// Vertices that were lit or transformed.
     pub vertices: Option<u64>,
-    /// Fragments lit.
+    /// Fragments that were lit.
     pub fragments: Option<u64>,
-    /// Draw calls of OpenGL.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub draw_calls: Option<u32>,
 }
 
 impl Shot {
-    /// The values themselves, premultiplied.
+    /// The linear values, premultiplied by alpha.
     pub fn linear(&self) -> Result<Picture, CliError> {
         match self {
             Shot::Gl(drawn) => Ok(drawn.linear()?),
@@ -373,7 +368,7 @@ impl Shot {
         }
     }
 
-    /// As displayed, 8 bits.
+    /// The displayed values in 8 bits.
     pub fn encoded8(&self) -> Result<Cow<'_, EncodedPicture<u8>>, CliError> {
         match self {
             Shot::Gl(drawn) => Ok(Cow::Owned(drawn.encoded8()?)),
@@ -382,7 +377,7 @@ impl Shot {
         }
     }
 
-    /// As displayed, 16 bits.
+    /// The displayed values in 16 bits.
     pub fn encoded16(&self) -> Result<EncodedPicture<u16>, CliError> {
         match self {
             Shot::Gl(drawn) => Ok(drawn.encoded16()?),
@@ -391,23 +386,22 @@ impl Shot {
         }
     }
 
-    /// What was counted.
     pub fn counts(&self) -> Counts {
-        let of_gpu = |statistics: &GpuStatistics| Counts {
+        let gpu_counts = |statistics: &GpuStatistics| Counts {
             vertices: statistics.vertices,
             fragments: statistics.fragments,
             draw_calls: Some(statistics.draw_calls),
         };
         match self {
-            Shot::Gl(drawn) => of_gpu(&drawn.statistics),
-            Shot::Gl8(drawn) => of_gpu(&drawn.statistics),
+            Shot::Gl(drawn) => gpu_counts(&drawn.statistics),
+            Shot::Gl8(drawn) => gpu_counts(&drawn.statistics),
             Shot::Cpu(rendered, _) => {
                 Counts { vertices: Some(rendered.vertices), fragments: Some(rendered.fragments), draw_calls: None }
             }
         }
     }
 
-    /// What could not be done as asked.
+    /// Notes about requests that could not be met exactly.
     pub fn notes(&self) -> &[String] {
         match self {
             Shot::Gl(drawn) => &drawn.notes,
@@ -417,7 +411,9 @@ impl Shot {
     }
 }
 
-/// A frame that was drawn for 8 bits has no more; whoever asks has not said so beforehand.
+/// The error of a frame that was drawn for 8 bits although more were needed.
 fn only_eight_bits() -> CliError {
-    CliError::new("this frame was drawn for 8 bits a channel and has no finer values; please report this")
+    CliError::new(
+        "this frame was drawn with 8 bits per channel and has no finer values; this is a bug, please report it",
+    )
 }

@@ -6,33 +6,41 @@ use gonio_environment::Layout;
 use gonio_scene::SceneFile;
 use gonio_scene::scene_file::EnvironmentSpec;
 
-/// What surrounds the scene.
+/// The options about a scene's environment.
 #[derive(Args, Debug, Clone, Default)]
-#[command(next_help_heading = "Environment")]
+#[command(next_help_heading = "Environment options")]
 pub struct EnvironmentOptions {
-    /// Surround the scene: debug, sky, room; or a panorama, a cross, a strip, a .ktx2 or .dds cubemap, a folder of six
-    /// faces, one of six faces, or a pattern ("sky_*.png").
+    /// Surround the scene: debug, sky, room, or files.
+    ///
+    /// Files: a panorama, a cross, a strip, a .ktx2 or .dds cubemap, a folder of six faces, one of six faces, or a pattern
+    /// such as "sky_*.png".
     #[arg(long, value_name = "FILE")]
     pub environment: Option<String>,
-    /// How the faces lie in the files; photographic by default, and opengl in .ktx2 and .dds.
+    /// Layout of the faces in files.
+    ///
+    /// By default photographic, and opengl for .ktx2 and .dds. `gonio help environment convert` explains both.
     #[arg(long, value_name = "LAYOUT", value_parser = values::named(Layout::ALL, Layout::name))]
     pub environment_layout: Option<Layout>,
-    /// Texels along an edge of the cubemap that a panorama is made into.
+    /// Texels along an edge of the cubemap that a panorama is converted to.
     #[arg(long, value_name = "N", value_parser = values::cubemap_size)]
     pub environment_size: Option<u32>,
-    /// Turn it, in degrees: a positive yaw turns what is ahead to the left, a positive pitch upwards.
+    /// Rotate the environment, in degrees.
+    ///
+    /// A positive yaw turns what is ahead to the left, a positive pitch upwards.
     #[arg(long, value_name = "YAW,PITCH,ROLL", value_parser = values::angles, allow_hyphen_values = true)]
     pub environment_rotate: Option<[f64; 3]>,
-    /// Multiply its light.
+    /// Multiply the environment's light.
     #[arg(long, value_name = "FACTOR", value_parser = values::not_negative, allow_negative_numbers = true)]
     pub environment_intensity: Option<f64>,
-    /// Let it light the objects, or (=false) not; by default it does where the scene has no lights.
+    /// Let the environment light the objects; =false prevents it.
+    ///
+    /// By default it does so if the scene has no lights.
     #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
     pub environment_light: Option<bool>,
-    /// Show it behind the objects, or (=false) do not.
+    /// Show the environment behind the objects; =false hides it.
     #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
     pub environment_visible: Option<bool>,
-    /// Blur it behind the objects, 0 to 1.
+    /// Blur the environment behind the objects, 0 to 1.
     #[arg(long, value_name = "SHARE", value_parser = values::share, allow_negative_numbers = true)]
     pub environment_blur: Option<f64>,
     /// Show another environment behind the objects.
@@ -46,11 +54,11 @@ impl EnvironmentOptions {
         self.environment.iter().chain(&self.environment_background).map(String::as_str)
     }
 
-    /// Replaces in `scene` what the options say. One of them without `--environment` changes the scene's environment; a
-    /// scene that has none then has an error of its own.
+    /// Replaces values of `scene` by those of the options. Without `--environment` they change the scene's environment; a scene
+    /// without one is then rejected by its own check.
     pub fn apply(&self, scene: &mut SceneFile) {
         if let Some(image) = &self.environment {
-            // Another picture: what the scene file says of layout and size was about its own.
+            // The layout and size in the scene file belong to its own picture.
             let before = scene.environment.take().unwrap_or_default();
             scene.environment = Some(EnvironmentSpec { image: image.clone(), layout: None, size: None, ..before });
         } else if self.changes_something() {
@@ -84,7 +92,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_new_picture_keeps_what_is_not_about_the_old_one() {
+    fn a_new_picture_keeps_the_values_that_do_not_depend_on_it() {
         let before = EnvironmentSpec {
             image: "old.ktx2".into(),
             layout: Some(Layout::OpenGl),
@@ -101,7 +109,7 @@ mod tests {
         EnvironmentOptions::default().apply(&mut bare);
         assert_eq!(bare, SceneFile::default());
         EnvironmentOptions { environment_blur: Some(0.5), ..EnvironmentOptions::default() }.apply(&mut bare);
-        // Told by the scene's own check.
+        // The scene's own check reports this.
         assert!(gonio_scene::validate::check(&bare).is_err_and(|p| p.message.contains("`image`")));
     }
 }

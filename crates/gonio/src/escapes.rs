@@ -1,13 +1,13 @@
-//! JSON and TOML that say the same with every hidden character as an escape, so that a terminal can show them.
+//! Equivalent JSON and TOML in which every hidden character is an escape, so that a terminal can show them.
 
 use gonio_exercises::report::is_hidden;
 
-/// JSON with hidden characters as `\uXXXX`. A second `#` is escaped too: build servers obey `##[` in a log.
+/// JSON with hidden characters as `\uXXXX`. A second `#` is escaped too: build servers execute `##[` in a log.
 pub fn json_for_terminal(json: &str) -> String {
     let mut ready = String::with_capacity(json.len());
     let mut last = '\n';
     for c in json.chars() {
-        // Outside of strings there are no such characters but the newlines that indent it.
+        // Outside strings there are no such characters except newlines.
         let is_plain = c == '\n' || !(is_hidden(c) || (c == '#' && last == '#'));
         last = c;
         if is_plain {
@@ -41,7 +41,7 @@ pub fn toml_for_terminal(toml: &str) -> String {
     ready
 }
 
-/// Where the string at the beginning of `text` ends, its quotes included.
+/// The end of the string at the beginning of `text`, including its quotes.
 fn string_end(text: &str, quotes: &str) -> usize {
     let mut at = quotes.len();
     while at < text.len() && !text[at..].starts_with(quotes) {
@@ -50,14 +50,14 @@ fn string_end(text: &str, quotes: &str) -> usize {
         at += skipped.map(char::len_utf8).sum::<usize>();
     }
     at = (at + quotes.len()).min(text.len());
-    // Three quotes that end a string may have one or two of the string's before them.
+    // One or two quotes of the string itself may precede the three that end it.
     while quotes.len() == 3 && text[at..].starts_with(&quotes[..1]) {
         at += 1;
     }
     at
 }
 
-/// A string with its quotes.
+/// Escapes a string with its quotes.
 fn toml_string(string: &str, quotes: &str) -> String {
     let stays = |c: char| !is_hidden(c) || (c == '\n' && quotes.len() == 3);
     let body = string.strip_prefix(quotes).and_then(|body| body.strip_suffix(quotes));

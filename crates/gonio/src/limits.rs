@@ -1,23 +1,23 @@
-//! How large a picture may be, checked before anything is allocated for it.
+//! Limits on the size of a picture, checked before anything is allocated for it.
 
 pub use gonio_scene::validate::{MAX_PIXELS, MAX_SIDE};
 
-/// Whether a picture of this size can be made; the sentence names the largest allowed.
+/// Checks the size of a picture. The error names the largest size.
 pub fn check_size(width: u64, height: u64) -> Result<(), String> {
     if width == 0 || height == 0 {
-        return Err(format!("a picture of {width}x{height} has no pixels; both sides must be at least 1"));
+        return Err(format!("a picture of {width}x{height} has no pixels: both sides must be at least 1"));
     }
     let side = u64::from(MAX_SIDE);
     if width > side || height > side || width * height > MAX_PIXELS {
         return Err(format!(
-            "{width}x{height} is too large; at most {MAX_SIDE} pixels along a side and {MAX_PIXELS} altogether \
-             (8192x8192, for example) can be drawn"
+            "{width}x{height} is too large: a picture has at most {MAX_SIDE} pixels along a side and {MAX_PIXELS} \
+             altogether, for example 8192x8192"
         ));
     }
     Ok(())
 }
 
-/// Most frames of an animation: what four digits can number.
+/// Most frames of an animation: as many as four digits can number.
 pub const MAX_FRAMES: u32 = 9999;
 
 #[cfg(test)]

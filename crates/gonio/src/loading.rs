@@ -1,23 +1,23 @@
-//! From the inputs and options of a command to a loaded scene.
+//! Loading the scene of a command from its inputs and options.
 
 use crate::cli::SceneOptions;
 use crate::report::{CliError, Reporter, Times};
 use gonio_scene::{Scene, ViewSpec, load};
 use std::path::Path;
 
-/// The scene of `inputs` with the options laid over it, all files read.
-pub fn load_scene(inputs: &[String], options: &SceneOptions) -> Result<Scene, CliError> {
+/// Loads the scene of `inputs`, with the options in place of its own values.
+pub fn load_scene(inputs: &[String], options: &SceneOptions, reporter: &Reporter) -> Result<Scene, CliError> {
     let inputs: Vec<&str> = inputs.iter().map(String::as_str).collect();
     let named = inputs.iter().copied().chain(options.surroundings.named());
-    let files = options.limits.files(named);
+    let files = options.limits.files(named, reporter);
     let mut scene = load::describe(&inputs, &files)?;
     options.apply(&mut scene);
-    // Paths in it are relative to the current folder.
+    // Paths in the scene are relative to the current folder.
     Ok(load::load_within(scene, Path::new(""), &files, &options.limits.limits())?)
 }
 
-/// Loads the scene on a second thread while `meanwhile` runs on this one (making an OpenGL context
-/// takes longer than reading most models, and has to stay on its thread).
+/// Loads the scene on a second thread while `meanwhile` runs on this one: creating an OpenGL context takes longer than reading
+/// most models, and must stay on its thread.
 pub fn load_scene_while<T>(
     inputs: &[String],
     options: &SceneOptions,
@@ -27,16 +27,16 @@ pub fn load_scene_while<T>(
 ) -> (Result<Scene, CliError>, T) {
     let _busy = reporter.busy("reading the scene");
     std::thread::scope(|scope| {
-        let loader = scope.spawn(|| times.measure("load", || load_scene(inputs, options)));
+        let loader = scope.spawn(|| times.measure("load", || load_scene(inputs, options, reporter)));
         let other = meanwhile();
         let scene = loader.join().unwrap_or_else(|_| {
-            Err(CliError::new("reading the scene ended unexpectedly; this is a fault of gonio, please report it"))
+            Err(CliError::new("reading the scene ended unexpectedly; this is a bug, please report it"))
         });
         (scene, other)
     })
 }
 
-/// Whether every view's light exists.
+/// Checks that the light of every view exists.
 pub fn check_views(views: impl IntoIterator<Item = ViewSpec>, scene: &Scene) -> Result<(), CliError> {
     let count = scene.settings.lights.len();
     for view in views {

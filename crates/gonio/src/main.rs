@@ -1,8 +1,7 @@
 //! `gonio`: the light lab's command line.
 //!
-//! Thin: options in, a call into the libraries, words and files out. [`report`] is the only place that
-//! prints. Exit codes: 0 done, 1 a check that was asked for failed, 2 an error (a closed stdout too,
-//! silently).
+//! Each command turns options into calls of the libraries, and their results into reports and files. [`report`] is the only
+//! module that prints. Exit codes: 0 success (also if the reader of stdout has gone), 1 a requested check failed, 2 error.
 
 mod backend;
 mod capture;
@@ -14,43 +13,60 @@ mod hints;
 mod limits;
 mod loading;
 mod memory;
+mod numbers;
 mod output;
 mod overrides;
 mod page;
 mod report;
 mod values;
+mod verbose;
+mod version;
 
-use clap::{CommandFactory, Parser};
+use clap::error::ErrorKind;
 use report::{CliError, Outcome, Reporter};
+use std::time::Instant;
 
 fn main() {
-    std::panic::set_hook(Box::new(report::panicked));
-    let arguments = match cli::Cli::try_parse() {
+    let start = Instant::now();
+    std::panic::set_hook(Box::new(report::print_panic));
+    let arguments = match cli::parse(std::env::args_os()) {
         Ok(arguments) => arguments,
-        Err(error) => std::process::exit(report::refused_arguments::<cli::Cli>(&error)),
+        Err(error)
+            if error.kind() == ErrorKind::DisplayVersion && std::env::args_os().any(|word| word == "--version") =>
+        {
+            std::process::exit(exit_code(&report::write_stdout(version::long().as_bytes()).map(|()| Outcome::Done)));
+        }
+        Err(error) => std::process::exit(report::print_usage_error(&error)),
     };
     let Some(command) =
         arguments.command.or_else(|| commands::view::alone().map(|args| cli::Command::View(Box::new(args))))
     else {
-        std::process::exit(report::help_instead_of_a_window(&mut cli::Cli::command()));
+        std::process::exit(report::print_help_without_display(&mut cli::command()));
     };
-    let reporter = Reporter::new(command.quiet(), command.json());
-    // A panic was reported by the hook, and is an error like any other.
-    let ended = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| commands::run(&command, &reporter)));
-    let code = match ended {
-        Ok(Ok(Outcome::Done)) => 0,
-        Ok(Ok(Outcome::CheckFailed)) => 1,
-        Err(_) | Ok(Err(CliError::ClosedPipe | CliError::AlreadySaid)) => 2,
-        Ok(Err(error)) => {
-            reporter.error(&error);
-            if reporter.json() {
-                // stdout may be what failed; the sentence on stderr has been said.
-                let report = serde_json::json!({ "command": command.name(), "error": error.to_string() });
-                let _ = reporter.report(&report);
-            }
-            2
+    let reporter = Reporter::new(&command.general());
+    // The hook has reported a panic, which is an error like any other.
+    let result = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| commands::run(&command, &reporter)))
+        .unwrap_or(Err(CliError::AlreadyReported));
+    if let Err(error) = &result
+        && !matches!(error, CliError::ClosedPipe | CliError::AlreadyReported)
+    {
+        reporter.error(error);
+        if reporter.json() {
+            // If stdout is what failed, the sentence on stderr has to do.
+            let report = serde_json::json!({ "command": command.name(), "error": error.to_string() });
+            let _ = reporter.report(&report);
         }
-    };
-    // No tearing down of contexts and thread pools: the system does that faster.
-    std::process::exit(code);
+    }
+    reporter.verbose(format_args!("{} took {:.1} ms", command.name(), start.elapsed().as_secs_f64() * 1e3));
+    // Contexts and thread pools are left to the system, which is faster.
+    std::process::exit(exit_code(&result));
+}
+
+fn exit_code(result: &Result<Outcome, CliError>) -> i32 {
+    match result {
+        // Whoever read stdout has seen enough, as in `gonio inspect model.obj | head`.
+        Ok(Outcome::Done) | Err(CliError::ClosedPipe) => 0,
+        Ok(Outcome::CheckFailed) => 1,
+        Err(_) => 2,
+    }
 }

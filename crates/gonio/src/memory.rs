@@ -1,27 +1,25 @@
-//! The memory that an input may take where `--max-memory` does not say: a quarter of what the machine has for this
-//! process.
+//! The default of `--max-memory`: a quarter of the memory that the machine has for this process.
 //!
-//! On Linux that is the least of the physical memory (`/proc/meminfo`), the limits of the process's control groups,
-//! version 1 and 2, and its limit on address space (`ulimit -v`). Elsewhere nothing says it without a call into the
-//! system, and the default of the readers is taken.
+//! On Linux that is the least of the physical memory (`/proc/meminfo`), the limits of the process's control groups, version 1
+//! and 2, and its limit on address space (`ulimit -v`). Other systems tell it only by a system call, so the readers' default
+//! applies there.
 
 use gonio_mesh::limits::DEFAULT_MAX_BYTES;
 use std::path::{Path, PathBuf};
 
-/// An input takes at most one part in this many. Pictures and meshes made of it take as much again, and other programs
-/// run too.
+/// The divisor of the machine's memory. Pictures and meshes made from an input take as much again, and other programs run too.
 const SHARE: u64 = 4;
 
-/// Bytes that an input may take by default.
+/// The bytes that an input may take by default.
 pub fn default_limit() -> u64 {
-    of_machine(&|path| std::fs::read_to_string(path).ok()).map_or(DEFAULT_MAX_BYTES, |bytes| bytes / SHARE)
+    machine_memory(&|path| std::fs::read_to_string(path).ok()).map_or(DEFAULT_MAX_BYTES, |bytes| bytes / SHARE)
 }
 
-/// The memory for this process, as files of the system say; `None` where they do not.
-fn of_machine(read: &dyn Fn(&Path) -> Option<String>) -> Option<u64> {
+/// The memory for this process according to files of the system; `None` if they do not exist.
+fn machine_memory(read: &dyn Fn(&Path) -> Option<String>) -> Option<u64> {
     let physical = read(Path::new("/proc/meminfo")).and_then(|text| kilobytes(&text, "MemTotal:"));
-    let groups = read(Path::new("/proc/self/cgroup")).and_then(|text| of_groups(&text, read));
-    let address_space = read(Path::new("/proc/self/limits")).and_then(|text| of_limits(&text));
+    let groups = read(Path::new("/proc/self/cgroup")).and_then(|text| group_limit(&text, read));
+    let address_space = read(Path::new("/proc/self/limits")).and_then(|text| address_space_limit(&text));
     [physical, groups, address_space].into_iter().flatten().min()
 }
 
@@ -31,15 +29,15 @@ fn kilobytes(text: &str, key: &str) -> Option<u64> {
     line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok()?.checked_mul(1 << 10)
 }
 
-/// The soft limit of the line `Max address space   SOFT   HARD   bytes`; `None` where it is unlimited.
-fn of_limits(text: &str) -> Option<u64> {
+/// The soft limit in the line `Max address space   SOFT   HARD   bytes`; `None` if it is unlimited.
+fn address_space_limit(text: &str) -> Option<u64> {
     let line = text.lines().find_map(|line| line.strip_prefix("Max address space"))?;
     line.split_whitespace().next()?.parse().ok()
 }
 
-/// The least limit of the groups that `/proc/self/cgroup` lists, one per line `ID:CONTROLLERS:PATH`, and of the groups
-/// around them: each holds for all that is in it.
-fn of_groups(text: &str, read: &dyn Fn(&Path) -> Option<String>) -> Option<u64> {
+/// The least limit of the groups that `/proc/self/cgroup` lists, one per line `ID:CONTROLLERS:PATH`, and of their parents, whose
+/// limits apply too.
+fn group_limit(text: &str, read: &dyn Fn(&Path) -> Option<String>) -> Option<u64> {
     let limits = text.lines().filter_map(|line| {
         let mut fields = line.splitn(3, ':');
         let (_, controllers, path) = (fields.next()?, fields.next()?, fields.next()?);
@@ -50,7 +48,7 @@ fn of_groups(text: &str, read: &dyn Fn(&Path) -> Option<String>) -> Option<u64> 
             }
             _ => return None,
         };
-        // In a container the path may be the one outside, of which only the root is seen.
+        // In a container this may be the path outside, of which only the root is visible.
         let group = PathBuf::from(path.trim_start_matches('/'));
         let limit = |group: &Path| read(&Path::new(mount).join(group).join(file))?.trim().parse::<u64>().ok();
         group.ancestors().filter_map(limit).min()
@@ -66,15 +64,17 @@ mod tests {
     const UNLIMITED: &str =
         "Limit  Soft Limit  Hard Limit  Units\nMax address space    unlimited   unlimited   bytes\n";
 
-    fn of(files: &[(&str, &str)]) -> Option<u64> {
-        of_machine(&|path| files.iter().find(|(known, _)| Path::new(known) == path).map(|(_, text)| (*text).to_owned()))
+    fn memory_with(files: &[(&str, &str)]) -> Option<u64> {
+        machine_memory(&|path| {
+            files.iter().find(|(known, _)| Path::new(known) == path).map(|(_, text)| (*text).to_owned())
+        })
     }
 
     #[test]
     fn physical_memory_alone() {
-        assert_eq!(of(&[("/proc/meminfo", MEMINFO), ("/proc/self/limits", UNLIMITED)]), Some(16 << 30));
-        assert_eq!(of(&[]), None);
-        assert_eq!(of(&[("/proc/meminfo", "MemTotal: much kB")]), None);
+        assert_eq!(memory_with(&[("/proc/meminfo", MEMINFO), ("/proc/self/limits", UNLIMITED)]), Some(16 << 30));
+        assert_eq!(memory_with(&[]), None);
+        assert_eq!(memory_with(&[("/proc/meminfo", "MemTotal: much kB")]), None);
     }
 
     #[test]
@@ -82,26 +82,26 @@ mod tests {
         let group = ("/proc/self/cgroup", "0::/user/shell\n");
         let own = ("/sys/fs/cgroup/user/shell/memory.max", "max\n");
         let around = ("/sys/fs/cgroup/user/memory.max", "1073741824\n");
-        assert_eq!(of(&[("/proc/meminfo", MEMINFO), group, own]), Some(16 << 30));
-        assert_eq!(of(&[("/proc/meminfo", MEMINFO), group, own, around]), Some(1 << 30));
+        assert_eq!(memory_with(&[("/proc/meminfo", MEMINFO), group, own]), Some(16 << 30));
+        assert_eq!(memory_with(&[("/proc/meminfo", MEMINFO), group, own, around]), Some(1 << 30));
         // In a container, whose own group is the root it sees.
         let root = ("/sys/fs/cgroup/memory.max", "536870912\n");
-        assert_eq!(of(&[("/proc/meminfo", MEMINFO), ("/proc/self/cgroup", "0::/\n"), root]), Some(512 << 20));
+        assert_eq!(memory_with(&[("/proc/meminfo", MEMINFO), ("/proc/self/cgroup", "0::/\n"), root]), Some(512 << 20));
     }
 
     #[test]
     fn groups_of_version_1() {
         let groups = ("/proc/self/cgroup", "11:cpu,cpuacct:/a\n9:memory:/docker/abc\n0::/docker/abc\n");
         let seen = ("/sys/fs/cgroup/memory/memory.limit_in_bytes", "2147483648\n");
-        assert_eq!(of(&[("/proc/meminfo", MEMINFO), groups, seen]), Some(2 << 30));
+        assert_eq!(memory_with(&[("/proc/meminfo", MEMINFO), groups, seen]), Some(2 << 30));
         let none = ("/sys/fs/cgroup/memory/memory.limit_in_bytes", "9223372036854771712\n");
-        assert_eq!(of(&[("/proc/meminfo", MEMINFO), groups, none]), Some(16 << 30));
+        assert_eq!(memory_with(&[("/proc/meminfo", MEMINFO), groups, none]), Some(16 << 30));
     }
 
     #[test]
     fn a_limit_on_address_space() {
         let limits = ("/proc/self/limits", "Max address space         4294967296           unlimited   bytes\n");
-        assert_eq!(of(&[("/proc/meminfo", MEMINFO), limits]), Some(4 << 30));
+        assert_eq!(memory_with(&[("/proc/meminfo", MEMINFO), limits]), Some(4 << 30));
     }
 
     #[test]

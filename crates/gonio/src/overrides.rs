@@ -1,4 +1,4 @@
-//! The options of the command line, laid over a scene.
+//! Replacing values of a scene by the options of the command line.
 
 use crate::cli::SceneOptions;
 use crate::values::BackgroundValue;
@@ -6,7 +6,7 @@ use gonio_scene::SceneFile;
 use gonio_scene::scene_file::{CameraSpec, MaterialOverride};
 
 impl SceneOptions {
-    /// Replaces in `scene` what the options say. What belongs to objects is set on all of them.
+    /// Replaces values of `scene` by those of the options; values of objects are set on all of them.
     pub fn apply(&self, scene: &mut SceneFile) {
         self.apply_to_objects(scene);
         self.apply_to_equation(scene);
@@ -46,7 +46,7 @@ impl SceneOptions {
                 "specular" => &mut equation.specular_term,
                 "attenuation" => &mut equation.attenuation,
                 "spot" => &mut equation.spot,
-                // The parser of the option lets nothing else through.
+                // The option's parser accepts no other name.
                 _ => continue,
             };
             *switch = false;
@@ -57,13 +57,13 @@ impl SceneOptions {
         let camera = &mut scene.camera;
         camera.position = self.camera_position.or(camera.position);
         if self.camera.is_some() {
-            // The file's camera takes the place of the scene's.
+            // The file's camera replaces the scene's.
             *camera = CameraSpec { from_model: self.camera.clone(), ..CameraSpec::default() };
             camera.position = self.camera_position;
         }
         camera.up = self.up.or(camera.up);
         camera.fov_y = self.fov_y.or(camera.fov_y);
-        // A direction is either a target or two angles: the option's way replaces the file's.
+        // A direction is either a target or two angles: the option's form replaces the file's.
         if self.camera_target.is_some() {
             camera.target = self.camera_target;
             (camera.yaw, camera.pitch) = (None, None);
@@ -102,23 +102,23 @@ fn set<T>(place: &mut T, value: Option<T>) {
     }
 }
 
-fn merge_material(place: &mut MaterialOverride, given: &MaterialOverride) {
-    place.ambient = given.ambient.or(place.ambient);
-    place.diffuse = given.diffuse.or(place.diffuse);
-    place.specular = given.specular.or(place.specular);
-    place.emitted = given.emitted.or(place.emitted);
-    place.shininess = given.shininess.or(place.shininess);
-    place.refraction_index = given.refraction_index.or(place.refraction_index);
-    place.opacity = given.opacity.or(place.opacity);
-    place.textures = given.textures.or(place.textures);
-    place.medium = given.medium.or(place.medium);
-    place.reflectivity = given.reflectivity.or(place.reflectivity);
-    place.transmission = given.transmission.or(place.transmission);
-    place.fresnel = given.fresnel.or(place.fresnel);
-    place.tint = given.tint.or(place.tint);
-    place.absorption = given.absorption.or(place.absorption);
-    place.dispersion = given.dispersion.or(place.dispersion);
-    place.surfaces = given.surfaces.or(place.surfaces);
+fn merge_material(place: &mut MaterialOverride, changes: &MaterialOverride) {
+    place.ambient = changes.ambient.or(place.ambient);
+    place.diffuse = changes.diffuse.or(place.diffuse);
+    place.specular = changes.specular.or(place.specular);
+    place.emitted = changes.emitted.or(place.emitted);
+    place.shininess = changes.shininess.or(place.shininess);
+    place.refraction_index = changes.refraction_index.or(place.refraction_index);
+    place.opacity = changes.opacity.or(place.opacity);
+    place.textures = changes.textures.or(place.textures);
+    place.medium = changes.medium.or(place.medium);
+    place.reflectivity = changes.reflectivity.or(place.reflectivity);
+    place.transmission = changes.transmission.or(place.transmission);
+    place.fresnel = changes.fresnel.or(place.fresnel);
+    place.tint = changes.tint.or(place.tint);
+    place.absorption = changes.absorption.or(place.absorption);
+    place.dispersion = changes.dispersion.or(place.dispersion);
+    place.surfaces = changes.surfaces.or(place.surfaces);
 }
 
 #[cfg(test)]
@@ -127,7 +127,7 @@ mod tests {
     use gonio_scene::scene_file::{ObjectSpec, Shading};
 
     #[test]
-    fn nothing_given_changes_nothing() {
+    fn no_options_change_nothing() {
         let mut scene = SceneFile { objects: vec![ObjectSpec::default()], ..SceneFile::default() };
         scene.camera.yaw = Some(3.0);
         scene.equation.two_sided = false;
@@ -137,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn a_direction_replaces_the_other_way_of_giving_one() {
+    fn a_direction_replaces_its_other_form() {
         let mut scene = SceneFile::default();
         scene.camera.target = Some([1.0, 2.0, 3.0]);
         SceneOptions { yaw: Some(10.0), ..SceneOptions::default() }.apply(&mut scene);
@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn every_term_can_be_left_out() {
+    fn every_term_can_be_omitted() {
         let mut scene = SceneFile::default();
         let without = ["ambient", "emitted", "diffuse", "specular", "attenuation", "spot"].map(String::from).to_vec();
         SceneOptions { without, ..SceneOptions::default() }.apply(&mut scene);
@@ -156,7 +156,7 @@ mod tests {
     }
 
     #[test]
-    fn all_objects_are_meant() {
+    fn options_change_all_objects() {
         let mut scene = SceneFile { objects: vec![ObjectSpec::default(); 2], ..SceneFile::default() };
         scene.objects[1].material.opacity = Some(0.5);
         SceneOptions {

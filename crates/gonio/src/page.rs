@@ -1,9 +1,9 @@
-//! Text for a terminal, in which nothing of a student's file acts: styles are ours, and every other control character is
-//! shown as an escape.
+//! Text for a terminal on which nothing in a file can act: styles are ours, and every other control character is shown as an
+//! escape.
 //!
 //! A [`Page`] is built line by line. A line may quote anything: newlines in it do not end it, and escape sequences in it are
-//! printed, not obeyed. [`Style`] writes a mark that no input contains, because part of it is a random number of this process;
-//! only these marks become the terminal's sequences.
+//! printed, not interpreted. [`Style`] writes a mark that no input contains, because part of it is a random number of this
+//! process; only these marks become the terminal's sequences.
 
 use gonio_exercises::report::push_visible;
 use std::collections::hash_map::RandomState;
@@ -11,33 +11,33 @@ use std::fmt::{Display, Formatter, Result};
 use std::hash::BuildHasher;
 use std::sync::LazyLock;
 
-/// Characters of a line that are printed; machines get the rest from `--json`.
+/// The number of characters of a line that are printed; `--json` has the rest.
 const LONGEST_LINE: usize = 2000;
 
-/// What a style's mark begins with: a noncharacter and 64 random bits, so that no file can contain it.
+/// The beginning of a style's mark: a noncharacter and 64 random bits, so that no file can contain it.
 static MARK: LazyLock<String> = LazyLock::new(|| format!("\u{10ffff}{:016x}", RandomState::new().hash_one("style")));
 
 /// A style within a line: `{Bold}text{Bold:#}`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Style {
-    /// Headings, places.
+    /// Headings and places.
     Bold,
-    /// What matters less.
+    /// Details.
     Dim,
-    /// What is right.
+    /// Correct results.
     Green,
-    /// What is wrong.
+    /// Errors.
     Red,
-    /// What is odd.
+    /// Warnings.
     Yellow,
-    /// What is good to know.
+    /// Notes.
     Cyan,
 }
 
 impl Style {
     const ALL: [Style; 6] = [Style::Bold, Style::Dim, Style::Green, Style::Red, Style::Yellow, Style::Cyan];
 
-    /// Stands in a mark.
+    /// The letter in a mark.
     fn letter(self) -> char {
         match self {
             Style::Bold => 'b',
@@ -72,24 +72,23 @@ impl Display for Style {
 /// Lines for a terminal.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Page {
-    /// Ready to be printed: newlines, and the sequences of our styles.
+    /// Escaped text with newlines and the sequences of our styles.
     ready: String,
 }
 
 impl Page {
-    /// No line yet.
     pub fn new() -> Self {
         Page::default()
     }
 
-    /// The lines of a text: its newlines are kept, and its tabs are spaces.
-    pub fn of_text(text: &str) -> Self {
+    /// The lines of a text, with spaces for tabs.
+    pub fn from_text(text: &str) -> Self {
         let mut page = Page::new();
         page.text(text);
         page
     }
 
-    /// Appends one line, whatever is in it.
+    /// Appends one line, whatever it contains.
     pub fn line(&mut self, line: impl Display) {
         self.ready.push_str(&line_for_terminal(&line));
         self.ready.push('\n');
@@ -100,32 +99,32 @@ impl Page {
         self.ready.push('\n');
     }
 
-    /// Appends a heading, apart from what stands above it.
-    pub fn heading(&mut self, words: impl Display) {
+    /// Appends a heading, after an empty line unless it is the first line.
+    pub fn heading(&mut self, text: impl Display) {
         if !self.is_empty() {
             self.blank();
         }
-        self.line(format_args!("{}{words}{:#}", Style::Bold, Style::Bold));
+        self.line(format_args!("{}{text}{:#}", Style::Bold, Style::Bold));
     }
 
-    /// Appends the lines of a text; its tabs are spaces.
+    /// Appends the lines of a text, with spaces for tabs.
     pub fn text(&mut self, text: &str) {
         text.lines().for_each(|line| self.line(line.replace('\t', "    ")));
     }
 
-    /// Whether there is no line.
+    /// Whether it has no lines.
     pub fn is_empty(&self) -> bool {
         self.ready.is_empty()
     }
 
-    /// For a terminal with colours; `anstream` takes them out where there are none.
+    /// The text for a terminal with colours; `anstream` removes them for others.
     pub fn for_terminal(&self) -> &str {
         &self.ready
     }
 }
 
-/// One line: our styles as the terminal's sequences, hidden characters as escapes, no command of a build server, and no more
-/// than can be read.
+/// One line with our styles as the terminal's sequences, hidden characters as escapes, no commands of a build server, and a
+/// limited length.
 pub fn line_for_terminal(line: &impl Display) -> String {
     let line = line.to_string();
     let mut ready = String::with_capacity(line.len());
@@ -159,8 +158,8 @@ pub fn line_for_terminal(line: &impl Display) -> String {
     without_commands(ready)
 }
 
-/// Build servers obey lines of a log: GitHub those that begin with `::`, and `##[` anywhere; Azure `##vso[`, TeamCity
-/// `##teamcity[`.
+/// Escapes what build servers execute in the lines of a log: GitHub lines that begin with `::`, and `##[` anywhere; Azure
+/// `##vso[`, TeamCity `##teamcity[`.
 fn without_commands(line: String) -> String {
     let mut ready = String::with_capacity(line.len());
     for (index, piece) in line.split("##").enumerate() {

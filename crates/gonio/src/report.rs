@@ -1,15 +1,15 @@
-//! The only place that prints.
+//! The only module that prints.
 //!
-//! What a command was asked for goes to stdout, as bytes or text or (`--json`) as one JSON object;
-//! everything said *about* it goes to stderr: `error:`, `warning:`, `note:`, one sentence each, and
-//! progress bars where stderr is a terminal. Whatever is printed goes through [`crate::page`], so that nothing that a file
-//! says can move the cursor, hide what was said, or pass for a line of ours.
+//! The result of a command goes to stdout: bytes, text or (`--json`) one JSON object. Messages about it go to stderr:
+//! `error:`, `warning:`, `note:`, one sentence each, `info:` with `--verbose`, and progress bars if stderr is a terminal.
+//! Text goes through [`crate::page`], so that nothing in a file can move the cursor, hide a message or forge one.
 #![allow(clippy::print_stderr, clippy::print_stdout)]
 
+use crate::cli::{self, GeneralOptions};
 use crate::escapes::json_for_terminal;
 use crate::hints::hint;
 use crate::page::{Page, Style, line_for_terminal};
-use clap::Parser;
+use crate::verbose::ReportedReads;
 use gonio_gallery::GalleryError;
 use gonio_gl::GlError;
 use gonio_image::ImageError;
@@ -21,38 +21,37 @@ use std::sync::mpsc;
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
-/// Warnings beyond this many are counted, not printed: a model with a thousand missing textures should
-/// not scroll everything else away. `--json` has all of them.
+/// The number of diagnostics that are printed; the rest is counted, so that a model with a thousand missing textures does not
+/// scroll everything else away. `--json` has all of them.
 const MOST_DIAGNOSTICS: usize = 20;
 
-/// How long something may take before a bar is shown.
+/// The time after which a progress bar appears.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// What `gonio` alone says where no window can be shown: its help, and why. The exit code is that of a command that is
-/// missing.
-pub fn help_instead_of_a_window(command: &mut clap::Command) -> i32 {
+/// Prints the help for `gonio` without a command where no window can open, and returns the exit code: that of a missing command.
+pub fn print_help_without_display(command: &mut clap::Command) -> i32 {
     let help = command.render_help();
-    // A closed stderr is nobody's error.
+    // There is nobody to tell about a closed stderr.
     let _ = writeln!(anstream::stderr(), "{}", help.ansi());
-    Reporter::new(false, false)
-        .note("there is no display for the window, so this is the help; `gonio render` draws without");
+    Reporter::new(&GeneralOptions::default())
+        .note("there is no display for the window; `gonio render` draws pictures without one");
     2
 }
 
-/// Prints why the arguments were refused, or the help that was asked for. The exit code.
+/// Prints why the arguments were rejected, or the help or version that was asked for, and returns the exit code.
 ///
-/// What was refused is quoted, so the arguments are read once more with hidden characters as escapes.
-pub fn refused_arguments<C: Parser>(error: &clap::Error) -> i32 {
-    // A closed stream is nobody's error.
+/// Messages quote the arguments, so these are parsed once more with hidden characters as escapes.
+pub fn print_usage_error(error: &clap::Error) -> i32 {
+    // There is nobody to tell about a closed stream.
     if !error.use_stderr() {
         let _ = error.print();
         return error.exit_code();
     }
-    let shown = std::env::args_os().map(|word| line_for_terminal(&word.to_string_lossy()));
-    let _ = match C::try_parse_from(shown) {
+    let escaped = std::env::args_os().map(|word| line_for_terminal(&word.to_string_lossy()));
+    let _ = match cli::parse(escaped) {
         Err(same) if same.kind() == error.kind() => write!(anstream::stderr(), "{}", same.render().ansi()),
         _ => {
-            let page = Page::of_text(&error.render().to_string());
+            let page = Page::from_text(&error.render().to_string());
             write!(anstream::stderr(), "{}", page.for_terminal())
         }
     };
@@ -60,12 +59,12 @@ pub fn refused_arguments<C: Parser>(error: &clap::Error) -> i32 {
 }
 
 /// Prints a panic like any other error: its message may quote a file.
-pub fn panicked(panic: &std::panic::PanicHookInfo<'_>) {
+pub fn print_panic(panic: &std::panic::PanicHookInfo<'_>) {
     let place = panic.location().map(ToString::to_string).unwrap_or_default();
     let message = panic.payload_as_str().unwrap_or("for an unknown reason");
     let mut page = Page::new();
     let (red, end) = (Style::Red, Style::Red);
-    page.line(format_args!("{red}error{end:#}: gonio panicked at {place}: {message}; this is a fault of gonio"));
+    page.line(format_args!("{red}error{end:#}: gonio panicked at {place}: {message}; this is a bug, please report it"));
     let trace = std::backtrace::Backtrace::capture();
     if trace.status() == std::backtrace::BacktraceStatus::Captured {
         page.text(&trace.to_string());
@@ -73,42 +72,40 @@ pub fn panicked(panic: &std::panic::PanicHookInfo<'_>) {
     let _ = write!(anstream::stderr(), "{}", page.for_terminal());
 }
 
-/// How a command ended that did not fail.
+/// Outcome of a successful command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
     /// Exit code 0.
     Done,
-    /// A check that was asked for did not hold: exit code 1.
+    /// A requested check failed: exit code 1.
     CheckFailed,
 }
 
-/// Why a command failed: exit code 2.
+/// The reason why a command failed: exit code 2.
 #[derive(Debug)]
 pub enum CliError {
-    /// One sentence: what, where, what to do.
+    /// One sentence: what is wrong, where, and what to do.
     Message(String),
-    /// Several, a line each: what a compiler says.
+    /// Several lines, as from a compiler.
     Lines(Vec<String>),
-    /// Whoever read our stdout has gone: there is nobody left to tell, so nothing is said.
+    /// The reader of stdout has gone. This counts as success and prints nothing.
     ClosedPipe,
-    /// A process that did the work has said it.
-    AlreadySaid,
+    /// The process that did the work, or the panic hook, has printed the reason.
+    AlreadyReported,
 }
 
 impl CliError {
-    /// An error with this sentence.
     pub fn new(message: impl Into<String>) -> Self {
         CliError::Message(message.into())
     }
 
-    /// An error of several lines.
     pub fn lines(lines: impl IntoIterator<Item = String>) -> Self {
         CliError::Lines(lines.into_iter().collect())
     }
 
-    /// `doing`, then why the system refused.
-    pub fn io(doing: impl Display, error: &io::Error) -> Self {
-        CliError::Message(format!("{doing}: {}", io_reason(error)))
+    /// `context`, followed by the system's reason.
+    pub fn io(context: impl Display, error: &io::Error) -> Self {
+        CliError::Message(format!("{context}: {}", io_reason(error)))
     }
 }
 
@@ -118,7 +115,7 @@ impl Display for CliError {
             CliError::Message(message) => f.write_str(message),
             CliError::Lines(lines) => f.write_str(&lines.join("\n")),
             CliError::ClosedPipe => f.write_str("stdout was closed before everything was written"),
-            CliError::AlreadySaid => f.write_str("the reason was said before"),
+            CliError::AlreadyReported => f.write_str("the reason was printed before"),
         }
     }
 }
@@ -147,12 +144,12 @@ impl From<ImageError> for CliError {
 
 impl From<GlError> for CliError {
     fn from(error: GlError) -> Self {
-        // What a driver says of a shader has several lines.
+        // A driver's messages about a shader have several lines.
         CliError::lines(error.message.lines().map(str::to_owned))
     }
 }
 
-/// The reason of an I/O error in plain words, without the system's number.
+/// The reason of an I/O error, without the system's number.
 pub fn io_reason(error: &io::Error) -> String {
     match error.kind() {
         io::ErrorKind::NotFound => "no such file or folder".into(),
@@ -173,62 +170,90 @@ pub fn io_reason(error: &io::Error) -> String {
     }
 }
 
-/// Standard output as another process of gonio's reads it: bytes that no person sees.
+/// Stdout for another process of gonio, which reads bytes that no person sees.
 pub fn output_for_gonio() -> impl Write {
     io::stdout().lock()
 }
 
-/// Where a command's words go.
+/// Writes a command's result to stdout as it is.
+pub fn write_stdout(bytes: &[u8]) -> Result<(), CliError> {
+    let mut out = io::stdout().lock();
+    out.write_all(bytes).and_then(|()| out.flush()).map_err(stdout_error)
+}
+
+/// Prints a command's messages and its report.
 pub struct Reporter {
     quiet: bool,
     json: bool,
+    verbose: bool,
     bars: bool,
 }
 
 impl Reporter {
-    /// `quiet`: only errors are said. `json`: stdout gets one JSON object.
-    pub fn new(quiet: bool, json: bool) -> Self {
-        Reporter { quiet, json, bars: !quiet && io::stderr().is_terminal() }
+    pub fn new(options: &GeneralOptions) -> Self {
+        let &GeneralOptions { quiet, json, verbose } = options;
+        Reporter { quiet, json, verbose, bars: !quiet && io::stderr().is_terminal() }
     }
 
-    /// Whether stdout gets one JSON object.
+    /// Whether the report is one JSON object.
     pub fn json(&self) -> bool {
         self.json
     }
 
-    /// Whether stdout is a terminal: no place for a picture.
     pub fn stdout_is_terminal(&self) -> bool {
         io::stdout().is_terminal()
     }
 
-    /// `error: ...`
     pub fn error(&self, error: &CliError) {
         match error {
-            CliError::Lines(lines) => Self::say("error", Style::Red, lines),
-            one => Self::say("error", Style::Red, &[one]),
+            CliError::Lines(lines) => Self::print_message("error", Style::Red, lines),
+            one => Self::print_message("error", Style::Red, &[one]),
         }
     }
 
-    /// `check failed: ...`: said before exit code 1.
+    /// Reports a check that failed, which ends in exit code 1.
     pub fn check_failed(&self, message: impl Display) {
-        Self::say("check failed", Style::Red, &[message]);
+        Self::print_message("check failed", Style::Red, &[message]);
     }
 
-    /// `warning: ...`
     pub fn warning(&self, message: impl Display) {
         if !self.quiet {
-            Self::say("warning", Style::Yellow, &[message]);
+            Self::print_message("warning", Style::Yellow, &[message]);
         }
     }
 
-    /// `note: ...`
     pub fn note(&self, message: impl Display) {
         if !self.quiet {
-            Self::say("note", Style::Cyan, &[message]);
+            Self::print_message("note", Style::Cyan, &[message]);
         }
     }
 
-    /// What was odd about the files, each with its place.
+    /// Reports a detail that only `--verbose` asks for.
+    pub fn verbose(&self, message: impl Display) {
+        if self.verbose {
+            print_info(message);
+        }
+    }
+
+    /// Whether `--verbose` was given.
+    pub fn is_verbose(&self) -> bool {
+        self.verbose
+    }
+
+    /// Reports the steps of a command and their times with `--verbose`.
+    pub fn verbose_times(&self, times: &Times) {
+        if self.verbose {
+            let steps = times.list().into_iter().map(|(name, ms)| format!("{} {ms:.1} ms", name.replace('_', " ")));
+            self.verbose(format_args!("times: {}", steps.collect::<Vec<_>>().join(", ")));
+        }
+    }
+
+    /// A source of files that reports each file it reads with `--verbose`.
+    pub fn reporting_reads<S>(&self, source: S) -> ReportedReads<S> {
+        ReportedReads { source, is_verbose: self.verbose }
+    }
+
+    /// Prints diagnostics about files, each with its place.
     pub fn diagnostics(&self, diagnostics: &[Diagnostic]) {
         for diagnostic in diagnostics.iter().take(MOST_DIAGNOSTICS) {
             let text = diagnostic_text(diagnostic);
@@ -242,8 +267,8 @@ impl Reporter {
         }
     }
 
-    /// The word before the first line, the others indented.
-    fn say(word: &str, style: Style, lines: &[impl Display]) {
+    /// Prints the word before the first line, and the other lines indented.
+    fn print_message(word: &str, style: Style, lines: &[impl Display]) {
         let mut page = Page::new();
         for (index, line) in lines.iter().enumerate() {
             match index {
@@ -251,35 +276,35 @@ impl Reporter {
                 _ => page.line(format_args!("  {line}")),
             }
         }
-        // A closed stderr is nobody's error.
+        // There is nobody to tell about a closed stderr.
         let _ = write!(anstream::stderr(), "{}", page.for_terminal());
     }
 
-    /// What was asked for, as bytes.
-    pub fn data(&self, bytes: &[u8]) -> Result<(), CliError> {
-        let mut out = io::stdout().lock();
-        out.write_all(bytes).and_then(|()| out.flush()).map_err(stdout_error)
+    /// Prints the report to stderr, because one of the command's files goes to stdout.
+    pub fn text_on_stderr(&self, page: &Page) {
+        if !self.quiet {
+            let _ = write!(anstream::stderr(), "{}", page.for_terminal());
+        }
     }
 
-    /// What was asked for, as text; styles are left out where stdout is no terminal.
+    /// Prints the report to stdout, without styles unless stdout is a terminal.
     pub fn text(&self, page: &Page) -> Result<(), CliError> {
         let mut out = anstream::stdout().lock();
         out.write_all(page.for_terminal().as_bytes()).and_then(|()| out.flush()).map_err(stdout_error)
     }
 
-    /// The report of `--json`: one object, indented.
+    /// Prints the report of `--json`: one object, indented.
     pub fn report(&self, value: &impl serde::Serialize) -> Result<(), CliError> {
-        self.data(json_text(value)?.as_bytes())
+        write_stdout(json_text(value)?.as_bytes())
     }
 
-    /// A bar for something whose share done is known; it appears when a second has passed.
+    /// A progress bar for work whose progress is known; it appears after a second.
     pub fn progress(&self, what: &'static str) -> Progress {
         let bar = self.bars.then(|| (Instant::now(), Mutex::new(None)));
         Progress { what, bar }
     }
 
-    /// Something whose share done is not known: a spinner appears when a second has passed, and goes
-    /// when the guard is dropped.
+    /// A spinner for work whose progress is not known; it appears after a second, and disappears when the guard is dropped.
     pub fn busy(&self, what: &'static str) -> Busy {
         if !self.bars {
             return Busy { end: None };
@@ -298,10 +323,15 @@ impl Reporter {
     }
 }
 
-/// A report as indented JSON, with a newline at its end; characters that a terminal does not show are escaped.
+/// Prints one detail for `--verbose`.
+pub fn print_info(message: impl Display) {
+    Reporter::print_message("info", Style::Dim, &[message]);
+}
+
+/// A report as indented JSON with a newline at the end; characters that a terminal does not show are escaped.
 pub fn json_text(value: &impl serde::Serialize) -> Result<String, CliError> {
     let text = serde_json::to_string_pretty(value)
-        .map_err(|e| CliError::new(format!("the report could not be written as JSON: {e}")))?;
+        .map_err(|e| CliError::new(format!("cannot write the report as JSON: {e}")))?;
     Ok(json_for_terminal(&text) + "\n")
 }
 
@@ -326,24 +356,24 @@ pub fn diagnostic_text(diagnostic: &Diagnostic) -> String {
 fn stdout_error(error: io::Error) -> CliError {
     match error.kind() {
         io::ErrorKind::BrokenPipe => CliError::ClosedPipe,
-        _ => CliError::io("stdout could not be written", &error),
+        _ => CliError::io("cannot write to stdout", &error),
     }
 }
 
-/// A progress bar that may never be seen.
+/// A progress bar, which short work never shows.
 pub struct Progress {
     what: &'static str,
     bar: Option<(Instant, Mutex<Option<ProgressBar>>)>,
 }
 
 impl Progress {
-    /// The share done, 0 to 1; from any thread.
+    /// Sets the share of the work that is done, 0 to 1. Any thread may do so.
     pub fn set(&self, share: f64) {
         let Some((start, bar)) = &self.bar else { return };
         if start.elapsed() < PATIENCE {
             return;
         }
-        // Whoever finds it taken leaves the drawing to the other.
+        // Another thread is drawing it.
         let Ok(mut bar) = bar.try_lock() else { return };
         let bar = bar.get_or_insert_with(|| {
             let bar = ProgressBar::new(1000);
@@ -382,14 +412,14 @@ impl Drop for Busy {
     }
 }
 
-/// Milliseconds of the steps of a command, by name, in the order they ended.
+/// Milliseconds of the steps of a command by name, in the order in which they ended.
 #[derive(Clone, Default)]
 pub struct Times {
     steps: Arc<Mutex<Vec<(&'static str, f64)>>>,
 }
 
 impl Times {
-    /// Runs a step and notes how long it took; steps of one name add up.
+    /// Runs a step and records its time; steps of one name add up.
     pub fn measure<T>(&self, name: &'static str, step: impl FnOnce() -> T) -> T {
         let start = Instant::now();
         let result = step();
@@ -397,7 +427,7 @@ impl Times {
         result
     }
 
-    /// Notes a step's time.
+    /// Records a step's time.
     pub fn add(&self, name: &'static str, time: Duration) {
         let ms = time.as_secs_f64() * 1e3;
         let Ok(mut steps) = self.steps.lock() else { return };
@@ -407,9 +437,13 @@ impl Times {
         }
     }
 
-    /// As a JSON object.
+    fn list(&self) -> Vec<(&'static str, f64)> {
+        self.steps.lock().map(|steps| steps.clone()).unwrap_or_default()
+    }
+
+    /// The times as a JSON object.
     pub fn to_json(&self) -> serde_json::Value {
-        let steps = self.steps.lock().map(|s| s.clone()).unwrap_or_default();
-        steps.iter().map(|(name, ms)| ((*name).to_owned(), serde_json::json!((ms * 1e3).round() / 1e3))).collect()
+        let number = |ms: f64| serde_json::json!((ms * 1e3).round() / 1e3);
+        self.list().into_iter().map(|(name, ms)| (name.to_owned(), number(ms))).collect()
     }
 }

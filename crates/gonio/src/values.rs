@@ -1,5 +1,5 @@
-//! What stands after an option: sizes, vectors, colours. Lights and materials are read by
-//! `gonio-scene`, whose keys they have.
+//! Parsers for the values of options: sizes, vectors, colours. `gonio-scene` parses lights and materials, whose keys are
+//! those of scene files.
 
 use crate::limits;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -8,24 +8,24 @@ use gonio_scene::validate::MAX_CUBEMAP_SIZE;
 use gonio_scene::{SpecialView, ViewSpec};
 use std::str::FromStr;
 
-/// A parser for one of gonio's named enums: names, help texts and "did you mean" from one place.
+/// A parser for an enum by the names of its variants.
 pub fn named<T>(all: &'static [T], name: fn(T) -> &'static str) -> impl TypedValueParser<Value = T>
 where
     T: Copy + Send + Sync + 'static,
 {
     PossibleValuesParser::new(all.iter().map(move |&v| PossibleValue::new(name(v)))).map(move |text| {
-        // The parser before has let only known names through.
+        // The parser before accepts known names only.
         all.iter().copied().find(|&v| name(v).eq_ignore_ascii_case(&text)).unwrap_or(all[0])
     })
 }
 
-/// `WxH`, checked against the largest picture.
+/// Parses `WIDTHxHEIGHT`, at most the size of the largest picture.
 pub fn size(text: &str) -> Result<(u32, u32), String> {
-    let wrong = || format!("`{text}` is no size; WIDTHxHEIGHT is wanted, 1024x768 for example");
+    let wrong = || format!("invalid size `{text}`: expected WIDTHxHEIGHT, for example 1024x768");
     let (w, h) = text.split_once(['x', 'X', '*']).ok_or_else(wrong)?;
     let side = |t: &str| {
         let t = t.trim();
-        // A number that does not fit is a large size, not a wrong one.
+        // A number that does not fit into an integer is too large, not malformed.
         if !t.is_empty() && t.bytes().all(|b| b.is_ascii_digit()) {
             Ok(t.parse().unwrap_or(u64::MAX))
         } else {
@@ -37,54 +37,64 @@ pub fn size(text: &str) -> Result<(u32, u32), String> {
     Ok((w as u32, h as u32))
 }
 
-/// A finite number.
+/// Parses a finite number.
 pub fn number(text: &str) -> Result<f64, String> {
     match text.trim().parse::<f64>() {
         Ok(v) if v.is_finite() => Ok(v),
-        Ok(_) => Err(format!("`{text}` is not finite")),
-        Err(_) => Err(format!("`{text}` is no number")),
+        Ok(_) => Err(format!("invalid number `{text}`: expected a finite number")),
+        Err(_) => Err(format!("invalid number `{text}`")),
     }
 }
 
-/// A finite number, not negative.
+/// Parses a number in a range; `expected` describes it.
+fn number_in(text: &str, is_in: impl Fn(f64) -> bool, expected: &str) -> Result<f64, String> {
+    match number(text)? {
+        value if is_in(value) => Ok(value),
+        _ => Err(format!("invalid number `{text}`: expected {expected}")),
+    }
+}
+
+/// Parses a number that is not negative.
 pub fn not_negative(text: &str) -> Result<f64, String> {
-    number(text).and_then(|v| if v >= 0.0 { Ok(v) } else { Err(format!("`{text}` must not be negative")) })
+    number_in(text, |value| value >= 0.0, "0 or more")
 }
 
-/// A finite number greater than 0.
+/// Parses a number greater than 0.
 pub fn positive(text: &str) -> Result<f64, String> {
-    number(text).and_then(|v| if v > 0.0 { Ok(v) } else { Err(format!("`{text}` must be greater than 0")) })
+    number_in(text, |value| value > 0.0, "more than 0")
 }
 
-/// A number from 0 to 1.
+/// Parses a number from 0 to 1.
 pub fn share(text: &str) -> Result<f64, String> {
-    number(text).and_then(|v| if (0.0..=1.0).contains(&v) { Ok(v) } else { Err(format!("`{text}` must be 0 to 1")) })
+    number_in(text, |value| (0.0..=1.0).contains(&value), "0 to 1")
 }
 
-/// Texels along an edge of a cubemap.
+/// Parses the number of texels along an edge of a cubemap.
 pub fn cubemap_size(text: &str) -> Result<u32, String> {
     match text.trim().parse() {
         Ok(n) if (1..=MAX_CUBEMAP_SIZE).contains(&n) => Ok(n),
-        _ => Err(format!("`{text}` is no size of a cubemap; 1 to {MAX_CUBEMAP_SIZE} is wanted")),
+        _ => Err(format!("invalid cubemap size `{text}`: expected 1 to {MAX_CUBEMAP_SIZE}")),
     }
 }
 
-/// A full field of view in degrees.
+/// Parses a full field of view in degrees.
 pub fn field_of_view(text: &str) -> Result<f64, String> {
-    number(text).and_then(|v| {
-        if v > 0.0 && v < 180.0 { Ok(v) } else { Err(format!("`{text}` must be greater than 0 and less than 180")) }
-    })
+    number_in(text, |value| value > 0.0 && value < 180.0, "more than 0 and less than 180 degrees")
 }
 
-/// An angle between the normals of two faces, in degrees.
+/// Parses the angle between the normals of two faces, in degrees.
 pub fn crease_angle(text: &str) -> Result<f64, String> {
-    number(text)
-        .and_then(|v| if (0.0..=180.0).contains(&v) { Ok(v) } else { Err(format!("`{text}` must be from 0 to 180")) })
+    number_in(text, |value| (0.0..=180.0).contains(&value), "0 to 180 degrees")
 }
 
-/// A number of bytes, perhaps with KiB, MiB or GiB (also K, M, G, KB, MB, GB, which mean the same).
+/// Parses a number of frames per second.
+pub fn frame_rate(text: &str) -> Result<f64, String> {
+    number_in(text, |value| (0.02..=1000.0).contains(&value), "0.02 to 1000 frames per second")
+}
+
+/// Parses a number of bytes with an optional unit: KiB, MiB or GiB (K, M, G, KB, MB and GB mean the same).
 pub fn bytes(text: &str) -> Result<u64, String> {
-    let wrong = || format!("`{text}` is no size; a number of bytes is wanted, 512MiB for example");
+    let wrong = || format!("invalid size `{text}`: expected a number of bytes, for example 512MiB");
     let trimmed = text.trim();
     let digits = trimmed.len() - trimmed.trim_start_matches(|c: char| c.is_ascii_digit()).len();
     let (number, unit) = trimmed.split_at(digits);
@@ -99,20 +109,21 @@ pub fn bytes(text: &str) -> Result<u64, String> {
     number.checked_mul(1 << shift).ok_or_else(wrong)
 }
 
-/// `x,y,z`.
+/// Parses `x,y,z`.
 pub fn vector(text: &str) -> Result<[f64; 3], String> {
     let numbers: Vec<f64> = text.split(',').map(number).collect::<Result<_, _>>()?;
-    numbers.try_into().map_err(|_| format!("`{text}` is no vector; three numbers x,y,z are wanted"))
+    numbers.try_into().map_err(|_| format!("invalid vector `{text}`: expected three numbers x,y,z"))
 }
 
-/// `yaw,pitch,roll` in degrees.
+/// Parses `yaw,pitch,roll` in degrees.
 pub fn angles(text: &str) -> Result<[f64; 3], String> {
-    vector(text).map_err(|_| format!("`{text}` is no rotation; yaw,pitch,roll in degrees are wanted, such as 90,0,0"))
+    vector(text)
+        .map_err(|_| format!("invalid rotation `{text}`: expected yaw,pitch,roll in degrees, for example 90,0,0"))
 }
 
-/// `N` or `WxH`, each 1 to 32768.
+/// Parses `N` or `WxH`, each 1 to 32768.
 pub fn environment_size(text: &str) -> Result<(u32, Option<u32>), String> {
-    let wrong = || format!("`{text}` is no size; N or WxH is wanted, 1 to 32768");
+    let wrong = || format!("invalid size `{text}`: expected N or WxH, 1 to 32768 each");
     let side = |text: &str| match text.trim().parse() {
         Ok(side @ 1..=32768) => Ok(side),
         _ => Err(wrong()),
@@ -123,16 +134,16 @@ pub fn environment_size(text: &str) -> Result<(u32, Option<u32>), String> {
     }
 }
 
-/// Bits a channel of PNG.
+/// Parses the bits per channel of a PNG.
 pub fn bits(text: &str) -> Result<u8, String> {
     match text {
         "8" => Ok(8),
         "16" => Ok(16),
-        _ => Err(format!("`{text}` is no depth of .png; 8 or 16 is wanted (.exr always has 32-bit floats)")),
+        _ => Err(format!("invalid bit depth `{text}`: expected 8 or 16 (.exr always has 32-bit floats)")),
     }
 }
 
-/// `+Z`, `-x`, `y`, or a vector that is not 0.
+/// Parses `+Z`, `-x`, `y`, or a vector that is not 0.
 pub fn up(text: &str) -> Result<[f64; 3], String> {
     let lower = text.trim().to_ascii_lowercase();
     let (sign, axis) = match lower.strip_prefix('-') {
@@ -144,37 +155,37 @@ pub fn up(text: &str) -> Result<[f64; 3], String> {
         "y" => Ok([0.0, sign, 0.0]),
         "z" => Ok([0.0, 0.0, sign]),
         _ => match vector(text) {
-            Ok([0.0, 0.0, 0.0]) => Err(format!("`{text}` is no direction")),
+            Ok([0.0, 0.0, 0.0]) => Err(format!("invalid axis `{text}`: the zero vector has no direction")),
             Ok(v) => Ok(v),
-            Err(_) => Err(format!("`{text}` is no axis; +X, -Z or a vector x,y,z is wanted")),
+            Err(_) => Err(format!("invalid axis `{text}`: expected +X, -Z or a vector x,y,z")),
         },
     }
 }
 
-/// `X,Y` of a pixel, from the top left.
+/// Parses the column and row of a pixel, from the top left.
 pub fn pixel(text: &str) -> Result<(u32, u32), String> {
-    let wrong = || format!("`{text}` is no pixel; COLUMN,ROW is wanted, from 0 at the top left");
+    let wrong = || format!("invalid pixel `{text}`: expected COLUMN,ROW, counted from 0 at the top left");
     let (x, y) = text.split_once(',').ok_or_else(wrong)?;
     Ok((x.trim().parse().map_err(|_| wrong())?, y.trim().parse().map_err(|_| wrong())?))
 }
 
-/// Samples per pixel.
+/// Parses the number of samples per pixel.
 pub fn samples(text: &str) -> Result<u32, String> {
     match text.trim().parse() {
         Ok(n @ (1 | 2 | 4 | 8 | 16)) => Ok(n),
-        _ => Err(format!("`{text}` is no number of samples; 1, 2, 4, 8 or 16 is wanted")),
+        _ => Err(format!("invalid number of samples `{text}`: expected 1, 2, 4, 8 or 16")),
     }
 }
 
-/// A number of frames.
+/// Parses a number of frames.
 pub fn frames(text: &str) -> Result<u32, String> {
     match text.trim().parse() {
         Ok(n) if (1..=limits::MAX_FRAMES).contains(&n) => Ok(n),
-        _ => Err(format!("`{text}` is no number of frames; 1 to {} is wanted", limits::MAX_FRAMES)),
+        _ => Err(format!("invalid number of frames `{text}`: expected 1 to {}", limits::MAX_FRAMES)),
     }
 }
 
-/// A debug view: `NAME`, `NAME:LIGHT` or a symbol.
+/// Parses a debug view: `NAME`, `NAME:LIGHT` or a symbol.
 pub fn view(text: &str) -> Result<ViewSpec, String> {
     ViewSpec::from_str(text).map_err(|message| {
         let name = text.split(':').next().unwrap_or(text).trim().to_lowercase();
@@ -185,12 +196,12 @@ pub fn view(text: &str) -> Result<ViewSpec, String> {
     })
 }
 
-/// What `--debug` takes.
+/// A value of `--debug`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DebugView {
-    /// A quantity of the equation.
+    /// A quantity of the light equation.
     Quantity(ViewSpec),
-    /// Another view.
+    /// A view that only OpenGL draws.
     Special(SpecialView),
 }
 
@@ -204,13 +215,12 @@ impl std::fmt::Display for DebugView {
 }
 
 impl DebugView {
-    /// The quantity, where it is one.
     pub fn quantity(self) -> Option<ViewSpec> {
         if let DebugView::Quantity(view) = self { Some(view) } else { None }
     }
 }
 
-/// A debug view: what [`view`] takes, or the name of a special one.
+/// Parses a debug view: like [`view`], or the name of a special view.
 pub fn debug_view(text: &str) -> Result<DebugView, String> {
     let name = text.trim().to_lowercase();
     match SpecialView::ALL.iter().find(|special| special.name() == name) {
@@ -219,16 +229,15 @@ pub fn debug_view(text: &str) -> Result<DebugView, String> {
     }
 }
 
-/// What `--background` takes.
+/// A value of `--background`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BackgroundValue {
-    /// At the top and at the bottom.
+    /// The colours at the top and at the bottom.
     Colors(Color, Color),
-    /// Nothing.
     Transparent,
 }
 
-/// `COLOR`, `TOP:BOTTOM` or `transparent`.
+/// Parses `COLOR`, `TOP:BOTTOM` or `transparent`.
 pub fn background(text: &str) -> Result<BackgroundValue, String> {
     if text.eq_ignore_ascii_case("transparent") {
         return Ok(BackgroundValue::Transparent);
@@ -238,17 +247,16 @@ pub fn background(text: &str) -> Result<BackgroundValue, String> {
     Ok(BackgroundValue::Colors(color(top)?, color(bottom)?))
 }
 
-/// The known word that `given` was probably meant to be: a letter in three may be wrong, or the end
-/// missing.
-pub fn nearest<'a>(given: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let given = given.to_lowercase();
-    let allowed = (given.chars().count() / 3).max(1);
+/// The known word that `word` was probably meant to be: one letter in three may be wrong, or the end may be missing.
+pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let word = word.to_lowercase();
+    let allowed = (word.chars().count() / 3).max(1);
     known
         .into_iter()
-        .map(|word| (strsim::damerau_levenshtein(&given, word), word))
-        .filter(|(distance, word)| *distance <= allowed || (given.len() >= 3 && word.starts_with(&given)))
+        .map(|known| (strsim::damerau_levenshtein(&word, known), known))
+        .filter(|(distance, known)| *distance <= allowed || (word.len() >= 3 && known.starts_with(&word)))
         .min_by_key(|(distance, _)| *distance)
-        .map(|(_, word)| word)
+        .map(|(_, known)| known)
 }
 
 #[cfg(test)]

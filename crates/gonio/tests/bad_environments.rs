@@ -212,30 +212,30 @@ fn outputs_that_cannot_be_are_refused_before_anything_is_read() {
     std::fs::create_dir(lab.path("folder.png")).unwrap();
     let before = lab.names();
     let convert = |args: &[&str]| lab.run(&[&["environment", "convert", "nothing.hdr"], args].concat());
-    convert(&["file"]).refused(&["`file` is a file; six faces want a folder"]);
+    convert(&["file"]).refused(&["`file` is a file; six faces need a folder"]);
     convert(&["file/faces"]).refused(&["`file/faces` cannot be written"]);
     convert(&["folder.png"]).refused(&["`folder.png`", "it is a folder"]);
-    convert(&["no/faces"]).refused(&["there is no folder `no`; make it first"]);
-    convert(&["no/a.hdr"]).refused(&["there is no folder `no`; make it first"]);
-    convert(&["a.jpg"]).refused(&["`a.jpg`: .jpg is not written; .png, .exr, .hdr and .ktx2 are"]);
+    convert(&["no/faces"]).refused(&["there is no folder `no`; create it first"]);
+    convert(&["no/a.hdr"]).refused(&["there is no folder `no`; create it first"]);
+    convert(&["a.jpg"]).refused(&["`a.jpg`: unsupported format `.jpg`: expected .png, .exr, .hdr or .ktx2"]);
     convert(&["a.pgn"]).refused(&["did you mean .png?"]);
     convert(&["a", "--to", "cross"]).refused(&["`a` cannot be written as cross", ".png, .exr or .hdr"]);
-    convert(&["a.png", "--to", "faces"]).refused(&["six faces go to a folder", "leave its ending out"]);
+    convert(&["a.png", "--to", "faces"]).refused(&["six faces need a folder", "leave out its extension"]);
     convert(&["a.png", "--to", "ktx2"]).refused(&["must end in .ktx2"]);
-    convert(&["a.png", "--format", "exr"]).refused(&["ends in .png and --format says exr"]);
-    convert(&["a.ktx2", "--format", "exr"]).refused(&["leave --format out"]);
-    convert(&["a.exr", "--bits", "16"]).refused(&["--bits belongs to PNG"]);
-    convert(&["a.exr", "--layout", "photographic"]).refused(&["--layout is about faces"]);
+    convert(&["a.png", "--format", "exr"]).refused(&["ends in .png, but --format is exr"]);
+    convert(&["a.ktx2", "--format", "exr"]).refused(&["leave out --format"]);
+    convert(&["a.exr", "--bits", "16"]).refused(&["--bits applies to PNG only"]);
+    convert(&["a.exr", "--layout", "photographic"]).refused(&["--layout applies to faces"]);
     convert(&["a.ktx2", "--layout", "photographic"]).refused(&["OpenGL's layout only"]);
     convert(&["a", "--size", "8x4"]).refused(&["--size of faces is one number"]);
-    convert(&["a", "--size", "9999"]).refused(&["six faces of 9999 x 9999 are too many pixels", "8192"]);
-    convert(&["a.hdr", "--size", "32768x32768"]).refused(&["32768 x 32768 is too large", "--size 32768"]);
+    convert(&["a", "--size", "9999"]).refused(&["six faces of 9999 x 9999 are too large", "8192"]);
+    convert(&["a.hdr", "--size", "32768x32768"]).refused(&["32768 x 32768 is too large", "--size is at most 32768"]);
     let check = |args: &[&str]| lab.run(&[&["environment", "check", "nothing.hdr"], args].concat());
-    check(&["--repair", "file"]).refused(&["`file` is a file; six faces want a folder"]);
+    check(&["--repair", "file"]).refused(&["`file` is a file; six faces need a folder"]);
     check(&["--repair", "no/a.png"]).refused(&["there is no folder `no`"]);
     assert_eq!(lab.names(), before);
     // What is made and not read is not made for nothing either.
-    lab.run(&["environment", "convert", "sky", "a", "--size", "30000"]).refused(&["too many pixels"]);
+    lab.run(&["environment", "convert", "sky", "a", "--size", "30000"]).refused(&["too large"]);
     let small = ["environment", "convert", "sky", "a", "--max-memory", "1MiB"];
     lab.run(&small).refused(&["6 times 512 x 512 pixels are 24.0 MiB", "the limit is 1.0 MiB"]);
     assert_eq!(lab.names(), before);
@@ -270,10 +270,10 @@ fn options_that_are_wrong() {
     for (option, value, piece) in [
         ("--environment-blur", "2", "0 to 1"),
         ("--environment-rotate", "a,b", "yaw,pitch,roll in degrees"),
-        ("--environment-rotate", "1,2", "such as 90,0,0"),
+        ("--environment-rotate", "1,2", "for example 90,0,0"),
         ("--environment-size", "0", "1 to 8192"),
         ("--environment-size", "9000", "1 to 8192"),
-        ("--environment-intensity", "-1", "must not be negative"),
+        ("--environment-intensity", "-1", "expected 0 or more"),
         ("--environment-layout", "opnegl", "opengl"),
         ("--environment-light=maybe", "", "true"),
     ] {
@@ -294,7 +294,7 @@ fn options_that_are_wrong() {
         ("--format", "jpg", "exr"),
         ("--layout", "opengll", "opengl"),
         ("--bits", "12", "8 or 16"),
-        ("--exposure", "bright", "no number"),
+        ("--exposure", "bright", "invalid number"),
         ("--tone-map", "acess", "aces"),
         ("--from", "crss", "cross"),
     ] {

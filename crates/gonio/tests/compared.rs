@@ -132,7 +132,7 @@ fn what_cannot_be_compared() {
     lab.diff(&["a.png", "small.png"]).refused(&["16x8", "4x4"]);
     lab.diff(&["a.png", "missing.png"]).refused(&["`missing.png` cannot be read", "no such file"]);
     lab.diff(&["a.png", "."]).refused(&["`.` cannot be read", "folder"]);
-    lab.diff(&["a.png", "text.png"]).refused(&["`text.png` is no picture"]);
+    lab.diff(&["a.png", "text.png"]).refused(&["unsupported format of `text.png`"]);
     lab.diff(&["a.png", "empty.png"]).refused(&["`empty.png` is empty"]);
     lab.diff(&["a.png", "cut.png"]).refused(&["`cut.png` is damaged"]);
     lab.diff(&["a.png", "a.png", "-o", "map.jpg"]).refused(&["`map.jpg`", ".png"]);

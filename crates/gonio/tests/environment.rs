@@ -239,7 +239,7 @@ fn faces_have_the_format_that_is_asked_for() {
     // A second set in the folder is told: nobody could say which one is meant.
     let run = lab.convert(&["panorama.hdr", "a", "--size", "4"]);
     let path = std::path::Path::new("a").join("posx.png");
-    assert!(run.stderr.contains(&format!("warning: `{}` is of another set", path.display())), "{}", run.stderr);
+    assert!(run.stderr.contains(&format!("warning: `{}` belongs to another set", path.display())), "{}", run.stderr);
     lab.convert(&["a/*.exr", "again.exr"]);
 }
 
@@ -263,10 +263,10 @@ fn exposure_and_tone_map_act_on_8_bits() {
         assert!(!run.stderr.contains("clipped"), "{}", run.stderr);
     }
     let run = lab.convert(&["white.hdr", "out.png"]);
-    assert!(run.stderr.contains("warning: 100.0 % of the pixels are brighter"), "{}", run.stderr);
+    assert!(run.stderr.contains("warning: 100.0 % of the pixels are too bright"), "{}", run.stderr);
     for more in [["--exposure", "1"], ["--tone-map", "aces"]] {
         let args = [&["environment", "convert", "white.hdr", "out.exr"], &more[..]].concat();
-        lab.run(&args).refused(&["--exposure and --tone-map belong to PNG"]);
+        lab.run(&args).refused(&["--exposure and --tone-map apply to PNG only"]);
     }
 }
 
@@ -367,7 +367,7 @@ fn a_repair_keeps_every_bit() {
     }
     let run = lab.environment(&["check", "c.exr", "--layout", "opengl", "--repair", "c.png"]);
     run.refused(&["--repair", "light above 1", ".exr or .hdr"]);
-    lab.environment(&["check", "half-wrong", "--repair", "one.exr"]).refused(&["--repair of six faces wants a folder"]);
+    lab.environment(&["check", "half-wrong", "--repair", "one.exr"]).refused(&["--repair of six faces needs a folder"]);
 }
 
 #[test]
@@ -393,8 +393,8 @@ fn a_panorama_is_checked_too() {
     assert!(lab.image("back.hdr") == lab.image("right.hdr"));
     let run = check(&["cut.hdr"]);
     assert!(run.code == 1 && run.text().contains("do not meet"), "{}", run.text());
-    check(&["cut.hdr", "--repair", "no.hdr"]).refused(&["what it lacks cannot be made up"]);
-    check(&["turned.hdr", "--repair", "folder"]).refused(&["--repair of a panorama wants the name of a picture"]);
+    check(&["cut.hdr", "--repair", "no.hdr"]).refused(&["what is missing cannot be repaired"]);
+    check(&["turned.hdr", "--repair", "folder"]).refused(&["--repair of a panorama needs the name of a picture"]);
     assert_eq!(lab.names(), ["back.hdr", "cut.hdr", "right.hdr", "turned.hdr"]);
     check(&["nothing.hdr"]).refused(&["nothing.hdr", "there is no such file or folder"]);
 }

@@ -65,7 +65,7 @@ fn inspect_says_what_a_file_holds() {
         "512 x 512, map_Kd of Floor",
         "material Ember",
         "line 19: Ke 2.000000 0.700000 0.100000",
-        "Read differently by others",
+        "Interpreted differently by other programs",
     ] {
         assert!(text.contains(piece), "`{piece}` is not in:\n{text}");
     }
@@ -119,6 +119,6 @@ fn limits_are_options() {
     let model = asset("still_life.obj");
     lab.render(&[&model, "-o", "a.png", "--max-triangles", "1000"]).refused(&["1000", "limit"]);
     lab.run(&["inspect", &model, "--max-triangles", "1000"]).refused(&["1000", "limit"]);
-    lab.run(&["inspect", &model, "--max-memory", "much"]).refused(&["no size"]);
+    lab.run(&["inspect", &model, "--max-memory", "much"]).refused(&["invalid size"]);
     assert_eq!(lab.names(), [""; 0], "nothing is left behind");
 }

@@ -277,7 +277,17 @@ fn a_probe_says_everything_about_a_pixel() {
     let lab = Lab::new();
     let suzanne = asset("suzanne.obj");
     let run = lab.run(&["probe", &suzanne, "--at", "500,400", "--backend", "cpu"]).good();
-    for word in ["triangle", "material", "k_d", "N.L", "R.V", "N.H", "att", "L_o = A + E", "CPU reference"] {
+    for word in [
+        "triangle",
+        "material",
+        "k_d",
+        "N.L",
+        "R.V",
+        "N.H",
+        "att",
+        "L_o = A + E + sum_i [ diff * k_d * <N.L_i>",
+        "CPU reference",
+    ] {
         assert!(run.text().contains(word), "{word} is not in {}", run.text());
     }
     let json = lab.run(&["probe", &suzanne, "--at", "500,400", "--backend", "cpu", "--json"]).good().json();

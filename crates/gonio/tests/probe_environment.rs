@@ -18,7 +18,8 @@ fn every_term_of_glass_is_told() {
     let options = ["--material", "glass,surfaces=two,transmission=0.6,reflectivity=0.5,dispersion=0.02"];
     let args = [&["probe", &cube, "--at", "24,16"], &size[..], &options[..]].concat();
     let run = lab.run(&args).good();
-    let terms = ["environment `debug`", "surfaces          two", "E(R)", "(1-F) tint E(T)", "L = (1-t)", "indices"];
+    let terms =
+        ["environment `debug`", "surfaces              two", "E(R)", "(1-F) * tint * E(T)", "L = (1-t)", "indices"];
     for word in terms {
         assert!(run.text().contains(word), "{word} is not in {}", run.text());
     }
@@ -47,7 +48,7 @@ fn beside_all_objects_the_sky_is_seen() {
     // The debug cubemap's upper left of what is ahead; a background is asked for in vain.
     let args = ["probe", &cube, "--at", "0,0", "--backend", "cpu", "--environment", "debug", "--background", "0,0,0"];
     let run = lab.run(&args).good();
-    assert!(run.text().contains("none is seen there: the environment"), "{}", run.text());
+    assert!(run.text().contains("none is visible there, only the environment"), "{}", run.text());
     let json = lab.run(&[&args[..], &["--json"]].concat()).good().json();
     let sky = numbers(&json["reference"]);
     assert!(json["hit"] == false && sky[..3] != [0.0; 3] && sky[3] == 1.0, "{sky:?}");

@@ -1,5 +1,6 @@
-//! What each subcommand does.
+//! The commands, one module each.
 
+pub mod about;
 pub mod convert;
 pub mod diff;
 pub mod environment;
@@ -14,9 +15,9 @@ pub mod tour;
 pub mod view;
 
 use crate::cli::Command;
+use crate::output::path::check_folder;
 use crate::report::{CliError, Outcome, Reporter};
 
-/// Does it.
 pub fn run(command: &Command, reporter: &Reporter) -> Result<Outcome, CliError> {
     match command {
         Command::Render(args) => render::run(args, reporter),
@@ -29,7 +30,13 @@ pub fn run(command: &Command, reporter: &Reporter) -> Result<Outcome, CliError> 
         Command::Lab(command) => lab::run(command, reporter),
         Command::Scene(args) => scene::run(args, reporter),
         Command::Serve(args) => serve::run(args, reporter),
-        Command::Tour(args) => tour::run(args, reporter),
+        Command::Tour(args) => {
+            check_folder(&args.output, "`gonio tour`")?;
+            tour::run(args, reporter)
+        }
         Command::View(args) => view::run(args),
+        Command::Completions(args) => about::completions(args),
+        Command::Man(args) => about::man(args, reporter),
+        Command::Licenses(_) => about::licenses(reporter),
     }
 }

@@ -1,9 +1,9 @@
-//! `gonio scene`: the complete effective scene of an input, so that any picture can be made again.
+//! `gonio scene`: the complete effective scene of an input, from which any picture can be drawn again.
 
-use crate::cli::{SceneOptions, WordOptions};
+use crate::cli::{GeneralOptions, SceneOptions};
 use crate::escapes::toml_for_terminal;
 use crate::loading;
-use crate::output::atomic;
+use crate::output::OutputPath;
 use crate::report::{CliError, Outcome, Reporter, json_text};
 use clap::Args;
 use gonio_scene::SceneFile;
@@ -11,46 +11,39 @@ use std::path::{Path, PathBuf};
 
 /// Print the complete effective scene of an input, or the JSON Schema of scene files.
 #[derive(Args, Debug)]
-#[command(after_help = "\
+#[command(after_long_help = "\
 Examples:
   gonio scene model.obj -o scene.toml
-      The scene that `gonio render model.obj` draws, every default written out.
+      The scene that `gonio render model.obj` draws, with every default.
   gonio render scene.toml -o picture.png
-      The same picture from it.
+      The same picture, drawn from it.
   gonio scene model.obj --shading flat --light \"directional direction=0,-1,0\"
-      With the options of render laid over it.
+      The scene with options of render.
   gonio scene --schema > scene.schema.json
-      What an editor needs to complete and check scene files.
+      The schema by which an editor completes and checks scene files.
 
-Paths in the printed scene are relative to the folder of the scene file: to where -o puts it, or to this folder.")]
+Paths in the scene are relative to the folder of the file that -o names, else to the current folder.")]
 pub struct SceneArgs {
-    /// Models (.obj) or scenes (.toml); several become one scene. builtin:NAME is a model that gonio carries.
+    /// Models or scenes (.toml); several become one scene. builtin:NAME is a built-in model.
     #[arg(required_unless_present = "schema", value_name = "INPUT")]
     pub inputs: Vec<String>,
     /// Print the JSON Schema of scene files instead.
-    #[arg(long, help_heading = "Output", conflicts_with = "inputs")]
+    #[arg(long, help_heading = "Output options", conflicts_with = "inputs")]
     pub schema: bool,
-    /// Write to this file instead of stdout.
-    #[arg(long, short, help_heading = "Output", value_name = "FILE")]
-    pub output: Option<PathBuf>,
-    /// Every option that replaces something of the scene.
+    /// File to write; - is stdout, the default.
+    #[arg(long, short, help_heading = "Output options", value_name = "FILE")]
+    pub output: Option<OutputPath>,
     #[command(flatten)]
     pub scene: SceneOptions,
-    /// What is said.
     #[command(flatten)]
-    pub words: WordOptions,
+    pub general: GeneralOptions,
 }
 
-/// Prints it.
 pub fn run(args: &SceneArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
-    if let Some(path) = &args.output {
-        atomic::check_writable(path)?;
-    }
+    let output = args.output.clone().unwrap_or(OutputPath::Stdout);
+    output.check_writable()?;
     let text = if args.schema { schema()? } else { effective(args, reporter)? };
-    match &args.output {
-        Some(path) => atomic::write(path, text.as_bytes())?,
-        None => reporter.data(text.as_bytes())?,
-    }
+    output.write(text.as_bytes())?;
     Ok(Outcome::Done)
 }
 
@@ -61,11 +54,11 @@ fn schema() -> Result<String, CliError> {
 fn effective(args: &SceneArgs, reporter: &Reporter) -> Result<String, CliError> {
     let loaded = {
         let _busy = reporter.busy("reading the scene");
-        loading::load_scene(&args.inputs, &args.scene)?
+        loading::load_scene(&args.inputs, &args.scene, reporter)?
     };
     reporter.diagnostics(&loaded.diagnostics);
     let mut scene = SceneFile::from(&loaded.settings);
-    if let Some(folder) = args.output.as_deref().and_then(Path::parent) {
+    if let Some(folder) = args.output.as_ref().and_then(OutputPath::file).and_then(Path::parent) {
         for object in &mut scene.objects {
             object.model = seen_from(folder, &object.model);
         }
@@ -82,7 +75,7 @@ fn effective(args: &SceneArgs, reporter: &Reporter) -> Result<String, CliError> 
     Ok(toml_for_terminal(&scene.to_toml_string()))
 }
 
-/// A model's path, relative to this folder until now, as seen from `folder`.
+/// Converts a model's path from one relative to the current folder to one relative to `folder`.
 pub(super) fn seen_from(folder: &Path, model: &str) -> String {
     if model.starts_with("builtin:") || Path::new(model).is_absolute() || folder.as_os_str().is_empty() {
         return model.to_owned();

@@ -1,6 +1,6 @@
 //! `gonio view`: the lab window.
 
-use crate::cli::{SceneOptions, WordOptions};
+use crate::cli::{GeneralOptions, SceneOptions};
 use crate::report::{CliError, Outcome};
 use clap::Args;
 use gonio_app::platform::desktop::{self, WindowOptions};
@@ -8,38 +8,36 @@ use gonio_scene::SceneFile;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// The lab window: see, change and take apart the light.
+/// Open the lab window to view a scene, change it and take its light apart.
 #[derive(Args, Debug, Default)]
-#[command(after_help = "\
+#[command(after_long_help = "\
 Examples:
   gonio view
-      The first sample; so does `gonio` alone where there is a display.
+      The first sample. `gonio` alone does the same where there is a display.
   gonio view model.obj
   gonio view scene.toml --size 1600x1000
   gonio view model.obj --environment sky.hdr --light \"point position=2,3,4 intensity=5\"
-      With the options of render laid over it; --size is that of the window.
+      The scene with options of render; --size is the size of the window.
 
-What lies on the disk is read again when it changes. Files can be dropped on the window; ? lists the keys.
+The window reads files again when they change. Drop files on it to open them; press ? for its keys.
 
 Exit codes: 0 the window was closed, 2 error (no display, no OpenGL).")]
 pub struct ViewArgs {
-    /// Models or scenes (.toml); several become one scene. builtin:NAME is a model that gonio carries.
+    /// Models or scenes (.toml); several become one scene. builtin:NAME is a built-in model.
     #[arg(value_name = "INPUT")]
     pub inputs: Vec<String>,
-    /// Every option that replaces something of the scene.
     #[command(flatten)]
     pub scene: SceneOptions,
     /// Write the window's state to this file after every frame, as JSON (for tests).
     #[arg(long, value_name = "FILE", hide = true)]
     pub state: Option<PathBuf>,
-    /// What is said.
     #[command(flatten)]
-    pub words: WordOptions,
+    pub general: GeneralOptions,
 }
 
-/// Opens it, and returns when it is closed.
+/// Opens the window, and returns when it is closed.
 pub fn run(args: &ViewArgs) -> Result<Outcome, CliError> {
-    // The size is the window's: the picture takes what room it finds there.
+    // The size is the window's: the picture adapts to it.
     let size = args.scene.size.map(|(width, height)| [width as f32, height as f32]);
     let options = SceneOptions { size: None, ..args.scene.clone() };
     let limits = options.limits.limits();
@@ -61,7 +59,7 @@ pub fn run(args: &ViewArgs) -> Result<Outcome, CliError> {
     Ok(Outcome::Done)
 }
 
-/// What `gonio` alone is: the window, where there is a display.
+/// The options of `gonio` without a command: the window, if there is a display.
 pub fn alone() -> Option<ViewArgs> {
     desktop::has_display().then(ViewArgs::default)
 }

@@ -1,11 +1,11 @@
-//! Frames into one file: animated PNG or GIF.
+//! Animations: frames in one animated PNG or GIF.
 
 use crate::output::Format;
 use crate::report::CliError;
 use gonio_image::EncodedPicture;
 use gonio_image::encode::png::{self, ColorTag};
 
-/// Frames per second as a fraction of seconds per frame, at most 16 bits each.
+/// The time of a frame in seconds as a fraction, with at most 16 bits each.
 fn delay(fps: f64) -> (u16, u16) {
     // Whole rates are exact; others to a thousandth of a second.
     if fps.fract() == 0.0 && fps <= f64::from(u16::MAX) {
@@ -17,9 +17,7 @@ fn delay(fps: f64) -> (u16, u16) {
 
 /// An animation being written.
 pub enum Animation {
-    /// Exact.
     Png(png::Animation),
-    /// 256 colours a frame.
     Gif(Box<Gif>),
 }
 
@@ -30,7 +28,7 @@ pub struct Gif {
 }
 
 impl Animation {
-    /// `frames` frames at `fps`, repeated for ever.
+    /// An animation of `frames` frames at `fps` frames per second, repeated for ever.
     pub fn new(format: Format, frames: u32, fps: f64) -> Self {
         match format {
             Format::Gif => {
@@ -41,7 +39,7 @@ impl Animation {
         }
     }
 
-    /// The next frame; all have the size of the first.
+    /// Adds a frame. All have the size of the first.
     pub fn add(&mut self, picture: EncodedPicture<u8>, tag: ColorTag) -> Result<(), CliError> {
         match self {
             Animation::Png(animation) => Ok(animation.add(&picture, tag)?),
@@ -49,7 +47,7 @@ impl Animation {
         }
     }
 
-    /// The file.
+    /// The bytes of the file.
     pub fn finish(self) -> Result<Vec<u8>, CliError> {
         match self {
             Animation::Png(animation) => Ok(animation.finish()?),
@@ -62,7 +60,7 @@ impl Animation {
 }
 
 fn gif_failed(error: impl std::fmt::Display) -> CliError {
-    CliError::new(format!("the picture could not be encoded as GIF: {error}"))
+    CliError::new(format!("cannot encode the picture as GIF: {error}"))
 }
 
 impl Gif {
@@ -77,7 +75,7 @@ impl Gif {
                 self.encoder.insert(encoder)
             }
         };
-        // GIF knows no half transparency.
+        // GIF has no partial transparency.
         for pixel in picture.rgba.chunks_exact_mut(4) {
             pixel[3] = if pixel[3] < 128 { 0 } else { 255 };
         }

@@ -1,8 +1,7 @@
-//! A file is there whole, or it is as it was before.
+//! Atomic writes: a file is complete, or it is as it was before.
 //!
-//! The bytes go to a temporary file in the target's own folder, which is then renamed over the target;
-//! on an error (a full disk, say) the temporary file is removed. Devices and pipes cannot be replaced
-//! and are written to directly.
+//! The bytes go to a temporary file in the target's folder, which is then renamed to the target; on an error (a full disk,
+//! say) the temporary file is removed. Devices and pipes cannot be replaced and are written directly.
 
 use crate::report::{CliError, io_reason};
 use std::fs::OpenOptions;
@@ -10,17 +9,17 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use tempfile::{NamedTempFile, TempDir};
 
-/// Replaces the file at `path` by these bytes, or makes it.
+/// Replaces or creates the file at `path`.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), CliError> {
-    write_inner(path, bytes).map_err(|e| refused(path, &e))
+    write_inner(path, bytes).map_err(|e| write_error(path, &e))
 }
 
-/// Finds out whether something is in the way of a file: a folder, say.
+/// Finds out whether something prevents a file at `path`: a folder, say.
 pub fn check_target(path: &Path) -> Result<(), CliError> {
-    destination(path).map(drop).map_err(|e| refused(path, &e))
+    destination(path).map(drop).map_err(|e| write_error(path, &e))
 }
 
-/// Finds out whether [`write()`] has a chance, before a picture is drawn for it.
+/// Finds out whether [`write()`] could succeed, before a picture is drawn for it.
 pub fn check_writable(path: &Path) -> Result<(), CliError> {
     let check = || -> io::Result<()> {
         if path.file_name().is_none() {
@@ -31,38 +30,36 @@ pub fn check_writable(path: &Path) -> Result<(), CliError> {
             Destination::Device => OpenOptions::new().write(true).open(path).map(drop),
         }
     };
-    check().map_err(|e| refused(path, &e))
+    check().map_err(|e| write_error(path, &e))
 }
 
-/// Replaces the file at `path` by the one at `finished`, or makes it; `finished` is in the same folder or
-/// in one from [`folder_beside`].
+/// Moves the file at `finished` to `path`; `finished` is in the same folder or in one from [`folder_beside`].
 pub fn replace(path: &Path, finished: &Path) -> Result<(), CliError> {
     let replace = || match destination(path)? {
         Destination::Device => std::fs::read(finished).and_then(|bytes| write_to_device(path, &bytes)),
         Destination::File(target) => std::fs::rename(finished, target),
     };
-    replace().map_err(|e| refused(path, &e))
+    replace().map_err(|e| write_error(path, &e))
 }
 
-/// A folder for files that will [`replace`] the one at `path`; it and what is left in it go when it is
-/// dropped.
+/// A temporary folder for files that will [`replace`] the one at `path`.
 pub fn folder_beside(path: &Path) -> Result<TempDir, CliError> {
     let make = || match destination(path)? {
         Destination::Device => tempfile::tempdir(),
         Destination::File(target) => tempfile::Builder::new().prefix(".gonio-").tempdir_in(folder_of(&target)),
     };
-    make().map_err(|e| refused(path, &e))
+    make().map_err(|e| write_error(path, &e))
 }
 
-/// `error`, as a sentence about the file that was to be written.
-pub fn refused(path: &Path, error: &io::Error) -> CliError {
+/// The error of a file that cannot be written.
+pub fn write_error(path: &Path, error: &io::Error) -> CliError {
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty());
     if error.kind() == io::ErrorKind::NotFound
         && let Some(folder) = folder
         && !folder.is_dir()
     {
         return CliError::new(format!(
-            "`{}` cannot be written: there is no folder `{}`; make it first",
+            "`{}` cannot be written: there is no folder `{}`; create it first",
             path.display(),
             folder.display()
         ));
@@ -71,7 +68,7 @@ pub fn refused(path: &Path, error: &io::Error) -> CliError {
 }
 
 enum Destination {
-    /// A file that is there or will be; links followed.
+    /// A file, which may not exist yet; links are followed.
     File(PathBuf),
     /// A device or a pipe.
     Device,
@@ -80,7 +77,7 @@ enum Destination {
 fn destination(path: &Path) -> io::Result<Destination> {
     match std::fs::metadata(path) {
         Ok(meta) if meta.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
-        // Renaming over a link would replace the link: its target is meant.
+        // Renaming onto a link would replace the link instead of its target.
         Ok(meta) if meta.is_file() => std::fs::canonicalize(path).map(Destination::File),
         Ok(_) => Ok(Destination::Device),
         Err(e) if e.kind() == io::ErrorKind::NotFound => Ok(Destination::File(path.to_owned())),
@@ -95,7 +92,7 @@ fn temporary_beside(path: &Path) -> io::Result<NamedTempFile> {
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
-        // What any new file gets; the umask takes its share.
+        // The permissions of any new file; the umask restricts them.
         builder.permissions(std::fs::Permissions::from_mode(0o666));
     }
     builder.tempfile_in(folder)

@@ -1,6 +1,7 @@
-//! Which files a `render` will write, settled before anything is drawn.
+//! The files that `render` will write, settled before anything is drawn.
 
 use crate::output::atomic;
+use crate::output::path::{Content, OutputPath, check_stdout};
 use crate::report::{CliError, Reporter};
 use crate::values::nearest;
 use gonio_scene::ViewSpec;
@@ -13,17 +14,16 @@ pub enum Format {
     Png,
     /// Animated PNG.
     Apng,
-    /// 256 colours a frame.
+    /// 256 colours per frame.
     Gif,
     /// 32-bit float, linear.
     Exr,
 }
 
 impl Format {
-    /// All.
     pub const ALL: &'static [Self] = &[Self::Png, Self::Apng, Self::Gif, Self::Exr];
 
-    /// As written: the extension.
+    /// The extension.
     pub fn name(self) -> &'static str {
         match self {
             Self::Png => "png",
@@ -33,20 +33,20 @@ impl Format {
         }
     }
 
-    /// By the extension of a file's name.
-    fn of_path(path: &Path) -> Result<Format, CliError> {
+    /// The format that the extension of a file's name stands for.
+    fn from_path(path: &Path) -> Result<Format, CliError> {
         let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
         if let Some(known) = Self::ALL.iter().find(|f| f.name() == extension) {
             return Ok(*known);
         }
         let what = match extension.as_str() {
-            "" => "has no extension that says what to write".to_owned(),
-            other => format!("`.{other}` is not written"),
+            "" => "the name has no extension to choose the format by".to_owned(),
+            other => format!("unsupported format `.{other}`"),
         };
         let nearest = nearest(&extension, Self::ALL.iter().map(|f| f.name()));
         let hint = nearest.map(|k| format!("; did you mean .{k}?")).unwrap_or_default();
         Err(CliError::new(format!(
-            "`{}`: {what}; gonio writes .png (8 or 16 bits), .exr (linear float), .apng and .gif (animations){hint}",
+            "`{}`: {what}: expected .png (8 or 16 bits), .exr (linear float), .apng or .gif (animations){hint}",
             path.display()
         )))
     }
@@ -57,54 +57,39 @@ impl Format {
     }
 }
 
-/// Where the bytes go.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Target {
-    /// `-`
-    Stdout,
-    /// A file, or (numbered) the pattern of several.
-    File(PathBuf),
-}
-
 /// One `-o` with its format.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// Where to.
-    pub target: Target,
-    /// What.
+    /// Stdout, a file, or the pattern of several numbered ones.
+    pub output: OutputPath,
     pub format: Format,
-    /// How many frames there will be, 1 without `--frames`.
+    /// The number of frames, 1 without `--frames`.
     pub frames: u32,
-    /// Bits a channel of PNG.
+    /// Bits per channel of PNG.
     pub bits: u8,
 }
 
-/// What the plan depends on.
+/// The options that determine the plans.
 pub struct PlanRequest<'a> {
-    /// `-o`, each.
-    pub outputs: &'a [String],
+    /// Every `-o`.
+    pub outputs: &'a [OutputPath],
     /// `--format`, for stdout.
     pub format: Option<Format>,
-    /// `--frames`
     pub frames: Option<u32>,
-    /// `--animated`
     pub animated: bool,
-    /// `--views`
     pub views: &'a [ViewSpec],
-    /// `--bits`
     pub bits: Option<u8>,
 }
 
 impl PlanRequest<'_> {
-    /// Settles every file, and whether it can be written.
+    /// Settles every file, and checks that it can be written.
     pub fn plan(&self, reporter: &Reporter) -> Result<Vec<Plan>, CliError> {
-        let plans: Vec<Plan> =
-            self.outputs.iter().map(|output| self.plan_one(output, reporter)).collect::<Result<_, _>>()?;
-        if plans.iter().filter(|p| p.target == Target::Stdout).count() > 1 {
-            return Err(CliError::new("`-o -` is given twice; stdout takes one picture"));
-        }
+        check_stdout(self.outputs.iter().map(|output| (output, Content::Binary)), reporter)?;
+        let plans: Vec<Plan> = self.outputs.iter().map(|output| self.plan_one(output)).collect::<Result<_, _>>()?;
         if self.bits.is_some() && !plans.iter().any(|p| p.format == Format::Png) {
-            return Err(CliError::new("--bits belongs to .png; .exr always has 32-bit floats, animations 8 bits"));
+            return Err(CliError::new(
+                "--bits applies to .png only; .exr always has 32-bit floats, animations have 8 bits",
+            ));
         }
         for plan in &plans {
             for path in plan.all_paths(self.views) {
@@ -114,54 +99,45 @@ impl PlanRequest<'_> {
         Ok(plans)
     }
 
-    fn plan_one(&self, output: &str, reporter: &Reporter) -> Result<Plan, CliError> {
-        let (target, mut format) = if output == "-" {
-            if reporter.json() {
-                return Err(CliError::new(
-                    "`-o -` and --json would both go to stdout; write the picture to a file, or leave --json out",
-                ));
-            }
-            if reporter.stdout_is_terminal() {
-                return Err(CliError::new(
-                    "`-o -` would write the picture to a terminal; redirect stdout, or give a file's name",
-                ));
-            }
-            (Target::Stdout, self.format.unwrap_or(Format::Png))
-        } else {
-            let path = PathBuf::from(output);
-            let format = match self.format {
-                // A device has no extension.
-                Some(format) => format,
-                None => Format::of_path(&path)?,
-            };
-            (Target::File(path), format)
+    fn plan_one(&self, output: &OutputPath) -> Result<Plan, CliError> {
+        let mut format = match (self.format, output) {
+            // A device has no extension.
+            (Some(format), _) => format,
+            (None, OutputPath::File(path)) => Format::from_path(path)?,
+            (None, OutputPath::Stdout) => Format::Png,
         };
         if self.animated && format == Format::Png {
             format = Format::Apng;
         }
         if self.animated && format == Format::Exr {
-            return Err(CliError::new("--animated belongs to .png; .exr holds no animations"));
+            return Err(CliError::new("--animated applies to .png only; .exr has no animations"));
         }
         let frames = self.frames.unwrap_or(1);
-        if target == Target::Stdout && self.frames.is_some() && !format.is_animation() {
-            return Err(CliError::new("stdout takes one file; for several frames add --format gif or --format apng"));
+        if output.is_stdout() && self.frames.is_some() && !format.is_animation() {
+            return Err(CliError::new(
+                "stdout takes one file; --format gif or --format apng puts several frames into one",
+            ));
         }
         if !self.views.is_empty() && format.is_animation() {
             return Err(CliError::new(
-                "an animation holds one view; choose it with --debug, or write numbered .png or .exr files",
+                "an animation shows one view: choose it with --debug, or write numbered .png or .exr files",
             ));
         }
-        if !self.views.is_empty() && target == Target::Stdout && format == Format::Png {
-            return Err(CliError::new("stdout takes one file; for --views on stdout add --format exr (layers)"));
+        if !self.views.is_empty() && output.is_stdout() && format == Format::Png {
+            return Err(CliError::new("stdout takes one file; --format exr puts several views into one, as layers"));
         }
-        Ok(Plan { target, format, frames, bits: self.bits.unwrap_or(8) })
+        Ok(Plan { output: output.clone(), format, frames, bits: self.bits.unwrap_or(8) })
     }
 }
 
 impl Plan {
-    /// The file of frame `frame` (from 0), and of `view` where views have files of their own.
-    pub fn path(&self, frame: u32, view: Option<ViewSpec>) -> Option<PathBuf> {
-        let Target::File(path) = &self.target else { return None };
+    /// The output of frame `frame` (from 0), and of `view` if views have files of their own.
+    pub fn output(&self, frame: u32, view: Option<ViewSpec>) -> OutputPath {
+        self.path(frame, view).map_or(OutputPath::Stdout, OutputPath::File)
+    }
+
+    fn path(&self, frame: u32, view: Option<ViewSpec>) -> Option<PathBuf> {
+        let path = self.output.file()?;
         let mut name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         if self.is_numbered() {
             name = numbered(&name, frame + 1);
@@ -175,13 +151,13 @@ impl Plan {
 
     /// Whether each frame has a file of its own.
     fn is_numbered(&self) -> bool {
-        let has_pattern = matches!(&self.target, Target::File(p) if pattern(&p.to_string_lossy()).is_some());
+        let has_pattern = self.output.file().is_some_and(|path| pattern(&path.to_string_lossy()).is_some());
         !self.format.is_animation() && (self.frames > 1 || has_pattern)
     }
 
     fn all_paths(&self, views: &[ViewSpec]) -> Vec<PathBuf> {
         let own_views: &[ViewSpec] = if self.format == Format::Png { views } else { &[] };
-        // The frames stand in one folder: the first and the last tell whether it can be written.
+        // All frames are in one folder: checking the first and the last is enough.
         let frames = if self.is_numbered() { [0, self.frames - 1] } else { [0, 0] };
         let mut paths: Vec<PathBuf> = frames
             .into_iter()
@@ -193,7 +169,7 @@ impl Plan {
     }
 }
 
-/// The place of `%d` or `%0Nd` in a name, and N.
+/// The position of `%d` or `%0Nd` in a name, and N.
 fn pattern(name: &str) -> Option<(std::ops::Range<usize>, usize)> {
     let start = name.find('%')?;
     let rest = &name[start + 1..];
@@ -202,7 +178,7 @@ fn pattern(name: &str) -> Option<(std::ops::Range<usize>, usize)> {
     rest[digits..].starts_with('d').then_some((start..start + digits + 2, width))
 }
 
-/// `out.png` to `out-0001.png`, `out%02d.png` to `out01.png`.
+/// A numbered name: `out-0001.png` for `out.png`, `out01.png` for `out%02d.png`.
 fn numbered(name: &str, number: u32) -> String {
     match pattern(name) {
         Some((range, width)) => format!("{}{number:0width$}{}", &name[..range.start], &name[range.end..]),
@@ -223,7 +199,7 @@ mod tests {
     use super::*;
 
     fn plan(path: &str, format: Format, frames: u32) -> Plan {
-        Plan { target: Target::File(path.into()), format, frames, bits: 8 }
+        Plan { output: OutputPath::File(path.into()), format, frames, bits: 8 }
     }
 
     #[test]
@@ -237,18 +213,18 @@ mod tests {
         assert_eq!(name(&plan("a%03d.exr", Format::Exr, 9), 0, None), "a001.exr");
         assert_eq!(name(&plan("a%d.exr", Format::Exr, 9), 11, None), "a12.exr");
         assert_eq!(name(&plan("out.gif", Format::Gif, 9), 8, None), "out.gif");
-        // A percent sign that is no pattern is a percent sign.
+        // A percent sign outside a pattern is a percent sign.
         assert_eq!(name(&plan("50%.png", Format::Png, 9), 0, None), "50%-0001.png");
         assert_eq!(name(&plan("%99d.png", Format::Png, 9), 0, None), "%99d-0001.png");
     }
 
     #[test]
-    fn an_unknown_extension_is_told_what_can_be_written() {
-        let text = Format::of_path(Path::new("a.jpg")).unwrap_err().to_string();
-        assert!(text.contains("`.jpg` is not written") && text.contains(".exr (linear float)"), "{text}");
-        let text = Format::of_path(Path::new("a.pgn")).unwrap_err().to_string();
+    fn an_unknown_extension_gets_a_list_of_the_known_ones() {
+        let text = Format::from_path(Path::new("a.jpg")).unwrap_err().to_string();
+        assert!(text.contains("unsupported format `.jpg`") && text.contains(".exr (linear float)"), "{text}");
+        let text = Format::from_path(Path::new("a.pgn")).unwrap_err().to_string();
         assert!(text.contains("did you mean .png?"), "{text}");
-        assert!(Format::of_path(Path::new("a")).unwrap_err().to_string().contains("no extension"));
-        assert_eq!(Format::of_path(Path::new("A.PNG")).unwrap(), Format::Png);
+        assert!(Format::from_path(Path::new("a")).unwrap_err().to_string().contains("no extension"));
+        assert_eq!(Format::from_path(Path::new("A.PNG")).unwrap(), Format::Png);
     }
 }

@@ -1,42 +1,53 @@
 //! Several files that appear together, or not at all.
 //!
-//! Each is written into a temporary folder beside its target as soon as it is ready; all are renamed into their places at the
-//! end. Where one cannot be written (a full disk, say), nothing of any of them is left, nor of the folders made for them.
+//! Each file is written to a temporary folder beside its target as soon as it is ready, and all are renamed to their targets
+//! at the end. If one cannot be written (on a full disk, say), none is left, and neither are folders made for them. An output
+//! that goes to stdout is written last.
 
-use super::atomic::{self, refused};
-use crate::report::CliError;
+use super::OutputPath;
+use super::atomic::{self, write_error};
+use crate::report::{self, CliError};
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
 /// The files of one command.
 #[derive(Default)]
 pub struct FileSet {
-    /// Folders that were made, the outermost first.
+    /// Folders that were created, the outermost first.
     made: Vec<PathBuf>,
-    /// Temporary folders by the folder that they stand in.
+    /// Temporary folders and the folders that contain them.
     beside: Vec<(PathBuf, TempDir)>,
-    /// Target and temporary file, in the order in which they appear.
+    /// Targets and temporary files, in the order in which they were added.
     files: Vec<(PathBuf, PathBuf)>,
+    stdout: Option<Vec<u8>>,
 }
 
 impl FileSet {
-    /// No file yet.
     pub fn new() -> Self {
         FileSet::default()
     }
 
-    /// Makes a folder and those that it lies in, as far as they are missing.
+    /// Creates a folder and its missing parents.
     pub fn make_folder(&mut self, folder: &Path) -> Result<(), CliError> {
         let missing = folder.ancestors().take_while(|path| !path.as_os_str().is_empty() && !path.exists());
         let missing: Vec<PathBuf> = missing.map(Path::to_owned).collect();
         self.made.extend(missing.into_iter().rev());
         std::fs::create_dir_all(folder)
-            .map_err(|e| CliError::io(format!("the folder `{}` cannot be made", folder.display()), &e))
+            .map_err(|e| CliError::io(format!("cannot create the folder `{}`", folder.display()), &e))
     }
 
-    /// Adds a file; its folder must be there.
+    /// Adds an output; at most one may go to stdout.
+    pub fn add_output(&mut self, output: &OutputPath, bytes: Vec<u8>) -> Result<(), CliError> {
+        match output {
+            OutputPath::Stdout => self.stdout = Some(bytes),
+            OutputPath::File(path) => self.add(path, &bytes)?,
+        }
+        Ok(())
+    }
+
+    /// Adds a file, whose folder must exist.
     pub fn add(&mut self, target: &Path, bytes: &[u8]) -> Result<(), CliError> {
-        // What is in the way of it is found out now, not when others have taken their places.
+        // Obstacles are found now, not after other files have been replaced.
         atomic::check_target(target)?;
         let folder = target.parent().unwrap_or(Path::new("")).to_owned();
         let place = match self.beside.iter().position(|(known, _)| *known == folder) {
@@ -47,23 +58,23 @@ impl FileSet {
             }
         };
         let finished = self.beside[place].1.path().join(self.files.len().to_string());
-        std::fs::write(&finished, bytes).map_err(|e| refused(target, &e))?;
+        std::fs::write(&finished, bytes).map_err(|e| write_error(target, &e))?;
         self.files.push((target.to_owned(), finished));
         Ok(())
     }
 
-    /// Puts all files into their places, in the order in which they were added.
+    /// Moves all files to their targets, in the order in which they were added, then writes to stdout.
     pub fn commit(mut self) -> Result<(), CliError> {
         let mut placed: Vec<(&Path, Option<PathBuf>)> = Vec::with_capacity(self.files.len());
         for (target, finished) in &self.files {
-            // A second name for what was there, so that it can be put back.
+            // A second name for the old file, so that it can be restored.
             let old = finished.with_extension("old");
             let kept =
                 std::fs::canonicalize(target).and_then(|was| std::fs::hard_link(was, &old)).is_ok().then_some(old);
             let was_there = target.exists();
             if let Err(error) = atomic::replace(target, finished) {
                 for (target, old) in placed.into_iter().rev() {
-                    // Where this fails too, the first error says enough.
+                    // If this fails too, the first error is the one to report.
                     let _ = old.map_or_else(|| std::fs::remove_file(target), |old| std::fs::rename(old, target));
                 }
                 return Err(error);
@@ -73,7 +84,7 @@ impl FileSet {
             }
         }
         self.made.clear();
-        Ok(())
+        self.stdout.take().map_or(Ok(()), |bytes| report::write_stdout(&bytes))
     }
 }
 
@@ -81,7 +92,7 @@ impl Drop for FileSet {
     fn drop(&mut self) {
         self.beside.clear();
         for folder in self.made.iter().rev() {
-            // Only where it is empty: others may have used it meanwhile.
+            // Fails unless it is empty: others may have used it meanwhile.
             let _ = std::fs::remove_dir(folder);
         }
     }
@@ -99,7 +110,7 @@ mod tests {
         names
     }
 
-    /// A set of these files, added until one is refused.
+    /// A set of these files, added until one is rejected.
     fn set(files: &[(&Path, &[u8])]) -> Result<FileSet, CliError> {
         let mut set = FileSet::new();
         for (path, bytes) in files {

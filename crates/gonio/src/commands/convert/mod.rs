@@ -2,9 +2,11 @@
 
 mod textures;
 
-use crate::cli::{LimitOptions, WordOptions};
-use crate::output::{FileSet, atomic};
+use crate::cli::{GeneralOptions, LimitOptions};
+use crate::output::path::check_stdout;
+use crate::output::{Content, FileSet, OutputPath};
 use crate::report::{CliError, Outcome, Reporter};
+use crate::values;
 use clap::Args;
 use gonio_mesh::write::{self, ImageFile};
 use gonio_mesh::{Diagnostic, Model};
@@ -12,52 +14,67 @@ use gonio_scene::model_file::ModelFile;
 use std::path::{Path, PathBuf};
 use textures::Textures;
 
-/// Write a model as OBJ with MTL, as PLY or as GLB.
+/// Convert a model to OBJ with MTL, PLY or GLB.
 #[derive(Args, Debug)]
-#[command(after_help = "\
+#[command(after_long_help = "\
 Examples:
   gonio convert model.glb model.obj
-      model.obj, model.mtl, and each picture inside model.glb as model_NAME.png.
+      Writes model.obj, model.mtl, and each picture inside model.glb as model_NAME.png.
   gonio convert scan.ply.zst scan.glb
   gonio convert model.obj model.ply --ascii
   curl https://example.com/model.stl | gonio convert - model.obj
+  gonio convert model.obj - --format glb > model.glb
 
-The ending of OUT decides: .obj, .ply or .glb. Textures that are files stay where they are: OUT names them as they are
-seen from its folder; a .glb has them inside. What a format cannot hold is said.")]
+The extension of OUT determines the format: .obj, .ply or .glb. Textures in files stay where they are, and OUT refers to them by \
+paths relative to its folder; a .glb contains them. Warnings report what the format cannot represent.")]
 pub struct ConvertArgs {
-    /// A model (.obj .gltf .glb .dae .ply .stl .mesh .meshb, also .gz and .zst), - for stdin, or builtin:NAME.
+    /// Model (.obj .gltf .glb .dae .ply .stl .mesh .meshb, also .gz and .zst), - for stdin, or builtin:NAME.
     #[arg(value_name = "IN")]
     pub input: String,
-    /// The file to write: .obj, .ply or .glb.
+    /// File to write: .obj, .ply or .glb; - is stdout.
     #[arg(value_name = "OUT")]
-    pub output: PathBuf,
+    pub output: OutputPath,
+    /// Format, if no extension determines it (stdout).
+    #[arg(long, help_heading = "Output options", value_parser = values::named(Format::ALL, Format::name))]
+    pub format: Option<Format>,
     /// Write PLY as text.
-    #[arg(long, help_heading = "Output")]
+    #[arg(long, help_heading = "Output options")]
     pub ascii: bool,
-    /// What a file may make us allocate.
     #[command(flatten)]
     pub limits: LimitOptions,
-    /// What is said.
     #[command(flatten)]
-    pub words: WordOptions,
+    pub general: GeneralOptions,
 }
 
-/// What can be written.
+/// The formats that can be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Format {
+pub enum Format {
     Obj,
     Ply,
     Glb,
 }
 
-/// Converts.
-pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
-    let format = format_of(&args.output)?;
-    if args.ascii && format != Format::Ply {
-        return Err(CliError::new("--ascii is for .ply only; .obj is text always, and .glb never"));
+impl Format {
+    const ALL: &'static [Self] = &[Self::Obj, Self::Ply, Self::Glb];
+
+    /// The extension.
+    fn name(self) -> &'static str {
+        match self {
+            Self::Obj => "obj",
+            Self::Ply => "ply",
+            Self::Glb => "glb",
+        }
     }
-    atomic::check_writable(&args.output)?;
-    let files = args.limits.files([args.input.as_str()]);
+}
+
+pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
+    let format = format_of(args)?;
+    if args.ascii && format != Format::Ply {
+        return Err(CliError::new("--ascii applies to .ply only; .obj is always text, and .glb never"));
+    }
+    check_stdout([(&args.output, Content::Binary)], reporter)?;
+    args.output.check_writable()?;
+    let files = args.limits.files([args.input.as_str()], reporter);
     let mut file = {
         let _busy = reporter.busy("reading the model");
         ModelFile::open(&args.input, &files, &args.limits.limits())?
@@ -65,15 +82,19 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<Outcome, CliError>
     let mut diagnostics = std::mem::take(&mut file.model.diagnostics);
     let textures = Textures::find(&file, &files, &mut diagnostics);
     let mut model = std::mem::take(&mut file.model);
-    let outputs = {
+    let written = {
         let _busy = reporter.busy("writing the model");
         match format {
-            Format::Obj => write_obj(&mut model, textures, &args.output, &mut diagnostics)?,
-            Format::Ply => write_ply(&mut model, textures, args, &mut diagnostics)?,
-            Format::Glb => write_glb(&model, &textures, &args.output, &mut diagnostics)?,
+            Format::Obj => obj_files(&mut model, textures, &args.output),
+            Format::Ply => ply_files(&mut model, textures, args),
+            Format::Glb => glb_file(&model, &textures, &args.output)?,
         }
     };
+    diagnostics.extend(written.diagnostics);
     reporter.diagnostics(&diagnostics);
+    let beside = written.beside.iter().map(|(path, _)| path.display().to_string());
+    let outputs: Vec<String> = std::iter::once(args.output.to_string()).chain(beside).collect();
+    write_files(&args.output, written.main, &written.beside)?;
     if reporter.json() {
         reporter.report(&serde_json::json!({
             "command": "convert",
@@ -88,85 +109,87 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<Outcome, CliError>
     Ok(Outcome::Done)
 }
 
-fn format_of(output: &Path) -> Result<Format, CliError> {
-    let extension = output.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
-    match extension.as_str() {
-        "obj" => Ok(Format::Obj),
-        "ply" => Ok(Format::Ply),
-        "glb" => Ok(Format::Glb),
-        _ => {
-            let message = format!("`{}` cannot be written: its ending is none of .obj, .ply, .glb", output.display());
-            Err(CliError::new(message))
-        }
-    }
+fn format_of(args: &ConvertArgs) -> Result<Format, CliError> {
+    let Some(path) = args.output.file() else {
+        return args.format.ok_or_else(|| CliError::new("stdout has no extension; add --format obj, ply or glb"));
+    };
+    let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
+    let by_name = Format::ALL.iter().copied().find(|format| format.name() == extension);
+    args.format.or(by_name).ok_or_else(|| {
+        CliError::new(format!("`{}` cannot be written: expected an extension .obj, .ply or .glb", path.display()))
+    })
 }
 
-fn write_obj(
-    model: &mut Model,
-    textures: Textures,
-    output: &Path,
-    diagnostics: &mut Vec<Diagnostic>,
-) -> Result<Vec<PathBuf>, CliError> {
-    textures.name_for(model, output);
-    let files = write::obj::write(model, &format!("{}.mtl", stem_of(output)));
-    diagnostics.extend(files.diagnostics);
-    // What the model names is there before it is.
-    let mut set = FileSet::new();
-    let mut outputs = add_images(&mut set, model, &files.images, output)?;
+/// A converted model.
+struct Converted {
+    /// The bytes of the file that OUT names.
+    main: Vec<u8>,
+    /// The files beside it that it refers to.
+    beside: Vec<(PathBuf, Vec<u8>)>,
+    diagnostics: Vec<Diagnostic>,
+}
+
+/// The path that files beside the output are named after; those of stdout are in the current folder.
+fn path_of(output: &OutputPath) -> &Path {
+    output.file().unwrap_or(Path::new("stdout"))
+}
+
+fn obj_files(model: &mut Model, textures: Textures, output: &OutputPath) -> Converted {
+    let path = path_of(output);
+    textures.name_for(model, path);
+    let files = write::obj::write(model, &format!("{}.mtl", stem_of(path)));
+    let mut beside = Vec::new();
     if !files.mtl.is_empty() {
-        let path = output.with_file_name(&files.mtl_name);
-        set.add(&path, &files.mtl)?;
-        outputs.push(path);
+        beside.push((path.with_file_name(&files.mtl_name), files.mtl));
     }
-    set.add(output, &files.obj)?;
-    set.commit()?;
-    outputs.push(output.to_owned());
-    outputs.reverse();
-    Ok(outputs)
+    beside.extend(image_files(model, &files.images, path));
+    Converted { main: files.obj, beside, diagnostics: files.diagnostics }
 }
 
-fn write_ply(
-    model: &mut Model,
-    textures: Textures,
-    args: &ConvertArgs,
-    diagnostics: &mut Vec<Diagnostic>,
-) -> Result<Vec<PathBuf>, CliError> {
+fn ply_files(model: &mut Model, textures: Textures, args: &ConvertArgs) -> Converted {
+    let path = path_of(&args.output);
     let encoding = if args.ascii { write::ply::Encoding::Ascii } else { write::ply::Encoding::Binary };
-    textures.name_for(model, &args.output);
-    let files = write::ply::write(model, &stem_of(&args.output), encoding);
-    diagnostics.extend(files.diagnostics);
-    let mut set = FileSet::new();
-    let mut outputs = add_images(&mut set, model, &files.images, &args.output)?;
-    set.add(&args.output, &files.ply)?;
-    set.commit()?;
-    outputs.insert(0, args.output.clone());
-    Ok(outputs)
+    textures.name_for(model, path);
+    let files = write::ply::write(model, &stem_of(path), encoding);
+    let beside = image_files(model, &files.images, path).collect();
+    Converted { main: files.ply, beside, diagnostics: files.diagnostics }
 }
 
-fn write_glb(
-    model: &Model,
-    textures: &Textures,
-    output: &Path,
-    diagnostics: &mut Vec<Diagnostic>,
-) -> Result<Vec<PathBuf>, CliError> {
+fn glb_file(model: &Model, textures: &Textures, output: &OutputPath) -> Result<Converted, CliError> {
     let glb = write::glb::write(model, &mut |map| textures.bytes(&map.path))
-        .map_err(|error| CliError::new(format!("`{}` cannot be written: {error}", output.display())))?;
-    diagnostics.extend(glb.diagnostics);
-    atomic::write(output, &glb.bytes)?;
-    Ok(vec![output.to_owned()])
+        .map_err(|error| CliError::new(format!("`{output}` cannot be written: {error}")))?;
+    Ok(Converted { main: glb.bytes, beside: Vec::new(), diagnostics: glb.diagnostics })
 }
 
-/// Adds the pictures that were inside the model, beside it. Their files.
-fn add_images(set: &mut FileSet, model: &Model, images: &[ImageFile], output: &Path) -> Result<Vec<PathBuf>, CliError> {
-    let mut written = Vec::new();
-    for file in images {
-        if let Some(image) = model.images.get(file.image) {
-            let path = output.with_file_name(&file.name);
-            set.add(&path, &image.bytes)?;
-            written.push(path);
-        }
+/// Writes the model, after the files that it refers to.
+fn write_files(output: &OutputPath, main: Vec<u8>, beside: &[(PathBuf, Vec<u8>)]) -> Result<(), CliError> {
+    if output.is_stdout() && !beside.is_empty() {
+        return Err(CliError::new(format!(
+            "this model takes {} files, and stdout takes one: name a file, or add --format glb",
+            beside.len() + 1
+        )));
     }
-    Ok(written)
+    if beside.is_empty() {
+        return output.write(&main);
+    }
+    let mut files = FileSet::new();
+    for (path, bytes) in beside.iter().rev() {
+        files.add(path, bytes)?;
+    }
+    files.add_output(output, main)?;
+    files.commit()
+}
+
+/// The pictures inside the model, as files beside it.
+fn image_files<'m>(
+    model: &'m Model,
+    images: &'m [ImageFile],
+    output: &'m Path,
+) -> impl Iterator<Item = (PathBuf, Vec<u8>)> + 'm {
+    images.iter().filter_map(move |file| {
+        let image = model.images.get(file.image)?;
+        Some((output.with_file_name(&file.name), image.bytes.clone()))
+    })
 }
 
 fn stem_of(output: &Path) -> String {

@@ -1,4 +1,4 @@
-//! The textures of a model that is written somewhere else: found, and named anew.
+//! The textures of a converted model, which are found and renamed relative to its new folder.
 
 use crate::commands::scene::seen_from;
 use gonio_mesh::{Diagnostic, EmbeddedImage, Model};
@@ -8,13 +8,13 @@ use gonio_scene::model_textures::TextureFile;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// The files of all textures that are not inside the model, by the names that the model has for them.
+/// The files of all textures that are not inside the model, by their names in the model.
 pub struct Textures {
     files: BTreeMap<String, TextureFile>,
 }
 
 impl Textures {
-    /// Seeks them all. What is not found is told and keeps its name.
+    /// Looks for all of them. A missing one is reported and keeps its name.
     pub fn find(file: &ModelFile, files: &dyn FileSource, diagnostics: &mut Vec<Diagnostic>) -> Self {
         let mut textures = Textures { files: BTreeMap::new() };
         let mut missing: Vec<&str> = Vec::new();
@@ -47,8 +47,7 @@ impl Textures {
         self.files.get(name).map(|file| file.bytes.to_vec())
     }
 
-    /// Names them as they are seen from the folder of `output`; those that are no files become pictures inside the
-    /// model.
+    /// Names them relative to the folder of `output`; those that are not files of their own are embedded in the model.
     pub fn name_for(self, model: &mut Model, output: &Path) {
         let folder = output.parent().unwrap_or(Path::new(""));
         let mut image_of: BTreeMap<String, usize> = BTreeMap::new();

@@ -1,4 +1,4 @@
-//! Digits for a picture's scale, three by five pixels each.
+//! Digits of three by five pixels, for the scale below a difference map.
 
 /// Five rows of three bits, the top row first.
 fn glyph(c: char) -> Option<[u8; 5]> {

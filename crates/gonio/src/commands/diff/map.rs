@@ -7,18 +7,18 @@ use gonio_scene::picture::EncodedPicture;
 
 /// Height of the scale below a map.
 const LEGEND: usize = 32;
-/// Where its labels begin.
+/// The first row of its labels.
 const LABELS: usize = 18;
 const _: () = assert!(LABELS + digits::HEIGHT <= LEGEND);
 
-/// The map; `full_scale` in 8-bit steps, > 0, gets the brightest colour.
+/// The difference map. `full_scale`, in 8-bit steps and greater than 0, gets the brightest colour.
 pub fn map(a: &Pixels, b: &Pixels, full_scale: f64) -> EncodedPicture<u8> {
     let rgba = (0..a.len())
         .flat_map(|i| {
             let (ea, eb) = (a.encoded(i), b.encoded(i));
             let largest = (0..4).map(|c| 255.0 * (ea[c] - eb[c]).abs()).fold(0.0, f64::max);
             let finite = |p: [f64; 4]| p.iter().all(|v| v.is_finite());
-            // What is no number in one of the two is all the difference there is.
+            // NaN or infinity in only one of the two counts as the full difference.
             let share = if finite(a.linear(i)) == finite(b.linear(i)) { largest / full_scale } else { 1.0 };
             let [r, g, b] = heat(share);
             [r, g, b, 255]
@@ -27,7 +27,7 @@ pub fn map(a: &Pixels, b: &Pixels, full_scale: f64) -> EncodedPicture<u8> {
     EncodedPicture { width: a.width, height: a.height, rgba }
 }
 
-/// The map with its scale below it: 0, the half and the full scale, of 255.
+/// The map with its scale below: 0, half and full scale, in steps of 255.
 pub fn with_legend(map: &EncodedPicture<u8>, full_scale: f64) -> EncodedPicture<u8> {
     let (width, height) = (map.width as usize, map.height as usize);
     let margin = 8;
@@ -54,7 +54,7 @@ pub fn with_legend(map: &EncodedPicture<u8>, full_scale: f64) -> EncodedPicture<
     };
     let labels = ["0".to_owned(), label(0.5 * full_scale), format!("{}/255", label(full_scale))];
     for (text, place) in labels.iter().zip([0.0, 0.5, 1.0]) {
-        // The label's own place under the bar: its start, its middle, its end.
+        // The first label starts with the bar, the second is centred, the last ends with it.
         let left = margin as f64 + place * bar as f64 - place * digits::width(text) as f64;
         digits::draw(text, |x, y| put(left as usize + x, LABELS + y, [220, 220, 220]));
     }
@@ -66,7 +66,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_legend_stands_below_and_leaves_the_map_alone() {
+    fn the_legend_is_below_the_map_and_leaves_it_unchanged() {
         let map = EncodedPicture { width: 128, height: 4, rgba: vec![9; 128 * 4 * 4] };
         let with = with_legend(&map, 24.0);
         assert_eq!((with.width, with.height), (128, 4 + LEGEND as u32));

@@ -11,50 +11,41 @@ use serde::Serialize;
 /// All numbers of a comparison.
 #[derive(Clone, Debug, Serialize)]
 pub struct Numbers {
-    /// Pixels.
     pub width: u32,
-    /// Pixels.
     pub height: u32,
-    /// How many pixels there are.
     pub pixels: u64,
-    /// 3, or 4 where alpha counts.
+    /// 3, or 4 if alpha counts.
     pub channels: usize,
-    /// Encoded values times 255.
+    /// Differences of encoded values, times 255.
     pub steps: Spread,
-    /// Linear light.
+    /// Differences of linear light.
     pub linear: Spread,
     /// The largest `|a - b| / max(1, |a|, |b|)` of linear light.
     pub linear_absolute_or_relative: f64,
-    /// 8-bit steps.
+    /// The tolerance in 8-bit steps.
     pub tolerance: f64,
     /// Pixels with a channel that differs by more than the tolerance.
     pub differing_pixels: u64,
-    /// Their share.
+    /// Their share of all pixels.
     pub differing_percent: f64,
-    /// Structural similarity (Wang et al. 2004) in windows of 8x8 pixels, the least of R, G, B; 1 where
-    /// the pictures are equal.
+    /// Structural similarity (Wang et al. 2004) in windows of 8x8 pixels, the least of R, G and B; 1 for equal pictures.
     pub ssim: f64,
-    /// Where `steps.max` is, if it is not 0.
+    /// The pixel with `steps.max`, if that is not 0.
     pub worst: Option<Worst>,
-    /// Pixels that are NaN or infinite in one picture and not so in the other. They count as differing and
-    /// are in none of the sums.
+    /// Pixels that are NaN or infinite in only one picture. They count as differing and are in none of the sums.
     pub not_finite: u64,
 }
 
-/// A pixel with the largest difference.
+/// The pixel with the largest difference. Colours are displayed ones, `#rrggbb`.
 #[derive(Clone, Debug, Serialize)]
 pub struct Worst {
-    /// Column.
     pub x: u32,
-    /// Row.
     pub y: u32,
-    /// As displayed, `#rrggbb`.
     pub a: String,
-    /// As displayed, `#rrggbb`.
     pub b: String,
 }
 
-/// What one row adds.
+/// The sums of one row.
 #[derive(Clone, Copy, Default)]
 struct Row {
     steps: Tally,
@@ -65,7 +56,7 @@ struct Row {
     not_finite: u64,
 }
 
-/// Compares pictures of one size.
+/// Compares pictures of the same size.
 pub fn measure(a: &Pixels, b: &Pixels, tolerance: f64) -> Result<Numbers, CliError> {
     let channels = if a.has_alpha() || b.has_alpha() { 4 } else { 3 };
     let width = a.width as usize;

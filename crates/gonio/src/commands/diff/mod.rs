@@ -1,4 +1,4 @@
-//! `gonio diff`: two pictures compared.
+//! `gonio diff`: a comparison of two pictures.
 
 mod digits;
 mod map;
@@ -6,8 +6,10 @@ mod measure;
 mod read;
 mod sheets;
 
-use crate::cli::WordOptions;
-use crate::output::{FileSet, atomic};
+use crate::cli::GeneralOptions;
+use crate::numbers::is_noise;
+use crate::output::path::check_stdout;
+use crate::output::{Content, FileSet, OutputPath};
 use crate::page::Page;
 use crate::report::{CliError, Outcome, Reporter};
 use crate::values;
@@ -21,85 +23,79 @@ use std::path::{Path, PathBuf};
 
 /// Compare two pictures: numbers, difference map, side by side, wipe.
 #[derive(Args, Debug)]
-#[command(after_help = "\
+#[command(after_long_help = "\
 Examples:
   gonio diff a.png b.png
       Mean, RMS and largest difference, share of differing pixels, SSIM.
   gonio diff a.png b.png -o map.png
-      Where they differ, in heat colours with their scale below.
+      A map of the differences in heat colours, with its scale below.
   gonio diff a.png b.png --side-by-side sheet.png --wipe wipe.png
   gonio diff gpu.exr cpu.exr --max-linear 0.001
-      Linear light; exit code 1 where any pixel differs by more than 0.001, absolute or relative.
+      Exit code 1 if linear light differs anywhere by more than 0.001, absolute or relative.
   gonio diff old.png new.png --tolerance 1 --max-differing 0.5
       At most 0.5 % of the pixels may differ by more than one 8-bit step.
 
-8-bit steps are 1/255 of the encoded (sRGB) value; EXR is encoded for them. Linear numbers are of decoded light.
-Alpha counts as a channel where a picture has one that is not 1; colours are premultiplied by it.
+An 8-bit step is 1/255 of the encoded (sRGB) value; EXR is encoded first. Linear numbers are of decoded light. Alpha counts as a \
+channel if a picture has any that is not 1; colours are premultiplied by it.
 
-Exit codes: 0 done, 1 a --max-... or --min-... does not hold, 2 error.")]
+Exit codes: 0 success, 1 a --max-... or --min-... is not met, 2 error.")]
 pub struct DiffArgs {
-    /// A picture: .png, .jpg or .exr; - for stdin.
+    /// Picture: .png, .jpg or .exr; - is stdin.
     #[arg(value_name = "A")]
     pub a: PathBuf,
-    /// The picture to compare it with.
+    /// Picture to compare it with.
     #[arg(value_name = "B")]
     pub b: PathBuf,
 
-    /// Write the difference map.
-    #[arg(long, short, help_heading = "Pictures", value_name = "MAP.png")]
-    pub output: Option<PathBuf>,
-    /// The difference, in 8-bit steps, that the map's brightest colour stands for; the largest one by default.
-    #[arg(long, help_heading = "Pictures", value_name = "STEPS", value_parser = values::positive)]
+    /// Write the difference map; - is stdout.
+    #[arg(long, short, help_heading = "Output options", value_name = "MAP.png")]
+    pub output: Option<OutputPath>,
+    /// Difference, in 8-bit steps, of the map's brightest colour; by default the largest one.
+    #[arg(long, help_heading = "Output options", value_name = "STEPS", value_parser = values::positive)]
     pub scale: Option<f64>,
-    /// The map without its scale below: as large as the pictures.
-    #[arg(long, help_heading = "Pictures")]
+    /// Leave out the scale below the map, which then has the size of the pictures.
+    #[arg(long, help_heading = "Output options")]
     pub no_legend: bool,
-    /// Write A, B and the map beside each other.
-    #[arg(long, help_heading = "Pictures", value_name = "FILE.png")]
-    pub side_by_side: Option<PathBuf>,
-    /// Write a picture that is A on the left and B on the right.
-    #[arg(long, help_heading = "Pictures", value_name = "FILE.png")]
-    pub wipe: Option<PathBuf>,
-    /// Where A ends in the wipe, share of the width.
-    #[arg(long, help_heading = "Pictures", value_name = "SHARE", value_parser = share, default_value = "0.5")]
+    /// Write A, B and the map side by side; - is stdout.
+    #[arg(long, help_heading = "Output options", value_name = "FILE.png")]
+    pub side_by_side: Option<OutputPath>,
+    /// Write a picture that shows A on the left and B on the right; - is stdout.
+    #[arg(long, help_heading = "Output options", value_name = "FILE.png")]
+    pub wipe: Option<OutputPath>,
+    /// End of A in the wipe, as a share of the width.
+    #[arg(long, help_heading = "Output options", value_name = "SHARE", value_parser = values::share,
+          default_value = "0.5")]
     pub wipe_at: f64,
 
-    /// Pixels count as differing from more than so many 8-bit steps on.
-    #[arg(long, help_heading = "Comparison", value_name = "STEPS", value_parser = values::not_negative,
+    /// Largest difference, in 8-bit steps, of pixels that count as equal.
+    #[arg(long, help_heading = "Comparison options", value_name = "STEPS", value_parser = values::not_negative,
           default_value = "0")]
     pub tolerance: f64,
-    /// The layer of an .exr file; the first by default.
-    #[arg(long, help_heading = "Comparison", value_name = "NAME")]
+    /// Layer of an .exr file; the first by default.
+    #[arg(long, help_heading = "Comparison options", value_name = "NAME")]
     pub layer: Option<String>,
 
-    /// Fail where any channel differs by more 8-bit steps.
-    #[arg(long, help_heading = "Checks", value_name = "STEPS", value_parser = values::not_negative)]
+    /// Fail if any channel differs by more 8-bit steps.
+    #[arg(long, help_heading = "Check options", value_name = "STEPS", value_parser = values::not_negative)]
     pub max_difference: Option<f64>,
-    /// Fail where the RMS is more 8-bit steps.
-    #[arg(long, help_heading = "Checks", value_name = "STEPS", value_parser = values::not_negative)]
+    /// Fail if the RMS is more 8-bit steps.
+    #[arg(long, help_heading = "Check options", value_name = "STEPS", value_parser = values::not_negative)]
     pub max_rms: Option<f64>,
-    /// Fail where linear light differs by more, absolute or (above 1) relative.
-    #[arg(long, help_heading = "Checks", value_name = "X", value_parser = values::not_negative)]
+    /// Fail if linear light differs by more, absolute or (above 1) relative.
+    #[arg(long, help_heading = "Check options", value_name = "X", value_parser = values::not_negative)]
     pub max_linear: Option<f64>,
-    /// Fail where a larger share of the pixels differs by more than the tolerance.
-    #[arg(long, help_heading = "Checks", value_name = "PERCENT", value_parser = values::not_negative)]
+    /// Fail if a larger share of the pixels differs by more than the tolerance.
+    #[arg(long, help_heading = "Check options", value_name = "PERCENT", value_parser = values::not_negative)]
     pub max_differing: Option<f64>,
-    /// Fail where SSIM is less.
-    #[arg(long, help_heading = "Checks", value_name = "X", value_parser = values::number)]
+    /// Fail if the SSIM is less.
+    #[arg(long, help_heading = "Check options", value_name = "X", value_parser = values::number)]
     pub min_ssim: Option<f64>,
 
-    /// What is said.
     #[command(flatten)]
-    pub words: WordOptions,
+    pub general: GeneralOptions,
 }
 
-fn share(text: &str) -> Result<f64, String> {
-    values::number(text).and_then(|v| {
-        if (0.0..=1.0).contains(&v) { Ok(v) } else { Err(format!("`{text}` is no share; 0 to 1 is wanted")) }
-    })
-}
-
-/// One check that was asked for.
+/// The result of a check.
 #[derive(Clone, Debug, Serialize)]
 struct Check {
     option: &'static str,
@@ -117,25 +113,26 @@ struct Report<'a> {
     numbers: &'a Numbers,
     checks: &'a [Check],
     held: bool,
-    outputs: Vec<&'a Path>,
+    outputs: Vec<String>,
 }
 
-/// Compares.
 pub fn run(args: &DiffArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
-    let outputs: Vec<&Path> =
-        [&args.output, &args.side_by_side, &args.wipe].into_iter().flatten().map(PathBuf::as_path).collect();
-    for path in &outputs {
-        if !path.extension().is_some_and(|e| e.eq_ignore_ascii_case("png")) {
-            return Err(CliError::new(format!("`{}`: diff writes its pictures as .png", path.display())));
+    let outputs: Vec<&OutputPath> = [&args.output, &args.side_by_side, &args.wipe].into_iter().flatten().collect();
+    for output in &outputs {
+        if let Some(path) = output.file()
+            && !path.extension().is_some_and(|e| e.eq_ignore_ascii_case("png"))
+        {
+            return Err(CliError::new(format!("`{output}`: diff writes pictures as .png only")));
         }
-        atomic::check_writable(path)?;
+        output.check_writable()?;
     }
+    let is_stdout_taken = check_stdout(outputs.iter().map(|output| (*output, Content::Binary)), reporter)?;
     let busy = reporter.busy("comparing");
-    let a = read::read(&args.a, args.layer.as_deref())?;
-    let b = read::read(&args.b, args.layer.as_deref())?;
+    let a = read::read(&args.a, args.layer.as_deref(), reporter)?;
+    let b = read::read(&args.b, args.layer.as_deref(), reporter)?;
     if (a.width, a.height) != (b.width, b.height) {
         return Err(CliError::new(format!(
-            "`{}` is {}x{} and `{}` is {}x{}; only pictures of one size can be compared",
+            "`{}` is {}x{} and `{}` is {}x{}: pictures must have the same size to be compared",
             args.a.display(),
             a.width,
             a.height,
@@ -151,18 +148,21 @@ pub fn run(args: &DiffArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let checks = checks(args, &numbers);
     let held = checks.iter().all(|c| c.held);
     if reporter.json() {
+        let outputs = outputs.iter().map(ToString::to_string).collect();
         let report =
             Report { command: "diff", a: &args.a, b: &args.b, numbers: &numbers, checks: &checks, held, outputs };
         reporter.report(&report)?;
-    } else if !args.words.quiet {
+    } else if is_stdout_taken {
+        reporter.text_on_stderr(&text(args, &a, &b, &numbers));
+    } else if !args.general.quiet {
         reporter.text(&text(args, &a, &b, &numbers))?;
     }
     for check in checks.iter().filter(|c| !c.held) {
         reporter.check_failed(format!(
-            "{} is {}, and {} was the limit",
+            "{} {} is not met: the value is {}",
             check.option,
-            number(check.value),
-            number(check.limit)
+            number(check.limit),
+            number(check.value)
         ));
     }
     Ok(if held { Outcome::Done } else { Outcome::CheckFailed })
@@ -171,19 +171,21 @@ pub fn run(args: &DiffArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
 fn write_pictures(args: &DiffArgs, a: &Pixels, b: &Pixels, numbers: &Numbers) -> Result<(), CliError> {
     let full_scale = args.scale.unwrap_or(numbers.steps.max.max(1.0));
     let difference = map::map(a, b, full_scale);
-    let mut set = FileSet::new();
-    let mut write = |path: &Path, picture: &EncodedPicture<u8>| set.add(path, &png::encode8(picture, ColorTag::Srgb)?);
-    if let Some(path) = &args.side_by_side {
-        write(path, &sheets::side_by_side(a, b, &difference))?;
+    let mut files = FileSet::new();
+    let mut add = |output: &OutputPath, picture: &EncodedPicture<u8>| {
+        files.add_output(output, png::encode8(picture, ColorTag::Srgb)?)
+    };
+    if let Some(output) = &args.side_by_side {
+        add(output, &sheets::side_by_side(a, b, &difference))?;
     }
-    if let Some(path) = &args.wipe {
-        write(path, &sheets::wipe(a, b, args.wipe_at))?;
+    if let Some(output) = &args.wipe {
+        add(output, &sheets::wipe(a, b, args.wipe_at))?;
     }
-    if let Some(path) = &args.output {
+    if let Some(output) = &args.output {
         let picture = if args.no_legend { difference } else { map::with_legend(&difference, full_scale) };
-        write(path, &picture)?;
+        add(output, &picture)?;
     }
-    set.commit()
+    files.commit()
 }
 
 fn checks(args: &DiffArgs, numbers: &Numbers) -> Vec<Check> {
@@ -205,7 +207,7 @@ fn checks(args: &DiffArgs, numbers: &Numbers) -> Vec<Check> {
     .into_iter()
     .flatten()
     .collect();
-    // A pixel that is NaN in one picture only is as different as can be, whatever the limit.
+    // A pixel that is NaN in only one picture exceeds every limit.
     if numbers.not_finite > 0 {
         for check in &mut checks {
             check.held = false;
@@ -249,9 +251,9 @@ fn text(args: &DiffArgs, a: &Pixels, b: &Pixels, n: &Numbers) -> Page {
     page
 }
 
-/// Six significant digits, no trailing zeros.
+/// Formats a number with six significant digits and no trailing zeros; noise is 0.
 fn number(v: f64) -> String {
-    if v == 0.0 {
+    if is_noise(v) {
         return "0".into();
     }
     if !(1e-4..1e6).contains(&v.abs()) {
@@ -268,7 +270,7 @@ mod tests {
 
     #[test]
     fn numbers_are_short() {
-        assert_eq!(number(0.0), "0");
+        assert_eq!((number(0.0), number(-3e-17)), ("0".into(), "0".into()));
         assert_eq!(number(3.0), "3");
         assert_eq!(number(0.125), "0.125");
         assert_eq!(number(99.9999994), "100");

@@ -1,7 +1,7 @@
-//! Pictures in.
+//! Reading pictures.
 
 use crate::memory;
-use crate::report::CliError;
+use crate::report::{CliError, Reporter};
 use glam::DVec3;
 use gonio_light::color::{OutputTransform, srgb_decode};
 use gonio_scene::files::{DiskAndInput, FileSource};
@@ -9,11 +9,9 @@ use image::ImageReader;
 use std::io::Cursor;
 use std::path::Path;
 
-/// A picture's numbers as its file has them.
+/// The pixels of a picture as its file stores them.
 pub struct Pixels {
-    /// Pixels.
     pub width: u32,
-    /// Pixels.
     pub height: u32,
     values: Values,
 }
@@ -28,12 +26,12 @@ enum Values {
 }
 
 impl Pixels {
-    /// How many pixels.
+    /// The number of pixels.
     pub fn len(&self) -> usize {
         self.width as usize * self.height as usize
     }
 
-    /// In words.
+    /// A description of the stored values.
     pub fn depth(&self) -> &'static str {
         match self.values {
             Values::Eight(_) => "8 bits",
@@ -78,7 +76,7 @@ impl Pixels {
         }
     }
 
-    /// As a screen shows it, over black.
+    /// The displayed colour over black.
     pub fn displayed(&self, i: usize) -> [u8; 3] {
         let p = self.encoded(i);
         [0, 1, 2].map(|c| (p[c] * 255.0 + 0.5) as u8)
@@ -89,21 +87,22 @@ fn premultiplied(p: [f64; 4]) -> [f64; 4] {
     [p[0] * p[3], p[1] * p[3], p[2] * p[3], p[3]]
 }
 
-/// Reads a picture; which kind is seen from its first bytes.
-pub fn read(path: &Path, layer: Option<&str>) -> Result<Pixels, CliError> {
+/// Reads a picture. Its first bytes determine the format.
+pub fn read(path: &Path, layer: Option<&str>, reporter: &Reporter) -> Result<Pixels, CliError> {
     let name = path.display();
     let limit = memory::default_limit();
     let named = path.to_str();
-    let bytes = DiskAndInput::new(named)
+    let bytes = reporter
+        .reporting_reads(DiskAndInput::new(named))
         .read_within(path, limit)
         .map_err(|e| CliError::io(format_args!("`{name}` cannot be read"), &e))?
         .into_vec();
-    let broken = |e: &dyn std::fmt::Display| CliError::new(format!("`{name}` is damaged or no picture: {e}"));
+    let broken = |e: &dyn std::fmt::Display| CliError::new(format!("`{name}` is damaged or not a picture: {e}"));
     match bytes.get(..4) {
         Some([0x89, b'P', b'N', b'G'] | [0xff, 0xd8, 0xff, _]) => decode(&bytes, limit).map_err(|e| broken(&e)),
         Some([0x76, 0x2f, 0x31, 0x01]) => read_exr(bytes, layer).map_err(|e| broken(&e)),
         _ if bytes.is_empty() => Err(CliError::new(format!("`{name}` is empty"))),
-        _ => Err(CliError::new(format!("`{name}` is no picture that diff reads; .png, .jpg and .exr are"))),
+        _ => Err(CliError::new(format!("unsupported format of `{name}`: expected a .png, .jpg or .exr picture"))),
     }
 }
 
@@ -140,13 +139,13 @@ fn read_exr(bytes: Vec<u8>, layer: Option<&str>) -> Result<Pixels, String> {
         .from_buffered(Cursor::new(bytes))
         .map_err(|e| e.to_string())?;
     let name_of = |l: &Layer<AnyChannels<FlatSamples>>| l.attributes.layer_name.as_ref().map(Text::to_string);
-    // A layer is a part of the file, or (older programs) a prefix of the channels' names.
+    // A layer is a part of the file, or (in older programs) a prefix of channel names.
     let chosen = match layer {
         None => image.layer_data.first().map(|l| (l, String::new())),
-        Some(wanted) => {
-            image.layer_data.iter().find(|l| name_of(l).as_deref() == Some(wanted)).map(|l| (l, String::new())).or_else(
+        Some(name) => {
+            image.layer_data.iter().find(|l| name_of(l).as_deref() == Some(name)).map(|l| (l, String::new())).or_else(
                 || {
-                    let prefix = format!("{wanted}.");
+                    let prefix = format!("{name}.");
                     let has = |l: &&Layer<AnyChannels<FlatSamples>>| {
                         l.channel_data.list.iter().any(|c| c.name.to_string().starts_with(&prefix))
                     };
@@ -157,7 +156,7 @@ fn read_exr(bytes: Vec<u8>, layer: Option<&str>) -> Result<Pixels, String> {
     };
     let Some((layer_found, prefix)) = chosen else {
         let names: Vec<String> = image.layer_data.iter().filter_map(name_of).collect();
-        return Err(format!("it has no layer `{}`; its layers are {}", layer.unwrap_or_default(), names.join(", ")));
+        return Err(format!("there is no layer `{}`; the layers are {}", layer.unwrap_or_default(), names.join(", ")));
     };
     let size = layer_found.size;
     let channel = |name: &str| {
@@ -169,11 +168,11 @@ fn read_exr(bytes: Vec<u8>, layer: Option<&str>) -> Result<Pixels, String> {
             .map(|c| c.sample_data.values_as_f32().collect::<Vec<f32>>())
     };
     let grey = channel("Y");
-    let color = |name: &str| channel(name).or_else(|| grey.clone()).ok_or("it has no channels R, G and B");
+    let color = |name: &str| channel(name).or_else(|| grey.clone()).ok_or("there are no channels R, G and B");
     let (r, g, b) = (color("R")?, color("G")?, color("B")?);
     let a = channel("A").unwrap_or_else(|| vec![1.0; size.area()]);
     if [&r, &g, &b, &a].iter().any(|c| c.len() != size.area()) {
-        return Err("its channels have different sizes".into());
+        return Err("the channels have different sizes".into());
     }
     let values = (0..size.area()).map(|i| [r[i], g[i], b[i], a[i]]).collect();
     Ok(Pixels { width: size.width() as u32, height: size.height() as u32, values: Values::Float(values) })

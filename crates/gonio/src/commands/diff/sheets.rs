@@ -1,9 +1,9 @@
-//! Both pictures in one: side by side, or A up to a line and B from it on.
+//! Both pictures in one: side by side, or as a wipe from A to B.
 
 use super::read::Pixels;
 use gonio_scene::picture::EncodedPicture;
 
-/// Between the pictures of a sheet.
+/// Pixels between the pictures.
 const GAP: usize = 6;
 const GAP_COLOR: [u8; 4] = [24, 24, 24, 255];
 
@@ -23,7 +23,7 @@ pub fn side_by_side(a: &Pixels, b: &Pixels, map: &EncodedPicture<u8>) -> Encoded
     EncodedPicture { width: (3 * width + 2 * GAP) as u32, height: a.height, rgba }
 }
 
-/// A up to `share` of the width, a thin line, B.
+/// A up to `share` of the width, a thin line, then B.
 pub fn wipe(a: &Pixels, b: &Pixels, share: f64) -> EncodedPicture<u8> {
     let width = a.width as usize;
     let line = (share * width as f64).round() as usize;

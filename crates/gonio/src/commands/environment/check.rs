@@ -1,8 +1,10 @@
-//! `gonio environment check`: which way round an environment is.
+//! `gonio environment check`: the orientation of an environment.
 
 use super::describe;
-use super::write::{Kind, Look, Plan};
-use crate::cli::{LimitOptions, WordOptions};
+use super::write::{Appearance, Container, Plan};
+use crate::cli::{GeneralOptions, LimitOptions};
+use crate::output::path::check_stdout;
+use crate::output::{Content, OutputPath};
 use crate::page::Page;
 use crate::report::{CliError, Outcome, Reporter};
 use crate::values;
@@ -14,11 +16,11 @@ use gonio_environment::{Cubemap, EnvironmentError, Layout, Panorama};
 use gonio_light::color::{ColorEncoding, OutputTransform};
 use gonio_scene::environment_file::{self, OpenedEnvironment, Reading, Source};
 use serde_json::{Value, json};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-/// Say which way round an environment is: faces that are mirrored, turned or swapped, and how to repair them.
+/// Check the orientation of an environment: find faces that are mirrored, rotated or swapped, and repair them.
 #[derive(Args, Debug)]
-#[command(after_help = "\
+#[command(after_long_help = "\
 Examples:
   gonio environment check faces
       `negy` is turned by 180 degrees; `posx` and `negx` are swapped
@@ -26,40 +28,40 @@ Examples:
   gonio environment check panorama.hdr
   gonio environment check \"sky_*.png\" --json
 
-The twelve edges that the faces share are compared, and the arrangement is found in which they meet. Exit code 1 where
-they do not meet as the faces are, and --repair is not given.
+The check compares the twelve edges that faces share, and finds the arrangement in which they match.
 
-Edges cannot tell the two layouts apart, nor a mirrored world from the right one: legible text can. `gonio render
-builtin:sphere-smooth --environment faces --material mirror -o mirror.png` shows.")]
+Edges cannot tell the two layouts apart, nor a mirrored world from the right one. Legible text can: look at the picture of \
+`gonio render builtin:sphere-smooth --environment faces --material mirror -o mirror.png`.
+
+Exit codes: 0 the edges match or --repair is given, 1 they do not match, 2 error.")]
 pub struct CheckArgs {
     /// A folder of six faces, one of six faces, a pattern, a cross, a strip, a cubemap or a panorama.
     #[arg(value_name = "INPUT")]
     pub input: String,
-    /// Write the repaired environment: six faces to this folder, or (a file's name) one picture as INPUT is.
-    #[arg(long, value_name = "OUT")]
-    pub repair: Option<PathBuf>,
-    /// The layout of INPUT's faces; photographic by default, and opengl in .ktx2 and .dds.
-    #[arg(long, value_parser = values::named(Layout::ALL, Layout::name))]
+    /// Write the repaired environment: six faces to this folder, or one picture to this file; - is stdout.
+    #[arg(long, value_name = "OUT", help_heading = "Output options")]
+    pub repair: Option<OutputPath>,
+    /// Layout of INPUT's faces; by default photographic, and opengl for .ktx2 and .dds.
+    #[arg(long, value_parser = values::named(Layout::ALL, Layout::name), help_heading = "Input options")]
     pub layout: Option<Layout>,
-    /// What INPUT is, where its proportions mislead.
-    #[arg(long, value_parser = values::named(Arrangement::ALL, Arrangement::name))]
+    /// Arrangement of INPUT, if its proportions are misleading.
+    #[arg(long, value_name = "ARRANGEMENT", value_parser = values::named(Arrangement::ALL, Arrangement::name),
+          help_heading = "Input options")]
     pub from: Option<Arrangement>,
-    /// What a file may make us allocate.
     #[command(flatten)]
     pub limits: LimitOptions,
-    /// What is said.
     #[command(flatten)]
-    pub words: WordOptions,
+    pub general: GeneralOptions,
 }
 
-/// Checks.
 pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
-    let plan = args.repair.as_deref().map(|output| Plan::new(output, None, None, None)).transpose()?;
+    let plan = args.repair.as_ref().map(|output| Plan::new(output, None, None, None)).transpose()?;
+    let is_stdout_taken = check_stdout(args.repair.iter().map(|output| (output, Content::Binary)), reporter)?;
     if let Some(plan) = &plan {
         plan.check_writable()?;
     }
     let reading = Reading { layout: args.layout, arrangement: args.from, size: None };
-    let files = args.limits.files([args.input.as_str()]);
+    let files = args.limits.files([args.input.as_str()], reporter);
     let busy = reporter.busy("reading the environment");
     let opened = environment_file::open(&args.input, reading, Path::new(""), &files, &args.limits.limits())?;
     drop(busy);
@@ -83,15 +85,19 @@ pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
             "fits": found.fits(),
             "sentences": found.sentences(),
             "details": found.details(),
-            "outputs": outputs,
+            "outputs": outputs.iter().map(ToString::to_string).collect::<Vec<_>>(),
             "warnings": opened.diagnostics,
         }))?;
     } else {
         let mut page = Page::new();
         page.line(format_args!("{}: {}", args.input, describe(&opened)));
         found.sentences().iter().for_each(|sentence| page.line(format_args!("  {sentence}")));
-        outputs.iter().for_each(|path| page.line(format_args!("repaired: {}", path.display())));
-        reporter.text(&page)?;
+        if is_stdout_taken {
+            reporter.text_on_stderr(&page);
+        } else {
+            outputs.iter().for_each(|path| page.line(format_args!("repaired: {path}")));
+            reporter.text(&page)?;
+        }
     }
     if found.fits() || args.repair.is_some() {
         return Ok(Outcome::Done);
@@ -99,7 +105,7 @@ pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     Ok(Outcome::CheckFailed)
 }
 
-/// What was found.
+/// The result of the check.
 enum Found {
     Faces(Box<Certificate>),
     Panorama(PanoramaCertificate),
@@ -115,7 +121,7 @@ impl Found {
         Found::Panorama(check_panorama(panorama))
     }
 
-    /// Whether there is nothing to complain of.
+    /// Whether nothing is wrong.
     fn fits(&self) -> bool {
         match self {
             Found::Faces(c) => matches!(c.verdict, Verdict::Fits | Verdict::TooPlain),
@@ -158,46 +164,47 @@ impl Found {
         }
     }
 
-    /// Writes what it should have been.
+    /// Writes the repaired environment.
     fn repair(&self, opened: &OpenedEnvironment, plan: Plan) -> Result<super::write::Written, CliError> {
         let layout = opened.layout.unwrap_or_default();
-        let look = Look {
+        let appearance = Appearance {
             layout,
             transform: OutputTransform { encoding: ColorEncoding::Srgb, ..OutputTransform::default() },
             high_dynamic_range: opened.high_dynamic_range,
-            // No texel changes but its place.
+            // Texels change their places only.
             exact: true,
         };
         if plan.clips(opened.high_dynamic_range) {
-            let message = "--repair: a PNG would cut off the light above 1 that INPUT may have; name an .exr or .hdr";
+            let message =
+                "--repair: a PNG would clip the light above 1 that INPUT may contain; name an .exr or .hdr file";
             return Err(CliError::new(message));
         }
         match (self, &opened.source) {
             (Found::Faces(c), Source::Cubemap(map)) => {
                 if c.verdict == Verdict::NeverMeets {
-                    return Err(CliError::new("the faces meet in no arrangement, so there is no repair to write"));
+                    return Err(CliError::new("the faces match in no arrangement, so there is no repair to write"));
                 }
-                if !plan.kind.has_faces() {
+                if !plan.container.has_faces() {
                     return Err(CliError::new(
-                        "--repair of six faces wants a folder, or the kind of file that INPUT is",
+                        "--repair of six faces needs a folder, or a file of the same format as INPUT",
                     ));
                 }
                 let repaired = Cubemap::from_faces(c.repair.apply(&map.faces(layout)), layout).map_err(failed)?;
-                plan.write_cubemap(repaired, &look)
+                plan.write_cubemap(repaired, &appearance)
             }
             (Found::Panorama(c), Source::Panorama(panorama)) => {
-                if plan.kind != Kind::Equirectangular {
-                    return Err(CliError::new("--repair of a panorama wants the name of a picture"));
+                if plan.container != Container::Equirectangular {
+                    return Err(CliError::new("--repair of a panorama needs the name of a picture"));
                 }
                 if c.is_turned {
                     let turned = panorama.turned_back();
-                    return plan.write_panorama(&turned, &look);
+                    return plan.write_panorama(&turned, &appearance);
                 }
                 if c.closes() {
-                    return plan.write_panorama(panorama, &look);
+                    return plan.write_panorama(panorama, &appearance);
                 }
                 Err(CliError::new(
-                    "the panorama does not close; what it lacks cannot be made up, so nothing is written",
+                    "the panorama does not close; what is missing cannot be repaired, so nothing is written",
                 ))
             }
             _ => Err(CliError::new("there is nothing to repair")),

@@ -4,38 +4,34 @@ pub mod check;
 pub mod convert;
 mod write;
 
-use crate::cli::WordOptions;
+use crate::cli::GeneralOptions;
 use crate::report::{CliError, Outcome, Reporter};
 use clap::Subcommand;
 use gonio_environment::arrange::Arrangement;
 use gonio_scene::environment_file::{OpenedEnvironment, Source};
 
-/// Convert panoramas and cubemaps into one another; check which way round they are.
 #[derive(Subcommand, Debug)]
-#[command(after_help = "\
+#[command(after_long_help = "\
 Examples:
   gonio environment convert panorama.hdr faces
   gonio environment check faces
 
-`gonio environment convert --help` and `gonio environment check --help` tell more.")]
+`gonio help environment convert` and `gonio help environment check` explain both.")]
 pub enum EnvironmentCommand {
-    /// Convert a panorama or a cubemap: to six faces, a cross, a strip, a panorama or KTX2, of any size, turned.
     Convert(convert::ConvertArgs),
-    /// Say which way round an environment is: faces that are mirrored, turned or swapped, and how to repair them.
     Check(check::CheckArgs),
 }
 
 impl EnvironmentCommand {
-    /// What is said.
-    pub fn words(&self) -> &WordOptions {
+    /// The options that every command has.
+    pub fn general(&self) -> &GeneralOptions {
         match self {
-            EnvironmentCommand::Convert(args) => &args.words,
-            EnvironmentCommand::Check(args) => &args.words,
+            EnvironmentCommand::Convert(args) => &args.general,
+            EnvironmentCommand::Check(args) => &args.general,
         }
     }
 }
 
-/// Does it.
 pub fn run(command: &EnvironmentCommand, reporter: &Reporter) -> Result<Outcome, CliError> {
     match command {
         EnvironmentCommand::Convert(args) => convert::run(args, reporter),
@@ -43,7 +39,7 @@ pub fn run(command: &EnvironmentCommand, reporter: &Reporter) -> Result<Outcome,
     }
 }
 
-/// What an environment is, in words: `a panorama of 1024 x 512`.
+/// A description of an environment: `a panorama of 1024 x 512`.
 fn describe(opened: &OpenedEnvironment) -> String {
     let layout = opened.layout.map_or(String::new(), |layout| format!(", {layout} layout"));
     match (&opened.source, opened.arrangement) {

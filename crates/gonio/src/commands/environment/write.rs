@@ -1,6 +1,6 @@
-//! An environment to files: what, where to, in which format.
+//! Writing an environment: as what, where to, and in which format.
 
-use crate::output::{FileSet, atomic};
+use crate::output::{FileSet, OutputPath, atomic};
 use crate::report::CliError;
 use crate::values::nearest;
 use gonio_environment::arrange::{self, Arrangement};
@@ -10,11 +10,11 @@ use gonio_image::encode::{exr, hdr, ktx2, png};
 use gonio_image::{Image, ImageError, Limits};
 use gonio_light::color::{OutputTransform, ToneMap};
 use rayon::prelude::*;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-/// What is written.
+/// What an environment is written as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum Container {
     /// Six files in a folder.
     Faces,
     /// The cube unfolded, 4 by 3.
@@ -25,14 +25,12 @@ pub enum Kind {
     Strip,
     /// One below the other.
     VerticalStrip,
-    /// A panorama.
     Equirectangular,
     /// A cubemap with its mip levels.
     Ktx2,
 }
 
-impl Kind {
-    /// All.
+impl Container {
     pub const ALL: &'static [Self] = &[
         Self::Faces,
         Self::Cross,
@@ -43,7 +41,7 @@ impl Kind {
         Self::Ktx2,
     ];
 
-    /// As written.
+    /// The name on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::Faces => Arrangement::Faces.name(),
@@ -56,12 +54,12 @@ impl Kind {
         }
     }
 
-    /// Whether six faces are made for it.
+    /// Whether it consists of six faces.
     pub fn has_faces(self) -> bool {
         self != Self::Equirectangular
     }
 
-    /// Of one picture with six faces: how they lie in it.
+    /// The arrangement of six faces in one picture.
     fn arrangement(self) -> Option<Arrangement> {
         match self {
             Self::Cross => Some(Arrangement::Cross),
@@ -73,7 +71,7 @@ impl Kind {
     }
 }
 
-impl std::fmt::Display for Kind {
+impl std::fmt::Display for Container {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(self.name())
     }
@@ -90,18 +88,13 @@ enum Format {
 impl Format {
     const ALL: [Format; 3] = [Format::Png, Format::Exr, Format::Hdr];
 
-    fn named(name: &str) -> Option<Format> {
-        match name {
-            "png" => Some(Format::Png),
-            "exr" => Some(Format::Exr),
-            "hdr" => Some(Format::Hdr),
-            _ => None,
-        }
+    fn from_extension(extension: &str) -> Option<Format> {
+        Format::ALL.into_iter().find(|format| format.extension() == extension)
     }
 
-    /// What keeps all that a file of a kind holds.
-    fn that_keeps(kind: FileFormat) -> Format {
-        match kind {
+    /// The format that preserves everything in a file of this format.
+    fn that_preserves(source: FileFormat) -> Format {
+        match source {
             FileFormat::Png | FileFormat::Jpeg => Format::Png,
             FileFormat::Hdr => Format::Hdr,
             FileFormat::Exr | FileFormat::Ktx2 | FileFormat::Dds => Format::Exr,
@@ -117,123 +110,135 @@ impl Format {
     }
 }
 
-/// What is written where, settled before anything is read.
+/// The output, settled before anything is read.
 #[derive(Debug)]
 pub struct Plan {
-    /// What.
-    pub kind: Kind,
-    output: PathBuf,
-    /// Of pictures; `None` for faces whose format depends on what is read, and for KTX2.
+    pub container: Container,
+    output: OutputPath,
+    /// The format of pictures; `None` for KTX2, and if it depends on what is read.
     format: Option<Format>,
     bits: Option<u8>,
 }
 
-/// How it is to look.
+/// The encoding of the pixels.
 #[derive(Clone, Copy, Debug)]
-pub struct Look {
-    /// Of faces.
+pub struct Appearance {
+    /// The layout of faces.
     pub layout: Layout,
-    /// For PNG.
+    /// The transform to displayed colours, for PNG.
     pub transform: OutputTransform,
-    /// What was read has light above 1.
+    /// Whether the source has light above 1.
     pub high_dynamic_range: bool,
-    /// Every number is to be read again as it is: with as many bits as that takes.
+    /// Whether every number must be read back as it is, with as many bits as that takes.
     pub exact: bool,
 }
 
-/// What was written.
+/// The outputs that were written.
 #[derive(Debug, Default)]
 pub struct Written {
-    /// The files.
-    pub outputs: Vec<PathBuf>,
-    /// What they could not hold.
+    pub outputs: Vec<OutputPath>,
+    /// What their formats could not represent.
     pub warnings: Vec<String>,
 }
 
 impl Plan {
     /// Settles what OUT is.
-    pub fn new(output: &Path, to: Option<Kind>, format: Option<&str>, bits: Option<u8>) -> Result<Plan, CliError> {
-        let extension = output.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
-        let by_name = Format::named(&extension);
-        let kind = to.unwrap_or(match (extension.as_str(), by_name) {
-            ("ktx2", _) => Kind::Ktx2,
-            (_, Some(_)) => Kind::Equirectangular,
-            _ => Kind::Faces,
+    pub fn new(
+        output: &OutputPath,
+        to: Option<Container>,
+        format: Option<&str>,
+        bits: Option<u8>,
+    ) -> Result<Plan, CliError> {
+        let path = output.file().unwrap_or(Path::new(""));
+        let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
+        let by_name = Format::from_extension(&extension);
+        let container = to.unwrap_or(match (extension.as_str(), by_name) {
+            ("ktx2", _) => Container::Ktx2,
+            (_, Some(_)) => Container::Equirectangular,
+            _ if output.is_stdout() => Container::Equirectangular,
+            _ => Container::Faces,
         });
-        let asked = format.and_then(Format::named);
-        let shown = output.display();
-        let format = match kind {
-            Kind::Faces => {
+        let requested = format.and_then(Format::from_extension);
+        let format = match container {
+            Container::Faces => {
+                if output.is_stdout() {
+                    return Err(CliError::new("six faces are six files, and stdout takes one; name a folder"));
+                }
                 if by_name.is_some() || extension == "ktx2" {
-                    let message =
-                        format!("six faces go to a folder, and `{shown}` is a file's name; leave its ending out");
+                    let message = format!(
+                        "six faces need a folder, and `{output}` is the name of a file; leave out its extension"
+                    );
                     return Err(CliError::new(message));
                 }
-                if !output.is_dir() && means_a_file(&extension) {
-                    return Err(CliError::new(not_written(&shown.to_string(), &extension)));
+                if !path.is_dir() && means_a_file(&extension) {
+                    return Err(CliError::new(unsupported(&output.to_string(), &extension)));
                 }
-                asked
+                requested
             }
-            Kind::Ktx2 => {
-                if extension != "ktx2" {
-                    return Err(CliError::new(format!("`{shown}` must end in .ktx2 to be written as KTX2")));
+            Container::Ktx2 => {
+                if extension != "ktx2" && !output.is_stdout() {
+                    return Err(CliError::new(format!("`{output}` must end in .ktx2 to be written as KTX2")));
                 }
-                if let Some(asked) = asked {
-                    let message = format!("a .ktx2 file holds no .{}; leave --format out", asked.extension());
+                if let Some(requested) = requested {
+                    let message = format!("a .ktx2 file contains no .{}; leave out --format", requested.extension());
                     return Err(CliError::new(message));
                 }
                 None
             }
-            _ => match (by_name, asked) {
+            _ => match (by_name, requested) {
+                (None, requested) if output.is_stdout() => requested,
                 (None, _) => {
-                    let message = format!("`{shown}` cannot be written as {kind}: it must end in .png, .exr or .hdr");
+                    let message = format!(
+                        "`{output}` cannot be written as {container}: expected an extension .png, .exr or .hdr"
+                    );
                     return Err(CliError::new(message));
                 }
-                (Some(named), Some(asked)) if named != asked => {
+                (Some(named), Some(requested)) if named != requested => {
                     let message =
-                        format!("`{shown}` ends in .{} and --format says {}", named.extension(), asked.extension());
+                        format!("`{output}` ends in .{}, but --format is {}", named.extension(), requested.extension());
                     return Err(CliError::new(message));
                 }
                 (named, _) => named,
             },
         };
-        let is_png = format.is_none_or(|f| f == Format::Png) && kind != Kind::Ktx2;
+        let is_png = format.is_none_or(|f| f == Format::Png) && container != Container::Ktx2;
         if bits.is_some() && !is_png {
-            return Err(CliError::new("--bits belongs to PNG; .exr has half floats, .hdr 8 bits and an exponent"));
+            return Err(CliError::new("--bits applies to PNG only; .exr has half floats, .hdr 8 bits and an exponent"));
         }
-        Ok(Plan { kind, output: output.to_owned(), format, bits })
+        Ok(Plan { container, output: output.clone(), format, bits })
     }
 
-    /// The same; faces and pictures whose format nothing has settled keep that of the file they come from.
-    pub fn with_format_of(mut self, kind: Option<FileFormat>) -> Plan {
-        if self.kind == Kind::Faces {
-            self.format = self.format.or(kind.map(Format::that_keeps));
+    /// The plan with the format of the source for faces, and for a picture to stdout, if it is not settled.
+    pub fn with_format_of(mut self, source: Option<FileFormat>) -> Plan {
+        if self.container == Container::Faces || (self.output.is_stdout() && self.container != Container::Ktx2) {
+            self.format = self.format.or(source.map(Format::that_preserves));
         }
         self
     }
 
-    /// The same; a picture that is not said to be anything else is arranged like what was read.
+    /// The plan with the arrangement of the source, if the output is one picture.
     pub fn with_arrangement(mut self, arrangement: Arrangement) -> Plan {
-        if self.kind == Kind::Equirectangular
-            && let Some(kind) = Kind::ALL.iter().find(|k| k.arrangement() == Some(arrangement))
+        if self.container == Container::Equirectangular
+            && let Some(container) = Container::ALL.iter().find(|c| c.arrangement() == Some(arrangement))
         {
-            self.kind = *kind;
+            self.container = *container;
         }
         self
     }
 
-    /// Whether there is a place for it.
+    /// Finds out, before any work, whether the files can be written.
     pub fn check_writable(&self) -> Result<(), CliError> {
-        if self.kind != Kind::Faces {
-            return atomic::check_writable(&self.output);
+        let OutputPath::File(path) = &self.output else { return Ok(()) };
+        if self.container != Container::Faces {
+            return atomic::check_writable(path);
         }
-        match std::fs::metadata(&self.output) {
+        match std::fs::metadata(path) {
             Ok(metadata) if !metadata.is_dir() => {
-                let message = format!("`{}` is a file; six faces want a folder", self.output.display());
+                let message = format!("`{}` is a file; six faces need a folder", path.display());
                 Err(CliError::new(message))
             }
-            Ok(_) => atomic::check_writable(&self.output.join("posx.png")),
-            Err(_) => atomic::check_writable(&self.output),
+            Ok(_) => atomic::check_writable(&path.join("posx.png")),
+            Err(_) => atomic::check_writable(path),
         }
     }
 
@@ -241,92 +246,97 @@ impl Plan {
         self.format.unwrap_or(if high_dynamic_range && self.bits.is_none() { Format::Exr } else { Format::Png })
     }
 
-    /// Whether exposure and tone map, where they were given, have a picture to act on.
-    pub fn check_look(&self, given: bool, high_dynamic_range: bool) -> Result<(), CliError> {
-        let is_png = self.kind != Kind::Ktx2 && self.format(high_dynamic_range) == Format::Png;
-        if given && !is_png {
-            let message = "--exposure and --tone-map belong to PNG; other formats keep light as it is (--format png)";
+    /// Checks that exposure and tone map, if `is_requested`, apply to the output.
+    pub fn check_appearance(&self, is_requested: bool, high_dynamic_range: bool) -> Result<(), CliError> {
+        let is_png = self.container != Container::Ktx2 && self.format(high_dynamic_range) == Format::Png;
+        if is_requested && !is_png {
+            let message =
+                "--exposure and --tone-map apply to PNG only; other formats store light as it is (--format png)";
             return Err(CliError::new(message));
         }
         Ok(())
     }
 
-    /// Whether light above 1 would be lost.
+    /// Whether light above 1 would be clipped.
     pub fn clips(&self, high_dynamic_range: bool) -> bool {
-        high_dynamic_range && self.kind != Kind::Ktx2 && self.format(high_dynamic_range) == Format::Png
+        high_dynamic_range && self.container != Container::Ktx2 && self.format(high_dynamic_range) == Format::Png
     }
 
-    /// Writes six faces, in whatever arrangement.
-    pub fn write_cubemap(&self, map: Cubemap, look: &Look) -> Result<Written, CliError> {
-        match (self.kind, self.kind.arrangement()) {
-            (Kind::Faces, _) => self.write_faces(&map, look),
+    /// Writes six faces in the arrangement of the plan.
+    pub fn write_cubemap(&self, map: Cubemap, appearance: &Appearance) -> Result<Written, CliError> {
+        match (self.container, self.container.arrangement()) {
+            (Container::Faces, _) => self.write_faces(&map, appearance),
             (_, Some(arrangement)) => {
-                let image = arrange::from_cubemap(&map, arrangement, look.layout).map_err(failed)?;
-                self.write_picture(&image, look)
+                let image = arrange::from_cubemap(&map, arrangement, appearance.layout).map_err(failed)?;
+                self.write_picture(&image, appearance)
             }
             _ => {
                 let formats = [ktx2::Format::Srgb8, ktx2::Format::Half, ktx2::Format::Float];
                 let mips = CubeMips::new(map);
-                let least = usize::from(look.high_dynamic_range);
+                let least = usize::from(appearance.high_dynamic_range);
                 let encode = |format: &ktx2::Format| Ok(mips.to_ktx2(*format)).map(|e| (e.bytes, e.warnings));
                 let faces = mips.full().faces(Layout::OpenGl);
-                let (bytes, warnings) =
-                    if look.exact { first_exact(&formats[least..], &faces, encode) } else { encode(&formats[least]) }
-                        .map_err(failed)?;
-                atomic::write(&self.output, &bytes)?;
+                let (bytes, warnings) = if appearance.exact {
+                    first_exact(&formats[least..], &faces, encode)
+                } else {
+                    encode(&formats[least])
+                }
+                .map_err(failed)?;
+                self.output.write(&bytes)?;
                 Ok(Written { outputs: vec![self.output.clone()], warnings })
             }
         }
     }
 
     /// Writes a panorama.
-    pub fn write_panorama(&self, panorama: &Panorama, look: &Look) -> Result<Written, CliError> {
-        self.write_picture(&panorama.image, look)
+    pub fn write_panorama(&self, panorama: &Panorama, appearance: &Appearance) -> Result<Written, CliError> {
+        self.write_picture(&panorama.image, appearance)
     }
 
-    fn write_picture(&self, image: &Image, look: &Look) -> Result<Written, CliError> {
-        let (bytes, warnings) = self.encode(image, look).map_err(failed)?;
-        atomic::write(&self.output, &bytes)?;
+    fn write_picture(&self, image: &Image, appearance: &Appearance) -> Result<Written, CliError> {
+        let (bytes, warnings) = self.encode(image, appearance).map_err(failed)?;
+        self.output.write(&bytes)?;
         Ok(Written { outputs: vec![self.output.clone()], warnings })
     }
 
-    fn write_faces(&self, map: &Cubemap, look: &Look) -> Result<Written, CliError> {
-        let extension = self.format(look.high_dynamic_range).extension();
+    fn write_faces(&self, map: &Cubemap, appearance: &Appearance) -> Result<Written, CliError> {
+        let extension = self.format(appearance.high_dynamic_range).extension();
         let encoded: Vec<(Vec<u8>, Vec<String>)> = map
-            .faces(look.layout)
+            .faces(appearance.layout)
             .par_iter()
-            .map(|image| self.encode(image, look))
+            .map(|image| self.encode(image, appearance))
             .collect::<Result<_, ImageError>>()
             .map_err(failed)?;
         let mut written = Written::default();
         let mut files = FileSet::new();
-        files.make_folder(&self.output)?;
+        let folder = self.output.file().unwrap_or(Path::new(""));
+        files.make_folder(folder)?;
         for (face, (bytes, warnings)) in Face::ALL.into_iter().zip(encoded) {
-            let path = self.output.join(format!("{}.{extension}", face.name()));
+            let path = folder.join(format!("{}.{extension}", face.name()));
             written.warnings.extend(warnings.into_iter().map(|w| format!("{}: {w}", path.display())));
             files.add(&path, &bytes)?;
-            written.outputs.push(path);
+            written.outputs.push(OutputPath::File(path));
         }
         files.commit()?;
-        // Two sets in a folder are a riddle for whoever reads it.
+        // A reader cannot choose between two sets in one folder.
         let others = Format::ALL.into_iter().map(Format::extension).chain(["jpg"]).filter(|e| *e != extension);
-        for other in others.map(|e| self.output.join(format!("posx.{e}"))).filter(|path| path.is_file()) {
-            let (other, here) = (other.display(), self.output.join(format!("*.{extension}")));
+        for other in others.map(|e| folder.join(format!("posx.{e}"))).filter(|path| path.is_file()) {
+            let (other, here) = (other.display(), folder.join(format!("*.{extension}")));
             let here = here.display();
-            written.warnings.push(format!("`{other}` is of another set of faces; name `{here}` to read these"));
+            written.warnings.push(format!("`{other}` belongs to another set of faces; name `{here}` to read these"));
         }
         Ok(written)
     }
 
-    /// A picture's bytes, and what they could not hold.
-    fn encode(&self, image: &Image, look: &Look) -> Result<(Vec<u8>, Vec<String>), ImageError> {
-        match self.format(look.high_dynamic_range) {
+    /// A picture's bytes, and warnings about what they cannot represent.
+    fn encode(&self, image: &Image, appearance: &Appearance) -> Result<(Vec<u8>, Vec<String>), ImageError> {
+        match self.format(appearance.high_dynamic_range) {
             Format::Png => {
                 let encode = |depth: &png::Depth| {
-                    let bytes = png::encode(image, &look.transform, *depth)?;
-                    Ok((bytes, clipped(image, look).into_iter().collect()))
+                    let bytes = png::encode(image, &appearance.transform, *depth)?;
+                    Ok((bytes, clipped(image, appearance).into_iter().collect()))
                 };
-                match (self.bits, look.exact) {
+                match (self.bits, appearance.exact) {
                     (Some(16), _) => encode(&png::Depth::Sixteen),
                     (Some(_), _) | (None, false) => encode(&png::Depth::Eight),
                     (None, true) => {
@@ -336,7 +346,7 @@ impl Plan {
             }
             Format::Exr => {
                 let encode = |p: &exr::Precision| exr::encode(image, *p).map(|e| (e.bytes, e.warnings));
-                if look.exact {
+                if appearance.exact {
                     first_exact(&[exr::Precision::Half, exr::Precision::Float], std::slice::from_ref(image), encode)
                 } else {
                     encode(&exr::Precision::Half)
@@ -347,12 +357,12 @@ impl Plan {
     }
 }
 
-/// Bytes, and what they could not hold.
+/// Bytes, and warnings about what they cannot represent.
 type Bytes = Result<(Vec<u8>, Vec<String>), ImageError>;
 
-/// The first way of writing pictures of which they are read again as they are; else the last.
+/// Encodes pictures in the first of these ways that preserves them exactly, or else in the last.
 fn first_exact<T>(ways: &[T], pictures: &[Image], encode: impl Fn(&T) -> Bytes) -> Bytes {
-    let (last, cheaper) = ways.split_last().ok_or_else(|| ImageError::new("there is no way to write this"))?;
+    let (last, cheaper) = ways.split_last().ok_or_else(|| ImageError::new("no encoding is known for this"))?;
     for way in cheaper {
         let (bytes, warnings) = encode(way)?;
         let again = decode::decode("", &bytes, &Limits { max_bytes: u64::MAX })?;
@@ -367,36 +377,35 @@ fn first_exact<T>(ways: &[T], pictures: &[Image], encode: impl Fn(&T) -> Bytes) 
     encode(last)
 }
 
-/// Whether an ending is one of files and not a part of a folder's name, as in `sky.v2`.
+/// Whether an extension is that of a file, and not a part of a folder's name as in `sky.v2`.
 fn means_a_file(extension: &str) -> bool {
     const OTHERS: [&str; 14] =
         ["jpg", "jpeg", "dds", "ktx", "tga", "bmp", "tif", "tiff", "webp", "gif", "avif", "jxl", "pic", "rgbe"];
     OTHERS.contains(&extension) || (extension.len() >= 3 && nearest(extension, WRITTEN).is_some())
 }
 
-/// Endings of what is written.
+/// Extensions of files that can be written.
 const WRITTEN: [&str; 4] = ["png", "exr", "hdr", "ktx2"];
 
-fn not_written(shown: &str, extension: &str) -> String {
-    let meant = nearest(extension, WRITTEN).map_or(String::new(), |known| format!("did you mean .{known}? "));
+fn unsupported(output: &str, extension: &str) -> String {
+    let hint = nearest(extension, WRITTEN).map_or(String::new(), |known| format!("; did you mean .{known}?"));
     format!(
-        "`{shown}`: .{extension} is not written; {meant}.png, .exr, .hdr and .ktx2 are, and six faces to a folder's \
-         name"
+        "`{output}`: unsupported format `.{extension}`: expected .png, .exr, .hdr or .ktx2, or a folder for six faces{hint}"
     )
 }
 
-/// Says how much light is too bright for a PNG.
-fn clipped(image: &Image, look: &Look) -> Option<String> {
-    if !look.high_dynamic_range || look.transform.tone_map != ToneMap::None {
+/// A warning about light that is too bright for a PNG.
+fn clipped(image: &Image, appearance: &Appearance) -> Option<String> {
+    if !appearance.high_dynamic_range || appearance.transform.tone_map != ToneMap::None {
         return None;
     }
-    let limit = (-look.transform.exposure).exp2() as f32 * 1.001;
+    let limit = (-appearance.transform.exposure).exp2() as f32 * 1.001;
     let count = image.pixels.iter().filter(|p| p[..3].iter().any(|v| *v > limit)).count();
     let share = 100.0 * count as f64 / image.pixels.len().max(1) as f64;
     (count > 0).then(|| {
         format!(
-            "{share:.1} % of the pixels are brighter than a PNG can be and are clipped; --tone-map or --exposure bring \
-             them into range, --format exr keeps them"
+            "{share:.1} % of the pixels are too bright for a PNG and are clipped; --tone-map or --exposure brings them into \
+             range, --format exr preserves them"
         )
     })
 }

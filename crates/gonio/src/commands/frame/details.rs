@@ -1,18 +1,19 @@
-//! One draw with all that it read, or one program.
+//! One draw call with everything it read, or one program.
 
 use super::text::{self, aligned, counted, numbers, table};
+use crate::numbers::is_noise;
 use crate::page::Page;
 use gonio_gl::trace::{
     AttributeRecord, AttributeSource, DrawRecord, Finding, FrameRecord, Numbers, ProgramRecord, SamplerRecord,
     UniformValue,
 };
 
-/// Width of the names on the left.
+/// The width of the column of names.
 const NAME: usize = 18;
-/// Vectors of an array that are printed.
+/// The number of vectors of an array that are printed.
 const MOST_ELEMENTS: usize = 16;
 
-/// A draw.
+/// Lists a draw call.
 pub fn draw(record: &FrameRecord, draw: &DrawRecord, findings: &[Finding]) -> Page {
     let mut page = Page::new();
     page.heading(format_args!("draw {}: {}", draw.index, draw.title()));
@@ -47,19 +48,19 @@ pub fn draw(record: &FrameRecord, draw: &DrawRecord, findings: &[Finding]) -> Pa
 fn attributes(page: &mut Page, attributes: &[AttributeRecord]) {
     page.heading("attributes");
     if attributes.is_empty() {
-        page.line("  none: vertices are made from their numbers");
+        page.line("  none: the shader computes vertices from their indices");
     }
     let rows = attributes.iter().map(|attribute| {
-        let fed = match &attribute.source {
+        let source = match &attribute.source {
             AttributeSource::Array(array) => array.to_string(),
             AttributeSource::Constant { value, .. } => format!("{} for all vertices", numbers(value)),
         };
-        (vec![attribute.location.to_string(), attribute.name.clone(), attribute.glsl_type.clone()], fed)
+        (vec![attribute.location.to_string(), attribute.name.clone(), attribute.glsl_type.clone()], source)
     });
     // The last column may be long, and is not cut.
-    let (rows, fed): (Vec<_>, Vec<_>) = rows.unzip();
-    for (line, fed) in aligned("rll", &[], rows.into_iter()).iter().zip(fed) {
-        page.line(format_args!("{line:36}  {fed}"));
+    let (rows, sources): (Vec<_>, Vec<_>) = rows.unzip();
+    for (line, source) in aligned("rll", &[], rows.into_iter()).iter().zip(sources) {
+        page.line(format_args!("{line:36}  {source}"));
     }
 }
 
@@ -83,7 +84,7 @@ fn samplers(page: &mut Page, record: &FrameRecord, samplers: &[SamplerRecord]) {
     table(page, "lllllrl", &[], rows);
 }
 
-/// A matrix row by row, an array element by element.
+/// Lists a uniform: a matrix by rows, an array by elements.
 fn uniform(page: &mut Page, uniform: &UniformValue) {
     let mark = if uniform.sent { "" } else { "   (never sent)" };
     let name = format!("{} {}", uniform.glsl_type, uniform.name);
@@ -95,23 +96,23 @@ fn uniform(page: &mut Page, uniform: &UniformValue) {
         name = "";
     }
     if rest > 0 {
-        page.line(format_args!("  {:32}and {rest} more, all 0 or not shown", ""));
+        page.line(format_args!("  {:32}and {rest} more, not shown", ""));
     }
 }
 
 fn rows(uniform: &UniformValue) -> Vec<String> {
     let number = |v: &f32| match v.abs() {
-        0.0 => format!("{:>12}", "0"),
+        _ if is_noise(f64::from(*v)) => format!("{:>12}", "0"),
         size if (1e-4..1e6).contains(&size) => format!("{v:>12.5}"),
         _ => format!("{v:>12.3e}"),
     };
     let joined = |values: &[f32]| values.iter().map(number).collect::<String>();
     let kind = uniform.glsl_type.as_str();
     match &uniform.value {
-        value if value.is_empty() => vec!["not known".to_owned()],
+        value if value.is_empty() => vec!["unknown".to_owned()],
         Numbers::Float(values) => {
             if let Some([columns, rows]) = matrix(kind) {
-                // OpenGL has columns; people read rows.
+                // OpenGL stores columns; people read rows.
                 return (0..rows)
                     .map(|row| joined(&(0..columns).map(|column| values[column * rows + row]).collect::<Vec<_>>()))
                     .collect();
@@ -135,7 +136,7 @@ fn matrix(kind: &str) -> Option<[usize; 2]> {
     }
 }
 
-/// A program.
+/// Lists a program.
 pub fn program(number: usize, program: &ProgramRecord) -> Page {
     let mut page = Page::new();
     page.heading(format_args!("program {number}: {}", program.name));

@@ -1,14 +1,15 @@
-//! `gonio frame`: what OpenGL was told to draw a frame, and what is wrong with it.
+//! `gonio frame`: the OpenGL calls of a frame, and what is wrong with them.
 
 mod details;
 mod text;
 
 use crate::backend::{BackendChoice, open_context};
-use crate::cli::{self, BackendOptions, SceneOptions, WordOptions};
+use crate::cli::{self, BackendOptions, GeneralOptions, SceneOptions};
 use crate::loading;
 use crate::page::Page;
 use crate::report::{CliError, Outcome, Reporter, Times};
 use crate::values;
+use crate::version;
 use clap::Args;
 use gonio_gl::DriverInfo;
 use gonio_gl::trace::{Finding, FrameRecord, Severity, lint};
@@ -17,48 +18,48 @@ use gonio_render::Renderer;
 use gonio_scene::ViewSpec;
 use serde::Serialize;
 
-/// The frame taken apart: passes, draw calls, programs, uniforms, samplers and the units they read.
+/// List the OpenGL calls of a frame and what is wrong with them.
+///
+/// Passes, draw calls, programs, uniforms, samplers and the units that they read.
 #[derive(Args, Debug)]
-#[command(after_help = "\
+#[command(after_long_help = "\
 Examples:
   gonio frame model.obj
-      What OpenGL was told, in order: passes, draw calls, which sampler reads which unit, textures, programs; and what
-      is wrong with it, above all.
+      What is wrong with the frame, then its passes, draw calls, samplers with their units, textures and programs.
   gonio frame model.obj --draw 0
-      One draw with all that it read: attributes, uniforms with their values, samplers, state.
+      One draw call with everything it read: attributes, uniforms with their values, samplers, state.
   gonio frame scene.toml --program 0
-      A program's attributes and uniforms, and its GLSL.
+      The attributes and uniforms of a program, and its GLSL.
   gonio frame model.obj --json
-      Everything of all draws, for machines.
+      Everything about all draw calls, for machines.
 
-Vertices and fragments are counted by the GPU around each draw, where the driver can (ARB_pipeline_statistics_query).
-Exit codes: 0 done, 1 something is wrong with the frame (an error, not a warning), 2 error.")]
+The GPU counts vertices and fragments around each draw call if the driver supports it (ARB_pipeline_statistics_query).
+
+Exit codes: 0 success, 1 the frame has an error (warnings do not count), 2 error.")]
 pub struct FrameArgs {
-    /// Models (.obj) or scenes (.toml); several become one scene. builtin:NAME is a model that gonio carries.
+    /// Models or scenes (.toml); several become one scene. builtin:NAME is a built-in model.
     #[arg(required = true, value_name = "INPUT")]
     pub inputs: Vec<String>,
-    /// Show one draw with all that it read, by its number.
-    #[arg(long, help_heading = "Details", value_name = "N", conflicts_with = "program")]
+    /// Show one draw call with everything it read, by its number.
+    #[arg(long, help_heading = "Detail options", value_name = "N", conflicts_with = "program")]
     pub draw: Option<usize>,
     /// Show a program with its GLSL, by its number.
-    #[arg(long, help_heading = "Details", value_name = "N")]
+    #[arg(long, help_heading = "Detail options", value_name = "N")]
     pub program: Option<usize>,
-    /// Of a debug view in place of the picture: NAME, NAME:LIGHT, or a symbol such as N.
-    #[arg(long, help_heading = "Details", value_name = "VIEW", value_parser = cli::view_list())]
+    /// Draw a debug view instead of the picture: NAME, NAME:LIGHT, or a symbol such as N.
+    #[arg(long, help_heading = "Detail options", value_name = "VIEW", value_parser = cli::view_list())]
     pub debug: Option<ViewSpec>,
-    /// Seconds: where moving lights are.
-    #[arg(long, help_heading = "Lights", value_name = "SECONDS", value_parser = values::number,
+    /// Time in seconds, for lights that move.
+    #[arg(long, help_heading = "Light options", value_name = "SECONDS", value_parser = values::number,
           allow_negative_numbers = true, default_value = "0")]
     pub time: f64,
-    /// Every option that replaces something of the scene.
     #[command(flatten)]
     pub scene: SceneOptions,
     /// Load OpenGL's EGL from this library instead of the system's (for tests).
     #[arg(long, value_name = "FILE", hide = true)]
     pub egl_library: Option<String>,
-    /// What is said.
     #[command(flatten)]
-    pub words: WordOptions,
+    pub general: GeneralOptions,
 }
 
 #[derive(Serialize)]
@@ -74,7 +75,6 @@ struct Report<'a> {
     warnings: &'a [Diagnostic],
 }
 
-/// Draws a frame, and tells how.
 pub fn run(args: &FrameArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let times = Times::default();
     let backend = BackendOptions { backend: BackendChoice::Gl, threads: None, egl_library: args.egl_library.clone() };
@@ -83,7 +83,7 @@ pub fn run(args: &FrameArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let scene = scene?;
     reporter.diagnostics(&scene.diagnostics);
     loading::check_views(args.debug, &scene)?;
-    // There is nothing to take apart where the CPU draws.
+    // The CPU makes no OpenGL calls.
     let context = context.map_err(|why| CliError::new(why.message.replace("; `--backend cpu` needs none", "")))?;
     let mut renderer = Renderer::new(context.gl().clone())?;
     let frame = scene.frame(args.time);
@@ -91,12 +91,14 @@ pub fn run(args: &FrameArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
         let _busy = reporter.busy("drawing");
         let uploaded = renderer.upload(&scene)?;
         let record = renderer.record(&uploaded, &frame, args.debug)?;
-        // As in render: the process ends next.
+        // The process ends next, and the system frees it faster.
         std::mem::forget(uploaded);
         record
     };
     let findings = lint(&record);
     let info: &DriverInfo = renderer.info();
+    reporter.verbose(format_args!("driver: {}", version::driver_line(info)));
+    reporter.verbose_times(&times);
     if reporter.json() {
         reporter.report(&Report {
             command: "frame",
@@ -130,24 +132,24 @@ pub fn run(args: &FrameArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
         return Ok(Outcome::Done);
     }
     reporter.check_failed(match errors {
-        1 => "one thing is wrong with this frame".to_owned(),
-        _ => format!("{errors} things are wrong with this frame"),
+        1 => "the frame has one error".to_owned(),
+        _ => format!("the frame has {errors} errors"),
     });
     Ok(Outcome::CheckFailed)
 }
 
-/// What of a frame is shown.
+/// The part of a frame that is listed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shown {
-    /// All of it, briefly.
+    /// Everything, briefly.
     Everything,
-    /// One draw with all that it read.
+    /// One draw call with everything it read.
     Draw(usize),
     /// A program with its GLSL.
     Program(usize),
 }
 
-/// A frame as text. An error where there is no such draw or program.
+/// A frame as text; an error if there is no such draw call or program.
 pub fn page(about: &str, record: &FrameRecord, findings: &[Finding], shown: Shown) -> Result<Page, CliError> {
     match shown {
         Shown::Everything => Ok(text::frame(about, record, findings)),

@@ -1,4 +1,4 @@
-//! A frame as a page of text: tables of what was done, in order.
+//! A frame as text: tables in the order of the calls.
 
 use crate::page::{Page, Style};
 use gonio_gl::trace::{
@@ -6,10 +6,10 @@ use gonio_gl::trace::{
 };
 use std::fmt::Write;
 
-/// Columns beyond which a name is cut.
+/// The width at which a cell is cut.
 const WIDEST: usize = 44;
 
-/// Everything, briefly.
+/// Lists everything, briefly.
 pub fn frame(about: &str, record: &FrameRecord, findings: &[Finding]) -> Page {
     let mut text = Page::new();
     text.heading(about);
@@ -25,11 +25,11 @@ pub fn frame(about: &str, record: &FrameRecord, findings: &[Finding]) -> Page {
     text
 }
 
-/// What is wrong.
+/// Lists what is wrong.
 pub(super) fn findings(text: &mut Page, findings: &[Finding]) {
     text.heading("findings");
     if findings.is_empty() {
-        text.line("  none: every sampler reads what was bound for it, every uniform was sent");
+        text.line("  none: every sampler reads a bound texture, and every uniform was sent");
     }
     for finding in findings {
         let style = match finding.severity {
@@ -110,7 +110,7 @@ pub(super) fn primitives(draw: &DrawRecord) -> String {
     format!("{number} {name}{times}")
 }
 
-/// What is on of the fixed functions.
+/// The state of the fixed functions.
 pub(super) fn state(draw: &DrawRecord) -> Vec<String> {
     let state = &draw.state;
     let mut words = Vec::new();
@@ -129,7 +129,7 @@ pub(super) fn state(draw: &DrawRecord) -> Vec<String> {
     words
 }
 
-/// Sampler, unit, texture: once for all draws where it is the same.
+/// Lists samplers, units and textures, once for all draws with the same.
 fn samplers(text: &mut Page, record: &FrameRecord) {
     let mut seen: Vec<(&SamplerRecord, Vec<usize>)> = Vec::new();
     for draw in &record.draws {
@@ -190,7 +190,7 @@ fn textures(text: &mut Page, record: &FrameRecord) {
             texture.format.clone(),
             texture.levels.len().to_string(),
             match (read(texture.id), drawn(texture.id)) {
-                (true, true) => "drawn into, and read later",
+                (true, true) => "drawn into and read later",
                 (false, true) => "drawn into",
                 (true, false) => "read",
                 (false, false) => "",
@@ -198,7 +198,7 @@ fn textures(text: &mut Page, record: &FrameRecord) {
             .to_owned(),
         ]
     };
-    // Those that were never given texels tell nothing here.
+    // Textures without texels are left out.
     table(text, "rllrlrl", &header, record.textures.iter().filter(|t| !t.levels.is_empty()).map(row));
 }
 
@@ -256,12 +256,12 @@ fn ranges(draws: &[usize]) -> String {
     words.collect::<Vec<_>>().join(", ")
 }
 
-/// Aligned columns, `l` to the left and `r` to the right; those that are empty everywhere are left out.
+/// Rows as lines of aligned columns, `l` to the left and `r` to the right. Columns that are empty everywhere are left out.
 pub(super) fn aligned(columns: &str, header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> Vec<String> {
     let mut rows: Vec<Vec<String>> = rows.collect();
     for cell in rows.iter_mut().flatten() {
         if cell.chars().count() > WIDEST {
-            // Of a file's path the end tells more.
+            // The end of a path is the more useful part.
             let letters: Vec<char> = cell.chars().collect();
             *cell = if cell.contains('/') {
                 "...".chars().chain(letters[letters.len() + 3 - WIDEST..].iter().copied()).collect()
@@ -297,7 +297,7 @@ pub(super) fn aligned(columns: &str, header: &[&str], rows: impl Iterator<Item =
     rows.iter().map(line).collect()
 }
 
-/// A table of such columns.
+/// Adds a table of aligned columns.
 pub(super) fn table(text: &mut Page, columns: &str, header: &[&str], rows: impl Iterator<Item = Vec<String>>) {
     aligned(columns, header, rows).iter().for_each(|line| text.line(line));
 }

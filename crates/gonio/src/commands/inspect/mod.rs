@@ -1,45 +1,42 @@
-//! `gonio inspect`: what a model file holds, and how it was understood.
+//! `gonio inspect`: what a model file contains, and how it was interpreted.
 
 mod text;
 
-use crate::cli::{LimitOptions, WordOptions};
+use crate::cli::{GeneralOptions, LimitOptions};
 use crate::report::{CliError, Outcome, Reporter};
 use clap::Args;
 use gonio_scene::inspect;
 use serde::Serialize;
 
-/// Say what a model file holds and how each part of it was understood.
+/// Show what a model file contains and how each part was interpreted.
 #[derive(Args, Debug)]
-#[command(after_help = "\
+#[command(after_long_help = "\
 Examples:
   gonio inspect model.obj
-      Counts, bounds, materials value by value, files sought and found, where normals come from, warnings.
+      Counts, bounds, the values of each material, the files it names, the source of the normals, warnings.
   gonio inspect model.obj --line 1204
-      That line in words, with the vertices that it points at.
+      An explanation of that line, with the vertices that it refers to.
   gonio inspect model.mtl --line 3
-      The same of a material library.
+      The same for a material library.
   gonio inspect model.glb --json
       Everything as one JSON object.
-  zcat model.obj.gz | gonio inspect -
-      What is piped in; compressed files are read as they are, too.")]
+  curl https://example.com/model.obj | gonio inspect -
+      A model from stdin. Files compressed by gzip or zstd are unpacked.")]
 pub struct InspectArgs {
-    /// A model (.obj .gltf .glb .dae .ply .stl .mesh .meshb, also .gz and .zst), - for stdin, or builtin:NAME.
+    /// Model (.obj .gltf .glb .dae .ply .stl .mesh .meshb, also .gz and .zst), - for stdin, or builtin:NAME.
     #[arg(value_name = "FILE")]
     pub input: String,
-    /// Explain one line of an OBJ or MTL file, from 1.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    /// Explain one line of an OBJ or MTL file, counted from 1.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..), help_heading = "Detail options")]
     pub line: Option<u64>,
-    /// What a file may make us allocate.
     #[command(flatten)]
     pub limits: LimitOptions,
-    /// What is said.
     #[command(flatten)]
-    pub words: WordOptions,
+    pub general: GeneralOptions,
 }
 
-/// Inspects.
 pub fn run(args: &InspectArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
-    let files = args.limits.files([args.input.as_str()]);
+    let files = args.limits.files([args.input.as_str()], reporter);
     let limits = args.limits.limits();
     let page = match args.line {
         Some(line) => {

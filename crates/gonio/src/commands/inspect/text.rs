@@ -1,4 +1,4 @@
-//! An inspection as a page of text.
+//! An inspection as text.
 
 use crate::hints::hint;
 use crate::page::{self, Style};
@@ -9,12 +9,12 @@ use gonio_scene::inspect::{Inspection, MaterialReport};
 const FAINT: Style = Style::Dim;
 const WARNING: Style = Style::Yellow;
 
-/// Width of the names on the left.
+/// The width of the column of names.
 const NAME: usize = 20;
-/// Lists beyond this are cut: `--json` has all of them.
+/// The number of rows after which a list is cut; `--json` has all of them.
 const MOST_ROWS: usize = 40;
 
-/// Everything.
+/// Lists everything about a model.
 pub fn inspection(i: &Inspection) -> page::Page {
     let mut page = Page::default();
     let unpacked = i.unpacked_bytes.map_or(String::new(), |b| format!(", {} unpacked", bytes(b)));
@@ -32,7 +32,7 @@ pub fn inspection(i: &Inspection) -> page::Page {
     page.0
 }
 
-/// One line of a file.
+/// Explains one line of a file.
 pub fn line(e: &LineExplanation) -> page::Page {
     let mut page = Page::default();
     let lines = if e.first_line == e.last_line {
@@ -56,8 +56,8 @@ pub fn line(e: &LineExplanation) -> page::Page {
 #[derive(Default)]
 struct Page(page::Page);
 
-/// Where a file that a model names was sought, and what came of it.
-struct Sought<'a> {
+/// The search for a file that a model names.
+struct Search<'a> {
     found: Option<&'a str>,
     tried: &'a [String],
     refused: Option<&'a str>,
@@ -73,20 +73,20 @@ impl Page {
         self.0.line(format_args!("  {name}{:padding$}{value}", ""));
     }
 
-    /// Items, at most so many of them.
+    /// Adds a row for each item, up to a limit.
     fn rows<T>(&mut self, items: &[T], mut row: impl FnMut(&mut Self, &T)) {
         for item in items.iter().take(MOST_ROWS) {
             row(self, item);
         }
         if items.len() > MOST_ROWS {
-            self.0.line(format_args!("  {FAINT}and {} more (--json has all){FAINT:#}", items.len() - MOST_ROWS));
+            self.0.line(format_args!("  {FAINT}and {} more (--json lists all){FAINT:#}", items.len() - MOST_ROWS));
         }
     }
 
     fn contents(&mut self, i: &Inspection) {
         let counts: Vec<String> = i.contents.iter().map(|c| format!("{} {}", grouped(c.count), c.what)).collect();
         if !counts.is_empty() {
-            self.wrapped("holds", &counts.join(", "));
+            self.wrapped("contains", &counts.join(", "));
         }
     }
 
@@ -120,8 +120,8 @@ impl Page {
     fn surface(&mut self, i: &Inspection) {
         let s = &i.surface;
         let state = match (s.closed, s.outward) {
-            (true, true) => "closed, fronts outside",
-            (true, false) => "closed, but not every piece has its fronts outside",
+            (true, true) => "closed, front faces outside",
+            (true, false) => "closed, but not every piece has its front faces outside",
             (false, _) => "open",
         };
         let pieces = if s.pieces == 1 { "1 piece".to_owned() } else { format!("{} pieces", grouped(s.pieces)) };
@@ -132,19 +132,19 @@ impl Page {
             self.line("volume", &number(volume as f32));
         }
         if !s.orientable {
-            self.line("", "one-sided: no choice of fronts agrees everywhere");
+            self.line("", "not orientable: no choice of front faces is consistent");
         } else if s.triangles_to_turn > 0 {
             let turn = grouped(s.triangles_to_turn);
-            self.line("", &format!("to make all fronts agree, {turn} triangles would have to be turned over"));
+            self.line("", &format!("{turn} triangles would have to be flipped to make all front faces consistent"));
         }
         let findings = [
             ("triangles without area", &s.degenerate_triangles),
-            ("triangles twice", &s.duplicate_triangles),
+            ("duplicate triangles", &s.duplicate_triangles),
             ("triangles back to back with another", &s.back_to_back_triangles),
             ("edges of one triangle only", &s.boundary_edges),
             ("edges of more than two triangles", &s.non_manifold_edges),
-            ("edges where front meets back", &s.inconsistent_edges),
-            ("points where surfaces only touch", &s.non_manifold_positions),
+            ("edges between a front and a back face", &s.inconsistent_edges),
+            ("points where surfaces merely touch", &s.non_manifold_positions),
         ];
         for (what, found) in findings.into_iter().filter(|(_, found)| found.count > 0) {
             let first = found.first.first().map_or(String::new(), |first| {
@@ -159,7 +159,7 @@ impl Page {
         let source = match i.normals.source {
             NormalSource::None => "none",
             NormalSource::File => "from the file",
-            NormalSource::FileAndAveraged => "from the file, averaged where it has none",
+            NormalSource::FileAndAveraged => "from the file, averaged where missing",
             NormalSource::Flat => "one per triangle",
             NormalSource::Averaged => "averaged over adjacent faces, weighted by angle",
         };
@@ -183,29 +183,29 @@ impl Page {
         self.heading("Files");
         self.rows(&i.files, |page, file| {
             let line = file.line.map_or(String::new(), |line| format!(" (line {line})"));
-            let sought = Sought { found: file.found.as_deref(), tried: &file.tried, refused: file.refused.as_deref() };
-            page.found(&format!("{}{line}", file.name), &sought, "");
+            let search = Search { found: file.found.as_deref(), tried: &file.tried, refused: file.refused.as_deref() };
+            page.found(&format!("{}{line}", file.name), &search, "");
         });
         self.rows(&i.textures, |page, t| {
             let size = t.size.map_or(String::new(), |[w, h]| format!(", {w} x {h}"));
-            let sought = Sought { found: t.found.as_deref(), tried: &t.tried, refused: t.refused.as_deref() };
-            page.found(&t.name, &sought, &format!("{size}, {} of {}", t.key, t.material));
+            let search = Search { found: t.found.as_deref(), tried: &t.tried, refused: t.refused.as_deref() };
+            page.found(&t.name, &search, &format!("{size}, {} of {}", t.key, t.material));
         });
         self.rows(&i.images, |page, image| {
             page.line(&image.name, &format!("inside the file, {}", bytes(image.bytes as u64)));
         });
     }
 
-    fn found(&mut self, name: &str, sought: &Sought<'_>, remark: &str) {
-        let Sought { found, tried, refused } = sought;
+    fn found(&mut self, name: &str, search: &Search<'_>, remark: &str) {
+        let Search { found, tried, refused } = search;
         match (found, refused) {
             (Some(path), _) => self.line(name, &format!("found: {path}{remark}")),
             (None, Some(refused)) => {
                 self.line(name, &format!("{WARNING}not read{WARNING:#}{remark}; {refused}"));
             }
             (None, None) => {
-                let tried = if tried.is_empty() { "nowhere to look".to_owned() } else { tried.join(", ") };
-                self.line(name, &format!("{WARNING}not found{WARNING:#}{remark}; looked at {tried}"));
+                let tried = if tried.is_empty() { "no folder to search".to_owned() } else { tried.join(", ") };
+                self.line(name, &format!("{WARNING}not found{WARNING:#}{remark}; searched {tried}"));
             }
         }
     }
@@ -216,8 +216,9 @@ impl Page {
         self.heading(&format!("{name}{file}, {} triangles", grouped(m.triangles as u64)));
         for v in &m.values {
             let place = v.line.map_or(String::new(), |line| format!("line {line}"));
-            let said = [place, v.written.clone()].into_iter().filter(|t| !t.is_empty()).collect::<Vec<_>>().join(": ");
-            let from = [said, v.rule.clone()].into_iter().filter(|t| !t.is_empty()).collect::<Vec<_>>().join("; ");
+            let source =
+                [place, v.written.clone()].into_iter().filter(|t| !t.is_empty()).collect::<Vec<_>>().join(": ");
+            let from = [source, v.rule.clone()].into_iter().filter(|t| !t.is_empty()).collect::<Vec<_>>().join("; ");
             let from = if from.is_empty() { from } else { format!("   {FAINT}{from}{FAINT:#}") };
             self.line(&v.property.replace('_', " "), &format!("{:<22}{from}", v.value));
         }
@@ -259,7 +260,7 @@ impl Page {
         if i.differences.is_empty() {
             return;
         }
-        self.heading("Read differently by others");
+        self.heading("Interpreted differently by other programs");
         for d in &i.differences {
             self.0.line(format_args!("  {}: {}; here: {}", d.feature, d.others, d.here));
         }
@@ -276,7 +277,7 @@ impl Page {
         });
     }
 
-    /// A long value, on several lines.
+    /// Adds a long value in several lines.
     fn wrapped(&mut self, name: &str, value: &str) {
         const WIDTH: usize = 90;
         let mut line = String::new();
@@ -296,18 +297,18 @@ fn vector(v: [f64; 3]) -> String {
     v.map(|c| number(c as f32)).join(",")
 }
 
-/// Short, and exact where that is short.
+/// Formats a number: exactly if that is short, else with four decimals.
 fn number(value: f32) -> String {
     let text = (value + 0.0).to_string();
     if text.len() <= 9 {
         return text;
     }
     let rounded = format!("{value:.4}");
-    // Next to nothing is no minus nothing.
+    // No minus sign for what rounds to 0.
     if rounded == "-0.0000" { "0.0000".to_owned() } else { rounded }
 }
 
-/// Digits in groups of three.
+/// Formats a number with its digits in groups of three.
 fn grouped(count: u64) -> String {
     let digits = count.to_string();
     let mut text = String::new();
@@ -320,7 +321,7 @@ fn grouped(count: u64) -> String {
     text
 }
 
-/// In the unit that a person would say it in.
+/// Formats a number of bytes in a readable unit.
 fn bytes(count: u64) -> String {
     let value = count as f64;
     match count {

@@ -1,11 +1,11 @@
-//! Many submissions at once: each in a process of its own, so that none can harm the others.
+//! Checking many submissions, each in a process of its own, so that none can harm the others.
 
 use super::check::CheckArgs;
 use super::intake::{Class, Gathered, Submission};
 use super::text;
-use crate::output::FileSet;
-use crate::output::atomic;
+use crate::output::{FileSet, OutputPath, atomic};
 use crate::report::{CliError, Outcome, Reporter, io_reason};
+use crate::version;
 use gonio_app::platform::desktop::worker;
 use gonio_check::submission::{self, SourceFile};
 use gonio_check::verdict::{Outcome as Word, Verdict};
@@ -18,20 +18,20 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-/// From this share on two submissions are called similar.
+/// Two submissions are similar from this share on.
 const SIMILAR: f64 = 0.85;
 /// Most bytes of a pair of shaders that is compared with others.
 const MAX_COMPARED_BYTES: usize = 256 << 10;
 
-/// A verdict of an earlier run, and the content that it is of.
+/// The verdict of an earlier run, with a hash of the content that was checked.
 #[derive(Serialize, Deserialize)]
-struct Kept {
+struct StoredVerdict {
     content: u64,
     seconds: f64,
     verdict: Verdict,
 }
 
-/// One submission that was checked.
+/// A submission that was checked.
 struct Checked {
     label: String,
     verdict: Verdict,
@@ -39,16 +39,17 @@ struct Checked {
     fingerprint: Option<Fingerprint>,
 }
 
-/// Checks all, and writes pages, table and overview.
+/// Checks all submissions, and writes pages, table and overview.
 pub fn run(args: &CheckArgs, exercise: &Exercise, class: &Class, reporter: &Reporter) -> Result<Outcome, CliError> {
     let results = results_folder(args)?;
     let kept = results.join("kept");
     std::fs::create_dir_all(&kept)
-        .map_err(|error| CliError::io(format!("the folder `{}` cannot be made", kept.display()), &error))?;
+        .map_err(|error| CliError::io(format!("cannot create the folder `{}`", kept.display()), &error))?;
     let program = super::own_program()?;
     let next = AtomicUsize::new(0);
     let checked = Mutex::new(Vec::new());
     let progress = reporter.progress("checking");
+    version::report_driver(reporter);
     let workers = std::thread::available_parallelism().map_or(1, usize::from);
     std::thread::scope(|scope| {
         for _ in 0..workers {
@@ -74,7 +75,7 @@ pub fn run(args: &CheckArgs, exercise: &Exercise, class: &Class, reporter: &Repo
     Ok(outcome)
 }
 
-/// Writes and says what belongs to all of them.
+/// Writes the files about the whole class, and reports them.
 fn report(
     args: &CheckArgs,
     exercise: &Exercise,
@@ -93,17 +94,23 @@ fn report(
     let mut files = FileSet::new();
     files.add(&results.join("index.html"), overview.as_bytes())?;
     files.add(&results.join("table.csv"), report::csv(&rows).as_bytes())?;
-    if let Some(path) = &args.junit {
+    let is_stdout_taken = args.junit.as_ref().is_some_and(OutputPath::is_stdout);
+    if let Some(output) = &args.junit {
         let verdicts: Vec<(String, Verdict)> = checked.into_iter().map(|one| (one.label, one.verdict)).collect();
-        files.add(path, report::junit(&verdicts).as_bytes())?;
+        files.add_output(output, report::junit(&verdicts).into_bytes())?;
     }
     files.commit()?;
     if reporter.json() {
         reporter.report(&rows)?;
     } else {
-        reporter.text(&text::table(&rows, &similar))?;
+        let table = text::table(&rows, &similar);
+        if is_stdout_taken {
+            reporter.text_on_stderr(&table);
+        } else {
+            reporter.text(&table)?;
+        }
         reporter.note(format!(
-            "{} is the overview, {} the table",
+            "wrote the overview to {} and the table to {}",
             results.join("index.html").display(),
             results.join("table.csv").display()
         ));
@@ -112,7 +119,7 @@ fn report(
     Ok(if right { Outcome::Done } else { Outcome::CheckFailed })
 }
 
-/// The folder for the results: never within the submissions.
+/// The folder for the results, which is never inside the submissions.
 fn results_folder(args: &CheckArgs) -> Result<PathBuf, CliError> {
     let absolute = |path: &Path| {
         std::path::absolute(path)
@@ -123,7 +130,7 @@ fn results_folder(args: &CheckArgs) -> Result<PathBuf, CliError> {
     let results = match &args.output {
         Some(folder) => folder.clone(),
         None => {
-            // Of several, those of the folder that they all lie in: `check ex04 submissions/*`.
+            // For several inputs, their common folder counts: `check ex04 submissions/*`.
             let place = match inputs.as_slice() {
                 [only] => Some(only.as_path()),
                 [first, rest @ ..] => first.parent().filter(|parent| rest.iter().all(|p| p.parent() == Some(parent))),
@@ -133,13 +140,13 @@ fn results_folder(args: &CheckArgs) -> Result<PathBuf, CliError> {
                 let name = if place.is_dir() { place.file_name() } else { place.file_stem() };
                 Some(place.with_file_name(format!("{}-results", name?.to_string_lossy())))
             });
-            beside.ok_or_else(|| CliError::new("name a folder for the results: `-o FOLDER`"))?
+            beside.ok_or_else(|| CliError::new("name a folder for the results with -o FOLDER"))?
         }
     };
     let place = absolute(&results)?;
     match inputs.iter().find(|input| place.starts_with(input)) {
         Some(input) => Err(CliError::new(format!(
-            "`{}` lies in `{}`, and nothing is written into submissions; name a folder outside: `-o FOLDER`",
+            "`{}` is inside `{}`, and nothing is written into submissions; name a folder outside with -o FOLDER",
             results.display(),
             input.display()
         ))),
@@ -147,7 +154,7 @@ fn results_folder(args: &CheckArgs) -> Result<PathBuf, CliError> {
     }
 }
 
-/// An absolute path without links and `..`, also where its end is not there yet.
+/// An absolute path without links and `..`, whose end may not exist yet.
 fn existing_part_resolved(path: &Path) -> std::io::Result<PathBuf> {
     match (path.canonicalize(), path.parent(), path.file_name()) {
         (Ok(resolved), ..) => Ok(resolved),
@@ -158,7 +165,7 @@ fn existing_part_resolved(path: &Path) -> std::io::Result<PathBuf> {
     }
 }
 
-/// One of them: as it was found before, or by a process of its own.
+/// Checks one submission, or reads the verdict of an earlier run.
 fn one(
     args: &CheckArgs,
     exercise: &Exercise,
@@ -172,26 +179,28 @@ fn one(
     let gathered = submission.gather();
     let content = content(args, exercise, &gathered.files, &gathered.left_out);
     let fingerprint = fingerprint_of(exercise, &gathered.files);
-    let known = std::fs::read(&kept_path).ok().and_then(|bytes| serde_json::from_slice::<Kept>(&bytes).ok());
-    if let Some(Kept { verdict, seconds, .. }) = known.filter(|known| known.content == content && page.exists()) {
+    let known = std::fs::read(&kept_path).ok().and_then(|bytes| serde_json::from_slice::<StoredVerdict>(&bytes).ok());
+    if let Some(StoredVerdict { verdict, seconds, .. }) =
+        known.filter(|known| known.content == content && page.exists())
+    {
         return Ok(Checked { label, verdict, seconds, fingerprint });
     }
     let start = Instant::now();
     let (verdict, made) = match gathered.left_out.first() {
-        // A damaged zip, say: that is this submission's verdict and nobody else's.
+        // A damaged zip, say, is the verdict about this submission alone.
         Some(why) if gathered.files.is_empty() => (Verdict::new(&exercise.id, Word::Unsure, why.clone()), None),
         _ => checked(args, exercise, gathered, &label, program)?,
     };
     let seconds = start.elapsed().as_secs_f64();
     let made = made.unwrap_or_else(|| report::page(&label, &verdict, None).into_bytes());
     atomic::write(&page, &made)?;
-    let kept = serde_json::to_vec(&Kept { content, seconds, verdict: verdict.clone() })
-        .map_err(|error| CliError::new(format!("{} could not be written: {error}", kept_path.display())))?;
+    let kept = serde_json::to_vec(&StoredVerdict { content, seconds, verdict: verdict.clone() })
+        .map_err(|error| CliError::new(format!("cannot write {}: {error}", kept_path.display())))?;
     atomic::write(&kept_path, &kept)?;
     Ok(Checked { label, verdict, seconds, fingerprint })
 }
 
-/// The verdict, and the page where the process came to make one.
+/// The verdict, and the page if the process got as far as making one.
 fn checked(
     args: &CheckArgs,
     exercise: &Exercise,
@@ -201,7 +210,7 @@ fn checked(
 ) -> Result<(Verdict, Option<Vec<u8>>), CliError> {
     let mut request = args.request(exercise, gathered);
     request.page = Some(label.to_owned());
-    let not_started = |error| CliError::io("gonio could not start itself for a check", &error);
+    let not_started = |error| CliError::io("gonio cannot start itself for a check", &error);
     let worker = worker::start(program, request, true).map_err(not_started)?;
     Ok(match worker.wait(args.patience(), || false) {
         Ok(answer) => (answer.verdict, answer.page),
@@ -209,17 +218,17 @@ fn checked(
     })
 }
 
-/// A number that differs where a verdict could.
+/// A hash of everything that a verdict depends on.
 fn content(args: &CheckArgs, exercise: &Exercise, files: &[SourceFile], left_out: &[String]) -> u64 {
     let convention = if args.as_the_lab { "lab" } else { "book" };
     let api = if args.es { "es" } else { "core" };
     let pair = args.pair.as_deref().unwrap_or_default();
-    let asked = [exercise.id.as_str(), convention, api, pair, env!("CARGO_PKG_VERSION")];
-    let asked = asked.into_iter().chain(left_out.iter().map(String::as_str)).map(str::as_bytes);
-    content_hash(asked.chain(files.iter().flat_map(|file| [file.name.as_bytes(), &file.bytes])))
+    let options = [exercise.id.as_str(), convention, api, pair, env!("CARGO_PKG_VERSION")];
+    let options = options.into_iter().chain(left_out.iter().map(String::as_str)).map(str::as_bytes);
+    content_hash(options.chain(files.iter().flat_map(|file| [file.name.as_bytes(), &file.bytes])))
 }
 
-/// What of a submission is compared with others, apart from what the exercise hands out.
+/// The fingerprint of a submission for comparisons, without the text that the exercise provides.
 fn fingerprint_of(exercise: &Exercise, files: &[SourceFile]) -> Option<Fingerprint> {
     let known: Vec<&str> = exercise.start_files().map(|(_, text)| text).collect();
     let gathered = submission::Submission::gather(files.to_vec()).ok()?;

@@ -1,11 +1,13 @@
-//! `gonio lab check`.
+//! `gonio lab check`: the verdict about a student's answer, or about those of a class.
 
 use super::intake::{self, Gathered, Intake, Submissions};
 use super::{batch, exercise, text};
-use crate::cli::WordOptions;
-use crate::output::FileSet;
+use crate::cli::GeneralOptions;
+use crate::output::path::{check_folder, check_stdout};
+use crate::output::{Content, FileSet, OutputPath};
 use crate::report::{CliError, Outcome, Reporter};
 use crate::values;
+use crate::version;
 use clap::Args;
 use gonio_app::platform::desktop::worker::{self, Answer, Request};
 use gonio_check::CheckOptions;
@@ -15,79 +17,82 @@ use gonio_exercises::report;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// Check a pair of shaders: what is right, what is wrong, and the mistake's name and line.
+/// Check a student's answer: what is right, what is wrong, and the mistake's name and line.
 #[derive(Args, Debug)]
-#[command(after_help = "\
+#[command(after_long_help = "\
 Examples:
   gonio lab check ex04 mine
   gonio lab check ex07 light.vert light.frag --page verdict.html
   gonio lab check ex09 main.cpp --json
   gonio lab check ex02 cube.csv
   gonio lab check ex07 submissions -o results
-      Each folder and each zip in `submissions` is one: a page for each, a table, an overview. What was checked
-      before and has not changed is not checked again. A zip of the whole class does as well, and so do the downloads
-      of Moodle, Canvas, Blackboard and Brightspace, in folders or flat.
+      Each folder and each zip in `submissions` is one submission; the results are a page for each, a table and an overview. \
+Submissions that have not changed since the last check are not checked again. A zip of the whole class works too, and so do the \
+downloads of Moodle, Canvas, Blackboard and Brightspace, in folders or flat.
 
-Any names and endings will do, and any `#version`; names of attributes and uniforms are found by their words and types,
-and names.toml beside the files says what gonio could not guess. Exit codes: 0 correct, 1 not, 2 error.")]
+Any names and extensions work, and any `#version`. The checker recognises attributes and uniforms by the words in their names and by \
+their types; a file names.toml beside the shaders can state the rest.
+
+Exit codes: 0 correct, 1 not correct, 2 error.")]
 pub struct CheckArgs {
-    /// Which: ex04, or 4.
+    /// Exercise: ex04, or 4.
     #[arg(value_name = "EX")]
     pub exercise: String,
-    /// The student's files, or the folder or zip that they are in; or a folder of such folders and zips.
+    /// The student's files, or their folder or zip; or a folder of such folders and zips.
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
-    /// Of several pairs in the files: the one whose file or variable is called so.
-    #[arg(long, value_name = "NAME")]
+    /// Pair of shaders to check, by the name of a file or variable, if there are several.
+    #[arg(long, value_name = "NAME", help_heading = "Check options")]
     pub pair: Option<String>,
-    /// Pass what the lab's own solutions do too, where they differ from the textbook.
-    #[arg(long)]
+    /// Accept what the lab's own solutions do where they differ from the textbook.
+    #[arg(long, help_heading = "Check options")]
     pub as_the_lab: bool,
-    /// Treat the files as one submission or as many, instead of deciding from names and contents.
-    #[arg(long, value_name = "HOW-MANY", default_value = "auto")]
+    /// Number of submissions in the files, instead of deciding by names and contents.
+    #[arg(long, value_name = "NUMBER", default_value = "auto", help_heading = "Check options")]
     pub submissions: Submissions,
-    /// The folder for pages, table and overview of many submissions, outside of theirs; beside theirs, where none is
-    /// named.
-    #[arg(long, short, value_name = "FOLDER", help_heading = "Output")]
-    pub output: Option<PathBuf>,
-    /// Write the verdict as a web page with pictures.
-    #[arg(long, visible_alias = "html", value_name = "FILE.html", help_heading = "Output")]
-    pub page: Option<PathBuf>,
-    /// Write the pictures: yours, the reference's, the difference, the mistake's; a column a scene.
-    #[arg(long, value_name = "FILE.png", help_heading = "Output")]
-    pub sheet: Option<PathBuf>,
-    /// Write the verdict, or those of many submissions, as JUnit XML.
-    #[arg(long, value_name = "FILE.xml", help_heading = "Output")]
-    pub junit: Option<PathBuf>,
-    /// Write the verdict as Gradescope's results.json.
-    #[arg(long, value_name = "FILE.json", help_heading = "Output")]
-    pub gradescope: Option<PathBuf>,
-    /// Write the verdict as what Moodle's CodeRunner reads.
-    #[arg(long, value_name = "FILE.json", help_heading = "Output")]
-    pub code_runner: Option<PathBuf>,
-    /// Points of a right answer, for Gradescope.
-    #[arg(long, value_name = "N", default_value = "100", value_parser = values::not_negative, help_heading = "Output")]
-    pub points: f64,
     /// Seconds that a check may take.
     #[arg(long, value_name = "SECONDS", default_value_t = 30, value_parser = clap::value_parser!(u64).range(1..=86_400),
-          help_heading = "Output")]
+          help_heading = "Check options")]
     pub patience: u64,
-    /// OpenGL ES 3 instead of OpenGL: what a browser has.
+    /// Folder for the pages, table and overview of many submissions.
+    ///
+    /// It must be outside the submissions; by default it is created beside them.
+    #[arg(long, short, value_name = "FOLDER", help_heading = "Output options")]
+    pub output: Option<PathBuf>,
+    /// Write the verdict as a web page with pictures; - is stdout.
+    #[arg(long, visible_alias = "html", value_name = "FILE.html", help_heading = "Output options")]
+    pub page: Option<OutputPath>,
+    /// Write the pictures: the student's, the reference's, the difference, the mistake's; one column per scene.
+    #[arg(long, value_name = "FILE.png", help_heading = "Output options")]
+    pub sheet: Option<OutputPath>,
+    /// Write the verdict, or those of many submissions, as JUnit XML.
+    #[arg(long, value_name = "FILE.xml", help_heading = "Output options")]
+    pub junit: Option<OutputPath>,
+    /// Write the verdict as Gradescope's results.json.
+    #[arg(long, value_name = "FILE.json", help_heading = "Output options")]
+    pub gradescope: Option<OutputPath>,
+    /// Write the verdict as JSON for Moodle's CodeRunner.
+    #[arg(long, value_name = "FILE.json", help_heading = "Output options")]
+    pub code_runner: Option<OutputPath>,
+    /// Points for a correct answer, for Gradescope.
+    #[arg(long, value_name = "N", default_value = "100", value_parser = values::not_negative,
+          help_heading = "Output options")]
+    pub points: f64,
+    /// Check with OpenGL ES 3, as a browser does, instead of OpenGL.
     #[arg(long, hide = true)]
     pub es: bool,
-    /// What is said.
     #[command(flatten)]
-    pub words: WordOptions,
+    pub general: GeneralOptions,
 }
 
 impl CheckArgs {
-    /// The name of the first folder or file.
+    /// The label of the submission: the name of the first folder or file.
     fn label(&self) -> String {
         let first = self.files.first().map_or(Path::new("submission"), PathBuf::as_path);
         first.file_stem().map_or_else(|| "submission".to_owned(), |name| name.to_string_lossy().into_owned())
     }
 
-    /// The options that ask for a file of one submission's verdict.
+    /// The options for files about a single submission.
     fn options_of_one(&self) -> impl Iterator<Item = &'static str> {
         let asked = [
             ("--page", self.page.is_some()),
@@ -98,12 +103,12 @@ impl CheckArgs {
         asked.into_iter().filter(|(_, is_asked)| *is_asked).map(|(option, _)| option)
     }
 
-    /// The check that these options ask for. The page and the sheet that they may ask for are not part of it.
+    /// The request for a worker process, without a page and a sheet.
     pub fn request(&self, exercise: &Exercise, gathered: Gathered) -> Request {
         Request {
             exercise: exercise.id.clone(),
             files: gathered.files,
-            left_out: gathered.left_out.iter().map(|what| format!("left aside: {what}")).collect(),
+            left_out: gathered.left_out.iter().map(|what| format!("not read: {what}")).collect(),
             options: CheckOptions { pair: self.pair.clone(), as_the_lab: self.as_the_lab },
             es: self.es,
             page: None,
@@ -111,37 +116,49 @@ impl CheckArgs {
         }
     }
 
-    /// How long a check may take.
+    /// The time that a check may take.
     pub fn patience(&self) -> Duration {
         Duration::from_secs(self.patience)
     }
 }
 
-/// Checks.
 pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let exercise = exercise(&args.exercise)?;
-    // A folder for results is one for those of a class, be it a class of one.
+    if let Some(folder) = &args.output {
+        check_folder(folder, "-o")?;
+    }
+    let texts = [&args.page, &args.junit, &args.gradescope, &args.code_runner].into_iter().flatten();
+    let texts = texts.map(|output| (output, Content::Text));
+    let is_stdout_taken = check_stdout(texts.chain(args.sheet.iter().map(|o| (o, Content::Binary))), reporter)?;
+    // A folder for results is for those of a class, even a class of one.
     let as_class = args.output.is_some() || args.submissions == Submissions::Many;
     match intake::take(&args.files, exercise, args.submissions, as_class)? {
         Intake::Class(class) => {
             if let Some(option) = args.options_of_one().next() {
                 return Err(CliError::new(format!(
-                    "{option} writes the verdict of one submission, and these are {}; a page for each, a table and an \
-                     overview go to the folder that `-o` names",
+                    "{option} writes the verdict of one submission, and these are {}; -o names a folder for a page of each, \
+                     a table and an overview",
                     class.submissions.len()
                 )));
             }
             batch::run(args, exercise, &class, reporter)
         }
-        Intake::One(gathered) => check_one(args, exercise, gathered, reporter),
+        Intake::One(gathered) => {
+            for file in &gathered.files {
+                reporter.verbose(format_args!("read `{}`, {} bytes", file.name, file.bytes.len()));
+            }
+            version::report_driver(reporter);
+            check_one(args, exercise, gathered, is_stdout_taken, reporter)
+        }
     }
 }
 
-/// One submission, in a process of its own.
+/// Checks one submission, in a process of its own.
 fn check_one(
     args: &CheckArgs,
     exercise: &Exercise,
     gathered: Gathered,
+    is_stdout_taken: bool,
     reporter: &Reporter,
 ) -> Result<Outcome, CliError> {
     let label = args.label();
@@ -149,12 +166,14 @@ fn check_one(
     request.page = args.page.is_some().then(|| label.clone());
     request.sheet = args.sheet.is_some();
     let program = super::own_program()?;
-    let not_started = |error| CliError::io("gonio could not start itself for a check", &error);
+    let not_started = |error| CliError::io("gonio cannot start itself for a check", &error);
     let worker = worker::start(&program, request, false).map_err(not_started)?;
     let answer = worker.wait(args.patience(), || false).map_err(CliError::new)?;
     write(args, &label, &answer)?;
     if reporter.json() {
         reporter.report(&answer.verdict)?;
+    } else if is_stdout_taken {
+        reporter.text_on_stderr(&text::verdict(&answer.verdict));
     } else {
         reporter.text(&text::verdict(&answer.verdict))?;
     }
@@ -163,23 +182,23 @@ fn check_one(
 
 fn write(args: &CheckArgs, label: &str, Answer { verdict, page, sheet }: &Answer) -> Result<(), CliError> {
     let mut files = FileSet::new();
-    if let Some(path) = &args.page {
-        // Of a check that was ended there are no pictures.
+    if let Some(output) = &args.page {
+        // The check that makes the pictures may have been stopped.
         let page = page.clone().unwrap_or_else(|| report::page(label, verdict, None).into_bytes());
-        files.add(path, &page)?;
+        files.add_output(output, page)?;
     }
-    if let Some(path) = &args.sheet {
-        let nothing = || CliError::new(format!("{}: nothing was drawn, so there is no sheet", path.display()));
-        files.add(path, sheet.as_ref().ok_or_else(nothing)?)?;
+    if let Some(output) = &args.sheet {
+        let nothing = || CliError::new(format!("{output}: nothing was drawn, so there is no sheet"));
+        files.add_output(output, sheet.clone().ok_or_else(nothing)?)?;
     }
-    if let Some(path) = &args.junit {
-        files.add(path, report::junit(&[(label.to_owned(), verdict.clone())]).as_bytes())?;
+    if let Some(output) = &args.junit {
+        files.add_output(output, report::junit(&[(label.to_owned(), verdict.clone())]).into_bytes())?;
     }
-    if let Some(path) = &args.gradescope {
-        files.add(path, report::gradescope(verdict, args.points).as_bytes())?;
+    if let Some(output) = &args.gradescope {
+        files.add_output(output, report::gradescope(verdict, args.points).into_bytes())?;
     }
-    if let Some(path) = &args.code_runner {
-        files.add(path, report::code_runner(verdict).as_bytes())?;
+    if let Some(output) = &args.code_runner {
+        files.add_output(output, report::code_runner(verdict).into_bytes())?;
     }
     files.commit()
 }

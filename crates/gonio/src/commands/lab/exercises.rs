@@ -1,8 +1,9 @@
-//! The exercises themselves: listed, shown, begun.
+//! `gonio lab list`, `show`, `start` and `reference`: the exercises themselves.
 
 use super::{draw, exercise};
-use crate::cli::WordOptions;
-use crate::output::FileSet;
+use crate::cli::GeneralOptions;
+use crate::output::path::check_folder;
+use crate::output::{FileSet, OutputPath};
 use crate::page::{Page, Style};
 use crate::report::{CliError, Outcome, Reporter};
 use clap::Args;
@@ -11,51 +12,47 @@ use gonio_exercises::{GOAL, preview};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
-/// The exercises, a line each.
+/// List the exercises, one per line.
 #[derive(Args, Debug)]
 pub struct ListArgs {
-    /// What is said.
     #[command(flatten)]
-    pub words: WordOptions,
+    pub general: GeneralOptions,
 }
 
-/// An exercise's text.
+/// Print the text of an exercise.
 #[derive(Args, Debug)]
 pub struct ShowArgs {
-    /// Which: ex04, or 4.
+    /// Exercise: ex04, or 4.
     #[arg(value_name = "EX")]
     pub exercise: String,
-    /// What is said.
     #[command(flatten)]
-    pub words: WordOptions,
+    pub general: GeneralOptions,
 }
 
 /// Write an exercise's text and the files to start from into a folder.
 #[derive(Args, Debug)]
 pub struct StartArgs {
-    /// Which: ex04, or 4.
+    /// Exercise: ex04, or 4.
     #[arg(value_name = "EX")]
     pub exercise: String,
-    /// Where: made if it is not there; files that are there already are never written over.
+    /// Folder, created if it does not exist; existing files are never overwritten.
     #[arg(value_name = "FOLDER")]
     pub folder: PathBuf,
-    /// What is said.
     #[command(flatten)]
-    pub words: WordOptions,
+    pub general: GeneralOptions,
 }
 
-/// Print or write the right answer.
+/// Print the reference solution, or write it into a folder.
 #[derive(Args, Debug)]
 pub struct ReferenceArgs {
-    /// Which: ex04, or 4.
+    /// Exercise: ex04, or 4.
     #[arg(value_name = "EX")]
     pub exercise: String,
-    /// Write its files into this folder instead of printing them.
-    #[arg(long, short, value_name = "FOLDER")]
-    pub output: Option<PathBuf>,
-    /// What is said.
+    /// Folder to write its files to; - prints them, as by default.
+    #[arg(long, short, value_name = "FOLDER", help_heading = "Output options")]
+    pub output: Option<OutputPath>,
     #[command(flatten)]
-    pub words: WordOptions,
+    pub general: GeneralOptions,
 }
 
 #[derive(Serialize)]
@@ -68,7 +65,6 @@ struct Listed<'a> {
     builds_on: &'a [String],
 }
 
-/// The exercises, a line each.
 pub fn list(_: &ListArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let all = exercises::all();
     if reporter.json() {
@@ -93,12 +89,11 @@ pub fn list(_: &ListArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
         page.line(format_args!("{bold}{:<5}{bold:#} {:<width$}  {dim}{}{dim:#}", e.id, e.title, e.summary));
     }
     page.blank();
-    page.line("`gonio lab show ex04` shows one, `gonio lab start ex04 mine` begins it.");
+    page.line("`gonio lab show ex04` prints its text, `gonio lab start ex04 mine` begins it in the folder `mine`.");
     reporter.text(&page)?;
     Ok(Outcome::Done)
 }
 
-/// An exercise's text.
 pub fn show(args: &ShowArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let exercise = exercise(&args.exercise)?;
     if reporter.json() {
@@ -107,14 +102,14 @@ pub fn show(args: &ShowArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
             "look_for": exercise.look_for.iter().map(|l| &l.text).collect::<Vec<_>>(),
         }))?;
     } else {
-        reporter.text(&Page::of_text(exercise.text()))?;
+        reporter.text(&Page::from_text(exercise.text()))?;
     }
     Ok(Outcome::Done)
 }
 
-/// Writes an exercise's text and the files to start from.
 pub fn start(args: &StartArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let exercise = exercise(&args.exercise)?;
+    check_folder(&args.folder, "`gonio lab start`")?;
     let texts = exercise.start_files().map(|(name, text)| (name, text.as_bytes()));
     let mut set = FileSet::new();
     let mut written = add_all(&mut set, texts.chain(exercise.pictures()), &args.folder)?;
@@ -126,10 +121,10 @@ pub fn start(args: &StartArgs, reporter: &Reporter) -> Result<Outcome, CliError>
                 set.add(&goal, &picture)?;
                 written.push(GOAL.to_owned());
             }
-            // Everything else is no worse for it.
+            // The exercise works without it.
             Err(why) => {
                 is_drawn = false;
-                reporter.warning(format!("{GOAL}, the picture of what to reach, was not drawn: {why}"));
+                reporter.warning(format!("{GOAL}, the picture to reach, was not drawn: {why}"));
             }
         }
     }
@@ -145,16 +140,15 @@ pub fn start(args: &StartArgs, reporter: &Reporter) -> Result<Outcome, CliError>
     page.blank();
     page.line(format_args!("{folder}: {}", written.join(", ")));
     page.blank();
-    page.line(format_args!("Read text.md first{look}; then change the files and ask as often as you like:"));
+    page.line(format_args!("Read text.md first{look}; then change the files, and check them as often as you like:"));
     page.line(format_args!("  gonio lab check {} {folder}", exercise.id));
     reporter.text(&page)?;
     Ok(Outcome::Done)
 }
 
-/// Prints or writes the right answer.
 pub fn reference(args: &ReferenceArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let exercise: &Exercise = exercise(&args.exercise)?;
-    if let Some(folder) = &args.output {
+    if let Some(folder) = args.output.as_ref().and_then(OutputPath::file) {
         let mut set = FileSet::new();
         let files = exercise.reference_files().map(|(name, text)| (name, text.as_bytes()));
         let written = add_all(&mut set, files, folder)?;
@@ -179,7 +173,7 @@ pub fn reference(args: &ReferenceArgs, reporter: &Reporter) -> Result<Outcome, C
     Ok(Outcome::Done)
 }
 
-/// Adds files of a folder that none of them is in; an error where one is.
+/// Adds the files of a folder; an error if one of them exists.
 fn add_all<'a>(
     set: &mut FileSet,
     files: impl Iterator<Item = (&'a str, &'a [u8])>,
@@ -188,7 +182,7 @@ fn add_all<'a>(
     let files: Vec<(&str, &[u8])> = files.collect();
     if let Some((name, _)) = files.iter().find(|(name, _)| folder.join(name).exists()) {
         return Err(CliError::new(format!(
-            "{} is there already, and nothing is written over; name another folder",
+            "{} exists, and existing files are never overwritten; name another folder",
             folder.join(name).display()
         )));
     }

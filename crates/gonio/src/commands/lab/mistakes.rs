@@ -1,42 +1,40 @@
-//! `gonio lab mistakes`: the bank.
+//! `gonio lab mistakes`: the catalogue of mistakes.
 
-use crate::cli::WordOptions;
+use crate::cli::GeneralOptions;
 use crate::page::{Page, Style};
 use crate::report::{CliError, Outcome, Reporter};
 use clap::Args;
 use gonio_check::mistakes::structural;
 use gonio_check::mistakes::{self, Hypotheses, Mistake};
 
-/// Every mistake that the checker knows, or one of them with its explanation.
+/// List the mistakes that the checker knows, or explain one of them.
 #[derive(Args, Debug)]
 pub struct MistakesArgs {
-    /// One of them.
+    /// Id of the mistake to explain.
     #[arg(value_name = "ID")]
     pub id: Option<String>,
-    /// What is said.
     #[command(flatten)]
-    pub words: WordOptions,
+    pub general: GeneralOptions,
 }
 
-/// Lists them, or tells of one.
 pub fn run(args: &MistakesArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let Some(id) = &args.id else { return list(reporter) };
     let all = all();
     let Some(mistake) = all.iter().find(|mistake| mistake.id == *id) else {
         let nearest = all.iter().min_by_key(|m| strsim::levenshtein(&m.id, id)).map_or("", |m| &m.id);
         return Err(CliError::new(format!(
-            "there is no mistake `{id}`: did you mean `{nearest}`? `gonio lab mistakes` lists them"
+            "there is no mistake `{id}`; did you mean `{nearest}`? `gonio lab mistakes` lists them"
         )));
     };
     if reporter.json() {
         reporter.report(mistake)?;
     } else {
-        reporter.text(&told(mistake))?;
+        reporter.text(&explanation(mistake))?;
     }
     Ok(Outcome::Done)
 }
 
-/// The bank's, and those that are no change of a line.
+/// The catalogue's mistakes, and those that are not changes of a line.
 fn all() -> Vec<Mistake> {
     mistakes::all().iter().cloned().chain(structural()).collect()
 }
@@ -59,13 +57,15 @@ fn list(reporter: &Reporter) -> Result<Outcome, CliError> {
     Ok(Outcome::Done)
 }
 
-fn told(mistake: &Mistake) -> Page {
+fn explanation(mistake: &Mistake) -> Page {
     let mut page = Page::new();
     page.heading(&mistake.id);
     page.line(format_args!("{}.", mistake.name));
-    for (what, said) in
-        [("What it looks like", &mistake.looks_like), ("To mend it", &mistake.mend), ("In the lecture", &mistake.seed)]
-    {
+    for (what, said) in [
+        ("What it looks like", &mistake.looks_like),
+        ("How to fix it", &mistake.mend),
+        ("In the lecture", &mistake.seed),
+    ] {
         if !said.is_empty() {
             page.heading(what);
             page.line(format_args!("  {said}"));

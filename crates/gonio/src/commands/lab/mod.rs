@@ -13,81 +13,69 @@ mod text;
 mod trial;
 mod worker;
 
-use crate::cli::WordOptions;
+use crate::cli::GeneralOptions;
 use crate::report::{CliError, Outcome, Reporter};
 use clap::Subcommand;
 use gonio_exercises::exercise::{self, Exercise};
 use std::path::PathBuf;
 
-/// Exercises, students' own shaders, and a checker that names the mistake.
 #[derive(Subcommand, Debug)]
-#[command(after_help = "\
+#[command(after_long_help = "\
 Examples:
   gonio lab list
   gonio lab show ex04
   gonio lab start ex04 mine
-      The text and the files to start from, in the folder `mine`.
+      Writes the text and the files to start from into the folder `mine`.
   gonio lab open ex04 mine
-      The same in a window: an editor, the picture beside the right answer's, and the checker.
+      Opens them in a window with an editor, your picture beside the reference solution's, and the checker.
   gonio lab check ex04 mine
-      What is right and what is wrong with it, by name and line.
+      Reports what is right and what is wrong, by name and line.
   gonio lab mistakes
-      Everything that the checker knows by name.
+      Lists every mistake that the checker knows.
 
-`gonio lab check --help` tells more.")]
+`gonio help lab COMMAND` explains a command.")]
 pub enum LabCommand {
-    /// The exercises, a line each.
     List(exercises::ListArgs),
-    /// An exercise's text.
     Show(exercises::ShowArgs),
-    /// Write an exercise's text and the files to start from into a folder.
     Start(exercises::StartArgs),
-    /// Work on an exercise in the window: editor, picture, checker.
     Open(Box<open::OpenArgs>),
-    /// Print or write the right answer.
     Reference(exercises::ReferenceArgs),
-    /// Check a pair of shaders: what is right, what is wrong, and the mistake's name and line.
     Check(Box<check::CheckArgs>),
-    /// Draw what a student's files draw, and take the frame apart.
     Draw(draw::DrawArgs),
-    /// Every mistake that the checker knows, or one of them with its explanation.
     Mistakes(mistakes::MistakesArgs),
-    /// Measure the checker: the share of the bank's mistakes that it names right, and its false alarms.
     Score(score::ScoreArgs),
-    /// The process that a check runs in.
+    /// Run one check that comes from standard input.
     #[command(hide = true)]
-    CheckWorker(WordOptions),
-    /// Compile and draw the pair of shaders that comes from standard input, for the window.
+    CheckWorker(GeneralOptions),
     #[command(hide = true)]
     Trial(trial::TrialArgs),
 }
 
 impl LabCommand {
-    /// What is said.
-    pub fn words(&self) -> &WordOptions {
+    /// The options that every command has.
+    pub fn general(&self) -> &GeneralOptions {
         match self {
-            LabCommand::List(args) => &args.words,
-            LabCommand::Show(args) => &args.words,
-            LabCommand::Start(args) => &args.words,
-            LabCommand::Open(args) => &args.words,
-            LabCommand::Reference(args) => &args.words,
-            LabCommand::Check(args) => &args.words,
-            LabCommand::Draw(args) => &args.words,
-            LabCommand::Mistakes(args) => &args.words,
-            LabCommand::Score(args) => &args.words,
-            LabCommand::CheckWorker(words) => words,
-            LabCommand::Trial(args) => &args.words,
+            LabCommand::List(args) => &args.general,
+            LabCommand::Show(args) => &args.general,
+            LabCommand::Start(args) => &args.general,
+            LabCommand::Open(args) => &args.general,
+            LabCommand::Reference(args) => &args.general,
+            LabCommand::Check(args) => &args.general,
+            LabCommand::Draw(args) => &args.general,
+            LabCommand::Mistakes(args) => &args.general,
+            LabCommand::Score(args) => &args.general,
+            LabCommand::CheckWorker(general) => general,
+            LabCommand::Trial(args) => &args.general,
         }
     }
 }
 
-/// Does it.
 pub fn run(command: &LabCommand, reporter: &Reporter) -> Result<Outcome, CliError> {
     match command {
         LabCommand::List(args) => exercises::list(args, reporter),
         LabCommand::Show(args) => exercises::show(args, reporter),
         LabCommand::Start(args) => exercises::start(args, reporter),
-        LabCommand::Open(args) => open::run(args),
+        LabCommand::Open(args) => open::run(args, reporter),
         LabCommand::Reference(args) => exercises::reference(args, reporter),
         LabCommand::Check(args) => check::run(args, reporter),
         LabCommand::Draw(args) => draw::run(args, reporter),
@@ -100,13 +88,13 @@ pub fn run(command: &LabCommand, reporter: &Reporter) -> Result<Outcome, CliErro
 
 /// gonio's own program, for processes that a shader may crash.
 fn own_program() -> Result<PathBuf, CliError> {
-    std::env::current_exe().map_err(|error| CliError::io("gonio's own program was not found", &error))
+    std::env::current_exe().map_err(|error| CliError::io("cannot find gonio's own program", &error))
 }
 
-/// The exercise that somebody named.
+/// The exercise with this id or number.
 fn exercise(word: &str) -> Result<&'static Exercise, CliError> {
     exercise::find(word).ok_or_else(|| {
         let ids: Vec<&str> = exercise::all().iter().map(|exercise| exercise.id.as_str()).collect();
-        CliError::new(format!("there is no exercise `{word}`; there are {}", ids.join(", ")))
+        CliError::new(format!("there is no exercise `{word}`; the exercises are {}", ids.join(", ")))
     })
 }

@@ -1,8 +1,8 @@
 //! `gonio lab open`: an exercise in the window.
 
 use super::{exercise, intake};
-use crate::cli::WordOptions;
-use crate::report::{CliError, Outcome};
+use crate::cli::GeneralOptions;
+use crate::report::{CliError, Outcome, Reporter};
 use crate::values;
 use clap::Args;
 use gonio_app::exercise::Start;
@@ -10,37 +10,38 @@ use gonio_app::files::ExerciseFile;
 use gonio_app::platform::desktop::{self, WindowOptions};
 use std::path::{Path, PathBuf};
 
-/// Work on an exercise in the window: an editor, the picture beside the right answer's, and the checker.
+/// Open an exercise in the window: an editor, your picture beside the reference solution's, and the checker.
 #[derive(Args, Debug)]
-#[command(after_help = "\
+#[command(after_long_help = "\
 Examples:
   gonio lab open ex04
-      The files to start from, in memory; Ctrl + S saves them into a folder.
+      The files to start from, in memory; Ctrl+S saves them into a folder.
   gonio lab open ex04 mine
-      The files in the folder `mine`: they may be changed in any editor, and the window follows.
+      The files in the folder `mine`. Change them in any editor, and the window follows.
   gonio lab open ex07 light.vert light.frag --size 1600x1000
 
-Ctrl + Enter checks, Ctrl + S saves. Exit codes: 0 the window was closed, 2 error (no display, no such file).")]
+Ctrl+Enter checks, Ctrl+S saves.
+
+Exit codes: 0 the window was closed, 2 error (no display, no such file).")]
 pub struct OpenArgs {
-    /// Which: ex04, or 4.
+    /// Exercise: ex04, or 4.
     #[arg(value_name = "EX")]
     pub exercise: String,
-    /// Your files, or the folder that they are in; without any the ones to start from.
+    /// Your files, or their folder; by default the files to start from.
     #[arg(value_name = "FILE")]
     pub files: Vec<PathBuf>,
     /// Size of the window.
-    #[arg(long, value_name = "WxH", value_parser = values::size)]
+    #[arg(long, value_name = "WxH", value_parser = values::size, help_heading = "Window options")]
     pub size: Option<(u32, u32)>,
     /// Write the window's state to this file after every frame, as JSON (for tests).
     #[arg(long, value_name = "FILE", hide = true)]
     pub state: Option<PathBuf>,
-    /// What is said.
     #[command(flatten)]
-    pub words: WordOptions,
+    pub general: GeneralOptions,
 }
 
-/// Opens it, and returns when it is closed.
-pub fn run(args: &OpenArgs) -> Result<Outcome, CliError> {
+/// Opens the window, and returns when it is closed.
+pub fn run(args: &OpenArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let exercise = exercise(&args.exercise)?;
     let mut given = Vec::new();
     for path in &args.files {
@@ -55,6 +56,9 @@ pub fn run(args: &OpenArgs) -> Result<Outcome, CliError> {
             places.join(" ")
         )));
     }
+    for file in &given {
+        reporter.verbose(format_args!("read `{}`, {} bytes", file.name, file.bytes.len()));
+    }
     let window = WindowOptions {
         size: args.size.map(|(width, height)| [width as f32, height as f32]),
         state: args.state.clone(),
@@ -66,7 +70,7 @@ pub fn run(args: &OpenArgs) -> Result<Outcome, CliError> {
     Ok(Outcome::Done)
 }
 
-/// The files of a path: of a folder those within it, by their names there; of a zip in memory.
+/// The files of a path: those of a folder by their names in it, those of a zip in memory.
 fn read(path: &Path) -> Result<Vec<ExerciseFile>, CliError> {
     let found = intake::read(std::slice::from_ref(&path.to_owned()))?;
     let given = |file: gonio_check::submission::SourceFile| {

@@ -1,8 +1,8 @@
-//! `gonio lab score`: the checker measured.
+//! `gonio lab score`: measurements of the checker.
 
 use super::intake::{self, Intake, Submission, Submissions};
 use super::{exercise, guard};
-use crate::cli::WordOptions;
+use crate::cli::GeneralOptions;
 use crate::page::Page;
 use crate::report::{CliError, Outcome, Reporter};
 use clap::Args;
@@ -21,29 +21,28 @@ use std::process::Stdio;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Measure the checker: the share of the bank's mistakes that it names right, and its false alarms.
+/// Measure the checker: the share of mistakes that it names correctly, and its false alarms.
 #[derive(Args, Debug)]
-#[command(after_help = "\
-Each mistake of the bank is made in the exercise's model, handed in and looked for. What cannot be seen in an exercise
-(attenuation, where there is none) does not count.
+#[command(after_long_help = "\
+The measurement makes each mistake of the catalogue in the exercise's model, submits it and compares the verdict. Mistakes that are \
+invisible in an exercise (in attenuation, if there is none) do not count.
 
-Exit codes: 0 the goals are reached (97 % of single mistakes, 85 % of pairs, no false alarm), 1 not, 2 error.")]
+Exit codes: 0 the goals are reached (97 % of single mistakes, 85 % of pairs, no false alarm), 1 they are not, 2 error.")]
 pub struct ScoreArgs {
-    /// Which exercises; all that a pair of shaders answers, where none is named.
+    /// Exercises to measure; by default all that a pair of shaders answers.
     #[arg(value_name = "EX")]
     pub exercises: Vec<String>,
-    /// Pairs of mistakes of each exercise.
-    #[arg(long, value_name = "N", default_value_t = 40)]
+    /// Pairs of mistakes per exercise.
+    #[arg(long, value_name = "N", default_value_t = 40, help_heading = "Check options")]
     pub pairs: usize,
-    /// Right answers to look for false alarms in: FOLDER/EX/correct/NAME/.
-    #[arg(long, value_name = "FOLDER")]
+    /// Correct answers to look for false alarms in: FOLDER/EX/correct/NAME/.
+    #[arg(long, value_name = "FOLDER", help_heading = "Check options")]
     pub corpus: Option<PathBuf>,
-    /// End when the process that asks for this ends, which holds the other end of stdin.
+    /// End when the calling process ends, which holds the other end of stdin.
     #[arg(long, hide = true)]
     pub end_with_the_caller: bool,
-    /// What is said.
     #[command(flatten)]
-    pub words: WordOptions,
+    pub general: GeneralOptions,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -60,7 +59,6 @@ impl Row {
     }
 }
 
-/// Measures.
 pub fn run(args: &ScoreArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     if args.end_with_the_caller {
         guard::end_with_the_caller();
@@ -76,12 +74,12 @@ pub fn run(args: &ScoreArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     if reporter.json() {
         reporter.report(&rows)?;
     } else {
-        reporter.text(&Page::of_text(&table(&rows)))?;
+        reporter.text(&Page::from_text(&table(&rows)))?;
     }
     Ok(if rows.iter().all(Row::reaches_the_goals) { Outcome::Done } else { Outcome::CheckFailed })
 }
 
-/// One exercise, here.
+/// Measures one exercise in this process.
 fn measure(args: &ScoreArgs, exercise: &Exercise) -> Result<Row, CliError> {
     let context = HeadlessContext::new()?;
     let mut checker = Checker::new(context.gl());
@@ -99,13 +97,13 @@ fn measure(args: &ScoreArgs, exercise: &Exercise) -> Result<Row, CliError> {
             }
         }
     }
-    // As in render: the process ends next.
+    // The process ends next, and the system frees it faster.
     std::mem::forget((checker, context));
     Ok(row)
 }
 
-/// Each exercise in a process of its own, as many at once as there are cores: a driver on the CPU makes better use of them so
-/// than by drawing small pictures with all of them.
+/// Measures each exercise in a process of its own, as many at once as there are cores: a software driver uses them better that
+/// way than by drawing small pictures with all of them.
 fn measure_apart(args: &ScoreArgs, exercises: &[&Exercise], reporter: &Reporter) -> Result<Vec<Row>, CliError> {
     let program = super::own_program()?;
     let next = AtomicUsize::new(0);
@@ -133,7 +131,7 @@ fn measure_apart(args: &ScoreArgs, exercises: &[&Exercise], reporter: &Reporter)
 }
 
 fn measure_in_child(args: &ScoreArgs, exercise: &Exercise, program: &Path) -> Result<Row, CliError> {
-    let not_started = |error| CliError::io("gonio could not start itself to measure", &error);
+    let not_started = |error| CliError::io("gonio cannot start itself to measure", &error);
     let mut command = child::command(program).map_err(not_started)?;
     command.args(["lab", "score", &exercise.id, "--json", "--end-with-the-caller"]);
     command.args(["--pairs", &args.pairs.to_string()]);
@@ -147,12 +145,12 @@ fn measure_in_child(args: &ScoreArgs, exercise: &Exercise, program: &Path) -> Re
     drop(input);
     let rows = serde_json::from_slice::<Vec<Row>>(&output.stdout).unwrap_or_default();
     rows.into_iter().next().ok_or_else(|| {
-        let said = String::from_utf8_lossy(&output.stderr);
-        CliError::new(format!("{} could not be measured: {}", exercise.id, said.trim()))
+        let messages = String::from_utf8_lossy(&output.stderr);
+        CliError::new(format!("cannot measure {}: {}", exercise.id, messages.trim()))
     })
 }
 
-/// The submissions in a folder; none where there is no folder, for not every exercise has right answers of its own.
+/// The submissions in a folder; none if it does not exist, because not every exercise has correct answers of its own.
 fn right_answers(folder: &Path, exercise: &Exercise) -> Result<Vec<Submission>, CliError> {
     if !folder.is_dir() {
         return Ok(Vec::new());
@@ -163,7 +161,7 @@ fn right_answers(folder: &Path, exercise: &Exercise) -> Result<Vec<Submission>, 
     }
 }
 
-/// In Markdown, so that it can stand in a document as it is.
+/// The measurements as a table in Markdown, as documents contain it.
 fn table(rows: &[Row]) -> String {
     let mut text = String::from(
         "| exercise | single, named right | pairs, named right | right answers | false alarms |\n|---|---|---|---|---|\n",

@@ -1,4 +1,4 @@
-//! Verdicts for a terminal.
+//! Verdicts as text for a terminal.
 
 use crate::page::{Page, Style};
 use gonio_check::verdict::{FoundMistake, Outcome, PropertyState, TermState, Verdict};
@@ -10,7 +10,7 @@ const GREEN: Style = Style::Green;
 const RED: Style = Style::Red;
 const YELLOW: Style = Style::Yellow;
 
-/// What a student reads.
+/// A verdict as a student reads it.
 pub fn verdict(verdict: &Verdict) -> Page {
     let (word, style) = match verdict.verdict {
         Outcome::Correct => ("correct", GREEN),
@@ -48,7 +48,7 @@ pub fn verdict(verdict: &Verdict) -> Page {
         let words = verdict.terms.iter().map(|term| match term.state {
             TermState::Right => format!("{} {GREEN}right{GREEN:#}", term.term),
             TermState::Wrong => format!("{} {RED}wrong{RED:#}", term.term),
-            TermState::NotSeparable => format!("{} {DIM}not to be told apart{DIM:#}", term.term),
+            TermState::NotSeparable => format!("{} {DIM}not separable{DIM:#}", term.term),
         });
         page.blank();
         page.line(format_args!("  {BOLD}Terms{BOLD:#}   {}", words.collect::<Vec<_>>().join(", ")));
@@ -64,14 +64,14 @@ pub fn verdict(verdict: &Verdict) -> Page {
     let fails: Vec<_> = verdict.properties.iter().filter(|p| p.state == PropertyState::Wrong).collect();
     if !fails.is_empty() {
         page.blank();
-        page.line(format_args!("  {BOLD}Held against itself{BOLD:#}"));
+        page.line(format_args!("  {BOLD}Self-consistency{BOLD:#}"));
         for property in fails {
             page.line(format_args!("    {} ({})", property.sentence, property.scenes.join(", ")));
         }
     }
     if !verdict.peculiarities.is_empty() {
         page.blank();
-        page.line(format_args!("  {BOLD}Right, in a way of its own{BOLD:#}"));
+        page.line(format_args!("  {BOLD}Correct, but unusual{BOLD:#}"));
         for peculiarity in &verdict.peculiarities {
             page.line(format_args!("    {}: {}", peculiarity.id, peculiarity.name));
         }
@@ -88,15 +88,17 @@ pub fn verdict(verdict: &Verdict) -> Page {
     if !unknown.is_empty() {
         page.blank();
         let names = unknown.join(", ");
-        page.line(format_args!("  {DIM}Not known here, and 0: {names} (names.toml can say what they are){DIM:#}"));
+        page.line(format_args!(
+            "  {DIM}Unrecognised uniforms, set to 0: {names} (names.toml can state what they are){DIM:#}"
+        ));
     }
     page
 }
 
-/// Characters of a quoted line: the file has the rest.
+/// The number of characters of a source line that are quoted.
 const MAX_QUOTED: usize = 160;
 
-/// A line of source without its indentation; its tabs are spaces, and a long one is cut.
+/// A line of source without its indentation, with spaces for tabs, cut if it is long.
 fn source_line(line: &str) -> String {
     let line = line.trim().replace('\t', "    ");
     match line.char_indices().nth(MAX_QUOTED) {
@@ -114,24 +116,24 @@ fn mistake(page: &mut Page, found: &FoundMistake) {
     }
     match found.share_explained > 0.0 {
         true => page.line(format_args!("    It explains {:.1} % of the difference.", 100.0 * found.share_explained)),
-        false => page.line("    The source shows it; how much of the difference it explains cannot be told."),
+        false => page.line("    The source shows it; its share of the difference is unknown."),
     }
     if !found.or.is_empty() {
-        page.line(format_args!("    No picture tells it apart from: {}.", found.or.join(", ")));
+        page.line(format_args!("    No picture distinguishes it from: {}.", found.or.join(", ")));
     }
     for (what, said) in
-        [("What it looks like", &found.looks_like), ("To mend it", &found.mend), ("In the lecture", &found.seed)]
+        [("What it looks like", &found.looks_like), ("How to fix it", &found.mend), ("In the lecture", &found.seed)]
     {
         if !said.is_empty() {
             page.line(format_args!("    {DIM}{what}:{DIM:#} {said}"));
         }
     }
     if found.lab_does_it {
-        page.line("    The lab's own solution does the same; --as-the-lab lets it pass.");
+        page.line("    The lab's own solution does the same; --as-the-lab accepts it.");
     }
 }
 
-/// Many submissions, a line each, and what is to be said of all together.
+/// Many submissions, one line each, with a summary.
 pub fn table(rows: &[Row], similar: &[(String, String, f64)]) -> Page {
     let width = rows.iter().map(|row| row.submission.chars().count()).max().unwrap_or(0).min(40);
     let mut page = Page::new();
@@ -162,7 +164,7 @@ pub fn table(rows: &[Row], similar: &[(String, String, f64)]) -> Page {
         count(Outcome::Unsure)
     ));
     for (a, b, share) in similar {
-        page.line(format_args!("{YELLOW}alike{YELLOW:#}: {a} and {b}, {:.0} %", 100.0 * share));
+        page.line(format_args!("{YELLOW}similar{YELLOW:#}: {a} and {b}, {:.0} %", 100.0 * share));
     }
     page
 }

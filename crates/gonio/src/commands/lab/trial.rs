@@ -1,7 +1,7 @@
-//! `gonio lab trial`: the process in which the window tries a pair of shaders before its own OpenGL gets them.
+//! `gonio lab trial`: the process that compiles and draws a pair of shaders before the window's own OpenGL does.
 
 use super::{exercise, guard};
-use crate::cli::WordOptions;
+use crate::cli::GeneralOptions;
 use crate::report::{CliError, Outcome, Reporter};
 use clap::Args;
 use gonio_app::platform::desktop::trial::Answer;
@@ -14,44 +14,43 @@ use gonio_gl::{Gl, GlError, HeadlessContext};
 use gonio_render::{DisplayTexture, Renderer};
 use std::time::Instant;
 
-/// Stack of the thread that reads, compiles and draws: half of what the window's thread has, so that what passes here leaves
-/// a margin there. Windows gives a program's first thread 1 MB, the other systems 8 MB.
+/// Stack of the thread that reads, compiles and draws: half of what the window's thread has, for a margin there. The first
+/// thread of a program has 1 MB on Windows, and 8 MB on the other systems.
 const STACK_BYTES: usize = if cfg!(windows) { 512 * 1024 } else { 4 * 1024 * 1024 };
 /// Pixels along each side of the pictures.
 const SIDE: u32 = 128;
-/// Where nothing is drawn.
+/// The colour where nothing is drawn.
 const BACKGROUND: [f32; 3] = [0.13, 0.14, 0.16];
 /// Seconds of `now` at which each scene is drawn. The first picture is drawn twice: a driver may compile at the first draw.
 const TIMES: [f64; 4] = [0.0, 0.0, 1.0, 60.0];
-/// Pixels of a large window's picture, and the seconds that it may take.
+/// Pixels of the picture in a large window.
 const LARGE_PIXELS: f64 = 1_048_576.0;
+/// Seconds that it may take.
 const MOST_SECONDS: f64 = 8.0;
-/// How often a picture that seems too slow is drawn again: the machine may have been busy with something else.
+/// The number of times that a slow picture is drawn again: the machine may have been busy.
 const REPEATS: usize = 2;
 
 /// Compile and draw the pair of shaders that comes from standard input, for the window.
 #[derive(Args, Debug)]
 pub struct TrialArgs {
-    /// Which: ex04, or 4.
+    /// Exercise: ex04, or 4.
     #[arg(value_name = "EX")]
     pub exercise: String,
-    /// What is said.
     #[command(flatten)]
-    pub words: WordOptions,
+    pub general: GeneralOptions,
 }
 
-/// Tries the pair, and answers on stdout.
 pub fn run(args: &TrialArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let exercise = exercise(&args.exercise)?;
     let mut input = std::io::stdin();
-    let unread = |error| CliError::io("the files to try could not be read", &error);
+    let unread = |error| CliError::io("cannot read the files to try", &error);
     let files = worker::read_request(&mut input).map_err(unread)?.files;
     guard::end_with_the_caller();
     let thread = std::thread::Builder::new().stack_size(STACK_BYTES).spawn(move || answer(exercise, files));
-    let thread = thread.map_err(|error| CliError::io("the thread for the trial could not be started", &error))?;
+    let thread = thread.map_err(|error| CliError::io("cannot start the thread of the trial", &error))?;
     let answer = match thread.join() {
         Ok(answer) => answer,
-        // It counts as a crash, which is what it would be in the window.
+        // A panic counts as a crash, as it would in the window.
         Err(_) => std::process::abort(),
     };
     reporter.report(&answer)?;
@@ -65,7 +64,7 @@ fn answer(exercise: &Exercise, files: Vec<SourceFile>) -> Answer {
     };
     let pair = Source::gather(exercise, files).ok().and_then(|source| source.compile(context.gl()).ok());
     let answer = match pair {
-        // The window says what is wrong: the reader and the driver came to an end.
+        // The window reports what is wrong: the reader and the driver ended.
         None => Answer::Harmless,
         Some(pair) => match seconds(context.gl(), exercise, &pair) {
             Ok(seconds) if seconds > MOST_SECONDS => Answer::Slow { seconds },
@@ -73,14 +72,14 @@ fn answer(exercise: &Exercise, files: Vec<SourceFile>) -> Answer {
             Err(why) => Answer::Failed { why: why.to_string() },
         },
     };
-    // As in render: the process ends next.
+    // The process ends next, and the system frees it faster.
     std::mem::forget(context);
     answer
 }
 
 /// Draws all scenes, and estimates how long the slowest picture takes in a large window.
 fn seconds(gl: &Gl, exercise: &Exercise, pair: &Pair) -> Result<f64, GlError> {
-    let mut easel = Easel {
+    let mut preview = Preview {
         renderer: Renderer::new(gl.clone())?,
         canvas: DisplayTexture::new(gl, [SIDE; 2])?,
         stage: LiveStage::new(gl)?,
@@ -89,25 +88,25 @@ fn seconds(gl: &Gl, exercise: &Exercise, pair: &Pair) -> Result<f64, GlError> {
     let mut slowest = 0.0_f64;
     for scene in preview::scenes(exercise) {
         for (index, time) in TIMES.into_iter().enumerate() {
-            let drawn = easel.draw(pair, &scene, time, if index == 0 { 0 } else { REPEATS }, MOST_SECONDS / scale)?;
+            let drawn = preview.draw(pair, &scene, time, if index == 0 { 0 } else { REPEATS }, MOST_SECONDS / scale)?;
             if index > 0 {
                 slowest = slowest.max(drawn * scale);
             }
         }
     }
-    // As in render: the process ends next.
-    std::mem::forget(easel);
+    // The process ends next, and the system frees it faster.
+    std::mem::forget(preview);
     Ok(slowest)
 }
 
-struct Easel {
+struct Preview {
     renderer: Renderer,
     canvas: DisplayTexture,
     stage: LiveStage,
 }
 
-impl Easel {
-    /// Draws a scene, and again up to `repeats` times while it takes longer than `most` seconds. Gives the shortest time.
+impl Preview {
+    /// Draws a scene, and again up to `repeats` times while it takes longer than `most` seconds. Returns the shortest time.
     fn draw(&mut self, pair: &Pair, scene: &Scene, time: f64, repeats: usize, most: f64) -> Result<f64, GlError> {
         self.stage.prepare(scene)?;
         let bodies: Vec<(Body, Situation)> = scene.situations(&scene.eye, time as f32, [SIDE; 2]);
@@ -116,7 +115,7 @@ impl Easel {
             let start = Instant::now();
             let stage = &self.stage;
             self.renderer.paint_user_program(&mut self.canvas, [SIDE; 2], BACKGROUND, || stage.draw(pair, &bodies))?;
-            // Waits for the picture.
+            // Wait for the picture.
             self.canvas.read8();
             shortest = shortest.min(start.elapsed().as_secs_f64());
             if shortest <= most {

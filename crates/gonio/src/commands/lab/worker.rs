@@ -7,17 +7,16 @@ use gonio_exercises::Checker;
 use gonio_gl::HeadlessContext;
 use gonio_gl::headless::HeadlessOptions;
 
-/// Stack of the thread that reads, compiles and draws: drivers recurse along the shader, and only what is touched is
-/// really taken.
+/// Stack of the thread that reads, compiles and draws: drivers recurse along the shader. The system commits only what is used.
 const STACK_BYTES: usize = 256 << 20;
 
-/// Answers one request on stdin by one answer on stdout.
+/// Reads one request from stdin and writes one answer to stdout.
 pub fn run() -> Result<Outcome, CliError> {
-    let failed = |error| CliError::io("the check could not be answered", &error);
+    let failed = |error| CliError::io("cannot answer the check", &error);
     worker::serve(std::io::stdin(), report::output_for_gonio(), |request| {
         let checking = std::thread::Builder::new().stack_size(STACK_BYTES).spawn(move || check(request));
-        let checking = checking.map_err(|error| format!("the check could not be started: {error}"))?;
-        // A panic has been said on stderr; without an answer the process counts as crashed.
+        let checking = checking.map_err(|error| format!("cannot start the check: {error}"))?;
+        // The panic has been reported on stderr; without an answer the process counts as crashed.
         checking.join().unwrap_or_else(|_| std::process::abort())
     })
     .map_err(failed)?;
@@ -31,7 +30,7 @@ fn check(request: Request) -> Result<Answer, String> {
     let mut checker = Checker::new(context.gl());
     let (mut verdict, evidence) = gonio_exercises::check(&mut checker, exercise, request.files, &request.options)
         .map_err(|error| CliError::from(error).to_string())?;
-    // As in render: the process ends next.
+    // The process ends next, and the system frees it faster.
     std::mem::forget((checker, context));
     verdict.warnings.extend(request.left_out);
     let page =

@@ -1,55 +1,54 @@
-//! `gonio probe`: the light equation at one pixel, from the CPU reference, beside what the GPU drew there.
+//! `gonio probe`: the light equation at one pixel by the CPU reference, compared with the pixel that the GPU drew.
 
 mod surroundings;
 mod text;
 
 use crate::backend::{Backend, BackendChoice, BackendReport, Opened};
-use crate::cli::{BackendOptions, SceneOptions, WordOptions};
+use crate::cli::{BackendOptions, GeneralOptions, SceneOptions};
 use crate::loading;
 use crate::report::{CliError, Outcome, Reporter, Times};
 use crate::values;
+use crate::version;
 use clap::Args;
 use gonio_mesh::Diagnostic;
 use gonio_reference::{Probe, ReferenceScene};
 use gonio_scene::{DisplayMap, Frame, Scene};
 use serde::Serialize;
 
-/// The light equation at one pixel, term by term and light by light.
+/// Evaluate the light equation at one pixel, term by term and light by light.
 #[derive(Args, Debug)]
-#[command(after_help = "\
+#[command(after_long_help = "\
 Examples:
   gonio probe model.obj --at 512,384
       Every vector, factor and term of the light equation there, and their sum.
   gonio probe scene.toml --at 100,80 --size 320x240 --shading gouraud
-      With the options of render; Gouraud's light is shown at the triangle's corners.
+      With options of render. For Gouraud shading, the light is listed at the triangle's corners.
   gonio probe model.obj --at 512,384 --json
-      For machines.
+      The same for machines.
 
-The numbers come from the CPU reference (f64, through the pixel's centre); where there is OpenGL, what it draws
-there with one sample per pixel stands beside them. Where no object is seen the background is shown: exit code 0.")]
+The numbers come from the CPU reference (f64, through the centre of the pixel). Where OpenGL is available, the pixel that it \
+draws with one sample is listed for comparison. Where no object is visible, the background is listed.")]
 pub struct ProbeArgs {
-    /// Models (.obj) or scenes (.toml); several become one scene. builtin:NAME is a model that gonio carries.
+    /// Models or scenes (.toml); several become one scene. builtin:NAME is a built-in model.
     #[arg(required = true, value_name = "INPUT")]
     pub inputs: Vec<String>,
-    /// The pixel: column and row from 0 at the top left.
-    #[arg(long, required = true, value_name = "X,Y", value_parser = values::pixel, allow_hyphen_values = true)]
+    /// The pixel: column and row, counted from 0 at the top left.
+    #[arg(long, required = true, value_name = "X,Y", value_parser = values::pixel, allow_hyphen_values = true,
+          help_heading = "Picture options")]
     pub at: (u32, u32),
-    /// Seconds: where moving lights are.
-    #[arg(long, help_heading = "Lights", value_name = "SECONDS", value_parser = values::number,
+    /// Time in seconds, for lights that move.
+    #[arg(long, help_heading = "Light options", value_name = "SECONDS", value_parser = values::number,
           allow_negative_numbers = true, default_value = "0")]
     pub time: f64,
-    /// Every option that replaces something of the scene.
     #[command(flatten)]
     pub scene: SceneOptions,
-    /// Who draws what stands beside the reference.
     #[command(flatten)]
     pub backend: BackendOptions,
-    /// What is said.
     #[command(flatten)]
-    pub words: WordOptions,
+    pub general: GeneralOptions,
 }
 
-/// What is known about the pixel. Colours are linear, premultiplied RGBA unless said otherwise.
+/// The report about a pixel. Colours are linear RGBA, premultiplied, unless stated otherwise.
 #[derive(Serialize)]
 struct Report<'a> {
     command: &'static str,
@@ -58,29 +57,28 @@ struct Report<'a> {
     y: u32,
     width: u32,
     height: u32,
-    /// Whether a surface is seen there.
+    /// Whether a surface is visible there.
     hit: bool,
-    /// The whole equation there.
+    /// The light equation there.
     probe: Option<&'a Probe>,
-    /// By the reference.
+    /// The pixel by the CPU reference.
     reference: [f64; 4],
-    /// The same as displayed, `#rrggbb`.
+    /// The displayed pixel, `#rrggbb`.
     displayed: String,
     gpu: Option<GpuValue>,
     backend: BackendReport,
     warnings: &'a [Diagnostic],
 }
 
-/// What the GPU drew there.
+/// The pixel that the GPU drew.
 #[derive(Clone, Debug, Serialize)]
 struct GpuValue {
     renderer: String,
     value: [f32; 4],
-    /// The largest absolute difference from the reference of the four.
+    /// The largest absolute difference of a channel from the reference.
     difference: f64,
 }
 
-/// Probes.
 pub fn run(args: &ProbeArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let times = Times::default();
     let (x, y) = args.at;
@@ -89,11 +87,11 @@ pub fn run(args: &ProbeArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     });
     let scene = scene?;
     reporter.diagnostics(&scene.diagnostics);
-    // What is read at a pixel is what a ray through its centre meets: one sample.
+    // One sample: the ray through the centre of the pixel.
     let frame = Frame { samples: 1, ..scene.frame(args.time) };
     if x >= frame.width || y >= frame.height {
         return Err(CliError::new(format!(
-            "{x},{y} is outside of the picture, which has {}x{} pixels: columns 0 to {}, rows 0 to {}",
+            "pixel {x},{y} is outside the picture of {}x{} pixels: columns 0 to {}, rows 0 to {}",
             frame.width,
             frame.height,
             frame.width - 1,
@@ -102,18 +100,22 @@ pub fn run(args: &ProbeArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     }
     let mut backend = opened?.take_scene(&scene, &args.backend, reporter, &times)?;
     if let (BackendChoice::Auto, Backend::Cpu { reason: Some(reason), .. }) = (args.backend.backend, &backend) {
-        reporter.note(format!("nothing stands beside the reference: {reason}"));
+        reporter.note(format!("the reference is not compared with OpenGL: {reason}"));
     }
-    let look = |reference: &ReferenceScene| {
+    let probe_with = |reference: &ReferenceScene| {
         let probe = reference.probe(&frame, x, y);
         let value = probe.as_ref().map_or_else(|| reference.behind(&frame, x, y), |probe| probe.total.to_array());
         (probe, value)
     };
     let (probe, reference) = match &backend {
-        Backend::Cpu { scene, .. } => look(scene),
-        Backend::Gl { .. } => look(&ReferenceScene::new(&scene)),
+        Backend::Cpu { scene, .. } => probe_with(scene),
+        Backend::Gl { .. } => probe_with(&ReferenceScene::new(&scene)),
     };
     let gpu = gpu_value(&mut backend, &frame, (x, y), reference, reporter, &times)?;
+    if let Some(driver) = backend.driver() {
+        reporter.verbose(format_args!("driver: {}", version::driver_line(driver)));
+    }
+    reporter.verbose_times(&times);
     let report = Report {
         command: "probe",
         inputs: &args.inputs,
@@ -141,7 +143,7 @@ pub fn run(args: &ProbeArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
 }
 
 fn text(report: &Report<'_>, scene: &Scene, frame: &Frame) -> crate::page::Page {
-    text::Page::new(scene, frame).write(report)
+    text::ProbePage::new(scene, frame).write(report)
 }
 
 fn gpu_value(
@@ -164,7 +166,7 @@ fn gpu_value(
     }))
 }
 
-/// As displayed, `#rrggbb`.
+/// The displayed colour of a pixel, `#rrggbb`.
 fn displayed(frame: &Frame, pixel: [f64; 4]) -> String {
     let map = DisplayMap::for_view(None, frame);
     let [r, g, b, _] = map.apply(pixel.map(|v| v as f32)).map(|v| (v * 255.0 + 0.5) as u8);

@@ -1,19 +1,19 @@
-//! The part of a probe's page that is about the environment.
+//! The part of a probe's page about the environment.
 
-use super::text::{Page, short};
+use super::text::{ProbePage, short};
 use gonio_light::optics::boundary;
 use gonio_light::{Fresnel, Surfaces};
 use gonio_reference::Probe;
 
-impl Page<'_> {
-    /// What the environment adds, and the sum with it; nothing where the frame has none.
+impl ProbePage<'_> {
+    /// The light of the environment, and the sum with it; nothing if the frame has none.
     pub(super) fn surroundings(&mut self, probe: &Probe) {
         let (Some(environment), Some(how)) = (&self.scene.environment, self.frame.surroundings) else { return };
-        let turned = if how.lights { "it lights the objects" } else { "it does not light the objects" };
-        let name = format!("environment `{}`, intensity {}, {turned}", environment.name, short(how.intensity));
+        let lights = if how.lights { "it lights the objects" } else { "it does not light the objects" };
+        let name = format!("environment `{}`, intensity {}, {lights}", environment.name, short(how.intensity));
         self.heading(&name);
         if probe.optics.is_plain() {
-            self.line("optics", "the material neither mirrors nor lets through");
+            self.line("optics", "the material neither reflects nor transmits");
             if !how.lights {
                 return;
             }
@@ -23,28 +23,28 @@ impl Page<'_> {
         }
         let seen = &probe.terms.environment;
         if how.lights {
-            self.vector("diffuse", seen.diffuse, "= k_d times the environment's light about N");
-            self.vector("specular", seen.specular, "= (k_s scale + bias) times its glossy reflection");
+            self.vector("diffuse", seen.diffuse, "= k_d * light of the environment around N");
+            self.vector("specular", seen.specular, "= (k_s * scale + bias) * its glossy reflection");
         }
         self.vector("L", probe.radiance, "");
         self.composed(probe);
     }
 
-    /// What the material does.
+    /// The optics of the material.
     fn optics(&mut self, probe: &Probe) {
         let optics = &probe.optics;
         self.scalar("reflectivity", optics.reflectivity, "");
         self.scalar("transmission", optics.transmission, "t");
         let fresnel = match optics.fresnel {
-            Fresnel::None => "none: the angle does not count",
+            Fresnel::None => "none: independent of the angle",
             Fresnel::Exact => "exact, unpolarised",
             Fresnel::Schlick => "Schlick's approximation",
         };
         self.line("Fresnel", fresnel);
         if optics.transmission > 0.0 {
             let surfaces = match optics.surfaces {
-                Surfaces::One => "one: where the view goes in",
-                Surfaces::Two => "two: where it goes in and where it comes out",
+                Surfaces::One => "one: where the view enters",
+                Surfaces::Two => "two: where the view enters and where it leaves",
             };
             self.line("surfaces", surfaces);
             self.vector("tint", optics.tint, "");
@@ -58,24 +58,23 @@ impl Page<'_> {
         }
     }
 
-    /// Where the view goes from the surface, and what it sees there.
+    /// The reflected and the refracted view, and the light from there.
     fn sight(&mut self, probe: &Probe) {
         let (point, optics) = (&probe.terms.point, &probe.optics);
         let sight = &probe.terms.environment.sight;
-        self.vector("R", sight.reflection, "V mirrored about N");
+        self.vector("R", sight.reflection, "V reflected about N");
         match boundary(point.normal, point.view, probe.surface.refraction_index, optics.fresnel).transmitted {
             Some(t) => self.vector("T", t, "V refracted"),
-            None => self.line("T", "none: reflection is total"),
+            None => self.line("T", "none: total internal reflection"),
         }
         self.vector("F", sight.fresnel, "of red, green and blue");
         self.vector("E(R)", sight.reflected, "");
-        self.vector("(1-F) tint E(T)", sight.transmitted, "");
-        let factor =
-            if optics.fresnel == Fresnel::None { "the reflectivity" } else { "the reflectivity times F of green" };
+        self.vector("(1-F) * tint * E(T)", sight.transmitted, "");
+        let factor = if optics.fresnel == Fresnel::None { "= reflectivity" } else { "= reflectivity * F of green" };
         self.scalar("w", optics.mirror_share(sight.fresnel.y), factor);
     }
 
-    /// The sum in symbols, and once per channel in numbers.
+    /// The sum in symbols, and in numbers for each channel.
     fn composed(&mut self, probe: &Probe) {
         let seen = &probe.terms.environment;
         let lights = self.frame.surroundings.is_some_and(|s| s.lights);
@@ -84,7 +83,7 @@ impl Page<'_> {
         let symbols = if plain {
             lit.trim_matches(['(', ')']).to_owned()
         } else {
-            format!("(1-t) [ (1-w) {lit} + w E(R) ] + t [ F E(R) + (1-F) tint E(T) ]")
+            format!("(1-t) * [ (1-w) * {lit} + w * E(R) ] + t * [ F * E(R) + (1-F) * tint * E(T) ]")
         };
         self.text.blank();
         self.text.line(format_args!("  L = {symbols}"));
@@ -99,7 +98,7 @@ impl Page<'_> {
                 let [f, reflected, transmitted] =
                     [seen.sight.fresnel[c], seen.sight.reflected[c], seen.sight.transmitted[c]].map(short);
                 format!(
-                    "{} [ {} * {lit} + {} * {reflected} ] + {} [ {f} * {reflected} + {transmitted} ]",
+                    "{} * [ {} * {lit} + {} * {reflected} ] + {} * [ {f} * {reflected} + {transmitted} ]",
                     short(1.0 - t),
                     short(1.0 - w),
                     short(w),
@@ -113,7 +112,7 @@ impl Page<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::text::Page;
+    use super::super::text::ProbePage;
     use glam::{DMat4, DVec3};
     use gonio_environment::Cubemap;
     use gonio_light::{Fresnel, Optics, Surfaces};
@@ -154,7 +153,7 @@ mod tests {
         let surroundings = Some(Surroundings { lights, intensity: 2.0, ..Surroundings::default() });
         let frame = Frame { width: 3, height: 3, lights: Vec::new(), camera, surroundings, ..scene.frame(0.0) };
         let probe = ReferenceScene::new(&scene).probe(&frame, 1, 1).unwrap_or_else(|| panic!("the pane is hit"));
-        let mut page = Page::new(&scene, &frame);
+        let mut page = ProbePage::new(&scene, &frame);
         page.surroundings(&probe);
         page.text.for_terminal().to_owned()
     }
@@ -175,18 +174,18 @@ mod tests {
         has(&text, &["environment `two halves`, intensity 2, it does not light the objects"]);
         has(&text, &["Fresnel none", "surfaces two", "indices 1.49 1.5 1.51", "absorption 0 0 0 per world unit"]);
         has(&text, &["R 0.70711 0 0.70711", "T 0.47140 0 -0.88192", "F 0 0 0", "E(R) 0.40000 0.40000 0.40000"]);
-        has(&text, &["(1-F) tint E(T) 1.60000 1.60000 1.60000", "w 0.40000 the reflectivity", "L 1.03000 1.03000"]);
-        has(&text, &["L = (1-t) [ (1-w) L_o + w E(R) ] + t [ F E(R) + (1-F) tint E(T) ]"]);
+        has(&text, &["(1-F) * tint * E(T) 1.60000 1.60000 1.60000", "w 0.40000 = reflectivity", "L 1.03000 1.03000"]);
+        has(&text, &["L = (1-t) * [ (1-w) * L_o + w * E(R) ] + t * [ F * E(R) + (1-F) * tint * E(T) ]"]);
         has(&text, &["red 1.03 = 0.5 [ 0.6 * 0.5 + 0.4 * 0.4 ] + 0.5 [ 0 * 0.4 + 1.6 ]"]);
         let text = page(Optics { fresnel: Fresnel::Exact, ..glass }, true);
         has(&text, &["Fresnel exact", "surfaces one", "w 0.02", "it lights the objects"]);
-        has(&text, &["L = (1-t) [ (1-w) (L_o + diffuse + specular) + w E(R) ]"]);
+        has(&text, &["L = (1-t) * [ (1-w) * (L_o + diffuse + specular) + w * E(R) ]"]);
     }
 
     #[test]
     fn plain_surfaces_show_nothing_of_it() {
         let text = page(Optics::default(), false);
-        has(&text, &["optics the material neither mirrors nor lets through"]);
+        has(&text, &["optics the material neither reflects nor transmits"]);
         assert!(!text.contains("L ="), "{text}");
         let text = page(Optics::default(), true);
         has(&text, &["L = L_o + diffuse + specular"]);

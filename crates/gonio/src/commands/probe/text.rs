@@ -1,6 +1,7 @@
-//! A probe as a page of text: aligned numbers, and the equation with the numbers in it.
+//! A probe as text: aligned numbers, and the light equation with its numbers.
 
 use super::{GpuValue, Report};
+use crate::numbers::is_noise;
 use crate::page;
 use glam::DVec3;
 use gonio_light::{Convention, LightKind, LightTerms, Specular, Terms};
@@ -8,23 +9,23 @@ use gonio_reference::Probe;
 use gonio_scene::{Frame, Scene};
 use std::fmt::Write as _;
 
-/// Width of the names on the left.
-const NAME: usize = 18;
+/// The width of the column of names.
+const NAME: usize = 22;
 
 /// A page about one pixel of a scene.
-pub struct Page<'a> {
+pub struct ProbePage<'a> {
     pub(super) scene: &'a Scene,
     pub(super) frame: &'a Frame,
     pub(super) text: page::Page,
 }
 
-impl<'a> Page<'a> {
+impl<'a> ProbePage<'a> {
     /// An empty page.
     pub fn new(scene: &'a Scene, frame: &'a Frame) -> Self {
-        Page { scene, frame, text: page::Page::new() }
+        ProbePage { scene, frame, text: page::Page::new() }
     }
 
-    /// Everything.
+    /// Writes everything.
     pub(super) fn write(mut self, report: &Report<'_>) -> page::Page {
         let size = format!("pixel {},{} of {}x{}", report.x, report.y, report.width, report.height);
         self.heading(&size);
@@ -32,7 +33,7 @@ impl<'a> Page<'a> {
             None => {
                 let sky = self.frame.surroundings.is_some_and(|s| s.visible);
                 let behind = if sky { "the environment" } else { "the background" };
-                self.line("object", &format!("none is seen there: {behind}"));
+                self.line("object", &format!("none is visible there, only {behind}"));
             }
             Some(probe) => {
                 self.place(probe);
@@ -78,7 +79,7 @@ impl<'a> Page<'a> {
         );
         let side = match (probe.front_facing, probe.normal_turned) {
             (true, _) => "front",
-            (false, true) => "back, N turned to the viewer",
+            (false, true) => "back, N is turned to the viewer",
             (false, false) => "back",
         };
         self.line("side", side);
@@ -86,7 +87,7 @@ impl<'a> Page<'a> {
         self.vector("position", probe.position, "world space");
         self.scalar("depth", probe.depth, "from the eye, along the viewing direction");
         self.vector("N", probe.terms.point.normal, "shading normal");
-        self.vector("N geometric", probe.geometry.geometric_normal, "the triangle's own");
+        self.vector("N geometric", probe.geometry.geometric_normal, "of the triangle");
         self.vector("V", probe.terms.point.view, "to the eye");
         let uv = probe.geometry.uv;
         self.line("uv", &format!("{}{}", number(uv.x), number(uv.y)));
@@ -103,8 +104,8 @@ impl<'a> Page<'a> {
         self.line("refraction index", &format!("{:>11}", short(surface.refraction_index)));
         if probe.opacity < 1.0 || probe.surfaces_behind > 0 {
             let behind = match probe.surfaces_behind {
-                1 => "1 surface shows through".to_owned(),
-                n => format!("{n} surfaces show through"),
+                1 => "1 surface is visible behind it".to_owned(),
+                n => format!("{n} surfaces are visible behind it"),
             };
             self.scalar("opacity", probe.opacity, &behind);
         }
@@ -145,8 +146,8 @@ impl<'a> Page<'a> {
         let name = self.light_name(light.light);
         self.heading(&name);
         self.vector("L", light.l, "to the light");
-        self.vector("R", light.r, "L mirrored about N");
-        self.vector("H", light.h, "half of L and V");
+        self.vector("R", light.r, "L reflected about N");
+        self.vector("H", light.h, "halfway between L and V");
         if light.distance.is_finite() {
             self.scalar("d", light.distance, "to the light");
             self.scalar("att", light.attenuation, "");
@@ -155,23 +156,23 @@ impl<'a> Page<'a> {
             self.scalar("spot", light.spot, "");
         }
         self.scalar(
-            "N.L",
+            "N.L_i",
             light.cos_theta,
             if light.cos_theta <= 0.0 { "the light is behind the surface" } else { "" },
         );
         self.scalar("R.V", light.r_dot_v, "");
         self.scalar("N.H", light.n_dot_h, "");
-        self.vector("L_i att spot", light.incident, "");
+        self.vector("L_i * att_i * spot_i", light.incident, "");
         self.scalar("diff", light.diff, self.diff_remark());
         let shininess = probe.surface.shininess.max(1.0);
         self.scalar("spec", light.spec, &self.spec_remark(light, shininess));
-        self.vector("diffuse", light.diffuse, "= diff k_d <N.L> L_i att spot");
-        self.vector("specular", light.specular, "= k_s spec L_i att spot");
+        self.vector("diffuse", light.diffuse, "= diff * k_d * <N.L_i> * L_i * att_i * spot_i");
+        self.vector("specular", light.specular, "= k_s * spec_i * L_i * att_i * spot_i");
     }
 
     fn diff_remark(&self) -> &'static str {
         match (self.frame.equation.brdf.is_some(), self.frame.equation.convention) {
-            (true, _) => "1/pi, of the BRDF",
+            (true, _) => "1/pi, from the BRDF",
             (false, Convention::Physical) => "1/pi, physical convention",
             (false, Convention::Lab) => "lab's convention",
         }
@@ -180,7 +181,7 @@ impl<'a> Page<'a> {
     fn spec_remark(&self, light: &LightTerms, shininess: f64) -> String {
         let equation = &self.frame.equation;
         if let Some(brdf) = &equation.brdf {
-            return format!("{} lobe times <N.L>", brdf.kind);
+            return format!("{} lobe * <N.L>", brdf.kind);
         }
         let shininess = short(shininess);
         let (symbol, cosine) = match equation.specular {
@@ -190,15 +191,15 @@ impl<'a> Page<'a> {
         };
         let mut remark = format!("<{symbol}>^shininess = {}^{shininess}", short(cosine.max(0.0)));
         if equation.cosine_weighted {
-            remark += ", times <N.L>";
+            remark += " * <N.L>";
         }
         if equation.gated && light.cos_theta <= 0.0 {
-            remark += ", but N.L <= 0: 0";
+            remark += ", but 0 because N.L <= 0";
         }
         remark
     }
 
-    /// Gouraud and flat per face: the equation is evaluated elsewhere.
+    /// The points at which Gouraud shading and flat shading per face evaluate the equation.
     fn corners(&mut self, probe: &Probe) {
         let at_corners = probe.at_vertices.len() == 3;
         for (k, terms) in probe.at_vertices.iter().enumerate() {
@@ -211,8 +212,8 @@ impl<'a> Page<'a> {
         }
         if let Some(sums) = &probe.interpolated {
             self.heading(if at_corners { "light, interpolated" } else { "light" });
-            self.vector("diffuse light", sums.diffuse, "sum of diff <N.L> L_i att spot");
-            self.vector("specular light", sums.specular, "sum of spec L_i att spot");
+            self.vector("diffuse light", sums.diffuse, "= sum_i diff * <N.L_i> * L_i * att_i * spot_i");
+            self.vector("specular light", sums.specular, "= sum_i spec_i * L_i * att_i * spot_i");
         }
     }
 
@@ -240,12 +241,12 @@ impl<'a> Page<'a> {
     fn sum(&mut self, probe: &Probe) {
         self.heading("sum");
         let terms = &probe.terms;
-        self.vector("A", terms.ambient, "= k_a times the ambient lights");
+        self.vector("A", terms.ambient, "= k_a * ambient light");
         self.vector("E", terms.emitted, "");
         match &probe.interpolated {
             Some(sums) => {
-                self.vector("diffuse", probe.surface.diffuse * sums.diffuse, "= k_d times the diffuse light");
-                self.vector("specular", probe.surface.specular * sums.specular, "= k_s times the specular light");
+                self.vector("diffuse", probe.surface.diffuse * sums.diffuse, "= k_d * diffuse light");
+                self.vector("specular", probe.surface.specular * sums.specular, "= k_s * specular light");
             }
             None => {
                 for light in &terms.lights {
@@ -258,11 +259,11 @@ impl<'a> Page<'a> {
         self.equation(probe);
     }
 
-    /// The equation in symbols, and once per channel in numbers, a light a line.
+    /// The light equation in symbols, and in numbers for each channel, one line per light.
     fn equation(&mut self, probe: &Probe) {
         let symbols = match probe.interpolated {
-            Some(_) => "L_o = A + E + k_d diffuse light + k_s specular light",
-            None => "L_o = A + E + sum of [ diff k_d <N.L> + k_s spec ] L_i att spot",
+            Some(_) => "L_o = A + E + k_d * diffuse light + k_s * specular light",
+            None => "L_o = A + E + sum_i [ diff * k_d * <N.L_i> + k_s * spec_i ] * L_i * att_i * spot_i",
         };
         self.text.blank();
         self.text.line(format_args!("  {symbols}"));
@@ -281,13 +282,13 @@ impl<'a> Page<'a> {
                 for light in &terms.lights {
                     let cosine = short(light.cos_theta.max(0.0));
                     let (diff, spec, incident) = (short(light.diff), short(light.spec), short(light.incident[c]));
-                    let product = format!("+ [{diff} * {k_d} * {cosine} + {k_s} * {spec}] * {incident}");
+                    let product = format!("+ [ {diff} * {k_d} * {cosine} + {k_s} * {spec} ] * {incident}");
                     self.text.line(format_args!("{:18}{product:60}light {}", "", light.light));
                 }
             }
         }
         if self.has_switches() {
-            self.text.line("  (terms that are switched off count as 0, attenuation and spot as 1)");
+            self.text.line("  (omitted terms count as 0, omitted attenuation and spot as 1)");
         }
     }
 
@@ -300,26 +301,38 @@ impl<'a> Page<'a> {
         let rgba = |v: [f64; 4]| v.map(number).concat();
         self.line(
             "CPU reference",
-            &format!("{}   linear RGBA, {} as displayed", rgba(report.reference), report.displayed),
+            &format!("{}   linear RGBA, displayed as {}", rgba(report.reference), report.displayed),
         );
         if let Some(GpuValue { renderer, value, difference }) = &report.gpu {
             self.line("OpenGL", &format!("{}   {renderer}", rgba(value.map(f64::from))));
-            self.line("difference", &format!("{:>11.2e}   the largest of the four", difference));
+            self.line("difference", &format!("{}   the largest of the four", number(*difference)));
         }
     }
 }
 
-/// [`number`] without padding and trailing zeros.
+/// Formats a number like [`number`], without padding and trailing zeros.
 pub(super) fn short(v: f64) -> String {
     let text = number(v).trim().to_owned();
     let plain = text.contains('.') && !text.contains('e');
     if plain { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
-/// Eleven columns: five decimals, or an exponent where that would hide the number.
+/// Formats a number in eleven columns: with five decimals, or an exponent where they would hide it; noise is 0.
 fn number(v: f64) -> String {
-    if v == 0.0 {
+    if is_noise(v) {
         return format!("{:>11}", "0");
     }
     if (1e-4..1e5).contains(&v.abs()) { format!("{v:>11.5}") } else { format!("{v:>11.3e}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn noise_is_zero_and_small_numbers_are_not() {
+        // A cosine of 1e-5 to the power of ten, and the cosine of a right angle.
+        assert_eq!((short(5e-47), short(-6.123e-17)), ("0".into(), "0".into()));
+        assert_eq!((short(2.5e-11), short(0.25), short(-0.0)), ("2.500e-11".into(), "0.25".into(), "0".into()));
+    }
 }

@@ -1,6 +1,6 @@
-//! `gonio render --json`.
+//! The report of `gonio render --json`.
 
-use super::{Done, RenderArgs};
+use super::{RenderArgs, Written};
 use crate::backend::{Backend, BackendReport, Counts};
 use crate::report::Times;
 use gonio_mesh::Diagnostic;
@@ -9,7 +9,7 @@ use gonio_scene::scene_file::Shading;
 use serde::Serialize;
 use std::collections::BTreeSet;
 
-/// The whole report. Times are milliseconds, sizes pixels.
+/// The report. Times are in milliseconds, sizes in pixels.
 #[derive(Serialize)]
 pub struct Report<'a> {
     command: &'static str,
@@ -30,7 +30,7 @@ pub struct Report<'a> {
     notes: &'a [String],
 }
 
-/// How much there is.
+/// The size of a scene.
 #[derive(Serialize)]
 pub struct SceneCounts {
     objects: usize,
@@ -42,8 +42,8 @@ pub struct SceneCounts {
 }
 
 impl SceneCounts {
-    /// A mesh that stands in several places counts several times.
-    pub fn of(scene: &Scene) -> Self {
+    /// Counts a mesh once for each object that shows it.
+    pub fn count(scene: &Scene) -> Self {
         let meshes = || scene.objects.iter().filter_map(|o| scene.meshes.get(o.mesh));
         SceneCounts {
             objects: scene.objects.len(),
@@ -57,14 +57,13 @@ impl SceneCounts {
 }
 
 impl<'a> Report<'a> {
-    /// Of a finished run.
-    pub fn new(args: &'a RenderArgs, scene: &'a Scene, backend: &Backend, times: &Times, done: &'a Done) -> Self {
+    pub fn new(args: &'a RenderArgs, scene: &'a Scene, backend: &Backend, times: &Times, written: &'a Written) -> Self {
         let picture = &scene.settings.picture;
         let shading: BTreeSet<Shading> = scene.objects.iter().map(|o| o.shading).collect();
         Report {
             command: "render",
             inputs: &args.inputs,
-            outputs: done.files.iter().map(|p| p.display().to_string()).collect(),
+            outputs: written.files.iter().map(|p| p.display().to_string()).collect(),
             backend: backend.report(),
             width: picture.width,
             height: picture.height,
@@ -73,11 +72,11 @@ impl<'a> Report<'a> {
             shading: shading.into_iter().collect(),
             debug: args.debug.map(|v| v.to_string()),
             views: args.views.iter().map(ToString::to_string).collect(),
-            scene: SceneCounts::of(scene),
-            drawn: done.counts,
+            scene: SceneCounts::count(scene),
+            drawn: written.counts,
             times_ms: times.to_json(),
             warnings: &scene.diagnostics,
-            notes: &done.notes,
+            notes: &written.notes,
         }
     }
 }

@@ -1,31 +1,29 @@
-//! What is answered to a request.
+//! Answers to requests.
 
 use super::page::{Encoding, Page};
 use super::request::{Method, Request};
 
-/// What is served, and under which port.
+/// The page, and the port that it is served on.
 pub struct Site {
-    /// The files.
     pub page: Page,
-    /// The port that clients must have asked for.
+    /// The port in the `Host` header of every request that is answered.
     pub port: u16,
 }
 
 /// An answer before it is written.
 pub struct Answer {
-    /// Its code (RFC 9110, 15) and what that means.
+    /// The status code (RFC 9110, 15) and its reason phrase.
     pub status: (u16, &'static str),
-    /// Besides those that every answer has.
+    /// Headers in addition to [`ALWAYS`].
     pub headers: Vec<(&'static str, String)>,
-    /// What is sent to GET; its length alone to HEAD.
     pub body: Vec<u8>,
-    /// Whether the body is left out.
+    /// Whether only the length of the body is sent, for HEAD.
     pub head_only: bool,
 }
 
-/// What the page may do: run its own scripts and its own WebAssembly, ask its own server, and show pictures that it
-/// made itself. Nothing inline, nothing from elsewhere, and no frame around it. The page says the same of itself in a
-/// `meta` element, for hosts that send no headers.
+/// The page may run its own scripts and its own WebAssembly, send requests to its own server, and show pictures that it made
+/// itself. Nothing inline, nothing from elsewhere, and no frame around it. The page has the same policy in a `meta` element,
+/// for hosts that send no headers.
 const POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; \
     img-src 'self' blob: data:; connect-src 'self'; manifest-src 'self'; worker-src 'self'; base-uri 'none'; \
     form-action 'none'; frame-ancestors 'none'";
@@ -40,7 +38,7 @@ pub const ALWAYS: &[(&str, &str)] = &[
     ("Connection", "close"),
 ];
 
-/// Types by the ends of names. Browsers compile WebAssembly while it arrives only if it says what it is.
+/// Media types by extension. Browsers compile WebAssembly while it arrives only if its type is right.
 const TYPES: &[(&str, &str)] = &[
     (".html", "text/html; charset=utf-8"),
     (".css", "text/css; charset=utf-8"),
@@ -60,19 +58,19 @@ const TYPES: &[(&str, &str)] = &[
 ];
 
 impl Site {
-    /// The answer to a request; `None` stands for one that could not be read.
+    /// The answer to a request; `None` is a malformed one.
     pub fn answer(&self, request: Option<&Request>) -> Answer {
         let Some(request) = request else {
-            return Answer::words((400, "Bad Request"), "this is no HTTP/1.1 request");
+            return Answer::text((400, "Bad Request"), "this is not an HTTP/1.1 request");
         };
-        // A page from elsewhere may have its own name resolve to this machine, and would then be of the same origin
-        // (DNS rebinding): only our own names are answered.
+        // The name of a page from elsewhere may resolve to this machine, which would give that page the same origin (DNS
+        // rebinding). So only our own names are answered.
         if !request.host.as_deref().is_some_and(|host| self.is_own_name(host)) {
-            let own = format!("this server answers to localhost:{0} and 127.0.0.1:{0} alone", self.port);
-            return Answer::words((403, "Forbidden"), &own);
+            let own = format!("this server answers to localhost:{0} and 127.0.0.1:{0} only", self.port);
+            return Answer::text((403, "Forbidden"), &own);
         }
         if request.method == Method::Other {
-            let mut answer = Answer::words((405, "Method Not Allowed"), "only GET and HEAD are answered");
+            let mut answer = Answer::text((405, "Method Not Allowed"), "only GET and HEAD are answered");
             answer.headers.push(("Allow", "GET, HEAD".into()));
             return answer;
         }
@@ -83,7 +81,7 @@ impl Site {
 
     fn is_own_name(&self, host: &str) -> bool {
         ["localhost", "127.0.0.1"].iter().any(|name| match host.strip_prefix(name) {
-            // Port 80 is not said.
+            // Port 80 is left out of the header.
             Some("") => self.port == 80,
             Some(rest) => rest.strip_prefix(':') == Some(self.port.to_string().as_str()),
             None => false,
@@ -96,13 +94,13 @@ impl Site {
             name => name,
         };
         let Some(file) = self.page.file(name) else {
-            return Answer::words((404, "Not Found"), "there is no such file; the page is at /");
+            return Answer::text((404, "Not Found"), "there is no such file; the page is at /");
         };
-        let (encoding, body) = match file.read(|encoding| request.takes(encoding)) {
+        let (encoding, body) = match file.read(|encoding| request.accepts(encoding)) {
             Ok(read) => read,
-            Err(_) => return Answer::words((500, "Internal Server Error"), "the file cannot be read any more"),
+            Err(_) => return Answer::text((500, "Internal Server Error"), "the file can no longer be read"),
         };
-        // The content of a hashed name never changes; anything else is asked for anew each time.
+        // The content of a hashed name never changes; anything else is requested again each time.
         let caching = if is_hashed(name) { "public, max-age=31536000, immutable" } else { "no-cache" };
         let mut headers = vec![("Content-Type", content_type(name).to_owned()), ("Cache-Control", caching.to_owned())];
         if encoding != Encoding::Identity {
@@ -117,13 +115,13 @@ impl Site {
 
 impl Answer {
     /// An answer of one sentence.
-    pub fn words(status: (u16, &'static str), sentence: &str) -> Answer {
+    pub fn text(status: (u16, &'static str), sentence: &str) -> Answer {
         let headers =
             vec![("Content-Type", "text/plain; charset=utf-8".to_owned()), ("Cache-Control", "no-store".to_owned())];
         Answer { status, headers, body: format!("{sentence}\n").into_bytes(), head_only: false }
     }
 
-    /// The head as it is sent, with the empty line.
+    /// The head of the message, including the empty line.
     pub fn head(&self) -> String {
         let (code, reason) = self.status;
         let mut head = format!("HTTP/1.1 {code} {reason}\r\nContent-Length: {}\r\n", self.body.len());
@@ -135,7 +133,7 @@ impl Answer {
     }
 }
 
-/// Whether a name has its content's hash in it: `gonio.0123456789abcdef.wasm`.
+/// Whether a name contains the hash of its content: `gonio.0123456789abcdef.wasm`.
 fn is_hashed(name: &str) -> bool {
     let mut parts = name.rsplit('.');
     parts.next();
@@ -153,7 +151,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn hashes_are_told_from_words() {
+    fn hashes_are_recognised() {
         assert!(is_hashed("gonio.0123456789abcdef.wasm") && is_hashed("samples/a.b.0123456789abcdef.obj"));
         assert!(!is_hashed("index.html") && !is_hashed("gonio.0123456789ABCDEF.wasm"));
         assert!(!is_hashed("0123456789abcdef") && !is_hashed("gonio.0123456789abcde.wasm"));

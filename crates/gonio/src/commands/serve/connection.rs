@@ -1,4 +1,4 @@
-//! One connection: read a head, write an answer, close.
+//! One connection: reads a request's head, writes the answer, closes.
 
 use super::answer::{Answer, Site};
 use super::request::Request;
@@ -6,26 +6,26 @@ use std::io::{self, Read, Write};
 use std::net::{Shutdown, TcpStream};
 use std::time::{Duration, Instant};
 
-/// More than any browser sends.
+/// Longer heads are rejected; no browser sends them.
 const MOST_HEAD_BYTES: usize = 16 * 1024;
-/// How long a client may take to say what it wants.
-const PATIENCE: Duration = Duration::from_secs(10);
-/// How long a client may stop taking what it asked for.
+/// The time a client has to send its request.
+const REQUEST_TIMEOUT: Duration = Duration::from_secs(10);
+/// The time a client may pause while it receives the answer.
 const STALL: Duration = Duration::from_secs(60);
 
-/// Serves one request. `crowded`: there are too many connections for more than saying so.
+/// Serves one request, or answers that there are too many connections if `crowded`.
 ///
-/// What goes wrong with a connection is its client's business: it has gone, and there is nobody to tell.
+/// Errors of a connection are ignored: its client has gone.
 pub fn serve(mut stream: TcpStream, site: &Site, crowded: bool) {
     let answer = if crowded {
-        Answer::words((503, "Service Unavailable"), "too many connections at once; try again")
+        Answer::text((503, "Service Unavailable"), "too many connections at once; try again")
     } else {
         match read_head(&mut stream) {
             Ok(Head::Whole(bytes)) => site.answer(Request::parse(&bytes).as_ref()),
             Ok(Head::TooLong) => {
-                Answer::words((431, "Request Header Fields Too Large"), "the request's head is too long")
+                Answer::text((431, "Request Header Fields Too Large"), "the request's head is too long")
             }
-            Ok(Head::Late) => Answer::words((408, "Request Timeout"), "the request took too long"),
+            Ok(Head::Late) => Answer::text((408, "Request Timeout"), "the request took too long"),
             Ok(Head::Empty) | Err(_) => return,
         }
     };
@@ -36,12 +36,12 @@ enum Head {
     Whole(Vec<u8>),
     TooLong,
     Late,
-    /// Closed before it was whole.
+    /// Closed before it was complete.
     Empty,
 }
 
 fn read_head(stream: &mut TcpStream) -> io::Result<Head> {
-    let deadline = Instant::now() + PATIENCE;
+    let deadline = Instant::now() + REQUEST_TIMEOUT;
     let (mut head, mut buffer) = (Vec::new(), [0; 2048]);
     loop {
         let left = deadline.saturating_duration_since(Instant::now());
@@ -74,7 +74,7 @@ fn write(stream: &mut TcpStream, answer: &Answer) -> io::Result<()> {
         stream.write_all(&answer.body)?;
     }
     stream.shutdown(Shutdown::Write)?;
-    // Closing while the client still sends would take the answer away from it: let it finish, within bounds.
+    // Closing while the client still sends would discard the answer: let it finish, within bounds.
     stream.set_read_timeout(Some(Duration::from_secs(1)))?;
     let mut sink = [0; 2048];
     for _ in 0..64 {

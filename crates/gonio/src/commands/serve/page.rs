@@ -1,22 +1,22 @@
-//! The files of the page: built into the program, or in a folder.
+//! The files of the page, embedded in the program or in a folder.
 
 use crate::report::CliError;
 use std::collections::BTreeMap;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-/// `(name, bytes)` of the page that was there when this was compiled; see `build.rs`.
+/// `(name, bytes)` of the page that existed when this was compiled; see `build.rs`.
 const EMBEDDED: &[(&str, &[u8])] = include!(concat!(env!("OUT_DIR"), "/embedded_page.rs"));
 
-/// The page's files by their names: from the page's top, with `/`.
+/// The page's files by their names, relative to its top folder, with `/`.
 pub struct Page {
-    files: BTreeMap<String, Forms>,
+    files: BTreeMap<String, Encoded>,
 }
 
-/// One file, in the forms in which it is there.
+/// One file in the encodings that exist.
 #[derive(Default)]
-pub struct Forms {
-    /// As it is.
+pub struct Encoded {
+    /// Not compressed.
     plain: Option<Stored>,
     /// Compressed by brotli (RFC 7932).
     brotli: Option<Stored>,
@@ -24,25 +24,22 @@ pub struct Forms {
     gzip: Option<Stored>,
 }
 
-/// Where bytes are.
+/// The bytes of a file.
 enum Stored {
     Embedded(&'static [u8]),
     OnDisk(PathBuf),
 }
 
-/// How a file is sent.
+/// The content encoding of an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Encoding {
-    /// As it is.
     Identity,
-    /// `br`
     Brotli,
-    /// `gzip`
     Gzip,
 }
 
 impl Encoding {
-    /// As a header names it.
+    /// The name in headers.
     pub fn name(self) -> &'static str {
         match self {
             Encoding::Identity => "identity",
@@ -53,30 +50,30 @@ impl Encoding {
 }
 
 impl Page {
-    /// The page built into this program, if there is one.
+    /// The page embedded in this program, if it has one.
     pub fn embedded() -> Option<Page> {
         if EMBEDDED.is_empty() {
             return None;
         }
-        Some(Page::of(EMBEDDED.iter().map(|(name, bytes)| ((*name).to_owned(), Stored::Embedded(bytes)))))
+        Some(Page::from_files(EMBEDDED.iter().map(|(name, bytes)| ((*name).to_owned(), Stored::Embedded(bytes)))))
     }
 
-    /// The page in a folder. Only files that are there now will be served.
+    /// The page in a folder. Only files that exist now will be served.
     pub fn in_folder(folder: &Path) -> Result<Page, CliError> {
         let mut files = Vec::new();
         list(folder, "", &mut files).map_err(|error| CliError::io(folder.display(), &error))?;
-        let page = Page::of(files.into_iter().map(|(name, path)| (name, Stored::OnDisk(path))));
+        let page = Page::from_files(files.into_iter().map(|(name, path)| (name, Stored::OnDisk(path))));
         if page.file("index.html").is_none() {
             return Err(CliError::new(format!(
-                "{}: there is no index.html; `cargo xtask web` builds the page into dist",
+                "{}: there is no index.html; `cargo xtask web` builds the page into the folder dist",
                 folder.display()
             )));
         }
         Ok(page)
     }
 
-    fn of(stored: impl Iterator<Item = (String, Stored)>) -> Page {
-        let mut files: BTreeMap<String, Forms> = BTreeMap::new();
+    fn from_files(stored: impl Iterator<Item = (String, Stored)>) -> Page {
+        let mut files: BTreeMap<String, Encoded> = BTreeMap::new();
         for (name, bytes) in stored {
             if let Some(plain) = name.strip_suffix(".br") {
                 files.entry(plain.to_owned()).or_default().brotli = Some(bytes);
@@ -89,18 +86,17 @@ impl Page {
         Page { files }
     }
 
-    /// A file by its name.
-    pub fn file(&self, name: &str) -> Option<&Forms> {
+    pub fn file(&self, name: &str) -> Option<&Encoded> {
         self.files.get(name)
     }
 }
 
-impl Forms {
-    /// The smallest form that the client takes, and its bytes. Errors are of the disk.
-    pub fn read(&self, takes: impl Fn(&str) -> bool) -> io::Result<(Encoding, Vec<u8>)> {
-        for (form, encoding) in [(&self.brotli, Encoding::Brotli), (&self.gzip, Encoding::Gzip)] {
-            if let Some(stored) = form
-                && takes(encoding.name())
+impl Encoded {
+    /// The smallest encoding that the client accepts, and its bytes.
+    pub fn read(&self, accepts: impl Fn(&str) -> bool) -> io::Result<(Encoding, Vec<u8>)> {
+        for (stored, encoding) in [(&self.brotli, Encoding::Brotli), (&self.gzip, Encoding::Gzip)] {
+            if let Some(stored) = stored
+                && accepts(encoding.name())
             {
                 return Ok((encoding, stored.read()?));
             }
@@ -108,12 +104,12 @@ impl Forms {
         let bytes = match (&self.plain, &self.gzip) {
             (Some(plain), _) => plain.read()?,
             (None, Some(gzip)) => unpack(&gzip.read()?)?,
-            (None, None) => return Err(io::Error::other("it is there in brotli alone")),
+            (None, None) => return Err(io::Error::other("the file exists in brotli only")),
         };
         Ok((Encoding::Identity, bytes))
     }
 
-    /// Whether it depends on what the client takes.
+    /// Whether the answer depends on what the client accepts.
     pub fn varies(&self) -> bool {
         self.brotli.is_some() || self.gzip.is_some()
     }
@@ -128,14 +124,14 @@ impl Stored {
     }
 }
 
-/// Our own files, so there is no limit on what comes of them.
+/// Unpacks a file of our own, without a limit on its size.
 fn unpack(gzip: &[u8]) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     flate2::read::GzDecoder::new(gzip).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 
-/// Every file below the folder. Names that begin with a dot are nobody's page; links are not followed.
+/// Adds every file below the folder, except those whose names begin with a dot. Links are not followed.
 fn list(folder: &Path, above: &str, files: &mut Vec<(String, PathBuf)>) -> io::Result<()> {
     for entry in std::fs::read_dir(folder)? {
         let entry = entry?;

@@ -1,31 +1,27 @@
-//! The head of a request (RFC 9112), as far as files are asked for.
+//! The head of a request (RFC 9112), as far as a server of files needs it.
 
-/// Methods that are answered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
-    /// A file.
     Get,
-    /// What is known about a file.
     Head,
-    /// Anything else: refused.
+    /// Any other method, which is rejected.
     Other,
 }
 
-/// What a client asks for.
+/// A request for a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Request {
-    /// What to do.
     pub method: Method,
-    /// The path without its query, from the leading `/` on.
+    /// The path without its query, including the leading `/`.
     pub path: String,
-    /// The name by which the server was called. `None`: not said, or said more than once.
+    /// The `Host` header; `None` if it is missing or repeated.
     pub host: Option<String>,
-    /// Encodings that the client takes, as it wrote them.
+    /// The encodings that the client accepts, as it wrote them.
     pub accept_encoding: String,
 }
 
 impl Request {
-    /// From the bytes up to the empty line. `None`: this is no HTTP/1 request.
+    /// Parses the bytes up to the empty line; `None` if they are not an HTTP/1 request.
     pub fn parse(head: &[u8]) -> Option<Request> {
         let text = std::str::from_utf8(head).ok()?;
         let mut lines = text.split("\r\n");
@@ -47,7 +43,7 @@ impl Request {
             if name.eq_ignore_ascii_case("host") {
                 hosts.push(value.to_ascii_lowercase());
             } else if name.eq_ignore_ascii_case("accept-encoding") {
-                // A header said twice means the same as once with commas.
+                // Repeating a header means the same as commas in one.
                 accept_encoding = [accept_encoding.as_str(), value].join(",");
             }
         }
@@ -55,12 +51,12 @@ impl Request {
         Some(Request { method, path, host, accept_encoding })
     }
 
-    /// Whether the client takes this encoding (RFC 9110, 12.5.3): named, or covered by `*`, and not with weight 0.
-    pub fn takes(&self, encoding: &str) -> bool {
-        let weight_of = |wanted: &str| {
+    /// Whether the client accepts this encoding (RFC 9110, 12.5.3): named or covered by `*`, with a weight above 0.
+    pub fn accepts(&self, encoding: &str) -> bool {
+        let weight_of = |name: &str| {
             self.accept_encoding.split(',').find_map(|item| {
                 let mut parts = item.split(';').map(str::trim);
-                if !parts.next()?.eq_ignore_ascii_case(wanted) {
+                if !parts.next()?.eq_ignore_ascii_case(name) {
                     return None;
                 }
                 let weight = parts.find_map(|part| part.strip_prefix("q="));
@@ -83,15 +79,15 @@ mod tests {
     fn a_request_is_read() {
         let Some(request) = parse("GET /a/b.js?x=1 HTTP/1.1\r\nHOST: Localhost:80\r\nAccept-Encoding: br\r\n\r\n")
         else {
-            panic!("refused");
+            panic!("rejected");
         };
         assert_eq!((request.method, request.path.as_str()), (Method::Get, "/a/b.js"));
         assert_eq!(request.host.as_deref(), Some("localhost:80"));
-        assert!(request.takes("br") && !request.takes("gzip"));
+        assert!(request.accepts("br") && !request.accepts("gzip"));
     }
 
     #[test]
-    fn what_is_no_request_is_refused() {
+    fn malformed_requests_are_rejected() {
         for bad in [
             "",
             "GET /\r\n\r\n",
@@ -113,13 +109,13 @@ mod tests {
 
     #[test]
     fn weights_of_encodings_count() {
-        let takes = |list: &str, encoding: &str| {
-            parse(&format!("GET / HTTP/1.1\r\nAccept-Encoding: {list}\r\n\r\n")).is_some_and(|r| r.takes(encoding))
+        let accepts = |list: &str, encoding: &str| {
+            parse(&format!("GET / HTTP/1.1\r\nAccept-Encoding: {list}\r\n\r\n")).is_some_and(|r| r.accepts(encoding))
         };
-        assert!(takes("gzip, deflate, br", "br"));
-        assert!(takes("gzip;q=0.5", "gzip"));
-        assert!(!takes("br;q=0, gzip", "br"));
-        assert!(takes("*", "br") && !takes("*;q=0", "br") && !takes("br;q=0, *", "br"));
-        assert!(!takes("", "gzip"));
+        assert!(accepts("gzip, deflate, br", "br"));
+        assert!(accepts("gzip;q=0.5", "gzip"));
+        assert!(!accepts("br;q=0, gzip", "br"));
+        assert!(accepts("*", "br") && !accepts("*;q=0", "br") && !accepts("br;q=0, *", "br"));
+        assert!(!accepts("", "gzip"));
     }
 }

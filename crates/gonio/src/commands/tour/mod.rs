@@ -7,7 +7,7 @@ mod command;
 mod draw;
 mod report;
 
-use crate::cli::{BackendOptions, WordOptions};
+use crate::cli::{BackendOptions, GeneralOptions};
 use crate::output::{FileSet, atomic};
 use crate::report::{CliError, Outcome, Reporter, Times};
 use crate::values;
@@ -19,7 +19,7 @@ use std::time::Instant;
 
 /// Draw every technique on several models: a contact sheet and a web page.
 #[derive(Args, Debug)]
-#[command(after_help = "\
+#[command(after_long_help = "\
 Examples:
   gonio tour -o tour
       Then open tour/index.html; tour/sheet.png has all pictures on one sheet.
@@ -30,18 +30,16 @@ Examples:
 
 The tour needs no files and no network: its models and environments are built in.")]
 pub struct TourArgs {
-    /// The folder to write to; made where it is missing, updated where it is there.
-    #[arg(long, short, value_name = "DIR", default_value = "tour")]
+    /// Folder to write to, created or updated.
+    #[arg(long, short, value_name = "DIR", default_value = "tour", help_heading = "Output options")]
     pub output: PathBuf,
     /// Size of everything, 1 by default (for tests).
     #[arg(long, hide = true, value_name = "FACTOR", value_parser = scale, default_value = "1")]
     pub scale: f64,
-    /// Who draws.
     #[command(flatten)]
     pub backend: BackendOptions,
-    /// What is said.
     #[command(flatten)]
-    pub words: WordOptions,
+    pub general: GeneralOptions,
 }
 
 fn scale(text: &str) -> Result<f64, String> {

@@ -1,8 +1,9 @@
-//! A host program: its calls made, its picture, its frame.
+//! A GL program: its calls are executed, its picture is written, its frame is listed.
 
 use super::DrawArgs;
 use crate::capture::Recorder;
 use crate::commands::frame;
+use crate::output::OutputPath;
 use crate::page::Page;
 use crate::report::{CliError, Outcome, Reporter};
 use gonio_check::submission::SourceFile;
@@ -11,12 +12,11 @@ use gonio_gl::trace::Severity;
 use gonio_render::gl_program::{GlProgramOptions, GlProgramRun};
 use serde_json::json;
 
-/// Draws it, and shows what was asked for.
 pub fn run(args: &DrawArgs, files: Vec<SourceFile>, reporter: &Reporter) -> Result<Outcome, CliError> {
     let program = the_program(&files)?;
     let recorder = args.capture.as_deref().map(Recorder::new).transpose()?;
     let context = super::context()?;
-    let run = carried_out(args, &program, &files, recorder, &context)?;
+    let run = execute(args, &program, &files, recorder, &context)?;
     super::write_picture(args, run.size, upright(&run))?;
     if reporter.json() {
         let refused = |error: &gonio_render::gl_program::CallError| {
@@ -37,19 +37,24 @@ pub fn run(args: &DrawArgs, files: Vec<SourceFile>, reporter: &Reporter) -> Resu
     } else {
         for error in &run.errors {
             reporter.warning(format!(
-                "{}:{}: OpenGL refuses {} ({}): {}",
+                "{}:{}: OpenGL rejects {} ({}): {}",
                 program.file, error.line, error.call, error.code, error.why
             ));
         }
         if let Some(shown) = args.shown() {
-            reporter.text(&page(&program, &run, shown)?)?;
+            let page = page(&program, &run, shown)?;
+            if args.output.as_ref().is_some_and(OutputPath::is_stdout) {
+                reporter.text_on_stderr(&page);
+            } else {
+                reporter.text(&page)?;
+            }
         }
     }
     std::mem::forget(context);
     Ok(Outcome::Done)
 }
 
-/// Its pixels in 8 bits, the top row first.
+/// The pixels in 8 bits, the top row first.
 fn upright(run: &GlProgramRun) -> Vec<u8> {
     let rows = run.pixels.chunks_exact(run.size[0] as usize).rev();
     let byte = |channel: f32| (channel.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
@@ -60,15 +65,15 @@ fn the_program(files: &[SourceFile]) -> Result<HostProgram, CliError> {
     let programs: Vec<&SourceFile> = files.iter().filter(|file| file.name.ends_with(".txt")).collect();
     let [file] = programs.as_slice() else {
         return Err(CliError::new(match programs.len() {
-            0 => "there is no host program among the files; it is a .txt as the exercise's text says".to_owned(),
-            count => format!("there are {count} host programs among the files; name the one that is to be drawn"),
+            0 => "there is no GL program among the files; the exercise's text describes its .txt file".to_owned(),
+            count => format!("there are {count} GL programs among the files; name the one to draw"),
         }));
     };
     HostProgram::parse_bytes(&file.bytes, &file.name)
         .map_err(|errors| CliError::lines(errors.iter().map(ToString::to_string)))
 }
 
-fn carried_out(
+fn execute(
     args: &DrawArgs,
     program: &HostProgram,
     files: &[SourceFile],
@@ -76,7 +81,7 @@ fn carried_out(
     context: &gonio_gl::HeadlessContext,
 ) -> Result<GlProgramRun, CliError> {
     let mut known = gl_program::exercise_files();
-    // Shaders of one's own, by their names without folders: `create_program` looks for them beside the program.
+    // The student's shaders, by their names without folders: `create_program` looks for them beside the program.
     for file in files.iter().filter(|file| !file.name.ends_with(".txt")) {
         let name = file.name.rsplit(['/', '\\']).next().unwrap_or(&file.name);
         if let Ok(text) = std::str::from_utf8(&file.bytes) {
@@ -96,7 +101,7 @@ fn carried_out(
     run.map_err(|failure| CliError::new(format!("{}: {failure}", program.file)))
 }
 
-/// The frame as text, and the program's line of each draw.
+/// The frame as text, with the program's line of each draw call.
 fn page(program: &HostProgram, run: &GlProgramRun, shown: frame::Shown) -> Result<Page, CliError> {
     let about = format!("frame of {}, {} x {} pixels", program.file, run.size[0], run.size[1]);
     let mut text = frame::page(&about, &run.record, &run.findings, shown)?;
@@ -110,7 +115,7 @@ fn page(program: &HostProgram, run: &GlProgramRun, shown: frame::Shown) -> Resul
             text.line(format_args!("draw {number} is line {line}: {}", quoted.replace('\t', "    ")));
         }
         if wrong {
-            text.line("`--draw 0` shows all that the first one read.");
+            text.line("`--draw 0` shows everything that the first one read.");
         }
     }
     Ok(text)

@@ -1,4 +1,4 @@
-//! `gonio lab draw`: what a student's files draw, and how.
+//! `gonio lab draw`: the picture of a student's files, and the OpenGL calls behind it.
 
 mod host;
 mod shaders;
@@ -7,11 +7,13 @@ pub use shaders::goal;
 
 use super::{exercise, guard, intake};
 use crate::capture;
-use crate::cli::WordOptions;
+use crate::cli::GeneralOptions;
 use crate::commands::frame::Shown;
-use crate::output::atomic;
+use crate::output::path::check_stdout;
+use crate::output::{Content, OutputPath};
 use crate::report::{CliError, Outcome, Reporter};
 use crate::values;
+use crate::version;
 use clap::Args;
 use gonio_check::submission::SourceFile;
 use gonio_exercises::exercise::Kind;
@@ -21,63 +23,62 @@ use gonio_image::EncodedPicture;
 use gonio_image::encode::png::{self, ColorTag};
 use std::path::PathBuf;
 
-/// Draw what a student's files draw, and take the frame apart.
+/// Draw a student's files, and list the OpenGL calls of the frame.
 #[derive(Args, Debug)]
-#[command(after_help = "\
+#[command(after_long_help = "\
 Examples:
   gonio lab draw ex07 mine -o mine.png
-      What a pair of shaders draws, in the lab's own scene; --scene stretched shows what that hides.
+      The picture of a pair of shaders in the lab's own scene. --scene stretched shows what that scene hides.
   gonio lab draw ex11 host/texture-name-as-unit.txt -o triangle.png
-      The picture of a host program: its OpenGL calls are really made.
+      The picture of a GL program, whose OpenGL calls are executed.
   gonio lab draw ex11 host/texture-name-as-unit.txt --frame
-      The frame taken apart: which sampler reads which unit, what lies there, and what is wrong with it.
+      Its draw calls, samplers, the units and textures that they read, and what is wrong with them.
   gonio lab draw ex11 host/texture-name-as-unit.txt --capture triangle.rdc
-      For RenderDoc's own window.
+      A capture for RenderDoc.
   gonio lab draw ex11 -o right.png
-      Without files: the right answer.")]
+      Without files, the reference solution.")]
 pub struct DrawArgs {
-    /// Which: ex11, or 11.
+    /// Exercise: ex11, or 11.
     #[arg(value_name = "EX")]
     pub exercise: String,
-    /// The student's files, or the folder or zip that they are in; the right answer, where none is named.
+    /// The student's files, or their folder or zip; by default the reference solution.
     #[arg(value_name = "FILE")]
     pub files: Vec<PathBuf>,
-    /// Write the picture here.
-    #[arg(long, short, value_name = "FILE.png", help_heading = "Output")]
-    pub output: Option<PathBuf>,
+    /// Write the picture; - is stdout.
+    #[arg(long, short, value_name = "FILE.png", help_heading = "Output options")]
+    pub output: Option<OutputPath>,
     /// Pixels along each side of the picture.
     #[arg(long, value_name = "PIXELS", default_value_t = 512, value_parser = clap::value_parser!(u32).range(16..=4096),
-          help_heading = "Output")]
+          help_heading = "Output options")]
     pub size: u32,
-    /// Also write a RenderDoc capture of it, for RenderDoc's own window.
-    #[arg(long, value_name = "FILE.rdc", help_heading = "Output")]
+    /// Also write a RenderDoc capture.
+    #[arg(long, value_name = "FILE.rdc", help_heading = "Output options")]
     pub capture: Option<PathBuf>,
-    /// Of a pair of shaders: the scene, by its name; the lab's own, where none is named.
-    #[arg(long, value_name = "NAME", help_heading = "Details")]
+    /// Scene for a pair of shaders, by its name; by default the lab's own.
+    #[arg(long, value_name = "NAME", help_heading = "Detail options")]
     pub scene: Option<String>,
-    /// Of a host program: the frame taken apart, draws, samplers, textures and programs.
-    #[arg(long, help_heading = "Details")]
+    /// List the draw calls, samplers, textures and programs of a GL program's frame.
+    #[arg(long, help_heading = "Detail options")]
     pub frame: bool,
-    /// Of a host program: one draw with all that it read, by its number.
-    #[arg(long, value_name = "N", help_heading = "Details", conflicts_with = "program")]
+    /// Show one draw call of a GL program with everything it read, by its number.
+    #[arg(long, value_name = "N", help_heading = "Detail options", conflicts_with = "program")]
     pub draw: Option<usize>,
-    /// Of a host program: a program with its GLSL, by its number.
-    #[arg(long, value_name = "N", help_heading = "Details")]
+    /// Show a program of a GL program with its GLSL, by its number.
+    #[arg(long, value_name = "N", help_heading = "Detail options")]
     pub program: Option<usize>,
-    /// Seconds: where a moving light is.
+    /// Time in seconds, for a light that moves.
     #[arg(long, value_name = "SECONDS", value_parser = values::number, allow_negative_numbers = true, default_value = "0",
-          help_heading = "Details")]
+          help_heading = "Detail options")]
     pub time: f64,
     /// Draw in this process, which the caller guards.
     #[arg(long, hide = true)]
     pub in_this_process: bool,
-    /// What is said.
     #[command(flatten)]
-    pub words: WordOptions,
+    pub general: GeneralOptions,
 }
 
 impl DrawArgs {
-    /// What of the frame is asked for.
+    /// The part of the frame to list.
     fn shown(&self) -> Option<Shown> {
         match (self.draw, self.program) {
             (Some(number), _) => Some(Shown::Draw(number)),
@@ -87,9 +88,9 @@ impl DrawArgs {
     }
 }
 
-/// Draws.
 pub fn run(args: &DrawArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     let exercise = exercise(&args.exercise)?;
+    check_stdout(args.output.iter().map(|output| (output, Content::Binary)), reporter)?;
     if !args.in_this_process {
         return guard::run_again("--in-this-process");
     }
@@ -97,13 +98,17 @@ pub fn run(args: &DrawArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
         capture::prepare(target)?;
     }
     if args.output.is_none() && args.capture.is_none() && args.shown().is_none() && !reporter.json() {
-        return Err(CliError::new("nothing was asked for; `-o picture.png` writes the picture"));
+        return Err(CliError::new("nothing to do; `-o picture.png` writes the picture"));
     }
     guard::end_with_the_caller();
     let submitted = match args.files.as_slice() {
         [] => exercise.reference_files().map(|(name, text)| SourceFile::new(name, text)).collect(),
         named => intake::read(named)?,
     };
+    for file in &submitted {
+        reporter.verbose(format_args!("read `{}`, {} bytes", file.name, file.bytes.len()));
+    }
+    version::report_driver(reporter);
     match exercise.kind {
         Kind::HostProgram => host::run(args, submitted, reporter),
         Kind::Shaders if preview::is_drawn(exercise) => shaders::run(args, exercise, submitted, reporter),
@@ -111,18 +116,20 @@ pub fn run(args: &DrawArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     }
 }
 
-/// A context; with what stands in the way where there is none.
+/// A context without a window.
 fn context() -> Result<HeadlessContext, CliError> {
     HeadlessContext::new().map_err(|why| CliError::new(why.message.replace("; `--backend cpu` needs none", "")))
 }
 
-/// Writes RGBA, the top row first, where a picture was asked for. The lab's colours are written without any encoding.
+/// Writes RGBA rows, the top row first, if there is an output. The lab's colours are written without encoding.
 fn write_picture(args: &DrawArgs, size: [u32; 2], rgba: Vec<u8>) -> Result<(), CliError> {
-    let Some(path) = &args.output else { return Ok(()) };
-    if !path.extension().is_some_and(|end| end.eq_ignore_ascii_case("png")) {
-        return Err(CliError::new(format!("`{}`: a picture is a .png file", path.display())));
+    let Some(output) = &args.output else { return Ok(()) };
+    if let Some(path) = output.file()
+        && !path.extension().is_some_and(|end| end.eq_ignore_ascii_case("png"))
+    {
+        return Err(CliError::new(format!("`{output}`: pictures are written as .png only")));
     }
-    atomic::write(path, &encoded(size, rgba)?)
+    output.write(&encoded(size, rgba)?)
 }
 
 fn encoded([width, height]: [u32; 2], rgba: Vec<u8>) -> Result<Vec<u8>, CliError> {

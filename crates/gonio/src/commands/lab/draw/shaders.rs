@@ -1,4 +1,4 @@
-//! A pair of shaders, drawn in the exercise's scene.
+//! Drawing a pair of shaders in the exercise's scene.
 
 use super::DrawArgs;
 use crate::capture::Recorder;
@@ -10,24 +10,23 @@ use gonio_gl::HeadlessContext;
 use gonio_render::{DisplayTexture, Renderer};
 use serde_json::json;
 
-/// Where nothing is drawn: the window's own dark grey.
+/// The colour where nothing is drawn: the window's dark grey.
 const BACKGROUND: [f32; 3] = [0.13, 0.14, 0.16];
-/// Only what is touched is really taken.
+/// Stack of the drawing thread. The system commits only what is used.
 const STACK_BYTES: usize = 256 << 20;
 
-/// Pixels along each side of the picture of a goal.
+/// Pixels along each side of the picture to reach.
 const GOAL: u32 = 512;
 
-/// What came of a pair.
+/// The result of drawing a pair.
 struct Drawn {
-    /// RGBA, the top row first.
+    /// RGBA rows, the top row first.
     rgba: Vec<u8>,
     notes: Vec<Note>,
     warnings: Vec<String>,
     given: Vec<Given>,
 }
 
-/// Draws it.
 pub fn run(
     args: &DrawArgs,
     exercise: &'static Exercise,
@@ -36,7 +35,7 @@ pub fn run(
 ) -> Result<Outcome, CliError> {
     if args.shown().is_some() {
         return Err(CliError::new(
-            "--frame, --draw and --program take a host program's frame apart; a pair of shaders has one draw a body",
+            "--frame, --draw and --program list the frame of a GL program; a pair of shaders has one draw call per body",
         ));
     }
     let source = Source::gather(exercise, files).map_err(CliError::new)?;
@@ -45,7 +44,7 @@ pub fn run(
     let size = [args.size; 2];
     let drawn = on_a_large_stack(args.size, args.time, source, scene.clone(), recorder)?;
     for note in drawn.notes.iter().filter(|note| note.kind == NoteKind::Warning) {
-        reporter.warning(told(note));
+        reporter.warning(note_text(note));
     }
     for warning in &drawn.warnings {
         reporter.warning(warning);
@@ -62,13 +61,13 @@ pub fn run(
             "scene": scene.name,
             "size": size,
             "bound": drawn.given.iter().map(given).collect::<Vec<_>>(),
-            "warnings": drawn.notes.iter().map(told).chain(drawn.warnings.iter().cloned()).collect::<Vec<_>>(),
+            "warnings": drawn.notes.iter().map(note_text).chain(drawn.warnings.iter().cloned()).collect::<Vec<_>>(),
         }))?;
     }
     Ok(Outcome::Done)
 }
 
-/// What the right answer draws, as PNG; an error where it cannot be drawn here.
+/// The picture of the reference solution, as PNG; an error if it cannot be drawn here.
 pub fn goal(exercise: &'static Exercise) -> Result<Vec<u8>, CliError> {
     let source = preview::reference(exercise).map_err(CliError::new)?;
     let scene = preview::scenes(exercise).into_iter().next();
@@ -77,18 +76,18 @@ pub fn goal(exercise: &'static Exercise) -> Result<Vec<u8>, CliError> {
     super::encoded([GOAL; 2], drawn.rgba)
 }
 
-/// The scene that was named, or the lab's own.
+/// The scene that `--scene` names, or the lab's own.
 fn scene(args: &DrawArgs, exercise: &Exercise) -> Result<Scene, CliError> {
     let scenes = preview::scenes(exercise);
-    let Some(wanted) = &args.scene else {
+    let Some(name) = &args.scene else {
         return scenes.into_iter().next().ok_or_else(|| CliError::new(format!("{} has no scene", exercise.id)));
     };
     let names: Vec<&str> = scenes.iter().map(|scene| scene.name).collect();
-    let known = format!("{} has no scene `{wanted}`; it has {}", exercise.id, names.join(", "));
-    scenes.into_iter().find(|scene| scene.name == *wanted).ok_or_else(|| CliError::new(known))
+    let known = format!("{} has no scene `{name}`; its scenes are {}", exercise.id, names.join(", "));
+    scenes.into_iter().find(|scene| scene.name == *name).ok_or_else(|| CliError::new(known))
 }
 
-/// In a thread with a large stack: drivers recurse along a shader's expressions.
+/// Draws in a thread with a large stack: drivers recurse along a shader's expressions.
 fn on_a_large_stack(
     size: u32,
     time: f64,
@@ -99,7 +98,7 @@ fn on_a_large_stack(
     let drawing = std::thread::Builder::new().stack_size(STACK_BYTES);
     let drawing = drawing
         .spawn(move || draw(size, time, &source, &scene, recorder))
-        .map_err(|error| CliError::io("the drawing could not be started", &error))?;
+        .map_err(|error| CliError::io("cannot start the drawing", &error))?;
     drawing.join().unwrap_or_else(|_| std::process::abort())
 }
 
@@ -112,10 +111,10 @@ fn draw(
 ) -> Result<Drawn, CliError> {
     let context: HeadlessContext = super::context()?;
     let gl = context.gl();
-    let pair = source.compile(gl).map_err(refused)?;
+    let pair = source.compile(gl).map_err(compile_error)?;
     if !pair.has_position() {
         return Err(CliError::new(
-            "no attribute was found that could be the position; call it `position`, or say in names.toml which it is",
+            "no attribute could be recognised as the position; call it `position`, or state it in names.toml",
         ));
     }
     let sky = match scene.has_sky {
@@ -142,18 +141,18 @@ fn draw(
     }
     let given = bodies.first().map(|(_, situation)| pair.given(situation)).unwrap_or_default();
     let Pair { notes, warnings, .. } = pair;
-    // As in render: the process ends next.
+    // The process ends next, and the system frees it faster.
     std::mem::forget((renderer, canvas, stage, sky, context));
     Ok(Drawn { rgba, notes, warnings, given })
 }
 
-/// What does not compile, a line each.
-fn refused(notes: Vec<Note>) -> CliError {
-    CliError::lines(notes.iter().map(told))
+/// The errors of a compiler, one line each.
+fn compile_error(notes: Vec<Note>) -> CliError {
+    CliError::lines(notes.iter().map(note_text))
 }
 
-/// A message at the student's own line.
-fn told(note: &Note) -> String {
+/// A note with its place in the student's files.
+fn note_text(note: &Note) -> String {
     let message = &note.message;
     let place = match (message.line, message.column) {
         (Some(line), Some(column)) => format!("{}:{line}:{column}", message.file),

@@ -1,4 +1,4 @@
-//! The files of one submission, within bounds.
+//! Reading the files of one submission, within limits.
 
 use super::tree::Tree;
 use gonio_check::submission::SourceFile;
@@ -8,21 +8,22 @@ use gonio_exercises::class::is_noise;
 const MAX_BYTES: u64 = 128 << 20;
 /// Files of a submission.
 const MAX_FILES: usize = 2000;
-/// Entries that are looked at, and folders and archives within one another.
+/// Entries that are visited.
 const MAX_VISITED: usize = 20_000;
+/// Folders and archives within one another.
 const MAX_DEPTH: usize = 32;
 
 /// The files of a submission.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Gathered {
-    /// In order of their places in the submission.
+    /// The files in the order of the submission.
     pub files: Vec<SourceFile>,
-    /// Each thing that was left out: its name and the reason.
+    /// What was left out: a name and the reason each.
     pub left_out: Vec<String>,
 }
 
-/// Reads what these trees hold, each under a name of its own: that of a file, or the folder that its files get (empty
-/// for none). Small files are read first, so that no large one keeps a shader out.
+/// Reads the files of these trees. Each tree has a name: that of a file, or of the folder that its files get (empty for none).
+/// Small files are read first, so that a large one cannot keep a shader out.
 pub fn gather<'a>(roots: impl IntoIterator<Item = (&'a Tree, String)>) -> Gathered {
     let mut walk = Walk::default();
     for (tree, name) in roots {
@@ -50,7 +51,7 @@ pub fn gather<'a>(roots: impl IntoIterator<Item = (&'a Tree, String)>) -> Gather
     }
     if over > 0 {
         gathered.left_out.push(format!(
-            "the {over} largest files; {MAX_FILES} files and {} MiB are read of a submission",
+            "the {over} largest files; at most {MAX_FILES} files and {} MiB of a submission are read",
             MAX_BYTES >> 20
         ));
     }
@@ -83,7 +84,7 @@ impl Walk {
             return;
         }
         if depth >= MAX_DEPTH {
-            return self.left_out.push(format!("{name}: folders are read {MAX_DEPTH} deep"));
+            return self.left_out.push(format!("{name}: folders are read up to {MAX_DEPTH} deep"));
         }
         match tree.children() {
             Ok(children) => {

@@ -1,6 +1,6 @@
-//! From the paths that a person names to submissions: one, or those of a class.
+//! From the paths on the command line to submissions: one, or those of a class.
 //!
-//! [`tree`] reads folders and archives, [`gonio_exercises::class`] tells submissions apart, [`gather()`] reads the files of one.
+//! [`tree`] reads folders and archives, [`gonio_exercises::class`] separates submissions, [`gather()`] reads the files of one.
 
 mod gather;
 mod tree;
@@ -19,43 +19,41 @@ use gonio_exercises::preview;
 use std::path::{Path, PathBuf};
 use tree::Tree;
 
-/// How many submissions the paths are.
+/// A value of `--submissions`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Submissions {
-    /// Tell it from names and contents.
+    /// Decide by names and contents.
     #[default]
     Auto,
-    /// One.
+    /// One submission.
     One,
     /// One for each folder, archive and answer, or for each student of a flat download.
     Many,
 }
 
-/// What the paths are.
+/// The submissions of a command.
 pub enum Intake {
-    /// One submission.
     One(Gathered),
-    /// Several.
     Class(Class),
 }
 
 /// Several submissions.
 pub struct Class {
-    /// In order of their labels, which are all different.
+    /// The submissions in order of their labels, which are unique.
     pub submissions: Vec<Submission>,
-    /// What belongs to no submission: `name (reason)`.
+    /// Entries that belong to no submission: `name (reason)`.
     pub skipped: Vec<String>,
 }
 
-/// One submission of several; its files are read by [`Submission::gather`].
+/// One submission of several. [`Submission::gather`] reads its files.
 pub struct Submission {
-    /// The student's, folder's or archive's name.
+    /// The name of the student, folder or archive.
     pub label: String,
     members: Vec<(Tree, String)>,
 }
 
 impl Submission {
-    /// Its files.
+    /// Reads its files.
     pub fn gather(&self) -> Gathered {
         gather(self.members.iter().map(|(tree, name)| (tree, name.clone())))
     }
@@ -65,11 +63,16 @@ impl Submission {
 ///
 /// # Errors
 /// A path that cannot be read.
-pub fn take(paths: &[PathBuf], exercise: &Exercise, asked: Submissions, as_class: bool) -> Result<Intake, CliError> {
+pub fn take(
+    paths: &[PathBuf],
+    exercise: &Exercise,
+    requested: Submissions,
+    as_class: bool,
+) -> Result<Intake, CliError> {
     let trees = paths.iter().map(|path| tree_of(path)).collect::<Result<Vec<Tree>, CliError>>()?;
-    let label = match asked {
+    let label = match requested {
         Submissions::One => first_name(&trees),
-        Submissions::Auto | Submissions::Many => match class_of(&trees, exercise, asked) {
+        Submissions::Auto | Submissions::Many => match class_of(&trees, exercise, requested) {
             Ok(class) => return Ok(Intake::Class(class)),
             Err(label) => label,
         },
@@ -86,17 +89,17 @@ fn first_name(trees: &[Tree]) -> String {
     trees.first().map_or_else(String::new, |tree| tree.name.clone())
 }
 
-/// The files at these paths as one submission, for commands that know nothing of classes.
+/// Reads the files at these paths as one submission, for commands that check no classes.
 ///
 /// # Errors
-/// A path that cannot be read, or nothing in them that can.
+/// A path that cannot be read, or no files in them.
 pub fn read(paths: &[PathBuf]) -> Result<Vec<SourceFile>, CliError> {
     let trees = paths.iter().map(|path| tree_of(path)).collect::<Result<Vec<Tree>, CliError>>()?;
     gather_some(&members(paths, trees)).map(|gathered| gathered.files)
 }
 
 fn tree_of(path: &Path) -> Result<Tree, CliError> {
-    Tree::of_path(path).map_err(|why| CliError::new(format!("{}: {why}", tree::shown(path.as_os_str()))))
+    Tree::open(path).map_err(|why| CliError::new(format!("{}: {why}", tree::shown(path.as_os_str()))))
 }
 
 /// The trees at these paths with their names in one submission.
@@ -108,7 +111,7 @@ fn members(paths: &[PathBuf], trees: Vec<Tree>) -> Vec<(Tree, String)> {
     trees.into_iter().zip(paths).map(named).collect()
 }
 
-/// A damaged archive, say, and nothing else is an error rather than a submission without files.
+/// Reads the files. If there are none because of a damaged archive, say, that is an error.
 fn gather_some(members: &[(Tree, String)]) -> Result<Gathered, CliError> {
     let gathered = gather(members.iter().map(|(tree, name)| (tree, name.clone())));
     match gathered.left_out.first() {
@@ -117,8 +120,8 @@ fn gather_some(members: &[(Tree, String)]) -> Result<Gathered, CliError> {
     }
 }
 
-/// A file is called as the person called it. The files of a folder or an archive are called as within it; of several
-/// folders the names tell which.
+/// The name of a path in a submission: that of a file as it was given; none for a folder or an archive, whose files have their
+/// names within it, unless there are several.
 fn root_name(path: &Path, tree: &Tree, count: usize) -> String {
     match tree.is_container() {
         false => tree::shown(path.as_os_str()),
@@ -127,13 +130,13 @@ fn root_name(path: &Path, tree: &Tree, count: usize) -> String {
     }
 }
 
-/// The class, if the trees are one; else the label of the one submission that they are: the innermost folder or archive
-/// that holds all of it and is not named like a part of a project.
-fn class_of(trees: &[Tree], exercise: &Exercise, asked: Submissions) -> Result<Class, String> {
+/// The class, if the trees form one; else the label of the single submission: the name of the innermost folder or archive that
+/// contains all of it, unless that is the name of a part of a project.
+fn class_of(trees: &[Tree], exercise: &Exercise, requested: Submissions) -> Result<Class, String> {
     let mut level: Vec<Tree> = trees.to_vec();
     let mut label = first_name(trees);
     let mut skipped = Vec::new();
-    // A folder or an archive named by itself is where the submissions are.
+    // A single folder or archive contains the submissions.
     let mut within = match trees {
         [only] if only.is_container() => Some(0),
         _ => None,
@@ -148,25 +151,25 @@ fn class_of(trees: &[Tree], exercise: &Exercise, asked: Submissions) -> Result<C
             skipped.extend(rest.map(|(_, tree)| format!("{} (it holds no answer)", tree.name)));
             level = match outer.children() {
                 Ok(children) => children,
-                // The reason is for whoever gathers it to say.
+                // Gathering it reports the reason.
                 Err(_) => return Err(label),
             };
         }
         let entry = |tree: &Tree| Entry { name: tree.name.clone(), is_container: tree.is_container() };
         let entries: Vec<Entry> = level.iter().map(entry).collect();
-        let answers = |at: usize| holds_answer(exercise, &level[at]);
+        let answers = |at: usize| contains_answer(exercise, &level[at]);
         match class::layout(&entries, &answers) {
-            Layout::Many(many) => return Ok(of_groups(many, &level, skipped)),
+            Layout::Many(many) => return Ok(class_from_groups(many, &level, skipped)),
             Layout::Within(at) => within = Some(at),
-            Layout::One if asked == Submissions::Many && entries.iter().any(|entry| entry.is_container) => {
-                return Ok(of_groups(class::each(&entries, &answers), &level, skipped));
+            Layout::One if requested == Submissions::Many && entries.iter().any(|entry| entry.is_container) => {
+                return Ok(class_from_groups(class::each(&entries, &answers), &level, skipped));
             }
             Layout::One => return Err(label),
         }
     }
 }
 
-fn of_groups(many: Many, level: &[Tree], mut skipped: Vec<String>) -> Class {
+fn class_from_groups(many: Many, level: &[Tree], mut skipped: Vec<String>) -> Class {
     let reason = |at: usize, why| format!("{} ({})", level[at].name, level[at].unread().unwrap_or(why));
     skipped.extend(many.skipped.iter().map(|&(at, why)| reason(at, why)));
     let member = |(at, name): (usize, String)| {
@@ -181,7 +184,7 @@ fn of_groups(many: Many, level: &[Tree], mut skipped: Vec<String>) -> Class {
     Class { submissions: many.submissions.into_iter().map(submission).collect(), skipped }
 }
 
-fn holds_answer(exercise: &Exercise, tree: &Tree) -> bool {
+fn contains_answer(exercise: &Exercise, tree: &Tree) -> bool {
     if !tree.is_container() {
         let file = tree.bytes().map(|bytes| SourceFile { name: tree.name.clone(), bytes });
         return file.is_ok_and(|file| preview::is_answer(exercise, &file));

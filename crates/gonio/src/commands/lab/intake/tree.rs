@@ -1,7 +1,7 @@
-//! Folders and archives as one tree, read where it is looked at.
+//! Folders and archives as one tree, which is read on demand.
 //!
-//! Nothing here trusts what it reads: links are not followed, nothing but regular files is opened, an archive is
-//! unpacked entry by entry and never beyond what its directory says.
+//! Nothing here trusts its input: links are not followed, only regular files are opened, and an archive is unpacked entry by
+//! entry, never beyond the sizes in its directory.
 
 use crate::report::io_reason;
 use gonio_app::files::zip;
@@ -12,9 +12,9 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Files larger than this are no answer to any exercise.
+/// Larger files are not an answer to any exercise.
 pub const MAX_FILE_BYTES: u64 = 32 << 20;
-/// An archive within another has to be unpacked as a whole.
+/// Most bytes of an archive within another, which must be unpacked as a whole.
 const MAX_PACKED_ARCHIVE_BYTES: u64 = 256 << 20;
 /// Entries of one folder or archive.
 const MAX_ENTRIES: usize = 20_000;
@@ -26,7 +26,7 @@ const MAX_FOLDER_DEPTH: usize = 32;
 /// A file, a folder or an archive, and its name without folders.
 #[derive(Clone)]
 pub struct Tree {
-    /// Bytes that are not UTF-8 are written as `\xff`, so that different names stay different.
+    /// The name, in which bytes that are not UTF-8 are written as `\xff`, so that different names stay different.
     pub name: String,
     node: Node,
     is_archive: bool,
@@ -46,18 +46,18 @@ enum Node {
     Unread(String),
 }
 
-/// The bytes of an archive, and how many archives it lies in.
+/// The bytes of an archive, and the number of archives around it.
 struct Archive {
     bytes: FileBytes,
     depth: usize,
 }
 
 impl Tree {
-    /// A path that a person named: links are followed, and a pipe is read.
+    /// Opens a path from the command line: links are followed, and a pipe is read.
     ///
     /// # Errors
-    /// Why it cannot be read, without its path.
-    pub fn of_path(path: &Path) -> Result<Tree, String> {
+    /// The reason why it cannot be read, without its path.
+    pub fn open(path: &Path) -> Result<Tree, String> {
         let metadata = std::fs::metadata(path).map_err(|error| io_reason(&error))?;
         let name = shown(path.file_name().unwrap_or(path.as_os_str()));
         if is_device(&metadata) {
@@ -70,7 +70,7 @@ impl Tree {
             return Ok(Tree { name, node: Node::Folder(path.to_owned()), is_archive: false });
         }
         if metadata.is_file() {
-            // Among the files of a submission the name tells an archive: `.docx` is one too, but nobody's folder.
+            // Within a submission only the name makes an archive: `.docx` is one too, but not a folder of files.
             let mut start = Vec::new();
             let file = File::open(path).map_err(|error| io_reason(&error))?;
             file.take(4).read_to_end(&mut start).map_err(|error| io_reason(&error))?;
@@ -91,7 +91,7 @@ impl Tree {
         self.is_archive || matches!(self.node, Node::Folder(_) | Node::PackedFolder(_))
     }
 
-    /// The reason why this is not read, if it is not.
+    /// The reason why it is not read, if it is not.
     pub fn unread(&self) -> Option<&str> {
         match &self.node {
             Node::Unread(why) => Some(why),
@@ -99,7 +99,7 @@ impl Tree {
         }
     }
 
-    /// Bytes of a file; 0 of everything else.
+    /// The size of a file in bytes; 0 for everything else.
     pub fn size(&self) -> u64 {
         match &self.node {
             Node::File(_, size) => *size,
@@ -111,7 +111,7 @@ impl Tree {
     /// The entries of a folder or an archive, by name.
     ///
     /// # Errors
-    /// Why they cannot be read, in half a sentence.
+    /// The reason why they cannot be read, as half a sentence.
     pub fn children(&self) -> Result<Vec<Tree>, String> {
         match &self.node {
             Node::Folder(path) => folder_entries(path),
@@ -123,10 +123,10 @@ impl Tree {
                 archive_entries(Archive { bytes, depth: 0 })
             }
             Node::Packed(archive, _) if archive.depth >= MAX_ARCHIVE_DEPTH => {
-                Err(format!("it lies in more than {MAX_ARCHIVE_DEPTH} archives, one in the other"))
+                Err(format!("it is nested in more than {MAX_ARCHIVE_DEPTH} archives"))
             }
             Node::Packed(_, entry) if entry.size > MAX_PACKED_ARCHIVE_BYTES => {
-                Err(format!("it is an archive of more than {} MiB in another", MAX_PACKED_ARCHIVE_BYTES >> 20))
+                Err(format!("it is an archive of more than {} MiB inside another", MAX_PACKED_ARCHIVE_BYTES >> 20))
             }
             Node::Packed(archive, entry) => {
                 let bytes = entry.unpack(&archive.bytes)?.into();
@@ -138,7 +138,7 @@ impl Tree {
     /// The content of a file, at most [`MAX_FILE_BYTES`].
     ///
     /// # Errors
-    /// Why it cannot be read, in half a sentence.
+    /// The reason why it cannot be read, as half a sentence.
     pub fn bytes(&self) -> Result<Vec<u8>, String> {
         match &self.node {
             Node::File(path, _) => read_bounded(path),
@@ -201,7 +201,7 @@ fn folder_entries(folder: &Path) -> Result<Vec<Tree>, String> {
     Ok(names.iter().map(tree).collect())
 }
 
-/// A regular file, whatever its size is said to be; also a pipe that a person named.
+/// Reads a regular file up to the limit, whatever its size is said to be; also a pipe from the command line.
 fn read_bounded(path: &Path) -> Result<Vec<u8>, String> {
     let mut bytes = Vec::new();
     let file = File::open(path).map_err(|error| io_reason(&error))?;
@@ -210,10 +210,10 @@ fn read_bounded(path: &Path) -> Result<Vec<u8>, String> {
 }
 
 fn too_large() -> String {
-    format!("it is larger than {} MiB, the most that is read of one file", MAX_FILE_BYTES >> 20)
+    format!("it is larger than {} MiB, the limit for one file", MAX_FILE_BYTES >> 20)
 }
 
-/// The files of an archive in their folders, whatever order they stand in. Names that lead out of it stay within.
+/// The files of an archive in their folders, in any order. Names that would lead out of it stay inside.
 fn archive_entries(archive: Archive) -> Result<Vec<Tree>, String> {
     let entries = zip::entries(&archive.bytes, MAX_ENTRIES)?;
     let archive = Arc::new(archive);
@@ -256,7 +256,7 @@ fn sort(level: &mut [Tree]) {
     }
 }
 
-/// Whether it is what a shell makes of `<(...)`. Any other pipe may have nobody at its other end, which opening waits for.
+/// Whether it is what a shell makes of `<(...)`. Opening any other pipe could wait for ever for a writer.
 fn is_open_already(path: &Path) -> bool {
     ["/dev/fd", "/dev/stdin", "/proc/self/fd"].iter().any(|place| path.starts_with(place))
 }
