@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 
 static CUBE: LazyLock<Expected> = LazyLock::new(|| {
     let cube = include_bytes!("../../exercises/ex02-object-reader/models/cube.obj");
-    Expected::of_obj(cube).expect("the exercise's own cube")
+    Expected::from_obj(cube).expect("the exercise's own cube")
 });
 
 fuzz_target!(|data: &[u8]| {

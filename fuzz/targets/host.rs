@@ -2,10 +2,10 @@
 
 #![no_main]
 
-use gonio_exercises::gl_program::HostProgram;
+use gonio_exercises::gl_program::GlProgram;
 use libfuzzer_sys::fuzz_target;
 
-fuzz_target!(|data: &[u8]| match HostProgram::parse_bytes(data, "host.txt") {
+fuzz_target!(|data: &[u8]| match GlProgram::parse_bytes(data, "host.txt") {
     Ok(program) => {
         for line in 0..64 {
             program.quoted(line);

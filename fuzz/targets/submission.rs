@@ -34,8 +34,8 @@ fuzz_target!(|data: &[u8]| {
     let _ = source.written();
     let _ = source.in_source_only();
     for model in MODELS {
-        for mistake in mistakes::of(model) {
-            let support = source.looks_like(&mistake.id, model);
+        for mistake in mistakes::for_model(model) {
+            let support = source.support(&mistake.id, model);
             assert!((0.0..=1.0).contains(&support), "{}: {support}", mistake.id);
             if let Some(at) = source.line(&mistake.id, model) {
                 let stage = if at.stage == Stage::Vertex { &submission.vertex } else { &submission.fragment };

@@ -101,7 +101,7 @@ fn differing(a: &[u8], b: &[u8]) -> usize {
 
 #[test]
 fn the_right_answer_looks_like_the_reference_in_every_exercise() {
-    for exercise in exercise::all().iter().filter(|exercise| exercise.kind == exercise::Kind::Shaders) {
+    for exercise in exercise::all().iter().filter(|exercise| exercise.kind == exercise::ExerciseKind::Shaders) {
         let mut window = Window::open(right(&exercise.id), DESK);
         window.wait("the program", |s| s["drawn"] == true);
         window.click("shown-both");

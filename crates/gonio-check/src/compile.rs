@@ -128,7 +128,7 @@ pub fn compiler_messages(
             stage.problems().filter(|p| p.severity == Severity::Error).map(|p| stage.message(p)).collect();
         if own.is_empty() {
             let messages = driver_log::to_messages(log, stage.text, stage.translated.first_line);
-            told.extend(messages.into_iter().take(MOST_MESSAGES).map(of_driver));
+            told.extend(messages.into_iter().take(MOST_MESSAGES).map(from_driver));
         } else {
             told.extend(own.into_iter().take(MOST_MESSAGES));
         }
@@ -141,7 +141,7 @@ pub fn compiler_messages(
             .collect();
         if own.is_empty() {
             let messages = driver_log::link_messages(log, vertex.text, fragment.text);
-            told.extend(messages.into_iter().take(MOST_MESSAGES).map(of_driver));
+            told.extend(messages.into_iter().take(MOST_MESSAGES).map(from_driver));
         } else {
             told.extend(own.into_iter().take(MOST_MESSAGES));
         }
@@ -149,7 +149,7 @@ pub fn compiler_messages(
     told
 }
 
-fn of_driver(message: Message) -> CompilerMessage {
+fn from_driver(message: Message) -> CompilerMessage {
     CompilerMessage {
         file: message.file,
         line: message.line,

@@ -40,9 +40,9 @@ pub struct FoundMistake {
     /// What it looks like.
     pub looks_like: String,
     /// How to mend it.
-    pub mend: String,
+    pub fix: String,
     /// The section of the lecture that teaches it.
-    pub seed: String,
+    pub lecture_section: String,
     /// Mistakes whose pictures are the same: it may be any of them.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub or: Vec<String>,
@@ -62,8 +62,8 @@ impl FoundMistake {
             line: None,
             quoted: None,
             looks_like: String::new(),
-            mend: String::new(),
-            seed: String::new(),
+            fix: String::new(),
+            lecture_section: String::new(),
             or: Vec::new(),
             lab_does_it: false,
         }
@@ -71,14 +71,19 @@ impl FoundMistake {
 
     /// One of the bank's, as the bank teaches it. What looks the same, and whether the lab does it too, is for who
     /// compared pictures to say.
-    pub fn of_bank(mistake: &Mistake, share_explained: f64) -> Self {
-        let Mistake { id, name, looks_like, mend, seed, .. } = mistake;
-        FoundMistake::new(id, name, share_explained).taught(looks_like, mend, seed)
+    pub fn from_catalogue(mistake: &Mistake, share_explained: f64) -> Self {
+        let Mistake { id, name, looks_like, fix, lecture_section, .. } = mistake;
+        FoundMistake::new(id, name, share_explained).taught(looks_like, fix, lecture_section)
     }
 
     /// With what it looks like, how to mend it, and the section of the lecture that teaches it.
-    pub fn taught(self, looks_like: impl Into<String>, mend: impl Into<String>, seed: impl Into<String>) -> Self {
-        FoundMistake { looks_like: looks_like.into(), mend: mend.into(), seed: seed.into(), ..self }
+    pub fn taught(
+        self,
+        looks_like: impl Into<String>,
+        fix: impl Into<String>,
+        lecture_section: impl Into<String>,
+    ) -> Self {
+        FoundMistake { looks_like: looks_like.into(), fix: fix.into(), lecture_section: lecture_section.into(), ..self }
     }
 
     /// With the file that it stands in, its line from 1 and the line itself.
@@ -108,10 +113,10 @@ pub struct TermVerdict {
     pub state: TermState,
 }
 
-/// A situation and how it fares.
+/// A test scene and how it fares.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SceneVerdict {
-    /// The situation's word.
+    /// The test scene's word.
     pub scene: String,
     /// What it shows that others do not.
     pub shows: Cow<'static, str>,
@@ -178,7 +183,7 @@ pub struct Verdict {
     pub warnings: Vec<String>,
     /// Term by term.
     pub terms: Vec<TermVerdict>,
-    /// Situation by situation.
+    /// Situation by test scene.
     pub scenes: Vec<SceneVerdict>,
     /// What needs no reference: tried with programs that compute light.
     #[serde(default)]
@@ -187,7 +192,7 @@ pub struct Verdict {
     pub messages: Vec<CompilerMessage>,
     /// What was bound to what.
     pub bound: Vec<BoundVariable>,
-    /// Right answers are 1, wrong ones by the share of situations that are right; 0 where it does not compile.
+    /// Right answers are 1, wrong ones by the share of test scenes that are right; 0 where it does not compile.
     #[serde(deserialize_with = "or_infinite")]
     pub score: f64,
 }
@@ -213,7 +218,7 @@ pub struct PropertyVerdict {
     pub sentence: String,
     /// Which of the two.
     pub state: PropertyState,
-    /// The situations in which it does not hold.
+    /// The test scenes in which it does not hold.
     pub scenes: Vec<String>,
 }
 

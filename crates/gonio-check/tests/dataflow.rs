@@ -123,8 +123,8 @@ fn pairs_are_found_at_their_lines() {
 /// Of the ids of the model, those that the source is sure of.
 fn sure(case: &Case) -> Vec<String> {
     let source = case.read();
-    let ids = mistakes::of(case.model).filter(|mistake| !mistake.harmless).map(|mistake| mistake.id.clone());
-    ids.filter(|id| source.looks_like(id, case.model) > 0.95).collect()
+    let ids = mistakes::for_model(case.model).filter(|mistake| !mistake.harmless).map(|mistake| mistake.id.clone());
+    ids.filter(|id| source.support(id, case.model) > 0.95).collect()
 }
 
 #[test]

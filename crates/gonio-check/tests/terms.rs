@@ -49,9 +49,9 @@ fn no_mistake_of_the_bank_contradicts_the_terms() {
     let (mut checked, mut separable, mut named) = (0, 0, 0);
     let mut wrong = Vec::new();
     for task in TASKS.iter().filter(|task| task.model.is_lit()) {
-        let hypotheses = Hypotheses::of(task.model);
+        let hypotheses = Hypotheses::for_model(task.model);
         let mut seen = std::collections::BTreeSet::new();
-        for single in hypotheses.singles.iter().filter(|single| seen.insert(single.made_of.clone())) {
+        for single in hypotheses.singles.iter().filter(|single| seen.insert(single.mistakes.clone())) {
             let [vertex, fragment] = hypotheses.written(single);
             let files = vec![SourceFile::new("a.vert", vertex), SourceFile::new("a.frag", fragment)];
             let exercise = ShaderExercise::new(task.exercise);
@@ -59,7 +59,7 @@ fn no_mistake_of_the_bank_contradicts_the_terms() {
             checked += 1;
             separable += usize::from(verdict.terms.iter().any(|term| term.state != TermState::NotSeparable));
             named += usize::from(!verdict.mistakes.is_empty());
-            let id = &hypotheses.mistakes[single.made_of[0]].id;
+            let id = &hypotheses.mistakes[single.mistakes[0]].id;
             wrong.extend(contradictions(&verdict).into_iter().map(|what| format!("{} {id}: {what}", task.exercise)));
         }
     }

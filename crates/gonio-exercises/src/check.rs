@@ -2,8 +2,8 @@
 
 use crate::buffers::{self, Expected};
 use crate::cubemap;
-use crate::exercise::{Exercise, Kind};
-use crate::gl_program::{self, GlProgramFiles, GlProgramImage, HostOutcome};
+use crate::exercise::{Exercise, ExerciseKind};
+use crate::gl_program::{self, GlProgramFiles, GlProgramImage};
 use gonio_check::search::Evidence;
 use gonio_check::submission::SourceFile;
 use gonio_check::verdict::{CompilerMessage, FoundMistake, Outcome, Verdict};
@@ -51,14 +51,14 @@ pub fn check(
     options: &CheckOptions,
 ) -> Result<(Verdict, Option<Evidence>), GlError> {
     match exercise.kind {
-        Kind::Buffers => return Ok((buffers(exercise, files), None)),
-        Kind::HostProgram => {
+        ExerciseKind::Buffers => return Ok((buffers(exercise, files), None)),
+        ExerciseKind::GlProgram => {
             return Ok((host_program(checker.shaders.gl(), exercise, files, &checker.host_files())?, None));
         }
-        Kind::Faces if answers_with_pictures(exercise, &files) => {
+        ExerciseKind::Faces if answers_with_pictures(exercise, &files) => {
             return cubemap::check(&mut checker.shaders, exercise, &files);
         }
-        Kind::Shaders | Kind::Faces => {}
+        ExerciseKind::Shaders | ExerciseKind::Faces => {}
     }
     // What was handed out beside the shaders is nobody's answer.
     let handed_out = |name: &str| {
@@ -114,18 +114,14 @@ fn buffers(exercise: &Exercise, files: Vec<SourceFile>) -> Verdict {
     let models: Vec<(String, Expected)> = exercise
         .start_files()
         .filter(|(name, _)| name.ends_with(".obj"))
-        .filter_map(|(name, text)| Some((name.to_owned(), Expected::of_obj(text.as_bytes()).ok()?)))
+        .filter_map(|(name, text)| Some((name.to_owned(), Expected::from_obj(text.as_bytes()).ok()?)))
         .collect();
     let Some((model, expected)) = buffers::choose(&models, &answer.name, &buffer) else {
         let summary = "it is like none of the exercise's models; call the file as its model, such as cube.csv";
         return Verdict::new(&exercise.id, Outcome::Unsure, summary);
     };
     let found = buffers::compare(expected, &buffer);
-    let outcome = match found.verdict {
-        buffers::Verdict::Correct => Outcome::Correct,
-        buffers::Verdict::Wrong => Outcome::Wrong,
-        buffers::Verdict::Unsure => Outcome::Unsure,
-    };
+    let outcome = found.verdict;
     let names: Vec<&str> = found.mistakes.iter().map(|mistake| mistake.name).collect();
     let summary = match (outcome, names.is_empty()) {
         (Outcome::Correct, _) => format!("all {} triangles of {model} are there", found.shares.triangles_expected),
@@ -143,7 +139,7 @@ fn buffers(exercise: &Exercise, files: Vec<SourceFile>) -> Verdict {
         .iter()
         .map(|mistake| {
             let known = FoundMistake::new(mistake.id, mistake.name, mistake.share_explained);
-            let known = known.taught(mistake.explanation, mistake.how_to_mend, &exercise.seed);
+            let known = known.taught(mistake.explanation, mistake.how_to_fix, &exercise.lecture_section);
             let line = |example: &buffers::Example| u32::try_from(example.line?).ok();
             let placed = match &mistake.example {
                 Some(example) => known.at(model, line(example), &example.line_text),
@@ -172,11 +168,7 @@ fn host_program(
         return Ok(Verdict::new(&exercise.id, Outcome::Unsure, summary));
     };
     let found = gl_program::check_bytes(gl, &answer.bytes, &answer.name, given)?;
-    let outcome = match found.verdict {
-        HostOutcome::Correct => Outcome::Correct,
-        HostOutcome::Wrong => Outcome::Wrong,
-        HostOutcome::DoesNotCompile => Outcome::DoesNotCompile,
-    };
+    let outcome = found.verdict;
     let mut verdict = Verdict::new(&exercise.id, outcome, found.summary.clone());
     verdict.score = if outcome == Outcome::Correct { 1.0 } else { found.share_right.min(0.95) };
     verdict.mistakes = found
@@ -184,7 +176,7 @@ fn host_program(
         .into_iter()
         .map(|mistake| {
             FoundMistake::new(mistake.id, mistake.name, 1.0)
-                .taught(mistake.looks_like, mistake.mend, &exercise.seed)
+                .taught(mistake.looks_like, mistake.fix, &exercise.lecture_section)
                 .at(&answer.name, Some(mistake.line), mistake.quoted)
         })
         .collect();

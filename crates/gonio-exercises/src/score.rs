@@ -74,18 +74,19 @@ pub struct Score {
 
 /// Makes every mistake of the bank that an exercise's model can have, every way to make it, and `pairs` pairs of them spread
 /// evenly over all.
-pub fn of_bank(checker: &mut Checker, exercise: &Exercise, pairs: usize) -> Result<Score, GlError> {
+pub fn measure(checker: &mut Checker, exercise: &Exercise, pairs: usize) -> Result<Score, GlError> {
     let mut score = Score { exercise: exercise.id.clone(), ..Score::default() };
-    let Some(task) = Task::of(&exercise.id) else { return Ok(score) };
-    let hypotheses = Hypotheses::of(task.model);
-    let is_wrong = |h: &&Hypothesis| h.made_of.iter().all(|&m| !hypotheses.mistakes[m].harmless);
+    let Some(task) = Task::find(&exercise.id) else { return Ok(score) };
+    let hypotheses = Hypotheses::for_model(task.model);
+    let is_wrong = |h: &&Hypothesis| h.mistakes.iter().all(|&m| !hypotheses.mistakes[m].harmless);
     let singles: Vec<&Hypothesis> = hypotheses.singles.iter().filter(is_wrong).collect();
     let mut hand_in = |hypothesis: &Hypothesis| -> Result<(Verdict, Option<Evidence>), GlError> {
         let [vertex, fragment] = hypotheses.written(hypothesis);
         let files = vec![SourceFile::new("made.vert", vertex), SourceFile::new("made.frag", fragment)];
         check(checker, exercise, files, &CheckOptions::default())
     };
-    let ids = |h: &Hypothesis| -> Vec<&str> { h.made_of.iter().map(|&m| hypotheses.mistakes[m].id.as_str()).collect() };
+    let ids =
+        |h: &Hypothesis| -> Vec<&str> { h.mistakes.iter().map(|&m| hypotheses.mistakes[m].id.as_str()).collect() };
     // Those that show by themselves: nothing else can be one of two.
     let mut shown: Vec<(&Hypothesis, Option<Evidence>)> = Vec::new();
     for single in &singles {
@@ -113,5 +114,5 @@ pub fn of_bank(checker: &mut Checker, exercise: &Exercise, pairs: usize) -> Resu
 /// Whether one of two mistakes draws the same by itself: then no picture tells that there are two.
 fn is_same_picture(both: &Option<Evidence>, alone: &Option<Evidence>) -> bool {
     let (Some(both), Some(alone)) = (both, alone) else { return false };
-    Comparison::of(&both.seen, &alone.seen, both.scenes.len()).is_same()
+    Comparison::new(&both.seen, &alone.seen, both.scenes.len()).is_same()
 }

@@ -101,10 +101,10 @@ fn extreme_numbers_are_compared() {
     let rows = ["nan,nan,nan", "inf,-inf,1e38", "-1e38,1e-45,0", "1e400,0,-0"];
     let buffer = read_buffer("a.csv", rows.join("\n").as_bytes()).expect("a buffer");
     for (_, expected) in &models {
-        assert_ne!(compare(expected, &buffer).verdict, gonio_exercises::buffers::Verdict::Correct);
+        assert_ne!(compare(expected, &buffer).verdict, gonio_check::verdict::Outcome::Correct);
     }
     let extreme = b"v 1e38 -1e38 0\nv 3e38 0 1e-45\nv 0 1 -3e38\nvn 0 0 0\nf 1//1 2//1 3//1\nf -9223372036854775808 1 2\nf 9223372036854775807 1 2\n";
-    let expected = gonio_exercises::buffers::Expected::of_obj(extreme).expect("a model");
+    let expected = gonio_exercises::buffers::Expected::from_obj(extreme).expect("a model");
     compare(&expected, &buffer);
     assert_eq!(expected.triangle_count(), 1);
 }

@@ -3,7 +3,8 @@
 #[allow(dead_code)]
 mod support;
 
-use gonio_exercises::buffers::{Verdict, Vertex, choose, compare, names, read_buffer};
+use gonio_check::verdict::Outcome;
+use gonio_exercises::buffers::{Vertex, choose, compare, names, read_buffer};
 use gonio_fixtures::selected;
 use std::collections::BTreeSet;
 use support::{Format, formats, models, programs_output, shuffled};
@@ -14,12 +15,12 @@ fn a_right_buffer_is_right_in_every_format_and_order() {
     for (name, expected) in &models() {
         let has = expected.attributes();
         let vertices: Vec<Vertex> = expected.vertices().collect();
-        for seed in 0..4 {
-            let vertices = if seed == 0 { vertices.clone() } else { shuffled(&vertices, seed) };
+        for lecture_section in 0..4 {
+            let vertices = if lecture_section == 0 { vertices.clone() } else { shuffled(&vertices, lecture_section) };
             for Format { name: format, file, bytes } in formats(&vertices, has) {
                 let buffer = read_buffer(&file, &bytes).unwrap_or_else(|error| panic!("{name} as {format}: {error}"));
                 let verdict = compare(expected, &buffer);
-                assert_eq!(verdict.verdict, Verdict::Correct, "{name} as {format}: {:?}", verdict.shares);
+                assert_eq!(verdict.verdict, Outcome::Correct, "{name} as {format}: {:?}", verdict.shares);
                 let is_usual = !format.contains('!');
                 assert_eq!(verdict.warnings.is_empty(), is_usual, "{name} as {format}: {:?}", verdict.warnings);
                 tried += 1;
@@ -48,12 +49,12 @@ fn the_exercises_own_programs_are_judged_rightly() {
         if kind.starts_with("reference") {
             assert_eq!(
                 (verdict.verdict, found.as_slice()),
-                (Verdict::Correct, &[][..]),
+                (Outcome::Correct, &[][..]),
                 "{name}: {:?}",
                 verdict.shares
             );
         } else {
-            assert_eq!((verdict.verdict, found.as_slice()), (Verdict::Wrong, &["faces-ignored"][..]), "{name}");
+            assert_eq!((verdict.verdict, found.as_slice()), (Outcome::Wrong, &["faces-ignored"][..]), "{name}");
         }
     }
 }
@@ -70,13 +71,13 @@ fn convex_polygons_may_be_cut_in_any_way() {
         let bytes = support::csv(vertices, house.attributes(), ",", true);
         compare(&house, &read_buffer("house.csv", &bytes).expect("a buffer"))
     };
-    assert_eq!(check(&vertices).verdict, Verdict::Correct);
+    assert_eq!(check(&vertices).verdict, Outcome::Correct);
     // These three overlap.
     vertices.splice(0..9, [b, c, d, b, d, e, b, d, a]);
-    assert_eq!(check(&vertices).verdict, Verdict::Wrong);
+    assert_eq!(check(&vertices).verdict, Outcome::Wrong);
     // One of them turned over.
     vertices.splice(0..9, [b, c, d, b, d, e, b, a, e]);
-    assert_eq!(check(&vertices).verdict, Verdict::Wrong);
+    assert_eq!(check(&vertices).verdict, Outcome::Wrong);
 }
 
 #[test]
@@ -89,7 +90,7 @@ fn few_digits_are_right_with_a_warning() {
         }
         let bytes = support::csv(&vertices, expected.attributes(), ",", true);
         let verdict = compare(expected, &read_buffer("x.csv", &bytes).expect("a buffer"));
-        assert_eq!(verdict.verdict, Verdict::Correct, "{name}: {:?}", verdict.shares);
+        assert_eq!(verdict.verdict, Outcome::Correct, "{name}: {:?}", verdict.shares);
         assert!(
             verdict.warnings.iter().any(|warning| warning.contains("few digits")),
             "{name}: {:?}",
@@ -106,7 +107,7 @@ fn missing_columns_are_named_beside_other_mistakes() {
     let without = |vertices: &[Vertex], tex_coords, normals| {
         let has = gonio_exercises::buffers::Attributes { tex_coords, normals };
         let verdict = compare(&cube, &read_buffer("x.csv", &support::csv(vertices, has, ",", true)).expect("a buffer"));
-        assert_eq!(verdict.verdict, Verdict::Wrong);
+        assert_eq!(verdict.verdict, Outcome::Wrong);
         verdict.mistakes.iter().map(|mistake| mistake.id).collect::<Vec<_>>()
     };
     assert_eq!(without(&vertices, true, false), ["normals-missing"]);
@@ -124,7 +125,7 @@ fn a_flipped_v_is_a_peculiarity() {
         vertices.iter_mut().for_each(|vertex| vertex.tex_coord[1] = 1.0 - vertex.tex_coord[1]);
         let bytes = support::csv(&vertices, expected.attributes(), ";", false);
         let verdict = compare(expected, &read_buffer("x.csv", &bytes).expect("a buffer"));
-        assert_eq!((verdict.verdict, verdict.mistakes.len()), (Verdict::Correct, 0), "{name}");
+        assert_eq!((verdict.verdict, verdict.mistakes.len()), (Outcome::Correct, 0), "{name}");
         assert!(verdict.warnings.iter().any(|warning| warning.contains("1 - v")), "{name}: {:?}", verdict.warnings);
     }
 }
@@ -158,7 +159,7 @@ fn another_models_buffer_is_unsure() {
     let buffer =
         read_buffer("x.csv", &support::csv(&vertices, find("gem.obj").attributes(), ",", true)).expect("a buffer");
     let verdict = compare(find("cube.obj"), &buffer);
-    assert_eq!((verdict.verdict, verdict.mistakes.len()), (Verdict::Unsure, 0));
+    assert_eq!((verdict.verdict, verdict.mistakes.len()), (Outcome::Unsure, 0));
     assert_eq!(choose(&models, "mine.csv", &buffer).expect("a model").0, "gem.obj");
     // What the student says it is comes first.
     assert_eq!(choose(&models, "out/Cube.csv", &buffer).expect("a model").0, "cube.obj");
@@ -172,7 +173,7 @@ fn the_list_of_mistakes_is_whole() {
     for mistake in names() {
         assert!(mistake.id.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-'), "{}", mistake.id);
         assert!(!mistake.name.ends_with('.') && mistake.explanation.ends_with('.'), "{}", mistake.id);
-        assert!(!mistake.how_to_mend.is_empty(), "{}", mistake.id);
+        assert!(!mistake.how_to_fix.is_empty(), "{}", mistake.id);
         assert!(!mistake.explanation.contains("  "), "{}", mistake.id);
     }
     for asked in ["indices-from-0", "tex-coord-and-normal-swapped", "v-flipped", "quads-lost", "normals-by-position"] {

@@ -9,7 +9,7 @@ use gonio_check::submission::SourceFile;
 use gonio_check::verdict::Outcome;
 use gonio_exercises::Checker;
 use gonio_exercises::exercise;
-use gonio_exercises::preview::Source;
+use gonio_exercises::preview::SubmittedPair;
 use gonio_gl::HeadlessContext;
 
 fn files(pair: &hostile::Pair) -> Vec<SourceFile> {
@@ -29,7 +29,7 @@ fn what_is_too_large_is_a_verdict_and_no_crash() {
         assert!(verdict.messages[0].line.is_some_and(|line| line > 1), "{}: {:?}", pair.name, verdict.messages[0]);
         assert!(verdict.summary.starts_with("a.") && verdict.summary.lines().count() == 1, "{}", verdict.summary);
         // A live preview does not give it to the driver either.
-        let source = Source::gather(exercise, files(pair)).unwrap();
+        let source = SubmittedPair::gather(exercise, files(pair)).unwrap();
         assert!(source.compile(context.gl()).is_err_and(|notes| !notes.is_empty()), "{}", pair.name);
         refused += 1;
     }

@@ -56,12 +56,32 @@ impl Version {
 }
 
 /// The kind of shader.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Stage {
     /// Once per vertex.
     Vertex,
     /// Once per pixel.
     Fragment,
+}
+
+impl Stage {
+    /// The other stage.
+    #[must_use]
+    pub const fn other(self) -> Self {
+        match self {
+            Self::Vertex => Self::Fragment,
+            Self::Fragment => Self::Vertex,
+        }
+    }
+}
+
+impl std::fmt::Display for Stage {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Vertex => "vertex",
+            Self::Fragment => "fragment",
+        })
+    }
 }
 
 /// What a shader is translated into.

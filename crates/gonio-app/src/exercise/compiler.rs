@@ -10,8 +10,8 @@ use crate::scene_view::drawing::PaneRenderer;
 use egui::Context;
 use gonio_check::submission::SourceFile;
 use gonio_exercises::buffers;
-use gonio_exercises::exercise::Kind;
-use gonio_exercises::preview::{Note, NoteKind, Source};
+use gonio_exercises::exercise::ExerciseKind;
+use gonio_exercises::preview::{Note, NoteKind, SubmittedPair};
 use gonio_scene::files::{Disk, FileBytes, FileSource};
 use std::path::PathBuf;
 use std::time::Duration;
@@ -119,7 +119,7 @@ impl Compiler {
     }
 
     fn compile(&mut self, ctx: &Context, work: &mut Work, content: Vec<SourceFile>, platform: &mut dyn Platform) {
-        if work.exercise.kind != Kind::Shaders {
+        if work.exercise.kind != ExerciseKind::Shaders {
             self.compiled = Some(content);
             return;
         }
@@ -133,7 +133,7 @@ impl Compiler {
         if outcome.is_none() && platform.tries_every_pair() && !is_start(work, &content) {
             return self.try_first(ctx, work, key, &content, platform);
         }
-        let source = match Source::gather(work.exercise, content.clone()) {
+        let source = match SubmittedPair::gather(work.exercise, content.clone()) {
             Ok(source) => source,
             Err(why) => {
                 self.compiled = Some(content);
@@ -310,9 +310,9 @@ fn start_files(work: &Work) -> Vec<u8> {
 fn request(work: &Work, content: &[SourceFile]) -> CheckRequest {
     // Of several host programs or buffers the one in the editor is meant.
     let endings: &[&str] = match work.exercise.kind {
-        Kind::HostProgram => &[".txt"],
-        Kind::Buffers => &buffers::ENDINGS,
-        Kind::Shaders | Kind::Faces => &[],
+        ExerciseKind::GlProgram => &[".txt"],
+        ExerciseKind::Buffers => &buffers::ENDINGS,
+        ExerciseKind::Shaders | ExerciseKind::Faces => &[],
     };
     let is_one = |name: &str| endings.iter().any(|ending| name.to_ascii_lowercase().ends_with(ending));
     let in_editor = work.files.get(work.current).map(|file| file.name.as_str()).filter(|name| is_one(name));

@@ -3,7 +3,7 @@
 use super::work::{OpenFile, Work};
 use crate::files::ExerciseFile;
 use gonio_check::submission::SourceFile;
-use gonio_exercises::preview::{self, Use};
+use gonio_exercises::preview::{self, FileUse};
 
 /// Files that were open together.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,12 +24,12 @@ pub struct ReplaceOutcome {
 }
 
 impl Work {
-    /// Puts files in place of those that are for the same: see [`preview::handed`].
+    /// Puts files in place of those that are for the same: see [`preview::sort_files`].
     pub fn take(&mut self, given: Vec<ExerciseFile>) -> ReplaceOutcome {
         let sources: Vec<SourceFile> =
             given.iter().map(|file| SourceFile::new(file.name.clone(), file.bytes.clone())).collect();
-        let handed = preview::handed(self.exercise, &sources);
-        let taken: Vec<(&SourceFile, Use)> =
+        let handed = preview::sort_files(self.exercise, &sources);
+        let taken: Vec<(&SourceFile, FileUse)> =
             handed.taken.iter().filter_map(|(index, of_file)| Some((sources.get(*index)?, *of_file))).collect();
         if taken.is_empty() {
             return ReplaceOutcome { announcement: None, aside: handed.aside };
@@ -48,7 +48,7 @@ impl Work {
         let open: Vec<&str> = self.files.iter().map(|file| file.name.as_str()).collect();
         for file in &self.files {
             let source = SourceFile::new(file.name.clone(), file.content());
-            if preview::makes_way(self.exercise, &source, &taken, &open) { &mut away } else { &mut kept }
+            if preview::is_replaced(self.exercise, &source, &taken, &open) { &mut away } else { &mut kept }
                 .push(file.clone());
         }
         let place = match away.as_slice() {
@@ -56,7 +56,7 @@ impl Work {
             away => format!(" in place of {}", listed(&away.iter().map(|file| file.name.as_str()).collect::<Vec<_>>())),
         };
         let announcement = format!("opened {}{place}", listed(&names));
-        let uses: Vec<Use> = taken.iter().map(|(_, of_file)| *of_file).collect();
+        let uses: Vec<FileUse> = taken.iter().map(|(_, of_file)| *of_file).collect();
         let numbers: Vec<usize> = handed.taken.iter().map(|(index, _)| *index).collect();
         self.sets += 1;
         let first_new = kept.len();

@@ -8,7 +8,7 @@ use crate::scene_view::{navigation, picture_size, present};
 use crate::theme::icons;
 use crate::widgets;
 use egui::{Align2, Color32, CornerRadius, Label, Rect, RichText, Sense, TextStyle, Ui, pos2, vec2};
-use gonio_exercises::exercise::Kind;
+use gonio_exercises::exercise::ExerciseKind;
 use gonio_gl::GlError;
 
 /// What captions stand on, over any picture.
@@ -26,7 +26,7 @@ pub fn show(
 ) -> Result<(), GlError> {
     let whole = ui.available_rect_before_wrap();
     ui.painter().rect_filled(whole, 0.0, ui.visuals().extreme_bg_color);
-    if work.exercise.kind != Kind::Shaders {
+    if work.exercise.kind != ExerciseKind::Shaders {
         sentence(ui, whole, without_picture(work.exercise.kind));
         return Ok(());
     }
@@ -54,7 +54,7 @@ pub fn show(
         if picture == Picture::Yours && index == 0 {
             let seen = situations(work, size);
             if let (Some(pair), Some((_, first))) = (preview.pair(), seen.first()) {
-                work.program.variables = pair.given(first);
+                work.program.variables = pair.variable_values(first);
             }
         }
     }
@@ -96,17 +96,17 @@ fn nothing_yet(picture: Picture, work: &Work) -> &'static str {
     }
 }
 
-fn without_picture(kind: Kind) -> &'static str {
+fn without_picture(kind: ExerciseKind) -> &'static str {
     match kind {
-        Kind::Buffers => {
+        ExerciseKind::Buffers => {
             "Write a program in any language that outputs a vertex buffer as .csv, .json or raw floats (.bin). Drop that \
              file here and press Check to see which triangles are wrong, and why."
         }
-        Kind::HostProgram => {
+        ExerciseKind::GlProgram => {
             "This exercise is a list of OpenGL calls. Fix it and press Check: gonio executes it call by call. On the command \
              line: `gonio lab check ex11 FILE.txt`."
         }
-        Kind::Shaders | Kind::Faces => {
+        ExerciseKind::Shaders | ExerciseKind::Faces => {
             "The answer is six cube faces. Write the shader that draws them, or drop the six pictures that your own \
              program made, and press Check."
         }

@@ -2,8 +2,8 @@
 
 use super::work::{PictureMode, Work};
 use crate::scene_view::drawing::PaneRenderer;
-use gonio_check::testbench::Situation;
-use gonio_exercises::preview::{self, Body, Eye, LiveStage, Note, Pair, Source};
+use gonio_check::testbench::TestScene;
+use gonio_exercises::preview::{self, Body, CompiledPair, Eye, Note, PreviewRenderer, SubmittedPair};
 use gonio_gl::{Gl, GlError};
 use gonio_render::{DifferenceScale, DisplayTexture, Presentation};
 
@@ -24,14 +24,14 @@ pub enum Picture {
 }
 
 /// Of what a picture was drawn.
-type Drawn = ([u32; 2], Vec<(Body, Situation)>, u64);
+type Drawn = ([u32; 2], Vec<(Body, TestScene)>, u64);
 
 /// What the laboratory has on the GPU. Everything follows from the work and its sources.
 pub struct Preview {
     gl: Gl,
-    stage: LiveStage,
-    pairs: [Option<Pair>; 2],
-    sky: Option<Pair>,
+    stage: PreviewRenderer,
+    pairs: [Option<CompiledPair>; 2],
+    sky: Option<CompiledPair>,
     canvases: [Option<DisplayTexture>; 3],
     drawn: [Option<Drawn>; 2],
     /// Counts programs that were compiled.
@@ -43,8 +43,8 @@ pub struct Preview {
 impl Preview {
     /// For an exercise, in the window's context.
     pub fn new(gl: &Gl, work: &Work) -> Result<Self, GlError> {
-        let stage = LiveStage::new(gl)?;
-        let compiled = |source: Result<Source, String>| source.ok().and_then(|source| source.compile(gl).ok());
+        let stage = PreviewRenderer::new(gl)?;
+        let compiled = |source: Result<SubmittedPair, String>| source.ok().and_then(|source| source.compile(gl).ok());
         let reference =
             if preview::is_drawn(work.exercise) { compiled(preview::reference(work.exercise)) } else { None };
         let has_sky = work.scenes.iter().any(|scene| scene.has_sky);
@@ -63,14 +63,14 @@ impl Preview {
     }
 
     /// Compiles the student's pair: where it does, it is what is drawn from now on, and otherwise what was drawn before stays.
-    pub fn compile(&mut self, source: &Source) -> Result<&Pair, Vec<Note>> {
+    pub fn compile(&mut self, source: &SubmittedPair) -> Result<&CompiledPair, Vec<Note>> {
         let pair = source.compile(&self.gl)?;
         self.serial += 1;
         Ok(self.pairs[0].insert(pair))
     }
 
     /// The student's pair that is drawn.
-    pub fn pair(&self) -> Option<&Pair> {
+    pub fn pair(&self) -> Option<&CompiledPair> {
         self.pairs[0].as_ref()
     }
 
@@ -152,7 +152,7 @@ impl Preview {
 }
 
 /// What programs are given for each body of the scene as it is looked at now.
-pub fn situations(work: &Work, size: [u32; 2]) -> Vec<(Body, Situation)> {
+pub fn situations(work: &Work, size: [u32; 2]) -> Vec<(Body, TestScene)> {
     let Some(scene) = work.scene() else { return Vec::new() };
     let camera = work.camera.to_camera();
     let target = work.camera.target().map_or(camera.position + camera.front, glam::DVec3::from);
@@ -162,7 +162,7 @@ pub fn situations(work: &Work, size: [u32; 2]) -> Vec<(Body, Situation)> {
         up: camera.up.as_vec3(),
         fov_rad: scene.eye.fov_rad,
     };
-    scene.situations(&eye, work.clock.time as f32, size)
+    scene.test_scenes(&eye, work.clock.time as f32, size)
 }
 
 impl PictureMode {

@@ -3,7 +3,7 @@
 use super::work::Work;
 use crate::theme::{self, colors};
 use egui::{CornerRadius, Frame, Label, Margin, RichText, Ui};
-use gonio_exercises::preview::Given;
+use gonio_exercises::preview::VariableValue;
 
 /// Shows them: those that nothing is known of first.
 pub fn show(ui: &mut Ui, work: &Work) {
@@ -15,7 +15,7 @@ pub fn show(ui: &mut Ui, work: &Work) {
         ui.add(Label::new(RichText::new(words).weak()).wrap());
         return;
     }
-    let unknown: Vec<&Given> = given.iter().filter(|given| given.role.is_none()).collect();
+    let unknown: Vec<&VariableValue> = given.iter().filter(|given| given.role.is_none()).collect();
     if let Some(first) = unknown.first() {
         hint(ui, &first.name, unknown.len());
     }
@@ -43,7 +43,7 @@ fn hint(ui: &mut Ui, name: &str, count: usize) {
     });
 }
 
-fn row(ui: &mut Ui, given: &Given) {
+fn row(ui: &mut Ui, given: &VariableValue) {
     ui.horizontal_wrapped(|ui| {
         ui.label(RichText::new(&given.glsl_type).monospace().weak());
         ui.label(RichText::new(&given.name).monospace().color(ui.visuals().strong_text_color()));

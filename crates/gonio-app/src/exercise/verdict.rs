@@ -119,7 +119,7 @@ fn mistake(ui: &mut Ui, work: &mut Work, index: usize, mistake: &FoundMistake) {
             place(ui, work, &format!("mistake-{index}"), file, line, mistake.quoted.as_deref());
         }
         labelled(ui, "Symptom:", &mistake.looks_like);
-        labelled(ui, "How to fix it:", &mistake.mend);
+        labelled(ui, "How to fix it:", &mistake.fix);
         if !mistake.or.is_empty() {
             let names: Vec<String> = mistake.or.iter().map(|id| name_of(id)).collect();
             labelled(ui, "Same picture as:", &names.join("; "));
@@ -127,8 +127,8 @@ fn mistake(ui: &mut Ui, work: &mut Work, index: usize, mistake: &FoundMistake) {
         if mistake.lab_does_it {
             weak(ui, "The lab's own solution does the same; `accept the lab's variants` passes it.");
         }
-        if !mistake.seed.is_empty() {
-            weak(ui, &format!("Taught in: {}", mistake.seed));
+        if !mistake.lecture_section.is_empty() {
+            weak(ui, &format!("Taught in: {}", mistake.lecture_section));
         }
     });
 }

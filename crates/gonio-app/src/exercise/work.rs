@@ -6,8 +6,8 @@ use crate::session::Clock;
 use egui::Id;
 use gonio_check::submission::SourceFile;
 use gonio_check::verdict::Verdict;
-use gonio_exercises::exercise::{Exercise, Kind};
-use gonio_exercises::preview::{Given, Note, NoteKind, Scene, scenes};
+use gonio_exercises::exercise::{Exercise, ExerciseKind};
+use gonio_exercises::preview::{Note, NoteKind, PreviewScene, VariableValue, scenes};
 use gonio_scene::settings::{Aim, CameraSettings};
 use std::path::PathBuf;
 
@@ -174,7 +174,7 @@ pub struct ProgramFacts {
     /// The trial takes so long that it should be announced.
     pub is_trial_slow: bool,
     /// What its variables were taken for, as it was drawn last.
-    pub variables: Vec<Given>,
+    pub variables: Vec<VariableValue>,
 }
 
 /// A verdict, and of which texts.
@@ -200,7 +200,7 @@ pub struct Work {
     /// What stands beside the editor.
     pub page: Page,
     /// The scenes to look at it in.
-    pub scenes: Vec<Scene>,
+    pub scenes: Vec<PreviewScene>,
     /// Which of them.
     pub scene: usize,
     /// Where one looks from.
@@ -273,7 +273,7 @@ impl Work {
 
     /// The one of several files that is in the editor at first: where there is something to do.
     pub(super) fn first_shown(exercise: &Exercise, files: &[OpenFile]) -> usize {
-        let answers = if exercise.kind == Kind::HostProgram { ".txt" } else { ".frag" };
+        let answers = if exercise.kind == ExerciseKind::GlProgram { ".txt" } else { ".frag" };
         let is_answer = |file: &OpenFile| file.is_shown() && file.name.ends_with(answers);
         let has_to_do = |file: &OpenFile| file.is_shown() && file.text.contains("TODO");
         let to_do = files.iter().position(|file| is_answer(file) && has_to_do(file));
@@ -302,7 +302,7 @@ impl Work {
     }
 
     /// The scene that is looked at.
-    pub fn scene(&self) -> Option<&Scene> {
+    pub fn scene(&self) -> Option<&PreviewScene> {
         self.scenes.get(self.scene)
     }
 
@@ -347,7 +347,7 @@ impl Work {
         let mut marks: Vec<Mark> = notes.collect();
         if let Some(Judged { verdict: Ok(verdict), .. }) = self.judged.as_ref().filter(|_| !self.is_judged_before()) {
             for mistake in verdict.mistakes.iter().filter(|mistake| mistake.file.as_ref() == Some(&file.name)) {
-                let text = format!("{}\n{}", mistake.name, mistake.mend);
+                let text = format!("{}\n{}", mistake.name, mistake.fix);
                 marks.extend(mistake.line.map(|line| Mark { line, kind: MarkKind::Mistake, text }));
             }
             let known = |line: u32, marks: &[Mark]| marks.iter().any(|mark| mark.line == line);

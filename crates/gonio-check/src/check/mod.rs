@@ -55,7 +55,7 @@ pub fn check(
     options: &CheckOptions,
 ) -> Result<(Verdict, Option<Evidence>), GlError> {
     let unsure = |sentence: String| Ok((Verdict::new(exercise.id, Outcome::Unsure, sentence), None));
-    let Some(task) = Task::of(exercise.id) else {
+    let Some(task) = Task::find(exercise.id) else {
         return unsure(format!("{} cannot be checked yet", exercise.id));
     };
     let hints = [exercise.id];
@@ -110,8 +110,8 @@ pub fn check(
             .collect(),
         names,
         written: source.written(),
-        in_vain: in_vain(&fragment),
-        looks_like: Box::new(move |id, model| asked.looks_like(id, model)),
+        unused_terms: unused_terms(&fragment),
+        source_support: Box::new(move |id, model| asked.support(id, model)),
     };
     let (mut verdict, mut evidence) = match task.model {
         Model::Panorama => panorama::check(checker, task.exercise, &program, &prepared)?,
@@ -137,7 +137,7 @@ pub fn check(
         other_hosts::trust(&mut verdict, &source);
     }
     by_the_source(&mut verdict, &source, task.model);
-    unexplained::mend(&mut verdict, evidence.as_ref(), &source, task);
+    unexplained::name_from_source(&mut verdict, evidence.as_ref(), &source, task);
     for found in &mut verdict.mistakes {
         if let Some(at) = source.line(&found.id, task.model) {
             place(found, at);
@@ -229,10 +229,10 @@ fn by_the_source(verdict: &mut Verdict, source: &Analysis, model: Model) {
     let flat = "diffuse-without-cosine";
     let missing = "diffuse-missing";
     if let Some(found) = verdict.mistakes.iter_mut().find(|found| found.id == flat)
-        && source.looks_like(missing, model) > source.looks_like(flat, model)
-        && let Some(other) = mistakes::of(model).find(|mistake| mistake.id == missing)
+        && source.support(missing, model) > source.support(flat, model)
+        && let Some(other) = mistakes::for_model(model).find(|mistake| mistake.id == missing)
     {
-        let other = FoundMistake::of_bank(other, found.share_explained);
+        let other = FoundMistake::from_catalogue(other, found.share_explained);
         *found = FoundMistake { or: vec![flat.to_owned()], ..other };
         verdict.summary = found.name.clone();
     }
@@ -241,11 +241,11 @@ fn by_the_source(verdict: &mut Verdict, source: &Analysis, model: Model) {
     let product = "terms-multiplied";
     if verdict.verdict == Outcome::Correct
         && weighted
-        && source.looks_like(product, model) > SURE
-        && let Some(mistake) = mistakes::of(model).find(|mistake| mistake.id == product)
+        && source.support(product, model) > SURE
+        && let Some(mistake) = mistakes::for_model(model).find(|mistake| mistake.id == product)
     {
         // The pictures are those of a right answer: only the source shows it.
-        let found = FoundMistake::of_bank(mistake, 0.0);
+        let found = FoundMistake::from_catalogue(mistake, 0.0);
         verdict.verdict = Outcome::Wrong;
         verdict.score = 0.5;
         verdict.summary = found.name.clone();
@@ -254,7 +254,7 @@ fn by_the_source(verdict: &mut Verdict, source: &Analysis, model: Model) {
 }
 
 /// Of ambient, diffuse and specular: whether the vertex shader hands it over and the fragment shader lets it lie.
-fn in_vain(fragment: &ParsedStage<'_>) -> [bool; 3] {
+fn unused_terms(fragment: &ParsedStage<'_>) -> [bool; 3] {
     let unused = |word: &str| {
         let inputs = fragment.checked.interface.inputs.iter();
         inputs.filter(|input| !input.is_used).any(|input| input.name.to_ascii_lowercase().contains(word))
@@ -264,8 +264,8 @@ fn in_vain(fragment: &ParsedStage<'_>) -> [bool; 3] {
 
 /// A mistake that only the source shows; `sentence` says how to mend it there.
 fn in_source(id: &str, sentence: String, model: Model) -> Option<FoundMistake> {
-    let mistake = mistakes::of(model).find(|mistake| mistake.id == id)?;
-    Some(FoundMistake { mend: sentence, ..FoundMistake::of_bank(mistake, 0.0) })
+    let mistake = mistakes::for_model(model).find(|mistake| mistake.id == id)?;
+    Some(FoundMistake { fix: sentence, ..FoundMistake::from_catalogue(mistake, 0.0) })
 }
 
 /// What the lab's own solutions do passes, and is said all the same.

@@ -4,7 +4,7 @@ use super::SURE;
 use crate::mistakes;
 use crate::rules::Analysis;
 use crate::search::{Evidence, PIXEL_TOLERANCE, Task, named};
-use crate::testbench::Sheet;
+use crate::testbench::Atlas;
 use crate::verdict::{FoundMistake, Outcome, Verdict};
 
 /// More names at once than a student can use.
@@ -61,8 +61,8 @@ enum Blank {
 }
 
 impl Blank {
-    fn of(seen: &Sheet, situations: usize) -> Option<Blank> {
-        let pixels = || (0..situations).flat_map(|tile| seen.tile(tile)).filter(|pixel| Sheet::is_drawn(pixel));
+    fn recognise(seen: &Atlas, test_scenes: usize) -> Option<Blank> {
+        let pixels = || (0..test_scenes).flat_map(|tile| seen.tile(tile)).filter(|pixel| Atlas::is_drawn(pixel));
         let all = |is: &dyn Fn(f32) -> bool| pixels().all(|pixel| pixel.iter().take(3).all(|channel| is(*channel)));
         if pixels().next().is_none() {
             Some(Blank::Nothing)
@@ -71,7 +71,7 @@ impl Blank {
         } else if all(&f32::is_nan) {
             Some(Blank::NoNumber)
         } else {
-            (0..situations).all(|tile| is_flat(seen.tile(tile))).then_some(Blank::Flat)
+            (0..test_scenes).all(|tile| is_flat(seen.tile(tile))).then_some(Blank::Flat)
         }
     }
 
@@ -88,20 +88,20 @@ impl Blank {
 }
 
 fn is_flat(tile: &[[f32; 4]]) -> bool {
-    let mut drawn = tile.iter().filter(|pixel| Sheet::is_drawn(pixel));
+    let mut drawn = tile.iter().filter(|pixel| Atlas::is_drawn(pixel));
     let Some(first) = drawn.next() else { return true };
     drawn.all(|pixel| pixel.iter().zip(first).take(3).all(|(a, b)| (a - b).abs() <= PIXEL_TOLERANCE))
 }
 
 /// A verdict without a name, or with one that any picture without light would get, is told what the source shows.
-pub(super) fn mend(verdict: &mut Verdict, evidence: Option<&Evidence>, source: &Analysis, task: &Task) {
+pub(super) fn name_from_source(verdict: &mut Verdict, evidence: Option<&Evidence>, source: &Analysis, task: &Task) {
     if verdict.verdict != Outcome::Wrong {
         return;
     }
     let model = task.model;
-    let blank = evidence.and_then(|evidence| Blank::of(&evidence.seen, evidence.scenes.len()));
+    let blank = evidence.and_then(|evidence| Blank::recognise(&evidence.seen, evidence.scenes.len()));
     if let Some(blank) = blank.filter(|_| task.model.is_lit()) {
-        let is_supported = |id: &str| source.looks_like(id, model) >= SUPPORTED_FROM;
+        let is_supported = |id: &str| source.support(id, model) >= SUPPORTED_FROM;
         // Everything that puts the light out explains it, so only the source can name it.
         if !verdict.mistakes.iter().all(|found| is_supported(&found.id)) || verdict.mistakes.is_empty() {
             verdict.mistakes.clear();
@@ -113,10 +113,10 @@ pub(super) fn mend(verdict: &mut Verdict, evidence: Option<&Evidence>, source: &
     if !verdict.mistakes.is_empty() {
         return;
     }
-    let is_shown = |id: &str| BEYOND_DOUBT.contains(&id) && source.looks_like(id, model) >= SURE;
-    let shown: Vec<_> = mistakes::of(model)
+    let is_shown = |id: &str| BEYOND_DOUBT.contains(&id) && source.support(id, model) >= SURE;
+    let shown: Vec<_> = mistakes::for_model(model)
         .filter(|mistake| is_shown(&mistake.id) && source.line(&mistake.id, model).is_some())
-        .map(|mistake| FoundMistake::of_bank(mistake, 0.0))
+        .map(|mistake| FoundMistake::from_catalogue(mistake, 0.0))
         .chain(without_model(source, task))
         .take(MOST_NAMES)
         .collect();
@@ -130,6 +130,6 @@ pub(super) fn mend(verdict: &mut Verdict, evidence: Option<&Evidence>, source: &
 /// Of programs that do more than any exercise asks.
 fn without_model<'a>(source: &'a Analysis, task: &'a Task) -> impl Iterator<Item = FoundMistake> + 'a {
     let is_asked = |id: &str| task.model.is_lit() && (task.attenuated || !id.starts_with("attenuation"));
-    let is_shown = |id: &str| source.looks_like(id, task.model) >= SURE && source.line(id, task.model).is_some();
+    let is_shown = |id: &str| source.support(id, task.model) >= SURE && source.line(id, task.model).is_some();
     WITHOUT_MODEL.iter().filter(move |id| is_asked(id) && is_shown(id)).filter_map(|id| named(id, 0.0))
 }

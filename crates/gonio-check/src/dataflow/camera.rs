@@ -105,8 +105,8 @@ impl Reading {
 
     /// Front made of yaw and pitch.
     fn made_of_angles(&self, id: Id) -> Option<(Axis, f64)> {
-        let made_of = self.graph.reachable(&[id], |_| true);
-        made_of.iter().any(|id| self.role(*id) == Some(Role::Yaw)).then_some((Axis::Front, 1.0))
+        let mistakes = self.graph.reachable(&[id], |_| true);
+        mistakes.iter().any(|id| self.role(*id) == Some(Role::Yaw)).then_some((Axis::Front, 1.0))
     }
 
     /// The number of a matrix in a column and a row.

@@ -30,7 +30,7 @@ pub(crate) struct Matrix {
 const MOST_FACTORS: usize = 16;
 
 impl Matrix {
-    fn of(bases: &[Base]) -> Self {
+    fn product(bases: &[Base]) -> Self {
         let factor = |base: &Base| Factor { base: *base, is_inverse: false, is_transposed: false };
         Matrix { factors: bases.iter().map(factor).collect(), is_turn: false }
     }
@@ -76,12 +76,12 @@ fn matrix(graph: &Graph, found: &[Option<Matrix>], id: Id) -> Option<Matrix> {
     let of = |id: &Id| found.get(id.0 as usize)?.clone();
     match graph.op(id) {
         Op::Input { role, .. } => Some(match (*role)? {
-            Role::Model => Matrix::of(&[Model]),
-            Role::View => Matrix::of(&[View]),
-            Role::Projection => Matrix::of(&[Projection]),
-            Role::ModelView => Matrix::of(&[View, Model]),
-            Role::ViewProjection => Matrix::of(&[Projection, View]),
-            Role::ModelViewProjection => Matrix::of(&[Projection, View, Model]),
+            Role::Model => Matrix::product(&[Model]),
+            Role::View => Matrix::product(&[View]),
+            Role::Projection => Matrix::product(&[Projection]),
+            Role::ModelView => Matrix::product(&[View, Model]),
+            Role::ViewProjection => Matrix::product(&[Projection, View]),
+            Role::ModelViewProjection => Matrix::product(&[Projection, View, Model]),
             Role::NormalMatrix => Matrix::normal_of(&[Model]),
             Role::NormalMatrixOfModelView => Matrix::normal_of(&[View, Model]),
             _ => return None,

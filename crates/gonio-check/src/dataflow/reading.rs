@@ -5,7 +5,7 @@ use super::graph::{Graph, Id, Op};
 use super::matrix::{self, Matrix};
 use super::run::Program;
 use super::terms::{self, Bits, DIFFUSE, Product, SPECULAR};
-use super::vector::{self, Incoming, Kind, Space, Vector};
+use super::vector::{self, Incoming, Space, Vector, VectorKind};
 use crate::roles::{NamesFile, Role};
 use gonio_glsl::ast::BinaryOp;
 
@@ -43,8 +43,8 @@ fn normalise_by_division(graph: &Graph, vectors: &mut [Option<Vector>]) {
 }
 
 impl Reading {
-    pub fn of(vertex: &Shader, fragment: &Shader, names: &NamesFile) -> Self {
-        let Program { graph, position, colour } = Program::of(vertex, fragment, names);
+    pub fn new(vertex: &Shader, fragment: &Shader, names: &NamesFile) -> Self {
+        let Program { graph, position, colour } = Program::new(vertex, fragment, names);
         let matrices = matrix::matrices(&graph);
         let mut vectors = vector::vectors(&graph, &matrices);
         normalise_by_division(&graph, &mut vectors);
@@ -207,7 +207,7 @@ impl Reading {
     }
 
     /// Whether a cosine with those bits is computed and does not flow into the colour.
-    pub fn computes_in_vain(&self, bits: Bits) -> bool {
+    pub fn computes_unused(&self, bits: Bits) -> bool {
         let is_of_light = |id: Id| {
             let Some(parts) = self.graph.call(id, "dot") else { return false };
             parts.iter().all(|part| self.vector(*part).is_some()) && self.bits(id) & bits != 0
@@ -218,10 +218,11 @@ impl Reading {
 
     /// Of every node, whether a cosine between a spot light's axis and the direction to it flows into it.
     pub fn of_cones(&self) -> Vec<bool> {
-        let is = |id: Id, wanted: &dyn Fn(Kind) -> bool| self.vector(id).is_some_and(|v| wanted(v.kind));
+        let is = |id: Id, wanted: &dyn Fn(VectorKind) -> bool| self.vector(id).is_some_and(|v| wanted(v.kind));
         let is_cone = |id: Id| match self.graph.call(id, "dot") {
             Some(&[a, b]) => [(a, b), (b, a)].into_iter().any(|(axis, light)| {
-                is(axis, &|kind| kind == Kind::LightDirection) && is(light, &|kind| matches!(kind, Kind::ToLight(..)))
+                is(axis, &|kind| kind == VectorKind::LightDirection)
+                    && is(light, &|kind| matches!(kind, VectorKind::ToLight(..)))
             }),
             _ => false,
         };
@@ -251,7 +252,7 @@ impl Reading {
                 Op::Call(name, parts) if matches!(name.as_str(), "reflect" | "refract") => found.extend(parts.get(1)),
                 // 2 (N.L) N, in the formula.
                 Op::Binary(BinaryOp::Multiply, a, b)
-                    if self.vector(*id).is_some_and(|v| v.kind == Kind::AlongNormal) =>
+                    if self.vector(*id).is_some_and(|v| v.kind == VectorKind::AlongNormal) =>
                 {
                     found.extend([a, b].into_iter().filter(|id| self.vector(**id).is_some_and(|v| v.is_normal())));
                 }
@@ -284,7 +285,8 @@ impl Reading {
         let back = || {
             let lookups = self.lookups();
             let mut looked_up = lookups.iter().filter_map(|(_, id)| self.vector(*id));
-            looked_up.any(|v| matches!(v.kind, Kind::Reflected(_) | Kind::Refracted(_)) && v.end == Space::World)
+            looked_up
+                .any(|v| matches!(v.kind, VectorKind::Reflected(_) | VectorKind::Refracted(_)) && v.end == Space::World)
         };
         // A mirror's direction has to come back into the world; a highlight's need not.
         ends(self.lights()) || self.lights().is_empty() && ends(self.eyes()) && (!self.looks_up_cube() || back())
@@ -301,7 +303,8 @@ impl Reading {
             || self.lookups().iter().any(|(_, id)| {
                 self.vector(*id).is_some_and(|v| {
                     let incoming = v.incoming.and_then(|id| self.vector(id));
-                    matches!(v.kind, Kind::Refracted(_)) && incoming.is_some_and(|incoming| incoming.sign != v.sign)
+                    matches!(v.kind, VectorKind::Refracted(_))
+                        && incoming.is_some_and(|incoming| incoming.sign != v.sign)
                 })
             })
     }
@@ -319,7 +322,7 @@ impl Reading {
     /// What goes into reflections (and refractions) of that.
     pub fn reflections(&self, of: Incoming) -> Vec<Id> {
         let made = self.lit.iter().filter_map(|id| self.vector(*id).filter(|vector| vector.at == *id));
-        made.filter(|v| matches!(v.kind, Kind::Reflected(kind) | Kind::Refracted(kind) if kind == of))
+        made.filter(|v| matches!(v.kind, VectorKind::Reflected(kind) | VectorKind::Refracted(kind) if kind == of))
             .filter_map(|vector| vector.incoming)
             .collect()
     }
@@ -331,9 +334,13 @@ impl Reading {
             for (one, other) in [(a, b), (b, a)] {
                 let is_other = self
                     .vector(other)
-                    .is_some_and(|v| v.is_normal() || v.is_light() || matches!(v.kind, Kind::Reflected(_)));
+                    .is_some_and(|v| v.is_normal() || v.is_light() || matches!(v.kind, VectorKind::Reflected(_)));
                 let is_eye = self.vector(one).is_some_and(|v| {
-                    v.is_eye() || matches!(v.kind, Kind::Constant | Kind::Point(_) | Kind::Reflected(Incoming::Eye))
+                    v.is_eye()
+                        || matches!(
+                            v.kind,
+                            VectorKind::Constant | VectorKind::Point(_) | VectorKind::Reflected(Incoming::Eye)
+                        )
                 });
                 if is_eye && (is_other || self.vector(one).is_some_and(|v| v.is_eye())) {
                     found.push(one);

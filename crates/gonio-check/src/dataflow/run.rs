@@ -62,7 +62,7 @@ pub(crate) struct Runner<'a> {
 }
 
 impl Program {
-    pub fn of(vertex: &Shader, fragment: &Shader, names: &NamesFile) -> Self {
+    pub fn new(vertex: &Shader, fragment: &Shader, names: &NamesFile) -> Self {
         let roles = roles(vertex, fragment, names);
         let mut graph = Graph::new();
         let outputs = Runner::new(&mut graph, vertex, Stage::Vertex, &roles, &BTreeMap::new()).run(vertex);

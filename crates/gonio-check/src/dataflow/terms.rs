@@ -1,7 +1,7 @@
 //! What the numbers of a program are: terms of the light equation, and the products that the colour is the sum of.
 
 use super::graph::{Graph, Id, Op, is_leading};
-use super::vector::{Kind, Vector};
+use super::vector::{Vector, VectorKind};
 use crate::roles::Role;
 use gonio_glsl::ast::BinaryOp;
 
@@ -36,7 +36,7 @@ const MOST_PRODUCTS: usize = 40;
 /// Whether the colour is made of this node's parts as a number is, not as a vector.
 pub(crate) fn is_open(graph: &Graph, vectors: &[Option<Vector>], id: Id) -> bool {
     let vector = vectors.get(id.0 as usize).copied().flatten();
-    if vector.is_some_and(|vector| vector.kind != Kind::Constant && graph.number(id).is_none()) {
+    if vector.is_some_and(|vector| vector.kind != VectorKind::Constant && graph.number(id).is_none()) {
         return false;
     }
     match graph.op(id) {
@@ -142,7 +142,7 @@ fn dot(a: Option<Vector>, b: Option<Vector>) -> Bits {
     let (Some(a), Some(b)) = (a, b) else {
         // Of what is not known in a highlight, it is the eye's place.
         return match a.or(b) {
-            Some(v) if matches!(v.kind, Kind::Reflected(_) | Kind::Half) => SPECULAR,
+            Some(v) if matches!(v.kind, VectorKind::Reflected(_) | VectorKind::Half) => SPECULAR,
             Some(v) if v.is_normal() || v.is_light() => DIFFUSE,
             _ => 0,
         };
@@ -152,7 +152,9 @@ fn dot(a: Option<Vector>, b: Option<Vector>) -> Bits {
     if a.is_light() && b.is_light() {
         return 0;
     }
-    if either(&|v| matches!(v.kind, Kind::Reflected(_) | Kind::Refracted(_) | Kind::Half)) || either(&Vector::is_eye) {
+    if either(&|v| matches!(v.kind, VectorKind::Reflected(_) | VectorKind::Refracted(_) | VectorKind::Half))
+        || either(&Vector::is_eye)
+    {
         SPECULAR
     } else if either(&Vector::is_light) || either(&Vector::is_normal) {
         DIFFUSE

@@ -36,7 +36,7 @@ pub(crate) enum By {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Kind {
+pub(crate) enum VectorKind {
     Point(Space),
     Normal(By),
     /// The light's place; the number of the light, none where it is written down.
@@ -67,7 +67,7 @@ pub(crate) enum Incoming {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Vector {
-    pub kind: Kind,
+    pub kind: VectorKind,
     /// -1 where it points the other way.
     pub sign: f64,
     pub is_unit: bool,
@@ -87,7 +87,7 @@ pub(crate) struct Vector {
 }
 
 impl Vector {
-    fn new(kind: Kind, at: Id) -> Self {
+    fn new(kind: VectorKind, at: Id) -> Self {
         Vector {
             kind,
             sign: 1.0,
@@ -103,23 +103,26 @@ impl Vector {
 
     fn turned(self, at: Id) -> Self {
         // From a place in the view's space it is towards the eye.
-        if self.kind == Kind::Point(Space::View) {
-            return Vector { kind: Kind::ToEye(Space::View), end: Space::View, at, ..self };
+        if self.kind == VectorKind::Point(Space::View) {
+            return Vector { kind: VectorKind::ToEye(Space::View), end: Space::View, at, ..self };
         }
         Vector { sign: -self.sign, turned_at: Some(at), ..self }
     }
 
     pub fn is_normal(&self) -> bool {
-        matches!(self.kind, Kind::Normal(_))
+        matches!(self.kind, VectorKind::Normal(_))
     }
 
     /// What stands for the direction to the light, right or wrong.
     pub fn is_light(&self) -> bool {
-        matches!(self.kind, Kind::ToLight(..) | Kind::Light(_) | Kind::LightDirection | Kind::LightMinusNormal)
+        matches!(
+            self.kind,
+            VectorKind::ToLight(..) | VectorKind::Light(_) | VectorKind::LightDirection | VectorKind::LightMinusNormal
+        )
     }
 
     pub fn is_eye(&self) -> bool {
-        matches!(self.kind, Kind::ToEye(_) | Kind::Eye | Kind::Front)
+        matches!(self.kind, VectorKind::ToEye(_) | VectorKind::Eye | VectorKind::Front)
     }
 }
 
@@ -140,7 +143,7 @@ struct Vectors<'a> {
 }
 
 impl Vectors<'_> {
-    fn of(&self, id: Id) -> Option<Vector> {
+    fn classify(&self, id: Id) -> Option<Vector> {
         self.found.get(id.0 as usize).copied().flatten()
     }
 
@@ -153,21 +156,21 @@ impl Vectors<'_> {
         match graph.op(id) {
             Op::Input { role, .. } => {
                 let kind = match (*role)? {
-                    Role::Position => Kind::Point(Space::Model),
-                    Role::Normal => Kind::Normal(By::Nothing),
-                    Role::LightPos(i) | Role::LightPosInView(i) => Kind::Light(Some(i)),
-                    Role::LightDirection(_) => Kind::LightDirection,
-                    Role::ViewPos => Kind::Eye,
-                    Role::ViewFront => Kind::Front,
+                    Role::Position => VectorKind::Point(Space::Model),
+                    Role::Normal => VectorKind::Normal(By::Nothing),
+                    Role::LightPos(i) | Role::LightPosInView(i) => VectorKind::Light(Some(i)),
+                    Role::LightDirection(_) => VectorKind::LightDirection,
+                    Role::ViewPos => VectorKind::Eye,
+                    Role::ViewFront => VectorKind::Front,
                     _ => return None,
                 };
                 let end = if matches!(role, Some(Role::LightPosInView(_))) { Space::View } else { Space::World };
                 Some(Vector { end, ..Vector::new(kind, id) })
             }
             Op::Copy(a, name) => {
-                let mut vector = self.of(*a)?;
+                let mut vector = self.classify(*a)?;
                 // A place written down is the light's or the eye's if its name says so.
-                if vector.kind == Kind::Constant
+                if vector.kind == VectorKind::Constant
                     && let Some(kind) = named_place(name)
                 {
                     vector.kind = kind;
@@ -175,9 +178,9 @@ impl Vectors<'_> {
                 Some(vector)
             }
             Op::Interpolated(a) => {
-                let vector = self.of(*a)?;
+                let vector = self.classify(*a)?;
                 Some(match vector.kind {
-                    Kind::Normal(_) => Vector { is_unit: false, is_between: true, ..vector },
+                    VectorKind::Normal(_) => Vector { is_unit: false, is_between: true, ..vector },
                     _ => Vector { is_between: true, ..vector },
                 })
             }
@@ -185,24 +188,24 @@ impl Vectors<'_> {
             Op::Index(a, Some(3)) => {
                 let factors = &self.matrix(*a)?.factors;
                 let is_camera = matches!(factors[..], [f] if f.base == Base::View && f.is_inverse && !f.is_transposed);
-                is_camera.then(|| Vector { w: Some(1.0), ..Vector::new(Kind::Eye, id) })
+                is_camera.then(|| Vector { w: Some(1.0), ..Vector::new(VectorKind::Eye, id) })
             }
             Op::Swizzle(a, letters) if is_leading(letters) => {
-                let w = self.of(*a)?.w.filter(|_| letters.len() == 4);
-                Some(Vector { w, ..self.of(*a)? })
+                let w = self.classify(*a)?.w.filter(|_| letters.len() == 4);
+                Some(Vector { w, ..self.classify(*a)? })
             }
             Op::Construct(parts) => self.constructed(id, parts),
-            Op::Neg(a) => Some(self.of(*a)?.turned(id)),
+            Op::Neg(a) => Some(self.classify(*a)?.turned(id)),
             Op::Binary(op, a, b) => self.binary(id, *op, *a, *b),
             Op::Call(name, parts) => self.called(id, name, parts),
-            Op::Select(_, a, b) => match (self.of(*a), self.of(*b)) {
+            Op::Select(_, a, b) => match (self.classify(*a), self.classify(*b)) {
                 // Of a normal and the same turned round, to face the eye.
                 (Some(a), Some(b)) if a.kind == b.kind => Some(if a.sign < b.sign { b } else { a }),
                 // Of a sun's direction and the one to a lamp, the latter tells more.
-                (Some(a), Some(b)) => Some(if matches!(b.kind, Kind::ToLight(..)) { b } else { a }),
+                (Some(a), Some(b)) => Some(if matches!(b.kind, VectorKind::ToLight(..)) { b } else { a }),
                 (a, b) => a.or(b),
             },
-            Op::Write(base, letters, value) if is_leading(letters) => self.of(*value).or(self.of(*base)),
+            Op::Write(base, letters, value) if is_leading(letters) => self.classify(*value).or(self.classify(*base)),
             Op::Number(number) if number.len() >= 3 => self.constant(id, number),
             _ => None,
         }
@@ -210,7 +213,7 @@ impl Vectors<'_> {
 
     fn constant(&self, id: Id, number: &Components) -> Option<Vector> {
         let unit = number.iter().take(3).map(|x| x * x).sum::<f64>();
-        Some(Vector { is_unit: (unit - 1.0).abs() < 1e-3, ..Vector::new(Kind::Constant, id) })
+        Some(Vector { is_unit: (unit - 1.0).abs() < 1e-3, ..Vector::new(VectorKind::Constant, id) })
     }
 
     fn constructed(&self, id: Id, parts: &[Id]) -> Option<Vector> {
@@ -222,8 +225,8 @@ impl Vectors<'_> {
         }
         let first = *parts.first()?;
         match parts.len() {
-            1 => Some(Vector { w: None, ..self.of(first)? }),
-            2 => Some(Vector { w: self.graph.scalar(parts[1]), ..self.of(first)? }),
+            1 => Some(Vector { w: None, ..self.classify(first)? }),
+            2 => Some(Vector { w: self.graph.scalar(parts[1]), ..self.classify(first)? }),
             _ => {
                 // `vec3(p.x, p.y, p.z)`
                 let bases: Option<Vec<Id>> = parts
@@ -239,7 +242,7 @@ impl Vectors<'_> {
                     .collect();
                 let bases = bases?;
                 let w = parts.get(3).and_then(|w| self.graph.scalar(*w));
-                bases.iter().all(|base| base == &bases[0]).then(|| self.of(bases[0]))?.map(|v| Vector { w, ..v })
+                bases.iter().all(|base| base == &bases[0]).then(|| self.classify(bases[0]))?.map(|v| Vector { w, ..v })
             }
         }
     }
@@ -247,24 +250,24 @@ impl Vectors<'_> {
     fn binary(&self, id: Id, op: BinaryOp, a: Id, b: Id) -> Option<Vector> {
         match op {
             BinaryOp::Multiply => {
-                if let (Some(matrix), Some(vector)) = (self.matrix(a), self.of(b)) {
+                if let (Some(matrix), Some(vector)) = (self.matrix(a), self.classify(b)) {
                     return self.transformed(id, matrix, vector);
                 }
                 // A vector on the left is multiplied by the transpose.
-                if let (Some(vector), Some(matrix)) = (self.of(a), self.matrix(b)) {
+                if let (Some(vector), Some(matrix)) = (self.classify(a), self.matrix(b)) {
                     return self.transformed(id, &matrix.clone().transposed(), vector);
                 }
                 if self.graph.node(a).is_matrix || self.graph.node(b).is_matrix {
                     return None;
                 }
-                match (self.of(a), self.of(b)) {
+                match (self.classify(a), self.classify(b)) {
                     (Some(vector), _) if self.graph.node(b).width == 1 => self.scaled(id, vector, b),
                     (_, Some(vector)) if self.graph.node(a).width == 1 => self.scaled(id, vector, a),
                     _ => None,
                 }
             }
             BinaryOp::Divide => {
-                let vector = self.of(a)?;
+                let vector = self.classify(a)?;
                 let divisor = self.graph.plain(b);
                 match self.graph.op(divisor) {
                     Op::Call(name, _) if is_length(name) => Some(Vector { is_unit: true, is_between: false, ..vector }),
@@ -277,8 +280,8 @@ impl Vectors<'_> {
                     _ => self.scaled(id, vector, b),
                 }
             }
-            BinaryOp::Add => self.sum(id, self.of(a), self.of(b), 1.0, a, b),
-            BinaryOp::Subtract => self.sum(id, self.of(a), self.of(b), -1.0, a, b),
+            BinaryOp::Add => self.sum(id, self.classify(a), self.classify(b), 1.0, a, b),
+            BinaryOp::Subtract => self.sum(id, self.classify(a), self.classify(b), -1.0, a, b),
             _ => None,
         }
     }
@@ -296,7 +299,7 @@ impl Vectors<'_> {
             None if self.graph.call(by, "inversesqrt").is_some() => {
                 Some(Vector { is_unit: true, is_between: false, ..vector })
             }
-            None if vector.is_normal() => Some(Vector { kind: Kind::AlongNormal, at: id, ..vector }),
+            None if vector.is_normal() => Some(Vector { kind: VectorKind::AlongNormal, at: id, ..vector }),
             None => None,
         }
     }
@@ -315,25 +318,29 @@ impl Vectors<'_> {
         };
         match (a, b) {
             // `mat3(V) * lightPos + V[3].xyz`
-            (Some(light), None) if matches!(light.kind, Kind::Light(_)) && is_shift(at_b) => return Some(light),
+            (Some(light), None) if matches!(light.kind, VectorKind::Light(_)) && is_shift(at_b) => return Some(light),
             _ => {}
         }
         let (a, b) = (a?, Vector { sign: sign * b?.sign, ..b? });
         let opposed = a.sign * b.sign < 0.0;
         let end = if a.end == Space::View || b.end == Space::View { Space::View } else { Space::World };
-        let made = |kind: Kind, sign: f64| Some(Vector { sign, end, w: None, ..Vector::new(kind, id) });
+        let made = |kind: VectorKind, sign: f64| Some(Vector { sign, end, w: None, ..Vector::new(kind, id) });
         let pair = |one: Vector, other: Vector| match (one.kind, other.kind) {
-            (Kind::Light(light), Kind::Point(space)) if opposed => made(Kind::ToLight(light, space), one.sign),
-            (Kind::Eye, Kind::Point(space)) if opposed => made(Kind::ToEye(space), one.sign),
-            (Kind::Constant, Kind::Point(space)) if opposed => made(Kind::ToLight(None, space), one.sign),
-            (Kind::Light(light), Kind::ToEye(Space::View)) if !opposed => {
-                made(Kind::ToLight(light, Space::View), one.sign)
+            (VectorKind::Light(light), VectorKind::Point(space)) if opposed => {
+                made(VectorKind::ToLight(light, space), one.sign)
             }
-            (Kind::Light(_), Kind::Normal(_)) if opposed => made(Kind::LightMinusNormal, one.sign),
-            (Kind::ToLight(..), Kind::ToEye(_)) => made(Kind::Half, one.sign),
-            (_, Kind::AlongNormal) if one.is_light() || one.is_eye() => {
+            (VectorKind::Eye, VectorKind::Point(space)) if opposed => made(VectorKind::ToEye(space), one.sign),
+            (VectorKind::Constant, VectorKind::Point(space)) if opposed => {
+                made(VectorKind::ToLight(None, space), one.sign)
+            }
+            (VectorKind::Light(light), VectorKind::ToEye(Space::View)) if !opposed => {
+                made(VectorKind::ToLight(light, Space::View), one.sign)
+            }
+            (VectorKind::Light(_), VectorKind::Normal(_)) if opposed => made(VectorKind::LightMinusNormal, one.sign),
+            (VectorKind::ToLight(..), VectorKind::ToEye(_)) => made(VectorKind::Half, one.sign),
+            (_, VectorKind::AlongNormal) if one.is_light() || one.is_eye() => {
                 let incoming = if one.is_light() { Incoming::Light } else { Incoming::Eye };
-                let mut vector = made(Kind::Reflected(incoming), one.sign)?;
+                let mut vector = made(VectorKind::Reflected(incoming), one.sign)?;
                 vector.is_unit = one.is_unit;
                 vector.incoming = Some(if one == a { at_a } else { at_b });
                 Some(vector)
@@ -344,14 +351,18 @@ impl Vectors<'_> {
     }
 
     fn called(&self, id: Id, name: &str, parts: &[Id]) -> Option<Vector> {
-        let first = self.of(*parts.first()?);
+        let first = self.classify(*parts.first()?);
         match name {
             "normalize" => {
                 let unit = Vector { is_unit: true, is_between: false, w: None, ..first? };
                 Some(match unit.kind {
-                    Kind::Point(Space::View) => {
-                        Vector { kind: Kind::ToEye(Space::View), end: Space::View, sign: -unit.sign, at: id, ..unit }
-                    }
+                    VectorKind::Point(Space::View) => Vector {
+                        kind: VectorKind::ToEye(Space::View),
+                        end: Space::View,
+                        sign: -unit.sign,
+                        at: id,
+                        ..unit
+                    },
                     _ => unit,
                 })
             }
@@ -361,18 +372,19 @@ impl Vectors<'_> {
                     Some(vector) if vector.is_eye() => Incoming::Eye,
                     _ => Incoming::Other,
                 };
-                let kind = if name == "reflect" { Kind::Reflected(incoming) } else { Kind::Refracted(incoming) };
+                let kind =
+                    if name == "reflect" { VectorKind::Reflected(incoming) } else { VectorKind::Refracted(incoming) };
                 let mut vector = Vector::new(kind, id);
                 vector.sign = first.map_or(1.0, |first| first.sign);
                 vector.is_unit = first.is_some_and(|first| first.is_unit);
                 vector.incoming = parts.first().copied();
                 vector.end = first.map_or(Space::World, |first| match first.kind {
-                    Kind::Point(space) => space,
+                    VectorKind::Point(space) => space,
                     _ => first.end,
                 });
                 Some(vector)
             }
-            "faceforward" | "mix" => first.filter(|vector| vector.kind != Kind::Constant),
+            "faceforward" | "mix" => first.filter(|vector| vector.kind != VectorKind::Constant),
             _ => None,
         }
     }
@@ -382,22 +394,28 @@ impl Vectors<'_> {
             return Some(vector);
         }
         let kind = match vector.kind {
-            Kind::Point(space) => Kind::Point(moved(space, matrix, vector.w)),
-            Kind::Normal(before) => Kind::Normal(normal_by(before, matrix, vector.w)),
+            VectorKind::Point(space) => VectorKind::Point(moved(space, matrix, vector.w)),
+            VectorKind::Normal(before) => VectorKind::Normal(normal_by(before, matrix, vector.w)),
             // A light's or an eye's place is where it is, whatever the space.
-            Kind::Light(_) | Kind::LightDirection | Kind::Eye | Kind::Front => {
+            VectorKind::Light(_) | VectorKind::LightDirection | VectorKind::Eye | VectorKind::Front => {
                 let into_view = matrix.bases().is_some_and(|bases| bases[..] == [Base::View]);
                 let end = if into_view { Space::View } else { vector.end };
                 return Some(Vector { w: vector.w.or(Some(1.0)), end, ..vector });
             }
-            Kind::ToLight(..) | Kind::ToEye(_) | Kind::Half => return Some(Vector { w: None, ..vector }),
-            Kind::Reflected(_) | Kind::Refracted(_) => {
+            VectorKind::ToLight(..) | VectorKind::ToEye(_) | VectorKind::Half => {
+                return Some(Vector { w: None, ..vector });
+            }
+            VectorKind::Reflected(_) | VectorKind::Refracted(_) => {
                 let back = matrix.factors.iter().all(|f| f.base == Base::View && f.is_inverse != f.is_transposed);
                 return Some(Vector { w: None, end: if back { Space::World } else { vector.end }, ..vector });
             }
-            Kind::Constant if vector.w == Some(1.0) || self.graph.node(id).width == 4 => {
+            VectorKind::Constant if vector.w == Some(1.0) || self.graph.node(id).width == 4 => {
                 let is_origin = self.graph.number(vector.at).is_some_and(|n| n.iter().take(3).all(|x| *x == 0.0));
-                return Some(Vector { kind: if is_origin { Kind::Eye } else { Kind::Constant }, at: id, ..vector });
+                return Some(Vector {
+                    kind: if is_origin { VectorKind::Eye } else { VectorKind::Constant },
+                    at: id,
+                    ..vector
+                });
             }
             _ => return None,
         };
@@ -456,15 +474,15 @@ fn is_length(name: &str) -> bool {
 }
 
 /// What a place written down is, by the name of what holds it.
-fn named_place(name: &str) -> Option<Kind> {
+fn named_place(name: &str) -> Option<VectorKind> {
     let name = name.to_lowercase();
     let has = |words: &[&str]| words.iter().any(|word| name.contains(word));
     if has(&["col", "coul", "amb", "diff", "spec", "str", "int", "att"]) {
         None
     } else if has(&["light", "lum", "lamp", "licht", "sun"]) {
-        Some(Kind::Light(None))
+        Some(VectorKind::Light(None))
     } else if has(&["view", "cam", "eye", "oeil", "viewer"]) {
-        Some(Kind::Eye)
+        Some(VectorKind::Eye)
     } else {
         None
     }

@@ -369,7 +369,7 @@ const USUAL: &[Usual] = &[
     ),
     usual(
         &[&["linking with uncompiled"], &["uncompiled"], &["not successfully compiled"], &["unspecialized shader"]],
-        "The program cannot be put together because one of its shaders did not compile: mend that first.",
+        "The program cannot be put together because one of its shaders did not compile: fix that first.",
     ),
 ];
 

@@ -36,7 +36,7 @@ pub enum Function {
 
 impl Function {
     /// By its name.
-    pub fn of(name: &str) -> Option<Self> {
+    pub fn by_name(name: &str) -> Option<Self> {
         Some(match name {
             "normalize" => Self::Normalize,
             "length" => Self::Length,

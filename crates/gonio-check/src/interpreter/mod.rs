@@ -12,5 +12,5 @@ mod run;
 mod value;
 
 pub use plan::{Input, Plan};
-pub use run::{Cast, Drawn, Points, Run};
+pub use run::{Drawn, InputSet, Points, Run};
 pub use value::Value;

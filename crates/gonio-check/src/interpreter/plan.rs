@@ -105,7 +105,7 @@ pub struct Plan {
 
 impl Plan {
     /// Of a model with all its hypotheses; `None` where its text uses what is not known here, as mirrors do with their textures.
-    pub fn of(hypotheses: &Hypotheses) -> Option<Plan> {
+    pub fn new(hypotheses: &Hypotheses) -> Option<Plan> {
         super::read::Reader::read(hypotheses)
     }
 }

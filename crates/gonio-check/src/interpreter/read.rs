@@ -188,7 +188,7 @@ impl<'a> Reader<'a> {
             "mat4" => return Some(Node::Matrix(4, one(arguments)?)),
             _ => {}
         }
-        if let Some(function) = Function::of(&call.name) {
+        if let Some(function) = Function::by_name(&call.name) {
             return (arguments.len() == function.arguments()).then_some(Node::Call(function, arguments));
         }
         let function = self.functions.get(&call.name)?.clone();

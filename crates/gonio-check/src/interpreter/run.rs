@@ -9,19 +9,19 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::rc::Rc;
 
-/// The vertices of what is drawn, situation by situation.
+/// The vertices of what is drawn, test scene by test scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Points {
-    /// Where each situation's lie.
+    /// Where each test scene's lie.
     pub spans: Vec<Range<usize>>,
     /// Position and normal: a plane a component.
     pub attributes: [Rc<Value>; 2],
 }
 
-/// The pixels that are drawn, situation by situation.
+/// The pixels that are drawn, test scene by test scene.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Drawn {
-    /// Where each situation's lie.
+    /// Where each test scene's lie.
     pub spans: Vec<Range<usize>>,
     /// The three vertices of the triangle that a pixel shows: indices into [`Points`].
     pub corners: Vec<[u32; 3]>,
@@ -30,31 +30,31 @@ pub struct Drawn {
 }
 
 /// What is given to a model: several casts, each with what every input holds.
-pub type Cast = Vec<Rc<Value>>;
+pub type InputSet = Vec<Rc<Value>>;
 
 /// A model that is worked out over one set of pixels: the model itself once, and of each hypothesis what it changes.
 pub struct Run {
     plan: Rc<Plan>,
     points: Rc<Points>,
     drawn: Drawn,
-    casts: Rc<Vec<Cast>>,
+    input_sets: Rc<Vec<InputSet>>,
     /// Which inputs are not the same in all casts.
     varying: Vec<bool>,
     /// Of each variable: its value in each cast.
-    own: Vec<PerCast>,
+    own: Vec<PerSet>,
 }
 
 /// A variable's value in each cast: one where it is the same in all.
-type PerCast = Vec<Rc<Value>>;
+type PerSet = Vec<Rc<Value>>;
 
 impl Run {
     /// Works out the model itself.
-    pub fn new(plan: Rc<Plan>, points: Rc<Points>, drawn: Drawn, casts: Rc<Vec<Cast>>) -> Self {
+    pub fn new(plan: Rc<Plan>, points: Rc<Points>, drawn: Drawn, input_sets: Rc<Vec<InputSet>>) -> Self {
         let varying = (0..plan.inputs.len())
-            .map(|input| casts.windows(2).any(|pair| pair[0].get(input) != pair[1].get(input)))
+            .map(|input| input_sets.windows(2).any(|pair| pair[0].get(input) != pair[1].get(input)))
             .collect();
         let mut run =
-            Run { plan: Rc::clone(&plan), points, drawn, casts, varying, own: Vec::with_capacity(plan.slots) };
+            Run { plan: Rc::clone(&plan), points, drawn, input_sets, varying, own: Vec::with_capacity(plan.slots) };
         for step in &plan.steps {
             let value = run.step(step, 0, &|slot| run.own.get(slot).map_or(&[][..], |of| of));
             run.own.push(value);
@@ -64,7 +64,7 @@ impl Run {
 
     /// What the model puts out under a hypothesis, in each cast: red, green and blue. `choices` are ways of lines, from 1.
     pub fn colours(&self, choices: &BTreeMap<usize, usize>) -> Vec<Rc<Value>> {
-        let mut changed: Vec<Option<PerCast>> = vec![None; self.plan.slots];
+        let mut changed: Vec<Option<PerSet>> = vec![None; self.plan.slots];
         for step in &self.plan.steps {
             let way = step.line.and_then(|line| choices.get(&line)).copied().unwrap_or(0);
             let touched = |slot: &usize| changed[*slot].is_some();
@@ -81,16 +81,16 @@ impl Run {
             }
         }
         let colour = changed[self.plan.colour].take().unwrap_or_else(|| self.own[self.plan.colour].clone());
-        (0..self.casts.len()).filter_map(|cast| of_cast(&colour, cast).cloned()).collect()
+        (0..self.input_sets.len()).filter_map(|set| of_set(&colour, set).cloned()).collect()
     }
 
-    fn step<'v>(&self, step: &Step, way: usize, known: &dyn Fn(usize) -> &'v [Rc<Value>]) -> PerCast {
+    fn step<'v>(&self, step: &Step, way: usize, known: &dyn Fn(usize) -> &'v [Rc<Value>]) -> PerSet {
         match &step.act {
             Act::Interpolate(from) => known(*from).iter().map(|value| self.interpolated(value)).collect(),
             Act::Write(ways) => {
                 let Some(way) = ways.get(way).or(ways.first()) else { return Vec::new() };
-                let count = if self.varies(way, known) { self.casts.len() } else { 1 };
-                (0..count).map(|cast| self.node(&way.node, step.stage, cast, known)).collect()
+                let count = if self.varies(way, known) { self.input_sets.len() } else { 1 };
+                (0..count).map(|set| self.node(&way.node, step.stage, set, known)).collect()
             }
         }
     }
@@ -114,15 +114,15 @@ impl Run {
         Rc::new(Value::Each(planes.iter().map(interpolate).collect()))
     }
 
-    fn node<'v>(&self, node: &Node, stage: Stage, cast: usize, known: &dyn Fn(usize) -> &'v [Rc<Value>]) -> Rc<Value> {
+    fn node<'v>(&self, node: &Node, stage: Stage, set: usize, known: &dyn Fn(usize) -> &'v [Rc<Value>]) -> Rc<Value> {
         let spans = self.spans(stage);
-        let of = |node: &Node| self.node(node, stage, cast, known);
+        let of = |node: &Node| self.node(node, stage, set, known);
         let nothing = || Rc::new(Value::number(0.0, spans.len()));
         let found = match node {
             Node::Number(number) => Some(Value::number(*number, spans.len())),
-            Node::Slot(slot) => return of_cast(known(*slot), cast).cloned().unwrap_or_else(nothing),
+            Node::Slot(slot) => return of_set(known(*slot), set).cloned().unwrap_or_else(nothing),
             Node::Input(input) => {
-                return self.casts.get(cast).and_then(|cast| cast.get(*input)).cloned().unwrap_or_else(nothing);
+                return self.input_sets.get(set).and_then(|set| set.get(*input)).cloned().unwrap_or_else(nothing);
             }
             Node::Attribute(attribute) => return Rc::clone(&self.points.attributes[(*attribute).min(1)]),
             Node::Vector(width, parts) => Some(vector(*width, &parts.iter().map(of).collect::<Vec<_>>(), spans)),
@@ -140,8 +140,8 @@ impl Run {
     }
 }
 
-fn of_cast(values: &[Rc<Value>], cast: usize) -> Option<&Rc<Value>> {
-    values.get(cast).or(values.first())
+fn of_set(values: &[Rc<Value>], set: usize) -> Option<&Rc<Value>> {
+    values.get(set).or(values.first())
 }
 
 fn binary(op: BinaryOp, a: &Value, b: &Value, spans: &Spans) -> Option<Value> {
@@ -168,9 +168,9 @@ fn vector(width: usize, parts: &[Rc<Value>], spans: &Spans) -> Value {
     let places: Vec<(&Rc<Value>, usize)> =
         parts.iter().flat_map(|part| (0..part.width()).map(move |c| (part, c))).take(width).collect();
     if parts.iter().all(|part| matches!(**part, Value::Same(..))) {
-        let number = |situation: usize| {
+        let number = |test_scene: usize| {
             std::array::from_fn(|i| match places.get(i).map(|(part, c)| (&***part, *c)) {
-                Some((Value::Same(_, numbers), c)) => numbers.get(situation).map_or(0.0, |n| n[c]),
+                Some((Value::Same(_, numbers), c)) => numbers.get(test_scene).map_or(0.0, |n| n[c]),
                 _ => 0.0,
             })
         };

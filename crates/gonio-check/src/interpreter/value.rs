@@ -6,15 +6,15 @@ use std::ops::Range;
 /// Up to four numbers, or a matrix, at every point.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
-    /// The same at all points of a situation: numbers, and how many of them count.
+    /// The same at all points of a test scene: numbers, and how many of them count.
     Same(usize, Vec<[f32; 4]>),
     /// Others at every point: one plane a component.
     Each(Vec<Vec<f32>>),
-    /// A matrix in each situation; one of three columns is the upper left part.
+    /// A matrix in each test scene; one of three columns is the upper left part.
     Matrix(usize, Vec<Mat4>),
 }
 
-/// Where the points of each situation lie.
+/// Where the points of each test scene lie.
 pub type Spans = [Range<usize>];
 
 /// A component over a span: one number, or a slice.
@@ -32,17 +32,17 @@ impl Value {
         }
     }
 
-    /// A number of every situation.
-    pub fn number(number: f32, situations: usize) -> Self {
-        Value::Same(1, vec![[number; 4]; situations])
+    /// A number of every test scene.
+    pub fn number(number: f32, test_scenes: usize) -> Self {
+        Value::Same(1, vec![[number; 4]; test_scenes])
     }
 
     /// A single number stands for all components.
-    fn part(&self, component: usize, situation: usize, span: &Range<usize>) -> Part<'_> {
+    fn part(&self, component: usize, test_scene: usize, span: &Range<usize>) -> Part<'_> {
         match self {
             Value::Same(width, numbers) => {
                 let component = if *width == 1 { 0 } else { component.min(3) };
-                Part::One(numbers.get(situation).map_or(0.0, |n| n[component]))
+                Part::One(numbers.get(test_scene).map_or(0.0, |n| n[component]))
             }
             Value::Each(planes) => {
                 let component = if planes.len() == 1 { 0 } else { component };
@@ -60,8 +60,8 @@ impl Value {
             return plane.clone();
         }
         let mut plane = vec![0.0; spans.last().map_or(0, |last| last.end)];
-        for (situation, span) in spans.iter().enumerate() {
-            if let Part::One(number) = self.part(component, situation, span) {
+        for (test_scene, span) in spans.iter().enumerate() {
+            if let Part::One(number) = self.part(component, test_scene, span) {
                 plane[span.clone()].fill(number);
             }
         }
@@ -103,8 +103,8 @@ impl Value {
         }
         let plane = |component: usize| {
             let mut plane = Vec::with_capacity(spans.last().map_or(0, |last| last.end));
-            for (situation, span) in spans.iter().enumerate() {
-                match (self.part(component, situation, span), other.part(component, situation, span)) {
+            for (test_scene, span) in spans.iter().enumerate() {
+                match (self.part(component, test_scene, span), other.part(component, test_scene, span)) {
                     (Part::Many(a), Part::Many(b)) => plane.extend(a.iter().zip(b).map(|(&a, &b)| f(a, b))),
                     (Part::Many(a), Part::One(b)) => plane.extend(a.iter().map(|&a| f(a, b))),
                     (Part::One(a), Part::Many(b)) => plane.extend(b.iter().map(|&b| f(a, b))),

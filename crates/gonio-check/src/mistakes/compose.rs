@@ -13,7 +13,7 @@ pub struct Hypothesis {
     /// Of each line that is changed: its number among the model's changeable ones, and which way (from 1).
     pub choices: BTreeMap<usize, usize>,
     /// Indices into [`Hypotheses::mistakes`].
-    pub made_of: Vec<usize>,
+    pub mistakes: Vec<usize>,
 }
 
 impl Hypothesis {
@@ -24,7 +24,7 @@ impl Hypothesis {
         }
         let mut both = self.clone();
         both.choices.extend(&other.choices);
-        both.made_of.extend(&other.made_of);
+        both.mistakes.extend(&other.mistakes);
         Some(both)
     }
 }
@@ -35,7 +35,7 @@ pub struct Hypotheses {
     pub model: Model,
     /// What can be made of it, harmless ones among them.
     pub mistakes: Vec<&'static Mistake>,
-    /// Each way to make each mistake: the index of the mistake stands in `made_of`.
+    /// Each way to make each mistake: the index of the mistake stands in `mistakes`.
     pub singles: Vec<Hypothesis>,
     /// The changeable lines' variables; the uniform `way_NAME` chooses among the ways of each.
     pub variables: Vec<String>,
@@ -52,7 +52,7 @@ fn assignment(line: &str) -> Option<(&str, &str)> {
 
 impl Hypotheses {
     /// Of a model: a mistake that names a variable that the model does not write is left out (a test holds that there is none).
-    pub fn of(model: Model) -> Self {
+    pub fn for_model(model: Model) -> Self {
         let sources = model.sources();
         let written: Vec<&str> =
             sources.iter().flat_map(|source| source.lines()).filter_map(|l| Some(assignment(l)?.0)).collect();
@@ -64,7 +64,7 @@ impl Hypotheses {
             sources: sources.map(str::to_owned),
             alternatives: Vec::new(),
         };
-        for mistake in super::of(model) {
+        for mistake in super::for_model(model) {
             let index = all.mistakes.len();
             all.mistakes.push(mistake);
             for change in &mistake.change {
@@ -72,7 +72,7 @@ impl Hypotheses {
                     continue;
                 }
                 let choices = change.iter().map(|(variable, text)| all.choice(variable, text)).collect();
-                all.singles.push(Hypothesis { choices, made_of: vec![index] });
+                all.singles.push(Hypothesis { choices, mistakes: vec![index] });
             }
         }
         all
@@ -192,8 +192,8 @@ mod tests {
     #[test]
     fn every_change_finds_its_line() {
         for model in Model::ALL {
-            let hypotheses = Hypotheses::of(model);
-            let ways: usize = super::super::of(model).map(|mistake| mistake.change.len()).sum();
+            let hypotheses = Hypotheses::for_model(model);
+            let ways: usize = super::super::for_model(model).map(|mistake| mistake.change.len()).sum();
             assert_eq!(hypotheses.singles.len(), ways, "{model:?}");
             assert!(ways > 3, "{model:?}");
         }
@@ -202,7 +202,7 @@ mod tests {
     #[test]
     fn without_a_choice_the_model_is_itself() {
         for model in Model::ALL {
-            let written = Hypotheses::of(model).written(&Hypothesis::default());
+            let written = Hypotheses::for_model(model).written(&Hypothesis::default());
             for (written, source) in written.iter().zip(model.sources()) {
                 let without_remarks = |text: &str| -> Vec<String> {
                     text.lines().map(|line| line.split(" //").next().unwrap_or_default().to_owned()).collect()
@@ -214,8 +214,8 @@ mod tests {
 
     #[test]
     fn changes_of_one_line_exclude_each_other() {
-        let hypotheses = Hypotheses::of(Model::Phong);
-        let by_id = |id: &str| hypotheses.singles.iter().find(|h| hypotheses.mistakes[h.made_of[0]].id == id).unwrap();
+        let hypotheses = Hypotheses::for_model(Model::Phong);
+        let by_id = |id: &str| hypotheses.singles.iter().find(|h| hypotheses.mistakes[h.mistakes[0]].id == id).unwrap();
         assert!(by_id("diffuse-absolute").and(by_id("diffuse-not-clamped")).is_none());
         let both = by_id("diffuse-absolute").and(by_id("normal-by-model-matrix")).unwrap();
         let [vertex, fragment] = hypotheses.written(&both);

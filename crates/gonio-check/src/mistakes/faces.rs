@@ -8,7 +8,7 @@ pub const FACES: [(&str, &str); 6] =
     [("posx", "+X"), ("negx", "-X"), ("posy", "+Y"), ("negy", "-Y"), ("posz", "+Z"), ("negz", "-Z")];
 
 /// The section of the lecture that teaches which face shows what.
-pub const SEED: &str = "Equirectangular to cubemap";
+pub const LECTURE_SECTION: &str = "Equirectangular to cubemap";
 
 /// What can be done to a square picture but leaving it as it is: the word, what is said of it, and where (s, t) of the
 /// picture that is there lie in the one that should be, as GLSL.
@@ -36,14 +36,14 @@ fn direction(face: usize, s: &str, t: &str) -> String {
     format!("vec3({x}, {y}, {z})")
 }
 
-fn mistake(id: String, name: String, looks_like: &str, mend: &str, change: BTreeMap<String, String>) -> Mistake {
+fn mistake(id: String, name: String, looks_like: &str, fix: &str, change: BTreeMap<String, String>) -> Mistake {
     Mistake {
         id,
         name,
         models: vec![Model::Panorama],
         looks_like: looks_like.to_owned(),
-        mend: mend.to_owned(),
-        seed: SEED.to_owned(),
+        fix: fix.to_owned(),
+        lecture_section: LECTURE_SECTION.to_owned(),
         change: vec![change],
         ..Mistake::default()
     }

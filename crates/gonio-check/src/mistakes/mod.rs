@@ -34,10 +34,10 @@ pub struct Mistake {
     pub looks_like: String,
     /// How to mend it; empty for what is harmless.
     #[serde(default)]
-    pub mend: String,
+    pub fix: String,
     /// The section of the lecture that teaches it; empty for what is harmless.
     #[serde(default)]
-    pub seed: String,
+    pub lecture_section: String,
     /// Its picture is no sum of terms: strengths that have to be found are one factor for all.
     #[serde(default)]
     pub whole: bool,
@@ -80,7 +80,7 @@ pub fn all() -> &'static [Mistake] {
 }
 
 /// What can be made of a model.
-pub fn of(model: Model) -> impl Iterator<Item = &'static Mistake> {
+pub fn for_model(model: Model) -> impl Iterator<Item = &'static Mistake> {
     all().iter().filter(move |mistake| mistake.models.contains(&model.with_mistakes_of()))
 }
 
@@ -118,7 +118,7 @@ mod tests {
     #[test]
     fn everything_that_is_wrong_says_how_to_mend_it() {
         for mistake in all().iter().filter(|mistake| !mistake.harmless) {
-            for text in [&mistake.looks_like, &mistake.mend, &mistake.seed] {
+            for text in [&mistake.looks_like, &mistake.fix, &mistake.lecture_section] {
                 assert!(!text.is_empty(), "{}", mistake.id);
             }
             for other in &mistake.looks_the_same_as {

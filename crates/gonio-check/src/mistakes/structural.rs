@@ -4,13 +4,13 @@ use super::{Mistake, Model};
 
 /// Mistakes that are another model, or more than any model has, and not a change of a line.
 pub fn structural() -> Vec<Mistake> {
-    let mistake = |(id, name, looks_like, mend): &(&str, &str, &str, &str)| Mistake {
+    let mistake = |(id, name, looks_like, fix): &(&str, &str, &str, &str)| Mistake {
         id: (*id).to_owned(),
         name: (*name).to_owned(),
         models: vec![Model::Phong, Model::Gouraud],
         looks_like: (*looks_like).to_owned(),
-        mend: (*mend).to_owned(),
-        seed: "Where is the rendering equation computed?".to_owned(),
+        fix: (*fix).to_owned(),
+        lecture_section: "Where is the rendering equation computed?".to_owned(),
         ..Mistake::default()
     };
     STRUCTURAL.iter().map(mistake).collect()

@@ -2,7 +2,7 @@
 
 use super::tiles::Tiles;
 use crate::mistakes::Hypothesis;
-use crate::roles::{Bindings, Kind, Role};
+use crate::roles::{Bindings, Role, VariableKind};
 use crate::search::CompiledModel;
 use crate::testbench::{Shape, numbers, scene};
 use glam::{DVec3, Vec3};
@@ -17,7 +17,7 @@ const SMOOTH: [u32; 2] = [128, 64];
 const PANORAMA_UNIT: u32 = 0;
 
 /// What faces are drawn with.
-pub struct FaceStage {
+pub struct FaceBench {
     square: StreamMesh,
     cube: StreamMesh,
     panorama: FloatTexture,
@@ -28,25 +28,25 @@ pub struct FaceStage {
     side: u32,
 }
 
-impl FaceStage {
+impl FaceBench {
     /// With the colours that mirrors are tried in: smooth, so that rounding does not count, and without any symmetry.
     pub fn smooth(gl: &Gl, side: u32) -> Result<Self, GlError> {
         let colours = |direction: DVec3| {
             let [r, g, b] = crate::testbench::radiance(direction.as_vec3());
             Vec3::new(r, g, b).as_dvec3()
         };
-        FaceStage::new(gl, side, &Panorama::from_function(SMOOTH[0], SMOOTH[1], colours))
+        FaceBench::new(gl, side, &Panorama::from_function(SMOOTH[0], SMOOTH[1], colours))
     }
 
     /// With a panorama that is made smaller where it is larger than is wanted.
     pub fn of_panorama(gl: &Gl, side: u32, panorama: &Panorama) -> Result<Self, GlError> {
         let (width, height) = (panorama.image.width, panorama.image.height);
         if width <= MOST_COLUMNS && height <= MOST_COLUMNS {
-            return FaceStage::new(gl, side, panorama);
+            return FaceBench::new(gl, side, panorama);
         }
         let from = convert::From::Panorama(panorama);
         let smaller = Conversion::default().panorama(from, MOST_COLUMNS, MOST_COLUMNS / 2);
-        FaceStage::new(gl, side, &smaller)
+        FaceBench::new(gl, side, &smaller)
     }
 
     fn new(gl: &Gl, side: u32, panorama: &Panorama) -> Result<Self, GlError> {
@@ -58,7 +58,7 @@ impl FaceStage {
         let cube = [stream("position", 3, &mesh.positions), stream("tex_coord", 2, &mesh.tex_coords)];
         let image = &panorama.image;
         let size = [image.width as usize, image.height as usize];
-        Ok(FaceStage {
+        Ok(FaceBench {
             square: StreamMesh::new(gl, &square, &[0, 1, 2, 0, 2, 3], "face")?,
             cube: StreamMesh::new(gl, &cube, &mesh.indices, "cube")?,
             panorama: FloatTexture::panorama(gl, size, &image.pixels, "panorama")?,
@@ -121,14 +121,14 @@ impl FaceStage {
     }
 
     fn set(&self, program: &UserProgram, bindings: &Bindings, face: usize) {
-        let situation = scene::face(face);
-        for bound in bindings.bound.iter().filter(|bound| bound.declared.kind == Kind::Uniform) {
+        let test_scene = scene::face(face);
+        for bound in bindings.bound.iter().filter(|bound| bound.declared.kind == VariableKind::Uniform) {
             let glsl_type = bound.declared.glsl_type.as_str();
             let values = match (glsl_type, bound.role) {
                 ("sampler2D", _) => Some(vec![PANORAMA_UNIT as f32]),
                 (_, Role::Face) => Some(vec![face as f32]),
                 (_, Role::Resolution) => Some(vec![self.side as f32; 2]),
-                (_, role) => numbers(role, glsl_type, &situation),
+                (_, role) => numbers(role, glsl_type, &test_scene),
             };
             if let Some(values) = values {
                 program.set(&bound.declared.name, &values);
@@ -156,7 +156,7 @@ fn feed(program: &UserProgram, bindings: &Bindings) -> Vec<(u32, usize)> {
         Role::TexCoord => Some(1),
         _ => None,
     };
-    let attributes = bindings.bound.iter().filter(|bound| bound.declared.kind == Kind::Attribute);
+    let attributes = bindings.bound.iter().filter(|bound| bound.declared.kind == VariableKind::Attribute);
     attributes
         .filter_map(|bound| Some((program.attribute_location(&bound.declared.name)?, stream(bound.role)?)))
         .collect()

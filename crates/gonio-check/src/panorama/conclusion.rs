@@ -4,7 +4,7 @@ use super::explain::Explanation;
 use super::tiles::Tiles;
 use crate::mistakes::{
     self,
-    faces::{FACES, SEED},
+    faces::{FACES, LECTURE_SECTION},
 };
 use crate::search::Evidence;
 use crate::verdict::{FoundMistake, Outcome, SceneVerdict, Verdict};
@@ -15,7 +15,7 @@ const BLURRED: f64 = 0.45;
 fn found(id: &str, share: f64) -> FoundMistake {
     match mistakes::find(id) {
         Some(mistake) => {
-            FoundMistake { or: mistake.looks_the_same_as.clone(), ..FoundMistake::of_bank(mistake, share) }
+            FoundMistake { or: mistake.looks_the_same_as.clone(), ..FoundMistake::from_catalogue(mistake, share) }
         }
         None => {
             // `face-posx-shows-negx`
@@ -23,25 +23,25 @@ fn found(id: &str, share: f64) -> FoundMistake {
             let mut words = id.split('-').skip(1);
             let (face, shown) = (words.next().unwrap_or_default(), words.nth(1).unwrap_or_default());
             let sentence = format!("Face {} shows what belongs on {}", name(face), name(shown));
-            let mend = "The order of OpenGL's faces is +X, -X, +Y, -Y, +Z, -Z.";
-            FoundMistake::new(id, sentence, share).taught("", mend, SEED)
+            let fix = "The order of OpenGL's faces is +X, -X, +Y, -Y, +Z, -Z.";
+            FoundMistake::new(id, sentence, share).taught("", fix, LECTURE_SECTION)
         }
     }
 }
 
-/// The verdict and its pictures; `sheet` makes pictures of light of what was compared.
+/// The verdict and its pictures; `atlas` makes pictures of light of what was compared.
 pub fn verdict(
     exercise: &str,
     explanation: &Explanation,
     seen: &Tiles,
-    sheet: impl Fn(&Tiles) -> crate::testbench::Sheet,
+    atlas: impl Fn(&Tiles) -> crate::testbench::Atlas,
 ) -> (Verdict, Evidence) {
     let scenes = scenes(explanation);
     let evidence = Evidence {
-        seen: sheet(seen),
-        reference: sheet(&explanation.reference),
+        seen: atlas(seen),
+        reference: atlas(&explanation.reference),
         predicted: (!explanation.is_right() && explanation.unexplained.is_empty())
-            .then(|| sheet(&explanation.predicted)),
+            .then(|| atlas(&explanation.predicted)),
         scenes: scenes.iter().map(|scene| scene.scene.clone()).collect(),
     };
     let right = scenes.iter().filter(|scene| scene.right).count();

@@ -3,7 +3,7 @@
 use super::tiles::{Fit, Tiles, Tolerance, WAYS};
 use crate::mistakes::faces::{FACES, swapped_id, turned_id};
 use crate::mistakes::{Hypotheses, Hypothesis, Model};
-use crate::search::LooksLike;
+use crate::search::SourceSupport;
 use gonio_gl::GlError;
 
 /// What faces are held against.
@@ -13,7 +13,7 @@ pub struct Task<'a> {
     /// From when on two pictures differ.
     pub tolerance: Tolerance,
     /// What the source says where pictures are silent.
-    pub looks_like: &'a LooksLike,
+    pub source_support: &'a SourceSupport,
 }
 
 /// What draws under a hypothesis.
@@ -45,7 +45,7 @@ pub struct Explanation {
 
 impl Explanation {
     /// Looks for the one with the fewest mistakes.
-    pub fn of(task: &Task<'_>, seen: &Tiles, predict: &mut Predict<'_>) -> Result<Self, GlError> {
+    pub fn find(task: &Task<'_>, seen: &Tiles, predict: &mut Predict<'_>) -> Result<Self, GlError> {
         let reference = predict(&Hypothesis::default())?;
         let held = std::array::from_fn(|face| seen.fit(face, &reference, face, 0, task.tolerance));
         let mut found = Explanation {
@@ -86,7 +86,7 @@ impl Explanation {
         }
         if candidates.iter().all(|candidate| candidate.cost() > 2) {
             for (at, one) in singles.iter().enumerate() {
-                let others = singles.iter().skip(at + 1).filter(|other| other.made_of != one.made_of);
+                let others = singles.iter().skip(at + 1).filter(|other| other.mistakes != one.mistakes);
                 for both in others.filter_map(|other| one.and(other)) {
                     let tiles = predict(&both)?;
                     if search.is_whole(&tiles) {
@@ -120,7 +120,7 @@ impl Candidate {
     /// Mistakes, and far more for faces that are like none.
     fn cost(&self) -> usize {
         let unexplained = self.placed.iter().filter(|placed| placed.is_none()).count();
-        self.hypothesis.made_of.len() + local(&self.placed).len() + 10 * unexplained
+        self.hypothesis.mistakes.len() + local(&self.placed).len() + 10 * unexplained
     }
 }
 
@@ -158,7 +158,7 @@ impl<'a> Search<'a> {
         hypotheses.singles.iter().filter(move |single| {
             let variables = single.choices.keys().map(|line| hypotheses.variables[*line].as_str());
             let is_of_a_face = |variable: &str| FACES.iter().any(|(word, _)| *word == variable);
-            let is_ignored = single.made_of.iter().any(|&m| hypotheses.mistakes[m].id == "face-ignored");
+            let is_ignored = single.mistakes.iter().any(|&m| hypotheses.mistakes[m].id == "face-ignored");
             !variables.into_iter().any(is_of_a_face) && !is_ignored
         })
     }
@@ -191,12 +191,12 @@ impl<'a> Search<'a> {
     fn choose(&self, candidates: Vec<Candidate>, found: &mut Explanation) {
         let Some(least) = candidates.iter().map(Candidate::cost).min() else { return };
         let ids = |candidate: &Candidate| -> Vec<String> {
-            let made_of = candidate.hypothesis.made_of.iter();
-            made_of.map(|&m| self.task.hypotheses.mistakes[m].id.clone()).collect()
+            let mistakes = candidate.hypothesis.mistakes.iter();
+            mistakes.map(|&m| self.task.hypotheses.mistakes[m].id.clone()).collect()
         };
         let support = |candidate: &Candidate| -> f32 {
             let ids = ids(candidate);
-            let sum: f32 = ids.iter().map(|id| (self.task.looks_like)(id, Model::Panorama)).sum();
+            let sum: f32 = ids.iter().map(|id| (self.task.source_support)(id, Model::Panorama)).sum();
             // Nothing speaks for or against single faces.
             if ids.is_empty() { 0.5 } else { sum / ids.len() as f32 }
         };

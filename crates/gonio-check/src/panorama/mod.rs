@@ -9,13 +9,13 @@ mod conclusion;
 mod explain;
 mod tiles;
 
-pub use bench::FaceStage;
+pub use bench::FaceBench;
 pub use conclusion::{blur, verdict};
 pub use explain::{Explanation, Task};
 pub use tiles::{Tiles, Tolerance};
 
 use crate::mistakes::{Hypothesis, Model};
-use crate::roles::{self, Kind, Role};
+use crate::roles::{self, Role, VariableKind};
 use crate::search::{Evidence, Prepared, ShaderChecker};
 use crate::testbench::TILE;
 use crate::verdict::{Outcome, Verdict};
@@ -37,7 +37,7 @@ pub(crate) fn check(
         Ok((verdict, None))
     };
     let has = |role: Role| bindings.bound.iter().any(|known| known.role == role);
-    if !bindings.bound.iter().any(|b| b.declared.kind == Kind::Attribute && b.role == Role::Position) {
+    if !bindings.bound.iter().any(|b| b.declared.kind == VariableKind::Attribute && b.role == Role::Position) {
         return unsure(
             "no attribute was found that could be the position; call it `position`, or say in names.toml which it is",
         );
@@ -45,12 +45,12 @@ pub(crate) fn check(
     if !bindings.bound.iter().any(|b| b.declared.glsl_type == "sampler2D") {
         return unsure("the shaders read no panorama: a sampler2D called `panorama` is wanted");
     }
-    let stage = FaceStage::smooth(checker.gl(), TILE)?;
+    let bench = FaceBench::smooth(checker.gl(), TILE)?;
     // With a face's number one draws a square; with a view matrix a cube around the camera.
     let is_cube = !has(Role::Face) && (has(Role::View) || has(Role::ViewProjection) || has(Role::ModelViewProjection));
     let fixed = crate::search::fixed(&bindings);
     let drawn = crate::search::drawn_unless_endless(program, &fixed, &[1, 6], |fixed, faces| {
-        stage.draw_student(program, &bindings, fixed, is_cube, faces)
+        bench.draw_student(program, &bindings, fixed, is_cube, faces)
     })?;
     let Some(seen) = drawn else {
         let mut verdict = crate::search::endless_verdict(exercise);
@@ -58,10 +58,11 @@ pub(crate) fn check(
         return Ok((verdict, None));
     };
     let model = checker.model(Model::Panorama);
-    let task = Task { hypotheses: &model.hypotheses, tolerance: Tolerance::DRAWN, looks_like: &prepared.looks_like };
-    let mut predict = |hypothesis: &Hypothesis| stage.draw_model(model, hypothesis);
-    let explanation = Explanation::of(&task, &seen, &mut predict)?;
-    let (mut verdict, evidence) = conclusion::verdict(exercise, &explanation, &seen, |tiles| tiles.sheet());
+    let task =
+        Task { hypotheses: &model.hypotheses, tolerance: Tolerance::DRAWN, source_support: &prepared.source_support };
+    let mut predict = |hypothesis: &Hypothesis| bench.draw_model(model, hypothesis);
+    let explanation = Explanation::find(&task, &seen, &mut predict)?;
+    let (mut verdict, evidence) = conclusion::verdict(exercise, &explanation, &seen, |tiles| tiles.atlas());
     verdict.bound = bound;
     Ok((verdict, Some(evidence)))
 }

@@ -1,7 +1,7 @@
 //! Six small square pictures, and how two of them compare, turned and mirrored in all ways.
 
 use crate::search::{PIXEL_TOLERANCE, PIXELS_TOLERANCE};
-use crate::testbench::Sheet;
+use crate::testbench::Atlas;
 use gonio_environment::Face;
 use gonio_light::color::{srgb_decode, srgb_encode};
 
@@ -200,12 +200,12 @@ impl Tiles {
     }
 
     /// For pages and sheets: as a viewer of images shows the faces.
-    pub fn sheet(&self) -> Sheet {
+    pub fn atlas(&self) -> Atlas {
         let rows = |face: &Vec<[f32; 3]>| -> Vec<[f32; 4]> {
             let rows = face.chunks_exact(self.side.max(1)).rev().flatten();
             rows.map(|[r, g, b]| [*r, *g, *b, 1.0]).collect()
         };
-        Sheet { pixels: Face::ALL.into_iter().flat_map(|face| rows(&self.faces[face as usize])).collect() }
+        Atlas { pixels: Face::ALL.into_iter().flat_map(|face| rows(&self.faces[face as usize])).collect() }
     }
 }
 

@@ -4,7 +4,7 @@ use super::lights::{self, Place};
 use super::role::Role;
 use super::rules::{self, Shape, shape};
 use super::words::Words;
-use super::{Declared, How, Kind};
+use super::{Declared, How, VariableKind};
 
 /// A variable with its name taken apart.
 struct Read<'a> {
@@ -23,12 +23,12 @@ impl<'a> Read<'a> {
         let mut parts: Vec<&str> = name.split('.').collect();
         let field = parts.pop().unwrap_or_default();
         let (field_name, mut bracket) = without_index(field);
-        let mut words = Words::of(field_name);
+        let mut words = Words::split(field_name);
         let mut light = Place { number: words.number, ..Place::default() };
         for part in parts.into_iter().rev().take(4) {
             let (part, index) = without_index(part);
             bracket = bracket.or(index);
-            let of_part = Words::of(part);
+            let of_part = Words::split(part);
             if of_part.has("light") {
                 light.group = part.trim_end_matches(|c: char| c.is_ascii_digit() || c == '_').to_owned();
                 light.number = of_part.number.or(light.number);
@@ -106,8 +106,8 @@ pub(super) fn roles(declared: &[&Declared], given: &[Option<Role>], open: &[bool
 
 fn by_name(read: &Read<'_>) -> Option<Role> {
     match read.declared.kind {
-        Kind::Attribute => rules::attribute(read.shape, &read.words),
-        Kind::Uniform => rules::uniform(read.shape, &read.words, 0),
+        VariableKind::Attribute => rules::attribute(read.shape, &read.words),
+        VariableKind::Uniform => rules::uniform(read.shape, &read.words, 0),
     }
 }
 
@@ -123,7 +123,7 @@ fn attributes_by_type(all: &mut [Read<'_>]) {
                 Role::TexCoord => read.declared.glsl_type == "vec2",
                 _ => matches!(read.declared.glsl_type.as_str(), "vec3" | "vec4"),
             };
-            read.declared.kind == Kind::Attribute
+            read.declared.kind == VariableKind::Attribute
                 && read.open
                 && read.found.is_none()
                 && is_type
@@ -163,7 +163,7 @@ fn matrices(all: &mut [Read<'_>]) {
         return;
     }
     let mut open = all.iter_mut().filter(|read| {
-        let is_mat4 = read.declared.glsl_type == "mat4" && read.declared.kind == Kind::Uniform;
+        let is_mat4 = read.declared.glsl_type == "mat4" && read.declared.kind == VariableKind::Uniform;
         is_mat4 && read.open && read.found.is_none() && read.has_only(&["matrix", "mat", "transform", "trans"])
     });
     if let (Some(read), None) = (open.next(), open.next()) {
@@ -193,7 +193,7 @@ fn camera(all: &mut [Read<'_>]) {
             read.open
                 && read.found.is_none()
                 && read.shape == Shape::Vector
-                && read.declared.kind == Kind::Uniform
+                && read.declared.kind == VariableKind::Uniform
                 && read.words.order.contains(&word)
                 && read.words.order.iter().all(|token| *token == word)
         };
@@ -249,7 +249,8 @@ fn terms(all: &mut [Read<'_>]) {
 fn samplers(all: &mut [Read<'_>]) {
     // The only one of its type can be but one thing.
     for (shape, role) in [(Shape::SamplerCube, Role::Cubemap), (Shape::Sampler2D, Role::DiffuseTexture)] {
-        let mut of_type = all.iter_mut().filter(|read| read.shape == shape && read.declared.kind == Kind::Uniform);
+        let mut of_type =
+            all.iter_mut().filter(|read| read.shape == shape && read.declared.kind == VariableKind::Uniform);
         if let (Some(only), None) = (of_type.next(), of_type.next())
             && only.open
             && only.found.is_none()

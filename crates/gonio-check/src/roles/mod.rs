@@ -20,7 +20,7 @@ use std::fmt;
 
 /// How a variable comes into a shader.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Kind {
+pub enum VariableKind {
     /// Per vertex.
     Attribute,
     /// From the program.
@@ -37,20 +37,20 @@ pub struct Declared {
     /// Elements of an array, 1 where it is none. A role with a light's index then means the lights from there on.
     pub array: u32,
     /// How it comes in.
-    pub kind: Kind,
+    pub kind: VariableKind,
 }
 
 impl Declared {
     /// A uniform that is no array.
     #[must_use]
     pub fn uniform(name: impl Into<String>, glsl_type: impl Into<String>) -> Self {
-        Self { name: name.into(), glsl_type: glsl_type.into(), array: 1, kind: Kind::Uniform }
+        Self { name: name.into(), glsl_type: glsl_type.into(), array: 1, kind: VariableKind::Uniform }
     }
 
     /// An attribute.
     #[must_use]
     pub fn attribute(name: impl Into<String>, glsl_type: impl Into<String>) -> Self {
-        Self { kind: Kind::Attribute, ..Self::uniform(name, glsl_type) }
+        Self { kind: VariableKind::Attribute, ..Self::uniform(name, glsl_type) }
     }
 }
 
@@ -114,7 +114,7 @@ pub struct Bindings {
 impl Bindings {
     /// The variable of a role.
     #[must_use]
-    pub fn of(&self, role: Role) -> Option<&Declared> {
+    pub fn variable(&self, role: Role) -> Option<&Declared> {
         self.bound.iter().find(|bound| bound.role == role).map(|bound| &bound.declared)
     }
 }

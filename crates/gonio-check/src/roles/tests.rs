@@ -11,8 +11,8 @@ fn check(title: &str, table: &str, wrong: &mut Vec<String>) -> usize {
     for line in table.lines().map(str::trim).filter(|line| !line.is_empty()) {
         let words: Vec<&str> = line.split_whitespace().collect();
         let (kind, words) = match words[..] {
-            ["in", ref words @ ..] => (Kind::Attribute, words),
-            ref words => (Kind::Uniform, words),
+            ["in", ref words @ ..] => (VariableKind::Attribute, words),
+            ref words => (VariableKind::Uniform, words),
         };
         let [glsl_type, name, role] = words else { panic!("{title}: {line}") };
         declared.push(Declared { kind, ..Declared::uniform(*name, *glsl_type) });
@@ -22,7 +22,7 @@ fn check(title: &str, table: &str, wrong: &mut Vec<String>) -> usize {
     for turned in [false, true] {
         let mut list = declared.clone();
         if turned {
-            list.sort_by_key(|d| (d.kind == Kind::Uniform).then(|| std::cmp::Reverse(d.name.clone())));
+            list.sort_by_key(|d| (d.kind == VariableKind::Uniform).then(|| std::cmp::Reverse(d.name.clone())));
         }
         let bindings = bind(&list, &NamesFile::default());
         for (declared, role) in declared.iter().zip(&roles) {
@@ -475,7 +475,7 @@ fn what_told_a_role_is_told() {
             ("thing", How::NamesFile)
         ]
     );
-    assert_eq!(bindings.of(Role::LightPos(1)).unwrap().name, "thing");
+    assert_eq!(bindings.variable(Role::LightPos(1)).unwrap().name, "thing");
     assert_eq!(bindings.fixed, [Fixed { declared: list[5].clone(), values: vec![1.0, 2.0, 3.0] }]);
     assert_eq!(bindings.unused, ["none"]);
     assert!(bindings.unknown.is_empty());

@@ -145,7 +145,7 @@ impl Words {
     }
 
     /// The words of one part of a name (no dots, no brackets).
-    pub(super) fn of(name: &str) -> Self {
+    pub(super) fn split(name: &str) -> Self {
         let mut words = Self::default();
         let parts = words_of(name);
         let mut at = 0;
@@ -258,7 +258,7 @@ mod tests {
             ("x foo qwerty", ""),
         ] {
             for name in names.split(' ').filter(|name| !name.ends_with('?')) {
-                let mut found = Words::of(name).tokens;
+                let mut found = Words::split(name).tokens;
                 found.sort_unstable();
                 assert_eq!(found.join(" "), tokens, "{name}");
             }
@@ -267,11 +267,11 @@ mod tests {
 
     #[test]
     fn letters_and_numbers_are_kept() {
-        assert_eq!(Words::of("u_M").letters, ['u', 'm']);
-        assert_eq!(Words::of("itM").letters, ['m']);
-        assert_eq!(Words::of("texture12").number, Some(12));
-        assert_eq!(Words::of("tex99999999999").number, None);
-        assert_eq!(Words::of("clip_from_world").order, ["clip", "from", "world"]);
+        assert_eq!(Words::split("u_M").letters, ['u', 'm']);
+        assert_eq!(Words::split("itM").letters, ['m']);
+        assert_eq!(Words::split("texture12").number, Some(12));
+        assert_eq!(Words::split("tex99999999999").number, None);
+        assert_eq!(Words::split("clip_from_world").order, ["clip", "from", "world"]);
     }
 
     #[test]

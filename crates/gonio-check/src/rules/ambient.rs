@@ -2,7 +2,7 @@
 
 use super::{Answer, At, Not, Silent};
 use crate::dataflow::terms::{ALBEDO, AMBIENT, ATTENUATION, DIFFUSE, SPECULAR};
-use crate::dataflow::vector::Kind;
+use crate::dataflow::vector::VectorKind;
 use crate::dataflow::{Id, Op, Reading};
 use gonio_glsl::Stage;
 use gonio_glsl::ast::BinaryOp::{Add, Divide, Multiply};
@@ -19,19 +19,19 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
             if is_there(AMBIENT) {
                 return Some(Not);
             }
-            Answer::of(reading.dark("amb").or_else(|| reading.meeting()), 0.9, Silent)
+            Answer::at_or(reading.dark("amb").or_else(|| reading.meeting()), 0.9, Silent)
         }
         "ambient-attenuated" => {
             let found = reading.deepest(&[Multiply, Divide], |a, b| {
                 has_ambient(a) && has(b, ATTENUATION) && !has(b, LIT | AMBIENT) && !has(a, ATTENUATION)
             });
             let loose = || reading.deepest(&[Multiply, Divide], |a, b| has_ambient(a) && has(b, ATTENUATION));
-            Answer::of(found.or_else(loose), 1.0, known)
+            Answer::at_or(found.or_else(loose), 1.0, known)
         }
         "terms-not-put-out" => {
             let terms = reading.sum().iter().fold(0, |all, product| all | product.bits) & (LIT | AMBIENT);
             match reading.put_out() {
-                Some(id) if terms & LIT == 0 && reading.computes_in_vain(LIT) => At(id, 1.0),
+                Some(id) if terms & LIT == 0 && reading.computes_unused(LIT) => At(id, 1.0),
                 Some(id) if terms == DIFFUSE => At(id, 0.9),
                 Some(_) => Not,
                 None => Silent,
@@ -41,13 +41,13 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
         "ambient-twice" => twice(reading),
         "ambient-times-diffuse" => {
             let found = reading.deepest(&[Multiply], |a, b| has_ambient(a) && has(b, DIFFUSE) && !has(b, AMBIENT));
-            Answer::of(found, 1.0, known)
+            Answer::at_or(found, 1.0, known)
         }
         "ambient-as-maximum" => {
             let found = reading.calls("max").find(|(_, parts)| {
                 parts.iter().any(|part| has(*part, AMBIENT)) && parts.iter().any(|part| has(*part, LIT))
             });
-            Answer::of(found.map(|(id, _)| id), 1.0, known)
+            Answer::at_or(found.map(|(id, _)| id), 1.0, known)
         }
         "ambient-not-coloured" => {
             let bare = |p: &&crate::dataflow::terms::Product| p.bits & AMBIENT != 0 && p.albedo == 0;
@@ -55,9 +55,9 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
             let product = product.and_then(|p| p.factors.first()).copied();
             let is_bare = |id: Id| reading.products(id).iter().any(|p| bare(&p));
             let sum = reading.deepest(&[Add], |a, b| is_bare(a) && has(b, ALBEDO));
-            Answer::of(product.map(|product| sum.unwrap_or(product)), 0.9, known)
+            Answer::at_or(product.map(|product| sum.unwrap_or(product)), 0.9, known)
         }
-        "ambient-strength-missing" => Answer::of(reading.meeting().filter(|_| !is_there(AMBIENT)), 0.7, known),
+        "ambient-strength-missing" => Answer::at_or(reading.meeting().filter(|_| !is_there(AMBIENT)), 0.7, known),
         "terms-multiplied" => {
             // A highlight times the cosine, or only where there is one, is no mistake beside a diffuse term.
             if reading.sum().iter().any(|p| p.bits & LIT == DIFFUSE && p.bits & AMBIENT == 0) {
@@ -67,19 +67,19 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
             let found = reading
                 .deepest(&[Multiply], |a, b| has(a, SPECULAR) && has(b, DIFFUSE) && term(a) != term(b))
                 .or_else(|| reading.deepest(&[Multiply], |a, b| term(a) & !term(b) != 0 && term(b) & !term(a) != 0));
-            Answer::of(found, 1.0, Not)
+            Answer::at_or(found, 1.0, Not)
         }
         "albedo-squared" => {
             let squared = |id: Id, times: u8| reading.products(id).iter().any(|p| p.albedo >= times);
             let found = reading
                 .deepest(&[Multiply], |a, b| has(a, ALBEDO) && has(b, ALBEDO) && (squared(a, 1) && squared(b, 1)));
-            Answer::of(found, 1.0, Not)
+            Answer::at_or(found, 1.0, Not)
         }
         "albedo-missing" => albedo_missing(reading),
         "albedo-added" => {
             let bare = |id: Id| reading.products(id).iter().any(|p| p.bits == ALBEDO);
             let found = reading.deepest(&[Add], |a, b| bare(a) && has(b, LIT | AMBIENT));
-            Answer::of(found, 1.0, Not)
+            Answer::at_or(found, 1.0, Not)
         }
         "gamma-applied" => {
             let is_colour = |parts: &[Id]| {
@@ -89,7 +89,7 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
                 .iter()
                 .find_map(|name| reading.calls(name).find(|(_, parts)| is_colour(parts)))
                 .map(|(id, _)| id);
-            Answer::of(found, 1.0, Not)
+            Answer::at_or(found, 1.0, Not)
         }
         "output-normal" => {
             let is_normal = |id: &Id| reading.vector(*id).is_some_and(|v| v.is_normal());
@@ -129,7 +129,7 @@ fn in_cone(reading: &Reading) -> Answer {
             _ => false,
         })
     };
-    Answer::of(cut.or_else(chosen), 1.0, Not)
+    Answer::at_or(cut.or_else(chosen), 1.0, Not)
 }
 
 fn twice(reading: &Reading) -> Answer {
@@ -152,7 +152,7 @@ fn twice(reading: &Reading) -> Answer {
             !of_ambient(a).is_empty() && reading.graph.scalar(b).is_some_and(|n| (n - 2.0).abs() < 1e-6)
         })
     };
-    Answer::of(found.or_else(doubled), 0.9, Not)
+    Answer::at_or(found.or_else(doubled), 0.9, Not)
 }
 
 fn albedo_missing(reading: &Reading) -> Answer {
@@ -162,7 +162,7 @@ fn albedo_missing(reading: &Reading) -> Answer {
         let bare = products.iter().find(|p| p.albedo == 0 && p.bits & (LIT | AMBIENT) != 0);
         let Some(product) = bare else { return Not };
         let factor = product.factors.iter().find(|id| reading.bits(**id) & (LIT | AMBIENT) != 0);
-        return Answer::of(factor.copied(), 0.7, Silent);
+        return Answer::at_or(factor.copied(), 0.7, Silent);
     }
     match reading.put_out() {
         Some(id) if !products.is_empty() => At(id, 0.9),
@@ -187,6 +187,6 @@ fn per(reading: &Reading, stage: Stage) -> Answer {
 }
 
 /// Whether what is put out is a vector as it is.
-pub(super) fn puts_out(reading: &Reading, kind: impl Fn(Kind) -> bool) -> bool {
+pub(super) fn puts_out(reading: &Reading, kind: impl Fn(VectorKind) -> bool) -> bool {
     reading.shade().and_then(|id| reading.vector(id)).is_some_and(|vector| kind(vector.kind))
 }

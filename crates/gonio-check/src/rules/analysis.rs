@@ -27,7 +27,7 @@ impl Analysis {
     /// Reads a pair. `names` says what names mean where nothing else tells.
     #[must_use]
     pub fn new(vertex: &Shader, fragment: &Shader, names: &NamesFile) -> Self {
-        Analysis { reading: Reading::of(vertex, fragment, names) }
+        Analysis { reading: Reading::new(vertex, fragment, names) }
     }
 
     /// Constants in the source where a uniform could be, as far as they flow into the colour.
@@ -66,7 +66,7 @@ impl Analysis {
     /// How far the source supports a mistake: 1 if the very expression is there, 0 if it is there and right, 0.5 if the source
     /// does not tell.
     #[must_use]
-    pub fn looks_like(&self, id: &str, model: Model) -> f32 {
+    pub fn support(&self, id: &str, model: Model) -> f32 {
         match answer(&self.reading, id, model) {
             Answer::At(_, support) => support,
             Answer::Not => 0.0,

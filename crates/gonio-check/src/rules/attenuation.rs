@@ -2,7 +2,7 @@
 
 use super::{Answer, At, Not, Silent};
 use crate::dataflow::terms::{AMBIENT, ATTENUATION, DIFFUSE, SPECULAR, is_cosine_by_lengths};
-use crate::dataflow::vector::{Kind, Vector};
+use crate::dataflow::vector::{Vector, VectorKind};
 use crate::dataflow::{Id, Op, Reading};
 use crate::roles::Role;
 use gonio_glsl::ast::BinaryOp::{Add, Divide};
@@ -37,12 +37,12 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
                 |id: Id| reading.products(id).iter().any(|p| p.bits == ATTENUATION && p.factors.iter().all(is_part));
             let terms = DIFFUSE | SPECULAR | AMBIENT;
             let found = reading.deepest(&[Add], |a, b| is_bare(a) && reading.bits(b) & terms != 0);
-            Answer::of(found, 1.0, if falloff(reading).is_some() { Not } else { Silent })
+            Answer::at_or(found, 1.0, if falloff(reading).is_some() { Not } else { Silent })
         }
         "attenuation-distance-of-direction" => distance(reading, |v| v.is_unit),
         "attenuation-with-view-distance" => distance(reading, |v| v.is_eye()),
         "attenuation-distance-from-origin" => {
-            distance(reading, |v| matches!(v.kind, Kind::Light(_) | Kind::Point(_) | Kind::Constant))
+            distance(reading, |v| matches!(v.kind, VectorKind::Light(_) | VectorKind::Point(_) | VectorKind::Constant))
         }
         "attenuation-plus-view-distance" => {
             let is_eye = |id: Id| {
@@ -50,7 +50,7 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
                 measured(reading, id).is_some_and(|v| v.is_eye())
             };
             let is_light = |id: Id| measured(reading, reading.graph.plain(id)).is_some_and(|v| v.is_light());
-            Answer::of(reading.deepest(&[Add], |a, b| is_eye(a) && is_light(b)), 1.0, distances_known(reading))
+            Answer::at_or(reading.deepest(&[Add], |a, b| is_eye(a) && is_light(b)), 1.0, distances_known(reading))
         }
         _ => return None,
     })
@@ -63,16 +63,16 @@ pub(super) fn measured(reading: &Reading, id: Id) -> Option<Vector> {
             ("length", [of]) => reading.vector(*of),
             ("distance", [a, b]) => {
                 let (one, other) = (reading.vector(*a)?, reading.vector(*b)?);
-                let place = |v: Vector| if let Kind::Point(space) = v.kind { Some(space) } else { None };
+                let place = |v: Vector| if let VectorKind::Point(space) = v.kind { Some(space) } else { None };
                 let (end, space) = match (place(one), place(other)) {
                     (None, Some(space)) => (one, space),
                     (Some(space), None) => (other, space),
                     _ => return None,
                 };
                 let kind = match end.kind {
-                    Kind::Light(light) => Kind::ToLight(light, space),
-                    Kind::Constant => Kind::ToLight(None, space),
-                    Kind::Eye => Kind::ToEye(space),
+                    VectorKind::Light(light) => VectorKind::ToLight(light, space),
+                    VectorKind::Constant => VectorKind::ToLight(None, space),
+                    VectorKind::Eye => VectorKind::ToEye(space),
                     _ => return None,
                 };
                 Some(Vector { kind, is_unit: false, at: id, ..end })
@@ -204,7 +204,7 @@ fn missing(reading: &Reading) -> Answer {
     });
     match named {
         Some(id) => At(id, 1.0),
-        None => Answer::of(reading.meeting(), 0.9, Silent),
+        None => Answer::at_or(reading.meeting(), 0.9, Silent),
     }
 }
 
@@ -219,7 +219,7 @@ fn other_formula(reading: &Reading) -> Answer {
     }
     let is_factor = |bits: u16| bits & ATTENUATION != 0 && bits & (DIFFUSE | SPECULAR | AMBIENT) == 0;
     let found = reading.tree.iter().copied().rfind(|id| is_factor(reading.bits(*id)));
-    Answer::of(found, 1.0, Silent)
+    Answer::at_or(found, 1.0, Silent)
 }
 
 /// The sum of constants times powers of the distance that multiplies.
@@ -229,5 +229,5 @@ fn not_inverted(reading: &Reading) -> Answer {
     }
     let found =
         reading.tree.iter().copied().rfind(|id| reading.bits(*id) == ATTENUATION && reading.sides(*id, Add).is_some());
-    Answer::of(found, 1.0, distances_known(reading))
+    Answer::at_or(found, 1.0, distances_known(reading))
 }

@@ -12,7 +12,7 @@ const SOMEWHERE: f32 = 0.4;
 
 pub(super) fn answer(reading: &Reading, id: &str) -> Answer {
     use Base::{Model as M, Projection as P, View as V};
-    let Some(product) = Product::of(reading) else { return Silent };
+    let Some(product) = Product::find(reading) else { return Silent };
     let bases = product.bases();
     let screen = |is: bool| if is { At(product.at, 1.0) } else { Not };
     let count = |base: Base| bases.iter().filter(|known| **known == base).count();
@@ -52,7 +52,7 @@ struct Product {
 }
 
 impl Product {
-    fn of(reading: &Reading) -> Option<Self> {
+    fn find(reading: &Reading) -> Option<Self> {
         let graph = &reading.graph;
         let mut at = graph.core(reading.position?);
         // `P * V * M * p / w`, and what was set afterwards.
@@ -115,7 +115,7 @@ fn divided(reading: &Reading) -> Answer {
         }),
         _ => false,
     };
-    Answer::of(reading.placed.iter().copied().find(is), 1.0, Not)
+    Answer::at_or(reading.placed.iter().copied().find(is), 1.0, Not)
 }
 
 /// `vec4(clip.xyz, 1.0)` as the place on the screen.

@@ -2,7 +2,7 @@
 
 use super::attenuation::falloff;
 use crate::dataflow::terms::{DIFFUSE, SPECULAR};
-use crate::dataflow::vector::{By, Kind};
+use crate::dataflow::vector::{By, VectorKind};
 use crate::dataflow::{Id, Op, Reading};
 use glam::Vec3;
 use gonio_glsl::ast::BinaryOp;
@@ -63,14 +63,14 @@ fn light_position(reading: &Reading) -> Option<Vec3> {
     for light in &lights {
         let Some(vector) = reading.vector(*light) else { continue };
         let found = match (vector.kind, reading.graph.op(vector.at)) {
-            (Kind::ToLight(None, _) | Kind::LightMinusNormal, Op::Binary(_, a, b)) => {
+            (VectorKind::ToLight(None, _) | VectorKind::LightMinusNormal, Op::Binary(_, a, b)) => {
                 vec3(reading, *a).or_else(|| vec3(reading, *b))
             }
-            (Kind::Light(None), _) => vec3(reading, vector.at),
+            (VectorKind::Light(None), _) => vec3(reading, vector.at),
             _ => None,
         };
         // The first counts: the diffuse term's.
-        if found.is_some() || matches!(vector.kind, Kind::ToLight(Some(_), _) | Kind::Light(Some(_))) {
+        if found.is_some() || matches!(vector.kind, VectorKind::ToLight(Some(_), _) | VectorKind::Light(Some(_))) {
             return found;
         }
     }
@@ -79,7 +79,7 @@ fn light_position(reading: &Reading) -> Option<Vec3> {
     }
     // A direction written down that meets the normal.
     reading.diffuse_dots().iter().flat_map(|(_, a, b)| [*a, *b]).find_map(|id| {
-        let vector = reading.vector(id).filter(|v| v.kind == Kind::Constant)?;
+        let vector = reading.vector(id).filter(|v| v.kind == VectorKind::Constant)?;
         vec3(reading, vector.at)
     })
 }
@@ -88,11 +88,11 @@ fn light_position(reading: &Reading) -> Option<Vec3> {
 fn other_light(reading: &Reading) -> Option<Vec3> {
     let lights = reading.lights();
     let kinds = || lights.iter().filter_map(|light| reading.vector(*light));
-    if !kinds().any(|vector| matches!(vector.kind, Kind::ToLight(Some(_), _))) {
+    if !kinds().any(|vector| matches!(vector.kind, VectorKind::ToLight(Some(_), _))) {
         return None;
     }
     kinds().find_map(|vector| match (vector.kind, reading.graph.op(vector.at)) {
-        (Kind::ToLight(None, _), Op::Binary(_, a, b)) => vec3(reading, *a).or_else(|| vec3(reading, *b)),
+        (VectorKind::ToLight(None, _), Op::Binary(_, a, b)) => vec3(reading, *a).or_else(|| vec3(reading, *b)),
         _ => None,
     })
 }
@@ -100,7 +100,7 @@ fn other_light(reading: &Reading) -> Option<Vec3> {
 /// How a direction from outside is used: as it is, or turned round. The first counts: the diffuse term's.
 fn points_to_light(reading: &Reading) -> Option<bool> {
     let vectors = reading.lights().into_iter().filter_map(|light| reading.vector(light));
-    vectors.filter(|vector| vector.kind == Kind::LightDirection).map(|vector| vector.sign > 0.0).next()
+    vectors.filter(|vector| vector.kind == VectorKind::LightDirection).map(|vector| vector.sign > 0.0).next()
 }
 
 /// A direction that is written down and meets the normal, if nothing on its way calls it a place.
@@ -109,7 +109,8 @@ fn sun(reading: &Reading) -> Option<WrittenSun> {
     let slots: Vec<Id> = reading.lights().into_iter().chain(of_dots).collect();
     let (slot, vector) = slots.into_iter().find_map(|slot| {
         let vector = reading.vector(slot)?;
-        matches!(vector.kind, Kind::Constant | Kind::Light(None) | Kind::LightDirection).then_some((slot, vector))
+        matches!(vector.kind, VectorKind::Constant | VectorKind::Light(None) | VectorKind::LightDirection)
+            .then_some((slot, vector))
     })?;
     let is_place = |name: &str| name.to_lowercase().contains("pos");
     if names(reading, slot).into_iter().any(is_place) {
@@ -117,7 +118,7 @@ fn sun(reading: &Reading) -> Option<WrittenSun> {
     }
     let towards = vec3(reading, vector.at)? * vector.sign as f32;
     let normals: Vec<_> = reading.normals().into_iter().filter_map(|id| reading.vector(id)).collect();
-    let in_view = !normals.is_empty() && normals.iter().all(|v| matches!(v.kind, Kind::Normal(By::View { .. })));
+    let in_view = !normals.is_empty() && normals.iter().all(|v| matches!(v.kind, VectorKind::Normal(By::View { .. })));
     Some(WrittenSun { to_light: towards.try_normalize()?, in_view })
 }
 

@@ -24,13 +24,13 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
                 let (a, b) = (reading.vector(a), reading.vector(b));
                 a.is_some_and(|v| v.is_normal()) && b.is_some_and(|v| v.is_light())
             });
-            Answer::of(found, 1.0, known(reading))
+            Answer::at_or(found, 1.0, known(reading))
         }
         "diffuse-missing" => {
             if reading.sum().iter().any(|product| product.bits & DIFFUSE != 0) {
                 return Some(Not);
             }
-            Answer::of(reading.dark("diff").or_else(|| reading.meeting()), 0.9, Silent)
+            Answer::at_or(reading.dark("diff").or_else(|| reading.meeting()), 0.9, Silent)
         }
         "diffuse-strength-missing" => {
             let bare = |bits| bits & DIFFUSE != 0 && bits & DIFFUSE_STRENGTH == 0;
@@ -38,7 +38,7 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
             let cosine = product.and_then(|p| p.factors.iter().find(|id| reading.bits(**id) & DIFFUSE != 0));
             let term =
                 reading.named("diff", |id| bare(reading.bits(id)) && reading.bits(id) & (SPECULAR | AMBIENT) == 0);
-            Answer::of(cosine.copied().map(|cosine| term.unwrap_or(cosine)), 0.8, known(reading))
+            Answer::at_or(cosine.copied().map(|cosine| term.unwrap_or(cosine)), 0.8, known(reading))
         }
         "diffuse-not-attenuated" => unattenuated(reading, DIFFUSE),
         _ => return None,
@@ -110,7 +110,7 @@ fn without_cosine(reading: &Reading) -> Answer {
     if let Some(id) = named {
         return At(id, 0.9);
     }
-    Answer::of(reading.meeting(), 0.7, Silent)
+    Answer::at_or(reading.meeting(), 0.7, Silent)
 }
 
 /// The sum where a term comes in that has no distance in it, though others have.
@@ -129,5 +129,5 @@ pub(super) fn unattenuated(reading: &Reading, term: u16) -> Answer {
         let products = reading.products(a);
         !products.is_empty() && products.iter().any(|p| p.bits & both == term && p.bits & ATTENUATION == 0)
     });
-    Answer::of(found, 1.0, Silent)
+    Answer::at_or(found, 1.0, Silent)
 }

@@ -1,7 +1,7 @@
 //! Mistakes with the directions to the light and to the eye.
 
 use super::{Answer, At, Not, Silent, specular};
-use crate::dataflow::vector::{Incoming, Kind, Space, Vector};
+use crate::dataflow::vector::{Incoming, Space, Vector, VectorKind};
 use crate::dataflow::{Id, Op, Reading};
 use crate::mistakes::Model;
 
@@ -13,14 +13,14 @@ pub(super) fn answer(reading: &Reading, id: &str, model: Model) -> Option<Answer
         "light-direction-reversed" => {
             let turned = reading.diffuse_dots().into_iter().find_map(|(dot, ..)| reading.turned_after(dot));
             match reversed(reading, &diffuse_lights(reading)) {
-                Not => Answer::of(turned, 0.9, Not),
+                Not => Answer::at_or(turned, 0.9, Not),
                 answer => answer,
             }
         }
-        "light-direction-not-normalised" => light(&|v| matches!(v.kind, Kind::ToLight(..)) && !v.is_unit),
-        "light-direction-minus-normal" => light(&|v| v.kind == Kind::LightMinusNormal),
-        "light-position-as-direction" => light(&|v| matches!(v.kind, Kind::Light(Some(_))))
-            .or(|| match light(&|v| v.kind == Kind::Light(None)) {
+        "light-direction-not-normalised" => light(&|v| matches!(v.kind, VectorKind::ToLight(..)) && !v.is_unit),
+        "light-direction-minus-normal" => light(&|v| v.kind == VectorKind::LightMinusNormal),
+        "light-position-as-direction" => light(&|v| matches!(v.kind, VectorKind::Light(Some(_))))
+            .or(|| match light(&|v| v.kind == VectorKind::Light(None)) {
                 // A place that is written down may be meant as a direction.
                 At(id, _) => At(id, 0.9),
                 answer => answer,
@@ -30,15 +30,16 @@ pub(super) fn answer(reading: &Reading, id: &str, model: Model) -> Option<Answer
             let eyes: Vec<Id> = eyes(reading, model).into_iter().filter(|id| in_highlight(reading, *id)).collect();
             if specular::signs_cancel(reading) { Not } else { reversed(reading, &eyes) }
         }
-        "view-position-as-direction" => eye(&|v| v.kind == Kind::Eye),
+        "view-position-as-direction" => eye(&|v| v.kind == VectorKind::Eye),
         "view-direction-not-normalised" | "refraction-direction-not-normalised" => {
-            eye(&|v| matches!(v.kind, Kind::ToEye(_)) && !v.is_unit)
+            eye(&|v| matches!(v.kind, VectorKind::ToEye(_)) && !v.is_unit)
         }
-        "view-position-at-origin" => match eye(&|v| matches!(v.kind, Kind::Point(space) if space != Space::View)) {
+        "view-position-at-origin" => match eye(&|v| matches!(v.kind, VectorKind::Point(space) if space != Space::View))
+        {
             At(id, support) => At(source(reading, id), support),
             answer => answer,
         },
-        "view-direction-is-front" => eye(&|v| matches!(v.kind, Kind::Front | Kind::Constant)),
+        "view-direction-is-front" => eye(&|v| matches!(v.kind, VectorKind::Front | VectorKind::Constant)),
         _ => return None,
     })
 }
@@ -88,7 +89,7 @@ fn reversed(reading: &Reading, slots: &[Id]) -> Answer {
     let towards: Vec<Vector> = slots
         .iter()
         .filter_map(|id| reading.vector(*id))
-        .filter(|vector| matches!(vector.kind, Kind::ToLight(..) | Kind::ToEye(_) | Kind::Light(_)))
+        .filter(|vector| matches!(vector.kind, VectorKind::ToLight(..) | VectorKind::ToEye(_) | VectorKind::Light(_)))
         .collect();
     match towards.iter().find(|vector| vector.sign < 0.0) {
         Some(vector) => At(vector.turned_at.unwrap_or(vector.at), 1.0),
@@ -102,7 +103,7 @@ fn constant_light(reading: &Reading) -> Answer {
     for (_, a, b) in reading.diffuse_dots() {
         for (one, other) in [(a, b), (b, a)] {
             let is = |id: Id, is: &dyn Fn(Vector) -> bool| reading.vector(id).is_some_and(is);
-            if is(one, &|v| v.kind == Kind::Constant) && is(other, &|v| v.is_normal()) {
+            if is(one, &|v| v.kind == VectorKind::Constant) && is(other, &|v| v.is_normal()) {
                 return At(one, 0.9);
             }
         }

@@ -1,7 +1,7 @@
 //! Mistakes with reflection, refraction and the sky.
 
 use super::{Answer, At, Not, Silent, ambient};
-use crate::dataflow::vector::{Incoming, Kind, Space, Vector};
+use crate::dataflow::vector::{Incoming, Space, Vector, VectorKind};
 use crate::dataflow::{Id, Op, Reading};
 use crate::mistakes::Model;
 use crate::roles::Role;
@@ -10,10 +10,12 @@ use gonio_glsl::ast::BinaryOp;
 pub(super) fn answer(reading: &Reading, id: &str, model: Model) -> Option<Answer> {
     Some(match id {
         "reflection-vector-reversed" | "refraction-view-reversed" => reversed(reading),
-        "reflection-by-normal" | "reflection-normal-only" => looked_up(reading, |kind| matches!(kind, Kind::Normal(_))),
-        "reflection-by-position" => looked_up(reading, |kind| matches!(kind, Kind::Point(_)))
-            .or(|| looked_up(reading, |kind| matches!(kind, Kind::ToEye(_) | Kind::Eye))),
-        "reflection-by-view" => looked_up(reading, |kind| matches!(kind, Kind::ToEye(_) | Kind::Eye)),
+        "reflection-by-normal" | "reflection-normal-only" => {
+            looked_up(reading, |kind| matches!(kind, VectorKind::Normal(_)))
+        }
+        "reflection-by-position" => looked_up(reading, |kind| matches!(kind, VectorKind::Point(_)))
+            .or(|| looked_up(reading, |kind| matches!(kind, VectorKind::ToEye(_) | VectorKind::Eye))),
+        "reflection-by-view" => looked_up(reading, |kind| matches!(kind, VectorKind::ToEye(_) | VectorKind::Eye)),
         "refraction-instead-of-reflection" => called(reading, "refract", "reflect"),
         "reflection-instead-of-refraction" => called(reading, "reflect", "refract"),
         "refraction-ratio-inverted" => ratio(reading, is_inverted),
@@ -35,7 +37,7 @@ fn reversed(reading: &Reading) -> Answer {
         .lookups()
         .into_iter()
         .filter_map(|(_, id)| reading.vector(id))
-        .filter(|v| matches!(v.kind, Kind::Reflected(Incoming::Eye) | Kind::Refracted(Incoming::Eye)))
+        .filter(|v| matches!(v.kind, VectorKind::Reflected(Incoming::Eye) | VectorKind::Refracted(Incoming::Eye)))
         .collect();
     let Some(vector) = looked_up.iter().find(|v| v.sign > 0.0) else {
         return if looked_up.is_empty() { Silent } else { Not };
@@ -48,10 +50,10 @@ fn reversed(reading: &Reading) -> Answer {
     let made = reading.vector(id).map(|v| v.turned_at.unwrap_or(v.at));
     let used = Some(vector.turned_at.unwrap_or(vector.at));
     let place = if is_ray { made } else { used.or(made) };
-    Answer::of(place, 1.0, Silent)
+    Answer::at_or(place, 1.0, Silent)
 }
 
-fn looked_up(reading: &Reading, wanted: impl Fn(Kind) -> bool) -> Answer {
+fn looked_up(reading: &Reading, wanted: impl Fn(VectorKind) -> bool) -> Answer {
     let lookups = reading.lookups();
     let found = lookups.iter().find(|(_, id)| reading.vector(*id).is_some_and(|v| wanted(v.kind)));
     match found {
@@ -75,9 +77,10 @@ fn called(reading: &Reading, wrong: &str, right: &str) -> Answer {
         (Some(id), Some(_)) => At(id, 0.6),
         (None, Some(_)) => Not,
         (None, None) => {
-            let is_formula =
-                |id: &Id| reading.vector(*id).is_some_and(|v| v.at == *id && matches!(v.kind, Kind::Reflected(_)));
-            Answer::of(reading.lit.iter().copied().find(is_formula).filter(|_| wrong == "reflect"), 0.9, Silent)
+            let is_formula = |id: &Id| {
+                reading.vector(*id).is_some_and(|v| v.at == *id && matches!(v.kind, VectorKind::Reflected(_)))
+            };
+            Answer::at_or(reading.lit.iter().copied().find(is_formula).filter(|_| wrong == "reflect"), 0.9, Silent)
         }
     }
 }
@@ -192,7 +195,7 @@ fn component_of(graph: &crate::dataflow::Graph, parts: &[Id], components: &[usiz
 fn sky_direction(reading: &Reading) -> Answer {
     for (_, direction) in reading.lookups() {
         let Some(vector) = reading.vector(direction) else { continue };
-        if vector.kind == Kind::Point(Space::Model) && vector.sign > 0.0 {
+        if vector.kind == VectorKind::Point(Space::Model) && vector.sign > 0.0 {
             return Not;
         }
         // What is handed from stage to stage was written wrongly.
@@ -205,5 +208,5 @@ fn sky_direction(reading: &Reading) -> Answer {
             _ => At(vector.turned_at.unwrap_or(vector.at), 0.9),
         };
     }
-    if ambient::puts_out(reading, |kind| matches!(kind, Kind::Point(_))) { Not } else { Silent }
+    if ambient::puts_out(reading, |kind| matches!(kind, VectorKind::Point(_))) { Not } else { Silent }
 }

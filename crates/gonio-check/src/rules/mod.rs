@@ -36,7 +36,7 @@ pub(super) enum Answer {
 use Answer::{At, Not, Silent};
 
 impl Answer {
-    fn of(found: Option<Id>, support: f32, otherwise: Answer) -> Self {
+    fn at_or(found: Option<Id>, support: f32, otherwise: Answer) -> Self {
         found.map_or(otherwise, |id| At(id, support))
     }
 

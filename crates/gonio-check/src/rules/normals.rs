@@ -1,7 +1,7 @@
 //! Mistakes with the normal.
 
 use super::{Answer, At, Not, Silent};
-use crate::dataflow::vector::{By, Kind, Vector};
+use crate::dataflow::vector::{By, Vector, VectorKind};
 use crate::dataflow::{Id, Op, Reading};
 
 pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
@@ -21,7 +21,7 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
         "normal-translated" => by(reading, |by| (by == By::Translated).then_some(1.0)),
         "normal-not-transformed" => by(reading, |by| (by == By::Nothing).then_some(1.0)),
         "normal-is-position" => slots(reading, |vector, _| match vector.kind {
-            Kind::Point(_) => Some((vector.at, 1.0)),
+            VectorKind::Point(_) => Some((vector.at, 1.0)),
             _ => None,
         }),
         "normal-reversed" if reading.signs_cancel() => Not,
@@ -41,7 +41,7 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
 
 fn by(reading: &Reading, wanted: impl Fn(By) -> Option<f32>) -> Answer {
     slots(reading, |vector, _| match vector.kind {
-        Kind::Normal(by) => wanted(by).map(|support| (vector.at, support)),
+        VectorKind::Normal(by) => wanted(by).map(|support| (vector.at, support)),
         _ => None,
     })
 }

@@ -12,7 +12,7 @@ use std::f64::consts::{PI, TAU};
 const WHERE: f32 = 0.45;
 
 pub(super) fn answer(reading: &Reading, id: &str) -> Answer {
-    let there = |found: Option<Id>| Answer::of(found, WHERE, Silent);
+    let there = |found: Option<Id>| Answer::at_or(found, WHERE, Silent);
     match id {
         "longitude-z-not-negated" => arctangent(reading, |_, y, x| y == (0, 1.0) && x == (2, 1.0)),
         "longitude-arguments-swapped" => arctangent(reading, |_, y, x| y.0 == 2 && x.0 == 0 && y.1 != x.1),
@@ -21,7 +21,7 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Answer {
             .or(|| there(scaled(reading, "atan", |_| true))),
         "panorama-turned-half" => arctangent(reading, |_, y, x| y == (0, -1.0) && x == (2, 1.0))
             .or(|| there(scaled(reading, "atan", |_| true))),
-        "longitude-divided-by-pi" => Answer::of(scaled(reading, "atan", |by| near(by, PI)), 1.0, Not),
+        "longitude-divided-by-pi" => Answer::at_or(scaled(reading, "atan", |by| near(by, PI)), 1.0, Not),
         "latitude-divided-by-two-pi" => match latitude_by_two_pi(reading) {
             Some(at) => At(at, 1.0),
             // Of two angles that atan makes the latitude is the later one.
@@ -43,7 +43,7 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Answer {
             true => Not,
             false => there(direction(reading).or_else(|| height(reading)).or_else(|| call(reading, "atan"))),
         },
-        "layout-photographic" => Answer::of(mirrored_in_z(reading), 1.0, Silent),
+        "layout-photographic" => Answer::at_or(mirrored_in_z(reading), 1.0, Silent),
         "face-from-zero-to-one" | "face-from-minus-half" => there(coordinate(reading)),
         "faces-flipped" => there(turned_component(reading, 1).or_else(|| coordinate(reading))),
         "faces-mirrored" | "faces-turned-half" => there(turned_component(reading, 0).or_else(|| coordinate(reading))),

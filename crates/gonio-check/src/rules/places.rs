@@ -3,7 +3,7 @@
 use super::{Answer, At, Not, Silent};
 use crate::dataflow::Reading;
 use crate::dataflow::matrix::Base;
-use crate::dataflow::vector::{Kind, Space};
+use crate::dataflow::vector::{Space, VectorKind};
 use crate::dataflow::{Graph, Id, Op};
 use crate::mistakes::Model;
 use gonio_glsl::ast::BinaryOp;
@@ -40,7 +40,7 @@ fn places(reading: &Reading) -> Vec<Place> {
     let normals: Vec<Id> = reading.normals().into_iter().filter_map(|id| Some(reading.vector(id)?.at)).collect();
     let mut add = |id: Id| {
         if let Some(vector) = reading.vector(id)
-            && let Kind::Point(space) = vector.kind
+            && let VectorKind::Point(space) = vector.kind
         {
             found.push(Place { read: id, made: behind_screen(reading, id, vector.at), space });
         }
@@ -93,7 +93,9 @@ fn in_space(reading: &Reading, wanted: Space, model: Model) -> Answer {
         let looked_up = reading.lookups().into_iter().filter_map(|(_, id)| Some((reading.vector(id)?, id)));
         found = looked_up
             .filter_map(|(vector, id)| match vector.kind {
-                Kind::Point(space) => Some(Place { read: id, made: behind_screen(reading, id, vector.at), space }),
+                VectorKind::Point(space) => {
+                    Some(Place { read: id, made: behind_screen(reading, id, vector.at), space })
+                }
                 _ => None,
             })
             .collect();
@@ -155,5 +157,5 @@ fn sky(reading: &Reading) -> Answer {
         }
         None => false,
     });
-    Answer::of(found, 1.0, if reading.position.is_some() { Not } else { Silent })
+    Answer::at_or(found, 1.0, if reading.position.is_some() { Not } else { Silent })
 }

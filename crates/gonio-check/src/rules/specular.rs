@@ -2,7 +2,7 @@
 
 use super::{Answer, At, Not, Silent, diffuse};
 use crate::dataflow::terms::{AMBIENT, DIFFUSE, SPECULAR, SPECULAR_STRENGTH};
-use crate::dataflow::vector::{Incoming, Kind, Vector};
+use crate::dataflow::vector::{Incoming, Vector, VectorKind};
 use crate::dataflow::{Id, Op, Reading};
 use crate::roles::Role;
 use gonio_glsl::ast::BinaryOp;
@@ -19,7 +19,7 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
         "specular-with-normal" => dots(reading, |a, b| is(a, &|v| v.is_normal()) && is(b, &|v| v.is_eye())),
         "specular-with-light" => dots(reading, |a, b| is(a, &|v| v.is_light()) && is(b, &|v| v.is_eye())),
         "specular-without-eye" => dots(reading, |a, b| {
-            let from_light = |v: Vector| v.kind == Kind::Reflected(Incoming::Light);
+            let from_light = |v: Vector| v.kind == VectorKind::Reflected(Incoming::Light);
             let no_eye = |v: Vector| v.is_normal() || v.is_light();
             (is(a, &from_light) || is(a, &|v| v.is_normal())) && is(b, &no_eye)
         }),
@@ -35,7 +35,7 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
             if reading.sum().iter().any(|product| product.bits & SPECULAR != 0) {
                 return Some(Not);
             }
-            Answer::of(reading.dark("spec").or_else(|| reading.meeting()), 0.9, Silent)
+            Answer::at_or(reading.dark("spec").or_else(|| reading.meeting()), 0.9, Silent)
         }
         "specular-strength-missing" => {
             let bare = |bits| bits & SPECULAR != 0 && bits & SPECULAR_STRENGTH == 0;
@@ -43,7 +43,7 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
             let power = product.and_then(|p| p.factors.iter().find(|id| reading.bits(**id) & SPECULAR != 0));
             let term =
                 reading.named("specular", |id| bare(reading.bits(id)) && reading.bits(id) & (DIFFUSE | AMBIENT) == 0);
-            Answer::of(power.copied().map(|power| term.unwrap_or(power)), 0.8, known(reading))
+            Answer::at_or(power.copied().map(|power| term.unwrap_or(power)), 0.8, known(reading))
         }
         "specular-not-attenuated" => diffuse::unattenuated(reading, SPECULAR),
         "specular-from-other-light" => other_light(reading),
@@ -59,7 +59,7 @@ fn known(reading: &Reading) -> Answer {
 pub(super) fn signs_cancel(reading: &Reading) -> bool {
     reading.specular_dots().into_iter().any(|(_, a, b)| {
         [(a, b), (b, a)].into_iter().any(|(one, other)| match (reading.vector(one), reading.vector(other)) {
-            (Some(r), Some(v)) => matches!(r.kind, Kind::Reflected(_)) && r.sign > 0.0 && v.sign < 0.0,
+            (Some(r), Some(v)) => matches!(r.kind, VectorKind::Reflected(_)) && r.sign > 0.0 && v.sign < 0.0,
             _ => false,
         })
     })
@@ -74,14 +74,14 @@ fn reflect_sign(reading: &Reading) -> Answer {
         .into_iter()
         .flat_map(|(_, a, b)| [a, b])
         .filter_map(|id| reading.vector(id))
-        .filter(|vector| matches!(vector.kind, Kind::Reflected(Incoming::Light | Incoming::Eye)))
+        .filter(|vector| matches!(vector.kind, VectorKind::Reflected(Incoming::Light | Incoming::Eye)))
         .collect();
     // Of a reversed light the opposite is as right as can be.
     let is_reversed = reading
         .diffuse_dots()
         .into_iter()
         .flat_map(|(_, a, b)| [a, b])
-        .any(|id| reading.vector(id).is_some_and(|v| matches!(v.kind, Kind::ToLight(..)) && v.sign < 0.0));
+        .any(|id| reading.vector(id).is_some_and(|v| matches!(v.kind, VectorKind::ToLight(..)) && v.sign < 0.0));
     let wrong = if is_reversed && !reading.signs_cancel() { -1.0 } else { 1.0 };
     match reflected.iter().find(|vector| vector.sign == wrong) {
         Some(vector) => At(vector.at, 1.0),
@@ -119,7 +119,7 @@ fn around(reading: &Reading, name: &str) -> Answer {
 
 fn dots(reading: &Reading, wanted: impl Fn(Id, Id) -> bool) -> Answer {
     let found = reading.specular_dots().into_iter().find(|(_, a, b)| wanted(*a, *b) || wanted(*b, *a));
-    Answer::of(found.map(|(dot, ..)| dot), 1.0, known(reading))
+    Answer::at_or(found.map(|(dot, ..)| dot), 1.0, known(reading))
 }
 
 /// Whether it is multiplied by itself, which is a power too.
@@ -161,7 +161,7 @@ fn multiplied(reading: &Reading) -> Answer {
             is_exponent(a) && reading.bits(b) & SPECULAR != 0 && !is_logarithm
         })
         .filter(|_| reading.powers().is_empty());
-    Answer::of(found, 1.0, known(reading))
+    Answer::at_or(found, 1.0, known(reading))
 }
 
 fn exponent(reading: &Reading) -> Answer {
@@ -190,7 +190,7 @@ fn half(reading: &Reading, wanted: impl Fn(Vector) -> bool) -> Answer {
         .into_iter()
         .flat_map(|(_, a, b)| [a, b])
         .filter_map(|id| reading.vector(id))
-        .filter(|vector| vector.kind == Kind::Half)
+        .filter(|vector| vector.kind == VectorKind::Half)
         .collect();
     match halves.iter().find(|vector| wanted(**vector)) {
         Some(vector) => At(vector.at, 1.0),
@@ -202,7 +202,7 @@ fn half(reading: &Reading, wanted: impl Fn(Vector) -> bool) -> Answer {
 /// The direction to a light that the highlight has and the diffuse term has not.
 fn other_light(reading: &Reading) -> Answer {
     let lights = |id: Id| match reading.vector(id).map(|v| (v.kind, v.at)) {
-        Some((Kind::ToLight(light, _), at)) => Some((light, at)),
+        Some((VectorKind::ToLight(light, _), at)) => Some((light, at)),
         _ => None,
     };
     let diffuse: Vec<Option<u32>> = reading
@@ -222,5 +222,5 @@ fn other_light(reading: &Reading) -> Answer {
     let again = |at: &usize| specular[..*at].iter().any(|(light, _)| *light == specular[*at].0);
     let copied = || (0..specular.len()).filter(again).find(|_| is_left_out).and_then(|at| specular.get(at));
     let found = specular.iter().find(|(light, _)| !diffuse.contains(light)).or_else(copied);
-    Answer::of(found.map(|(_, at)| *at), 1.0, Not)
+    Answer::at_or(found.map(|(_, at)| *at), 1.0, Not)
 }

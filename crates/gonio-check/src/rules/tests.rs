@@ -30,11 +30,11 @@ fn the_models_themselves_make_no_mistake() {
     for model in Model::ALL {
         let [vertex, fragment] = model.sources();
         let source = read(vertex, fragment);
-        for mistake in crate::mistakes::of(model).filter(|mistake| !mistake.harmless) {
+        for mistake in crate::mistakes::for_model(model).filter(|mistake| !mistake.harmless) {
             // Where a picture tells that it is made, the source tells at most where.
             let line = source.line(&mistake.id, model).filter(|place| place.confidence >= 0.5);
             assert_eq!(line, None, "{model:?} {}", mistake.id);
-            assert!(source.looks_like(&mistake.id, model) <= 0.5, "{model:?} {}", mistake.id);
+            assert!(source.support(&mistake.id, model) <= 0.5, "{model:?} {}", mistake.id);
         }
     }
 }
@@ -48,7 +48,7 @@ fn every_mistake_put_into_its_model_is_found_at_its_line() {
     ];
     let (mut right, mut wrong, mut all) = (0, Vec::new(), 0);
     for model in Model::ALL {
-        for mistake in crate::mistakes::of(model).filter(|mistake| !mistake.harmless) {
+        for mistake in crate::mistakes::for_model(model).filter(|mistake| !mistake.harmless) {
             for change in mistake.change.iter().filter(|change| change.len() == 1) {
                 let (variable, value) = change.iter().next().unwrap();
                 let mut sources = model.sources().map(str::to_owned);
@@ -193,7 +193,7 @@ fn what_no_picture_tells_apart_the_source_does() {
         ("L - 2.0 * dot(N, L) * N", towards, 1.0, 0.0),
     ] {
         let source = highlight(reflected, eye);
-        let found = ["specular-reflect-sign", "view-direction-reversed"].map(|id| source.looks_like(id, Model::Phong));
+        let found = ["specular-reflect-sign", "view-direction-reversed"].map(|id| source.support(id, Model::Phong));
         assert_eq!(found, [sign, view], "{reflected}, {eye}");
     }
     let diffuse = |n: &str, l: &str| {
@@ -209,7 +209,7 @@ fn what_no_picture_tells_apart_the_source_does() {
         [("N", "L", 0.0, 0.0), ("-N", "L", 1.0, 0.0), ("N", "-L", 0.0, 1.0), ("-N", "-L", 0.0, 0.0)]
     {
         let source = diffuse(n, l);
-        let found = ["normal-reversed", "light-direction-reversed"].map(|id| source.looks_like(id, Model::Phong));
+        let found = ["normal-reversed", "light-direction-reversed"].map(|id| source.support(id, Model::Phong));
         assert_eq!(found, [normal, light], "{n}, {l}");
     }
 }
@@ -371,7 +371,7 @@ fn no_source_makes_it_panic_or_hang() {
             assert!(source.in_source_only().len() <= 1);
             for mistake in crate::mistakes::all() {
                 for model in &mistake.models {
-                    let support = source.looks_like(&mistake.id, *model);
+                    let support = source.support(&mistake.id, *model);
                     assert!((0.0..=1.0).contains(&support), "{}", mistake.id);
                     let place = source.line(&mistake.id, *model);
                     assert!(place.is_none_or(|place| place.span.line > 0), "{}", mistake.id);
@@ -379,7 +379,7 @@ fn no_source_makes_it_panic_or_hang() {
             }
         }
     }
-    assert_eq!(read("", "").looks_like("no-such-mistake", Model::Phong), 0.5);
+    assert_eq!(read("", "").support("no-such-mistake", Model::Phong), 0.5);
 }
 
 fn by_use(uniforms: &str, position: &str) -> Vec<(String, Role)> {
@@ -428,11 +428,11 @@ fn a_cone_is_no_diffuse_term() {
             FragColor = vec4(vec3({sum}), 1.0);"
         )
     };
-    let looks = |sum: &str| fragment(head, &body(sum)).looks_like("ambient-in-cone", Model::Phong);
+    let looks = |sum: &str| fragment(head, &body(sum)).support("ambient-in-cone", Model::Phong);
     assert_eq!(looks("cone * (ambientStrength + diffuse)"), 1.0);
     assert_eq!(looks("ambientStrength + cone * diffuse"), 0.0);
     assert_eq!(looks("ambientStrength + diffuse"), 0.5);
-    let turned = fragment(head, &body("cone * diffuse")).looks_like("light-direction-reversed", Model::Phong);
+    let turned = fragment(head, &body("cone * diffuse")).support("light-direction-reversed", Model::Phong);
     assert_eq!(turned, 0.0);
 }
 

@@ -1,6 +1,6 @@
 //! When two pictures are the same, and how much of a difference another picture explains.
 
-use crate::testbench::Sheet;
+use crate::testbench::Atlas;
 
 /// A channel's difference that counts: one step of 8 bits. Set by what a framebuffer can show; the arithmetic of drivers
 /// differs by a hundredth of it.
@@ -13,7 +13,7 @@ pub const PIXELS_TOLERANCE: f64 = 0.01;
 /// How two pixels differ: 0 to 1. Above 1 nothing is told apart, as in a framebuffer; below 0 it is, for a negative term takes
 /// away from others. No number (NaN) is the same as no number.
 pub fn pixel_difference(a: &[f32; 4], b: &[f32; 4]) -> f32 {
-    match (Sheet::is_drawn(a), Sheet::is_drawn(b)) {
+    match (Atlas::is_drawn(a), Atlas::is_drawn(b)) {
         (false, false) => return 0.0,
         (true, true) => {}
         _ => return 1.0,
@@ -30,7 +30,7 @@ pub fn channel_difference(a: f32, b: f32) -> f32 {
     }
 }
 
-/// A situation's differences, added up.
+/// A test scene's differences, added up.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Tally {
     drawn: usize,
@@ -70,35 +70,35 @@ impl FromIterator<Tally> for Comparison {
     }
 }
 
-/// Two sheets side by side, situation by situation.
+/// Two atlases side by side, test scene by test scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
-    /// Of each situation: the share of pixels beyond [`PIXEL_TOLERANCE`], of those drawn in either.
+    /// Of each test scene: the share of pixels beyond [`PIXEL_TOLERANCE`], of those drawn in either.
     pub beyond: Vec<f64>,
-    /// Of each situation: the mean of the squared differences.
+    /// Of each test scene: the mean of the squared differences.
     pub squares: Vec<f64>,
-    /// Of each situation: the largest difference.
+    /// Of each test scene: the largest difference.
     pub worst: Vec<f32>,
 }
 
 impl Comparison {
-    /// Compares as many situations as there are.
-    pub fn of(a: &Sheet, b: &Sheet, situations: usize) -> Self {
+    /// Compares as many test scenes as there are.
+    pub fn new(a: &Atlas, b: &Atlas, test_scenes: usize) -> Self {
         let tally = |tile: usize| {
             let mut tally = Tally::default();
             for (p, q) in a.tile(tile).iter().zip(b.tile(tile)) {
-                if Sheet::is_drawn(p) || Sheet::is_drawn(q) {
+                if Atlas::is_drawn(p) || Atlas::is_drawn(q) {
                     tally.add(pixel_difference(p, q));
                 }
             }
             tally
         };
-        (0..situations).map(tally).collect()
+        (0..test_scenes).map(tally).collect()
     }
 
-    /// Of the first situations alone.
-    pub fn first(&self, situations: usize) -> Comparison {
-        let count = situations.min(self.beyond.len());
+    /// Of the first test scenes alone.
+    pub fn first(&self, test_scenes: usize) -> Comparison {
+        let count = test_scenes.min(self.beyond.len());
         Comparison {
             beyond: self.beyond[..count].to_vec(),
             squares: self.squares[..count].to_vec(),
@@ -106,9 +106,9 @@ impl Comparison {
         }
     }
 
-    /// Whether a situation's pictures are the same.
-    pub fn agrees(&self, situation: usize) -> bool {
-        self.beyond.get(situation).is_some_and(|&share| share <= PIXELS_TOLERANCE)
+    /// Whether a test scene's pictures are the same.
+    pub fn agrees(&self, test_scene: usize) -> bool {
+        self.beyond.get(test_scene).is_some_and(|&share| share <= PIXELS_TOLERANCE)
     }
 
     /// Whether all are.
@@ -116,16 +116,16 @@ impl Comparison {
         self.beyond.iter().all(|&share| share <= PIXELS_TOLERANCE)
     }
 
-    /// How much of this difference is explained by a prediction that leaves `rest`: 1 where nothing is left, 0 where as much is
-    /// left as there was, never less. Every situation counts for as much as it differs by, but none for more than ten times
+    /// How much of this difference is explained by a prediction that leaves `residual`: 1 where nothing is left, 0 where as much is
+    /// left as there was, never less. Every test scene counts for as much as it differs by, but none for more than ten times
     /// another that differs at all.
-    pub fn explained_by(&self, rest: &Comparison) -> f64 {
+    pub fn explained_by(&self, residual: &Comparison) -> f64 {
         let floor = 0.1 * self.squares.iter().copied().fold(0.0, f64::max);
         let (mut all, mut left) = (0.0, 0.0);
-        for (squares, rest) in self.squares.iter().zip(&rest.squares) {
+        for (squares, residual) in self.squares.iter().zip(&residual.squares) {
             let weight = 1.0 / squares.max(floor).max(1e-12);
             all += weight * squares;
-            left += weight * rest;
+            left += weight * residual;
         }
         if all <= 0.0 { 0.0 } else { (1.0 - left / all).max(0.0) }
     }

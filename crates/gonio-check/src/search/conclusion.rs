@@ -1,11 +1,11 @@
 //! From what was found to what is said.
 
 use super::compare::Comparison;
-use super::parameterisation::Freedom;
+use super::parameterisation::Parameterisation;
 use super::search::{Entry, Found, Search, Tried};
 use super::task::Task;
 use crate::roles::Bindings;
-use crate::testbench::{Sheet, Stage};
+use crate::testbench::{Atlas, Testbench};
 use crate::verdict::{
     BoundVariable, FoundMistake, Outcome, Peculiarity, RunnerUp, SceneVerdict, TermState, TermVerdict, Verdict,
 };
@@ -41,19 +41,25 @@ pub fn fixed(bindings: &Bindings) -> Vec<(String, Vec<f32>)> {
 /// A mistake of the bank, or one that is no change of a line, by its word.
 pub fn mistake(id: &str, share: f64) -> Option<FoundMistake> {
     if let Some(known) = crate::mistakes::find(id) {
-        return Some(FoundMistake { lab_does_it: known.lab_does_it, ..FoundMistake::of_bank(known, share) });
+        return Some(FoundMistake { lab_does_it: known.lab_does_it, ..FoundMistake::from_catalogue(known, share) });
     }
     crate::mistakes::structural()
         .into_iter()
         .find(|known| known.id == id)
-        .map(|known| FoundMistake::of_bank(&known, share))
+        .map(|known| FoundMistake::from_catalogue(&known, share))
 }
 
 /// Everything but what was bound.
-pub fn verdict(task: &Task, search: &Search<'_>, found: &Found<'_>, held: &Comparison, in_vain: [bool; 3]) -> Verdict {
-    let (stage, seen) = (search.stage, search.seen);
+pub fn verdict(
+    task: &Task,
+    search: &Search<'_>,
+    found: &Found<'_>,
+    held: &Comparison,
+    unused_terms: [bool; 3],
+) -> Verdict {
+    let (testbench, seen) = (search.testbench, search.seen);
     let mut verdict = Verdict::new(task.exercise, Outcome::Wrong, "");
-    verdict.scenes = scenes(stage, held);
+    verdict.scenes = scenes(testbench, held);
     let Some(best) = found.ranking.first() else { return verdict };
     let entry = search.entries.get(best.model);
     let right = verdict.scenes.iter().filter(|scene| scene.right).count();
@@ -65,11 +71,11 @@ pub fn verdict(task: &Task, search: &Search<'_>, found: &Found<'_>, held: &Compa
         ));
     }
     let next = found.ranking.iter().skip(1).find(|tried| !tried.wrong().is_empty());
-    let names_well = best.rest.is_same()
+    let names_well = best.residual.is_same()
         || (best.explained >= NAMED_FROM && next.is_none_or(|next| best.explained - next.explained >= CLEARER_BY));
     let words: Vec<String> = entry.and_then(|entry| entry.word).map(str::to_owned).into_iter().collect();
-    let missing = missing_terms(task, best, in_vain);
-    let is_right = best.rest.is_same() && words.is_empty() && best.wrong().is_empty();
+    let missing = missing_terms(task, best, unused_terms);
+    let is_right = best.residual.is_same() && words.is_empty() && best.wrong().is_empty();
     if is_right && missing.is_empty() {
         verdict.verdict = Outcome::Correct;
         verdict.score = 1.0;
@@ -91,7 +97,7 @@ pub fn verdict(task: &Task, search: &Search<'_>, found: &Found<'_>, held: &Compa
         }
         return verdict;
     }
-    let share = if best.rest.is_same() { 1.0 } else { best.explained };
+    let share = if best.residual.is_same() { 1.0 } else { best.explained };
     let ids: Vec<String> =
         words.into_iter().chain(best.wrong().into_iter().map(str::to_owned)).chain(missing).collect();
     verdict.mistakes = ids.iter().filter_map(|id| mistake(id, share)).collect();
@@ -108,7 +114,7 @@ pub fn verdict(task: &Task, search: &Search<'_>, found: &Found<'_>, held: &Compa
         }
     }
     let not_the_same =
-        |tried: &&Tried<'_>| !tried.wrong().is_empty() && tried.wrong() != best.wrong() && !tried.rest.is_same();
+        |tried: &&Tried<'_>| !tried.wrong().is_empty() && tried.wrong() != best.wrong() && !tried.residual.is_same();
     let next = found.ranking.iter().find(not_the_same).filter(|tried| tried.explained >= RUNNER_UP_FROM);
     verdict.runner_up = next.map(|tried| RunnerUp {
         ids: tried.wrong().into_iter().map(str::to_owned).collect(),
@@ -119,12 +125,12 @@ pub fn verdict(task: &Task, search: &Search<'_>, found: &Found<'_>, held: &Compa
     verdict
 }
 
-fn undefined_pixels(seen: &Sheet) -> usize {
-    seen.pixels.iter().filter(|p| Sheet::is_drawn(p) && p.iter().take(3).any(|c| !c.is_finite())).count()
+fn undefined_pixels(seen: &Atlas) -> usize {
+    seen.pixels.iter().filter(|p| Atlas::is_drawn(p) && p.iter().take(3).any(|c| !c.is_finite())).count()
 }
 
 fn peculiarities(task: &Task, best: &Tried<'_>, entry: Option<&Entry>) -> Vec<Peculiarity> {
-    let harmless = best.made_of.iter().filter(|m| m.harmless);
+    let harmless = best.mistakes.iter().filter(|m| m.harmless);
     let mut all: Vec<Peculiarity> = harmless.map(|m| Peculiarity { id: m.id.clone(), name: m.name.clone() }).collect();
     if entry.is_some_and(|entry| entry.is_right && entry.model != task.model) {
         let name = "The light is computed for each vertex (Gouraud shading)".to_owned();
@@ -145,7 +151,7 @@ fn peculiarities(task: &Task, best: &Tried<'_>, entry: Option<&Entry>) -> Vec<Pe
 }
 
 /// Terms that have no strength, and that the exercise asks for or the source computes in vain.
-fn missing_terms(task: &Task, best: &Tried<'_>, in_vain: [bool; 3]) -> Vec<String> {
+fn missing_terms(task: &Task, best: &Tried<'_>, unused_terms: [bool; 3]) -> Vec<String> {
     const WORDS: [&str; 3] = ["ambient-missing", "diffuse-missing", "specular-missing"];
     let absent = |strength: &Option<[f64; 3]>| strength.is_some_and(|s| s.iter().all(|s| *s < 1e-3));
     // Light from everywhere where diffuse light belongs is diffuse light without its cosine.
@@ -153,7 +159,7 @@ fn missing_terms(task: &Task, best: &Tried<'_>, in_vain: [bool; 3]) -> Vec<Strin
     let word = |term: usize| if term == 1 && flat { "diffuse-without-cosine" } else { WORDS[term] };
     (0..3)
         .filter(|&term| absent(&best.strengths[term]))
-        .filter(|&term| task.wanted[term] || in_vain[term])
+        .filter(|&term| task.wanted[term] || unused_terms[term])
         .map(|term| word(term).to_owned())
         .filter(|word| !best.wrong().contains(&word.as_str()))
         .collect()
@@ -163,7 +169,7 @@ fn missing_terms(task: &Task, best: &Tried<'_>, in_vain: [bool; 3]) -> Vec<Strin
 fn alternatives(found: &Found<'_>, best: &Tried<'_>, id: &str) -> Vec<String> {
     let others: Vec<&str> = best.wrong().into_iter().filter(|other| *other != id).collect();
     let same = |tried: &&Tried<'_>| {
-        tried.rest.is_same() && tried.model == best.model && tried.wrong().len() == others.len() + 1
+        tried.residual.is_same() && tried.model == best.model && tried.wrong().len() == others.len() + 1
     };
     let mut names: Vec<String> = Vec::new();
     for tried in found.ranking.iter().filter(same) {
@@ -184,15 +190,15 @@ fn alternatives(found: &Found<'_>, best: &Tried<'_>, id: &str) -> Vec<String> {
 }
 
 /// Scene by scene: `held` compares with the right answer.
-fn scenes(stage: &Stage, held: &Comparison) -> Vec<SceneVerdict> {
-    stage
-        .situations()
+fn scenes(testbench: &Testbench, held: &Comparison) -> Vec<SceneVerdict> {
+    testbench
+        .test_scenes()
         .iter()
         .take(held.beyond.len())
         .enumerate()
-        .map(|(index, situation)| SceneVerdict {
-            scene: situation.name.clone(),
-            shows: situation.shows.into(),
+        .map(|(index, test_scene)| SceneVerdict {
+            scene: test_scene.name.clone(),
+            shows: test_scene.shows.into(),
             right: held.agrees(index),
             pixels_beyond: held.beyond.get(index).copied().unwrap_or(1.0),
             worst: held.worst.get(index).copied().unwrap_or(1.0),
@@ -200,17 +206,21 @@ fn scenes(stage: &Stage, held: &Comparison) -> Vec<SceneVerdict> {
         .collect()
 }
 
-/// Term by term, by the situations with one term alone. `held` compares with the right answer in all situations.
-pub fn terms(stage: &Stage, freedom: &Freedom, held: Option<&Comparison>) -> Vec<TermVerdict> {
+/// Term by term, by the test scenes with one term alone. `held` compares with the right answer in all test scenes.
+pub fn terms(
+    testbench: &Testbench,
+    parameterisation: &Parameterisation,
+    held: Option<&Comparison>,
+) -> Vec<TermVerdict> {
     crate::mistakes::TERMS
         .into_iter()
         .enumerate()
         .map(|(index, term)| {
             let is_alone = |name: &str| name.ends_with(&format!("{term} alone"));
-            let mut alone = stage.situations().iter().enumerate().filter(|(_, s)| is_alone(&s.name));
-            let state = match held.filter(|_| !freedom.to_find[index]) {
+            let mut alone = testbench.test_scenes().iter().enumerate().filter(|(_, s)| is_alone(&s.name));
+            let state = match held.filter(|_| !parameterisation.to_find[index]) {
                 None => TermState::NotSeparable,
-                Some(held) if alone.all(|(situation, _)| held.agrees(situation)) => TermState::Right,
+                Some(held) if alone.all(|(test_scene, _)| held.agrees(test_scene)) => TermState::Right,
                 Some(_) => TermState::Wrong,
             };
             TermVerdict { term: term.into(), state }

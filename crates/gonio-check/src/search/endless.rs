@@ -11,10 +11,10 @@ pub(crate) trait Numbers {
     fn equals(&self, other: &Self) -> bool;
 }
 
-impl Numbers for crate::testbench::Sheet {
+impl Numbers for crate::testbench::Atlas {
     fn equals(&self, other: &Self) -> bool {
         // By bits, for NaN is no difference.
-        let bits = |sheet: &Self| sheet.pixels.iter().flatten().map(|number| number.to_bits()).collect::<Vec<_>>();
+        let bits = |atlas: &Self| atlas.pixels.iter().flatten().map(|number| number.to_bits()).collect::<Vec<_>>();
         bits(self) == bits(other)
     }
 }
@@ -26,10 +26,10 @@ impl Numbers for crate::panorama::Tiles {
     }
 }
 
-/// Draws the student's program by `draw`, which is given fixed uniforms and the number of situations: each of `counts`, of
+/// Draws the student's program by `draw`, which is given fixed uniforms and the number of test scenes: each of `counts`, of
 /// which the last is the whole. `None` where a vertex or fragment took more turns than [`gonio_glsl::LoopBound::STUDENTS`].
 ///
-/// Such vertices and fragments are drawn or not by a uniform: two pictures that differ tell of them. The first situation is
+/// Such vertices and fragments are drawn or not by a uniform: two pictures that differ tell of them. The first test scene is
 /// tried alone, for a program with an endless loop takes long in each.
 pub(crate) fn drawn<T: Numbers>(
     program: &UserProgram,

@@ -2,9 +2,9 @@
 //!
 //! Light is linear in the strength of each term. So where a program's own strengths are unknown, its picture is
 //! `known + sum of strength_t * term_t`, and the strengths are what brings the model nearest (least squares, each channel by
-//! itself). Two numbers a channel hardly ever make a wrong picture right, for they hold in all situations together.
+//! itself). Two numbers a channel hardly ever make a wrong picture right, for they hold in all test scenes together.
 
-use crate::testbench::Sheet;
+use crate::testbench::Atlas;
 use gonio_render::user_program::NOT_DRAWN;
 
 /// The strengths found, and the picture that they give.
@@ -13,7 +13,7 @@ pub struct Fit {
     /// Of each term, for red, green and blue.
     pub strengths: Vec<[f64; 3]>,
     /// What the model draws with them.
-    pub predicted: Sheet,
+    pub predicted: Atlas,
 }
 
 /// A channel's numbers at the pixels that count.
@@ -46,15 +46,15 @@ pub fn strengths(seen: &[f32], known: &[f32], terms: &[&[f32]]) -> Vec<f64> {
     solve(matrix, right)
 }
 
-/// Brings `known + sum strength * term` nearest to `seen`, in the situations that `known` and `terms` have.
-pub fn fit(seen: &Sheet, known: &Sheet, terms: &[Sheet]) -> Fit {
+/// Brings `known + sum strength * term` nearest to `seen`, in the test scenes that `known` and `terms` have.
+pub fn fit(seen: &Atlas, known: &Atlas, terms: &[Atlas]) -> Fit {
     let is_everywhere = |index: usize, s: &[f32; 4], k: &[f32; 4]| {
-        Sheet::is_drawn(s) && Sheet::is_drawn(k) && terms.iter().all(|term| Sheet::is_drawn(&term.pixels[index]))
+        Atlas::is_drawn(s) && Atlas::is_drawn(k) && terms.iter().all(|term| Atlas::is_drawn(&term.pixels[index]))
     };
     let pixels = seen.pixels.iter().zip(&known.pixels).enumerate();
     let counting: Vec<usize> = pixels.filter(|(index, (s, k))| is_everywhere(*index, s, k)).map(|(i, _)| i).collect();
     let of_channel = |channel: usize| {
-        let plane = |sheet: &Sheet| -> Plane { counting.iter().map(|&index| sheet.pixels[index][channel]).collect() };
+        let plane = |atlas: &Atlas| -> Plane { counting.iter().map(|&index| atlas.pixels[index][channel]).collect() };
         let planes: Vec<Plane> = terms.iter().map(plane).collect();
         let planes: Vec<&[f32]> = planes.iter().map(Vec::as_slice).collect();
         strengths(&plane(seen), &plane(known), &planes)
@@ -63,7 +63,7 @@ pub fn fit(seen: &Sheet, known: &Sheet, terms: &[Sheet]) -> Fit {
     let found: Vec<[f64; 3]> = red.iter().zip(green).zip(blue).map(|((r, g), b)| [*r, g, b]).collect();
     let mut predicted = known.clone();
     for (index, pixel) in predicted.pixels.iter_mut().enumerate() {
-        if !Sheet::is_drawn(pixel) {
+        if !Atlas::is_drawn(pixel) {
             *pixel = NOT_DRAWN;
             continue;
         }
@@ -146,14 +146,14 @@ fn eliminate(matrix: &mut [f64], right: &mut [f64]) -> Vec<f64> {
 mod tests {
     use super::*;
 
-    fn sheet(values: &[f32]) -> Sheet {
-        Sheet { pixels: values.iter().map(|&v| [v, 2.0 * v, 0.5 * v, 1.0]).collect() }
+    fn atlas(values: &[f32]) -> Atlas {
+        Atlas { pixels: values.iter().map(|&v| [v, 2.0 * v, 0.5 * v, 1.0]).collect() }
     }
 
     #[test]
     fn strengths_are_found_again() {
-        let (known, a, b) = (sheet(&[0.0; 4]), sheet(&[0.1, 0.2, 0.0, 0.1]), sheet(&[0.0, 0.1, 0.3, 0.1]));
-        let seen = sheet(&[0.05, 0.18, 0.24, 0.13]); // 0.5 a + 0.8 b
+        let (known, a, b) = (atlas(&[0.0; 4]), atlas(&[0.1, 0.2, 0.0, 0.1]), atlas(&[0.0, 0.1, 0.3, 0.1]));
+        let seen = atlas(&[0.05, 0.18, 0.24, 0.13]); // 0.5 a + 0.8 b
         let fit = fit(&seen, &known, &[a, b]);
         for channel in 0..3 {
             assert!((fit.strengths[0][channel] - 0.5).abs() < 1e-5, "{fit:?}");
@@ -164,8 +164,8 @@ mod tests {
 
     #[test]
     fn a_term_that_is_not_there_is_0_and_never_negative() {
-        let (known, a, b) = (sheet(&[0.0; 3]), sheet(&[0.1, 0.2, 0.3]), sheet(&[0.3, 0.1, 0.1]));
-        let seen = sheet(&[0.02, 0.15, 0.25]); // nearest with b at -0.1
+        let (known, a, b) = (atlas(&[0.0; 3]), atlas(&[0.1, 0.2, 0.3]), atlas(&[0.3, 0.1, 0.1]));
+        let seen = atlas(&[0.02, 0.15, 0.25]); // nearest with b at -0.1
         let fit = fit(&seen, &known, &[a, b]);
         assert_eq!(fit.strengths[1], [0.0; 3]);
         assert!(fit.strengths[0][0] > 0.5);

@@ -20,13 +20,13 @@ impl<'a> Search<'a> {
         &self,
         bases: &[(usize, Hypothesis)],
         difference: &Difference,
-        looks_like: Support<'_>,
+        support: Support<'_>,
     ) -> Result<Vec<Tried<'a>>, GlError> {
         let mut found: Vec<Tried<'a>> = Vec::new();
         for (model, base) in bases {
             let suspects: Vec<&Hypothesis> = self
                 .wrong(*model)
-                .filter(|one| self.ids(*model, one).all(|id| looks_like(id, *model) >= SUSPECTED_FROM))
+                .filter(|one| self.ids(*model, one).all(|id| support(id, *model) >= SUSPECTED_FROM))
                 .collect();
             if suspects.len() < 2 || suspects.len() > 3 * MOST_SUSPECTS {
                 continue;
@@ -35,18 +35,18 @@ impl<'a> Search<'a> {
             for _ in 0..MOST_AT_ONCE {
                 let with_one = suspects.iter().filter_map(|one| best.hypothesis.and(one)).collect();
                 let Some(next) = self.best_of(*model, with_one, difference)?.into_iter().reduce(better) else { break };
-                if best.rest.explained_by(&next.rest) < WORTH {
+                if best.residual.explained_by(&next.residual) < WORTH {
                     break;
                 }
                 best = next;
-                if best.rest.is_same() {
+                if best.residual.is_same() {
                     break;
                 }
             }
             let with_habits = self.pair_with_peculiarities(&best, difference)?;
             found.push(best);
             found.extend(with_habits);
-            if found.iter().any(|tried| tried.rest.is_same()) {
+            if found.iter().any(|tried| tried.residual.is_same()) {
                 break;
             }
         }
@@ -55,7 +55,7 @@ impl<'a> Search<'a> {
 
     fn ids(&self, model: usize, one: &Hypothesis) -> impl Iterator<Item = &'a str> {
         let mistakes = &self.models[model].hypotheses.mistakes;
-        one.made_of.iter().map(|&index| mistakes[index].id.as_str()).collect::<Vec<_>>().into_iter()
+        one.mistakes.iter().map(|&index| mistakes[index].id.as_str()).collect::<Vec<_>>().into_iter()
     }
 }
 

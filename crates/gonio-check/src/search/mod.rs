@@ -1,4 +1,4 @@
-//! The checker: draws a student's program in situations that tell mistakes apart, and looks for what explains it.
+//! The checker: draws a student's program in test scenes that tell mistakes apart, and looks for what explains it.
 
 mod compare;
 mod conclusion;
@@ -17,18 +17,18 @@ pub use compare::{Comparison, PIXEL_TOLERANCE, PIXELS_TOLERANCE, pixel_differenc
 pub use conclusion::mistake as named;
 pub(crate) use conclusion::{bound, fixed};
 pub(crate) use endless::{drawn as drawn_unless_endless, verdict as endless_verdict};
-pub use parameterisation::{Freedom, Lights, Second};
+pub use parameterisation::{Lights, Parameterisation, Second};
 pub use predict::{CompiledModel, declared};
 pub use task::{PLACES, TASKS, Task};
 
 use crate::mistakes::{Hypothesis, Model};
-use crate::roles::{self, Declared, Kind, NamesFile, Role};
+use crate::roles::{self, Declared, NamesFile, Role, VariableKind};
 use crate::rules::Written;
-use crate::testbench::{Sheet, Stage};
+use crate::testbench::{Atlas, Testbench};
 use crate::verdict::{Outcome, Verdict};
 use gonio_gl::{Gl, GlError};
 use gonio_render::user_program::UserProgram;
-use on_cpu::Canvases;
+use on_cpu::CpuComparer;
 use search::{Entry, Found, Search};
 use std::collections::HashMap;
 
@@ -41,24 +41,24 @@ pub struct Prepared {
     /// What is written in the source where a uniform could be.
     pub written: Written,
     /// Of ambient, diffuse and specular: whether the source computes it and lets it lie.
-    pub in_vain: [bool; 3],
+    pub unused_terms: [bool; 3],
     /// What the source says of a mistake where pictures are silent: 0 contradicted, 1 the very expression is there.
-    pub looks_like: LooksLike,
+    pub source_support: SourceSupport,
 }
 
 /// How far a source supports that it makes a mistake of the bank, in a model.
-pub type LooksLike = Box<dyn Fn(&str, Model) -> f32>;
+pub type SourceSupport = Box<dyn Fn(&str, Model) -> f32>;
 
-/// What a check draws: for sheets of pictures beside a verdict.
+/// What a check draws: for atlases of pictures beside a verdict.
 #[derive(Clone, Debug)]
 pub struct Evidence {
     /// The student's.
-    pub seen: Sheet,
+    pub seen: Atlas,
     /// The right answer's.
-    pub reference: Sheet,
+    pub reference: Atlas,
     /// What the named mistakes draw, where there are any.
-    pub predicted: Option<Sheet>,
-    /// The situations' words, in order.
+    pub predicted: Option<Atlas>,
+    /// The test scenes' words, in order.
     pub scenes: Vec<String>,
 }
 
@@ -66,13 +66,13 @@ pub struct Evidence {
 pub struct ShaderChecker {
     gl: Gl,
     models: HashMap<Model, CompiledModel>,
-    stages: HashMap<&'static str, (Stage, [usize; 2])>,
+    testbenches: HashMap<&'static str, (Testbench, [usize; 2])>,
 }
 
 impl ShaderChecker {
     /// In this context.
     pub fn new(gl: &Gl) -> Self {
-        ShaderChecker { gl: gl.clone(), models: HashMap::new(), stages: HashMap::new() }
+        ShaderChecker { gl: gl.clone(), models: HashMap::new(), testbenches: HashMap::new() }
     }
 
     /// The context.
@@ -98,32 +98,32 @@ impl ShaderChecker {
         task: &Task,
         search: &Search<'_>,
         found: &Found<'_>,
-        in_vain: [bool; 3],
-    ) -> Result<Sheet, GlError> {
+        unused_terms: [bool; 3],
+    ) -> Result<Atlas, GlError> {
         let (right_model, right) = right::answer(search, found);
-        let best = found.ranking.first().filter(|best| best.rest.is_same());
+        let best = found.ranking.first().filter(|best| best.residual.is_same());
         let Some(strengths) = best.map(|best| best.strengths).filter(|s| s.iter().any(Option::is_some)) else {
-            let drawn = search.drawn(right_model, right, search.situations)?;
-            return Ok(drawn.sheet.unwrap_or_else(|| search.seen.clone()));
+            let drawn = search.drawn(right_model, right, search.test_scenes)?;
+            return Ok(drawn.atlas.unwrap_or_else(|| search.seen.clone()));
         };
         // A term that is not there would have been there with its whole strength.
         let strength = |term: usize| match strengths[term] {
             Some(found) if found.iter().any(|s| *s > 1e-3) => found,
-            _ => [if task.wanted[term] || in_vain[term] { 1.0 } else { 0.0 }; 3],
+            _ => [if task.wanted[term] || unused_terms[term] { 1.0 } else { 0.0 }; 3],
         };
-        let peculiar = best.is_some_and(|best| best.made_of.iter().any(|mistake| mistake.harmless));
+        let peculiar = best.is_some_and(|best| best.mistakes.iter().any(|mistake| mistake.harmless));
         let hypothesis = if peculiar { right } else { Hypothesis::default() };
-        let (model, cast) = (search.models[right_model], &search.casts[right_model]);
-        model.predict_with(search.stage, cast, &hypothesis, search.situations, [0, 1, 2].map(strength))
+        let (model, inputs) = (search.models[right_model], &search.model_inputs[right_model]);
+        model.predict_with(search.testbench, inputs, &hypothesis, search.test_scenes, [0, 1, 2].map(strength))
     }
 
     fn prepare(&mut self, task: &'static Task) -> Result<(), GlError> {
         for model in std::iter::once(task.model).chain(task.other.map(|(model, _)| model)) {
             self.model(model);
         }
-        if !self.stages.contains_key(task.exercise) {
-            let (situations, whole) = task.situations();
-            self.stages.insert(task.exercise, (Stage::new(&self.gl, situations)?, whole));
+        if !self.testbenches.contains_key(task.exercise) {
+            let (test_scenes, whole) = task.test_scenes();
+            self.testbenches.insert(task.exercise, (Testbench::new(&self.gl, test_scenes)?, whole));
         }
         Ok(())
     }
@@ -136,10 +136,10 @@ impl ShaderChecker {
         prepared: &Prepared,
     ) -> Result<(Verdict, Option<Evidence>), GlError> {
         self.prepare(task)?;
-        let (stage, [whole, of_two]) = &self.stages[task.exercise];
+        let (testbench, [whole, of_two]) = &self.testbenches[task.exercise];
         let bindings = roles::bind(&predict::declared(program), &prepared.names);
         let bound = conclusion::bound(&bindings);
-        if !bindings.bound.iter().any(|b| b.declared.kind == Kind::Attribute && b.role == Role::Position) {
+        if !bindings.bound.iter().any(|b| b.declared.kind == VariableKind::Attribute && b.role == Role::Position) {
             let mut verdict = Verdict::new(
                 task.exercise,
                 Outcome::Unsure,
@@ -149,13 +149,13 @@ impl ShaderChecker {
             return Ok((verdict, None));
         }
         let declared = roles::bind(&prepared.declared, &prepared.names);
-        let freedom = Freedom::of(task, &bindings, &declared, &prepared.written);
-        let cast = stage.cast(program, &bindings, |situation| freedom.apply(situation));
+        let parameterisation = Parameterisation::new(task, &bindings, &declared, &prepared.written);
+        let inputs = testbench.inputs(program, &bindings, |test_scene| parameterisation.apply(test_scene));
         let fixed = conclusion::fixed(&bindings);
-        let all = stage.situations().len();
+        let all = testbench.test_scenes().len();
         let drawn = endless::drawn(program, &fixed, &[1, all], |fixed, count| {
-            let seen = stage.draw(program, &cast, fixed, count)?;
-            stage.complaint()?;
+            let seen = testbench.draw(program, &inputs, fixed, count)?;
+            testbench.complaint()?;
             Ok(seen)
         })?;
         let Some(seen) = drawn else {
@@ -163,47 +163,56 @@ impl ShaderChecker {
             verdict.bound = bound;
             return Ok((verdict, None));
         };
-        let whole = whole + if freedom.second == Second::None { 0 } else { *of_two };
-        let entries = entries(task, &freedom);
+        let whole = whole + if parameterisation.second == Second::None { 0 } else { *of_two };
+        let entries = entries(task, &parameterisation);
         let models: Vec<&CompiledModel> = entries.iter().map(|entry| &self.models[&entry.model]).collect();
-        let casts: Vec<_> =
-            models.iter().zip(&entries).map(|(model, entry)| model.cast(&freedom, entry.lights)).collect();
-        let canvases: Vec<_> =
-            models.iter().zip(&casts).map(|(model, cast)| Canvases::new(stage, model, cast, &seen, whole)).collect();
+        let model_inputs: Vec<_> =
+            models.iter().zip(&entries).map(|(model, entry)| model.inputs(&parameterisation, entry.lights)).collect();
+        let comparers: Vec<_> = models
+            .iter()
+            .zip(&model_inputs)
+            .map(|(model, inputs)| CpuComparer::new(testbench, model, inputs, &seen, whole))
+            .collect();
         let search = Search {
-            stage,
+            testbench,
             entries: &entries,
             models: &models,
-            casts: &casts,
-            canvases: &canvases,
+            model_inputs: &model_inputs,
+            comparers: &comparers,
             seen: &seen,
-            situations: whole,
+            test_scenes: whole,
         };
-        let found = search.run(&|id, model| (prepared.looks_like)(id, models[model].hypotheses.model))?;
-        let reference = self.reference(task, &search, &found, prepared.in_vain)?;
-        let held = Comparison::of(&seen, &reference, whole);
-        let mut verdict = conclusion::verdict(task, &search, &found, &held, prepared.in_vain);
+        let found = search.run(&|id, model| (prepared.source_support)(id, models[model].hypotheses.model))?;
+        let reference = self.reference(task, &search, &found, prepared.unused_terms)?;
+        let held = Comparison::new(&seen, &reference, whole);
+        let mut verdict = conclusion::verdict(task, &search, &found, &held, prepared.unused_terms);
         if task.model.is_lit() {
             let (model, right) = right::answer(&search, &found);
             // Where nothing can be looked at alone there is nothing to draw.
-            let alone = match freedom.to_find {
+            let alone = match parameterisation.to_find {
                 [true, true, true] => None,
-                _ => search.drawn(model, right, all)?.sheet,
+                _ => search.drawn(model, right, all)?.atlas,
             };
-            let held = alone.map(|reference| Comparison::of(&seen, &reference, all));
-            verdict.terms = conclusion::terms(stage, &freedom, held.as_ref());
-            let student = properties::Student { stage, program, bindings: &bindings, fixed: &fixed, freedom: &freedom };
+            let held = alone.map(|reference| Comparison::new(&seen, &reference, all));
+            verdict.terms = conclusion::terms(testbench, &parameterisation, held.as_ref());
+            let student = properties::Student {
+                testbench,
+                program,
+                bindings: &bindings,
+                fixed: &fixed,
+                parameterisation: &parameterisation,
+            };
             verdict.properties = student.properties(&seen, whole)?;
             properties::tell(&mut verdict);
         }
-        stage.complaint()?;
+        testbench.complaint()?;
         verdict.bound = bound;
         let predicted =
-            found.ranking.first().filter(|best| !best.made_of.is_empty()).and_then(|best| best.sheet.clone());
+            found.ranking.first().filter(|best| !best.mistakes.is_empty()).and_then(|best| best.atlas.clone());
         let evidence = Evidence {
             reference,
             predicted,
-            scenes: stage.situations().iter().take(whole).map(|s| s.name.clone()).collect(),
+            scenes: testbench.test_scenes().iter().take(whole).map(|s| s.name.clone()).collect(),
             seen,
         };
         Ok((verdict, Some(evidence)))
@@ -211,19 +220,19 @@ impl ShaderChecker {
 }
 
 /// The ways that an answer may take, the usual one first.
-fn entries(task: &Task, freedom: &Freedom) -> Vec<Entry> {
+fn entries(task: &Task, parameterisation: &Parameterisation) -> Vec<Entry> {
     let mut entries: Vec<Entry> = Vec::new();
-    let right = freedom.right_lights();
+    let right = parameterisation.right_lights();
     for &lights in right {
         entries.push(Entry { model: task.model, lights, is_right: true, word: None });
     }
     if let (Some((model, word)), Some(&lights)) = (task.other, right.first()) {
         entries.push(Entry { model, lights, is_right: word.is_none(), word });
     }
-    for &lights in freedom.wrong_lights() {
+    for &lights in parameterisation.wrong_lights() {
         // A light that cannot be switched may be there for the one term that is wrong, or for nothing.
         let word = match lights {
-            Lights::First if freedom.second == Second::Switched => Some("second-light-missing"),
+            Lights::First if parameterisation.second == Second::Switched => Some("second-light-missing"),
             Lights::Second => Some("lights-overwritten"),
             Lights::EachAmbient => Some("ambient-twice"),
             _ => None,

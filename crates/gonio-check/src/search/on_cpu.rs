@@ -2,11 +2,11 @@
 
 use super::compare::{Comparison, Tally, channel_difference};
 use super::fit::{Plane, strengths};
-use super::predict::{CompiledModel, Lit, ModelCast, Strengths, model_names};
-use crate::interpreter::{Cast, Plan, Points, Run, Value};
+use super::predict::{CompiledModel, Lit, ModelInputs, Strengths, model_names};
+use crate::interpreter::{InputSet, Plan, Points, Run, Value};
 use crate::mistakes::Hypothesis;
 use crate::roles::{self, Declared};
-use crate::testbench::{Sheet, Situation, Stage, TILE, numbers};
+use crate::testbench::{Atlas, TILE, TestScene, Testbench, numbers};
 use gonio_gl::GlError;
 use std::cell::{OnceCell, RefCell};
 use std::collections::{BTreeMap, HashMap};
@@ -22,59 +22,60 @@ pub enum Detail {
 }
 
 /// A model with what a student's program is given, and the picture that it is held against.
-pub struct Canvases<'a> {
-    stage: &'a Stage,
+pub struct CpuComparer<'a> {
+    testbench: &'a Testbench,
     model: &'a CompiledModel,
-    seen: &'a Sheet,
-    situations: usize,
+    seen: &'a Atlas,
+    test_scenes: usize,
     plan: Rc<Plan>,
     points: Rc<Points>,
     /// The terms whose strengths have to be found.
     terms: Vec<usize>,
     /// Of each light: without those terms, and then each of them alone.
-    casts: Rc<Vec<Cast>>,
+    input_sets: Rc<Vec<InputSet>>,
     /// Of each light: all of them together.
-    whole: Rc<Vec<Cast>>,
+    whole: Rc<Vec<InputSet>>,
     /// Of each light: whether a hypothesis holds in it.
     is_changed: Vec<bool>,
     /// By what is written to `gl_Position`.
-    known: RefCell<HashMap<(String, Detail), Rc<Canvas>>>,
+    known: RefCell<HashMap<(String, Detail), Rc<CoveredPixels>>>,
 }
 
 /// The pixels that a way of placing vertices draws, and the program's picture there.
-struct Canvas {
+struct CoveredPixels {
     by_terms: Run,
     whole: OnceCell<Run>,
     surface: crate::testbench::Surface,
     seen: [Plane; 3],
-    /// Of each situation: pixels that only one of both draws.
+    /// Of each test scene: pixels that only one of both draws.
     lost: Vec<usize>,
 }
 
-impl<'a> Canvases<'a> {
+impl<'a> CpuComparer<'a> {
     /// Of a model; `None` where it can only be drawn by the driver.
     pub fn new(
-        stage: &'a Stage,
+        testbench: &'a Testbench,
         model: &'a CompiledModel,
-        cast: &ModelCast,
-        seen: &'a Sheet,
-        situations: usize,
+        inputs: &ModelInputs,
+        seen: &'a Atlas,
+        test_scenes: usize,
     ) -> Option<Self> {
         let plan = Rc::clone(model.plan.as_ref()?);
-        let lights = cast.lights.each();
-        let given = |light: usize, lit| given(&plan, stage, cast, |situation| cast.apply(situation, light, lit));
-        let lit = || std::iter::once(Lit::Known).chain(cast.terms.iter().map(|&term| Lit::Term(term)));
-        let casts = lights.iter().flat_map(|&(light, _)| lit().map(move |lit| (light, lit)));
-        let casts = casts.map(|(light, lit)| given(light, lit)).collect();
+        let lights = inputs.lights.each();
+        let given =
+            |light: usize, lit| given(&plan, testbench, inputs, |test_scene| inputs.apply(test_scene, light, lit));
+        let lit = || std::iter::once(Lit::Known).chain(inputs.terms.iter().map(|&term| Lit::Term(term)));
+        let input_sets = lights.iter().flat_map(|&(light, _)| lit().map(move |lit| (light, lit)));
+        let input_sets = input_sets.map(|(light, lit)| given(light, lit)).collect();
         let whole = lights.iter().map(|&(light, _)| given(light, Lit::Whole)).collect();
-        Some(Canvases {
-            stage,
+        Some(CpuComparer {
+            testbench,
             model,
             seen,
-            situations,
-            points: Rc::new(stage.points(situations)),
-            terms: cast.terms.clone(),
-            casts: Rc::new(casts),
+            test_scenes,
+            points: Rc::new(testbench.points(test_scenes)),
+            terms: inputs.terms.clone(),
+            input_sets: Rc::new(input_sets),
             whole: Rc::new(whole),
             is_changed: lights.iter().map(|(_, is_changed)| *is_changed).collect(),
             plan,
@@ -85,30 +86,30 @@ impl<'a> Canvases<'a> {
     /// What a hypothesis leaves over, and the strengths that had to be found for it.
     pub fn compare(&self, hypothesis: &Hypothesis, detail: Detail) -> Result<(Comparison, Strengths), GlError> {
         let place = self.model.hypotheses.text_of("gl_Position", hypothesis).unwrap_or_default();
-        let canvas = self.canvas(place, detail)?;
+        let covered = self.covered(place, detail)?;
         let is_whole = !self.terms.is_empty() && self.model.is_whole(hypothesis);
         let run = if is_whole {
-            canvas.whole.get_or_init(|| {
-                let drawn = canvas.surface.drawn.clone();
+            covered.whole.get_or_init(|| {
+                let drawn = covered.surface.drawn.clone();
                 Run::new(Rc::clone(&self.plan), Rc::clone(&self.points), drawn, Rc::clone(&self.whole))
             })
         } else {
-            &canvas.by_terms
+            &covered.by_terms
         };
         let colours = self.colours(run, hypothesis);
-        let spans = &canvas.surface.drawn.spans;
+        let spans = &covered.surface.drawn.spans;
         let count = if is_whole { 1 } else { self.terms.len() };
         // What is to be found is a factor for it all: then nothing is known.
         let first_term = usize::from(!is_whole);
         let mut predicted: Vec<Plane> = Vec::with_capacity(3);
         let (mut found, mut shows) = (vec![Vec::with_capacity(3); count], vec![false; count]);
         for channel in 0..3 {
-            let added = |cast: usize| added(&colours, cast, first_term + count, channel, spans);
-            let known = if is_whole { vec![0.0; canvas.surface.places.len()] } else { added(0) };
+            let added = |set: usize| added(&colours, set, first_term + count, channel, spans);
+            let known = if is_whole { vec![0.0; covered.surface.places.len()] } else { added(0) };
             let planes: Vec<Plane> = (0..count).map(|term| added(first_term + term)).collect();
             let terms: Vec<&[f32]> = planes.iter().map(Vec::as_slice).collect();
             let mut sum = known.clone();
-            let strengths = if count == 0 { Vec::new() } else { strengths(&canvas.seen[channel], &known, &terms) };
+            let strengths = if count == 0 { Vec::new() } else { strengths(&covered.seen[channel], &known, &terms) };
             for (index, (term, strength)) in terms.iter().zip(strengths).enumerate() {
                 found[index].push(strength);
                 shows[index] |= term.iter().zip(&known).any(|(a, b)| a != b);
@@ -125,7 +126,7 @@ impl<'a> Canvases<'a> {
                 strengths[term] = <[f64; 3]>::try_from(found).ok().filter(|_| shows);
             }
         }
-        Ok((canvas.comparison(&predicted), strengths))
+        Ok((covered.comparison(&predicted), strengths))
     }
 
     /// What the model puts out, light by light and cast by cast.
@@ -136,12 +137,12 @@ impl<'a> Canvases<'a> {
         }
         let own = run.colours(&BTreeMap::new());
         let per_light = (own.len() / self.is_changed.len().max(1)).max(1);
-        let is_changed = |cast: usize| self.is_changed.get(cast / per_light).copied().unwrap_or(true);
+        let is_changed = |set: usize| self.is_changed.get(set / per_light).copied().unwrap_or(true);
         let both = changed.into_iter().zip(own).enumerate();
-        both.map(|(cast, (changed, own))| if is_changed(cast) { changed } else { own }).collect()
+        both.map(|(set, (changed, own))| if is_changed(set) { changed } else { own }).collect()
     }
 
-    fn canvas(&self, place: &str, detail: Detail) -> Result<Rc<Canvas>, GlError> {
+    fn covered(&self, place: &str, detail: Detail) -> Result<Rc<CoveredPixels>, GlError> {
         let key = (place.to_owned(), detail);
         if let Some(known) = self.known.borrow().get(&key) {
             return Ok(Rc::clone(known));
@@ -150,35 +151,35 @@ impl<'a> Canvases<'a> {
             let (x, y) = (place % TILE, place / TILE % TILE);
             detail == Detail::Full || (x % 2 == 0 && y % 2 == 0)
         };
-        let all = self.stage.surface(place)?;
-        let is_seen = |place: u32| self.seen.pixels.get(place as usize).is_some_and(Sheet::is_drawn);
-        let surface = all.filtered(self.situations, |place| counts(place) && is_seen(place));
+        let all = self.testbench.surface(place)?;
+        let is_seen = |place: u32| self.seen.pixels.get(place as usize).is_some_and(Atlas::is_drawn);
+        let surface = all.filtered(self.test_scenes, |place| counts(place) && is_seen(place));
         let size = TILE * TILE;
-        let lost = |situation: usize| {
-            let tile = situation as u32 * size..(situation as u32 + 1) * size;
+        let lost = |test_scene: usize| {
+            let tile = test_scene as u32 * size..(test_scene as u32 + 1) * size;
             let seen = tile.filter(|&place| counts(place) && is_seen(place)).count();
-            let span = all.drawn.spans.get(situation).cloned().unwrap_or_default();
+            let span = all.drawn.spans.get(test_scene).cloned().unwrap_or_default();
             let drawn = span.filter(|&index| counts(all.places[index])).count();
-            let both = surface.drawn.spans.get(situation).map_or(0, ExactSizeIterator::len);
+            let both = surface.drawn.spans.get(test_scene).map_or(0, ExactSizeIterator::len);
             (seen - both) + (drawn - both)
         };
         let plane = |channel: usize| -> Plane {
             surface.places.iter().map(|&place| self.seen.pixels[place as usize][channel]).collect()
         };
         let drawn = surface.drawn.clone();
-        let canvas = Rc::new(Canvas {
-            by_terms: Run::new(Rc::clone(&self.plan), Rc::clone(&self.points), drawn, Rc::clone(&self.casts)),
+        let covered = Rc::new(CoveredPixels {
+            by_terms: Run::new(Rc::clone(&self.plan), Rc::clone(&self.points), drawn, Rc::clone(&self.input_sets)),
             whole: OnceCell::new(),
             seen: std::array::from_fn(plane),
-            lost: (0..self.situations).map(lost).collect(),
+            lost: (0..self.test_scenes).map(lost).collect(),
             surface,
         });
-        self.known.borrow_mut().insert(key, Rc::clone(&canvas));
-        Ok(canvas)
+        self.known.borrow_mut().insert(key, Rc::clone(&covered));
+        Ok(covered)
     }
 }
 
-impl Canvas {
+impl CoveredPixels {
     fn comparison(&self, predicted: &[Plane]) -> Comparison {
         let tally = |(span, lost): (&std::ops::Range<usize>, &usize)| {
             let mut tally = Tally::default();
@@ -194,9 +195,15 @@ impl Canvas {
     }
 }
 
-/// A cast's channel, of all lights together; there are `casts` casts a light.
-fn added(colours: &[Rc<Value>], cast: usize, casts: usize, channel: usize, spans: &[std::ops::Range<usize>]) -> Plane {
-    let mut lights = colours.iter().skip(cast).step_by(casts.max(1)).map(|colour| colour.plane(channel, spans));
+/// A cast's channel, of all lights together; there are `input_sets` casts a light.
+fn added(
+    colours: &[Rc<Value>],
+    set: usize,
+    input_sets: usize,
+    channel: usize,
+    spans: &[std::ops::Range<usize>],
+) -> Plane {
+    let mut lights = colours.iter().skip(set).step_by(input_sets.max(1)).map(|colour| colour.plane(channel, spans));
     let mut sum = lights.next().unwrap_or_default();
     for light in lights {
         sum.iter_mut().zip(light).for_each(|(sum, light)| *sum += light);
@@ -205,7 +212,7 @@ fn added(colours: &[Rc<Value>], cast: usize, casts: usize, channel: usize, spans
 }
 
 /// What every input of a model holds.
-fn given(plan: &Plan, stage: &Stage, cast: &ModelCast, change: impl Fn(&mut Situation)) -> Cast {
+fn given(plan: &Plan, testbench: &Testbench, inputs: &ModelInputs, change: impl Fn(&mut TestScene)) -> InputSet {
     let declared: Vec<Declared> = plan
         .inputs
         .iter()
@@ -214,22 +221,22 @@ fn given(plan: &Plan, stage: &Stage, cast: &ModelCast, change: impl Fn(&mut Situ
         .collect();
     let roles: HashMap<String, _> =
         roles::bind(&declared, &model_names()).bound.into_iter().map(|b| (b.declared.name, b.role)).collect();
-    let situations: Vec<Situation> = stage
-        .situations()
+    let test_scenes: Vec<TestScene> = testbench
+        .test_scenes()
         .iter()
         .cloned()
-        .map(|mut situation| {
-            change(&mut situation);
-            situation
+        .map(|mut test_scene| {
+            change(&mut test_scene);
+            test_scene
         })
         .collect();
     let value = |name: &str, glsl_type: &str| {
-        let of = |situation: &Situation| match roles.get(name) {
-            Some(role) => numbers(*role, glsl_type, situation).unwrap_or_default(),
-            None if name == WRITTEN_EXPONENT => vec![cast.exponent],
+        let of = |test_scene: &TestScene| match roles.get(name) {
+            Some(role) => numbers(*role, glsl_type, test_scene).unwrap_or_default(),
+            None if name == WRITTEN_EXPONENT => vec![inputs.exponent],
             None => Vec::new(),
         };
-        let numbers = situations.iter().map(of);
+        let numbers = test_scenes.iter().map(of);
         let padded =
             |numbers: Vec<f32>| -> [f32; 16] { std::array::from_fn(|i| numbers.get(i).copied().unwrap_or(0.0)) };
         match glsl_type {

@@ -3,7 +3,7 @@
 use super::task::Task;
 use crate::roles::{Bindings, Role};
 use crate::rules::{Written, WrittenSun};
-use crate::testbench::{Light, Situation};
+use crate::testbench::{Light, TestScene};
 use glam::{Mat3, Vec3};
 
 /// The exponent that the lab's programs have.
@@ -67,7 +67,7 @@ impl Lights {
 
 /// What may be varied, and what is fixed to which value.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Freedom {
+pub struct Parameterisation {
     /// Of ambient, diffuse and specular: whether the strength is not given from outside, so that it has to be found.
     pub to_find: [bool; 3],
     /// Of the same: whether it is given all the same, and only the material's colour is not.
@@ -110,9 +110,9 @@ fn says_up(role: Role) -> bool {
     )
 }
 
-impl Freedom {
+impl Parameterisation {
     /// Of a program that takes what is bound, and declares strengths and colours that it may not use.
-    pub fn of(task: &Task, bindings: &Bindings, declared: &Bindings, written: &Written) -> Self {
+    pub fn new(task: &Task, bindings: &Bindings, declared: &Bindings, written: &Written) -> Self {
         let has = |wanted: &dyn Fn(Role) -> bool| bindings.bound.iter().any(|bound| wanted(bound.role));
         let bindings_or_source = |wanted: &dyn Fn(Role) -> bool| {
             bindings.bound.iter().chain(&declared.bound).any(|bound| wanted(bound.role))
@@ -180,7 +180,7 @@ impl Freedom {
         };
         // A sun is as bright here as there.
         let usual = if task.attenuated && sun.is_none() { [1.0, 0.14, 0.07] } else { [1.0, 0.0, 0.0] };
-        Freedom {
+        Parameterisation {
             to_find,
             given,
             usual: [0.0, 1.0, if task.wanted[2] { 1.0 } else { 0.0 }],
@@ -257,10 +257,10 @@ impl Freedom {
         self.to_find.iter().any(|find| *find)
     }
 
-    /// Changes a situation for the model, lit by one of the lights: of the terms whose strengths have to be found, all but
+    /// Changes a test scene for the model, lit by one of the lights: of the terms whose strengths have to be found, all but
     /// `term` are dark.
-    pub fn apply_to_model(&self, situation: &mut Situation, lights: Lights, light: usize, term: Option<usize>) {
-        self.apply_for(situation, lights, light, |index, given, strength| {
+    pub fn apply_to_model(&self, test_scene: &mut TestScene, lights: Lights, light: usize, term: Option<usize>) {
+        self.apply_for(test_scene, lights, light, |index, given, strength| {
             if term != Some(index) {
                 0.0
             } else if given {
@@ -271,30 +271,30 @@ impl Freedom {
         });
     }
 
-    /// Changes a situation for the model, lit by one of the lights: terms whose strengths have to be found are of equal strength.
-    pub fn apply_whole(&self, situation: &mut Situation, lights: Lights, light: usize) {
+    /// Changes a test scene for the model, lit by one of the lights: terms whose strengths have to be found are of equal strength.
+    pub fn apply_whole(&self, test_scene: &mut TestScene, lights: Lights, light: usize) {
         let usual = |index: usize, given: bool, strength: f32| if given { strength } else { self.usual[index] };
-        self.apply_for(situation, lights, light, usual);
+        self.apply_for(test_scene, lights, light, usual);
     }
 
     fn apply_for(
         &self,
-        situation: &mut Situation,
+        test_scene: &mut TestScene,
         lights: Lights,
         light: usize,
         strength_of: impl Fn(usize, bool, f32) -> f32,
     ) {
-        self.apply(situation);
+        self.apply(test_scene);
         // The last of the lights that there are.
-        let is_second = light > 0 && !(lights == Lights::Second && self.counted && situation.other.is_none());
-        let is_missing = is_second && situation.other.is_none();
+        let is_second = light > 0 && !(lights == Lights::Second && self.counted && test_scene.other.is_none());
+        let is_missing = is_second && test_scene.other.is_none();
         if is_second {
-            let first = situation.light;
-            situation.light = situation.other.unwrap_or_else(|| first.dark());
-            situation.other = Some(first);
+            let first = test_scene.light;
+            test_scene.light = test_scene.other.unwrap_or_else(|| first.dark());
+            test_scene.other = Some(first);
         }
         let is_one_ambient = lights == Lights::OneAmbient || !self.own[0] && !self.coloured;
-        let light = &mut situation.light;
+        let light = &mut test_scene.light;
         let brightness = if self.coloured { light.brightness } else { 1.0 };
         let strengths = [&mut light.ambient, &mut light.diffuse, &mut light.specular];
         for (index, strength) in strengths.into_iter().enumerate() {
@@ -309,41 +309,41 @@ impl Freedom {
         }
     }
 
-    /// Changes a situation to what the program can be given.
-    pub fn apply(&self, situation: &mut Situation) {
+    /// Changes a test scene to what the program can be given.
+    pub fn apply(&self, test_scene: &mut TestScene) {
         if !self.material {
-            situation.material = Vec3::ONE;
+            test_scene.material = Vec3::ONE;
         }
         if let Some(position) = self.light_position {
-            situation.light.position = position;
+            test_scene.light.position = position;
         }
         if self.upright {
-            situation.up = Vec3::Y;
+            test_scene.up = Vec3::Y;
         }
-        situation.shininess = self.shininess.unwrap_or(situation.shininess);
-        situation.refraction_index = self.refraction_index.unwrap_or(situation.refraction_index);
-        for (constant, fixed) in situation.light.attenuation.iter_mut().zip(self.attenuation) {
+        test_scene.shininess = self.shininess.unwrap_or(test_scene.shininess);
+        test_scene.refraction_index = self.refraction_index.unwrap_or(test_scene.refraction_index);
+        for (constant, fixed) in test_scene.light.attenuation.iter_mut().zip(self.attenuation) {
             *constant = fixed.unwrap_or(*constant);
         }
-        let centre = situation.world_from_model.w_axis.truncate();
+        let centre = test_scene.world_from_model.w_axis.truncate();
         match self.sun {
             Some(Sun::Given { points_to_light }) => {
-                situation.light = Light { points_to_light, ..situation.light.as_sun(centre) };
+                test_scene.light = Light { points_to_light, ..test_scene.light.as_sun(centre) };
             }
             Some(Sun::Written(sun)) => {
-                let to_world = Mat3::from_mat4(situation.view_from_world()).transpose();
+                let to_world = Mat3::from_mat4(test_scene.view_from_world()).transpose();
                 let to_light = if sun.in_view { to_world * sun.to_light } else { sun.to_light };
-                situation.light = Light { position: centre + to_light, ..situation.light }.as_sun(centre);
+                test_scene.light = Light { position: centre + to_light, ..test_scene.light }.as_sun(centre);
             }
             None => {}
         }
-        let (light, elsewhere) = (situation.light, situation.elsewhere());
+        let (light, elsewhere) = (test_scene.light, test_scene.elsewhere());
         match self.second {
-            Second::None => situation.other = self.other_light.map(|position| Light { position, ..light.dark() }),
-            Second::Always => situation.other = Some(Light { position: elsewhere, ..light }),
+            Second::None => test_scene.other = self.other_light.map(|position| Light { position, ..light.dark() }),
+            Second::Always => test_scene.other = Some(Light { position: elsewhere, ..light }),
             // What it has not of its own it shares with the first.
             Second::Switched => {
-                if let Some(other) = &mut situation.other {
+                if let Some(other) = &mut test_scene.other {
                     other.diffuse = if self.own[1] { other.diffuse } else { light.diffuse };
                     other.specular = if self.own[2] { other.specular } else { light.specular };
                     other.attenuation = if self.own[3] { other.attenuation } else { light.attenuation };

@@ -1,11 +1,11 @@
 //! What a model draws under a hypothesis, by the driver.
 
 use super::fit::{Fit, fit};
-use super::parameterisation::{Freedom, Lights};
+use super::parameterisation::{Lights, Parameterisation};
 use crate::interpreter::Plan;
 use crate::mistakes::{Hypotheses, Hypothesis, Model};
-use crate::roles::{self, Bindings, Declared, Kind, NamesFile};
-use crate::testbench::{Sheet, Situation, Stage, for_context};
+use crate::roles::{self, Bindings, Declared, NamesFile, VariableKind};
+use crate::testbench::{Atlas, TestScene, Testbench, for_context};
 use gonio_gl::{Gl, GlError};
 use gonio_render::user_program::UserProgram;
 use std::cell::RefCell;
@@ -34,8 +34,8 @@ pub struct Program {
 /// What a model draws, and the strengths that had to be found for it.
 #[derive(Clone, Debug)]
 pub struct Prediction {
-    /// In all situations.
-    pub sheet: Sheet,
+    /// In all test scenes.
+    pub atlas: Atlas,
     /// See [`Strengths`].
     pub strengths: Strengths,
 }
@@ -46,10 +46,10 @@ pub type Strengths = [Option<[f64; 3]>; 3];
 impl CompiledModel {
     /// Reads it. What the driver makes of it shows when it is drawn.
     pub fn new(gl: &Gl, model: Model) -> Self {
-        let hypotheses = Hypotheses::of(model);
+        let hypotheses = Hypotheses::for_model(model);
         // The CPU knows how surfaces are lit, and not where else they are drawn.
         let is_lit_surface = !model.is_of_places() && model != Model::Panorama;
-        let plan = is_lit_surface.then(|| Plan::of(&hypotheses)).flatten().map(Rc::new);
+        let plan = is_lit_surface.then(|| Plan::new(&hypotheses)).flatten().map(Rc::new);
         CompiledModel { hypotheses, plan, gl: gl.clone(), programs: RefCell::default() }
     }
 
@@ -76,11 +76,11 @@ impl CompiledModel {
     }
 
     /// What it is given: nothing but hypotheses changes afterwards.
-    pub fn cast(&self, freedom: &Freedom, lights: Lights) -> ModelCast {
-        ModelCast {
-            terms: (0..3).filter(|&term| freedom.to_find[term]).collect(),
-            exponent: freedom.written_exponent.unwrap_or(1.0),
-            freedom: freedom.clone(),
+    pub fn inputs(&self, parameterisation: &Parameterisation, lights: Lights) -> ModelInputs {
+        ModelInputs {
+            terms: (0..3).filter(|&term| parameterisation.to_find[term]).collect(),
+            exponent: parameterisation.written_exponent.unwrap_or(1.0),
+            parameterisation: parameterisation.clone(),
             lights,
         }
     }
@@ -88,23 +88,23 @@ impl CompiledModel {
     /// Draws it without the terms whose strengths have to be found, or with one of them alone, or with all; light is added up.
     fn draw(
         &self,
-        stage: &Stage,
-        cast: &ModelCast,
+        testbench: &Testbench,
+        inputs: &ModelInputs,
         lit: Lit,
         hypothesis: &Hypothesis,
-        situations: usize,
-    ) -> Result<Sheet, GlError> {
-        let mut sum: Option<Sheet> = None;
-        for &(light, is_changed) in cast.lights.each() {
+        test_scenes: usize,
+    ) -> Result<Atlas, GlError> {
+        let mut sum: Option<Atlas> = None;
+        for &(light, is_changed) in inputs.lights.each() {
             let plain = Hypothesis::default();
             let hypothesis = if is_changed { hypothesis } else { &plain };
             let Program { program, bindings } = &*self.program(hypothesis)?;
-            let given = stage.cast(program, bindings, |situation| cast.apply(situation, light, lit));
-            let sheet = stage.draw(program, &given, &self.ways(cast, hypothesis), situations)?;
+            let given = testbench.inputs(program, bindings, |test_scene| inputs.apply(test_scene, light, lit));
+            let atlas = testbench.draw(program, &given, &self.ways(inputs, hypothesis), test_scenes)?;
             match &mut sum {
-                None => sum = Some(sheet),
+                None => sum = Some(atlas),
                 Some(sum) => {
-                    for (sum, pixel) in sum.pixels.iter_mut().zip(&sheet.pixels).filter(|(s, _)| Sheet::is_drawn(s)) {
+                    for (sum, pixel) in sum.pixels.iter_mut().zip(&atlas.pixels).filter(|(s, _)| Atlas::is_drawn(s)) {
                         sum.iter_mut().zip(pixel).take(3).for_each(|(sum, light)| *sum += light);
                     }
                 }
@@ -116,63 +116,63 @@ impl CompiledModel {
     /// What it draws. `seen` is what strengths are found for.
     pub fn predict(
         &self,
-        stage: &Stage,
-        cast: &ModelCast,
-        seen: &Sheet,
+        testbench: &Testbench,
+        inputs: &ModelInputs,
+        seen: &Atlas,
         hypothesis: &Hypothesis,
-        situations: usize,
+        test_scenes: usize,
     ) -> Result<Prediction, GlError> {
-        let draw = |lit| self.draw(stage, cast, lit, hypothesis, situations);
-        if cast.must_find() && self.is_whole(hypothesis) {
+        let draw = |lit| self.draw(testbench, inputs, lit, hypothesis, test_scenes);
+        if inputs.must_find() && self.is_whole(hypothesis) {
             let whole = draw(Lit::Whole)?;
             let mut dark = whole.clone();
-            for pixel in dark.pixels.iter_mut().filter(|pixel| Sheet::is_drawn(pixel)) {
+            for pixel in dark.pixels.iter_mut().filter(|pixel| Atlas::is_drawn(pixel)) {
                 *pixel = [0.0, 0.0, 0.0, 1.0];
             }
             let Fit { predicted, .. } = fit(seen, &dark, &[whole]);
-            return Ok(Prediction { sheet: predicted, strengths: [None; 3] });
+            return Ok(Prediction { atlas: predicted, strengths: [None; 3] });
         }
         let known = draw(Lit::Known)?;
-        if !cast.must_find() {
-            return Ok(Prediction { sheet: known, strengths: [None; 3] });
+        if !inputs.must_find() {
+            return Ok(Prediction { atlas: known, strengths: [None; 3] });
         }
-        let sheets = cast.terms.iter().map(|&term| draw(Lit::Term(term))).collect::<Result<Vec<_>, _>>()?;
-        let Fit { strengths: found, predicted } = fit(seen, &known, &sheets);
+        let atlases = inputs.terms.iter().map(|&term| draw(Lit::Term(term))).collect::<Result<Vec<_>, _>>()?;
+        let Fit { strengths: found, predicted } = fit(seen, &known, &atlases);
         let mut strengths = [None; 3];
-        for ((term, strength), sheet) in cast.terms.iter().zip(found).zip(&sheets) {
+        for ((term, strength), atlas) in inputs.terms.iter().zip(found).zip(&atlases) {
             // Of a term that this hypothesis does not put out, no strength can be told.
             let shows =
-                sheet.pixels.iter().zip(&known.pixels).any(|(a, b)| a[0] != b[0] || a[1] != b[1] || a[2] != b[2]);
+                atlas.pixels.iter().zip(&known.pixels).any(|(a, b)| a[0] != b[0] || a[1] != b[1] || a[2] != b[2]);
             strengths[*term] = shows.then_some(strength);
         }
-        Ok(Prediction { sheet: predicted, strengths })
+        Ok(Prediction { atlas: predicted, strengths })
     }
 
     /// Whether its picture is no sum of terms.
     pub fn is_whole(&self, hypothesis: &Hypothesis) -> bool {
-        hypothesis.made_of.iter().any(|&mistake| self.hypotheses.mistakes[mistake].whole)
+        hypothesis.mistakes.iter().any(|&mistake| self.hypotheses.mistakes[mistake].whole)
     }
 
     /// What it draws with strengths that were found already.
     pub fn predict_with(
         &self,
-        stage: &Stage,
-        cast: &ModelCast,
+        testbench: &Testbench,
+        inputs: &ModelInputs,
         hypothesis: &Hypothesis,
-        situations: usize,
+        test_scenes: usize,
         strengths: [[f64; 3]; 3],
-    ) -> Result<Sheet, GlError> {
-        let known = self.draw(stage, cast, Lit::Known, hypothesis, situations)?;
-        let mut sheet = known.clone();
-        for &term in &cast.terms {
-            let alone = self.draw(stage, cast, Lit::Term(term), hypothesis, situations)?;
-            for (pixel, (alone, known)) in sheet.pixels.iter_mut().zip(alone.pixels.iter().zip(&known.pixels)) {
+    ) -> Result<Atlas, GlError> {
+        let known = self.draw(testbench, inputs, Lit::Known, hypothesis, test_scenes)?;
+        let mut atlas = known.clone();
+        for &term in &inputs.terms {
+            let alone = self.draw(testbench, inputs, Lit::Term(term), hypothesis, test_scenes)?;
+            for (pixel, (alone, known)) in atlas.pixels.iter_mut().zip(alone.pixels.iter().zip(&known.pixels)) {
                 for channel in 0..3 {
                     pixel[channel] += strengths[term][channel] as f32 * (alone[channel] - known[channel]);
                 }
             }
         }
-        Ok(sheet)
+        Ok(atlas)
     }
 
     /// What chooses a hypothesis, for whoever draws it alone.
@@ -183,9 +183,9 @@ impl CompiledModel {
     }
 
     /// What chooses a hypothesis, where one program is all of them.
-    fn ways(&self, cast: &ModelCast, hypothesis: &Hypothesis) -> Vec<(String, Vec<f32>)> {
+    fn ways(&self, inputs: &ModelInputs, hypothesis: &Hypothesis) -> Vec<(String, Vec<f32>)> {
         let mut ways = self.ways_of(hypothesis);
-        ways.push(("written_exponent".to_owned(), vec![cast.exponent]));
+        ways.push(("written_exponent".to_owned(), vec![inputs.exponent]));
         ways
     }
 }
@@ -207,25 +207,25 @@ pub enum Lit {
     Whole,
 }
 
-/// What a model is given in every situation.
-pub struct ModelCast {
+/// What a model is given in every test scene.
+pub struct ModelInputs {
     /// Terms whose strengths have to be found.
     pub terms: Vec<usize>,
     /// What may be varied.
-    pub freedom: Freedom,
+    pub parameterisation: Parameterisation,
     /// The exponent that stands in the student's source.
     pub exponent: f32,
     /// What it is lit by.
     pub lights: Lights,
 }
 
-impl ModelCast {
-    /// Changes a situation to what the model is given for one of its lights.
-    pub fn apply(&self, situation: &mut Situation, light: usize, lit: Lit) {
+impl ModelInputs {
+    /// Changes a test scene to what the model is given for one of its lights.
+    pub fn apply(&self, test_scene: &mut TestScene, light: usize, lit: Lit) {
         match lit {
-            Lit::Known => self.freedom.apply_to_model(situation, self.lights, light, None),
-            Lit::Term(term) => self.freedom.apply_to_model(situation, self.lights, light, Some(term)),
-            Lit::Whole => self.freedom.apply_whole(situation, self.lights, light),
+            Lit::Known => self.parameterisation.apply_to_model(test_scene, self.lights, light, None),
+            Lit::Term(term) => self.parameterisation.apply_to_model(test_scene, self.lights, light, Some(term)),
+            Lit::Whole => self.parameterisation.apply_whole(test_scene, self.lights, light),
         }
     }
 
@@ -237,7 +237,7 @@ impl ModelCast {
 
 /// What a program uses, as names are found for it.
 pub fn declared(program: &UserProgram) -> Vec<Declared> {
-    let of = |kind: Kind| {
+    let of = |kind: VariableKind| {
         move |variable: &gonio_render::user_program::ProgramVariable| Declared {
             name: variable.name.clone(),
             glsl_type: variable.glsl_type.clone(),
@@ -246,5 +246,5 @@ pub fn declared(program: &UserProgram) -> Vec<Declared> {
         }
     };
     let uniforms = program.uniforms().filter(|uniform| uniform.name != gonio_glsl::DRAWN_ALL_THE_SAME);
-    program.attributes().map(of(Kind::Attribute)).chain(uniforms.map(of(Kind::Uniform))).collect()
+    program.attributes().map(of(VariableKind::Attribute)).chain(uniforms.map(of(VariableKind::Uniform))).collect()
 }

@@ -1,16 +1,16 @@
 //! What holds of every light equation, tried with the student's program alone: it is held against itself.
 
 use super::compare::{PIXEL_TOLERANCE, channel_difference};
-use super::parameterisation::Freedom;
+use super::parameterisation::Parameterisation;
 use crate::roles::{Bindings, Role};
-use crate::testbench::{Light, Sheet, Situation, Stage};
+use crate::testbench::{Atlas, Light, TestScene, Testbench};
 use crate::verdict::{Outcome, PropertyState, PropertyVerdict, Verdict};
 use glam::{EulerRot, Quat};
 use gonio_gl::GlError;
 use gonio_render::user_program::UserProgram;
 
-/// So many of the first situations are looked at: a stretched torus and a coarse sphere.
-const SITUATIONS: usize = 2;
+/// So many of the first test scenes are looked at: a stretched torus and a coarse sphere.
+const TEST_SCENES: usize = 2;
 /// The share of pixels that may differ. Set by outlines: where the world is turned, matrices are others, and so are their
 /// rounding errors.
 const MOST_BEYOND: f64 = 0.02;
@@ -20,7 +20,7 @@ const FAR: f32 = 1e9;
 /// A student's program and what it may be given.
 pub struct Student<'a> {
     /// Where it is drawn.
-    pub stage: &'a Stage,
+    pub testbench: &'a Testbench,
     /// The program.
     pub program: &'a UserProgram,
     /// What its variables mean.
@@ -28,7 +28,7 @@ pub struct Student<'a> {
     /// Uniforms with values of the student's own.
     pub fixed: &'a [(String, Vec<f32>)],
     /// What may be varied.
-    pub freedom: &'a Freedom,
+    pub parameterisation: &'a Parameterisation,
 }
 
 /// The words, what is right and what is wrong.
@@ -65,19 +65,19 @@ impl Student<'_> {
         self.bindings.bound.iter().any(|bound| wanted(bound.role))
     }
 
-    fn draw(&self, change: impl Fn(&mut Situation)) -> Result<Sheet, GlError> {
-        let cast = self.stage.cast(self.program, self.bindings, |situation| {
-            self.freedom.apply(situation);
-            change(situation);
+    fn draw(&self, change: impl Fn(&mut TestScene)) -> Result<Atlas, GlError> {
+        let inputs = self.testbench.inputs(self.program, self.bindings, |test_scene| {
+            self.parameterisation.apply(test_scene);
+            change(test_scene);
         });
-        self.stage.draw(self.program, &cast, self.fixed, SITUATIONS)
+        self.testbench.draw(self.program, &inputs, self.fixed, TEST_SCENES)
     }
 
-    /// All of them; `seen` is what the program draws in `situations` situations.
-    pub fn properties(&self, seen: &Sheet, situations: usize) -> Result<Vec<PropertyVerdict>, GlError> {
-        let finite = (0..situations).filter(|&tile| {
+    /// All of them; `seen` is what the program draws in `test_scenes` test scenes.
+    pub fn properties(&self, seen: &Atlas, test_scenes: usize) -> Result<Vec<PropertyVerdict>, GlError> {
+        let finite = (0..test_scenes).filter(|&tile| {
             let is_number = |p: &[f32; 4]| p.iter().take(3).all(|c| c.is_finite());
-            !seen.tile(tile).iter().filter(|p| Sheet::is_drawn(p)).all(is_number)
+            !seen.tile(tile).iter().filter(|p| Atlas::is_drawn(p)).all(is_number)
         });
         let found =
             [Some(finite.collect()), self.turned(seen)?, self.linear(seen)?, self.additive()?, self.attenuated(seen)?];
@@ -87,24 +87,24 @@ impl Student<'_> {
                 Some(failing) if failing.is_empty() => (PropertyState::Right, right),
                 Some(_) => (PropertyState::Wrong, wrong),
             };
-            let name = |tile: usize| self.stage.situations().get(tile).map(|situation| situation.name.clone());
+            let name = |tile: usize| self.testbench.test_scenes().get(tile).map(|test_scene| test_scene.name.clone());
             let scenes = found.unwrap_or_default().into_iter().filter_map(name).collect();
             PropertyVerdict { id: (*id).to_owned(), sentence: (*sentence).to_owned(), state, scenes }
         };
         Ok(WORDS.iter().zip(found).map(verdict).collect())
     }
 
-    fn turned(&self, seen: &Sheet) -> Result<Option<Vec<usize>>, GlError> {
+    fn turned(&self, seen: &Atlas) -> Result<Option<Vec<usize>>, GlError> {
         // A light that is written down stays where it is.
-        if self.freedom.has_written_light() {
+        if self.parameterisation.has_written_light() {
             return Ok(None);
         }
         let turn = Quat::from_euler(EulerRot::YXZ, 0.7, 0.5, 0.3);
-        let turned = self.draw(|situation| *situation = situation.turned(turn))?;
+        let turned = self.draw(|test_scene| *test_scene = test_scene.turned(turn))?;
         Ok(failing(seen, |tile, index, channel| turned.tile(tile)[index][channel]))
     }
 
-    fn linear(&self, seen: &Sheet) -> Result<Option<Vec<usize>>, GlError> {
+    fn linear(&self, seen: &Atlas) -> Result<Option<Vec<usize>>, GlError> {
         let coloured = self.has(|role| matches!(role, Role::LightColor(_)));
         let strong = self.has(|role| {
             matches!(
@@ -121,8 +121,8 @@ impl Student<'_> {
             return Ok(None);
         }
         let scaled = |factor: f32| {
-            move |situation: &mut Situation| {
-                for light in std::iter::once(&mut situation.light).chain(&mut situation.other) {
+            move |test_scene: &mut TestScene| {
+                for light in std::iter::once(&mut test_scene.light).chain(&mut test_scene.other) {
                     if coloured {
                         light.brightness *= factor;
                     } else {
@@ -141,25 +141,25 @@ impl Student<'_> {
     }
 
     fn additive(&self) -> Result<Option<Vec<usize>>, GlError> {
-        if !self.freedom.dims_second() {
+        if !self.parameterisation.dims_second() {
             return Ok(None);
         }
         let lit = |first: bool, second: bool| {
-            self.draw(move |situation| {
-                let place = situation.elsewhere();
-                let other = Light { position: place, ambient: 0.05, ..situation.light };
-                situation.other = Some(if second { other } else { other.dark() });
-                situation.light = if first { situation.light } else { situation.light.dark() };
+            self.draw(move |test_scene| {
+                let place = test_scene.elsewhere();
+                let other = Light { position: place, ambient: 0.05, ..test_scene.light };
+                test_scene.other = Some(if second { other } else { other.dark() });
+                test_scene.light = if first { test_scene.light } else { test_scene.light.dark() };
             })
         };
         let (both, first, second, none) = (lit(true, true)?, lit(true, false)?, lit(false, true)?, lit(false, false)?);
         Ok(failing(&both, |tile, index, channel| {
-            let of = |sheet: &Sheet| sheet.tile(tile)[index][channel];
+            let of = |atlas: &Atlas| atlas.tile(tile)[index][channel];
             of(&first) + of(&second) - of(&none)
         }))
     }
 
-    fn attenuated(&self, seen: &Sheet) -> Result<Option<Vec<usize>>, GlError> {
+    fn attenuated(&self, seen: &Atlas) -> Result<Option<Vec<usize>>, GlError> {
         let all = [
             self.has(|role| matches!(role, Role::AttenuationConstant(_))),
             self.has(|role| matches!(role, Role::AttenuationLinear(_))),
@@ -169,8 +169,8 @@ impl Student<'_> {
             return Ok(None);
         }
         let scaled = |factor: f32| {
-            move |situation: &mut Situation| {
-                for light in std::iter::once(&mut situation.light).chain(&mut situation.other) {
+            move |test_scene: &mut TestScene| {
+                for light in std::iter::once(&mut test_scene.light).chain(&mut test_scene.other) {
                     light.attenuation = light.attenuation.map(|constant| constant * factor);
                 }
             }
@@ -185,14 +185,14 @@ impl Student<'_> {
 
 /// The tiles in which a picture is not what it has to be. Where it is burnt out, or no number, nothing can be told; `None` where
 /// it is so everywhere.
-fn failing(seen: &Sheet, expected: impl Fn(usize, usize, usize) -> f32) -> Option<Vec<usize>> {
+fn failing(seen: &Atlas, expected: impl Fn(usize, usize, usize) -> f32) -> Option<Vec<usize>> {
     let counted = |tile: usize| {
         let (mut all, mut beyond) = (0_usize, 0_usize);
         for (index, pixel) in seen.tile(tile).iter().enumerate() {
             let expected = [0, 1, 2].map(|channel| expected(tile, index, channel));
             let [r, g, b] = expected;
             let is_usable = |pixel: &[f32; 4]| {
-                Sheet::is_drawn(pixel) && pixel.iter().take(3).all(|c| c.is_finite() && *c < 1.0 && *c > -1e3)
+                Atlas::is_drawn(pixel) && pixel.iter().take(3).all(|c| c.is_finite() && *c < 1.0 && *c > -1e3)
             };
             if is_usable(pixel) && is_usable(&[r, g, b, 1.0]) {
                 all += 1;
@@ -203,9 +203,9 @@ fn failing(seen: &Sheet, expected: impl Fn(usize, usize, usize) -> f32) -> Optio
         }
         (all, beyond)
     };
-    let counts: Vec<(usize, usize)> = (0..SITUATIONS).map(counted).collect();
+    let counts: Vec<(usize, usize)> = (0..TEST_SCENES).map(counted).collect();
     let fails = |tile: &usize| counts[*tile].1 as f64 > MOST_BEYOND * counts[*tile].0 as f64;
-    counts.iter().any(|(all, _)| *all > 0).then(|| (0..SITUATIONS).filter(fails).collect())
+    counts.iter().any(|(all, _)| *all > 0).then(|| (0..TEST_SCENES).filter(fails).collect())
 }
 
 /// Where nothing has a name, what does not hold says at least where to look.

@@ -12,7 +12,7 @@ use crate::mistakes::Hypothesis;
 pub(super) fn answer(search: &Search<'_>, found: &Found<'_>) -> (usize, Hypothesis) {
     let nearest = (found.nearest_right.model, found.nearest_right.hypothesis.clone());
     let is_named = |explained: f64, is_same: bool| is_same || explained >= NAMED_FROM;
-    let Some(best) = found.ranking.first().filter(|best| is_named(best.explained, best.rest.is_same())) else {
+    let Some(best) = found.ranking.first().filter(|best| is_named(best.explained, best.residual.is_same())) else {
         return nearest;
     };
     let kind = search.entries[best.model].model;
@@ -28,8 +28,8 @@ pub(super) fn answer(search: &Search<'_>, found: &Found<'_>) -> (usize, Hypothes
     let Some(right) = right else { return (0, Hypothesis::default()) };
     let hypotheses = &search.models[right].hypotheses;
     let is_part = |single: &&Hypothesis| {
-        let [mistake] = single.made_of[..] else { return false };
-        let is_made = best.hypothesis.made_of.contains(&mistake) && hypotheses.mistakes[mistake].harmless;
+        let [mistake] = single.mistakes[..] else { return false };
+        let is_made = best.hypothesis.mistakes.contains(&mistake) && hypotheses.mistakes[mistake].harmless;
         is_made && single.choices.iter().all(|(line, way)| best.hypothesis.choices.get(line) == Some(way))
     };
     let parts = hypotheses.singles.iter().filter(is_part);

@@ -4,11 +4,11 @@
 //! nothing over is the one that is named.
 
 use super::compare::Comparison;
-use super::on_cpu::{Canvases, Detail};
+use super::on_cpu::{CpuComparer, Detail};
 use super::parameterisation::Lights;
-use super::predict::{CompiledModel, ModelCast, Strengths};
+use super::predict::{CompiledModel, ModelInputs, Strengths};
 use crate::mistakes::{Hypothesis, Mistake, Model};
-use crate::testbench::{Sheet, Stage};
+use crate::testbench::{Atlas, Testbench};
 use gonio_gl::GlError;
 
 /// A hypothesis that was tried.
@@ -17,15 +17,15 @@ pub struct Tried<'a> {
     /// In which of the models that were handed in.
     pub model: usize,
     /// What it is made of, harmless peculiarities among it.
-    pub made_of: Vec<&'a Mistake>,
+    pub mistakes: Vec<&'a Mistake>,
     /// The choices behind it.
     pub hypothesis: Hypothesis,
     /// What it leaves over.
-    pub rest: Comparison,
+    pub residual: Comparison,
     /// The strengths that were found for it.
     pub strengths: Strengths,
     /// What it draws, where the driver was asked.
-    pub sheet: Option<Sheet>,
+    pub atlas: Option<Atlas>,
     /// How much of the difference it explains: 0 to 1.
     pub explained: f64,
 }
@@ -33,7 +33,7 @@ pub struct Tried<'a> {
 impl Tried<'_> {
     /// The words of what is wrong.
     pub fn wrong(&self) -> Vec<&str> {
-        self.made_of.iter().filter(|m| !m.harmless).map(|m| m.id.as_str()).collect()
+        self.mistakes.iter().filter(|m| !m.harmless).map(|m| m.id.as_str()).collect()
     }
 
     /// How many strengths were found to be there: of two equal predictions that with fewer is the simpler.
@@ -41,24 +41,24 @@ impl Tried<'_> {
         self.strengths.iter().flatten().filter(|strength| strength.iter().any(|s| s.abs() > 1e-3)).count()
     }
 
-    /// Of the situation that it explains best: how much.
+    /// Of the test scene that it explains best: how much.
     fn best_share(&self, difference: &Comparison) -> f64 {
-        let share = |(seen, rest): (&f64, &f64)| if *seen > 1e-6 { 1.0 - rest / seen } else { 0.0 };
-        difference.squares.iter().zip(&self.rest.squares).map(share).fold(0.0, f64::max)
+        let share = |(seen, residual): (&f64, &f64)| if *seen > 1e-6 { 1.0 - residual / seen } else { 0.0 };
+        difference.squares.iter().zip(&self.residual.squares).map(share).fold(0.0, f64::max)
     }
 
     /// Simpler and better first.
     fn order(&self, other: &Self) -> std::cmp::Ordering {
         let key = |tried: &Self| {
-            let wrong = tried.made_of.iter().filter(|m| !m.harmless).count();
+            let wrong = tried.mistakes.iter().filter(|m| !m.harmless).count();
             let model_is_other = tried.model > 0;
-            (wrong, model_is_other, tried.made_of.len(), tried.terms_found(), tried.hypothesis.made_of.clone())
+            (wrong, model_is_other, tried.mistakes.len(), tried.terms_found(), tried.hypothesis.mistakes.clone())
         };
         other
-            .rest
+            .residual
             .is_same()
-            .cmp(&self.rest.is_same())
-            .then_with(|| if self.rest.is_same() { key(self).cmp(&key(other)) } else { std::cmp::Ordering::Equal })
+            .cmp(&self.residual.is_same())
+            .then_with(|| if self.residual.is_same() { key(self).cmp(&key(other)) } else { std::cmp::Ordering::Equal })
             .then_with(|| other.explained.total_cmp(&self.explained))
     }
 }
@@ -76,13 +76,14 @@ pub type Support<'s> = &'s dyn Fn(&str, usize) -> f32;
 
 impl Found<'_> {
     /// Of those that leave nothing over and are equally simple, the source tells which.
-    fn prefer(&mut self, looks_like: Support<'_>) {
-        let Some(first) = self.ranking.first().filter(|first| first.rest.is_same()) else { return };
+    fn prefer(&mut self, support: Support<'_>) {
+        let Some(first) = self.ranking.first().filter(|first| first.residual.is_same()) else { return };
         let (model, count) = (first.model, first.wrong().len());
-        let equal = |tried: &Tried<'_>| tried.rest.is_same() && tried.model == model && tried.wrong().len() == count;
+        let equal =
+            |tried: &Tried<'_>| tried.residual.is_same() && tried.model == model && tried.wrong().len() == count;
         let end = self.ranking.iter().position(|tried| !equal(tried)).unwrap_or(self.ranking.len());
         let support = |tried: &Tried<'_>| {
-            let each = tried.wrong().into_iter().map(|id| looks_like(id, model));
+            let each = tried.wrong().into_iter().map(|id| support(id, model));
             each.sum::<f32>()
         };
         // Stable: where the source is silent, the bank's order stays.
@@ -92,7 +93,7 @@ impl Found<'_> {
 
 /// Most singles to which a second mistake is sought.
 const FIRSTS: usize = 14;
-/// The first situations of every exercise tell most: in those many hypotheses are ranked ...
+/// The first test scenes of every exercise tell most: in those many hypotheses are ranked ...
 const TELLING: usize = 4;
 /// ... and so many of the best are then tried in all.
 const KEPT: usize = 16;
@@ -108,7 +109,7 @@ pub(super) struct Difference {
 }
 
 impl Difference {
-    fn of(&self, detail: Detail) -> &Comparison {
+    fn at(&self, detail: Detail) -> &Comparison {
         if detail == Detail::Full { &self.full } else { &self.coarse }
     }
 }
@@ -129,26 +130,26 @@ pub struct Entry {
 /// Everything that a search looks at.
 pub struct Search<'a> {
     /// Where.
-    pub stage: &'a Stage,
+    pub testbench: &'a Testbench,
     /// The right answer first, then others that answers may be changes of.
     pub entries: &'a [Entry],
     /// The model of each.
     pub models: &'a [&'a CompiledModel],
     /// What each model is given.
-    pub casts: &'a [ModelCast],
+    pub model_inputs: &'a [ModelInputs],
     /// Each model on the CPU, where it can be worked out there.
-    pub canvases: &'a [Option<Canvases<'a>>],
+    pub comparers: &'a [Option<CpuComparer<'a>>],
     /// What the program draws.
-    pub seen: &'a Sheet,
-    /// How many situations count: those with one term alone do not where strengths have to be found.
-    pub situations: usize,
+    pub seen: &'a Atlas,
+    /// How many test scenes count: those with one term alone do not where strengths have to be found.
+    pub test_scenes: usize,
 }
 
 impl<'a> Search<'a> {
     /// Of single mistakes those that show, each picture once: in this exercise many may look the same, or like nothing.
     fn distinct(&self, model: usize, difference: &Difference) -> Result<Vec<Hypothesis>, GlError> {
         // Where strengths have to be found, hypotheses that fit badly all end without the term: they look the same, and are not.
-        if self.casts[model].must_find() {
+        if self.model_inputs[model].must_find() {
             return Ok(self.wrong(model).cloned().collect());
         }
         let picture = |comparison: &Comparison| -> Vec<i64> {
@@ -159,7 +160,7 @@ impl<'a> Search<'a> {
         let wrong = self.wrong(model).cloned();
         let tried: Vec<_> =
             wrong.map(|h| self.attempt_in(model, h, difference, Detail::Coarse)).collect::<Result<_, _>>()?;
-        Ok(tried.into_iter().filter(|t| known.insert(picture(&t.rest))).map(|t| t.hypothesis).collect())
+        Ok(tried.into_iter().filter(|t| known.insert(picture(&t.residual))).map(|t| t.hypothesis).collect())
     }
 
     /// Tries many at a glance, and the best of them closely.
@@ -169,7 +170,7 @@ impl<'a> Search<'a> {
         hypotheses: Vec<Hypothesis>,
         difference: &Difference,
     ) -> Result<Vec<Tried<'a>>, GlError> {
-        if self.situations <= TELLING || hypotheses.len() <= KEPT {
+        if self.test_scenes <= TELLING || hypotheses.len() <= KEPT {
             return hypotheses.into_iter().map(|h| self.attempt(model, h, difference)).collect();
         }
         let tried = hypotheses.into_iter().map(|h| self.attempt_in(model, h, difference, Detail::Coarse));
@@ -195,43 +196,44 @@ impl<'a> Search<'a> {
         detail: Detail,
     ) -> Result<Tried<'a>, GlError> {
         let mut tried = self.unrated(model, hypothesis, detail)?;
-        tried.explained = difference.of(detail).explained_by(&tried.rest);
+        tried.explained = difference.at(detail).explained_by(&tried.residual);
         Ok(tried)
     }
 
     /// On the CPU where that can be, else by the driver.
     fn unrated(&self, model: usize, hypothesis: Hypothesis, detail: Detail) -> Result<Tried<'a>, GlError> {
-        let Some(canvases) = self.canvases.get(model).and_then(Option::as_ref) else {
-            let situations = if detail == Detail::Full { self.situations } else { TELLING.min(self.situations) };
-            return self.drawn(model, hypothesis, situations);
+        let Some(comparers) = self.comparers.get(model).and_then(Option::as_ref) else {
+            let test_scenes = if detail == Detail::Full { self.test_scenes } else { TELLING.min(self.test_scenes) };
+            return self.drawn(model, hypothesis, test_scenes);
         };
-        let (rest, strengths) = canvases.compare(&hypothesis, detail)?;
-        let made_of = self.made_of(model, &hypothesis);
-        Ok(Tried { model, made_of, hypothesis, rest, strengths, sheet: None, explained: 0.0 })
+        let (residual, strengths) = comparers.compare(&hypothesis, detail)?;
+        let mistakes = self.mistakes(model, &hypothesis);
+        Ok(Tried { model, mistakes, hypothesis, residual, strengths, atlas: None, explained: 0.0 })
     }
 
     /// By the driver.
-    pub fn drawn(&self, model: usize, hypothesis: Hypothesis, situations: usize) -> Result<Tried<'a>, GlError> {
+    pub fn drawn(&self, model: usize, hypothesis: Hypothesis, test_scenes: usize) -> Result<Tried<'a>, GlError> {
         let compiled = self.models[model];
-        let prediction = compiled.predict(self.stage, &self.casts[model], self.seen, &hypothesis, situations)?;
-        let rest = Comparison::of(self.seen, &prediction.sheet, situations);
-        let made_of = self.made_of(model, &hypothesis);
-        let (strengths, sheet) = (prediction.strengths, Some(prediction.sheet));
-        Ok(Tried { model, made_of, hypothesis, rest, strengths, sheet, explained: 0.0 })
+        let prediction =
+            compiled.predict(self.testbench, &self.model_inputs[model], self.seen, &hypothesis, test_scenes)?;
+        let residual = Comparison::new(self.seen, &prediction.atlas, test_scenes);
+        let mistakes = self.mistakes(model, &hypothesis);
+        let (strengths, atlas) = (prediction.strengths, Some(prediction.atlas));
+        Ok(Tried { model, mistakes, hypothesis, residual, strengths, atlas, explained: 0.0 })
     }
 
-    fn made_of(&self, model: usize, hypothesis: &Hypothesis) -> Vec<&'a Mistake> {
-        hypothesis.made_of.iter().map(|&index| self.models[model].hypotheses.mistakes[index]).collect()
+    fn mistakes(&self, model: usize, hypothesis: &Hypothesis) -> Vec<&'a Mistake> {
+        hypothesis.mistakes.iter().map(|&index| self.models[model].hypotheses.mistakes[index]).collect()
     }
 
     /// What was worked out on the CPU is drawn by the driver before it is said: until the best of all is one that was drawn.
-    fn confirm(&self, found: &mut Found<'a>, difference: &Comparison, looks_like: Support<'_>) -> Result<(), GlError> {
+    fn confirm(&self, found: &mut Found<'a>, difference: &Comparison, support: Support<'_>) -> Result<(), GlError> {
         for _ in 0..MOST_DRAWN {
-            found.prefer(looks_like);
-            let Some(first) = found.ranking.first_mut().filter(|first| first.sheet.is_none()) else { break };
-            let drawn = self.drawn(first.model, first.hypothesis.clone(), self.situations)?;
-            let stays = drawn.rest.is_same() == first.rest.is_same();
-            let explained = if stays { first.explained } else { difference.explained_by(&drawn.rest) };
+            found.prefer(support);
+            let Some(first) = found.ranking.first_mut().filter(|first| first.atlas.is_none()) else { break };
+            let drawn = self.drawn(first.model, first.hypothesis.clone(), self.test_scenes)?;
+            let stays = drawn.residual.is_same() == first.residual.is_same();
+            let explained = if stays { first.explained } else { difference.explained_by(&drawn.residual) };
             *first = Tried { explained, ..drawn };
             if !stays {
                 found.ranking.sort_by(|a, b| a.order(b));
@@ -244,14 +246,14 @@ impl<'a> Search<'a> {
     fn peculiar(&self, model: usize) -> Vec<Hypothesis> {
         let hypotheses = &self.models[model].hypotheses;
         let single: Vec<&Hypothesis> =
-            hypotheses.singles.iter().filter(|h| h.made_of.iter().all(|&m| hypotheses.mistakes[m].harmless)).collect();
+            hypotheses.singles.iter().filter(|h| h.mistakes.iter().all(|&m| hypotheses.mistakes[m].harmless)).collect();
         let mut sets = vec![Hypothesis::default()];
         let mut first_of_last = 0;
         for _ in 0..3 {
             let end = sets.len();
             for index in first_of_last..end {
                 for one in &single {
-                    let comes_later = sets[index].made_of.last().is_none_or(|last| one.made_of[0] > *last);
+                    let comes_later = sets[index].mistakes.last().is_none_or(|last| one.mistakes[0] > *last);
                     if let (true, Some(both)) = (comes_later, sets[index].and(one)) {
                         sets.push(both);
                     }
@@ -264,24 +266,24 @@ impl<'a> Search<'a> {
 
     pub(super) fn wrong(&self, model: usize) -> impl Iterator<Item = &'a Hypothesis> {
         let hypotheses = &self.models[model].hypotheses;
-        let another = self.casts[model].freedom.knows_another();
+        let another = self.model_inputs[model].parameterisation.knows_another();
         hypotheses
             .singles
             .iter()
-            .filter(|h| h.made_of.iter().all(|&m| !hypotheses.mistakes[m].harmless))
+            .filter(|h| h.mistakes.iter().all(|&m| !hypotheses.mistakes[m].harmless))
             // Where there is no other light, nothing comes from it.
             .filter(move |h| another || !hypotheses.mentions(h, "other_light_pos"))
     }
 
     /// Looks for the simplest explanation; where pictures are silent, what the source looks like decides.
-    pub fn run(&self, looks_like: Support<'_>) -> Result<Found<'a>, GlError> {
+    pub fn run(&self, support: Support<'_>) -> Result<Found<'a>, GlError> {
         // Most answers are right, and right in the usual way.
-        let plain = self.drawn(0, Hypothesis::default(), self.situations)?;
-        if plain.rest.is_same() {
+        let plain = self.drawn(0, Hypothesis::default(), self.test_scenes)?;
+        if plain.residual.is_same() {
             return Ok(Found { nearest_right: plain.clone(), ranking: vec![plain] });
         }
-        let coarse = self.unrated(0, Hypothesis::default(), Detail::Coarse)?.rest;
-        let difference = Difference { full: plain.rest.clone(), coarse };
+        let coarse = self.unrated(0, Hypothesis::default(), Detail::Coarse)?.residual;
+        let difference = Difference { full: plain.residual.clone(), coarse };
         let mut nearest_right = plain.clone();
         let mut all = vec![plain];
         // Right in another way?
@@ -291,8 +293,8 @@ impl<'a> Search<'a> {
             let tried = sets.map(|set| self.attempt(model, set, &difference));
             let mut tried = tried.collect::<Result<Vec<_>, _>>()?;
             tried.sort_by(|a, b| a.order(b));
-            if let Some(best) = tried.first_mut().filter(|best| best.rest.is_same()) {
-                let drawn = self.drawn(model, best.hypothesis.clone(), self.situations)?;
+            if let Some(best) = tried.first_mut().filter(|best| best.residual.is_same()) {
+                let drawn = self.drawn(model, best.hypothesis.clone(), self.test_scenes)?;
                 *best = Tried { explained: best.explained, ..drawn };
             }
             let is_right = self.entries.get(model).is_some_and(|entry| entry.is_right);
@@ -300,15 +302,15 @@ impl<'a> Search<'a> {
                 nearest_right = best.clone();
             }
             bases.push((model, Hypothesis::default()));
-            if let Some(best) = tried.first().filter(|best| !best.made_of.is_empty()) {
+            if let Some(best) = tried.first().filter(|best| !best.mistakes.is_empty()) {
                 bases.push((model, best.hypothesis.clone()));
             }
             // So common that it is never left to chance.
-            let common = tried.iter().find(|t| t.made_of.len() == 1 && t.made_of[0].id == "normal-kept-unnormalised");
+            let common = tried.iter().find(|t| t.mistakes.len() == 1 && t.mistakes[0].id == "normal-kept-unnormalised");
             if let Some(common) = common.filter(|common| bases.iter().all(|(_, base)| *base != common.hypothesis)) {
                 bases.push((model, common.hypothesis.clone()));
             }
-            let is_same = tried.first().is_some_and(|best| best.rest.is_same());
+            let is_same = tried.first().is_some_and(|best| best.residual.is_same());
             all.extend(tried);
             if is_same {
                 return Ok(self.found(nearest_right, all));
@@ -324,12 +326,12 @@ impl<'a> Search<'a> {
         let again = self.with_every_peculiarity(&singles, &difference)?;
         singles.extend(again);
         singles.sort_by(|a, b| a.order(b));
-        if !singles.iter().any(|tried| tried.rest.is_same()) {
+        if !singles.iter().any(|tried| tried.residual.is_same()) {
             let pairs = self.pairs(&difference, &singles)?;
-            if !pairs.iter().any(|tried| tried.rest.is_same()) {
-                all.extend(self.guided(&bases, &difference, looks_like)?);
+            if !pairs.iter().any(|tried| tried.residual.is_same()) {
+                all.extend(self.guided(&bases, &difference, support)?);
             }
-            let named = pairs.iter().filter(|tried| tried.rest.is_same()).min_by(|a, b| a.order(b));
+            let named = pairs.iter().filter(|tried| tried.residual.is_same()).min_by(|a, b| a.order(b));
             if let Some(named) = named.cloned() {
                 all.extend(self.in_their_place(&named, &difference)?);
             }
@@ -337,7 +339,7 @@ impl<'a> Search<'a> {
         }
         all.extend(singles);
         let mut found = self.found(nearest_right, all);
-        self.confirm(&mut found, &difference.full, looks_like)?;
+        self.confirm(&mut found, &difference.full, support)?;
         Ok(found)
     }
 
@@ -348,7 +350,7 @@ impl<'a> Search<'a> {
         difference: &Difference,
     ) -> Result<Vec<Tried<'a>>, GlError> {
         let mut again = Vec::new();
-        if singles.iter().any(|tried| tried.rest.is_same()) {
+        if singles.iter().any(|tried| tried.residual.is_same()) {
             return Ok(again);
         }
         for tried in singles.iter().take(TRIED_AGAIN) {
@@ -365,7 +367,7 @@ impl<'a> Search<'a> {
     fn without_peculiarities(&self, tried: &Tried<'a>) -> Hypothesis {
         let hypotheses = &self.models[tried.model].hypotheses;
         let is_wrong = |h: &&Hypothesis| {
-            h.made_of.iter().all(|&m| !hypotheses.mistakes[m].harmless && tried.hypothesis.made_of.contains(&m))
+            h.mistakes.iter().all(|&m| !hypotheses.mistakes[m].harmless && tried.hypothesis.mistakes.contains(&m))
                 && h.choices.iter().all(|(line, way)| tried.hypothesis.choices.get(line) == Some(way))
         };
         hypotheses.singles.iter().find(is_wrong).cloned().unwrap_or_default()
@@ -379,7 +381,7 @@ impl<'a> Search<'a> {
         let mut firsts: Vec<&Tried<'a>> = Vec::new();
         let mut by_share: Vec<&Tried<'a>> = singles.iter().collect();
         by_share.sort_by(|a, b| b.best_share(&difference.full).total_cmp(&a.best_share(&difference.full)));
-        // Those that explain most of it all, and those that explain most of some situation.
+        // Those that explain most of it all, and those that explain most of some test scene.
         for tried in singles.iter().take(4 * FIRSTS).zip(by_share).flat_map(|(a, b)| [a, b]) {
             // A mistake's ways count each for itself, what is peculiar beside it does not.
             let alone = self.without_peculiarities(tried);
@@ -406,18 +408,18 @@ impl<'a> Search<'a> {
             }
             for mut tried in self.best_of(first.model, both, difference)? {
                 // What the first leaves over may be small beside what it explains.
-                let of_the_rest = first.rest.explained_by(&tried.rest);
+                let of_the_rest = first.residual.explained_by(&tried.residual);
                 tried.explained = tried.explained.min(0.5 + 0.5 * of_the_rest).max(tried.explained * of_the_rest);
                 if best.as_ref().is_none_or(|best| tried.order(best).is_lt()) {
                     best = Some(tried.clone());
                 }
-                if tried.rest.is_same() {
+                if tried.residual.is_same() {
                     pairs.push(tried);
                 }
             }
             let Some(best) = best else { continue };
             let again = self.pair_with_peculiarities(&best, difference)?;
-            let is_named = best.rest.is_same();
+            let is_named = best.residual.is_same();
             pairs.push(best);
             pairs.extend(again);
             if is_named {
@@ -432,27 +434,27 @@ impl<'a> Search<'a> {
     fn in_their_place(&self, pair: &Tried<'a>, difference: &Difference) -> Result<Vec<Tried<'a>>, GlError> {
         let model = pair.model;
         // Where the driver has to draw each, it would take too long.
-        if self.canvases.get(model).and_then(Option::as_ref).is_none() {
+        if self.comparers.get(model).and_then(Option::as_ref).is_none() {
             return Ok(Vec::new());
         }
         let is_part = |h: &&Hypothesis| {
             let is_chosen = |(line, way): (_, _)| pair.hypothesis.choices.get(line) == Some(way);
-            h.made_of.iter().all(|m| pair.hypothesis.made_of.contains(m)) && h.choices.iter().all(is_chosen)
+            h.mistakes.iter().all(|m| pair.hypothesis.mistakes.contains(m)) && h.choices.iter().all(is_chosen)
         };
         let peculiar = |h: &&Hypothesis| {
             let mistakes = &self.models[model].hypotheses.mistakes;
-            is_part(h) && h.made_of.iter().all(|&m| mistakes[m].harmless)
+            is_part(h) && h.mistakes.iter().all(|&m| mistakes[m].harmless)
         };
         let set = self.models[model].hypotheses.singles.iter().filter(peculiar);
         let set = set.fold(Hypothesis::default(), |all, one| all.and(one).unwrap_or(all));
         let mut same = Vec::new();
         for part in self.wrong(model).filter(is_part) {
             let Some(first) = part.and(&set) else { continue };
-            for other in self.wrong(model).filter(|h| !is_part(h) && h.made_of != part.made_of) {
+            for other in self.wrong(model).filter(|h| !is_part(h) && h.mistakes != part.mistakes) {
                 let Some(both) = first.and(other) else { continue };
-                if self.attempt_in(model, both.clone(), difference, Detail::Coarse)?.rest.is_same() {
+                if self.attempt_in(model, both.clone(), difference, Detail::Coarse)?.residual.is_same() {
                     let tried = self.attempt(model, both, difference)?;
-                    same.extend(Some(tried).filter(|tried| tried.rest.is_same()));
+                    same.extend(Some(tried).filter(|tried| tried.residual.is_same()));
                 }
             }
         }
@@ -465,13 +467,13 @@ impl<'a> Search<'a> {
         let singles: Vec<&Hypothesis> = self.wrong(0).collect();
         let later = |at: usize| singles.iter().skip(at + 1);
         let both = singles.iter().enumerate().flat_map(|(at, one)| {
-            later(at).filter(|other| other.made_of != one.made_of).filter_map(|other| one.and(other))
+            later(at).filter(|other| other.mistakes != one.mistakes).filter_map(|other| one.and(other))
         });
-        // At a glance: in one situation.
+        // At a glance: in one test scene.
         let first = difference.full.first(1);
         let at_a_glance = |both: Hypothesis| {
             let tried = self.drawn(0, both, 1)?;
-            Ok(Tried { explained: first.explained_by(&tried.rest), ..tried })
+            Ok(Tried { explained: first.explained_by(&tried.residual), ..tried })
         };
         let mut tried = both.map(at_a_glance).collect::<Result<Vec<Tried<'a>>, GlError>>()?;
         tried.sort_by(|a, b| a.order(b));
@@ -484,7 +486,7 @@ impl<'a> Search<'a> {
         difference: &Difference,
     ) -> Result<Vec<Tried<'a>>, GlError> {
         let mut again = Vec::new();
-        if pair.rest.is_same() || pair.explained < 0.5 {
+        if pair.residual.is_same() || pair.explained < 0.5 {
             return Ok(again);
         }
         for set in self.peculiar(pair.model).into_iter().skip(1) {

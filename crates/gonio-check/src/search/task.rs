@@ -1,7 +1,7 @@
 //! What the exercises ask of a pair of shaders.
 
 use crate::mistakes::Model;
-use crate::testbench::{Situation, scene};
+use crate::testbench::{TestScene, scene};
 use glam::Vec3;
 
 /// What an exercise asks.
@@ -56,13 +56,13 @@ const fn task(
 
 impl Task {
     /// Of an exercise.
-    pub fn of(exercise: &str) -> Option<&'static Task> {
+    pub fn find(exercise: &str) -> Option<&'static Task> {
         TASKS.iter().find(|task| task.exercise == exercise)
     }
 
     /// Where it is tried: whole, then those for programs with several lights, and then with one term alone; and how many of the
     /// first and of the second kind.
-    pub fn situations(&self) -> (Vec<Situation>, [usize; 2]) {
+    pub fn test_scenes(&self) -> (Vec<TestScene>, [usize; 2]) {
         let mut all = match self.model {
             Model::Phong | Model::Gouraud => scene::lit(),
             Model::Reflection | Model::Refraction => scene::mirrored(),

@@ -1,9 +1,10 @@
 //! Which of several shaders are the pair.
 
 use super::error::{IntakeError, list};
-use super::stage::{Stage, stage_of_word};
+use super::stage::stage_of_word;
 use super::text::StageText;
 use super::words::words_of;
+use gonio_glsl::Stage;
 
 /// One shader that was found.
 #[derive(Clone, Debug)]

@@ -1,6 +1,6 @@
 //! Why files cannot be taken as a pair of shaders.
 
-use super::stage::Stage;
+use gonio_glsl::Stage;
 use std::fmt;
 
 /// Why files cannot be taken as a pair of shaders. Each message says what, where and what to do.

@@ -290,7 +290,7 @@ impl<'a> Scanner<'a> {
 
     /// A piece of text belongs to the literal before, or begins a new one.
     fn take(&mut self, piece: Builder, has_holes: bool) {
-        let of_piece = Wholeness::of(&piece.text);
+        let of_piece = Wholeness::measure(&piece.text);
         let variable = if self.target.is_empty() { self.name.clone() } else { self.target.clone() };
         let join = match (self.between, &self.current) {
             (_, None) => false,
@@ -468,7 +468,7 @@ struct Wholeness {
 }
 
 impl Wholeness {
-    fn of(text: &str) -> Self {
+    fn measure(text: &str) -> Self {
         let count = |brace| text.matches(brace).count();
         Self { open: count('{'), close: count('}'), main: text.contains("main"), begun: text.contains(['#', ';']) }
     }

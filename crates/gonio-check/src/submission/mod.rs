@@ -16,11 +16,11 @@ pub mod words;
 mod tests;
 
 pub use error::IntakeError;
-pub use stage::Stage;
 pub use stage::without_comments;
 pub use text::StageText;
 
 use choose::Candidate;
+use gonio_glsl::Stage;
 
 /// A file as it was handed in.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -103,7 +103,7 @@ pub struct Holds {
 /// # Errors
 /// An [`IntakeError`] where it was meant to be a shader and cannot be read.
 pub fn holds(file: &SourceFile) -> Result<Holds, IntakeError> {
-    if kind(&file.name) == Kind::Perhaps && decode::decode(&file.name, &file.bytes).is_err() {
+    if kind(&file.name) == FileKind::Perhaps && decode::decode(&file.name, &file.bytes).is_err() {
         return Ok(Holds::default());
     }
     let mut intake = Intake { few: true, ..Intake::default() };
@@ -132,7 +132,7 @@ struct Intake {
 
 /// What a file's name says about its use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+enum FileKind {
     Names,
     /// Of no interest, and not worth a word.
     Silent,
@@ -145,7 +145,7 @@ enum Kind {
     Perhaps,
 }
 
-fn kind(name: &str) -> Kind {
+fn kind(name: &str) -> FileKind {
     let path = name.replace('\\', "/");
     let mut parts = path.split('/').rev();
     let base = parts.next().unwrap_or_default();
@@ -156,20 +156,20 @@ fn kind(name: &str) -> Kind {
         ) || part.starts_with("cmake-build")
     };
     if parts.clone().any(is_silent_folder) || base.starts_with("._") || matches!(base, ".DS_Store" | "Thumbs.db") {
-        return Kind::Silent;
+        return FileKind::Silent;
     }
     if base.eq_ignore_ascii_case("names.toml") {
-        return Kind::Names;
+        return FileKind::Names;
     }
     let in_other_code = parts.any(|part| {
         matches!(part.to_lowercase().as_str(), "build" | "debug" | "release" | "3rdparty" | "external" | "glad" | "glm")
     });
     let lower = base.to_lowercase();
     if in_other_code || base.starts_with('.') || lower.starts_with("cmake") || lower.starts_with("readme") {
-        return Kind::Aside;
+        return FileKind::Aside;
     }
     if let Some(language) = literal::language(base) {
-        return Kind::Program(language);
+        return FileKind::Program(language);
     }
     match lower.rsplit_once('.').map_or("", |(_, ending)| ending) {
         "md" | "rst" | "pdf" | "doc" | "docx" | "odt" | "png" | "jpg" | "jpeg" | "bmp" | "tga" | "gif" | "webp"
@@ -177,12 +177,12 @@ fn kind(name: &str) -> Kind {
         | "stl" | "mesh" | "dae" | "blend" | "zip" | "gz" | "rar" | "7z" | "exe" | "dll" | "so" | "lib" | "a" | "o"
         | "pdb" | "sln" | "vcxproj" | "filters" | "user" | "toml" | "json" | "yaml" | "yml" | "xml" | "ini"
         | "cmake" | "make" | "lock" | "log" | "csv" | "css" | "mp4" | "mov" | "wav" | "mp3" | "ttf" | "otf" | "bat"
-        | "sh" | "geom" | "gs" | "tesc" | "tese" | "tcs" | "tes" | "comp" | "spv" | "ipynb" => Kind::Aside,
+        | "sh" | "geom" | "gs" | "tesc" | "tese" | "tcs" | "tes" | "comp" | "spv" | "ipynb" => FileKind::Aside,
         "vert" | "frag" | "vs" | "fs" | "vsh" | "fsh" | "vertexshader" | "fragmentshader" | "glsl" | "vp" | "fp" => {
-            Kind::Shader
+            FileKind::Shader
         }
-        _ if lower == "makefile" || lower == "license" => Kind::Aside,
-        _ => Kind::Perhaps,
+        _ if lower == "makefile" || lower == "license" => FileKind::Aside,
+        _ => FileKind::Perhaps,
     }
 }
 
@@ -191,16 +191,16 @@ impl Intake {
         let name = &file.name;
         let kind = kind(name);
         match kind {
-            Kind::Silent => return,
-            Kind::Aside => return self.left_aside.push(name.clone()),
-            Kind::Names | Kind::Program(_) | Kind::Shader | Kind::Perhaps => {}
+            FileKind::Silent => return,
+            FileKind::Aside => return self.left_aside.push(name.clone()),
+            FileKind::Names | FileKind::Program(_) | FileKind::Shader | FileKind::Perhaps => {}
         }
         let text = match decode::decode(name, &file.bytes) {
             Ok((text, warning)) => {
                 self.mended.extend(warning.map(|warning| (name.clone(), warning)));
                 text
             }
-            Err(_) if kind == Kind::Perhaps && !self.few => return self.left_aside.push(name.clone()),
+            Err(_) if kind == FileKind::Perhaps && !self.few => return self.left_aside.push(name.clone()),
             Err(error) => {
                 self.errors.push(error);
                 return;
@@ -208,9 +208,9 @@ impl Intake {
         };
         let found_before = self.candidates.len() + self.undecided.len();
         match kind {
-            Kind::Names => return self.names = Some(text),
-            Kind::Program(language) => self.take_program(name, &text, language),
-            _ => self.take_shader(name, text, kind == Kind::Shader),
+            FileKind::Names => return self.names = Some(text),
+            FileKind::Program(language) => self.take_program(name, &text, language),
+            _ => self.take_shader(name, text, kind == FileKind::Shader),
         }
         if self.candidates.len() + self.undecided.len() == found_before {
             self.left_aside.push(name.clone());
@@ -342,7 +342,8 @@ impl Intake {
             }
         };
         let (vertex, fragment, chosen_because) = chosen;
-        let is_taken = |name: &str| name == vertex.text.file || name == fragment.text.file || kind(name) == Kind::Names;
+        let is_taken =
+            |name: &str| name == vertex.text.file || name == fragment.text.file || kind(name) == FileKind::Names;
         let mut warnings: Vec<String> =
             self.mended.into_iter().filter(|(name, _)| is_taken(name)).map(|(_, warning)| warning).collect();
         warnings.extend(chosen_because);

@@ -1,8 +1,9 @@
 //! One file that holds both stages, cut in two.
 
-use super::stage::{self, Stage};
+use super::stage;
 use super::text::{Builder, number};
 use super::words::words_of;
+use gonio_glsl::Stage;
 
 /// The vertex and the fragment stage of a text that holds both; `None` where it does not.
 pub(super) fn split(text: &str, code: &str) -> Option<(Builder, Builder)> {

@@ -1,36 +1,7 @@
 //! Which stage a text is of: told from its name, and from its content where the name is silent or contradicts it.
 
 use super::words::words_of;
-use std::fmt;
-
-/// A stage of the pipeline that students write.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Stage {
-    /// Once per vertex.
-    Vertex,
-    /// Once per fragment.
-    Fragment,
-}
-
-impl Stage {
-    /// The other one.
-    #[must_use]
-    pub const fn other(self) -> Self {
-        match self {
-            Self::Vertex => Self::Fragment,
-            Self::Fragment => Self::Vertex,
-        }
-    }
-}
-
-impl fmt::Display for Stage {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Vertex => "vertex",
-            Self::Fragment => "fragment",
-        })
-    }
-}
+use gonio_glsl::Stage;
 
 /// The stage that one word names.
 pub(super) fn stage_of_word(word: &str) -> Option<Stage> {

@@ -1,26 +1,26 @@
-//! A program drawn in all situations at once.
+//! A program drawn in all test scenes at once.
 
 use super::surface::{Numbered, Surface};
-use super::{CUBEMAP_UNIT, Shape, Situation, WHITE_UNIT, numbers_of_array, samplers, sky, unit};
-use crate::roles::{Bindings, Bound, Kind, Role};
+use super::{CUBEMAP_UNIT, Shape, TestScene, WHITE_UNIT, numbers_of_array, samplers, sky, unit};
+use crate::roles::{Bindings, Bound, Role, VariableKind};
 use gonio_gl::{Gl, GlError};
 use gonio_render::user_program::{FloatTexture, NOT_DRAWN, Stream, StreamMesh, TileTarget, UserProgram};
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
 
-/// Pixels along a side of a situation's picture: enough for a hundred triangles, and cheap on a driver without a GPU.
+/// Pixels along a side of a test scene's picture: enough for a hundred triangles, and cheap on a driver without a GPU.
 pub const TILE: u32 = 32;
 
-/// All situations' pictures, one after the other, linear RGBA; [`NOT_DRAWN`] where nothing is.
+/// All test scenes' pictures, one after the other, linear RGBA; [`NOT_DRAWN`] where nothing is.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Sheet {
-    /// `TILE * TILE` a situation, the bottom row first.
+pub struct Atlas {
+    /// `TILE * TILE` a test scene, the bottom row first.
     pub pixels: Vec<[f32; 4]>,
 }
 
-impl Sheet {
-    /// One situation's pixels.
+impl Atlas {
+    /// One test scene's pixels.
     pub fn tile(&self, index: usize) -> &[[f32; 4]] {
         let size = (TILE * TILE) as usize;
         self.pixels.get(index * size..(index + 1) * size).unwrap_or_default()
@@ -34,21 +34,21 @@ impl Sheet {
 }
 
 /// Everything that programs are drawn with, but for themselves.
-pub struct Stage {
+pub struct Testbench {
     pub(super) gl: Gl,
     meshes: Vec<StreamMesh>,
     pub(super) numbered: Numbered,
     cubemap: FloatTexture,
     white: FloatTexture,
     pub(super) target: TileTarget,
-    situations: Vec<Situation>,
+    test_scenes: Vec<TestScene>,
     /// By what is written to `gl_Position`.
     pub(super) surfaces: RefCell<HashMap<String, Rc<Surface>>>,
 }
 
-impl Stage {
-    /// For these situations.
-    pub fn new(gl: &Gl, situations: Vec<Situation>) -> Result<Self, GlError> {
+impl Testbench {
+    /// For these test scenes.
+    pub fn new(gl: &Gl, test_scenes: Vec<TestScene>) -> Result<Self, GlError> {
         let mesh = |shape: Shape| {
             let mesh = shape.mesh();
             let stream = |name, components, numbers| Stream { name, components, numbers };
@@ -64,56 +64,56 @@ impl Stage {
                 &format!("{shape:?}"),
             )
         };
-        Ok(Stage {
+        Ok(Testbench {
             gl: gl.clone(),
             numbered: Numbered::new(gl)?,
             meshes: Shape::ALL.into_iter().map(mesh).collect::<Result<_, _>>()?,
             cubemap: FloatTexture::cube(gl, sky::SIDE, &sky::faces(), "surroundings")?,
             white: FloatTexture::flat(gl, [1, 1], &[[1.0; 4]], "white")?,
-            target: TileTarget::new(gl, TILE, situations.len())?,
-            situations,
+            target: TileTarget::new(gl, TILE, test_scenes.len())?,
+            test_scenes,
             surfaces: RefCell::default(),
         })
     }
 
     /// Where programs are drawn.
-    pub fn situations(&self) -> &[Situation] {
-        &self.situations
+    pub fn test_scenes(&self) -> &[TestScene] {
+        &self.test_scenes
     }
 
-    /// Works out once what a program's attributes and uniforms hold in every situation, each changed by `change` beforehand.
-    pub fn cast(&self, program: &UserProgram, bindings: &Bindings, change: impl Fn(&mut Situation)) -> Cast {
+    /// Works out once what a program's attributes and uniforms hold in every test scene, each changed by `change` beforehand.
+    pub fn inputs(&self, program: &UserProgram, bindings: &Bindings, change: impl Fn(&mut TestScene)) -> ProgramInputs {
         let feed = bindings
             .bound
             .iter()
-            .filter(|bound| bound.declared.kind == Kind::Attribute)
+            .filter(|bound| bound.declared.kind == VariableKind::Attribute)
             .filter_map(|bound| Some((program.attribute_location(&bound.declared.name)?, stream_of(bound.role)?)))
             .collect();
         let uniforms: Vec<(usize, &Bound)> = bindings
             .bound
             .iter()
-            .filter(|bound| bound.declared.kind == Kind::Uniform)
+            .filter(|bound| bound.declared.kind == VariableKind::Uniform)
             .filter_map(|bound| Some((program.uniform_index(&bound.declared.name)?, bound)))
             .collect();
         let samplers = samplers(program, bindings);
         let values = self
-            .situations
+            .test_scenes
             .iter()
-            .map(|situation| {
-                let mut situation = situation.clone();
-                change(&mut situation);
+            .map(|test_scene| {
+                let mut test_scene = test_scene.clone();
+                change(&mut test_scene);
                 let value = |&(index, bound): &(usize, &Bound)| {
                     let glsl_type = bound.declared.glsl_type.as_str();
                     let values = match unit(glsl_type) {
                         Some(_) => None,
-                        None => numbers_of_array(bound.role, glsl_type, bound.declared.array, &situation),
+                        None => numbers_of_array(bound.role, glsl_type, bound.declared.array, &test_scene),
                     };
                     Some((index, values?))
                 };
                 samplers.iter().cloned().chain(uniforms.iter().filter_map(value)).collect()
             })
             .collect();
-        Cast { feed, values }
+        ProgramInputs { feed, values }
     }
 
     /// What OpenGL complained of since this was last asked. In a browser the question costs as much as many a draw.
@@ -121,15 +121,15 @@ impl Stage {
         self.target.error().map_or(Ok(()), Err)
     }
 
-    /// Draws a program in the first `count` situations; `fixed` are uniforms that hold the same in all. Whether OpenGL complained
-    /// of it is to be asked: [`Stage::complaint`].
+    /// Draws a program in the first `count` test scenes; `fixed` are uniforms that hold the same in all. Whether OpenGL complained
+    /// of it is to be asked: [`Testbench::complaint`].
     pub fn draw(
         &self,
         program: &UserProgram,
-        cast: &Cast,
+        inputs: &ProgramInputs,
         fixed: &[(String, Vec<f32>)],
         count: usize,
-    ) -> Result<Sheet, GlError> {
+    ) -> Result<Atlas, GlError> {
         self.target.begin();
         self.cubemap.bind(CUBEMAP_UNIT);
         self.white.bind(WHITE_UNIT);
@@ -137,23 +137,23 @@ impl Stage {
         for (name, values) in fixed {
             program.set(name, values);
         }
-        for (tile, (situation, values)) in self.situations.iter().zip(&cast.values).take(count).enumerate() {
+        for (tile, (test_scene, values)) in self.test_scenes.iter().zip(&inputs.values).take(count).enumerate() {
             for (index, values) in values {
                 program.set_index(*index, values);
             }
             self.target.select(tile);
-            self.meshes[situation.shape.index()].draw(program, &cast.feed);
+            self.meshes[test_scene.shape.index()].draw(program, &inputs.feed);
         }
-        Ok(Sheet { pixels: self.target.read(count) })
+        Ok(Atlas { pixels: self.target.read(count) })
     }
 }
 
-/// What a program's attributes and uniforms hold in every situation.
+/// What a program's attributes and uniforms hold in every test scene.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Cast {
+pub struct ProgramInputs {
     /// Locations of attributes, and the streams that feed them.
     feed: Vec<(u32, usize)>,
-    /// Of each situation: numbers of uniforms, and what they hold.
+    /// Of each test scene: numbers of uniforms, and what they hold.
     values: Vec<Vec<(usize, Vec<f32>)>>,
 }
 

@@ -27,7 +27,7 @@ impl Shape {
     }
 
     /// Its vertices and triangles.
-    pub fn mesh(self) -> StageMesh {
+    pub fn mesh(self) -> TestMesh {
         match self {
             Shape::Sphere => sphere(8, 6),
             Shape::Torus => torus(14, 8),
@@ -40,7 +40,7 @@ impl Shape {
 
 /// A mesh as it is handed to students' programs.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct StageMesh {
+pub struct TestMesh {
     /// x y z in the model's space.
     pub positions: Vec<f32>,
     /// Unit vectors.
@@ -54,8 +54,8 @@ pub struct StageMesh {
 }
 
 /// A grid of `across + 1` by `down + 1` vertices, two triangles a cell.
-fn grid(across: usize, down: usize, vertex: impl Fn(f32, f32) -> ([f32; 3], [f32; 3])) -> StageMesh {
-    let mut mesh = StageMesh::default();
+fn grid(across: usize, down: usize, vertex: impl Fn(f32, f32) -> ([f32; 3], [f32; 3])) -> TestMesh {
+    let mut mesh = TestMesh::default();
     for row in 0..=down {
         for column in 0..=across {
             let (u, v) = (column as f32 / across as f32, row as f32 / down as f32);
@@ -77,7 +77,7 @@ fn grid(across: usize, down: usize, vertex: impl Fn(f32, f32) -> ([f32; 3], [f32
 }
 
 /// Returns a sphere of radius 1 around the origin with smooth normals.
-pub fn sphere(segments: usize, rings: usize) -> StageMesh {
+pub fn sphere(segments: usize, rings: usize) -> TestMesh {
     grid(segments, rings, |u, v| {
         let (longitude, colatitude) = (u * TAU, PI - v * PI);
         let p = [colatitude.sin() * longitude.cos(), colatitude.cos(), -colatitude.sin() * longitude.sin()];
@@ -86,7 +86,7 @@ pub fn sphere(segments: usize, rings: usize) -> StageMesh {
 }
 
 /// Returns a torus of radii 0.7 and 0.3 around the y axis with smooth normals.
-pub fn torus(around: usize, tube: usize) -> StageMesh {
+pub fn torus(around: usize, tube: usize) -> TestMesh {
     grid(around, tube, |u, v| {
         let (phi, theta) = (u * TAU, v * TAU);
         let normal = [theta.cos() * phi.cos(), theta.sin(), -theta.cos() * phi.sin()];
@@ -96,8 +96,8 @@ pub fn torus(around: usize, tube: usize) -> StageMesh {
 }
 
 /// Eight shared corners, normals outwards from the middle: only positions count in a skybox.
-fn cube() -> StageMesh {
-    let mut mesh = StageMesh::default();
+fn cube() -> TestMesh {
+    let mut mesh = TestMesh::default();
     for corner in 0..8_u32 {
         let side = |bit: u32| if corner >> bit & 1 == 1 { 1.0 } else { -1.0 };
         let position = [side(0), side(1), side(2)];
@@ -114,8 +114,8 @@ fn cube() -> StageMesh {
 }
 
 /// Four corners of its base and the top, shared; normals outwards from the middle.
-fn pyramid() -> StageMesh {
-    let mut mesh = StageMesh::default();
+fn pyramid() -> TestMesh {
+    let mut mesh = TestMesh::default();
     let corners = [
         ([-0.5, -0.4, 0.5], [0.9, 0.1, 0.1]),
         ([0.5, -0.4, 0.5], [0.1, 0.8, 0.2]),
@@ -137,7 +137,7 @@ fn pyramid() -> StageMesh {
 }
 
 /// The pyramid, and around it a globe of radius 3 in the colours of the surroundings.
-fn landmarks() -> StageMesh {
+fn landmarks() -> TestMesh {
     let (mut mesh, globe) = (pyramid(), sphere(12, 8));
     let first = (mesh.positions.len() / 3) as u32;
     mesh.positions.extend(globe.positions.iter().map(|x| 3.0 * x));

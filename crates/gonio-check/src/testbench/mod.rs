@@ -1,4 +1,4 @@
-//! Where programs are tried: meshes, situations that tell mistakes apart, and the drawing of all of them at once.
+//! Where programs are tried: meshes, test scenes that tell mistakes apart, and the drawing of all of them at once.
 
 mod atlas;
 pub mod mesh;
@@ -8,9 +8,9 @@ mod surface;
 mod units;
 mod values;
 
-pub use atlas::{Cast, Sheet, Stage, TILE, stream_of};
-pub use mesh::{Shape, StageMesh};
-pub use scene::{Light, Situation};
+pub use atlas::{Atlas, ProgramInputs, TILE, Testbench, stream_of};
+pub use mesh::{Shape, TestMesh};
+pub use scene::{Light, TestScene};
 pub use sky::radiance;
 pub use surface::Surface;
 pub use units::{CUBEMAP_UNIT, WHITE_UNIT, samplers, unit};

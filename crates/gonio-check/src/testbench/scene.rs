@@ -45,7 +45,7 @@ impl Light {
 
 /// A scene of one object, a light or two, and a camera.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Situation {
+pub struct TestScene {
     /// A word for tables.
     pub name: String,
     /// What it shows that others do not.
@@ -76,7 +76,7 @@ pub struct Situation {
     pub time: f32,
 }
 
-impl Situation {
+impl TestScene {
     /// V.
     pub fn view_from_world(&self) -> Mat4 {
         glam::camera::rh::view::look_at_mat4(self.eye, self.target, self.up)
@@ -107,7 +107,7 @@ impl Situation {
     #[must_use]
     pub fn turned(&self, turn: Quat) -> Self {
         let turned = |light: Light| Light { position: turn * light.position, ..light };
-        Situation {
+        TestScene {
             world_from_model: Mat4::from_quat(turn) * self.world_from_model,
             eye: turn * self.eye,
             target: turn * self.target,
@@ -140,8 +140,8 @@ pub const LAB_LIGHT: Light = Light {
     points_to_light: false,
 };
 
-fn base(name: &str, shows: &'static str) -> Situation {
-    Situation {
+fn base(name: &str, shows: &'static str) -> TestScene {
+    TestScene {
         name: name.to_owned(),
         shows,
         shape: Shape::Torus,
@@ -166,16 +166,16 @@ fn placed(at: [f32; 3], turn_deg: [f32; 3], scale: [f32; 3]) -> Mat4 {
 }
 
 /// For programs that compute light: the nine scenes, whole, and then some with one term alone.
-pub fn lit() -> Vec<Situation> {
+pub fn lit() -> Vec<TestScene> {
     let mut all = vec![
-        Situation {
+        TestScene {
             shape: Shape::Sphere,
             world_from_model: placed([0.0, 0.0, -2.0], [0.0; 3], [0.5; 3]),
             eye: Vec3::new(0.0, 0.0, 0.0),
             target: Vec3::new(0.0, 0.0, -2.0),
             ..base("lab", "the lab's own scene: a sphere at half its size")
         },
-        Situation {
+        TestScene {
             world_from_model: placed([0.4, -0.3, -0.6], [35.0, 50.0, 20.0], [0.6, 1.2, 0.3]),
             eye: Vec3::new(1.9, 1.1, 2.0),
             target: Vec3::new(0.4, -0.3, -0.6),
@@ -183,7 +183,7 @@ pub fn lit() -> Vec<Situation> {
             light: Light { position: Vec3::new(1.6, 2.2, 1.2), ..LAB_LIGHT },
             ..base("stretched", "a model that is stretched, turned and moved")
         },
-        Situation {
+        TestScene {
             shape: Shape::Sphere,
             world_from_model: placed([-0.3, 0.2, 0.1], [10.0, 20.0, 0.0], [0.5; 3]),
             eye: Vec3::new(0.5, 0.5, 1.6),
@@ -191,7 +191,7 @@ pub fn lit() -> Vec<Situation> {
             light: Light { position: Vec3::new(0.5, 0.8, 0.9), ..LAB_LIGHT },
             ..base("coarse", "a coarse sphere close to the light")
         },
-        Situation {
+        TestScene {
             world_from_model: placed([-0.2, 0.1, -0.3], [-60.0, 10.0, 0.0], [0.9; 3]),
             eye: Vec3::new(0.3, 0.9, 2.4),
             target: Vec3::new(-0.2, 0.1, -0.3),
@@ -202,7 +202,7 @@ pub fn lit() -> Vec<Situation> {
     ];
     for (name, distance) in [("near", 1.5_f32), ("middle", 3.5), ("far", 8.0)] {
         let direction = Vec3::new(0.55, 0.6, 0.58).normalize();
-        all.push(Situation {
+        all.push(TestScene {
             world_from_model: placed([0.2, 0.1, 0.0], [60.0, 15.0, 0.0], [0.8; 3]),
             eye: Vec3::new(-0.4, 0.6, 2.5),
             target: Vec3::new(0.2, 0.1, 0.0),
@@ -210,7 +210,7 @@ pub fn lit() -> Vec<Situation> {
             ..base(name, "the same light at three distances, with much ambient light")
         });
     }
-    all.push(Situation {
+    all.push(TestScene {
         world_from_model: placed([0.6, 0.4, -0.5], [20.0, -40.0, 30.0], [0.7, 0.5, 0.9]),
         eye: Vec3::new(-1.6, -0.9, -2.2),
         target: Vec3::new(0.6, 0.4, -0.5),
@@ -219,7 +219,7 @@ pub fn lit() -> Vec<Situation> {
         light: Light { position: Vec3::new(-1.5, 1.2, -2.0), ..LAB_LIGHT },
         ..base("turned", "another camera, turned and tilted")
     });
-    all.push(Situation {
+    all.push(TestScene {
         shape: Shape::Sphere,
         world_from_model: placed([-0.5, -0.4, -0.4], [0.0, 30.0, 40.0], [0.5, 0.8, 0.6]),
         eye: Vec3::new(0.4, -0.2, 2.2),
@@ -236,9 +236,9 @@ pub fn lit() -> Vec<Situation> {
 }
 
 /// For programs with several lights: two of different place and strength, and the second one alone.
-pub fn lit_by_two() -> Vec<Situation> {
+pub fn lit_by_two() -> Vec<TestScene> {
     let other = Light { position: Vec3::new(-1.3, 0.4, 1.5), ambient: 0.04, diffuse: 0.35, specular: 0.6, ..LAB_LIGHT };
-    let both = Situation {
+    let both = TestScene {
         world_from_model: placed([0.4, -0.3, -0.6], [35.0, 50.0, 20.0], [0.7, 1.0, 0.5]),
         eye: Vec3::new(1.4, 0.7, 2.2),
         target: Vec3::new(0.4, -0.3, -0.6),
@@ -256,13 +256,13 @@ pub fn lit_by_two() -> Vec<Situation> {
 }
 
 /// The same with one of the terms alone, for verdicts term by term. Of use where strengths are given from outside.
-pub fn isolated(whole: &[Situation]) -> Vec<Situation> {
+pub fn isolated(whole: &[TestScene]) -> Vec<TestScene> {
     let mut all = Vec::new();
-    for situation in whole.iter().filter(|s| ["stretched", "behind", "turned"].contains(&s.name.as_str())) {
+    for test_scene in whole.iter().filter(|s| ["stretched", "behind", "turned"].contains(&s.name.as_str())) {
         for (term, kept) in [("ambient", [1.0, 0.0, 0.0]), ("diffuse", [0.0, 1.0, 0.0]), ("specular", [0.0, 0.0, 1.0])]
         {
-            let mut alone = situation.clone();
-            alone.name = format!("{}, {term} alone", situation.name);
+            let mut alone = test_scene.clone();
+            alone.name = format!("{}, {term} alone", test_scene.name);
             alone.shows = "one term alone";
             let light = &mut alone.light;
             light.ambient *= kept[0];
@@ -275,23 +275,23 @@ pub fn isolated(whole: &[Situation]) -> Vec<Situation> {
 }
 
 /// For mirrors and glass.
-pub fn mirrored() -> Vec<Situation> {
+pub fn mirrored() -> Vec<TestScene> {
     vec![
-        Situation { shape: Shape::Sphere, ..base("front", "a sphere in the middle") },
-        Situation {
+        TestScene { shape: Shape::Sphere, ..base("front", "a sphere in the middle") },
+        TestScene {
             world_from_model: placed([0.4, -0.3, -0.6], [35.0, 50.0, 20.0], [0.6, 1.2, 0.3]),
             eye: Vec3::new(1.9, 1.1, 2.0),
             target: Vec3::new(0.4, -0.3, -0.6),
             ..base("stretched", "a model that is stretched, turned and moved")
         },
-        Situation {
+        TestScene {
             shape: Shape::Sphere,
             world_from_model: placed([-1.5, 0.8, 0.6], [10.0, 20.0, 0.0], [0.5; 3]),
             eye: Vec3::new(-0.7, 0.3, 2.6),
             target: Vec3::new(-1.5, 0.8, 0.6),
             ..base("coarse", "a coarse sphere at half its size, away from the origin")
         },
-        Situation {
+        TestScene {
             world_from_model: placed([0.6, 0.4, -0.5], [20.0, -40.0, 30.0], [0.7, 0.5, 0.9]),
             eye: Vec3::new(-1.6, -0.9, -2.2),
             target: Vec3::new(0.6, 0.4, -0.5),
@@ -303,8 +303,8 @@ pub fn mirrored() -> Vec<Situation> {
 }
 
 /// For skies: cameras that look elsewhere, and one that has moved.
-pub fn skies() -> Vec<Situation> {
-    let sky = |name: &str, shows, eye: [f32; 3], towards: [f32; 3], up: [f32; 3]| Situation {
+pub fn skies() -> Vec<TestScene> {
+    let sky = |name: &str, shows, eye: [f32; 3], towards: [f32; 3], up: [f32; 3]| TestScene {
         shape: Shape::Cube,
         eye: eye.into(),
         target: Vec3::from(eye) + Vec3::from(towards),
@@ -321,9 +321,9 @@ pub fn skies() -> Vec<Situation> {
 }
 
 /// For cameras: turned, above, tilted, off centre, on models far from the identity.
-pub fn cameras() -> Vec<Situation> {
+pub fn cameras() -> Vec<TestScene> {
     let model = placed([0.3, -0.2, -0.4], [40.0, 25.0, 15.0], [0.8, 1.1, 0.6]);
-    let camera = |name: &str, shows, eye: [f32; 3], target: [f32; 3], up: [f32; 3]| Situation {
+    let camera = |name: &str, shows, eye: [f32; 3], target: [f32; 3], up: [f32; 3]| TestScene {
         shape: Shape::Landmarks,
         world_from_model: model,
         eye: eye.into(),
@@ -340,7 +340,7 @@ pub fn cameras() -> Vec<Situation> {
             [0.2, -0.1, -0.4],
             [0.0, 1.0, 0.0],
         ),
-        Situation {
+        TestScene {
             world_from_model: placed([-0.4, 0.2, 0.1], [-70.0, 10.0, -30.0], [0.7; 3]),
             ..camera(
                 "above",
@@ -351,7 +351,7 @@ pub fn cameras() -> Vec<Situation> {
             )
         },
         camera("tilted", "a tilted head: up is not Y", [-0.9, -0.5, -1.2], [0.5, 0.2, -0.3], [0.48, 0.8, 0.36]),
-        Situation {
+        TestScene {
             world_from_model: placed([2.0, -1.1, 0.6], [15.0, -35.0, 60.0], [0.9, 0.6, 1.2]),
             ..camera(
                 "off centre",
@@ -361,7 +361,7 @@ pub fn cameras() -> Vec<Situation> {
                 [0.0, 1.0, 0.0],
             )
         },
-        Situation {
+        TestScene {
             shape: Shape::Pyramid,
             world_from_model: Mat4::IDENTITY,
             ..camera(
@@ -372,7 +372,7 @@ pub fn cameras() -> Vec<Situation> {
                 [0.0, 1.0, 0.0],
             )
         },
-        Situation {
+        TestScene {
             shape: Shape::Pyramid,
             world_from_model: Mat4::IDENTITY,
             ..camera(
@@ -383,7 +383,7 @@ pub fn cameras() -> Vec<Situation> {
                 [0.0, 1.0, 0.0],
             )
         },
-        Situation {
+        TestScene {
             world_from_model: placed([0.1, 0.3, -0.2], [200.0, 0.0, 0.0], [1.0, 1.0, 1.0]),
             ..camera(
                 "behind",
@@ -393,7 +393,7 @@ pub fn cameras() -> Vec<Situation> {
                 [0.0, 1.0, 0.0],
             )
         },
-        Situation {
+        TestScene {
             world_from_model: placed([0.0, 0.1, 0.0], [30.0, 0.0, 0.0], [0.5; 3]),
             ..camera("close", "close to the pyramid", [0.5, 0.3, 0.7], [-0.4, -0.1, -0.5], [0.0, 1.0, 0.0])
         },
@@ -401,7 +401,7 @@ pub fn cameras() -> Vec<Situation> {
 }
 
 /// What the camera of a cubemap's face sees, of OpenGL's order: 90 degrees, from the origin.
-pub fn face(face: usize) -> Situation {
+pub fn face(face: usize) -> TestScene {
     let (ahead, up) = match face {
         0 => (Vec3::X, Vec3::NEG_Y),
         1 => (Vec3::NEG_X, Vec3::NEG_Y),
@@ -410,7 +410,7 @@ pub fn face(face: usize) -> Situation {
         4 => (Vec3::Z, Vec3::NEG_Y),
         _ => (Vec3::NEG_Z, Vec3::NEG_Y),
     };
-    Situation {
+    TestScene {
         shape: Shape::Cube,
         eye: Vec3::ZERO,
         target: ahead,

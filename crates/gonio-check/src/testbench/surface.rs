@@ -1,7 +1,7 @@
-//! Which triangle each pixel of a situation shows, and where on it: the driver's own answer, asked once.
+//! Which triangle each pixel of a test scene shows, and where on it: the driver's own answer, asked once.
 
-use super::atlas::{Stage, TILE};
-use super::{Sheet, Situation};
+use super::atlas::{TILE, Testbench};
+use super::{Atlas, TestScene};
 use crate::interpreter::{Drawn, Points, Value};
 use gonio_gl::{Gl, GlError};
 use gonio_render::user_program::{Stream, StreamMesh, UserProgram};
@@ -10,17 +10,17 @@ use std::rc::Rc;
 /// The pixels that a way of placing vertices draws.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Surface {
-    /// Situation by situation: which vertices each pixel lies between.
+    /// Situation by test scene: which vertices each pixel lies between.
     pub drawn: Drawn,
     /// Of each of these pixels: its number in a sheet.
     pub places: Vec<u32>,
 }
 
 impl Surface {
-    /// Those of its pixels that are kept, of the first situations.
-    pub fn filtered(&self, situations: usize, keep: impl Fn(u32) -> bool) -> Surface {
+    /// Those of its pixels that are kept, of the first test scenes.
+    pub fn filtered(&self, test_scenes: usize, keep: impl Fn(u32) -> bool) -> Surface {
         let mut kept = Surface::default();
-        for span in self.drawn.spans.iter().take(situations) {
+        for span in self.drawn.spans.iter().take(test_scenes) {
             let start = kept.places.len();
             for index in span.clone().filter(|&index| keep(self.places[index])) {
                 kept.places.push(self.places[index]);
@@ -77,8 +77,8 @@ fn sources(place: &str) -> [String; 2] {
     [vertex, fragment.to_owned()]
 }
 
-impl Stage {
-    /// Which pixels are drawn where a model writes `place` to `gl_Position`, in all situations. Asked once of the driver.
+impl Testbench {
+    /// Which pixels are drawn where a model writes `place` to `gl_Position`, in all test scenes. Asked once of the driver.
     pub fn surface(&self, place: &str) -> Result<Rc<Surface>, GlError> {
         if let Some(known) = self.surfaces.borrow().get(place) {
             return Ok(Rc::clone(known));
@@ -99,25 +99,25 @@ impl Stage {
             .collect();
         self.target.begin();
         program.bind();
-        for (tile, situation) in self.situations().iter().enumerate() {
-            program.set("M", &situation.world_from_model.to_cols_array());
-            program.set("V", &situation.view_from_world().to_cols_array());
-            program.set("P", &situation.clip_from_view().to_cols_array());
+        for (tile, test_scene) in self.test_scenes().iter().enumerate() {
+            program.set("M", &test_scene.world_from_model.to_cols_array());
+            program.set("V", &test_scene.view_from_world().to_cols_array());
+            program.set("P", &test_scene.clip_from_view().to_cols_array());
             self.target.select(tile);
-            self.numbered.meshes[situation.shape.index()].draw(&program, &feed);
+            self.numbered.meshes[test_scene.shape.index()].draw(&program, &feed);
         }
         if let Some(error) = self.target.error() {
             return Err(error);
         }
-        let pixels = self.target.read(self.situations().len());
-        Ok(self.read(&Sheet { pixels }))
+        let pixels = self.target.read(self.test_scenes().len());
+        Ok(self.read(&Atlas { pixels }))
     }
 
-    fn read(&self, seen: &Sheet) -> Surface {
+    fn read(&self, seen: &Atlas) -> Surface {
         let mut surface = Surface::default();
         let mut first_vertex = 0;
-        for (tile, situation) in self.situations().iter().enumerate() {
-            let indices = &self.numbered.indices[situation.shape.index()];
+        for (tile, test_scene) in self.test_scenes().iter().enumerate() {
+            let indices = &self.numbered.indices[test_scene.shape.index()];
             let start = surface.places.len();
             for (index, pixel) in seen.tile(tile).iter().enumerate().filter(|(_, p)| p[3] >= 0.0) {
                 let triangle = pixel[3].round() as usize * 3;
@@ -127,20 +127,20 @@ impl Stage {
                 surface.drawn.shares.push([pixel[0], pixel[1], pixel[2]]);
             }
             surface.drawn.spans.push(start..surface.places.len());
-            first_vertex += vertices(situation) as u32;
+            first_vertex += vertices(test_scene) as u32;
         }
         surface
     }
 
-    /// The vertices of the first situations' meshes, one after the other.
-    pub fn points(&self, situations: usize) -> Points {
+    /// The vertices of the first test scenes' meshes, one after the other.
+    pub fn points(&self, test_scenes: usize) -> Points {
         let mut spans = Vec::new();
         let mut planes = [vec![Vec::new(); 3], vec![Vec::new(); 3]];
         let mut count = 0;
-        for situation in self.situations().iter().take(situations) {
-            let mesh = situation.shape.mesh();
+        for test_scene in self.test_scenes().iter().take(test_scenes) {
+            let mesh = test_scene.shape.mesh();
             let start = count;
-            count += vertices(situation);
+            count += vertices(test_scene);
             spans.push(start..count);
             for (planes, numbers) in planes.iter_mut().zip([&mesh.positions, &mesh.normals]) {
                 for vertex in numbers.chunks_exact(3) {
@@ -154,6 +154,6 @@ impl Stage {
     }
 }
 
-fn vertices(situation: &Situation) -> usize {
-    situation.shape.mesh().positions.len() / 3
+fn vertices(test_scene: &TestScene) -> usize {
+    test_scene.shape.mesh().positions.len() / 3
 }

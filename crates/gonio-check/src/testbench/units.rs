@@ -1,6 +1,6 @@
 //! Which texture each sampler of a program reads.
 
-use crate::roles::{Bindings, Kind};
+use crate::roles::{Bindings, VariableKind};
 use gonio_render::user_program::UserProgram;
 
 /// Where the sky is.
@@ -35,7 +35,7 @@ pub fn unit(glsl_type: &str) -> Option<u32> {
 
 /// The numbers and units of all samplers of a program, of those too that nothing is known of.
 pub fn samplers(program: &UserProgram, bindings: &Bindings) -> Vec<(usize, Vec<f32>)> {
-    let unknown = bindings.unknown.iter().filter(|declared| declared.kind == Kind::Uniform);
+    let unknown = bindings.unknown.iter().filter(|declared| declared.kind == VariableKind::Uniform);
     let all = bindings.bound.iter().map(|bound| &bound.declared).chain(unknown);
     all.filter_map(|declared| {
         let elements = declared.array.clamp(1, MOST_ELEMENTS) as usize;

@@ -1,20 +1,20 @@
-//! What a uniform of a known meaning holds in a situation.
+//! What a uniform of a known meaning holds in a test scene.
 
-use super::Situation;
+use super::TestScene;
 use crate::roles::Role;
 use glam::{Mat4, Vec3};
 
-/// The numbers for a uniform of this meaning and type; `None` where the situation has nothing to say of it.
-pub fn numbers(role: Role, glsl_type: &str, situation: &Situation) -> Option<Vec<f32>> {
+/// The numbers for a uniform of this meaning and type; `None` where the test scene has nothing to say of it.
+pub fn numbers(role: Role, glsl_type: &str, test_scene: &TestScene) -> Option<Vec<f32>> {
     // Lights that a program has besides are dark.
-    let light_of = |index: u32| match (index, situation.other) {
-        (0, _) => situation.light,
+    let light_of = |index: u32| match (index, test_scene.other) {
+        (0, _) => test_scene.light,
         (1, Some(other)) => other,
-        _ => situation.light.dark(),
+        _ => test_scene.light.dark(),
     };
-    let view = situation.view_from_world();
-    let model = situation.world_from_model;
-    let projection = situation.clip_from_view();
+    let view = test_scene.view_from_world();
+    let model = test_scene.world_from_model;
+    let projection = test_scene.clip_from_view();
     let matrix = |m: Mat4| match glsl_type {
         "mat3" => glam::Mat3::from_mat4(m).to_cols_array().to_vec(),
         _ => m.to_cols_array().to_vec(),
@@ -34,21 +34,21 @@ pub fn numbers(role: Role, glsl_type: &str, situation: &Situation) -> Option<Vec
         Role::ModelView => matrix(view * model),
         Role::ViewProjection => matrix(projection * view),
         Role::ModelViewProjection => matrix(projection * view * model),
-        Role::NormalMatrix => matrix(situation.normal_matrix()),
-        Role::NormalMatrixOfModelView => matrix(Mat4::from_mat3(situation.view_normal_matrix())),
-        Role::ViewPos => point(situation.eye),
-        Role::ViewFront => direction(situation.front()),
-        Role::WorldUp => direction(situation.up.normalize()),
-        Role::ViewRight => direction(situation.right()),
-        Role::ViewUp => direction(situation.right().cross(situation.front())),
-        Role::ViewTarget => point(situation.target),
-        Role::Yaw => vec![situation.front().z.atan2(situation.front().x).to_degrees()],
-        Role::Pitch => vec![situation.front().y.asin().to_degrees()],
+        Role::NormalMatrix => matrix(test_scene.normal_matrix()),
+        Role::NormalMatrixOfModelView => matrix(Mat4::from_mat3(test_scene.view_normal_matrix())),
+        Role::ViewPos => point(test_scene.eye),
+        Role::ViewFront => direction(test_scene.front()),
+        Role::WorldUp => direction(test_scene.up.normalize()),
+        Role::ViewRight => direction(test_scene.right()),
+        Role::ViewUp => direction(test_scene.right().cross(test_scene.front())),
+        Role::ViewTarget => point(test_scene.target),
+        Role::Yaw => vec![test_scene.front().z.atan2(test_scene.front().x).to_degrees()],
+        Role::Pitch => vec![test_scene.front().y.asin().to_degrees()],
         Role::LightPos(index) => point(light_of(index).position),
         Role::LightPosInView(index) => point(view.transform_point3(light_of(index).position)),
         Role::LightDirection(index) => {
             let light = light_of(index);
-            let from_light = (situation.world_from_model.w_axis.truncate() - light.position).normalize();
+            let from_light = (test_scene.world_from_model.w_axis.truncate() - light.position).normalize();
             direction(if light.points_to_light { -from_light } else { from_light })
         }
         Role::LightColor(index) => grey(light_of(index).brightness),
@@ -59,17 +59,17 @@ pub fn numbers(role: Role, glsl_type: &str, situation: &Situation) -> Option<Vec
         Role::AttenuationLinear(index) => grey(light_of(index).attenuation[1]),
         Role::AttenuationQuadratic(index) => grey(light_of(index).attenuation[2]),
         Role::Attenuation(index) => light_of(index).attenuation.to_vec(),
-        Role::LightCount => vec![if situation.other.is_some() { 2.0 } else { 1.0 }],
-        Role::Shininess => grey(situation.shininess),
+        Role::LightCount => vec![if test_scene.other.is_some() { 2.0 } else { 1.0 }],
+        Role::Shininess => grey(test_scene.shininess),
         Role::MaterialColor | Role::MaterialAmbient | Role::MaterialDiffuse | Role::MaterialSpecular => match glsl_type
         {
             "float" => vec![1.0],
-            _ => colour(situation.material),
+            _ => colour(test_scene.material),
         },
         Role::Emitted => colour(Vec3::ZERO),
-        Role::RefractionIndex => grey(situation.refraction_index),
-        Role::RefractionRatio => grey(1.0 / situation.refraction_index),
-        Role::Time => grey(situation.time),
+        Role::RefractionIndex => grey(test_scene.refraction_index),
+        Role::RefractionRatio => grey(1.0 / test_scene.refraction_index),
+        Role::Time => grey(test_scene.time),
         Role::Gamma => grey(1.0),
         _ => return None,
     })
@@ -77,18 +77,18 @@ pub fn numbers(role: Role, glsl_type: &str, situation: &Situation) -> Option<Vec
 
 /// The numbers of an array, element after element: those of lights are the lights' from the first on, others hold all the
 /// same.
-pub fn numbers_of_array(role: Role, glsl_type: &str, elements: u32, situation: &Situation) -> Option<Vec<f32>> {
+pub fn numbers_of_array(role: Role, glsl_type: &str, elements: u32, test_scene: &TestScene) -> Option<Vec<f32>> {
     if elements <= 1 {
-        return numbers(role, glsl_type, situation);
+        return numbers(role, glsl_type, test_scene);
     }
     let size = match glsl_type.strip_prefix("vec").and_then(|digits| digits.parse().ok()) {
         Some(size) => size,
-        None => numbers(role, glsl_type, situation)?.len(),
+        None => numbers(role, glsl_type, test_scene)?.len(),
     };
     let first = role.light().unwrap_or(0);
     // No driver has more uniforms.
     let elements = (0..elements.min(256)).map(|element| {
-        let mut numbers = numbers(role.with_light(first.saturating_add(element)), glsl_type, situation)?;
+        let mut numbers = numbers(role.with_light(first.saturating_add(element)), glsl_type, test_scene)?;
         numbers.resize(size, 0.0);
         Some(numbers)
     });

@@ -2,12 +2,13 @@
 
 use super::buffer::{Buffer, Reading};
 use super::expected::{Expected, Hypothesis};
-use super::fit::{Fit, Given, closed_key, corner_keys, fit, matches};
+use super::findings::{BufferFindings, BufferMistake, Example, Shares};
+use super::fit::{Fit, SubmittedTriangles, closed_key, corner_keys, fit, matches};
 use super::keys::{join, triangle};
 use super::mistakes::{MISTAKES, Mistake};
 use super::same::{self, Left};
-use super::verdict::{BufferMistake, BufferVerdict, Example, Shares, Verdict};
 use super::vertex::{Attributes, Vertex};
+use gonio_check::verdict::Outcome;
 
 /// What a mistake must explain to be named: triangles in both buffers by those in either. Below it, nothing is said but
 /// that the buffer is wrong. Set by the exercise.
@@ -17,7 +18,7 @@ const ENOUGH: f64 = 0.95;
 const FEW_DIGITS: f64 = 5e-3;
 
 /// Compares a buffer with what gonio-mesh reads.
-pub fn compare(expected: &Expected, buffer: &Buffer) -> BufferVerdict {
+pub fn compare(expected: &Expected, buffer: &Buffer) -> BufferFindings {
     let reading = likely_reading(expected, buffer);
     let mut comparison = Comparison::new(expected, &reading);
     comparison.warnings.extend(buffer.warnings.iter().cloned());
@@ -38,7 +39,7 @@ pub fn choose<'a>(models: &'a [(String, Expected)], name: &str, buffer: &Buffer)
             let reading = likely_reading(expected, buffer);
             let [all, positions] = [true, false].map(|all| {
                 let compared = if all { expected.has.and(reading.has) } else { Attributes::default() };
-                let given = Given::new(&triangles_of(&reading), &expected.keys, compared);
+                let given = SubmittedTriangles::new(&triangles_of(&reading), &expected.keys, compared);
                 share_of(&expected_keys(expected, compared), &given)
             });
             all + positions + 1e-3 * known(expected, &reading)
@@ -56,7 +57,7 @@ fn known(expected: &Expected, reading: &Reading) -> f64 {
 fn likely_reading(expected: &Expected, buffer: &Buffer) -> Reading {
     let score = |reading: &Reading| {
         let compared = expected.has.and(reading.has);
-        let given = Given::new(&triangles_of(reading), &expected.keys, compared);
+        let given = SubmittedTriangles::new(&triangles_of(reading), &expected.keys, compared);
         let right = share_of(&expected_keys(expected, compared), &given);
         let has_all_rows = reading.vertices.len() == 3 * expected.triangles.len();
         // Right triangles decide. In a wrong buffer the numbers do, then how many rows there are and whether the
@@ -85,7 +86,7 @@ fn expected_keys(expected: &Expected, compared: Attributes) -> Vec<u64> {
     keys
 }
 
-fn share_of(expected: &[u64], given: &Given) -> f64 {
+fn share_of(expected: &[u64], given: &SubmittedTriangles) -> f64 {
     let matched = matches(expected, &given.keys, |_| {});
     matched as f64 / expected.len().max(given.keys.len()).max(1) as f64
 }
@@ -94,7 +95,7 @@ struct Comparison<'a> {
     expected: &'a Expected,
     compared: Attributes,
     triangles: Vec<[Vertex; 3]>,
-    given: Given,
+    given: SubmittedTriangles,
     /// Columns that the model has and the buffer has not.
     lacking: Vec<&'static Mistake>,
     warnings: Vec<String>,
@@ -105,7 +106,7 @@ impl<'a> Comparison<'a> {
     fn new(expected: &'a Expected, reading: &Reading) -> Self {
         let compared = expected.has.and(reading.has);
         let triangles = triangles_of(reading);
-        let given = Given::new(&triangles, &expected.keys, compared);
+        let given = SubmittedTriangles::new(&triangles, &expected.keys, compared);
         let mut warnings = Vec::new();
         if !reading.vertices.len().is_multiple_of(3) {
             warnings.push(format!(
@@ -135,7 +136,7 @@ impl<'a> Comparison<'a> {
             };
             let mut keys: Vec<u64> = self.expected.triangles.iter().map(|t| key(blank(&t.vertices))).collect();
             keys.sort_unstable();
-            share_of(&keys, &Given::new(&given, &self.expected.keys, compared))
+            share_of(&keys, &SubmittedTriangles::new(&given, &self.expected.keys, compared))
         };
         let nothing = Attributes::default();
         let only_tex_coords = Attributes { tex_coords: true, ..nothing };
@@ -151,7 +152,7 @@ impl<'a> Comparison<'a> {
         }
     }
 
-    fn verdict(mut self) -> BufferVerdict {
+    fn verdict(mut self) -> BufferFindings {
         let left = same::left(self.expected, &self.triangles, &self.given, self.compared);
         if left.is_nothing() {
             return self.only_lacking();
@@ -169,10 +170,10 @@ impl<'a> Comparison<'a> {
     }
 
     /// Everything that can be compared is right.
-    fn only_lacking(self) -> BufferVerdict {
-        let verdict = if self.lacking.is_empty() { Verdict::Correct } else { Verdict::Wrong };
+    fn only_lacking(self) -> BufferFindings {
+        let verdict = if self.lacking.is_empty() { Outcome::Correct } else { Outcome::Wrong };
         let mistakes = self.lacking.iter().map(|mistake| in_words(mistake, 1.0, None)).collect();
-        BufferVerdict {
+        BufferFindings {
             verdict,
             mistakes,
             alternatives: Vec::new(),
@@ -220,7 +221,7 @@ impl<'a> Comparison<'a> {
         (!best.hypotheses.is_empty()).then_some(best)
     }
 
-    fn explained(self, mut best: Best<'a>, left: &Left) -> BufferVerdict {
+    fn explained(self, mut best: Best<'a>, left: &Left) -> BufferFindings {
         // Equally good: likely mistakes first, which is their order in the table.
         best.hypotheses.sort_by(|a, b| a.wrong.mistakes.cmp(&b.wrong.mistakes));
         let named = best.hypotheses[0];
@@ -244,11 +245,11 @@ impl<'a> Comparison<'a> {
                 alternatives.push(ids);
             }
         }
-        let verdict = if mistakes.is_empty() { Verdict::Correct } else { Verdict::Wrong };
-        BufferVerdict { verdict, mistakes, alternatives, warnings, example, shares: self.shares }
+        let verdict = if mistakes.is_empty() { Outcome::Correct } else { Outcome::Wrong };
+        BufferFindings { verdict, mistakes, alternatives, warnings, example, shares: self.shares }
     }
 
-    fn unexplained(mut self, left: &Left) -> BufferVerdict {
+    fn unexplained(mut self, left: &Left) -> BufferFindings {
         let vertices: Vec<Vertex> = self.triangles.iter().flatten().copied().collect();
         // Half of the positions' numbers are nowhere in the file.
         let is_foreign = self.expected.keys.share_known(&vertices, Attributes::default()) < 0.5;
@@ -257,8 +258,8 @@ impl<'a> Comparison<'a> {
                 .push("most of its numbers are not in the model's file: is it the buffer of another model?".to_owned());
         }
         let example = self.example(left, None);
-        BufferVerdict {
-            verdict: if is_foreign { Verdict::Unsure } else { Verdict::Wrong },
+        BufferFindings {
+            verdict: if is_foreign { Outcome::Unsure } else { Outcome::Wrong },
             mistakes: self.lacking.iter().map(|mistake| in_words(mistake, 1.0, None)).collect(),
             alternatives: Vec::new(),
             warnings: self.warnings,
@@ -321,7 +322,7 @@ fn in_words(mistake: &Mistake, share_explained: f64, example: Option<Example>) -
         id: words.id,
         name: words.name,
         explanation: words.explanation,
-        how_to_mend: words.how_to_mend,
+        how_to_fix: words.how_to_fix,
         share_explained,
         example,
     }

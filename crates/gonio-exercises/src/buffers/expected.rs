@@ -3,15 +3,15 @@
 use super::fit::Triangles;
 use super::keys::Keys;
 use super::mistakes::{self, WrongReader};
+use super::obj_lines::ObjLines;
 use super::reader::{Reader, Triangle};
-use super::source::Source;
 use super::vertex::{Attributes, Vertex, unit};
 use gonio_mesh::{Limits, Mesh, NoSidecars, ReadError};
 use std::sync::OnceLock;
 
 /// A model's vertex buffer as gonio-mesh reads it, with all that is needed to compare others with it.
 pub struct Expected {
-    pub(super) source: Source,
+    pub(super) source: ObjLines,
     pub(super) triangles: Vec<ExpectedTriangle>,
     pub(super) has: Attributes,
     pub(super) keys: Keys,
@@ -43,9 +43,9 @@ const MOST_FOR_PAIRS: usize = 3000;
 
 impl Expected {
     /// Reads a model.
-    pub fn of_obj(bytes: &[u8]) -> Result<Self, ReadError> {
+    pub fn from_obj(bytes: &[u8]) -> Result<Self, ReadError> {
         let model = gonio_mesh::obj::read(bytes, &mut NoSidecars, &Limits::default())?;
-        let source = Source::parse(bytes);
+        let source = ObjLines::parse(bytes);
         let mesh = model.mesh;
         let has = Attributes { tex_coords: !mesh.tex_coords.is_empty(), normals: !mesh.normals.is_empty() };
         let keys = Keys::new(&source);
@@ -91,7 +91,7 @@ impl Expected {
     }
 
     fn hypotheses(&self, wrong: WrongReader, compared: Attributes) -> Vec<Hypothesis> {
-        let all = Triangles::of(&wrong.reader, &self.source, &self.keys, compared);
+        let all = Triangles::read(&wrong.reader, &self.source, &self.keys, compared);
         all.into_iter().map(|made| Hypothesis { wrong: wrong.clone(), made }).collect()
     }
 }
@@ -118,7 +118,7 @@ fn closed(made: &Triangle) -> Option<ExpectedTriangle> {
 fn is_same(a: &[ExpectedTriangle], b: &[ExpectedTriangle], keys: &Keys, compared: Attributes) -> bool {
     let given = |triangles: &[ExpectedTriangle]| {
         let vertices: Vec<[Vertex; 3]> = triangles.iter().map(|triangle| triangle.vertices).collect();
-        super::fit::Given::new(&vertices, keys, compared).print
+        super::fit::SubmittedTriangles::new(&vertices, keys, compared).print
     };
     a.len() == b.len() && given(a) == given(b)
 }

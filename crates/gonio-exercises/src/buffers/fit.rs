@@ -1,8 +1,8 @@
 //! How well the buffer of a wrong reader fits the student's.
 
 use super::keys::{CornerKeys, Keys, join, mix, triangle};
+use super::obj_lines::ObjLines;
 use super::reader::{Corner, Reader, Triangle};
-use super::source::Source;
 use super::vertex::{Attributes, Vertex};
 
 /// A reader's triangles as keys.
@@ -28,7 +28,7 @@ enum Behind {
 impl Triangles {
     /// What may come of a reader: first the triangles with all that may be there behind the ends of lists left open;
     /// if there are such, also what usually is there.
-    pub(super) fn of(reader: &Reader, source: &Source, keys: &Keys, compared: Attributes) -> Vec<Self> {
+    pub(super) fn read(reader: &Reader, source: &ObjLines, keys: &Keys, compared: Attributes) -> Vec<Self> {
         let made = reader.read(source);
         let open = Self::new(&made, keys, compared, None);
         if open.open.is_empty() {
@@ -84,14 +84,14 @@ fn print(keys: &[u64]) -> u64 {
 }
 
 /// The student's triangles.
-pub(super) struct Given {
+pub(super) struct SubmittedTriangles {
     pub(super) corners: Vec<[[u64; 3]; 3]>,
     /// Keys, rising, with the triangles' numbers.
     pub(super) keys: Vec<(u64, usize)>,
     pub(super) print: u64,
 }
 
-impl Given {
+impl SubmittedTriangles {
     pub(super) fn new(triangles: &[[Vertex; 3]], keys: &Keys, compared: Attributes) -> Self {
         let corners: Vec<[[u64; 3]; 3]> =
             triangles.iter().map(|corners| corners.map(|vertex| keys.vertex(&vertex, compared))).collect();
@@ -99,7 +99,7 @@ impl Given {
             corners.iter().enumerate().map(|(number, corners)| (triangle(corners.map(join)), number)).collect();
         keys.sort_unstable();
         let print = keys.iter().fold(0, |sum: u64, (key, _)| sum.wrapping_add(mix(*key)));
-        Given { corners, keys, print }
+        SubmittedTriangles { corners, keys, print }
     }
 }
 
@@ -116,7 +116,7 @@ pub(super) struct Fit {
 const MOST_TRIALS: usize = 4_000_000;
 
 /// Compares a reader's triangles with the student's; none where they cannot reach `least`.
-pub(super) fn fit(made: &Triangles, given: &Given, least: f64) -> Option<Fit> {
+pub(super) fn fit(made: &Triangles, given: &SubmittedTriangles, least: f64) -> Option<Fit> {
     let (most, fewest) = (made.keys.len() + made.open.len(), given.keys.len());
     let bound = most.min(fewest) as f64 / made.keys.len().max(fewest).max(1) as f64;
     if bound < least {

@@ -1,8 +1,8 @@
 //! Vertices and triangles as numbers that are equal where the vertices are equal within the tolerance, so that buffers
 //! can be compared as sets, whatever their order.
 
+use super::obj_lines::ObjLines;
 use super::reader::Corner;
-use super::source::Source;
 use super::vertex::{Attributes, Vertex, unit};
 
 /// How far numbers may lie apart, in parts of the model's largest coordinate (of 1 for texture coordinates and normals):
@@ -69,7 +69,7 @@ pub(super) struct Keys {
 }
 
 impl Keys {
-    pub(super) fn new(source: &Source) -> Self {
+    pub(super) fn new(source: &ObjLines) -> Self {
         let largest = source.positions.iter().flatten().fold(0.0, |a: f32, b| a.max(b.abs()));
         let scale = if largest > 0.0 && largest.is_finite() { f64::from(largest) } else { 1.0 };
         let with_signs = |value: f32| [value, -value, value.trunc(), -value.trunc(), 0.0];

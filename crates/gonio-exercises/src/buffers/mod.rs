@@ -9,26 +9,26 @@ mod compare;
 mod cut;
 mod error;
 mod expected;
+mod findings;
 mod fit;
 mod json;
 mod keys;
 mod mistakes;
+mod obj_lines;
 mod raw;
 mod reader;
 mod same;
-mod source;
 mod table;
 #[cfg(test)]
 mod tests;
-mod verdict;
 mod vertex;
 
 pub use buffer::{Buffer, MOST_BYTES, read_buffer};
 pub use compare::{choose, compare};
 pub use error::BufferError;
 pub use expected::Expected;
+pub use findings::{BufferFindings, BufferMistake, Example, Shares};
 pub use mistakes::{MistakeName, names};
-pub use verdict::{BufferMistake, BufferVerdict, Example, Shares, Verdict};
 pub use vertex::{Attributes, Vertex};
 
 /// Endings of buffers among other files; raw floats have no beginning by which they could be known.

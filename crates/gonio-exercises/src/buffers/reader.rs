@@ -1,6 +1,6 @@
 //! A reader of OBJ files with switches: each switch is a mistake that students make. With none set it reads rightly.
 
-use super::source::{Face, Slots, Source};
+use super::obj_lines::{Face, ObjLines, Slots};
 use super::vertex::unit;
 
 /// How to read. The default is right.
@@ -132,7 +132,7 @@ pub(super) struct Corner {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Triangle {
     pub(super) corners: [Corner; 3],
-    /// Its place in [`Source::faces`]; none where faces were not followed.
+    /// Its place in [`ObjLines::faces`]; none where faces were not followed.
     pub(super) face: Option<usize>,
 }
 
@@ -147,7 +147,7 @@ enum Target {
 
 impl Reader {
     /// The triangles that this reader makes of a file.
-    pub(super) fn read(&self, source: &Source) -> Vec<Triangle> {
+    pub(super) fn read(&self, source: &ObjLines) -> Vec<Triangle> {
         if self.order == Order::FacesIgnored {
             return self.faces_ignored(source);
         }
@@ -167,7 +167,7 @@ impl Reader {
         }
     }
 
-    fn faces<'a>(&self, source: &'a Source) -> impl Iterator<Item = (usize, &'a Face)> {
+    fn faces<'a>(&self, source: &'a ObjLines) -> impl Iterator<Item = (usize, &'a Face)> {
         let this = self.clone();
         let object = match self.objects {
             None => None,
@@ -186,7 +186,7 @@ impl Reader {
         })
     }
 
-    fn targets(&self, source: &Source, face: &Face, slots: &Slots) -> [Target; 3] {
+    fn targets(&self, source: &ObjLines, face: &Face, slots: &Slots) -> [Target; 3] {
         let [v, vt, vn] = *slots;
         let slots = match self.slots {
             SlotUse::Right => [v, vt, vn],
@@ -196,7 +196,7 @@ impl Reader {
         std::array::from_fn(|kind| slots[kind].map_or(Target::Empty, |index| self.target(source, face, kind, index)))
     }
 
-    fn target(&self, source: &Source, face: &Face, kind: usize, index: i64) -> Target {
+    fn target(&self, source: &ObjLines, face: &Face, kind: usize, index: i64) -> Target {
         let total = [source.positions.len(), source.tex_coords.len(), source.normals.len()][kind];
         let index = if self.negative == Negative::Positive { index.saturating_abs() } else { index };
         let before = match self.negative {
@@ -213,7 +213,7 @@ impl Reader {
         usize::try_from(place).ok().filter(|place| *place < total).map_or(Target::Nowhere, Target::At)
     }
 
-    fn corner(&self, source: &Source, targets: &[Target; 3], first: &[Target; 3]) -> Corner {
+    fn corner(&self, source: &ObjLines, targets: &[Target; 3], first: &[Target; 3]) -> Corner {
         let position = match targets[0] {
             Target::At(place) => source.positions.get(place).map(|p| self.turn(self.cut(*p))),
             _ => None,
@@ -274,7 +274,7 @@ impl Reader {
         Triangle { corners, face }
     }
 
-    fn triangles(&self, source: &Source, faces: &[(usize, Vec<[Target; 3]>)]) -> Vec<Triangle> {
+    fn triangles(&self, source: &ObjLines, faces: &[(usize, Vec<[Target; 3]>)]) -> Vec<Triangle> {
         let mut triangles = Vec::new();
         for (number, targets) in faces {
             let corners: Vec<Corner> = targets.iter().map(|corner| self.corner(source, corner, &targets[0])).collect();
@@ -293,7 +293,7 @@ impl Reader {
         triangles
     }
 
-    fn stream(&self, source: &Source, faces: &[(usize, Vec<[Target; 3]>)]) -> Vec<Triangle> {
+    fn stream(&self, source: &ObjLines, faces: &[(usize, Vec<[Target; 3]>)]) -> Vec<Triangle> {
         let corners: Vec<(usize, Corner)> = faces
             .iter()
             .flat_map(|(number, targets)| {
@@ -304,7 +304,7 @@ impl Reader {
         triangles.map(|triangle| self.triangle(triangle.map(|(_, corner)| corner), Some(triangle[0].0))).collect()
     }
 
-    fn each_once(&self, source: &Source, faces: &[(usize, Vec<[Target; 3]>)]) -> Vec<Triangle> {
+    fn each_once(&self, source: &ObjLines, faces: &[(usize, Vec<[Target; 3]>)]) -> Vec<Triangle> {
         let mut seen = std::collections::HashSet::new();
         let corners = faces.iter().flat_map(|(_, targets)| targets.iter().map(move |corner| (corner, &targets[0])));
         let unseen = corners.filter(|(corner, _)| seen.insert(**corner));
@@ -312,7 +312,7 @@ impl Reader {
         vertices.as_chunks::<3>().0.iter().map(|corners| self.triangle(*corners, None)).collect()
     }
 
-    fn faces_ignored(&self, source: &Source) -> Vec<Triangle> {
+    fn faces_ignored(&self, source: &ObjLines) -> Vec<Triangle> {
         let vertex = |i: usize| {
             let at = |count: usize| if i < count { Target::At(i) } else { Target::Nowhere };
             let targets = [Target::At(i), at(source.tex_coords.len()), at(source.normals.len())];

@@ -3,7 +3,7 @@
 
 use super::cut;
 use super::expected::Expected;
-use super::fit::Given;
+use super::fit::SubmittedTriangles;
 use super::keys::{TOLERANCE, join, triangle};
 use super::vertex::{Attributes, Vertex};
 use std::collections::{HashMap, HashSet};
@@ -22,7 +22,12 @@ impl Left {
 }
 
 /// Compares exactly, up to the tolerance and the way in which polygons are cut.
-pub(super) fn left(expected: &Expected, triangles: &[[Vertex; 3]], given: &Given, compared: Attributes) -> Left {
+pub(super) fn left(
+    expected: &Expected,
+    triangles: &[[Vertex; 3]],
+    given: &SubmittedTriangles,
+    compared: Attributes,
+) -> Left {
     let left = unequal(expected, given, compared);
     if left.is_nothing() {
         return left;
@@ -31,7 +36,7 @@ pub(super) fn left(expected: &Expected, triangles: &[[Vertex; 3]], given: &Given
     loosely(expected, triangles, left, compared, TOLERANCE)
 }
 
-fn unequal(expected: &Expected, given: &Given, compared: Attributes) -> Left {
+fn unequal(expected: &Expected, given: &SubmittedTriangles, compared: Attributes) -> Left {
     let key = |vertices: &[Vertex; 3]| triangle(vertices.map(|vertex| join(expected.keys.vertex(&vertex, compared))));
     let mut by_key: HashMap<u64, Vec<usize>> = HashMap::new();
     for (number, triangle) in expected.triangles.iter().enumerate().rev() {
@@ -50,7 +55,7 @@ fn unequal(expected: &Expected, given: &Given, compared: Attributes) -> Left {
 }
 
 /// Takes away polygons that the student cut into other triangles, which cover them as well.
-fn other_cuts(expected: &Expected, given: &Given, left: Left, compared: Attributes) -> Left {
+fn other_cuts(expected: &Expected, given: &SubmittedTriangles, left: Left, compared: Attributes) -> Left {
     struct Polygon {
         positions: Vec<[f32; 3]>,
         corners: HashMap<u64, usize>,

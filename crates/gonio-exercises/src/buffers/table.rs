@@ -16,10 +16,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<Buffer, BufferError> {
     let Some(first) = next() else {
         return Err(BufferError::new("the file holds no rows"));
     };
-    let separator = Separator::of(first.text);
+    let separator = Separator::detect(first.text);
     let mut parser = Parser { separator, decimal_commas: 0, not_finite: 0, values: Vec::new() };
     let mut warnings = Vec::new();
-    let header = Header::of(&first, separator, &mut warnings)?;
+    let header = Header::parse(&first, separator, &mut warnings)?;
     let width = match &header {
         Some(header) => header.columns.len(),
         None => parser.row(&first, None)?,
@@ -82,7 +82,7 @@ enum Separator {
 }
 
 impl Separator {
-    fn of(line: &str) -> Self {
+    fn detect(line: &str) -> Self {
         let found = [';', '\t', ','].into_iter().find(|separator| line.trim().contains(*separator));
         found.map_or(Separator::Blanks, Separator::Character)
     }
@@ -179,7 +179,7 @@ struct Header {
 
 impl Header {
     /// The header, if the first line is one: a cell that is no number.
-    fn of(line: &Line<'_>, separator: Separator, warnings: &mut Vec<String>) -> Result<Option<Self>, BufferError> {
+    fn parse(line: &Line<'_>, separator: Separator, warnings: &mut Vec<String>) -> Result<Option<Self>, BufferError> {
         let cells = separator.cells(line.text);
         let is_number = |cell: &str| {
             parse(cell.trim_matches('"')).is_some() || parse(&cell.trim_matches('"').replace(',', ".")).is_some()

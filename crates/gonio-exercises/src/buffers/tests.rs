@@ -5,6 +5,7 @@ use super::fit::{Triangles, fit};
 use super::mistakes::{self, MISTAKES, WrongReader};
 use super::reader::{Corner, Reader};
 use super::*;
+use gonio_check::verdict::Outcome;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
@@ -19,7 +20,7 @@ pub(crate) fn models() -> Vec<(String, Expected)> {
         .map(|path| {
             let bytes = std::fs::read(&path).expect("a model");
             let name = path.file_name().expect("a name").to_string_lossy().into_owned();
-            (name, Expected::of_obj(&bytes).expect("an OBJ"))
+            (name, Expected::from_obj(&bytes).expect("an OBJ"))
         })
         .collect();
     models.sort_by(|a, b| a.0.cmp(&b.0));
@@ -42,7 +43,7 @@ fn named(vertices: Vec<Vertex>) -> Buffer {
 }
 
 /// Whether the mistakes are what is named, or one of what cannot be told from it.
-fn is_named(wrong: &WrongReader, verdict: &BufferVerdict) -> bool {
+fn is_named(wrong: &WrongReader, verdict: &BufferFindings) -> bool {
     let wanted: BTreeSet<&str> = wrong.mistakes.iter().map(|number| MISTAKES[*number].words.id).collect();
     let mut found: BTreeSet<&str> = verdict.mistakes.iter().map(|mistake| mistake.id).collect();
     if verdict.warnings.iter().any(|warning| warning.starts_with("v is 1 - v")) {
@@ -54,7 +55,7 @@ fn is_named(wrong: &WrongReader, verdict: &BufferVerdict) -> bool {
 /// Whether a buffer shows anything: it differs from the right one.
 fn shows(vertices: &[Vertex], expected: &Expected) -> bool {
     let verdict = compare(expected, &named(vertices.to_vec()));
-    verdict.verdict != Verdict::Correct || verdict.warnings.iter().any(|warning| warning.starts_with("v is 1 - v"))
+    verdict.verdict != Outcome::Correct || verdict.warnings.iter().any(|warning| warning.starts_with("v is 1 - v"))
 }
 
 #[test]
@@ -62,7 +63,7 @@ fn the_right_reader_agrees_with_gonio_mesh_on_all_models() {
     for (name, expected) in models() {
         assert!(expected.triangles.iter().all(|triangle| triangle.face.is_some()), "{name}");
         let verdict = compare(&expected, &named(written(&Reader::default(), &expected, 0.0)));
-        assert_eq!((verdict.verdict, verdict.warnings.len()), (Verdict::Correct, 0), "{name}: {verdict:?}");
+        assert_eq!((verdict.verdict, verdict.warnings.len()), (Outcome::Correct, 0), "{name}: {verdict:?}");
     }
 }
 
@@ -98,7 +99,7 @@ fn pairs_of_mistakes_are_named() {
     let (mut right, mut tried) = (0, 0);
     let mut failures = Vec::new();
     for (name, expected) in models() {
-        let right_print = Triangles::of(&Reader::default(), &expected.source, &expected.keys, expected.has)[0].print;
+        let right_print = Triangles::read(&Reader::default(), &expected.source, &expected.keys, expected.has)[0].print;
         let prints: BTreeSet<u64> =
             expected.bank(expected.has).singles.iter().map(|single| single.made.print).collect();
         for (number, pair) in expected.pairs(expected.has).iter().enumerate() {
@@ -149,11 +150,11 @@ fn what_no_mistake_explains_is_wrong_without_a_name() {
                 _ => true,
             };
             if is_compared && !is_right {
-                assert_ne!(verdict.verdict, Verdict::Correct, "{what} on {name}");
+                assert_ne!(verdict.verdict, Outcome::Correct, "{what} on {name}");
                 assert!(verdict.mistakes.is_empty(), "{what} on {name} is called {:?}", verdict.mistakes[0].id);
                 assert!(verdict.example.is_some(), "{what} on {name}");
             } else {
-                assert_eq!(verdict.verdict, Verdict::Correct, "{what} on {name}");
+                assert_eq!(verdict.verdict, Outcome::Correct, "{what} on {name}");
             }
         }
     }
@@ -162,9 +163,9 @@ fn what_no_mistake_explains_is_wrong_without_a_name() {
 #[test]
 fn a_fit_is_one_only_for_the_same_triangles() {
     let (_, expected) = models().remove(0);
-    let right = Triangles::of(&Reader::default(), &expected.source, &expected.keys, ALL).remove(0);
+    let right = Triangles::read(&Reader::default(), &expected.source, &expected.keys, ALL).remove(0);
     let mut vertices: Vec<[Vertex; 3]> = expected.triangles.iter().map(|triangle| triangle.vertices).collect();
-    let given = |vertices: &[[Vertex; 3]]| super::fit::Given::new(vertices, &expected.keys, ALL);
+    let given = |vertices: &[[Vertex; 3]]| super::fit::SubmittedTriangles::new(vertices, &expected.keys, ALL);
     assert_eq!(fit(&right, &given(&vertices), 0.0).expect("a fit").share, 1.0);
     vertices.push(vertices[0]);
     assert!(fit(&right, &given(&vertices), 0.0).expect("a fit").share < 1.0);
@@ -179,7 +180,7 @@ fn what_explains_too_little_is_not_named() {
         let mut vertices = written(&Reader::default(), &expected, 0.0);
         vertices.as_chunks_mut::<3>().0.iter_mut().step_by(2).for_each(|triangle| triangle.swap(1, 2));
         let verdict = compare(&expected, &named(vertices));
-        assert_eq!((verdict.verdict, verdict.mistakes.len()), (Verdict::Wrong, 0), "{name}");
+        assert_eq!((verdict.verdict, verdict.mistakes.len()), (Outcome::Wrong, 0), "{name}");
     }
 }
 

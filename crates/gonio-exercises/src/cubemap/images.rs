@@ -19,7 +19,7 @@ pub fn is_picture(file: &SourceFile) -> bool {
 }
 
 /// What was handed in.
-pub struct Handed {
+pub struct SubmittedFaces {
     /// In OpenGL's order, each square and of one size, as the files have them.
     faces: [Image; 6],
     /// What they were made from.
@@ -28,7 +28,7 @@ pub struct Handed {
     pub warnings: Vec<String>,
 }
 
-impl Handed {
+impl SubmittedFaces {
     /// Reads them; what is missing is said in a sentence.
     pub fn read(exercise: &Exercise, files: &[SourceFile]) -> Result<Self, String> {
         let pictures: Vec<&SourceFile> = files.iter().filter(|file| is_picture(file)).collect();
@@ -76,7 +76,7 @@ impl Handed {
             ));
         }
         let panorama = Panorama::new(panorama).map_err(|error| error.to_string())?;
-        Ok(Handed { faces, panorama, warnings })
+        Ok(SubmittedFaces { faces, panorama, warnings })
     }
 
     /// The faces as small pictures.

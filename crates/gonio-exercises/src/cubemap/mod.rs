@@ -11,13 +11,13 @@ pub use images::is_picture;
 use crate::exercise::Exercise;
 use gonio_check::ShaderChecker;
 use gonio_check::mistakes::{Hypothesis, Model};
-use gonio_check::panorama::{Explanation, FaceStage, Task, Tiles, Tolerance, blur, verdict};
-use gonio_check::search::{Evidence, LooksLike};
+use gonio_check::panorama::{Explanation, FaceBench, Task, Tiles, Tolerance, blur, verdict};
+use gonio_check::search::{Evidence, SourceSupport};
 use gonio_check::submission::SourceFile;
 use gonio_check::testbench::TILE;
 use gonio_check::verdict::{Outcome, Verdict};
 use gonio_gl::GlError;
-use images::Handed;
+use images::SubmittedFaces;
 
 /// Pixels along a face that pictures are held against: fine enough for the lines of a panorama of usual size.
 const FINE: u32 = 128;
@@ -28,23 +28,23 @@ pub fn check(
     exercise: &Exercise,
     files: &[SourceFile],
 ) -> Result<(Verdict, Option<Evidence>), GlError> {
-    let handed = match Handed::read(exercise, files) {
-        Ok(handed) => handed,
+    let submitted = match SubmittedFaces::read(exercise, files) {
+        Ok(submitted) => submitted,
         Err(sentence) => return Ok((Verdict::new(&exercise.id, Outcome::Unsure, sentence), None)),
     };
-    let stage = FaceStage::of_panorama(checker.gl(), FINE, &handed.panorama)?;
+    let bench = FaceBench::of_panorama(checker.gl(), FINE, &submitted.panorama)?;
     let model = checker.model(Model::Panorama);
-    let seen = handed.tiles(TILE as usize).encoded().softened();
-    let silent: LooksLike = Box::new(|id, _| if id == "layout-photographic" { 0.6 } else { 0.5 });
-    let task = Task { hypotheses: &model.hypotheses, tolerance: Tolerance::FILES, looks_like: &silent };
-    let draw = |hypothesis: &Hypothesis| Ok::<Tiles, GlError>(stage.draw_model(model, hypothesis)?.held_to_screens());
+    let seen = submitted.tiles(TILE as usize).encoded().softened();
+    let silent: SourceSupport = Box::new(|id, _| if id == "layout-photographic" { 0.6 } else { 0.5 });
+    let task = Task { hypotheses: &model.hypotheses, tolerance: Tolerance::FILES, source_support: &silent };
+    let draw = |hypothesis: &Hypothesis| Ok::<Tiles, GlError>(bench.draw_model(model, hypothesis)?.held_to_screens());
     let mut predict = |hypothesis: &Hypothesis| Ok(draw(hypothesis)?.smaller(TILE as usize).encoded().softened());
-    let explanation = Explanation::of(&task, &seen, &mut predict)?;
-    let (mut verdict, evidence) = verdict(&exercise.id, &explanation, &seen, |tiles| tiles.decoded().sheet());
+    let explanation = Explanation::find(&task, &seen, &mut predict)?;
+    let (mut verdict, evidence) = verdict(&exercise.id, &explanation, &seen, |tiles| tiles.decoded().atlas());
     if verdict.verdict == Outcome::Correct {
         let reference = draw(&Hypothesis::default())?;
-        blur(&mut verdict, handed.sharpness(&reference));
+        blur(&mut verdict, submitted.sharpness(&reference));
     }
-    verdict.warnings.extend(handed.warnings);
+    verdict.warnings.extend(submitted.warnings);
     Ok((verdict, Some(evidence)))
 }

@@ -9,13 +9,13 @@ use std::sync::LazyLock;
 /// What is handed in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Kind {
+pub enum ExerciseKind {
     /// A pair of shaders.
     Shaders,
     /// The vertex buffer that a program of any language writes.
     Buffers,
     /// A host program's OpenGL calls.
-    HostProgram,
+    GlProgram,
     /// Six faces of a cubemap, or a shader that makes them.
     Faces,
 }
@@ -56,9 +56,9 @@ struct Declaration {
     title: String,
     #[serde(default)]
     summary: String,
-    kind: Kind,
+    kind: ExerciseKind,
     #[serde(default)]
-    seed: String,
+    lecture_section: String,
     #[serde(default)]
     builds_on: Vec<String>,
     #[serde(default)]
@@ -79,9 +79,9 @@ pub struct Exercise {
     /// A sentence.
     pub summary: String,
     /// What is handed in.
-    pub kind: Kind,
+    pub kind: ExerciseKind,
     /// Where the lecture teaches it.
-    pub seed: String,
+    pub lecture_section: String,
     /// Exercises that should be done before.
     pub builds_on: Vec<String>,
     /// What to look for in the picture.
@@ -148,7 +148,7 @@ fn read(folder: &'static str, files: &'static [(&'static str, &'static str)]) ->
         title: declared.title,
         summary: declared.summary,
         kind: declared.kind,
-        seed: declared.seed,
+        lecture_section: declared.lecture_section,
         builds_on: declared.builds_on,
         look_for: declared.look_for,
         inputs: declared.inputs,

@@ -5,12 +5,13 @@
 
 use super::compare::{ENOUGH, Judge};
 use super::files::for_context;
+use super::findings::{GlProgramFindings, GlProgramMistake, GlProgramWarning};
 use super::messages;
 use super::names::name_of;
-use super::program::HostProgram;
+use super::program::GlProgram;
 use super::suspects::Suspect;
-use super::verdict::{HostMistake, HostOutcome, HostVerdict, HostWarning};
 use super::warnings;
+use gonio_check::verdict::Outcome;
 use gonio_gl::trace::Severity;
 use gonio_gl::{Gl, GlError};
 use gonio_render::gl_program::{GlProgramFailure, GlProgramFiles, GlProgramRun, Step};
@@ -30,48 +31,55 @@ const LITTLE: f64 = 1e-4;
 /// `start.vert`, `start.frag` and `checker.png` among them.
 ///
 /// An error where OpenGL itself fails, or one of these is not there.
-pub fn check(gl: &Gl, text: &str, file_name: &str, files: &GlProgramFiles) -> Result<HostVerdict, GlError> {
-    match HostProgram::parse(text, file_name) {
+pub fn check(gl: &Gl, text: &str, file_name: &str, files: &GlProgramFiles) -> Result<GlProgramFindings, GlError> {
+    match GlProgram::parse(text, file_name) {
         Ok(program) => check_program(gl, &program, files),
-        Err(errors) => Ok(HostVerdict::broken(file_name, errors)),
+        Err(errors) => Ok(GlProgramFindings::broken(file_name, errors)),
     }
 }
 
 /// Judges a file's bytes.
-pub fn check_bytes(gl: &Gl, bytes: &[u8], file_name: &str, files: &GlProgramFiles) -> Result<HostVerdict, GlError> {
-    match HostProgram::parse_bytes(bytes, file_name) {
+pub fn check_bytes(
+    gl: &Gl,
+    bytes: &[u8],
+    file_name: &str,
+    files: &GlProgramFiles,
+) -> Result<GlProgramFindings, GlError> {
+    match GlProgram::parse_bytes(bytes, file_name) {
         Ok(program) => check_program(gl, &program, files),
-        Err(errors) => Ok(HostVerdict::broken(file_name, errors)),
+        Err(errors) => Ok(GlProgramFindings::broken(file_name, errors)),
     }
 }
 
 /// The exercise's own program, which is right.
-pub fn reference() -> Result<HostProgram, GlError> {
-    HostProgram::parse(REFERENCE, "reference.txt").map_err(|errors| {
+pub fn reference() -> Result<GlProgram, GlError> {
+    GlProgram::parse(REFERENCE, "reference.txt").map_err(|errors| {
         let first = errors.first().map_or(String::new(), ToString::to_string);
         GlError::new(format!("the exercise's own program cannot be read: {first}"))
     })
 }
 
 /// Judges a host program that was read.
-pub fn check_program(gl: &Gl, program: &HostProgram, files: &GlProgramFiles) -> Result<HostVerdict, GlError> {
+pub fn check_program(gl: &Gl, program: &GlProgram, files: &GlProgramFiles) -> Result<GlProgramFindings, GlError> {
     let reference = reference()?;
     let files = &*for_context(gl, files);
     let mut judge = Judge::new(gl, files, &reference.steps);
     let run = match judge.run(&program.steps, true) {
         Ok(run) => run,
         Err(GlProgramFailure::Driver(error)) => return Err(error),
-        Err(failure) => return Ok(HostVerdict::broken(&program.file, messages::errors(&failure, program, files))),
+        Err(failure) => {
+            return Ok(GlProgramFindings::broken(&program.file, messages::errors(&failure, program, files)));
+        }
     };
     let share_right = judge.share_right(&run)?;
     let right = share_right >= ENOUGH;
     let found = if right { Vec::new() } else { search(&mut judge, &program.steps, &run, share_right)? };
-    let mut mistakes: Vec<HostMistake> = found.iter().filter_map(|suspect| mistake(program, suspect)).collect();
+    let mut mistakes: Vec<GlProgramMistake> = found.iter().filter_map(|suspect| mistake(program, suspect)).collect();
     mistakes.sort_by_key(|mistake| mistake.line);
-    let warnings = warnings::of(program, &run, right);
-    Ok(HostVerdict {
+    let warnings = warnings::collect(program, &run, right);
+    Ok(GlProgramFindings {
         file: program.file.clone(),
-        verdict: if right { HostOutcome::Correct } else { HostOutcome::Wrong },
+        verdict: if right { Outcome::Correct } else { Outcome::Wrong },
         summary: summary(right, &mistakes, &run, &warnings),
         mistakes,
         findings: run.findings.clone(),
@@ -84,12 +92,12 @@ pub fn check_program(gl: &Gl, program: &HostProgram, files: &GlProgramFiles) -> 
     })
 }
 
-fn mistake(program: &HostProgram, suspect: &Suspect) -> Option<HostMistake> {
+fn mistake(program: &GlProgram, suspect: &Suspect) -> Option<GlProgramMistake> {
     let quoted = program.quoted(suspect.line).unwrap_or_default();
-    Some(HostMistake::new(name_of(suspect.id)?, &suspect.said, &suspect.mend, suspect.line, quoted))
+    Some(GlProgramMistake::new(name_of(suspect.id)?, &suspect.said, &suspect.fix, suspect.line, quoted))
 }
 
-fn summary(right: bool, mistakes: &[HostMistake], run: &GlProgramRun, warnings: &[HostWarning]) -> String {
+fn summary(right: bool, mistakes: &[GlProgramMistake], run: &GlProgramRun, warnings: &[GlProgramWarning]) -> String {
     if right {
         return match warnings.len() {
             0 => "the picture is right".to_owned(),
@@ -109,7 +117,7 @@ fn summary(right: bool, mistakes: &[HostMistake], run: &GlProgramRun, warnings: 
 
 /// A program on the way to being right.
 struct Attempt {
-    mended: Vec<Suspect>,
+    corrected: Vec<Suspect>,
     steps: Vec<Step>,
     run: GlProgramRun,
     /// Calls that are refused, and findings that cannot be meant.
@@ -120,11 +128,11 @@ struct Attempt {
 }
 
 impl Attempt {
-    fn new(mended: Vec<Suspect>, steps: Vec<Step>, run: GlProgramRun, share: f64) -> Self {
+    fn new(corrected: Vec<Suspect>, steps: Vec<Step>, run: GlProgramRun, share: f64) -> Self {
         let cannot_be = run.findings.iter().filter(|finding| finding.severity == Severity::Error);
         let refused = run.errors.iter().map(|error| format!("{} {}", error.line, error.call));
         let complaints = cannot_be.map(|finding| finding.rule.name().to_owned()).chain(refused).collect();
-        Attempt { mended, steps, run, complaints, ended: 0, share }
+        Attempt { corrected, steps, run, complaints, ended: 0, share }
     }
 
     /// Whether it has come nearer. One mistake may hide another: that a complaint gives way to another one counts.
@@ -145,20 +153,20 @@ fn search(judge: &mut Judge<'_>, steps: &[Step], run: &GlProgramRun, share: f64)
                 if judge.drawn >= MOST_PICTURES {
                     return Ok(Vec::new());
                 }
-                if before.mended.iter().any(|known| known.id == suspect.id && known.line == suspect.line) {
+                if before.corrected.iter().any(|known| known.id == suspect.id && known.line == suspect.line) {
                     continue;
                 }
-                let run = match judge.run(&suspect.mended, false) {
+                let run = match judge.run(&suspect.corrected, false) {
                     Ok(run) => run,
                     Err(GlProgramFailure::Driver(error)) => return Err(error),
                     Err(_) => continue,
                 };
                 let share = judge.share_right(&run)?;
-                let steps = suspect.mended.clone();
-                let mended = before.mended.iter().cloned().chain([suspect]).collect();
-                let mut attempt = Attempt::new(mended, steps, run, share);
+                let steps = suspect.corrected.clone();
+                let corrected = before.corrected.iter().cloned().chain([suspect]).collect();
+                let mut attempt = Attempt::new(corrected, steps, run, share);
                 if share >= ENOUGH {
-                    return Ok(attempt.mended);
+                    return Ok(attempt.corrected);
                 }
                 if attempt.is_nearer_than(before) {
                     next.push(attempt);

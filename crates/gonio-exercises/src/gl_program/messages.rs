@@ -1,12 +1,12 @@
 //! Why a host program gives no picture at all: at its line, or at the shader's.
 
-use super::program::{HostError, HostProgram};
+use super::program::{GlProgram, GlProgramError};
 use gonio_check::nearest::nearest;
 use gonio_render::gl_program::{GlProgramFailure, GlProgramFiles};
 
 /// Errors of a failure.
-pub fn errors(failure: &GlProgramFailure, program: &HostProgram, files: &GlProgramFiles) -> Vec<HostError> {
-    let own = |line: u32, message: String, help: String| HostError {
+pub fn errors(failure: &GlProgramFailure, program: &GlProgram, files: &GlProgramFiles) -> Vec<GlProgramError> {
+    let own = |line: u32, message: String, help: String| GlProgramError {
         file: program.file.clone(),
         line,
         column: 1,
@@ -42,19 +42,19 @@ pub fn errors(failure: &GlProgramFailure, program: &HostProgram, files: &GlProgr
 }
 
 /// The errors of a compiler's log.
-fn of_log(file: &str, log: &str) -> Vec<HostError> {
-    let mut errors: Vec<HostError> = Vec::new();
+fn of_log(file: &str, log: &str) -> Vec<GlProgramError> {
+    let mut errors: Vec<GlProgramError> = Vec::new();
     for text in log.lines().map(str::trim).filter(|line| !line.is_empty()).take(super::program::MOST_ERRORS) {
         let (line, column, message) = place(text);
         let is_warning = message.to_lowercase().starts_with("warning");
         if line > 0 && !is_warning {
             let message = message.trim_start_matches("error: ").to_owned();
-            errors.push(HostError { file: file.to_owned(), line, column, message, help: String::new() });
+            errors.push(GlProgramError { file: file.to_owned(), line, column, message, help: String::new() });
         }
     }
     if errors.is_empty() {
         let message = format!("it does not compile: {}", log.trim());
-        errors.push(HostError { file: file.to_owned(), line: 1, column: 1, message, help: String::new() });
+        errors.push(GlProgramError { file: file.to_owned(), line: 1, column: 1, message, help: String::new() });
     }
     errors
 }

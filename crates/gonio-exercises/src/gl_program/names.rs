@@ -2,7 +2,7 @@
 
 /// A mistake in words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct HostMistakeName {
+pub struct GlProgramMistakeName {
     /// Its word.
     pub id: &'static str,
     /// What is wrong, in half a sentence.
@@ -12,24 +12,24 @@ pub struct HostMistakeName {
     /// What it looks like.
     pub looks_like: &'static str,
     /// How to mend it.
-    pub mend: &'static str,
+    pub fix: &'static str,
 }
 
 macro_rules! mistakes {
-    ($($id:literal: $name:literal, $explanation:literal, $looks_like:literal, $mend:literal;)+) => {
-        const NAMES: &[HostMistakeName] = &[$(HostMistakeName {
-            id: $id, name: $name, explanation: $explanation, looks_like: $looks_like, mend: $mend,
+    ($($id:literal: $name:literal, $explanation:literal, $looks_like:literal, $fix:literal;)+) => {
+        const NAMES: &[GlProgramMistakeName] = &[$(GlProgramMistakeName {
+            id: $id, name: $name, explanation: $explanation, looks_like: $looks_like, fix: $fix,
         }),+];
     };
 }
 
 /// All mistakes that a check can name.
-pub fn names() -> &'static [HostMistakeName] {
+pub fn names() -> &'static [GlProgramMistakeName] {
     NAMES
 }
 
 /// The words of a mistake.
-pub fn name_of(id: &str) -> Option<&'static HostMistakeName> {
+pub fn name_of(id: &str) -> Option<&'static GlProgramMistakeName> {
     NAMES.iter().find(|name| name.id == id)
 }
 

@@ -16,7 +16,7 @@ pub const MOST_ERRORS: usize = 50;
 
 /// A host program, read.
 #[derive(Clone, Debug, PartialEq)]
-pub struct HostProgram {
+pub struct GlProgram {
     /// The file's name.
     pub file: String,
     /// Its calls, in order.
@@ -27,7 +27,7 @@ pub struct HostProgram {
 
 /// Something that is no host program.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct HostError {
+pub struct GlProgramError {
     /// The file's name.
     pub file: String,
     /// From 1.
@@ -40,20 +40,20 @@ pub struct HostError {
     pub help: String,
 }
 
-impl fmt::Display for HostError {
+impl fmt::Display for GlProgramError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:{}:{}: {}", self.file, self.line, self.column, self.message)?;
         if self.help.is_empty() { Ok(()) } else { write!(f, "; {}", self.help) }
     }
 }
 
-impl std::error::Error for HostError {}
+impl std::error::Error for GlProgramError {}
 
-impl HostProgram {
+impl GlProgram {
     /// Reads a text. All errors that it has, up to [`MOST_ERRORS`]; never an empty list.
-    pub fn parse(text: &str, file_name: &str) -> Result<Self, Vec<HostError>> {
+    pub fn parse(text: &str, file_name: &str) -> Result<Self, Vec<GlProgramError>> {
         let error = |message: String, help: &str| {
-            vec![HostError { file: file_name.to_owned(), line: 1, column: 1, message, help: help.to_owned() }]
+            vec![GlProgramError { file: file_name.to_owned(), line: 1, column: 1, message, help: help.to_owned() }]
         };
         if text.len() > MOST_TEXT_BYTES {
             let most = MOST_TEXT_BYTES >> 20;
@@ -64,18 +64,18 @@ impl HostProgram {
         }
         let steps = reader::read(text, file_name)?;
         let lines = text.lines().map(str::to_owned).collect();
-        Ok(HostProgram { file: file_name.to_owned(), steps, lines })
+        Ok(GlProgram { file: file_name.to_owned(), steps, lines })
     }
 
     /// Reads a file's bytes.
-    pub fn parse_bytes(bytes: &[u8], file_name: &str) -> Result<Self, Vec<HostError>> {
+    pub fn parse_bytes(bytes: &[u8], file_name: &str) -> Result<Self, Vec<GlProgramError>> {
         // A byte order mark is no mistake of the student's.
         let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
         match std::str::from_utf8(bytes) {
             Ok(text) => Self::parse(text, file_name),
             Err(why) => {
                 let line = bytes[..why.valid_up_to()].iter().filter(|byte| **byte == b'\n').count() as u32 + 1;
-                Err(vec![HostError {
+                Err(vec![GlProgramError {
                     file: file_name.to_owned(),
                     line,
                     column: 1,

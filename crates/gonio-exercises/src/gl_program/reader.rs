@@ -1,6 +1,6 @@
 //! Reads host programs: a call to a line, words between blanks.
 
-use super::program::{HostError, MOST_CALLS, MOST_DATA_BYTES, MOST_ERRORS};
+use super::program::{GlProgramError, MOST_CALLS, MOST_DATA_BYTES, MOST_ERRORS};
 use super::signature::{self, WORDS};
 use gonio_check::nearest::nearest;
 use gonio_render::gl_program::{Call, Step};
@@ -76,10 +76,10 @@ struct List {
 }
 
 /// Reads all lines.
-pub fn read(text: &str, file: &str) -> Result<Vec<Step>, Vec<HostError>> {
+pub fn read(text: &str, file: &str) -> Result<Vec<Step>, Vec<GlProgramError>> {
     let mut steps: Vec<Step> = Vec::new();
     let mut names: HashMap<String, Named> = HashMap::new();
-    let mut errors: Vec<HostError> = Vec::new();
+    let mut errors: Vec<GlProgramError> = Vec::new();
     let mut list: Option<List> = None;
     let mut last = 1;
     for (line, content) in (1_u32..).zip(text.lines()) {
@@ -92,7 +92,7 @@ pub fn read(text: &str, file: &str) -> Result<Vec<Step>, Vec<HostError>> {
         let Some(&first) = words.first() else { continue };
         let mut problem = |problem: Problem| {
             let Problem { column, message, help } = problem;
-            errors.push(HostError { file: file.to_owned(), line, column, message, help });
+            errors.push(GlProgramError { file: file.to_owned(), line, column, message, help });
         };
         if let Some(mut open) = list.take() {
             if first.text == "end" && words.len() == 1 {
@@ -155,7 +155,7 @@ pub fn read(text: &str, file: &str) -> Result<Vec<Step>, Vec<HostError>> {
         }
     }
     let mut at_end = |message: String, help: &str| {
-        errors.push(HostError { file: file.to_owned(), line: last, column: 1, message, help: help.to_owned() });
+        errors.push(GlProgramError { file: file.to_owned(), line: last, column: 1, message, help: help.to_owned() });
     };
     if let Some(open) = list {
         at_end(

@@ -2,14 +2,14 @@
 
 use crate::buffers;
 use crate::cubemap;
-use crate::exercise::{Exercise, Kind};
-use crate::gl_program::HostProgram;
+use crate::exercise::{Exercise, ExerciseKind};
+use crate::gl_program::GlProgram;
 use gonio_check::submission::{self, Holds, SourceFile};
 use gonio_mesh::Format;
 
 /// What a file is for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Use {
+pub struct FileUse {
     /// It holds a vertex shader.
     pub vertex: bool,
     /// It holds a fragment shader.
@@ -19,16 +19,16 @@ pub struct Use {
     /// It is a vertex buffer.
     pub buffer: bool,
     /// It is a host program.
-    pub host_program: bool,
+    pub gl_program: bool,
     /// It is a picture: a face, or several.
     pub picture: bool,
 }
 
 /// What came of files that were given.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Handed {
+pub struct SortedFiles {
     /// Those that the exercise can do something with, by their numbers among what was given, and what each is for.
-    pub taken: Vec<(usize, Use)>,
+    pub taken: Vec<(usize, FileUse)>,
     /// What was left aside, and why: one sentence. There is one where nothing was taken.
     pub aside: Option<String>,
 }
@@ -42,38 +42,38 @@ pub fn is_answer(exercise: &Exercise, file: &SourceFile) -> bool {
     let Ok(Some(found)) = used(exercise, file) else { return false };
     match exercise.kind {
         // Any text could be meant as one: it counts where most of it can be read.
-        Kind::HostProgram => found.host_program && is_host_program(file),
-        Kind::Buffers => found.buffer && buffers::read_buffer(&file.name, &file.bytes).is_ok(),
-        Kind::Shaders | Kind::Faces => found.vertex || found.fragment || found.picture,
+        ExerciseKind::GlProgram => found.gl_program && is_gl_program(file),
+        ExerciseKind::Buffers => found.buffer && buffers::read_buffer(&file.name, &file.bytes).is_ok(),
+        ExerciseKind::Shaders | ExerciseKind::Faces => found.vertex || found.fragment || found.picture,
     }
 }
 
 /// Whether these files answer the exercise by themselves: both stages of a program, or one file of another kind.
 pub fn is_complete(exercise: &Exercise, files: &[SourceFile]) -> bool {
     let of_files = files.iter().filter(|file| is_answer(exercise, file));
-    let all = of_files.filter_map(|file| used(exercise, file).ok()?).fold(Use::default(), Use::with);
-    all.vertex && all.fragment || all.buffer || all.host_program || all.picture
+    let all = of_files.filter_map(|file| used(exercise, file).ok()?).fold(FileUse::default(), FileUse::with);
+    all.vertex && all.fragment || all.buffer || all.gl_program || all.picture
 }
 
-fn is_host_program(file: &SourceFile) -> bool {
+fn is_gl_program(file: &SourceFile) -> bool {
     let lines = file.bytes.split(|byte| *byte == b'\n').filter(|line| !line.trim_ascii().is_empty()).count();
-    HostProgram::parse_bytes(&file.bytes, &file.name).map_or_else(|errors| 2 * errors.len() < lines, |_| true)
+    GlProgram::parse_bytes(&file.bytes, &file.name).map_or_else(|errors| 2 * errors.len() < lines, |_| true)
 }
 
 /// Tells what these files are for. What is handed out with the exercise and is no answer is left aside without a word, as
 /// long as there is anything else.
-pub fn handed(exercise: &Exercise, files: &[SourceFile]) -> Handed {
-    let mut handed = Handed::default();
+pub fn sort_files(exercise: &Exercise, files: &[SourceFile]) -> SortedFiles {
+    let mut sorted = SortedFiles::default();
     let mut aside: Vec<(&str, String)> = Vec::new();
     for (index, file) in files.iter().enumerate() {
         match used(exercise, file) {
-            Ok(Some(of_file)) => handed.taken.push((index, of_file)),
+            Ok(Some(of_file)) => sorted.taken.push((index, of_file)),
             Ok(None) => {}
             Err(why) => aside.push((base(&file.name), why)),
         }
     }
-    handed.aside = match aside.as_slice() {
-        [] if handed.taken.is_empty() => {
+    sorted.aside = match aside.as_slice() {
+        [] if sorted.taken.is_empty() => {
             Some(format!("nothing of it is an answer: {} reads {}", exercise.id, what_it_reads(exercise.kind)))
         }
         [] => None,
@@ -88,11 +88,11 @@ pub fn handed(exercise: &Exercise, files: &[SourceFile]) -> Handed {
             Some(format!("left aside: {}{more}; {} reads {reads}", named.join(", "), exercise.id))
         }
     };
-    handed
+    sorted
 }
 
 /// Whether a file that is open makes way for these: they are for the same, or one is called the same.
-pub fn makes_way(exercise: &Exercise, open: &SourceFile, taken: &[(&SourceFile, Use)], all: &[&str]) -> bool {
+pub fn is_replaced(exercise: &Exercise, open: &SourceFile, taken: &[(&SourceFile, FileUse)], all: &[&str]) -> bool {
     if taken.iter().any(|(file, _)| base(&file.name) == base(&open.name)) {
         return true;
     }
@@ -100,7 +100,7 @@ pub fn makes_way(exercise: &Exercise, open: &SourceFile, taken: &[(&SourceFile, 
     // A face that is called as one of those that are open is that face, mended; others are another answer.
     let is_open = |file: &SourceFile| all.iter().any(|name| base(name) == base(&file.name));
     let other_pictures = taken.iter().any(|(file, new)| new.picture && !is_open(file));
-    let new = taken.iter().fold(Use::default(), |all, (_, new)| all.with(*new));
+    let new = taken.iter().fold(FileUse::default(), |all, (_, new)| all.with(*new));
     let (old_shader, new_shader) = (old.vertex || old.fragment, new.vertex || new.fragment);
     (old.vertex && new.vertex)
         || (old.fragment && new.fragment)
@@ -110,21 +110,21 @@ pub fn makes_way(exercise: &Exercise, open: &SourceFile, taken: &[(&SourceFile, 
         || (old.picture && (new_shader || other_pictures))
 }
 
-impl Use {
-    fn with(self, other: Use) -> Use {
-        Use {
+impl FileUse {
+    fn with(self, other: FileUse) -> FileUse {
+        FileUse {
             vertex: self.vertex || other.vertex,
             fragment: self.fragment || other.fragment,
             names: self.names || other.names,
             buffer: self.buffer || other.buffer,
-            host_program: self.host_program || other.host_program,
+            gl_program: self.gl_program || other.gl_program,
             picture: self.picture || other.picture,
         }
     }
 }
 
 /// What one file is for; nothing where it was handed out and is no answer. An error is one sentence.
-fn used(exercise: &Exercise, file: &SourceFile) -> Result<Option<Use>, String> {
+fn used(exercise: &Exercise, file: &SourceFile) -> Result<Option<FileUse>, String> {
     let name = base(&file.name);
     let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending).to_ascii_lowercase();
     if is_handed_out(exercise, file) {
@@ -137,21 +137,25 @@ fn used(exercise: &Exercise, file: &SourceFile) -> Result<Option<Use>, String> {
     }
     let is_buffer = || buffers::ENDINGS.iter().any(|known| known.strip_prefix('.') == Some(ending.as_str()));
     let found = match exercise.kind {
-        Kind::Buffers if is_buffer() => Some(Use { buffer: true, ..Use::default() }),
+        ExerciseKind::Buffers if is_buffer() => Some(FileUse { buffer: true, ..FileUse::default() }),
         // The program that wrote it, in any language.
-        Kind::Buffers if is_text(file) => Some(Use::default()),
-        Kind::HostProgram if ending == "txt" && is_text(file) => Some(Use { host_program: true, ..Use::default() }),
-        Kind::Faces if cubemap::is_picture(file) => Some(Use { picture: true, ..Use::default() }),
-        Kind::Shaders | Kind::Faces => match submission::holds(file).map_err(|error| error.to_string())? {
-            Holds { vertex: false, fragment: false, names: false } => None,
-            Holds { vertex, fragment, names } => Some(Use { vertex, fragment, names, ..Use::default() }),
-        },
-        Kind::Buffers | Kind::HostProgram => None,
+        ExerciseKind::Buffers if is_text(file) => Some(FileUse::default()),
+        ExerciseKind::GlProgram if ending == "txt" && is_text(file) => {
+            Some(FileUse { gl_program: true, ..FileUse::default() })
+        }
+        ExerciseKind::Faces if cubemap::is_picture(file) => Some(FileUse { picture: true, ..FileUse::default() }),
+        ExerciseKind::Shaders | ExerciseKind::Faces => {
+            match submission::holds(file).map_err(|error| error.to_string())? {
+                Holds { vertex: false, fragment: false, names: false } => None,
+                Holds { vertex, fragment, names } => Some(FileUse { vertex, fragment, names, ..FileUse::default() }),
+            }
+        }
+        ExerciseKind::Buffers | ExerciseKind::GlProgram => None,
     };
     found.map(Some).ok_or_else(|| {
         let reads = what_it_reads(exercise.kind);
         match exercise.kind {
-            Kind::Shaders | Kind::Faces if is_text(file) => {
+            ExerciseKind::Shaders | ExerciseKind::Faces if is_text(file) => {
                 format!("there is no shader in {name}: {} reads {reads}", exercise.id)
             }
             _ => format!("{name} is nothing that {} reads: it reads {reads}", exercise.id),
@@ -160,14 +164,14 @@ fn used(exercise: &Exercise, file: &SourceFile) -> Result<Option<Use>, String> {
 }
 
 /// What an exercise reads, in words.
-fn what_it_reads(kind: Kind) -> &'static str {
+fn what_it_reads(kind: ExerciseKind) -> &'static str {
     match kind {
-        Kind::Shaders => {
+        ExerciseKind::Shaders => {
             "a vertex and a fragment shader, in files of any names or as strings of a program, and names.toml"
         }
-        Kind::Faces => "a vertex and a fragment shader, or six faces as pictures",
-        Kind::Buffers => "a vertex buffer (.csv, .tsv, .json, or raw floats as .bin, .raw or .f32)",
-        Kind::HostProgram => "host programs (.txt)",
+        ExerciseKind::Faces => "a vertex and a fragment shader, or six faces as pictures",
+        ExerciseKind::Buffers => "a vertex buffer (.csv, .tsv, .json, or raw floats as .bin, .raw or .f32)",
+        ExerciseKind::GlProgram => "host programs (.txt)",
     }
 }
 
@@ -179,7 +183,7 @@ fn is_handed_out(exercise: &Exercise, file: &SourceFile) -> bool {
     name == crate::GOAL
         || exercise.start_files().any(|(known, _)| has(known))
         || exercise.pictures().any(|(_, bytes)| file.bytes == bytes)
-        || (exercise.kind == Kind::HostProgram && exercise.start_files().any(|(known, _)| known == name))
+        || (exercise.kind == ExerciseKind::GlProgram && exercise.start_files().any(|(known, _)| known == name))
 }
 
 fn is_text(file: &SourceFile) -> bool {
@@ -208,8 +212,8 @@ mod tests {
     fn letters(exercise: &str, name: &str, bytes: impl AsRef<[u8]>) -> String {
         let exercise = exercise::find(exercise).unwrap();
         match used(exercise, &file(name, bytes)) {
-            Ok(Some(Use::NOTHING)) => "-".into(),
-            Ok(Some(u)) => [u.vertex, u.fragment, u.names, u.buffer, u.host_program, u.picture]
+            Ok(Some(FileUse::NOTHING)) => "-".into(),
+            Ok(Some(u)) => [u.vertex, u.fragment, u.names, u.buffer, u.gl_program, u.picture]
                 .iter()
                 .zip("vfnbhp".chars())
                 .filter_map(|(is, letter)| is.then_some(letter))
@@ -219,9 +223,9 @@ mod tests {
         }
     }
 
-    impl Use {
-        const NOTHING: Use =
-            Use { vertex: false, fragment: false, names: false, buffer: false, host_program: false, picture: false };
+    impl FileUse {
+        const NOTHING: FileUse =
+            FileUse { vertex: false, fragment: false, names: false, buffer: false, gl_program: false, picture: false };
     }
 
     #[test]
@@ -267,11 +271,11 @@ mod tests {
         }
         let ex04 = exercise::find("ex04").unwrap();
         let many: Vec<SourceFile> = (0..5).map(|n| file(&format!("{n}.txt"), "words")).collect();
-        let aside = handed(ex04, &many).aside.unwrap();
+        let aside = sort_files(ex04, &many).aside.unwrap();
         assert!(aside.starts_with("left aside: 0.txt, 1.txt, 2.txt and 2 more; ex04 reads"), "{aside}");
-        let paper = handed(ex04, &[file("text.md", "# Phong")]);
+        let paper = sort_files(ex04, &[file("text.md", "# Phong")]);
         assert!(paper.taken.is_empty() && paper.aside.unwrap().starts_with("nothing of it is an answer"));
-        let both = handed(ex04, &[file("text.md", "# Phong"), file("a.vert", VERTEX)]);
+        let both = sort_files(ex04, &[file("text.md", "# Phong"), file("a.vert", VERTEX)]);
         assert_eq!((both.taken.len(), both.aside), (1, None));
     }
 
@@ -279,10 +283,10 @@ mod tests {
     fn what_is_for_the_same_makes_way_and_the_rest_stays() {
         let left = |id: &str, open: &[SourceFile], given: &[SourceFile]| -> Vec<String> {
             let exercise = exercise::find(id).unwrap();
-            let taken: Vec<(&SourceFile, Use)> =
-                handed(exercise, given).taken.iter().map(|(index, of)| (&given[*index], *of)).collect();
+            let taken: Vec<(&SourceFile, FileUse)> =
+                sort_files(exercise, given).taken.iter().map(|(index, of)| (&given[*index], *of)).collect();
             let all: Vec<&str> = open.iter().map(|file| file.name.as_str()).collect();
-            let stays = |open: &&SourceFile| !makes_way(exercise, open, &taken, &all);
+            let stays = |open: &&SourceFile| !is_replaced(exercise, open, &taken, &all);
             open.iter().filter(stays).map(|file| file.name.clone()).collect()
         };
         let pair = [file("text.md", "#"), file("start.vert", VERTEX), file("start.frag", FRAGMENT)];

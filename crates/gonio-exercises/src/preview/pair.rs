@@ -30,13 +30,13 @@ pub struct Note {
 
 /// A pair of shaders among a student's files, read but not compiled.
 #[derive(Clone, Debug)]
-pub struct Source {
+pub struct SubmittedPair {
     submission: Submission,
     names: NamesFile,
 }
 
 /// A pair of shaders that runs.
-pub struct Pair {
+pub struct CompiledPair {
     /// The program.
     pub program: UserProgram,
     /// What its variables mean.
@@ -54,7 +54,7 @@ const LARGE: u64 = 4096;
 /// Macros beyond this many may be made to explode.
 const MANY_MACROS: usize = 16;
 
-impl Source {
+impl SubmittedPair {
     /// Finds the pair. An error is one sentence.
     pub fn gather(exercise: &Exercise, files: Vec<SourceFile>) -> Result<Self, String> {
         let is_text = |name: &str| [".md", ".svg", ".obj"].iter().any(|end| name.ends_with(end));
@@ -63,7 +63,7 @@ impl Source {
             Submission::gather_with(files, None, &[exercise.id.as_str()]).map_err(|error| error.to_string())?;
         let names = submission.names.as_deref().map(NamesFile::parse).transpose();
         let names = names.map_err(|error: NamesError| error.to_string())?.unwrap_or_default();
-        Ok(Source { submission, names })
+        Ok(SubmittedPair { submission, names })
     }
 
     /// Whether a driver that compiles or draws it here and now may never come back: there are loops, or what is large. Such
@@ -73,7 +73,7 @@ impl Source {
     }
 
     /// Compiles. What is wrong comes back by file and line; there is at least one sentence then.
-    pub fn compile(&self, gl: &Gl) -> Result<Pair, Vec<Note>> {
+    pub fn compile(&self, gl: &Gl) -> Result<CompiledPair, Vec<Note>> {
         let target = if is_embedded(gl) { OutputVersion::Es300 } else { OutputVersion::Core330 };
         let vertex = ParsedStage::new(&self.submission.vertex, Stage::Vertex, target);
         let fragment = ParsedStage::new(&self.submission.fragment, Stage::Fragment, target);
@@ -101,7 +101,7 @@ impl Source {
             .collect();
         let unused = bindings.unused.iter().map(|name| format!("names.toml speaks of `{name}`, which is not used"));
         let warnings = self.submission.warnings.iter().cloned().chain(unused).collect();
-        Ok(Pair { program, bindings, notes, warnings })
+        Ok(CompiledPair { program, bindings, notes, warnings })
     }
 }
 
@@ -128,7 +128,7 @@ fn is_risky(text: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exercise::{self, Kind};
+    use crate::exercise::{self, ExerciseKind};
 
     #[test]
     fn what_may_never_end_is_told_beforehand() {
@@ -148,7 +148,7 @@ mod tests {
 
     #[test]
     fn every_reference_of_shaders_is_a_pair_and_none_is_risky() {
-        for exercise in exercise::all().iter().filter(|exercise| exercise.kind == Kind::Shaders) {
+        for exercise in exercise::all().iter().filter(|exercise| exercise.kind == ExerciseKind::Shaders) {
             let source = crate::preview::reference(exercise).unwrap_or_else(|why| panic!("{}: {why}", exercise.id));
             assert!(!source.is_risky(), "{}", exercise.id);
         }

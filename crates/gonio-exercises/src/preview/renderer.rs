@@ -1,8 +1,8 @@
 //! What programs are drawn with, but for themselves: meshes, the sky, a white texture.
 
-use super::{Body, Pair, Scene};
-use gonio_check::roles::{Bound, Kind, Role};
-use gonio_check::testbench::{CUBEMAP_UNIT, Situation, WHITE_UNIT, numbers_of_array, samplers, sky, stream_of, unit};
+use super::{Body, CompiledPair, PreviewScene};
+use gonio_check::roles::{Bound, Role, VariableKind};
+use gonio_check::testbench::{CUBEMAP_UNIT, TestScene, WHITE_UNIT, numbers_of_array, samplers, sky, stream_of, unit};
 use gonio_gl::{Gl, GlError};
 use gonio_render::user_program::{FloatTexture, Stream, StreamMesh};
 use std::cell::RefCell;
@@ -10,7 +10,7 @@ use std::rc::Rc;
 
 /// What an attribute or a uniform of a program was taken for, and what it holds.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Given {
+pub struct VariableValue {
     /// OpenGL's name for it.
     pub name: String,
     /// As GLSL writes it.
@@ -22,17 +22,17 @@ pub struct Given {
 }
 
 /// Meshes and textures on the GPU.
-pub struct LiveStage {
+pub struct PreviewRenderer {
     gl: Gl,
     meshes: RefCell<[Option<Rc<StreamMesh>>; Body::ALL.len()]>,
     cubemap: FloatTexture,
     white: FloatTexture,
 }
 
-impl LiveStage {
+impl PreviewRenderer {
     /// In this context, which is current.
     pub fn new(gl: &Gl) -> Result<Self, GlError> {
-        Ok(LiveStage {
+        Ok(PreviewRenderer {
             gl: gl.clone(),
             meshes: RefCell::default(),
             cubemap: FloatTexture::cube(gl, sky::SIDE, &sky::faces(), "the laboratory's sky")?,
@@ -41,7 +41,7 @@ impl LiveStage {
     }
 
     /// Makes what a scene needs on the GPU, before anything is drawn of it.
-    pub fn prepare(&self, scene: &Scene) -> Result<(), GlError> {
+    pub fn prepare(&self, scene: &PreviewScene) -> Result<(), GlError> {
         scene.parts.iter().map(|part| part.body).chain([Body::Cube]).try_for_each(|body| self.mesh(body).map(drop))
     }
 
@@ -62,9 +62,9 @@ impl LiveStage {
         Ok(made)
     }
 
-    /// Draws a program onto what is bound: each body with what its situation says. Bodies that were not prepared are left out.
-    pub fn draw(&self, pair: &Pair, bodies: &[(Body, Situation)]) {
-        let feed: Vec<(u32, usize)> = of_kind(pair, Kind::Attribute)
+    /// Draws a program onto what is bound: each body with what its test scene says. Bodies that were not prepared are left out.
+    pub fn draw(&self, pair: &CompiledPair, bodies: &[(Body, TestScene)]) {
+        let feed: Vec<(u32, usize)> = of_kind(pair, VariableKind::Attribute)
             .filter_map(|b| Some((pair.program.attribute_location(&b.declared.name)?, stream_of(b.role)?)))
             .collect();
         self.cubemap.bind(CUBEMAP_UNIT);
@@ -76,9 +76,10 @@ impl LiveStage {
         for fixed in &pair.bindings.fixed {
             pair.program.set(&fixed.declared.name, &fixed.values);
         }
-        for (body, situation) in bodies {
-            for bound in of_kind(pair, Kind::Uniform).filter(|bound| unit(&bound.declared.glsl_type).is_none()) {
-                if let Some(values) = held(bound, situation) {
+        for (body, test_scene) in bodies {
+            for bound in of_kind(pair, VariableKind::Uniform).filter(|bound| unit(&bound.declared.glsl_type).is_none())
+            {
+                if let Some(values) = held(bound, test_scene) {
                     pair.program.set(&bound.declared.name, &values);
                 }
             }
@@ -89,52 +90,52 @@ impl LiveStage {
     }
 }
 
-fn of_kind(pair: &Pair, kind: Kind) -> impl Iterator<Item = &Bound> {
+fn of_kind(pair: &CompiledPair, kind: VariableKind) -> impl Iterator<Item = &Bound> {
     pair.bindings.bound.iter().filter(move |bound| bound.declared.kind == kind)
 }
 
 /// A uniform's numbers.
-fn held(bound: &Bound, situation: &Situation) -> Option<Vec<f32>> {
+fn held(bound: &Bound, test_scene: &TestScene) -> Option<Vec<f32>> {
     let glsl_type = bound.declared.glsl_type.as_str();
     match unit(glsl_type) {
         Some(unit) => Some(vec![unit as f32]),
-        None => numbers_of_array(bound.role, glsl_type, bound.declared.array, situation),
+        None => numbers_of_array(bound.role, glsl_type, bound.declared.array, test_scene),
     }
 }
 
-impl Pair {
+impl CompiledPair {
     /// Whether there is an attribute that could be the position: without it nothing is seen.
     pub fn has_position(&self) -> bool {
-        self.bindings.bound.iter().any(|b| b.declared.kind == Kind::Attribute && b.role == Role::Position)
+        self.bindings.bound.iter().any(|b| b.declared.kind == VariableKind::Attribute && b.role == Role::Position)
     }
 
-    /// Every attribute and uniform, what it was taken for and what it holds in a situation.
-    pub fn given(&self, situation: &Situation) -> Vec<Given> {
+    /// Every attribute and uniform, what it was taken for and what it holds in a test scene.
+    pub fn variable_values(&self, test_scene: &TestScene) -> Vec<VariableValue> {
         let bound = self.bindings.bound.iter().map(|bound| {
-            let value = match (bound.declared.kind, held(bound, situation)) {
-                (Kind::Attribute, _) if stream_of(bound.role).is_some() => "the mesh's".to_owned(),
-                (Kind::Attribute, _) => "0 0 0 1: the mesh has none".to_owned(),
-                (Kind::Uniform, None) => "0".to_owned(),
-                (Kind::Uniform, Some(values)) => written(&bound.declared.glsl_type, &values),
+            let value = match (bound.declared.kind, held(bound, test_scene)) {
+                (VariableKind::Attribute, _) if stream_of(bound.role).is_some() => "the mesh's".to_owned(),
+                (VariableKind::Attribute, _) => "0 0 0 1: the mesh has none".to_owned(),
+                (VariableKind::Uniform, None) => "0".to_owned(),
+                (VariableKind::Uniform, Some(values)) => written(&bound.declared.glsl_type, &values),
             };
-            Given {
+            VariableValue {
                 name: bound.declared.name.clone(),
                 glsl_type: bound.declared.glsl_type.clone(),
                 role: Some((bound.role.to_string(), bound.how.to_string())),
                 value,
             }
         });
-        let fixed = self.bindings.fixed.iter().map(|fixed| Given {
+        let fixed = self.bindings.fixed.iter().map(|fixed| VariableValue {
             name: fixed.declared.name.clone(),
             glsl_type: fixed.declared.glsl_type.clone(),
             role: Some(("a value".to_owned(), "by names.toml".to_owned())),
             value: written(&fixed.declared.glsl_type, &fixed.values),
         });
-        let unknown = self.bindings.unknown.iter().map(|declared| Given {
+        let unknown = self.bindings.unknown.iter().map(|declared| VariableValue {
             name: declared.name.clone(),
             glsl_type: declared.glsl_type.clone(),
             role: None,
-            value: if declared.kind == Kind::Attribute { "0 0 0 1".to_owned() } else { "0".to_owned() },
+            value: if declared.kind == VariableKind::Attribute { "0 0 0 1".to_owned() } else { "0".to_owned() },
         });
         bound.chain(fixed).chain(unknown).collect()
     }
@@ -196,14 +197,14 @@ mod tests {
         let files = files.map(|(name, text)| SourceFile::new(name, text)).into();
         let context = gonio_gl::HeadlessContext::new().unwrap();
         let gl = context.gl();
-        let pair = crate::preview::Source::gather(exercise, files).unwrap().compile(gl).unwrap();
+        let pair = crate::preview::SubmittedPair::gather(exercise, files).unwrap().compile(gl).unwrap();
         let scene = crate::preview::scenes(exercise).remove(0);
-        let stage = LiveStage::new(gl).unwrap();
-        stage.prepare(&scene).unwrap();
+        let renderer = PreviewRenderer::new(gl).unwrap();
+        renderer.prepare(&scene).unwrap();
         let target = gonio_render::user_program::TileTarget::new(gl, 32, 1).unwrap();
         target.begin();
         target.select(0);
-        stage.draw(&pair, &scene.situations(&scene.eye, 0.0, [32, 32]));
+        renderer.draw(&pair, &scene.test_scenes(&scene.eye, 0.0, [32, 32]));
         assert_eq!(target.error(), None);
         let middle = target.read(1)[16 * 32 + 16];
         assert!(middle.iter().take(3).any(|channel| *channel > 0.05), "{middle:?}");

@@ -3,7 +3,7 @@
 use crate::exercise::Exercise;
 use glam::{Mat4, Quat, Vec3};
 use gonio_check::search::Task;
-use gonio_check::testbench::{Light, Shape, Situation, StageMesh, mesh, scene::LAB_LIGHT};
+use gonio_check::testbench::{Light, Shape, TestMesh, TestScene, mesh, scene::LAB_LIGHT};
 
 /// What is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -35,7 +35,7 @@ impl Body {
     }
 
     /// Its vertices and triangles.
-    pub fn mesh(self) -> StageMesh {
+    pub fn mesh(self) -> TestMesh {
         match self {
             Body::ExtremelyCoarse => mesh::sphere(8, 5),
             Body::Coarse => mesh::sphere(20, 12),
@@ -72,7 +72,7 @@ pub struct Part {
 
 /// Objects, a light and where one looks from first.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Scene {
+pub struct PreviewScene {
     /// A word or two, for people.
     pub name: &'static str,
     /// What it shows, a sentence.
@@ -91,15 +91,15 @@ pub struct Scene {
     pub looks_around: bool,
 }
 
-impl Scene {
+impl PreviewScene {
     /// What a program is given for each object, seen from `eye` at `time` (seconds) in a picture of `width` by `height`
     /// pixels. The matrices are those of a square picture, as wide as the longer side.
-    pub fn situations(&self, eye: &Eye, time: f32, size: [u32; 2]) -> Vec<(Body, Situation)> {
+    pub fn test_scenes(&self, eye: &Eye, time: f32, size: [u32; 2]) -> Vec<(Body, TestScene)> {
         let [width, height] = size.map(|side| side.max(1) as f32);
         let longer = (width / height).max(height / width);
         let fov_y_rad = 2.0 * ((0.5 * eye.fov_rad).tan() * longer).atan();
         let light = Light { position: self.light.position + self.swing * time.sin(), ..self.light };
-        let situation = |part: &Part| Situation {
+        let test_scene = |part: &Part| TestScene {
             name: self.name.to_owned(),
             shows: self.shows,
             shape: Shape::Sphere,
@@ -115,18 +115,18 @@ impl Scene {
             refraction_index: 1.52,
             time,
         };
-        self.parts.iter().map(|part| (part.body, situation(part))).collect()
+        self.parts.iter().map(|part| (part.body, test_scene(part))).collect()
     }
 }
 
 /// The lab's scene of an exercise first; at least one.
-pub fn scenes(exercise: &Exercise) -> Vec<Scene> {
+pub fn scenes(exercise: &Exercise) -> Vec<PreviewScene> {
     match exercise.id.as_str() {
         "ex01" => vec![pyramid(), landmarks()],
         "ex08" => vec![sky()],
         "ex09" | "ex10" => vec![mirrored(Body::Smooth), mirrored(Body::Torus)],
         id => {
-            let task = Task::of(id);
+            let task = Task::find(id);
             let attenuation =
                 if task.is_some_and(|task| task.attenuated) { LAB_LIGHT.attenuation } else { [1.0, 0.0, 0.0] };
             let light = Light {
@@ -144,19 +144,19 @@ fn eye(position: [f32; 3], target: [f32; 3], fov_deg: f32) -> Eye {
     Eye { position: position.into(), target: target.into(), up: Vec3::Y, fov_rad: fov_deg.to_radians() }
 }
 
-fn scene(name: &'static str, shows: &'static str, parts: Vec<Part>, light: Light, eye: Eye) -> Scene {
-    Scene { name, shows, parts, light, swing: Vec3::ZERO, eye, has_sky: false, looks_around: false }
+fn scene(name: &'static str, shows: &'static str, parts: Vec<Part>, light: Light, eye: Eye) -> PreviewScene {
+    PreviewScene { name, shows, parts, light, swing: Vec3::ZERO, eye, has_sky: false, looks_around: false }
 }
 
 /// Exercise 01's: the camera stands before it and looks straight ahead.
-fn pyramid() -> Scene {
+fn pyramid() -> PreviewScene {
     let parts = vec![Part { body: Body::Pyramid, world_from_model: Mat4::IDENTITY }];
     let shows = "the lab's own: a pyramid at the origin";
     scene("the lab's", shows, parts, LAB_LIGHT, eye([0.0, 0.0, 2.0], [0.0; 3], LAB_FOV_DEG))
 }
 
 /// What a pyramid at the origin and a camera that does not turn hide.
-fn landmarks() -> Scene {
+fn landmarks() -> PreviewScene {
     let turn = Quat::from_euler(glam::EulerRot::YXZ, 25f32.to_radians(), 40f32.to_radians(), 15f32.to_radians());
     let model = Mat4::from_scale_rotation_translation(Vec3::new(0.8, 1.1, 0.6), turn, Vec3::new(0.3, -0.2, -0.4));
     let parts = vec![Part { body: Body::Landmarks, world_from_model: model }];
@@ -168,16 +168,16 @@ fn landmarks() -> Scene {
 const LAB_FOV_DEG: f32 = 58.3;
 
 /// Exercise 07's.
-fn one_sphere(light: Light) -> Scene {
+fn one_sphere(light: Light) -> PreviewScene {
     let model = Mat4::from_translation(Vec3::new(0.0, 0.0, -2.0)) * Mat4::from_scale(Vec3::splat(0.5));
     let parts = vec![Part { body: Body::Smooth, world_from_model: model }];
     let eye = eye([0.0, 0.0, 0.0], [0.0, 0.0, -2.0], 38.0);
     let shows = "the lab's own: a sphere at half its size, and a lamp that swings";
-    Scene { swing: Vec3::new(0.0, 0.0, 2.0), ..scene("the lab's", shows, parts, light, eye) }
+    PreviewScene { swing: Vec3::new(0.0, 0.0, 2.0), ..scene("the lab's", shows, parts, light, eye) }
 }
 
 /// That of exercises 03 to 06.
-fn three_spheres(light: Light) -> Scene {
+fn three_spheres(light: Light) -> PreviewScene {
     let part = |body, x: f32| {
         let model = Mat4::from_translation(Vec3::new(x, 0.0, -2.0)) * Mat4::from_scale(Vec3::splat(0.5));
         Part { body, world_from_model: model }
@@ -188,7 +188,7 @@ fn three_spheres(light: Light) -> Scene {
 }
 
 /// What a model that is scaled evenly and not turned hides.
-fn stretched(light: Light) -> Scene {
+fn stretched(light: Light) -> PreviewScene {
     let turn = Quat::from_euler(glam::EulerRot::YXZ, 50f32.to_radians(), 35f32.to_radians(), 20f32.to_radians());
     let scale = Vec3::new(0.6, 1.2, 0.3);
     let model = Mat4::from_scale_rotation_translation(scale, turn, Vec3::new(0.4, -0.3, -0.6));
@@ -199,7 +199,7 @@ fn stretched(light: Light) -> Scene {
 }
 
 /// A body that shows the sky around it.
-fn mirrored(body: Body) -> Scene {
+fn mirrored(body: Body) -> PreviewScene {
     let turn = Quat::from_euler(glam::EulerRot::YXZ, 0.5, 0.9, 0.0);
     let (name, shows) = match body {
         Body::Torus => ("a ring", "a ring, stretched and turned: its normals are nothing like its positions"),
@@ -210,15 +210,15 @@ fn mirrored(body: Body) -> Scene {
         _ => Mat4::IDENTITY,
     };
     let parts = vec![Part { body, world_from_model: model }];
-    Scene { has_sky: true, ..scene(name, shows, parts, LAB_LIGHT, eye([0.0, 0.6, 3.6], [0.0; 3], 46.0)) }
+    PreviewScene { has_sky: true, ..scene(name, shows, parts, LAB_LIGHT, eye([0.0, 0.6, 3.6], [0.0; 3], 46.0)) }
 }
 
 /// From within a cube.
-fn sky() -> Scene {
+fn sky() -> PreviewScene {
     let parts = vec![Part { body: Body::Cube, world_from_model: Mat4::IDENTITY }];
     let shows = "the sky, from a camera that stands away from the origin: a sky that comes nearer with it is wrong";
     let eye = eye([0.3, 0.2, 0.4], [0.3, 0.3, -1.0], 68.0);
-    Scene { looks_around: true, ..scene("the sky", shows, parts, LAB_LIGHT, eye) }
+    PreviewScene { looks_around: true, ..scene("the sky", shows, parts, LAB_LIGHT, eye) }
 }
 
 #[cfg(test)]
@@ -231,8 +231,8 @@ mod tests {
         let exercise = exercise::find("ex04").unwrap();
         let scene = &scenes(exercise)[0];
         let seen = |size| {
-            let (_, situation) = scene.situations(&scene.eye, 0.0, size).remove(0);
-            (0.5 * situation.fov_y_rad).tan()
+            let (_, test_scene) = scene.test_scenes(&scene.eye, 0.0, size).remove(0);
+            (0.5 * test_scene.fov_y_rad).tan()
         };
         let square = seen([100, 100]);
         for (size, times) in [([200, 100], 2.0), ([100, 300], 3.0)] {
@@ -243,7 +243,7 @@ mod tests {
     #[test]
     fn the_lamp_of_exercise_07_swings_as_its_text_says() {
         let scene = &scenes(exercise::find("ex07").unwrap())[0];
-        let at = |time: f32| scene.situations(&scene.eye, time, [10, 10])[0].1.light.position;
+        let at = |time: f32| scene.test_scenes(&scene.eye, time, [10, 10])[0].1.light.position;
         assert_eq!(at(0.0), Vec3::new(1.0, 2.0, 1.5));
         assert!((at(std::f32::consts::FRAC_PI_2) - Vec3::new(1.0, 2.0, 3.5)).length() < 1e-5);
     }

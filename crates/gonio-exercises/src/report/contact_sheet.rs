@@ -5,7 +5,7 @@ use gonio_check::search::Evidence;
 use gonio_check::testbench::TILE;
 use gonio_check::verdict::Verdict;
 
-/// A pixel of a situation is a square of so many.
+/// A pixel of a test scene is a square of so many.
 const ENLARGED: usize = 3;
 /// Between two pictures, and around them all.
 const GAP: usize = 6;
@@ -16,8 +16,8 @@ const BACKGROUND: [u8; 4] = [46, 48, 54, 255];
 /// reference draws in its own way).
 /// Differences are colours from near black (none) to pale yellow, on the scale that the page of the same verdict states;
 /// what is no number is magenta. Empty where there is nothing to show.
-pub fn sheet(evidence: &Evidence, verdict: &Verdict) -> Vec<u8> {
-    let pictures = Pictures::of(evidence, verdict);
+pub fn contact_sheet(evidence: &Evidence, verdict: &Verdict) -> Vec<u8> {
+    let pictures = Pictures::new(evidence, verdict);
     let kinds = pictures.kinds();
     if pictures.count() == 0 {
         return Vec::new();
@@ -50,13 +50,13 @@ mod tests {
     #![allow(clippy::unwrap_used)]
 
     use super::*;
-    use gonio_check::testbench::Sheet;
+    use gonio_check::testbench::Atlas;
     use gonio_check::verdict::Outcome;
 
     #[test]
     fn each_picture_has_its_place() {
         let size = (TILE * TILE) as usize;
-        let flat = |grey: [f32; 2]| Sheet {
+        let flat = |grey: [f32; 2]| Atlas {
             pixels: grey.iter().flat_map(|grey| vec![[*grey, *grey, *grey, 1.0]; size]).collect(),
         };
         let evidence = Evidence {
@@ -65,7 +65,7 @@ mod tests {
             predicted: Some(flat([0.5, 0.5])),
             scenes: vec!["one".to_owned(), "two".to_owned()],
         };
-        let file = sheet(&evidence, &Verdict::new("ex04", Outcome::Correct, ""));
+        let file = contact_sheet(&evidence, &Verdict::new("ex04", Outcome::Correct, ""));
         let mut reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().unwrap();
         let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
         let info = reader.next_frame(&mut bytes).unwrap();

@@ -141,8 +141,8 @@ fn told(verdict: &Verdict) -> String {
         }
         told.push(format!("  it explains {} of the difference", percent(mistake.share_explained)));
         told.push(format!("  what it looks like: {}", line(&mistake.looks_like)));
-        told.push(format!("  how to mend it: {}", line(&mistake.mend)));
-        told.push(format!("  in the lecture: {}", line(&mistake.seed)));
+        told.push(format!("  how to fix it: {}", line(&mistake.fix)));
+        told.push(format!("  in the lecture: {}", line(&mistake.lecture_section)));
     }
     for message in &verdict.messages {
         told.push(String::new());

@@ -100,7 +100,7 @@ pub enum Icon {
 
 impl Icon {
     /// That of a verdict.
-    pub fn of(outcome: Outcome) -> Icon {
+    pub fn for_outcome(outcome: Outcome) -> Icon {
         match outcome {
             Outcome::Correct => Icon::Right,
             Outcome::Wrong => Icon::Wrong,
@@ -178,7 +178,7 @@ pub fn verdict_html(verdict: &Verdict, with_icon: bool) -> String {
     format!(
         "<section class=\"verdict {}\">\n<h2>{}<span>{}</span></h2>\n<p class=\"summary\">{}</p>\n<p class=\"facts\">{}</p>\n</section>\n",
         word(verdict.verdict),
-        if with_icon { Icon::of(verdict.verdict).svg() } else { String::new() },
+        if with_icon { Icon::for_outcome(verdict.verdict).svg() } else { String::new() },
         capital(words(verdict.verdict)),
         sentence(&verdict.summary),
         facts.join(" · "),
@@ -219,8 +219,8 @@ fn mistake_html(mistake: &FoundMistake, together: bool) -> String {
     html.push_str("<dl>\n");
     let parts = [
         ("What it looks like", &mistake.looks_like),
-        ("How to mend it", &mistake.mend),
-        ("In the lecture", &mistake.seed),
+        ("How to fix it", &mistake.fix),
+        ("In the lecture", &mistake.lecture_section),
     ];
     for (term, text) in parts.into_iter().filter(|(_, text)| !text.is_empty()) {
         let _ = writeln!(html, "<dt>{term}</dt><dd>{}</dd>", prose(text));

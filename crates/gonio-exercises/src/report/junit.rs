@@ -170,6 +170,6 @@ fn mistake_text(mistake: &FoundMistake) -> String {
         let _ = write!(text, "\n  {}", line(quoted));
     }
     let _ = write!(text, "\n  explains {} of the difference", percent(mistake.share_explained));
-    let _ = write!(text, "\n  to mend it: {}", line(&mistake.mend));
+    let _ = write!(text, "\n  to fix it: {}", line(&mistake.fix));
     text
 }

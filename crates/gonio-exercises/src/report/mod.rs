@@ -19,7 +19,7 @@ mod visible;
 #[cfg(test)]
 mod tests;
 
-pub use contact_sheet::sheet;
+pub use contact_sheet::contact_sheet;
 pub use graders::{code_runner, gradescope};
 pub use html::page_name;
 pub use junit::junit;

@@ -67,7 +67,7 @@ fn verdicts(rows: &[&Row]) -> String {
             html,
             "<li class=\"{}\"><span class=\"name\">{}<span>{}</span></span>{bar}<span class=\"count\">{number} <small>{}</small></span></li>",
             word(outcome),
-            Icon::of(outcome).svg(),
+            Icon::for_outcome(outcome).svg(),
             words(outcome),
             percent_of(number, rows.len())
         );
@@ -151,7 +151,7 @@ fn all(rows: &[&Row], with_exercise: bool) -> String {
             html,
             "<td><span class=\"outcome {}\">{}<span>{}</span></span></td><td class=\"share\">{}</td><td class=\"what\">{}</td><td class=\"seconds\">{seconds:.1} s</td></tr>",
             word(row.verdict),
-            Icon::of(row.verdict).svg(),
+            Icon::for_outcome(row.verdict).svg(),
             words(row.verdict),
             percent(row.score),
             what(row)

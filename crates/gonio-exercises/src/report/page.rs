@@ -1,7 +1,7 @@
 //! One submission's page.
 
 use super::html::{Icon, document, messages_html, mistakes_html, notes_html, shown, verdict_html};
-use super::picture::{Kind, Pictures, heat};
+use super::picture::{PictureKind, Pictures, heat};
 use super::text::{count, escaped_line, percent};
 use gonio_check::search::Evidence;
 use gonio_check::testbench::TILE;
@@ -20,7 +20,7 @@ const SHOWN: u32 = 4 * TILE;
 pub fn page(label: &str, verdict: &Verdict, evidence: Option<&Evidence>) -> String {
     let exercise = crate::exercise::find(&verdict.exercise);
     let title = exercise.map_or_else(String::new, |exercise| format!(" · {}", escaped_line(&exercise.title)));
-    let pictures = evidence.map(|evidence| Pictures::of(evidence, verdict)).filter(|pictures| pictures.count() > 0);
+    let pictures = evidence.map(|evidence| Pictures::new(evidence, verdict)).filter(|pictures| pictures.count() > 0);
     let mut body = format!(
         "<header>\n<p class=\"over\">{}{title}</p>\n<h1>{}</h1>\n</header>\n",
         escaped_line(&verdict.exercise),
@@ -91,13 +91,13 @@ fn scenes(verdict: &Verdict, pictures: Option<&Pictures<'_>>) -> String {
 }
 
 /// What a column of pictures is called.
-fn caption(kind: Kind, verdict: &Verdict) -> &'static str {
+fn caption(kind: PictureKind, verdict: &Verdict) -> &'static str {
     match (kind, verdict.verdict) {
-        (Kind::Yours, _) => "Yours",
-        (Kind::Reference, _) => "Reference",
-        (Kind::Difference, _) => "Difference",
-        (Kind::Predicted, Outcome::Correct) => "Your way",
-        (Kind::Predicted, _) => "Predicted",
+        (PictureKind::Yours, _) => "Yours",
+        (PictureKind::Reference, _) => "Reference",
+        (PictureKind::Difference, _) => "Difference",
+        (PictureKind::Predicted, Outcome::Correct) => "Your way",
+        (PictureKind::Predicted, _) => "Predicted",
     }
 }
 
@@ -163,7 +163,7 @@ fn legend(verdict: &Verdict, pictures: &Pictures<'_>) -> String {
         "<li><span class=\"swatch nan\"></span>no number (NaN)</li>".to_owned(),
         "<li><span class=\"swatch checker\"></span>nothing is drawn</li>".to_owned(),
     ];
-    if pictures.kinds().contains(&Kind::Predicted) {
+    if pictures.kinds().contains(&PictureKind::Predicted) {
         let what = match (verdict.verdict, verdict.mistakes.len()) {
             (Outcome::Correct, _) => "Your way: the reference, computed as yours is",
             (_, 1) => "Predicted: what the mistake draws",

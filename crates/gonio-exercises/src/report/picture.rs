@@ -1,7 +1,7 @@
-//! Pictures of situations as bytes that screens show, and as PNG.
+//! Pictures of test scenes as bytes that screens show, and as PNG.
 
 use gonio_check::search::{Evidence, PIXEL_TOLERANCE, pixel_difference};
-use gonio_check::testbench::{Sheet, TILE};
+use gonio_check::testbench::{Atlas, TILE};
 use gonio_check::verdict::{Outcome, Verdict};
 
 /// A pixel that holds no number.
@@ -29,7 +29,7 @@ fn srgb(linear: f32) -> u8 {
 /// alpha is left aside: the lab does not blend.
 fn shown(pixel: &[f32; 4]) -> [u8; 4] {
     match pixel {
-        pixel if !Sheet::is_drawn(pixel) => [0; 4],
+        pixel if !Atlas::is_drawn(pixel) => [0; 4],
         [r, g, b, _] if r.is_nan() || g.is_nan() || b.is_nan() => NAN_COLOUR,
         [r, g, b, _] => [srgb(*r), srgb(*g), srgb(*b), 255],
     }
@@ -51,7 +51,7 @@ pub fn heat(share: f32) -> [u8; 3] {
 
 /// One of the rows of a sheet of pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum PictureKind {
     /// The student's.
     Yours,
     /// The right answer's.
@@ -75,7 +75,7 @@ pub struct Pictures<'a> {
 
 impl<'a> Pictures<'a> {
     /// Those of all scenes that the verdict names and the evidence holds.
-    pub fn of(evidence: &'a Evidence, verdict: &Verdict) -> Self {
+    pub fn new(evidence: &'a Evidence, verdict: &Verdict) -> Self {
         // The scenes of a verdict are in the sheet's order; those with one term alone come after the ones that have words.
         let tile = |(index, word): (usize, &String)| {
             evidence.scenes.iter().position(|known| known == word).or((index >= evidence.scenes.len()).then_some(index))
@@ -98,30 +98,30 @@ impl<'a> Pictures<'a> {
     }
 
     /// Which rows there are: a prediction is shown where it bears a name, for a guess is none.
-    pub fn kinds(&self) -> Vec<Kind> {
-        let mut kinds = vec![Kind::Yours, Kind::Reference, Kind::Difference];
-        kinds.extend(self.has_prediction.then_some(Kind::Predicted));
+    pub fn kinds(&self) -> Vec<PictureKind> {
+        let mut kinds = vec![PictureKind::Yours, PictureKind::Reference, PictureKind::Difference];
+        kinds.extend(self.has_prediction.then_some(PictureKind::Predicted));
         kinds
     }
 
     /// The one of that number, from 0.
-    pub fn nth(&self, scene: usize, kind: Kind) -> Option<Picture> {
+    pub fn nth(&self, scene: usize, kind: PictureKind) -> Option<Picture> {
         self.picture(self.scenes.get(scene)?.1, kind)
     }
 
     /// The one of that word.
-    pub fn find(&self, scene: &str, kind: Kind) -> Option<Picture> {
+    pub fn find(&self, scene: &str, kind: PictureKind) -> Option<Picture> {
         let (_, tile) = self.scenes.iter().find(|(word, _)| word == scene)?;
         self.picture(*tile, kind)
     }
 
-    fn picture(&self, tile: usize, kind: Kind) -> Option<Picture> {
+    fn picture(&self, tile: usize, kind: PictureKind) -> Option<Picture> {
         let Evidence { seen, reference, predicted, .. } = self.evidence;
         let pixels: Vec<[u8; 4]> = match kind {
-            Kind::Yours => seen.tile(tile).iter().map(shown).collect(),
-            Kind::Reference => reference.tile(tile).iter().map(shown).collect(),
-            Kind::Predicted => predicted.as_ref()?.tile(tile).iter().map(shown).collect(),
-            Kind::Difference => {
+            PictureKind::Yours => seen.tile(tile).iter().map(shown).collect(),
+            PictureKind::Reference => reference.tile(tile).iter().map(shown).collect(),
+            PictureKind::Predicted => predicted.as_ref()?.tile(tile).iter().map(shown).collect(),
+            PictureKind::Difference => {
                 let both = seen.tile(tile).iter().zip(reference.tile(tile));
                 both.map(|(a, b)| self.difference(a, b)).collect()
             }
@@ -137,7 +137,7 @@ impl<'a> Pictures<'a> {
     }
 
     fn difference(&self, a: &[f32; 4], b: &[f32; 4]) -> [u8; 4] {
-        if !Sheet::is_drawn(a) && !Sheet::is_drawn(b) {
+        if !Atlas::is_drawn(a) && !Atlas::is_drawn(b) {
             return [0; 4];
         }
         if is_nan(a) != is_nan(b) {
@@ -149,7 +149,7 @@ impl<'a> Pictures<'a> {
 }
 
 fn is_nan(pixel: &[f32; 4]) -> bool {
-    Sheet::is_drawn(pixel) && pixel.iter().take(3).any(|channel| channel.is_nan())
+    Atlas::is_drawn(pixel) && pixel.iter().take(3).any(|channel| channel.is_nan())
 }
 
 /// The scale of the differences, the same in all scenes: a half, a quarter and so on, as small as leaves no more than one in
@@ -246,37 +246,40 @@ mod tests {
     fn evidence(difference: f32) -> Evidence {
         let size = (TILE * TILE) as usize;
         let mut seen = vec![[0.25, 0.25, 0.25, 1.0]; 2 * size];
-        let reference = Sheet { pixels: seen.clone() };
+        let reference = Atlas { pixels: seen.clone() };
         for pixel in &mut seen[..TILE as usize] {
             pixel[1] += difference;
         }
         seen[size] = NOT_DRAWN;
         let scenes = vec!["one".to_owned(), "two".to_owned()];
-        Evidence { seen: Sheet { pixels: seen }, reference, predicted: None, scenes }
+        Evidence { seen: Atlas { pixels: seen }, reference, predicted: None, scenes }
     }
 
     #[test]
     fn the_bottom_row_comes_last() {
         let evidence = evidence(0.2);
-        let pictures = Pictures::of(&evidence, &Verdict::new("ex04", Outcome::Wrong, ""));
+        let pictures = Pictures::new(&evidence, &Verdict::new("ex04", Outcome::Wrong, ""));
         assert_eq!(pictures.count(), 2);
         assert_eq!(pictures.full, 0.25);
-        let difference = pictures.find("one", Kind::Difference).unwrap();
+        let difference = pictures.find("one", PictureKind::Difference).unwrap();
         let [r, g, b] = heat(0.2 / 0.25);
         let last = difference.pixels.len() - 1;
         assert_eq!(difference.pixels[last][0].abs_diff(r), 0);
         assert_eq!(difference.pixels[last], [r, g, b, 255]);
         assert_eq!(difference.pixels[0][..3], heat(0.0));
-        assert!(pictures.find("three", Kind::Yours).is_none() && pictures.find("one", Kind::Predicted).is_none());
-        let two = pictures.nth(1, Kind::Yours).unwrap();
+        assert!(
+            pictures.find("three", PictureKind::Yours).is_none()
+                && pictures.find("one", PictureKind::Predicted).is_none()
+        );
+        let two = pictures.nth(1, PictureKind::Yours).unwrap();
         assert_eq!(two.pixels[last - (TILE as usize - 1)], [0; 4]);
     }
 
     #[test]
     fn a_png_can_be_read_back() {
         let evidence = evidence(0.2);
-        let pictures = Pictures::of(&evidence, &Verdict::new("ex04", Outcome::Wrong, ""));
-        let picture = pictures.nth(0, Kind::Yours).unwrap();
+        let pictures = Pictures::new(&evidence, &Verdict::new("ex04", Outcome::Wrong, ""));
+        let picture = pictures.nth(0, PictureKind::Yours).unwrap();
         let mut reader = png::Decoder::new(std::io::Cursor::new(picture.png())).read_info().unwrap();
         let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
         let info = reader.next_frame(&mut bytes).unwrap();
@@ -288,7 +291,7 @@ mod tests {
     fn too_few_pixels_are_no_picture() {
         let mut evidence = evidence(0.2);
         evidence.seen.pixels.truncate(7);
-        assert_eq!(Pictures::of(&evidence, &Verdict::new("ex04", Outcome::Wrong, "")).count(), 0);
-        assert!(super::super::sheet(&evidence, &Verdict::new("ex04", Outcome::Wrong, "")).is_empty());
+        assert_eq!(Pictures::new(&evidence, &Verdict::new("ex04", Outcome::Wrong, "")).count(), 0);
+        assert!(super::super::contact_sheet(&evidence, &Verdict::new("ex04", Outcome::Wrong, "")).is_empty());
     }
 }

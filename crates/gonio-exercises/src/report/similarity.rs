@@ -25,7 +25,7 @@ pub struct Fingerprint {
 
 impl Fingerprint {
     /// Of a submission's shaders; `known` are those that the exercise hands out, which do not count.
-    pub fn of(sources: &[&str], known: &[&str]) -> Self {
+    pub fn new(sources: &[&str], known: &[&str]) -> Self {
         // All of what is known, not a choice of it: another text around it would make another choice.
         let known: BTreeSet<u64> = known.iter().flat_map(|source| grams(source)).collect();
         let mut kept = BTreeSet::new();
@@ -45,7 +45,7 @@ impl Fingerprint {
 
 /// How alike two submissions' shaders are, 0 to 1, without `known`, which the exercise hands out: see [`Fingerprint::share`].
 pub fn similarity(a: &[&str], b: &[&str], known: &[&str]) -> f64 {
-    Fingerprint::of(a, known).share(&Fingerprint::of(b, known))
+    Fingerprint::new(a, known).share(&Fingerprint::new(b, known))
 }
 
 /// All pairs that are alike to a share of `least` and more, the most alike first. Submissions of a few lines are left out.
@@ -258,7 +258,7 @@ uniform vec3 lampe;   out vec4 couleur; in vec3 normale;
         let exercise = crate::exercise::find("ex07").unwrap();
         let known: Vec<&str> = exercise.start_files().map(|(_, text)| text).collect();
         let all: Vec<(String, Fingerprint)> =
-            corpus().into_iter().map(|(name, sources)| (name, Fingerprint::of(&texts(&sources), &known))).collect();
+            corpus().into_iter().map(|(name, sources)| (name, Fingerprint::new(&texts(&sources), &known))).collect();
         let pairs = similar_pairs(&all, 0.0);
         assert_eq!(pairs.len(), all.len() * (all.len() - 1) / 2);
         // From 0.85 on a batch calls two alike. All of these were written by few authors: some are the same thoughts in another
@@ -279,13 +279,13 @@ uniform vec3 lampe;   out vec4 couleur; in vec3 normale;
         let known: Vec<&str> = exercise.start_files().map(|(_, text)| text).collect();
         let sources = corpus();
         let mut all: Vec<(String, Fingerprint)> =
-            sources.iter().map(|(name, texts_of)| (name.clone(), Fingerprint::of(&texts(texts_of), &known))).collect();
+            sources.iter().map(|(name, texts_of)| (name.clone(), Fingerprint::new(&texts(texts_of), &known))).collect();
         let [vertex, fragment] = [0, 1].map(|stage| {
             let text = &sources.iter().find(|(name, _)| name == "step-gated").unwrap().1[stage];
             text.replace("; ", " ;\n// so it is\n").replace("light", "lumiere").replace("toL", "vers_la_lampe")
         });
         assert!(fragment.contains("lumiere") && fragment.contains("vers_la_lampe"));
-        all.push(("copy".to_owned(), Fingerprint::of(&[&vertex, &fragment], &known)));
+        all.push(("copy".to_owned(), Fingerprint::new(&[&vertex, &fragment], &known)));
         let first = similar_pairs(&all, 0.9);
         assert_eq!(first.len(), 1, "{first:?}");
         assert_eq!((first[0].0.as_str(), first[0].1.as_str()), ("step-gated", "copy"));

@@ -43,7 +43,7 @@ pub struct RowMistake {
 
 impl Row {
     /// What a verdict says of a submission, and how long that took.
-    pub fn of(label: &str, verdict: &Verdict, seconds: f64) -> Self {
+    pub fn new(label: &str, verdict: &Verdict, seconds: f64) -> Self {
         let mistake = |mistake: &gonio_check::verdict::FoundMistake| RowMistake {
             id: mistake.id.clone(),
             name: mistake.name.clone(),

@@ -3,7 +3,7 @@
 
 use super::*;
 use gonio_check::search::Evidence;
-use gonio_check::testbench::{Sheet, TILE};
+use gonio_check::testbench::{Atlas, TILE};
 use gonio_check::verdict::{
     BoundVariable, CompilerMessage, FoundMistake, Outcome, Peculiarity, RunnerUp, SceneVerdict, TermState, TermVerdict,
     Verdict,
@@ -63,9 +63,9 @@ fn evidence() -> Evidence {
     let mut seen = vec![[0.5, 0.25, 2.0, 0.0]; 3 * size];
     seen[5] = [f32::NAN, 0.0, f32::INFINITY, 1.0];
     seen[6] = NOT_DRAWN;
-    let reference = Sheet { pixels: vec![[0.4, 0.25, 1.0, 1.0]; 3 * size] };
+    let reference = Atlas { pixels: vec![[0.4, 0.25, 1.0, 1.0]; 3 * size] };
     let scenes = vec!["lab".to_owned(), EVIL.to_owned()];
-    Evidence { seen: Sheet { pixels: seen }, predicted: Some(reference.clone()), reference, scenes }
+    Evidence { seen: Atlas { pixels: seen }, predicted: Some(reference.clone()), reference, scenes }
 }
 
 /// What can be told apart in markup.
@@ -306,7 +306,7 @@ fn code_runner_gets_only_fields_that_it_knows() {
 }
 
 fn evil_row() -> Row {
-    Row::of(EVIL, &evil(Outcome::Wrong), 0.25)
+    Row::new(EVIL, &evil(Outcome::Wrong), 0.25)
 }
 
 #[test]
@@ -317,7 +317,7 @@ fn a_table_holds_a_line_a_submission() {
     let mut third = evil(Outcome::Wrong);
     third.mistakes.push(FoundMistake { id: "ambient-twice".to_owned(), file: None, ..third.mistakes[0].clone() });
     third.mistakes[0].file = Some("a b.frag".to_owned());
-    let rows = [evil_row(), Row::of("second", &second, f64::NAN), Row::of("third, and last", &third, 1.0)];
+    let rows = [evil_row(), Row::new("second", &second, f64::NAN), Row::new("third, and last", &third, 1.0)];
     let table = csv(&rows);
     nothing_invisible(&table);
     let read = read_csv(&table);
@@ -400,9 +400,9 @@ fn a_file_as_long_as_it_likes_makes_no_long_page() {
 
 #[test]
 fn an_overview_counts_sorts_and_links() {
-    let mut rows = vec![evil_row(), Row::of("Group 10", &Verdict::new("ex04", Outcome::Correct, ""), 0.5)];
-    rows.push(Row::of("group 9", &evil(Outcome::Wrong), 0.5));
-    rows.push(Row::of("", &Verdict::new("ex04", Outcome::Unsure, EVIL), f64::INFINITY));
+    let mut rows = vec![evil_row(), Row::new("Group 10", &Verdict::new("ex04", Outcome::Correct, ""), 0.5)];
+    rows.push(Row::new("group 9", &evil(Outcome::Wrong), 0.5));
+    rows.push(Row::new("", &Verdict::new("ex04", Outcome::Unsure, EVIL), f64::INFINITY));
     let similar = [("group 9".to_owned(), "Group 10".to_owned(), 0.7), (EVIL.to_owned(), "group 9".to_owned(), 0.96)];
     let page = overview(EVIL, &rows, &similar, &[EVIL.to_owned()]);
     let markup = read_page(&page);

@@ -23,7 +23,7 @@ fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
 
 pub fn models() -> Vec<(String, Expected)> {
     let models = files(&model("")).into_iter();
-    models.map(|(name, bytes)| (name, Expected::of_obj(&bytes).expect("an OBJ"))).collect()
+    models.map(|(name, bytes)| (name, Expected::from_obj(&bytes).expect("an OBJ"))).collect()
 }
 
 /// Files that the exercise's programs wrote: MODEL.start.csv, MODEL.reference.raw and so on.
@@ -40,8 +40,8 @@ pub fn random(state: &mut u64, below: usize) -> usize {
 }
 
 /// The triangles in another order, each starting at another corner.
-pub fn shuffled(vertices: &[Vertex], seed: u64) -> Vec<Vertex> {
-    let mut state = seed;
+pub fn shuffled(vertices: &[Vertex], lecture_section: u64) -> Vec<Vertex> {
+    let mut state = lecture_section;
     let mut triangles: Vec<[Vertex; 3]> = vertices.as_chunks::<3>().0.to_vec();
     for i in (1..triangles.len()).rev() {
         triangles.swap(i, random(&mut state, i + 1));

@@ -16,7 +16,7 @@ pub struct MistakeName {
     /// What the program does, and what comes of it.
     pub explanation: &'static str,
     /// What to change.
-    pub how_to_mend: &'static str,
+    pub how_to_fix: &'static str,
 }
 
 /// A mistake with the readers that make it: the switch it sets, in each of the ways it is usually made.

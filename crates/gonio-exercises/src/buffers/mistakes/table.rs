@@ -7,10 +7,10 @@ const fn mistake(
     id: &'static str,
     name: &'static str,
     explanation: &'static str,
-    how_to_mend: &'static str,
+    how_to_fix: &'static str,
     variants: &'static [fn(&mut Reader)],
 ) -> Mistake {
-    Mistake { words: MistakeName { id, name, explanation, how_to_mend }, variants, is_harmless: false }
+    Mistake { words: MistakeName { id, name, explanation, how_to_fix }, variants, is_harmless: false }
 }
 
 /// The likely ones first: where two explain a buffer equally well, the first is named.

@@ -32,16 +32,16 @@ fn vertex_arrays(case: &Case<'_>, found: &mut Vec<Suspect>) {
         found.push(match name {
             Some(name) => {
                 let made = case.first(|call| matches!(call, Call::Generate { name: n, .. } if n == name)).unwrap_or(0);
-                let mend = format!("write `bind_vertex_array {name}` after it");
+                let fix = format!("write `bind_vertex_array {name}` after it");
                 let said = format!("`{name}` is made and never bound");
-                let mended = case.inserted(first_for.max(made + 1), [bound]);
-                case.suspect("vertex-array-not-bound", made, said, mend, mended)
+                let corrected = case.inserted(first_for.max(made + 1), [bound]);
+                case.suspect("vertex-array-not-bound", made, said, fix, corrected)
             }
             None => {
                 let made = Call::Generate { name: array, kind: ObjectKind::VertexArray };
-                let mend = "write `array = gen_vertex_array` and `bind_vertex_array array` before it";
+                let fix = "write `array = gen_vertex_array` and `bind_vertex_array array` before it";
                 let said = "there is no vertex array that could keep what is said here";
-                case.suspect("vertex-array-missing", first_for, said, mend, case.inserted(first_for, [made, bound]))
+                case.suspect("vertex-array-missing", first_for, said, fix, case.inserted(first_for, [made, bound]))
             }
         });
         return;
@@ -49,27 +49,27 @@ fn vertex_arrays(case: &Case<'_>, found: &mut Vec<Suspect>) {
     if first_for < bind {
         // With what makes it, where that comes late too.
         let made = case.first(|call| matches!(call, Call::Generate { kind: ObjectKind::VertexArray, .. }));
-        let mut mended = case.moved(bind, first_for);
+        let mut corrected = case.moved(bind, first_for);
         if let Some(made) = made.filter(|made| *made > first_for) {
-            let step = mended.remove(made + 1);
-            mended.insert(first_for, step);
+            let step = corrected.remove(made + 1);
+            corrected.insert(first_for, step);
         }
         let said = format!("line {} is meant for this vertex array, and comes before it", case.line(first_for));
-        let mend = format!("write it before line {}", case.line(first_for));
-        found.push(case.suspect("vertex-array-bound-late", bind, said, mend, mended));
+        let fix = format!("write it before line {}", case.line(first_for));
+        found.push(case.suspect("vertex-array-bound-late", bind, said, fix, corrected));
     }
     let Some(last) = case.last(binds_array) else { return };
     let Call::BindVertexArray(bound) = &case.steps[last].call else { return };
     if *bound == Number::Literal(0) {
         let said = format!("0 unbinds the vertex array before the draw in line {}", case.line(case.draw));
-        let mend = "bind the vertex array again before the draw, or leave this out";
-        found.push(case.suspect("vertex-array-unbound", last, said, mend, case.without(last)));
+        let fix = "bind the vertex array again before the draw, or leave this out";
+        found.push(case.suspect("vertex-array-unbound", last, said, fix, case.without(last)));
     }
     for name in arrays.iter().filter(|name| *bound != Number::Variable((**name).to_owned())) {
         let call = Call::BindVertexArray(Number::Variable((*name).to_owned()));
         let said = format!("the attributes were described in `{name}`, and another vertex array is bound at the draw");
-        let mend = format!("write `bind_vertex_array {name}`");
-        found.push(case.suspect("other-vertex-array", last, said, mend, case.replaced(last, call)));
+        let fix = format!("write `bind_vertex_array {name}`");
+        found.push(case.suspect("other-vertex-array", last, said, fix, case.replaced(last, call)));
     }
     for (at, step) in case.before() {
         if at != last && matches!(&step.call, Call::BindVertexArray(Number::Literal(0))) {
@@ -95,18 +95,18 @@ fn buffers(case: &Case<'_>, found: &mut Vec<Suspect>) {
                 let made =
                     case.first(|call| matches!(call, Call::Generate { name, .. } if name == buffer)).unwrap_or(0);
                 let call = Call::BindBuffer { target: vertices, buffer: Number::Variable(buffer.to_owned()) };
-                let mend = format!("write `bind_buffer ARRAY_BUFFER {buffer}` after it");
+                let fix = format!("write `bind_buffer ARRAY_BUFFER {buffer}` after it");
                 let said = format!("`{buffer}` is made and never bound to ARRAY_BUFFER");
-                let mended = case.inserted(first_for.max(made + 1), [call]);
-                found.push(case.suspect("buffer-not-bound", made, said, mend, mended));
+                let corrected = case.inserted(first_for.max(made + 1), [call]);
+                found.push(case.suspect("buffer-not-bound", made, said, fix, corrected));
             }
         }
         Some(bind) if first_for < bind => {
             let made = case.first(|call| matches!(call, Call::Generate { kind: ObjectKind::Buffer, .. }));
             let place = made.map_or(first_for, |made| (made + 1).min(first_for));
             let said = format!("line {} is meant for this buffer, and comes before it is bound", case.line(first_for));
-            let mend = format!("write it before line {}", case.line(first_for));
-            found.push(case.suspect("buffer-bound-late", bind, said, mend, case.moved(bind, place)));
+            let fix = format!("write it before line {}", case.line(first_for));
+            found.push(case.suspect("buffer-bound-late", bind, said, fix, case.moved(bind, place)));
         }
         Some(_) => {}
     }
@@ -132,16 +132,16 @@ fn targets(case: &Case<'_>, found: &mut Vec<Suspect>) {
         let now = *target;
         let buffer = |call: &Call| if let Call::BindBuffer { buffer, .. } = call { Some(buffer.clone()) } else { None };
         // The buffer's other calls with it: bind_buffer and the buffer_data that follows.
-        let mut mended = case.replaced(at, call.clone());
+        let mut corrected = case.replaced(at, call.clone());
         if buffer(&call).is_some()
-            && let Some(next) = mended.get_mut(at + 1)
+            && let Some(next) = corrected.get_mut(at + 1)
             && let Call::BufferData { target, .. } = &mut next.call
             && *target == was
         {
             *target = now;
         }
         let said = format!("{} is not what this buffer is read from", was.name);
-        found.push(case.suspect("buffer-target-wrong", at, said, format!("write {}", now.name), mended));
+        found.push(case.suspect("buffer-target-wrong", at, said, format!("write {}", now.name), corrected));
     }
 }
 
@@ -155,8 +155,8 @@ fn filled(case: &Case<'_>, found: &mut Vec<Suspect>) {
         _ => None,
     });
     let Some(data) = data else { return };
-    let mend = format!("write `buffer_data ARRAY_BUFFER {data} STATIC_DRAW` after it");
+    let fix = format!("write `buffer_data ARRAY_BUFFER {data} STATIC_DRAW` after it");
     let call = Call::BufferData { target: known("ARRAY_BUFFER"), data, usage: known("STATIC_DRAW") };
-    let mended = case.inserted(bind + 1, [call]);
-    found.push(case.suspect("buffer-empty", bind, "this buffer never gets any bytes", mend, mended));
+    let corrected = case.inserted(bind + 1, [call]);
+    found.push(case.suspect("buffer-empty", bind, "this buffer never gets any bytes", fix, corrected));
 }

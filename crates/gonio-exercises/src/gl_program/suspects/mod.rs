@@ -19,9 +19,9 @@ pub struct Suspect {
     /// What exactly is wrong there.
     pub said: String,
     /// What exactly to write.
-    pub mend: String,
+    pub fix: String,
     /// The program with it mended.
-    pub mended: Vec<Step>,
+    pub corrected: Vec<Step>,
 }
 
 /// A program that draws the wrong picture, and what is known of it.
@@ -145,10 +145,10 @@ impl<'a> Case<'a> {
         id: &'static str,
         at: usize,
         said: impl Into<String>,
-        mend: impl Into<String>,
-        mended: Vec<Step>,
+        fix: impl Into<String>,
+        corrected: Vec<Step>,
     ) -> Suspect {
-        Suspect { id, line: self.line(at), said: said.into(), mend: mend.into(), mended }
+        Suspect { id, line: self.line(at), said: said.into(), fix: fix.into(), corrected }
     }
 }
 

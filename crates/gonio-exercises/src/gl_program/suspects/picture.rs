@@ -31,19 +31,25 @@ fn program(case: &Case<'_>, found: &mut Vec<Suspect>) {
         .filter_map(|(at, step)| if let Call::UseProgram(number) = &step.call { Some((at, number)) } else { None })
         .collect();
     if uses.is_empty() {
-        let mended = case.inserted(made + 1, [Call::UseProgram(right.clone())]);
+        let corrected = case.inserted(made + 1, [Call::UseProgram(right.clone())]);
         let said = format!("`{name}` is created and never put to use");
-        let mend = format!("write `use_program {name}` before the uniforms and the draw");
-        found.push(case.suspect("program-not-used", made, said, mend, mended));
+        let fix = format!("write `use_program {name}` before the uniforms and the draw");
+        found.push(case.suspect("program-not-used", made, said, fix, corrected));
     }
     for (at, number) in uses {
         if *number == Number::Literal(0) {
             let said = "0 puts no program to use, and the draw that follows has none";
             found.push(case.suspect("program-switched-off", at, said, "leave it out", case.without(at)));
         } else if *number != right {
-            let mended = case.replaced(at, Call::UseProgram(right.clone()));
+            let corrected = case.replaced(at, Call::UseProgram(right.clone()));
             let said = format!("this is not the number of `{name}`");
-            found.push(case.suspect("program-number-wrong", at, said, format!("write `use_program {name}`"), mended));
+            found.push(case.suspect(
+                "program-number-wrong",
+                at,
+                said,
+                format!("write `use_program {name}`"),
+                corrected,
+            ));
         }
     }
 }
@@ -52,8 +58,8 @@ fn viewport(case: &Case<'_>, found: &mut Vec<Suspect>) {
     for (at, step) in case.before() {
         let Call::Viewport([x, y, width, height]) = step.call else { continue };
         let said = format!("the picture is drawn into {width} x {height} pixels from ({x}, {y}) on");
-        let mend = "give it 0 0 and the picture's width and height, or leave it out";
-        found.push(case.suspect("viewport-wrong", at, said, mend, case.without(at)));
+        let fix = "give it 0 0 and the picture's width and height, or leave it out";
+        found.push(case.suspect("viewport-wrong", at, said, fix, case.without(at)));
     }
 }
 
@@ -64,14 +70,14 @@ fn clears(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let clears: Vec<usize> = (0..case.steps.len()).filter(|at| clears_color(&case.steps[*at].call)).collect();
     for &at in clears.iter().filter(|at| **at > first_draw) {
         let said = format!("what was drawn in line {} is wiped out", case.line(first_draw));
-        let mended = case.moved(at, first_draw);
-        found.push(case.suspect("clear-after-draw", at, said, "write it before the draw", mended));
+        let corrected = case.moved(at, first_draw);
+        found.push(case.suspect("clear-after-draw", at, said, "write it before the draw", corrected));
     }
     if clears.is_empty() {
         let said = "the picture keeps what was there before";
-        let mended = case.inserted(first_draw, [Call::Clear(vec![color])]);
-        let mend = "write `clear COLOR_BUFFER_BIT` before it";
-        found.push(case.suspect("clear-missing", first_draw, said, mend, mended));
+        let corrected = case.inserted(first_draw, [Call::Clear(vec![color])]);
+        let fix = "write `clear COLOR_BUFFER_BIT` before it";
+        found.push(case.suspect("clear-missing", first_draw, said, fix, corrected));
     }
 }
 
@@ -83,11 +89,11 @@ fn clear_color(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let Some(right) = right else { return };
     let Some(clear) = case.first(|call| matches!(call, Call::Clear(_))) else { return };
     let [r, g, b, a] = right;
-    let mend = format!("write `clear_color {r} {g} {b} {a}`");
+    let fix = format!("write `clear_color {r} {g} {b} {a}`");
     let Some(at) = case.first(|call| matches!(call, Call::ClearColor(_))) else {
-        let mended = case.inserted(clear, [Call::ClearColor(right)]);
+        let corrected = case.inserted(clear, [Call::ClearColor(right)]);
         let said = "no clear_color comes before this, so the ground is black";
-        found.push(case.suspect("clear-color-wrong", clear, said, mend, mended));
+        found.push(case.suspect("clear-color-wrong", clear, said, fix, corrected));
         return;
     };
     if at > clear {
@@ -97,8 +103,8 @@ fn clear_color(case: &Case<'_>, found: &mut Vec<Suspect>) {
     for (at, step) in case.before() {
         if matches!(step.call, Call::ClearColor(color) if color != right) {
             let said = "the ground is not the exercise's dark grey-blue";
-            let mended = case.replaced(at, Call::ClearColor(right));
-            found.push(case.suspect("clear-color-wrong", at, said, mend.clone(), mended));
+            let corrected = case.replaced(at, Call::ClearColor(right));
+            found.push(case.suspect("clear-color-wrong", at, said, fix.clone(), corrected));
         }
     }
 }
@@ -117,14 +123,14 @@ fn draws(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let right = case.reference.iter().find(|step| step.call.draws()).map(|step| step.call.clone());
     let Some(right @ Call::DrawArrays { mode, first, count }) = right else { return };
     let Some(step) = case.steps.get(case.draw) else {
-        let mended = case.inserted(case.steps.len(), [right]);
+        let corrected = case.inserted(case.steps.len(), [right]);
         let at = case.steps.len();
-        let mend = format!("write `draw_arrays {} {first} {count}` at the end", mode.name);
-        found.push(case.suspect("draw-missing", at, "no call draws anything", mend, mended));
+        let fix = format!("write `draw_arrays {} {first} {count}` at the end", mode.name);
+        found.push(case.suspect("draw-missing", at, "no call draws anything", fix, corrected));
         return;
     };
-    let mut told = |id: &'static str, call: Call, said: String, mend: String| {
-        found.push(case.suspect(id, case.draw, said, mend, case.replaced(case.draw, call)));
+    let mut told = |id: &'static str, call: Call, said: String, fix: String| {
+        found.push(case.suspect(id, case.draw, said, fix, case.replaced(case.draw, call)));
     };
     match step.call.clone() {
         Call::DrawArrays { mode: mine, first: from, count: many } => {
@@ -159,7 +165,7 @@ fn draws(case: &Case<'_>, found: &mut Vec<Suspect>) {
     }
     if case.draw + 1 < case.steps.len() {
         let said = "the calls that follow are for the draw, and come after it";
-        let mended = case.moved(case.draw, case.steps.len());
-        found.push(case.suspect("draw-too-early", case.draw, said, "write it at the end", mended));
+        let corrected = case.moved(case.draw, case.steps.len());
+        found.push(case.suspect("draw-too-early", case.draw, said, "write it at the end", corrected));
     }
 }

@@ -25,8 +25,8 @@ pub fn suspect(case: &Case<'_>, found: &mut Vec<Suspect>) {
         }
         if at > case.draw {
             let said = format!("the draw in line {} has already read `{uniform}`", case.line(case.draw));
-            let mended = case.moved(at, case.draw);
-            found.push(case.suspect("uniform-after-draw", at, said, "write it before the draw", mended));
+            let corrected = case.moved(at, case.draw);
+            found.push(case.suspect("uniform-after-draw", at, said, "write it before the draw", corrected));
         }
         if case.refused(at).is_some_and(|error| error.code == "INVALID_OPERATION") {
             before_use(case, at, uniform, found);
@@ -36,17 +36,17 @@ pub fn suspect(case: &Case<'_>, found: &mut Vec<Suspect>) {
                 for &unit in &units {
                     let said =
                         format!("`{uniform}` is set to `{name}`, the name of a texture, which is bound to unit {unit}");
-                    let mend = format!("write `uniform_1i {uniform} {unit}`");
-                    let mended = case.replaced(at, set(uniform, unit));
-                    found.push(case.suspect("texture-name-as-unit", at, said, mend, mended));
+                    let fix = format!("write `uniform_1i {uniform} {unit}`");
+                    let corrected = case.replaced(at, set(uniform, unit));
+                    found.push(case.suspect("texture-name-as-unit", at, said, fix, corrected));
                 }
             }
             UniformArgument::Floats(_) => {
                 for &unit in &units {
-                    let mend = format!("write `uniform_1i {uniform} {unit}`");
+                    let fix = format!("write `uniform_1i {uniform} {unit}`");
                     let said = format!("`{uniform}` is a sampler, and a sampler is a whole number");
-                    let mended = case.replaced(at, set(uniform, unit));
-                    found.push(case.suspect("uniform-type-wrong", at, said, mend, mended));
+                    let corrected = case.replaced(at, set(uniform, unit));
+                    found.push(case.suspect("uniform-type-wrong", at, said, fix, corrected));
                 }
             }
             UniformArgument::Whole(_) => {}
@@ -64,9 +64,9 @@ pub fn suspect(case: &Case<'_>, found: &mut Vec<Suspect>) {
         for &unit in units.iter().filter(|unit| *number != Number::Literal(**unit as i32)) {
             if samplers.iter().any(|sampler| sampler == uniform) {
                 let said = format!("`{uniform}` reads unit {value}, and the texture is bound to unit {unit}");
-                let mend = format!("write `uniform_1i {uniform} {unit}`, or bind the texture to unit {value}");
-                let mended = case.replaced(at, set(uniform, unit));
-                found.push(case.suspect("unbound-unit", at, said, mend, mended));
+                let fix = format!("write `uniform_1i {uniform} {unit}`, or bind the texture to unit {value}");
+                let corrected = case.replaced(at, set(uniform, unit));
+                found.push(case.suspect("unbound-unit", at, said, fix, corrected));
             }
         }
     }
@@ -105,8 +105,8 @@ fn unknown_name(case: &Case<'_>, at: usize, given: &UniformArgument, samplers: &
     for sampler in samplers {
         let call = Call::Uniform { uniform: sampler.clone(), given: given.clone() };
         let said = format!("the program has no uniform `{uniform}`; its sampler is `{sampler}`");
-        let mend = format!("write `{sampler}`");
-        found.push(case.suspect("uniform-name-wrong", at, said, mend, case.replaced(at, call)));
+        let fix = format!("write `{sampler}`");
+        found.push(case.suspect("uniform-name-wrong", at, said, fix, case.replaced(at, call)));
     }
 }
 
@@ -115,8 +115,8 @@ fn before_use(case: &Case<'_>, at: usize, uniform: &str, found: &mut Vec<Suspect
     let mut uses = later.filter(|(_, step)| matches!(&step.call, Call::UseProgram(p) if *p != Number::Literal(0)));
     let Some((used, step)) = uses.next() else { return };
     let said = format!("no program is in use here: use_program comes in line {}, and `{uniform}` stays 0", step.line);
-    let mend = format!("write it after use_program in line {}", step.line);
-    found.push(case.suspect("uniform-before-use-program", at, said, mend, case.moved(at, used + 1)));
+    let fix = format!("write it after use_program in line {}", step.line);
+    found.push(case.suspect("uniform-before-use-program", at, said, fix, case.moved(at, used + 1)));
 }
 
 /// The unit is made active when the texture is bound already, and nothing is bound after that.
@@ -126,8 +126,8 @@ fn active_after_bind(case: &Case<'_>, found: &mut Vec<Suspect>) {
         let Call::ActiveTexture(Selector::Constant(unit)) = &step.call else { continue };
         let said =
             format!("{} is made active when the texture is bound already, in line {}", unit.name, case.line(bind));
-        let mend = format!("write it before bind_texture in line {}", case.line(bind));
-        found.push(case.suspect("active-texture-after-bind", at, said, mend, case.moved(at, bind)));
+        let fix = format!("write it before bind_texture in line {}", case.line(bind));
+        found.push(case.suspect("active-texture-after-bind", at, said, fix, case.moved(at, bind)));
     }
 }
 
@@ -140,8 +140,8 @@ fn active_number(case: &Case<'_>, found: &mut Vec<Suspect>) {
         };
         let unit = texture_unit(unit).unwrap_or(known("TEXTURE0"));
         let said = format!("a plain number is no unit, and OpenGL refuses it; {} is one", unit.name);
-        let mended = case.replaced(at, Call::ActiveTexture(Selector::Constant(unit)));
-        found.push(case.suspect("active-texture-number", at, said, format!("write {}", unit.name), mended));
+        let corrected = case.replaced(at, Call::ActiveTexture(Selector::Constant(unit)));
+        found.push(case.suspect("active-texture-number", at, said, format!("write {}", unit.name), corrected));
     }
 }
 
@@ -153,9 +153,9 @@ fn never_set(case: &Case<'_>, samplers: &[String], units: &BTreeSet<u32>, found:
     for sampler in samplers.iter().filter(|sampler| !is_set(sampler)) {
         for &unit in units.iter().filter(|unit| **unit != 0) {
             let said = format!("`{sampler}` is never set and reads unit 0, and the texture is bound to unit {unit}");
-            let mend = format!("write `uniform_1i {sampler} {unit}` after use_program");
-            let mended = case.inserted(case.draw, [set(sampler, unit)]);
-            found.push(case.suspect("sampler-never-set", used, said, mend, mended));
+            let fix = format!("write `uniform_1i {sampler} {unit}` after use_program");
+            let corrected = case.inserted(case.draw, [set(sampler, unit)]);
+            found.push(case.suspect("sampler-never-set", used, said, fix, corrected));
         }
     }
 }

@@ -55,14 +55,14 @@ fn targets(case: &Case<'_>, found: &mut Vec<Suspect>) {
     };
     let alone = if others.len() > 1 { others.clone() } else { Vec::new() };
     for only in std::iter::once(None).chain(alone.into_iter().map(Some)) {
-        let Some((at, mended)) = turn(only) else { continue };
+        let Some((at, corrected)) = turn(only) else { continue };
         let written = target_of(&mut case.steps[at].call.clone()).map_or("", |target| target.name);
         let said = format!("{written} is the target of another kind of texture: the sampler2D reads TEXTURE_2D");
-        let mend = match only {
+        let fix = match only {
             None if others.len() > 1 => "write TEXTURE_2D in this line and in all others for this texture",
             _ => "write TEXTURE_2D",
         };
-        found.push(case.suspect("wrong-target", at, said, mend, mended));
+        found.push(case.suspect("wrong-target", at, said, fix, corrected));
     }
 }
 
@@ -79,9 +79,9 @@ fn bindings(case: &Case<'_>, found: &mut Vec<Suspect>) {
             let place = first_for.unwrap_or(case.draw);
             let line =
                 case.first(|call| matches!(call, Call::Generate { name: made, .. } if made == name)).unwrap_or(0);
-            let mend = format!("write `bind_texture TEXTURE_2D {name}` before the texture's other calls");
+            let fix = format!("write `bind_texture TEXTURE_2D {name}` before the texture's other calls");
             let said = format!("the texture `{name}` is never bound");
-            found.push(case.suspect("texture-not-bound", line, said, mend, case.inserted(place, [call])));
+            found.push(case.suspect("texture-not-bound", line, said, fix, case.inserted(place, [call])));
         }
     }
     if let (Some(&bind), Some(first)) = (binds.first(), first_for)
@@ -89,8 +89,8 @@ fn bindings(case: &Case<'_>, found: &mut Vec<Suspect>) {
     {
         let said =
             format!("the call in line {} is meant for this texture, and comes before it is bound", case.line(first));
-        let mend = format!("write it before line {}", case.line(first));
-        found.push(case.suspect("texture-bound-late", bind, said, mend, case.moved(bind, first)));
+        let fix = format!("write it before line {}", case.line(first));
+        found.push(case.suspect("texture-bound-late", bind, said, fix, case.moved(bind, first)));
     }
     for &at in &binds {
         let Call::BindTexture { target, texture } = &case.steps[at].call else { continue };
@@ -102,17 +102,17 @@ fn bindings(case: &Case<'_>, found: &mut Vec<Suspect>) {
         if binds.len() > 1 && binds.first() != Some(&at) {
             let free = Call::ActiveTexture(Selector::Constant(known("TEXTURE15")));
             let said = "this texture takes the place of the one that is to be drawn, for the same unit is active";
-            let mend = "call active_texture with another unit before it";
-            found.push(case.suspect("other-texture-bound", at, said, mend, case.inserted(at, [free])));
-            let mend = "leave it out";
-            found.push(case.suspect("other-texture-bound", at, said, mend, case.without(at)));
+            let fix = "call active_texture with another unit before it";
+            found.push(case.suspect("other-texture-bound", at, said, fix, case.inserted(at, [free])));
+            let fix = "leave it out";
+            found.push(case.suspect("other-texture-bound", at, said, fix, case.without(at)));
         }
         for name in &textures {
             if *texture != Number::Variable((*name).to_owned()) {
                 let call = Call::BindTexture { target: *target, texture: Number::Variable((*name).to_owned()) };
                 let said = format!("`{name}` is to be drawn, and something else is bound here");
-                let mend = format!("write `bind_texture {} {name}`", target.name);
-                found.push(case.suspect("other-texture-bound", at, said, mend, case.replaced(at, call)));
+                let fix = format!("write `bind_texture {} {name}`", target.name);
+                found.push(case.suspect("other-texture-bound", at, said, fix, case.replaced(at, call)));
             }
         }
     }
@@ -150,33 +150,33 @@ fn mipmaps(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let Some(made) = case.first(|call| matches!(call, Call::GenerateMipmap { .. })) else {
         let is_filter = |call: &Call| matches!(call, Call::TexParameter { parameter, .. } if parameter.name == "TEXTURE_MIN_FILTER");
         let set = case.before().find(|(at, step)| is_filter(&step.call) && case.refused(*at).is_none());
-        let mended = case.inserted(image + 1, [Call::GenerateMipmap { target: known("TEXTURE_2D") }]);
+        let corrected = case.inserted(image + 1, [Call::GenerateMipmap { target: known("TEXTURE_2D") }]);
         found.push(match set {
             Some((_, step)) => case.suspect(
                 "mipmaps-missing",
                 image,
                 format!("the filter set in line {} wants mipmaps, and this image has none", step.line),
                 "write `generate_mipmap TEXTURE_2D` after it, or take the filter LINEAR",
-                mended,
+                corrected,
             ),
             None => case.suspect(
                 "filter-never-set",
                 image,
                 "TEXTURE_MIN_FILTER is never set, so it wants mipmaps, and this image has none",
                 "write `tex_parameter TEXTURE_2D TEXTURE_MIN_FILTER LINEAR`, or `generate_mipmap TEXTURE_2D` after it",
-                mended,
+                corrected,
             ),
         });
         return;
     };
     if made < image {
         let said = format!("the image comes only in line {}", case.line(image));
-        let mend = format!("write it after line {}", case.line(image));
-        found.push(case.suspect("mipmaps-before-image", made, said, mend, case.moved(made, image + 1)));
+        let fix = format!("write it after line {}", case.line(image));
+        found.push(case.suspect("mipmaps-before-image", made, said, fix, case.moved(made, image + 1)));
     } else if made > image + 1 {
         let said = format!("what is bound here is not the texture that got its image in line {}", case.line(image));
-        let mend = format!("write it right after line {}", case.line(image));
-        found.push(case.suspect("mipmaps-misplaced", made, said, mend, case.moved(made, image + 1)));
+        let fix = format!("write it right after line {}", case.line(image));
+        found.push(case.suspect("mipmaps-misplaced", made, said, fix, case.moved(made, image + 1)));
     }
 }
 
@@ -218,8 +218,8 @@ fn images(case: &Case<'_>, found: &mut Vec<Suspect>) {
         let bind = case.last(|call| matches!(call, Call::BindTexture { .. })).unwrap_or(0);
         let call =
             Call::TexImage2d { target: known("TEXTURE_2D"), level: 0, format: known("RGB8"), image: image.clone() };
-        let mend = format!("write `tex_image_2d TEXTURE_2D 0 RGB8 {image}` after it");
-        let mended = case.inserted(bind + 1, [call]);
-        found.push(case.suspect("image-missing", bind, "this texture never gets an image", mend, mended));
+        let fix = format!("write `tex_image_2d TEXTURE_2D 0 RGB8 {image}` after it");
+        let corrected = case.inserted(bind + 1, [call]);
+        found.push(case.suspect("image-missing", bind, "this texture never gets an image", fix, corrected));
     }
 }

@@ -45,13 +45,14 @@ fn fields(case: &Case<'_>, found: &mut Vec<Suspect>) {
             }
             _ => false,
         });
-        let Some((at, mended)) = changed else { continue };
-        let (Call::VertexAttribPointer(was), Call::VertexAttribPointer(is)) = (&case.steps[at].call, &mended[at].call)
+        let Some((at, corrected)) = changed else { continue };
+        let (Call::VertexAttribPointer(was), Call::VertexAttribPointer(is)) =
+            (&case.steps[at].call, &corrected[at].call)
         else {
             continue;
         };
         let said = format!("`{}` has {}, and the data wants {}", was.attribute, words(was), words(is));
-        found.push(case.suspect(id, at, said, format!("write {}", words(is)), mended));
+        found.push(case.suspect(id, at, said, format!("write {}", words(is)), corrected));
     }
 }
 
@@ -69,15 +70,15 @@ fn enabled(case: &Case<'_>, found: &mut Vec<Suspect>) {
         }
     }
     if let Some((first, name)) = all.first().cloned() {
-        let mut mended = case.steps.to_vec();
+        let mut corrected = case.steps.to_vec();
         for (at, name) in all.iter().rev() {
             let step = Step { line: case.line(*at), call: Call::SwitchAttribute { attribute: name.clone(), on: true } };
-            mended.insert(at + 1, step);
+            corrected.insert(at + 1, step);
         }
         let names = all.iter().map(|(_, name)| format!("`{name}`")).collect::<Vec<_>>().join(", ");
         let said = format!("{names}: described here, never enabled");
-        let mend = format!("write `enable_vertex_attrib_array {name}` after it");
-        found.push(case.suspect("attribute-not-enabled", first, said, mend, mended));
+        let fix = format!("write `enable_vertex_attrib_array {name}` after it");
+        found.push(case.suspect("attribute-not-enabled", first, said, fix, corrected));
     }
     for (at, step) in case.before() {
         if let Call::SwitchAttribute { attribute, on: false } = &step.call {
@@ -98,7 +99,7 @@ fn described(case: &Case<'_>, found: &mut Vec<Suspect>) {
             .or(case.last(|call| matches!(call, Call::BufferData { .. })))
             .unwrap_or(0);
         let enabled = is_switched(case, &name, true);
-        let mend = format!(
+        let fix = format!(
             "write `vertex_attrib_pointer {name} {} FLOAT FALSE {} {}`",
             right.size, right.stride, right.offset
         );
@@ -107,8 +108,8 @@ fn described(case: &Case<'_>, found: &mut Vec<Suspect>) {
             calls.push(Call::SwitchAttribute { attribute: name.clone(), on: true });
         }
         let said = format!("no vertex_attrib_pointer says where `{name}` is");
-        let mended = case.inserted(place + 1, calls);
-        found.push(case.suspect("attribute-not-described", enabled.unwrap_or(place), said, mend, mended));
+        let corrected = case.inserted(place + 1, calls);
+        found.push(case.suspect("attribute-not-described", enabled.unwrap_or(place), said, fix, corrected));
     }
 }
 
@@ -150,9 +151,9 @@ fn unknown_names(case: &Case<'_>, found: &mut Vec<Suspect>) {
                 }
                 None => false,
             });
-            if let Some((at, mended)) = changed {
+            if let Some((at, corrected)) = changed {
                 let said = format!("the program has no attribute `{wrong}`, and `{meant}` gets nothing");
-                found.push(case.suspect("attribute-name-wrong", at, said, format!("write `{meant}`"), mended));
+                found.push(case.suspect("attribute-name-wrong", at, said, format!("write `{meant}`"), corrected));
             }
         }
     }
@@ -169,8 +170,8 @@ fn repeated_names(case: &Case<'_>, found: &mut Vec<Suspect>) {
                 meant.clone_into(name);
             }
             let said = format!("`{name}` stands here, and nothing is said of `{meant}`");
-            let mended = case.replaced(at, call);
-            found.push(case.suspect("attribute-name-wrong", at, said, format!("write `{meant}`"), mended));
+            let corrected = case.replaced(at, call);
+            found.push(case.suspect("attribute-name-wrong", at, said, format!("write `{meant}`"), corrected));
         }
     }
 }
@@ -200,8 +201,8 @@ fn numbers(case: &Case<'_>, found: &mut Vec<Suspect>) {
             if *numbers != right {
                 let call = Call::Data { name: name.clone(), numbers: right.clone() };
                 let said = format!("`{name}` does not hold the exercise's numbers");
-                let mended = case.replaced(at, call);
-                found.push(case.suspect("data-changed", at, said, "put them back as they were", mended));
+                let corrected = case.replaced(at, call);
+                found.push(case.suspect("data-changed", at, said, "put them back as they were", corrected));
             }
         }
     }
@@ -231,8 +232,8 @@ fn indices(case: &Case<'_>, found: &mut Vec<Suspect>) {
             let from_zero = numbers.iter().map(|index| index - 1).collect();
             let call = Call::Indices { name: name.clone(), numbers: from_zero };
             let said = format!("the indices in `{name}` begin with 1, and the first corner has 0");
-            let mended = case.replaced(at, call);
-            found.push(case.suspect("indices-from-one", at, said, "subtract 1 from each", mended));
+            let corrected = case.replaced(at, call);
+            found.push(case.suspect("indices-from-one", at, said, "subtract 1 from each", corrected));
         }
         let mut sorted = numbers.clone();
         sorted.sort_unstable();
@@ -248,8 +249,8 @@ fn indices(case: &Case<'_>, found: &mut Vec<Suspect>) {
         let call =
             Call::BindBuffer { target: known("ELEMENT_ARRAY_BUFFER"), buffer: Number::Variable(buffer.to_owned()) };
         let said = "no ELEMENT_ARRAY_BUFFER, or another one, is bound in the vertex array that is drawn";
-        let mend = format!("write `bind_buffer ELEMENT_ARRAY_BUFFER {buffer}` after bind_vertex_array");
-        let mended = case.inserted(case.draw, [call]);
-        found.push(case.suspect("index-buffer-not-bound", case.draw, said, mend, mended));
+        let fix = format!("write `bind_buffer ELEMENT_ARRAY_BUFFER {buffer}` after bind_vertex_array");
+        let corrected = case.inserted(case.draw, [call]);
+        found.push(case.suspect("index-buffer-not-bound", case.draw, said, fix, corrected));
     }
 }

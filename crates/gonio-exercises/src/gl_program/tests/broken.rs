@@ -354,7 +354,7 @@ fn what_nothing_explains_gets_no_name() {
     let verdict = super::support::judged(&context, &text);
     assert_eq!(
         (verdict.verdict, verdict.mistakes.len()),
-        (crate::gl_program::HostOutcome::Wrong, 0),
+        (gonio_check::verdict::Outcome::Wrong, 0),
         "{}",
         verdict.summary
     );

@@ -1,7 +1,8 @@
 //! What OpenGL really does with the calls: pictures, errors, records, and what is left behind.
 
 use super::support::{REFERENCE, changed, context, host_programs, judged};
-use crate::gl_program::{GlProgramOptions, GlProgramRun, HostOutcome, HostProgram, exercise_files, for_context, run};
+use crate::gl_program::{GlProgram, GlProgramOptions, GlProgramRun, exercise_files, for_context, run};
+use gonio_check::verdict::Outcome;
 use gonio_gl::headless::HeadlessOptions;
 use gonio_gl::trace::{Recording, Rule};
 use gonio_gl::{Gl, HeadlessContext};
@@ -10,7 +11,7 @@ use gonio_render::user_program::FloatTexture;
 const OPTIONS: GlProgramOptions = GlProgramOptions { size: [64, 48], float: false, thumbnails: false };
 
 fn drawn(gl: &Gl, text: &str, options: GlProgramOptions) -> GlProgramRun {
-    let program = HostProgram::parse(text, "x").unwrap_or_else(|e| panic!("{e:#?}"));
+    let program = GlProgram::parse(text, "x").unwrap_or_else(|e| panic!("{e:#?}"));
     let files = exercise_files();
     run(gl, &program.steps, &for_context(gl, &files), options).unwrap_or_else(|e| panic!("{e}"))
 }
@@ -95,7 +96,7 @@ fn an_attribute_that_nobody_reads_may_reach_beyond_its_buffer() {
         ("color 3 FLOAT FALSE 32 12", "color 3 FLOAT FALSE 1600 12"),
         ("use_program program\n", "white = create_program plain.vert white.frag\nuse_program white\n"),
     ]);
-    let program = HostProgram::parse(&text, "x").unwrap_or_else(|e| panic!("{e:#?}"));
+    let program = GlProgram::parse(&text, "x").unwrap_or_else(|e| panic!("{e:#?}"));
     let run = run(context.gl(), &program.steps, &files, OPTIONS).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!((middle(&run), run.errors.len()), ([1.0; 4], 0), "{:?}", run.errors);
 }
@@ -123,7 +124,7 @@ fn what_else_is_in_the_context_changes_nothing_and_nothing_is_left() {
 fn the_same_verdicts_in_opengl_es() {
     let es = HeadlessContext::with_options(&HeadlessOptions { es: true, ..Default::default() });
     let es = es.unwrap_or_else(|why| panic!("{why}"));
-    assert_eq!(judged(&es, REFERENCE).verdict, HostOutcome::Correct);
+    assert_eq!(judged(&es, REFERENCE).verdict, Outcome::Correct);
     let srgb = changed(&[("0 RGB8 pixels", "0 SRGB8 pixels")]);
     assert_eq!(judged(&es, &srgb).mistakes[0].id, "internal-format-wrong");
     let desktop = context();

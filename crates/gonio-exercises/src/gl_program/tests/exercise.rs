@@ -1,7 +1,7 @@
 //! The programs of the exercise.
 
 use super::support::{context, host_programs, judged};
-use crate::gl_program::HostOutcome;
+use gonio_check::verdict::Outcome;
 
 /// Each program, and the line of its mistake.
 const PROGRAMS: [(&str, u32); 8] = [
@@ -25,7 +25,7 @@ fn each_program_of_the_exercise_has_the_mistake_that_its_name_says() {
     for ((name, line), (file, text)) in PROGRAMS.into_iter().zip(texts) {
         assert_eq!(name, file);
         let verdict = judged(&context, &text);
-        assert_eq!(verdict.verdict, HostOutcome::Wrong, "{name}");
+        assert_eq!(verdict.verdict, Outcome::Wrong, "{name}");
         let told: Vec<_> = verdict.mistakes.iter().map(|m| (m.id.as_str(), m.line)).collect();
         assert_eq!(told, [(name, line)], "{name}: {}", verdict.summary);
         assert!(!verdict.findings.is_empty(), "{name}: the frame panel shows nothing");
@@ -36,7 +36,7 @@ fn each_program_of_the_exercise_has_the_mistake_that_its_name_says() {
 #[test]
 fn the_reference_is_right_and_has_nothing_to_complain_of() {
     let verdict = judged(&context(), super::support::REFERENCE);
-    assert_eq!(verdict.verdict, HostOutcome::Correct);
+    assert_eq!(verdict.verdict, Outcome::Correct);
     assert_eq!((verdict.share_right, verdict.warnings.len(), verdict.findings.len()), (1.0, 0, 0));
     assert!(verdict.refused.is_empty() && verdict.mistakes.is_empty() && verdict.errors.is_empty());
     let run = verdict.run.unwrap_or_else(|| panic!("a picture"));

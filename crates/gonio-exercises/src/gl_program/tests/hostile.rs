@@ -1,7 +1,8 @@
 //! Texts that want to do harm: each ends in an error or a verdict, soon, and the context draws on as before.
 
 use super::support::{REFERENCE, changed, context, judged};
-use crate::gl_program::{HostOutcome, HostProgram, MOST_CALLS, MOST_ERRORS, check_bytes, exercise_files};
+use crate::gl_program::{GlProgram, MOST_CALLS, MOST_ERRORS, check_bytes, exercise_files};
+use gonio_check::verdict::Outcome;
 use std::fmt::Write;
 
 const DRAW: &str = "draw_arrays TRIANGLES 0 3\n";
@@ -15,34 +16,34 @@ fn what_is_no_text() {
     let utf16: Vec<u8> = REFERENCE.encode_utf16().flat_map(u16::to_le_bytes).collect();
     for bytes in [&noise, &zeros, &utf16, &Vec::new()] {
         let verdict = check_bytes(context.gl(), bytes, "mine.bin", &files).unwrap_or_else(|e| panic!("{e}"));
-        assert_eq!(verdict.verdict, HostOutcome::DoesNotCompile);
+        assert_eq!(verdict.verdict, Outcome::DoesNotCompile);
         assert!(!verdict.errors.is_empty() && verdict.errors.len() <= MOST_ERRORS);
     }
     let marked = [b"\xEF\xBB\xBF", REFERENCE.as_bytes()].concat();
     let verdict = check_bytes(context.gl(), &marked, "mine.txt", &files).unwrap_or_else(|e| panic!("{e}"));
-    assert_eq!(verdict.verdict, HostOutcome::Correct, "a byte order mark is harmless");
+    assert_eq!(verdict.verdict, Outcome::Correct, "a byte order mark is harmless");
 }
 
 #[test]
 fn what_is_too_much() {
     let message = |text: &str| {
-        let errors = HostProgram::parse(text, "x").err().unwrap_or_else(|| panic!("this was read"));
+        let errors = GlProgram::parse(text, "x").err().unwrap_or_else(|| panic!("this was read"));
         assert!(errors.len() <= MOST_ERRORS);
         errors[0].message.clone()
     };
     assert!(message(&"clear COLOR_BUFFER_BIT\n".repeat(500_000)).contains("bytes"), "11 MB");
     assert!(message(&"clear COLOR_BUFFER_BIT\n".repeat(MOST_CALLS + 1)).contains("more than 1000 calls"));
-    assert!(HostProgram::parse(&"clear COLOR_BUFFER_BIT\n".repeat(MOST_CALLS), "x").is_ok());
+    assert!(GlProgram::parse(&"clear COLOR_BUFFER_BIT\n".repeat(MOST_CALLS), "x").is_ok());
     let endless = format!("data d\n{}", "1 ".repeat(300_000));
     assert!(message(&endless).contains("more than 262144 numbers"), "{}", message(&endless));
     let full = format!("data d\n{}\nend\nclear COLOR_BUFFER_BIT", "1 ".repeat(262_144));
-    assert!(HostProgram::parse(&full, "x").is_ok(), "1 MB is allowed");
+    assert!(GlProgram::parse(&full, "x").is_ok(), "1 MB is allowed");
     // A word of a megabyte is not repeated in messages.
     let long = message(&"a".repeat(1 << 20));
     assert!(long.len() < 200, "{} bytes", long.len());
     let long = message(&format!("clear {}", "É".repeat(1 << 20)));
     assert!(long.len() < 200, "{} bytes", long.len());
-    assert_eq!(HostProgram::parse(&"nonsense\n".repeat(100_000), "x").err().map(|e| e.len()), Some(MOST_ERRORS));
+    assert_eq!(GlProgram::parse(&"nonsense\n".repeat(100_000), "x").err().map(|e| e.len()), Some(MOST_ERRORS));
 }
 
 /// Runs it, and the reference after it: that must draw as ever.
@@ -52,7 +53,7 @@ fn survives(text: &str, refused: &str) {
     let told: Vec<String> = verdict.refused.iter().map(ToString::to_string).collect();
     assert!(told.iter().any(|error| error.contains(refused)), "{refused}: {told:#?}\n{}", verdict.summary);
     let after = judged(&context, REFERENCE);
-    assert_eq!((after.verdict, after.share_right), (HostOutcome::Correct, 1.0), "after\n{text}");
+    assert_eq!((after.verdict, after.share_right), (Outcome::Correct, 1.0), "after\n{text}");
     assert!(after.warnings.is_empty() && after.refused.is_empty(), "{:?}", after.refused);
 }
 
@@ -126,7 +127,7 @@ fn a_program_that_fills_the_memory() {
     for _ in 0..190 {
         text.push_str("tex_image_2d TEXTURE_2D 0 RGBA8 pixels\n");
     }
-    let program = HostProgram::parse(&text, "x").unwrap_or_else(|e| panic!("{e:?}"));
+    let program = GlProgram::parse(&text, "x").unwrap_or_else(|e| panic!("{e:?}"));
     let context = context();
     let images = crate::gl_program::GlProgramImage::new([2048, 2048], vec![7; 2048 * 2048 * 4])
         .unwrap_or_else(|e| panic!("{e}"));
@@ -147,7 +148,7 @@ fn files_that_are_not_there_and_shaders_that_are_none() {
         ("start.vert start.frag", "checker.png start.frag", "did you mean"),
     ] {
         let verdict = judged(&context, &changed(&[(old, new)]));
-        assert_eq!(verdict.verdict, HostOutcome::DoesNotCompile, "{new}");
+        assert_eq!(verdict.verdict, Outcome::DoesNotCompile, "{new}");
         assert!(verdict.errors[0].message.contains("there is no file"), "{:?}", verdict.errors);
         assert!(verdict.errors[0].help.contains(help), "{:?}", verdict.errors);
     }
@@ -157,6 +158,6 @@ fn files_that_are_not_there_and_shaders_that_are_none() {
         .insert("mine.frag".into(), "#version 330 core\nout vec4 c;\nvoid main() {\n  c = vec3(1.0);\n}\n".into());
     let text = changed(&[("start.frag", "mine.frag")]);
     let verdict = crate::gl_program::check(context.gl(), &text, "mine.txt", &files).unwrap_or_else(|e| panic!("{e}"));
-    assert_eq!(verdict.verdict, HostOutcome::DoesNotCompile);
+    assert_eq!(verdict.verdict, Outcome::DoesNotCompile);
     assert_eq!((verdict.errors[0].file.as_str(), verdict.errors[0].line), ("mine.frag", 4), "{:?}", verdict.errors);
 }

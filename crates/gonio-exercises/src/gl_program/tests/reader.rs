@@ -1,24 +1,24 @@
 //! The reader: what it takes, and what it says of what it does not.
 
 use super::support::{REFERENCE, changed};
-use crate::gl_program::{HostError, HostProgram};
+use crate::gl_program::{GlProgram, GlProgramError};
 use gonio_render::gl_program::{Call, Number, ObjectKind, Selector, UniformArgument};
 
-fn errors(text: &str) -> Vec<HostError> {
-    HostProgram::parse(text, "mine.txt").err().unwrap_or_else(|| panic!("this was read:\n{text}"))
+fn errors(text: &str) -> Vec<GlProgramError> {
+    GlProgram::parse(text, "mine.txt").err().unwrap_or_else(|| panic!("this was read:\n{text}"))
 }
 
 /// The one error of a text: line, column, message, help.
 fn error(text: &str) -> (u32, u32, String, String) {
     let mut all = errors(text);
     assert_eq!(all.len(), 1, "{all:#?}");
-    let HostError { line, column, message, help, .. } = all.remove(0);
+    let GlProgramError { line, column, message, help, .. } = all.remove(0);
     (line, column, message, help)
 }
 
 #[test]
 fn the_reference_is_read_call_by_call() {
-    let program = HostProgram::parse(REFERENCE, "mine.txt").unwrap_or_else(|e| panic!("{e:?}"));
+    let program = GlProgram::parse(REFERENCE, "mine.txt").unwrap_or_else(|e| panic!("{e:?}"));
     assert_eq!(program.steps.len(), 29);
     assert_eq!(program.steps[0].line, 5);
     let Call::Data { name, numbers } = &program.steps[0].call else { panic!("{:?}", program.steps[0]) };
@@ -39,7 +39,7 @@ fn every_call_of_the_table_is_read() {
         tex_parameter TEXTURE_2D TEXTURE_MAX_LEVEL 3\nclear COLOR_BUFFER_BIT|DEPTH_BUFFER_BIT\n\
         buffer_data ELEMENT_ARRAY_BUFFER i STATIC_DRAW\ndraw_elements TRIANGLES 3 UNSIGNED_INT 0\n\
         delete_texture t\ndelete_buffer b\ndelete_vertex_array 0\nbind_texture TEXTURE_2D 7\n";
-    let program = HostProgram::parse(text, "mine.txt").unwrap_or_else(|e| panic!("{e:#?}"));
+    let program = GlProgram::parse(text, "mine.txt").unwrap_or_else(|e| panic!("{e:#?}"));
     let words: Vec<_> = program.steps.iter().map(|step| step.call.word()).collect();
     assert_eq!(
         words,

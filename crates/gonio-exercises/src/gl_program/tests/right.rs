@@ -1,7 +1,7 @@
 //! Programs that do it in another way, and are as right: none may fail.
 
 use super::support::{changed, context, judged};
-use crate::gl_program::HostOutcome;
+use gonio_check::verdict::Outcome;
 use gonio_gl::HeadlessContext;
 
 const IMAGE: &str = "tex_image_2d TEXTURE_2D 0 RGB8 pixels\n";
@@ -13,7 +13,7 @@ const MIN: &str = "TEXTURE_MIN_FILTER LINEAR_MIPMAP_LINEAR";
 /// Right, with so many warnings.
 fn right(context: &HeadlessContext, text: &str, warnings: usize) {
     let verdict = judged(context, text);
-    assert_eq!(verdict.verdict, HostOutcome::Correct, "{text}\n{}: {:#?}", verdict.summary, verdict.mistakes);
+    assert_eq!(verdict.verdict, Outcome::Correct, "{text}\n{}: {:#?}", verdict.summary, verdict.mistakes);
     assert_eq!(verdict.warnings.len(), warnings, "{text}\n{:#?}", verdict.warnings);
     assert!(verdict.mistakes.is_empty());
 }

@@ -1,6 +1,6 @@
 //! A context, and the reference with a few lines changed.
 
-use crate::gl_program::{HostVerdict, check, exercise_files};
+use crate::gl_program::{GlProgramFindings, check, exercise_files};
 use gonio_gl::HeadlessContext;
 
 /// The reference's text.
@@ -12,7 +12,7 @@ pub fn context() -> HeadlessContext {
 }
 
 /// What is said of a text.
-pub fn judged(context: &HeadlessContext, text: &str) -> HostVerdict {
+pub fn judged(context: &HeadlessContext, text: &str) -> GlProgramFindings {
     check(context.gl(), text, "mine.txt", &exercise_files()).unwrap_or_else(|why| panic!("{why}"))
 }
 
@@ -37,7 +37,7 @@ pub fn line_of(text: &str, needle: &str) -> u32 {
 /// Exactly these mistakes, each by its word and by what stands in its line.
 pub fn told(context: &HeadlessContext, text: &str, mistakes: &[(&str, &str)]) {
     let verdict = judged(context, text);
-    assert_eq!(verdict.verdict, crate::gl_program::HostOutcome::Wrong, "{mistakes:?}: {}", verdict.summary);
+    assert_eq!(verdict.verdict, gonio_check::verdict::Outcome::Wrong, "{mistakes:?}: {}", verdict.summary);
     let mut wanted: Vec<_> = mistakes.iter().map(|(id, needle)| (line_of(text, needle), *id)).collect();
     wanted.sort_unstable();
     let told: Vec<_> = verdict.mistakes.iter().map(|m| (m.line, m.id.as_str())).collect();

@@ -19,7 +19,7 @@ fn each_id_is_a_word_with_all_that_is_said_of_it() {
     assert!(ids.len() >= 55, "{}", ids.len());
     for name in names() {
         assert!(name.id.chars().all(|c| c.is_ascii_lowercase() || c == '-'), "{}", name.id);
-        for words in [name.name, name.explanation, name.looks_like, name.mend] {
+        for words in [name.name, name.explanation, name.looks_like, name.fix] {
             assert!(words.len() > 4 && !words.ends_with(' '), "{}: `{words}`", name.id);
         }
         assert!(!name.name.ends_with('.') && name.explanation.ends_with('.'), "{}", name.id);

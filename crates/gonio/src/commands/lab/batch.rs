@@ -85,7 +85,7 @@ fn report(
     reporter: &Reporter,
 ) -> Result<Outcome, CliError> {
     checked.sort_by(|a, b| a.label.cmp(&b.label));
-    let rows: Vec<Row> = checked.iter().map(|one| Row::of(&one.label, &one.verdict, one.seconds)).collect();
+    let rows: Vec<Row> = checked.iter().map(|one| Row::new(&one.label, &one.verdict, one.seconds)).collect();
     let fingerprints: Vec<(String, Fingerprint)> =
         checked.iter_mut().filter_map(|one| Some((one.label.clone(), one.fingerprint.take()?))).collect();
     let similar = report::similar_pairs(&fingerprints, SIMILAR);
@@ -234,5 +234,5 @@ fn fingerprint_of(exercise: &Exercise, files: &[SourceFile]) -> Option<Fingerpri
     let gathered = submission::Submission::gather(files.to_vec()).ok()?;
     let sources = [gathered.vertex.text.as_str(), gathered.fragment.text.as_str()];
     let is_small = sources.iter().map(|text| text.len()).sum::<usize>() <= MAX_COMPARED_BYTES;
-    is_small.then(|| Fingerprint::of(&sources, &known))
+    is_small.then(|| Fingerprint::new(&sources, &known))
 }

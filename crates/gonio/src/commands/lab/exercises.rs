@@ -61,7 +61,7 @@ struct Listed<'a> {
     folder: &'a str,
     title: &'a str,
     summary: &'a str,
-    kind: exercises::Kind,
+    kind: exercises::ExerciseKind,
     builds_on: &'a [String],
 }
 

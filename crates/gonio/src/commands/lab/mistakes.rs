@@ -63,8 +63,8 @@ fn explanation(mistake: &Mistake) -> Page {
     page.line(format_args!("{}.", mistake.name));
     for (what, said) in [
         ("What it looks like", &mistake.looks_like),
-        ("How to fix it", &mistake.mend),
-        ("In the lecture", &mistake.seed),
+        ("How to fix it", &mistake.fix),
+        ("In the lecture", &mistake.lecture_section),
     ] {
         if !said.is_empty() {
             page.heading(what);
@@ -72,9 +72,9 @@ fn explanation(mistake: &Mistake) -> Page {
         }
     }
     if let Some(model) = mistake.models.first() {
-        let hypotheses = Hypotheses::of(*model);
+        let hypotheses = Hypotheses::for_model(*model);
         let right = hypotheses.written(&gonio_check::mistakes::Hypothesis::default());
-        let this = |h: &&gonio_check::mistakes::Hypothesis| hypotheses.mistakes[h.made_of[0]].id == mistake.id;
+        let this = |h: &&gonio_check::mistakes::Hypothesis| hypotheses.mistakes[h.mistakes[0]].id == mistake.id;
         for hypothesis in hypotheses.singles.iter().filter(this) {
             page.blank();
             for (wrong, right) in hypotheses.written(hypothesis).iter().zip(&right) {

@@ -13,7 +13,7 @@ use gonio_check::verdict::Outcome as Word;
 use gonio_exercises::Checker;
 use gonio_exercises::exercise::Exercise;
 use gonio_exercises::report::visible;
-use gonio_exercises::score::{Score, of_bank};
+use gonio_exercises::score::{self, Score};
 use gonio_gl::HeadlessContext;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -83,7 +83,7 @@ pub fn run(args: &ScoreArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
 fn measure(args: &ScoreArgs, exercise: &Exercise) -> Result<Row, CliError> {
     let context = HeadlessContext::new()?;
     let mut checker = Checker::new(context.gl());
-    let score = of_bank(&mut checker, exercise, args.pairs)?;
+    let score = score::measure(&mut checker, exercise, args.pairs)?;
     let mut row = Row { score, right_answers: 0, false_alarms: Vec::new() };
     if let Some(corpus) = &args.corpus {
         let right = corpus.join(&exercise.id).join("correct");

@@ -121,9 +121,11 @@ fn mistake(page: &mut Page, found: &FoundMistake) {
     if !found.or.is_empty() {
         page.line(format_args!("    No picture distinguishes it from: {}.", found.or.join(", ")));
     }
-    for (what, said) in
-        [("What it looks like", &found.looks_like), ("How to fix it", &found.mend), ("In the lecture", &found.seed)]
-    {
+    for (what, said) in [
+        ("What it looks like", &found.looks_like),
+        ("How to fix it", &found.fix),
+        ("In the lecture", &found.lecture_section),
+    ] {
         if !said.is_empty() {
             page.line(format_args!("    {DIM}{what}:{DIM:#} {said}"));
         }

@@ -7,9 +7,9 @@ use clap::Args;
 use gonio_app::platform::desktop::trial::Answer;
 use gonio_app::platform::desktop::worker;
 use gonio_check::submission::SourceFile;
-use gonio_check::testbench::Situation;
+use gonio_check::testbench::TestScene;
 use gonio_exercises::exercise::Exercise;
-use gonio_exercises::preview::{self, Body, LiveStage, Pair, Scene, Source};
+use gonio_exercises::preview::{self, Body, CompiledPair, PreviewRenderer, PreviewScene, SubmittedPair};
 use gonio_gl::{Gl, GlError, HeadlessContext};
 use gonio_render::{DisplayTexture, Renderer};
 use std::time::Instant;
@@ -62,7 +62,7 @@ fn answer(exercise: &Exercise, files: Vec<SourceFile>) -> Answer {
         Ok(context) => context,
         Err(why) => return Answer::Unavailable { why: why.message.replace("; `--backend cpu` needs none", "") },
     };
-    let pair = Source::gather(exercise, files).ok().and_then(|source| source.compile(context.gl()).ok());
+    let pair = SubmittedPair::gather(exercise, files).ok().and_then(|source| source.compile(context.gl()).ok());
     let answer = match pair {
         // The window reports what is wrong: the reader and the driver ended.
         None => Answer::Harmless,
@@ -78,11 +78,11 @@ fn answer(exercise: &Exercise, files: Vec<SourceFile>) -> Answer {
 }
 
 /// Draws all scenes, and estimates how long the slowest picture takes in a large window.
-fn seconds(gl: &Gl, exercise: &Exercise, pair: &Pair) -> Result<f64, GlError> {
+fn seconds(gl: &Gl, exercise: &Exercise, pair: &CompiledPair) -> Result<f64, GlError> {
     let mut preview = Preview {
         renderer: Renderer::new(gl.clone())?,
         canvas: DisplayTexture::new(gl, [SIDE; 2])?,
-        stage: LiveStage::new(gl)?,
+        stage: PreviewRenderer::new(gl)?,
     };
     let scale = LARGE_PIXELS / f64::from(SIDE * SIDE);
     let mut slowest = 0.0_f64;
@@ -102,14 +102,21 @@ fn seconds(gl: &Gl, exercise: &Exercise, pair: &Pair) -> Result<f64, GlError> {
 struct Preview {
     renderer: Renderer,
     canvas: DisplayTexture,
-    stage: LiveStage,
+    stage: PreviewRenderer,
 }
 
 impl Preview {
     /// Draws a scene, and again up to `repeats` times while it takes longer than `most` seconds. Returns the shortest time.
-    fn draw(&mut self, pair: &Pair, scene: &Scene, time: f64, repeats: usize, most: f64) -> Result<f64, GlError> {
+    fn draw(
+        &mut self,
+        pair: &CompiledPair,
+        scene: &PreviewScene,
+        time: f64,
+        repeats: usize,
+        most: f64,
+    ) -> Result<f64, GlError> {
         self.stage.prepare(scene)?;
-        let bodies: Vec<(Body, Situation)> = scene.situations(&scene.eye, time as f32, [SIDE; 2]);
+        let bodies: Vec<(Body, TestScene)> = scene.test_scenes(&scene.eye, time as f32, [SIDE; 2]);
         let mut shortest = f64::INFINITY;
         for _ in 0..=repeats {
             let start = Instant::now();

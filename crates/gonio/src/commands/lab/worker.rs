@@ -35,6 +35,7 @@ fn check(request: Request) -> Result<Answer, String> {
     verdict.warnings.extend(request.left_out);
     let page =
         request.page.map(|label| gonio_exercises::report::page(&label, &verdict, evidence.as_ref()).into_bytes());
-    let sheet = evidence.filter(|_| request.sheet).map(|evidence| gonio_exercises::report::sheet(&evidence, &verdict));
+    let sheet =
+        evidence.filter(|_| request.sheet).map(|evidence| gonio_exercises::report::contact_sheet(&evidence, &verdict));
     Ok(Answer { verdict, page, sheet })
 }

@@ -7,7 +7,7 @@ use crate::output::OutputPath;
 use crate::page::Page;
 use crate::report::{CliError, Outcome, Reporter};
 use gonio_check::submission::SourceFile;
-use gonio_exercises::gl_program::{self, HostProgram};
+use gonio_exercises::gl_program::{self, GlProgram};
 use gonio_gl::trace::Severity;
 use gonio_render::gl_program::{GlProgramOptions, GlProgramRun};
 use serde_json::json;
@@ -61,7 +61,7 @@ fn upright(run: &GlProgramRun) -> Vec<u8> {
     rows.flatten().flat_map(|&[r, g, b, _]| [byte(r), byte(g), byte(b), u8::MAX]).collect()
 }
 
-fn the_program(files: &[SourceFile]) -> Result<HostProgram, CliError> {
+fn the_program(files: &[SourceFile]) -> Result<GlProgram, CliError> {
     let programs: Vec<&SourceFile> = files.iter().filter(|file| file.name.ends_with(".txt")).collect();
     let [file] = programs.as_slice() else {
         return Err(CliError::new(match programs.len() {
@@ -69,13 +69,13 @@ fn the_program(files: &[SourceFile]) -> Result<HostProgram, CliError> {
             count => format!("there are {count} GL programs among the files; name the one to draw"),
         }));
     };
-    HostProgram::parse_bytes(&file.bytes, &file.name)
+    GlProgram::parse_bytes(&file.bytes, &file.name)
         .map_err(|errors| CliError::lines(errors.iter().map(ToString::to_string)))
 }
 
 fn execute(
     args: &DrawArgs,
-    program: &HostProgram,
+    program: &GlProgram,
     files: &[SourceFile],
     recorder: Option<Recorder>,
     context: &gonio_gl::HeadlessContext,
@@ -102,7 +102,7 @@ fn execute(
 }
 
 /// The frame as text, with the program's line of each draw call.
-fn page(program: &HostProgram, run: &GlProgramRun, shown: frame::Shown) -> Result<Page, CliError> {
+fn page(program: &GlProgram, run: &GlProgramRun, shown: frame::Shown) -> Result<Page, CliError> {
     let about = format!("frame of {}, {} x {} pixels", program.file, run.size[0], run.size[1]);
     let mut text = frame::page(&about, &run.record, &run.findings, shown)?;
     if shown == frame::Shown::Everything {

@@ -16,7 +16,7 @@ use crate::values;
 use crate::version;
 use clap::Args;
 use gonio_check::submission::SourceFile;
-use gonio_exercises::exercise::Kind;
+use gonio_exercises::exercise::ExerciseKind;
 use gonio_exercises::preview;
 use gonio_gl::HeadlessContext;
 use gonio_image::EncodedPicture;
@@ -110,8 +110,8 @@ pub fn run(args: &DrawArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     }
     version::report_driver(reporter);
     match exercise.kind {
-        Kind::HostProgram => host::run(args, submitted, reporter),
-        Kind::Shaders if preview::is_drawn(exercise) => shaders::run(args, exercise, submitted, reporter),
+        ExerciseKind::GlProgram => host::run(args, submitted, reporter),
+        ExerciseKind::Shaders if preview::is_drawn(exercise) => shaders::run(args, exercise, submitted, reporter),
         _ => Err(CliError::new(format!("{} has no picture to draw", exercise.id))),
     }
 }

@@ -5,7 +5,9 @@ use crate::capture::Recorder;
 use crate::report::{CliError, Outcome, Reporter};
 use gonio_check::submission::SourceFile;
 use gonio_exercises::exercise::Exercise;
-use gonio_exercises::preview::{self, Body, Given, LiveStage, Note, NoteKind, Pair, Scene, Source};
+use gonio_exercises::preview::{
+    self, Body, CompiledPair, Note, NoteKind, PreviewRenderer, PreviewScene, SubmittedPair, VariableValue,
+};
 use gonio_gl::HeadlessContext;
 use gonio_render::{DisplayTexture, Renderer};
 use serde_json::json;
@@ -24,7 +26,7 @@ struct Drawn {
     rgba: Vec<u8>,
     notes: Vec<Note>,
     warnings: Vec<String>,
-    given: Vec<Given>,
+    given: Vec<VariableValue>,
 }
 
 pub fn run(
@@ -38,7 +40,7 @@ pub fn run(
             "--frame, --draw and --program list the frame of a GL program; a pair of shaders has one draw call per body",
         ));
     }
-    let source = Source::gather(exercise, files).map_err(CliError::new)?;
+    let source = SubmittedPair::gather(exercise, files).map_err(CliError::new)?;
     let scene = scene(args, exercise)?;
     let recorder = args.capture.as_deref().map(Recorder::new).transpose()?;
     let size = [args.size; 2];
@@ -51,7 +53,7 @@ pub fn run(
     }
     super::write_picture(args, size, drawn.rgba)?;
     if reporter.json() {
-        let given = |given: &Given| {
+        let given = |given: &VariableValue| {
             let role = given.role.as_ref().map(|(role, _)| role);
             json!({ "name": given.name, "type": given.glsl_type, "role": role, "value": given.value })
         };
@@ -77,7 +79,7 @@ pub fn goal(exercise: &'static Exercise) -> Result<Vec<u8>, CliError> {
 }
 
 /// The scene that `--scene` names, or the lab's own.
-fn scene(args: &DrawArgs, exercise: &Exercise) -> Result<Scene, CliError> {
+fn scene(args: &DrawArgs, exercise: &Exercise) -> Result<PreviewScene, CliError> {
     let scenes = preview::scenes(exercise);
     let Some(name) = &args.scene else {
         return scenes.into_iter().next().ok_or_else(|| CliError::new(format!("{} has no scene", exercise.id)));
@@ -91,8 +93,8 @@ fn scene(args: &DrawArgs, exercise: &Exercise) -> Result<Scene, CliError> {
 fn on_a_large_stack(
     size: u32,
     time: f64,
-    source: Source,
-    scene: Scene,
+    source: SubmittedPair,
+    scene: PreviewScene,
     recorder: Option<Recorder>,
 ) -> Result<Drawn, CliError> {
     let drawing = std::thread::Builder::new().stack_size(STACK_BYTES);
@@ -105,8 +107,8 @@ fn on_a_large_stack(
 fn draw(
     size: u32,
     time: f64,
-    source: &Source,
-    scene: &Scene,
+    source: &SubmittedPair,
+    scene: &PreviewScene,
     mut recorder: Option<Recorder>,
 ) -> Result<Drawn, CliError> {
     let context: HeadlessContext = super::context()?;
@@ -123,9 +125,9 @@ fn draw(
     };
     let mut renderer = Renderer::new(gl.clone())?;
     let mut canvas = DisplayTexture::new(gl, [size; 2])?;
-    let stage = LiveStage::new(gl)?;
+    let stage = PreviewRenderer::new(gl)?;
     stage.prepare(scene)?;
-    let bodies = scene.situations(&scene.eye, time as f32, [size; 2]);
+    let bodies = scene.test_scenes(&scene.eye, time as f32, [size; 2]);
     if let Some(recorder) = &mut recorder {
         recorder.start();
     }
@@ -139,8 +141,8 @@ fn draw(
     if let Some(recorder) = recorder {
         recorder.finish(gl)?;
     }
-    let given = bodies.first().map(|(_, situation)| pair.given(situation)).unwrap_or_default();
-    let Pair { notes, warnings, .. } = pair;
+    let given = bodies.first().map(|(_, situation)| pair.variable_values(situation)).unwrap_or_default();
+    let CompiledPair { notes, warnings, .. } = pair;
     // The process ends next, and the system frees it faster.
     std::mem::forget((renderer, canvas, stage, sky, context));
     Ok(Drawn { rgba, notes, warnings, given })

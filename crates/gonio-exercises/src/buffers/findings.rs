@@ -1,25 +1,14 @@
 //! What is said of a student's buffer.
 
 use super::vertex::Vertex;
+use gonio_check::verdict::Outcome;
 use serde::Serialize;
-
-/// Right, wrong, or neither for certain.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Verdict {
-    /// The same triangles as gonio-mesh reads.
-    Correct,
-    /// Others; the mistakes say why, where that is known.
-    Wrong,
-    /// So different that it may be the buffer of another model.
-    Unsure,
-}
 
 /// All that is said of a buffer.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct BufferVerdict {
+pub struct BufferFindings {
     /// In a word.
-    pub verdict: Verdict,
+    pub verdict: Outcome,
     /// Mistakes that together explain the difference; empty where none of the known ones does.
     pub mistakes: Vec<BufferMistake>,
     /// Other explanations that fit exactly as well on this model, each as the ids of its mistakes.
@@ -42,7 +31,7 @@ pub struct BufferMistake {
     /// What the program does, and what comes of it.
     pub explanation: &'static str,
     /// What to change.
-    pub how_to_mend: &'static str,
+    pub how_to_fix: &'static str,
     /// The share of the difference that it explains, together with the other mistakes named: 1 for all.
     pub share_explained: f64,
     /// A triangle that shows it.

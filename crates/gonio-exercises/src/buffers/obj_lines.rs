@@ -23,7 +23,7 @@ pub(super) struct Face {
 
 /// What an OBJ file says.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Source {
+pub(super) struct ObjLines {
     pub(super) positions: Vec<[f32; 3]>,
     pub(super) tex_coords: Vec<[f32; 2]>,
     /// As written: of any length.
@@ -38,11 +38,11 @@ pub(super) struct Source {
 /// Letters of a line that are kept.
 const MOST_LETTERS: usize = 200;
 
-impl Source {
+impl ObjLines {
     /// Reads what is understood; the rest is skipped, for [`gonio_mesh::obj::read`] judges the file.
     pub(super) fn parse(bytes: &[u8]) -> Self {
         let text = String::from_utf8_lossy(bytes);
-        let mut source = Source::default();
+        let mut source = ObjLines::default();
         // Objects are `o`, or `g` in files that have no `o`.
         let has_objects = text.lines().any(|line| line.split_whitespace().next() == Some("o"));
         for (number, line) in (1..).zip(text.lines()) {
