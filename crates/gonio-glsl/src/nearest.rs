@@ -1,43 +1,20 @@
 //! The known name that a misspelt one was probably meant to be.
 
-/// The nearest of `names`, if it is near enough: a third of the letters may differ, and case counts for little.
-pub(crate) fn nearest<'n>(wanted: &str, names: impl Iterator<Item = &'n str>) -> Option<&'n str> {
-    let most = (wanted.chars().count() * 2 / 3).min(5);
+/// Returns the nearest of `names`, if it is near enough: at most a third of the letters may differ, whatever their case.
+pub(crate) fn nearest<'n>(misspelt: &str, names: impl Iterator<Item = &'n str>) -> Option<&'n str> {
+    let length = misspelt.chars().count();
+    // One letter is not a misspelling of another, and comparing long names takes the product of their lengths.
+    if length < 2 || misspelt.len() >= 100 {
+        return None;
+    }
+    let most = (length / 3).min(2);
+    let lower = misspelt.to_lowercase();
     names
-        .filter(|n| *n != wanted && n.len() < 100 && wanted.len() < 100)
-        .map(|name| (distance(wanted, name), name))
-        .filter(|(d, _)| *d <= most)
-        .min_by_key(|(d, _)| *d)
+        .filter(|name| *name != misspelt && name.len() < 100)
+        .map(|name| (strsim::osa_distance(&lower, &name.to_lowercase()), name))
+        .filter(|(edits, _)| *edits <= most)
+        .min_by_key(|(edits, name)| (*edits, strsim::osa_distance(misspelt, name)))
         .map(|(_, name)| name)
-}
-
-/// Edits between two words (Levenshtein, with neighbours swapped as one), each counting 2, another case 1.
-fn distance(a: &str, b: &str) -> usize {
-    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
-    let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
-    for (i, row) in rows.iter_mut().enumerate() {
-        row[0] = 2 * i;
-    }
-    for (j, cell) in rows[0].iter_mut().enumerate() {
-        *cell = 2 * j;
-    }
-    for i in 1..=a.len() {
-        for j in 1..=b.len() {
-            let change = if a[i - 1] == b[j - 1] {
-                0
-            } else if a[i - 1].eq_ignore_ascii_case(&b[j - 1]) {
-                1
-            } else {
-                2
-            };
-            let mut best = (rows[i - 1][j - 1] + change).min(rows[i - 1][j] + 2).min(rows[i][j - 1] + 2);
-            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
-                best = best.min(rows[i - 2][j - 2] + 2);
-            }
-            rows[i][j] = best;
-        }
-    }
-    rows[a.len()][b.len()]
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@
 //! A [`Page`] is built line by line. A line may quote anything: newlines in it do not end it, and escape sequences in it are
 //! printed, not interpreted. [`Style`] writes a mark that no input contains, because part of it is a random number of this
 //! process; only these marks become the terminal's sequences.
+#![allow(clippy::disallowed_types)]
 
 use gonio_exercises::report::push_visible;
 use std::collections::hash_map::RandomState;

@@ -3,7 +3,7 @@
 //! The result of a command goes to stdout: bytes, text or (`--json`) one JSON object. Messages about it go to stderr:
 //! `error:`, `warning:`, `note:`, one sentence each, `info:` with `--verbose`, and progress bars if stderr is a terminal.
 //! Text goes through [`crate::page`], so that nothing in a file can move the cursor, hide a message or forge one.
-#![allow(clippy::print_stderr, clippy::print_stdout)]
+#![allow(clippy::disallowed_methods, clippy::print_stderr, clippy::print_stdout)]
 
 use crate::cli::{self, GeneralOptions};
 use crate::escapes::json_for_terminal;

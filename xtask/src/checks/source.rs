@@ -1,12 +1,10 @@
-//! Rust source with its code and its comments told apart: just enough of the language that a word in
-//! a string or a comment is not taken for code.
+//! Rust source without comments and texts: just enough of the language that a word in a string or a comment is not taken
+//! for code.
 
 /// A source file, line by line.
 pub struct Source {
     /// The code of each line; the insides of strings and all comments are gone.
     pub code: Vec<String>,
-    /// The comments of each line, without their slashes.
-    pub comments: Vec<String>,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -24,7 +22,7 @@ impl Source {
     /// Takes a file apart.
     pub fn parse(text: &str) -> Source {
         let chars: Vec<char> = text.chars().collect();
-        let (mut code, mut comments) = (vec![String::new()], vec![String::new()]);
+        let mut code = vec![String::new()];
         let mut state = State::Code;
         let mut i = 0;
         while i < chars.len() {
@@ -34,12 +32,10 @@ impl Source {
                     state = State::Code;
                 }
                 code.push(String::new());
-                comments.push(String::new());
                 i += 1;
                 continue;
             }
             let mut code_push = |c: char| code.last_mut().map_or((), |line| line.push(c));
-            let mut comment_push = |c: char| comments.last_mut().map_or((), |line| line.push(c));
             match state {
                 State::Code if c == '/' && next == '/' => {
                     state = State::LineComment;
@@ -65,7 +61,7 @@ impl Source {
                     }
                     None => code_push(c),
                 },
-                State::LineComment => comment_push(c),
+                State::LineComment => {}
                 State::BlockComment(depth) => match (c, next) {
                     ('*', '/') => {
                         state = if depth == 1 { State::Code } else { State::BlockComment(depth - 1) };
@@ -75,7 +71,7 @@ impl Source {
                         state = State::BlockComment(depth + 1);
                         i += 1;
                     }
-                    _ => comment_push(c),
+                    _ => {}
                 },
                 State::String if c == '\\' && next != '\n' => i += 1,
                 State::String if c == '"' => {
@@ -93,17 +89,7 @@ impl Source {
             }
             i += 1;
         }
-        Source { code, comments }
-    }
-
-    /// Where `word` stands as a whole word in the code, as line indices from 0; a line as often as it
-    /// has the word.
-    pub fn lines_with_word(&self, word: &str) -> Vec<usize> {
-        let mut lines = Vec::new();
-        for (index, line) in self.code.iter().enumerate() {
-            lines.extend(std::iter::repeat_n(index, find_words(line, word).count()));
-        }
-        lines
+        Source { code }
     }
 
     /// For each line, whether it lies within an item marked `#[cfg(test)]`.
@@ -178,21 +164,25 @@ fn raw_string_start(from: &[char]) -> Option<(usize, usize)> {
 mod tests {
     use super::*;
 
+    /// The lines that contain `word` as a whole word, counted from 0; a line as often as it has the word.
+    fn lines_with_word(source: &Source, word: &str) -> Vec<usize> {
+        let lines = source.code.iter().enumerate();
+        lines.flat_map(|(index, line)| std::iter::repeat_n(index, find_words(line, word).count())).collect()
+    }
+
     #[test]
     fn strings_and_comments_are_not_code() {
         let source = Source::parse(
             "let a = \"unsafe \\\" {\"; // unsafe 1\n/* unsafe /* nested */ unsafe */ let b = r#\"unsafe \" \"#;\nlet c = '\"'; let d: &'a str = '\\''; unsafe {}\n",
         );
-        assert_eq!(source.lines_with_word("unsafe"), [2]);
-        assert_eq!(source.comments[0], " unsafe 1");
+        assert_eq!(lines_with_word(&source, "unsafe"), [2]);
         assert_eq!(source.code[1].trim(), "let b = \"\";");
-        assert_eq!(source.comments[1], " unsafe  nested  unsafe ");
     }
 
     #[test]
     fn a_string_over_two_lines_stays_a_string() {
         let source = Source::parse("let a = \"one\\\n unsafe\nunsafe\";\nunsafe {}");
-        assert_eq!(source.lines_with_word("unsafe"), [3]);
+        assert_eq!(lines_with_word(&source, "unsafe"), [3]);
         assert_eq!(source.code.len(), 4);
     }
 
@@ -200,7 +190,7 @@ mod tests {
     fn words_are_whole() {
         assert_eq!(find_words("unsafe_code unsafe(unsafe)", "unsafe").collect::<Vec<_>>(), [12, 19]);
         let source = Source::parse("for r in bar { attr\"\" }\nunsafe {} unsafe {}");
-        assert_eq!(source.lines_with_word("unsafe"), [1, 1]);
+        assert_eq!(lines_with_word(&source, "unsafe"), [1, 1]);
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 mod cargo_output;
 
-use crate::checks::{dependencies, examples, output, paths, tree, unsafe_code};
+use crate::checks::{dependencies, examples, lints, paths, tree};
 use crate::report::{Findings, Report};
 use crate::web::{Build, browser};
 use crate::{house as figures, process, root, score, setup};
@@ -133,12 +133,11 @@ fn house(report: &mut Report, root: &Path) {
             return;
         }
     };
-    report.step("unsafe where declared", || {
-        let mut complaints = unsafe_code::check(&files, unsafe_code::DECLARED);
-        complaints.extend(unsafe_code::check_manifests(&files));
+    report.step("lints are allowed where declared", || {
+        let mut complaints = lints::check(&files, lints::GUARDED, lints::CONFIGURATIONS);
+        complaints.extend(lints::check_manifests(&files));
         Findings::of_complaints(&complaints)
     });
-    report.step("libraries keep quiet", || Findings::of_complaints(&output::check(&files)));
     report.step("unsafe blocks", || figures::check_unsafe(&files));
     report.step("tracked files", || figures::check_tracked(root));
     report.step("import cycles", || figures::check_cycles(&files));
