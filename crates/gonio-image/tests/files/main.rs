@@ -1,9 +1,8 @@
 //! Files of every kind that is read or written, held against other people's writers and readers.
 
+mod cubemap_files;
 mod damaged;
-mod dds;
 mod exr;
 mod hdr;
-mod ktx2;
 mod pictures;
 mod samples;

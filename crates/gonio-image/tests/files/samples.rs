@@ -113,11 +113,11 @@ pub fn every_kind() -> Vec<(&'static str, Vec<u8>)> {
         ("ktx2 half", ktx2(&levels, Format::Half).bytes),
         ("ktx2 float", ktx2(&levels, Format::Float).bytes),
         ("ktx2 srgb", ktx2(&levels, Format::Srgb8).bytes),
-        ("ktx2 zstd", super::ktx2::packed(2)),
-        ("ktx2 zlib", super::ktx2::packed(3)),
-        ("dds bc1", super::dds::cubemap(ddsfile::DxgiFormat::BC1_UNorm_sRGB, 4, 8)),
-        ("dds bc6h", super::dds::cubemap(ddsfile::DxgiFormat::BC6H_UF16, 4, 16)),
-        ("dds bc7", super::dds::cubemap(ddsfile::DxgiFormat::BC7_UNorm, 4, 16)),
-        ("dds half", super::dds::cubemap(ddsfile::DxgiFormat::R16G16B16A16_Float, 2, 8 * 4)),
+        ("ktx2 zstd", super::cubemap_files::packed(2)),
+        ("ktx2 zlib", super::cubemap_files::packed(3)),
+        ("dds bc1", super::cubemap_files::cubemap(ddsfile::DxgiFormat::BC1_UNorm_sRGB, 4, 8)),
+        ("dds bc6h", super::cubemap_files::cubemap(ddsfile::DxgiFormat::BC6H_UF16, 4, 16)),
+        ("dds bc7", super::cubemap_files::cubemap(ddsfile::DxgiFormat::BC7_UNorm, 4, 16)),
+        ("dds half", super::cubemap_files::cubemap(ddsfile::DxgiFormat::R16G16B16A16_Float, 2, 8 * 4)),
     ]
 }

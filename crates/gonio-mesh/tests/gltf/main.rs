@@ -5,11 +5,7 @@
 mod builder;
 mod errors;
 mod geometry;
-mod hostile;
 mod materials;
-mod nodes;
 mod second_reader;
-mod survived;
-mod textures;
 mod whole_numbers;
 mod write;

@@ -1,15 +1,12 @@
 //! Tests that need a context: on whatever driver there is, Mesa's llvmpipe in CI.
 
-mod compile;
 mod conversion;
-mod difference;
 mod environment;
 mod overlays;
 mod paint;
+mod programs;
 mod trace;
 mod twins;
-mod twins_optics;
-mod user_program;
 
 use gonio_gl::headless::{HeadlessContext, HeadlessOptions};
 

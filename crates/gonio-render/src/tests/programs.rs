@@ -1,10 +1,13 @@
-//! Every program that the renderer can ask for compiles and links, in both dialects.
+//! Programs: their compilation, and those of users.
 
+use super::context;
 use crate::glsl::{
     ATTRIBUTES, LightLoops, MapSet, OutputKey, Reflectance, SceneKey, SpecialProgram, SurroundingsKey, sky_sources,
 };
-use gonio_gl::Dialect;
+use crate::user_program::{Stream, StreamMesh, UserProgram};
+use crate::{DisplayTexture, Renderer};
 use gonio_gl::program::Program;
+use gonio_gl::{Dialect, Gl};
 use gonio_light::Specular;
 use gonio_scene::scene_file::Shading;
 
@@ -77,4 +80,49 @@ fn a_shader_with_a_mistake_is_an_error_with_the_drivers_log_and_the_source() {
     let why = Program::new(context.gl(), "broken", &vertex, fragment, &[]).err().expect("it must not compile").message;
     assert!(why.contains("fragment shader of `broken`") && why.contains("missing"), "{why}");
     assert!(why.contains("   3  void main()"), "{why}");
+}
+
+const BODY: [&str; 2] = [
+    "in vec2 place;\nvoid main() { gl_Position = vec4(place, 1.0, 1.0); }\n",
+    // No alpha, and more light than can be shown.
+    "precision highp float;\nout vec4 color;\nvoid main() { color = vec4(2.0, 0.5, 0.0, 0.0); }\n",
+];
+
+/// A square from the middle to the upper right corner of the viewport, at the farthest depth.
+fn quarter(gl: &Gl, es: bool) -> (UserProgram, StreamMesh) {
+    let version = if es { "#version 300 es\n" } else { "#version 330 core\n" };
+    let [vertex, fragment] = BODY.map(|body| format!("{version}{body}"));
+    let program = UserProgram::new(gl, &vertex, &fragment).unwrap_or_else(|why| panic!("{why}"));
+    let numbers = [0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0];
+    let streams = [Stream { name: "place", components: 2, numbers: &numbers }];
+    let mesh = StreamMesh::new(gl, &streams, &[0, 1, 2, 0, 2, 3], "quarter").unwrap_or_else(|why| panic!("{why}"));
+    (program, mesh)
+}
+
+#[test]
+fn a_foreign_picture_is_the_middle_of_a_square_and_as_its_numbers_say() {
+    for es in [false, true] {
+        let context = context(es);
+        let gl = context.gl();
+        let mut renderer = Renderer::new(gl.clone()).unwrap_or_else(|why| panic!("{why}"));
+        let (program, mesh) = quarter(gl, es);
+        let location = program.attribute_location("place").unwrap_or_else(|| panic!("no attribute"));
+        let mut canvas = DisplayTexture::new(gl, [1, 1]).unwrap_or_else(|why| panic!("{why}"));
+        for [width, height] in [[40_u32, 20], [20, 40], [16, 16]] {
+            let painted = renderer.paint_user_program(&mut canvas, [width, height], [0.0, 0.0, 1.0], || {
+                program.bind();
+                mesh.draw(&program, &[(location, 0)]);
+            });
+            painted.unwrap_or_else(|why| panic!("{why}"));
+            assert_eq!(canvas.size(), [width, height]);
+            let pixels = canvas.read8();
+            for (index, pixel) in pixels.chunks_exact(4).enumerate() {
+                let (x, y) = (index as u32 % width, index as u32 / width);
+                let inside = x >= width / 2 && y < height / 2;
+                // 0.5 is between two steps of 8 bits.
+                let wanted = if inside { [255, pixel[1].clamp(127, 128), 0, 255] } else { [0, 0, 255, 255] };
+                assert_eq!(pixel, wanted, "es {es}, {width} x {height}: {x}, {y}");
+            }
+        }
+    }
 }
