@@ -1,4 +1,4 @@
-//! Files that were compressed: `.gz` (RFC 1952), `.zst` (RFC 8878).
+//! Decompresses files: `.gz` (RFC 1952), `.zst` (RFC 8878).
 
 use crate::{Cause, Limits, ReadError};
 use flate2::bufread::GzDecoder;
@@ -7,19 +7,19 @@ use ruzstd::decoding::{DEFAULT_MAX_WINDOW_SIZE, StreamingDecoder};
 use std::error::Error;
 use std::io::{self, Read};
 
-/// What a member of a gzip file begins with, deflate being the only method there is.
+/// The start of a gzip member; deflate is the only compression method.
 const GZIP: &[u8] = &[0x1F, 0x8B];
-/// What a frame of a zstd file begins with.
+/// The start of a zstd frame.
 const ZSTD: &[u8] = &[0x28, 0xB5, 0x2F, 0xFD];
-/// What follows the first byte (0x50 to 0x5F) of a frame that decoders of zstd step over.
+/// The bytes after the first one (0x50 to 0x5F) of a zstd frame that decoders skip.
 const ZSTD_SKIPPABLE: &[u8] = &[0x2A, 0x4D, 0x18];
 
-/// A file may unpack to this many times its size. Models are numbers: text of them shrinks to a fifth or a tenth. What
-/// shrinks a hundredfold is made to fill memory.
+/// A file may unpack to this many times its size. Models consist of numbers, whose text shrinks to a fifth or a tenth.
+/// Data that shrinks a hundredfold was made to fill the memory.
 const MOST_RATIO: u64 = 100;
-/// A file may unpack to this many bytes whatever its size: small repetitive models are harmless.
+/// A file may always unpack to this many bytes: small repetitive models are harmless.
 const HARMLESS_BYTES: u64 = 256 << 20;
-/// Windows of zstd up to this size are common, also in frames of less content: those of `zstd -19`.
+/// Zstd windows up to this size are common, even in frames with less content: `zstd -19` uses them.
 const USUAL_WINDOW: u64 = 8 << 20;
 
 /// Whether a file that begins with `start` (four bytes are enough) is one that [`unpack`] unpacks.
@@ -27,16 +27,16 @@ pub fn is_compressed(start: &[u8]) -> bool {
     start.starts_with(GZIP) || start.starts_with(ZSTD) || is_skippable(start)
 }
 
-/// What a compressed file holds; `None` where it is not compressed.
+/// Unpacks a compressed file; returns `None` if the file is not compressed.
 ///
-/// Several members (gzip) or frames (zstd), one after the other, are one file, as for `gzip` and `zstd`; zeros after
-/// the last one are padding. Checksums are compared.
+/// Several members (gzip) or frames (zstd) in a row are one file, as for `gzip` and `zstd`; zeros after the last one
+/// are padding. Checksums are verified.
 ///
 /// # Errors
 ///
-/// More than `limits.max_bytes` when unpacked, or more than a hundred times the size of the file where that is beyond
-/// 256 MiB (both are found out while unpacking, not after); a window that is larger than this allows; data that ends
-/// early, damaged data, and something else behind it.
+/// Unpacked data larger than `limits.max_bytes`, or larger than 256 MiB and a hundred times the size of the file (both
+/// are detected while unpacking, not after); a window larger than that; data that ends early, is damaged, or is
+/// followed by other data.
 pub fn unpack(bytes: &[u8], limits: &Limits) -> Result<Option<Vec<u8>>, ReadError> {
     if !is_compressed(bytes) {
         return Ok(None);
@@ -67,23 +67,22 @@ fn is_skippable(start: &[u8]) -> bool {
     matches!(start, [0x50..=0x5F, rest @ ..] if rest.starts_with(ZSTD_SKIPPABLE))
 }
 
-/// What follows a frame that is to be stepped over: four bytes, its length, and so many bytes.
+/// Skips a frame: four bytes, its length, and that many bytes.
 fn step_over(frame: &[u8]) -> Result<&[u8], ReadError> {
     let length = frame.get(4..8).and_then(|b| b.try_into().ok()).map(u32::from_le_bytes);
     let rest = length.and_then(|length| frame.get(8..)?.get(length as usize..));
     rest.ok_or_else(|| cut_off("zstd", 0))
 }
 
-/// What has been unpacked so far.
 struct Unpacked {
     bytes: Vec<u8>,
     limit: u64,
-    /// Most bytes that a model in a file of this size can have.
+    /// Largest plausible size of a model in a file of this size.
     plausible: u64,
 }
 
 impl Unpacked {
-    /// Unpacks one member; returns what follows it.
+    /// Unpacks one member; returns the remaining bytes.
     fn gzip_member<'a>(&mut self, packed: &'a [u8]) -> Result<&'a [u8], ReadError> {
         let mut decoder = GzDecoder::new(packed);
         self.take(&mut decoder).map_err(|error| self.explain("gzip", &error))?;
@@ -91,9 +90,9 @@ impl Unpacked {
         Ok(decoder.into_inner())
     }
 
-    /// Unpacks one frame; returns what follows it.
+    /// Unpacks one frame; returns the remaining bytes.
     fn zstd_frame<'a>(&mut self, packed: &'a [u8]) -> Result<&'a [u8], ReadError> {
-        // The decoder allocates the window before it has seen any content.
+        // The decoder allocates the window before it reads any content.
         let window = self.left().clamp(USUAL_WINDOW, DEFAULT_MAX_WINDOW_SIZE);
         let mut decoder = StreamingDecoder::new_with_max_window_size(packed, window).map_err(|error| match error {
             FrameDecoderError::DictNotProvided { .. } => {
@@ -115,7 +114,7 @@ impl Unpacked {
         Ok(rest)
     }
 
-    /// Takes all, but at most one byte more than allowed: enough to know.
+    /// Reads everything, but at most one byte more than allowed, which is enough to detect the excess.
     fn take(&mut self, decoder: &mut impl Read) -> io::Result<()> {
         let allowed = self.left().saturating_add(1);
         decoder.by_ref().take(allowed).read_to_end(&mut self.bytes).map(drop)
@@ -154,7 +153,7 @@ fn cut_off(method: &str, unpacked: usize) -> ReadError {
     ReadError::new(message + ": the file is cut off, get it again")
 }
 
-/// Whether the reason behind an error, and behind its reasons, is that the data ended.
+/// Whether an error was caused, directly or indirectly, by the end of the data.
 fn is_end_of_data(error: &(dyn Error + 'static)) -> bool {
     let mut reason = Some(error);
     while let Some(error) = reason {

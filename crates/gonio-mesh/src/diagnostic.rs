@@ -1,30 +1,30 @@
-//! What is said about a file: errors that end the reading, warnings and notes that do not.
+//! Diagnostics of a file: errors, which end the reading, and warnings and notes, which do not.
 
 use serde::Serialize;
 use std::fmt;
 
-/// How bad it is.
+/// The severity of a diagnostic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Severity {
-    /// Understood, and worth knowing.
+    /// The file was read as intended.
     Note,
-    /// Survived, but something of the file is lost or guessed.
+    /// Reading continued, but part of the file is lost or guessed.
     Warning,
 }
 
-/// One thing worth saying about a file.
+/// A warning or note about a file.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Diagnostic {
-    /// How bad.
+    /// Its severity.
     pub severity: Severity,
-    /// One sentence, without position and without final full stop.
+    /// One sentence, without position and final full stop.
     pub message: String,
-    /// Which file, as the user knows it; filled in by whoever opened it.
+    /// The file as the user knows it; set by the code that opened it.
     pub file: Option<String>,
-    /// From 1.
+    /// The line, from 1.
     pub line: Option<u64>,
-    /// In bytes, from 1.
+    /// The column in bytes, from 1.
     pub column: Option<u64>,
     /// The cause, where a setting of the program can remove it.
     #[serde(skip)]
@@ -32,7 +32,7 @@ pub struct Diagnostic {
 }
 
 impl Diagnostic {
-    /// A warning without a position.
+    /// Creates a warning without a position.
     pub fn warning(message: impl Into<String>) -> Self {
         Diagnostic {
             severity: Severity::Warning,
@@ -44,25 +44,25 @@ impl Diagnostic {
         }
     }
 
-    /// A note without a position.
+    /// Creates a note without a position.
     pub fn note(message: impl Into<String>) -> Self {
         Diagnostic { severity: Severity::Note, ..Self::warning(message) }
     }
 
-    /// The same with a cause that a setting can remove.
+    /// Sets a cause that a setting can remove.
     pub fn caused_by(mut self, cause: Cause) -> Self {
         self.cause = Some(cause);
         self
     }
 
-    /// The same at a line, and perhaps a column.
+    /// Sets the line, and perhaps the column.
     pub fn at(mut self, line: u64, column: Option<u64>) -> Self {
         self.line = Some(line);
         self.column = column;
         self
     }
 
-    /// The same about a named file, where none is named yet.
+    /// Sets the file, unless it is already set.
     pub fn in_file(mut self, file: &str) -> Self {
         self.file.get_or_insert_with(|| file.to_owned());
         self
@@ -80,13 +80,13 @@ impl fmt::Display for Diagnostic {
     }
 }
 
-/// A cause of an error or a warning that a setting of the program can remove. Messages name no option and no control:
-/// a program adds those that it has.
+/// A cause of an error that a setting of the program can remove. The error message does not mention the setting; a
+/// program that has one may add a hint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cause {
     /// The file needs more memory than [`Limits::max_bytes`](crate::Limits::max_bytes).
     MemoryLimit,
-    /// The file lies outside the folders that may be read.
+    /// The file is outside the folders that may be read.
     Sandbox,
     /// The file was named as a model, and it is an environment.
     EnvironmentAsModel,
@@ -98,41 +98,41 @@ pub enum Cause {
     CoarseEnvironment,
 }
 
-/// Why a file could not be read at all.
+/// The reason why a file could not be read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ReadError {
     /// One sentence: what is wrong and what to do.
     pub message: String,
-    /// Which file, as the user knows it; filled in by whoever opened it.
+    /// The file as the user knows it; set by the code that opened it.
     pub file: Option<String>,
-    /// From 1.
+    /// The line, from 1.
     pub line: Option<u64>,
-    /// In bytes, from 1.
+    /// The column in bytes, from 1.
     pub column: Option<u64>,
-    /// The cause, where a setting can remove it.
+    /// The cause, if a setting can remove it.
     pub cause: Option<Cause>,
 }
 
 impl ReadError {
-    /// An error without a position.
+    /// Creates an error without a position.
     pub fn new(message: impl Into<String>) -> Self {
         ReadError { message: message.into(), file: None, line: None, column: None, cause: None }
     }
 
-    /// The same with a cause that a setting can remove.
+    /// Sets a cause that a setting can remove.
     pub fn caused_by(mut self, cause: Cause) -> Self {
         self.cause = Some(cause);
         self
     }
 
-    /// The same at a line, and perhaps a column.
+    /// Sets the line, and perhaps the column.
     pub fn at(mut self, line: u64, column: Option<u64>) -> Self {
         self.line = Some(line);
         self.column = column;
         self
     }
 
-    /// The same about a named file, where none is named yet.
+    /// Sets the file, unless it is already set.
     pub fn in_file(mut self, file: &str) -> Self {
         self.file.get_or_insert_with(|| file.to_owned());
         self

@@ -12,28 +12,28 @@ use crate::text::quote;
 use crate::{Diagnostic, Model, ReadError};
 use std::borrow::Cow;
 
-/// An encoding with code units of several bytes.
+/// A Unicode encoding with code units of several bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Wide {
-    /// Bytes in a code unit: 2 for UTF-16, 4 for UTF-32.
+    /// Size of a code unit in bytes: 2 for UTF-16, 4 for UTF-32.
     unit_size: usize,
     is_big_endian: bool,
-    /// Bytes of the byte order mark; 0 where the file has none.
+    /// Size of the byte order mark in bytes; 0 without one.
     mark_size: usize,
 }
 
-/// Text as UTF-8, and what its conversion lost.
+/// Text as UTF-8, with diagnostics of the conversion.
 pub struct Utf8Text<'a> {
-    /// The file's own bytes where they needed no conversion.
+    /// The file's own bytes if no conversion was needed.
     pub bytes: Cow<'a, [u8]>,
-    /// Empty where the bytes are the file's own.
+    /// Empty if the bytes are the file's own.
     pub diagnostics: Vec<Diagnostic>,
 }
 
 /// Converts text in UTF-16 or UTF-32 to UTF-8. Other bytes, binary data included, are returned as they are.
 ///
-/// A code unit that is no character, such as half of a surrogate pair, becomes U+FFFD; a warning says how many there
-/// are and where the first one is.
+/// Invalid code units, such as half a surrogate pair, become U+FFFD; a warning gives their number and the position of
+/// the first one.
 pub fn to_utf8(bytes: &[u8]) -> Utf8Text<'_> {
     match Wide::detect(bytes) {
         Some(wide) => wide.convert(bytes),
@@ -41,7 +41,7 @@ pub fn to_utf8(bytes: &[u8]) -> Utf8Text<'_> {
     }
 }
 
-/// The text of about the first `size` bytes of a file as UTF-8, for telling what the file is.
+/// Returns about the first `size` bytes of a file as UTF-8, for detecting the format.
 pub fn start_as_utf8(bytes: &[u8], size: usize) -> Cow<'_, [u8]> {
     let start = &bytes[..bytes.len().min(size)];
     match Wide::detect(start) {
@@ -55,7 +55,7 @@ pub fn is_wide(bytes: &[u8]) -> bool {
     Wide::detect(bytes).is_some()
 }
 
-/// Reads a text format: `read` gets the text as UTF-8, and its model the diagnostics of the conversion.
+/// Reads a text format: calls `read` with the text as UTF-8 and adds the diagnostics of the conversion to its model.
 pub(crate) fn read_as_utf8(
     bytes: &[u8],
     read: impl FnOnce(&[u8]) -> Result<Model, ReadError>,
@@ -67,7 +67,8 @@ pub(crate) fn read_as_utf8(
 }
 
 impl Wide {
-    /// By the byte order mark; UTF-16 without one by its first two characters, where these are printable ASCII or blanks.
+    /// Detects the encoding by the byte order mark, or UTF-16 by two initial characters that are printable ASCII or
+    /// blanks.
     fn detect(bytes: &[u8]) -> Option<Wide> {
         let wide = |unit_size, is_big_endian, mark_size| Some(Wide { unit_size, is_big_endian, mark_size });
         let is_text = |byte: u8| matches!(byte, b'\t' | b'\n' | b'\r' | b' '..=b'~');
@@ -109,10 +110,9 @@ impl Wide {
     }
 }
 
-/// Text in the making.
 struct Converted {
     text: String,
-    /// How many code units are no character, and the byte of the text where the first one is.
+    /// The number of invalid code units, and the position of the first one in the text.
     invalid: u64,
     first: usize,
 }
@@ -128,7 +128,7 @@ impl Converted {
         self.text.push(character.unwrap_or(char::REPLACEMENT_CHARACTER));
     }
 
-    /// Bytes at the end that make no whole code unit.
+    /// Handles bytes at the end that do not form a complete code unit.
     fn push_rest(&mut self, rest: &[u8]) {
         if !rest.is_empty() {
             self.push(None);
@@ -147,11 +147,11 @@ impl Converted {
     }
 }
 
-/// An XML document as UTF-8, and a warning where its encoding was guessed.
+/// Returns an XML document as UTF-8, with a warning if its encoding was guessed.
 ///
-/// A byte order mark decides first, then the `encoding` of the XML declaration. Other encodings than those of this
-/// module's table are read as UTF-8 where the bytes are UTF-8, and as Windows-1252 otherwise: names may be wrong then,
-/// but all markup and numbers are ASCII.
+/// A byte order mark decides first, then the `encoding` of the XML declaration. Encodings other than those in the table
+/// above are read as UTF-8 if the bytes are valid UTF-8, and as Windows-1252 otherwise: names may then be wrong, but
+/// all markup and numbers are ASCII.
 pub(crate) fn xml_to_text(bytes: &[u8]) -> (Cow<'_, str>, Vec<Diagnostic>) {
     let utf8 = to_utf8(bytes);
     let is_marked = bytes.starts_with(b"\xEF\xBB\xBF");
@@ -184,7 +184,7 @@ fn into_string(bytes: Vec<u8>) -> String {
     String::from_utf8(bytes).unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned())
 }
 
-/// The `encoding` of the XML declaration that a document begins with.
+/// Returns the `encoding` of the XML declaration at the start of a document.
 fn declared_encoding(document: &[u8]) -> Option<&[u8]> {
     const LONGEST: usize = 256;
     let start = document.trim_ascii_start();
@@ -198,13 +198,13 @@ fn declared_encoding(document: &[u8]) -> Option<&[u8]> {
     value.iter().position(|byte| byte == mark).map(|end| &value[..end])
 }
 
-/// What Windows-1252 has from 0x80 to 0x9F, where ISO-8859-1 has control characters. Five are not assigned.
+/// The characters of Windows-1252 from 0x80 to 0x9F, where ISO-8859-1 has control characters. Five are unassigned.
 const BEYOND_LATIN_1: [char; 32] = [
     '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8D}', 'Ž', '\u{8F}', '\u{90}', '‘', '’',
     '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9D}', 'ž', 'Ÿ',
 ];
 
-/// Text in Windows-1252, which contains ISO-8859-1 but for its control characters.
+/// Decodes Windows-1252, a superset of ISO-8859-1 except for control characters.
 pub(crate) fn windows_1252(bytes: &[u8]) -> Cow<'_, str> {
     if let Ok(text) = std::str::from_utf8(bytes)
         && text.is_ascii()
@@ -223,7 +223,7 @@ mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
 
-    /// A text in each encoding of several bytes, with and without a byte order mark.
+    /// Encodes a text in each multi-byte encoding, with and without a byte order mark.
     fn encoded(text: &str) -> Vec<(Vec<u8>, bool)> {
         let mut all = Vec::new();
         for mark in ["\u{feff}", ""] {
@@ -248,7 +248,7 @@ mod tests {
                 let converted = to_utf8(&bytes);
                 assert_eq!(std::str::from_utf8(&converted.bytes), Ok(text), "{bytes:?}");
                 assert_eq!(converted.diagnostics, []);
-                // A start may end anywhere.
+                // A prefix may end anywhere.
                 for size in 8..bytes.len() {
                     let start = start_as_utf8(&bytes, size);
                     let start = String::from_utf8_lossy(&start);
@@ -256,7 +256,7 @@ mod tests {
                 }
             }
         }
-        // Without ASCII at the start only a mark tells.
+        // Without initial ASCII characters only the mark identifies the encoding.
         for (bytes, has_mark) in encoded("Ж = 1\n") {
             assert_eq!(is_wide(&bytes), has_mark, "{bytes:?}");
         }
@@ -283,7 +283,7 @@ mod tests {
     #[test]
     fn invalid_code_units_are_replaced_and_told() {
         let mut bytes: Vec<u8> = "o a\r\no b".encode_utf16().flat_map(u16::to_le_bytes).collect();
-        // A low surrogate alone, a high one before an x, and half a code unit.
+        // A lone low surrogate, a high one before an x, and half a code unit.
         bytes.extend([0x00, 0xDC, 0x00, 0xD8, b'x', 0, b'!']);
         let converted = to_utf8(&bytes);
         assert_eq!(String::from_utf8_lossy(&converted.bytes), "o a\r\no b\u{fffd}\u{fffd}x\u{fffd}");
@@ -309,12 +309,12 @@ mod tests {
             let (found, messages) = text(&declared(name, b"<a>\x80\xE9</a>"));
             assert_eq!((found.lines().nth(1), messages.as_str()), (Some("<a>€é</a>"), ""), "{name}");
         }
-        // What is UTF-8 by chance is not, where the declaration says otherwise; but a mark is stronger.
+        // A declaration is trusted even if the bytes happen to be UTF-8; but a mark overrides it.
         let utf8 = declared("ISO-8859-1", "é".as_bytes());
         assert!(text(&utf8).0.ends_with("Ã©"));
         let marked = [&b"\xEF\xBB\xBF"[..], &utf8].concat();
         assert!(text(&marked).0.ends_with("\né") && text(&marked).0.starts_with("<?xml"));
-        // Of an encoding that is not known only ASCII is sure.
+        // In an unknown encoding only ASCII is certain.
         assert_eq!(text(&declared("Shift_JIS", b"abc")).1, "");
         let messages = text(&declared("Shift_JIS", b"a\x83\x65")).1;
         assert!(
@@ -324,7 +324,7 @@ mod tests {
         let (found, messages) = text(b"<a>\xFC</a>");
         assert_eq!(found, "<a>ü</a>");
         assert!(messages.starts_with("1:4: warning: the text is not UTF-8: "), "{messages}");
-        // A document that was saved as UTF-8, and still says UTF-16.
+        // A document saved as UTF-8 that still declares UTF-16.
         assert_eq!(text("<?xml version='1.0' encoding='UTF-16'?>é".as_bytes()).1, "");
         for (bytes, _) in encoded("<?xml version='1.0' encoding='ISO-8859-1'?><é/>") {
             assert!(text(&bytes).0.ends_with("?><é/>"));

@@ -1,4 +1,4 @@
-//! The format of a file: told by its content where that decides, by its name where it does not.
+//! Detects the format of a file by its content, or by its name where the content does not decide.
 
 mod json;
 mod xml;
@@ -8,10 +8,10 @@ use memchr::memchr2;
 use serde::Serialize;
 use std::borrow::Cow;
 
-/// How much text is searched for statements of a format.
+/// Length of the text that is searched for statements of a format, in bytes.
 const SEARCHED: usize = 4096;
 
-/// A format of models that can be read.
+/// A model format that can be read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Format {
@@ -34,7 +34,7 @@ pub enum Format {
 }
 
 impl Format {
-    /// All of them.
+    /// All formats.
     pub const ALL: [Format; 8] = [
         Format::Obj,
         Format::Gltf,
@@ -46,7 +46,7 @@ impl Format {
         Format::MeditBinary,
     ];
 
-    /// As a sentence names it.
+    /// Returns the name of the format for messages.
     pub fn name(self) -> &'static str {
         match self {
             Format::Obj => "Wavefront OBJ",
@@ -60,7 +60,7 @@ impl Format {
         }
     }
 
-    /// The usual ending of a file's name, without the dot.
+    /// Returns the usual file name extension, without the dot.
     pub fn extension(self) -> &'static str {
         match self {
             Format::Obj => "obj",
@@ -74,13 +74,13 @@ impl Format {
         }
     }
 
-    /// The format of a file with this content, called `name`; or what it is instead, as `a PNG image`, and `None`
-    /// where that is unknown.
+    /// Detects the format of a file with this content and name. Otherwise returns a description of the file, such as `a
+    /// PNG image`, or `None` if it is unknown.
     ///
-    /// The content decides, whatever the name is: XML is COLLADA by its root, JSON is glTF where its outermost object has
-    /// a key of glTF's. The ending of the name decides about text without a statement of a known format, about XML that
-    /// breaks off before its root, and about JSON, which is not searched then. Only that search may go through a whole
-    /// file; of others the kilobytes behind the first comments are looked at.
+    /// The content has priority over the name: XML is COLLADA by its root element, JSON is glTF if its outermost object
+    /// has one of glTF's keys. The file name extension decides for text without a known statement, for XML that ends
+    /// before its root, and for JSON, which is then not searched. Only the search in JSON may go through a whole file;
+    /// of other files the kilobytes after the initial comments are examined.
     pub fn detect(content: &[u8], name: &str) -> Result<Format, Option<&'static str>> {
         if let Some(format) = by_signature(content) {
             return Ok(format);
@@ -92,7 +92,7 @@ impl Format {
         by_text(without_blanks(&encoding::to_utf8(content).bytes), named)
     }
 
-    /// Reads a file of this format; see the module of the same name.
+    /// Reads a file of this format; see the module with the same name.
     pub fn read(self, bytes: &[u8], sidecars: &mut dyn Sidecars, limits: &Limits) -> Result<Model, ReadError> {
         match self {
             Format::Obj => obj::read(bytes, sidecars, limits),
@@ -111,13 +111,12 @@ fn has_extension(name: &str, format: Format) -> bool {
     name.strip_suffix(format.extension()).is_some_and(|rest| rest.ends_with('.'))
 }
 
-/// Text behind a byte order mark of UTF-8 and blanks.
+/// Skips a UTF-8 byte order mark and blanks.
 fn without_blanks(text: &[u8]) -> &[u8] {
     text.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(text).trim_ascii_start()
 }
 
-/// The start of what stands behind blanks and whole lines of comment (`#`) at the beginning of a text in UTF-8: enough to
-/// tell what the text is.
+/// Returns the start of a UTF-8 text after initial blanks and comment lines (`#`): enough to detect the format.
 pub fn start_behind_comments(text: &[u8]) -> Cow<'_, str> {
     let mut rest = without_blanks(text);
     while rest.starts_with(b"#") {
@@ -127,7 +126,7 @@ pub fn start_behind_comments(text: &[u8]) -> Cow<'_, str> {
     String::from_utf8_lossy(&rest[..rest.len().min(SEARCHED)])
 }
 
-/// The format of text in UTF-8 that begins without blanks; `named` is what the file's name says.
+/// Detects the format of UTF-8 text that begins without blanks; `named` is the format by the file's name.
 fn by_text(text: &[u8], named: Option<Format>) -> Result<Format, Option<&'static str>> {
     if text.strip_prefix(b"ply").is_some_and(|rest| rest.first().is_none_or(u8::is_ascii_whitespace)) {
         return Ok(Format::Ply);
@@ -145,7 +144,7 @@ fn by_text(text: &[u8], named: Option<Format>) -> Result<Format, Option<&'static
     if lower.starts_with("meshversionformatted") {
         return Ok(Format::Medit);
     }
-    // `solid` is a good name for an object too: an STL goes on with `facet`.
+    // An object may be called `solid` too: in an STL file `facet` follows.
     if lower.starts_with("solid") && (lower.contains("facet") || lower.contains("endsolid")) {
         return Ok(Format::Stl);
     }
@@ -166,12 +165,12 @@ fn by_signature(content: &[u8]) -> Option<Format> {
     {
         return Some(Format::MeditBinary);
     }
-    // A header of 80 bytes that may say anything, the number of triangles, 50 bytes for each.
+    // A header of 80 arbitrary bytes, the number of triangles, 50 bytes for each.
     let triangles = u64::from(u32::from_le_bytes(code(80)?));
     (content.len() as u64 == 84 + 50 * triangles).then_some(Format::Stl)
 }
 
-/// Formats that are known by their first bytes and are no models that can be read.
+/// Recognises formats that cannot be read by their first bytes.
 fn other_by_signature(start: &[u8]) -> Option<&'static str> {
     const SIGNATURES: &[(&[u8], &str)] = &[
         (b"BLENDER", "a Blender file (export it as OBJ or glTF)"),

@@ -1,32 +1,31 @@
-//! Equal corners become one vertex.
+//! Merges equal corners into one vertex.
 
 use std::collections::HashMap;
 
-/// No vertex.
 const NONE: u32 = u32::MAX;
 
-/// Vertices of one position that are looked through one by one.
+/// Most vertices at one position that are searched linearly.
 const MOST_IN_A_CHAIN: usize = 16;
 
-/// What vertices were made of: the index of a position, and `N` other indices.
+/// The vertices made so far, each from the index of a position and `N` other indices.
 pub(crate) struct Joiner<const N: usize> {
-    /// For each position the latest vertex made of it, ...
+    /// For each position its latest vertex.
     first: Vec<u32>,
-    /// ... for each vertex the one before it of the same position, ...
+    /// For each vertex the previous one at the same position.
     next: Vec<u32>,
-    /// ... and the rest of what it was made of.
+    /// For each vertex the other indices.
     made_of: Vec<[u32; N]>,
-    /// For positions with many vertices.
+    /// Vertices of positions with many of them.
     crowded: HashMap<(u32, [u32; N]), u32>,
 }
 
 impl<const N: usize> Joiner<N> {
-    /// For indices of positions below `positions`.
+    /// Creates a table for indices below `positions`.
     pub(crate) fn new(positions: usize) -> Self {
         Joiner { first: vec![NONE; positions], next: Vec::new(), made_of: Vec::new(), crowded: HashMap::new() }
     }
 
-    /// The vertex of this corner, and whether it is a new one: they are numbered from 0 in the order of first use.
+    /// Returns the vertex of a corner and whether it is new. Vertices are numbered from 0 in the order of first use.
     #[inline]
     pub(crate) fn vertex(&mut self, position: u32, rest: [u32; N]) -> (u32, bool) {
         let first = self.first[position as usize];
@@ -67,7 +66,7 @@ mod tests {
         assert_eq!(vertices, [(0, true), (1, true), (2, true), (0, false), (1, false)]);
     }
 
-    /// Far more vertices at one position than a chain holds.
+    /// Far more vertices at one position than are searched linearly.
     #[test]
     fn crowded_positions_are_looked_up() {
         let mut joiner = Joiner::new(1);

@@ -1,7 +1,8 @@
-//! Models: the mesh type, its readers, its normals. Bytes in, model and diagnostics out.
+//! Models: the mesh type, its readers and writers, its normals.
 //!
-//! Readers open no files: what a model refers to (a material library, a buffer) is asked of a
-//! [`Sidecars`], which the caller implements over a disk, an archive or a web page.
+//! Readers take bytes and return a model with diagnostics. They open no files: files that a model refers to (a material
+//! library, a buffer) are requested from a [`Sidecars`], which the caller implements for a disk, an archive or a web
+//! page.
 
 pub mod collada;
 pub mod compression;
@@ -46,24 +47,23 @@ pub use model_scene::{EmbeddedImage, ModelCamera, ModelLight, ModelLightKind};
 pub use sidecar::{MissingSidecar, NoSidecars, Sidecar, SidecarUse, Sidecars};
 pub use texture_map::{Channel, TexelRule, TextureMap, Wrap};
 
-/// A model as a reader gives it.
+/// A model read from a file.
 #[derive(Clone, Debug, Default)]
 pub struct Model {
     /// All geometry, in the file's own coordinates.
     pub mesh: Mesh,
-    /// What [`Part::material`] indexes; never empty where the mesh has parts.
+    /// The materials, indexed by [`Part::material`]; never empty if the mesh has parts.
     pub materials: Vec<Material>,
-    /// Pictures inside the file.
+    /// Images inside the file.
     pub images: Vec<EmbeddedImage>,
-    /// Lights of the file.
+    /// Lights in the file.
     pub lights: Vec<ModelLight>,
-    /// Cameras of the file.
+    /// Cameras in the file.
     pub cameras: Vec<ModelCamera>,
-    /// What the file holds, counted in its own words (`v`, `faces of 4 corners`, `nodes`), in an order of the
-    /// reader's.
+    /// Counts of the file's elements under the format's own names (`v`, `faces of 4 corners`, `nodes`).
     pub contents: Vec<(String, u64)>,
-    /// The files that the model named (textures apart), and what became of them.
+    /// The files that the model refers to, except textures, and whether they were found.
     pub sidecars: Vec<SidecarUse>,
-    /// Everything odd that was survived, in file order.
+    /// Warnings and notes in file order.
     pub diagnostics: Vec<Diagnostic>,
 }

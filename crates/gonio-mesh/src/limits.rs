@@ -1,20 +1,20 @@
-//! How much a file may make a reader allocate.
+//! Limits on the memory that a file can make a reader allocate.
 
 use crate::ReadError;
 
-/// How much a file may make a reader allocate.
+/// Limits on the memory that a file can make a reader allocate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
-    /// Most vertices after splitting (`u32` indices set the default).
+    /// Most vertices after splitting (the default is given by `u32` indices).
     pub max_vertices: u64,
     /// Most triangles.
     pub max_triangles: u64,
-    /// Most bytes that a file may have when it is unpacked, and that arrays may take which the file asks for without
-    /// holding them itself. A program that reads several files for one input shares this among them.
+    /// Most bytes that an unpacked file may have, and that may be allocated for arrays whose size the file declares
+    /// without containing them. A program that reads several files for one input divides this among them.
     pub max_bytes: u64,
 }
 
-/// A default that suits most machines; a program that knows the memory of its own gives a share of it instead.
+/// A default that suits most machines; a program that knows the available memory sets a share of it instead.
 pub const DEFAULT_MAX_BYTES: u64 = if usize::BITS >= 64 { 2 << 30 } else { 1 << 30 };
 
 impl Default for Limits {
@@ -23,7 +23,7 @@ impl Default for Limits {
     }
 }
 
-// Which of these a reader can exceed, and when it can tell, is its own affair; what it says then is not.
+// Each reader decides which limits it can exceed and when it notices; the messages are shared.
 
 #[cold]
 pub(crate) fn too_many_triangles(most: u64) -> ReadError {

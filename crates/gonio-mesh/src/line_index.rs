@@ -1,20 +1,20 @@
-//! Lines and columns of places that are known by their byte.
+//! Converts byte positions to lines and columns.
 
 use std::cell::OnceCell;
 
-/// Where the lines of a text begin; looked for when first asked.
+/// The starts of the lines of a text, computed on first use.
 pub(crate) struct LineIndex<'a> {
     bytes: &'a [u8],
     starts: OnceCell<Vec<usize>>,
 }
 
 impl<'a> LineIndex<'a> {
-    /// Lines end at LF, CR LF or CR.
+    /// Creates an index of lines, which end at LF, CR LF or CR.
     pub(crate) fn new(bytes: &'a [u8]) -> Self {
         LineIndex { bytes, starts: OnceCell::new() }
     }
 
-    /// The line and the column (in bytes) of a byte, both from 1.
+    /// Returns the line and the column (in bytes) of a byte, both from 1.
     pub(crate) fn place(&self, at: usize) -> (u64, u64) {
         let starts = self.starts.get_or_init(|| starts(self.bytes));
         let line = starts.partition_point(|&start| start <= at).max(1);

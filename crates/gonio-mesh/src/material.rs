@@ -1,19 +1,18 @@
-//! A material as a model file describes it, and where each of its values came from.
+//! A material as a model file describes it, and the origin of each of its values.
 
 use crate::TextureMap;
 use serde::Serialize;
 
-/// What `k_a` is.
+/// The ambient coefficient `k_a`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum AmbientRule {
-    /// `k_a = k_d`, texture included. For files that say nothing of `Ka`, and for `Ka 1 1 1`, which
-    /// Blender writes into every file whatever the material is.
+    /// `k_a = k_d`, texture included: for files without `Ka`, and for `Ka 1 1 1`, which Blender writes into every file.
     FollowsDiffuse,
-    /// As written: linear RGB.
+    /// The value as written: linear RGB.
     Value([f32; 3]),
 }
 
-/// A material. Colours are linear RGB, not negative.
+/// A material. Colours are linear RGB and not negative.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
     /// `newmtl`
@@ -30,9 +29,9 @@ pub struct Material {
     pub shininess: f32,
     /// `Ni`
     pub refraction_index: f32,
-    /// `d`: 1 opaque, 0 invisible.
+    /// `d`: from 1, opaque, to 0, invisible.
     pub opacity: f32,
-    /// `illum`, where given.
+    /// `illum`, if present.
     pub illumination_model: Option<u8>,
     /// `map_Kd`: colour.
     pub diffuse_map: Option<TextureMap>,
@@ -42,24 +41,24 @@ pub struct Material {
     pub emitted_map: Option<TextureMap>,
     /// `map_Ns`: data; its red channel times `shininess`.
     pub shininess_map: Option<TextureMap>,
-    /// `map_d`: data; its red channel (or alpha where it has one) times `opacity`.
+    /// `map_d`: data; its red channel (or alpha, if it has one) times `opacity`.
     pub opacity_map: Option<TextureMap>,
     /// `norm`, or a `map_Bump` that is a tangent-space normal map: data.
     pub normal_map: Option<TextureMap>,
-    /// `map_Bump`/`bump` with heights: data; told from a normal map by its colours when it is loaded.
+    /// `map_Bump`/`bump` with heights: data; distinguished from a normal map by its colours when it is loaded.
     pub bump_map: Option<TextureMap>,
-    /// The other parametrisation of the same surface, where the file uses it: `diffuse`, `specular` and `shininess`
-    /// above are already made of its numbers; its textures are still to be applied.
+    /// The physically based parameters of the same surface, if the file has them: `diffuse`, `specular` and `shininess`
+    /// are already derived from its numbers; its textures must still be applied.
     pub metallic_roughness: Option<MetallicRoughness>,
-    /// Values of the file that no term of the light equation takes: sheen, clearcoat, anisotropy.
+    /// Values of the file for which the light equation has no term: sheen, clearcoat, anisotropy.
     pub unused: Vec<PropertySource>,
-    /// Where the values above came from, in the order of the fields.
+    /// The origins of the values above, in the order of the fields.
     pub sources: Vec<PropertySource>,
-    /// The file that describes it, as the user knows it, where that is not the model's own.
+    /// The file that defines it, as the user knows it, if that is not the model's own.
     pub file: Option<String>,
 }
 
-/// A surface as physically based renderers describe it.
+/// A surface in the parameters of physically based renderers.
 ///
 /// In terms of the light equation: `k_d = base_color * (1 - metallic)`, `k_s = mix(0.04, base_color, metallic)` (glTF
 /// 2.0, appendix B), and gamma as [`gonio_light::roughness`] says: `2 / roughness^4 - 2`, from 1 to 10,000.
@@ -71,54 +70,54 @@ pub struct MetallicRoughness {
     pub metallic: f32,
     /// 0 to 1.
     pub roughness: f32,
-    /// Data: times `metallic`.
+    /// Data, multiplied by `metallic`.
     pub metallic_map: Option<TextureMap>,
-    /// Data: times `roughness`.
+    /// Data, multiplied by `roughness`.
     pub roughness_map: Option<TextureMap>,
 }
 
 impl MetallicRoughness {
-    /// Reflectance at normal incidence of what is no metal: that of a refraction index of 1.5.
+    /// Reflectance of dielectrics at normal incidence: that of a refraction index of 1.5.
     pub const DIELECTRIC_SPECULAR: f32 = 0.04;
 
-    /// `k_d` of a base colour and a metalness.
+    /// Returns `k_d` for a base colour and a metalness.
     pub fn diffuse(base_color: [f32; 3], metallic: f32) -> [f32; 3] {
         base_color.map(|c| c * (1.0 - metallic))
     }
 
-    /// `k_s` of a base colour and a metalness.
+    /// Returns `k_s` for a base colour and a metalness.
     pub fn specular(base_color: [f32; 3], metallic: f32) -> [f32; 3] {
         base_color.map(|c| Self::DIELECTRIC_SPECULAR + (c - Self::DIELECTRIC_SPECULAR) * metallic)
     }
 
-    /// `gamma` of a roughness.
+    /// Returns the exponent `gamma` for a roughness.
     pub fn shininess(roughness: f32) -> f32 {
         gonio_light::roughness::shininess_of_roughness(roughness.into()) as f32
     }
 
-    /// The roughness of an exponent: the inverse of [`Self::shininess`].
+    /// Returns the roughness for an exponent: the inverse of [`Self::shininess`].
     pub fn roughness(shininess: f32) -> f32 {
         gonio_light::roughness::roughness_of_shininess(shininess.into()) as f32
     }
 }
 
-/// Where a value of a material came from.
+/// The origin of a value of a material.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct PropertySource {
     /// The field's name: `diffuse`, `shininess`, `diffuse_map`.
     pub property: &'static str,
-    /// The line that says it, from 1; `None` where no line does, or where the format has no lines.
+    /// The line that sets it, from 1; `None` if no line does, or if the format has no lines.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub line: Option<u64>,
-    /// What the file says there: `Kd 0 0 0`, `materials[1].emissiveFactor = [0, 0, 0]`. Empty where it says nothing.
+    /// The text in the file: `Kd 0 0 0`, `materials[1].emissiveFactor = [0, 0, 0]`; empty if the file does not set it.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub written: String,
-    /// The rule by which the value differs from what is written: `black beside map_Kd: taken as 1 1 1`.
+    /// The rule by which the value differs from the text: `black beside map_Kd: treated as 1 1 1`.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub rule: String,
 }
 
-/// The fields of a [`Material`] that [`PropertySource`]s name, in its order.
+/// The fields of a [`Material`] that [`PropertySource`] refers to, in order.
 const PROPERTIES: [&str; 15] = [
     "ambient",
     "diffuse",
@@ -138,12 +137,12 @@ const PROPERTIES: [&str; 15] = [
 ];
 
 impl Material {
-    /// Puts the sources in the order of the fields.
+    /// Sorts the sources in the order of the fields.
     pub(crate) fn sort_sources(&mut self) {
         self.sources.sort_by_key(|source| PROPERTIES.iter().position(|property| *property == source.property));
     }
 
-    /// All textures that it names.
+    /// Returns all textures of the material.
     pub fn textures(&self) -> impl Iterator<Item = &TextureMap> {
         let physical = self.metallic_roughness.as_ref().map(|m| [&m.metallic_map, &m.roughness_map]);
         let maps = [
@@ -158,7 +157,7 @@ impl Material {
         maps.into_iter().chain(physical.into_iter().flatten()).flatten()
     }
 
-    /// The same, to be changed.
+    /// Returns all textures of the material for modification.
     pub fn textures_mut(&mut self) -> impl Iterator<Item = &mut TextureMap> {
         let physical = self.metallic_roughness.as_mut().map(|m| [&mut m.metallic_map, &mut m.roughness_map]);
         let maps = [
@@ -175,7 +174,7 @@ impl Material {
 }
 
 impl Default for Material {
-    /// A light, slightly glossy clay: what a model without materials is made of.
+    /// A light, slightly glossy clay, used for models without materials.
     fn default() -> Self {
         Material {
             name: String::new(),

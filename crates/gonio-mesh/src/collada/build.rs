@@ -1,4 +1,4 @@
-//! The model's mesh: geometries placed by nodes, one after another.
+//! Builds the model's mesh from the geometries that nodes place.
 
 use super::document::Document;
 use super::geometry::Geometry;
@@ -7,13 +7,12 @@ use crate::limits::{too_many_triangles, too_many_vertices};
 use crate::{Cause, Limits, Mesh, NormalSource, Part, ReadError};
 use glam::{DMat3, DMat4, DVec3};
 
-/// The mesh in the making.
 pub(super) struct Builder<'a> {
     limits: &'a Limits,
     pub(super) mesh: Mesh,
 }
 
-/// Says which material a part has: by the number of its primitive.
+/// Returns the material of a primitive of the geometry.
 pub(super) type MaterialOf<'a> = &'a mut dyn FnMut(usize) -> usize;
 
 impl<'a> Builder<'a> {
@@ -21,7 +20,7 @@ impl<'a> Builder<'a> {
         Builder { limits, mesh: Mesh::default() }
     }
 
-    /// Adds a geometry at `model_from_local`; `at` is the byte of what places it.
+    /// Adds a geometry at `model_from_local`. `at` is the byte of the element that places it.
     pub(super) fn place(
         &mut self,
         document: &Document<'_>,
@@ -44,7 +43,7 @@ impl<'a> Builder<'a> {
         self.place_normals(local, model_from_local, base);
         append(&mut self.mesh.tex_coords, &local.tex_coords, [0.0; 2], base, local.positions.len());
         append(&mut self.mesh.colors, &local.colors, [1.0; 4], base, local.positions.len());
-        // A mirror turns triangles around: they are turned back, so that fronts stay fronts.
+        // A mirror reverses the winding of triangles: reverse it again, so that front faces stay front faces.
         let is_mirrored = DMat3::from_mat4(model_from_local).determinant() < 0.0;
         for part in &local.parts {
             let first_triangle = self.mesh.triangle_count();
@@ -57,14 +56,14 @@ impl<'a> Builder<'a> {
         Ok(())
     }
 
-    /// Normals turn with the inverse transpose.
+    /// Normals are transformed by the inverse transpose.
     fn place_normals(&mut self, local: &LocalMesh, model_from_local: DMat4, base: usize) {
         if local.normals.is_empty() {
             append(&mut self.mesh.normals, &[], [0.0; 3], base, local.positions.len());
             return;
         }
         let m = DMat3::from_mat4(model_from_local);
-        // The cofactors are the inverse transpose times the determinant, also where there is no inverse.
+        // The cofactors are the inverse transpose times the determinant; they also exist where there is no inverse.
         let cofactors = DMat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis));
         let sign = if m.determinant() < 0.0 { -1.0 } else { 1.0 };
         self.mesh.normals.resize(base, [0.0; 3]);
@@ -75,7 +74,7 @@ impl<'a> Builder<'a> {
         }));
     }
 
-    /// Before anything is made: a small file may place a geometry as often as it likes.
+    /// Checks the size before anything is allocated: a small file may place a geometry any number of times.
     fn check_room(&self, document: &Document<'_>, local: &LocalMesh, at: usize) -> Result<(), ReadError> {
         let vertices = (self.mesh.positions.len() + local.positions.len()) as u64;
         let triangles = (self.mesh.indices.len() + local.indices.len()) as u64 / 3;
@@ -86,7 +85,7 @@ impl<'a> Builder<'a> {
         if triangles > self.limits.max_triangles {
             return Err(too_many_triangles(self.limits.max_triangles));
         }
-        // Position, normal, texture coordinate, colour; three indices.
+        // Position, normal, texture coordinate and colour; three indices.
         if vertices.saturating_mul(48).saturating_add(triangles.saturating_mul(12)) > self.limits.max_bytes {
             let most = self.limits.max_bytes;
             let message = format!("the placed geometries take more than {most} bytes, which is the limit");
@@ -95,7 +94,7 @@ impl<'a> Builder<'a> {
         Ok(())
     }
 
-    /// Ends a part with the triangles since `first_triangle`, or makes the one before longer.
+    /// Adds a part with the triangles from `first_triangle` on, or extends the previous part.
     fn part(&mut self, name: &str, material: usize, first_triangle: usize) {
         let triangle_count = self.mesh.triangle_count() - first_triangle;
         match self.mesh.parts.last_mut() {
@@ -111,7 +110,7 @@ impl<'a> Builder<'a> {
     }
 }
 
-/// Appends values of vertices, or as many times `absent` where only other vertices have some.
+/// Appends the values of new vertices. Where only other vertices have values, `absent` fills the gap.
 fn append<T: Copy>(all: &mut Vec<T>, values: &[T], absent: T, base: usize, count: usize) {
     if values.is_empty() && all.is_empty() {
         return;
@@ -121,7 +120,7 @@ fn append<T: Copy>(all: &mut Vec<T>, values: &[T], absent: T, base: usize, count
     all.resize(base + count, absent);
 }
 
-/// Whether the material of some primitive is drawn with texture coordinates that the geometry lacks.
+/// Whether a primitive's material needs texture coordinates that the geometry lacks.
 pub(super) fn lacks_tex_coords(geometry: &Geometry, primitive: usize) -> bool {
     let primitive = geometry.primitives.get(primitive);
     primitive.is_some_and(|p| p.input(super::source::Semantic::TexCoord, None).is_none())

@@ -1,4 +1,4 @@
-//! A document with what is needed to find one's way in it: addresses, places, reports, numbers.
+//! A document: references, positions in the text, diagnostics and numbers.
 
 use super::xml::{Element, Tree};
 use crate::line_index::LineIndex;
@@ -9,20 +9,19 @@ use std::borrow::Cow;
 use std::cell::RefCell;
 use std::collections::HashMap;
 
-/// A document.
 pub(super) struct Document<'t> {
     pub(super) tree: &'t Tree<'t>,
     pub(super) limits: &'t Limits,
     /// Whether Blender wrote it.
     pub(super) is_from_blender: bool,
     lines: &'t LineIndex<'t>,
-    /// By kind of element and `id`: programs give the same `id` to elements of different kinds.
+    /// By kind of element and `id`: some programs give the same `id` to elements of different kinds.
     ids: HashMap<(&'t str, Cow<'t, str>), Element<'t>>,
     reports: RefCell<Reports>,
 }
 
 impl<'t> Document<'t> {
-    /// Finds what has an `id`.
+    /// Indexes all elements that have an `id`.
     pub(super) fn new(tree: &'t Tree<'t>, lines: &'t LineIndex<'t>, limits: &'t Limits) -> Self {
         let tool = tree.root().path(&["asset", "contributor", "authoring_tool"]);
         let is_from_blender = tool.is_some_and(|tool| tool.text().contains("Blender"));
@@ -48,24 +47,21 @@ impl<'t> Document<'t> {
         document
     }
 
-    /// The line where an element begins, from 1.
+    /// Returns the line where an element begins, from 1.
     pub(super) fn line(&self, element: Element<'_>) -> u64 {
         self.lines.place(element.at()).0
     }
 
-    /// An error at a byte.
     #[cold]
     pub(super) fn error(&self, at: usize, message: impl Into<String>) -> ReadError {
         let (line, column) = self.lines.place(at);
         ReadError::new(message).at(line, Some(column))
     }
 
-    /// A warning at a byte.
     pub(super) fn warn(&self, at: usize, message: impl Into<String>) {
         self.say(Severity::Warning, at, message);
     }
 
-    /// A note at a byte.
     pub(super) fn note(&self, at: usize, message: impl Into<String>) {
         self.say(Severity::Note, at, message);
     }
@@ -76,30 +72,30 @@ impl<'t> Document<'t> {
         self.reports.borrow_mut().push(line, diagnostic);
     }
 
-    /// A diagnostic without a place, after all others.
+    /// Adds a diagnostic without a position, after all others.
     pub(super) fn say_at_end(&self, diagnostic: Diagnostic) {
         self.reports.borrow_mut().push(u64::MAX, diagnostic);
     }
 
-    /// Something that may be odd at many places. `kind` is a phrase for "and 5 more: KIND".
+    /// Adds a diagnostic that may occur at many places. `kind` completes "and 5 more: KIND".
     pub(super) fn add(&self, kind: &'static str, severity: Severity, at: usize, message: impl FnOnce() -> String) {
         let (line, column) = self.lines.place(at);
         let message = message();
         self.reports.borrow_mut().add(kind, severity, line, Some(column), || message);
     }
 
-    /// As [`Self::add`] a warning, about a face that is lost by it.
+    /// Adds a warning as [`Self::add`] does, about a face that is lost.
     pub(super) fn add_loss(&self, kind: &'static str, at: usize, message: impl FnOnce() -> String) {
         let (line, column) = self.lines.place(at);
         self.reports.borrow_mut().add_loss(kind, line, Some(column), message);
     }
 
-    /// Whether so much of a kind was told that more is only counted.
+    /// Whether a kind has been reported so often that further ones are only counted.
     pub(super) fn is_saturated(&self, kind: &'static str) -> bool {
         self.reports.borrow().is_saturated(kind)
     }
 
-    /// What most likely explains that nothing is left, as an end of a sentence.
+    /// Returns the most likely reason why nothing is left, as the end of a sentence.
     pub(super) fn why_nothing(&self) -> String {
         match self.reports.borrow().first() {
             Some(Diagnostic { message, line: Some(line), .. }) => format!("; line {line}: {message}"),
@@ -107,17 +103,17 @@ impl<'t> Document<'t> {
         }
     }
 
-    /// Everything that was said.
+    /// Returns all diagnostics.
     pub(super) fn finish(self) -> Vec<Diagnostic> {
         self.reports.into_inner().finish()
     }
 
-    /// The element of one of these kinds with this `id`.
+    /// Returns the element of one of these kinds with this `id`.
     pub(super) fn by_id(&self, kinds: &[&'t str], id: &str) -> Option<Element<'t>> {
         kinds.iter().find_map(|kind| self.ids.get(&(*kind, Cow::Borrowed(id)))).copied()
     }
 
-    /// The element that an address (`#id`) in the attribute `name` of an element means; what is missing is told.
+    /// Returns the element that the attribute `name` refers to (`#id`); reports one that is missing.
     pub(super) fn target(&self, from: Element<'_>, name: &str, kinds: &[&'t str]) -> Option<Element<'t>> {
         let Some(address) = from.attribute(name) else {
             self.add(MISSING, Severity::Warning, from.at(), || format!("<{}> has no {name}", from.name()));
@@ -126,13 +122,13 @@ impl<'t> Document<'t> {
         self.resolve(from, &address, kinds)
     }
 
-    /// The element that an address means; what is missing is told.
+    /// Returns the element that a reference points at; reports one that is missing.
     pub(super) fn resolve(&self, from: Element<'_>, address: &str, kinds: &[&'t str]) -> Option<Element<'t>> {
         let address = address.trim();
         let found = match address.split_once('#') {
             Some(("", id)) => self.by_id(kinds, id).or_else(|| self.by_id(kinds, &percent_decode(id))),
             Some(_) => None,
-            // Some programs leave the # out.
+            // Some programs omit the #.
             None => self.by_id(kinds, address),
         };
         if found.is_none() {
@@ -149,12 +145,11 @@ impl<'t> Document<'t> {
         found
     }
 
-    /// The numbers in an element.
     pub(super) fn numbers(&self, element: Element<'_>) -> Result<Vec<f64>, ReadError> {
         element.words().map(|(at, word)| word.parse().or_else(|_| self.odd_number(element, at, word))).collect()
     }
 
-    /// The one number in an element; finite.
+    /// Returns the only number in an element, which must be finite.
     pub(super) fn number(&self, element: Element<'_>) -> Result<f64, ReadError> {
         match self.finite(element)?.as_slice() {
             [value, ..] => Ok(*value),
@@ -162,7 +157,7 @@ impl<'t> Document<'t> {
         }
     }
 
-    /// `N` finite numbers in an element, no fewer.
+    /// Returns exactly `N` finite numbers.
     pub(super) fn exactly<const N: usize>(&self, element: Element<'_>) -> Result<[f64; N], ReadError> {
         let numbers = self.finite(element)?;
         numbers.get(..N).and_then(|first| first.try_into().ok()).ok_or_else(|| {
@@ -171,7 +166,7 @@ impl<'t> Document<'t> {
         })
     }
 
-    /// The numbers in an element, all of them finite.
+    /// Returns the numbers in an element, all of which must be finite.
     pub(super) fn finite(&self, element: Element<'_>) -> Result<Vec<f64>, ReadError> {
         let numbers = self.numbers(element)?;
         if let Some(bad) = numbers.iter().position(|value| !value.is_finite()) {
@@ -182,7 +177,7 @@ impl<'t> Document<'t> {
         Ok(numbers)
     }
 
-    /// The numbers of an array.
+    /// Returns the numbers of an array.
     pub(super) fn array(&self, element: Element<'_>) -> Result<FloatArray, ReadError> {
         let mut array = FloatArray { element: element.index, values: Vec::new(), has_not_finite: false };
         for (at, word) in element.words() {
@@ -196,26 +191,26 @@ impl<'t> Document<'t> {
         Ok(array)
     }
 
-    /// The byte of a number of an array.
+    /// Returns the byte where a number of an array is.
     pub(super) fn place_of_number(&self, array: &FloatArray, number: usize) -> Option<usize> {
         let element = self.tree.elements().nth(array.element as usize)?;
         element.words().nth(number).map(|(at, _)| at)
     }
 
-    /// Indices, none of them negative; those beyond 32 bits are as if at their edge.
+    /// Reads indices, none of which may be negative. Those beyond 32 bits become `u32::MAX`.
     pub(super) fn indices(&self, element: Element<'_>, into: &mut Vec<u32>) -> Result<(), ReadError> {
         for (at, word) in element.words() {
             let (value, length) = number::integer_prefix(word.as_bytes()).unwrap_or((0, 0));
             if length == 0 || length != word.len() {
                 return Err(self.no_number(element, at, word));
             }
-            // -1 stood for "none" in some old files; it is beyond every array.
+            // Some old files write -1 for "none": it is beyond every array.
             into.push(u32::try_from(value).unwrap_or(u32::MAX));
         }
         Ok(())
     }
 
-    /// A number with a decimal comma, as programs write it that go by the language of the system.
+    /// Reads a number with a decimal comma: some programs use the system's locale.
     #[cold]
     fn odd_number(&self, element: Element<'_>, at: usize, word: &str) -> Result<f64, ReadError> {
         let with_point = word.split_once(',').and_then(|(whole, places)| {
@@ -234,13 +229,12 @@ impl<'t> Document<'t> {
         self.error(at, format!("expected a number in <{}>, found {}", element.name(), quote(word.as_bytes())))
     }
 
-    /// What an attribute counts, where it does.
+    /// Returns the value of an attribute that is a count.
     pub(super) fn count(&self, element: Element<'_>, name: &str) -> Option<u64> {
         element.attribute(name)?.trim().parse().ok()
     }
 }
 
-/// Addresses that lead nowhere.
 const MISSING: &str = "unresolved references";
 
 /// The numbers of a `float_array`.
@@ -251,7 +245,7 @@ pub(super) struct FloatArray {
     element: u32,
 }
 
-/// `%20` and the like as what they stand for, where that is UTF-8.
+/// Decodes `%20` and other escapes, where the result is UTF-8.
 pub(super) fn percent_decode(text: &str) -> String {
     let bytes = text.as_bytes();
     let mut decoded = Vec::with_capacity(bytes.len());
@@ -264,7 +258,7 @@ pub(super) fn percent_decode(text: &str) -> String {
     String::from_utf8(decoded).unwrap_or_else(|_| text.to_owned())
 }
 
-/// The name of an element for people: its `name`, or else its `id`.
+/// Returns the name of an element for messages: its `name`, or else its `id`.
 pub(super) fn name_of(element: Element<'_>) -> String {
     let name = element.attribute("name").filter(|name| !name.is_empty());
     name.or_else(|| element.attribute("id")).unwrap_or_default().into_owned()

@@ -6,22 +6,22 @@ use super::xml::Element;
 use crate::text::quote;
 use crate::{AmbientRule, Channel, Material, PropertySource, ReadError, Severity, TexelRule, TextureMap};
 
-/// `k_d` of an effect that says nothing of it: a new material of Blender's.
+/// `k_d` of an effect without one: that of a new material in Blender.
 const DIFFUSE: f32 = 0.8;
-/// The exponent of an effect that says nothing of it: the lab's.
+/// The exponent of an effect without one: the default of the lab.
 const SHININESS: f32 = 32.0;
-/// What a shininess from 0 to 1 is a part of.
+/// Factor for a shininess between 0 and 1.
 const SHININESS_OF_ONE: f32 = 128.0;
-/// The refraction index of an effect that says nothing of it: glass, plastics.
+/// The refraction index of an effect without one: glass, plastics.
 const REFRACTION_INDEX: f32 = 1.5;
 
-/// A material, and what the texture coordinates of its textures are called.
+/// A material, and the name of its textures' set of texture coordinates.
 pub(super) struct EffectMaterial {
     pub(super) material: Material,
     pub(super) tex_coord: Option<String>,
 }
 
-/// Makes a material of a `material` element.
+/// Reads a `material` element.
 pub(super) fn material<'t>(
     document: &Document<'t>,
     images: &mut Images,
@@ -73,15 +73,15 @@ struct Reader<'a, 't> {
     document: &'a Document<'t>,
     images: &'a mut Images,
     parameters: Parameters<'t>,
-    /// Of the material, in quotes.
+    /// The material's name, in quotes.
     name: String,
     sources: Vec<PropertySource>,
     unused: Vec<PropertySource>,
-    /// What textures call their texture coordinates, with the byte of each.
+    /// The names of the sets of texture coordinates that textures use, with the byte of each.
     tex_coords: Vec<(String, usize)>,
 }
 
-/// A colour or a texture, as an effect has it.
+/// A colour or a texture of an effect.
 struct Value {
     color: Option<[f32; 4]>,
     map: Option<TextureMap>,
@@ -93,7 +93,7 @@ struct Value {
 impl<'t> Reader<'_, 't> {
     fn shader(&mut self, shader: Element<'t>) -> Result<Material, ReadError> {
         let mut material = Material::default();
-        // The diffuse colour first: its texture coordinates are those that count.
+        // The diffuse colour first: its texture decides on the set of texture coordinates.
         let diffuse = self.color(shader, "diffuse")?;
         let emission = self.color(shader, "emission")?;
         let ambient = self.color(shader, "ambient")?;
@@ -171,7 +171,7 @@ impl<'t> Reader<'_, 't> {
         Ok(Some(value))
     }
 
-    /// Three or four numbers; negative ones count as 0.
+    /// Reads three or four numbers; negative ones become 0.
     fn color_of(&self, element: Element<'_>) -> Result<[f32; 4], ReadError> {
         let numbers = self.document.finite(element)?;
         if numbers.len() < 3 {
@@ -183,7 +183,7 @@ impl<'t> Reader<'_, 't> {
         Ok(color)
     }
 
-    /// A colour or a texture, of which the other is 1 or nothing.
+    /// Returns a colour and a texture. Where there is a texture, the colour is 1.
     fn term(
         &mut self,
         property: &'static str,
@@ -204,7 +204,8 @@ impl<'t> Reader<'_, 't> {
         }
     }
 
-    /// A texture stands for the same one as that of the diffuse colour: there is no other one for ambient light.
+    /// A texture of the ambient colour means that it follows the diffuse colour: ambient light has no texture of its
+    /// own.
     fn ambient(&mut self, material: &mut Material, ambient: Option<Value>, diffuse: Option<&Value>) {
         let Some(value) = ambient else { return };
         if let Some([r, g, b, _]) = value.color {
@@ -223,7 +224,7 @@ impl<'t> Reader<'_, 't> {
         self.source("ambient", value.line, value.written, "a texture: follows the diffuse color");
     }
 
-    /// A number, its line, its byte.
+    /// Returns a number, its line and its byte.
     fn float(&self, shader: Element<'t>, name: &str) -> Result<Option<(f32, u64, usize)>, ReadError> {
         let Some(element) = shader.child(name) else { return Ok(None) };
         let held = element.child("float").or_else(|| {
@@ -256,8 +257,8 @@ impl<'t> Reader<'_, 't> {
         Ok(())
     }
 
-    /// How `transparent` and `transparency` make an opacity (COLLADA 1.5, "Determining Transparency"):
-    /// A_ONE: a t; A_ZERO: 1 - a t; RGB_ONE: l t; RGB_ZERO: 1 - l t; with a the colour's opacity, l its luminance.
+    /// Computes the opacity from `transparent` and `transparency` (COLLADA 1.5, "Determining Transparency"): A_ONE: a
+    /// t; A_ZERO: 1 - a t; RGB_ONE: l t; RGB_ZERO: 1 - l t; with a the colour's opacity and l its luminance.
     fn opacity(&mut self, shader: Element<'t>, material: &mut Material) -> Result<(), ReadError> {
         let transparent = self.color(shader, "transparent")?;
         let transparency = self.float(shader, "transparency")?;
@@ -294,10 +295,10 @@ impl<'t> Reader<'_, 't> {
             return Ok(());
         }
         let [r, g, b, a] = transparent.and_then(|value| value.color).unwrap_or([1.0; 4]);
-        // ISO/CIE 10526:1991, as the specification says.
+        // ISO/CIE 10526:1991, as in the specification.
         let amount = factor * if is_alpha { a } else { 0.212671 * r + 0.715160 * g + 0.072169 * b };
         let opacity = if is_opaque_at_one { amount } else { 1.0 - amount }.clamp(0.0, 1.0);
-        // Rounding of the three weights, which add up to 1.
+        // The three weights add up to 1 except for rounding.
         let opacity = if opacity > 1.0 - 1e-6 { 1.0 } else { opacity };
         if opacity <= 1e-6 {
             let name = &self.name;
@@ -314,7 +315,7 @@ impl<'t> Reader<'_, 't> {
         Ok(())
     }
 
-    /// Mirrors, which no term of the light equation shows.
+    /// Mirror reflections, for which the light equation has no term.
     fn reflection(&mut self, shader: Element<'t>) -> Result<(), ReadError> {
         if let Some(value) = self.color(shader, "reflective")? {
             self.unused.push(PropertySource {
@@ -336,7 +337,7 @@ impl<'t> Reader<'_, 't> {
         Ok(())
     }
 
-    /// `bump` in an `extra`, as FCollada and OpenCOLLADA write it.
+    /// Reads `bump` in an `extra`, as FCollada and OpenCOLLADA write it.
     fn bump(&mut self, scope: Element<'t>, material: &mut Material) -> Result<(), ReadError> {
         for bump in scope.all("extra").flat_map(|e| e.all("technique")).flat_map(|t| t.all("bump")) {
             let Some(element) = bump.child("texture") else { continue };
@@ -363,7 +364,7 @@ impl<'t> Reader<'_, 't> {
         Ok(())
     }
 
-    /// A model has one set of texture coordinates: that of the first texture.
+    /// Returns the name of the model's only set of texture coordinates: that of the first texture.
     fn one_tex_coord(&self) -> Option<String> {
         let (first, _) = self.tex_coords.first()?;
         if let Some((other, at)) = self.tex_coords.iter().find(|(name, _)| name != first) {

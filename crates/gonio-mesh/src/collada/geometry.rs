@@ -1,4 +1,4 @@
-//! Geometries: their primitives, as polygons of corners.
+//! Reads geometries: their primitives, as polygons of corners.
 
 use super::document::{Document, name_of};
 use super::source::{DataSources, Input, Semantic, inputs};
@@ -6,40 +6,38 @@ use super::xml::Element;
 use crate::{ReadError, Severity};
 use std::collections::BTreeMap;
 
-/// A `geometry`, in its own space.
+/// A `geometry` in its own space.
 pub(super) struct Geometry {
     pub(super) name: String,
     pub(super) primitives: Vec<Primitive>,
 }
 
-/// Polygons with one material.
 pub(super) struct Primitive {
-    /// What a `bind_material` calls its material.
+    /// The symbol by which a `bind_material` refers to its material.
     pub(super) symbol: Option<String>,
     pub(super) inputs: Vec<Input>,
-    /// Numbers of a corner.
+    /// The number of indices per corner.
     pub(super) width: usize,
-    /// Corners, one after another.
+    /// The indices of all corners, one corner after the other.
     pub(super) indices: Vec<u32>,
-    /// Corners of each polygon; `None`: triangles.
+    /// The number of corners of each polygon; `None` for triangles.
     pub(super) sizes: Option<Vec<u32>>,
-    /// The byte where it begins.
     pub(super) at: usize,
-    /// Where the indices stand, each `p`.
+    /// For each `p` element, the position of its first index and the element.
     places: Vec<(usize, u32)>,
 }
 
 impl Primitive {
-    /// The input of this meaning, and of this set where one is wanted and there; else of the first set.
+    /// Returns the input with this meaning and, if possible, of this set; otherwise of the first set.
     pub(super) fn input(&self, semantic: Semantic, set: Option<u32>) -> Option<&Input> {
         let all = || self.inputs.iter().filter(|input| input.semantic == semantic);
         let wanted = set.and_then(|set| all().find(|input| input.set == set));
         wanted.or_else(|| all().min_by_key(|input| input.set))
     }
 
-    /// The byte where an index stands.
+    /// Returns the byte where an index is.
     pub(super) fn place(&self, document: &Document<'_>, index: usize) -> usize {
-        // Strips and fans are made triangles, of which only the `p` is known.
+        // Strips and fans are converted to triangles, so that only the `p` element is known.
         let (mut start, mut element) = (0, None);
         for (first, p) in &self.places {
             if *first <= index {
@@ -51,10 +49,9 @@ impl Primitive {
     }
 }
 
-/// Kinds of geometry that are no polygons.
+/// Kinds of geometry other than polygons.
 const UNSUPPORTED: [&str; 3] = ["convex_mesh", "spline", "brep"];
 
-/// Reads the polygons of a `geometry`.
 pub(super) fn read(
     document: &Document<'_>,
     sources: &mut DataSources,
@@ -170,7 +167,6 @@ fn check_count(document: &Document<'_>, element: Element<'_>, shape: Shape, made
     }
 }
 
-/// What is told of counts and corners.
 const COUNTS: &str = "wrong counts";
 const LEFT_OVER: &str = "indices that do not form a polygon";
 
@@ -202,7 +198,7 @@ fn polylist(document: &Document<'_>, element: Element<'_>, made: &mut Primitive)
     };
     made.places.push((0, p.index));
     document.indices(p, &mut made.indices)?;
-    // Polygons that are there as a whole.
+    // The polygons for which all indices exist.
     let mut used: usize = 0;
     let mut whole = 0;
     for &size in &sizes {
@@ -273,7 +269,7 @@ fn strips_or_fans(
         for i in 2..corners.len() {
             let triangle = match shape {
                 Shape::Fans => [0, i - 1, i],
-                // Every other triangle of a strip is written the other way around.
+                // Every other triangle of a strip has the opposite winding.
                 _ if i % 2 == 0 => [i - 2, i - 1, i],
                 _ => [i - 1, i - 2, i],
             };

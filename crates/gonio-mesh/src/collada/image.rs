@@ -1,4 +1,4 @@
-//! Textures: from what an effect names to a picture.
+//! Resolves textures to images.
 
 use super::document::{Document, percent_decode};
 use super::xml::Element;
@@ -6,15 +6,14 @@ use crate::text::quote;
 use crate::{EmbeddedImage, ReadError, Severity, TextureMap, Wrap};
 use std::collections::HashMap;
 
-/// Pictures that were sought, and those inside the file.
+/// The images looked up so far, and those inside the file.
 #[derive(Default)]
 pub(super) struct Images {
     pub(super) embedded: Vec<EmbeddedImage>,
-    /// By their elements.
     embedded_of: HashMap<u32, usize>,
 }
 
-/// `newparam`s of an effect: of its profile first, then its own.
+/// The `newparam`s of an effect: those of its profile first, then its own.
 pub(super) struct Parameters<'t> {
     by_sid: HashMap<String, Element<'t>>,
 }
@@ -35,7 +34,7 @@ impl<'t> Parameters<'t> {
     }
 }
 
-/// What a `texture` element means: the map, and what its texture coordinates are called.
+/// Resolves a `texture` element to a map and the name of its texture coordinates.
 pub(super) fn texture<'t>(
     document: &Document<'t>,
     images: &mut Images,
@@ -47,7 +46,7 @@ pub(super) fn texture<'t>(
         return Ok(None);
     };
     let sampler = parameters.get(&name).and_then(|p| p.child("sampler2D").or_else(|| p.child("samplerCUBE")));
-    // Some programs name the picture itself.
+    // Some programs refer to the image itself.
     let image = match sampler {
         Some(sampler) => image_of(document, parameters, sampler),
         None => document.by_id(&["image"], &name),
@@ -72,7 +71,7 @@ pub(super) fn texture<'t>(
     Ok(Some(map))
 }
 
-/// COLLADA 1.4: the sampler names a surface, which names a picture; 1.5: the sampler names the picture.
+/// In COLLADA 1.4 the sampler refers to a surface, which refers to an image; in 1.5 it refers to the image.
 fn image_of<'t>(document: &Document<'t>, parameters: &Parameters<'t>, sampler: Element<'t>) -> Option<Element<'t>> {
     if let Some(instance) = sampler.child("instance_image") {
         return document.target(instance, "url", &["image"]);
@@ -100,7 +99,7 @@ fn wrap(document: &Document<'_>, element: Option<Element<'_>>) -> Wrap {
     }
 }
 
-/// The picture of an `image` element: a file, or bytes in the document.
+/// Reads an `image` element: a file, or bytes in the document.
 fn picture(document: &Document<'_>, images: &mut Images, image: Element<'_>) -> Result<Option<TextureMap>, ReadError> {
     let init = image.child("init_from");
     let name = super::document::name_of(image);
@@ -139,7 +138,7 @@ fn hexadecimal(document: &Document<'_>, element: Element<'_>) -> Option<Vec<u8>>
     bytes
 }
 
-/// The path that an address (RFC 3986, RFC 8089) or a path written in place of one means.
+/// Converts an address (RFC 3986, RFC 8089), or a path in its place, to a path.
 pub(super) fn path_of(address: &str) -> String {
     let decoded = percent_decode(address.trim());
     let Some(rest) = decoded.get(..5).filter(|start| start.eq_ignore_ascii_case("file:")).map(|_| &decoded[5..]) else {
@@ -160,12 +159,12 @@ pub(super) fn path_of(address: &str) -> String {
     }
 }
 
-/// `C:/`, or `C|/` as old addresses have it.
+/// `C:/`, or `C|/` in old addresses.
 fn is_drive(path: &str) -> bool {
     matches!(path.as_bytes(), [letter, b':' | b'|', b'/' | b'\\', ..] if letter.is_ascii_alphabetic())
 }
 
-/// What programs say beyond the format in an `extra` of a texture: repetition, offset, mirroring (Maya, 3ds Max).
+/// Reads the placement that Maya and 3ds Max write in an `extra` of a texture: repetition, offset and mirroring.
 fn placement(document: &Document<'_>, texture: Element<'_>, map: &mut TextureMap) -> Result<(), ReadError> {
     for technique in texture.all("extra").flat_map(|extra| extra.all("technique")) {
         let number = |name: &str| technique.child(name).map(|element| document.number(element)).transpose();

@@ -1,4 +1,4 @@
-//! Lights and cameras, where nodes place them.
+//! Reads lights and cameras at the nodes that place them.
 
 use super::document::{Document, name_of};
 use super::xml::Element;
@@ -7,13 +7,13 @@ use crate::{ModelCamera, ModelLight, ModelLightKind, ReadError, Severity};
 use glam::{DMat3, DMat4, DVec3};
 use std::f64::consts::PI;
 
-/// The cone of a spot that says nothing of it, degrees: no cone at all.
+/// The cone of a spot without one, in degrees: no cone at all.
 const FALLOFF_ANGLE: f64 = 180.0;
 
-/// The width of a picture by its height, where a camera needs it and does not say.
+/// The aspect ratio (width divided by height) of a camera without one.
 const ASPECT_RATIO: f64 = 16.0 / 9.0;
 
-/// A light at a node. `meter`: metres of one of the file's units.
+/// Reads a light at a node. `meter` is the length of the file's unit in metres.
 pub(super) fn light(
     document: &Document<'_>,
     element: Element<'_>,
@@ -73,7 +73,7 @@ pub(super) fn light(
     Ok(Some(light))
 }
 
-/// A camera at a node.
+/// Reads a camera at a node.
 pub(super) fn camera(
     document: &Document<'_>,
     element: Element<'_>,
@@ -123,7 +123,7 @@ fn fov_y(document: &Document<'_>, perspective: Element<'_>) -> Result<f64, ReadE
     Ok(2.0 * ((0.5 * x.to_radians()).tan() / aspect).atan())
 }
 
-/// Position, the direction of the node's -z, and its y, at right angles to that.
+/// Returns the position, the direction of the node's -z, and its y orthogonal to that.
 fn frame(model_from_node: DMat4) -> [DVec3; 3] {
     let m = DMat3::from_mat4(model_from_node);
     let direction = (-m.z_axis).try_normalize().unwrap_or(DVec3::NEG_Z);

@@ -1,4 +1,4 @@
-//! A geometry as an indexed mesh in its own space.
+//! Converts a geometry to an indexed mesh in its own space.
 
 use super::document::Document;
 use super::geometry::{Geometry, Primitive};
@@ -9,7 +9,6 @@ use crate::polygon::{Cut, MOST_CORNERS, Triangulator, too_many_corners};
 use crate::{ReadError, Severity};
 use gonio_light::color::srgb_decode_f32;
 
-/// No index.
 const NONE: u32 = u32::MAX;
 
 /// A geometry, ready to be placed. Per-vertex arrays are as long as `positions`, or empty.
@@ -24,23 +23,22 @@ pub(super) struct LocalMesh {
     pub(super) parts: Vec<LocalPart>,
 }
 
-/// Triangles of one primitive.
 pub(super) struct LocalPart {
-    /// Which primitive of the geometry.
+    /// The index of the primitive in the geometry.
     pub(super) primitive: usize,
-    /// Which of the indices.
+    /// The index of its first vertex index.
     pub(super) first: usize,
     pub(super) end: usize,
 }
 
-/// How polygons were cut, as far as it is odd.
+/// Numbers of polygons that could not be triangulated exactly.
 #[derive(Default)]
 pub(super) struct Cuts {
     pub(super) not_simple: u64,
     pub(super) too_large: u64,
 }
 
-/// Makes the mesh of a geometry; `sets` has the set of texture coordinates that each primitive's material wants.
+/// Builds the mesh of a geometry. `sets` contains the set of texture coordinates that each primitive's material needs.
 pub(super) fn build(
     document: &Document<'_>,
     geometry: &Geometry,
@@ -53,7 +51,7 @@ pub(super) fn build(
     for (index, primitive) in geometry.primitives.iter().enumerate() {
         let Some(inputs) = Inputs::from_primitive(primitive, sets.get(index).copied().flatten()) else { continue };
         let layout = inputs.layout();
-        // Vertices are shared by primitives that have the same sources.
+        // Primitives with the same sources share vertices.
         let (_, joined, base) = match joiner.take() {
             Some(known) if known.0 == layout => joiner.insert(known),
             _ => joiner.insert((layout, Joiner::new(inputs.position.source.rows), mesh.positions.len() as u32)),
@@ -69,10 +67,10 @@ pub(super) fn build(
     Ok(mesh)
 }
 
-/// Which sources make a vertex.
+/// The sources that a vertex takes its attributes from.
 type Layout = [Option<u32>; 4];
 
-/// The inputs that are drawn.
+/// The inputs that are used.
 struct Inputs<'a> {
     position: &'a Input,
     normal: Option<&'a Input>,
@@ -100,7 +98,7 @@ struct Assembler<'a, 't> {
     primitive: &'a Primitive,
     inputs: Inputs<'a>,
     joiner: &'a mut Joiner<3>,
-    /// The vertex of the mesh that is the joiner's first.
+    /// The index in the mesh of the joiner's first vertex.
     base: u32,
     mesh: &'a mut LocalMesh,
 }
@@ -148,7 +146,7 @@ impl Assembler<'_, '_> {
         Ok(())
     }
 
-    /// Whether all corners have a position; the first that has none is told.
+    /// Whether all corners have a position; reports the first one that has none.
     fn are_positions_there(&self, corners: &[u32], first: usize) -> bool {
         let Input { offset, source, .. } = self.inputs.position;
         let rows = source.rows;
@@ -168,7 +166,7 @@ impl Assembler<'_, '_> {
     }
 
     fn report_index(&self, kind: &'static str, number: usize, message: impl FnOnce() -> String) {
-        // Only the first few are looked for: it takes time in proportion to the file.
+        // Finding the position takes time proportional to the file, so only the first few are located.
         let at = if self.document.is_saturated(kind) {
             self.primitive.at
         } else {
@@ -177,7 +175,7 @@ impl Assembler<'_, '_> {
         self.document.add_loss(kind, at, message);
     }
 
-    /// The vertex of a corner whose position is there.
+    /// Returns the vertex of a corner whose position exists.
     fn vertex(&mut self, corner: &[u32], first: usize) -> Result<u32, ReadError> {
         let position = corner.get(self.inputs.position.offset).copied().unwrap_or(0);
         let attributes = [
@@ -248,7 +246,7 @@ impl Assembler<'_, '_> {
     }
 }
 
-/// An index as the file may have written it: those that it could not have are no index of 32 bits.
+/// Describes an index for messages. `NONE` stands for values that are not 32-bit indices.
 fn shown(what: &str, index: u32) -> String {
     if index == NONE { format!("a {what} that is negative or beyond 32 bits") } else { format!("the {what} {index}") }
 }

@@ -1,4 +1,4 @@
-//! All materials of the document, and which of them a primitive has.
+//! Reads all materials of the document and assigns them to primitives.
 
 use super::document::{Document, name_of};
 use super::effect::{self, EffectMaterial};
@@ -8,32 +8,31 @@ use crate::text::quote;
 use crate::{EmbeddedImage, Material, ReadError, Severity};
 use std::collections::HashMap;
 
-/// The materials of the document.
 pub(super) struct Materials {
     made: Vec<EffectMaterial>,
-    /// By their elements.
+    /// By element.
     index_of: HashMap<u32, usize>,
     needs_default: bool,
     images: Vec<EmbeddedImage>,
 }
 
-/// What `bind_material` says of one symbol.
+/// The binding of one symbol by a `bind_material`.
 #[derive(Clone)]
 struct Bound {
-    /// Number among the materials.
+    /// Index among the materials.
     material: Option<usize>,
     /// Names of texture coordinates, and their sets.
     sets: Vec<(String, u32)>,
 }
 
-/// What `bind_material` says.
+/// The symbols that a `bind_material` binds.
 #[derive(Default)]
 pub(super) struct Binding {
     bound: HashMap<String, Bound>,
 }
 
 impl Materials {
-    /// Reads all of them, used or not.
+    /// Reads all materials, used or not.
     pub(super) fn read<'t>(document: &Document<'t>) -> Result<Self, ReadError> {
         let mut images = Images::default();
         let mut made = Vec::new();
@@ -47,7 +46,7 @@ impl Materials {
         Ok(Materials { made, index_of, needs_default: false, images: images.embedded })
     }
 
-    /// What an instance of a geometry binds.
+    /// Reads the bindings of an instance of a geometry.
     pub(super) fn bind(&self, document: &Document<'_>, instance: Element<'_>) -> Binding {
         let mut binding = Binding::default();
         let technique = instance.path(&["bind_material", "technique_common"]);
@@ -68,7 +67,8 @@ impl Materials {
         binding
     }
 
-    /// The number of a primitive's material in a list that begins with the default one; `at`: the primitive's byte.
+    /// Returns the index of a primitive's material in a list that begins with the default one. `at` is the byte of the
+    /// primitive.
     pub(super) fn index(
         &mut self,
         document: &Document<'_>,
@@ -91,7 +91,7 @@ impl Materials {
         found.map_or(0, |index| index + 1)
     }
 
-    /// Some programs bind nothing and write the material's own name.
+    /// Some programs bind nothing and write the material's own id as the symbol.
     fn unbound(&self, document: &Document<'_>, symbol: &str, instance: Element<'_>) -> Option<usize> {
         let id = symbol.strip_prefix('#').unwrap_or(symbol);
         let found = document.by_id(&["material"], id).and_then(|material| self.index_of.get(&material.index));
@@ -103,14 +103,14 @@ impl Materials {
         found.copied()
     }
 
-    /// The set of texture coordinates that the material of a symbol is drawn with.
+    /// Returns the set of texture coordinates that the material of a symbol uses.
     pub(super) fn set(&self, binding: &Binding, symbol: Option<&str>) -> Option<u32> {
         let bound = binding.bound.get(symbol?)?;
         let wanted = self.made.get(bound.material?)?.tex_coord.as_ref()?;
         bound.sets.iter().find(|(name, _)| name == wanted).map(|(_, set)| *set)
     }
 
-    /// Whether a material of [`Self::index`] has a texture.
+    /// Whether the material with an index of [`Self::index`] has a texture.
     pub(super) fn has_textures(&self, index: usize) -> bool {
         let material = index.checked_sub(1).and_then(|index| self.made.get(index));
         material.is_some_and(|made| {
@@ -120,8 +120,8 @@ impl Materials {
         })
     }
 
-    /// The materials, the pictures in the document, and how much smaller each index of [`Self::index`] is: the default
-    /// material is only there where it is needed.
+    /// Returns the materials, the images in the document, and the number to subtract from each index of
+    /// [`Self::index`]: the default material is only included where it is needed.
     pub(super) fn finish(self) -> (Vec<Material>, Vec<EmbeddedImage>, usize) {
         let materials = self.made.into_iter().map(|made| made.material);
         if self.needs_default {
@@ -132,7 +132,7 @@ impl Materials {
     }
 }
 
-/// The name of an instance for people: that of its node, or of the geometry.
+/// Returns the name of an instance for the user: that of its node, or of the geometry.
 pub(super) fn part_name(node: Option<Element<'_>>, geometry: &str) -> String {
     node.map(name_of).filter(|name| !name.is_empty()).unwrap_or_else(|| geometry.to_owned())
 }

@@ -1,8 +1,8 @@
 //! COLLADA 1.4 and 1.5, `.dae` (Khronos Group, 2008, "COLLADA - Digital Asset Schema Release 1.4.1" and "1.5.0").
 //!
-//! XML becomes a tree (`xml`), in which addresses are looked up (`document`). Nodes are walked through (`walker`); each
-//! geometry that one places is read once (`geometry`, `source`), made an indexed mesh once (`local`) and then copied to
-//! where it stands (`build`).
+//! The XML is parsed into a tree (`xml`), in which references are looked up (`document`). A walk over the nodes
+//! (`walker`) reads each geometry once (`geometry`, `source`), converts it to an indexed mesh once (`local`) and copies
+//! that to each place (`build`).
 
 mod build;
 mod document;
@@ -24,13 +24,13 @@ use document::Document;
 use walker::NodeWalker;
 use xml::Tree;
 
-/// Reads a COLLADA document. Documents that it refers to are not read; textures are left to the caller.
+/// Reads a COLLADA document. Other documents that it refers to are not read; textures are left to the caller.
 ///
-/// - The model is in metres (`unit`), Y up (`up_axis`), with the transforms of all nodes done. A mirror turns the
-///   corners of triangles around, so that fronts stay fronts.
+/// - The model is in metres (`unit`), Y up (`up_axis`), with the transforms of all nodes applied. Mirrored triangles
+///   have their winding reversed, so that front faces stay front faces.
 /// - Parts have the name of the node that places them.
-/// - Colours are taken as linear RGB, as Blender writes them; colours of vertices too, but for those that Blender
-///   writes (`authoring_tool`), which are sRGB.
+/// - Colours are linear RGB, as Blender writes them. Vertex colours are linear too, except in files from Blender
+///   (`authoring_tool`), where they are sRGB.
 /// - Effects are read from `profile_COMMON`:
 ///
 /// | element | here | absent |
@@ -40,24 +40,24 @@ use xml::Tree;
 /// | `diffuse` | diffuse | 0.8; of `constant` 0 |
 /// | `specular` | specular | 0 |
 /// | `shininess` | exponent; above 0 and up to 1, as some programs write it, times 128; at least 1 | 32 |
-/// | `transparent`, `transparency` | opacity by the four `opaque` rules; 0 is taken as 1 | 1 |
+/// | `transparent`, `transparency` | opacity by the four `opaque` rules; 0 is treated as 1 | 1 |
 /// | `index_of_refraction` | refraction index | 1.5 |
 /// | `reflective`, `reflectivity` | unused | |
 /// | `bump` of an `extra` | bump map, or with `bumptype="NORMALMAP"` normal map | |
 ///
-///   Some programs write 0 for opaque, so that a model would not be seen at all. A texture takes the place of a colour.
-///   The set of texture coordinates is that of a material's first texture.
-/// - Lights: `falloff_angle` is the whole angle of a spot's cone. `falloff_exponent` has no equal: from 0 to 1 it moves
-///   the inner cone from the outer one to the axis. A colour beyond 1 is divided by its largest component, which is
-///   then the intensity. Attenuation is per metre.
-/// - Skins are drawn as they were bound, morphs as their base; animations are not played.
+///   Some programs write 0 for opaque, which would make the model invisible. A texture replaces a colour. The set of
+///   texture coordinates is that of a material's first texture.
+/// - Lights: `falloff_angle` is the full angle of a spot's cone. `falloff_exponent` has no equivalent: from 0 to 1 it
+///   moves the inner cone from the outer one to the axis. A colour above 1 is divided by its largest component, which
+///   becomes the intensity. Attenuation is per metre.
+/// - Skins are drawn in their bind pose, morphs in their base shape; animations are not played.
 ///
 /// The text may be in UTF-8, UTF-16, UTF-32, ISO-8859-1 or Windows-1252, by its byte order mark or XML declaration
 /// ([`crate::encoding`]). A decimal comma is read as a point, with a warning.
 ///
-/// What can be survived is a warning with line and column. Errors are: broken XML, entities of the document's own,
-/// elements nested deeper than 512, what is no number where one should be, positions that are not finite, nodes that
-/// hold themselves, no triangle at all, more than `limits` allow.
+/// Problems that reading can survive become warnings with line and column. Errors are: malformed XML, entities that the
+/// document defines itself, elements nested deeper than 512, text in place of a number, positions that are not finite,
+/// nodes that contain themselves, no triangles, and more data than `limits` allow.
 pub fn read(bytes: &[u8], _sidecars: &mut dyn Sidecars, limits: &Limits) -> Result<Model, ReadError> {
     let (text, encoding) = xml_to_text(bytes);
     let text = &*text;
@@ -99,7 +99,7 @@ fn check_version(document: &Document<'_>) {
     }
 }
 
-/// Elements worth counting, by the name of their library.
+/// Elements that are counted, by the name of their library.
 const COUNTED: [(&str, &str); 9] = [
     ("library_geometries", "geometry"),
     ("library_controllers", "controller"),

@@ -1,4 +1,4 @@
-//! Sources: arrays of numbers, and accessors that say which of them make a point, a direction, a colour.
+//! Sources: arrays of numbers, and accessors that select points, directions and colours from them.
 
 use super::document::{Document, FloatArray};
 use super::xml::Element;
@@ -7,60 +7,59 @@ use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 use std::rc::Rc;
 
-/// Rows of a `source`.
+/// The rows of a `source`.
 #[derive(Clone)]
 pub(super) struct DataSource {
     array: Rc<FloatArray>,
-    /// The number of the array where each wanted parameter of row 0 stands.
+    /// For each parameter, the index in the array of its value in row 0.
     columns: [Option<usize>; 4],
     stride: usize,
-    /// How many rows there are.
     pub(super) rows: usize,
 }
 
 impl DataSource {
-    /// Row `row`; 0 for parameters that are missing (1 for the fourth, which is an opacity).
+    /// Returns a row. Missing parameters are 0, and the fourth, an opacity, is 1.
     pub(super) fn row(&self, row: usize) -> [f32; 4] {
         let mut values = [0.0, 0.0, 0.0, 1.0];
         for (value, column) in values.iter_mut().zip(self.columns) {
-            // Within the array, or `rows` would be smaller: nothing overflows.
+            // The index is within the array, or `rows` would be smaller, so nothing overflows.
             let number = column.and_then(|column| self.array.values.get(column + row * self.stride));
             *value = number.copied().unwrap_or(*value);
         }
         values
     }
 
-    /// How many parameters there are.
+    /// The number of parameters.
     fn width(&self) -> usize {
         self.columns.iter().flatten().count()
     }
 
-    /// Which numbers of the array some rows have that are not finite.
+    /// The indices in the array of the numbers in some rows that are not finite.
     fn not_finite(&self, rows: Range<usize>) -> impl Iterator<Item = usize> {
         let row_of = move |row: usize| self.columns.into_iter().flatten().map(move |column| column + row * self.stride);
         rows.flat_map(row_of)
             .filter(move |number| self.array.values.get(*number).is_some_and(|value| !value.is_finite()))
     }
 
-    /// The byte of the first number of a row that is not finite.
+    /// Returns the byte of the first number of a row that is not finite.
     pub(super) fn place_of_not_finite(&self, document: &Document<'_>, row: usize) -> Option<usize> {
         let number = self.not_finite(row..row + 1).next()?;
         document.place_of_number(&self.array, number)
     }
 }
 
-/// Arrays and sources that were read, by their elements.
+/// Arrays and sources read so far, by element.
 #[derive(Default)]
 pub(super) struct DataSources {
     arrays: HashMap<u32, Rc<FloatArray>>,
     sources: HashMap<u32, Option<DataSource>>,
-    /// Sources of which it was told that numbers are not finite.
+    /// Sources whose non-finite numbers have been reported.
     reported: HashSet<u32>,
 }
 
 impl DataSources {
-    /// The source of this element, with the parameters of a point, direction or colour; `None`, which is told, where
-    /// it has none that can be read.
+    /// Returns the source of this element, with the parameters of a point, direction or colour. Reports a source that
+    /// cannot be read and returns `None`.
     pub(super) fn get(
         &mut self,
         document: &Document<'_>,
@@ -106,7 +105,7 @@ impl DataSources {
                 format!("the accessor declares {declared} rows, but the array contains only {available}")
             });
         }
-        // `available` is 0 where any of these is too large for the array, and then no row is looked at.
+        // Where any of these is too large for the array, `available` is 0 and no row is read.
         let small = |value: u64| usize::try_from(value).unwrap_or(0);
         let columns = columns.map(|column| column.map(|c| c.saturating_add(small(offset))));
         Ok(Some(DataSource { array, columns, stride: small(stride), rows: small(declared.min(available)) }))
@@ -130,7 +129,8 @@ impl DataSources {
     }
 }
 
-/// Tells once of each source that it has numbers which are not finite. Positions are an error where they are used.
+/// Reports once for each source that it contains non-finite numbers. In positions they are an error where they are
+/// used.
 fn report_not_finite(
     document: &Document<'_>,
     sources: &mut DataSources,
@@ -153,7 +153,7 @@ fn report_not_finite(
 const UNREADABLE: &str = "sources that cannot be read";
 const TOO_SHORT: &str = "wrong counts";
 
-/// Where the wanted parameters stand within a row. Those without a name are to be skipped, unless none has one. Known
+/// Returns the columns of the parameters within a row. Unnamed parameters are skipped, unless none has a name. Known
 /// names may come in any order.
 fn columns(parameters: &[String], stride: u64) -> [Option<usize>; 4] {
     const KNOWN: [[&str; 4]; 4] = [["X", "Y", "Z", ""], ["S", "T", "P", ""], ["U", "V", "W", ""], ["R", "G", "B", "A"]];
@@ -176,18 +176,18 @@ fn columns(parameters: &[String], stride: u64) -> [Option<usize>; 4] {
     columns
 }
 
-/// An input of a primitive: what it means, and which number of a corner is its index.
+/// An input of a primitive: its meaning, and the position of its index in a corner.
 pub(super) struct Input {
     pub(super) semantic: Semantic,
-    /// Of several of the same meaning.
+    /// Distinguishes inputs with the same meaning.
     pub(super) set: u32,
     pub(super) offset: usize,
     pub(super) source: DataSource,
-    /// The element of the source: equal ones are the same source.
+    /// The element of the source, which identifies it.
     pub(super) element: u32,
 }
 
-/// What an input means; others are not drawn.
+/// The meaning of an input. Inputs with other meanings are not used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Semantic {
     Position,
@@ -207,7 +207,7 @@ impl Semantic {
     }
 }
 
-/// The inputs of a primitive, those of its `vertices` included, and how many numbers a corner has.
+/// Returns the inputs of a primitive, including those of its `vertices`, and the number of indices per corner.
 pub(super) fn inputs(
     document: &Document<'_>,
     sources: &mut DataSources,
@@ -243,7 +243,7 @@ fn add(
         Some("NORMAL") => Semantic::Normal,
         Some("TEXCOORD" | "UV") => Semantic::TexCoord,
         Some("COLOR") => Semantic::Color,
-        // Tangents are made anew; the rest is for shaders and curves.
+        // Tangents are computed anew; the rest is for shaders and curves.
         _ => return Ok(()),
     };
     let Some(element) = document.target(input, "source", &["source"]) else { return Ok(()) };

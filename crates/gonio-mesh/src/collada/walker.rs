@@ -1,4 +1,4 @@
-//! The scene: nodes, and what they place.
+//! Walks over the nodes of the scene and reads what they place.
 
 use super::build::{Builder, lacks_tex_coords};
 use super::document::{Document, name_of};
@@ -14,14 +14,13 @@ use glam::DMat4;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::rc::Rc;
 
-/// Elements that are looked at, each as often as it is placed: nodes that place nodes that place nodes could keep a
-/// reader busy for ever.
+/// Most elements that are visited, each as often as it is instantiated: nodes that instantiate nodes that instantiate
+/// nodes could take forever.
 const MOST_STEPS: u64 = 2_000_000;
 
-/// Controllers that deform what controllers deform.
+/// Most controllers that may deform each other's output.
 const MOST_CONTROLLERS: usize = 8;
 
-/// A walk through the nodes.
 pub(super) struct NodeWalker<'d, 't> {
     document: &'d Document<'t>,
     model_from_file: DMat4,
@@ -31,23 +30,22 @@ pub(super) struct NodeWalker<'d, 't> {
     pub(super) builder: Builder<'t>,
     pub(super) lights: Vec<ModelLight>,
     pub(super) cameras: Vec<ModelCamera>,
-    /// Primitives that geometries hold, and what was placed.
+    /// Numbers of primitives in geometries, and of placed geometries.
     pub(super) counts: BTreeMap<&'static str, u64>,
     pub(super) placed: u64,
     pub(super) cuts: Cuts,
     steps: u64,
-    // What was read, by elements.
+    // Results by element.
     matrices: HashMap<u32, DMat4>,
     bindings: HashMap<u32, Rc<Binding>>,
     geometries: HashMap<u32, Rc<Geometry>>,
     meshes: HashMap<(u32, Vec<Option<u32>>), Rc<LocalMesh>>,
 }
 
-/// What is to be done next.
 enum Step<'t> {
-    /// A node, at `model_from_parent`.
+    /// A node at `model_from_parent`.
     Enter(Element<'t>, DMat4),
-    /// All of a node is done.
+    /// The end of a node.
     Leave(u32),
 }
 
@@ -74,7 +72,7 @@ impl<'d, 't> NodeWalker<'d, 't> {
         })
     }
 
-    /// Walks through the scene that the document names, or the first one, or else places every geometry once.
+    /// Walks over the scene that the document refers to, or else the first one, or else places every geometry once.
     pub(super) fn walk(&mut self) -> Result<(), ReadError> {
         let root = self.document.tree.root();
         let instance = root.path(&["scene", "instance_visual_scene"]);
@@ -178,13 +176,13 @@ impl<'d, 't> NodeWalker<'d, 't> {
                 _ => {}
             }
         }
-        // The first child comes off the stack first.
+        // The first child is on top of the stack.
         steps[first..].reverse();
         self.spend(children, node.at())
     }
 
-    /// A deformed geometry, as it was bound: a skin stands where its bind_shape_matrix puts it, in the space of the
-    /// scene; a morph is its base.
+    /// Draws a deformed geometry as it was bound: a skin where its bind_shape_matrix puts it, in the space of the
+    /// scene; a morph in its base shape.
     fn controller(
         &mut self,
         instance: Element<'t>,
@@ -227,7 +225,7 @@ impl<'d, 't> NodeWalker<'d, 't> {
         Err(self.document.error(instance.at(), message))
     }
 
-    /// Draws a geometry; `instance` says with which materials.
+    /// Draws a geometry; `instance` binds its materials.
     fn place(
         &mut self,
         element: Element<'t>,

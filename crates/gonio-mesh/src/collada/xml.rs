@@ -1,7 +1,7 @@
-//! A document as a tree: elements in one array, texts as pieces of the file.
+//! Parses a document into a tree: elements in one array, texts as slices of the file.
 //!
-//! Nothing here recurses, entities of the document's own are errors, and the tree takes memory in proportion to the
-//! file: so deep nesting and expanding entities can do no harm.
+//! Nothing here recurses, entities that a document defines are errors, and the tree takes memory proportional to the
+//! file, so deep nesting and entity expansion do no harm.
 
 use crate::line_index::LineIndex;
 use crate::text::quote;
@@ -11,13 +11,11 @@ use quick_xml::events::attributes::Attributes;
 use quick_xml::events::{BytesStart, Event};
 use std::borrow::Cow;
 
-/// Elements within elements.
+/// Most levels of nested elements.
 const DEEPEST: usize = 512;
 
-/// No element, no piece.
 const NONE: u32 = u32::MAX;
 
-/// A document.
 pub(super) struct Tree<'a> {
     text: &'a str,
     nodes: Vec<Node<'a>>,
@@ -27,7 +25,7 @@ pub(super) struct Tree<'a> {
 }
 
 struct Node<'a> {
-    /// Without a prefix.
+    /// The name without its prefix.
     name: &'a str,
     /// The byte of its `<`.
     at: usize,
@@ -40,17 +38,17 @@ struct Node<'a> {
     last_piece: u32,
 }
 
-/// Text inside an element.
+/// A piece of text inside an element.
 struct Piece {
     start: usize,
     end: usize,
     next: u32,
-    /// What a reference (`&amp;`) stands for.
+    /// The character of a reference (`&amp;`).
     reference: Option<char>,
 }
 
 impl<'a> Tree<'a> {
-    /// Reads a document, whose root must be `COLLADA`.
+    /// Parses a document, whose root must be `COLLADA`.
     pub(super) fn parse(text: &'a str, lines: &LineIndex<'a>, limits: &Limits) -> Result<Self, ReadError> {
         let tree = Tree { text, nodes: Vec::new(), attributes: Vec::new(), pieces: Vec::new() };
         let mut parser = Parser { tree, lines, limits, open: Vec::new() };
@@ -91,18 +89,17 @@ impl<'a> Tree<'a> {
         parser.finish()
     }
 
-    /// The outermost element.
     pub(super) fn root(&self) -> Element<'_> {
         Element { tree: self, index: 0 }
     }
 
-    /// All elements in the order of the file.
+    /// Returns all elements in document order.
     pub(super) fn elements(&self) -> impl Iterator<Item = Element<'_>> {
         (0..self.nodes.len() as u32).map(|index| Element { tree: self, index })
     }
 }
 
-/// Bytes of what is in memory fit.
+/// The file is in memory, so a byte position fits.
 fn position(at: u64) -> usize {
     usize::try_from(at).unwrap_or(usize::MAX)
 }
@@ -142,11 +139,11 @@ impl<'a> Parser<'a, '_> {
             return Err(self.error(at, format!("contains more than {index} elements, which is the limit")));
         }
         let index = index as u32;
-        // The name and the attributes as they stand in the file, which lives longer than the event.
+        // Name and attributes as slices of the file, which outlives the event.
         let source = self.tree.text.get(at + 1..).and_then(|rest| rest.get(..tag.len())).unwrap_or_default();
         let name = source.get(..tag.name().as_ref().len()).unwrap_or_default();
         let first_attribute = self.tree.attributes.len() as u32;
-        // Not checked for double ones, which takes time in proportion to the square of their number.
+        // Checking for duplicates would take time proportional to the square of their number.
         for attribute in Attributes::new(source, name.len()).with_checks(false) {
             let attribute = attribute
                 .map_err(|error| self.error(at, format!("invalid attribute in <{}>: {error}", short(name))))?;
@@ -219,18 +216,17 @@ impl<'a> Parser<'a, '_> {
     }
 }
 
-/// Without the prefix of a namespace.
+/// Removes the prefix of a namespace.
 fn local(name: &str) -> &str {
     name.rsplit_once(':').map_or(name, |(_, local)| local)
 }
 
-/// A name as a message shows it.
+/// Shortens a name for a message.
 fn short(name: &str) -> String {
     let quoted = quote(name.as_bytes());
     quoted.trim_matches('"').to_owned()
 }
 
-/// An element of a document.
 #[derive(Clone, Copy)]
 pub(super) struct Element<'t> {
     tree: &'t Tree<'t>,
@@ -242,7 +238,7 @@ impl<'t> Element<'t> {
         &self.tree.nodes[self.index as usize]
     }
 
-    /// Its name, without a prefix.
+    /// The name without its prefix.
     pub(super) fn name(self) -> &'t str {
         self.node().name
     }
@@ -252,7 +248,7 @@ impl<'t> Element<'t> {
         self.node().at
     }
 
-    /// An attribute; references in it are resolved.
+    /// Returns an attribute with its references resolved.
     pub(super) fn attribute(self, name: &str) -> Option<Cow<'t, str>> {
         let node = self.node();
         let first = node.first_attribute as usize;
@@ -261,29 +257,29 @@ impl<'t> Element<'t> {
         Some(quick_xml::escape::unescape(value).unwrap_or(Cow::Borrowed(value)))
     }
 
-    /// The elements in it.
+    /// The child elements.
     pub(super) fn children(self) -> impl Iterator<Item = Element<'t>> {
         let tree = self.tree;
         let at = |index: u32| (index != NONE).then_some(Element { tree, index });
         std::iter::successors(at(self.node().first_child), move |child| at(child.node().next))
     }
 
-    /// The elements of this name in it.
+    /// The child elements with this name.
     pub(super) fn all(self, name: &'static str) -> impl Iterator<Item = Element<'t>> {
         self.children().filter(move |child| child.name() == name)
     }
 
-    /// The first element of this name in it.
+    /// The first child element with this name.
     pub(super) fn child(self, name: &str) -> Option<Element<'t>> {
         self.children().find(|child| child.name() == name)
     }
 
-    /// The first element along a path of names.
+    /// Follows a path of names, taking the first element each time.
     pub(super) fn path(self, names: &[&str]) -> Option<Element<'t>> {
         names.iter().try_fold(self, |here, name| here.child(name))
     }
 
-    /// Its text without blanks at the ends; that of elements in it is not part of it.
+    /// Its own text, trimmed, without that of child elements.
     pub(super) fn text(self) -> Cow<'t, str> {
         let mut pieces = self.pieces();
         let Some(first) = pieces.next() else { return Cow::Borrowed("") };
@@ -304,7 +300,7 @@ impl<'t> Element<'t> {
     pub(super) fn words(self) -> impl Iterator<Item = (usize, &'t str)> {
         self.pieces().filter(|piece| piece.reference.is_none_or(|c| !c.is_whitespace())).flat_map(|piece| {
             let origin = piece.text.as_ptr() as usize;
-            // A word is a part of the piece: how far it is from its beginning tells where it stands.
+            // A word is a slice of the piece: the distance from the start of the piece gives its position.
             piece.text.split_ascii_whitespace().map(move |word| (piece.at + (word.as_ptr() as usize - origin), word))
         })
     }

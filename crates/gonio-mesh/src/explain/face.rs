@@ -1,4 +1,4 @@
-//! Faces, lines and points: their corners, what the indices point at, and the triangles.
+//! Explains faces, lines and points: their corners, the values that indices refer to, and the triangles.
 
 use super::file::{Extent, count, note, numbers, warning};
 use super::walk::{self, Attribute, State};
@@ -7,65 +7,65 @@ use crate::polygon::{Cut, Triangulator};
 use crate::text::{Cursor, decode, quote};
 use serde::Serialize;
 
-/// Corners that are looked at; as many as ears are sought of.
+/// Most corners that are checked: those for which ears are searched.
 const MOST_CORNERS: usize = crate::polygon::MOST_CORNERS_FOR_EARS;
-/// Corners that are told one by one.
+/// Most corners that are listed.
 const MOST_TOLD: usize = 64;
-/// Triangles that are told one by one.
+/// Most triangles that are listed.
 const MOST_TRIANGLES: usize = 20;
-/// Problems that are told.
+/// Most problems that are listed.
 const MOST_PROBLEMS: usize = 20;
 
 /// A corner of a face, line or list of points.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct FaceCorner {
-    /// As in the file.
+    /// The corner as written.
     pub written: String,
-    /// Where it stands.
+    /// Its line, from 1.
     pub line: u64,
-    /// In bytes, from 1.
+    /// Its column in bytes, from 1.
     pub column: u64,
-    /// What its first index points at; `None` where it points at nothing.
+    /// The vertex that its first index refers to; `None` if there is none.
     pub vertex: Option<ReferencedAttribute>,
-    /// What its second index points at.
+    /// The texture coordinate that its second index refers to.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tex_coord: Option<ReferencedAttribute>,
-    /// What its third index points at.
+    /// The normal that its third index refers to.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub normal: Option<ReferencedAttribute>,
 }
 
-/// What an index points at.
+/// The value that an index refers to.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ReferencedAttribute {
     /// The index as written: from 1, or negative, counted back from the line.
     pub written: i64,
-    /// The same counted from the start of the file, from 1.
+    /// The index counted from the start of the file, from 1.
     pub number: u64,
-    /// The line of its `v`, `vt` or `vn`.
+    /// The line of its `v`, `vt` or `vn` statement.
     pub line: u64,
-    /// Its numbers; fewer where they cannot be read.
+    /// Its numbers; incomplete if some cannot be read.
     pub value: Vec<f32>,
 }
 
-/// A corner as it is read: the indices that are written, and the columns of each.
+/// A corner with its written indices and the column of each.
 struct Corner {
     written: String,
     line: u64,
     columns: [u64; 3],
     indices: [Option<i64>; 3],
-    /// From 1; what negative ones point at before the file, and 0, is `None`.
+    /// Indices from 1; `None` for 0 and for negative indices that reach before the start of the file.
     numbers: [Option<u64>; 3],
 }
 
-/// What an element is called, and how many corners it must have.
+/// A kind of element: its keyword and least number of corners.
 #[derive(Clone, Copy)]
 pub(super) struct Element {
     pub(super) keyword: &'static str,
     pub(super) least: u64,
 }
 
-/// Fills in what a `f`, `l` or `p` says; the cursor stands behind its keyword.
+/// Fills in the explanation of an `f`, `l` or `p`; the cursor is after its keyword.
 pub(super) fn explain(
     element: Element,
     bytes: &[u8],
@@ -117,7 +117,7 @@ pub(super) fn explain(
     explanation.value = Some(LineValue::Element { number, corner_count, corners: targets, triangles });
 }
 
-/// The first corners, and how many there are. Stops where one cannot be read.
+/// Reads the first corners, and counts them all. Stops at one that cannot be read.
 fn read_corners(
     element: Element,
     cursor: &mut Cursor<'_>,
@@ -129,7 +129,7 @@ fn read_corners(
         let (line, column) = (cursor.line(), cursor.column());
         let word = cursor.offending_word();
         let Some(mut corner) = read_corner(cursor, state) else {
-            // The cursor stands where it went wrong, as the reader's does.
+            // The cursor is at the error, as in the reader.
             let what = quote(cursor.offending_word());
             let keyword = element.keyword;
             let message = format!("{keyword}: expected an index (v, v/vt, v//vn or v/vt/vn), found {what}");
@@ -192,7 +192,7 @@ fn target_of(corner: &Corner, found: &[Vec<Attribute>; 3]) -> FaceCorner {
     }
 }
 
-/// Says which indices point at nothing. Returns whether the element cannot be drawn by it.
+/// Reports indices out of range. Returns whether the element cannot be drawn because of them.
 fn report_missing(
     corners: &[Corner],
     found: &[Vec<Attribute>; 3],
@@ -229,7 +229,7 @@ fn report_missing(
     is_lost
 }
 
-/// The triangles, as corners counted from 1.
+/// Returns the triangles, as corners counted from 1.
 fn cut(corners: &[Corner], vertices: &[Attribute], line: u64, explanation: &mut LineExplanation) -> Vec<[usize; 3]> {
     let mut kept: Vec<usize> = Vec::new();
     let mut points: Vec<[f32; 3]> = Vec::new();
@@ -277,7 +277,7 @@ fn meaning_of_face(number: u64, corners: u64, triangles: &[[usize; 3]]) -> Strin
     format!("face {number} of this file, with {corners} corners, {what}{into}: {}{more}", list.join(", "))
 }
 
-/// `corner 2 is `-3/-1`: vertex 6 (line 9): 0.5 0 1; texture coordinate 4 (line 15): 0 1`
+/// For example: `corner 2 is `-3/-1`: vertex 6 (line 9): 0.5 0 1; texture coordinate 4 (line 15): 0 1`
 fn words_of_corner(number: usize, corner: &FaceCorner) -> String {
     let words = |what: &str, target: &ReferencedAttribute| {
         format!("{what} {} (line {}): {}", target.number, target.line, numbers(&target.value))

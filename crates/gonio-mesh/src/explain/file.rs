@@ -1,24 +1,24 @@
-//! Lines and statements of a text: finding the one that is asked for, and showing it.
+//! Lines and statements of a text: finds the requested one and shows it.
 
 use super::{LONGEST, LineExplanation};
 use crate::text::{Cursor, decode};
 use crate::{Diagnostic, ReadError, Severity};
 
-/// Where a statement stands.
+/// The range of a statement.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Extent {
-    /// Its first byte, blanks before it included.
+    /// Its first byte, including preceding blanks.
     pub(super) start: usize,
     pub(super) first_line: u64,
     pub(super) last_line: u64,
 }
 
 impl Extent {
-    /// Of the statement that began at `start` on `first_line`, with the cursor behind it, at the start of a line or
-    /// at the end of the file.
+    /// Returns the range of the statement that starts at `start` on `first_line`, with the cursor after it: at the
+    /// start of a line or at the end of the file.
     pub(super) fn ending_at(start: usize, first_line: u64, cursor: &Cursor<'_>, bytes: &[u8]) -> Self {
         let last_line = if cursor.at_end() {
-            // A `\` or a line's end may be the last byte: no line begins behind it.
+            // A `\` or a line end may be the last byte: no line begins after it.
             first_line + line_ends(bytes.get(start..bytes.len().saturating_sub(1)).unwrap_or_default(), bytes.last())
         } else {
             cursor.line() - 1
@@ -27,14 +27,14 @@ impl Extent {
     }
 }
 
-/// How many lines end in a text, `next` being the byte behind it.
+/// Counts the line ends in a text; `next` is the byte after it.
 fn line_ends(text: &[u8], next: Option<&u8>) -> u64 {
     let followers = text.iter().skip(1).chain(next);
     text.iter().zip(followers).filter(|(byte, next)| **byte == b'\n' || **byte == b'\r' && **next != b'\n').count()
         as u64
 }
 
-/// There is no such line; `cursor` stands at the end of the file.
+/// Creates the error for a line that does not exist; `cursor` is at the end of the file.
 pub(super) fn no_such_line(line: u64, cursor: &Cursor<'_>, bytes: &[u8]) -> ReadError {
     if line == 0 {
         return ReadError::new("lines are counted from 1: there is no line 0");
@@ -45,7 +45,7 @@ pub(super) fn no_such_line(line: u64, cursor: &Cursor<'_>, bytes: &[u8]) -> Read
     ReadError::new(format!("the file has {lines}: there is no line {line}"))
 }
 
-/// An explanation in which only the place is filled in.
+/// Creates an explanation with only the position filled in.
 pub(super) fn blank(bytes: &[u8], line: u64, extent: Extent) -> LineExplanation {
     LineExplanation {
         line,
@@ -60,7 +60,7 @@ pub(super) fn blank(bytes: &[u8], line: u64, extent: Extent) -> LineExplanation 
     }
 }
 
-/// Says where the statement is, where that is not the line alone.
+/// Adds the range of the statement, if it is not just the requested line.
 pub(super) fn say_extent(explanation: &mut LineExplanation) {
     let (line, first, last) = (explanation.line, explanation.first_line, explanation.last_line);
     if line > first {
@@ -71,7 +71,7 @@ pub(super) fn say_extent(explanation: &mut LineExplanation) {
     }
 }
 
-/// The text of a line of a statement.
+/// Returns the text of a line of a statement.
 fn text_of_line(bytes: &[u8], extent: Extent, line: u64) -> String {
     let mut at = extent.start;
     for _ in extent.first_line..line {
@@ -86,7 +86,7 @@ fn text_of_line(bytes: &[u8], extent: Extent, line: u64) -> String {
     printable(&decode(shown))
 }
 
-/// Text for a terminal: without control characters, and not too long.
+/// Escapes control characters and shortens long text, for a terminal.
 pub(super) fn printable(text: &str) -> String {
     let mut shown = String::new();
     for c in text.chars().take(LONGEST) {
@@ -98,27 +98,24 @@ pub(super) fn printable(text: &str) -> String {
     shown
 }
 
-/// In the quotes of a message.
+/// Quotes a name for a message.
 pub(super) fn named(name: &str) -> String {
     format!("`{}`", printable(name))
 }
 
-/// A warning at a place.
 pub(super) fn warning(message: String, line: u64, column: u64) -> Diagnostic {
     Diagnostic::warning(message).at(line, Some(column))
 }
 
-/// A note at a place.
 pub(super) fn note(message: impl Into<String>, line: u64, column: u64) -> Diagnostic {
     Diagnostic { severity: Severity::Note, ..warning(message.into(), line, column) }
 }
 
-/// `1 face`, `2 faces`.
+/// Formats a count: `1 face`, `2 faces`.
 pub(super) fn count(count: u64, one: &str, many: &str) -> String {
     if count == 1 { format!("1 {one}") } else { format!("{count} {many}") }
 }
 
-/// Numbers with blanks between.
 pub(super) fn numbers(values: &[f32]) -> String {
     values.iter().map(f32::to_string).collect::<Vec<_>>().join(" ")
 }

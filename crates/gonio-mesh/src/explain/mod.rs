@@ -1,8 +1,9 @@
-//! One line of an OBJ or MTL in words: what it says, what its indices point at, what holds there, what is wrong.
+//! Explains one line of an OBJ or MTL file: its meaning, the values its indices refer to, the settings in force, and
+//! its problems.
 //!
-//! The file is walked over from its start, statement by statement, with nothing kept but the names in force and what
-//! the line asks for: a gigabyte of OBJ takes some seconds and no memory to speak of. This is not the readers' code, so
-//! that it stands a file that they refuse; a test holds what both say of the same lines against each other.
+//! The file is walked from its start, statement by statement, keeping only the names in force and the values that the
+//! line needs: a gigabyte of OBJ takes some seconds and almost no memory. This is separate from the readers' code so
+//! that it can explain files that they reject; a test compares the messages of both.
 
 mod face;
 mod file;
@@ -19,115 +20,115 @@ pub use face::{FaceCorner, ReferencedAttribute};
 /// The longest part of a line or name that is shown, in characters.
 const LONGEST: usize = 500;
 
-/// What a line says.
+/// The explanation of a line.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LineExplanation {
-    /// The line that was asked for, from 1.
+    /// The requested line, from 1.
     pub line: u64,
-    /// Its text, control characters escaped, cut after 500 characters.
+    /// Its text with control characters escaped, cut after 500 characters.
     pub text: String,
-    /// Where its statement begins: an earlier line, where a `\` joins them.
+    /// The first line of its statement: an earlier one if a `\` joins them.
     pub first_line: u64,
-    /// Where its statement ends.
+    /// The last line of its statement.
     pub last_line: u64,
-    /// One sentence without final full stop: what it says.
+    /// The meaning of the line: one sentence without final full stop.
     pub meaning: String,
-    /// More of it, a line each: the corners of a face and what they point at.
+    /// Details, one line each: for example the corners of a face and the values they refer to.
     pub details: Vec<String>,
-    /// The same in numbers.
+    /// The values of the line in structured form.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub value: Option<LineValue>,
-    /// What earlier statements say that holds on this line.
+    /// The settings of earlier statements that apply to this line.
     pub in_force: Vec<InForce>,
-    /// What is wrong with it, or worth knowing.
+    /// Errors, warnings and notes about the line.
     pub problems: Vec<Diagnostic>,
 }
 
-/// What a line gives.
+/// The values of a line.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum LineValue {
     /// `v`
     Vertex {
-        /// Counted in the file, from 1.
+        /// Position in the file, from 1.
         number: u64,
-        /// In the file's own space.
+        /// Coordinates in the file's own space.
         position: [f32; 3],
-        /// w, where it is written.
+        /// The weight w, if written.
         weight: Option<f32>,
-        /// r, g, b as written.
+        /// The colour r, g, b as written.
         color: Option<[f32; 3]>,
     },
     /// `vt`
     TexCoord {
-        /// Counted in the file, from 1.
+        /// Position in the file, from 1.
         number: u64,
-        /// u and v.
+        /// The coordinates u and v.
         value: [f32; 2],
     },
     /// `vn`
     Normal {
-        /// Counted in the file, from 1.
+        /// Position in the file, from 1.
         number: u64,
-        /// As written.
+        /// The vector as written.
         written: [f32; 3],
-        /// Of length 1, or 0.
+        /// The vector with length 1, or 0.
         unit: [f32; 3],
     },
     /// `f`, `l`, `p`
     Element {
-        /// Of faces: counted in the file, from 1.
+        /// For faces: position in the file, from 1.
         number: u64,
-        /// How many corners are written.
+        /// The number of corners.
         corner_count: u64,
-        /// The first 64 of them.
+        /// The first 64 corners.
         corners: Vec<FaceCorner>,
-        /// The triangles that a face is cut into: its corners, counted from 1.
+        /// The triangles of a face, as indices of corners from 1.
         triangles: Vec<[usize; 3]>,
     },
     /// `o`, `g`, `usemtl`, `mtllib`, `newmtl`
     Name {
-        /// As it is taken.
+        /// The name as the reader understands it.
         name: String,
     },
     /// `s`
     SmoothingGroup {
-        /// 0 is off.
+        /// The number of the group; 0 is off.
         group: u32,
     },
     /// A property of a material.
     Property {
-        /// A field of [`crate::Material`].
+        /// The field of [`crate::Material`].
         property: String,
-        /// Its value, in words.
+        /// Its value as text.
         value: String,
     },
 }
 
-/// What holds on a line.
+/// A setting in force on a line.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct InForce {
     /// `object`, `group`, `material`, `smoothing group`, `material library`.
     pub what: &'static str,
-    /// Its name or number.
+    /// The name or number.
     pub name: String,
-    /// The line that says so.
+    /// The line that sets it.
     pub line: u64,
 }
 
-/// Explains a line (from 1) of an OBJ file. Errors: there is no such line.
+/// Explains a line (from 1) of an OBJ file. Fails if there is no such line.
 pub fn line(bytes: &[u8], line: u64) -> Result<LineExplanation, ReadError> {
     explain_utf8(bytes, line, obj::explain)
 }
 
-/// Explains a line (from 1) of a material library. Errors: there is no such line.
+/// Explains a line (from 1) of a material library. Fails if there is no such line.
 ///
-/// The whole library is read for it, so that what is said is what a model gets.
+/// The whole library is read, so that the explanation agrees with what a model gets.
 pub fn mtl_line(bytes: &[u8], line: u64) -> Result<LineExplanation, ReadError> {
     explain_utf8(bytes, line, mtl::explain)
 }
 
-/// Explains a line of the text as UTF-8; what the conversion lost on that line is one of its problems.
+/// Explains a line of the text as UTF-8; losses of the conversion on that line are among its problems.
 fn explain_utf8(
     bytes: &[u8],
     line: u64,

@@ -1,11 +1,11 @@
-//! Statements of a material library in words.
+//! Explains statements of a material library.
 
 use super::file::{Extent, blank, named, no_such_line, numbers, printable, say_extent};
 use super::{InForce, LineExplanation, LineValue};
 use crate::text::{Cursor, decode};
 use crate::{AmbientRule, Material, ReadError, TextureMap, Wrap, mtl};
 
-/// Statements, and what they are about.
+/// Statements and their meanings.
 const MEANINGS: [(&str, &str); 44] = [
     ("Ka", "the ambient color"),
     ("Kd", "the diffuse color"),
@@ -87,7 +87,7 @@ pub(super) fn explain(bytes: &[u8], line: u64) -> Result<LineExplanation, ReadEr
     Ok(explanation)
 }
 
-/// The statement of a line, and the material that it belongs to.
+/// Returns the statement of a line and the material that it belongs to.
 fn find(bytes: &[u8], line: u64) -> Result<(Extent, Option<(String, u64)>), ReadError> {
     let mut material = None;
     let mut cursor = Cursor::new(bytes);
@@ -109,7 +109,7 @@ fn find(bytes: &[u8], line: u64) -> Result<(Extent, Option<(String, u64)>), Read
     Err(no_such_line(line, &cursor, bytes))
 }
 
-/// What the reader makes of the statement, and what it says about it.
+/// Adds the values that the reader takes from the statement, and its diagnostics.
 fn add_what_is_read(bytes: &[u8], extent: Extent, explanation: &mut LineExplanation) {
     let (materials, diagnostics) = mtl::read(bytes);
     let is_here = |line: Option<u64>| line.is_some_and(|line| (extent.first_line..=extent.last_line).contains(&line));
@@ -128,7 +128,7 @@ fn add_what_is_read(bytes: &[u8], extent: Extent, explanation: &mut LineExplanat
     explanation.problems.extend(diagnostics.into_iter().filter(|diagnostic| is_here(diagnostic.line)));
 }
 
-/// A property of a material in words; empty of one that it has not.
+/// Formats a property of a material; empty if the material does not have it.
 fn value(material: &Material, property: &str) -> String {
     let map = |map: &Option<TextureMap>| map.as_ref().map(texture).unwrap_or_default();
     let physical = material.metallic_roughness.as_ref();
@@ -159,7 +159,7 @@ fn value(material: &Material, property: &str) -> String {
     }
 }
 
-/// A texture, and what is unusual about how it is used.
+/// Formats a texture and its unusual options.
 fn texture(map: &TextureMap) -> String {
     let mut text = named(&map.path);
     let mut say = |what: &str, values: &[f32]| text.push_str(&format!(", {what} {}", numbers(values)));

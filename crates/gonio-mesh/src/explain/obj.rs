@@ -1,4 +1,4 @@
-//! Statements of an OBJ in words.
+//! Explains statements of an OBJ file.
 
 use super::face::{self, Element};
 use super::file::{Extent, blank, count, named, note, numbers, say_extent, warning};
@@ -9,7 +9,7 @@ use crate::text::{BadNumber, Cursor, quote};
 use crate::{Diagnostic, ReadError};
 use glam::DVec3;
 
-/// Statements that are understood and not used, and what they are about.
+/// Statements that are known but not used, and their meanings.
 const OTHERS: [(&str, &str); 29] = [
     ("vp", "a point in the parameter space of a free-form curve or surface: skipped"),
     ("cstype", "the type of free-form curves and surfaces: skipped"),
@@ -87,7 +87,8 @@ fn statement(bytes: &[u8], cursor: &mut Cursor<'_>, state: &State, extent: Exten
     }
 }
 
-/// The numbers of a statement, as long as they can be read, and at most `most`. What the reader refuses is a problem.
+/// Reads the numbers of a statement, at most `most`, up to the first that cannot be read. Reports numbers that the
+/// reader rejects.
 fn read(
     cursor: &mut Cursor<'_>,
     keyword: &str,
@@ -201,7 +202,7 @@ fn normal(cursor: &mut Cursor<'_>, number: u64, explanation: &mut LineExplanatio
     explanation.value = Some(LineValue::Normal { number, written, unit });
 }
 
-/// `the 12 faces after it, up to line 40,`
+/// Formats the faces that a statement applies to: `the 12 faces after it, up to line 40,`
 fn faces_after(bytes: &[u8], extent: Extent, until: &[Keyword]) -> String {
     let (faces, line) = walk::faces_after(bytes, extent, until);
     let until = line.map_or("to the end of the file".to_owned(), |line| format!("up to line {line}"));

@@ -1,33 +1,31 @@
-//! A walk over the statements of an OBJ: what is counted and what holds before the one that is asked for.
+//! Walks over the statements of an OBJ file up to the requested line, collecting counts and the settings in force.
 
 use super::InForce;
 use super::file::{Extent, no_such_line, printable};
 use crate::ReadError;
 use crate::text::Cursor;
 
-/// Names that are kept of the material libraries.
+/// Most material libraries whose names are kept.
 const MOST_LIBRARIES: usize = 10;
 
-/// A name, and the line that gives it.
+/// A name, and the line that sets it.
 pub(super) type Named = (String, u64);
 
-/// What the statements so far say.
+/// The counts and settings of the statements so far.
 #[derive(Default)]
 pub(super) struct State {
-    /// `v`, `vt`, `vn`.
+    /// Numbers of `v`, `vt` and `vn`.
     pub(super) counts: [u64; 3],
-    /// `f`.
     pub(super) faces: u64,
     pub(super) object: Option<Named>,
     pub(super) group: Option<Named>,
     pub(super) material: Option<Named>,
     pub(super) smoothing: Option<Named>,
-    /// The first of them.
+    /// The first libraries.
     pub(super) libraries: Vec<Named>,
 }
 
 impl State {
-    /// As a list.
     pub(super) fn in_force(&self) -> Vec<InForce> {
         let single = [
             ("object", &self.object),
@@ -46,7 +44,7 @@ impl State {
             Keyword::Face => self.faces += 1,
             Keyword::Object => self.object = Some(named),
             Keyword::Group => self.group = Some(named),
-            // Without a name: no material.
+            // An empty name means no material.
             Keyword::Material => self.material = Some(named).filter(|(name, _)| !name.is_empty()),
             Keyword::Smoothing => self.smoothing = Some(named),
             Keyword::Library if self.libraries.len() < MOST_LIBRARIES => self.libraries.push(named),
@@ -55,10 +53,10 @@ impl State {
     }
 }
 
-/// The statements that matter to the others.
+/// Keywords of statements that affect others.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Keyword {
-    /// 0 `v`, 1 `vt`, 2 `vn`.
+    /// The index: 0 for `v`, 1 for `vt`, 2 for `vn`.
     Attribute(usize),
     Face,
     Object,
@@ -90,7 +88,7 @@ impl Keyword {
     }
 }
 
-/// The statement that holds a line, and what was said before it.
+/// Finds the statement that contains a line, and the settings before it.
 pub(super) fn find(bytes: &[u8], line: u64) -> Result<(Extent, State), ReadError> {
     let mut state = State::default();
     let mut cursor = Cursor::new(bytes);
@@ -108,8 +106,8 @@ pub(super) fn find(bytes: &[u8], line: u64) -> Result<(Extent, State), ReadError
     Err(no_such_line(line, &cursor, bytes))
 }
 
-/// How many faces follow a statement before the next one of the kinds `until`, and that one's line; `None` at the end
-/// of the file.
+/// Counts the faces between a statement and the next one of the kinds `until`, and returns the line of the latter;
+/// `None` at the end of the file.
 pub(super) fn faces_after(bytes: &[u8], extent: Extent, until: &[Keyword]) -> (u64, Option<u64>) {
     let mut cursor = Cursor::at_line(bytes, extent.start, extent.first_line);
     if cursor.next_word() {
@@ -135,7 +133,7 @@ pub(super) fn faces_after(bytes: &[u8], extent: Extent, until: &[Keyword]) -> (u
     (faces, None)
 }
 
-/// The place of a `v`, `vt` or `vn`, and its numbers; fewer where they cannot be read.
+/// The position of a `v`, `vt` or `vn` and its numbers; incomplete if some cannot be read.
 #[derive(Clone, Debug)]
 pub(super) struct Attribute {
     pub(super) number: u64,
@@ -143,8 +141,8 @@ pub(super) struct Attribute {
     pub(super) values: Vec<f32>,
 }
 
-/// Those of the wanted numbers (from 1, in rising order, for each kind) that are in the file; and how many there are of
-/// each kind, if some were not found.
+/// Finds attributes by their numbers (from 1, ascending, for each kind). Also returns the total count of each kind if
+/// some were not found.
 pub(super) fn attributes(bytes: &[u8], wanted: &[Vec<u64>; 3]) -> ([Vec<Attribute>; 3], [u64; 3]) {
     let mut found: [Vec<Attribute>; 3] = Default::default();
     let mut counts = [0; 3];

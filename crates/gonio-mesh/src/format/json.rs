@@ -1,14 +1,14 @@
-//! The keys of a JSON document's outermost object, found without parsing the document.
+//! Finds the keys of a JSON document's outermost object without parsing the document.
 
 use memchr::memchr2;
 
-/// Keys that tell a glTF document from other JSON.
+/// Keys that distinguish a glTF document from other JSON.
 const KEYS_OF_GLTF: [&[u8]; 3] = [b"asset", b"accessors", b"bufferViews"];
 
-/// Whether the outermost object of `json`, which begins with its `{`, has a key of glTF's.
+/// Whether the outermost object of `json`, which begins with its `{`, has one of glTF's keys.
 ///
-/// The document is scanned up to the first such key, which may be its last one: behind gigabytes of buffers, which take
-/// no memory. What is not valid JSON is scanned as far as it goes.
+/// The document is scanned up to the first such key, which may be the last one, after gigabytes of buffers; this takes
+/// no memory. Invalid JSON is scanned as far as possible.
 pub(super) fn is_gltf(json: &[u8]) -> bool {
     let mut depth = 0_usize;
     let mut at = 0;
@@ -35,7 +35,7 @@ fn is_structure(byte: u8) -> bool {
     matches!(byte, b'{' | b'}' | b'[' | b']' | b'"')
 }
 
-/// Where the `"` stands that ends the string whose text begins at `at`.
+/// Returns the position of the `"` that ends the string whose text begins at `at`.
 fn end_of_string(json: &[u8], mut at: usize) -> Option<usize> {
     loop {
         at += memchr2(b'"', b'\\', json.get(at..)?)?;
@@ -56,7 +56,7 @@ mod tests {
             r#"{"asset": {"version": "2.0"}}"#,
             "{ \"nodes\" : [ { \"name\" : \"}]\\\"\" } ] , \"asset\"\n:\t{} }",
             r#"{"buffers": [{"uri": "data:;base64,AA==\\"}], "x": [[[]], {}], "asset": {}}"#,
-            // Cut off or damaged: the reader says where.
+            // Truncated or damaged: the reader reports where.
             r#"{"accessors": [{"count": 3"#,
             r#"{"scene": 0, "bufferViews": "#,
         ];

@@ -1,12 +1,12 @@
-//! The name of an XML document's root element, found without parsing the document.
+//! Finds the name of an XML document's root element without parsing the document.
 
 use memchr::memmem;
 
-/// The name, without a prefix, of the first element of `xml`, which begins with a `<`; `None` where there is none, or
-/// what stands before it does not end.
+/// Returns the name, without a prefix, of the first element of `xml`, which begins with a `<`; `None` if there is none,
+/// or if the prolog does not end.
 ///
-/// Before the root may stand, in any number and of any length, processing instructions, comments and a document type
-/// declaration (Extensible Markup Language 1.0, section 2.8).
+/// The prolog consists of any number of processing instructions, comments and document type declarations of any length
+/// (Extensible Markup Language 1.0, section 2.8).
 pub(super) fn root_name(xml: &[u8]) -> Option<&[u8]> {
     let mut rest = xml;
     loop {
@@ -27,12 +27,12 @@ pub(super) fn root_name(xml: &[u8]) -> Option<&[u8]> {
     Some(name.iter().rposition(|byte| *byte == b':').map_or(name, |colon| &name[colon + 1..]))
 }
 
-/// What follows the first `end`.
+/// Returns the text after the first `end`.
 fn behind<'a>(text: &'a [u8], end: &[u8]) -> Option<&'a [u8]> {
     memmem::find(text, end).map(|at| &text[at + end.len()..])
 }
 
-/// What follows the `>` of a declaration, whose own declarations stand in brackets.
+/// Returns the text after the `>` of a declaration, which may contain declarations in brackets.
 fn behind_declaration(declaration: &[u8]) -> Option<&[u8]> {
     let mut rest = declaration;
     let mut brackets = 0_usize;

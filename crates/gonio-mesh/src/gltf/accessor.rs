@@ -1,13 +1,13 @@
 //! Accessors: arrays of vectors in buffers, dense or sparse (glTF 2.0, section 3.6.2).
 //!
-//! [`Accessor::open`] checks every range; what is read afterwards cannot leave its buffer.
+//! [`Accessor::open`] checks every range; later reads cannot leave the buffer.
 
 use super::buffer::{Buffers, View, range};
 use super::json::JsonRef;
 use crate::ReadError;
 use std::ops::Range;
 
-/// How a number is stored.
+/// The type of a component.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Component {
     I8,
@@ -47,32 +47,31 @@ impl Component {
 /// An array in a buffer: `count` elements, each `width` components, `stride` bytes apart.
 struct Array<'v> {
     view: View<'v>,
-    /// Within the view.
+    /// The byte of the first element in the view.
     first: usize,
     stride: usize,
     width: usize,
     component: Component,
 }
 
-/// An array of the file.
 pub(super) struct Accessor<'v> {
     pub at: JsonRef<'v>,
     pub count: usize,
     width: usize,
     normalized: bool,
-    /// None where all is 0.
+    /// `None` if all elements are 0.
     dense: Option<Array<'v>>,
     sparse: Option<Sparse<'v>>,
 }
 
-/// What replaces some elements: which, and by what.
+/// The elements that a sparse accessor replaces, and their values.
 struct Sparse<'v> {
     indices: Vec<u32>,
     values: Array<'v>,
 }
 
 impl<'v> Accessor<'v> {
-    /// The accessor that the number `key` of `from` names, with elements of one of `widths` components.
+    /// Opens the accessor that the index `key` of `from` refers to. Its elements must have one of `widths` components.
     pub fn open(
         buffers: &mut Buffers<'v, '_>,
         root: JsonRef<'v>,
@@ -98,7 +97,7 @@ impl<'v> Accessor<'v> {
         Ok(Some(Accessor { at, count, width, normalized: at.flag("normalized"), dense, sparse: sparse.transpose()? }))
     }
 
-    /// Elements as vectors of `N`; what an element lacks is `fill`.
+    /// Returns elements as vectors of `N`; missing components become `fill`.
     pub fn vectors<const N: usize>(&self, range: Range<usize>, fill: f32) -> Vec<[f32; N]> {
         let mut vectors = vec![[fill; N]; range.len()];
         match &self.dense {
@@ -117,7 +116,7 @@ impl<'v> Accessor<'v> {
         vectors
     }
 
-    /// All elements as indices.
+    /// Returns all elements as indices.
     pub fn indices(&self) -> Result<Vec<u32>, ReadError> {
         let arrays = self.dense.iter().chain(self.sparse.as_ref().map(|sparse| &sparse.values));
         if arrays.into_iter().any(|array| !array.component.is_index()) {
@@ -138,7 +137,7 @@ impl<'v> Accessor<'v> {
         Ok(indices)
     }
 
-    /// Whether the file holds what it counts: of an accessor without a view, its count is only a claim.
+    /// Whether the file contains the counted elements: without a view, the count is only a claim.
     pub fn is_backed(&self) -> bool {
         self.dense.is_some()
     }
@@ -182,7 +181,7 @@ impl<'v> Sparse<'v> {
 }
 
 impl<'v> Array<'v> {
-    /// Checks that `count` elements from the `byteOffset` of `at` lie within the view.
+    /// Checks that `count` elements from the `byteOffset` of `at` are within the view.
     fn open(
         view: View<'v>,
         at: JsonRef<'v>,
@@ -214,7 +213,7 @@ impl<'v> Array<'v> {
         Ok(Array { view, first: range.start, stride, width, component })
     }
 
-    /// The bytes of each element from one on.
+    /// Returns the bytes of each element, starting with one of them.
     fn elements(&self, from: usize) -> impl Iterator<Item = &[u8]> {
         let first = from.checked_mul(self.stride).and_then(|skip| skip.checked_add(self.first));
         let bytes = first.and_then(|first| self.view.bytes().get(first..)).unwrap_or_default();

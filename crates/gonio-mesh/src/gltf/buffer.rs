@@ -1,4 +1,4 @@
-//! Buffers, and the views into them. A buffer is fetched when the first of its bytes is wanted.
+//! Buffers and their views. A buffer is loaded when one of its bytes is first needed.
 
 use super::json::JsonRef;
 use super::uri::Uri;
@@ -8,28 +8,27 @@ use std::collections::HashMap;
 use std::ops::Range;
 use std::rc::Rc;
 
-/// A buffer's bytes.
 type Bytes<'v> = Rc<Cow<'v, [u8]>>;
 
 /// The buffers of a file.
 pub(super) struct Buffers<'v, 's> {
     root: JsonRef<'v>,
-    /// The chunk of a `.glb`.
+    /// The binary chunk of a `.glb`.
     binary: Option<&'v [u8]>,
     sidecars: &'s mut dyn Sidecars,
     fetched: HashMap<usize, Bytes<'v>>,
-    /// Files, by their `uri`.
+    /// Loaded files by their `uri`.
     files: HashMap<&'v str, Bytes<'v>>,
-    /// What was asked of `sidecars`.
+    /// The files requested from `sidecars`.
     pub uses: Vec<SidecarUse>,
 }
 
-/// Some bytes of a buffer.
+/// A range of a buffer.
 #[derive(Clone)]
 pub(super) struct View<'v> {
     bytes: Bytes<'v>,
     range: Range<usize>,
-    /// Bytes from one element to the next, where the file says.
+    /// Bytes between the starts of two elements, if the file defines it.
     pub stride: Option<usize>,
 }
 
@@ -44,7 +43,7 @@ impl<'v, 's> Buffers<'v, 's> {
         Buffers { root, binary, sidecars, fetched: HashMap::new(), files: HashMap::new(), uses: Vec::new() }
     }
 
-    /// The view that the number `key` of `from` names.
+    /// Returns the view that the index `key` of `from` refers to.
     pub fn view(&mut self, from: JsonRef<'v>, key: &'v str) -> Result<Option<View<'v>>, ReadError> {
         let Some((_, at)) = from.target(self.root, key, "bufferViews")? else { return Ok(None) };
         let Some((index, buffer)) = at.target(self.root, "buffer", "buffers")? else { return Err(at.lacks("buffer")) };
@@ -115,7 +114,7 @@ impl<'v, 's> Buffers<'v, 's> {
     }
 }
 
-/// From an offset and a length, where they are no more than memory can hold.
+/// Makes a range of an offset and a length, if it fits into memory.
 pub(super) fn range(first: u64, length: u64) -> Option<Range<usize>> {
     let end = usize::try_from(first.checked_add(length)?).ok()?;
     Some(usize::try_from(first).ok()?..end)

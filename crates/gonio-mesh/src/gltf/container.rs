@@ -7,15 +7,15 @@ const HEADER: usize = 12;
 const JSON_CHUNK: [u8; 4] = *b"JSON";
 const BINARY_CHUNK: [u8; 4] = *b"BIN\0";
 
-/// What is in a file.
+/// The contents of a file.
 pub(super) struct Container<'a> {
     pub json: &'a [u8],
-    /// The content of the buffer without a `uri`.
+    /// The contents of the buffer without a `uri`.
     pub binary: Option<&'a [u8]>,
     pub is_binary: bool,
 }
 
-/// Takes a `.glb` apart; a `.gltf` is all JSON.
+/// Splits a `.glb` into its chunks; a `.gltf` is all JSON.
 pub(super) fn open<'a>(bytes: &'a [u8], reports: &mut Reports) -> Result<Container<'a>, ReadError> {
     if bytes.starts_with(b"glTF") {
         return open_binary(bytes, reports);
@@ -76,7 +76,7 @@ fn open_binary<'a>(bytes: &'a [u8], reports: &mut Reports) -> Result<Container<'
     Ok(container)
 }
 
-/// The chunk at a byte.
+/// Returns the type and content of the chunk at a byte.
 fn chunk(bytes: &[u8], at: usize) -> Result<([u8; 4], &[u8]), ReadError> {
     let kind = bytes.get(at..).and_then(|rest| rest.get(4..8)?.try_into().ok());
     let (Some(length), Some(kind)) = (u32_at(bytes, at), kind) else {

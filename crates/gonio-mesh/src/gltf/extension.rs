@@ -1,10 +1,10 @@
-//! Extensions: which are understood, and what to say of the others.
+//! Extensions: checks which ones a file needs and uses.
 
 use super::json::JsonRef;
 use crate::report::Reports;
 use crate::{Diagnostic, ReadError};
 
-/// Understood, or without meaning for a model at rest.
+/// Extensions that are supported, or that do not affect a model at rest.
 const UNDERSTOOD: &[&str] = &[
     "KHR_lights_punctual",
     "KHR_materials_emissive_strength",
@@ -18,7 +18,7 @@ const UNDERSTOOD: &[&str] = &[
     "KHR_xmp_json_ld",
 ];
 
-/// Not understood, and without them the shape is right, if not the look. What is lost.
+/// Unsupported extensions without which the shape is right, but not the appearance, and what is lost.
 const SURVIVED: &[(&str, &str)] = &[
     ("KHR_animation_pointer", "animations are not played"),
     ("KHR_materials_variants", "each part has its first material"),
@@ -32,7 +32,7 @@ const SURVIVED: &[(&str, &str)] = &[
     ("EXT_lights_image_based", "its environment is not used"),
 ];
 
-/// Not understood, and without them nothing right can be shown: what to do.
+/// Unsupported extensions without which nothing is right, with advice.
 const REFUSED: &[(&str, &str)] = &[
     ("KHR_draco_mesh_compression", "export it without Draco compression"),
     ("EXT_meshopt_compression", "export it without meshopt compression, or unpack it with gltf-transform"),
@@ -40,7 +40,7 @@ const REFUSED: &[(&str, &str)] = &[
     ("EXT_mesh_gpu_instancing", "export the copies as nodes of their own"),
 ];
 
-/// Refuses a file that cannot be shown without an extension; warns of others.
+/// Rejects a file that cannot be shown without an extension; warns about others.
 pub(super) fn check(root: JsonRef<'_>, reports: &mut Reports) -> Result<(), ReadError> {
     for at in root.list("extensionsRequired")? {
         let name = at.value.as_str().unwrap_or_default();
@@ -53,7 +53,7 @@ pub(super) fn check(root: JsonRef<'_>, reports: &mut Reports) -> Result<(), Read
     let mut reported: Vec<&str> = Vec::new();
     for at in root.list("extensionsUsed")? {
         let name = at.value.as_str().unwrap_or_default();
-        // Those of materials are reported where they are used.
+        // Extensions of materials are reported where they are used.
         if UNDERSTOOD.contains(&name) || name.starts_with("KHR_materials_") && find(SURVIVED, name).is_none() {
             continue;
         }

@@ -1,7 +1,7 @@
-//! A place in the JSON of a file: the value, and the path by which messages name it.
+//! A reference into the JSON of a file: the value, and its path for messages.
 //!
-//! The JSON is read as it stands rather than into structures: so a wrong value in one place costs no more than that
-//! place, a message names it (`accessors[3].count`), and a material can say what the file says word by word.
+//! The JSON is not deserialized into structures. So a wrong value in one place affects only that place, messages can
+//! name it (`accessors[3].count`), and a material can quote the file.
 
 use crate::ReadError;
 use serde::Serialize;
@@ -13,13 +13,13 @@ use std::io;
 /// `materials[0].extensions.NAME.TEXTURE.extensions.KHR_texture_transform.offset` has 9 steps.
 const MOST_STEPS: usize = 12;
 
-/// How much of a value is quoted, in bytes.
+/// Most bytes of a value that are quoted.
 const MOST_QUOTED: usize = 100;
 
-/// What an index, a count or a code is, for messages.
+/// The expected value of an index, a count or a code, for messages.
 const UNSIGNED: &str = "a non-negative integer";
 
-/// A value and where it stands.
+/// A value and its path.
 #[derive(Clone, Copy)]
 pub(super) struct JsonRef<'v> {
     pub value: &'v Value,
@@ -34,14 +34,13 @@ enum Step<'v> {
 }
 
 impl<'v> JsonRef<'v> {
-    /// The whole file.
     pub fn root(value: &'v Value) -> Self {
         JsonRef { value, steps: [Step::Index(0); MOST_STEPS], depth: 0 }
     }
 
     fn below(self, value: &'v Value, step: Step<'v>) -> Self {
         let mut below = JsonRef { value, ..self };
-        // Deeper than any place of glTF: the path stays that of the place above.
+        // Deeper than any value in glTF: the path remains that of the value above.
         if let Some(free) = below.steps.get_mut(self.depth) {
             *free = step;
             below.depth += 1;
@@ -49,18 +48,17 @@ impl<'v> JsonRef<'v> {
         below
     }
 
-    /// A member of an object; none where it is absent or null.
+    /// Returns a member of an object; `None` if it is absent or null.
     pub fn get(self, key: &'v str) -> Option<JsonRef<'v>> {
         let value = self.value.get(key).filter(|value| !value.is_null())?;
         Some(self.below(value, Step::Key(key)))
     }
 
-    /// An element of an array.
     pub fn item(self, index: usize) -> Option<JsonRef<'v>> {
         Some(self.below(self.value.as_array()?.get(index)?, Step::Index(index)))
     }
 
-    /// The elements of the array `key`; none where it is absent.
+    /// Returns the elements of the array `key`; none if it is absent.
     pub fn list(self, key: &'v str) -> Result<impl Iterator<Item = JsonRef<'v>>, ReadError> {
         let list = self.get(key);
         if let Some(list) = list
@@ -72,23 +70,23 @@ impl<'v> JsonRef<'v> {
         Ok((0..length).filter_map(move |i| list?.item(i)))
     }
 
-    /// How many elements the array `key` has; 0 where it is absent.
+    /// Returns the length of the array `key`; 0 if it is absent.
     pub fn count(self, key: &str) -> usize {
         self.value.get(key).and_then(Value::as_array).map_or(0, Vec::len)
     }
 
-    /// The members of an object with their names.
+    /// Returns the members of an object with their names.
     pub fn members(self) -> impl Iterator<Item = (&'v str, JsonRef<'v>)> {
         let members = self.value.as_object().into_iter().flatten();
         members.map(move |(key, value)| (key.as_str(), self.below(value, Step::Key(key))))
     }
 
-    /// What an extension adds to this object.
+    /// Returns the object of an extension of this object.
     pub fn extension(self, name: &'v str) -> Option<JsonRef<'v>> {
         self.get("extensions")?.get(name)
     }
 
-    /// What the array `list` of the file has at the place that the number `key` names.
+    /// Returns the element of the file's array `list` that the index `key` refers to.
     pub fn target(
         self,
         root: JsonRef<'v>,
@@ -105,36 +103,35 @@ impl<'v> JsonRef<'v> {
         }
     }
 
-    /// The value as a whole number from 0: JSON makes no difference between `1`, `1.0` and `1e0`.
+    /// Returns the value as a non-negative integer: JSON does not distinguish `1`, `1.0` and `1e0`.
     pub fn as_unsigned(self) -> Option<u64> {
         let whole = |v: f64| (v.fract() == 0.0 && (0.0..=9e15).contains(&v)).then_some(v as u64);
         self.value.as_u64().or_else(|| self.value.as_f64().and_then(whole))
     }
 
-    /// The same, as an index: what is no index is an error, and what is too large for one is none of any array.
+    /// Returns the value as an index. One that is too large becomes an index that is out of range of any array.
     pub fn as_index(self) -> Result<usize, ReadError> {
         let number = self.as_unsigned().ok_or_else(|| self.fault(UNSIGNED))?;
         Ok(usize::try_from(number).unwrap_or(usize::MAX))
     }
 
-    /// A whole number from 0.
+    /// Returns a member as a non-negative integer.
     pub fn unsigned(self, key: &'v str) -> Result<Option<u64>, ReadError> {
         let Some(at) = self.get(key) else { return Ok(None) };
         at.as_unsigned().map(Some).ok_or_else(|| at.fault(UNSIGNED))
     }
 
-    /// The same, as an index or a count.
+    /// Returns a member as an index or a count.
     pub fn index(self, key: &'v str) -> Result<Option<usize>, ReadError> {
         self.get(key).map(JsonRef::as_index).transpose()
     }
 
-    /// A number.
     pub fn number(self, key: &'v str) -> Result<Option<f64>, ReadError> {
         let Some(at) = self.get(key) else { return Ok(None) };
         at.value.as_f64().map(Some).ok_or_else(|| at.fault("a number"))
     }
 
-    /// `N` numbers.
+    /// Returns an array of exactly `N` numbers.
     pub fn numbers<const N: usize>(self, key: &'v str) -> Result<Option<[f64; N]>, ReadError> {
         let Some(at) = self.get(key) else { return Ok(None) };
         let wrong = || at.fault(&format!("{N} numbers"));
@@ -146,23 +143,22 @@ impl<'v> JsonRef<'v> {
         Ok(Some(numbers))
     }
 
-    /// A text.
     pub fn text(self, key: &'v str) -> Result<Option<&'v str>, ReadError> {
         let Some(at) = self.get(key) else { return Ok(None) };
         at.value.as_str().map(Some).ok_or_else(|| at.fault("a string"))
     }
 
-    /// Yes or no; no where it is absent or neither.
+    /// Returns a boolean; false if it is absent or of another type.
     pub fn flag(self, key: &'v str) -> bool {
         self.value.get(key).and_then(Value::as_bool).unwrap_or(false)
     }
 
-    /// The `name` of this object, empty where it has none.
+    /// Returns the `name` of this object, or an empty string.
     pub fn name(self) -> &'v str {
         self.value.get("name").and_then(Value::as_str).unwrap_or("")
     }
 
-    /// The path: `materials[0].emissiveFactor`.
+    /// Returns the path: `materials[0].emissiveFactor`.
     pub fn path(self) -> String {
         let mut path = String::new();
         for step in &self.steps[..self.depth] {
@@ -175,18 +171,18 @@ impl<'v> JsonRef<'v> {
         path
     }
 
-    /// The path with the name in brackets: `meshes[3] ("Wheel")`.
+    /// Returns the path with the name in parentheses: `meshes[3] ("Wheel")`.
     pub fn title(self) -> String {
         let (path, name) = (self.path(), self.name());
         if name.is_empty() { path } else { format!("{path} ({name:?})") }
     }
 
-    /// What the file says here: `materials[0].emissiveFactor = [1, 0.5, 0]`; empty where it says nothing.
+    /// Returns a member as the file has it: `materials[0].emissiveFactor = [1, 0.5, 0]`; empty if it is absent.
     pub fn written(self, key: &'v str) -> String {
         self.get(key).map_or_else(String::new, |at| format!("{} = {}", at.path(), at.quoted()))
     }
 
-    /// The value, cut where it is long.
+    /// Returns the value as JSON, shortened if it is long.
     pub fn quoted(self) -> String {
         let mut quote = Quote(Vec::new());
         let mut serializer = serde_json::Serializer::with_formatter(&mut quote, Spaced);
@@ -195,18 +191,18 @@ impl<'v> JsonRef<'v> {
         if is_whole { text } else { format!("{}...", text.trim_end_matches('\u{fffd}')) }
     }
 
-    /// An error: this value stands where something else belongs.
+    /// Creates an error: this value is not of the expected kind.
     pub fn fault(self, expected: &str) -> ReadError {
         ReadError::new(format!("{} is {}, expected {expected}", self.path(), self.quoted()))
     }
 
-    /// An error: a member is absent that must be there.
+    /// Creates an error: a required member is missing.
     pub fn lacks(self, key: &str) -> ReadError {
         ReadError::new(format!("{} has no {key}: the file is damaged or of another version", self.path()))
     }
 }
 
-/// Takes the beginning of what is written into it.
+/// A writer that keeps only the beginning.
 struct Quote(Vec<u8>);
 
 impl io::Write for Quote {
@@ -221,7 +217,7 @@ impl io::Write for Quote {
     }
 }
 
-/// JSON on one line, with blanks: `{"a": [1, 2]}`.
+/// Formats JSON on one line, with blanks: `{"a": [1, 2]}`.
 struct Spaced;
 
 impl Formatter for Spaced {

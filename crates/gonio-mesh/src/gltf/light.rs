@@ -1,4 +1,4 @@
-//! Lights (`KHR_lights_punctual`) and cameras: they stand at their node and look along its -z, with +y up.
+//! Lights (`KHR_lights_punctual`) and cameras. They are at their node and look along its -z, with +y up.
 
 use super::json::JsonRef;
 use crate::report::Reports;
@@ -8,12 +8,12 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 const EXTENSION: &str = "KHR_lights_punctual";
 
-/// The file's lights.
+/// Returns the number of lights in the file.
 pub(super) fn count(root: JsonRef<'_>) -> usize {
     root.extension(EXTENSION).map_or(0, |extension| extension.count("lights"))
 }
 
-/// The light at a node, if there is one; a broken one is a warning.
+/// Returns the light at a node, if any; an invalid one becomes a warning.
 pub(super) fn at_node(
     root: JsonRef<'_>,
     node: JsonRef<'_>,
@@ -25,7 +25,7 @@ pub(super) fn at_node(
     survived(light, "the light is left out", reports)
 }
 
-/// The camera at a node, if there is one; a broken one is a warning.
+/// Returns the camera at a node, if any; an invalid one becomes a warning.
 pub(super) fn camera_at_node(
     root: JsonRef<'_>,
     node: JsonRef<'_>,
@@ -83,7 +83,7 @@ fn light(
         direction: direction.to_array(),
         color,
         intensity,
-        // Candela: illuminance falls with the square of the distance.
+        // Candela: illuminance falls off with the square of the distance.
         attenuation: [0.0, 0.0, 1.0],
     }))
 }
@@ -134,7 +134,7 @@ fn camera(
     }))
 }
 
-/// Where a node stands, where its -z points, and where its +y points, as far as it is at right angles to that.
+/// Returns the position of a node, the direction of its -z, and that of its +y made orthogonal to -z.
 fn pose(node: JsonRef<'_>, model_from_node: &DMat4) -> Result<(DVec3, DVec3, DVec3), ReadError> {
     let position = model_from_node.w_axis.truncate();
     let direction = (-model_from_node.z_axis.truncate()).try_normalize();

@@ -1,4 +1,4 @@
-//! Materials in the terms of the light equation, by the rule of [`MetallicRoughness`].
+//! Converts materials to the terms of the light equation, by the rule of [`MetallicRoughness`].
 
 use super::buffer::Buffers;
 use super::json::JsonRef;
@@ -9,7 +9,7 @@ use crate::{
     AmbientRule, Channel, Material, MetallicRoughness, PropertySource, ReadError, Severity, TexelRule, TextureMap,
 };
 
-/// Extensions that add what the light equation has no term for, and what that is.
+/// Extensions for which the light equation has no term, and the property each of them adds.
 const WITHOUT_TERM: [(&str, &str); 8] = [
     ("KHR_materials_anisotropy", "anisotropy"),
     ("KHR_materials_clearcoat", "clearcoat"),
@@ -29,7 +29,7 @@ const UNDERSTOOD: [&str; 5] = [
     "KHR_materials_unlit",
 ];
 
-/// A material, and which texture coordinates it wants.
+/// A material, and the set of texture coordinates it needs.
 pub(super) struct ReadMaterial {
     pub material: Material,
     pub tex_coord_set: Option<usize>,
@@ -41,7 +41,7 @@ impl ReadMaterial {
     }
 }
 
-/// Reads one material. Nothing in it ends the reading: what is wrong is a warning, and the default is taken.
+/// Reads one material. It never fails: an invalid value becomes a warning and is replaced by the default.
 pub(super) fn read<'v>(
     at: JsonRef<'v>,
     textures: &mut Textures<'v>,
@@ -69,18 +69,18 @@ pub(super) fn read<'v>(
     ReadMaterial { material: draft.material, tex_coord_set: draft.tex_coord_set }
 }
 
-/// A material in the making.
+/// A material that is being read.
 struct Draft<'d, 'v, 's> {
     at: JsonRef<'v>,
     material: Material,
     textures: &'d mut Textures<'v>,
     buffers: &'d mut Buffers<'v, 's>,
     reports: &'d mut Reports,
-    /// Of the first texture.
+    /// The set of the first texture.
     tex_coord_set: Option<usize>,
 }
 
-/// The base colour, or the diffuse one, with its opacity and texture.
+/// The base colour or diffuse colour, with its opacity and texture.
 struct Base {
     color: [f32; 3],
     alpha: f32,
@@ -89,7 +89,7 @@ struct Base {
     map_written: String,
 }
 
-/// A number or colour of the file.
+/// A number or colour, and how it is written in the file.
 struct Found<T> {
     value: T,
     written: String,
@@ -111,7 +111,7 @@ impl<'v> Draft<'_, 'v, '_> {
         self.reports.add_without_line("values of materials that are ignored", Severity::Warning, message);
     }
 
-    /// A number within bounds.
+    /// Reads a number and clamps it to its range.
     fn number(&mut self, place: Option<JsonRef<'v>>, key: &'static str, default: f64, most: f64) -> Found<f32> {
         let Some(place) = place else { return Found { value: default as f32, written: String::new() } };
         let written = place.written(key);
@@ -125,7 +125,7 @@ impl<'v> Draft<'_, 'v, '_> {
         }
     }
 
-    /// A colour within bounds.
+    /// Reads a colour and clamps it to its range.
     fn color<const N: usize>(
         &mut self,
         place: Option<JsonRef<'v>>,
@@ -157,7 +157,8 @@ impl<'v> Draft<'_, 'v, '_> {
         values.map(|v| v.clamp(0.0, most.min(f32::MAX.into())) as f32)
     }
 
-    /// A texture; those on other texture coordinates than the first are left out, as a mesh has one set.
+    /// Reads a texture. A mesh has one set of texture coordinates, so textures on a set other than the first one's are
+    /// left out.
     fn texture(&mut self, place: Option<JsonRef<'v>>, key: &'static str) -> Option<(TextureMap, String)> {
         let info = place?.get(key)?;
         let placed = self.textures.map(info, self.buffers, self.reports)?;
@@ -218,16 +219,16 @@ impl<'v> Draft<'_, 'v, '_> {
         base
     }
 
-    /// `KHR_materials_ior` and `KHR_materials_specular`: the reflectance of what is no metal.
+    /// Applies `KHR_materials_ior` and `KHR_materials_specular`, the reflectance of dielectrics.
     fn specular(&mut self, made: &MetallicRoughness, metallic_written: &str) {
         let ior = self.number(self.at.extension("KHR_materials_ior"), "ior", 1.5, f64::MAX);
         let extension = self.at.extension("KHR_materials_specular");
         let strength = self.number(extension, "specularFactor", 1.0, 1.0);
         let color = self.color::<3>(extension, "specularColorFactor", 1.0, f64::MAX);
-        // An index of 0 stands for a reflectance of 1.
+        // An index of 0 means a reflectance of 1.
         let reflectance = if ior.value == 0.0 { 1.0 } else { ((ior.value - 1.0) / (ior.value + 1.0)).powi(2) };
         let plain = ior.value == 1.5 && strength.value == 1.0 && color.value == [1.0; 3];
-        // 0.04 is (0.5 / 2.5)^2 but for rounding.
+        // 0.04 is (0.5 / 2.5)^2 except for rounding.
         let dielectric = if plain {
             [MetallicRoughness::DIELECTRIC_SPECULAR; 3]
         } else {
@@ -259,7 +260,7 @@ impl<'v> Draft<'_, 'v, '_> {
     }
 
     fn specular_map(&mut self, made: &MetallicRoughness, base: &Base) {
-        // Of pure metal, k_s is the base colour, with its texture.
+        // For pure metal, k_s is the base colour, with its texture.
         if made.metallic == 1.0 && made.metallic_map.is_none() && base.map.is_some() {
             self.material.specular_map = base.map.clone();
             self.source("specular_map", base.map_written.clone(), "metal reflects in its base color");
@@ -278,7 +279,7 @@ impl<'v> Draft<'_, 'v, '_> {
         }
     }
 
-    /// `KHR_materials_pbrSpecularGlossiness`: roughness is 1 - glossiness.
+    /// Applies `KHR_materials_pbrSpecularGlossiness`: roughness is 1 - glossiness.
     fn specular_glossiness(&mut self, at: JsonRef<'v>) -> Base {
         let place = Some(at);
         let color = self.color::<4>(place, "diffuseFactor", 1.0, 1.0);
@@ -301,7 +302,7 @@ impl<'v> Draft<'_, 'v, '_> {
             self.source("diffuse_map", base.map_written.clone(), "");
         }
         if let Some((map, written)) = self.texture(place, "specularGlossinessTexture") {
-            // 1 - glossinessFactor * alpha, of the whole.
+            // 1 - glossinessFactor * alpha as a whole.
             let texel = TexelRule { channel: Some(Channel::Alpha), base: 1.0, gain: -glossiness.value, cutoff: None };
             self.material.metallic_roughness = Some(MetallicRoughness {
                 base_color: base.color,
@@ -330,7 +331,7 @@ impl<'v> Draft<'_, 'v, '_> {
         }
     }
 
-    /// Alpha counts as `alphaMode` says.
+    /// Applies alpha according to `alphaMode`.
     fn opacity(&mut self, base: &Base) {
         let mode = match self.at.text("alphaMode") {
             Ok(mode) => mode.unwrap_or("OPAQUE"),
@@ -375,7 +376,8 @@ impl<'v> Draft<'_, 'v, '_> {
         }
     }
 
-    /// `KHR_materials_unlit`: the base colour whatever the light, which is light of its own, and no other.
+    /// Applies `KHR_materials_unlit`: the base colour does not depend on lighting, so it is emitted, and nothing else
+    /// is.
     fn unlit(&mut self, base: &Base) {
         let material = &mut self.material;
         material.ambient = AmbientRule::Value([0.0; 3]);
@@ -410,7 +412,7 @@ impl<'v> Draft<'_, 'v, '_> {
         self.material.unused.push(PropertySource { property, line: None, written, rule: rule.to_owned() });
     }
 
-    /// What no term of the light equation takes.
+    /// Lists properties for which the light equation has no term.
     fn not_used(&mut self) {
         let at = self.at;
         if at.get("occlusionTexture").is_some() {

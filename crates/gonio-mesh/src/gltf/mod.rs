@@ -1,23 +1,23 @@
 //! glTF 2.0, `.gltf` and `.glb`, as Khronos defines it (2021, "glTF 2.0 Specification", ISO/IEC 12113:2022).
 //!
-//! - Every mesh stands in the model once for each node of the scene that shows it, in the scene's space; a part is a
-//!   primitive, named after its node (else after its mesh). Mirrored nodes keep their fronts in front.
-//! - Materials follow the rule of [`crate::MetallicRoughness`]. A primitive without a material is of the
-//!   [default one](crate::Material), light clay: what glTF asks for, a white metal without any gloss, shows no shape.
+//! - A mesh is in the model once for each node of the scene that shows it, in the scene's space. A part is a primitive,
+//!   named after its node (or else after its mesh). Mirrored nodes have their winding reversed.
+//! - Materials follow the rule of [`crate::MetallicRoughness`]. A primitive without a material gets the [default
+//!   one](crate::Material), light clay: glTF's default, white metal without gloss, would not show the shape.
 //! - An unlit material (`KHR_materials_unlit`) emits its base colour and reflects nothing.
-//! - Alpha counts as `alphaMode` says: not at all, all or nothing, or as opacity.
-//! - A mesh has one set of texture coordinates: that of the material's first texture (base colour, then
-//!   metalness and roughness, emission, normals). Textures on another set are left out with a warning.
-//! - Skins, morph targets and animations: the model stands as it was bound, with a warning.
+//! - Alpha is applied according to `alphaMode`: ignored, compared with a cutoff, or used as opacity.
+//! - A mesh has one set of texture coordinates: that of the material's first texture (base colour, then metalness and
+//!   roughness, emission, normals). Textures on another set are left out with a warning.
+//! - Skins, morph targets and animations: the model is shown in its bind pose, with a warning.
 //! - Points and lines are counted, not drawn.
 //!
 //! Extensions: `KHR_lights_punctual`, `KHR_materials_emissive_strength`, `_ior`, `_pbrSpecularGlossiness`,
 //! `_specular`, `_unlit`, `KHR_mesh_quantization`, `KHR_texture_transform`. Compressed geometry
 //! (`KHR_draco_mesh_compression`, `EXT_meshopt_compression`) cannot be read.
 //!
-//! The JSON is read by hand rather than by the `gltf` crate: that one refuses a whole file for one wrong value in a
-//! material, says the line but not the place in the JSON, passes over extensions that it does not know, and its readers
-//! of accessors panic where one leaves its buffer. Tests compare with it.
+//! The JSON is read by hand rather than with the `gltf` crate, which rejects a whole file because of one wrong value in
+//! a material, reports the line but not the path in the JSON, ignores unknown extensions, and panics in accessors that
+//! leave their buffer. Tests compare with it.
 
 mod accessor;
 mod buffer;
@@ -45,12 +45,12 @@ use primitive::{Geometry, MaterialUse, Placement};
 use serde_json::Value;
 use texture::Textures;
 
-/// Reads a glTF file, JSON or binary; its external buffers are asked of `sidecars`.
+/// Reads a glTF file, JSON or binary; external buffers are requested from `sidecars`.
 ///
-/// Errors, each with its place in the JSON or its byte: what is no glTF 2.0; an extension that is required and not
-/// supported; a buffer that is not there or too short; an accessor that leaves its buffer; nodes that have more than
-/// one place; a coordinate that is not finite; no triangle at all; more than `limits` allow. What is wrong with
-/// materials, textures, lights and cameras is a warning.
+/// Errors, each with its path in the JSON or its byte: a file that is not glTF 2.0; a required extension that is not
+/// supported; a buffer that is missing or too short; an accessor that leaves its buffer; a node with several parents; a
+/// coordinate that is not finite; no triangles; more data than `limits` allow. Problems with materials, textures,
+/// lights and cameras are warnings.
 pub fn read(bytes: &[u8], sidecars: &mut dyn Sidecars, limits: &Limits) -> Result<Model, ReadError> {
     read_as_utf8(bytes, |bytes| read_utf8(bytes, sidecars, limits))
 }
@@ -108,7 +108,7 @@ fn version_1() -> ReadError {
 
 fn check_version(root: JsonRef<'_>) -> Result<(), ReadError> {
     let asset = root.get("asset");
-    // Early files of glTF 1.0 have a number.
+    // Early glTF 1.0 files have a number.
     if asset.and_then(|asset| asset.get("version")?.value.as_f64()).is_some_and(|version| (0.0..2.0).contains(&version))
     {
         return Err(version_1());
@@ -138,7 +138,7 @@ fn materials<'v>(
     reports: &mut Reports,
     limits: &Limits,
 ) -> Result<Vec<ReadMaterial>, ReadError> {
-    // Two bytes of JSON are a material, and what is said of it takes about as much as it takes itself.
+    // Two bytes of JSON are a material, whose diagnostics take about as much memory as the material itself.
     let bytes = 2 * (root.count("materials") as u64).saturating_mul(size_of::<ReadMaterial>() as u64);
     if bytes > limits.max_bytes {
         let (count, most) = (root.count("materials"), limits.max_bytes);
@@ -148,7 +148,7 @@ fn materials<'v>(
     Ok(root.list("materials")?.map(|at| material::read(at, textures, buffers, reports)).collect())
 }
 
-/// What nodes become.
+/// The model while nodes are read.
 struct Reader<'v, 's> {
     root: JsonRef<'v>,
     buffers: Buffers<'v, 's>,
@@ -241,7 +241,7 @@ impl<'v> Reader<'v, '_> {
     }
 }
 
-/// Counts in the file's own words.
+/// Counts objects under the file's own names.
 fn contents(root: JsonRef<'_>, geometry: &Geometry<'_>) -> Vec<(String, u64)> {
     const LISTS: [&str; 14] = [
         "scenes",

@@ -1,4 +1,4 @@
-//! The scene: which nodes are in it, and where they stand.
+//! The scene: its nodes and their transforms.
 
 use super::json::JsonRef;
 use crate::report::Reports;
@@ -11,29 +11,28 @@ pub(super) struct PlacedNode {
     pub model_from_node: DMat4,
 }
 
-/// The nodes of the scene.
 pub(super) struct PlacedNodes {
     /// Parents before children, children in order.
     pub placed: Vec<PlacedNode>,
-    /// Of each node of the file its index among these.
+    /// For each node of the file its index in `placed`.
     place_of_node: Vec<usize>,
 }
 
 impl PlacedNodes {
-    /// A node, if it is in the scene.
+    /// Returns a node, if it is in the scene.
     pub fn of_node(&self, node: usize) -> Option<&PlacedNode> {
         let place = self.place_of_node.get(node)?;
         self.placed.get(*place)
     }
 }
 
-/// Not yet below another node, and below none.
+/// Markers in place of a parent: not visited yet, and no parent.
 const NOT_SEEN: usize = usize::MAX;
 const ROOT: usize = usize::MAX - 1;
 
-/// The nodes of the default scene (else of the first, else all).
+/// Returns the nodes of the default scene (or else of the first one, or else all nodes).
 ///
-/// Every node has one parent (glTF 2.0, section 3.5.2); where it has more, or stands below itself, that is an error.
+/// A node has one parent (glTF 2.0, section 3.5.2); several parents, or a cycle, are an error.
 pub(super) fn place(root: JsonRef<'_>, reports: &mut Reports) -> Result<PlacedNodes, ReadError> {
     let nodes = root.count("nodes");
     let mut walk = Walk { root, parent: vec![NOT_SEEN; nodes], stack: Vec::new() };
@@ -57,7 +56,7 @@ pub(super) fn place(root: JsonRef<'_>, reports: &mut Reports) -> Result<PlacedNo
     Ok(PlacedNodes { placed, place_of_node })
 }
 
-/// The scene that is shown.
+/// Returns the scene that is shown.
 fn scene<'v>(root: JsonRef<'v>, reports: &mut Reports) -> Result<Option<JsonRef<'v>>, ReadError> {
     let chosen = match root.target(root, "scene", "scenes")? {
         Some((_, scene)) => Some(scene),
@@ -74,9 +73,9 @@ fn scene<'v>(root: JsonRef<'v>, reports: &mut Reports) -> Result<Option<JsonRef<
 
 struct Walk<'v> {
     root: JsonRef<'v>,
-    /// Of each node.
+    /// The parent of each node.
     parent: Vec<usize>,
-    /// Nodes to be visited, with their parent's transform.
+    /// Nodes to visit, with the transform of their parent.
     stack: Vec<(usize, DMat4)>,
 }
 
@@ -106,12 +105,12 @@ impl<'v> Walk<'v> {
             *parent = above;
             self.stack.push((index, model_from_parent));
         }
-        // The last one in is visited first.
+        // The last one pushed is visited first.
         self.stack[first..].reverse();
         Ok(())
     }
 
-    /// Without a scene: all nodes that are nobody's children.
+    /// Without a scene: pushes all nodes that are not children.
     fn push_roots(&mut self) -> Result<(), ReadError> {
         let mut is_child = vec![false; self.parent.len()];
         for node in self.root.list("nodes")? {
@@ -155,7 +154,7 @@ impl<'v> Walk<'v> {
     }
 }
 
-/// The node's own transform: its matrix, or scale, then rotation, then translation.
+/// Returns the node's own transform: its matrix, or scale, then rotation, then translation.
 fn parent_from_node(at: JsonRef<'_>, reports: &mut Reports) -> Result<DMat4, ReadError> {
     let translation = at.numbers("translation")?;
     let rotation = at.numbers::<4>("rotation")?;
@@ -179,7 +178,7 @@ fn parent_from_node(at: JsonRef<'_>, reports: &mut Reports) -> Result<DMat4, Rea
     }
     let rotation = DQuat::from_array(rotation.unwrap_or([0.0, 0.0, 0.0, 1.0]));
     let length = rotation.length();
-    // f32s as exporters write them are of unit length to six digits.
+    // Exporters write f32s that are of unit length to six digits.
     if (length - 1.0).abs() > 1e-3 {
         let message = || format!("{}.rotation is a quaternion of length {length:.4} instead of 1", at.path());
         reports.add_without_line("rotations that are not of unit length", Severity::Warning, message);

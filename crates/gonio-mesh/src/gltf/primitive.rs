@@ -1,4 +1,4 @@
-//! Geometry: primitives of meshes, each once for every node that shows it.
+//! Geometry: primitives of meshes, once for every node that shows them.
 
 use super::accessor::Accessor;
 use super::buffer::Buffers;
@@ -10,32 +10,32 @@ use crate::{Cause, Diagnostic, Limits, Mesh, NormalSource, Part, ReadError, Seve
 use glam::{DMat4, DVec3};
 use std::ops::Range;
 
-/// What a vertex and a triangle take at most in memory.
+/// Most memory that a vertex and a triangle take.
 const BYTES_PER_VERTEX: u64 = 12 + 12 + 8 + 16 + 16;
 const BYTES_PER_TRIANGLE: u64 = 12;
 
-/// What a primitive takes to be looked at, whatever is in it, as bytes that could be read in that time.
+/// The fixed cost of processing a primitive, as bytes that could be read in that time.
 const BYTES_PER_PRIMITIVE: u64 = 4096;
 
-/// How many times its own size a model may be read: many nodes may show one mesh of which nothing is left.
+/// How many times its own size a model may be read: many nodes may show one mesh in which every triangle is dropped.
 const MOST_READINGS: u64 = 4;
 
-/// What a primitive's `material` means for its geometry.
+/// The material of a primitive, and what it requires of the geometry.
 #[derive(Clone, Copy)]
 pub(super) struct MaterialUse {
-    /// In the model's list.
+    /// Index in the model's list.
     pub material: usize,
-    /// Which TEXCOORD_n its textures want; `None` where it has none.
+    /// The set TEXCOORD_n that its textures use; `None` without textures.
     pub tex_coord_set: Option<usize>,
 }
 
-/// The mesh in the making.
+/// The mesh while primitives are added.
 pub(super) struct Geometry<'l> {
     mesh: Mesh,
     limits: &'l Limits,
-    /// What the mesh takes at most, ...
+    /// Upper bound of the mesh's size.
     bytes: u64,
-    /// ... and what was read for it.
+    /// Bytes that were read for it.
     bytes_read: u64,
     pub counts: Counts,
     first_without_normals: Option<String>,
@@ -43,7 +43,7 @@ pub(super) struct Geometry<'l> {
     any_has_tangents: bool,
 }
 
-/// Primitives, by what they draw.
+/// Numbers of primitives by kind.
 #[derive(Default)]
 pub(super) struct Counts {
     pub points: u64,
@@ -52,7 +52,7 @@ pub(super) struct Counts {
     pub not_finite: NotFinite,
 }
 
-/// Numbers of attributes that are not finite, by attribute. A picture can do without these attributes.
+/// Numbers of non-finite values in optional attributes.
 #[derive(Default)]
 pub(super) struct NotFinite {
     normals: Zeroed,
@@ -61,7 +61,7 @@ pub(super) struct NotFinite {
     colors: Zeroed,
 }
 
-/// Numbers for which 0 was taken.
+/// Replaces non-finite numbers by 0 and counts them.
 #[derive(Default)]
 struct Zeroed {
     count: u64,
@@ -76,7 +76,7 @@ impl Zeroed {
     }
 }
 
-/// How a primitive stands in the model.
+/// The transform, name and material with which a primitive is added.
 pub(super) struct Placement<'n> {
     pub name: &'n str,
     pub model_from_mesh: DMat4,
@@ -180,7 +180,7 @@ impl<'l> Geometry<'l> {
         Ok(())
     }
 
-    /// Three indices for each triangle, and how many corners at the end make none.
+    /// Returns three indices for each triangle, and the number of leftover corners.
     fn corners(
         &mut self,
         positions: &Accessor<'_>,
@@ -238,7 +238,7 @@ impl<'l> Geometry<'l> {
         }
     }
 
-    /// Checks that what follows may be allocated.
+    /// Checks that the following allocations are within the limits.
     fn reserve(&mut self, used: &Used, triangles: u64, at: JsonRef<'_>) -> Result<(), ReadError> {
         let vertices = self.mesh.positions.len() as u64 + used.count as u64;
         if vertices > self.limits.max_vertices.min(u64::from(u32::MAX)) {
@@ -286,7 +286,7 @@ impl<'l> Geometry<'l> {
         too_many_vertices(self.limits.max_vertices.min(u64::from(u32::MAX)))
     }
 
-    /// Appends what was checked.
+    /// Appends a primitive that has been checked.
     fn append(
         &mut self,
         from: &Attributes<'_>,
@@ -314,7 +314,7 @@ impl<'l> Geometry<'l> {
         } else {
             self.first_without_normals.get_or_insert_with(|| at.path());
         }
-        // Without normals the file's tangents are to be ignored (glTF 2.0, section 3.7.2.1).
+        // Without normals the file's tangents must be ignored (glTF 2.0, section 3.7.2.1).
         if let (Some(tangents), Some(_)) = (&from.tangents, &from.normals) {
             self.mesh.tangents.resize(first, [0.0; 4]);
             let tangents = used.gather(tangents.vectors::<4>(used.range.clone(), 0.0));
@@ -342,7 +342,7 @@ impl<'l> Geometry<'l> {
     fn append_triangles(&mut self, first: u32, corners: &[u32], placement: &Placement<'_>, mirrored: bool) {
         let first_triangle = self.mesh.triangle_count();
         for &[a, b, c] in corners.as_chunks::<3>().0 {
-            // A mirror turns fronts into backs; the other order turns them into fronts again.
+            // Mirroring turns front faces into back faces; the reverse order turns them back.
             let [b, c] = if mirrored { [c, b] } else { [b, c] };
             self.mesh.indices.extend([first + a, first + b, first + c]);
         }
@@ -351,7 +351,7 @@ impl<'l> Geometry<'l> {
         self.mesh.parts.push(Part { name, material, first_triangle, triangle_count });
     }
 
-    /// The mesh; says what of its normals and tangents is incomplete.
+    /// Returns the mesh; reports incomplete normals and tangents.
     pub fn finish(mut self, reports: &mut Reports) -> Mesh {
         let count = self.mesh.positions.len();
         let mesh = &mut self.mesh;
@@ -394,7 +394,7 @@ impl<'l> Geometry<'l> {
     }
 }
 
-/// Names of the usual sets; beyond these there is none.
+/// Returns the name of a set, for the first eight sets.
 fn tex_coord_name(set: usize) -> &'static str {
     const NAMES: [&str; 8] = [
         "TEXCOORD_0",
@@ -409,7 +409,6 @@ fn tex_coord_name(set: usize) -> &'static str {
     NAMES.get(set).copied().unwrap_or("such TEXCOORD")
 }
 
-/// The arrays of a primitive.
 struct Attributes<'v> {
     positions: Accessor<'v>,
     normals: Option<Accessor<'v>>,
@@ -418,16 +417,16 @@ struct Attributes<'v> {
     colors: Option<Accessor<'v>>,
 }
 
-/// Which vertices of its arrays a primitive uses: exporters let many primitives share large arrays.
+/// The vertices of its arrays that a primitive uses: exporters let many primitives share large arrays.
 struct Used {
     range: Range<usize>,
     count: usize,
-    /// Of each vertex of the range; empty where all are used.
+    /// For each vertex of the range; empty if all are used.
     is_used: Vec<bool>,
 }
 
 impl Used {
-    /// Of the corners of triangles, which are renumbered so that the first vertex used is 0, and none is left out.
+    /// Finds the vertices of corners and renumbers the corners, so that the used vertices count from 0.
     fn by_corners(corners: &mut [u32]) -> Option<Used> {
         let (first, last) = (*corners.iter().min()?, *corners.iter().max()?);
         let range = first as usize..last as usize + 1;
@@ -452,18 +451,18 @@ impl Used {
         Some(Used { range, count, is_used })
     }
 
-    /// The used ones of the range's values.
+    /// Keeps the values of used vertices.
     fn gather<T>(&self, values: Vec<T>) -> impl Iterator<Item = T> {
         let is_used = |i: usize| self.is_used.get(i).copied().unwrap_or(true);
         values.into_iter().enumerate().filter(move |(i, _)| is_used(*i)).map(|(_, value)| value)
     }
 }
 
-/// From a mesh's own space to the model's.
+/// The transform from a mesh's own space to the model's.
 struct Map {
     model_from_mesh: DMat4,
-    /// Columns that turn normals: the cofactors, which are the inverse transpose times the determinant. They exist
-    /// where a scale is 0, too.
+    /// Columns that transform normals: the cofactors, which are the inverse transpose times the determinant. They also
+    /// exist if a scale is 0.
     normal_columns: [DVec3; 3],
     is_identity: bool,
     mirrors: bool,
@@ -489,17 +488,18 @@ impl Map {
         self.model_from_mesh.transform_point3(vector(point)).as_vec3().to_array()
     }
 
-    /// Of unit length, or 0.
+    /// Transforms a normal; the result has length 1 or 0.
     fn normal(&self, normal: [f32; 3]) -> [f32; 3] {
         let [x, y, z] = normal.map(f64::from);
         let [a, b, c] = self.normal_columns;
         (a * x + b * y + c * z).normalize_or_zero().as_vec3().to_array()
     }
 
-    /// Of unit length, or 0; the handedness is 1 or -1.
+    /// Transforms a tangent; the result has length 1 or 0, and a handedness of 1 or -1.
     fn tangent(&self, [x, y, z, w]: [f32; 4]) -> [f32; 4] {
         let turned = self.model_from_mesh.transform_vector3(vector([x, y, z])).normalize_or_zero().as_vec3();
-        // cross(normal, tangent) is mirrored with the normal turned outwards again: the bitangent's sign changes.
+        // Mirroring reverses cross(normal, tangent) while the normal keeps pointing outwards: the bitangent's sign
+        // changes.
         let handedness = if (w < 0.0) != self.mirrors { -1.0 } else { 1.0 };
         turned.extend(handedness).to_array()
     }

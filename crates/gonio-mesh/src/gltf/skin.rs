@@ -1,4 +1,4 @@
-//! Skins: where a mesh stood when it was bound to its skeleton.
+//! Skins: the position of a mesh in its bind pose.
 
 use super::accessor::Accessor;
 use super::buffer::Buffers;
@@ -7,9 +7,9 @@ use super::node::PlacedNodes;
 use crate::ReadError;
 use glam::DMat4;
 
-/// From a bound mesh's own space to the model's, by its first joint: `model_from_joint * joint_from_mesh`, the same of
-/// every joint as long as none was moved. The transform of the mesh's node counts for nothing (glTF 2.0, section
-/// 3.7.3.3). `None` where the skin does not say.
+/// Returns the transform from a bound mesh's own space to the model's, by its first joint: `model_from_joint *
+/// joint_from_mesh`, which is the same for every joint in the bind pose. The transform of the mesh's node is ignored
+/// (glTF 2.0, section 3.7.3.3). `None` if the skin does not define it.
 pub(super) fn model_from_mesh<'v>(
     root: JsonRef<'v>,
     skin: JsonRef<'v>,

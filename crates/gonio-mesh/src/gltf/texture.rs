@@ -1,4 +1,4 @@
-//! Textures: which picture, how it lies on the model, what is beyond its edges.
+//! Textures: their images, transforms and wrap modes.
 
 use super::buffer::Buffers;
 use super::json::JsonRef;
@@ -7,12 +7,12 @@ use crate::report::Reports;
 use crate::{Cause, Diagnostic, EmbeddedImage, ReadError, Severity, TextureMap, Wrap};
 use std::collections::HashMap;
 
-/// The pictures of a file, as they are asked for.
+/// The images of a file, read on demand.
 pub(super) struct Textures<'v> {
     root: JsonRef<'v>,
-    /// Those inside the file.
+    /// Images inside the file.
     pub images: Vec<EmbeddedImage>,
-    /// By their number in the file.
+    /// By index in the file.
     known: HashMap<usize, Picture>,
     bytes: u64,
     max_bytes: u64,
@@ -25,20 +25,20 @@ struct Picture {
     embedded: Option<usize>,
 }
 
-/// A texture, and which TEXCOORD_n it lies on.
+/// A texture and its set TEXCOORD_n of texture coordinates.
 pub(super) struct TextureUse {
     pub map: TextureMap,
     pub tex_coord_set: usize,
 }
 
 impl<'v> Textures<'v> {
-    /// Pictures inside the file may take `max_bytes` together.
+    /// Creates the textures of a file. Images inside the file may take `max_bytes` together.
     pub fn new(root: JsonRef<'v>, max_bytes: u64) -> Self {
         let (images, known) = (Vec::new(), HashMap::new());
         Textures { root, images, known, bytes: 0, max_bytes, nearest_is_said: false }
     }
 
-    /// What a textureInfo names; what is wrong with it is a warning, and the texture is left out.
+    /// Reads the texture of a textureInfo; reports one that is invalid and returns `None`.
     pub fn map(
         &mut self,
         info: JsonRef<'v>,
@@ -143,9 +143,9 @@ fn wrap(sampler: JsonRef<'_>, key: &'static str) -> Result<Wrap, ReadError> {
     }
 }
 
-/// `KHR_texture_transform`, whose v points down, in terms of a v that points up.
+/// Applies `KHR_texture_transform`, whose v points down, to coordinates with v up.
 ///
-/// There, counter-clockwise as one sees it (v down), with s = scale, t = rotation, o = offset:
+/// With v down and a counter-clockwise rotation as seen, s = scale, t = rotation, o = offset:
 ///
 /// ```text
 /// u' =  cos t (s_u u) + sin t (s_v v) + o_u

@@ -1,6 +1,6 @@
 //! Lists, strips and fans of triangles (glTF 2.0, section 3.7.2.1).
 
-/// How corners make triangles.
+/// The topology of a primitive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Topology {
     List,
@@ -18,7 +18,7 @@ impl Topology {
         }
     }
 
-    /// How many triangles so many corners make, those without area included.
+    /// Returns the number of triangles that `corners` make, including degenerate ones.
     pub fn triangles(self, corners: usize) -> usize {
         match self {
             Topology::List => corners / 3,
@@ -27,8 +27,8 @@ impl Topology {
     }
 }
 
-/// Three corners for each triangle, and how many corners at the end make none. Triangles of strips and fans that name
-/// a corner twice are there to join others, and are left out.
+/// Returns three corners for each triangle, and the number of leftover corners. Degenerate triangles of strips and fans
+/// only connect others and are left out.
 pub(super) fn corners(list: Vec<u32>, topology: Topology) -> (Vec<u32>, usize) {
     let leftover = match topology {
         Topology::List => list.len() % 3,
@@ -41,7 +41,7 @@ pub(super) fn corners(list: Vec<u32>, topology: Topology) -> (Vec<u32>, usize) {
             list.truncate(list.len() - leftover);
             list
         }
-        // Every other triangle of a strip turns the other way.
+        // Every other triangle of a strip has the opposite winding.
         Topology::Strip => list
             .array_windows()
             .enumerate()

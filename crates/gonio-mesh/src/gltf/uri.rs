@@ -2,13 +2,13 @@
 
 use std::borrow::Cow;
 
-/// What a `uri` of the file points at.
+/// The resource that a `uri` refers to.
 pub(super) enum Uri<'a> {
-    /// Everything is here: the bytes, or what is wrong with them.
+    /// Embedded data: the bytes, or why they are invalid.
     Data(Result<Vec<u8>, String>),
-    /// A file beside the model; escapes are resolved.
+    /// A file beside the model, with escapes resolved.
     File(Cow<'a, str>),
-    /// `http:` and the like.
+    /// A resource with a scheme such as `http:`.
     Elsewhere,
 }
 
@@ -17,7 +17,7 @@ impl<'a> Uri<'a> {
         if let Some(data) = uri.strip_prefix("data:") {
             return Uri::Data(data_of(data));
         }
-        // One letter before a colon is a drive of Windows.
+        // One letter before a colon is a Windows drive.
         match uri.split_once("://") {
             Some((scheme, _)) if scheme.len() > 1 && scheme.bytes().all(|b| b.is_ascii_alphanumeric()) => {
                 Uri::Elsewhere
@@ -32,7 +32,7 @@ fn data_of(data: &str) -> Result<Vec<u8>, String> {
     if kind.ends_with(";base64") { base64(content) } else { Ok(unescaped_bytes(content)) }
 }
 
-/// The bytes of base64; line breaks and blanks are skipped, padding at the end may be missing.
+/// Decodes base64; line breaks and blanks are skipped, padding at the end may be missing.
 fn base64(text: &str) -> Result<Vec<u8>, String> {
     let mut bytes = Vec::with_capacity(text.len() / 4 * 3 + 3);
     let (mut bits, mut count) = (0_u32, 0_u32);
@@ -70,7 +70,7 @@ fn unescaped(text: &str) -> Cow<'_, str> {
     Cow::Owned(String::from_utf8_lossy(&unescaped_bytes(text)).into_owned())
 }
 
-/// A `%` without two hexadecimal digits stays as it is.
+/// Resolves escapes; a `%` without two hexadecimal digits stays as it is.
 fn unescaped_bytes(text: &str) -> Vec<u8> {
     let digit = |byte: Option<&u8>| byte.and_then(|b| (*b as char).to_digit(16));
     let bytes = text.as_bytes();

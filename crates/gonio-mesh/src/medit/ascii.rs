@@ -1,4 +1,4 @@
-//! `.mesh`: words and numbers between blanks, in as many lines as anyone likes.
+//! `.mesh`: words and numbers separated by blanks or line ends.
 
 use super::content::{Content, Locator, Numbers};
 use super::keywords::{self, Keyword, Rows};
@@ -7,10 +7,9 @@ use crate::report::Reports;
 use crate::text::quote;
 use crate::{Limits, ReadError, Severity, number};
 
-/// Unknown keywords told one by one.
 const UNKNOWN: &str = "unknown keywords";
 
-/// Reads a text.
+/// Reads a text file.
 pub(super) fn read<'a>(
     bytes: &'a [u8],
     limits: &Limits,
@@ -42,7 +41,7 @@ fn sections(words: &mut Words<'_>, limits: &Limits, reports: &mut Reports) -> Re
     Ok(content)
 }
 
-/// `MeshVersionFormatted 2`, the first two words; a file without them is read if it begins with another keyword.
+/// Reads `MeshVersionFormatted 2`, the first two words; a file without them is read if it begins with another keyword.
 fn begin(words: &mut Words<'_>, reports: &mut Reports) -> Result<(), ReadError> {
     let Some((at, word)) = words.next() else { return Err(ReadError::new("the file is empty")) };
     if word.eq_ignore_ascii_case(b"MeshVersionFormatted") {
@@ -118,12 +117,12 @@ fn count(keyword: &Keyword, words: &mut Words<'_>) -> Result<usize, ReadError> {
     usize::try_from(count).map_err(|_| words.error_at(at, impossible()))
 }
 
-/// The words of a file; `#` begins a comment, up to the end of the line.
+/// The words of a file; `#` starts a comment up to the end of the line.
 #[derive(Clone, Copy)]
 struct Words<'a> {
     bytes: &'a [u8],
     at: usize,
-    /// The keyword whose numbers are read, for messages.
+    /// The keyword of the current section, for messages.
     section: &'static str,
     lines: &'a LineIndex<'a>,
 }
@@ -139,7 +138,7 @@ impl<'a> Words<'a> {
         reports.add(kind, Severity::Warning, line, Some(column), message);
     }
 
-    /// To the next word.
+    /// Moves to the next word.
     #[inline]
     fn skip_blanks(&mut self) {
         while let Some(&byte) = self.bytes.get(self.at) {
@@ -168,7 +167,7 @@ impl<'a> Words<'a> {
         (self.at > start).then(|| (start, &self.bytes[start..self.at]))
     }
 
-    /// The next word that begins with a letter; numbers of sections that are not read are skipped.
+    /// Returns the next word that begins with a letter, skipping the numbers of sections that are not read.
     fn next_keyword(&mut self) -> Option<(usize, &'a [u8])> {
         loop {
             let (at, word) = self.next()?;
@@ -179,7 +178,7 @@ impl<'a> Words<'a> {
         }
     }
 
-    /// The dimension, said only after the rows that need it.
+    /// Looks ahead for the dimension if it follows the rows that depend on it.
     #[cold]
     fn find_dimension(&self, at: usize) -> Result<usize, ReadError> {
         let mut ahead = Words { section: "", ..*self };
@@ -246,12 +245,12 @@ impl Numbers for Words<'_> {
     }
 
     fn most_left(&self) -> usize {
-        // A digit and a blank each, except the last.
+        // A digit and a blank each, except for the last.
         (self.bytes.len() - self.at.min(self.bytes.len())).div_ceil(2)
     }
 }
 
-/// `1.5D+00` as Fortran writes, and whatever else is a number to the standard library.
+/// Parses `1.5D+00`, as Fortran writes it, and everything that the standard library accepts.
 #[cold]
 fn fortran_number(word: &[u8]) -> Option<f32> {
     std::str::from_utf8(word).ok()?.replace(['d', 'D'], "e").parse().ok()
