@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 use gonio_app::platform::desktop::trial;
-use gonio_app::platform::{CheckRequest, Trial, TrialOutcome};
+use gonio_app::platform::{CheckRequest, Pending, TrialOutcome};
 use gonio_exercises::exercise;
 use std::path::Path;
 use std::time::Duration;

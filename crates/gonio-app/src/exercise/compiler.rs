@@ -1,24 +1,18 @@
 //! What is done with the work: pairs compiled as they are written, checks begun and heard, files saved and read again.
 
+use super::check::request;
 use super::preview::Preview;
 use super::trials::{ContentKey, Trials};
-use super::work::{Judged, OpenFile, Page, ProgramFacts, Work};
-use super::{Command, editor};
-use crate::files;
-use crate::platform::{CheckRequest, Checking, Platform, TrialOutcome};
+use super::work::{ProgramFacts, Work};
+use crate::platform::{Platform, TrialOutcome};
 use crate::scene_view::drawing::PaneRenderer;
 use egui::Context;
 use gonio_check::submission::SourceFile;
-use gonio_exercises::buffers;
 use gonio_exercises::exercise::ExerciseKind;
 use gonio_exercises::preview::{Note, NoteKind, SubmittedPair};
-use gonio_scene::files::{Disk, FileBytes, FileSource};
-use std::path::PathBuf;
 use std::time::Duration;
 use web_time::Instant;
 
-/// Most bytes of a student's file that is read again.
-const MOST_BYTES: u64 = 32 << 20;
 /// After the last key a pair is compiled: sooner, and half-written words would be errors.
 const PAUSE: Duration = Duration::from_millis(300);
 
@@ -31,7 +25,6 @@ pub struct Compiler {
     /// Those that were compiled.
     compiled: Option<Vec<SourceFile>>,
     trials: Trials,
-    checking: Option<(Vec<SourceFile>, Box<dyn Checking>)>,
     failed: bool,
 }
 
@@ -200,90 +193,6 @@ impl Compiler {
     fn hear(&mut self, work: &mut Work) {
         self.trials.poll();
         work.program.is_tried = self.trials.slow().is_some();
-        if let Some((_, checking)) = &mut self.checking
-            && let Some(verdict) = checking.poll()
-            && let Some((of, _)) = self.checking.take()
-        {
-            work.judged = Some(Judged { verdict, of });
-            work.checking = false;
-            work.page = Page::Verdict;
-        }
-    }
-
-    /// Does what was asked for.
-    pub fn apply(
-        &mut self,
-        ctx: &Context,
-        work: &mut Work,
-        command: Command,
-        platform: &mut dyn Platform,
-        said: &mut Vec<String>,
-    ) {
-        let current = work.current;
-        match command {
-            Command::Check => {
-                let content = work.content();
-                self.checking = Some((content.clone(), platform.check(request(work, &content), ctx)));
-                work.checking = true;
-                work.page = Page::Verdict;
-            }
-            Command::StopChecking => {
-                self.checking = None;
-                work.checking = false;
-            }
-            Command::Save => {
-                said.extend(save(work, platform));
-                if work.asking.is_some() {
-                    editor::let_go(ctx, work);
-                }
-            }
-            Command::SaveInto(folder) => said.extend(save_into(work, &folder, platform)),
-            Command::Undo | Command::Redo => {
-                if let Some(file) = work.files.get_mut(current) {
-                    editor::step(ctx, file, command == Command::Redo);
-                }
-            }
-            Command::TakeOther(index) => {
-                if let Some(file) = work.files.get_mut(index)
-                    && let Some(other) = file.other.take()
-                {
-                    editor::remember(ctx, file);
-                    file.take(other);
-                }
-            }
-            Command::KeepMine(index) => {
-                if let Some(file) = work.files.get_mut(index) {
-                    // It is on the disk, so it is what a change is told against.
-                    if let Some(other) = file.other.take() {
-                        file.saved = other;
-                    }
-                    said.extend(save(work, platform));
-                }
-            }
-            Command::DiscardRestored => {
-                for file in work.files.iter_mut().filter(|file| file.is_restored() && file.other.is_none()) {
-                    editor::remember(ctx, file);
-                    file.take(file.saved.clone());
-                }
-            }
-            Command::KeepRestored => work.files.iter_mut().for_each(|file| file.restored = None),
-            Command::PutBack => {
-                work.put_back();
-                self.begin_anew();
-                // Nobody watched them while they were away.
-                let paths: Vec<PathBuf> = work.files.iter().filter_map(|file| file.path.clone()).collect();
-                said.extend(read_again(ctx, work, &paths));
-            }
-            Command::BeginAgain => {
-                work.begin_again();
-                self.begin_anew();
-            }
-            Command::StartFiles => {
-                let name = format!("{}.zip", work.exercise.id);
-                said.extend(platform.write(&name, &start_files(work)).err());
-            }
-            Command::Begin(_) | Command::List | Command::Leave | Command::Open | Command::Theme => {}
-        }
     }
 }
 
@@ -301,29 +210,6 @@ fn is_start(work: &Work, content: &[SourceFile]) -> bool {
     start.eq(content.iter().map(|file| (file.name.as_str(), file.bytes.as_slice())))
 }
 
-/// What one starts from, as one file: texts and pictures.
-fn start_files(work: &Work) -> Vec<u8> {
-    let texts = work.exercise.start_files().map(|(name, text)| (name, text.as_bytes()));
-    files::pack(&texts.chain(work.exercise.pictures()).collect::<Vec<_>>())
-}
-
-fn request(work: &Work, content: &[SourceFile]) -> CheckRequest {
-    // Of several host programs or buffers the one in the editor is meant.
-    let endings: &[&str] = match work.exercise.kind {
-        ExerciseKind::GlProgram => &[".txt"],
-        ExerciseKind::Buffers => &buffers::ENDINGS,
-        ExerciseKind::Shaders | ExerciseKind::Faces => &[],
-    };
-    let is_one = |name: &str| endings.iter().any(|ending| name.to_ascii_lowercase().ends_with(ending));
-    let in_editor = work.files.get(work.current).map(|file| file.name.as_str()).filter(|name| is_one(name));
-    let is_meant = |name: &str| in_editor.is_none_or(|meant| meant == name || !is_one(name));
-    // A single picture is the answer where nothing but pictures is handed in.
-    let is_paper = |name: &str| name.ends_with(".svg") && work.exercise.file(name).is_some();
-    let meant = content.iter().filter(|file| is_meant(&file.name) && !is_paper(&file.name));
-    let files = meant.map(|file| (file.name.clone(), file.bytes.clone())).collect();
-    CheckRequest { exercise: work.exercise.id.clone(), files, as_the_lab: work.as_the_lab }
-}
-
 /// What both compilers say of a line is said once.
 fn without_repeats(notes: Vec<Note>) -> Vec<Note> {
     let mut kept: Vec<Note> = Vec::new();
@@ -334,81 +220,4 @@ fn without_repeats(notes: Vec<Note>) -> Vec<Note> {
         }
     }
     kept
-}
-
-/// Saves the files that were changed: on the disk to where they lie, in memory to where the person says. What could not be
-/// saved is a sentence each.
-fn save(work: &mut Work, platform: &mut dyn Platform) -> Vec<String> {
-    let in_memory = work.files.iter().all(|file| file.path.is_none());
-    let mut said = Vec::new();
-    if platform.has_folders() && work.files.iter().any(|file| file.path.is_none() && (in_memory || file.is_changed())) {
-        // Beside those that have a place already.
-        let beside = work.files.iter().find_map(|file| Some(file.path.as_ref()?.parent()?.display().to_string()));
-        work.asking = Some(beside.unwrap_or_else(|| work.exercise.id.clone()));
-        if in_memory {
-            return said;
-        }
-    }
-    let current = work.current;
-    for (index, file) in work.files.iter_mut().enumerate() {
-        // What changed on the disk meanwhile is not written over before the person has chosen.
-        if file.locked || file.other.is_some() || !(file.is_changed() || (in_memory && index == current)) {
-            continue;
-        }
-        let bytes = file.text.clone().into_bytes();
-        let place = match &file.path {
-            Some(path) => path.to_string_lossy(),
-            None if platform.has_folders() => continue,
-            // A download has no folders.
-            None => file.name.rsplit('/').next().unwrap_or_default().into(),
-        };
-        match platform.write(&place, &bytes) {
-            Ok(_) => file.saved = bytes,
-            Err(why) => said.push(why),
-        }
-    }
-    said
-}
-
-/// Saves files that are in memory into a folder, which is made where it is not there; nothing is written over. Where others
-/// have a place already, those that nothing was written in stay in memory.
-fn save_into(work: &mut Work, folder: &str, platform: &mut dyn Platform) -> Vec<String> {
-    let folder = PathBuf::from(folder);
-    let place = |name: &str| folder.join(name);
-    let in_memory = work.files.iter().all(|file| file.path.is_none());
-    let is_meant = |file: &OpenFile| file.path.is_none() && (in_memory || file.is_changed());
-    if let Some(file) = work.files.iter().find(|file| is_meant(file) && place(&file.name).exists()) {
-        return vec![format!("{} already exists: choose another folder", place(&file.name).display())];
-    }
-    for file in work.files.iter_mut().filter(|file| is_meant(file)) {
-        let path = place(&file.name);
-        let made = path.parent().map_or(Ok(()), std::fs::create_dir_all);
-        if let Err(why) = made {
-            return vec![format!("{} could not be created: {why}", folder.display())];
-        }
-        let bytes = file.content();
-        match platform.write(&path.to_string_lossy(), &bytes) {
-            Ok(_) => (file.saved, file.path) = (bytes, Some(path)),
-            Err(why) => return vec![why],
-        }
-    }
-    Vec::new()
-}
-
-/// Reads files again that another program changed. What could not be read is a sentence each.
-pub fn read_again(ctx: &Context, work: &mut Work, paths: &[PathBuf]) -> Vec<String> {
-    let mut said = Vec::new();
-    for file in &mut work.files {
-        let Some(path) = file.path.as_ref().filter(|path| paths.contains(path)) else { continue };
-        match Disk.read_within(path, MOST_BYTES).map(FileBytes::into_vec) {
-            Ok(bytes) => {
-                let before = file.clone();
-                if file.is_now(bytes) {
-                    editor::remember(ctx, &before);
-                }
-            }
-            Err(why) => said.push(format!("{} could not be reloaded: {why}", path.display())),
-        }
-    }
-    said
 }

@@ -1,5 +1,6 @@
 //! The editor: a tab a file, line numbers, marks at lines, what was said below.
 
+use super::command::Command;
 use super::file_sets::listed;
 use super::highlight;
 use super::work::{Mark, MarkKind, OpenFile, Work};
@@ -20,24 +21,9 @@ const MARK_WIDTH: f32 = 4.0;
 /// Most messages that are listed below the text at once.
 const MOST_LISTED: usize = 8;
 
-/// What was asked for in the editor.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Asked {
-    /// What is on the disk in place of what was written here.
-    TakeOther(usize),
-    /// What was written here stays, and is saved over what is on the disk.
-    KeepMine(usize),
-    /// The files that were open before these.
-    PutBack,
-    /// The saved texts in place of the drafts that were restored.
-    DiscardRestored,
-    /// The drafts, without the note about them.
-    KeepRestored,
-}
-
 /// Shows the files' tabs, the current one's text and what is said of it. True with what was asked for; the texts are edited
 /// in place.
-pub fn show(ui: &mut Ui, work: &mut Work) -> Option<Asked> {
+pub fn show(ui: &mut Ui, work: &mut Work) -> Option<Command> {
     tabs(ui, work);
     let asked = restored(ui, work).or(conflict(ui, work)).or(put_back(ui, work));
     let marks = work.marks(work.current);
@@ -88,7 +74,7 @@ fn tabs(ui: &mut Ui, work: &mut Work) {
 }
 
 /// Drafts that an earlier window left, and that are in the editor now.
-fn restored(ui: &mut Ui, work: &Work) -> Option<Asked> {
+fn restored(ui: &mut Ui, work: &Work) -> Option<Command> {
     let in_conflict = |file: &OpenFile| file.other.is_some();
     // The question about the conflict tells of it, and has the same answers.
     if work.files.get(work.current).is_some_and(|file| file.is_restored() && in_conflict(file)) {
@@ -99,12 +85,12 @@ fn restored(ui: &mut Ui, work: &Work) -> Option<Asked> {
     let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
     let sentence = format!("Restored unsaved changes from {age} in {}. They are not saved yet.", listed(&names));
     let answers =
-        [("discard-restored", "Discard", Asked::DiscardRestored), ("keep-restored", "Keep", Asked::KeepRestored)];
+        [("discard-restored", "Discard", Command::DiscardRestored), ("keep-restored", "Keep", Command::KeepRestored)];
     question(ui, "restored", colors::ACCENT.of(ui), &sentence, answers)
 }
 
 /// A file that was changed on the disk while there is text here that was not saved.
-fn conflict(ui: &mut Ui, work: &Work) -> Option<Asked> {
+fn conflict(ui: &mut Ui, work: &Work) -> Option<Command> {
     let current = work.current;
     let file = work.files.get(current).filter(|file| file.other.is_some())?;
     let sentence = match file.restored.as_ref().filter(|_| file.is_restored()) {
@@ -116,14 +102,20 @@ fn conflict(ui: &mut Ui, work: &Work) -> Option<Asked> {
         None => format!("{} has changed on disk, and you have unsaved changes here.", file.name),
     };
     let answers = [
-        ("take-other", "Load the version on disk", Asked::TakeOther(current)),
-        ("keep-mine", "Keep mine and save it", Asked::KeepMine(current)),
+        ("take-other", "Load the version on disk", Command::TakeOther(current)),
+        ("keep-mine", "Keep mine and save it", Command::KeepMine(current)),
     ];
     question(ui, "conflict", colors::WARNING.of(ui), &sentence, answers)
 }
 
 /// A sentence with buttons to answer it.
-fn question(ui: &mut Ui, id: &str, tint: Color32, sentence: &str, answers: [(&str, &str, Asked); 2]) -> Option<Asked> {
+fn question(
+    ui: &mut Ui,
+    id: &str,
+    tint: Color32,
+    sentence: &str,
+    answers: [(&str, &str, Command); 2],
+) -> Option<Command> {
     let mut asked = None;
     let frame = Frame::NONE.fill(tint.gamma_multiply(0.18)).corner_radius(5).inner_margin(Margin::same(6));
     let response = frame.show(ui, |ui| {
@@ -144,7 +136,7 @@ fn question(ui: &mut Ui, id: &str, tint: Color32, sentence: &str, answers: [(&st
 }
 
 /// What was open before these files, to be had again.
-fn put_back(ui: &mut Ui, work: &Work) -> Option<Asked> {
+fn put_back(ui: &mut Ui, work: &Work) -> Option<Command> {
     let before = work.before.last()?;
     ui.horizontal_wrapped(|ui| {
         let unsaved = if before.files.iter().any(OpenFile::is_changed) { ", with unsaved changes" } else { "" };
@@ -153,7 +145,7 @@ fn put_back(ui: &mut Ui, work: &Work) -> Option<Asked> {
         let button = ui.small_button("Put back");
         exported::note(ui, &button, "put-back", Role::Button, "Put back", work.before.len());
         let tip = "Switch back to the files that were open before; these can be put back in the same way";
-        button.on_hover_text(tip).clicked().then_some(Asked::PutBack)
+        button.on_hover_text(tip).clicked().then_some(Command::PutBack)
     })
     .inner
 }

@@ -1,6 +1,6 @@
 //! The exercises, to be chosen from.
 
-use super::Command;
+use super::command::Command;
 use super::work::Work;
 use crate::exported::{self, Role};
 use crate::theme::{self, colors};

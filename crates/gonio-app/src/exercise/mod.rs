@@ -16,6 +16,9 @@
 //!
 //! It is apart from the scene and its document: entering and leaving it leaves them as they are.
 
+mod apply;
+mod check;
+mod command;
 mod compiler;
 mod drafts;
 mod editor;
@@ -26,6 +29,7 @@ mod list;
 mod markdown;
 mod pictures;
 mod preview;
+mod saving;
 mod start;
 mod state_json;
 mod toolbar;
@@ -34,6 +38,7 @@ mod variables;
 mod verdict;
 mod work;
 
+pub use command::Command;
 pub use drafts::MOST_AGE as MOST_AGE_OF_DRAFTS;
 pub use file_sets::{FileSet, ReplaceOutcome};
 pub use preview::Picture;
@@ -46,53 +51,13 @@ use crate::files::ExerciseFile;
 use crate::platform::Platform;
 use crate::scene_view::drawing::PaneRenderer;
 use crate::theme::colors;
+use check::Check;
 use compiler::Compiler;
 use drafts::Drafts;
 use egui::{Frame, Margin, Panel, ScrollArea, Ui};
 
 /// Below this width (points) everything lies one above the other: a phone held upright.
 const NARROW: f32 = 720.0;
-
-/// What a person asks for in the laboratory.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Command {
-    /// Begin an exercise: its word.
-    Begin(String),
-    /// The list of exercises.
-    List,
-    /// Back to the scene.
-    Leave,
-    /// Check what is in the editor.
-    Check,
-    /// No longer wait for the check.
-    StopChecking,
-    /// Open files in place of these.
-    Open,
-    /// The files that were open before these.
-    PutBack,
-    /// The files to start from in place of these.
-    BeginAgain,
-    /// The files to start from, handed out as they are.
-    StartFiles,
-    /// Save the files that were changed.
-    Save,
-    /// Save the files that are in memory into this folder.
-    SaveInto(String),
-    /// A step back in the current file.
-    Undo,
-    /// A step forth in the current file.
-    Redo,
-    /// The current file as it is on the disk.
-    TakeOther(usize),
-    /// The file as it is in the editor, also on the disk.
-    KeepMine(usize),
-    /// The saved texts in place of the drafts that were restored.
-    DiscardRestored,
-    /// The drafts stay; the note about them goes.
-    KeepRestored,
-    /// Light or dark.
-    Theme,
-}
 
 /// The laboratory.
 #[derive(Default)]
@@ -106,6 +71,7 @@ pub struct ExerciseView {
     /// The list of exercises is shown, and not what is worked on.
     is_listing: bool,
     compiler: Compiler,
+    check: Check,
     drafts: Drafts,
 }
 
@@ -124,7 +90,7 @@ impl ExerciseView {
             Some(index) => self.aside.remove(index).resumed(),
             None => Work::new(exercise, start.files),
         };
-        self.compiler = Compiler::default();
+        (self.compiler, self.check) = (Compiler::default(), Check::default());
         self.aside.extend(self.work.replace(next));
         Ok(())
     }
@@ -221,6 +187,7 @@ impl ExerciseView {
         };
         let seconds = ctx.input(|i| f64::from(i.stable_dt));
         work.clock.advance(seconds);
+        self.check.poll(work);
         self.compiler.follow(&ctx, work, pane_renderer.as_deref(), platform, &mut said);
         toolbar::show(ui, Some(work), &mut commands);
         let drawn = if ui.available_width() < NARROW {
@@ -261,7 +228,7 @@ impl ExerciseView {
                 Command::Theme => actions.push(Action::ToggleTheme),
                 other => {
                     if let Some(work) = &mut self.work {
-                        self.compiler.apply(ctx, work, other, platform, said);
+                        said.extend(apply::apply(ctx, other, work, &mut self.compiler, &mut self.check, platform));
                     }
                 }
             }
@@ -271,7 +238,7 @@ impl ExerciseView {
     /// Files on the disk were changed by another program.
     pub fn changed(&mut self, ctx: &egui::Context, paths: &[std::path::PathBuf]) -> Vec<String> {
         let works = self.work.iter_mut().chain(&mut self.aside);
-        works.flat_map(|work| compiler::read_again(ctx, work, paths)).collect()
+        works.flat_map(|work| saving::read_again(ctx, work, paths)).collect()
     }
 }
 
@@ -326,14 +293,7 @@ fn narrow(
 }
 
 fn edit(ui: &mut Ui, work: &mut Work, commands: &mut Vec<Command>) {
-    match editor::show(ui, work) {
-        Some(editor::Asked::TakeOther(file)) => commands.push(Command::TakeOther(file)),
-        Some(editor::Asked::KeepMine(file)) => commands.push(Command::KeepMine(file)),
-        Some(editor::Asked::PutBack) => commands.push(Command::PutBack),
-        Some(editor::Asked::DiscardRestored) => commands.push(Command::DiscardRestored),
-        Some(editor::Asked::KeepRestored) => commands.push(Command::KeepRestored),
-        None => {}
-    }
+    commands.extend(editor::show(ui, work));
 }
 
 /// The names of the pages, of which one is shown.

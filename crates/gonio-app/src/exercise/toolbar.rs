@@ -1,7 +1,8 @@
 //! The bar at the top of the laboratory, and its keys.
 
+use super::command::Command;
+use super::editor;
 use super::work::{OpenFile, Work};
-use super::{Command, editor};
 use crate::exported::{self, Role};
 use crate::theme::{self, colors, icons};
 use egui::{

@@ -1,7 +1,7 @@
 //! Trials of the shaders in the editor: one runs at a time, and what came of it is remembered, so that undoing a change shows
 //! its picture at once.
 
-use crate::platform::{Trial, TrialOutcome};
+use crate::platform::{Pending, TrialOutcome};
 use gonio_check::submission::SourceFile;
 use std::collections::{HashMap, VecDeque};
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -31,7 +31,7 @@ impl ContentKey {
 struct Running {
     key: ContentKey,
     since: Instant,
-    trial: Box<dyn Trial>,
+    trial: Box<dyn Pending<TrialOutcome>>,
 }
 
 /// The trial that is running, and the outcomes of earlier ones.
@@ -61,7 +61,7 @@ impl Trials {
     }
 
     /// Waits for this trial and ends the one before.
-    pub fn start(&mut self, key: ContentKey, trial: Box<dyn Trial>) {
+    pub fn start(&mut self, key: ContentKey, trial: Box<dyn Pending<TrialOutcome>>) {
         self.running = Some(Running { key, since: Instant::now(), trial });
     }
 
@@ -90,7 +90,7 @@ impl Trials {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::platform::Decided;
+    use crate::platform::Ready;
 
     fn key(number: usize) -> ContentKey {
         ContentKey::new(&[SourceFile::new("a.frag", number.to_string())])
@@ -100,7 +100,7 @@ mod tests {
     fn outcomes_are_remembered_and_the_oldest_forgotten() {
         let mut trials = Trials::default();
         for number in 0..=MOST_KNOWN {
-            trials.start(key(number), Box::new(Decided::new(TrialOutcome::Refused(number.to_string()))));
+            trials.start(key(number), Box::new(Ready::new(TrialOutcome::Refused(number.to_string()))));
             assert!(trials.is_running(key(number)) && trials.known(key(number)).is_none());
             trials.poll();
             assert!(!trials.is_running(key(number)));
@@ -128,12 +128,12 @@ mod tests {
     #[test]
     fn a_new_trial_ends_the_one_before() {
         let mut trials = Trials::default();
-        trials.start(key(1), Box::new(Decided::new(TrialOutcome::Harmless)));
-        trials.start(key(2), Box::new(Decided::new(TrialOutcome::Harmless)));
+        trials.start(key(1), Box::new(Ready::new(TrialOutcome::Harmless)));
+        trials.start(key(2), Box::new(Ready::new(TrialOutcome::Harmless)));
         assert!(!trials.is_running(key(1)));
         trials.poll();
         assert_eq!((trials.known(key(1)), trials.known(key(2))), (None, Some(&TrialOutcome::Harmless)));
-        trials.start(key(3), Box::new(Decided::new(TrialOutcome::Harmless)));
+        trials.start(key(3), Box::new(Ready::new(TrialOutcome::Harmless)));
         trials.cancel();
         trials.poll();
         assert_eq!(trials.known(key(3)), None);

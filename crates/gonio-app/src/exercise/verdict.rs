@@ -1,6 +1,6 @@
 //! What the check said.
 
-use super::Command;
+use super::command::Command;
 use super::work::{Judged, Work};
 use crate::exported::{self, Role};
 use crate::theme::{self, colors, icons};

@@ -1,14 +1,14 @@
 //! What the desktop and the web do each in their own way.
 
-mod checking;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod desktop;
+mod pending;
 mod trial;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
 
-pub use checking::{CheckRequest, Checking, Refused};
-pub use trial::{ByCheck, Decided, Trial, TrialOutcome};
+pub use pending::{CheckRequest, CheckResult, Pending, Ready};
+pub use trial::{ByCheck, TrialOutcome};
 
 use crate::files::ExerciseFile;
 use crate::saving::Product;
@@ -135,9 +135,9 @@ pub trait Platform {
         Box::new(shown)
     }
     /// Begins to check a student's files, where nothing that they do can harm or hold up the window.
-    fn check(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Checking> {
+    fn check(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Pending<CheckResult>> {
         let _ = (request, ctx);
-        Box::new(Refused::new("checks are not available here: run `gonio lab check` on the command line"))
+        Box::new(Ready::new(Err("checks are not available here: run `gonio lab check` on the command line".into())))
     }
     /// Whether [`Platform::trial`] runs in a process of its own and is cheap. Then every pair of shaders is tried before the
     /// window's OpenGL gets it; otherwise only those that may never end.
@@ -145,7 +145,7 @@ pub trait Platform {
         false
     }
     /// Begins to compile and draw a pair of shaders where a crash does not end the window.
-    fn trial(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Trial> {
+    fn trial(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Pending<TrialOutcome>> {
         Box::new(ByCheck::new(self.check(request, ctx)))
     }
     /// The state after a frame, for whoever watches it.

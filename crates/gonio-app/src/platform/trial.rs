@@ -1,7 +1,7 @@
 //! A trial of a student's shaders: they are compiled and drawn once where a crash, an endless loop or too much memory harms
 //! nobody. Only what came back from there is given to the window's own OpenGL.
 
-use super::Checking;
+use super::{CheckResult, Pending};
 use gonio_check::verdict::{Outcome, Verdict};
 
 /// The result of a trial.
@@ -15,39 +15,17 @@ pub enum TrialOutcome {
     Unavailable(String),
 }
 
-/// A trial that is running. Dropping it ends it.
-pub trait Trial {
-    /// The outcome, once, when it is known. The window is painted again then.
-    fn poll(&mut self) -> Option<TrialOutcome>;
-}
-
-/// A trial that ended before it began.
-pub struct Decided(Option<TrialOutcome>);
-
-impl Decided {
-    /// With this outcome.
-    pub fn new(outcome: TrialOutcome) -> Self {
-        Decided(Some(outcome))
-    }
-}
-
-impl Trial for Decided {
-    fn poll(&mut self) -> Option<TrialOutcome> {
-        self.0.take()
-    }
-}
-
 /// A trial by a complete check, for platforms that have no processes.
-pub struct ByCheck(Box<dyn Checking>);
+pub struct ByCheck(Box<dyn Pending<CheckResult>>);
 
 impl ByCheck {
     /// Waits for this check.
-    pub fn new(checking: Box<dyn Checking>) -> Self {
+    pub fn new(checking: Box<dyn Pending<CheckResult>>) -> Self {
         ByCheck(checking)
     }
 }
 
-impl Trial for ByCheck {
+impl Pending<TrialOutcome> for ByCheck {
     fn poll(&mut self) -> Option<TrialOutcome> {
         let why = match self.0.poll()? {
             Ok(Verdict { verdict: Outcome::Correct | Outcome::Wrong | Outcome::DoesNotCompile, .. }) => {

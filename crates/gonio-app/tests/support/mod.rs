@@ -5,7 +5,7 @@ use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Vec2, pos2, vec2};
 use egui_kittest::Harness;
 use gonio_app::exported::{self, Widget};
 use gonio_app::platform::{
-    ByCheck, CheckRequest, Checking, Event as PlatformEvent, FileDialog, Platform, Purpose, Trial, TrialOutcome,
+    ByCheck, CheckRequest, CheckResult, Event as PlatformEvent, FileDialog, Pending, Platform, Purpose, TrialOutcome,
 };
 use gonio_app::saving::Product;
 use gonio_app::session::Settings;
@@ -46,7 +46,7 @@ pub struct Trials {
 
 struct Scripted(Rc<RefCell<Trials>>);
 
-impl Trial for Scripted {
+impl Pending<TrialOutcome> for Scripted {
     fn poll(&mut self) -> Option<TrialOutcome> {
         self.0.borrow_mut().outcome.take()
     }
@@ -60,7 +60,7 @@ impl Drop for Scripted {
 
 struct Thread(Receiver<Result<Verdict, String>>);
 
-impl Checking for Thread {
+impl Pending<CheckResult> for Thread {
     fn poll(&mut self) -> Option<Result<Verdict, String>> {
         self.0.try_recv().ok()
     }
@@ -94,7 +94,7 @@ impl Platform for Here {
     fn tries_every_pair(&self) -> bool {
         self.trials.borrow().is_on
     }
-    fn trial(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Trial> {
+    fn trial(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Pending<TrialOutcome>> {
         if !self.tries_every_pair() {
             return Box::new(ByCheck::new(self.check(request, ctx)));
         }
@@ -102,7 +102,7 @@ impl Platform for Here {
         (trials.begun, trials.running) = (trials.begun + 1, trials.running + 1);
         Box::new(Scripted(self.trials.clone()))
     }
-    fn check(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Checking> {
+    fn check(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Pending<CheckResult>> {
         let (sender, receiver) = channel();
         let ctx = ctx.clone();
         std::thread::spawn(move || {

@@ -1,5 +1,6 @@
 //! The desktop: a window of its own, files on disk.
 
+mod background;
 mod check;
 pub mod child;
 mod dialog;
@@ -15,7 +16,7 @@ mod write;
 
 pub use display::has_display;
 
-use super::{CheckRequest, Checking, Decided, Event, FileDialog, Platform, Purpose, Refused, Trial, TrialOutcome};
+use super::{CheckRequest, CheckResult, Event, FileDialog, Pending, Platform, Purpose, Ready, TrialOutcome};
 use crate::exercise::Start;
 use crate::saving::Product;
 use crate::session::Settings;
@@ -178,14 +179,14 @@ impl Platform for Desktop {
         path.is_file().then(|| path.to_string_lossy().into_owned())
     }
 
-    fn check(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Checking> {
+    fn check(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Pending<CheckResult>> {
         let begun = match &self.program {
             Some(program) => check::begin(program, &request, ctx),
             None => Err("the gonio program was not found: run `gonio lab check` in a terminal".into()),
         };
         match begun {
             Ok(checking) => Box::new(checking),
-            Err(why) => Box::new(Refused::new(why)),
+            Err(why) => Box::new(Ready::new(Err(why))),
         }
     }
 
@@ -193,7 +194,7 @@ impl Platform for Desktop {
         true
     }
 
-    fn trial(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Trial> {
+    fn trial(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Pending<TrialOutcome>> {
         let ctx = ctx.clone();
         let begun = match &self.program {
             Some(program) => trial::begin(program, &request, move || ctx.request_repaint()),
@@ -201,7 +202,7 @@ impl Platform for Desktop {
         };
         match begun {
             Ok(trial) => Box::new(trial),
-            Err(why) => Box::new(Decided::new(TrialOutcome::Unavailable(why))),
+            Err(why) => Box::new(Ready::new(TrialOutcome::Unavailable(why))),
         }
     }
 

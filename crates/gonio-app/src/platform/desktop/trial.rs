@@ -3,17 +3,16 @@
 //! The process reads the files from its standard input ([`worker::read_request`]) and answers with JSON ([`Answer`]). Its
 //! input stays open until its answer is known: it ends by itself when the window is gone.
 
+use super::background::Background;
 use super::child::{self, Ended};
 use super::worker::{self, Request};
-use crate::platform::{CheckRequest, Trial, TrialOutcome};
+use crate::platform::{CheckRequest, TrialOutcome};
 use gonio_check::submission::SourceFile;
 use serde::{Deserialize, Serialize};
 use std::io::{Error, Read, Write};
 use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{Receiver, TryRecvError, channel};
+use std::sync::mpsc::channel;
 use std::time::Duration;
 
 /// Time for the whole trial. A right answer takes a fraction of a second.
@@ -44,38 +43,31 @@ pub enum Answer {
     },
 }
 
-/// A running trial, and the thread that waits for it.
-pub struct Process {
-    outcomes: Receiver<TrialOutcome>,
-    given_up: Arc<AtomicBool>,
-    answered: bool,
-}
-
-/// Starts the trial; `done` is called when there is an outcome to ask for. An error is one sentence.
-pub fn begin(program: &Path, request: &CheckRequest, done: impl FnOnce() + Send + 'static) -> Result<Process, String> {
-    let mut command = child::command(program).map_err(|why| format!("the shader test could not be started: {why}"))?;
+/// Starts the trial; `done` is called when there is an outcome. An error is one sentence.
+pub fn begin(
+    program: &Path,
+    request: &CheckRequest,
+    done: impl FnOnce() + Send + 'static,
+) -> Result<Background<TrialOutcome>, String> {
+    let failed = |why: Error| format!("the shader test could not be started: {why}");
+    let mut command = child::command(program).map_err(failed)?;
     command.args(["lab", "trial", &request.exercise]);
-    run(command, &request.files, done).map_err(|why| format!("the shader test could not be started: {why}"))
+    run(command, &request.files, done).map_err(failed)
 }
 
 fn run(
     mut command: Command,
     files: &[(String, Vec<u8>)],
     done: impl FnOnce() + Send + 'static,
-) -> Result<Process, Error> {
+) -> Result<Background<TrialOutcome>, Error> {
     let file = |(name, bytes): &(String, Vec<u8>)| SourceFile { name: name.clone(), bytes: bytes.clone() };
     let input = worker::encoded(&Request { files: files.iter().map(file).collect(), ..Request::default() })?;
     let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
-    let (sender, outcomes) = channel();
-    let given_up = Arc::new(AtomicBool::new(false));
-    let stop = given_up.clone();
-    std::thread::spawn(move || {
-        let outcome = finish(&mut child, input, || stop.load(Ordering::Relaxed));
-        // Nobody may listen any more.
-        let _ = sender.send(outcome);
-        done();
-    });
-    Ok(Process { outcomes, given_up, answered: false })
+    Ok(Background::start(
+        move |is_stopped| finish(&mut child, input, is_stopped),
+        done,
+        TrialOutcome::Unavailable("the test of this shader ended without an answer".into()),
+    ))
 }
 
 /// Hands over the input, waits for the end, and reads the answer. Each pipe has a thread: a process that neither reads nor
@@ -148,33 +140,11 @@ fn stopped(ended: Ended) -> TrialOutcome {
     }
 }
 
-impl Trial for Process {
-    fn poll(&mut self) -> Option<TrialOutcome> {
-        if self.answered {
-            return None;
-        }
-        let outcome = match self.outcomes.try_recv() {
-            Ok(outcome) => outcome,
-            Err(TryRecvError::Empty) => return None,
-            Err(TryRecvError::Disconnected) => {
-                TrialOutcome::Unavailable("the test of this shader ended without an answer".into())
-            }
-        };
-        self.answered = true;
-        Some(outcome)
-    }
-}
-
-impl Drop for Process {
-    fn drop(&mut self) {
-        self.given_up.store(true, Ordering::Relaxed);
-    }
-}
-
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
+    use crate::platform::Pending;
     use std::time::Instant;
 
     /// The outcome of a shell that stands in for gonio.
@@ -185,7 +155,7 @@ mod tests {
         wait(run(command, files, || ()).unwrap())
     }
 
-    fn wait(mut process: Process) -> TrialOutcome {
+    fn wait(mut process: Background<TrialOutcome>) -> TrialOutcome {
         loop {
             if let Some(outcome) = process.poll() {
                 assert_eq!(process.poll(), None, "it answers once");

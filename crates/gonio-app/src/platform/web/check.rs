@@ -1,7 +1,6 @@
 //! A check in a worker beside the page, which may be ended whatever a shader does: `web/page/checking.js`.
 
-use crate::platform::{CheckRequest, Checking};
-use gonio_check::verdict::Verdict;
+use crate::platform::{CheckRequest, CheckResult, Pending};
 use js_sys::{Array, Function, Object, Promise, Reflect, Uint8Array};
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -56,12 +55,12 @@ fn words(why: &JsValue) -> String {
 
 /// A check that is under way.
 pub struct PageCheck {
-    answer: Rc<RefCell<Option<Result<Verdict, String>>>>,
+    answer: Rc<RefCell<Option<CheckResult>>>,
     end: Function,
 }
 
-impl Checking for PageCheck {
-    fn poll(&mut self) -> Option<Result<Verdict, String>> {
+impl Pending<CheckResult> for PageCheck {
+    fn poll(&mut self) -> Option<CheckResult> {
         self.answer.borrow_mut().take()
     }
 }

@@ -5,9 +5,10 @@ mod document;
 
 pub use check::{PageCheck, PageChecks};
 
-use super::{CheckRequest, Checking, Event, FileDialog, FrameShown, MOMENT, Platform, Purpose, Refused, SceneInput};
-use crate::files::ExerciseFile;
-use crate::files::{Layered, MemoryFiles, gather, link, zip};
+use super::{
+    CheckRequest, CheckResult, Event, FileDialog, FrameShown, MOMENT, Pending, Platform, Purpose, Ready, SceneInput,
+};
+use crate::files::{ExerciseFile, Layered, MemoryFiles, gather, link, zip};
 use crate::saving::Product;
 use crate::session::Settings;
 use gonio_gl::Gl;
@@ -201,10 +202,10 @@ impl Platform for Web {
         Box::new(move |_| seen.get())
     }
 
-    fn check(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Checking> {
+    fn check(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Pending<CheckResult>> {
         match self.checks.begin(&request, ctx) {
             Ok(checking) => Box::new(checking),
-            Err(why) => Box::new(Refused::new(why)),
+            Err(why) => Box::new(Ready::new(Err(why))),
         }
     }
 

@@ -1,0 +1,95 @@
+//! The student's files on disk: saved, and read again.
+
+use super::editor;
+use super::work::{OpenFile, Work};
+use crate::files;
+use crate::platform::Platform;
+use egui::Context;
+use gonio_scene::files::{Disk, FileBytes, FileSource};
+use std::path::PathBuf;
+
+/// Most bytes of a student's file that is read again.
+const MOST_BYTES: u64 = 32 << 20;
+
+/// Saves the files that were changed: on the disk to where they lie, in memory to where the person says. What could not be
+/// saved is a sentence each.
+pub fn save(work: &mut Work, platform: &mut dyn Platform) -> Vec<String> {
+    let in_memory = work.files.iter().all(|file| file.path.is_none());
+    let mut said = Vec::new();
+    if platform.has_folders() && work.files.iter().any(|file| file.path.is_none() && (in_memory || file.is_changed())) {
+        // Beside those that have a place already.
+        let beside = work.files.iter().find_map(|file| Some(file.path.as_ref()?.parent()?.display().to_string()));
+        work.asking = Some(beside.unwrap_or_else(|| work.exercise.id.clone()));
+        if in_memory {
+            return said;
+        }
+    }
+    let current = work.current;
+    for (index, file) in work.files.iter_mut().enumerate() {
+        // What changed on the disk meanwhile is not written over before the person has chosen.
+        if file.locked || file.other.is_some() || !(file.is_changed() || (in_memory && index == current)) {
+            continue;
+        }
+        let bytes = file.text.clone().into_bytes();
+        let place = match &file.path {
+            Some(path) => path.to_string_lossy(),
+            None if platform.has_folders() => continue,
+            // A download has no folders.
+            None => file.name.rsplit('/').next().unwrap_or_default().into(),
+        };
+        match platform.write(&place, &bytes) {
+            Ok(_) => file.saved = bytes,
+            Err(why) => said.push(why),
+        }
+    }
+    said
+}
+
+/// Saves files that are in memory into a folder, which is made where it is not there; nothing is written over. Where others
+/// have a place already, those that nothing was written in stay in memory.
+pub fn save_into(work: &mut Work, folder: &str, platform: &mut dyn Platform) -> Vec<String> {
+    let folder = PathBuf::from(folder);
+    let place = |name: &str| folder.join(name);
+    let in_memory = work.files.iter().all(|file| file.path.is_none());
+    let is_meant = |file: &OpenFile| file.path.is_none() && (in_memory || file.is_changed());
+    if let Some(file) = work.files.iter().find(|file| is_meant(file) && place(&file.name).exists()) {
+        return vec![format!("{} already exists: choose another folder", place(&file.name).display())];
+    }
+    for file in work.files.iter_mut().filter(|file| is_meant(file)) {
+        let path = place(&file.name);
+        let made = path.parent().map_or(Ok(()), std::fs::create_dir_all);
+        if let Err(why) = made {
+            return vec![format!("{} could not be created: {why}", folder.display())];
+        }
+        let bytes = file.content();
+        match platform.write(&path.to_string_lossy(), &bytes) {
+            Ok(_) => (file.saved, file.path) = (bytes, Some(path)),
+            Err(why) => return vec![why],
+        }
+    }
+    Vec::new()
+}
+
+/// Reads files again that another program changed. What could not be read is a sentence each.
+pub fn read_again(ctx: &Context, work: &mut Work, paths: &[PathBuf]) -> Vec<String> {
+    let mut said = Vec::new();
+    for file in &mut work.files {
+        let Some(path) = file.path.as_ref().filter(|path| paths.contains(path)) else { continue };
+        match Disk.read_within(path, MOST_BYTES).map(FileBytes::into_vec) {
+            Ok(bytes) => {
+                let before = file.clone();
+                if file.is_now(bytes) {
+                    editor::remember(ctx, &before);
+                }
+            }
+            Err(why) => said.push(format!("{} could not be reloaded: {why}", path.display())),
+        }
+    }
+    said
+}
+
+/// What one starts from, as one file: texts and pictures.
+pub fn start_files(work: &Work) -> Vec<u8> {
+    let texts = work.exercise.start_files().map(|(name, text)| (name, text.as_bytes()));
+    files::pack(&texts.chain(work.exercise.pictures()).collect::<Vec<_>>())
+}
