@@ -161,36 +161,61 @@ impl App {
         self.loader.start(LoadRequest::Open(opening), files, limits, ctx);
     }
 
-    /// One frame.
+    /// One frame: input, actions, document, pictures, window.
     pub fn ui(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
-        exported::begin(&ctx);
-        self.session.facts.frames += 1;
-        for event in self.platform.poll(self.purpose(), &ctx) {
-            self.hear(&ctx, event);
-        }
-        if let Some(finished) = self.loader.poll() {
-            self.take(&ctx, finished);
-        }
-        self.before_closing(&ctx);
+        self.receive(&ctx);
         if self.exercise.is_open {
             return self.exercise_ui(ui);
         }
-        for failure in self.exercise.follow_drafts(&ctx, self.platform.as_mut()) {
+        self.advance(&ctx);
+        for action in self.show_panels(ui) {
+            self.act(&ctx, action);
+        }
+        self.follow_document(&ctx);
+        self.draw(ui);
+        self.settle(&ctx);
+        self.publish(&ctx);
+    }
+
+    /// Takes in what has arrived: events of the platform, loaded files, a request to close the window.
+    fn receive(&mut self, ctx: &egui::Context) {
+        exported::begin(ctx);
+        self.session.facts.frames += 1;
+        for event in self.platform.poll(self.purpose(), ctx) {
+            self.handle(ctx, event);
+        }
+        if let Some(outcome) = self.loader.poll() {
+            self.take(ctx, outcome);
+        }
+        self.before_closing(ctx);
+    }
+
+    /// Lets time pass: drafts are kept, changed files reloaded, moving lights moved.
+    fn advance(&mut self, ctx: &egui::Context) {
+        for failure in self.exercise.follow_drafts(ctx, self.platform.as_mut()) {
             self.session.messages.say(Severity::Error, failure);
         }
-        self.read_again(&ctx);
+        self.read_again(ctx);
         self.session.progress = self.loader.progress();
         let seconds = ctx.input(|i| f64::from(i.stable_dt));
         self.session.clock.advance(seconds);
         if self.session.clock.playing {
             ctx.request_repaint();
         }
+    }
 
+    /// Shows everything but the pictures. Returns what keys and widgets ask for that is not a change of the document.
+    fn show_panels(&mut self, ui: &mut Ui) -> Vec<Action> {
         let mut actions = Vec::new();
         shortcuts::handle(ui, &mut self.document, &mut self.session, &mut actions);
         panels::show(ui, &mut self.document, &mut self.session, &self.history, &mut actions);
-        self.follow_document(&ctx);
+        actions
+    }
+
+    /// Draws the scene into the rest of the window.
+    fn draw(&mut self, ui: &mut Ui) {
+        let ctx = ui.ctx().clone();
         if self.sketched.as_ref().is_some_and(|shown| shown(&ctx)) {
             (self.session.sketching, self.sketched) = (false, None);
         }
@@ -205,11 +230,6 @@ impl App {
         if self.session.sketching && self.sketched.is_none() && self.session.facts.pictures > pictures {
             self.sketched = Some(self.platform.shown(&ctx));
         }
-        for action in actions {
-            self.act(&ctx, action);
-        }
-        self.settle(&ctx);
-        self.publish(&ctx);
     }
 
     /// Hands the state to whoever watches it.
@@ -219,7 +239,8 @@ impl App {
         self.platform.publish(&state);
     }
 
-    fn hear(&mut self, ctx: &egui::Context, event: Event) {
+    /// Handles an event of the platform.
+    fn handle(&mut self, ctx: &egui::Context, event: Event) {
         match event {
             Event::Open(SceneInput { inputs, environment, files }) if !inputs.is_empty() => {
                 let limits = self.opened.limits;

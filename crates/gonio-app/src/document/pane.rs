@@ -279,6 +279,11 @@ impl Panes {
         }
     }
 
+    /// Whether a pane carries the widgets that are shown once: the first of several side by side, else any.
+    pub fn is_leading(&self, index: usize) -> bool {
+        index == 0 || self.arrangement != Arrangement::SideBySide
+    }
+
     /// The panes that are seen: all of them, or the pair.
     pub fn seen(&self) -> Vec<usize> {
         match self.arrangement {

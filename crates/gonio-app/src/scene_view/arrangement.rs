@@ -1,11 +1,12 @@
 //! Panes side by side, one wiped over the other, or their difference.
 
 use super::dragging::Dragging;
+use super::drawing::PaneRenderer;
+use super::pane::{self, caption, drawn, over};
+use super::present::present;
 use super::scale::{self, Scale};
-use super::{caption, drawn, over, pane, present};
 use crate::document::{Arrangement, Document};
 use crate::exported::{self, Role};
-use crate::scene_view::drawing::PaneRenderer;
 use crate::session::Session;
 use crate::theme::colors;
 use egui::{Align2, Color32, CornerRadius, CursorIcon, Rect, Sense, Stroke, StrokeKind, TextStyle, Ui, pos2, vec2};
@@ -83,7 +84,7 @@ pub fn wipe(
 ) -> Result<(), GlError> {
     let [first, second] = document.panes.pair;
     // The second over all of the room: it takes what the pointer does.
-    let whole = pane(ui, second, room, document, session, pane_renderer)?;
+    let whole = pane::show(ui, second, room, document, session, pane_renderer)?;
     let picture = drawn(ui, first, room, document, session, pane_renderer)?;
     let mut x = room.left() + share.clamp(0.0, 1.0) * room.width();
     let hold = Rect::from_center_size(pos2(x, room.center().y), vec2(2.0 * HOLD, room.height()));
@@ -146,7 +147,7 @@ pub fn difference(
 ) -> Result<(), GlError> {
     let [first, second] = document.panes.pair;
     // The map lies over the first, which takes what the pointer does.
-    let whole = pane(ui, first, room, document, session, pane_renderer)?;
+    let whole = pane::show(ui, first, room, document, session, pane_renderer)?;
     drawn(ui, second, room, document, session, pane_renderer)?;
     let Some(map) = pane_renderer.difference(document, session)? else { return Ok(()) };
     present(ui, room, map);

@@ -1,7 +1,8 @@
 //! The camera from outside: the same scene from a second eye, with the first one's frustum, axes and position.
 
 use super::dragging::Dragging;
-use super::{Projection, ink, picture_size, present};
+use super::present::{picture_size, present};
+use super::{Projection, ink};
 use crate::exported::{self, Role};
 use crate::scene_view::drawing::PaneRenderer;
 use crate::session::Observer;

@@ -106,7 +106,7 @@ pub fn show(
         ui,
         painter,
         pane,
-        leads: super::leads(document, pane),
+        leads: document.panes.is_leading(pane),
         projection,
         center,
         radius,

@@ -1,0 +1,138 @@
+//! One pane: its picture, what pointer and keys do there, and what lies over it.
+
+use super::drawing::PaneRenderer;
+use super::present::{picture_size, present};
+use super::{Projection, axes, gizmos, ink, navigation, observer, toolbar, vectors};
+use crate::document::Document;
+use crate::exported::{self, Role};
+use crate::session::{Selection, Session, Tab};
+use egui::{Color32, Pos2, Rect, Response, Sense, Ui, vec2};
+use gonio_gl::GlError;
+use gonio_render::Presentation;
+use gonio_scene::Scene;
+
+/// A pane: what pointer and keys do there, and its picture.
+pub fn show(
+    ui: &mut Ui,
+    index: usize,
+    rect: Rect,
+    document: &mut Document,
+    session: &mut Session,
+    pane_renderer: &mut PaneRenderer,
+) -> Result<Response, GlError> {
+    let response = ui.allocate_rect(rect, Sense::click_and_drag());
+    exported::note(
+        ui,
+        &response,
+        &format!("pane-{index}"),
+        Role::Picture,
+        "picture of the scene",
+        caption(document, index),
+    );
+    navigation::handle(ui, &response, document, session);
+    if response.clicked() || response.drag_started() {
+        document.panes.current = index;
+    }
+    if let Some(picture) = drawn(ui, index, rect, document, session, pane_renderer)? {
+        present(ui, rect, picture);
+    }
+    Ok(response)
+}
+
+/// The picture of a pane that fills a rectangle.
+pub fn drawn(
+    ui: &Ui,
+    index: usize,
+    rect: Rect,
+    document: &Document,
+    session: &mut Session,
+    pane_renderer: &mut PaneRenderer,
+) -> Result<Option<Presentation>, GlError> {
+    let size = picture_size(rect, ui.ctx().pixels_per_point());
+    let mut facts = std::mem::take(&mut session.facts);
+    let picture = pane_renderer.picture(index, document, session, size, &mut facts);
+    facts.size = size;
+    session.facts = facts;
+    picture
+}
+
+/// How a pane differs, in words.
+pub fn caption(document: &Document, index: usize) -> String {
+    document.panes.list.get(index).map(|pane| pane.caption()).unwrap_or_default()
+}
+
+/// What lies over a pane's picture: lights to drag, the probe's arrows, the axes, the camera from outside, the views.
+pub fn over(
+    ui: &mut Ui,
+    index: usize,
+    response: &Response,
+    document: &mut Document,
+    session: &mut Session,
+    pane_renderer: &mut PaneRenderer,
+) -> Result<(), GlError> {
+    let rect = response.rect;
+    // As it is in the picture: the document may be a frame ahead.
+    let (Some(loaded), Some(frame)) = (pane_renderer.loaded(index).cloned(), pane_renderer.frame(index).cloned())
+    else {
+        return Ok(());
+    };
+    let projection = Projection::new(&frame.camera, rect);
+    point(index, response, session);
+    if session.probing.pane == index {
+        session.probing.update(ui.ctx(), &loaded, &frame, |x, y| pane_renderer.pixel(index, x, y));
+        vectors::show(ui, &projection, &session.probing, session.selection);
+    }
+    if response.dragged() {
+        aim(ui, &projection, document, &loaded);
+    }
+    gizmos::show(ui, index, &projection, &loaded, &frame, document, session);
+    if document.panes.is_leading(index) {
+        axes::show(ui, &projection, document, session);
+        if let Some(place) = observer::place(rect).filter(|_| session.observer.open) {
+            observer::show(ui, index, place, &frame, &mut session.observer, pane_renderer)?;
+        }
+        toolbar::show(ui, rect, &frame, document, session);
+    }
+    Ok(())
+}
+
+/// What the pointer asks the probe for: while its tab is shown it follows, and a click anywhere pins.
+fn point(index: usize, response: &Response, session: &mut Session) {
+    let share = |place: Pos2| {
+        let local = (place - response.rect.min) / response.rect.size();
+        [f64::from(local.x), f64::from(local.y)]
+    };
+    let probing = &mut session.probing;
+    probing.follows = session.tab == Tab::Probe;
+    match response.hover_pos() {
+        Some(place) => {
+            probing.hovered = Some(share(place));
+            if probing.pinned.is_none() {
+                probing.pane = index;
+            }
+        }
+        None if probing.pane == index => probing.hovered = None,
+        None => {}
+    }
+    if response.clicked()
+        && let Some(place) = response.interact_pointer_pos()
+    {
+        probing.pinned = Some(share(place));
+        probing.pane = index;
+        session.tab = Tab::Probe;
+        session.selection = Selection::None;
+    }
+}
+
+/// The point looked at, while the eye turns around it.
+fn aim(ui: &Ui, projection: &Projection, document: &Document, loaded: &Scene) {
+    let (min, max) = loaded.bounds();
+    let pivot = navigation::Rig::new(&document.scene.camera, 0.5 * (min + max)).pivot();
+    let Some(place) = projection.to_window(pivot) else { return };
+    let painter = ui.painter_at(projection.rect());
+    for arm in [vec2(9.0, 0.0), vec2(0.0, 9.0)] {
+        for side in [-1.0, 1.0] {
+            ink::line(&painter, [place + 0.35 * side * arm, place + side * arm], 1.5, Color32::WHITE);
+        }
+    }
+}
