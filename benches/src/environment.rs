@@ -1,7 +1,7 @@
-//! Panorama to cubemap, 4096 x 2048 to six faces of 1024 x 1024, bilinear: the conversion alone, in memory, against OpenCV
-//! and ffmpeg's `v360`; and as a whole process, PNG to six PNG, against ffmpeg.
+//! Converts a panorama of 4096 x 2048 pixels to six faces of 1024 x 1024 with bilinear filtering. The conversion in memory is
+//! compared with OpenCV and with ffmpeg's `v360`; the whole process, from a PNG to six, with ffmpeg.
 //!
-//! gonio and OpenCV are measured twice, as this CPU is and as one without AVX2. All numbers are CPU seconds of one thread.
+//! gonio and OpenCV are measured twice, with and without AVX2. All numbers are CPU seconds of one thread.
 
 use crate::measure::{self, Cost};
 use crate::{Places, peers, table};
@@ -15,32 +15,32 @@ use std::process::Command;
 
 const SIZE: u32 = 1024;
 const MEGAPIXELS: f64 = 6.0 * (SIZE as f64 * SIZE as f64) / 1e6;
-/// Rounds that count.
+/// Measured rounds.
 const ROUNDS: usize = 7;
-/// Conversions of each of our rounds: one is too short for the clock.
+/// Conversions by gonio in each round: a single one is too short for the clock.
 const REPEATS: usize = 5;
 
-/// Speed as a multiple of OpenCV's with the map computed, at each level of instructions.
+/// Required speed as a multiple of OpenCV's when it computes the map, at each SIMD level.
 const BAR_MAP_AND_REMAP: f64 = 2.5;
-/// The same with the map there already.
+/// The same when the map is computed beforehand.
 const BAR_REMAP: f64 = 1.2;
 
-/// Measures, prints, and says whether the bars were held: OpenCV's at each level, 12 times `v360`, 2 times ffmpeg's whole
-/// process.
+/// Measures, prints, and returns whether the requirements are met: OpenCV's at each level, 12 times `v360`, 2 times ffmpeg's
+/// whole process.
 pub fn run(places: &Places) -> Result<bool, String> {
     let picture = panorama_png(&places.out)?;
     let bytes = std::fs::read(&picture).map_err(|e| format!("cannot read {}: {e}", picture.display()))?;
     let decoded = gonio_image::decode::decode("panorama.png", &bytes, &Default::default());
     let decoded = decoded.map_err(|e| e.to_string())?;
     let gonio_image::decode::Shape::Picture(image) = decoded.shape else {
-        return Err("the panorama is no picture".to_owned());
+        return Err("the panorama is not a single picture".to_owned());
     };
     let panorama = Panorama::new(image).map_err(|e| e.to_string())?;
     let python = peers::python_with(&places.out, "opencv-venv", &["opencv-python-headless==5.0.0.93"])?;
     let ffmpeg = Ffmpeg::find()?;
     let mut rows = Rows::default();
     let mut map = Cubemap::new(SIZE, [0.0; 4]);
-    // Page by page the memory is fetched once.
+    // The first conversion also pays for the pages of memory.
     ours(SimdLevel::detect(), &panorama, &mut map, 1)?;
     for round in 0..ROUNDS {
         for &level in SimdLevel::available() {
@@ -55,7 +55,7 @@ pub fn run(places: &Places) -> Result<bool, String> {
         }
         rows.add("ffmpeg v360, conversion", ffmpeg.conversion(&picture, places)?);
         let (gonio, other) = (gonio(places, &picture), ffmpeg.faces(&picture, places));
-        // In turn one goes first.
+        // The two take turns in going first.
         let costs = if round % 2 == 0 {
             [measure::process(&mut gonio.command()), measure::process(&mut other.command())]
         } else {
@@ -69,7 +69,7 @@ pub fn run(places: &Places) -> Result<bool, String> {
     rows.report(places)
 }
 
-/// CPU seconds of one conversion, on one thread as all are here: threads that share a core take each other's time.
+/// CPU seconds of one conversion on one thread, as everywhere here: threads that share a core slow each other down.
 fn ours(level: SimdLevel, panorama: &Panorama, map: &mut Cubemap, repeats: usize) -> Result<f64, String> {
     let conversion = Conversion { filter: Some(Filter::Bilinear), ..Conversion::default() };
     let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().map_err(|e| e.to_string())?;
@@ -79,12 +79,10 @@ fn ours(level: SimdLevel, panorama: &Panorama, map: &mut Cubemap, repeats: usize
     Ok(cost.cpu_s / repeats as f64)
 }
 
-/// The name of our conversion at a level.
 fn gonio_at(level: SimdLevel) -> String {
     format!("gonio, {}", level.name())
 }
 
-/// The name of OpenCV's conversion on a CPU that has a level.
 fn opencv_at(level: SimdLevel, depth: &str, way: &str) -> String {
     format!("OpenCV for {}, {depth}, {way}", level.name())
 }
@@ -92,20 +90,20 @@ fn opencv_at(level: SimdLevel, depth: &str, way: &str) -> String {
 const DEPTHS: [&str; 2] = ["8 bits", "floats"];
 const WAYS: [(&str, f64); 2] = [("map and remap", BAR_MAP_AND_REMAP), ("remap", BAR_REMAP)];
 
-/// What OpenCV took, and the CPU features that it and numpy used.
+/// CPU seconds of OpenCV, and the CPU features that it and numpy used.
 struct OpenCv {
     seconds: Vec<(String, f64)>,
     features: String,
 }
 
-/// What makes OpenCV and numpy take the CPU for one without AVX2.
+/// The environment variables that make OpenCV and numpy do without AVX2.
 const WITHOUT_AVX2: &[(&str, &str)] = &[
     ("OPENCV_CPU_DISABLE", "AVX512-SKX,AVX2,FP16,AVX"),
     ("OPENCV_IPP", "disabled"),
     ("NPY_DISABLE_CPU_FEATURES", "AVX512_SPR,AVX512_ICL,X86_V4,X86_V3"),
 ];
 
-/// CPU seconds of one conversion by OpenCV, each way, on a CPU of this level: on this one as it is, or less AVX2.
+/// Returns the CPU seconds of one conversion by OpenCV in each way, with this CPU's instructions or without AVX2.
 fn opencv(python: &Path, picture: &Path, level: SimdLevel) -> Result<OpenCv, String> {
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("peers/opencv_convert.py");
     let mut command = Command::new(python);
@@ -128,7 +126,6 @@ fn opencv(python: &Path, picture: &Path, level: SimdLevel) -> Result<OpenCv, Str
     Ok(OpenCv { seconds, features: answer["features"].as_str().unwrap_or_default().to_owned() })
 }
 
-/// A command that can be made again.
 struct Job(Box<dyn Fn() -> Command>);
 
 impl Job {
@@ -156,7 +153,7 @@ impl Ffmpeg {
         let program = PathBuf::from("ffmpeg");
         match Command::new(&program).arg("-version").output() {
             Ok(output) if output.status.success() => Ok(Ffmpeg { program }),
-            _ => Err("ffmpeg is wanted, which gonio is held against: install ffmpeg".to_owned()),
+            _ => Err("ffmpeg is missing, with which gonio is compared: install ffmpeg".to_owned()),
         }
     }
 
@@ -166,8 +163,8 @@ impl Ffmpeg {
         command
     }
 
-    /// CPU seconds of one conversion in memory: a process that reads raw pixels, converts them and throws them away, less
-    /// one that does not convert.
+    /// Returns the CPU seconds of one conversion in memory: those of a process that reads raw pixels, converts and discards
+    /// them, minus those of one that does not convert.
     fn conversion(&self, picture: &Path, places: &Places) -> Result<f64, String> {
         let raw = places.out.join("panorama.rgb");
         if !raw.exists() {
@@ -201,7 +198,7 @@ impl Ffmpeg {
         Ok((with.cpu_s - without.cpu_s).max(1e-6))
     }
 
-    /// PNG to six PNG.
+    /// Converts a PNG to six.
     fn faces(&self, picture: &Path, places: &Places) -> Job {
         let (program, picture, out) = (self.program.clone(), picture.to_owned(), places.out.clone());
         Job(Box::new(move || {
@@ -219,7 +216,7 @@ impl Ffmpeg {
     }
 }
 
-/// The room, enlarged, with grain that photographs have: what makes PNG work.
+/// Writes the built-in room, enlarged and with the grain of a photograph, which PNG cannot compress away.
 fn panorama_png(folder: &Path) -> Result<PathBuf, String> {
     let path = folder.join("panorama_4096.png");
     if path.exists() {
@@ -243,7 +240,7 @@ fn panorama_png(folder: &Path) -> Result<PathBuf, String> {
     Ok(path)
 }
 
-/// What was measured, by name.
+/// The measurements, by name.
 #[derive(Default)]
 struct Rows {
     conversions: Vec<(String, Vec<f64>)>,

@@ -1,5 +1,5 @@
-//! A frame of the sphere of one million triangles, against the barest OpenGL loop that draws it: the
-//! same buffers, program, target and culling, and nothing else.
+//! Draws a frame of a sphere of one million triangles and compares it with the barest OpenGL loop that draws it: the same
+//! buffers, program, target and culling, and nothing else.
 
 use crate::measure::{self, Cost};
 use crate::{Places, models, table};
@@ -13,14 +13,14 @@ use std::path::Path;
 const SECTORS: usize = 1000;
 const RINGS: usize = 501;
 const TRIANGLES: usize = 1_000_000;
-/// Frames of each side in a turn.
+/// Frames of each side per turn.
 const FRAMES: usize = 4;
-/// Turns of each side that count.
+/// Measured turns of each side.
 const TURNS: usize = 9;
-/// Set by the project: how many times the bare loop's CPU time.
+/// The allowed CPU time as a multiple of the bare loop's.
 const BAR: f64 = 1.1;
 
-/// Measures, prints, and says whether the bar was held.
+/// Measures, prints, and returns whether the requirement is met.
 pub fn run(places: &Places) -> Result<bool, String> {
     let model = models::written(&places.out, "sphere_1m.obj", || models::sphere_obj(SECTORS, RINGS))?;
     let name = model.to_string_lossy();
@@ -30,7 +30,7 @@ pub fn run(places: &Places) -> Result<bool, String> {
     if triangles != TRIANGLES {
         return Err(format!("the sphere has {triangles} triangles instead of {TRIANGLES}"));
     }
-    // What the mesh's reader finds out by itself; without it both sides would draw back faces.
+    // The mesh reader detects closed meshes; otherwise both sides would draw back faces.
     let culled = loaded.objects.iter().all(|object| object.closed);
 
     let context = HeadlessContext::new().map_err(|e| e.message)?;

@@ -1,4 +1,4 @@
-//! What a light costs: one model under 1 to 1,000 point lights, the time of drawing alone.
+//! The cost of a light: the time of drawing one model under 1 to 1,000 point lights.
 
 use crate::{Places, measure, models, table};
 use serde_json::{Value, json};
@@ -6,13 +6,12 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// How many lights.
+/// Numbers of lights.
 const COUNTS: &[usize] = &[1, 3, 10, 30, 100, 300, 1000];
-/// Runs of each count, in turn.
+/// Runs of each count, alternating.
 const ROUNDS: usize = 5;
 
-/// Measures and prints. There is no bar: what the project wants is that 1,000 work and that the cost
-/// is known.
+/// Measures and prints. There is no required time: 1,000 lights must work, and their cost must be known.
 pub fn run(places: &Places) -> Result<bool, String> {
     models::written(&places.out, "torus_5000.obj", || models::torus_obj(50, 50))?;
     let scenes: Vec<PathBuf> = COUNTS.iter().map(|&count| write_scene(&places.out, count)).collect::<Result<_, _>>()?;
@@ -41,7 +40,7 @@ pub fn run(places: &Places) -> Result<bool, String> {
     Ok(true)
 }
 
-/// The torus under `count` point lights on a spiral around it; their sum is as bright for any count.
+/// Writes a scene of the torus under `count` point lights on a spiral around it. Their sum does not depend on the count.
 fn write_scene(folder: &Path, count: usize) -> Result<PathBuf, String> {
     let mut text = String::from("[[object]]\nmodel = \"torus_5000.obj\"\n");
     for i in 0..count {
@@ -62,7 +61,7 @@ fn write_scene(folder: &Path, count: usize) -> Result<PathBuf, String> {
     Ok(path)
 }
 
-/// What `gonio render --json` says that drawing took.
+/// Returns the drawing time that `gonio render --json` reports, in milliseconds.
 fn draw_time_ms(places: &Places, scene: &Path) -> Result<f64, String> {
     let out = places.out.join("lights.png");
     let output = Command::new(&places.gonio)
@@ -77,10 +76,9 @@ fn draw_time_ms(places: &Places, scene: &Path) -> Result<f64, String> {
         return Err(format!("gonio render failed: {}", String::from_utf8_lossy(&output.stderr).trim()));
     }
     let report: Value = serde_json::from_slice(&output.stdout).map_err(|e| format!("gonio render --json: {e}"))?;
-    draw_time_in(&report).ok_or_else(|| format!("gonio render --json does not say what drawing took: {report}"))
+    draw_time_in(&report).ok_or_else(|| format!("gonio render --json reports no drawing time: {report}"))
 }
 
-/// `times_ms.draw`
 fn draw_time_in(report: &Value) -> Option<f64> {
     report["times_ms"]["draw"].as_f64()
 }

@@ -1,7 +1,7 @@
-//! Measures gonio: `gonio-bench render|render-large|frame|lights|obj|environment|window`, best through `cargo xtask bench`, which builds
-//! everything first. Each prints a table and writes `target/bench/NAME.json`.
+//! Measures gonio: `gonio-bench render|render-large|frame|lights|obj|environment|window`. `cargo xtask bench` builds everything
+//! and runs it. Each benchmark prints a table and writes `target/bench/NAME.json`.
 //!
-//! Times are medians of alternating runs, so that a busy minute of the machine hits all sides alike.
+//! Times are medians of alternating runs, so that other load on the machine affects all sides alike.
 
 mod environment;
 mod frame;
@@ -21,15 +21,15 @@ mod window_process;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// Where things are.
+/// Paths that every benchmark needs.
 pub struct Places {
     /// The release build of the command line.
     pub gonio: PathBuf,
-    /// For models, pictures and results: `target/bench`.
+    /// The folder of models, pictures and results: `target/bench`.
     pub out: PathBuf,
 }
 
-/// A benchmark: whether its bars were held, or why it could not be run.
+/// A benchmark returns whether its requirements are met, or why it could not run.
 type Bench = fn(&Places) -> Result<bool, String>;
 
 const BENCHES: &[(&str, Bench)] = &[
@@ -44,7 +44,7 @@ const BENCHES: &[(&str, Bench)] = &[
 
 fn main() -> ExitCode {
     let names: Vec<String> = std::env::args().skip(1).collect();
-    // Parts of a benchmark that need a process of their own.
+    // Parts of a benchmark that run in a separate process.
     match names.as_slice() {
         [first, rest @ ..] if first == obj_readers::READ => return ended(obj_readers::child(rest)),
         [first, rest @ ..] if first == window_process::NAME => return ended(window_process::run(rest)),
@@ -79,7 +79,7 @@ fn main() -> ExitCode {
     ExitCode::from(code)
 }
 
-/// The last line that such a process says is its error.
+/// Prints the error of such a process as its last line.
 fn ended(result: Result<(), String>) -> ExitCode {
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -91,10 +91,10 @@ fn ended(result: Result<(), String>) -> ExitCode {
 }
 
 fn places() -> Result<Places, String> {
-    let here = std::env::current_exe().map_err(|e| format!("where this program lies is not known: {e}"))?;
+    let here = std::env::current_exe().map_err(|e| format!("cannot find this program: {e}"))?;
     let gonio = here.with_file_name(format!("gonio{}", std::env::consts::EXE_SUFFIX));
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().map(PathBuf::from).unwrap_or_default();
     let out = root.join("target/bench");
-    std::fs::create_dir_all(&out).map_err(|e| format!("cannot make {}: {e}", out.display()))?;
+    std::fs::create_dir_all(&out).map_err(|e| format!("cannot create {}: {e}", out.display()))?;
     Ok(Places { gonio, out })
 }

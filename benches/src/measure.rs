@@ -1,27 +1,26 @@
-//! Time: of child processes, of this process, and the middle of many.
+//! Times of child processes and of this process, and medians.
 
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 use wait4::Wait4;
 
-/// What something took.
+/// Wall and CPU time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Cost {
     /// From start to end, seconds.
     pub wall_s: f64,
-    /// On all cores together, user and system, seconds.
+    /// User and system time on all cores together, seconds.
     pub cpu_s: f64,
 }
 
-/// Runs a program to its end and measures it with the children that it waited for. An error is what
-/// the program said.
+/// Runs a program to its end and measures it with the children that it waited for. If it fails, the error is its stderr.
 pub fn process(command: &mut Command) -> Result<Cost, String> {
     let program = command.get_program().to_string_lossy().into_owned();
     let failed = |why: String| format!("{program}: {why}");
-    // A file, not a pipe: nobody has to read while the program is measured.
-    let mut said = tempfile().map_err(|e| failed(e.to_string()))?;
-    let said_too = said.try_clone().map_err(|e| failed(e.to_string()))?;
-    command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(said_too);
+    // A file rather than a pipe, which would have to be read during the measurement.
+    let mut errors = tempfile().map_err(|e| failed(e.to_string()))?;
+    let stderr = errors.try_clone().map_err(|e| failed(e.to_string()))?;
+    command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(stderr);
     let start = Instant::now();
     let child = command.spawn().map_err(|e| failed(e.to_string()))?;
     let used = child.wait4().map_err(|e| failed(e.to_string()))?;
@@ -29,13 +28,13 @@ pub fn process(command: &mut Command) -> Result<Cost, String> {
     if !used.status.success() {
         use std::io::{Read, Seek};
         let mut text = String::new();
-        let _ = said.rewind().and_then(|()| said.read_to_string(&mut text));
+        let _ = errors.rewind().and_then(|()| errors.read_to_string(&mut text));
         return Err(failed(format!("{}: {}", used.status, text.trim())));
     }
     Ok(Cost { wall_s, cpu_s: (used.rusage.utime + used.rusage.stime).as_secs_f64() })
 }
 
-/// A file without a name, or nearly so: removed as soon as it is open.
+/// Opens a temporary file and removes its name.
 fn tempfile() -> std::io::Result<std::fs::File> {
     let path = std::env::temp_dir().join(format!("gonio-bench-{}", std::process::id()));
     let file = std::fs::File::options().read(true).write(true).create(true).truncate(true).open(&path)?;
@@ -43,21 +42,21 @@ fn tempfile() -> std::io::Result<std::fs::File> {
     Ok(file)
 }
 
-/// CPU time of this process so far, all threads.
+/// Returns the CPU time of all threads of this process so far.
 #[cfg(unix)]
 pub fn cpu_time() -> Duration {
     let now = rustix::time::clock_gettime(rustix::time::ClockId::ProcessCPUTime);
     Duration::new(now.tv_sec.unsigned_abs(), now.tv_nsec.unsigned_abs() as u32)
 }
 
-/// CPU time is not to be had here: wall time stands in.
+/// Returns the wall time, because this system reports no CPU time.
 #[cfg(not(unix))]
 pub fn cpu_time() -> Duration {
     static START: std::sync::OnceLock<Instant> = std::sync::OnceLock::new();
     START.get_or_init(Instant::now).elapsed()
 }
 
-/// Wall and CPU time of a piece of this process.
+/// Measures a part of this process.
 pub fn here<T>(work: impl FnOnce() -> T) -> (T, Cost) {
     let (wall, cpu) = (Instant::now(), cpu_time());
     let result = work();
@@ -65,7 +64,7 @@ pub fn here<T>(work: impl FnOnce() -> T) -> (T, Cost) {
     (result, cost)
 }
 
-/// Says so where the machine is busy with other things: wall times then mean little, ratios some.
+/// Warns if the machine is busy with other work: wall times then mean little, and ratios something.
 pub fn warn_if_busy() {
     let load = std::fs::read_to_string("/proc/loadavg").ok().and_then(|text| load_average(&text));
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
@@ -74,12 +73,12 @@ pub fn warn_if_busy() {
     }
 }
 
-/// The first number of `/proc/loadavg`: how many wanted to run in the last minute.
+/// Returns the first number of `/proc/loadavg`: the mean number of runnable processes in the last minute.
 fn load_average(text: &str) -> Option<f64> {
     text.split_whitespace().next()?.parse().ok()
 }
 
-/// The middle value; of an even number the mean of the middle two; of none 0.
+/// Returns the median: of an even number of values the mean of the middle two, of none 0.
 pub fn median(values: impl IntoIterator<Item = f64>) -> f64 {
     let mut values: Vec<f64> = values.into_iter().collect();
     values.sort_by(f64::total_cmp);
@@ -90,7 +89,7 @@ pub fn median(values: impl IntoIterator<Item = f64>) -> f64 {
     }
 }
 
-/// Median of wall and of CPU time, each for itself.
+/// Returns the medians of wall and CPU time, each taken separately.
 pub fn median_cost(costs: &[Cost]) -> Cost {
     Cost { wall_s: median(costs.iter().map(|c| c.wall_s)), cpu_s: median(costs.iter().map(|c| c.cpu_s)) }
 }

@@ -1,10 +1,10 @@
-//! Models of a known number of triangles, made up here.
+//! Generated models with a known number of triangles.
 
 use std::f64::consts::TAU;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-/// A torus of `2 * around * along` triangles with normals and texture coordinates, as OBJ.
+/// Returns a torus of `2 * around * along` triangles with normals and texture coordinates, as OBJ.
 pub fn torus_obj(around: usize, along: usize) -> String {
     let (major, minor) = (1.0, 0.4);
     let mut text = String::from("# a torus\no torus\n");
@@ -17,7 +17,7 @@ pub fn torus_obj(around: usize, along: usize) -> String {
             let _ = writeln!(text, "vn {:.6} {:.6} {:.6}", cos_v * cos_u, sin_v, -cos_v * sin_u);
         }
     }
-    // The seams have texture coordinates of their own.
+    // The seams need separate texture coordinates.
     for i in 0..=around {
         for j in 0..=along {
             let _ = writeln!(text, "vt {:.6} {:.6}", i as f64 / around as f64, j as f64 / along as f64);
@@ -37,7 +37,7 @@ pub fn torus_obj(around: usize, along: usize) -> String {
     text
 }
 
-/// A closed unit sphere of `2 * sectors * (rings - 1)` triangles with normals, as OBJ.
+/// Returns a closed unit sphere of `2 * sectors * (rings - 1)` triangles with normals, as OBJ.
 pub fn sphere_obj(sectors: usize, rings: usize) -> String {
     let mut text = String::with_capacity(sectors * rings * 150);
     text.push_str("# a unit sphere\no sphere\n");
@@ -73,11 +73,11 @@ pub fn sphere_obj(sectors: usize, rings: usize) -> String {
     text
 }
 
-/// Writes a model into `folder` unless it is there already; where it is.
+/// Writes a model into `folder` if it does not exist yet, and returns its path.
 pub fn written(folder: &Path, name: &str, make: impl FnOnce() -> String) -> Result<PathBuf, String> {
     let path = folder.join(name);
     if !path.exists() {
-        // Under its name only when it is complete.
+        // It gets its name when it is complete.
         let part = folder.join(format!("{name}.part"));
         std::fs::write(&part, make())
             .and_then(|()| std::fs::rename(&part, &path))
@@ -128,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn models_are_closed_outward_and_as_large_as_said() {
+    fn models_are_closed_and_have_the_stated_volume() {
         assert_closed(&torus_obj(50, 50), 5000, 0.5 * TAU * 0.4 * 0.4 * TAU);
         assert_closed(&sphere_obj(50, 51), 5000, 2.0 / 3.0 * TAU);
     }

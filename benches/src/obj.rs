@@ -1,4 +1,4 @@
-//! Reading OBJ files, against other readers and against finding their lines: CPU time, wall time, memory.
+//! Reads OBJ files and compares CPU time, wall time and memory with other readers, and with merely finding line ends.
 
 use crate::obj_models::{NGON_TRIANGLES, ngon_sphere, uv_sphere};
 use crate::obj_readers::{self as readers, Reader, Reading};
@@ -7,13 +7,13 @@ use serde_json::{Value, json};
 use std::path::Path;
 use std::process::Command;
 
-/// One thread: CPU time of tobj over ours. Set by the project, as are the next three.
+/// One thread: the required ratio of tobj's CPU time to gonio's.
 const TOBJ_CPU_BAR: f64 = 4.5;
-/// One thread: our CPU time over that of finding line ends.
+/// One thread: the allowed ratio of gonio's CPU time to that of finding line ends.
 const NEWLINES_BAR: f64 = 6.0;
-/// Two threads: wall time of tobj over ours.
+/// Two threads: the required ratio of tobj's wall time to gonio's.
 const TOBJ_WALL_BAR: f64 = 6.5;
-/// Peak memory beyond the mapped file over the final buffers.
+/// The allowed ratio of peak memory, without the mapped file, to the final buffers.
 const MEMORY_BAR: f64 = 1.25;
 /// Runs of slow readers.
 const SLOW_ROUNDS: usize = 2;
@@ -39,7 +39,7 @@ const CASES: [Case; 3] = [
     Case { name: "polygons", file: "ngon_sphere.obj", make: ngon_sphere, triangles: NGON_TRIANGLES, rounds: 11 },
 ];
 
-/// Measures, prints, and says whether the bars were held.
+/// Measures, prints, and returns whether the requirements are met.
 pub fn run(places: &Places) -> Result<bool, String> {
     let (others, absent) = readers::others(&places.out);
     let mut held = true;
@@ -60,9 +60,9 @@ pub fn run(places: &Places) -> Result<bool, String> {
     Ok(held)
 }
 
-/// What `--make FILE` does: writes one of the files to read.
+/// Writes one of the files to read: `--make FILE`.
 pub fn make(places: &Places, file: &str) -> Result<(), String> {
-    let case = CASES.iter().find(|case| case.file == file).ok_or_else(|| format!("no file is called {file}"))?;
+    let case = CASES.iter().find(|case| case.file == file).ok_or_else(|| format!("unknown file `{file}`"))?;
     models::written(&places.out, case.file, case.make).map(drop)
 }
 
@@ -72,7 +72,7 @@ fn measure_case(case: &Case, path: &Path, others: &[Reader]) -> Result<(bool, Va
     let mut contestants: Vec<(Reader, Vec<Reading>)> = Vec::new();
     let mut refusals = Vec::new();
     for reader in ours.iter().chain(others) {
-        // The first run brings the file into memory, and does not count.
+        // The first run brings the file into memory and is not counted.
         match reader.read(path) {
             Ok(_) => contestants.push((reader.clone(), Vec::new())),
             Err(error) if contestants.len() < ours.len() => return Err(error),
@@ -108,7 +108,7 @@ fn measure_case(case: &Case, path: &Path, others: &[Reader]) -> Result<(bool, Va
     Ok((held, json!({"file": case.file, "size": file_size, "readers": rows, "refused": refusals, "bars_held": held})))
 }
 
-/// Each number's own median.
+/// Returns the median of each number separately.
 fn median(readings: &[Reading]) -> Reading {
     let of = |value: fn(&Reading) -> f64| measure::median(readings.iter().map(value));
     Reading {

@@ -1,9 +1,9 @@
-//! Large OBJ files, made up here.
+//! Generated large OBJ files.
 
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
 
-/// Vertices of a grid on the unit sphere, from north to south, `sectors + 1` in each ring: first all `v`, then all
+/// Writes the vertices of a grid on the unit sphere, from north to south, `sectors + 1` in each ring: first all `v`, then all
 /// `vt`, then all `vn`.
 fn write_grid(text: &mut String, sectors: usize, ring_angles: &[f64]) {
     let points: Vec<[f64; 3]> = ring_angles
@@ -28,7 +28,7 @@ fn write_grid(text: &mut String, sectors: usize, ring_angles: &[f64]) {
     }
 }
 
-/// A unit sphere of `2 * n * (n - 1)` triangles, `n` sectors and `n` rings of them, with texture coordinates and
+/// Returns a unit sphere of `2 * n * (n - 1)` triangles, `n` sectors and `n` rings of them, with texture coordinates and
 /// normals.
 pub fn uv_sphere(n: usize) -> String {
     let mut text = String::with_capacity(n * n * 225);
@@ -113,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn there_are_as_many_triangles_as_said() {
+    fn files_have_the_stated_number_of_triangles() {
         assert_eq!(triangles(&uv_sphere(12)), 2 * 12 * 11);
         assert_eq!(triangles(&ngon_sphere()), NGON_TRIANGLES);
     }

@@ -1,4 +1,4 @@
-//! Readers of OBJ files, each in a process of its own: this program again, or another one.
+//! Readers of OBJ files, each in a separate process: this program or another one.
 
 use crate::measure;
 use gonio_mesh::{Limits, NoSidecars, obj};
@@ -10,32 +10,32 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use wait4::Wait4;
 
-/// What makes this program write one of the files: `gonio-bench --make FILE`. What it had in memory shall not count as
-/// its readers'.
+/// The argument with which this program writes one of the files: `gonio-bench --make FILE`. A separate process does it, so
+/// that its memory is not counted as the readers'.
 pub const MAKE: &str = "--make";
 
-/// What makes this program read one file and tell what it took: `gonio-bench --read READER FILE`.
+/// The argument with which this program reads one file and prints the cost: `gonio-bench --read READER FILE`.
 pub const READ: &str = "--read";
 
 /// A way to read a file.
 #[derive(Clone)]
 pub struct Reader {
-    /// For tables.
+    /// The name in tables.
     pub name: String,
-    /// Whether it is so slow that a few runs must do.
+    /// Whether it is so slow that it is run only a few times.
     pub is_slow: bool,
     run: Run,
 }
 
 #[derive(Clone)]
 enum Run {
-    /// This program with so many threads.
+    /// This program with this number of threads.
     Itself {
         reader: &'static str,
         threads: usize,
     },
     Assimp,
-    /// Node, and where `three` is installed.
+    /// Node, with the folder in which `three` is installed.
     Three(PathBuf),
 }
 
@@ -107,17 +107,17 @@ fn three(folder: &Path) -> Result<PathBuf, String> {
         println!("installing {THREE} into {}", folder.display());
         let mut npm = Command::new("npm");
         npm.args(["install", "--silent", "--no-save", "--prefix"]).arg(folder).arg(THREE);
-        let output = npm.output().map_err(|_| "three.js wants Node: install nodejs and npm".to_owned())?;
+        let output = npm.output().map_err(|_| "three.js needs Node: install nodejs and npm".to_owned())?;
         if !place.exists() {
-            let said = String::from_utf8_lossy(&output.stderr).trim().to_owned();
-            return Err(format!("three.js could not be installed (npm install {THREE}): {said}"));
+            let errors = String::from_utf8_lossy(&output.stderr).trim().to_owned();
+            return Err(format!("cannot install three.js (npm install {THREE}): {errors}"));
         }
     }
     Ok(place)
 }
 
 impl Reader {
-    /// Reads a file once.
+    /// Reads a file once and returns the cost.
     pub fn read(&self, file: &Path) -> Result<Reading, String> {
         let failed = |why: String| format!("{}: {why}", self.name);
         let mut command = match &self.run {
@@ -142,43 +142,47 @@ impl Reader {
         command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::null());
         let start = std::time::Instant::now();
         let mut child = command.spawn().map_err(|e| failed(e.to_string()))?;
-        let said = child.stdout.take().map(std::io::read_to_string);
+        let output = child.stdout.take().map(std::io::read_to_string);
         let used = child.wait4().map_err(|e| failed(e.to_string()))?;
         let wall_s = start.elapsed().as_secs_f64();
-        let said = said.and_then(Result::ok).unwrap_or_default();
+        let output = output.and_then(Result::ok).unwrap_or_default();
         if !used.status.success() {
             return Err(failed(format!(
-                "refuses {}: {}",
+                "cannot read {}: {}",
                 file.display(),
-                said.lines().last().unwrap_or("without a word")
+                output.lines().last().unwrap_or("no output")
             )));
         }
         let cpu_s = (used.rusage.utime + used.rusage.stime).as_secs_f64();
         let whole = Reading { wall_s, cpu_s, peak_bytes: used.rusage.maxrss, ..Reading::default() };
         Ok(match self.run {
-            Run::Assimp => Reading { vertices: told(&said, "Vertices:"), triangles: told(&said, "Faces:"), ..whole },
-            _ => from_json(&said, whole.peak_bytes).ok_or_else(|| failed(format!("said {said:?}")))?,
+            Run::Assimp => Reading {
+                vertices: number_after(&output, "Vertices:"),
+                triangles: number_after(&output, "Faces:"),
+                ..whole
+            },
+            _ => from_json(&output, whole.peak_bytes).ok_or_else(|| failed(format!("unexpected output {output:?}")))?,
         })
     }
 }
 
-/// The number behind a word.
-fn told(text: &str, word: &str) -> u64 {
+/// Returns the number after a word, or 0.
+fn number_after(text: &str, word: &str) -> u64 {
     text.split_once(word).and_then(|(_, rest)| rest.split_whitespace().next()?.parse().ok()).unwrap_or(0)
 }
 
-fn from_json(said: &str, peak_of_process: u64) -> Option<Reading> {
-    let said: Value = serde_json::from_str(said.trim()).ok()?;
+fn from_json(output: &str, peak_of_process: u64) -> Option<Reading> {
+    let output: Value = serde_json::from_str(output.trim()).ok()?;
     Some(Reading {
-        wall_s: said["wall_s"].as_f64()?,
-        cpu_s: said["cpu_s"].as_f64()?,
-        peak_bytes: said["peak_bytes"].as_u64().unwrap_or(peak_of_process),
-        vertices: said["vertices"].as_u64()?,
-        triangles: said["triangles"].as_u64()?,
+        wall_s: output["wall_s"].as_f64()?,
+        cpu_s: output["cpu_s"].as_f64()?,
+        peak_bytes: output["peak_bytes"].as_u64().unwrap_or(peak_of_process),
+        vertices: output["vertices"].as_u64()?,
+        triangles: output["triangles"].as_u64()?,
     })
 }
 
-/// What `--read READER FILE` does: reads, and prints what it took as JSON.
+/// Reads a file and prints the cost as JSON: `--read READER FILE`.
 pub fn child(arguments: &[String]) -> Result<(), String> {
     let [reader, file] = arguments else { return Err(format!("{READ} READER FILE")) };
     let file = Path::new(file);
@@ -199,7 +203,7 @@ pub fn child(arguments: &[String]) -> Result<(), String> {
         }
         "tobj" => read_tobj(file),
         "obj-rs" => read_obj_rs(file),
-        unknown => Err(format!("no reader is called {unknown}")),
+        unknown => Err(format!("unknown reader `{unknown}`")),
     });
     let (vertices, triangles) = sizes?;
     println!(
@@ -210,17 +214,17 @@ pub fn child(arguments: &[String]) -> Result<(), String> {
     Ok(())
 }
 
-/// The most that this process had in memory, less what the system can read from files again: the mapped model and the
-/// program itself. 0 where the system does not tell.
+/// Returns the peak memory of this process without pages that the system can read from files again: the mapped model and
+/// the program itself. 0 if the system does not report it.
 ///
-/// Not what the system tells of ended processes: there a child has at least what its parent had.
+/// The figure that the system reports for ended processes is not usable: a child starts with its parent's.
 fn peak_memory() -> u64 {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let kilobytes = |name: &str| told(&status, name);
+    let kilobytes = |name: &str| number_after(&status, name);
     1024 * kilobytes("VmHWM:").saturating_sub(kilobytes("RssFile:"))
 }
 
-// What each reader makes is kept until the process ends: giving it back is not reading.
+// The result of each reader is leaked: freeing it is not part of reading.
 
 fn read_gonio(file: &Path) -> Result<(u64, u64), String> {
     let bytes = Disk.read(file).map_err(|e| e.to_string())?;
@@ -252,7 +256,7 @@ mod tests {
 
     #[test]
     fn numbers_are_found_behind_words() {
-        assert_eq!(told("Meshes:  1\nFaces:      1001112\n", "Faces:"), 1_001_112);
-        assert_eq!(told("nothing", "Faces:"), 0);
+        assert_eq!(number_after("Meshes:  1\nFaces:      1001112\n", "Faces:"), 1_001_112);
+        assert_eq!(number_after("nothing", "Faces:"), 0);
     }
 }

@@ -1,22 +1,21 @@
-//! Other programs that draw the same model: the f3d wheel and a VTK script, in a virtual environment
-//! of their own below `target/`.
+//! Other programs that draw the same model: the f3d wheel and a VTK script, in a virtual environment below `target/`.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// What is installed. Pinned, so that ratios of different days can be compared.
+/// The installed packages, pinned so that ratios of different days can be compared.
 const PACKAGES: &[&str] = &["f3d==4.0.0", "vtk==9.7.2"];
 
 /// Another program that draws a model.
 pub struct Peer {
-    /// For tables.
+    /// The name in tables.
     pub name: &'static str,
     script: &'static str,
     python: PathBuf,
 }
 
 impl Peer {
-    /// Draws `model` to `out`.
+    /// Returns the command that draws `model` to `out`.
     pub fn command(&self, model: &Path, out: &Path, width: u32, height: u32) -> Command {
         let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("peers").join(self.script);
         let mut command = Command::new(&self.python);
@@ -25,14 +24,14 @@ impl Peer {
     }
 }
 
-/// Both, installed on first use.
+/// Returns both, installed on first use.
 pub fn install(folder: &Path) -> Result<Vec<Peer>, String> {
     let python = python_with(folder, "venv", PACKAGES)?;
     let peer = |name, script| Peer { name, script, python: python.clone() };
     Ok(vec![peer("f3d 4.0 (Python API)", "f3d_render.py"), peer("VTK 9.7 (script)", "vtk_render.py")])
 }
 
-/// Python with packages, in a virtual environment of the name `venv` in the folder; installed on first use.
+/// Returns Python with packages, in a virtual environment called `venv` in the folder; installed on first use.
 pub fn python_with(folder: &Path, venv: &str, packages: &[&str]) -> Result<PathBuf, String> {
     let venv = folder.join(venv);
     let bin = if cfg!(windows) { "Scripts" } else { "bin" };
@@ -43,7 +42,7 @@ pub fn python_with(folder: &Path, venv: &str, packages: &[&str]) -> Result<PathB
         println!("installing {} into {}", packages.join(" and "), venv.display());
         if !python.exists() {
             run(Command::new("python3").args(["-m", "venv"]).arg(&venv))
-                .map_err(|e| format!("{e}\nthe peers want Python: install python3 python3-venv"))?;
+                .map_err(|e| format!("{e}\nthe other programs need Python: install python3 python3-venv"))?;
         }
         run(Command::new(&python).args(["-m", "pip", "install", "--quiet"]).args(packages))?;
         std::fs::write(&stamp, wanted).map_err(|e| format!("cannot write {}: {e}", stamp.display()))?;

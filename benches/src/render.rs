@@ -1,5 +1,5 @@
-//! The main job as a whole process, a model at 1024x768 to a PNG, in alternating runs with other programs that do the
-//! same: a small model, where starting counts, and one of a million triangles, where reading counts.
+//! Renders a model at 1024x768 to a PNG as a whole process, in alternating runs with other programs that do the same: a small
+//! model, for which the start counts, and one of a million triangles, for which reading counts.
 
 use crate::measure::{self, Cost};
 use crate::{Places, models, peers, table};
@@ -9,20 +9,20 @@ use std::process::Command;
 
 const WIDTH: u32 = 1024;
 const HEIGHT: u32 = 768;
-/// Runs of each before those that count: caches of files and of shaders fill.
+/// Runs of each program before the measured ones, which fill the caches of files and shaders.
 const WARM_UP: usize = 2;
 
-/// A model, and what is asked for.
+/// A model and its requirements.
 struct Case {
     name: &'static str,
     what: &'static str,
-    /// Runs of each program that count.
+    /// Measured runs of each program.
     rounds: usize,
-    /// Whether the bars hold what they should.
+    /// Returns whether the requirements are met.
     judge: fn(ours: Cost, peers: &[(String, Cost)]) -> bool,
 }
 
-/// 5,000 triangles. The project asks for 0.12 s, and for 3 times as fast as the fastest peer.
+/// 5,000 triangles: at most 0.12 s, and a third of the time of the fastest other program.
 const SMALL: Case = Case {
     name: "render",
     what: "5,000 triangles",
@@ -34,7 +34,7 @@ const SMALL: Case = Case {
     },
 };
 
-/// A million triangles. The project asks for 3.5 times less CPU time than each peer.
+/// A million triangles: 3.5 times less CPU time than each other program.
 const LARGE: Case = Case {
     name: "render-large",
     what: "1,001,112 triangles",
@@ -43,18 +43,16 @@ const LARGE: Case = Case {
         let less = |(name, cost): &(String, Cost)| {
             table::bar(&format!("CPU time against {name}"), cost.cpu_s / ours.cpu_s, " x", 3.5, false)
         };
-        // All are told, also behind one that is missed.
+        // All are printed, even after one that is missed.
         peers.iter().map(less).filter(|held| !held).count() == 0
     },
 };
 
-/// The small model.
 pub fn run(places: &Places) -> Result<bool, String> {
     let model = models::written(&places.out, "torus_5000.obj", || models::torus_obj(50, 50))?;
     compare(places, &model, &SMALL)
 }
 
-/// The large model.
 pub fn run_large(places: &Places) -> Result<bool, String> {
     let model = models::written(&places.out, "sphere_1001112.obj", || models::sphere_obj(708, 708))?;
     compare(places, &model, &LARGE)
@@ -67,7 +65,7 @@ struct Contestant {
     costs: Vec<Cost>,
 }
 
-/// Measures, prints, and says whether the bars were held.
+/// Measures, prints, and returns whether the requirements are met.
 fn compare(places: &Places, model: &Path, case: &Case) -> Result<bool, String> {
     let mut contestants = vec![gonio(places, model, case)];
     let mut absent = Vec::new();
@@ -82,7 +80,7 @@ fn compare(places: &Places, model: &Path, case: &Case) -> Result<bool, String> {
             }
         }
     }
-    // A peer that cannot draw here drops out, and is told of; gonio may not.
+    // Another program that cannot draw here is left out with a message; gonio must draw.
     let mut ready = Vec::new();
     for contestant in contestants {
         let warm = (0..WARM_UP).try_for_each(|_| once(&contestant).map(drop));
@@ -117,18 +115,18 @@ fn gonio(places: &Places, model: &Path, case: &Case) -> Contestant {
     }
 }
 
-/// One run, and a look at whether it drew.
+/// Runs a program once and checks that it drew.
 fn once(contestant: &Contestant) -> Result<Cost, String> {
     let _ = std::fs::remove_file(&contestant.picture);
     let cost = measure::process(&mut (contestant.command)(&contestant.picture))?;
     let bytes = std::fs::read(&contestant.picture).map_err(|e| format!("{}: no picture: {e}", contestant.name))?;
     match png_size(&bytes) {
         Some((WIDTH, HEIGHT)) => Ok(cost),
-        size => Err(format!("{}: a picture of the wrong size: {size:?}", contestant.name)),
+        size => Err(format!("{}: wrong size of the picture: {size:?}", contestant.name)),
     }
 }
 
-/// Width and height of a PNG.
+/// Returns width and height of a PNG.
 fn png_size(bytes: &[u8]) -> Option<(u32, u32)> {
     let number = |at: usize| bytes.get(at..at + 4)?.try_into().ok().map(u32::from_be_bytes);
     if bytes.starts_with(b"\x89PNG") { Some((number(16)?, number(20)?)) } else { None }

@@ -1,17 +1,17 @@
-//! An X server without a screen. The window's tests take this file too.
+//! An X server without a screen. The window's tests use this file too.
 
 use std::io::Read;
 use std::process::{Child, Command, Stdio};
 
-/// Xvfb, until it is dropped.
+/// A running Xvfb, which ends when this is dropped.
 pub struct Screen {
     server: Child,
-    /// What `DISPLAY` has to say.
+    /// The value for `DISPLAY`.
     pub name: String,
 }
 
 impl Screen {
-    /// Starts one of this size, pixels, on whatever number is free: the server chooses and tells.
+    /// Starts one of this size in pixels; the server chooses a free display number.
     pub fn new([width, height]: [u32; 2]) -> Result<Screen, String> {
         let server = Command::new("Xvfb")
             .args(["-displayfd", "1", "-nolisten", "tcp", "-screen", "0"])
@@ -19,7 +19,7 @@ impl Screen {
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
             .spawn()
-            .map_err(|e| format!("Xvfb cannot be started: {e}; apt-get install xvfb"))?;
+            .map_err(|e| format!("cannot start Xvfb: {e}; install xvfb"))?;
         let mut screen = Screen { server, name: String::from(":") };
         let mut byte = [0];
         if let Some(out) = &mut screen.server.stdout {
@@ -28,7 +28,7 @@ impl Screen {
             }
         }
         if screen.name == ":" {
-            return Err("Xvfb ended before it had a display; look at what `Xvfb :99` says".into());
+            return Err("Xvfb ended before it had a display; `Xvfb :99` prints the reason".into());
         }
         Ok(screen)
     }

@@ -1,9 +1,9 @@
-//! Tables for people, and the same as JSON for machines.
+//! Results as tables and as JSON.
 
 use serde_json::Value;
 use std::path::Path;
 
-/// Prints rows under a title; the first row is the heading. First column left, the others right.
+/// Prints rows under a title. The first row is the heading; the first column is aligned left, the others right.
 pub fn print(title: &str, rows: &[Vec<String>]) {
     println!("{title}");
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
@@ -21,7 +21,7 @@ pub fn print(title: &str, rows: &[Vec<String>]) {
     }
 }
 
-/// A bar: prints whether it was held, and gives that back.
+/// Prints whether a requirement is met, and returns it.
 pub fn bar(what: &str, value: f64, unit: &str, limit: f64, at_most: bool) -> bool {
     let held = if at_most { value <= limit } else { value >= limit };
     let word = if at_most { "at most" } else { "at least" };

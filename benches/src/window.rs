@@ -1,5 +1,5 @@
-//! What the lab window adds to its pictures: a light is dragged in a scene of 100,000 triangles, and the same pictures are
-//! drawn by the renderer alone.
+//! The overhead of the lab window: a light is dragged in a scene of 100,000 triangles, and the renderer alone draws the same
+//! pictures.
 
 use crate::screen::Screen;
 use crate::window_process::{self, ALL_SAMPLES, AS_SHIPPED, FRAMES, TURNS};
@@ -12,12 +12,12 @@ use std::process::{Command, Stdio};
 const SECTORS: usize = 250;
 const RINGS: usize = 201;
 const TRIANGLES: u64 = 100_000;
-/// The window, pixels.
+/// The window's size in pixels.
 const SIZE: [u32; 2] = [1280, 800];
-/// Set by the project: how many times the bare renderer's frame time.
+/// The allowed frame time as a multiple of the bare renderer's.
 const BAR: f64 = 1.15;
 
-/// Measures, prints, and says whether the bar was held.
+/// Measures, prints, and returns whether the requirement is met.
 pub fn run(places: &Places) -> Result<bool, String> {
     models::written(&places.out, "sphere_100k.obj", || models::sphere_obj(SECTORS, RINGS))?;
     let scene = places.out.join("window.toml");
@@ -36,9 +36,9 @@ pub fn run(places: &Places) -> Result<bool, String> {
     Ok(held)
 }
 
-/// What the window's own process measured.
+/// Runs the window's process and returns its measurements.
 fn measured(places: &Places, screen: &Screen, scene: &Path, way: &str) -> Result<Value, String> {
-    let here = std::env::current_exe().map_err(|e| format!("where this program lies is not known: {e}"))?;
+    let here = std::env::current_exe().map_err(|e| format!("cannot find this program: {e}"))?;
     let output = Command::new(here)
         .arg(window_process::NAME)
         .arg(scene)
@@ -46,23 +46,23 @@ fn measured(places: &Places, screen: &Screen, scene: &Path, way: &str) -> Result
         .arg(way)
         .env("DISPLAY", &screen.name)
         .env_remove("WAYLAND_DISPLAY")
-        // Mesa's, also where there is a graphics card.
+        // Mesa's software driver, even if there is a graphics card.
         .env("LIBGL_ALWAYS_SOFTWARE", "1")
-        // Nobody's settings are used, and none are changed.
+        // The user's settings are neither used nor changed.
         .env("XDG_STATE_HOME", places.out.join("state"))
         .stdin(Stdio::null())
         .stderr(Stdio::inherit())
         .output()
-        .map_err(|e| format!("the window's process cannot be started: {e}"))?;
+        .map_err(|e| format!("cannot start the window's process: {e}"))?;
     let words = String::from_utf8_lossy(&output.stdout);
     let last = words.lines().last().unwrap_or_default();
     if !output.status.success() {
         return Err(format!("the window ended with {}: {last}", output.status));
     }
-    serde_json::from_str(last).map_err(|e| format!("`{last}` is no result: {e}"))
+    serde_json::from_str(last).map_err(|e| format!("`{last}` is not a valid result: {e}"))
 }
 
-/// Prints; whether the bar was held.
+/// Prints, and returns whether the requirement is met.
 fn told(way: &str, result: &Value) -> Result<bool, String> {
     let number = |value: &Value| value.as_f64().ok_or_else(|| format!("a number is missing in {result}"));
     let cell = |side: &str, key: &str| number(&result[side][key]).map(|ms| format!("{ms:.2}"));

@@ -1,5 +1,5 @@
-//! The window that is measured, in a process and on a screen of its own: the application as `gonio view` runs it, with a
-//! hand that drags a light, and the bare renderer with the same light in the same context, in turn.
+//! The measured window, in a separate process and on a separate screen. The application as `gonio view` runs it, with a
+//! simulated pointer that drags a light, alternates with the bare renderer, which draws the same light in the same context.
 
 use crate::measure::{self, Cost};
 use eframe::egui::{
@@ -27,44 +27,44 @@ pub const ALL_SAMPLES: &str = "all-samples";
 /// The first way: the application may draw fewer samples while something moves.
 pub const AS_SHIPPED: &str = "as-shipped";
 
-/// Frames of each side in a turn.
+/// Frames of each side per turn.
 pub const FRAMES: usize = 16;
-/// Turns of each side that count.
+/// Measured turns of each side.
 pub const TURNS: usize = 10;
 /// What the hand moves at the start, more than which egui takes for a click, and the way it goes around, points.
 const START: f32 = 12.0;
 const RADIUS: f32 = 60.0;
 /// Frames of a way around: a light moves as far in each as by a hand in no hurry.
 const AROUND: usize = 80;
-/// A widget that is not there after so many frames never comes.
+/// The number of frames after which a widget is given up.
 const MOST_FRAMES: usize = 2000;
 /// Rests after each thing that is done: hovering is known a frame later, and menus and tooltips have come and gone.
 const REST: usize = 4;
 
-/// Milliseconds of a frame; medians.
+/// Median times of a frame in milliseconds.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Pieces {
-    /// The whole frame on the wall clock, and on all cores together.
+    /// The whole frame: wall time, and CPU time of all cores.
     pub wall: f64,
     pub cpu: f64,
-    /// The application's turn: panels laid out, the scene's commands given (software drivers transform vertices there).
+    /// The application's update: layout of panels and the scene's commands (software drivers transform vertices there).
     pub ui: f64,
-    /// From there until all commands are given: tessellation, the window's own painting.
+    /// The time from there until all commands are issued: tessellation and egui's painting.
     pub paint: f64,
-    /// Waiting for the picture, handing it to the X server, looking for the next event.
+    /// Waiting for the picture, passing it to the X server, polling the next event.
     pub rest: f64,
 }
 
-/// Milliseconds of a bare picture; medians.
+/// Median times of a bare picture in milliseconds.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct BarePieces {
     pub wall: f64,
     pub cpu: f64,
-    /// Until all commands are given.
+    /// The time until all commands are issued.
     pub submit: f64,
 }
 
-/// What this process has to say.
+/// The measurements of this process.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Measured {
     pub renderer: String,
@@ -79,7 +79,7 @@ pub struct Measured {
     pub cpu_ratio: f64,
 }
 
-/// Opens the window, measures, prints, and ends.
+/// Opens the window, measures, prints and ends.
 pub fn run(arguments: &[String]) -> Result<(), String> {
     let [scene, width, height, way] = arguments else { return Err("a scene, a width, a height and a way".into()) };
     let side = |text: &String| text.parse::<f32>().map_err(|e| format!("`{text}`: {e}"));
@@ -100,12 +100,12 @@ pub fn run(arguments: &[String]) -> Result<(), String> {
     Ok(())
 }
 
-/// What is done before anything is measured.
+/// A step before the measurement.
 #[derive(Clone, Copy)]
 enum Step {
     /// Presses a widget.
     Click(&'static str),
-    /// Presses one and keeps it.
+    /// Presses a widget and holds it.
     Grab(&'static str),
 }
 
@@ -117,14 +117,14 @@ enum State {
     Done,
 }
 
-/// The application and the hand.
+/// The application with the simulated pointer.
 struct Hand {
     app: App,
     gl: Option<Gl>,
     script: VecDeque<Step>,
     /// Of the pointer, points.
     place: Pos2,
-    /// Frames in vain.
+    /// Frames waited for the widget.
     waited: usize,
     state: State,
     end: Rc<RefCell<Option<Result<Measured, String>>>>,
@@ -157,7 +157,7 @@ struct Turn {
     bare: BarePieces,
 }
 
-/// The renderer without a window around its picture.
+/// The renderer without the window.
 struct Bare {
     renderer: Renderer,
     scene: GpuScene,
@@ -167,7 +167,7 @@ struct Bare {
 
 impl eframe::App for Hand {
     fn raw_input_hook(&mut self, ctx: &Context, input: &mut RawInput) {
-        // No other hand.
+        // No other input.
         input
             .events
             .retain(|event| !matches!(event, Event::PointerMoved(_) | Event::PointerGone | Event::MouseMoved(_)));
@@ -203,7 +203,7 @@ impl eframe::App for Hand {
     }
 
     fn on_exit(&mut self, gl: Option<&glow::Context>) {
-        // What is on the GPU goes while its context is there.
+        // GPU objects are dropped while their context is current.
         self.state = State::Done;
         self.gl = None;
         self.app.on_exit(gl);
@@ -211,14 +211,14 @@ impl eframe::App for Hand {
 }
 
 impl Hand {
-    /// The end: the window is closed.
+    /// Closes the window.
     fn finish(&mut self, ctx: &Context, result: Result<Measured, String>) {
         self.end.borrow_mut().get_or_insert(result);
         self.state = State::Done;
         ctx.send_viewport_cmd(ViewportCommand::Close);
     }
 
-    /// What the hand does in the frame that begins.
+    /// Moves the pointer in the frame that begins.
     fn begin(&mut self, ctx: &Context, input: &mut RawInput) -> Result<(), String> {
         match &mut self.state {
             State::Done => {}
@@ -254,7 +254,7 @@ impl Hand {
         match frames {
             0 => match place_of(ctx, id) {
                 Some(rect) => self.place = rect.center(),
-                None if self.waited > MOST_FRAMES => return Err(format!("there is no `{id}`")),
+                None if self.waited > MOST_FRAMES => return Err(format!("the widget `{id}` did not appear")),
                 None => (self.waited, self.state) = (self.waited + 1, State::Doing(0)),
             },
             REST => input.events.push(button(self.place, true)),
@@ -277,7 +277,7 @@ fn button(pos: Pos2, pressed: bool) -> Event {
     Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers: Modifiers::NONE }
 }
 
-/// Where a widget was in the last frame.
+/// Returns the position of a widget in the last frame.
 fn place_of(ctx: &Context, id: &str) -> Option<Rect> {
     let [x, y, width, height] = exported::widgets(ctx).into_iter().find(|widget| widget.id == id)?.rect;
     Some(Rect::from_min_size(Pos2::new(x, y), vec2(width, height)))
@@ -333,7 +333,7 @@ impl Run {
             return Err(format!("{pictures} pictures were drawn in {} frames", FRAMES + 1));
         }
         if turn.lights.windows(2).any(|pair| pair[0] == pair[1]) {
-            return Err(format!("the light stood still: {:?}", turn.lights));
+            return Err(format!("the light did not move: {:?}", turn.lights));
         }
         self.bare.like(app)?;
         let bare = self.bare.turn(&turn.lights)?;
@@ -391,7 +391,7 @@ impl Bare {
         Ok(())
     }
 
-    /// A picture for each place of the light, each waited for.
+    /// Draws a picture for each position of the light and waits for each.
     fn turn(&mut self, lights: &[LightKind]) -> Result<BarePieces, String> {
         let mut costs: Vec<(Cost, f64)> = Vec::new();
         for light in lights {

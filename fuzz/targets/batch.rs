@@ -1,5 +1,5 @@
-//! A class of submissions as it lies on a disk, checked by the program itself: whatever is in it, the program ends with
-//! an exit code of its own, writes nothing into the submissions, and accounts for every entry.
+//! Checks a class of submissions on the disk with the program itself. Whatever the class contains, the program ends with one
+//! of its exit codes, writes nothing into the submissions, and accounts for every entry.
 //!
 //! The input is text. A line `@@ file NAME` begins a file, `@@ zip NAME` a zip of the entries up to `@@ end`, `@@ link NAME`
 //! a link to the next line, `@@ pipe NAME` a pipe, `@@ sparse NAME` a large file without content. Names may have folders.
@@ -13,7 +13,7 @@ use std::os::unix::process::ExitStatusExt;
 use std::path::{Component, Path, PathBuf};
 use std::process::{Command, Stdio};
 
-/// Submissions that one input may have: each takes a process.
+/// The number of submissions that one input may have: each takes a process.
 const MOST_ENTRIES: usize = 12;
 
 fuzz_target!(|data: &[u8]| {
@@ -30,9 +30,9 @@ fuzz_target!(|data: &[u8]| {
     let mut command = Command::new(program);
     command.args(["lab", "check", "ex07", "class", "-o", "results", "--patience", "10", "--json"]);
     let output = command.current_dir(place.path()).stdin(Stdio::null()).output().expect("the program starts");
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.signal(), None, "{said}");
-    assert!(matches!(output.status.code(), Some(0..=2)) && !said.contains("panicked"), "{:?}: {said}", output.status);
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.signal(), None, "{stderr}");
+    assert!(matches!(output.status.code(), Some(0..=2)) && !stderr.contains("panicked"), "{:?}: {stderr}", output.status);
     assert_eq!(listing(&class), before, "the submissions were changed");
     let beside: BTreeSet<_> = names(place.path()).into_iter().collect();
     assert!(beside.iter().all(|name| name == "class" || name == "results"), "{beside:?}");
@@ -48,7 +48,7 @@ fuzz_target!(|data: &[u8]| {
 
 type Entry<'a> = (&'a [u8], &'a [u8], Vec<u8>);
 
-/// Kind, name and content of each entry; a zip's content is the zip.
+/// Returns kind, name and content of each entry; the content of a zip is the archive.
 fn entries(data: &[u8]) -> Vec<Entry<'_>> {
     let mut found: Vec<Entry> = Vec::new();
     let mut zip: Option<(&[u8], Vec<(&[u8], Vec<u8>)>)> = None;
@@ -82,14 +82,14 @@ fn write(class: &Path, kind: &[u8], name: &[u8], content: Vec<u8>) {
     if name.components().next().is_none() || name.components().any(|part| !matches!(part, Component::Normal(_))) {
         return;
     }
-    // Never through a link, which may lead anywhere, nor into a pipe, at whose other end is nobody.
+    // Never through a link, which may lead anywhere, nor into a pipe, which nobody reads.
     let path = class.join(name);
     let above = path.ancestors().skip(1).take_while(|above| above.starts_with(class));
     let is_in_the_way = |above: &Path| std::fs::symlink_metadata(above).is_ok_and(|there| !there.is_dir());
     if std::fs::symlink_metadata(&path).is_ok() || above.into_iter().any(is_in_the_way) {
         return;
     }
-    // Whatever a file system refuses is not in the class.
+    // An entry that the file system refuses is left out.
     let _ = path.parent().map(std::fs::create_dir_all);
     let _ = match kind {
         b"link" => {
@@ -102,7 +102,7 @@ fn write(class: &Path, kind: &[u8], name: &[u8], content: Vec<u8>) {
     };
 }
 
-/// A zip of these files, as they are; the last bytes of a content that ends with `!` are left out of its size.
+/// Returns a zip of these files, uncompressed. The stated size of a content that ends with `!` is one byte too small.
 fn packed(files: &[(&[u8], Vec<u8>)]) -> Vec<u8> {
     let (mut zip, mut directory) = (Vec::new(), Vec::new());
     for (name, content) in files {
@@ -124,7 +124,7 @@ fn packed(files: &[(&[u8], Vec<u8>)]) -> Vec<u8> {
     zip
 }
 
-/// Everything below a folder, with sizes and times of change.
+/// Returns everything below a folder, with sizes and modification times.
 fn listing(folder: &Path) -> Vec<(PathBuf, u64, Option<std::time::SystemTime>)> {
     let mut found = Vec::new();
     for name in names(folder) {

@@ -1,14 +1,13 @@
-//! What every target asks of a model that was read: that it is whole, and that all that is done to models can be
-//! done to it.
+//! Checks of models that every target applies: a model is consistent, and every operation on models works with it.
 
 use gonio_mesh::{Limits, MissingSidecar, Model, Sidecar, Sidecars, normals, tangents, topology, write};
 
-/// Tight enough that a hundred bytes cannot ask for gigabytes unnoticed.
+/// Returns limits so tight that a hundred bytes cannot allocate gigabytes unnoticed.
 pub fn limits() -> Limits {
     Limits { max_vertices: 1 << 20, max_triangles: 1 << 20, max_bytes: 1 << 20 }
 }
 
-/// Every file that is asked for is these bytes: half of the libraries and buffers then make some sense.
+/// Returns these bytes for every file name: about half of the libraries and buffers then make some sense.
 pub struct Echo<'a>(pub &'a [u8]);
 
 impl Sidecars for Echo<'_> {
@@ -20,7 +19,7 @@ impl Sidecars for Echo<'_> {
     }
 }
 
-/// Panics where the model is not whole.
+/// Panics if the model is not consistent.
 pub fn check(model: Model) {
     let mesh = &model.mesh;
     let count = mesh.positions.len();
@@ -46,7 +45,7 @@ pub fn check(model: Model) {
         assert!(numbers.iter().flatten().all(|x| x.is_finite() && *x >= 0.0));
         assert!(material.shininess >= 1.0 && (0.0..=1.0).contains(&material.opacity));
     }
-    // The rest takes its time with large meshes, which say nothing new.
+    // The rest is slow for large meshes, which show nothing new.
     if mesh.triangle_count() > 4096 {
         return;
     }

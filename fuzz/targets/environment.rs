@@ -1,4 +1,4 @@
-//! Pictures and cubemaps of every kind, by their content, and as crosses and strips.
+//! Pictures and cubemaps of every format, detected by their content, also as crosses and strips.
 
 #![no_main]
 
@@ -8,7 +8,7 @@ use gonio_image::Limits;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|data: &[u8]| {
-    // Tight enough that a hundred bytes cannot ask for gigabytes unnoticed.
+    // So tight that a hundred bytes cannot allocate gigabytes unnoticed.
     let Ok(decoded) = decode("input", data, &Limits { max_bytes: 1 << 24 }) else { return };
     let images = match &decoded.shape {
         Shape::Picture(image) => std::slice::from_ref(image),

@@ -1,4 +1,4 @@
-//! Names of files, one a line: which are the six faces.
+//! File names, one per line, of which six are assigned to faces.
 
 #![no_main]
 
@@ -18,7 +18,7 @@ fuzz_target!(|data: &[u8]| {
     for name in names.iter().take(4) {
         let _ = assign_with(&names, name);
         for set in siblings(name) {
-            // A set that is made from a name is found again, unless its names can be read in two ways.
+            // A set made from a name is found again, unless its names are ambiguous.
             if let Ok(assignment) = assign(&set) {
                 assert!(assignment.files.iter().all(|i| *i < 6));
             }

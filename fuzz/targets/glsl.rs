@@ -1,4 +1,4 @@
-//! GLSL as students write it: read, checked and translated for both targets. Places are places in the text.
+//! GLSL, parsed, checked and translated for both targets. Every span lies within the text.
 
 #![no_main]
 
