@@ -5,6 +5,7 @@ mod checks;
 mod fixtures;
 mod fuzz;
 mod house;
+mod licenses;
 mod process;
 mod report;
 mod score;
@@ -35,6 +36,7 @@ cargo xtask fuzz [TARGET...] [--minutes N]
 cargo xtask web [--dev]      build the web page into dist and print its size; needs node and npm
 cargo xtask schema           update assets/scene.schema.json
 cargo xtask score            measure the checker and update the table in exercises/README.md
+cargo xtask licenses         update the third-party notices that `gonio licenses` prints
 cargo xtask help             print this text
 
 Exit codes: 0 success, 1 a check failed, 2 error.
@@ -55,6 +57,7 @@ fn main() -> ExitCode {
         ["web", words @ ..] => web::run(words),
         ["schema"] => schema(),
         ["score"] => score::run(),
+        ["licenses"] => licenses::run(&root()),
         [] | ["help" | "--help" | "-h"] => {
             print!("{HELP}");
             ExitCode::SUCCESS

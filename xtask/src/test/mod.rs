@@ -5,7 +5,7 @@ mod cargo_output;
 use crate::checks::{dependencies, examples, lints, paths, tree};
 use crate::report::{Findings, Report};
 use crate::web::{Build, browser};
-use crate::{house as figures, process, root, score, setup};
+use crate::{house as figures, licenses, process, root, score, setup};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -144,6 +144,7 @@ fn house(report: &mut Report, root: &Path) {
     report.step("length of files", || figures::check_length(&files));
     report.step("one meaning per word", || figures::check_words(&files));
     report.step("examples are tests", || Findings::of_complaints(&examples::check(&files)));
+    report.step("third-party notices", || licenses::step(root));
     report.step("no machine's paths", || Findings::of_complaints(&paths::check(&files)));
 }
 
