@@ -29,7 +29,7 @@ Examples:
   gonio render model.obj -o model.png
       Framed, lit and shaded with pleasant defaults. Needs no display.
   gonio render model.obj --shading gouraud --specular phong --size 1920x1080 -o gouraud.png
-  gonio render model.obj --light \"point position=2,3,4 color=#ffe0c0\" --light \"ambient color=0.1\" -o lit.png
+  gonio render model.obj --light \"point position=2,3,4\" --light ambient -o lit.png
       Lights that replace the scene's.
   gonio render model.obj --debug N -o normals.png
       A vector of the equation as a colour. --debug diffuse:0 shows the diffuse term of light 0.
