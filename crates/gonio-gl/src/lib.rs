@@ -30,7 +30,7 @@ pub mod trace;
 pub use calls::Drawing;
 pub use dialect::Dialect;
 pub use driver::DriverInfo;
-pub use error::GlError;
+pub use error::{GlError, Remedy};
 pub use gl::Gl;
 #[cfg(feature = "headless")]
 pub use headless::HeadlessContext;

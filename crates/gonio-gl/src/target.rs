@@ -1,10 +1,10 @@
-//! Where a frame is drawn: a float target, multisampled or not, and the picture made from it.
+//! Render targets: float targets, multisampled or not, and the encoded picture made from them.
 
 use crate::Dialect;
 use crate::objects::{Framebuffer, Renderbuffer, TextureObject};
-use crate::{Gl, GlError, Texels};
+use crate::{Gl, GlError, Remedy, Texels};
 
-/// How exactly light is kept before it becomes a picture.
+/// The precision of linear colours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Precision {
     /// 16-bit floats, 11 bits of mantissa: enough for pictures of 8 bits a channel, and half the memory.
@@ -22,12 +22,12 @@ impl Precision {
     }
 }
 
-/// How a pixel gets its samples.
+/// The samples of a pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sampling {
-    /// By the driver, so many, at least 1: each triangle is shaded once a pixel.
+    /// Multisampling, with this many samples, at least 1: each triangle is shaded once per pixel.
     Multi(i32),
-    /// As texels of their own, so many along each side of a pixel, at least 2: each sample is shaded.
+    /// Texels, this many along each side of a pixel, at least 2: each sample is shaded.
     Grid(i32),
 }
 
@@ -41,7 +41,7 @@ impl Sampling {
     }
 }
 
-/// What the output shader has to average.
+/// The samples that the output shader averages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SamplesOf {
     /// Nothing: a texel is a pixel.
@@ -56,16 +56,16 @@ pub enum SamplesOf {
 pub struct Target {
     /// Width and height in pixels.
     pub size: [i32; 2],
-    /// Of each pixel.
+    /// The samples of each pixel.
     pub sampling: Sampling,
-    /// Of its colours.
+    /// The precision of its colours.
     pub precision: Precision,
     drawn: Framebuffer,
     _depth: Renderbuffer,
     color: Color,
 }
 
-/// Where the colours are.
+/// The storage of the colours.
 enum Color {
     /// One sample a texel: drawn into a texture.
     Single(TextureObject),
@@ -118,10 +118,11 @@ fn check_complete(gl: &Gl, what: &str, size: [i32; 2], samples: i32) -> Result<(
         return Ok(());
     }
     Err(GlError::new(format!(
-        "the driver cannot make the {what} of {} x {} pixels with {samples} samples (status {status:#x}); \
-         a smaller --size or fewer --samples may do",
+        "the driver cannot create the {what} of {} x {} pixels with {samples} samples (status {status:#x}); a smaller \
+         picture or fewer samples may work",
         size[0], size[1]
-    )))
+    ))
+    .with_remedy(Remedy::SmallerPicture))
 }
 
 impl Target {
@@ -183,7 +184,7 @@ impl Target {
         gl.blit_framebuffer([0, 0, w, h], [0, 0, w, h], glow::COLOR_BUFFER_BIT, glow::NEAREST);
     }
 
-    /// What the output shader has to average, and how many of it: samples, or texels along a side.
+    /// The samples that the output shader averages, and their number: samples, or texels along a side.
     pub fn to_average(&self) -> (SamplesOf, i32) {
         match (&self.color, self.sampling) {
             (Color::Samples(_), Sampling::Multi(samples)) => (SamplesOf::Texel, samples),
@@ -212,11 +213,11 @@ impl Target {
     }
 }
 
-/// What is shown, or read back into a file: 8 bits a channel, or floats for 16.
+/// An encoded picture, to be shown or read back: 8 bits per channel, or floats.
 pub struct OutputTarget {
     framebuffer: Framebuffer,
     texture: TextureObject,
-    /// Where lines are to be hidden by what is in front of them.
+    /// For overlays, whose lines are hidden by surfaces in front of them.
     depth: Option<Renderbuffer>,
     size: [i32; 2],
 }

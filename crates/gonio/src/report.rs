@@ -7,7 +7,7 @@
 
 use crate::cli::{self, GeneralOptions};
 use crate::escapes::json_for_terminal;
-use crate::hints::hint;
+use crate::hints::{hint, opengl_hint};
 use crate::page::{Page, Style, line_for_terminal};
 use crate::verbose::ReportedReads;
 use gonio_gallery::GalleryError;
@@ -144,8 +144,9 @@ impl From<ImageError> for CliError {
 
 impl From<GlError> for CliError {
     fn from(error: GlError) -> Self {
-        // A driver's messages about a shader have several lines.
-        CliError::lines(error.message.lines().map(str::to_owned))
+        // A driver's messages about a shader have several lines; those errors have no remedy.
+        let message = format!("{}{}", error.message, opengl_hint(error.remedy));
+        CliError::lines(message.lines().map(str::to_owned))
     }
 }
 

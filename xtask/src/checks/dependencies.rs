@@ -130,7 +130,7 @@ const FOR_ALL_TESTS: &[&str] = &["gonio-fixtures"];
 /// Crates from outside that only some of ours may know directly: (crate, who may).
 pub const GUARDED: &[(&str, &[&str])] = &[
     ("glow", &["gonio-gl", "gonio-render", "gonio-app"]),
-    ("khronos-egl", &["gonio-gl"]),
+    ("glutin_egl_sys", &["gonio-gl"]),
     ("glutin", &["gonio-gl"]),
     ("renderdoc", &["gonio-gl"]),
     ("clap", &["gonio"]),

@@ -1,4 +1,4 @@
-//! Windows and macOS: their OpenGL wants a window, so a hidden one is made through winit and glutin.
+//! Windows and macOS: OpenGL needs a window there, so winit and glutin create a hidden one.
 #![allow(unsafe_code)]
 
 use super::HeadlessOptions;

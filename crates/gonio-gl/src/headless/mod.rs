@@ -1,5 +1,4 @@
-//! A context without a window: through EGL on Linux and other Unixes, through glutin's own routes
-//! (a hidden window) on Windows and macOS.
+//! Contexts without a window: by EGL on Linux and other Unixes, by a hidden window on Windows and macOS.
 
 #[cfg(all(unix, not(target_os = "macos")))]
 mod egl;
@@ -11,21 +10,21 @@ use egl::Platform;
 #[cfg(any(windows, target_os = "macos"))]
 use glutin_window::Platform;
 
-use crate::{Gl, GlError};
+use crate::{Gl, GlError, Remedy};
 use std::path::PathBuf;
 use std::sync::Arc;
 
 /// The oldest OpenGL that the renderer runs on: 3.3 core.
 pub const MINIMUM_VERSION: (u32, u32) = (3, 3);
 
-/// How a context is made.
+/// Options of a context.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct HeadlessOptions {
-    /// EGL's library by another name than `libEGL.so.1`. Unused where EGL is not the way.
+    /// The EGL library to load instead of `libEGL.so.1`. Ignored on Windows and macOS.
     pub egl_library: Option<PathBuf>,
-    /// A context that checks more and says more; slower.
+    /// A debug context, which reports more and is slower.
     pub debug: bool,
-    /// OpenGL ES 3 instead of OpenGL: what a browser's WebGL2 is, natively. EGL only.
+    /// OpenGL ES 3, the native counterpart of WebGL2, instead of OpenGL. EGL only.
     pub es: bool,
 }
 
@@ -40,7 +39,7 @@ impl HeadlessContext {
         Self::with_options(&HeadlessOptions::default())
     }
 
-    /// The same with options.
+    /// A context with options.
     pub fn with_options(options: &HeadlessOptions) -> Result<Self, GlError> {
         let platform = Platform::new(options)?;
         let gl = Gl::keeping_alive(Arc::new(platform.functions()), platform);
@@ -48,10 +47,11 @@ impl HeadlessContext {
         let wanted = if options.es { (3, 0) } else { MINIMUM_VERSION };
         if (major, minor) < wanted {
             return Err(GlError::new(format!(
-                "the driver offers OpenGL {}.{}, and {}.{} is the least that gonio needs; a newer driver \
-                 (or Mesa's software one) would do, and `--backend cpu` needs none",
-                major, minor, wanted.0, wanted.1
-            )));
+                "the driver offers OpenGL {major}.{minor}, but gonio needs at least {}.{}; install a newer driver, or \
+                 Mesa's software driver",
+                wanted.0, wanted.1
+            ))
+            .with_remedy(Remedy::CpuRenderer));
         }
         Ok(HeadlessContext { gl })
     }

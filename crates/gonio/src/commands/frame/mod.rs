@@ -84,7 +84,7 @@ pub fn run(args: &FrameArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     reporter.diagnostics(&scene.diagnostics);
     loading::check_views(args.debug, &scene)?;
     // The CPU makes no OpenGL calls.
-    let context = context.map_err(|why| CliError::new(why.message.replace("; `--backend cpu` needs none", "")))?;
+    let context = context.map_err(|why| CliError::new(why.message))?;
     let mut renderer = Renderer::new(context.gl().clone())?;
     let frame = scene.frame(args.time);
     let record = {

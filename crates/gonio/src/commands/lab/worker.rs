@@ -26,7 +26,7 @@ pub fn run() -> Result<Outcome, CliError> {
 fn check(request: Request) -> Result<Answer, String> {
     let exercise = exercise(&request.exercise).map_err(|error| error.to_string())?;
     let context = HeadlessContext::with_options(&HeadlessOptions { es: request.es, ..Default::default() })
-        .map_err(|why| why.message.replace("; `--backend cpu` needs none", ""))?;
+        .map_err(|why| why.message)?;
     let mut checker = Checker::new(context.gl());
     let (mut verdict, evidence) = gonio_exercises::check(&mut checker, exercise, request.files, &request.options)
         .map_err(|error| CliError::from(error).to_string())?;

@@ -118,7 +118,7 @@ pub fn run(args: &DrawArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
 
 /// A context without a window.
 fn context() -> Result<HeadlessContext, CliError> {
-    HeadlessContext::new().map_err(|why| CliError::new(why.message.replace("; `--backend cpu` needs none", "")))
+    HeadlessContext::new().map_err(|why| CliError::new(why.message))
 }
 
 /// Writes RGBA rows, the top row first, if there is an output. The lab's colours are written without encoding.
