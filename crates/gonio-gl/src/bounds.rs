@@ -1,7 +1,7 @@
-//! What a draw reads, held against what its buffers contain: a draw beyond the end of a buffer is undefined in OpenGL, and
-//! a driver may crash on it. WebGL makes the same checks by itself, so nothing is checked in a browser.
+//! Checks that draws read nothing outside of their buffers: OpenGL leaves that undefined, and a driver may crash. WebGL makes
+//! the same checks by itself, so a browser needs none of them.
 
-use crate::trace::words::component_bytes;
+use crate::trace::enums::component_bytes;
 use std::cell::RefCell;
 use std::rc::Rc;
 
@@ -16,21 +16,21 @@ pub struct DrawCall {
     pub count: i32,
     /// `GL_UNSIGNED_INT`, ... of an indexed draw.
     pub index_type: Option<u32>,
-    /// How many times all of it is drawn.
+    /// The number of instances.
     pub instances: i32,
 }
 
-/// Buffers up to this size are kept here as well, so that the indices of any part of one can be looked at.
+/// The largest buffer of which a copy is kept, so that the indices of any part of it can be checked.
 const MOST_KEPT: usize = 64 << 10;
 
-/// What a buffer contains, as far as draws need to know.
+/// The contents of a buffer, as far as the checks of draws need them.
 #[derive(Debug, Default)]
 pub struct Contents {
     /// Its size.
     pub bytes: u64,
-    /// The highest index in it, read as indices of one, two and four bytes; `None` where nobody has looked.
+    /// The highest index in it, read as indices of one, two and four bytes; `None` for buffers of vertices.
     highest: Option<[u32; 3]>,
-    /// Its bytes, where they are few.
+    /// A copy of its bytes, if they are few.
     copy: Vec<u8>,
 }
 
@@ -38,7 +38,7 @@ pub struct Contents {
 pub type SharedContents = Rc<RefCell<Contents>>;
 
 impl Contents {
-    /// Looks through what a buffer was filled with.
+    /// The contents of a buffer that was filled with these bytes.
     pub fn new(bytes: &[u8], are_indices: bool) -> Self {
         let size = bytes.len() as u64;
         if cfg!(target_arch = "wasm32") {
@@ -79,13 +79,13 @@ fn highest(bytes: &[u8], index_bytes: usize) -> u32 {
 /// An enabled array of a vertex array.
 #[derive(Clone, Copy)]
 pub struct EnabledArray<'a> {
-    /// What it is read from; `None` where no buffer was bound when it was described.
+    /// The contents of its buffer; `None` if no buffer was bound when it was described.
     pub contents: Option<&'a SharedContents>,
     /// Numbers for each vertex.
     pub components: u32,
     /// `GL_FLOAT`, ...
     pub component_type: u32,
-    /// As given; 0 means tightly packed.
+    /// Bytes from one vertex to the next; 0 means tightly packed.
     pub stride: u32,
     /// The first vertex's first byte.
     pub offset: u32,
@@ -93,7 +93,7 @@ pub struct EnabledArray<'a> {
     pub divisor: u32,
 }
 
-/// How many vertices and instances the enabled arrays have.
+/// The number of vertices and instances that the enabled arrays have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
     vertices: u64,
@@ -101,7 +101,7 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// The least that any of the arrays has.
+    /// The smallest number of vertices and instances among arrays.
     pub fn least_of<'a>(arrays: impl Iterator<Item = EnabledArray<'a>>) -> Self {
         let mut limits = Limits { vertices: u64::MAX, instances: u64::MAX };
         for array in arrays {
@@ -127,8 +127,8 @@ pub struct CheckedDraw {
 }
 
 impl CheckedDraw {
-    /// The draw, where all that it reads is there. `array` is the vertex array that is bound, `limits` those of its enabled
-    /// arrays, and `indices` what its index buffer contains.
+    /// Checks a draw; `None` if it reads beyond a buffer. `array` is the vertex array that is bound, `limits` those of its enabled
+    /// arrays, and `indices` the contents of its index buffer.
     pub fn new(
         call: DrawCall,
         array: Option<glow::VertexArray>,
@@ -201,14 +201,14 @@ mod tests {
     #[test]
     fn indices_of_every_size_name_vertices_that_are_there() {
         let limits = limits(36, 0, 0);
-        let words: Vec<u8> = [0_u32, 1, 2, 7].iter().flat_map(|index| index.to_le_bytes()).collect();
+        let words: Vec<u8> = [0_u32, 1, 2, 7].iter().flat_map(|index| index.to_ne_bytes()).collect();
         let contents = Contents::new(&words, true);
         let of = |first, count| call(first, count, Some(glow::UNSIGNED_INT));
         assert!(allows(of(0, 3), limits, Some(&contents)), "the part that is drawn counts");
         assert!(!allows(of(0, 4), limits, Some(&contents)), "vertex 7");
         assert!(!allows(of(4, 4), limits, Some(&contents)), "beyond the indices");
         assert!(!allows(of(0, 1), limits, None), "no index buffer");
-        let shorts: Vec<u8> = [0_u16, 2, 3].iter().flat_map(|index| index.to_le_bytes()).collect();
+        let shorts: Vec<u8> = [0_u16, 2, 3].iter().flat_map(|index| index.to_ne_bytes()).collect();
         let contents = Contents::new(&shorts, false);
         let of = |count| call(0, count, Some(glow::UNSIGNED_SHORT));
         assert!(allows(of(2), limits, Some(&contents)));

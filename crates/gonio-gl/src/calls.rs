@@ -184,8 +184,9 @@ impl Gl {
         }
     }
 
-    /// Makes a call of which draws rely on knowing whether OpenGL took it. Its error is given, and kept for
-    /// [`Gl::get_error`]. A browser checks draws by itself, and the question would wait for the GPU there: it is not asked.
+    /// Makes a call and returns its error, which is also kept for [`Gl::get_error`]: the checks of draws must know whether
+    /// OpenGL accepted the call. A browser checks draws by itself, and `glGetError` waits for the GPU there, so it is not
+    /// asked.
     fn error_of(&self, call: impl FnOnce()) -> u32 {
         if cfg!(target_arch = "wasm32") {
             call();

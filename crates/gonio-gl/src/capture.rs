@@ -3,7 +3,7 @@
 //! RenderDoc sees only what is called after it has put itself between a program and OpenGL. On Linux it
 //! does so by standing before `dlopen` and EGL in the dynamic linker's order, and that order is settled
 //! when the program starts: a library that is loaded later, even before EGL, sees no context (tried with
-//! RenderDoc 1.24). So it has to be in `LD_PRELOAD` ([`PRELOAD`]), and who wants a capture starts the
+//! RenderDoc 1.24). So it has to be in `LD_PRELOAD` ([`PRELOAD`]), and whoever needs a capture starts the
 //! program anew where [`is_loaded`] says no. On Windows it patches what is loaded already, so there
 //! [`load`] is enough when it comes before OpenGL.
 

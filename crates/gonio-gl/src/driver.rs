@@ -1,4 +1,4 @@
-//! The driver: who it is, and what it can do.
+//! The driver: its name, its limits and its extensions.
 
 use crate::Dialect;
 use crate::Gl;
@@ -6,7 +6,7 @@ use crate::Gl;
 /// WEBGL_debug_renderer_info
 const UNMASKED_RENDERER_WEBGL: u32 = 0x9246;
 
-/// The driver, in its own words, and its limits.
+/// The driver, as it describes itself, and its limits.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DriverInfo {
     /// `GL_RENDERER`
@@ -21,7 +21,7 @@ pub struct DriverInfo {
     pub max_size: u32,
     /// Largest face of a cubemap, texels along one side.
     pub max_cube_size: u32,
-    /// Which GLSL it is given.
+    /// The dialect of GLSL that it compiles.
     pub dialect: Dialect,
     /// EXT_texture_filter_anisotropic, or OpenGL 4.6.
     pub anisotropy: bool,
@@ -30,12 +30,12 @@ pub struct DriverInfo {
 }
 
 impl DriverInfo {
-    /// Whether it draws on the CPU.
+    /// Returns whether it draws on the CPU.
     pub fn is_software(&self) -> bool {
         ["llvmpipe", "softpipe", "SwiftShader"].iter().any(|name| self.renderer.contains(name))
     }
 
-    /// Asks the driver of a context.
+    /// Queries the driver of a context.
     pub fn new(gl: &Gl) -> Self {
         let at_least_4_6 = !gl.is_embedded() && gl.version() >= (4, 6);
         #[cfg(not(target_arch = "wasm32"))]

@@ -41,8 +41,8 @@ impl Functions {
         self.context.supported_extensions().contains(extension)
     }
 
-    /// Raises an error as OpenGL does: the first one stays until it is fetched. For calls that would touch memory beyond
-    /// what they are given; WebGL does the same.
+    /// Raises an error as OpenGL does: the first one stays until it is fetched. Used for calls that would touch memory outside
+    /// of their arguments, as in WebGL.
     #[cold]
     pub fn raise(&self, error: u32) {
         if self.pending.get() == glow::NO_ERROR {

@@ -24,33 +24,32 @@ pub struct Gl {
     _context: Option<Rc<dyn Any>>,
 }
 
-/// What calls through a [`Gl`] and its clones have made of the context.
+/// The state of the context, as calls through a [`Gl`] and its clones have set it.
 #[derive(Default)]
 struct Tracker {
-    /// What exists and what is bound.
     state: RefCell<State>,
     /// While a recording runs.
     recorder: RefCell<Option<Box<Recorder>>>,
-    /// Whether each call is asked for its error, so that what OpenGL refuses is not noted.
+    /// Whether each call is followed by `glGetError`, so that what OpenGL refuses is not noted.
     asks_for_errors: bool,
 }
 
 impl Gl {
-    /// The OpenGL of a context that somebody else keeps current: a window's, a web page's. They may use it as well, between
-    /// our calls, if [`crate::SavedState`] stands around each run of ours.
+    /// Wraps a context that other code keeps current: the context of a window or of a web page. That code may use the context
+    /// too, if [`crate::SavedState`] encloses each run of calls through this.
     pub fn of_window(context: Arc<glow::Context>) -> Self {
         Gl { functions: Rc::new(Functions::new(context)), tracker: Rc::default(), _context: None }
     }
 
-    /// The OpenGL of a context that ends with the last clone of this.
+    /// Wraps a context, and keeps it alive until the last clone is dropped.
     #[cfg(feature = "headless")]
     pub(crate) fn keeping_alive(functions: Arc<glow::Context>, context: impl Any) -> Self {
         Gl { _context: Some(Rc::new(context)), ..Gl::of_window(functions) }
     }
 
-    /// The same context for calls that may be wrong: it knows of no objects yet, and notes of each call whether OpenGL took
-    /// it. What is made through it is in no other's records. Whoever uses it puts bindings back through the other one when
-    /// done.
+    /// Returns a separate `Gl` of the same context, for calls that may be wrong. It asks OpenGL for an error after each call,
+    /// and leaves out of records what OpenGL refused. It knows no object of the other `Gl`s, and they know none of its; the
+    /// caller restores bindings through the original when done.
     pub fn apart(&self) -> Gl {
         let tracker = Tracker { asks_for_errors: true, ..Tracker::default() };
         Gl { functions: self.functions.clone(), tracker: Rc::new(tracker), _context: self._context.clone() }
@@ -126,7 +125,7 @@ impl Gl {
         }
     }
 
-    /// Begins or ends a recording: the recorder that ran until now is given back.
+    /// Begins or ends a recording, and returns the recorder that ran until now.
     pub(crate) fn exchange_recorder(&self, recorder: Option<Box<Recorder>>) -> Option<Box<Recorder>> {
         self.with_state(|state| state.is_recording = recorder.is_some());
         self.tracker.recorder.replace(recorder)

@@ -1,11 +1,11 @@
-//! Calls that read or write memory of the process, or of the GPU beyond one object: each with the check that makes it safe.
+//! Calls that read or write memory of the process or of buffers, each with the check that makes it safe.
 #![allow(unsafe_code)]
 
 use crate::bounds::CheckedDraw;
 use crate::functions::Functions;
 use glow::{HasContext, PixelPackData, PixelUnpackData};
 
-/// What a texture is filled with: texels row by row without gaps, the row at t = 0 first.
+/// Texels for a texture: row by row without gaps, the row at t = 0 first.
 #[derive(Clone, Copy, Debug)]
 pub struct Texels<'a> {
     format: u32,
@@ -59,7 +59,7 @@ fn bytes_of_texels(size: [i32; 3], format: u32, kind: u32) -> Option<usize> {
     size.into_iter().try_fold(channels * each, |bytes: usize, side| bytes.checked_mul(side.max(0) as usize))
 }
 
-/// How texels lie in memory on their way to OpenGL: without gaps.
+/// The layout of texels in memory for uploads: without gaps.
 const UNPACKING: [(u32, i32); 6] = [
     (glow::UNPACK_ALIGNMENT, 1),
     (glow::UNPACK_ROW_LENGTH, 0),
@@ -68,7 +68,7 @@ const UNPACKING: [(u32, i32); 6] = [
     (glow::UNPACK_SKIP_PIXELS, 0),
     (glow::UNPACK_SKIP_IMAGES, 0),
 ];
-/// How pixels lie in memory on their way back: without gaps.
+/// The layout of pixels in memory for reading back: without gaps.
 const PACKING: [(u32, i32); 4] =
     [(glow::PACK_ALIGNMENT, 1), (glow::PACK_ROW_LENGTH, 0), (glow::PACK_SKIP_ROWS, 0), (glow::PACK_SKIP_PIXELS, 0)];
 
@@ -277,7 +277,7 @@ impl Functions {
         unsafe { self.context.get_parameter_bool(glow::DEPTH_WRITEMASK) }
     }
 
-    /// Which of red, green, blue and alpha are written.
+    /// Whether red, green, blue and alpha are written.
     pub fn get_color_mask(&self) -> [bool; 4] {
         // SAFETY: the parameter is four truth values.
         unsafe { self.context.get_parameter_bool_array(glow::COLOR_WRITEMASK) }
@@ -303,8 +303,8 @@ impl Functions {
         value
     }
 
-    /// The most samples that a renderbuffer of a format can have. Not on the web, where glow wants to know how many answers
-    /// there are.
+    /// The most samples that a renderbuffer of a format can have. Not on the web, where glow needs a slice of exactly as many
+    /// elements as there are answers.
     #[cfg(not(target_arch = "wasm32"))]
     pub fn get_most_samples(&self, format: u32) -> i32 {
         let mut most = [1];
@@ -347,7 +347,7 @@ fn room_for<T>(room: &mut [T; MOST_NUMBERS], asked: usize) -> Option<&mut [T]> {
     if cfg!(target_arch = "wasm32") { room.get_mut(..asked) } else { (asked <= MOST_NUMBERS).then_some(&mut room[..]) }
 }
 
-/// How an attribute's numbers lie in its buffer.
+/// The layout of an attribute in its buffer.
 #[derive(Clone, Copy, Debug)]
 pub struct AttributeLayout {
     /// Numbers for each vertex, 1 to 4.

@@ -1,16 +1,16 @@
-//! OpenGL objects that free themselves, and carry a label for debuggers.
+//! OpenGL objects that free themselves, with labels for debuggers.
 
 use crate::calls::native_name;
 use crate::{Gl, GlError};
 
-/// Names an object for RenderDoc and driver messages, where the driver can (KHR_debug).
+/// Labels an object for RenderDoc and driver messages, if the driver supports it (KHR_debug).
 fn label(gl: &Gl, kind: u32, name: u32, text: &str) {
     if gl.functions().supports_debug() {
         gl.object_label(kind, name, Some(text));
     }
 }
 
-/// Groups the commands until it is dropped under one name in a debugger.
+/// Groups commands under one name in debuggers and records, until it is dropped.
 pub struct DebugGroup<'a> {
     gl: &'a Gl,
 }
@@ -44,7 +44,7 @@ macro_rules! object {
         }
 
         impl $Object {
-            /// One, bound to nothing.
+            /// Creates an object that is not bound.
             pub fn create(gl: &Gl) -> Result<Self, GlError> {
                 let handle = gl.$create()
                     .map_err(|why| GlError::new(format!(concat!("OpenGL gave no ", stringify!($Object), ": {}"), why)))?;
@@ -70,7 +70,7 @@ object!(
     Buffer, Buffer, create_buffer, delete_buffer
 );
 object!(
-    /// Which buffer feeds which attribute.
+    /// A vertex array: the buffers of the attributes.
     VertexArray, VertexArray, create_vertex_array, delete_vertex_array
 );
 object!(
@@ -78,11 +78,11 @@ object!(
     TextureObject, Texture, create_texture, delete_texture
 );
 object!(
-    /// A target's part that is never sampled.
+    /// A renderbuffer: an attachment that is never sampled.
     Renderbuffer, Renderbuffer, create_renderbuffer, delete_renderbuffer
 );
 object!(
-    /// A target.
+    /// A framebuffer.
     Framebuffer, Framebuffer, create_framebuffer, delete_framebuffer
 );
 object!(

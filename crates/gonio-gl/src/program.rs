@@ -60,7 +60,7 @@ impl Program {
         Ok(program)
     }
 
-    /// Its number in records.
+    /// Its id in records.
     pub fn id(&self) -> u32 {
         self.gl.program_id(self.handle)
     }
@@ -75,7 +75,7 @@ impl Program {
         self.gl.use_program(Some(self.handle));
     }
 
-    /// Where a uniform is; `None` where the compiler found that it is not needed.
+    /// The location of a uniform; `None` if the compiler removed it.
     #[allow(clippy::clone_on_copy)] // not Copy on the web
     fn location(&self, name: &'static str) -> Option<glow::UniformLocation> {
         self.locations

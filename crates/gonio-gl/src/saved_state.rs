@@ -1,8 +1,8 @@
-//! The state of a window's toolkit, put back after a frame of ours.
+//! The OpenGL state of a window's toolkit, restored after a frame of ours.
 
 use crate::Gl;
 
-/// What is switched on or off.
+/// Capabilities that are saved.
 const SWITCHES: [u32; 5] = [glow::SCISSOR_TEST, glow::BLEND, glow::DEPTH_TEST, glow::CULL_FACE, glow::STENCIL_TEST];
 
 /// The factors of blending.

@@ -1,4 +1,4 @@
-//! What the GPU counts: how often the vertex and the fragment shader ran.
+//! Counters of the GPU: invocations of the vertex and the fragment shader.
 
 use crate::driver::DriverInfo;
 use crate::objects::Query;
@@ -9,7 +9,7 @@ const VERTEX_SHADER_INVOCATIONS: u32 = 0x82F0;
 /// ARB_pipeline_statistics_query
 const FRAGMENT_SHADER_INVOCATIONS: u32 = 0x82F4;
 
-/// What the GPU counted.
+/// Counts of one frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct GpuStatistics {
     /// Vertex shader invocations; `None` where the driver cannot count them.

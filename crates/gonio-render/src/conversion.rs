@@ -29,7 +29,7 @@ pub struct Converter {
 
 /// What is converted to.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Target {
+enum OutputLayout {
     Cubemap,
     Panorama,
 }
@@ -57,7 +57,7 @@ impl Converter {
         let size = map.size();
         let filter = conversion.filter_for(&from, 2.0 / f64::from(size));
         let (source, notes) = self.uploaded(from, filter)?;
-        let program = self.program(conversion, &source, Target::Cubemap, filter, [size, size])?;
+        let program = self.program(conversion, &source, OutputLayout::Cubemap, filter, [size, size])?;
         for face in Face::ALL {
             let middle = face.direction(0.0, 0.0, Layout::OpenGl);
             program.set_dvec3("face_middle", middle);
@@ -85,22 +85,24 @@ impl Converter {
         let size = [image.width, image.height];
         let filter = conversion.filter_for(&from, std::f64::consts::PI / f64::from(image.height));
         let (source, notes) = self.uploaded(from, filter)?;
-        self.program(conversion, &source, Target::Panorama, filter, size)?;
+        self.program(conversion, &source, OutputLayout::Panorama, filter, size)?;
         let pixels = self.drawn(size)?;
         image.pixels.copy_from_slice(bytemuck::cast_slice(&pixels));
         Ok(Converted { environment: Panorama { image }, notes })
     }
 
     /// The source as a texture; made smaller where it is larger than the driver's textures.
-    fn uploaded(&self, from: From<'_>, filter: Filter) -> Result<(Source, Vec<String>), GlError> {
+    fn uploaded(&self, from: From<'_>, filter: Filter) -> Result<(SourceTexture, Vec<String>), GlError> {
         let most = self.info.max_size;
         let sheets = from.sheets(filter);
         if sheets.width.max(sheets.height) <= most {
-            return Ok((Source::upload(&self.gl, &from, &sheets)?, Vec::new()));
+            return Ok((SourceTexture::upload(&self.gl, &from, &sheets)?, Vec::new()));
         }
         let reduce = Conversion { filter: Some(Filter::Area), ..Conversion::default() };
         let said = |was: String, is: String| {
-            vec![format!("{was} are more than this driver's {most} along a side; it was first reduced to {is}")]
+            vec![format!(
+                "{was} exceed the driver's limit of {most} along a side; the source was first reduced to {is}"
+            )]
         };
         match from {
             From::Panorama(panorama) => {
@@ -110,14 +112,14 @@ impl Converter {
                 let smaller = reduce.panorama(from, side(width), side(height));
                 let notes = said(format!("{width} x {height} pixels"), format!("{} x {}", side(width), side(height)));
                 let from = From::Panorama(&smaller);
-                Ok((Source::upload(&self.gl, &from, &from.sheets(filter))?, notes))
+                Ok((SourceTexture::upload(&self.gl, &from, &from.sheets(filter))?, notes))
             }
             From::Cubemap(map) => {
                 let size = (most - 2 * sheets.border).max(1);
                 let smaller = reduce.cubemap(from, size);
                 let notes = said(format!("faces of {0} x {0} texels", map.size()), format!("{size} x {size}"));
                 let from = From::Cubemap(&smaller);
-                Ok((Source::upload(&self.gl, &from, &from.sheets(filter))?, notes))
+                Ok((SourceTexture::upload(&self.gl, &from, &from.sheets(filter))?, notes))
             }
         }
     }
@@ -126,15 +128,15 @@ impl Converter {
     fn program(
         &self,
         conversion: &Conversion,
-        source: &Source,
-        target: Target,
+        source: &SourceTexture,
+        target: OutputLayout,
         filter: Filter,
         size: [u32; 2],
     ) -> Result<Program, GlError> {
         let most = self.info.max_size;
         if size[0].max(size[1]) > most {
             return Err(GlError::new(format!(
-                "{} x {} texels are more than this driver's {most} along a side; make it smaller, or convert on the CPU",
+                "{} x {} texels exceed the driver's limit of {most} along a side; choose a smaller size, or convert on the CPU",
                 size[0], size[1]
             )));
         }
@@ -171,14 +173,14 @@ impl Converter {
 }
 
 /// A source on the GPU; freed when dropped.
-struct Source {
+struct SourceTexture {
     texture: TextureObject,
     from_cubemap: bool,
     /// Without borders.
     size: [u32; 2],
 }
 
-impl Source {
+impl SourceTexture {
     fn upload(gl: &Gl, from: &From<'_>, sheets: &Sheets<'_>) -> Result<Self, GlError> {
         let texture = TextureObject::array(gl, "conversion's source")?;
         gl.tex_image_3d(
@@ -201,12 +203,12 @@ impl Source {
         }
         let border = 2 * sheets.border;
         let size = [sheets.width - border, sheets.height - border];
-        Ok(Source { texture, from_cubemap: matches!(from, From::Cubemap(_)), size })
+        Ok(SourceTexture { texture, from_cubemap: matches!(from, From::Cubemap(_)), size })
     }
 }
 
 /// Vertex and fragment shader.
-fn sources(dialect: Dialect, from_cubemap: bool, target: Target, filter: Filter) -> [String; 2] {
+fn sources(dialect: Dialect, from_cubemap: bool, target: OutputLayout, filter: Filter) -> [String; 2] {
     let mut text = dialect.header().to_owned();
     if dialect == Dialect::Es300 {
         text.push_str("precision highp sampler2DArray;\n");
@@ -220,7 +222,7 @@ fn sources(dialect: Dialect, from_cubemap: bool, target: Target, filter: Filter)
     }
     define("FILTER", &format!("FILTER_{}", filter.name().to_ascii_uppercase()));
     define("FROM_CUBEMAP", if from_cubemap { "1" } else { "0" });
-    define("TO_CUBEMAP", if target == Target::Cubemap { "1" } else { "0" });
+    define("TO_CUBEMAP", if target == OutputLayout::Cubemap { "1" } else { "0" });
     define("SOURCE_BORDER", &convert::BORDER.to_string());
     define("MOST_ALONG", &convert::MOST_ALONG.to_string());
     define("CROWDED", &format!("{:e}", panorama::CROWDED));

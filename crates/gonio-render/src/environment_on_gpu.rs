@@ -52,7 +52,7 @@ impl EnvironmentOnGpu {
             let texture = CubeTexture::upload(gl, &format!("{what} {}", environment.name), levels, max_size)?;
             if texture.levels_left_out > 0 {
                 notes.push(format!(
-                    "the {what} is drawn with {size} x {size} texels a face instead of {full} x {full}: this driver has \
+                    "the {what} is drawn with {size} x {size} texels a face instead of {full} x {full}: the driver has \
                      no more",
                     size = texture.size,
                     full = levels.first().map_or(0, Cubemap::size)

@@ -37,7 +37,7 @@ pub struct Geometry {
 
 impl Geometry {
     /// A mesh in a form, which a debugger shows as `name`. The order of triangles is the mesh's.
-    pub fn of(gl: &Gl, mesh: &Mesh, form: Form, name: &str) -> Result<Self, GlError> {
+    pub fn new(gl: &Gl, mesh: &Mesh, form: Form, name: &str) -> Result<Self, GlError> {
         match form {
             Form::Shared => Self::upload(gl, mesh, None, name),
             Form::Unshared => Self::unshared(gl, mesh, &format!("{name} (flat)")),

@@ -10,7 +10,7 @@ pub use difference::difference_sources;
 pub use output::{Display, OutputKey};
 pub use presentation::presentation_sources;
 pub use special::{OVERDRAW_SCALE, SpecialProgram};
-pub use surroundings::{Sight, SurroundingsKey, sky_sources};
+pub use surroundings::{SurfaceOptics, SurroundingsKey, sky_sources};
 
 use crate::body_tree::LEAF_STEP;
 use gonio_gl::Dialect;

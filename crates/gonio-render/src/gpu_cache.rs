@@ -18,11 +18,11 @@ use std::sync::{Arc, Weak};
 /// What is on the GPU, for as long as a scene holds it.
 #[derive(Default)]
 pub(crate) struct GpuCache {
-    pub geometries: Kept<Form, Mesh, Geometry>,
-    pub textures: Kept<(), Texture, TextureObject>,
-    pub environments: Kept<(), LoadedEnvironment, EnvironmentOnGpu>,
+    pub geometries: CacheOf<Form, Mesh, Geometry>,
+    pub textures: CacheOf<(), Texture, TextureObject>,
+    pub environments: CacheOf<(), LoadedEnvironment, EnvironmentOnGpu>,
     /// By whether normals are those of triangles, and by the bits of the object's matrix.
-    pub bodies: Kept<(bool, [u64; 16]), Mesh, BodyOnGpu>,
+    pub bodies: CacheOf<(bool, [u64; 16]), Mesh, BodyOnGpu>,
 }
 
 impl GpuCache {
@@ -41,19 +41,19 @@ impl GpuCache {
 }
 
 /// Things on the GPU by the identity of what they were made of, and how.
-pub(crate) struct Kept<How, Source, Made> {
+pub(crate) struct CacheOf<How, Source, Made> {
     made: HashMap<(usize, How), (Weak<Source>, WeakRc<Made>)>,
     /// How many have been made so far.
     count_made: usize,
 }
 
-impl<How, Source, Made> Default for Kept<How, Source, Made> {
+impl<How, Source, Made> Default for CacheOf<How, Source, Made> {
     fn default() -> Self {
-        Kept { made: HashMap::new(), count_made: 0 }
+        CacheOf { made: HashMap::new(), count_made: 0 }
     }
 }
 
-impl<How: Hash + Eq, Source, Made> Kept<How, Source, Made> {
+impl<How: Hash + Eq, Source, Made> CacheOf<How, Source, Made> {
     /// What was made of `source` in this way, made now where it is not there.
     ///
     /// An address says who somebody is while somebody remembers it: the weak reference keeps the address from being

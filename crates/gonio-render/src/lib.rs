@@ -28,7 +28,7 @@ pub use display_texture::DisplayTexture;
 pub use glsl::OVERDRAW_SCALE;
 pub use gonio_scene::{Overlays, SpecialView};
 pub use presenter::{Presentation, Presenter};
-pub use renderer::{DifferenceScale, Drawn, Drawn8, Painted, Renderer};
+pub use renderer::{DifferenceScale, Painted, RenderedFrame, RenderedPicture, Renderer};
 pub use scene_on_gpu::GpuScene;
 
 #[cfg(test)]

@@ -32,7 +32,7 @@ impl Presenter {
     }
 
     /// A texture whose first row is the picture's top, of colours as they are displayed, premultiplied. It may have holes.
-    pub fn of(&self, texture: glow::Texture) -> Presentation {
+    pub fn presentation(&self, texture: glow::Texture) -> Presentation {
         Presentation { program: self.program.handle(), texture, opaque: false }
     }
 }

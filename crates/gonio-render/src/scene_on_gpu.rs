@@ -91,11 +91,11 @@ impl GpuScene {
             let geometry = &mut geometries[object.mesh];
             if wants_unshared(object.shading) {
                 if geometry.unshared.is_none() {
-                    let make = || Geometry::of(gl, mesh, Form::Unshared, &object.name);
+                    let make = || Geometry::new(gl, mesh, Form::Unshared, &object.name);
                     geometry.unshared = Some(cache.geometries.get(mesh, Form::Unshared, make)?);
                 }
             } else if geometry.shared.is_none() {
-                let make = || Geometry::of(gl, mesh, Form::Shared, &object.name);
+                let make = || Geometry::new(gl, mesh, Form::Shared, &object.name);
                 geometry.shared = Some(cache.geometries.get(mesh, Form::Shared, make)?);
             }
         }
@@ -144,7 +144,7 @@ impl GpuScene {
         }
         let name = &object.object.name;
         let mesh = self.meshes.get(index).ok_or_else(|| GlError::new(format!("`{name}` has no mesh")))?;
-        let made = cache.geometries.get(mesh, form, || Geometry::of(gl, mesh, form, name))?;
+        let made = cache.geometries.get(mesh, form, || Geometry::new(gl, mesh, form, name))?;
         self.overlays.borrow_mut().insert((index, form), made.clone());
         Ok(made)
     }
@@ -224,7 +224,7 @@ impl GpuObject {
         })?;
         if self.body.is_none() && mesh.triangle_count() > 0 {
             notes.push(format!(
-                "`{}` is refracted at its first surface only: this driver has no room for the inside of {} triangles",
+                "`{}` is refracted at its first surface only: the driver has no room for the interior of {} triangles",
                 object.name,
                 mesh.triangle_count()
             ));

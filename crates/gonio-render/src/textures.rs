@@ -17,7 +17,7 @@ const MAX_ANISOTROPY: f32 = 16.0;
 pub fn upload(gl: &Gl, texture: &Texture, max_size: u32) -> Result<TextureObject, GlError> {
     if texture.width > max_size || texture.height > max_size {
         return Err(GlError::new(format!(
-            "{}: {} x {} texels are more than this driver's {max_size} along a side; make the picture smaller",
+            "{}: {} x {} texels exceed the driver's limit of {max_size} along a side; reduce the picture",
             texture.name, texture.width, texture.height
         )));
     }

@@ -5,7 +5,7 @@ use crate::cli::BackendOptions;
 use crate::report::{CliError, Reporter, Times};
 use gonio_gl::{DriverInfo, GpuStatistics, HeadlessContext};
 use gonio_reference::{ReferenceScene, Rendered};
-use gonio_render::{DisplayOptions, Drawn, Drawn8, GpuScene, Renderer};
+use gonio_render::{DisplayOptions, GpuScene, RenderedFrame, RenderedPicture, Renderer};
 use gonio_scene::picture::EncodedPicture;
 use gonio_scene::{DisplayMap, Frame, Picture, Scene, ViewSpec};
 use serde::Serialize;
@@ -340,9 +340,9 @@ fn sentence(driver: Option<&DriverInfo>, reason: Option<&str>) -> String {
 /// A finished frame.
 pub enum Shot {
     /// On the GPU.
-    Gl(Drawn),
+    Gl(RenderedFrame),
     /// With 8 bits per channel only.
-    Gl8(Drawn8),
+    Gl8(RenderedPicture),
     /// With the map from its values to what is displayed.
     Cpu(Rendered, DisplayMap),
 }

@@ -1,8 +1,8 @@
-//! Whether a texture has all that its filter wants.
+//! Completeness of textures.
 
 use super::data::{SamplingRecord, TextureRecord};
 
-/// The first and the last level that are read.
+/// Returns the first and the last level that are read.
 pub fn levels_read(texture: &TextureRecord, sampling: Option<&SamplingRecord>) -> [u32; 2] {
     // A multisampled texture has one.
     let Some(sampling) = sampling else { return [0, 0] };
@@ -15,8 +15,8 @@ pub fn levels_read(texture: &TextureRecord, sampling: Option<&SamplingRecord>) -
     [base, sampling.max_level.min(base + side.ilog2())]
 }
 
-/// What a texture lacks of the levels that are read: OpenGL then gives black. (OpenGL 3.3, section 3.8.14; that formats
-/// of floats need not be filtered by OpenGL ES is not looked at.)
+/// Explains why a texture is incomplete, in which case it reads as black (OpenGL 3.3, section 3.8.14). That OpenGL ES need not
+/// filter float formats is not considered.
 pub fn why_incomplete(texture: &TextureRecord, sampling: Option<&SamplingRecord>) -> Option<String> {
     let [first, last] = levels_read(texture, sampling);
     let faces = if texture.kind == "cube" { 6 } else { 1 };

@@ -1,4 +1,4 @@
-//! What a frame did, as plain data: passes, draws, programs, textures. No OpenGL.
+//! The record of a frame as plain data: passes, draws, programs, textures. No OpenGL.
 //!
 //! Objects are named by **id**: OpenGL's own name of the object, the small number that `glGen…` gave. WebGL shows no such
 //! numbers; there they are counted in the order of creation, as drivers do it.
@@ -11,7 +11,7 @@ pub const MOST_DRAWS: usize = 2000;
 /// All that happened while a recording ran, in order.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct FrameRecord {
-    /// How many texture units the driver has, over all stages.
+    /// The number of texture units of the driver, over all stages.
     pub texture_units: u32,
     /// Runs of commands that draw into one framebuffer.
     pub passes: Vec<PassRecord>,
@@ -23,7 +23,7 @@ pub struct FrameRecord {
     pub textures: Vec<TextureRecord>,
     /// Draw calls beyond the most that are kept ([`MOST_DRAWS`]).
     pub draws_left_out: usize,
-    /// What else is worth knowing, a sentence each.
+    /// Notes, one sentence each.
     pub notes: Vec<String>,
 }
 
@@ -44,15 +44,15 @@ impl FrameRecord {
 pub struct PassRecord {
     /// The outermost debug group, or what is drawn into.
     pub name: String,
-    /// What is drawn into.
+    /// Its render target.
     pub target: TargetRecord,
-    /// What the pass cleared, where it did.
+    /// The clear of the pass, if there is one.
     pub cleared: Option<ClearRecord>,
     /// The framebuffer into which its samples were averaged (`glBlitFramebuffer`).
     pub resolved_into: Option<String>,
     /// Its first draw.
     pub first_draw: usize,
-    /// How many draws.
+    /// The number of draws.
     pub draw_count: usize,
 }
 
@@ -69,24 +69,24 @@ pub struct TargetRecord {
     pub height: u32,
     /// Per pixel, at least 1.
     pub samples: u32,
-    /// The format of its first colour, in OpenGL's words.
+    /// The format of its first colour, as OpenGL names it.
     pub format: Option<String>,
-    /// Where its colours and depths are.
+    /// Its attachments.
     pub attachments: Vec<AttachmentRecord>,
 }
 
-/// What is attached to a framebuffer.
+/// An attachment of a framebuffer.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct AttachmentRecord {
     /// `color 0`, `depth`, ...
     pub point: String,
     /// `None` where it is a renderbuffer.
     pub texture: Option<u32>,
-    /// Of the texture.
+    /// The level of the texture.
     pub level: u32,
     /// Its label.
     pub name: String,
-    /// In OpenGL's words, for example `RGBA16F`.
+    /// As OpenGL names it, for example `RGBA16F`.
     pub format: String,
 }
 
@@ -108,7 +108,7 @@ pub struct DrawRecord {
     pub pass: usize,
     /// Debug groups around it, the outermost first.
     pub groups: Vec<String>,
-    /// What is drawn, where the caller has said so.
+    /// The subject of the draw, if the caller named it.
     pub subject: Option<Subject>,
     /// Its program, an index into [`FrameRecord::programs`]; `None` where none was in use.
     pub program: Option<usize>,
@@ -122,19 +122,19 @@ pub struct DrawRecord {
     pub indexed: bool,
     /// The highest vertex that is read; `None` where it is not known, or none is.
     pub highest_vertex: Option<u32>,
-    /// How many times all of it is drawn.
+    /// The number of instances.
     pub instances: u32,
-    /// How often the vertex shader ran, as counted by the GPU; `None` where the driver cannot count.
+    /// Vertex shader invocations, as counted by the GPU; `None` if the driver cannot count.
     pub vertices_shaded: Option<u64>,
-    /// How often the fragment shader ran, likewise: whole 2 x 2 blocks, and every sample where all are shaded.
+    /// Fragment shader invocations: whole 2 x 2 blocks, and every sample if all are shaded. `None` if the driver cannot count.
     pub fragments_shaded: Option<u64>,
     /// Fixed functions.
     pub state: StateRecord,
     /// Values of the uniforms that are not samplers.
     pub uniforms: Vec<UniformValue>,
-    /// What the samplers read.
+    /// The samplers and their textures.
     pub samplers: Vec<SamplerRecord>,
-    /// What feeds the vertex shader.
+    /// The attributes of the vertex shader.
     pub attributes: Vec<AttributeRecord>,
     /// Textures that are bound, to whichever unit.
     pub units: Vec<BindingRecord>,
@@ -155,7 +155,7 @@ impl DrawRecord {
     }
 }
 
-/// What a draw shows.
+/// The subject of a draw.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Subject {
     /// The object's name.
@@ -190,20 +190,20 @@ pub struct StateRecord {
     pub cull: Option<String>,
     /// `counter-clockwise` or `clockwise`.
     pub front_face: String,
-    /// Which of red, green, blue and alpha are written.
+    /// Whether red, green, blue and alpha are written.
     pub color_mask: [bool; 4],
     /// x, y of the lower left corner, width, height, in pixels.
     pub viewport: [i32; 4],
-    /// The same; `None` where nothing is cut off.
+    /// The scissor rectangle; `None` if there is no scissor test.
     pub scissor: Option<[i32; 4]>,
 }
 
-/// How a fragment is mixed with what is there.
+/// Blending.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BlendRecord {
     /// Factors of the source's and the destination's colour, for example `one`, `one minus source alpha`.
     pub color: [String; 2],
-    /// The same of alpha.
+    /// The factors for alpha.
     pub alpha: [String; 2],
 }
 
@@ -231,7 +231,7 @@ pub struct AttributeDeclaration {
     pub name: String,
     /// Its GLSL type.
     pub glsl_type: String,
-    /// Where the vertex array feeds it.
+    /// Its location.
     pub location: u32,
 }
 
@@ -276,7 +276,7 @@ pub enum Numbers {
 }
 
 impl Numbers {
-    /// How many.
+    /// The number of values.
     pub fn len(&self) -> usize {
         match self {
             Numbers::Float(v) => v.len(),
@@ -316,20 +316,20 @@ pub struct SamplerRecord {
     pub glsl_type: String,
     /// The unit that it reads.
     pub unit: u32,
-    /// What `glUniform1i` was last given for it, which OpenGL refuses where there is no such unit; `None` where it was
+    /// The last value passed to `glUniform1i` for it, which OpenGL refuses if no unit has that number; `None` if it was
     /// never set, or set before the recording.
     pub sent: Option<i32>,
     /// Whether it was set since its program was linked.
     pub was_set: bool,
     /// The texture of the sampler's kind that is bound to the unit, by id.
     pub texture: Option<u32>,
-    /// How it is sampled.
+    /// The sampling parameters.
     pub sampling: Option<SamplingRecord>,
-    /// What the texture lacks for that, at this draw: then it reads black.
+    /// The reason why the texture is incomplete at this draw, and reads as black; `None` if it is complete.
     pub incomplete: Option<String>,
     /// Ids of textures of other kinds that are bound to the unit.
     pub others: Vec<u32>,
-    /// Where an earlier draw of something else bound the texture for itself: that draw's subject.
+    /// The subject of the earlier draw that bound the texture, if it is not this one.
     pub bound_for: Option<Subject>,
 }
 
@@ -366,19 +366,19 @@ pub struct AttributeRecord {
     pub name: String,
     /// Its GLSL type.
     pub glsl_type: String,
-    /// Where the vertex array feeds it.
+    /// Its location.
     pub location: u32,
-    /// What feeds it.
+    /// The source of its values.
     pub source: AttributeSource,
 }
 
-/// What feeds an attribute.
+/// The source of the values of an attribute.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum AttributeSource {
     /// A value of its own for each vertex.
     Array(ArraySource),
-    /// The same value for all vertices.
+    /// One value for all vertices.
     Constant {
         /// x, y, z, w.
         value: [f32; 4],
@@ -404,7 +404,7 @@ pub struct ArraySource {
     pub element_bytes: u32,
     /// Whether integers are mapped to -1 to 1 or 0 to 1.
     pub normalized: bool,
-    /// Bytes from one vertex to the next as given; 0 means tightly packed.
+    /// Bytes from one vertex to the next, as passed to OpenGL; 0 means tightly packed.
     pub stride: u32,
     /// The first vertex's first byte.
     pub offset: u32,
@@ -419,7 +419,7 @@ impl ArraySource {
     }
 }
 
-/// What is read and how, in a line.
+/// A description in one line.
 impl std::fmt::Display for ArraySource {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let (stride, offset) = (self.effective_stride(), self.offset);
@@ -448,11 +448,11 @@ pub struct TextureRecord {
     pub depth: u32,
     /// Per texel, at least 1.
     pub samples: u32,
-    /// In OpenGL's words, for example `SRGB8_ALPHA8`.
+    /// As OpenGL names it, for example `SRGB8_ALPHA8`.
     pub format: String,
     /// Its levels, the largest first.
     pub levels: Vec<LevelRecord>,
-    /// How its texels hold what they mean.
+    /// How its texels encode their values.
     pub content: Content,
     /// A small picture of it, where one was asked for.
     #[serde(skip)]
@@ -468,15 +468,15 @@ pub struct LevelRecord {
     pub width: u32,
     /// Texels.
     pub height: u32,
-    /// How many faces of a cubemap have it; 1 of any other texture.
+    /// The number of faces of a cubemap that have it; 1 for any other texture.
     pub faces: u32,
 }
 
-/// How a texture's texels hold what they mean.
+/// How the texels of a texture encode their values.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Content {
-    /// As they are.
+    /// Directly.
     #[default]
     Plain,
     /// A number t from 0 to 1 as 2 t - 1.

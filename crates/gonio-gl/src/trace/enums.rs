@@ -1,7 +1,7 @@
-//! OpenGL's numbers in words.
+//! Names of OpenGL's constants, and sizes of its types.
 
-/// A table of enums and their words, and what else is written as a number.
-macro_rules! words {
+/// A function that returns the name of a constant, or its number if it is unknown.
+macro_rules! names {
     ($(#[$doc:meta])* $name:ident { $($constant:ident => $word:literal,)+ }) => {
         $(#[$doc])*
         pub fn $name(code: u32) -> String {
@@ -13,15 +13,15 @@ macro_rules! words {
     };
 }
 
-words! {
-    /// What vertices are joined to.
+names! {
+    /// Primitives.
     primitive {
         POINTS => "points", LINES => "lines", LINE_STRIP => "line strip", LINE_LOOP => "line loop",
         TRIANGLES => "triangles", TRIANGLE_STRIP => "triangle strip", TRIANGLE_FAN => "triangle fan",
     }
 }
 
-words! {
+names! {
     /// Comparisons of depths.
     comparison {
         NEVER => "never", LESS => "less", EQUAL => "equal", LEQUAL => "less or equal", GREATER => "greater",
@@ -29,14 +29,14 @@ words! {
     }
 }
 
-words! {
-    /// Which faces are culled.
+names! {
+    /// Culled faces.
     faces {
         FRONT => "front", BACK => "back", FRONT_AND_BACK => "front and back",
     }
 }
 
-words! {
+names! {
     /// Factors of blending.
     factor {
         ZERO => "zero", ONE => "one", SRC_COLOR => "source colour", ONE_MINUS_SRC_COLOR => "one minus source colour",
@@ -49,8 +49,8 @@ words! {
     }
 }
 
-words! {
-    /// How textures are filtered and repeated.
+names! {
+    /// Filters and wrap modes.
     sampling {
         NEAREST => "nearest", LINEAR => "linear", NEAREST_MIPMAP_NEAREST => "nearest mipmap nearest",
         LINEAR_MIPMAP_NEAREST => "linear mipmap nearest", NEAREST_MIPMAP_LINEAR => "nearest mipmap linear",
@@ -59,7 +59,7 @@ words! {
     }
 }
 
-words! {
+names! {
     /// Formats of textures and renderbuffers.
     format {
         R8 => "R8", RG8 => "RG8", RGB8 => "RGB8", RGBA8 => "RGBA8", SRGB8 => "SRGB8", SRGB8_ALPHA8 => "SRGB8_ALPHA8",
@@ -72,8 +72,8 @@ words! {
     }
 }
 
-words! {
-    /// Where a framebuffer's pictures are.
+names! {
+    /// Attachment points.
     attachment {
         DEPTH_ATTACHMENT => "depth", STENCIL_ATTACHMENT => "stencil", DEPTH_STENCIL_ATTACHMENT => "depth and stencil",
         COLOR_ATTACHMENT0 => "color 0", COLOR_ATTACHMENT1 => "color 1", COLOR_ATTACHMENT2 => "color 2",
@@ -81,7 +81,7 @@ words! {
     }
 }
 
-words! {
+names! {
     /// Errors.
     error {
         INVALID_ENUM => "INVALID_ENUM", INVALID_VALUE => "INVALID_VALUE", INVALID_OPERATION => "INVALID_OPERATION",
@@ -90,7 +90,7 @@ words! {
     }
 }
 
-words! {
+names! {
     /// Types of an attribute's numbers.
     component {
         BYTE => "byte", UNSIGNED_BYTE => "unsigned byte", SHORT => "short", UNSIGNED_SHORT => "unsigned short",
@@ -98,7 +98,7 @@ words! {
     }
 }
 
-words! {
+names! {
     /// Types of GLSL.
     glsl_type {
         FLOAT => "float", FLOAT_VEC2 => "vec2", FLOAT_VEC3 => "vec3", FLOAT_VEC4 => "vec4", INT => "int",
@@ -113,7 +113,7 @@ words! {
     }
 }
 
-/// The kind of a uniform's numbers.
+/// The scalar type of a uniform.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scalar {
     /// `float`
@@ -126,7 +126,7 @@ pub enum Scalar {
     Bool,
 }
 
-/// What an element of a uniform's type consists of; `None` for samplers, and for what is not known here.
+/// Returns the scalar type and the number of scalars of a GLSL type; `None` for samplers and unknown types.
 pub fn layout(code: u32) -> Option<(Scalar, usize)> {
     Some(match code {
         glow::FLOAT => (Scalar::Float, 1),
@@ -164,7 +164,7 @@ pub fn component_bytes(code: u32) -> u32 {
     }
 }
 
-/// What a texture is, or a sampler wants: textures of each kind are bound to a unit of their own.
+/// The kind of a texture or of a sampler. Each unit has a binding for each kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum TextureKind {
     /// `GL_TEXTURE_2D`
@@ -180,12 +180,12 @@ pub enum TextureKind {
 }
 
 impl TextureKind {
-    /// All.
+    /// Every kind.
     pub const ALL: [TextureKind; 5] =
         [TextureKind::Flat, TextureKind::Cube, TextureKind::Array, TextureKind::Solid, TextureKind::Multisample];
 
-    /// Of a target of `glBindTexture`, or of a face of a cubemap.
-    pub fn of_target(target: u32) -> Option<TextureKind> {
+    /// The kind of a target of `glBindTexture`, or of a face of a cubemap.
+    pub fn from_target(target: u32) -> Option<TextureKind> {
         Some(match target {
             glow::TEXTURE_2D => TextureKind::Flat,
             glow::TEXTURE_CUBE_MAP => TextureKind::Cube,
@@ -197,8 +197,8 @@ impl TextureKind {
         })
     }
 
-    /// What a sampler of this type wants; `None` where the type is no sampler.
-    pub fn of_sampler(glsl_type: u32) -> Option<TextureKind> {
+    /// The kind that a sampler of this type reads; `None` if the type is not a sampler.
+    pub fn from_sampler_type(glsl_type: u32) -> Option<TextureKind> {
         Some(match glsl_type {
             glow::SAMPLER_2D | glow::SAMPLER_2D_SHADOW | glow::INT_SAMPLER_2D | glow::UNSIGNED_INT_SAMPLER_2D => {
                 TextureKind::Flat
@@ -217,7 +217,7 @@ impl TextureKind {
         })
     }
 
-    /// Where it is bound.
+    /// The target of `glBindTexture`.
     pub fn target(self) -> u32 {
         match self {
             TextureKind::Flat => glow::TEXTURE_2D,
@@ -228,7 +228,7 @@ impl TextureKind {
         }
     }
 
-    /// In words.
+    /// The name in records.
     pub fn name(self) -> &'static str {
         match self {
             TextureKind::Flat => "2D",

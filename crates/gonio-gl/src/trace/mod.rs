@@ -1,14 +1,15 @@
-//! The frame taken apart: what OpenGL was told, as data that can be read, printed and checked.
+//! Records of frames: the calls to OpenGL as data that can be read, printed and checked.
 //!
-//! All calls go through [`crate::Gl`], which notes what exists and what is bound: no call can be made without its note.
-//! While a [`Recording`] runs, each draw is noted with all that it reads: program, uniforms and their values, samplers, the units they read, and the textures
-//! there. [`lint`] looks through the record for what is wrong. It works wherever gonio draws, WebGL2 included, and on
-//! any sequence of calls: `Renderer::record` is one, a student's exercise another.
+//! All calls go through [`crate::Gl`], which tracks objects and bindings; no call can bypass it. While a [`Recording`] runs,
+//! each draw is recorded with everything that it reads: program, uniforms and their values, samplers, their units, and the
+//! textures there. [`lint`] searches the record for mistakes. Recording works wherever gonio draws, WebGL2 included, and for
+//! any sequence of calls: `Renderer::record` is one, a student's program another.
 //!
-//! Nothing is recorded, and nothing looked up, while no recording runs.
+//! Nothing is recorded or queried while no recording runs.
 
 mod complete;
 pub(crate) mod data;
+pub mod enums;
 mod lint;
 mod program_reader;
 pub(crate) mod recorder;
@@ -16,7 +17,6 @@ mod recording;
 mod snapshot;
 pub(crate) mod state;
 mod thumbnails;
-pub mod words;
 
 pub use data::{
     ArraySource, AttachmentRecord, AttributeDeclaration, AttributeRecord, AttributeSource, BindingRecord, BlendRecord,

@@ -1,8 +1,8 @@
-//! What a program wants, and what its uniforms hold: asked of OpenGL.
+//! Reads the interface of a program and the values of its uniforms from OpenGL.
 
 use super::data::{AttributeDeclaration, Numbers, ProgramRecord, UniformDeclaration};
+use super::enums::{self, Scalar, TextureKind};
 use super::state::{ProgramState, base_name};
-use super::words::{self, Scalar, TextureKind};
 use crate::functions::Functions;
 
 /// A program's attributes and uniforms.
@@ -21,18 +21,18 @@ pub struct ActiveUniform {
     pub name: String,
     /// OpenGL's number of its type.
     pub code: u32,
-    /// Where its elements are.
+    /// The locations of its elements.
     pub locations: Vec<glow::UniformLocation>,
 }
 
 impl ActiveUniform {
-    /// What it wants, where it is a sampler.
+    /// The kind of texture that it reads, if it is a sampler.
     pub fn sampler(&self) -> Option<TextureKind> {
-        TextureKind::of_sampler(self.code)
+        TextureKind::from_sampler_type(self.code)
     }
 }
 
-/// Reads what a linked program wants.
+/// Reads the interface of a linked program.
 pub fn interface(gl: &Functions, program: glow::Program, index: usize) -> Interface {
     let mut attributes = Vec::new();
     let mut uniforms = Vec::new();
@@ -40,7 +40,7 @@ pub fn interface(gl: &Functions, program: glow::Program, index: usize) -> Interf
         let Some(attribute) = gl.get_active_attribute(program, index) else { continue };
         // gl_VertexID and its like have none.
         let Some(location) = gl.get_attrib_location(program, &attribute.name) else { continue };
-        let glsl_type = words::glsl_type(attribute.atype);
+        let glsl_type = enums::glsl_type(attribute.atype);
         attributes.push(AttributeDeclaration { name: attribute.name, glsl_type, location });
     }
     for index in 0..gl.get_active_uniforms(program) {
@@ -66,7 +66,7 @@ pub fn interface(gl: &Functions, program: glow::Program, index: usize) -> Interf
 pub fn record(interface: &Interface, state: Option<&ProgramState>) -> ProgramRecord {
     let uniform = |uniform: &ActiveUniform| UniformDeclaration {
         name: uniform.name.clone(),
-        glsl_type: words::glsl_type(uniform.code),
+        glsl_type: enums::glsl_type(uniform.code),
         location: uniform.locations.first().and_then(number),
         array_size: uniform.locations.len() as u32,
     };
@@ -92,9 +92,10 @@ fn number(_: &glow::UniformLocation) -> Option<u32> {
     None
 }
 
-/// What a uniform that is no sampler holds. `sent` are the whole numbers last given: glow does not read `bool` on the web.
+/// Reads the value of a uniform that is not a sampler. `sent` are the integers that were set last: glow does not read `bool`
+/// on the web.
 pub fn value(gl: &Functions, program: glow::Program, uniform: &ActiveUniform, sent: Option<&[i32]>) -> Numbers {
-    let Some((scalar, each)) = words::layout(uniform.code) else { return Numbers::Float(Vec::new()) };
+    let Some((scalar, each)) = enums::layout(uniform.code) else { return Numbers::Float(Vec::new()) };
     let count = each * uniform.locations.len();
     // Each element is read into room for exactly its numbers: more than that and glow panics on the web.
     match scalar {

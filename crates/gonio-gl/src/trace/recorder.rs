@@ -1,11 +1,11 @@
-//! Turns calls into a record, while one is made.
+//! Builds the record of a frame from calls.
 
 use super::data::{
     AttachmentRecord, ClearRecord, FrameRecord, LevelRecord, MOST_DRAWS, PassRecord, TargetRecord, TextureRecord,
 };
+use super::enums::{self, TextureKind};
 use super::program_reader::Interface;
 use super::state::{Attached, State, TextureState};
-use super::words::{self, TextureKind};
 use crate::bounds::DrawCall;
 use crate::functions::Functions;
 use std::collections::HashMap;
@@ -17,7 +17,7 @@ const FRAGMENT_SHADER_INVOCATIONS: u32 = 0x82F4;
 /// Errors that are fetched at once: a driver may keep several flags, and a lost context gives no end of them.
 const MOST_ERRORS: usize = 8;
 
-/// What is being recorded.
+/// A recording in progress.
 pub struct Recorder {
     pub(super) record: FrameRecord,
     /// Open debug groups.
@@ -144,7 +144,7 @@ impl Recorder {
         self.record.textures = textures;
         if self.record.draws_left_out > 0 {
             self.record.notes.push(format!(
-                "the first {MOST_DRAWS} draw calls are listed, and {} more are not",
+                "the first {MOST_DRAWS} draw calls are listed; {} more are not",
                 self.record.draws_left_out
             ));
         }
@@ -163,13 +163,13 @@ impl Recorder {
     }
 }
 
-/// Errors that OpenGL has not told yet.
+/// Fetches all errors of OpenGL.
 pub fn errors(gl: &Functions) -> Vec<String> {
     let mut errors = Vec::new();
     while errors.len() < MOST_ERRORS {
         match gl.get_error() {
             glow::NO_ERROR => break,
-            code => errors.push(words::error(code)),
+            code => errors.push(enums::error(code)),
         }
     }
     errors
@@ -196,13 +196,13 @@ fn target_record(state: &State) -> TargetRecord {
                 (None, 0, &buffer.label.name, buffer.format, buffer.size, buffer.samples)
             }
         };
-        let format = words::format(format);
+        let format = enums::format(format);
         [record.width, record.height] = size;
         record.samples = samples.max(1);
         if *point == glow::COLOR_ATTACHMENT0 {
             record.format = Some(format.clone());
         }
-        let point = words::attachment(*point);
+        let point = enums::attachment(*point);
         record.attachments.push(AttachmentRecord { point, texture, level, name: name.clone(), format });
     }
     record
@@ -225,7 +225,7 @@ pub(super) fn texture_record(texture: &TextureState) -> TextureRecord {
         height,
         depth: texture.depth.max(1),
         samples: texture.samples.max(1),
-        format: if texture.levels.is_empty() { String::new() } else { words::format(texture.format) },
+        format: if texture.levels.is_empty() { String::new() } else { enums::format(texture.format) },
         levels: texture.levels.iter().map(level).collect(),
         content: texture.content,
         thumbnail: None,

@@ -1,9 +1,9 @@
 //! A recording of a frame.
 
 use super::data::FrameRecord;
+use super::enums::TextureKind;
 use super::recorder::{self, Recorder};
 use super::thumbnails;
-use super::words::TextureKind;
 use crate::driver::DriverInfo;
 use crate::{Gl, GlError};
 
@@ -16,13 +16,15 @@ pub struct Recording {
 }
 
 impl Recording {
-    /// Begins: from here on every call through `gl` and its clones is noted. Units are emptied and no program is in use,
-    /// so that a draw that relies on what somebody left behind shows it.
+    /// Begins to record every call through `gl` and its clones. Units are emptied and no program is in use, so that the record
+    /// shows if a draw relies on earlier state.
     ///
-    /// An error where another recording runs.
+    /// # Errors
+    ///
+    /// Another recording is running.
     pub fn begin(gl: &Gl) -> Result<Self, GlError> {
         if gl.with_state(|state| state.is_recording) {
-            return Err(GlError::new("a frame is being recorded already; finish that recording first"));
+            return Err(GlError::new("another recording is running; finish it first"));
         }
         let counts = DriverInfo::new(gl).pipeline_statistics;
         let recorder = Recorder::new(gl.functions(), counts);
@@ -43,7 +45,7 @@ impl Recording {
         Ok(Recording { gl: gl.clone() })
     }
 
-    /// Ends, and gives what was recorded.
+    /// Ends, and returns the record.
     pub fn finish(self) -> FrameRecord {
         let Some(recorder) = self.gl.exchange_recorder(None) else { return FrameRecord::default() };
         self.gl.with_state(|state| {
@@ -53,7 +55,7 @@ impl Recording {
         })
     }
 
-    /// Ends, and gives what was recorded with small pictures of all textures that can have one.
+    /// Ends, and returns the record with thumbnails of all textures that can have one.
     pub fn finish_with_thumbnails(self) -> Result<FrameRecord, GlError> {
         let gl = self.gl.clone();
         let mut record = self.finish();

@@ -1,25 +1,25 @@
-//! All that one draw call reads, at the moment of the call.
+//! Everything that one draw call reads, at the moment of the call.
 
 use super::complete::why_incomplete;
 use super::data::{
     ArraySource, AttributeRecord, AttributeSource, BindingRecord, BlendRecord, DrawRecord, SamplerRecord,
     SamplingRecord, StateRecord, UniformValue,
 };
+use super::enums::{self, TextureKind};
 use super::program_reader::{self, ActiveUniform, Interface};
 use super::recorder::{Recorder, errors, texture_record};
 use super::state::{Binding, State};
-use super::words::{self, TextureKind};
 use crate::bounds::DrawCall;
 use crate::functions::Functions;
 use std::rc::Rc;
 
 /// Bytes of indices that are read to find the highest vertex.
 const MOST_INDEX_BYTES: usize = 64 << 20;
-/// What an attribute is that nobody has fed.
+/// The initial value of an attribute without an array.
 const INITIAL_CONSTANT: [f32; 4] = [0.0, 0.0, 0.0, 1.0];
 
 impl Recorder {
-    /// What a draw will read.
+    /// Collects everything that a draw will read.
     pub(super) fn snapshot(&mut self, state: &mut State, gl: &Functions, call: &DrawCall) -> DrawRecord {
         // Before anything of ours could raise one.
         let errors = errors(gl);
@@ -38,7 +38,7 @@ impl Recorder {
             groups: self.groups.clone(),
             subject,
             program: interface.map(|(_, interface)| interface.index),
-            primitive: words::primitive(call.mode),
+            primitive: enums::primitive(call.mode),
             count: call.count.max(0) as u32,
             first: index_bytes.map_or(call.first, |bytes| call.first / bytes).max(0) as u32,
             indexed: call.index_type.is_some(),
@@ -102,7 +102,7 @@ impl Recorder {
                         1 => uniform.name.clone(),
                         _ => format!("{}[{element}]", uniform.name),
                     },
-                    glsl_type: words::glsl_type(uniform.code),
+                    glsl_type: enums::glsl_type(uniform.code),
                     unit,
                     sent: sent.and_then(|sent| sent.get(element)).copied(),
                     was_set: known.is_some_and(|program| program.was_sent(&uniform.name)),
@@ -129,8 +129,8 @@ impl Recorder {
                     buffer_name: buffer.map(|buffer| buffer.label.name.clone()).unwrap_or_default(),
                     buffer_bytes: buffer.map_or(0, |buffer| buffer.contents.borrow().bytes),
                     components: fed.components,
-                    component_type: words::component(fed.component_type),
-                    element_bytes: fed.components * words::component_bytes(fed.component_type),
+                    component_type: enums::component(fed.component_type),
+                    element_bytes: fed.components * enums::component_bytes(fed.component_type),
                     normalized: fed.normalized,
                     stride: fed.stride,
                     offset: fed.offset,
@@ -169,7 +169,7 @@ fn units(state: &State) -> Vec<BindingRecord> {
 }
 
 fn index_bytes(index_type: u32) -> i32 {
-    words::component_bytes(index_type) as i32
+    enums::component_bytes(index_type) as i32
 }
 
 fn values(gl: &Functions, state: &State, program: glow::Program, interface: &Interface) -> Vec<UniformValue> {
@@ -178,7 +178,7 @@ fn values(gl: &Functions, state: &State, program: glow::Program, interface: &Int
         let sent = known.and_then(|program| program.sent.get(&uniform.name)).and_then(Option::as_deref);
         UniformValue {
             name: uniform.name.clone(),
-            glsl_type: words::glsl_type(uniform.code),
+            glsl_type: enums::glsl_type(uniform.code),
             sent: known.is_some_and(|program| program.was_sent(&uniform.name)),
             value: program_reader::value(gl, program, uniform, sent),
         }
@@ -186,7 +186,7 @@ fn values(gl: &Functions, state: &State, program: glow::Program, interface: &Int
     interface.uniforms.iter().filter(|uniform| uniform.sampler().is_none()).map(value).collect()
 }
 
-/// How the texture of a unit is sampled. Leaves that unit active.
+/// Reads the sampling parameters of the texture of a unit. Leaves that unit active.
 fn sampling(gl: &Functions, kind: TextureKind, unit: u32) -> Option<SamplingRecord> {
     if kind == TextureKind::Multisample {
         return None; // It is only fetched, and has no such parameters.
@@ -194,26 +194,26 @@ fn sampling(gl: &Functions, kind: TextureKind, unit: u32) -> Option<SamplingReco
     gl.active_texture(glow::TEXTURE0 + unit);
     let parameter = |what: u32| gl.get_tex_parameter_i32(kind.target(), what).max(0) as u32;
     Some(SamplingRecord {
-        min_filter: words::sampling(parameter(glow::TEXTURE_MIN_FILTER)),
-        mag_filter: words::sampling(parameter(glow::TEXTURE_MAG_FILTER)),
-        wrap: [glow::TEXTURE_WRAP_S, glow::TEXTURE_WRAP_T].map(|what| words::sampling(parameter(what))),
+        min_filter: enums::sampling(parameter(glow::TEXTURE_MIN_FILTER)),
+        mag_filter: enums::sampling(parameter(glow::TEXTURE_MAG_FILTER)),
+        wrap: [glow::TEXTURE_WRAP_S, glow::TEXTURE_WRAP_T].map(|what| enums::sampling(parameter(what))),
         base_level: parameter(glow::TEXTURE_BASE_LEVEL),
         max_level: parameter(glow::TEXTURE_MAX_LEVEL),
     })
 }
 
-/// Blending, depth, culling and where is drawn.
+/// Reads the state of blending, depth, culling, viewport and scissor.
 fn fixed_functions(gl: &Functions) -> StateRecord {
     let number = |what: u32| gl.get_parameter_i32(what).max(0) as u32;
-    let factors = |from: u32, onto: u32| [from, onto].map(|what| words::factor(number(what)));
+    let factors = |from: u32, onto: u32| [from, onto].map(|what| enums::factor(number(what)));
     StateRecord {
         blend: gl.is_enabled(glow::BLEND).then(|| BlendRecord {
             color: factors(glow::BLEND_SRC_RGB, glow::BLEND_DST_RGB),
             alpha: factors(glow::BLEND_SRC_ALPHA, glow::BLEND_DST_ALPHA),
         }),
-        depth_test: gl.is_enabled(glow::DEPTH_TEST).then(|| words::comparison(number(glow::DEPTH_FUNC))),
+        depth_test: gl.is_enabled(glow::DEPTH_TEST).then(|| enums::comparison(number(glow::DEPTH_FUNC))),
         depth_mask: gl.get_depth_mask(),
-        cull: gl.is_enabled(glow::CULL_FACE).then(|| words::faces(number(glow::CULL_FACE_MODE))),
+        cull: gl.is_enabled(glow::CULL_FACE).then(|| enums::faces(number(glow::CULL_FACE_MODE))),
         front_face: match number(glow::FRONT_FACE) {
             glow::CW => "clockwise".to_owned(),
             _ => "counter-clockwise".to_owned(),

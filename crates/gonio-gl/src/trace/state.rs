@@ -1,16 +1,16 @@
-//! What exists and what is bound, as calls have made it.
+//! The objects and bindings of a context, as calls have set them.
 //!
-//! OpenGL can be asked for most of this, WebGL2 for little: not for a texture's size, nor for its format. So it is noted
-//! when it is made, which is seldom; of what happens often only the few words of a binding are kept.
+//! OpenGL can be queried for most of this, WebGL2 for little: not for the size of a texture, nor for its format. So it is
+//! noted when objects are created, which is rare; for frequent calls only the binding is noted.
 
 use super::data::{BindingRecord, Content, Subject};
-use super::words::TextureKind;
+use super::enums::TextureKind;
 use crate::bounds::{CheckedDraw, Contents, DrawCall, EnabledArray, Limits, SharedContents};
 use crate::memory::AttributeLayout;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::rc::Rc;
 
-/// What exists and what is bound.
+/// The objects and bindings of a context.
 #[derive(Default)]
 pub struct State {
     /// From 0.
@@ -21,7 +21,7 @@ pub struct State {
     pub textures: HashMap<glow::Texture, TextureState>,
     /// All buffers.
     pub buffers: HashMap<glow::Buffer, BufferState>,
-    /// What is bound to `GL_ARRAY_BUFFER`.
+    /// The buffer bound to `GL_ARRAY_BUFFER`.
     pub array_buffer: Option<glow::Buffer>,
     /// All vertex arrays; `None` is the one that there always is.
     pub arrays: HashMap<Option<glow::VertexArray>, ArrayState>,
@@ -29,7 +29,7 @@ pub struct State {
     pub vertex_array: Option<glow::VertexArray>,
     /// All framebuffers.
     pub framebuffers: HashMap<glow::Framebuffer, FramebufferState>,
-    /// What is drawn into; `None` is the window.
+    /// The framebuffer that is drawn into; `None` is the window.
     pub draw_framebuffer: Option<glow::Framebuffer>,
     /// All renderbuffers.
     pub renderbuffers: HashMap<glow::Renderbuffer, RenderbufferState>,
@@ -43,9 +43,9 @@ pub struct State {
     pub shaders: HashMap<glow::Shader, (u32, String)>,
     /// Whether a recording runs.
     pub is_recording: bool,
-    /// What the calls are for, and its number, while a recording runs.
+    /// The subject that is being drawn and its number, while a recording runs.
     pub subject: Option<(usize, Rc<Subject>)>,
-    /// How many subjects there were.
+    /// The number of subjects so far.
     pub subjects: usize,
     /// Textures that were bound since the draw before, while a recording runs.
     pub bindings: Vec<BindingRecord>,
@@ -55,11 +55,11 @@ pub struct State {
     pub deleted_textures: Vec<TextureState>,
     /// Grows whenever a buffer is filled.
     fills: u64,
-    /// How many objects were made, where OpenGL shows no numbers of its own.
+    /// The number of objects created, for contexts without names of objects.
     pub made: u32,
 }
 
-/// Most units that are kept an eye on; the drivers known have at most 192.
+/// The most units that are tracked; known drivers have at most 192.
 const MOST_UNITS: usize = 256;
 
 impl State {
@@ -75,14 +75,14 @@ impl State {
         self.units.get_mut(unit)?.bound.get_mut(kind.index())
     }
 
-    /// What is bound to a unit.
+    /// Returns the binding of a unit.
     pub fn bound(&self, unit: u32, kind: TextureKind) -> Option<&Binding> {
         self.units.get(unit as usize)?.bound.get(kind.index())?.as_ref()
     }
 
     /// The texture of the active unit, for a target or a face of a cubemap.
     pub fn bound_texture(&mut self, target: u32) -> Option<&mut TextureState> {
-        let kind = TextureKind::of_target(target)?;
+        let kind = TextureKind::from_target(target)?;
         let texture = self.slot(kind)?.as_ref()?.texture;
         let state = self.textures.get_mut(&texture)?;
         state.kind = Some(kind);
@@ -118,7 +118,7 @@ impl State {
 impl State {
     /// `glBindTexture`
     pub fn texture_bound(&mut self, target: u32, texture: Option<glow::Texture>) {
-        let Some(kind) = TextureKind::of_target(target) else { return };
+        let Some(kind) = TextureKind::from_target(target) else { return };
         let owner = self.subject.clone();
         if let Some(slot) = self.slot(kind) {
             *slot = texture.map(|texture| Binding { texture, owner });
@@ -351,7 +351,7 @@ impl State {
         }
     }
 
-    /// `glUniform...` for the program in use: whole numbers as they were given.
+    /// `glUniform...` for the program in use, with its integers.
     #[inline]
     pub fn uniform_set(&mut self, location: Option<&glow::UniformLocation>, numbers: Option<&[i32]>) {
         // Often called: nothing is looked up while nothing is recorded.
@@ -377,7 +377,7 @@ pub struct Unit {
     pub bound: [Option<Binding>; TextureKind::ALL.len()],
 }
 
-/// What is bound to a unit.
+/// A texture that is bound to a unit.
 #[derive(Clone)]
 pub struct Binding {
     /// The texture.
@@ -402,7 +402,7 @@ pub struct TextureState {
     pub label: Label,
     /// Known from the first use.
     pub kind: Option<TextureKind>,
-    /// Of the last image given.
+    /// The format of the last image.
     pub format: u32,
     /// Width, height and faces of each level.
     pub levels: BTreeMap<u32, LevelState>,
@@ -410,7 +410,7 @@ pub struct TextureState {
     pub depth: u32,
     /// Per texel.
     pub samples: u32,
-    /// How texels hold what they mean.
+    /// How texels encode their values.
     pub content: Content,
 }
 
@@ -461,7 +461,7 @@ impl TextureState {
 pub struct BufferState {
     /// Number and label.
     pub label: Label,
-    /// What it contains.
+    /// Its contents.
     pub contents: SharedContents,
 }
 
@@ -472,11 +472,11 @@ pub struct ArrayState {
     pub label: Label,
     /// By location.
     pub attributes: HashMap<u32, AttributeState>,
-    /// What is bound to `GL_ELEMENT_ARRAY_BUFFER`.
+    /// The buffer bound to `GL_ELEMENT_ARRAY_BUFFER`.
     pub index_buffer: Option<glow::Buffer>,
-    /// What that buffer contains.
+    /// The contents of that buffer.
     pub indices: Option<SharedContents>,
-    /// How many vertices the enabled arrays have, and how often buffers had been filled when they were counted.
+    /// The number of buffer fills at the last count, and the limits found then.
     pub limits: Option<(u64, Limits)>,
 }
 
@@ -495,7 +495,7 @@ pub struct AttributeState {
     pub enabled: bool,
     /// The buffer that was bound when it was described.
     pub buffer: Option<glow::Buffer>,
-    /// What that buffer contains.
+    /// The contents of that buffer.
     contents: Option<SharedContents>,
     /// Numbers for each vertex; 0 where it was not described.
     pub components: u32,
@@ -503,11 +503,11 @@ pub struct AttributeState {
     pub component_type: u32,
     /// Whether integers are mapped to fractions.
     pub normalized: bool,
-    /// As given.
+    /// As passed to `glVertexAttribPointer`.
     pub stride: u32,
-    /// As given.
+    /// As passed to `glVertexAttribPointer`.
     pub offset: u32,
-    /// As given.
+    /// As passed to `glVertexAttribDivisor`.
     pub divisor: u32,
 }
 
@@ -533,7 +533,7 @@ pub struct FramebufferState {
     pub attachments: BTreeMap<u32, Attached>,
 }
 
-/// What is attached to a framebuffer.
+/// An attachment of a framebuffer.
 #[derive(Clone, Copy)]
 pub enum Attached {
     /// A level of a texture.
@@ -547,7 +547,7 @@ pub enum Attached {
 pub struct RenderbufferState {
     /// Number and label.
     pub label: Label,
-    /// In OpenGL's number.
+    /// As a number of OpenGL.
     pub format: u32,
     /// Pixels.
     pub size: [u32; 2],
@@ -562,7 +562,7 @@ pub struct ProgramState {
     pub label: Label,
     /// Uniforms whose locations were asked for. Our own programs ask when they first set one.
     pub looked_up: Vec<(glow::UniformLocation, String)>,
-    /// Uniforms that were set while a recording ran, without `[0]`, and the whole numbers last given.
+    /// Uniforms that were set while a recording ran, without `[0]`, and the integers that were set last.
     pub sent: HashMap<String, Option<Vec<i32>>>,
     /// Whether it was linked while the recording ran that runs now, so that `sent` is all that was ever set.
     pub is_fresh: bool,
@@ -571,7 +571,7 @@ pub struct ProgramState {
 }
 
 impl ProgramState {
-    /// Whether a uniform, without `[0]`, was set since the program was linked.
+    /// Returns whether a uniform, without `[0]`, was set since the program was linked.
     pub fn was_sent(&self, name: &str) -> bool {
         self.sent.contains_key(name)
             || (!self.is_fresh && self.looked_up.iter().any(|(_, looked_up)| base_name(looked_up) == name))

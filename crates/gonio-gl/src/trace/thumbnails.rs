@@ -1,8 +1,8 @@
-//! Small pictures of textures, drawn by the GPU: WebGL2 reads no textures back.
+//! Thumbnails of textures, drawn by the GPU, because WebGL2 cannot read textures back.
 
 use super::Content;
 use super::data::{FrameRecord, TextureRecord, Thumbnail};
-use super::words::TextureKind;
+use super::enums::TextureKind;
 use crate::objects::VertexArray;
 use crate::program::Program;
 use crate::target::OutputTarget;

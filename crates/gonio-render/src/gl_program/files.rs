@@ -44,10 +44,13 @@ impl GlProgramImage {
     /// Of `width * height * 4` bytes; anything else, and more than [`MOST_TEXELS`] along a side, is an error.
     pub fn new(size: [u32; 2], rgba: Vec<u8>) -> Result<Self, String> {
         if size.into_iter().any(|side| side == 0 || side > MOST_TEXELS) {
-            return Err(format!("it has {} x {} texels, and 1 to {MOST_TEXELS} along a side can be", size[0], size[1]));
+            return Err(format!(
+                "invalid size {} x {}: expected 1 to {MOST_TEXELS} texels along a side",
+                size[0], size[1]
+            ));
         }
         if rgba.len() != size[0] as usize * size[1] as usize * 4 {
-            return Err(format!("{} bytes are not {} x {} texels of four", rgba.len(), size[0], size[1]));
+            return Err(format!("{} bytes are not {} x {} texels of 4 bytes", rgba.len(), size[0], size[1]));
         }
         Ok(GlProgramImage { size, rgba })
     }

@@ -1,14 +1,14 @@
-//! Whether a draw may be made: nothing that it reads may lie outside of what there is. What OpenGL leaves undefined here,
-//! and a driver may crash on, is told as an error instead.
+//! Checks draws before they are made: nothing that they read may lie outside of its buffer. OpenGL leaves that undefined, and
+//! a driver may crash; here it is an error with its reason.
 
-use super::state::{ProgramState, Source};
-use gonio_gl::trace::words;
+use super::state::{AttributePointer, ExecutionState};
+use gonio_gl::trace::enums;
 
 /// Most vertices that all draws of a host program have together.
 pub const MOST_VERTICES: usize = 10_000;
 
 /// A draw as it was asked for.
-pub struct Asked {
+pub struct DrawRequest {
     /// `GL_TRIANGLES`, ...
     pub mode: u32,
     /// The first vertex; where it is indexed, the first index's byte.
@@ -34,25 +34,25 @@ impl Refusal {
     }
 }
 
-/// The word for what OpenGL does not check, and gonio does.
+/// The code of errors that OpenGL does not check, and gonio does.
 pub const UNDEFINED: &str = "UNDEFINED";
 
 /// What may be drawn; `Ok` has the enabled locations that must be switched off meanwhile, for the program reads none of
 /// them and they reach beyond their buffers.
-pub fn check(state: &mut ProgramState, asked: &Asked) -> Result<Vec<u32>, Refusal> {
-    if asked.mode > glow::TRIANGLE_FAN {
-        return Err(Refusal::new("INVALID_ENUM", "this is nothing that vertices can be joined to"));
+pub fn check(state: &mut ExecutionState, request: &DrawRequest) -> Result<Vec<u32>, Refusal> {
+    if request.mode > glow::TRIANGLE_FAN {
+        return Err(Refusal::new("INVALID_ENUM", "invalid primitive: expected TRIANGLES, LINES, POINTS and so on"));
     }
-    if asked.count < 0 || asked.first < 0 {
-        return Err(Refusal::new("INVALID_VALUE", "neither the first vertex nor their number can be negative"));
+    if request.count < 0 || request.first < 0 {
+        return Err(Refusal::new("INVALID_VALUE", "the first vertex and the count cannot be negative"));
     }
     let Some(program) = state.used.clone() else {
-        return Err(Refusal::new(UNDEFINED, "no program is in use, so there is nothing to draw with"));
+        return Err(Refusal::new(UNDEFINED, "no program is in use"));
     };
     if state.array == 0 {
-        return Err(Refusal::new("INVALID_OPERATION", "no vertex array is bound, so there is nothing to draw"));
+        return Err(Refusal::new("INVALID_OPERATION", "no vertex array is bound"));
     }
-    let highest = highest_vertex(state, asked)?;
+    let highest = highest_vertex(state, request)?;
     let read = program.locations();
     let mut hidden = Vec::new();
     let Some(highest) = highest else { return Ok(hidden) };
@@ -64,40 +64,37 @@ pub fn check(state: &mut ProgramState, asked: &Asked) -> Result<Vec<u32>, Refusa
             Err(_) => hidden.push(location),
         }
     }
-    state.vertices += asked.count as usize;
+    state.vertices += request.count as usize;
     if state.vertices > MOST_VERTICES {
-        return Err(Refusal::new(
-            "OUT_OF_MEMORY",
-            format!("gonio draws at most {MOST_VERTICES} vertices for a host program"),
-        ));
+        return Err(Refusal::new("OUT_OF_MEMORY", format!("a program may draw at most {MOST_VERTICES} vertices")));
     }
     Ok(hidden)
 }
 
 fn never_described() -> Refusal {
-    Refusal::new(UNDEFINED, "an attribute is enabled that no vertex_attrib_pointer has described")
+    Refusal::new(UNDEFINED, "an attribute is enabled, but vertex_attrib_pointer has not described it")
 }
 
 /// Whether an attribute's numbers for all vertices up to `highest` lie in its buffer.
-fn fits(source: &Source, highest: u32) -> Result<(), Refusal> {
+fn fits(source: &AttributePointer, highest: u32) -> Result<(), Refusal> {
     let pointer = &source.pointer;
     let name = &pointer.attribute;
     let Some(buffer) = &source.buffer else {
         return Err(Refusal::new(
             "INVALID_OPERATION",
-            format!("the attribute `{name}` is enabled, and has no buffer to be read from"),
+            format!("the attribute `{name}` is enabled, but no buffer was bound when it was described"),
         ));
     };
     let held = buffer.borrow().bytes.len() as u64;
-    let each = pointer.size.max(0) as u64 * u64::from(words::component_bytes(pointer.kind.value));
+    let each = pointer.size.max(0) as u64 * u64::from(enums::component_bytes(pointer.kind.value));
     let stride = if pointer.stride == 0 { each } else { pointer.stride.max(0) as u64 };
     let end = pointer.offset.max(0) as u64 + stride * u64::from(highest) + each;
     if end > held {
         return Err(Refusal::new(
             UNDEFINED,
             format!(
-                "the attribute `{name}` would be read up to byte {end} (vertex {highest}, offset {}, stride {stride}), and \
-                 its buffer has {held}",
+                "the attribute `{name}` would be read up to byte {end} (vertex {highest}, offset {}, stride {stride}), but \
+                 its buffer has {held} bytes",
                 pointer.offset
             ),
         ));
@@ -106,9 +103,9 @@ fn fits(source: &Source, highest: u32) -> Result<(), Refusal> {
 }
 
 /// The highest vertex that is read; `None` where none is.
-fn highest_vertex(state: &mut ProgramState, asked: &Asked) -> Result<Option<u32>, Refusal> {
-    let (first, count) = (asked.first as usize, asked.count as usize);
-    let Some(kind) = asked.index_type else {
+fn highest_vertex(state: &mut ExecutionState, request: &DrawRequest) -> Result<Option<u32>, Refusal> {
+    let (first, count) = (request.first as usize, request.count as usize);
+    let Some(kind) = request.index_type else {
         return Ok((count > 0).then(|| (first + count - 1).min(u32::MAX as usize) as u32));
     };
     let each = match kind {
@@ -118,20 +115,20 @@ fn highest_vertex(state: &mut ProgramState, asked: &Asked) -> Result<Option<u32>
         _ => {
             return Err(Refusal::new(
                 "INVALID_ENUM",
-                "indices are of type UNSIGNED_BYTE, UNSIGNED_SHORT or UNSIGNED_INT",
+                "invalid index type: expected UNSIGNED_BYTE, UNSIGNED_SHORT or UNSIGNED_INT",
             ));
         }
     };
     let Some(indices) = state.view().indices.clone() else {
         return Err(Refusal::new(
             "INVALID_OPERATION",
-            "no ELEMENT_ARRAY_BUFFER is bound in this vertex array, so there are no indices",
+            "no ELEMENT_ARRAY_BUFFER is bound to this vertex array, so there are no indices",
         ));
     };
     if first % each != 0 {
         return Err(Refusal::new(
             "INVALID_OPERATION",
-            format!("the offset {first} lies within an index: it counts bytes, and each index has {each}"),
+            format!("the offset {first} is within an index: it counts bytes, and each index has {each}"),
         ));
     }
     let buffer = indices.borrow();
@@ -139,7 +136,7 @@ fn highest_vertex(state: &mut ProgramState, asked: &Asked) -> Result<Option<u32>
         return Err(Refusal::new(
             UNDEFINED,
             format!(
-                "{count} indices of {each} bytes from byte {first} on would be read, and their buffer has {} bytes",
+                "{count} indices of {each} bytes from byte {first} on would be read, but their buffer has {} bytes",
                 buffer.bytes.len()
             ),
         ));

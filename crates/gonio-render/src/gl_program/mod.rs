@@ -85,7 +85,7 @@ pub enum GlProgramFailure {
         vertex: String,
         /// The fragment shader's file.
         fragment: String,
-        /// The compiler's words.
+        /// The messages of the compiler.
         broken: Box<BrokenProgram>,
     },
     /// OpenGL cannot even begin.
@@ -109,7 +109,7 @@ impl fmt::Display for GlProgramFailure {
         match self {
             GlProgramFailure::MissingFile { line, file } => write!(f, "line {line}: there is no file `{file}`"),
             GlProgramFailure::Shaders { line, vertex, fragment, broken } => {
-                write!(f, "line {line}: `{vertex}` and `{fragment}` are no program: {broken}")
+                write!(f, "line {line}: `{vertex}` and `{fragment}` do not form a program: {broken}")
             }
             GlProgramFailure::Driver(error) => error.fmt(f),
         }

@@ -4,12 +4,12 @@ use super::call::{Call, Number, ObjectKind, Pointer, Selector, Step, UniformArgu
 use super::constants::Constant;
 use super::errors::{CallError, why};
 use super::files::GlProgramFiles;
-use super::guard::{self, Asked, Refusal};
+use super::guard::{self, DrawRequest, Refusal};
 use super::program::LinkedShaders;
-use super::state::{BufferWithBytes, ProgramState, Source};
+use super::state::{AttributePointer, BufferWithBytes, ExecutionState};
 use super::{GlProgramFailure, MOST_BUFFER_BYTES, MOST_TEXEL_BYTES};
 use gonio_gl::objects::{Buffer, TextureObject, VertexArray};
-use gonio_gl::trace::words;
+use gonio_gl::trace::enums;
 use gonio_gl::{Gl, GlError, Texels};
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -18,7 +18,7 @@ use std::rc::Rc;
 pub struct Runner<'a> {
     gl: Gl,
     files: &'a GlProgramFiles,
-    state: ProgramState,
+    state: ExecutionState,
     /// What was refused so far.
     pub errors: Vec<CallError>,
     /// The line of each draw, and how many errors there were before it.
@@ -28,12 +28,12 @@ pub struct Runner<'a> {
 /// OpenGL refuses it, or gonio does.
 type Refused = Result<(), Refusal>;
 
-const NO_VERTEX_ARRAY: &str = "no vertex array is bound that could keep it; bind_vertex_array comes first";
+const NO_VERTEX_ARRAY: &str = "no vertex array is bound; call bind_vertex_array first";
 
 impl<'a> Runner<'a> {
     /// `gl` is apart, and its context's state is as in a new one.
     pub fn new(gl: Gl, files: &'a GlProgramFiles) -> Self {
-        Runner { gl, files, state: ProgramState::new(), errors: Vec::new(), draws: Vec::new() }
+        Runner { gl, files, state: ExecutionState::new(), errors: Vec::new(), draws: Vec::new() }
     }
 
     /// Carries out one call. What OpenGL refuses is noted and not done.
@@ -173,7 +173,7 @@ impl<'a> Runner<'a> {
         let number = self.state.value(array);
         let object = self.state.arrays.get(number);
         if number != 0 && object.is_none() {
-            return Err(Refusal::new("INVALID_OPERATION", format!("there is no vertex array of number {number}")));
+            return Err(Refusal::new("INVALID_OPERATION", format!("no vertex array has the number {number}")));
         }
         self.gl.bind_vertex_array(object.map(VertexArray::handle));
         self.state.array = number;
@@ -184,7 +184,7 @@ impl<'a> Runner<'a> {
         let number = self.state.value(buffer);
         let found = self.state.buffers.get(number).cloned();
         if number != 0 && found.is_none() {
-            return Err(Refusal::new("INVALID_OPERATION", format!("there is no buffer of number {number}")));
+            return Err(Refusal::new("INVALID_OPERATION", format!("no buffer has the number {number}")));
         }
         let handle = found.as_ref().map(|buffer| buffer.borrow().object.handle());
         self.attempt(call, |gl| gl.bind_buffer(target.value, handle))?;
@@ -209,7 +209,7 @@ impl<'a> Runner<'a> {
         self.state.buffer_bytes += bytes.len();
         if self.state.buffer_bytes > MOST_BUFFER_BYTES {
             let most = MOST_BUFFER_BYTES >> 20;
-            return Err(Refusal::new("OUT_OF_MEMORY", format!("gonio keeps at most {most} MB of buffers")));
+            return Err(Refusal::new("OUT_OF_MEMORY", format!("a program may have at most {most} MB of buffers")));
         }
         self.attempt(call, |gl| gl.buffer_data(target.value, &bytes, usage.value))?;
         buffer.borrow_mut().bytes = bytes;
@@ -225,11 +225,11 @@ impl<'a> Runner<'a> {
             Some(Some(location)) => Ok(location),
             Some(None) => Err(Refusal::new(
                 "INVALID_VALUE",
-                format!("the program reads no attribute `{attribute}`, so its location is -1"),
+                format!("the program has no active attribute `{attribute}`, so its location is -1"),
             )),
             None => Err(Refusal::new(
                 "INVALID_VALUE",
-                format!("no program was created yet, so `{attribute}` has no location"),
+                format!("no program has been created yet, so `{attribute}` has no location"),
             )),
         }
     }
@@ -243,14 +243,14 @@ impl<'a> Runner<'a> {
         if buffer.is_none() && pointer.offset != 0 {
             return Err(Refusal::new(
                 "INVALID_OPERATION",
-                "no buffer is bound to ARRAY_BUFFER that the offset could be one of",
+                "an offset needs a buffer, but none is bound to ARRAY_BUFFER",
             ));
         }
         let Pointer { size, kind, normalized, stride, offset, .. } = *pointer;
         self.attempt(call, |gl| {
             gl.vertex_attrib_pointer_f32(location, size, kind.value, normalized, stride, offset);
         })?;
-        self.state.view().sources.insert(location, Source { pointer: pointer.clone(), buffer });
+        self.state.view().sources.insert(location, AttributePointer { pointer: pointer.clone(), buffer });
         Ok(())
     }
 
@@ -284,7 +284,7 @@ impl<'a> Runner<'a> {
         let number = self.state.value(texture);
         let handle = self.state.textures.get(number).map(TextureObject::handle);
         if number != 0 && handle.is_none() {
-            return Err(Refusal::new("INVALID_OPERATION", format!("there is no texture of number {number}")));
+            return Err(Refusal::new("INVALID_OPERATION", format!("no texture has the number {number}")));
         }
         self.attempt(call, |gl| gl.bind_texture(target.value, handle))?;
         self.state.bound.insert((self.state.unit, target.value), number);
@@ -293,7 +293,7 @@ impl<'a> Runner<'a> {
 
     /// OpenGL keeps a nameless texture for number 0, WebGL does not; nobody means to fill that one.
     fn something_bound(&self, target: Constant) -> Refused {
-        let place = match words::TextureKind::of_target(target.value) {
+        let place = match enums::TextureKind::from_target(target.value) {
             Some(kind) => kind.target(),
             None => return Ok(()),
         };
@@ -303,7 +303,7 @@ impl<'a> Runner<'a> {
         let what = if place == glow::TEXTURE_2D { "TEXTURE_2D" } else { "TEXTURE_CUBE_MAP" };
         Err(Refusal::new(
             "INVALID_OPERATION",
-            format!("no texture is bound to {what} of unit {}, which is the active one", self.state.unit),
+            format!("no texture is bound to {what} of the active unit, {}", self.state.unit),
         ))
     }
 
@@ -315,7 +315,7 @@ impl<'a> Runner<'a> {
         self.state.texel_bytes += width as usize * height as usize * 4;
         if self.state.texel_bytes > MOST_TEXEL_BYTES {
             let most = MOST_TEXEL_BYTES >> 20;
-            return Err(Refusal::new("OUT_OF_MEMORY", format!("gonio keeps at most {most} MB of texels")));
+            return Err(Refusal::new("OUT_OF_MEMORY", format!("a program may have at most {most} MB of texels")));
         }
         let (channels, transfer) = match format.value {
             glow::R8 | glow::RED => (1, glow::RED),
@@ -352,7 +352,7 @@ impl<'a> Runner<'a> {
         let number = self.state.value(program);
         let found = self.state.programs.get(number).cloned();
         if number != 0 && found.is_none() {
-            return Err(Refusal::new("INVALID_VALUE", format!("there is no program of number {number}")));
+            return Err(Refusal::new("INVALID_VALUE", format!("no program has the number {number}")));
         }
         self.gl.use_program(found.as_ref().map(|program| program.handle));
         self.state.used = found;
@@ -361,7 +361,7 @@ impl<'a> Runner<'a> {
 
     fn uniform(&mut self, call: &Call, uniform: &str, given: &UniformArgument) -> Refused {
         let Some(used) = self.state.used.clone() else {
-            return Err(Refusal::new("INVALID_OPERATION", "no program is in use that the uniform could be one of"));
+            return Err(Refusal::new("INVALID_OPERATION", "no program is in use"));
         };
         // A uniform that the program does not need has the location -1, which OpenGL passes over in silence.
         let known = self.state.created.as_ref().is_some_and(|created| created.uniform(uniform).is_some());
@@ -369,7 +369,7 @@ impl<'a> Runner<'a> {
             return Ok(());
         }
         let Some(location) = used.uniform(uniform) else {
-            let why = "the location is one of the program that was created last, and another one is in use";
+            let why = "the location belongs to the program that was created last, but another one is in use";
             return Err(Refusal::new("INVALID_OPERATION", why));
         };
         let at = Some(&location);
@@ -406,27 +406,27 @@ impl<'a> Runner<'a> {
     }
 
     fn draw(&mut self, step: &Step) {
-        let asked = match &step.call {
+        let request = match &step.call {
             Call::DrawArrays { mode, first, count } => {
-                Asked { mode: mode.value, first: *first, count: *count, index_type: None }
+                DrawRequest { mode: mode.value, first: *first, count: *count, index_type: None }
             }
             Call::DrawElements { mode, count, kind, offset } => {
-                Asked { mode: mode.value, first: *offset, count: *count, index_type: Some(kind.value) }
+                DrawRequest { mode: mode.value, first: *offset, count: *count, index_type: Some(kind.value) }
             }
             _ => return,
         };
         self.draws.push((step.line, self.errors.len()));
         let gl = self.gl.clone();
-        match guard::check(&mut self.state, &asked) {
+        match guard::check(&mut self.state, &request) {
             Err(refusal) => {
-                gl.refused_draw(asked.mode, asked.first.max(0), asked.count.max(0), asked.index_type);
+                gl.refused_draw(request.mode, request.first.max(0), request.count.max(0), request.index_type);
                 self.note(step, refusal);
             }
             Ok(hidden) => {
                 hidden.iter().for_each(|location| gl.disable_vertex_attrib_array(*location));
-                match asked.index_type {
-                    None => gl.draw_arrays(asked.mode, asked.first, asked.count),
-                    Some(kind) => gl.draw_elements(asked.mode, asked.count, kind, asked.first),
+                match request.index_type {
+                    None => gl.draw_arrays(request.mode, request.first, request.count),
+                    Some(kind) => gl.draw_elements(request.mode, request.count, kind, request.first),
                 }
                 hidden.iter().for_each(|location| gl.enable_vertex_attrib_array(*location));
             }

@@ -24,7 +24,7 @@ pub struct BufferWithBytes {
 
 /// Where an attribute is read from.
 #[derive(Clone)]
-pub struct Source {
+pub struct AttributePointer {
     /// As it was told.
     pub pointer: Pointer,
     /// The buffer that was bound then.
@@ -35,7 +35,7 @@ pub struct Source {
 #[derive(Default)]
 pub struct ArrayView {
     /// By location.
-    pub sources: BTreeMap<u32, Source>,
+    pub sources: BTreeMap<u32, AttributePointer>,
     /// Locations that are enabled.
     pub enabled: BTreeSet<u32>,
     /// What `ELEMENT_ARRAY_BUFFER` is.
@@ -74,7 +74,7 @@ impl<T> Numbered<T> {
 }
 
 /// What there is.
-pub struct ProgramState {
+pub struct ExecutionState {
     /// What calls returned.
     pub numbers: HashMap<String, i32>,
     /// Lists of numbers, as bytes.
@@ -111,10 +111,10 @@ pub struct ProgramState {
     pub vertices: usize,
 }
 
-impl ProgramState {
+impl ExecutionState {
     /// Nothing.
     pub fn new() -> Self {
-        ProgramState {
+        ExecutionState {
             numbers: HashMap::new(),
             data: HashMap::new(),
             images: HashMap::new(),

@@ -14,7 +14,7 @@ const SKY_FRAG: &str = include_str!("../../shaders/sky.frag");
 
 /// What mirrors and glass want looked up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Sight {
+pub enum SurfaceOptics {
     /// Nothing: the surface is neither.
     Nothing,
     /// The direction of reflection.
@@ -29,7 +29,7 @@ pub enum Sight {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct SurroundingsKey {
     /// By the material's optics.
-    pub sight: Sight,
+    pub sight: SurfaceOptics,
     /// Mip levels are chosen by how fast directions change from pixel to pixel. Counts where there is something to see.
     pub mipmapped: bool,
     /// The environment lights the surface.
@@ -38,17 +38,18 @@ pub struct SurroundingsKey {
 
 impl SurroundingsKey {
     /// Nothing of it.
-    pub const NONE: SurroundingsKey = SurroundingsKey { sight: Sight::Nothing, mipmapped: false, lights: false };
+    pub const NONE: SurroundingsKey =
+        SurroundingsKey { sight: SurfaceOptics::Nothing, mipmapped: false, lights: false };
 
     /// Every key that shows something.
     pub fn all() -> Vec<SurroundingsKey> {
         let mut keys = Vec::new();
-        for sight in [Sight::Nothing, Sight::Mirror, Sight::Glass, Sight::Body] {
+        for sight in [SurfaceOptics::Nothing, SurfaceOptics::Mirror, SurfaceOptics::Glass, SurfaceOptics::Body] {
             for lights in [false, true] {
                 keys.extend([false, true].map(|mipmapped| SurroundingsKey { sight, mipmapped, lights }));
             }
         }
-        keys.retain(|key| *key != SurroundingsKey::NONE && !(key.sight == Sight::Nothing && key.mipmapped));
+        keys.retain(|key| *key != SurroundingsKey::NONE && !(key.sight == SurfaceOptics::Nothing && key.mipmapped));
         keys
     }
 
@@ -56,9 +57,9 @@ impl SurroundingsKey {
         let mut text = String::new();
         for (name, on) in [
             ("SURROUNDINGS", self != SurroundingsKey::NONE),
-            ("SIGHT", self.sight != Sight::Nothing),
-            ("GLASS", matches!(self.sight, Sight::Glass | Sight::Body)),
-            ("BODY", self.sight == Sight::Body),
+            ("SIGHT", self.sight != SurfaceOptics::Nothing),
+            ("GLASS", matches!(self.sight, SurfaceOptics::Glass | SurfaceOptics::Body)),
+            ("BODY", self.sight == SurfaceOptics::Body),
             ("MIPMAPPED", self.mipmapped),
             ("ENVIRONMENT_LIGHT", self.lights),
         ] {
@@ -75,10 +76,10 @@ impl SurroundingsKey {
         }
         let missing = if vertex_lit { [FRESNEL, BRDF].concat() } else { String::new() };
         let mut text = [&missing, OPTICS, ENVIRONMENT_LIGHT, SURROUNDINGS].concat();
-        if self.sight == Sight::Body {
+        if self.sight == SurfaceOptics::Body {
             text += BODY;
         }
-        if self.sight != Sight::Nothing {
+        if self.sight != SurfaceOptics::Nothing {
             text += SIGHT;
         }
         if self.lights {
@@ -89,10 +90,10 @@ impl SurroundingsKey {
 
     pub(super) fn name(self) -> String {
         let sight = match self.sight {
-            Sight::Nothing => "",
-            Sight::Mirror => " mirror",
-            Sight::Glass => " glass",
-            Sight::Body => " body",
+            SurfaceOptics::Nothing => "",
+            SurfaceOptics::Mirror => " mirror",
+            SurfaceOptics::Glass => " glass",
+            SurfaceOptics::Body => " body",
         };
         let mipmapped = if self.mipmapped { " mipmapped" } else { "" };
         format!("{sight}{mipmapped}{}", if self.lights { " environment-light" } else { "" })

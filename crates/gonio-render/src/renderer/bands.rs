@@ -6,7 +6,7 @@
 //! price is that the vertices are processed once a band, so large models are drawn at once.
 
 use super::Renderer;
-use super::output::{Band, Look};
+use super::output::{Band, DisplaySettings};
 use crate::scene_on_gpu::GpuScene;
 use gonio_gl::GlError;
 use gonio_gl::objects::DebugGroup;
@@ -23,7 +23,7 @@ const TILE: i32 = 64;
 const MOST_TRIANGLES: usize = 20_000;
 
 /// A finished picture of 8 bits a channel.
-pub struct Drawn8 {
+pub struct RenderedPicture {
     /// As displayed, encoded by the GPU.
     pub picture: EncodedPicture<u8>,
     /// What the GPU counted; each vertex once, in however many bands it was processed.
@@ -34,9 +34,14 @@ pub struct Drawn8 {
 
 impl Renderer {
     /// Draws the picture, or a debug view, and reads it back: what [`Renderer::render`] and
-    /// [`super::Drawn::encoded8`] give, for less memory and time. Edges may differ by the driver's
+    /// [`super::RenderedFrame::encoded8`] give, for less memory and time. Edges may differ by the driver's
     /// snapping of corners, 1/256 of a pixel or so: a band's corners are rounded at other magnitudes.
-    pub fn render8(&mut self, scene: &GpuScene, frame: &Frame, view: Option<ViewSpec>) -> Result<Drawn8, GlError> {
+    pub fn render8(
+        &mut self,
+        scene: &GpuScene,
+        frame: &Frame,
+        view: Option<ViewSpec>,
+    ) -> Result<RenderedPicture, GlError> {
         let shared = self.shared.clone();
         let gl = &shared.gl;
         let mut notes = Vec::new();
@@ -44,7 +49,7 @@ impl Renderer {
         let band_rows = rows_of_a_band(scene.triangle_count, frame);
         let target = self.target_for(scene, frame, band_rows, Precision::Half, 1, &mut notes)?;
         let output = OutputTarget::new(gl, [width, height], false)?;
-        let look = Look::new(view, frame);
+        let look = DisplaySettings::new(view, frame);
         let mut statistics = GpuStatistics::default();
         for first_row in (0..height).step_by(band_rows as usize) {
             let band = Band { picture_height: height, first_row, rows: band_rows.min(height - first_row) };
@@ -65,7 +70,7 @@ impl Renderer {
         let rgba = output.read8(gl);
         shared.check_error("reading the picture")?;
         let picture = EncodedPicture { width: frame.width, height: frame.height, rgba };
-        Ok(Drawn8 { picture, statistics, notes })
+        Ok(RenderedPicture { picture, statistics, notes })
     }
 }
 

@@ -31,7 +31,7 @@ impl Renderer {
         map: &mut DisplayTexture,
     ) -> Result<(), GlError> {
         if first.size() != second.size() {
-            return Err(GlError::new("pictures of different sizes cannot be compared; they are drawn anew"));
+            return Err(GlError::new("pictures of different sizes cannot be compared"));
         }
         let shared = self.shared.clone();
         let gl = &shared.gl;

@@ -18,9 +18,9 @@ mod surroundings;
 mod targets;
 mod user_program;
 
-pub use bands::Drawn8;
+pub use bands::RenderedPicture;
 pub use difference::DifferenceScale;
-pub use output::Drawn;
+pub use output::RenderedFrame;
 pub use paint::Painted;
 
 use crate::glsl::texture_unit;
@@ -33,15 +33,15 @@ use gonio_gl::DriverInfo;
 use gonio_gl::objects::{DebugGroup, TextureObject, VertexArray};
 use gonio_gl::statistics::StatisticsQueries;
 use gonio_gl::target::{Precision, Sampling, Target};
-use gonio_gl::{Gl, GlError};
+use gonio_gl::{Gl, GlError, Remedy};
 use gonio_scene::{Frame, Scene, ViewSpec};
-use output::Look;
+use output::DisplaySettings;
 use pass::{Draw, Pass};
 use shared::Shared;
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
-use surroundings::Around;
+use surroundings::BoundEnvironment;
 use targets::{PANES, Targets};
 
 /// Draws scenes with one OpenGL context.
@@ -92,7 +92,12 @@ impl Renderer {
     }
 
     /// Draws the picture, or a debug view, and waits for it.
-    pub fn render(&mut self, scene: &GpuScene, frame: &Frame, view: Option<ViewSpec>) -> Result<Drawn, GlError> {
+    pub fn render(
+        &mut self,
+        scene: &GpuScene,
+        frame: &Frame,
+        view: Option<ViewSpec>,
+    ) -> Result<RenderedFrame, GlError> {
         self.render_at(scene, frame, view, Precision::Full)
     }
 
@@ -102,7 +107,7 @@ impl Renderer {
         frame: &Frame,
         view: Option<ViewSpec>,
         precision: Precision,
-    ) -> Result<Drawn, GlError> {
+    ) -> Result<RenderedFrame, GlError> {
         let shared = self.shared.clone();
         let gl = &shared.gl;
         let mut notes = Vec::new();
@@ -116,8 +121,8 @@ impl Renderer {
         target.resolve(gl);
         gl.finish();
         shared.check_error("drawing the scene")?;
-        let look = Look::new(view, frame);
-        Ok(Drawn { shared, target, look, statistics: statistics.read(), notes })
+        let look = DisplaySettings::new(view, frame);
+        Ok(RenderedFrame { shared, target, look, statistics: statistics.read(), notes })
     }
 
     /// Targets for `rows` rows of the frame, one of `panes` that are drawn in turn.
@@ -136,16 +141,16 @@ impl Renderer {
         let info = &self.shared.info;
         if frame.width > info.max_size || frame.height > info.max_size {
             return Err(GlError::new(format!(
-                "a picture of {} x {} pixels is more than this driver's {} along a side; a smaller --size or \
-                 `--backend cpu` will do",
+                "a picture of {} x {} pixels is too large for this driver, which draws at most {} pixels along a side",
                 frame.width, frame.height, info.max_size
-            )));
+            ))
+            .with_remedy(Remedy::SmallerPicture));
         }
         let samples = frame.samples.min(info.max_samples).max(1);
         if samples < frame.samples {
-            notes.push(format!("{} samples per pixel instead of {}: this driver has no more", samples, frame.samples));
+            notes.push(format!("{samples} samples per pixel instead of {}: the driver has no more", frame.samples));
         }
-        let sampling = sampling::of(info, scene.triangle_count, frame, samples as i32);
+        let sampling = sampling::choose(info, scene.triangle_count, frame, samples as i32);
         let size = [frame.width as i32, rows];
         if let Some(target) = self.targets.find(size, sampling, precision) {
             return Ok(target);
@@ -158,7 +163,7 @@ impl Renderer {
             Err(_) if shared.info.dialect == Dialect::Es300 && sampling != Sampling::Multi(1) => {
                 shared.forget_errors();
                 let target = make(Sampling::Multi(1))?;
-                notes.push(format!("1 sample per pixel instead of {samples}: this driver has no more"));
+                notes.push(format!("1 sample per pixel instead of {samples}: the driver has no more"));
                 target
             }
             made => made?,
@@ -192,7 +197,7 @@ impl Renderer {
             view,
             white: self.white.handle(),
             lights: &self.light_table,
-            around: Around::bound(&shared, scene, frame)?,
+            around: BoundEnvironment::bound(&shared, scene, frame)?,
             prepared: HashMap::new(),
         };
         let opaque: Vec<Draw<'_>> = scene

@@ -15,7 +15,7 @@ use std::rc::Rc;
 
 /// How a frame is shown.
 #[derive(Clone, Copy)]
-pub(super) struct Look {
+pub(super) struct DisplaySettings {
     display: DisplayMap,
     background_top: DVec3,
     background_bottom: DVec3,
@@ -24,7 +24,7 @@ pub(super) struct Look {
     premultiplied: bool,
 }
 
-impl Look {
+impl DisplaySettings {
     /// Of the picture (`None`) or of a debug view.
     pub fn new(view: Option<ViewSpec>, frame: &Frame) -> Self {
         let display = DisplayMap::for_view(view, frame);
@@ -33,17 +33,23 @@ impl Look {
         let (top, bottom) =
             if is_picture { (frame.background.top, frame.background.bottom) } else { (DVec3::ZERO, DVec3::ZERO) };
         let alpha = if is_picture && frame.background.transparent { 0.0 } else { 1.0 };
-        Look { display, background_top: top, background_bottom: bottom, background_alpha: alpha, premultiplied: false }
+        DisplaySettings {
+            display,
+            background_top: top,
+            background_bottom: bottom,
+            background_alpha: alpha,
+            premultiplied: false,
+        }
     }
 
     /// For a window.
     pub fn to_be_shown(self) -> Self {
-        Look { premultiplied: true, ..self }
+        DisplaySettings { premultiplied: true, ..self }
     }
 
     /// Of numbers that are shown as they are, in a window.
     pub fn of_numbers() -> Self {
-        Look {
+        DisplaySettings {
             display: DisplayMap::Affine { scale: DVec3::ONE, bias: DVec3::ZERO },
             background_top: DVec3::ZERO,
             background_bottom: DVec3::ZERO,
@@ -55,7 +61,12 @@ impl Look {
     /// Of a view whose values are the numbers to be shown.
     pub fn as_it_is(frame: &Frame) -> Self {
         let display = DisplayMap::Affine { scale: DVec3::ONE, bias: DVec3::ZERO };
-        Look { display, background_top: DVec3::ZERO, background_bottom: DVec3::ZERO, ..Look::new(None, frame) }
+        DisplaySettings {
+            display,
+            background_top: DVec3::ZERO,
+            background_bottom: DVec3::ZERO,
+            ..DisplaySettings::new(None, frame)
+        }
     }
 
     /// What a picture file of the frame holds.
@@ -86,7 +97,7 @@ impl Shared {
         output: &OutputTarget,
         target: &Target,
         band: Band,
-        look: &Look,
+        look: &DisplaySettings,
         display: Display,
     ) -> Result<(), GlError> {
         let gl = &self.gl;
@@ -138,17 +149,17 @@ impl Shared {
 }
 
 /// A frame on the GPU, finished. Reading it back is a separate step.
-pub struct Drawn {
+pub struct RenderedFrame {
     pub(super) shared: Rc<Shared>,
     pub(super) target: Rc<Target>,
-    pub(super) look: Look,
+    pub(super) look: DisplaySettings,
     /// What the GPU counted.
     pub statistics: GpuStatistics,
     /// Notes on what the driver could not do as asked, for example fewer samples.
     pub notes: Vec<String>,
 }
 
-impl Drawn {
+impl RenderedFrame {
     /// The linear values (for debug views: the raw vectors and scalars), premultiplied alpha.
     pub fn linear(&self) -> Result<Picture, GlError> {
         let [width, height] = self.target.size;

@@ -1,7 +1,7 @@
 //! A frame for a window: onto a canvas, with nothing to wait for, and with the window's own state left as it was.
 
-use super::output::{Band, Look};
-use super::{Drawn8, PANES, Renderer};
+use super::output::{Band, DisplaySettings};
+use super::{PANES, RenderedPicture, Renderer};
 use crate::display_options::DisplayOptions;
 use crate::display_texture::DisplayTexture;
 use crate::scene_on_gpu::GpuScene;
@@ -55,7 +55,12 @@ impl Renderer {
 
     /// A picture of 8 bits with whatever is to be shown, read back: [`Self::paint_counted`] for a file, whose colours are
     /// not premultiplied.
-    pub fn render_shown8(&mut self, scene: &GpuScene, frame: &Frame, show: &DisplayOptions) -> Result<Drawn8, GlError> {
+    pub fn render_shown8(
+        &mut self,
+        scene: &GpuScene,
+        frame: &Frame,
+        show: &DisplayOptions,
+    ) -> Result<RenderedPicture, GlError> {
         let mut canvas = DisplayTexture::new(&self.shared.gl, [frame.width, frame.height])?;
         let painted = self.paint_counted(scene, frame, show, &mut canvas)?;
         let mut rgba = canvas.read8();
@@ -66,7 +71,7 @@ impl Renderer {
         self.shared.check_error("reading the picture")?;
         let picture = EncodedPicture { width: frame.width, height: frame.height, rgba };
         let statistics = GpuStatistics { draw_calls: painted.draw_calls, ..painted.statistics.unwrap_or_default() };
-        Ok(Drawn8 { picture, statistics, notes: painted.notes })
+        Ok(RenderedPicture { picture, statistics, notes: painted.notes })
     }
 
     /// The linear values (of a debug view: the raw vectors and scalars), premultiplied, in full floats: for a window that
@@ -103,7 +108,8 @@ impl Renderer {
         let target = self.target_for(scene, &sampled, height, Precision::Half, PANES, &mut notes)?;
         canvas.fit([frame.width, frame.height])?;
         let as_it_is = special == Some(SpecialView::UvChecker);
-        let look = if as_it_is { Look::as_it_is(frame) } else { Look::new(view, frame) }.to_be_shown();
+        let look =
+            if as_it_is { DisplaySettings::as_it_is(frame) } else { DisplaySettings::new(view, frame) }.to_be_shown();
         if special != Some(SpecialView::Overdraw) {
             // Before anything is drawn: asking whether a program is well waits for all that was.
             shared.output_program_for(&target, look.encoded())?;

@@ -1,7 +1,7 @@
 //! One pass over the objects: which program, which buffers, which uniforms each draw needs.
 
 use super::shared::Shared;
-use super::surroundings::Around;
+use super::surroundings::BoundEnvironment;
 use crate::geometry::Geometry;
 use crate::glsl::{
     LightLoops, MapSet, Reflectance, SceneKey, SurroundingsKey, TEXTURE_UNITS, quantity_number, texture_unit,
@@ -37,7 +37,7 @@ pub(super) struct Pass<'a> {
     pub white: glow::Texture,
     pub lights: &'a LightTable,
     /// What surrounds the scene.
-    pub around: Option<Around<'a>>,
+    pub around: Option<BoundEnvironment<'a>>,
     /// Programs whose uniforms of the frame are set.
     pub prepared: HashMap<SceneKey, Rc<Program>>,
 }
@@ -119,7 +119,7 @@ impl<'a> Pass<'a> {
     }
 
     /// The environment, where the program shows it.
-    fn around_of(&self, key: SceneKey) -> Option<&Around<'_>> {
+    fn around_of(&self, key: SceneKey) -> Option<&BoundEnvironment<'_>> {
         self.around.as_ref().filter(|_| key.surroundings != SurroundingsKey::NONE)
     }
 

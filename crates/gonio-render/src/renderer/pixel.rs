@@ -1,6 +1,6 @@
 //! One pixel of a frame as OpenGL draws it: what a probe sets beside the reference.
 
-use super::output::{Band, Look};
+use super::output::{Band, DisplaySettings};
 use super::{PANES, Renderer};
 use crate::glsl::Display;
 use crate::scene_on_gpu::GpuScene;
@@ -31,7 +31,7 @@ impl Renderer {
         target.resolve(gl);
         let output = OutputTarget::new(gl, target.size, true)?;
         let row = Band { picture_height: 1, first_row: 0, rows: 1 };
-        shared.output_into(&output, &target, row, &Look::new(None, &frame), Display::Linear)?;
+        shared.output_into(&output, &target, row, &DisplaySettings::new(None, &frame), Display::Linear)?;
         let values = output.read_f32(gl);
         output.unbind(gl);
         shared.check_error("reading a pixel")?;

@@ -1,6 +1,6 @@
 //! A frame drawn to be looked at: every call of it in a record.
 
-use super::output::{Band, Look};
+use super::output::{Band, DisplaySettings};
 use super::shared::Shared;
 use super::{PANES, Renderer};
 use crate::scene_on_gpu::GpuScene;
@@ -58,7 +58,7 @@ impl Renderer {
         target.resolve(gl);
         let rows = target.size[1];
         let output = OutputTarget::new(gl, target.size, false)?;
-        let look = Look::new(view, frame);
+        let look = DisplaySettings::new(view, frame);
         let whole = Band { picture_height: rows, first_row: 0, rows };
         shared.output_into(&output, &target, whole, &look, look.encoded())?;
         Ok((Recorded { recording, notes }, output))

@@ -12,7 +12,7 @@ const PIXELS_PER_TRIANGLE: usize = 3;
 ///
 /// Where triangles are not much larger than pixels, nearly every sample is shaded anyway, and software drivers spend
 /// more on keeping the samples of a pixel apart than on shading: there a finer picture, averaged, is the same for less.
-pub(super) fn of(info: &DriverInfo, triangles: usize, frame: &Frame, samples: i32) -> Sampling {
+pub(super) fn choose(info: &DriverInfo, triangles: usize, frame: &Frame, samples: i32) -> Sampling {
     let pixels = frame.width as usize * frame.height as usize;
     let is_fine = triangles.saturating_mul(PIXELS_PER_TRIANGLE) >= pixels;
     let fits = |side: i32| u64::from(frame.width.max(frame.height)) * side as u64 <= u64::from(info.max_size);

@@ -2,7 +2,7 @@
 
 use super::shared::Shared;
 use crate::environment_on_gpu::{CubeTexture, EnvironmentOnGpu, Gloss, Seamless};
-use crate::glsl::{Sight, SurroundingsKey, fresnel_number, sky_sources, texture_unit};
+use crate::glsl::{SurfaceOptics, SurroundingsKey, fresnel_number, sky_sources, texture_unit};
 use crate::scene_on_gpu::{GpuObject, GpuScene};
 use glam::DMat3;
 use gonio_environment::BrdfTable;
@@ -14,7 +14,7 @@ use gonio_scene::{Frame, SceneMaterial, Surroundings, TextureFilter};
 use std::rc::Rc;
 
 /// A frame's environment, bound until it is dropped.
-pub(super) struct Around<'a> {
+pub(super) struct BoundEnvironment<'a> {
     textures: &'a EnvironmentOnGpu,
     surroundings: Surroundings,
     /// Levels of textures are chosen by distances on the screen, not always the first.
@@ -24,7 +24,7 @@ pub(super) struct Around<'a> {
     _seamless: Seamless<'a>,
 }
 
-impl<'a> Around<'a> {
+impl<'a> BoundEnvironment<'a> {
     /// Binds what surrounds a frame's scene; `None` where it has no environment.
     pub fn bound(shared: &'a Shared, scene: &'a GpuScene, frame: &Frame) -> Result<Option<Self>, GlError> {
         let gl = &shared.gl;
@@ -42,19 +42,19 @@ impl<'a> Around<'a> {
         }
         let mipmapped = matches!(frame.texture_filter, TextureFilter::Mipmap | TextureFilter::Anisotropic);
         textures.map.bind(gl, texture_unit("environment_map"));
-        Ok(Some(Around { textures, surroundings, mipmapped, gloss, _seamless: Seamless::new(gl) }))
+        Ok(Some(BoundEnvironment { textures, surroundings, mipmapped, gloss, _seamless: Seamless::new(gl) }))
     }
 
     /// What a material's program shows of it.
     pub fn key(&self, object: &GpuObject, optics: &Optics, is_view: bool) -> SurroundingsKey {
         let sight = match optics {
-            optics if optics.is_plain() => Sight::Nothing,
+            optics if optics.is_plain() => SurfaceOptics::Nothing,
             // A view may show what is let through even where none of it counts.
-            optics if optics.transmission <= 0.0 && !is_view => Sight::Mirror,
-            optics if optics.surfaces == Surfaces::Two && object.body.is_some() => Sight::Body,
-            _ => Sight::Glass,
+            optics if optics.transmission <= 0.0 && !is_view => SurfaceOptics::Mirror,
+            optics if optics.surfaces == Surfaces::Two && object.body.is_some() => SurfaceOptics::Body,
+            _ => SurfaceOptics::Glass,
         };
-        let mipmapped = self.mipmapped && sight != Sight::Nothing;
+        let mipmapped = self.mipmapped && sight != SurfaceOptics::Nothing;
         SurroundingsKey { sight, mipmapped, lights: self.surroundings.lights }
     }
 

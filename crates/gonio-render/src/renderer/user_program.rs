@@ -1,7 +1,7 @@
 //! Programs that somebody else wrote, drawn for a window: onto a canvas, as their own program would show them.
 
 use super::Renderer;
-use super::output::{Band, Look};
+use super::output::{Band, DisplaySettings};
 use crate::display_texture::DisplayTexture;
 use crate::glsl::Display;
 use gonio_gl::Dialect;
@@ -56,7 +56,7 @@ impl Renderer {
         gl.color_mask(true, true, true, true);
         target.resolve(gl);
         let whole = Band { picture_height: size[1], first_row: 0, rows: size[1] };
-        shared.output_into(canvas.output(), &target, whole, &Look::of_numbers(), Display::Affine)
+        shared.output_into(canvas.output(), &target, whole, &DisplaySettings::of_numbers(), Display::Affine)
     }
 
     fn user_program_target(&mut self, size: [i32; 2]) -> Result<Rc<Target>, GlError> {

@@ -68,13 +68,13 @@ fn what_is_too_large_for_the_driver_is_reduced_and_told() {
     for from in [From::Cubemap(&map), From::Panorama(&pano)] {
         let made = converter.cubemap(&Conversion::default(), from, 16).unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(made.notes.len(), 1);
-        assert!(made.notes[0].contains("more than this driver's 64"), "{}", made.notes[0]);
+        assert!(made.notes[0].contains("exceed the driver's limit of 64"), "{}", made.notes[0]);
         // The mean over texels of 0.1 rad of a function that is smooth there.
         let (_, mean) = difference(made.environment.pixels(), Conversion::default().cubemap(from, 16).pixels());
         assert!(mean < 0.02, "{mean}");
     }
     let refused = converter.cubemap(&Conversion::default(), From::Panorama(&pano), 65).map(|_| ());
-    assert!(refused.is_err_and(|e| e.message.contains("65 x 65 texels are more than this driver's 64")));
+    assert!(refused.is_err_and(|e| e.message.contains("65 x 65 texels exceed the driver's limit of 64")));
 }
 
 const SIZE: [u32; 2] = [48, 32];

@@ -134,7 +134,7 @@ fn what_is_too_large_begins_at_a_smaller_level_with_a_note() {
     let environment = Arc::new(LoadedEnvironment::new("of colours", Cubemap::from_function(32, |d| d * d)));
     let uploaded = EnvironmentOnGpu::upload(context.gl(), &environment, 20).unwrap_or_else(|why| panic!("{why}"));
     assert_eq!((uploaded.map.size, uploaded.map.levels_left_out), (16, 1));
-    let note = "the environment is drawn with 16 x 16 texels a face instead of 32 x 32: this driver has no more";
+    let note = "the environment is drawn with 16 x 16 texels a face instead of 32 x 32: the driver has no more";
     assert_eq!(uploaded.notes, [note]);
     let uploaded = EnvironmentOnGpu::upload(context.gl(), &environment, 32).unwrap_or_else(|why| panic!("{why}"));
     assert!(uploaded.notes.is_empty());
@@ -160,7 +160,7 @@ fn a_body_that_does_not_fit_is_told() {
     scene.environment = Some(Arc::new(LoadedEnvironment::new("grey", Cubemap::new(4, [0.5; 4]))));
     let (has_body, notes) = upload(&scene, &small);
     assert!(!has_body);
-    let note = "is refracted at its first surface only: this driver has no room for the inside of 12 triangles";
+    let note = "is refracted at its first surface only: the driver has no room for the interior of 12 triangles";
     assert!(notes.len() == 1 && notes[0].ends_with(note), "{notes:?}");
     assert_eq!(upload(&scene, &info), (true, Vec::new()));
 }

@@ -80,7 +80,7 @@ fn a_picture_is_shown_pixel_for_pixel_over_what_is_seen_through_it() {
         let painted = renderer.paint(&uploaded, &scene.frame(0.0), &DisplayOptions::default(), &mut canvas);
         painted.unwrap_or_else(|why| panic!("{why}"));
         let presenter = Presenter::new(&gl).unwrap_or_else(|why| panic!("{why}"));
-        let picture = presenter.of(canvas.texture());
+        let picture = presenter.presentation(canvas.texture());
         let picture = if transparent { picture } else { picture.opaque() };
         window.output().bind(&gl);
         gl.clear_color(0.0, 1.0, 0.0, 1.0);

@@ -1,6 +1,6 @@
 //! A program with whatever attributes and uniforms it has.
 
-use gonio_gl::trace::words;
+use gonio_gl::trace::enums;
 use gonio_gl::{Gl, GlError};
 use std::cell::RefCell;
 use std::fmt;
@@ -109,7 +109,7 @@ impl UserProgram {
             // gl_VertexID and its like have none.
             let Some(location) = gl.get_attrib_location(self.handle, &attribute.name) else { continue };
             let elements = attribute.size.max(1) as u32;
-            let (code, glsl_type) = (attribute.atype, words::glsl_type(attribute.atype));
+            let (code, glsl_type) = (attribute.atype, enums::glsl_type(attribute.atype));
             self.attributes.push((ProgramVariable { name: attribute.name, glsl_type, elements, code }, location));
         }
         for index in 0..gl.get_active_uniforms(self.handle) {
@@ -124,7 +124,7 @@ impl UserProgram {
             // Members of blocks have none.
             if !locations.is_empty() {
                 let elements = locations.len() as u32;
-                let glsl_type = words::glsl_type(uniform.utype);
+                let glsl_type = enums::glsl_type(uniform.utype);
                 self.uniforms.push((ProgramVariable { name, glsl_type, elements, code: uniform.utype }, locations));
             }
         }
@@ -178,7 +178,7 @@ impl UserProgram {
             }
             values.clone_into(given);
         }
-        let size = words::layout(variable.code).map_or(1, |(_, numbers)| numbers);
+        let size = enums::layout(variable.code).map_or(1, |(_, numbers)| numbers);
         for (element, location) in locations.iter().enumerate() {
             let mut numbers = [0.0_f32; 16];
             for (number, value) in numbers.iter_mut().zip(values.iter().skip(element * size).take(size)) {
@@ -207,7 +207,7 @@ impl UserProgram {
             glow::UNSIGNED_INT => gl.uniform_1_u32(at, uint(0)),
             // int, bool and samplers; what is rarer (doubles, non-square matrices) stays 0.
             glow::INT | glow::BOOL => gl.uniform_1_i32(at, int(0)),
-            _ if words::TextureKind::of_sampler(code).is_some() => gl.uniform_1_i32(at, int(0)),
+            _ if enums::TextureKind::from_sampler_type(code).is_some() => gl.uniform_1_i32(at, int(0)),
             _ => {}
         }
     }

@@ -64,7 +64,7 @@ impl PaneRenderer {
 
     /// A canvas without holes, to be shown by a paint callback.
     pub fn presented(&self, canvas: &DisplayTexture) -> Presentation {
-        self.presenter.of(canvas.texture()).opaque()
+        self.presenter.presentation(canvas.texture()).opaque()
     }
 
     /// The driver, as it calls itself.
@@ -145,7 +145,7 @@ impl PaneRenderer {
         let pane = &mut self.panes[index];
         pane.follow(&mut self.renderer, &mut self.details, base, session.generation, settings)?;
         pane.draw(&self.gl, &mut self.renderer, session.clock.time, size, pace, facts)?;
-        let picture = pane.canvas.as_ref().map(|canvas| self.presenter.of(canvas.texture()));
+        let picture = pane.canvas.as_ref().map(|canvas| self.presenter.presentation(canvas.texture()));
         Ok(picture.map(|picture| if pane.is_opaque() { picture.opaque() } else { picture }))
     }
 
@@ -163,7 +163,7 @@ impl PaneRenderer {
         if !session.moving {
             session.comparison.difference = self.pair.measured([a, b], document.panes.pair);
         }
-        Ok(self.pair.map.as_ref().map(|map| self.presenter.of(map.texture())))
+        Ok(self.pair.map.as_ref().map(|map| self.presenter.presentation(map.texture())))
     }
 
     /// Tells the session what the panes took, and goes on with the curve of errors where it is asked for, by one picture;

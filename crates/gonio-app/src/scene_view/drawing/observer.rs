@@ -38,6 +38,6 @@ impl PaneRenderer {
             self.renderer.paint(uploaded, &wanted, &DisplayOptions::default(), &mut observer.canvas)?;
             observer.drawn = Some((wanted, loaded.clone()));
         }
-        Ok(Some(self.presenter.of(observer.canvas.texture())))
+        Ok(Some(self.presenter.presentation(observer.canvas.texture())))
     }
 }

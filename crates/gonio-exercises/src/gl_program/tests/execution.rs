@@ -65,7 +65,7 @@ fn refused_calls_have_their_line_and_are_not_in_the_record() {
             (34, "enable", "INVALID_ENUM")
         ]
     );
-    assert!(run.errors[0].why.contains("keeps the target that it was bound to first"), "{}", run.errors[0]);
+    assert!(run.errors[0].why.contains("was first bound to another target"), "{}", run.errors[0]);
     let units: Vec<_> = run.record.draws[0].units.iter().map(|u| (u.unit, u.kind.as_str(), u.texture)).collect();
     assert_eq!(units, [(0, "2D", Some(1))]);
     assert_eq!(run.record.draws[0].errors, ["INVALID_OPERATION", "INVALID_OPERATION", "INVALID_ENUM"]);

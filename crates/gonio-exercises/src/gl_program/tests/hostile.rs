@@ -94,7 +94,7 @@ fn indices_beyond_what_there_is() {
     let draw = "draw_elements TRIANGLES 3 UNSIGNED_INT 0";
     survives(&indexed("0 1 3", draw), "UNDEFINED: the attribute `position` would be read up to byte 108 (vertex 3");
     survives(&indexed("0 1 4294967295", draw), "UNDEFINED");
-    survives(&indexed("0 1", draw), "3 indices of 4 bytes from byte 0 on would be read, and their buffer has 8 bytes");
+    survives(&indexed("0 1", draw), "3 indices of 4 bytes from byte 0 on would be read, but their buffer has 8 bytes");
     survives(&indexed("0 1 2", "draw_elements TRIANGLES 3 UNSIGNED_INT 2147483644"), "UNDEFINED");
     survives(&indexed("0 1 2", "draw_elements TRIANGLES 3 UNSIGNED_INT 1"), "within an index");
     survives(&indexed("0 1 2", "draw_elements TRIANGLES 3 UNSIGNED_INT -4"), "INVALID_VALUE");
@@ -102,20 +102,32 @@ fn indices_beyond_what_there_is() {
 
 #[test]
 fn numbers_that_are_no_objects() {
-    survives(&changed(&[("bind_texture TEXTURE_2D texture", "bind_texture TEXTURE_2D 2")]), "no texture of number 2");
-    survives(&changed(&[("bind_texture TEXTURE_2D texture", "bind_texture TEXTURE_2D -1")]), "no texture of number -1");
-    survives(&changed(&[("use_program program", "use_program 77")]), "no program of number 77");
-    survives(&changed(&[("bind_buffer ARRAY_BUFFER buffer", "bind_buffer ARRAY_BUFFER 4")]), "no buffer of number 4");
-    survives(&changed(&[("uniform_1i ourTexture 0", "uniform_1i ourTexture -1")]), "no unit of that number");
-    survives(&changed(&[("uniform_1i ourTexture 0", "uniform_1i ourTexture 2147483647")]), "no unit of that number");
-    survives(&changed(&[("active_texture TEXTURE0", "active_texture -5")]), "this is no unit");
+    survives(
+        &changed(&[("bind_texture TEXTURE_2D texture", "bind_texture TEXTURE_2D 2")]),
+        "no texture has the number 2",
+    );
+    survives(
+        &changed(&[("bind_texture TEXTURE_2D texture", "bind_texture TEXTURE_2D -1")]),
+        "no texture has the number -1",
+    );
+    survives(&changed(&[("use_program program", "use_program 77")]), "no program has the number 77");
+    survives(
+        &changed(&[("bind_buffer ARRAY_BUFFER buffer", "bind_buffer ARRAY_BUFFER 4")]),
+        "no buffer has the number 4",
+    );
+    survives(&changed(&[("uniform_1i ourTexture 0", "uniform_1i ourTexture -1")]), "no texture unit has this number");
+    survives(
+        &changed(&[("uniform_1i ourTexture 0", "uniform_1i ourTexture 2147483647")]),
+        "no texture unit has this number",
+    );
+    survives(&changed(&[("active_texture TEXTURE0", "active_texture -5")]), "invalid texture unit");
     survives(&changed(&[(DRAW, "viewport 0 0 -1 -1\ndraw_arrays TRIANGLES 0 3\n")]), "cannot be negative");
-    survives(&changed(&[(DRAW, "enable TEXTURE_2D\ndraw_arrays TRIANGLES 0 3\n")]), "cannot be switched on or off");
+    survives(&changed(&[(DRAW, "enable TEXTURE_2D\ndraw_arrays TRIANGLES 0 3\n")]), "cannot be enabled or disabled");
     survives(&changed(&[("0 RGB8 pixels", "2147483647 RGB8 pixels")]), "INVALID_VALUE");
     survives(&changed(&[("0 RGB8 pixels", "-1 RGB8 pixels")]), "INVALID_VALUE");
     survives(&changed(&[("0 RGB8 pixels", "0 TEXTURE_2D pixels")]), "tex_image_2d");
     let viewport = "viewport -2147483648 -2147483648 2147483647 2147483647\nuse_program 9\n";
-    survives(&changed(&[(DRAW, &format!("{viewport}{DRAW}"))]), "no program of number 9");
+    survives(&changed(&[(DRAW, &format!("{viewport}{DRAW}"))]), "no program has the number 9");
 }
 
 #[test]

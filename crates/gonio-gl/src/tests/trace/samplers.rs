@@ -78,7 +78,7 @@ fn a_sampler_that_was_never_set() {
         let finding = only(&findings, Rule::SamplerNeverSet, 1);
         assert_eq!(finding.severity, Severity::Error);
         assert!(finding.message.contains("`second` (sampler2D) was never set"), "{}", finding.message);
-        assert!(finding.message.contains("`relief` waits in unit 1"), "{}", finding.message);
+        assert!(finding.message.contains("`relief` is bound to unit 1"), "{}", finding.message);
         assert!(finding.advice.contains("set it to 1"), "{}", finding.advice);
     });
     both(|mut lab| {
@@ -185,7 +185,7 @@ fn a_texture_of_another_kind() {
         lab.draw();
         let (_, findings) = lab.finish();
         let finding = only(&findings, Rule::WrongTextureKind, 1);
-        assert!(finding.message.contains("`panorama` is bound, which is of kind 2D"), "{}", finding.message);
+        assert!(finding.message.contains("`panorama` is bound, a texture of kind 2D"), "{}", finding.message);
     });
 }
 

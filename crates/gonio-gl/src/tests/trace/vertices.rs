@@ -44,7 +44,7 @@ fn a_uniform_that_was_never_sent() {
         let (_, findings) = lab.finish();
         let finding = only(&findings, Rule::UniformNeverSent, 1);
         assert_eq!(finding.severity, Severity::Warning);
-        assert!(finding.message.contains("`color` (vec4) was never sent"), "{}", finding.message);
+        assert!(finding.message.contains("`color` (vec4) was never set"), "{}", finding.message);
     });
     both(|mut lab| {
         lab.program(LIT, NORMALS);

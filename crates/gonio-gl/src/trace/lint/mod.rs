@@ -1,7 +1,7 @@
-//! What is wrong with a frame: looked up in its record alone.
+//! Mistakes in a frame, found in its record alone.
 //!
-//! A rule finds what OpenGL draws without a word although it is hardly what was meant. For each sampler, and for each
-//! draw, the cause is told and not what follows from it.
+//! A rule finds what OpenGL draws without an error although it is hardly intended. For each sampler, and for each draw, the
+//! cause is reported, and not what follows from it.
 
 mod samplers;
 mod uniforms;
@@ -33,7 +33,7 @@ macro_rules! named {
 }
 
 named! {
-    /// What can be wrong.
+    /// The rules.
     Rule {
         /// A sampler was set to a texture's name, not to the unit that the texture is bound to.
         TextureNameAsUnit = "texture-name-as-unit",
@@ -69,7 +69,7 @@ named! {
 }
 
 named! {
-    /// How bad it is.
+    /// How serious a finding is.
     Severity {
         /// It may be meant.
         Warning = "warning",
@@ -78,12 +78,12 @@ named! {
     }
 }
 
-/// Something that is wrong.
+/// A mistake that a rule found.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Finding {
     /// Which rule found it.
     pub rule: Rule,
-    /// How bad it is.
+    /// How serious it is.
     pub severity: Severity,
     /// The first draw that has it, an index into [`FrameRecord::draws`].
     pub draw: usize,
@@ -91,41 +91,41 @@ pub struct Finding {
     pub draws: usize,
     /// That draw, for people: [`DrawRecord::title`].
     pub draw_title: String,
-    /// What is wrong: one sentence, with names and numbers.
+    /// The mistake in one sentence, with names and numbers.
     pub message: String,
-    /// What to do: one sentence.
+    /// How to fix it, in one sentence.
     pub advice: String,
 }
 
-/// What a rule says about one draw.
-struct Said {
+/// What a rule finds in one draw.
+struct Issue {
     rule: Rule,
     severity: Severity,
     message: String,
     advice: String,
 }
 
-impl Said {
-    fn error(rule: Rule, message: String, advice: impl Into<String>) -> Said {
-        Said { rule, severity: Severity::Error, message, advice: advice.into() }
+impl Issue {
+    fn error(rule: Rule, message: String, advice: impl Into<String>) -> Issue {
+        Issue { rule, severity: Severity::Error, message, advice: advice.into() }
     }
 
-    fn warning(rule: Rule, message: String, advice: impl Into<String>) -> Said {
-        Said { rule, severity: Severity::Warning, message, advice: advice.into() }
+    fn warning(rule: Rule, message: String, advice: impl Into<String>) -> Issue {
+        Issue { rule, severity: Severity::Warning, message, advice: advice.into() }
     }
 }
 
-/// All that is wrong with a frame, in the order of the draws; what several draws have, once.
+/// Returns all mistakes in a frame, in the order of the draws. A mistake of several draws is reported once.
 pub fn lint(record: &FrameRecord) -> Vec<Finding> {
     let mut findings: Vec<Finding> = Vec::new();
     for draw in &record.draws {
-        for said in of_draw(record, draw) {
-            let known = findings.iter_mut().find(|f| f.rule == said.rule && f.message == said.message);
+        for issue in issues_of_draw(record, draw) {
+            let known = findings.iter_mut().find(|f| f.rule == issue.rule && f.message == issue.message);
             if let Some(known) = known {
                 known.draws += 1;
                 continue;
             }
-            let Said { rule, severity, message, advice } = said;
+            let Issue { rule, severity, message, advice } = issue;
             let (draw, draw_title) = (draw.index, draw.title());
             findings.push(Finding { rule, severity, draw, draws: 1, draw_title, message, advice });
         }
@@ -133,18 +133,18 @@ pub fn lint(record: &FrameRecord) -> Vec<Finding> {
     findings
 }
 
-fn of_draw(record: &FrameRecord, draw: &DrawRecord) -> Vec<Said> {
-    let mut said = Vec::new();
-    samplers::check(record, draw, &mut said);
-    uniforms::check(draw, &mut said);
-    vertices::check(draw, &mut said);
-    let is_explained = said.iter().any(|said| said.severity == Severity::Error);
+fn issues_of_draw(record: &FrameRecord, draw: &DrawRecord) -> Vec<Issue> {
+    let mut issues = Vec::new();
+    samplers::check(record, draw, &mut issues);
+    uniforms::check(draw, &mut issues);
+    vertices::check(draw, &mut issues);
+    let is_explained = issues.iter().any(|issue| issue.severity == Severity::Error);
     if !draw.errors.is_empty() && !is_explained {
-        said.push(Said::error(
+        issues.push(Issue::error(
             Rule::OpenGlError,
-            format!("OpenGL reported {} on the way to this draw, or at it", draw.errors.join(", ")),
-            "look at the calls since the draw before: one of them was refused",
+            format!("OpenGL reported {} before or at this draw", draw.errors.join(", ")),
+            "check the calls since the previous draw: OpenGL refused one of them",
         ));
     }
-    said
+    issues
 }

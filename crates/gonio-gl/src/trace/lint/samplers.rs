@@ -2,43 +2,43 @@
 
 use super::super::complete::levels_read;
 use super::super::data::{DrawRecord, FrameRecord, SamplerRecord, TextureRecord};
-use super::{Rule, Said};
+use super::{Issue, Rule};
 
 /// Checks every sampler of a draw.
-pub fn check(record: &FrameRecord, draw: &DrawRecord, said: &mut Vec<Said>) {
+pub fn check(record: &FrameRecord, draw: &DrawRecord, issues: &mut Vec<Issue>) {
     for sampler in &draw.samplers {
-        let place = Place { record, draw, sampler };
+        let sampler_use = SamplerUse { record, draw, sampler };
         // In this order: what comes later often follows from what comes before.
         let rules = [
-            Place::texture_name,
-            Place::never_set,
-            Place::two_types,
-            Place::feedback,
-            Place::stale,
-            Place::nothing_to_read,
-            Place::incomplete,
+            SamplerUse::texture_name,
+            SamplerUse::never_set,
+            SamplerUse::two_types,
+            SamplerUse::feedback,
+            SamplerUse::stale,
+            SamplerUse::nothing_to_read,
+            SamplerUse::incomplete,
         ];
-        match rules.iter().find_map(|rule| rule(&place)) {
-            Some(Verdict::Said(finding)) => said.push(finding),
-            Some(Verdict::SaidElsewhere) | None => {}
+        match rules.iter().find_map(|rule| rule(&sampler_use)) {
+            Some(Outcome::Found(finding)) => issues.push(finding),
+            Some(Outcome::FoundElsewhere) | None => {}
         }
     }
 }
 
-enum Verdict {
-    Said(Said),
-    /// Another sampler's finding tells it.
-    SaidElsewhere,
+enum Outcome {
+    Found(Issue),
+    /// The finding of another sampler reports it.
+    FoundElsewhere,
 }
 
 /// A sampler at a draw.
-struct Place<'a> {
+struct SamplerUse<'a> {
     record: &'a FrameRecord,
     draw: &'a DrawRecord,
     sampler: &'a SamplerRecord,
 }
 
-impl Place<'_> {
+impl SamplerUse<'_> {
     fn declared(&self) -> String {
         format!("`{}` ({})", self.sampler.name, self.sampler.glsl_type)
     }
@@ -64,7 +64,7 @@ impl Place<'_> {
         })
     }
 
-    fn texture_name(&self) -> Option<Verdict> {
+    fn texture_name(&self) -> Option<Outcome> {
         let units = self.record.texture_units;
         let rule = Rule::TextureNameAsUnit;
         let refused = self.sampler.sent.filter(|sent| u32::try_from(*sent).map_or(true, |sent| sent >= units));
@@ -78,7 +78,7 @@ impl Place<'_> {
         let read = |id| self.draw.samplers.iter().any(|sampler| sampler.texture == Some(id));
         let Some(texture) = texture.filter(|texture| !read(texture.id)) else {
             return refused.map(|_| {
-                Verdict::Said(Said::error(
+                Outcome::Found(Issue::error(
                     rule,
                     format!("the sampler {} was set to {value}, but units go from 0 to {}", self.declared(), units - 1),
                     "set it to the unit that its texture is bound to",
@@ -90,7 +90,7 @@ impl Place<'_> {
             Some(_) => format!("units go from 0 to {}", units - 1),
             None => format!("nothing is bound to unit {value}"),
         };
-        Some(Verdict::Said(Said::error(
+        Some(Outcome::Found(Issue::error(
             rule,
             format!(
                 "the sampler {} was set to {value}, which is the name of {} and not a unit: {what}",
@@ -108,7 +108,7 @@ impl Place<'_> {
         )))
     }
 
-    fn never_set(&self) -> Option<Verdict> {
+    fn never_set(&self) -> Option<Outcome> {
         // Where it is not 0, the shader itself says which unit.
         if self.sampler.was_set || self.sampler.unit != 0 {
             return None;
@@ -116,22 +116,22 @@ impl Place<'_> {
         let declared = self.declared();
         let meant = self.unread().find(|(unit, _)| *unit != 0);
         let others = self.draw.samplers.iter().any(|s| s.name != self.sampler.name && s.unit == 0);
-        Some(Verdict::Said(match (self.sampler.texture, meant) {
-            (_, Some((unit, texture))) => Said::error(
+        Some(Outcome::Found(match (self.sampler.texture, meant) {
+            (_, Some((unit, texture))) => Issue::error(
                 Rule::SamplerNeverSet,
                 format!(
-                    "the sampler {declared} was never set and reads unit 0, while {} waits in unit {unit}, which nothing \
-                     reads",
+                    "the sampler {declared} was never set and reads unit 0, while {} is bound to unit {unit}, which no \
+                     sampler reads",
                     self.named(texture)
                 ),
                 format!("set it to {unit} (glUniform1i) after linking"),
             ),
-            (None, None) => Said::error(
+            (None, None) => Issue::error(
                 Rule::SamplerNeverSet,
                 format!("the sampler {declared} was never set and reads unit 0, where no texture of its kind is bound"),
                 "set it to the unit of its texture (glUniform1i) after linking",
             ),
-            (Some(texture), None) if others => Said::error(
+            (Some(texture), None) if others => Issue::error(
                 Rule::SamplerNeverSet,
                 format!(
                     "the sampler {declared} was never set and reads unit 0, where another sampler reads {} too",
@@ -139,58 +139,58 @@ impl Place<'_> {
                 ),
                 "set it to the unit of its own texture (glUniform1i) after linking",
             ),
-            (Some(texture), None) => Said::warning(
+            (Some(texture), None) => Issue::warning(
                 Rule::SamplerNeverSet,
                 format!(
-                    "the sampler {declared} was never set and reads unit 0 by default, where {} happens to be",
+                    "the sampler {declared} was never set and reads unit 0 by default, where {} happens to be bound",
                     self.named(texture)
                 ),
-                "set it to 0 (glUniform1i), so that it does not depend on what is bound there",
+                "set it to 0 (glUniform1i) rather than rely on the default",
             ),
         }))
     }
 
-    fn two_types(&self) -> Option<Verdict> {
+    fn two_types(&self) -> Option<Outcome> {
         let me = self.sampler;
         let others = self.draw.samplers.iter();
         let other = others.filter(|s| s.was_set).find(|s| s.unit == me.unit && s.glsl_type != me.glsl_type)?;
         if other.name > me.name {
-            return Some(Verdict::SaidElsewhere);
+            return Some(Outcome::FoundElsewhere);
         }
-        Some(Verdict::Said(Said::error(
+        Some(Outcome::Found(Issue::error(
             Rule::TwoSamplerTypes,
             format!(
-                "{} and `{}` ({}) both read unit {}: OpenGL refuses to draw with samplers of two types on one unit",
+                "{} and `{}` ({}) both read unit {}: OpenGL does not draw if samplers of different types read the same unit",
                 self.declared(),
                 other.name,
                 other.glsl_type,
                 me.unit
             ),
-            "give each a unit of its own",
+            "give each its own unit",
         )))
     }
 
-    fn feedback(&self) -> Option<Verdict> {
+    fn feedback(&self) -> Option<Outcome> {
         let id = self.sampler.texture?;
         let pass = self.record.passes.get(self.draw.pass)?;
         let [first, last] = levels_read(self.record.texture(id)?, self.sampler.sampling.as_ref());
         let attached =
             pass.target.attachments.iter().find(|a| a.texture == Some(id) && (first..=last).contains(&a.level))?;
-        Some(Verdict::Said(Said::error(
+        Some(Outcome::Found(Issue::error(
             Rule::FeedbackLoop,
             format!(
-                "{} reads {} in unit {}, which is drawn into at the same time: it is attached as {} to `{}`",
+                "{} reads {} in unit {} while the draw writes to it: it is attached as {} to `{}`",
                 self.declared(),
                 self.named(id),
                 self.sampler.unit,
                 attached.point,
                 pass.target.name
             ),
-            "draw into another texture, and read this one in the next pass",
+            "draw into a different texture, and read this one in the next pass",
         )))
     }
 
-    fn stale(&self) -> Option<Verdict> {
+    fn stale(&self) -> Option<Outcome> {
         let me = self.sampler;
         let id = me.texture?;
         if let Some(owner) = &me.bound_for {
@@ -199,7 +199,7 @@ impl Place<'_> {
             if subject.is_some_and(|subject| subject.material == owner.material) {
                 return None;
             }
-            return Some(Verdict::Said(Said::error(
+            return Some(Outcome::Found(Issue::error(
                 Rule::StaleTexture,
                 format!(
                     "{} reads unit {}, where {} is left over from `{owner}`: nothing was bound there for this draw",
@@ -207,10 +207,10 @@ impl Place<'_> {
                     me.unit,
                     self.named(id)
                 ),
-                "bind this draw's own texture, or a white one, before drawing",
+                "bind the texture of this draw, or a white one, before drawing",
             )));
         }
-        // Nobody says what the draws show: then only a texture that was bound in vain tells.
+        // Without names of what is drawn, only a texture that was bound and is not read shows the mistake.
         if self.draw.subject.is_some() || self.draw.bound.iter().any(|bound| bound.unit == me.unit) {
             return None;
         }
@@ -221,11 +221,11 @@ impl Place<'_> {
             self.draw.bound.iter().any(|bound| bound.unit == unit && bound.texture == Some(texture))
         };
         let (unit, texture) = self.unread().find(|(unit, texture)| just_bound(*unit, *texture))?;
-        Some(Verdict::Said(Said::error(
+        Some(Outcome::Found(Issue::error(
             Rule::StaleTexture,
             format!(
-                "{} reads unit {}, where {} is left over from draw {}, while {} was bound to unit {unit}, which nothing \
-                 reads",
+                "{} reads unit {}, where {} is left over from draw {}, while {} was bound to unit {unit}, which no \
+                 sampler reads",
                 self.declared(),
                 me.unit,
                 self.named(id),
@@ -236,35 +236,35 @@ impl Place<'_> {
         )))
     }
 
-    fn nothing_to_read(&self) -> Option<Verdict> {
+    fn nothing_to_read(&self) -> Option<Outcome> {
         let me = self.sampler;
         if me.texture.is_some() {
             return None;
         }
-        Some(Verdict::Said(match me.others.first() {
-            Some(&other) => Said::error(
+        Some(Outcome::Found(match me.others.first() {
+            Some(&other) => Issue::error(
                 Rule::WrongTextureKind,
                 format!(
-                    "{} reads unit {}, where {} is bound, which is of kind {}",
+                    "{} reads unit {}, where {} is bound, a texture of kind {}",
                     self.declared(),
                     me.unit,
                     self.named(other),
                     self.record.texture(other).map_or("another", |texture| texture.kind.as_str())
                 ),
-                "bind a texture of the sampler's kind, or declare the sampler as the texture is",
+                "bind a texture of the sampler's kind, or declare a sampler of the texture's kind",
             ),
-            None => Said::error(
+            None => Issue::error(
                 Rule::UnboundUnit,
                 format!("{} reads unit {}, where no texture is bound: it reads black", self.declared(), me.unit),
-                "bind its texture to that unit (glActiveTexture, glBindTexture) before drawing",
+                "bind a texture to that unit (glActiveTexture, glBindTexture) before drawing",
             ),
         }))
     }
 
-    fn incomplete(&self) -> Option<Verdict> {
+    fn incomplete(&self) -> Option<Outcome> {
         let why = self.sampler.incomplete.as_ref()?;
         let filter = self.sampler.sampling.as_ref().map_or("", |sampling| &sampling.min_filter);
-        Some(Verdict::Said(Said::error(
+        Some(Outcome::Found(Issue::error(
             Rule::IncompleteTexture,
             format!(
                 "{} reads {} in unit {}, which is not complete for the filter `{filter}` ({why}): it reads black",
@@ -272,7 +272,7 @@ impl Place<'_> {
                 self.named(self.sampler.texture?),
                 self.sampler.unit
             ),
-            "make its mipmaps (glGenerateMipmap), or take a GL_TEXTURE_MIN_FILTER without mipmaps",
+            "generate its mipmaps (glGenerateMipmap), or set a GL_TEXTURE_MIN_FILTER without mipmaps",
         )))
     }
 }

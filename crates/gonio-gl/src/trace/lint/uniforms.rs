@@ -1,43 +1,41 @@
-//! Uniforms: never sent, or a normal matrix that does not fit.
+//! Uniforms that were never set, and normal matrices that do not fit.
 
 use super::super::data::{DrawRecord, UniformValue};
-use super::{Rule, Said};
+use super::{Issue, Rule};
 use glam::{Mat3, Mat4, Vec3};
 
 /// Two scales that differ by less than this share are even: f32, and what a composed matrix rounds.
 const EVEN: f32 = 1e-3;
 
 /// Checks every uniform of a draw.
-pub fn check(draw: &DrawRecord, said: &mut Vec<Said>) {
+pub fn check(draw: &DrawRecord, issues: &mut Vec<Issue>) {
     for uniform in &draw.uniforms {
-        // A value of the shader's own is as good as one that was sent.
+        // The initial value in a shader is as good as one that was set.
         if uniform.sent || !uniform.value.is_zero() {
             continue;
         }
         let UniformValue { name, glsl_type, .. } = uniform;
         let advice = "set it (glUniform...) after linking, while the program is in use";
-        said.push(if glsl_type.starts_with("mat") {
-            Said::error(
+        issues.push(if glsl_type.starts_with("mat") {
+            Issue::error(
                 Rule::UniformNeverSent,
-                format!(
-                    "the {glsl_type} `{name}` was never sent: all of it is 0, and so is what it is multiplied with"
-                ),
+                format!("the {glsl_type} `{name}` was never set: it is 0, and so is every product with it"),
                 advice,
             )
         } else {
-            Said::warning(
+            Issue::warning(
                 Rule::UniformNeverSent,
-                format!("the uniform `{name}` ({glsl_type}) was never sent and is 0"),
+                format!("the uniform `{name}` ({glsl_type}) was never set and is 0"),
                 advice,
             )
         });
     }
-    said.extend(normal_matrix(draw));
+    issues.extend(normal_matrix(draw));
 }
 
 /// The matrix of normals is the identity, or the model's own, while the model is scaled unevenly: then normals lean the
 /// wrong way, and so does the light. (The right one is the inverse transpose.)
-fn normal_matrix(draw: &DrawRecord) -> Option<Said> {
+fn normal_matrix(draw: &DrawRecord) -> Option<Issue> {
     let is_normal = |name: &str| name.to_ascii_lowercase().contains("normal");
     let is_model = |name: &str| {
         let name = name.to_ascii_lowercase();
@@ -60,14 +58,14 @@ fn normal_matrix(draw: &DrawRecord) -> Option<Said> {
         return None;
     };
     let [x, y, z] = scales;
-    Some(Said::warning(
+    Some(Issue::warning(
         Rule::NormalMatrix,
         format!(
             "`{}` is {what} while `{}` scales by {x:.3}, {y:.3}, {z:.3}: normals are no longer perpendicular to the \
              surface",
             normal_name.name, model_name.name
         ),
-        format!("send the inverse transpose of `{}`'s upper left 3 x 3", model_name.name),
+        format!("set it to the inverse transpose of the upper left 3 x 3 of `{}`", model_name.name),
     ))
 }
 

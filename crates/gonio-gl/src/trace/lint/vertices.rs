@@ -1,19 +1,19 @@
-//! What feeds the vertex shader, and whether anything can come of a draw.
+//! Attributes, and draws without effect.
 
 use super::super::data::{ArraySource, AttributeRecord, AttributeSource, DrawRecord};
-use super::{Rule, Said};
+use super::{Issue, Rule};
 
 /// Checks a draw and its attributes.
-pub fn check(draw: &DrawRecord, said: &mut Vec<Said>) {
+pub fn check(draw: &DrawRecord, issues: &mut Vec<Issue>) {
     if let Some(finding) = nothing_to_draw(draw) {
-        // Nothing is read then.
-        said.push(finding);
+        // It reads no attributes.
+        issues.push(finding);
         return;
     }
     for (place, attribute) in draw.attributes.iter().enumerate() {
         let finding = match &attribute.source {
             AttributeSource::Constant { set: true, .. } => None,
-            AttributeSource::Constant { value: [x, y, z, w], .. } => Some(Said::error(
+            AttributeSource::Constant { value: [x, y, z, w], .. } => Some(Issue::error(
                 Rule::AttributeWithoutArray,
                 format!(
                     "the attribute `{}` (location {}) has no array: every vertex reads ({x}, {y}, {z}, {w})",
@@ -26,56 +26,59 @@ pub fn check(draw: &DrawRecord, said: &mut Vec<Said>) {
                 .or_else(|| interleaved_wrongly(draw, place, attribute, array))
                 .or_else(|| beyond_buffer(draw, attribute, array)),
         };
-        said.extend(finding);
+        issues.extend(finding);
     }
 }
 
-fn nothing_to_draw(draw: &DrawRecord) -> Option<Said> {
+fn nothing_to_draw(draw: &DrawRecord) -> Option<Issue> {
     let [.., width, height] = draw.state.viewport;
     let (why, advice) = if draw.program.is_none() {
         ("no program is in use", "use one (glUseProgram) before drawing")
     } else if draw.count == 0 {
-        ("it has 0 vertices", "give the number of vertices, or of indices")
+        ("it has 0 vertices", "pass the number of vertices, or of indices")
     } else if draw.instances == 0 {
-        ("it has 0 instances", "give at least 1")
+        ("it has 0 instances", "pass at least 1")
     } else if width == 0 || height == 0 {
-        ("the viewport has no pixels", "set it to the picture's size (glViewport)")
+        ("the viewport has no pixels", "set it to the size of the picture (glViewport)")
     } else if draw.primitive.starts_with("triangle") && draw.state.cull.as_deref() == Some("front and back") {
-        ("front and back faces are culled", "cull back faces only (glCullFace), or none")
+        ("front and back faces are culled", "cull only back faces (glCullFace), or none")
     } else if draw.state.color_mask == [false; 4] && !draw.state.depth_mask {
-        ("neither colours nor depths are written", "allow one of them (glColorMask, glDepthMask)")
+        ("neither colours nor depths are written", "enable one of them (glColorMask, glDepthMask)")
     } else {
         return None;
     };
-    Some(Said::warning(Rule::NothingToDraw, format!("nothing can come of this draw: {why}"), advice))
+    Some(Issue::warning(Rule::NothingToDraw, format!("this draw has no effect: {why}"), advice))
 }
 
-fn without_buffer(attribute: &AttributeRecord, array: &ArraySource) -> Option<Said> {
+fn without_buffer(attribute: &AttributeRecord, array: &ArraySource) -> Option<Issue> {
     (array.buffer == 0).then(|| {
-        Said::error(
+        Issue::error(
             Rule::AttributeWithoutArray,
-            format!("the attribute `{}` is enabled, but no buffer was bound when it was described", attribute.name),
+            format!(
+                "the attribute `{}` is enabled, but no buffer was bound when glVertexAttribPointer described it",
+                attribute.name
+            ),
             "bind the buffer to GL_ARRAY_BUFFER before glVertexAttribPointer",
         )
     })
 }
 
-fn short_stride(attribute: &AttributeRecord, array: &ArraySource) -> Option<Said> {
+fn short_stride(attribute: &AttributeRecord, array: &ArraySource) -> Option<Issue> {
     (array.stride != 0 && array.stride < array.element_bytes).then(|| {
-        Said::error(
+        Issue::error(
             Rule::WrongStride,
             format!(
                 "the attribute `{}` has a stride of {} bytes, less than the {} bytes of its {} x {}",
                 attribute.name, array.stride, array.element_bytes, array.components, array.component_type
             ),
-            "the stride is the distance from one vertex to the next: at least the size of all that a vertex has in the \
-             buffer; 0 means tightly packed",
+            "the stride is the distance in bytes from one vertex to the next, at least the size of a vertex in the buffer; 0 \
+             means tightly packed",
         )
     })
 }
 
 /// Two attributes in one buffer read each other's bytes.
-fn interleaved_wrongly(draw: &DrawRecord, place: usize, me: &AttributeRecord, mine: &ArraySource) -> Option<Said> {
+fn interleaved_wrongly(draw: &DrawRecord, place: usize, me: &AttributeRecord, mine: &ArraySource) -> Option<Issue> {
     let highest = draw.highest_vertex?;
     let end = |a: &ArraySource| u64::from(a.offset) + span(a, highest);
     for other in draw.attributes.get(..place)? {
@@ -93,7 +96,7 @@ fn interleaved_wrongly(draw: &DrawRecord, place: usize, me: &AttributeRecord, mi
         if apart || side_by_side {
             continue;
         }
-        return Some(Said::error(
+        return Some(Issue::error(
             Rule::WrongStride,
             format!(
                 "`{}` (offset {}, stride {}) and `{}` (offset {}, stride {}) read each other's bytes in the buffer {}",
@@ -106,7 +109,7 @@ fn interleaved_wrongly(draw: &DrawRecord, place: usize, me: &AttributeRecord, mi
                 buffer_name(mine)
             ),
             format!(
-                "where attributes alternate in a buffer, the stride of each is the size of all of them: {} bytes here, \
+                "if attributes are interleaved in a buffer, the stride of each is the size of all of them: {} bytes here, \
                  if there are no others",
                 theirs.element_bytes + mine.element_bytes
             ),
@@ -115,14 +118,14 @@ fn interleaved_wrongly(draw: &DrawRecord, place: usize, me: &AttributeRecord, mi
     None
 }
 
-fn beyond_buffer(draw: &DrawRecord, attribute: &AttributeRecord, array: &ArraySource) -> Option<Said> {
+fn beyond_buffer(draw: &DrawRecord, attribute: &AttributeRecord, array: &ArraySource) -> Option<Issue> {
     let highest = match array.divisor {
         0 => draw.highest_vertex?,
         divisor => (draw.instances.max(1) - 1) / divisor,
     };
     let wanted = u64::from(array.offset) + span(array, highest);
     (wanted > array.buffer_bytes).then(|| {
-        Said::error(
+        Issue::error(
             Rule::BeyondBuffer,
             format!(
                 "`{}` is read up to byte {wanted} (vertex {highest}, offset {}, stride {}), and the buffer {} has {}",
@@ -132,7 +135,7 @@ fn beyond_buffer(draw: &DrawRecord, attribute: &AttributeRecord, array: &ArraySo
                 buffer_name(array),
                 array.buffer_bytes
             ),
-            "check the number of vertices, the indices, the stride and the offset",
+            "check the vertex count, the indices, the stride and the offset",
         )
     })
 }
