@@ -4,7 +4,7 @@
 //! node says where the walk goes on if the ray misses its box. A shader then needs no stack.
 //!
 //! Everything is in *body space*: the world moved and scaled, not turned, so that the object lies about the origin and
-//! its diagonal is 1. There f32 has the same precision wherever the object stands and however large it is.
+//! its diagonal is 1. There f32 has the same precision wherever the object is and however large.
 
 use glam::{DVec3, Vec3};
 use gonio_light::vector;
@@ -13,11 +13,11 @@ use gonio_scene::Object;
 
 /// Most triangles of a leaf.
 const LEAF: usize = 4;
-/// What a leaf's first triangle is multiplied with, to make room for how many there are.
+/// The factor of a leaf's first triangle, which leaves room for their number.
 pub const LEAF_STEP: usize = 8;
 /// Most triangles: numbers up to 2^24 are exact in f32.
 pub const MOST_TRIANGLES: usize = (1 << 24) / LEAF_STEP;
-/// Where the best cut is sought along an axis.
+/// The number of candidates for a cut along an axis.
 const BINS: usize = 16;
 /// Deeper down triangles are cut into halves, whatever that costs, so that the depth is bounded.
 const DEEP: usize = 40;
@@ -30,7 +30,7 @@ const DEEP: usize = 40;
 pub struct BodyTable {
     /// All of it.
     pub texels: Vec<[f32; 4]>,
-    /// How many nodes.
+    /// The number of nodes.
     pub nodes: usize,
     /// The first texel of the corners.
     pub corners: usize,
@@ -50,7 +50,7 @@ struct Triangle {
 }
 
 impl BodyTable {
-    /// Of all triangles of an object. `flat`: their own normals count, not the corners'. `None` where there is nothing to
+    /// The tree of an object's triangles. `flat`: their own normals count, not the corners'. `None` if there is nothing to
     /// meet, or more than [`MOST_TRIANGLES`].
     pub fn new(mesh: &Mesh, object: &Object, flat: bool) -> Option<Self> {
         let m = object.world_from_model;
@@ -113,7 +113,7 @@ impl BodyTable {
 }
 
 struct Builder {
-    /// Of each triangle.
+    /// The centres of the triangles.
     boxes: Vec<[Vec3; 2]>,
     nodes: Vec<[[f32; 4]; 2]>,
     /// Triangles in the order of the leaves.

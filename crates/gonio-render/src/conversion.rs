@@ -11,12 +11,12 @@ use gonio_gl::{DriverInfo, Gl, GlError, Texels};
 use gonio_image::Image;
 use std::fmt::Write;
 
-/// What was made.
+/// A converted environment.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Converted<T> {
     /// The environment.
     pub environment: T,
-    /// What the driver could not do as asked.
+    /// Limits of the driver that changed the result.
     pub notes: Vec<String>,
 }
 
@@ -27,7 +27,7 @@ pub struct Converter {
     no_attributes: VertexArray,
 }
 
-/// What is converted to.
+/// The layout of the result.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum OutputLayout {
     Cubemap,

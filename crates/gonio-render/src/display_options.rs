@@ -1,8 +1,8 @@
-//! What is shown of a scene: its picture or a view of it, and what is laid over that.
+//! Display options of a scene: its picture or another view, and overlays.
 
 use gonio_scene::{Overlays, SpecialView, ViewSpec};
 
-/// What is drawn of a scene.
+/// A view of a scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum View {
     /// The picture.
@@ -14,12 +14,12 @@ pub enum View {
     Special(SpecialView),
 }
 
-/// What is shown of a scene.
+/// A view of a scene, and overlays.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DisplayOptions {
-    /// What is drawn of it.
+    /// The view.
     pub view: View,
-    /// What is laid over it.
+    /// The overlays.
     pub overlays: Overlays,
 }
 
@@ -36,12 +36,12 @@ impl From<Option<ViewSpec>> for DisplayOptions {
 }
 
 impl View {
-    /// The quantity, where it is one.
+    /// The quantity, if the view is one.
     pub(crate) fn quantity(self) -> Option<ViewSpec> {
         if let View::Quantity(view) = self { Some(view) } else { None }
     }
 
-    /// The special view, where it is one.
+    /// The special view, if it is one.
     pub(crate) fn special(self) -> Option<SpecialView> {
         if let View::Special(view) = self { Some(view) } else { None }
     }

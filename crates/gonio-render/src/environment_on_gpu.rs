@@ -22,21 +22,21 @@ pub(crate) struct CubeTexture {
     pub levels_left_out: usize,
 }
 
-/// A scene's environment; freed when dropped. What takes seconds to make is made when a frame first wants it.
+/// A scene's environment; freed when dropped. Parts that take seconds to compute are computed on first use.
 pub(crate) struct EnvironmentOnGpu {
     loaded: Arc<LoadedEnvironment>,
     max_size: u32,
-    /// What is reflected and refracted.
+    /// The cubemap for reflection and refraction.
     pub map: CubeTexture,
     background: Option<CubeTexture>,
     polynomial: OnceCell<[[f32; 3]; 9]>,
     gloss: OnceCell<Gloss>,
     blurred: OnceCell<CubeTexture>,
-    /// What could not be done as asked.
+    /// Limits of the driver that change the picture.
     pub notes: Vec<String>,
 }
 
-/// What rough mirrors show of an environment.
+/// The environment as glossy surfaces reflect it.
 pub(crate) struct Gloss {
     /// Level by level, of growing roughness.
     pub map: CubeTexture,
@@ -74,12 +74,12 @@ impl EnvironmentOnGpu {
         })
     }
 
-    /// What is seen behind the objects.
+    /// The cubemap that is visible behind the objects.
     pub fn seen(&self) -> &CubeTexture {
         self.background.as_ref().unwrap_or(&self.map)
     }
 
-    /// What is seen behind the objects, blurred, and the level of it that is blurred by so much (0 to 1).
+    /// The blurred cubemap that is visible behind the objects, and its level for a blur from 0 to 1.
     pub fn seen_blurred(&self, gl: &Gl, blur: f64) -> Result<(&CubeTexture, f64), GlError> {
         let levels = self.loaded.seen_glossy();
         let upload = || CubeTexture::upload(gl, "blurred background", levels.levels(), self.max_size);
@@ -91,7 +91,7 @@ impl EnvironmentOnGpu {
         self.polynomial.get_or_init(|| self.loaded.harmonics().polynomial().map(|c| c.as_vec3().to_array()))
     }
 
-    /// What rough mirrors show of it.
+    /// The environment as glossy surfaces reflect it.
     pub fn gloss(&self, gl: &Gl) -> Result<&Gloss, GlError> {
         made_once(&self.gloss, || {
             let map = CubeTexture::upload(gl, "glossy environment", self.loaded.glossy().levels(), self.max_size)?;

@@ -28,7 +28,7 @@ use std::fmt::Write;
 pub const LIGHT_TEXELS: usize = 4;
 /// Lights in one row of the light table: 1024 texels, half of what every WebGL2 has.
 pub const LIGHTS_PER_ROW: usize = 256;
-/// Most lights that are handed over in uniforms: 64 of the 224 vectors that every WebGL2 has. Reading a
+/// Most lights that are passed in uniforms: 64 of the 224 vectors that every WebGL2 has. Reading a
 /// texture costs a software driver several times as much as reading a uniform.
 pub const LIGHTS_IN_UNIFORMS: usize = 16;
 /// Most lights that are summed one by one, without a loop: `lighting.glsl` names as many.
@@ -62,11 +62,11 @@ pub fn texture_unit(sampler: &str) -> u32 {
     TEXTURE_UNITS.iter().find(|(name, _)| *name == sampler).map_or(0, |(_, unit)| *unit)
 }
 
-/// Where vertex attributes are, the same in all programs.
+/// The locations of vertex attributes, the same in all programs.
 pub const ATTRIBUTES: [(u32, &str); 6] =
     [(0, "position"), (1, "normal"), (2, "tex_coord"), (3, "tangent"), (4, "color"), (5, "face_center")];
 
-/// How a surface reflects: the lab's specular terms and the BRDFs in one list.
+/// The reflection of a surface: the specular terms of the lab's equation and the BRDFs in one list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Reflectance {
     /// The lab's equation.
@@ -109,7 +109,7 @@ impl Reflectance {
     }
 }
 
-/// Which of a material's textures a program samples.
+/// The textures of a material that a program samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum MapSet {
     /// None.
@@ -120,31 +120,31 @@ pub enum MapSet {
     All,
 }
 
-/// What distinguishes one scene program from another. Everything else is a uniform: a branch on a
+/// The variant of a scene program. Everything else is a uniform: a branch on a
 /// uniform costs a software driver both of its sides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct SceneKey {
-    /// Where the equation is evaluated.
+    /// The shading.
     pub shading: Shading,
-    /// How the surface reflects.
+    /// The reflection.
     pub reflectance: Reflectance,
-    /// Which textures.
+    /// The textures.
     pub maps: MapSet,
     /// Normals from a texture (Phong shading only).
     pub normal_map: bool,
-    /// The vertices have colours.
+    /// Whether the vertices have colours.
     pub vertex_colors: bool,
-    /// Back faces are lit from behind.
+    /// Whether back faces are lit from behind.
     pub two_sided: bool,
-    /// Draws a debug view.
+    /// Whether a debug view is drawn.
     pub view: bool,
-    /// Where the lights are, and how the loops over them end.
+    /// The storage of the lights, and the form of the loops over them.
     pub lights: LightLoops,
-    /// What the surface shows of the environment.
+    /// The part of the environment that the surface shows.
     pub surroundings: SurroundingsKey,
 }
 
-/// Where the lights are, and how the loops over them end.
+/// The storage of the lights, and the form of the loops over them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum LightLoops {
     /// Very few: in uniforms, and the ends of the directional lights, points and spots are constants. There are no loops.
@@ -391,7 +391,7 @@ fn constants() -> String {
         ("NEAREST_MEETING", optics::NEAREST_MEETING),
         ("PI", std::f64::consts::PI),
     ] {
-        // `{:e}` writes 1e6; GLSL wants a decimal point or an exponent, so this is a float.
+        // `{:e}` writes 1e6; GLSL needs a decimal point or an exponent, so this is a float.
         define(&mut text, name, &format!("{value:e}"));
     }
     text

@@ -1,4 +1,4 @@
-//! What is on the GPU already: found again by what it was made of, freed when nobody draws it any more.
+//! A cache of GPU resources: found by the data that they were created from, freed when no scene uses them.
 //!
 //! A window draws one scene in several panes, and uploads it after every edit: all of them share what they have in
 //! common, recognised by the identity of the `Arc`s that a [`gonio_scene::Scene`] shares with its clones.
@@ -15,7 +15,7 @@ use std::hash::Hash;
 use std::rc::{Rc, Weak as WeakRc};
 use std::sync::{Arc, Weak};
 
-/// What is on the GPU, for as long as a scene holds it.
+/// The GPU resources of all scenes.
 #[derive(Default)]
 pub(crate) struct GpuCache {
     pub geometries: CacheOf<Form, Mesh, Geometry>,
@@ -26,7 +26,7 @@ pub(crate) struct GpuCache {
 }
 
 impl GpuCache {
-    /// Forgets what nobody holds any more.
+    /// Removes unused entries.
     pub fn tidy(&mut self) {
         self.geometries.tidy();
         self.textures.tidy();
@@ -34,16 +34,16 @@ impl GpuCache {
         self.bodies.tidy();
     }
 
-    /// How many things have been made so far: unchanged where all were there.
+    /// The number of resources created so far.
     pub fn count_made(&self) -> usize {
         self.geometries.count_made + self.textures.count_made + self.environments.count_made + self.bodies.count_made
     }
 }
 
-/// Things on the GPU by the identity of what they were made of, and how.
+/// GPU resources by the identity of the data that they were created from, and how.
 pub(crate) struct CacheOf<How, Source, Made> {
     made: HashMap<(usize, How), (Weak<Source>, WeakRc<Made>)>,
-    /// How many have been made so far.
+    /// The number created so far.
     count_made: usize,
 }
 
@@ -54,7 +54,7 @@ impl<How, Source, Made> Default for CacheOf<How, Source, Made> {
 }
 
 impl<How: Hash + Eq, Source, Made> CacheOf<How, Source, Made> {
-    /// What was made of `source` in this way, made now where it is not there.
+    /// The resource that was created from `source` in this way; it is created now if it is missing.
     ///
     /// An address says who somebody is while somebody remembers it: the weak reference keeps the address from being
     /// given to another, though not what lay there.
@@ -89,7 +89,7 @@ impl<How: Hash + Eq, Source, Made> CacheOf<How, Source, Made> {
         self.made.retain(|_, (_, made)| made.strong_count() > 0);
     }
 
-    /// How many are held by a scene.
+    /// The number that scenes use.
     #[cfg(test)]
     pub fn count(&self) -> usize {
         self.made.values().filter(|(_, made)| made.strong_count() > 0).count()

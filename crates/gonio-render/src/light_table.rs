@@ -9,12 +9,12 @@ use gonio_light::{Light, LightKind, vector};
 /// One light: `LIGHT_TEXELS` texels of four floats.
 type Row = [[f32; 4]; LIGHT_TEXELS];
 
-/// The lights of a frame: few are handed over as uniforms, many in a texture.
+/// The lights of a frame: few are passed in uniforms, many in a texture.
 pub struct LightTable {
     texture: TextureObject,
-    /// Where the directional lights, the points and the spots end; ambient lights are not in it.
+    /// The ends of the directional lights, the point lights and the spot lights; ambient lights are not in the table.
     pub ends: [usize; 3],
-    /// Where they are few.
+    /// The lights, if they are few.
     few: Vec<Row>,
 }
 
@@ -31,7 +31,7 @@ impl LightTable {
         Ok(LightTable { texture, ends: [0; 3], few: Vec::new() })
     }
 
-    /// How many lights.
+    /// The number of lights.
     pub fn count(&self) -> usize {
         self.ends[2]
     }
@@ -111,7 +111,7 @@ fn row_of(light: &Light) -> Row {
     [texel(place, 0.0), texel(light.color, 0.0), texel(axis, cosines[0]), texel(attenuation, cosines[1])]
 }
 
-/// At unit length, as the reference has it; zero where there is no direction.
+/// The unit direction, as in the reference; zero if there is none.
 fn direction_of(v: DVec3) -> DVec3 {
     vector::unit_or(v, DVec3::ZERO)
 }

@@ -1,4 +1,4 @@
-//! Shows a finished picture in somebody else's frame: a window's, a page's.
+//! Shows a finished picture in the frame of a window or a page.
 //!
 //! The scene is drawn into a texture of its own, when something changed. Showing it is one triangle, in a callback of
 //! whoever paints the window; that callback must be `Send` and holds no object of ours, only their names.
@@ -8,7 +8,7 @@ use gonio_gl::objects::VertexArray;
 use gonio_gl::program::Program;
 use gonio_gl::{Gl, GlError};
 
-/// What showing pictures takes; freed when dropped.
+/// The objects that show pictures; freed when dropped.
 pub struct Presenter {
     program: Program,
 }
@@ -38,7 +38,7 @@ impl Presenter {
 }
 
 impl Presentation {
-    /// The same of a picture without holes: what is below it is not looked at, which is memory that need not be read.
+    /// The same picture without blending: it covers what is below, which need not be read.
     pub fn opaque(self) -> Self {
         Presentation { opaque: true, ..self }
     }

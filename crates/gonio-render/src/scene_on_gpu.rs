@@ -26,11 +26,11 @@ pub struct GpuScene {
     pub(crate) materials: Vec<SceneMaterial>,
     pub(crate) textures: Vec<Rc<TextureObject>>,
     pub(crate) environment: Option<Rc<EnvironmentOnGpu>>,
-    /// What could not be done as asked.
+    /// Limits of the driver that change the picture.
     pub(crate) notes: Vec<String>,
-    /// What overlays are made of ...
+    /// The meshes, for overlays.
     meshes: Vec<Arc<Mesh>>,
-    /// ... and those that were: by mesh and form.
+    /// The geometry of overlays, by mesh and form.
     overlays: RefCell<HashMap<(usize, Form), Rc<Geometry>>>,
     /// Bytes of geometry on the GPU.
     pub geometry_bytes: usize,
@@ -57,7 +57,7 @@ pub(crate) struct GpuObject {
     pub opaque: Vec<Run>,
     /// Triangles of transparent parts, for sorting.
     pub transparent: Vec<TransparentTriangle>,
-    /// Its inside, where a material wants to be seen through.
+    /// Its interior, if a material is transparent.
     pub body: Option<Rc<BodyOnGpu>>,
 }
 
@@ -130,7 +130,7 @@ impl GpuScene {
         })
     }
 
-    /// What an overlay draws of an object's mesh: made when it is first wanted.
+    /// The geometry of an overlay of an object, created on first use.
     pub(crate) fn overlay_geometry(
         &self,
         gl: &Gl,

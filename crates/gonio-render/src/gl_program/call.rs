@@ -1,22 +1,22 @@
-//! OpenGL calls as plain data: what a host program does, line by line.
+//! OpenGL calls as plain data, line by line.
 
 use super::constants::Constant;
 
-/// A call and the line that it stands in.
+/// A call and its line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Step {
     /// From 1.
     pub line: u32,
-    /// What is called.
+    /// The call.
     pub call: Call,
 }
 
-/// A whole number: written out, or what a call before returned.
+/// An integer: a literal, or the result of an earlier call.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Number {
     /// Written out.
     Literal(i32),
-    /// The name that was given to what a call returned. Nothing but a number either, as in C++.
+    /// The variable that a call returned. It is only a number, as in C++.
     Variable(String),
 }
 
@@ -29,7 +29,7 @@ pub enum Selector {
     Number(Number),
 }
 
-/// What `gen_...` makes and `delete_...` deletes.
+/// A kind of object that `gen_...` creates and `delete_...` deletes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum ObjectKind {
     /// `gen_texture`
@@ -41,7 +41,7 @@ pub enum ObjectKind {
 }
 
 impl ObjectKind {
-    /// As calls write it.
+    /// The name in calls.
     pub fn word(self) -> &'static str {
         match self {
             ObjectKind::Texture => "texture",
@@ -51,14 +51,14 @@ impl ObjectKind {
     }
 }
 
-/// What `vertex_attrib_pointer` says of an attribute. What OpenGL would refuse may stand in it.
+/// The arguments of `vertex_attrib_pointer`, valid or not.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pointer {
     /// By name; its location is looked up in the program that was created last.
     pub attribute: String,
     /// Numbers for each vertex.
     pub size: i32,
-    /// Of which type.
+    /// The type of its components.
     pub kind: Constant,
     /// Whether integers are mapped to fractions.
     pub normalized: bool,
@@ -68,7 +68,7 @@ pub struct Pointer {
     pub offset: i32,
 }
 
-/// What a uniform is set to.
+/// The value of a uniform.
 #[derive(Clone, Debug, PartialEq)]
 pub enum UniformArgument {
     /// `uniform_1i`
@@ -96,14 +96,14 @@ pub enum Call {
     },
     /// Reads an image file.
     LoadImage {
-        /// What it is called from here on.
+        /// The variable that refers to it.
         name: String,
         /// The file.
         file: String,
     },
     /// `glCreateProgram` with both shaders, linked.
     CreateProgram {
-        /// What holds its number.
+        /// The variable for its number.
         name: String,
         /// The vertex shader's file.
         vertex: String,
@@ -112,14 +112,14 @@ pub enum Call {
     },
     /// `glGenTextures` and its like, for one object.
     Generate {
-        /// What holds its number.
+        /// The variable for its number.
         name: String,
-        /// What is made.
+        /// The kind of object.
         kind: ObjectKind,
     },
     /// `glDeleteTextures` and its like, for one object.
     Delete {
-        /// What is deleted.
+        /// The kind of object.
         kind: ObjectKind,
         /// Its number.
         object: Number,
@@ -166,7 +166,7 @@ pub enum Call {
         target: Constant,
         /// 0 is the largest.
         level: i32,
-        /// How the texels are kept.
+        /// The internal format.
         format: Constant,
         /// The image's name.
         image: String,
@@ -191,7 +191,7 @@ pub enum Call {
     Uniform {
         /// By name; its location is looked up in the program that was created last.
         uniform: String,
-        /// What it is set to.
+        /// Its value.
         given: UniformArgument,
     },
     /// `glViewport`: x, y, width, height.
@@ -213,14 +213,14 @@ pub enum Call {
         mode: Constant,
         /// The first vertex.
         first: i32,
-        /// How many.
+        /// The number of vertices.
         count: i32,
     },
     /// `glDrawElements`
     DrawElements {
         /// `TRIANGLES`, ...
         mode: Constant,
-        /// How many indices.
+        /// The number of indices.
         count: i32,
         /// `UNSIGNED_INT`, ...
         kind: Constant,
@@ -230,7 +230,7 @@ pub enum Call {
 }
 
 impl Call {
-    /// The call's name, as host programs write it.
+    /// The name of the call in programs.
     pub fn word(&self) -> &'static str {
         match self {
             Call::Data { .. } => "data",
@@ -272,7 +272,7 @@ impl Call {
         }
     }
 
-    /// Whether it draws.
+    /// Returns whether the call draws.
     pub fn draws(&self) -> bool {
         matches!(self, Call::DrawArrays { .. } | Call::DrawElements { .. })
     }

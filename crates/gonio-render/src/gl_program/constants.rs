@@ -1,4 +1,4 @@
-//! OpenGL's constants that a host program may write, by their names without `GL_`.
+//! The constants of OpenGL that programs may use, by their names without `GL_`.
 
 /// One of OpenGL's constants.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

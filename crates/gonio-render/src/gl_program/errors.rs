@@ -6,7 +6,7 @@ use serde::Serialize;
 /// A call that OpenGL refused, or that gonio did not make because its result is undefined. All other calls were made.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct CallError {
-    /// Of the host program.
+    /// The line of the program, from 1.
     pub line: u32,
     /// `bind_texture`, ...
     pub call: &'static str,

@@ -1,4 +1,4 @@
-//! What a host program reads: shaders and images, decoded.
+//! The files of an OpenGL program: shaders and decoded images.
 
 use gonio_scene::Texture;
 use std::collections::BTreeMap;
@@ -7,7 +7,7 @@ use std::sync::Arc;
 /// Most texels along a side of an image.
 pub const MOST_TEXELS: u32 = 2048;
 
-/// Files by the names that a host program gives them.
+/// Files by their names in the program.
 #[derive(Clone, Debug, Default)]
 pub struct GlProgramFiles {
     /// GLSL, for the context that draws.
@@ -28,7 +28,7 @@ impl GlProgramFiles {
     }
 }
 
-/// A file is known by its last name: a host program may say `../start.vert`.
+/// A file is found by its last component: a program may use `../start.vert`.
 fn bare(name: &str) -> &str {
     name.rsplit(['/', '\\']).next().unwrap_or(name)
 }
@@ -41,7 +41,8 @@ pub struct GlProgramImage {
 }
 
 impl GlProgramImage {
-    /// Of `width * height * 4` bytes; anything else, and more than [`MOST_TEXELS`] along a side, is an error.
+    /// An image of `width * height * 4` bytes. Any other number of bytes, and more than [`MOST_TEXELS`] along a side, is an
+    /// error.
     pub fn new(size: [u32; 2], rgba: Vec<u8>) -> Result<Self, String> {
         if size.into_iter().any(|side| side == 0 || side > MOST_TEXELS) {
             return Err(format!(
@@ -55,7 +56,7 @@ impl GlProgramImage {
         Ok(GlProgramImage { size, rgba })
     }
 
-    /// Of a picture file: PNG, JPEG, BMP, TGA or GIF.
+    /// Decodes a picture file: PNG, JPEG, BMP, TGA or GIF.
     pub fn decode(name: &str, bytes: &[u8]) -> Result<Self, String> {
         let texture = Texture::decode(name, bytes)?;
         Self::new([texture.width, texture.height], texture.rgba)

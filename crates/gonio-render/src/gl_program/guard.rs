@@ -4,10 +4,10 @@
 use super::state::{AttributePointer, ExecutionState};
 use gonio_gl::trace::enums;
 
-/// Most vertices that all draws of a host program have together.
+/// Most vertices of all draws of a program.
 pub const MOST_VERTICES: usize = 10_000;
 
-/// A draw as it was asked for.
+/// A draw call with its arguments.
 pub struct DrawRequest {
     /// `GL_TRIANGLES`, ...
     pub mode: u32,
@@ -15,11 +15,11 @@ pub struct DrawRequest {
     pub first: i32,
     /// Vertices or indices.
     pub count: i32,
-    /// Where it is indexed.
+    /// The index type of an indexed draw.
     pub index_type: Option<u32>,
 }
 
-/// Why a draw is not made.
+/// The reason why a call is not made.
 pub struct Refusal {
     /// OpenGL's word, or ours where OpenGL has none.
     pub code: &'static str,
@@ -37,8 +37,8 @@ impl Refusal {
 /// The code of errors that OpenGL does not check, and gonio does.
 pub const UNDEFINED: &str = "UNDEFINED";
 
-/// What may be drawn; `Ok` has the enabled locations that must be switched off meanwhile, for the program reads none of
-/// them and they reach beyond their buffers.
+/// Checks a draw. `Ok` has the enabled locations that must be disabled meanwhile: the program does not read them, and they
+/// reach beyond their buffers.
 pub fn check(state: &mut ExecutionState, request: &DrawRequest) -> Result<Vec<u32>, Refusal> {
     if request.mode > glow::TRIANGLE_FAN {
         return Err(Refusal::new("INVALID_ENUM", "invalid primitive: expected TRIANGLES, LINES, POINTS and so on"));

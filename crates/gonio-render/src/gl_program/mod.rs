@@ -1,7 +1,7 @@
-//! A host program: OpenGL calls as plain data, really carried out, whatever they are.
+//! Executes OpenGL programs that are given as lists of calls, right or wrong.
 //!
-//! What OpenGL refuses is refused and noted with its line; what it draws without a word is drawn. What it leaves
-//! undefined, such as reading beyond a buffer, is not done but told. Objects have the numbers that OpenGL gives them in a
+//! A call that OpenGL refuses is reported with its line. A call that OpenGL leaves undefined, such as reading beyond a buffer,
+//! is reported and not made. All other calls are made. Objects have the numbers that OpenGL gives them in a
 //! program that is alone in its context (1, 2, 3, ...), and no number reaches an object of somebody else.
 
 mod call;
@@ -27,9 +27,9 @@ use gonio_gl::{Gl, GlError};
 use run::Runner;
 use std::fmt;
 
-/// Most bytes that a host program's buffers get altogether.
+/// Most bytes of all buffers of a program.
 pub const MOST_BUFFER_BYTES: usize = 64 << 20;
-/// Most bytes that its textures get altogether.
+/// Most bytes of all textures of a program.
 pub const MOST_TEXEL_BYTES: usize = 256 << 20;
 /// Attributes that every OpenGL has.
 const ATTRIBUTES: u32 = 16;
@@ -38,7 +38,7 @@ const UNITS: u32 = 32;
 /// Errors that a driver may have kept.
 const MOST_ERRORS: usize = 8;
 
-/// How a host program is carried out.
+/// Options of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GlProgramOptions {
     /// Pixels of its window.
@@ -49,7 +49,7 @@ pub struct GlProgramOptions {
     pub thumbnails: bool,
 }
 
-/// What came of a host program.
+/// The result of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GlProgramRun {
     /// Pixels along x and y.
@@ -59,27 +59,27 @@ pub struct GlProgramRun {
     pub pixels: Vec<[f32; 4]>,
     /// Calls that were refused, in order.
     pub errors: Vec<CallError>,
-    /// All that its draws read. Their errors are those of the calls before them.
+    /// The record of its draws. Their errors are those of the calls before them.
     pub record: FrameRecord,
-    /// What is wrong with that.
+    /// The mistakes in the record.
     pub findings: Vec<Finding>,
     /// The line of each draw of the record.
     pub draw_lines: Vec<u32>,
 }
 
-/// Why there is no picture at all.
+/// The reason why there is no picture.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum GlProgramFailure {
-    /// A file that was not given.
+    /// A missing file.
     MissingFile {
-        /// Of the host program.
+        /// The line of the program.
         line: u32,
         /// Its name.
         file: String,
     },
-    /// Shaders that are none.
+    /// Shaders that do not compile or link.
     Shaders {
-        /// Of the host program.
+        /// The line of the program.
         line: u32,
         /// The vertex shader's file.
         vertex: String,
@@ -88,7 +88,7 @@ pub enum GlProgramFailure {
         /// The messages of the compiler.
         broken: Box<BrokenProgram>,
     },
-    /// OpenGL cannot even begin.
+    /// An error of OpenGL before the first call.
     Driver(GlError),
 }
 
@@ -118,7 +118,7 @@ impl fmt::Display for GlProgramFailure {
 
 impl std::error::Error for GlProgramFailure {}
 
-/// Carries a host program out, from the state of a new context to the picture. Leaves a window's state as
+/// Executes a program, from the state of a new context to the picture. Leaves a window's state as
 /// `Renderer::paint` does, and units empty.
 pub fn run(
     gl: &Gl,
@@ -129,7 +129,7 @@ pub fn run(
     let size = options.size.map(|side| side.clamp(1, MOST_TEXELS));
     let _saved = SavedState::save(gl);
     let _emptied = EmptyUnits { gl };
-    // Made by the other `Gl`: the host program draws into what it takes for its window.
+    // Made by the other `Gl`: the program takes it for its window.
     let mut window = OutputTarget::new(gl, size.map(|side| side as i32), options.float)?;
     let apart = gl.apart();
     let recording = Recording::begin(&apart)?;
@@ -182,7 +182,7 @@ fn merge(record: &mut FrameRecord, runner: &Runner<'_>, steps: &[Step]) -> Vec<C
     errors
 }
 
-/// All state that a host program can see, as a new context has it.
+/// Sets all state that a program can see to that of a new context.
 fn begin_anew(gl: &Gl, size: [i32; 2]) {
     for switch in [glow::DEPTH_TEST, glow::CULL_FACE, glow::BLEND, glow::SCISSOR_TEST, glow::STENCIL_TEST] {
         gl.disable(switch);
@@ -204,11 +204,11 @@ fn begin_anew(gl: &Gl, size: [i32; 2]) {
     gl.clear_color(0.0, 0.0, 0.0, 1.0);
     gl.clear(glow::COLOR_BUFFER_BIT);
     gl.clear_color(0.0, 0.0, 0.0, 0.0);
-    // What was wrong before is not the host program's. (A lost context gives errors without end.)
+    // Earlier errors are not the program's. (A lost context gives errors without end.)
     (0..MOST_ERRORS).find(|_| gl.get_error() == glow::NO_ERROR);
 }
 
-/// Empties units when it is dropped: what the host program bound there is gone, and its `Gl` with it.
+/// Empties units when it is dropped: the textures that the program bound there are gone, and its `Gl` with them.
 struct EmptyUnits<'a> {
     gl: &'a Gl,
 }

@@ -1,4 +1,4 @@
-//! A host program's shaders: compiled, linked, and freed with it.
+//! The shaders of an OpenGL program: compiled, linked, and freed with it.
 
 use crate::user_program::BrokenProgram;
 use gonio_gl::{Gl, GlError};
@@ -44,12 +44,12 @@ impl LinkedShaders {
         }
     }
 
-    /// Where an attribute is; `None` where the program reads none of that name.
+    /// The location of an attribute; `None` if the program has no active attribute of that name.
     pub fn attribute(&self, name: &str) -> Option<u32> {
         self.gl.get_attrib_location(self.handle, name)
     }
 
-    /// Where a uniform is; `None` where the program needs none of that name.
+    /// The location of a uniform; `None` if the program has no active uniform of that name.
     pub fn uniform(&self, name: &str) -> Option<glow::UniformLocation> {
         self.gl.get_uniform_location(self.handle, name)
     }

@@ -1,4 +1,4 @@
-//! Carries a host program out, call by call.
+//! Executes a program call by call.
 
 use super::call::{Call, Number, ObjectKind, Pointer, Selector, Step, UniformArgument};
 use super::constants::Constant;
@@ -14,12 +14,12 @@ use gonio_gl::{Gl, GlError, Texels};
 use std::cell::RefCell;
 use std::rc::Rc;
 
-/// Carries calls out on a [`Gl`] of its own.
+/// Executes calls on its own [`Gl`].
 pub struct Runner<'a> {
     gl: Gl,
     files: &'a GlProgramFiles,
     state: ExecutionState,
-    /// What was refused so far.
+    /// The calls that were refused so far.
     pub errors: Vec<CallError>,
     /// The line of each draw, and how many errors there were before it.
     pub draws: Vec<(u32, usize)>,
@@ -36,7 +36,7 @@ impl<'a> Runner<'a> {
         Runner { gl, files, state: ExecutionState::new(), errors: Vec::new(), draws: Vec::new() }
     }
 
-    /// Carries out one call. What OpenGL refuses is noted and not done.
+    /// Executes one call, or notes why it is refused.
     pub fn step(&mut self, step: &Step) -> Result<(), GlProgramFailure> {
         match &step.call {
             Call::Data { name, numbers } => {

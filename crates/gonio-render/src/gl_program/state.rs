@@ -1,4 +1,4 @@
-//! What a host program has made and bound so far, by the numbers that it knows its objects by.
+//! The objects and bindings of an OpenGL program, by its own numbers of objects.
 //!
 //! These numbers are counted here: 1, 2, 3 for each kind of object, as OpenGL gives them in a program that is alone in its
 //! context. So a program's picture does not depend on what else has been drawn, and no number can reach an object of
@@ -18,33 +18,33 @@ const NUMBERS_OF_A_PROGRAM: i32 = 3;
 pub struct BufferWithBytes {
     /// OpenGL's.
     pub object: Buffer,
-    /// What it holds.
+    /// Its contents.
     pub bytes: Rc<Vec<u8>>,
 }
 
-/// Where an attribute is read from.
+/// A call of `vertex_attrib_pointer` and the buffer that was bound.
 #[derive(Clone)]
 pub struct AttributePointer {
-    /// As it was told.
+    /// The arguments.
     pub pointer: Pointer,
     /// The buffer that was bound then.
     pub buffer: Option<Rc<RefCell<BufferWithBytes>>>,
 }
 
-/// What a vertex array holds.
+/// The state of a vertex array.
 #[derive(Default)]
 pub struct ArrayView {
     /// By location.
     pub sources: BTreeMap<u32, AttributePointer>,
     /// Locations that are enabled.
     pub enabled: BTreeSet<u32>,
-    /// What `ELEMENT_ARRAY_BUFFER` is.
+    /// The buffer bound to `ELEMENT_ARRAY_BUFFER`.
     pub indices: Option<Rc<RefCell<BufferWithBytes>>>,
 }
 
 /// Objects of one kind by their numbers.
 pub struct Numbered<T> {
-    /// Those that exist.
+    /// The objects that exist.
     pub objects: BTreeMap<i32, T>,
     last: i32,
     step: i32,
@@ -55,7 +55,7 @@ impl<T> Numbered<T> {
         Numbered { objects: BTreeMap::new(), last: 0, step }
     }
 
-    /// Keeps an object and gives its number.
+    /// Adds an object and returns its number.
     pub fn add(&mut self, object: T) -> i32 {
         self.last += self.step;
         self.objects.insert(self.last, object);
@@ -73,9 +73,9 @@ impl<T> Numbered<T> {
     }
 }
 
-/// What there is.
+/// The state of an OpenGL program while it runs.
 pub struct ExecutionState {
-    /// What calls returned.
+    /// The values that calls returned, by variable.
     pub numbers: HashMap<String, i32>,
     /// Lists of numbers, as bytes.
     pub data: HashMap<String, Rc<Vec<u8>>>,
@@ -101,11 +101,11 @@ pub struct ExecutionState {
     pub array_buffer: Option<i32>,
     /// The vertex array that is bound; 0 is none.
     pub array: i32,
-    /// What vertex arrays hold.
+    /// The state of vertex arrays, by number.
     pub views: HashMap<i32, ArrayView>,
-    /// Bytes of texels given so far.
+    /// Bytes of texels uploaded so far.
     pub texel_bytes: usize,
-    /// Bytes of buffers given so far.
+    /// Bytes of buffers filled so far.
     pub buffer_bytes: usize,
     /// Vertices drawn so far.
     pub vertices: usize,
@@ -135,7 +135,7 @@ impl ExecutionState {
         }
     }
 
-    /// What a number is; a name that nothing was kept under is 0, as an uninitialised variable likely is.
+    /// Evaluates a number. An undefined variable is 0, as an uninitialised one probably is in C++.
     pub fn value(&self, number: &Number) -> i32 {
         match number {
             Number::Literal(value) => *value,
@@ -143,7 +143,7 @@ impl ExecutionState {
         }
     }
 
-    /// What the bound vertex array holds.
+    /// The state of the bound vertex array.
     pub fn view(&mut self) -> &mut ArrayView {
         self.views.entry(self.array).or_default()
     }

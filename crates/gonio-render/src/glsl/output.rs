@@ -9,7 +9,7 @@ const DISPLAY_LIGHT: &str = include_str!("../../shaders/display_light.glsl");
 pub(super) const OUTPUT_VERT: &str = include_str!("../../shaders/output.vert");
 const OUTPUT_FRAG: &str = include_str!("../../shaders/output.frag");
 
-/// What an output program writes.
+/// The encoding that an output program writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Display {
     /// The linear picture as it is.
@@ -20,12 +20,12 @@ pub enum Display {
     Light(ToneMap, ColorEncoding),
 }
 
-/// What distinguishes one output program from another.
+/// The variant of an output program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct OutputKey {
-    /// What it writes.
+    /// The encoding.
     pub display: Display,
-    /// What it averages.
+    /// The samples that it averages.
     pub samples: SamplesOf,
 }
 

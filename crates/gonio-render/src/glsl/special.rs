@@ -1,4 +1,4 @@
-//! The programs of overlays and of views that are no quantities of the equation.
+//! Programs for overlays and for views that are not quantities of the equation.
 
 use super::define;
 use super::output::output_vertex;
@@ -28,7 +28,7 @@ pub const OVERDRAW_SCALE: [[f32; 3]; 9] = [
     [1.00, 0.92, 0.90],
 ];
 
-/// A program that is no scene's and no output's.
+/// A program for overlays or special views.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SpecialProgram {
     /// Texture coordinates as a board of squares.

@@ -1,4 +1,4 @@
-//! What programs know of the environment: which part of it they show, and the sky behind everything.
+//! The environment in programs: reflections, refractions, its light, and the sky.
 
 use super::{BRDF, ENVIRONMENT_LIGHT, FRESNEL, OPTICS, SceneKey, bit, define};
 use super::{MapSet, Reflectance};
@@ -12,7 +12,7 @@ const BODY: &str = include_str!("../../shaders/body.glsl");
 const SKY_VERT: &str = include_str!("../../shaders/sky.vert");
 const SKY_FRAG: &str = include_str!("../../shaders/sky.frag");
 
-/// What mirrors and glass want looked up.
+/// The optics of a surface that looks the environment up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SurfaceOptics {
     /// Nothing: the surface is neither.
@@ -25,7 +25,7 @@ pub enum SurfaceOptics {
     Body,
 }
 
-/// What a program shows of the environment.
+/// The part of the environment that a program shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct SurroundingsKey {
     /// By the material's optics.

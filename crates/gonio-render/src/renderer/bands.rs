@@ -24,9 +24,9 @@ const MOST_TRIANGLES: usize = 20_000;
 
 /// A finished picture of 8 bits a channel.
 pub struct RenderedPicture {
-    /// As displayed, encoded by the GPU.
+    /// The displayed picture, encoded by the GPU.
     pub picture: EncodedPicture<u8>,
-    /// What the GPU counted; each vertex once, in however many bands it was processed.
+    /// The counters of the GPU; each vertex counts once, however many bands process it.
     pub statistics: GpuStatistics,
     /// Notes on what the driver could not do as asked, for example fewer samples.
     pub notes: Vec<String>,

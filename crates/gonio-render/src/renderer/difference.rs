@@ -1,4 +1,4 @@
-//! Where two finished pictures differ, drawn on the GPU.
+//! Difference maps of two finished pictures, drawn on the GPU.
 
 use super::Renderer;
 use crate::display_texture::DisplayTexture;
@@ -9,7 +9,7 @@ use gonio_gl::objects::DebugGroup;
 use gonio_gl::program::Program;
 use std::rc::Rc;
 
-/// How a difference is shown.
+/// The colours of a difference.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DifferenceScale {
     /// The 8-bit steps that get the scale's last colour, above 0.

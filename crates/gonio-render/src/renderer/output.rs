@@ -13,7 +13,7 @@ use gonio_scene::picture::EncodedPicture;
 use gonio_scene::{DisplayMap, Frame, Picture, ViewSpec};
 use std::rc::Rc;
 
-/// How a frame is shown.
+/// The settings that turn linear colours into displayed ones.
 #[derive(Clone, Copy)]
 pub(super) struct DisplaySettings {
     display: DisplayMap,
@@ -25,7 +25,7 @@ pub(super) struct DisplaySettings {
 }
 
 impl DisplaySettings {
-    /// Of the picture (`None`) or of a debug view.
+    /// The settings for the picture (`None`) or a debug view.
     pub fn new(view: Option<ViewSpec>, frame: &Frame) -> Self {
         let display = DisplayMap::for_view(view, frame);
         // Debug views are black where nothing is.
@@ -47,7 +47,7 @@ impl DisplaySettings {
         DisplaySettings { premultiplied: true, ..self }
     }
 
-    /// Of numbers that are shown as they are, in a window.
+    /// The settings for a window that shows numbers unchanged.
     pub fn of_numbers() -> Self {
         DisplaySettings {
             display: DisplayMap::Affine { scale: DVec3::ONE, bias: DVec3::ZERO },
@@ -58,7 +58,7 @@ impl DisplaySettings {
         }
     }
 
-    /// Of a view whose values are the numbers to be shown.
+    /// The settings for a view whose values are shown unchanged.
     pub fn as_it_is(frame: &Frame) -> Self {
         let display = DisplayMap::Affine { scale: DVec3::ONE, bias: DVec3::ZERO };
         DisplaySettings {
@@ -69,7 +69,7 @@ impl DisplaySettings {
         }
     }
 
-    /// What a picture file of the frame holds.
+    /// The encoding of a picture file of the frame.
     pub fn encoded(&self) -> Display {
         match self.display {
             DisplayMap::Affine { .. } => Display::Affine,
@@ -81,11 +81,11 @@ impl DisplaySettings {
 /// A horizontal band of a picture: all of it, where it is drawn at once.
 #[derive(Clone, Copy)]
 pub(super) struct Band {
-    /// Of the whole picture, pixels.
+    /// The height of the whole picture, pixels.
     pub picture_height: i32,
     /// The band's lowest row, from the picture's bottom.
     pub first_row: i32,
-    /// How many rows.
+    /// The number of rows.
     pub rows: i32,
 }
 
@@ -153,7 +153,7 @@ pub struct RenderedFrame {
     pub(super) shared: Rc<Shared>,
     pub(super) target: Rc<Target>,
     pub(super) look: DisplaySettings,
-    /// What the GPU counted.
+    /// The counters of the GPU.
     pub statistics: GpuStatistics,
     /// Notes on what the driver could not do as asked, for example fewer samples.
     pub notes: Vec<String>,
@@ -185,7 +185,7 @@ impl RenderedFrame {
         Ok(Picture { width: width as u32, height: height as u32, pixels })
     }
 
-    /// As displayed, 8 bits, encoded by the GPU.
+    /// The displayed picture in 8 bits, encoded by the GPU.
     pub fn encoded8(&self) -> Result<EncodedPicture<u8>, GlError> {
         let output = OutputTarget::new(&self.shared.gl, self.target.size, false)?;
         self.output_into(&output, self.look.encoded())?;
@@ -194,7 +194,7 @@ impl RenderedFrame {
         Ok(EncodedPicture { width: self.target.size[0] as u32, height: self.target.size[1] as u32, rgba })
     }
 
-    /// As displayed, 16 bits, encoded by the GPU.
+    /// The displayed picture in 16 bits, encoded by the GPU.
     pub fn encoded16(&self) -> Result<EncodedPicture<u16>, GlError> {
         let output = OutputTarget::new(&self.shared.gl, self.target.size, true)?;
         self.output_into(&output, self.look.encoded())?;

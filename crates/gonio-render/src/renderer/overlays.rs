@@ -17,11 +17,11 @@ use gonio_gl::program::Program;
 use gonio_scene::Frame;
 use gonio_scene::Overlays;
 
-/// As displayed, not premultiplied: dark blue that stands out against clay and against a grey background.
+/// Dark blue, which contrasts with clay and with a grey background; display-encoded, not premultiplied.
 const WIREFRAME_COLOR: [f32; 4] = [0.02, 0.06, 0.16, 0.85];
-/// Of the normals.
+/// The colour of normals.
 const NORMAL_COLOR: [f32; 4] = [0.05, 0.60, 0.95, 0.9];
-/// Of the boxes.
+/// The colour of boxes.
 const BOX_COLOR: [f32; 4] = [0.98, 0.62, 0.10, 1.0];
 /// Half of a line's width, pixels.
 const HALF_WIDTH: f32 = 0.75;

@@ -13,14 +13,14 @@ use gonio_gl::target::Precision;
 use gonio_scene::picture::EncodedPicture;
 use gonio_scene::{Frame, Picture, SpecialView, ViewSpec};
 
-/// What was painted.
+/// The result of painting a frame.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Painted {
-    /// What the driver could not do as asked, for example fewer samples.
+    /// Limits of the driver that changed the picture, for example fewer samples.
     pub notes: Vec<String>,
     /// Draw calls of the view and its overlays.
     pub draw_calls: u32,
-    /// What the GPU counted, where it was asked to.
+    /// The counters of the GPU, if they were requested.
     pub statistics: Option<GpuStatistics>,
 }
 

@@ -1,4 +1,4 @@
-//! One pass over the objects: which program, which buffers, which uniforms each draw needs.
+//! One pass over the objects: the program, buffers and uniforms of each draw.
 
 use super::shared::Shared;
 use super::surroundings::BoundEnvironment;
@@ -36,7 +36,7 @@ pub(super) struct Pass<'a> {
     pub view: Option<ViewSpec>,
     pub white: glow::Texture,
     pub lights: &'a LightTable,
-    /// What surrounds the scene.
+    /// The environment.
     pub around: Option<BoundEnvironment<'a>>,
     /// Programs whose uniforms of the frame are set.
     pub prepared: HashMap<SceneKey, Rc<Program>>,

@@ -1,4 +1,4 @@
-//! A frame drawn to be looked at: every call of it in a record.
+//! Records all calls of a frame.
 
 use super::output::{Band, DisplaySettings};
 use super::shared::Shared;
@@ -24,7 +24,7 @@ impl Renderer {
         Ok(record)
     }
 
-    /// The same with a small picture of each texture, for a window to show.
+    /// The same with a thumbnail of each texture, for a window.
     pub fn record_with_thumbnails(
         &mut self,
         scene: &GpuScene,
@@ -39,7 +39,7 @@ impl Renderer {
         Ok(record)
     }
 
-    /// What was drawn into is kept until textures have been looked at.
+    /// The target is kept until the thumbnails are drawn.
     fn recorded(
         &mut self,
         scene: &GpuScene,

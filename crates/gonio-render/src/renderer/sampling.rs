@@ -8,7 +8,7 @@ use gonio_scene::Frame;
 /// measured to take less time on llvmpipe than samples of the driver.
 const PIXELS_PER_TRIANGLE: usize = 3;
 
-/// How the samples of a frame are drawn.
+/// Chooses how the samples of a frame are drawn.
 ///
 /// Where triangles are not much larger than pixels, nearly every sample is shaded anyway, and software drivers spend
 /// more on keeping the samples of a pixel apart than on shading: there a finer picture, averaged, is the same for less.

@@ -1,4 +1,4 @@
-//! What all parts of the renderer share: the context, the driver's limits and the linked programs.
+//! The state that all parts of the renderer share: the context, the driver's limits and the linked programs.
 
 use crate::glsl::{ATTRIBUTES, OutputKey, SceneKey, SpecialProgram};
 use gonio_gl::objects::VertexArray;
@@ -52,7 +52,7 @@ impl Shared {
         match self.gl.get_error() {
             glow::NO_ERROR => Ok(()),
             glow::OUT_OF_MEMORY => Err(GlError::new(format!(
-                "the driver ran out of memory while {doing}; a smaller picture or model may do"
+                "the driver ran out of memory while {doing}; a smaller picture or model may work"
             ))),
             code => Err(GlError::new(format!("OpenGL reported error {code:#06x} while {doing}"))),
         }

@@ -1,4 +1,4 @@
-//! Views that are no quantities of the equation: texture coordinates as squares, how often pixels were shaded.
+//! Views that are not quantities of the equation: texture coordinates as squares, and overdraw.
 
 use super::shared::Shared;
 use super::targets::PANES;
@@ -128,7 +128,7 @@ impl Shared {
 }
 
 impl Renderer {
-    /// How many fragments are shaded for a frame's objects, one sample a pixel: the sum of what
+    /// Counts the fragments shaded for a frame's objects, one sample per pixel: the sum of what
     /// [`SpecialView::Overdraw`] shows. Counted by drawing, so it is exact, and there on every driver; waits for the GPU.
     /// The framebuffer's binding and the state of a window are left as [`Self::paint`] leaves them.
     pub fn count_fragments(&mut self, scene: &GpuScene, frame: &Frame) -> Result<u64, GlError> {
@@ -143,7 +143,7 @@ impl Renderer {
     }
 }
 
-/// Whether a picture is drawn upside down, and so triangles turn the other way. Clip space is left-handed and the world
+/// Returns whether a picture is drawn upside down, which reverses the winding of triangles. Clip space is left-handed and the world
 /// is not: the determinant of a usual projection is negative.
 pub(super) fn is_flipped(clip_from_world: &DMat4) -> bool {
     clip_from_world.determinant() > 0.0

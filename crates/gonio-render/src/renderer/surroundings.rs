@@ -19,7 +19,7 @@ pub(super) struct BoundEnvironment<'a> {
     surroundings: Surroundings,
     /// Levels of textures are chosen by distances on the screen, not always the first.
     mipmapped: bool,
-    /// Where it lights objects that are not all matte.
+    /// For objects that it lights and that are not all matte.
     gloss: Option<&'a Gloss>,
     _seamless: Seamless<'a>,
 }
@@ -45,7 +45,7 @@ impl<'a> BoundEnvironment<'a> {
         Ok(Some(BoundEnvironment { textures, surroundings, mipmapped, gloss, _seamless: Seamless::new(gl) }))
     }
 
-    /// What a material's program shows of it.
+    /// The part of it that the program of a material shows.
     pub fn key(&self, object: &GpuObject, optics: &Optics, is_view: bool) -> SurroundingsKey {
         let sight = match optics {
             optics if optics.is_plain() => SurfaceOptics::Nothing,

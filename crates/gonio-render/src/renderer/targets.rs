@@ -41,13 +41,13 @@ impl Targets {
         self.kept.insert(0, (target, self.uses));
     }
 
-    /// What was used last.
+    /// The target that was used last.
     #[cfg(any(test, feature = "bench"))]
     pub fn last(&self) -> Option<&Rc<Target>> {
         self.kept.first().map(|(target, _)| target)
     }
 
-    /// How many are kept.
+    /// The number of targets.
     #[cfg(test)]
     pub fn count(&self) -> usize {
         self.kept.len()

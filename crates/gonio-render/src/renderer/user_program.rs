@@ -1,4 +1,4 @@
-//! Programs that somebody else wrote, drawn for a window: onto a canvas, as their own program would show them.
+//! Draws students' programs for a window, as their own program would show them.
 
 use super::Renderer;
 use super::output::{Band, DisplaySettings};
@@ -13,7 +13,7 @@ use std::rc::Rc;
 
 /// Samples per pixel, where the driver has them.
 const SAMPLES: u32 = 4;
-/// Pictures of one window that are drawn in turn: a student's, and what it is held against.
+/// Pictures of one window that are drawn in turn: a student's and the reference.
 const PICTURES: usize = 2;
 
 impl Renderer {
@@ -22,7 +22,7 @@ impl Renderer {
     ///
     /// The viewport is a square in the picture's middle, as wide as the longer side: its matrices are those of a square
     /// picture, of which the window shows a part. There is a depth buffer, with a test that lets the farthest plane pass too,
-    /// as a sky wants it; nothing is culled.
+    /// as a sky needs; nothing is culled.
     ///
     /// Waits for nothing and leaves the window's state as [`Renderer::paint`] does.
     pub fn paint_user_program(

@@ -1,4 +1,4 @@
-//! Programs that somebody else wrote, drawn into float targets: a student's shaders, and what they are held against.
+//! Programs with any attributes and uniforms, drawn into float targets: students' shaders and their references.
 //!
 //! Nothing is known of them but what OpenGL tells after linking: which attributes and uniforms there are, by name and type.
 //! Who draws decides which stream of a mesh feeds which attribute, and what every uniform holds.

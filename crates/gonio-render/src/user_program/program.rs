@@ -5,16 +5,16 @@ use gonio_gl::{Gl, GlError};
 use std::cell::RefCell;
 use std::fmt;
 
-/// Why a pair of shaders is no program, in the driver's words; at least one of them is there.
+/// The logs of the driver for a pair of shaders that is not a program; at least one of them is present.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct BrokenProgram {
-    /// What the compiler said of the vertex shader, where it did not compile.
+    /// The log of the vertex shader, if it does not compile.
     pub vertex_log: Option<String>,
-    /// What the compiler said of the fragment shader, where it did not compile.
+    /// The log of the fragment shader, if it does not compile.
     pub fragment_log: Option<String>,
-    /// What the linker said, where both compiled.
+    /// The log of the linker, if both compile.
     pub link_log: Option<String>,
-    /// What went wrong before any of them was asked.
+    /// The error before compilation, if there was one.
     pub driver: Option<String>,
 }
 
@@ -44,7 +44,7 @@ impl From<GlError> for BrokenProgram {
 pub struct ProgramVariable {
     /// OpenGL's name, without a closing `[0]`: `light.light_pos`, `lights[1].position`, `colours`.
     pub name: String,
-    /// As GLSL writes it: `vec3`, `mat4`, `samplerCube`.
+    /// Its GLSL type: `vec3`, `mat4`, `samplerCube`.
     pub glsl_type: String,
     /// Elements of an array of a basic type; 1 where it is none.
     pub elements: u32,
@@ -57,7 +57,7 @@ pub struct UserProgram {
     handle: glow::Program,
     attributes: Vec<(ProgramVariable, u32)>,
     uniforms: Vec<(ProgramVariable, Vec<glow::UniformLocation>)>,
-    /// What each uniform was last given, for a call costs something, most of all in a browser; empty where nothing was.
+    /// The last value of each uniform, to avoid calls, which are expensive in browsers; empty if it was never set.
     given: RefCell<Vec<Vec<f32>>>,
 }
 
@@ -133,17 +133,17 @@ impl UserProgram {
         self.given = RefCell::new(vec![Vec::new(); self.uniforms.len()]);
     }
 
-    /// What it reads of each vertex, in order of location.
+    /// The active attributes, in order of location.
     pub fn attributes(&self) -> impl Iterator<Item = &ProgramVariable> {
         self.attributes.iter().map(|(variable, _)| variable)
     }
 
-    /// What it uses of the uniforms outside of blocks, in order of name.
+    /// The active uniforms outside of blocks, in order of name.
     pub fn uniforms(&self) -> impl Iterator<Item = &ProgramVariable> {
         self.uniforms.iter().map(|(variable, _)| variable)
     }
 
-    /// Where an attribute is.
+    /// The location of an attribute.
     pub fn attribute_location(&self, name: &str) -> Option<u32> {
         self.attributes.iter().find(|(variable, _)| variable.name == name).map(|(_, location)| *location)
     }
@@ -158,7 +158,7 @@ impl UserProgram {
         self.attributes.iter().map(|(_, location)| *location)
     }
 
-    /// Makes it the current program. Wanted before `set` and before a draw.
+    /// Makes it the current program, which `set` and draws require.
     pub fn bind(&self) {
         self.gl.use_program(Some(self.handle));
     }
@@ -169,7 +169,7 @@ impl UserProgram {
         self.uniform_index(name).is_some_and(|index| self.set_index(index, values))
     }
 
-    /// The same by the uniform's number.
+    /// Sets a uniform by its number.
     pub fn set_index(&self, index: usize, values: &[f32]) -> bool {
         let Some((variable, locations)) = self.uniforms.get(index) else { return false };
         if let Some(given) = self.given.borrow_mut().get_mut(index) {

@@ -4,7 +4,7 @@ use gonio_gl::Dialect;
 use gonio_gl::target::{Precision, Sampling, Target};
 use gonio_gl::{Gl, GlError};
 
-/// What a pixel holds where nothing was drawn: no light is that negative.
+/// The value of a pixel that nothing was drawn to: no light is that negative.
 pub const NOT_DRAWN: [f32; 4] = [-31_337.0; 4];
 
 /// Square tiles side by side, each with a depth buffer; 32-bit floats, one sample a pixel.
@@ -43,7 +43,7 @@ impl TileTarget {
         gl.disable(glow::CULL_FACE);
         gl.disable(glow::STENCIL_TEST);
         gl.enable(glow::DEPTH_TEST);
-        // At the far plane too, as a skybox wants it.
+        // At the far plane too, as a skybox needs.
         gl.depth_func(glow::LEQUAL);
     }
 
@@ -77,7 +77,7 @@ impl TileTarget {
         tiles
     }
 
-    /// What OpenGL complained about since it was last asked; `None` where it did not.
+    /// The error that OpenGL has raised since the last call, if any.
     pub fn error(&self) -> Option<GlError> {
         let code = self.gl.get_error();
         (code != glow::NO_ERROR).then(|| GlError::new(format!("OpenGL reported error {code:#06x} while drawing")))
