@@ -1,18 +1,18 @@
-//! The syntax tree. Everything has its [`Span`]; brackets count to the expression within them.
+//! The syntax tree. Every node has its [`Span`]; parentheses belong to the expression inside them.
 
 use crate::{Span, TokenRange, Type};
 
 /// A whole shader.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Unit {
-    /// What stands outside of functions, in its order, functions included.
+    /// Functions and declarations in source order.
     pub items: Vec<Item>,
 }
 
-/// One thing at the outermost level.
+/// A top-level construct.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Item {
-    /// A function, with its body or only announced.
+    /// A function definition or prototype.
     Function(Function),
     /// Global variables, or a struct with or without variables.
     Declaration(Declaration),
@@ -20,30 +20,30 @@ pub enum Item {
     Block(InterfaceBlock),
     /// `precision mediump float;`
     Precision(Precision),
-    /// `invariant gl_Position;` or `layout(..) in;`: qualifiers for what there is already.
+    /// Qualifiers for an existing variable: `invariant gl_Position;` or `layout(..) in;`.
     Qualify(Qualify),
     /// A stray `;`.
     Empty(Span),
 }
 
-/// A function.
+/// A function definition or prototype.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Function {
     /// Its name.
     pub name: String,
-    /// Where the name stands.
+    /// The position of the name.
     pub name_span: Span,
     /// The token of the name.
     pub name_tokens: TokenRange,
-    /// What it returns.
+    /// The return type.
     pub returns: TypeName,
-    /// What it takes.
+    /// The parameters.
     pub params: Vec<Param>,
-    /// What it does; none if it is only announced.
+    /// The body; `None` for a prototype.
     pub body: Option<Vec<Statement>>,
-    /// From the return type to the closing bracket.
+    /// The span from the return type to the closing parenthesis.
     pub span: Span,
-    /// Tokens of the whole.
+    /// The tokens of the whole function.
     pub tokens: TokenRange,
     /// The opening `{`, or the `;`.
     pub open: TokenRange,
@@ -58,26 +58,26 @@ pub struct Param {
     pub ty: TypeName,
     /// Its name, empty if it has none.
     pub name: String,
-    /// Where it stands.
+    /// The position in the source.
     pub span: Span,
     /// The token of the name.
     pub tokens: TokenRange,
-    /// Sizes in brackets behind the name.
+    /// Array sizes after the name.
     pub sizes: Vec<Option<Expr>>,
 }
 
 /// Variables of one type.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Declaration {
-    /// Everything before the type.
+    /// The qualifiers before the type.
     pub qualifiers: Vec<Qualifier>,
     /// The type.
     pub ty: TypeName,
     /// The variables; none in `struct Light { .. };`.
     pub declarators: Vec<Declarator>,
-    /// Up to the `;`.
+    /// The span up to the `;`.
     pub span: Span,
-    /// Tokens of the whole.
+    /// The tokens of the whole declaration.
     pub tokens: TokenRange,
 }
 
@@ -86,15 +86,15 @@ pub struct Declaration {
 pub struct Declarator {
     /// Its name.
     pub name: String,
-    /// Where the name stands.
+    /// The position of the name.
     pub span: Span,
     /// The token of the name.
     pub tokens: TokenRange,
-    /// Sizes in brackets behind the name.
+    /// Array sizes after the name.
     pub sizes: Vec<Option<Expr>>,
-    /// Token of the `=`, if there is an initialiser.
+    /// The token of the `=`, if there is an initializer.
     pub equals: TokenRange,
-    /// The initialiser.
+    /// The initializer.
     pub initialiser: Option<Expr>,
 }
 
@@ -103,13 +103,13 @@ pub struct Declarator {
 pub struct TypeName {
     /// `vec3`, `Light`; empty for a struct without name.
     pub name: String,
-    /// Where it stands, without sizes.
+    /// The position of the name, without sizes.
     pub span: Span,
     /// The token of the name.
     pub tokens: TokenRange,
-    /// Sizes in brackets behind the type.
+    /// Array sizes after the type.
     pub sizes: Vec<Option<Expr>>,
-    /// The struct, where it is defined here.
+    /// The struct, if it is defined here.
     pub definition: Option<Box<StructDefinition>>,
 }
 
@@ -118,32 +118,32 @@ pub struct TypeName {
 pub struct StructDefinition {
     /// Its name, empty if it has none.
     pub name: String,
-    /// Where the name stands.
+    /// The position of the name.
     pub span: Span,
     /// The token of the name.
     pub tokens: TokenRange,
-    /// Members, as declarations.
+    /// The members as declarations.
     pub members: Vec<Declaration>,
 }
 
 /// `uniform Matrices { .. } matrices;`
 #[derive(Debug, Clone, PartialEq)]
 pub struct InterfaceBlock {
-    /// Everything before the name.
+    /// The qualifiers before the name.
     pub qualifiers: Vec<Qualifier>,
-    /// Name of the block.
+    /// The name of the block.
     pub name: String,
-    /// Where the name stands.
+    /// The position of the name.
     pub name_span: Span,
     /// The token of the name.
     pub name_tokens: TokenRange,
-    /// Members, as declarations.
+    /// The members as declarations.
     pub members: Vec<Declaration>,
-    /// Name of the instance, with sizes.
+    /// The instance name, with array sizes.
     pub instance: Option<Declarator>,
-    /// Up to the `;`.
+    /// The span up to the `;`.
     pub span: Span,
-    /// Tokens of the whole.
+    /// The tokens of the whole block.
     pub tokens: TokenRange,
     /// The closing `}`.
     pub close: TokenRange,
@@ -156,33 +156,33 @@ pub struct Precision {
     pub precision: String,
     /// The type.
     pub ty: TypeName,
-    /// Up to the `;`.
+    /// The span up to the `;`.
     pub span: Span,
-    /// Tokens of the whole.
+    /// The tokens of the whole declaration.
     pub tokens: TokenRange,
 }
 
-/// Qualifiers for what there is already.
+/// Qualifiers for existing variables.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Qualify {
     /// The qualifiers.
     pub qualifiers: Vec<Qualifier>,
     /// The names; none in `layout(..) in;`.
     pub names: Vec<(String, Span)>,
-    /// Up to the `;`.
+    /// The span up to the `;`.
     pub span: Span,
-    /// Tokens of the whole.
+    /// The tokens of the whole declaration.
     pub tokens: TokenRange,
 }
 
-/// One word before a type.
+/// A qualifier before a type.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Qualifier {
     /// The word: `uniform`, `highp`, `layout`.
     pub word: String,
-    /// What stands in the brackets of `layout`.
+    /// The entries of `layout`.
     pub layout: Vec<LayoutEntry>,
-    /// Where it stands.
+    /// The position in the source.
     pub span: Span,
     /// Its tokens.
     pub tokens: TokenRange,
@@ -191,9 +191,9 @@ pub struct Qualifier {
 /// `location = 1`
 #[derive(Debug, Clone, PartialEq)]
 pub struct LayoutEntry {
-    /// The word.
+    /// The key.
     pub name: String,
-    /// Its number.
+    /// The value.
     pub value: Option<Expr>,
     /// Its tokens.
     pub tokens: TokenRange,
@@ -202,15 +202,15 @@ pub struct LayoutEntry {
 /// A statement.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Statement {
-    /// Which.
+    /// The kind of statement.
     pub kind: StatementKind,
-    /// From its first to its last token.
+    /// The span from the first to the last token.
     pub span: Span,
-    /// Tokens of the whole.
+    /// The tokens of the whole statement.
     pub tokens: TokenRange,
 }
 
-/// What a statement does.
+/// The kind of a statement.
 #[derive(Debug, Clone, PartialEq)]
 pub enum StatementKind {
     /// Local variables or a local struct.
@@ -221,41 +221,41 @@ pub enum StatementKind {
     If {
         /// The condition.
         condition: Expr,
-        /// If so.
+        /// The statement if the condition holds.
         then: Box<Statement>,
-        /// If not.
+        /// The statement after `else`.
         otherwise: Option<Box<Statement>>,
     },
     /// `for`
     For {
-        /// Before the first round.
+        /// The initialization.
         initial: Option<Box<Statement>>,
-        /// Before each round.
+        /// The loop condition.
         condition: Option<Box<Condition>>,
-        /// After each round.
+        /// The expression after each iteration.
         step: Option<Expr>,
-        /// Each round.
+        /// The loop body.
         body: Box<Statement>,
     },
     /// `while`
     While {
-        /// Before each round.
+        /// The loop condition.
         condition: Box<Condition>,
-        /// Each round.
+        /// The loop body.
         body: Box<Statement>,
     },
     /// `do`
     DoWhile {
-        /// Each round.
+        /// The loop body.
         body: Box<Statement>,
-        /// After each round.
+        /// The loop condition.
         condition: Expr,
     },
     /// `switch`
     Switch {
-        /// What is looked at.
+        /// The value that is compared.
         value: Expr,
-        /// Statements, [`StatementKind::Case`] among them.
+        /// The statements, including [`StatementKind::Case`].
         body: Vec<Statement>,
     },
     /// `case 1:`, or `default:` without a value.
@@ -270,16 +270,16 @@ pub enum StatementKind {
     Discard,
     /// `{ .. }`
     Block(Vec<Statement>),
-    /// `precision` within a function
+    /// `precision` inside a function.
     Precision(Precision),
     /// `;`
     Empty,
 }
 
-/// What a loop looks at.
+/// The condition of a loop.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Condition {
-    /// The usual.
+    /// An expression.
     Expr(Expr),
     /// `while (bool more = next())`
     Declaration(Declaration),
@@ -288,57 +288,57 @@ pub enum Condition {
 /// An expression.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Expr {
-    /// Which.
+    /// The kind of expression.
     pub kind: ExprKind,
-    /// Where it stands, with the brackets around it.
+    /// The position, including enclosing parentheses.
     pub span: Span,
-    /// Its type, once [`crate::check`] has run; none if that is not known.
+    /// Its type once [`crate::check`] has run; `None` if unknown.
     pub ty: Option<Type>,
-    /// Its tokens, with the brackets around it.
+    /// Its tokens, including enclosing parentheses.
     pub tokens: TokenRange,
-    /// How many expressions lie below, one within the other.
+    /// The depth of nested expressions below it.
     pub(crate) height: u16,
 }
 
-/// What an expression is.
+/// The kind of an expression.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ExprKind {
-    /// A number or truth value.
+    /// A number or a boolean.
     Literal(Literal),
     /// A variable.
     Name(String),
-    /// A function or a constructor.
+    /// A call of a function or a constructor.
     Call(Call),
     /// `.xyz` or `.member`
     Field {
-        /// Of what.
+        /// The value that is accessed.
         base: Box<Expr>,
-        /// The letters.
+        /// The member name or components.
         name: String,
-        /// Where the letters stand.
+        /// The position of the name.
         name_span: Span,
-        /// The token of the letters.
+        /// The token of the name.
         name_tokens: TokenRange,
     },
     /// `[..]`
     Index {
-        /// Of what.
+        /// The value that is indexed.
         base: Box<Expr>,
-        /// Which.
+        /// The index.
         index: Box<Expr>,
     },
     /// `.length()`
     Length(Box<Expr>),
-    /// One operand.
+    /// An operator with one operand.
     Unary {
-        /// Which.
+        /// The operator.
         op: UnaryOp,
         /// The operand.
         operand: Box<Expr>,
     },
-    /// Two operands.
+    /// An operator with two operands.
     Binary {
-        /// Which.
+        /// The operator.
         op: BinaryOp,
         /// Left operand.
         left: Box<Expr>,
@@ -347,20 +347,20 @@ pub enum ExprKind {
     },
     /// `a ? b : c`
     Ternary {
-        /// a
+        /// The condition `a`.
         condition: Box<Expr>,
-        /// b
+        /// The value `b`.
         then: Box<Expr>,
-        /// c
+        /// The value `c`.
         otherwise: Box<Expr>,
     },
     /// `=`, `+=` and so on.
     Assign {
         /// The operation of `+=`; none for `=`.
         op: Option<BinaryOp>,
-        /// What is written.
+        /// The expression that is assigned to.
         target: Box<Expr>,
-        /// What with.
+        /// The assigned value.
         value: Box<Expr>,
     },
     /// `a, b`
@@ -369,12 +369,12 @@ pub enum ExprKind {
     List(Vec<Expr>),
 }
 
-/// A function's or constructor's use.
+/// A call of a function or a constructor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Call {
     /// The function's name, or the type's.
     pub name: String,
-    /// Where the name stands.
+    /// The position of the name.
     pub name_span: Span,
     /// The token of the name.
     pub name_tokens: TokenRange,
@@ -382,11 +382,12 @@ pub struct Call {
     pub sizes: Vec<Option<Expr>>,
     /// The arguments.
     pub args: Vec<Expr>,
-    /// Whether it makes a value of a type; known once [`crate::check`] has run, and before that for GLSL's own types.
+    /// Whether it constructs a value of a type; known once [`crate::check`] has run, and before that for built-in
+    /// types.
     pub is_constructor: bool,
 }
 
-/// A value written down.
+/// A literal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Literal {
     /// `1`
@@ -401,7 +402,7 @@ pub enum Literal {
     Bool(bool),
 }
 
-/// An operator of one operand.
+/// An operator with one operand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum UnaryOp {
     /// `+a`
@@ -422,7 +423,7 @@ pub enum UnaryOp {
     PostDecrement,
 }
 
-/// An operator of two operands.
+/// An operator with two operands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[allow(missing_docs)]
 pub enum BinaryOp {
@@ -448,7 +449,7 @@ pub enum BinaryOp {
 }
 
 impl BinaryOp {
-    /// As it is written.
+    /// Returns the operator as it is written.
     #[must_use]
     pub fn mark(self) -> &'static str {
         match self {
@@ -474,7 +475,7 @@ impl BinaryOp {
         }
     }
 
-    /// The operator of this mark and how tightly it binds, from 1.
+    /// Returns the operator with this mark and its precedence, from 1.
     pub(crate) fn from_mark(mark: &str) -> Option<(Self, u8)> {
         Some(match mark {
             "||" => (Self::Or, 1),

@@ -1,47 +1,47 @@
-//! What each stretch of a source is, for whoever shows it in colours.
+//! Classifies the tokens of a source for syntax highlighting.
 
 use crate::lex::{self, TokenKind};
 use crate::types::words;
 use crate::{Version, builtins};
 
-/// What a stretch of a source is.
+/// The class of a range of a source.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Class {
     /// A comment.
     Comment,
-    /// A line for the preprocessor, without its comments.
+    /// A preprocessor directive, without its comments.
     Directive,
-    /// `if`, `uniform`, `highp`: a word of the language.
+    /// A keyword: `if`, `uniform`, `highp`.
     Keyword,
-    /// `vec3`, `void`: a type of the language.
+    /// A built-in type: `vec3`, `void`.
     Type,
-    /// A function of the language.
+    /// A built-in function.
     Function,
-    /// `gl_Position`: a variable of the language.
+    /// A built-in variable: `gl_Position`.
     Variable,
     /// A number, `true` or `false`.
     Number,
-    /// A name of the shader's own.
+    /// A name declared by the shader.
     Name,
     /// An operator or a bracket.
     Mark,
-    /// A character that GLSL has no use for.
+    /// A character that GLSL does not allow.
     Stray,
 }
 
-/// A stretch of a source.
+/// A classified range of a source.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Classified {
     /// First byte.
     pub start: u32,
     /// One past the last byte.
     pub end: u32,
-    /// What it is.
+    /// Its class.
     pub class: Class,
 }
 
-/// The stretches of a source in their order, without the blanks between them. Any text gives some, the empty one none. What
-/// is a word of the language in any version counts as one.
+/// Returns the classified ranges of a source in order, without the blanks between them, for any text. Words that are
+/// keywords in some version are classified as such.
 #[must_use]
 pub fn classify(source: &str) -> Vec<Classified> {
     let mut found = Vec::new();
@@ -74,13 +74,13 @@ fn class_of(text: &str, kind: TokenKind) -> Class {
         TokenKind::Name if words::is_qualifier(text, NEWEST) || words::is_statement(text, NEWEST) => Class::Keyword,
         TokenKind::Name if text == "precision" => Class::Keyword,
         TokenKind::Name if builtins::is_name(text) => Class::Function,
-        // Nobody else may call anything so.
+        // Nothing else may have such a name.
         TokenKind::Name if text.starts_with("gl_") => Class::Variable,
         TokenKind::Name => Class::Name,
     }
 }
 
-/// What is no blank between two tokens is a comment, or a backslash at a line's end.
+/// Finds comments, and backslashes at line ends, in the text between two tokens.
 fn comments(source: &str, from: usize, to: usize, found: &mut Vec<Classified>) {
     let Some(gap) = source.get(from..to) else { return };
     let kept = gap.trim();

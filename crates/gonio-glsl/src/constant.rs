@@ -1,12 +1,13 @@
-//! Values that can be worked out without running the shader.
+//! Evaluates constant expressions.
 
 use crate::ast::{BinaryOp, Expr, ExprKind, Literal, UnaryOp};
 use crate::{Scalar, Type};
 
-/// Components of a scalar, vector or matrix (columns first); truth values are 0 and 1.
+/// Components of a scalar, vector or matrix (columns first); booleans are 0 and 1.
 pub type Components = Vec<f64>;
 
-/// The components of an expression, if they can be known. `named` gives those of constants. Types have to be filled in.
+/// Returns the components of an expression if they are known. `named` returns those of constants. Types must be filled
+/// in.
 pub fn evaluate(expr: &Expr, named: &dyn Fn(&str) -> Option<Components>) -> Option<Components> {
     match &expr.kind {
         ExprKind::Literal(literal) => Some(vec![match literal {
@@ -80,7 +81,7 @@ fn combine(op: BinaryOp, left: &[f64], right: &[f64], is_integer: bool) -> Optio
 fn construct(ty: &Type, first: &Type, parts: Components) -> Option<Components> {
     let count = ty.components()? as usize;
     let mut parts = match ty {
-        // One number is a matrix's diagonal.
+        // One number fills the diagonal of a matrix.
         Type::Matrix { rows, .. } if parts.len() == 1 => {
             let rows = usize::from(*rows);
             (0..count).map(|i| if i / rows == i % rows { parts[0] } else { 0.0 }).collect()

@@ -1,4 +1,4 @@
-//! Characters into tokens: comments and line continuations taken out, each token with its place.
+//! Splits a source into tokens, each with its position, removing comments and line continuations.
 
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -6,16 +6,16 @@ use std::rc::Rc;
 use crate::limits::MOST_RAW_TOKENS;
 use crate::{Limit, Problem, Span};
 
-/// What sort of token.
+/// The kind of a token.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum TokenKind {
     /// A name or a keyword.
     Name,
-    /// A number, perhaps badly written.
+    /// A number, perhaps malformed.
     Number,
     /// An operator or a bracket.
     Mark,
-    /// A character that GLSL has no use for.
+    /// A character that GLSL does not allow.
     Stray,
     /// The end of the file.
     End,
@@ -26,16 +26,16 @@ pub(crate) enum TokenKind {
 pub(crate) struct Token {
     pub kind: TokenKind,
     pub text: Rc<str>,
-    /// Where to point to: for a token out of a macro, the use of the macro.
+    /// The position for messages: for a token from a macro, the use of the macro.
     pub span: Span,
-    /// Where the text itself lies.
+    /// The start of the text itself.
     pub start: u32,
     pub end: u32,
     /// 0 in the file, otherwise the number of the macro's use.
     pub region: u32,
     pub first_on_line: bool,
     pub space_before: bool,
-    /// A macro's own name within its expansion, which stays as it is.
+    /// A macro's own name within its expansion, which is not replaced again.
     pub frozen: bool,
 }
 
@@ -51,16 +51,16 @@ struct Lexer<'a> {
     at: usize,
     line: u32,
     column: u32,
-    /// Whether a line ended since the last token; neither a continued line nor one within a comment counts.
+    /// Whether a line has ended since the last token, except in continued lines and comments.
     line_ended: bool,
     texts: HashMap<&'a str, Rc<str>>,
 }
 
-/// All tokens of a source, the last being [`TokenKind::End`].
+/// Returns all tokens of a source, the last being [`TokenKind::End`].
 pub(crate) fn lex(source: &str, problems: &mut Vec<Problem>) -> Vec<Token> {
     let mut lexer =
         Lexer { source, bytes: source.as_bytes(), at: 0, line: 1, column: 1, line_ended: true, texts: HashMap::new() };
-    // Windows editors put a byte order mark in front; it has no width.
+    // Windows editors write a byte order mark, which has no width.
     if source.starts_with('\u{feff}') {
         lexer.at = '\u{feff}'.len_utf8();
     }
@@ -92,7 +92,7 @@ const MARKS: [&str; 24] = [
 ];
 
 impl<'a> Lexer<'a> {
-    /// The byte here, past line continuations; 0 at the end.
+    /// Returns the byte here, after line continuations; 0 at the end.
     fn peek(&mut self) -> u8 {
         while let Some(length) = self.continuation(self.at) {
             self.at += length;
@@ -106,7 +106,7 @@ impl<'a> Lexer<'a> {
         self.bytes.get(at).copied().unwrap_or(0)
     }
 
-    /// Length of a backslash with its newline at this place.
+    /// Returns the length of a backslash with its newline at this position.
     fn continuation(&self, at: usize) -> Option<usize> {
         if self.byte(at) != b'\\' {
             return None;
@@ -118,7 +118,7 @@ impl<'a> Lexer<'a> {
         }
     }
 
-    /// The byte `ahead` of this one, past line continuations.
+    /// Returns the byte `ahead` of this one, after line continuations.
     fn peek_at(&self, ahead: usize) -> u8 {
         let mut at = self.at;
         for step in 0..=ahead {
@@ -136,7 +136,7 @@ impl<'a> Lexer<'a> {
         self.at >= self.bytes.len()
     }
 
-    /// Past one character.
+    /// Moves past one character.
     fn advance(&mut self) {
         let byte = self.peek();
         if self.at_end() {
@@ -165,7 +165,7 @@ impl<'a> Lexer<'a> {
         self.column = 1;
     }
 
-    /// Past blanks and comments; whether there were any.
+    /// Skips blanks and comments; returns whether there were any.
     fn skip_blank(&mut self, problems: &mut Vec<Problem>) -> bool {
         let before = self.at;
         loop {
@@ -232,8 +232,8 @@ impl<'a> Lexer<'a> {
         }
     }
 
-    /// Digits, fraction, exponent, suffix. Letters that do not belong there are taken along, so that `2pi` is one bad
-    /// number; after a bare point they are not, for `1.xx` is a swizzle to some.
+    /// Reads digits, fraction, exponent and suffix. Invalid letters are included, so that `2pi` is one malformed
+    /// number, but not after a bare point, because `1.xx` may be a swizzle.
     fn number(&mut self) {
         if self.peek() == b'0' && matches!(self.peek_at(1), b'x' | b'X') {
             return self.word();

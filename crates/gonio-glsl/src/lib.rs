@@ -1,5 +1,5 @@
-//! GLSL as it is written: tokens, syntax tree and types, each with its place in the source; and the same text for another
-//! version of the language. Knows no OpenGL and opens no file.
+//! A front end for GLSL: tokens, syntax tree and types, each with its position in the source, checks, and translation
+//! to another version of the language. It uses no OpenGL and opens no files.
 
 pub mod ast;
 mod builtins;
@@ -37,28 +37,28 @@ pub use translate::{
 pub use types::{Scalar, Type};
 pub use version::{OutputVersion, Stage, Version};
 
-/// A shader that was read.
+/// A parsed shader.
 #[derive(Debug, Clone)]
 pub struct Parsed {
-    /// What `#version` says, where there is one.
+    /// The `#version`, if there is one.
     pub version: Option<Version>,
     /// The syntax tree.
     pub unit: Unit,
-    /// What is wrong with the syntax.
+    /// Syntax errors.
     pub problems: Vec<Problem>,
-    /// Where each token lies, by the indices of [`TokenRange`].
+    /// The position of each token, by the indices of [`TokenRange`].
     pub tokens: Vec<TokenPlace>,
-    /// All lines beginning with `#`.
+    /// All preprocessor directives.
     pub directives: Vec<Directive>,
-    /// Bytes that no compiler looks at, because of an `#if`.
+    /// Ranges of bytes excluded by an `#if`.
     pub inactive: Vec<(u32, u32)>,
-    /// Macros the shader defines.
+    /// The macros that the shader defines.
     pub macros: Vec<String>,
     pub(crate) macro_words: Vec<(String, u32, u32)>,
     pub(crate) source: String,
 }
 
-/// Reads a shader. Whatever the text is, this returns; what is wrong stands in `problems`, in the order of the source.
+/// Parses a shader. This returns for any text; syntax errors are in `problems`, in source order.
 #[must_use]
 pub fn parse(source: &str) -> Parsed {
     let mut most = source.len().min(limits::MOST_BYTES);
@@ -97,25 +97,25 @@ pub fn parse(source: &str) -> Parsed {
 }
 
 impl Parsed {
-    /// The version, 1.10 where the file does not say.
+    /// Returns the version, 1.10 if the file has none.
     #[must_use]
     pub fn dialect(&self) -> Version {
         self.version.unwrap_or(Version::NONE)
     }
 
-    /// The limit that the shader exceeds, where it does: it must not be given to a driver then.
+    /// Returns the limit that the shader exceeds, if any: it must not be given to a driver then.
     #[must_use]
     pub fn refusal(&self) -> Option<&Problem> {
         self.problems.iter().find(|problem| problem.limit.is_some())
     }
 
-    /// The source within a span.
+    /// Returns the source within a span.
     #[must_use]
     pub fn text(&self, span: Span) -> &str {
         self.source.get(span.start as usize..span.end as usize).unwrap_or("")
     }
 
-    /// The whole source.
+    /// Returns the whole source.
     #[must_use]
     pub fn source(&self) -> &str {
         &self.source

@@ -1,57 +1,61 @@
-//! The sizes and depths that a shader may have. What exceeds one is refused with [`Limit`], and must not be given to a
-//! driver: drivers recurse, expand and unroll without limits of their own, in the process of whoever calls them.
+//! Limits on the size and depth of a shader. A shader that exceeds one is rejected with a [`Limit`] and must not be
+//! given to a driver: drivers recurse, expand and unroll without limits of their own, in the calling process.
 //!
-//! The figures beside each limit are what Mesa 22.3 (llvmpipe) did with one shader that was large in this respect alone, on
-//! a thread with a stack of 8 MiB. Limits leave at least a factor of 2 before the first crash, and about a gigabyte or half
-//! a minute where nothing crashes. ANGLE, the compiler of browsers, has 256 for nested expressions, statements and calls.
+//! The figures for each limit are those of Mesa 22.3 (llvmpipe) with one shader that was large in this respect alone,
+//! on a thread with a stack of 8 MiB. Limits are at most half of what caused the first crash, and allow about a
+//! gigabyte or half a minute where nothing crashes. ANGLE, the compiler of browsers, has a limit of 256 for nested
+//! expressions, statements and calls.
 
-/// Bytes of a source. A generated shader of 10,000 lines is shorter.
+/// Most bytes of a source. A generated shader of 10,000 lines is shorter.
 pub const MOST_BYTES: usize = 4 << 20;
-/// Tokens in a source, branches that are not compiled included.
+/// Most tokens of a source, including branches that are not compiled.
 pub const MOST_RAW_TOKENS: usize = 1_000_000;
-/// Tokens that the preprocessor leaves. 800,000 tokens of assignments: 13 s and 0.9 GB.
+/// Most tokens after preprocessing. 800,000 tokens of assignments: 13 s and 0.9 GB.
 pub const MOST_TOKENS: usize = 250_000;
-/// Bytes of a name (GLSL ES 3.00, section 3.9, has 1,024).
+/// Most bytes of a name (GLSL ES 3.00, section 3.9, has 1,024).
 pub const MOST_NAME_BYTES: usize = 1024;
-/// Tokens that macros expand to, those within arguments included. 655,000 tokens by doubling: 11 s and 0.7 GB; 40 doublings:
-/// 10 GB.
+/// Most tokens that macros expand to, including those in arguments. 655,000 tokens by doubling: 11 s and 0.7 GB; 40
+/// doublings: 10 GB.
 pub const MOST_EXPANDED: usize = 500_000;
-/// Macros in the arguments of macros. 3,000 of them: 1.5 GB.
+/// Most nested macros in arguments of macros. 3,000 of them: 1.5 GB.
 pub const MOST_MACROS_IN_ARGUMENTS: usize = 64;
-/// Macros in the text of macros. 4,000 of them are harmless.
+/// Most nested macros in bodies of macros. 4,000 of them are harmless.
 pub const MOST_MACROS_IN_MACROS: usize = 1024;
-/// Expressions, statements and brackets within one another; also the terms of a sum, the branches of `else if` and the
-/// operands of `?:`. A sum of 4,000 terms: 12 s and 3.7 GB; of 8,000: a crash. 2,048 branches: refused as memory exhausted.
+/// Most levels of expressions, statements and parentheses; also the terms of a sum, the branches of `else if` and the
+/// operands of `?:`. A sum of 4,000 terms: 12 s and 3.7 GB; of 8,000: a crash. 2,048 branches: rejected as memory
+/// exhausted.
 pub const MOST_NESTED: usize = 256;
-/// Structs in members of structs.
+/// Most levels of structs in members of structs.
 pub const MOST_STRUCTS_NESTED: usize = 64;
-/// Sizes in brackets behind a type or a name.
+/// Most array sizes after a type or a name.
 pub const MOST_ARRAY_SIZES: usize = 8;
-/// Components of one variable or value: 64 KiB, what GL 3.3 asks for a block of uniforms four times. A local array of 16,384
-/// that is indexed by a variable: 8 s and 0.6 GB; of 65,536: no end within 40 s; of 2,147,483,647: a crash.
+/// Most components of one variable or value: 64 KiB, four times the uniform block size that GL 3.3 requires. A local
+/// array of 16,384 that is indexed by a variable: 8 s and 0.6 GB; of 65,536: no end within 40 s; of 2,147,483,647: a
+/// crash.
 pub const MOST_COMPONENTS: u64 = 16_384;
-/// Components of an input or output between the stages, of which GL 3.3 has 128. An array of 1,024 inputs: 2.5 s; of 4,096:
-/// 18 s; of 2,147,483,647: a crash.
+/// Most components of an input or output between the stages, of which GL 3.3 has 128. An array of 1,024 inputs: 2.5 s;
+/// of 4,096: 18 s; of 2,147,483,647: a crash.
 pub const MOST_INTERFACE_COMPONENTS: u64 = 1024;
-/// Components of all variables of a shader.
+/// Most components of all variables of a shader.
 pub const MOST_ALL_COMPONENTS: u64 = 65_536;
-/// Global variables, and members of a struct or block.
+/// Most global variables, and members of a struct or block.
 pub const MOST_VARIABLES: usize = 4096;
-/// Functions. 50,000: 17 s.
+/// Most functions. 50,000: 17 s.
 pub const MOST_FUNCTIONS: usize = 4096;
-/// Functions of one name.
+/// Most overloads of a function.
 pub const MOST_OVERLOADS: usize = 128;
-/// Calls of functions within called functions. 1,000: 1 GB; 4,000: a crash.
+/// Most levels of function calls. 1,000: 1 GB; 4,000: a crash.
 pub const MOST_CALLS_NESTED: u32 = 256;
-/// Expressions of a shader in which each call stands for the function's body, as drivers compile it. 16,384 calls by
-/// doubling, of 5 expressions each: 15 s; four times that: no end within a minute.
+/// Most expressions of a shader with all calls inlined, as drivers compile it. 16,384 calls by doubling, of 5
+/// expressions each: 15 s; four times that: no end within a minute.
 pub const MOST_INLINED: u64 = 200_000;
-/// Loops within loops, by way of calls too. 16: 5 s and 0.2 GB, and twice as much for each further one.
+/// Most levels of loops, including those in called functions. 16: 5 s and 0.2 GB, and twice as much for each further
+/// one.
 pub const MOST_LOOPS_NESTED: u32 = 12;
-/// Cases of a `switch`. 512: 12 s; 1,000: 35 s and 0.4 GB.
+/// Most cases of a `switch`. 512: 12 s; 1,000: 35 s and 0.4 GB.
 pub const MOST_CASES: usize = 512;
 
-/// Which limit a shader exceeds.
+/// A limit that a shader exceeds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Limit {
     /// [`MOST_BYTES`]
@@ -70,7 +74,7 @@ pub enum Limit {
     ArraySizes,
     /// [`MOST_COMPONENTS`]
     Components,
-    /// The size of an array is a constant that this reader cannot work out.
+    /// The size of an array cannot be evaluated.
     UnknownSize,
     /// [`MOST_INTERFACE_COMPONENTS`]
     InterfaceComponents,
@@ -88,12 +92,12 @@ pub enum Limit {
     LoopsNested,
     /// [`MOST_CASES`]
     Cases,
-    /// So many syntax errors that the rest was not read.
+    /// Too many syntax errors to go on.
     SyntaxErrors,
 }
 
 impl Limit {
-    /// The stable word of the problem.
+    /// Returns the stable code of the problem.
     pub(crate) fn code(self) -> &'static str {
         match self {
             Self::Macros => "macro-endless",

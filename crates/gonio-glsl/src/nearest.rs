@@ -1,4 +1,4 @@
-//! The known name that a misspelt one was probably meant to be.
+//! Finds the known name that a misspelt one probably means.
 
 /// Returns the nearest of `names`, if it is near enough: at most a third of the letters may differ, whatever their case.
 pub(crate) fn nearest<'n>(misspelt: &str, names: impl Iterator<Item = &'n str>) -> Option<&'n str> {

@@ -1,57 +1,57 @@
-//! What is wrong with a shader, in one sentence.
+//! Problems of a shader.
 
 use crate::{Limit, Span};
 
-/// How bad a [`Problem`] is.
+/// The severity of a [`Problem`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
-    /// Worth a look; every compiler takes it.
+    /// A hint; every compiler accepts it.
     Hint,
-    /// Some compilers take it, others refuse it or treat it otherwise.
+    /// Some compilers accept it, others reject it or treat it differently.
     Strict,
-    /// Every compiler refuses it.
+    /// Every compiler rejects it.
     Error,
 }
 
-/// One thing that is wrong, where, and what to do.
+/// A problem with its position and advice.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Problem {
-    /// How bad it is.
+    /// Its severity.
     pub severity: Severity,
-    /// Where it is.
+    /// The position in the source.
     pub span: Span,
-    /// A stable kebab-case word.
+    /// A stable code in kebab-case.
     pub code: &'static str,
     /// One sentence, without the line.
     pub message: String,
-    /// What to do, where that is known.
+    /// Advice, if there is any.
     pub help: Option<String>,
-    /// The limit that the shader exceeds, where it does. Such a shader must not be given to a driver.
+    /// The limit that the shader exceeds, if any. Such a shader must not be given to a driver.
     pub limit: Option<Limit>,
 }
 
 impl Problem {
-    /// A problem of any severity.
+    /// Creates a problem.
     pub fn new(severity: Severity, span: Span, code: &'static str, message: impl Into<String>) -> Self {
         Self { severity, span, code, message: message.into(), help: None, limit: None }
     }
 
-    /// What every compiler refuses.
+    /// Creates a problem that every compiler rejects.
     pub fn error(span: Span, code: &'static str, message: impl Into<String>) -> Self {
         Self::new(Severity::Error, span, code, message)
     }
 
-    /// A limit that the shader exceeds here.
+    /// Creates a problem for a limit that is exceeded.
     pub(crate) fn beyond(span: Span, limit: Limit) -> Self {
         Self { limit: Some(limit), ..Self::error(span, limit.code(), limit.to_string()) }
     }
 
-    /// What a strict compiler refuses.
+    /// Creates a problem that a strict compiler rejects.
     pub fn strict(span: Span, code: &'static str, message: impl Into<String>) -> Self {
         Self::new(Severity::Strict, span, code, message)
     }
 
-    /// The same with advice.
+    /// Adds advice.
     #[must_use]
     pub fn with_help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());

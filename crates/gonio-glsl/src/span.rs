@@ -1,6 +1,6 @@
-//! A place in the source.
+//! Positions in the source.
 
-/// A stretch of the source text, and where a person finds it.
+/// A range of the source text, with its line and column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Span {
     /// First byte.
@@ -14,14 +14,14 @@ pub struct Span {
 }
 
 impl Span {
-    /// From the start of this one to the end of `other`.
+    /// Returns the span from the start of this one to the end of `other`.
     #[must_use]
     pub fn to(self, other: Self) -> Self {
         Self { end: self.end.max(other.end), ..self }
     }
 }
 
-/// A run of tokens of [`crate::Parsed::tokens`], both ends counted in.
+/// An inclusive range of indices into [`crate::Parsed::tokens`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct TokenRange {
     /// Index of the first token.
@@ -31,23 +31,23 @@ pub struct TokenRange {
 }
 
 impl TokenRange {
-    /// From the start of this one to the end of `other`.
+    /// Returns the range from the start of this one to the end of `other`.
     #[must_use]
     pub fn to(self, other: Self) -> Self {
         Self { last: self.last.max(other.last), ..self }
     }
 }
 
-/// Where the text of a token lies. For a token out of a macro this is in the `#define` or in the argument, while its
-/// [`Span`] is the place where the macro was used.
+/// The position of a token's text. For a token from a macro it is in the `#define` or in the argument, whereas its
+/// [`Span`] is the use of the macro.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct TokenPlace {
     /// First byte.
     pub start: u32,
     /// One past the last byte.
     pub end: u32,
-    /// 0 in the file itself, otherwise the number of the use of a macro out of whose body the token came.
+    /// 0 in the file itself, otherwise the number of the macro's use that the token came from.
     pub region: u32,
-    /// Where to point to.
+    /// The position for messages.
     pub span: Span,
 }

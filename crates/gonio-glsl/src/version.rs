@@ -1,66 +1,66 @@
-//! Which GLSL a shader is written in, for which stage, and into which it is to be translated.
+//! Versions of GLSL, shader stages, and the versions that shaders are translated to.
 
-/// What `#version` says.
+/// A `#version`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Version {
-    /// 110 to 460; 100, 300, 310, 320 for OpenGL ES.
+    /// The number: 110 to 460; 100, 300, 310, 320 for OpenGL ES.
     pub number: u32,
     /// Whether it is a version of OpenGL ES.
     pub es: bool,
     /// Line of the directive, 0 if there is none.
     pub line: u32,
-    /// Whether it says `compatibility`.
+    /// Whether it has the `compatibility` profile.
     pub compatibility: bool,
 }
 
 impl Version {
-    /// What a file without `#version` is.
+    /// The version of a file without `#version`.
     pub const NONE: Self = Self { number: 110, es: false, line: 0, compatibility: false };
 
-    /// At least `desktop`, or at least `es` in OpenGL ES; 0 is never.
+    /// Whether it is at least `desktop`, or at least `es` in OpenGL ES; 0 is never.
     #[must_use]
     pub fn is_at_least(self, desktop: u32, es: u32) -> bool {
         let least = if self.es { es } else { desktop };
         least != 0 && self.number >= least
     }
 
-    /// Whether an `int` becomes a `float` by itself: desktop GLSL from 1.20 on (GLSL 1.20, section 4.1.10).
+    /// Whether `int` converts to `float` implicitly: in desktop GLSL from 1.20 on (GLSL 1.20, section 4.1.10).
     #[must_use]
     pub fn converts_int_to_float(self) -> bool {
         self.is_at_least(120, 0)
     }
 
-    /// Whether an `int` becomes a `uint` by itself: desktop GLSL from 4.00 on (GLSL 4.00, section 4.1.10).
+    /// Whether `int` converts to `uint` implicitly: in desktop GLSL from 4.00 on (GLSL 4.00, section 4.1.10).
     #[must_use]
     pub fn converts_int_to_uint(self) -> bool {
         self.is_at_least(400, 0)
     }
 
-    /// Whether `attribute`, `varying`, `texture2D` and `gl_FragColor` are the way to write it.
+    /// Whether `attribute`, `varying`, `texture2D` and `gl_FragColor` are the regular names.
     #[must_use]
     pub fn is_old(self) -> bool {
         !self.is_at_least(130, 300)
     }
 
-    /// Whether the names that were taken out of the core profile are still there.
+    /// Whether names that were removed from the core profile still exist.
     #[must_use]
     pub fn has_legacy_names(self) -> bool {
         !self.es && (self.number < 140 || self.compatibility)
     }
 
-    /// The version as people write it: `330`, `300 es`.
+    /// Returns the version as it is written: `330`, `300 es`.
     #[must_use]
     pub fn written(self) -> String {
         if self.es && self.number >= 300 { format!("{} es", self.number) } else { self.number.to_string() }
     }
 }
 
-/// The kind of shader.
+/// The stage of a shader.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Stage {
-    /// Once per vertex.
+    /// The vertex shader.
     Vertex,
-    /// Once per pixel.
+    /// The fragment shader.
     Fragment,
 }
 
@@ -84,7 +84,7 @@ impl std::fmt::Display for Stage {
     }
 }
 
-/// What a shader is translated into.
+/// A version that shaders are translated to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum OutputVersion {
     /// `#version 330 core`.
@@ -94,7 +94,7 @@ pub enum OutputVersion {
 }
 
 impl OutputVersion {
-    /// The version as the language knows it.
+    /// Returns the version.
     #[must_use]
     pub fn version(self) -> Version {
         match self {

@@ -1,31 +1,31 @@
-//! Visits everything in the tree, in the order of the text.
+//! Visits all nodes of the tree in source order.
 
 use crate::ast::{
     Condition, Declaration, Expr, ExprKind, Function, Item, Param, Statement, StatementKind, TypeName, Unit,
 };
 
-/// What to do at each thing. Each returns whether to go on into it.
+/// Called at each node. Returning false skips its children.
 #[allow(unused_variables)]
 pub trait Visitor {
-    /// A function with or without body.
+    /// Visits a function definition or prototype.
     fn function(&mut self, function: &Function) -> bool {
         true
     }
-    /// A function's parameter.
+    /// Visits a function's parameter.
     fn param(&mut self, param: &Param) {}
-    /// Variables: global, local, or members.
+    /// Visits variables: global, local, or members.
     fn declaration(&mut self, declaration: &Declaration) -> bool {
         true
     }
-    /// A statement.
+    /// Visits a statement.
     fn statement(&mut self, statement: &Statement) -> bool {
         true
     }
-    /// An expression, before its parts.
+    /// Visits an expression before its parts.
     fn expression(&mut self, expr: &Expr) -> bool {
         true
     }
-    /// The end of an expression, after its parts.
+    /// Visits an expression after its parts.
     fn leave_expression(&mut self, expr: &Expr) {}
 }
 
@@ -83,7 +83,7 @@ pub fn walk_declaration(declaration: &Declaration, visitor: &mut impl Visitor) {
     }
 }
 
-/// Visits a statement and what it holds.
+/// Visits a statement and its contents.
 pub fn walk_statement(statement: &Statement, visitor: &mut impl Visitor) {
     if !visitor.statement(statement) {
         return;
@@ -146,7 +146,7 @@ pub fn walk_statement(statement: &Statement, visitor: &mut impl Visitor) {
     }
 }
 
-/// The parts of an expression, from left to right.
+/// Returns the parts of an expression, from left to right.
 #[must_use]
 pub fn parts(expr: &Expr) -> Vec<&Expr> {
     match &expr.kind {

@@ -80,8 +80,8 @@ impl fmt::Display for Diagnostic {
     }
 }
 
-/// A cause of an error that a setting of the program can remove. The error message does not mention the setting; a
-/// program that has one may add a hint.
+/// A cause of an error or a warning that a setting of the program can remove. Messages do not mention the setting; a
+/// program that has one adds a hint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cause {
     /// The file needs more memory than [`Limits::max_bytes`](crate::Limits::max_bytes).

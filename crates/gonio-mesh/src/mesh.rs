@@ -3,14 +3,14 @@
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
-/// Indexed triangles. All per-vertex arrays are as long as `positions`, or empty where the file has none.
+/// Indexed triangles. All per-vertex arrays are as long as `positions`, or empty if the file has none.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
-    /// In the model's own space and unit; finite.
+    /// Positions in the model's own space and unit; finite.
     pub positions: Vec<[f32; 3]>,
-    /// Unit vectors; empty until the file or [`crate::normals`] gives them.
+    /// Unit vectors; empty until they are read from the file or computed by [`crate::normals`].
     pub normals: Vec<[f32; 3]>,
-    /// u to the right, v **up** (0 is the picture's last row), as in OBJ and OpenGL.
+    /// Coordinates with u to the right and v **up** (0 is the last row of the image), as in OBJ and OpenGL.
     pub tex_coords: Vec<[f32; 2]>,
     /// Unit tangent and handedness (+1 or -1): bitangent = w * cross(normal, tangent).
     pub tangents: Vec<[f32; 4]>,
@@ -18,41 +18,41 @@ pub struct Mesh {
     pub colors: Vec<[f32; 4]>,
     /// Three per triangle, counter-clockwise seen from the front.
     pub indices: Vec<u32>,
-    /// Smoothing group of each triangle, 0 for "off"; empty where the file says nothing.
+    /// Smoothing group of each triangle, 0 for "off"; empty if the file has none.
     pub smoothing_groups: Vec<u32>,
-    /// Consecutive ranges of triangles that together are all of `indices`.
+    /// Consecutive ranges of triangles that cover all of `indices`.
     pub parts: Vec<Part>,
-    /// Where `normals` came from.
+    /// The origin of `normals`.
     pub normal_source: NormalSource,
 }
 
-/// A run of triangles with one material.
+/// A range of triangles with one material.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Part {
-    /// The object or group it belongs to, empty where the file names none.
+    /// The object or group it belongs to; empty if it has no name.
     pub name: String,
     /// Index into [`crate::Model::materials`].
     pub material: usize,
     /// First triangle.
     pub first_triangle: usize,
-    /// How many triangles.
+    /// Number of triangles.
     pub triangle_count: usize,
 }
 
-/// Where a mesh's normals came from.
+/// The origin of a mesh's normals.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum NormalSource {
-    /// There are none.
+    /// No normals.
     #[default]
     None,
-    /// As the file has them.
+    /// The normals in the file.
     File,
-    /// From the file, and averaged where it had none.
+    /// The normals in the file, and averaged ones where it has none.
     FileAndAveraged,
-    /// One per triangle.
+    /// One normal per triangle.
     Flat,
-    /// Angle-weighted mean over adjacent faces.
+    /// The angle-weighted mean over adjacent faces.
     Averaged,
 }
 
@@ -66,7 +66,7 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// Of some points; `None` of no points.
+    /// Returns the box around some points; `None` without points.
     pub fn of_points(points: impl IntoIterator<Item = Vec3>) -> Option<Bounds> {
         points.into_iter().fold(None, |bounds, p| match bounds {
             None => Some(Bounds { min: p, max: p }),
@@ -74,30 +74,30 @@ impl Bounds {
         })
     }
 
-    /// The middle.
+    /// Returns the centre.
     pub fn center(&self) -> Vec3 {
         0.5 * (self.min + self.max)
     }
 
-    /// The edge lengths.
+    /// Returns the edge lengths.
     pub fn size(&self) -> Vec3 {
         self.max - self.min
     }
 }
 
 impl Mesh {
-    /// How many triangles.
+    /// Returns the number of triangles.
     pub fn triangle_count(&self) -> usize {
         self.indices.len() / 3
     }
 
-    /// The box around all vertices.
+    /// Returns the box around all vertices.
     pub fn bounds(&self) -> Option<Bounds> {
         Bounds::of_points(self.positions.iter().map(|&p| Vec3::from(p)))
     }
 
-    /// For each direction (any length) the largest `direction . p` over all vertices `p`; negative infinity where there
-    /// are none.
+    /// Returns for each direction (of any length) the largest `direction . p` over all vertices `p`; negative infinity
+    /// without vertices.
     pub fn reach(&self, directions: &[DVec3]) -> Vec<f64> {
         let none = || vec![f64::NEG_INFINITY; directions.len()];
         let of_chunk = |points: &[[f32; 3]]| {
@@ -114,18 +114,18 @@ impl Mesh {
         self.positions.par_chunks(65536).map(of_chunk).reduce(none, farther)
     }
 
-    /// The vertex indices of triangle `t`.
+    /// Returns the vertex indices of triangle `t`.
     pub fn triangle(&self, t: usize) -> [usize; 3] {
         let i = 3 * t;
         [self.indices[i] as usize, self.indices[i + 1] as usize, self.indices[i + 2] as usize]
     }
 
-    /// The corner positions of triangle `t`.
+    /// Returns the corner positions of triangle `t`.
     pub fn triangle_positions(&self, t: usize) -> [Vec3; 3] {
         self.triangle(t).map(|i| Vec3::from(self.positions[i]))
     }
 
-    /// The mesh with three vertices of its own for each triangle, in the order of the indices.
+    /// Returns the mesh with three separate vertices for each triangle, in the order of the indices.
     pub fn unshared(&self) -> Mesh {
         fn gather<T: Copy>(values: &[T], indices: &[u32]) -> Vec<T> {
             if values.is_empty() { Vec::new() } else { indices.iter().map(|&i| values[i as usize]).collect() }

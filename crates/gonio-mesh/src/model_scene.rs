@@ -1,67 +1,67 @@
-//! What a model file may hold besides a model: pictures, lights, cameras.
+//! Contents of a model file besides geometry: images, lights, cameras.
 
 use serde::Serialize;
 
-/// A picture inside the model's file.
+/// An image inside the model's file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct EmbeddedImage {
-    /// For messages: its name in the file, or its number.
+    /// Its name in the file, or its number, for messages.
     pub name: String,
-    /// PNG, JPEG or another picture file's bytes, not yet looked at.
+    /// The bytes of a PNG, JPEG or other image file, not decoded.
     pub bytes: Vec<u8>,
 }
 
-/// A light of the file, in the model's space.
+/// A light in the file, in the model's space.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ModelLight {
     /// Its name in the file.
     pub name: String,
-    /// Where it shines.
+    /// Its kind.
     pub kind: ModelLightKind,
-    /// Of points and spots.
+    /// The position of a point light or spot.
     pub position: [f64; 3],
-    /// Of directional lights and spots: the way the light travels, of unit length.
+    /// The direction in which a directional light or spot shines, of unit length.
     pub direction: [f64; 3],
     /// Linear RGB, not negative.
     pub color: [f32; 3],
-    /// In the file's own unit (glTF: lux of directional lights, candela of others), not negative.
+    /// The intensity in the file's own unit (glTF: lux for directional lights, candela for others), not negative.
     pub intensity: f32,
     /// `k_c`, `k_l`, `k_q` of 1 / (k_c + k_l d + k_q d^2), d in the model's unit. Directional lights ignore it.
     pub attenuation: [f32; 3],
 }
 
-/// Where a light shines.
+/// The kind of a light.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ModelLightKind {
-    /// From everywhere.
+    /// Light from everywhere.
     Ambient,
     /// Parallel rays.
     Directional,
-    /// In all directions.
+    /// Light in all directions.
     Point,
-    /// Within a cone: half angles, radians, `0 <= inner <= outer <= pi / 2`.
+    /// Light within a cone, with half angles in radians: `0 <= inner <= outer <= pi / 2`.
     Spot {
-        /// Where the light begins to fade.
+        /// The angle at which the light begins to fall off.
         inner_angle_rad: f32,
-        /// Where it ends.
+        /// The angle at which it ends.
         outer_angle_rad: f32,
     },
 }
 
-/// A camera of the file, in the model's space.
+/// A camera in the file, in the model's space.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ModelCamera {
     /// Its name in the file.
     pub name: String,
-    /// The eye.
+    /// The position of the eye.
     pub position: [f64; 3],
-    /// Where it looks, of unit length.
+    /// The viewing direction, of unit length.
     pub direction: [f64; 3],
-    /// Of unit length, at right angles to `direction`.
+    /// The up direction, of unit length and orthogonal to `direction`.
     pub up: [f64; 3],
-    /// Vertical opening angle, radians; `None` of parallel projections.
+    /// Vertical field of view in radians; `None` for orthographic cameras.
     pub fov_y_rad: Option<f64>,
-    /// Distances of the clip planes, where the file says.
+    /// Distances of the near and far clip planes, if the file has them.
     pub clip: [Option<f64>; 2],
 }

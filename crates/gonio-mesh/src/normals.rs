@@ -6,31 +6,31 @@ use crate::weld::{self, Table, mix};
 use crate::{Diagnostic, Mesh, NormalSource, split};
 use glam::{DVec3, Vec3};
 
-/// A sum of unit vectors is taken for zero where they cancel to this part of their weights.
+/// A sum of unit vectors is considered zero if they cancel to this fraction of their weights.
 const CANCELLED: f64 = 1e-6;
 
-/// Which faces are averaged.
+/// Selects the faces that are averaged.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Averaging {
     /// The crease angle, in radians from 0 to pi: a corner's normal is the mean over those faces around it whose
-    /// normals differ by at most this from the normal of **the corner's own face**. Corners of one position and one
-    /// smoothing group may so have different normals, and their vertex is split. A face that a third one leads
-    /// over to does not count by it: each face is held against the corner's own.
+    /// normals differ by at most this angle from the normal of **the corner's own face**. Corners at one position and
+    /// in one smoothing group may thus have different normals, and their vertex is split. Faces are only compared with
+    /// the corner's own face, not with one another, so a chain of small angles does not connect faces.
     ///
-    /// 0 averages only what is flat (to 0.06 degrees); at a cube's edges 90 degrees average and less does not.
+    /// 0 averages only flat surfaces (to 0.06 degrees); 90 degrees averages at the edges of a cube, and less does not.
     /// `None`, or pi and more: all faces.
     pub crease_angle_rad: Option<f64>,
 }
 
 impl Averaging {
-    /// The angle, where it parts anything.
+    /// Returns the angle, if it separates any faces.
     fn crease(&self) -> Option<f64> {
         self.crease_angle_rad.filter(|angle| *angle < std::f64::consts::PI)
     }
 }
 
-/// One normal per triangle: every triangle gets three vertices of its own.
-/// Degenerate triangles get the normal (0, 0, 0), which the equation replaces by the view direction.
+/// Makes one normal per triangle: every triangle gets three vertices of its own. Degenerate triangles get the normal
+/// (0, 0, 0), which the equation replaces by the view direction.
 pub fn make_flat(mesh: &Mesh) -> Mesh {
     let mut flat = mesh.unshared();
     flat.tangents = Vec::new();
@@ -43,23 +43,23 @@ pub fn make_flat(mesh: &Mesh) -> Mesh {
     flat
 }
 
-/// The angle-weighted mean over adjacent faces, where smoothing groups allow it.
+/// Averages normals over adjacent faces, weighted by angle, within smoothing groups.
 ///
-/// n = normalize(sum over the corners at the same position of angle * face normal), the weights of G. Thürmer and
+/// n = normalize(sum over the corners at the same position of angle * face normal), with the weights of G. Thürmer and
 /// C. A. Wüthrich (1998, "Computing vertex normals from polygonal facets"): the result does not depend on how polygons
-/// were cut into triangles.
+/// are triangulated.
 ///
-/// Faces are adjacent where they share a position (bit by bit), seams of texture coordinates notwithstanding. Where the
-/// mesh has smoothing groups, only faces of the same one are averaged, and faces of group 0 are flat. Where it has
-/// none, or all are 0 (so that averaging could change nothing, and yet it was asked for), all faces are averaged.
-/// Vertices are split where needed. Faces without area count for nothing. Where faces cancel each other (the two sides
-/// of a leaf), each keeps its own normal; corners of faces without area that have no other neighbour get (0, 0, 0),
-/// which a diagnostic counts.
+/// Faces are adjacent if they share a position (bit by bit), regardless of seams in texture coordinates. If the mesh
+/// has smoothing groups, only faces of the same group are averaged, and faces of group 0 are flat. If it has none, or
+/// all are 0 (so that averaging would change nothing, although it was requested), all faces are averaged. Vertices are
+/// split where needed. Faces without area are ignored. Where faces cancel each other (the two sides of a leaf), each
+/// keeps its own normal; corners of faces without area that have no other neighbour get (0, 0, 0), which a diagnostic
+/// counts.
 pub fn make_averaged(mesh: &Mesh) -> (Mesh, Vec<Diagnostic>) {
     make_averaged_with(mesh, &Averaging::default())
 }
 
-/// As [`make_averaged`], with creases where `averaging` says so.
+/// Like [`make_averaged`], with the creases of `averaging`.
 pub fn make_averaged_with(mesh: &Mesh, averaging: &Averaging) -> (Mesh, Vec<Diagnostic>) {
     let groups = if has_smooth_faces(mesh) { mesh.smoothing_groups.as_slice() } else { &[] };
     let normals = averaged_corner_normals(mesh, groups, averaging);
@@ -71,13 +71,13 @@ fn has_smooth_faces(mesh: &Mesh) -> bool {
     mesh.smoothing_groups.iter().any(|group| *group != 0)
 }
 
-/// Gives normals to a mesh that has none, or that lacks some (their length is 0): averaged, and flat where the
-/// smoothing groups say so.
+/// Adds normals to a mesh that has none, or that lacks some (of length 0): averaged, or flat if the smoothing groups
+/// say so.
 pub fn complete(mesh: Mesh) -> (Mesh, Vec<Diagnostic>) {
     complete_with(mesh, &Averaging::default())
 }
 
-/// As [`complete`], with creases where `averaging` says so.
+/// Like [`complete`], with the creases of `averaging`.
 pub fn complete_with(mesh: Mesh, averaging: &Averaging) -> (Mesh, Vec<Diagnostic>) {
     if mesh.normals.is_empty() && !mesh.smoothing_groups.is_empty() && !has_smooth_faces(&mesh) {
         let note = Diagnostic::note("there are no normals, and smoothing is off: the triangles are flat");
@@ -106,7 +106,7 @@ pub fn complete_with(mesh: Mesh, averaging: &Averaging) -> (Mesh, Vec<Diagnostic
     (with_corner_normals(&mesh, &normals, NormalSource::FileAndAveraged), diagnostics)
 }
 
-/// The triangle's unit normal, or 0 where it has no area.
+/// Returns the triangle's unit normal, or 0 if it has no area.
 fn face_normal(mesh: &Mesh, t: usize) -> DVec3 {
     let [a, b, c] = corner_positions(mesh, t);
     unit_cross(b - a, c - a)
@@ -116,20 +116,21 @@ fn corner_positions(mesh: &Mesh, t: usize) -> [DVec3; 3] {
     mesh.triangle_positions(t).map(|p: Vec3| p.as_dvec3())
 }
 
-/// The unit vector along `a` x `b`, or 0. The product of `f32` differences neither overflows nor vanishes in `f64`.
+/// Returns the unit vector along `a` x `b`, or 0. The product of `f32` differences neither overflows nor vanishes in
+/// `f64`.
 fn unit_cross(a: DVec3, b: DVec3) -> DVec3 {
     let cross = a.cross(b);
-    // Below this, the product is only what rounding has left of parallel vectors.
+    // A smaller product is only the rounding error of parallel vectors.
     let is_degenerate = cross.length_squared() <= 1e-28 * a.length_squared() * b.length_squared();
     if is_degenerate { DVec3::ZERO } else { cross / cross.length() }
 }
 
-/// The angle between two edges of a triangle, from their cross and dot products: exact also near 0 and pi.
+/// Returns the angle between two edges of a triangle, from their cross and dot products: also exact near 0 and pi.
 fn angle(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b))
 }
 
-/// For each corner (index into `indices`) its averaged normal, or 0. Without `groups` all faces are averaged.
+/// Returns the averaged normal of each corner (index into `indices`), or 0. Without `groups` all faces are averaged.
 fn averaged_corner_normals(mesh: &Mesh, groups: &[u32], averaging: &Averaging) -> Vec<[f32; 3]> {
     let (place_of_vertex, place_count) = weld::places(&mesh.positions);
     let sums_of_corners = sums_of_corners(mesh, groups, &place_of_vertex);
@@ -139,7 +140,7 @@ fn averaged_corner_normals(mesh: &Mesh, groups: &[u32], averaging: &Averaging) -
         None => place_of_vertex[mesh.indices[corner] as usize],
     };
     let own = |corner: usize| face_normal(mesh, corner / 3).as_vec3().to_array();
-    // Where the sum is nothing, the corner is flat, or its neighbours cancel each other.
+    // A sum of 0 means that the corner is flat, or that its neighbours cancel each other.
     let or_own = |corner: usize, mean: [f32; 3]| if mean == [0.0; 3] { own(corner) } else { mean };
     if let Some(angle) = averaging.crease() {
         let triangles = mesh.triangle_count();
@@ -177,26 +178,26 @@ fn averaged_corner_normals(mesh: &Mesh, groups: &[u32], averaging: &Averaging) -
     (0..mesh.indices.len()).map(|corner| or_own(corner, mean_of(corner))).collect()
 }
 
-/// The unit vector along a weighted sum, or 0 where it cancels.
+/// Returns the unit vector along a weighted sum, or 0 if it cancels.
 fn mean((sum, weight): (DVec3, f64)) -> [f32; 3] {
     let length = sum.length();
     if length > CANCELLED * weight { (sum / length).as_vec3().to_array() } else { [0.0; 3] }
 }
 
-/// A triangle's unit normal and its three angles; 0 where it has no area.
+/// Returns a triangle's unit normal and its three angles; 0 if it has no area.
 fn normal_and_angles(mesh: &Mesh, t: usize) -> (DVec3, [f64; 3]) {
     let [a, b, c] = corner_positions(mesh, t);
     let normal = unit_cross(b - a, c - a);
     if normal == DVec3::ZERO {
         return (normal, [0.0; 3]);
     }
-    // The third angle is what the others leave of pi.
+    // The angles add up to pi.
     let (at_a, at_b) = (angle(b - a, c - a), angle(c - b, a - b));
     (normal, [at_a, at_b, std::f64::consts::PI - at_a - at_b])
 }
 
-/// With smoothing groups: for each corner the sum it adds to, one for each pair of place and group, and how many sums
-/// there are. `u32::MAX` is none: group 0.
+/// With smoothing groups: returns for each corner the index of its sum, one for each pair of place and group, and the
+/// number of sums. `u32::MAX` means none: group 0.
 fn sums_of_corners(mesh: &Mesh, groups: &[u32], place_of_vertex: &[u32]) -> Option<(Vec<u32>, usize)> {
     if groups.is_empty() {
         return None;

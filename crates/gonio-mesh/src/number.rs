@@ -1,12 +1,13 @@
-//! Numbers out of bytes: as fast as a loop, as exact as the standard library.
+//! Parses numbers: as fast as a loop, as exact as the standard library.
 
-/// `10^0` to `10^22`: the powers of ten that an `f64` holds exactly.
+/// `10^0` to `10^22`: the powers of ten that an `f64` represents exactly.
 const POWERS_OF_TEN: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
     1e21, 1e22,
 ];
 
-/// The decimal number that `bytes` begin with, correctly rounded (to infinity where it is too large), and its length.
+/// Parses the decimal number at the start of `bytes`, correctly rounded (to infinity if it is too large); also returns
+/// its length.
 ///
 /// Up to 2^53 and with at most 22 places, the digits as an integer and the power of ten are exact `f64`s, and their
 /// product or quotient is rounded once (W. D. Clinger, 1990, "How to read floating point numbers accurately").
@@ -51,7 +52,7 @@ pub(crate) fn f32_prefix(bytes: &[u8]) -> Option<(f32, usize)> {
     Some((value, i))
 }
 
-/// Appends the decimal digits that `bytes` begin with to `value` (which may wrap: count them); returns how many.
+/// Appends the decimal digits at the start of `bytes` to `value` (which may wrap: count them); returns their number.
 #[inline]
 fn take_digits(bytes: &[u8], value: &mut u64) -> usize {
     let mut count = 0;
@@ -66,7 +67,7 @@ fn take_digits(bytes: &[u8], value: &mut u64) -> usize {
     count
 }
 
-/// The integer that `bytes` begin with, and its length; beyond `i64` it stays at the edge.
+/// Parses the integer at the start of `bytes`, saturating at the limits of `i64`; also returns its length.
 #[inline]
 pub(crate) fn integer_prefix(bytes: &[u8]) -> Option<(i64, usize)> {
     let negative = bytes.first() == Some(&b'-');
@@ -77,7 +78,7 @@ pub(crate) fn integer_prefix(bytes: &[u8]) -> Option<(i64, usize)> {
         return None;
     }
     if count > 18 {
-        // Leading zeros are rare enough to be read the slow way.
+        // Leading zeros are rare enough for a slow path.
         let text = std::str::from_utf8(&bytes[first..first + count]).ok()?;
         magnitude = text.parse().unwrap_or(u64::MAX);
     }
@@ -115,7 +116,7 @@ mod tests {
         let mut random = SplitMix(1);
         for _ in 0..400_000 {
             let bits = random.next();
-            // What exporters write: six places; a handful of digits with an exponent; whole f32s and halves between.
+            // Numbers as exporters write them: six places; a handful of digits with an exponent; whole f32s and halves between.
             check(&format!("{:.6}", (bits as i64 >> 30) as f64 / 65_536.0));
             check(&format!("{}{}e{}", if bits & 1 == 0 { "-" } else { "+" }, bits >> 37, (bits % 90) as i64 - 45));
             check(&format!("{}.{}", bits >> 54, bits & 0xFFFF_FFFF));

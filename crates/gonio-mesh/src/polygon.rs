@@ -1,4 +1,4 @@
-//! Polygons into triangles: a fan where that is right, ears cut off where it is not.
+//! Triangulates polygons: a fan where that is correct, ear clipping elsewhere.
 
 mod ears;
 mod grid;
@@ -8,37 +8,37 @@ use crate::ReadError;
 use glam::{DVec2, DVec3};
 use ring::Ring;
 
-/// Corners up to which ears are sought one by one, which takes time that grows with the square of their number.
+/// Most corners for a simple search for ears, whose time grows with the square of their number.
 pub(crate) const MOST_CORNERS_FOR_EARS: usize = 4000;
 
-/// Most corners that a polygon may have. A polygon is looked at as a whole, which takes a hundred bytes a corner: a file
-/// of one polygon, of two bytes a corner, would take fifty times its own size.
+/// Most corners of a polygon. Triangulation takes a hundred bytes per corner: a file of one polygon, with two bytes per
+/// corner, would take fifty times its own size.
 pub(crate) const MOST_CORNERS: usize = 1 << 22;
 
-/// Of a polygon.
+/// Creates the error for a polygon with too many corners.
 #[cold]
 pub(crate) fn too_many_corners(polygon: &str) -> ReadError {
     ReadError::new(format!("{polygon} has more than {MOST_CORNERS} corners, which is the limit"))
 }
 
-/// Corners of a polygon that is cut without memory of its own: most have no more.
+/// Most corners of a polygon that is triangulated without allocating: most polygons have no more.
 pub(crate) const FEW: usize = 8;
 
-/// How a polygon was cut.
+/// How a polygon was triangulated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Cut {
     /// Convex, or without area: a fan around its first corner.
     Fan,
-    /// Concave, or with corners on a straight line: ears.
+    /// Concave, or with collinear corners: ear clipping.
     Ears,
-    /// It crosses or touches itself, so that some triangles overlap or are turned over. (One that winds around twice
-    /// without any such triangle is cut as [`Cut::Ears`].)
+    /// Self-intersecting, so that some triangles overlap or are reversed. (A polygon that winds around twice without
+    /// such triangles is triangulated as [`Cut::Ears`].)
     NotSimple,
-    /// Concave, and so large and winding that the search for ears was given up: fanned, at least in part.
+    /// Concave, and so large and winding that ear clipping was given up: fanned, at least in part.
     TooLarge,
 }
 
-/// Memory that is used again for each polygon.
+/// Buffers that are reused for each polygon.
 #[derive(Default)]
 pub(crate) struct Triangulator {
     points: Vec<DVec2>,
@@ -47,8 +47,8 @@ pub(crate) struct Triangulator {
 }
 
 impl Triangulator {
-    /// Calls `emit` with the corners (0 to `corners.len() - 1`) of `corners.len() - 2` triangles, which turn as the
-    /// polygon does. Fewer than three corners make none.
+    /// Calls `emit` with the corners (0 to `corners.len() - 1`) of `corners.len() - 2` triangles with the winding of
+    /// the polygon. Fewer than three corners make none.
     pub(crate) fn triangulate(&mut self, corners: &[[f32; 3]], mut emit: impl FnMut([usize; 3])) -> Cut {
         let n = corners.len();
         if n < 3 {
@@ -71,13 +71,13 @@ impl Triangulator {
         if n > MOST_CORNERS_FOR_EARS { grid::cut_ears(ring, emit) } else { ears::cut(ring, blocking, emit) }
     }
 
-    /// Whether a quadrilateral has an area and is convex, and so cut from its first corner to its third: most are, and
-    /// this is quicker than [`Self::triangulate`], which says the same.
+    /// Whether a quadrilateral has an area and is convex, and is thus divided from its first corner to its third. This
+    /// is faster than [`Self::triangulate`], with the same result.
     #[inline(always)]
     pub(crate) fn is_convex_quadrilateral(corners: [[f32; 3]; 4]) -> bool {
         let [a, b, c, d] = corners;
         let [a, b, c, d] = [widened(a), widened(b), widened(c), widened(d)];
-        // Of the diagonals: the sum of the two triangles'.
+        // The normal from the diagonals: the sum of those of the two triangles.
         let normal = (c - a).cross(d - b);
         if normal == DVec3::ZERO {
             return false;
@@ -85,7 +85,7 @@ impl Triangulator {
         let axes = Axes::across(normal);
         let [a, b, c, d] = [axes.project(a), axes.project(b), axes.project(c), axes.project(d)];
         let [ab, bc, cd, da] = [b - a, c - b, d - c, a - d];
-        // Four turns to the left are one round: each is less than half of one.
+        // Four left turns make one revolution: each is less than half of one.
         let turns = [ab.perp_dot(bc), bc.perp_dot(cd), cd.perp_dot(da), da.perp_dot(ab)];
         turns.iter().fold(true, |all, turn| all & (*turn > 0.0))
     }
@@ -96,11 +96,11 @@ fn widened([x, y, z]: [f32; 3]) -> DVec3 {
     DVec3::new(x.into(), y.into(), z.into())
 }
 
-/// Projects a polygon along the largest component of its normal, its first corner to the origin. False where it has
-/// no area.
+/// Projects a polygon along the largest component of its normal, with its first corner at the origin. Returns false if
+/// it has no area.
 fn project(corners: &[[f32; 3]], points: &mut [DVec2]) -> bool {
     let origin = widened(corners[0]);
-    // Newell's normal: twice the vector area, also of a polygon that is not quite flat.
+    // Newell's normal: twice the vector area, also for a polygon that is not quite planar.
     let (mut normal, mut before) = (DVec3::ZERO, DVec3::ZERO);
     for corner in &corners[1..] {
         let here = widened(*corner) - origin;
@@ -115,7 +115,7 @@ fn project(corners: &[[f32; 3]], points: &mut [DVec2]) -> bool {
     normal != DVec3::ZERO
 }
 
-/// Every corner turns left, and all turns together make one round: the way in x turns back twice.
+/// Whether every corner turns left and the turns add up to one revolution: the direction in x reverses twice.
 fn is_strictly_convex(points: &[DVec2]) -> bool {
     let n = points.len();
     let mut previous = points[n - 2];
@@ -143,14 +143,14 @@ fn is_strictly_convex(points: &[DVec2]) -> bool {
 
 /// The plane of two coordinate axes that a polygon is projected to, so that it turns left.
 struct Axes {
-    /// Which axis is left out.
+    /// The axis that is dropped.
     along: usize,
-    /// Whether the other two change places.
+    /// Whether the other two are swapped.
     is_swapped: bool,
 }
 
 impl Axes {
-    /// Across the largest component of a normal.
+    /// Chooses the plane across the largest component of a normal.
     #[inline(always)]
     fn across(normal: DVec3) -> Self {
         let size = normal.abs();
@@ -175,7 +175,7 @@ impl Axes {
     }
 }
 
-/// Twice the area of the triangle: positive where it turns left.
+/// Returns twice the area of the triangle: positive if it turns left.
 #[inline(always)]
 fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     (b - a).perp_dot(c - b)
@@ -344,7 +344,7 @@ mod tests {
         assert!(convex > 1000 && others > 1000, "{convex} {others}");
     }
 
-    /// What is kept from one polygon does not matter to the next.
+    /// Buffers from one polygon do not affect the next.
     #[test]
     fn memory_is_used_again() {
         // Crossing themselves, they leave corners that are not convex.

@@ -1,23 +1,23 @@
-//! Collects diagnostics: in the order of the file, and not the same one a million times.
+//! Collects diagnostics in file order and limits repetitions.
 
 use crate::{Diagnostic, Severity};
 
-/// How many of one kind are told one by one.
+/// Most diagnostics of one kind that are listed.
 const MOST_OF_A_KIND: u64 = 20;
 
-/// Diagnostics of one file on their way into a model.
+/// Diagnostics of a file.
 #[derive(Default)]
 pub(crate) struct Reports {
-    /// With the line to sort by, and the kind where it has one.
+    /// Each with the line to sort by, and its kind if it has one.
     list: Vec<(u64, Option<&'static str>, Diagnostic)>,
-    /// The first by line that cost a face.
+    /// The first diagnostic by line that is about a lost face.
     first_loss: Option<Diagnostic>,
-    /// Kind, how many, the severity.
+    /// Kind, count, severity.
     kinds: Vec<(&'static str, u64, Severity)>,
 }
 
 impl Reports {
-    /// Something that may be odd at many places. `kind` is a phrase for "and 5 more: KIND".
+    /// Adds a diagnostic that may occur at many places. `kind` completes "and 5 more: KIND".
     pub(crate) fn add(
         &mut self,
         kind: &'static str,
@@ -32,7 +32,7 @@ impl Reports {
         }
     }
 
-    /// Counts more of a kind; how many there are then.
+    /// Counts more of a kind; returns the new count.
     fn count(&mut self, kind: &'static str, more: u64, severity: Severity) -> u64 {
         let index = self.kinds.iter().position(|k| k.0 == kind).unwrap_or_else(|| {
             self.kinds.push((kind, 0, severity));
@@ -42,11 +42,11 @@ impl Reports {
         self.kinds[index].1
     }
 
-    /// Adds those of the part of the file that follows, whose lines were counted from its start: `lines` lie before
-    /// it. The result is as if both parts had been reported here one by one.
+    /// Appends the diagnostics of the next part of the file, whose lines were counted from its start; `lines` precede
+    /// it. The result is the same as if both parts had been reported here.
     pub(crate) fn append(&mut self, other: Reports, lines: u64) {
         let moved = |diagnostic: Diagnostic| match diagnostic.file {
-            // Its line is that of another file.
+            // Its line refers to another file.
             Some(_) => diagnostic,
             None => Diagnostic { line: diagnostic.line.map(|line| line + lines), ..diagnostic },
         };
@@ -71,7 +71,7 @@ impl Reports {
         }
     }
 
-    /// As [`Self::add`], in formats that have no lines: in the order in which it is said.
+    /// Like [`Self::add`], for formats without lines: in the order of the calls.
     pub(crate) fn add_without_line(
         &mut self,
         kind: &'static str,
@@ -85,22 +85,20 @@ impl Reports {
         }
     }
 
-    /// A diagnostic as it stands, to be listed where `line` would be.
+    /// Adds a diagnostic unchanged, listed at `line`.
     pub(crate) fn push(&mut self, line: u64, diagnostic: Diagnostic) {
         self.list.push((line, None, diagnostic));
     }
 
-    /// A warning at a line.
     pub(crate) fn warning(&mut self, line: u64, message: impl Into<String>) {
         self.push(line, Diagnostic::warning(message).at(line, None));
     }
 
-    /// A note at a line.
     pub(crate) fn note(&mut self, line: u64, message: impl Into<String>) {
         self.push(line, Diagnostic::note(message).at(line, None));
     }
 
-    /// As [`Self::add`] a warning, about a face that is lost by it.
+    /// Adds a warning as [`Self::add`] does, about a face that is lost.
     pub(crate) fn add_loss(
         &mut self,
         kind: &'static str,
@@ -116,20 +114,20 @@ impl Reports {
         self.add(kind, Severity::Warning, line, column, || message);
     }
 
-    /// Whether so many of a kind were told that more are only counted.
+    /// Whether a kind has been reported so often that further ones are only counted.
     pub(crate) fn is_saturated(&self, kind: &'static str) -> bool {
         self.kinds.iter().any(|(known, count, _)| *known == kind && *count >= MOST_OF_A_KIND)
     }
 
-    /// What most likely explains that nothing is left: the first face lost, or the first diagnostic.
+    /// Returns the most likely reason why nothing is left: the first lost face, or the first diagnostic.
     pub(crate) fn first(&self) -> Option<&Diagnostic> {
         let first = self.list.iter().min_by_key(|(line, _, d)| (*line, d.column)).map(|(_, _, d)| d);
         self.first_loss.as_ref().or(first)
     }
 
-    /// All of them, in the order of the file.
+    /// Returns all diagnostics in file order.
     pub(crate) fn finish(mut self) -> Vec<Diagnostic> {
-        // Those of another file, listed where it is named, stay in their order.
+        // Those of another file, listed where it is referred to, stay in their order.
         self.list.sort_by_key(|(line, _, d)| (*line, d.column.filter(|_| d.file.is_none())));
         let mut list: Vec<Diagnostic> = self.list.into_iter().map(|(_, _, d)| d).collect();
         for (kind, count, severity) in self.kinds {

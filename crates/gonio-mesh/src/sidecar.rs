@@ -1,33 +1,33 @@
-//! Files that a model file names: material libraries, buffers.
+//! Files that a model file refers to: material libraries, buffers.
 
 use serde::Serialize;
 
-/// Where a reader gets the files that a model file names.
+/// Provides the files that a model file refers to.
 pub trait Sidecars {
-    /// The file that a model calls `name` (as written there: relative, perhaps with backslashes or in the wrong
-    /// case), or the places that were looked at in vain.
+    /// Reads the file that a model calls `name` (as written there: relative, perhaps with backslashes or in the wrong
+    /// case). Fails with the places that were tried.
     fn read(&mut self, name: &str) -> Result<Sidecar, MissingSidecar>;
 }
 
-/// A file that a model names.
+/// A file that a model refers to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sidecar {
-    /// Where it was found, as the user knows it.
+    /// Its path as the user knows it.
     pub path: String,
-    /// What is in it.
+    /// Its contents.
     pub bytes: Vec<u8>,
 }
 
-/// No such file, or none that may be read; where it was sought.
+/// A file that does not exist or may not be read, and the places that were tried.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct MissingSidecar {
-    /// Every place looked at, in order.
+    /// All places that were tried, in order.
     pub tried: Vec<String>,
-    /// The reason for which a file that exists was not read, as a sentence that names it: it is a pipe, it is too large.
+    /// The reason why an existing file was not read, as a sentence that names it: it is a pipe, it is too large.
     pub refused: Option<String>,
 }
 
-/// For models that stand alone, and for tests: nothing is found.
+/// A source without files, for models in a single file and for tests.
 pub struct NoSidecars;
 
 impl Sidecars for NoSidecars {
@@ -36,27 +36,27 @@ impl Sidecars for NoSidecars {
     }
 }
 
-/// A file that a model named, and what became of it.
+/// A file that a model refers to, and whether it was read.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct SidecarUse {
-    /// As written in the model.
+    /// The name as written in the model.
     pub name: String,
-    /// The line of the model that names it, from 1.
+    /// The line of the model that refers to it, from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub line: Option<u64>,
-    /// Where it was found.
+    /// The path where it was found.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub found: Option<String>,
-    /// Where it was sought in vain.
+    /// The paths that were tried in vain.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tried: Vec<String>,
-    /// The reason for which a file that exists was not read.
+    /// The reason why an existing file was not read.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub refused: Option<String>,
 }
 
 impl SidecarUse {
-    /// Asks `sidecars` for `name`, and remembers the answer.
+    /// Requests `name` from `sidecars` and records the answer.
     pub fn ask(sidecars: &mut dyn Sidecars, name: &str, line: Option<u64>) -> (Self, Option<Vec<u8>>) {
         let unanswered = SidecarUse { name: name.to_owned(), line, found: None, tried: Vec::new(), refused: None };
         match sidecars.read(name) {

@@ -1,8 +1,8 @@
-//! Fewer triangles: edges collapse, cheapest first, by the quadric error metric.
+//! Simplifies meshes by edge collapse in the order of the quadric error metric.
 //!
 //! M. Garland, P. S. Heckbert, "Surface simplification using quadric error metrics" (SIGGRAPH 1997). An edge collapses
-//! onto one of its ends (their "subset placement"), so that every vertex that stays keeps its place, its normal, its
-//! texture coordinates and its colour: what is compared then differs by its triangles only.
+//! onto one of its ends (their "subset placement"), so that every remaining vertex keeps its position, normal, texture
+//! coordinates and colour: a comparison then shows the effect of the triangles only.
 
 mod quadric;
 mod surface;
@@ -13,14 +13,13 @@ use std::cmp::Ordering;
 use std::collections::{BinaryHeap, HashSet};
 use surface::Surface;
 
-/// The mesh with at most `triangles` triangles, or with as few as can be: outlines, seams of textures and normals, and
-/// borders between materials only lose vertices along themselves, and that late; nothing folds over, no hole closes, and
-/// what was closed stays closed (though of very few triangles it may be flat). A corner where three seams meet stays, so a
-/// cube of one normal per face keeps twelve.
+/// Returns the mesh with at most `triangles` triangles, or as few as possible. Outlines, seams of textures and normals,
+/// and borders between materials only lose vertices along themselves, and late; nothing folds over, no hole closes, and
+/// a closed surface stays closed (though with very few triangles it may be flat). A corner where three seams meet
+/// stays, so a cube with one normal per face keeps twelve triangles.
 ///
-/// Parts stay in order, and all stay: one that has lost its triangles has none. A mesh of one normal per triangle gets new
-/// ones; all others keep those of the vertices that are left, which are those of the fine surface. Triangles without area
-/// are left out first.
+/// Parts stay in order, even without triangles. A mesh with one normal per triangle gets new normals; other meshes keep
+/// those of the remaining vertices. Triangles without area are removed first.
 pub fn simplify(mesh: &Mesh, triangles: usize) -> Mesh {
     if mesh.triangle_count() <= triangles {
         return mesh.clone();
@@ -28,14 +27,14 @@ pub fn simplify(mesh: &Mesh, triangles: usize) -> Mesh {
     let faceted = is_faceted(mesh);
     let mut surface = Surface::new(mesh, !faceted);
     let mut quadrics = surface.quadrics();
-    // A pass may be stopped by edges that could not collapse at their turn, and can now.
+    // A pass may be stopped by edges that could not collapse at their turn but can now.
     while surface.live > triangles && pass(&mut surface, &mut quadrics, triangles) {}
     let simplified = surface.into_mesh(mesh, !faceted);
     if faceted { normals::make_flat(&simplified) } else { simplified }
 }
 
-/// Whether nearly each face has normals of its own: then they say nothing about where the surface has edges. A cube's
-/// corners have three normals each, those of a ball of quads four, of triangles six.
+/// Whether nearly every face has normals of its own, which then do not mark edges of the surface. A cube's corners have
+/// three normals each, those of a sphere of quads four, of triangles six.
 fn is_faceted(mesh: &Mesh) -> bool {
     let (place_of_vertex, places) = crate::weld::places(&mesh.positions);
     let corners = place_of_vertex.iter().zip(&mesh.normals);
@@ -49,7 +48,7 @@ struct Candidate {
     cost: f64,
     from: u32,
     onto: u32,
-    /// Of both ends, when the cost was found.
+    /// The versions of both ends when the cost was computed.
     versions: [u32; 2],
 }
 
@@ -68,7 +67,7 @@ impl PartialOrd for Candidate {
 }
 
 impl Ord for Candidate {
-    /// The cheapest is the greatest, for the heap's sake; equal costs in the order of the vertices, so that the result is
+    /// The cheapest is the greatest, for the heap; equal costs are in the order of the vertices, so that the result is
     /// the same on every machine.
     fn cmp(&self, other: &Self) -> Ordering {
         let key = |c: &Candidate| (c.from, c.onto);
@@ -76,7 +75,7 @@ impl Ord for Candidate {
     }
 }
 
-/// Collapses edges until enough are gone or none is left that can; whether any did.
+/// Collapses edges until enough are gone or no more can; returns whether any did.
 fn pass(surface: &mut Surface, quadrics: &mut [Quadric], triangles: usize) -> bool {
     let mut versions = vec![0_u32; quadrics.len()];
     let mut heap = BinaryHeap::new();

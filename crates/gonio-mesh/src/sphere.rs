@@ -1,32 +1,33 @@
-//! The unit sphere in as many triangles as one likes.
+//! The unit sphere with a chosen number of triangles.
 
 use crate::{Mesh, NormalSource, Part};
 use glam::DVec3;
 use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
-/// The finest sphere: 131,072 triangles.
+/// The highest frequency: 131,072 triangles.
 pub const MOST_FREQUENCY: u32 = 128;
 
-/// How many triangles the sphere of a frequency has: each of an octahedron's eight faces is `frequency`² of them.
+/// Returns the number of triangles of the sphere with a frequency: each of an octahedron's eight faces is divided into
+/// `frequency`² of them.
 pub fn triangle_count(frequency: u32) -> usize {
     8 * frequency as usize * frequency as usize
 }
 
-/// The frequency whose sphere has a number of triangles next to `triangles`, from 1 to [`MOST_FREQUENCY`].
+/// Returns the frequency, from 1 to [`MOST_FREQUENCY`], whose sphere has a number of triangles closest to `triangles`.
 pub fn nearest_frequency(triangles: usize) -> u32 {
     let wanted = (triangles as f64 / 8.0).sqrt().round();
     (wanted as u32).clamp(1, MOST_FREQUENCY)
 }
 
-/// The unit sphere around the origin: an octahedron whose edges are cut into `frequency` pieces (held in 1 to
-/// [`MOST_FREQUENCY`]), all vertices on the sphere.
+/// Returns the unit sphere around the origin: an octahedron whose edges are divided into `frequency` segments (clamped
+/// to 1 to [`MOST_FREQUENCY`]), with all vertices on the sphere.
 ///
-/// The vertex at the whole barycentric coordinates (i, j, k) of an octant, `i + j + k = frequency`, is the direction
-/// (sin(pi i / 2 f), sin(pi j / 2 f), sin(pi k / 2 f)): along the octahedron's edges angles are equal, which plain
-/// projection would crowd at the corners. Normals are the sphere's own, exact at each vertex. Texture coordinates are
-/// longitude (u = 0.5 at +z, growing towards +x) and latitude; vertices are double along the meridian of -z, and there is
-/// one for each octant at both poles. One part; closed, front faces outward.
+/// The vertex at the integer barycentric coordinates (i, j, k) of an octant, `i + j + k = frequency`, is the direction
+/// (sin(pi i / 2 f), sin(pi j / 2 f), sin(pi k / 2 f)): angles are equal along the octahedron's edges, whereas plain
+/// projection would crowd vertices at the corners. Normals are exact. Texture coordinates are longitude (u = 0.5 at +z,
+/// growing towards +x) and latitude; vertices are duplicated along the meridian of -z, and there is one for each octant
+/// at both poles. One part; closed, front faces outward.
 pub fn sphere(frequency: u32) -> Mesh {
     let f = frequency.clamp(1, MOST_FREQUENCY);
     let mut maker = Maker { f, ..Maker::default() };
@@ -53,7 +54,7 @@ struct Maker {
 impl Maker {
     fn octant(&mut self, signs: DVec3) {
         let f = self.f;
-        // Mirrored once or three times, what was counter-clockwise is clockwise.
+        // One or three mirrorings make a counter-clockwise triangle clockwise.
         let mirrored = signs.x * signs.y * signs.z < 0.0;
         for i in 0..f {
             for j in 0..f - i {
@@ -77,9 +78,9 @@ impl Maker {
     fn vertex(&mut self, corner: [u32; 3], signs: DVec3) -> u32 {
         let sine = |n: u32| (FRAC_PI_2 * f64::from(n) / f64::from(self.f)).sin();
         let direction = DVec3::from(corner.map(sine)).normalize();
-        // + 0 so that no zero is negative: the octants' edges are the same bit by bit.
+        // Adding 0 removes negative zeros: the octants' edges must be equal bit by bit.
         let position = (direction * signs).as_vec3().to_array().map(|v| v + 0.0);
-        // From +z towards +x in the first octant; at the poles the octant's middle.
+        // From +z towards +x in the first octant; at the poles the middle of the octant.
         let at_pole = corner[0] == 0 && corner[2] == 0;
         let within = if at_pole { FRAC_PI_4 } else { direction.x.atan2(direction.z) };
         let ahead = if signs.z > 0.0 { within } else { PI - within };

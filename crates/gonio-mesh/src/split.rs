@@ -1,15 +1,14 @@
-//! Vertices are split where their corners disagree about a value.
+//! Splits vertices where their corners have different values.
 
 use crate::Mesh;
 
-/// No vertex.
 const NONE: u32 = u32::MAX;
 
-/// Vertices made of one that are looked through for an equal value.
+/// Most vertices made from one that are searched for an equal value.
 const MOST_IN_A_CHAIN: usize = 64;
 
-/// The mesh with as many vertices as it takes for each corner (index into `indices`) to have its own value, and the
-/// value of each vertex. Vertices that no triangle uses are left out; the order is that of first use.
+/// Splits vertices so that each corner (index into `indices`) has its own value; returns the mesh and the value of each
+/// vertex. Vertices without triangles are removed; the order is that of first use.
 pub(crate) fn by_corner_values<T: Copy + PartialEq>(mesh: &Mesh, value_of_corner: &[T]) -> (Mesh, Vec<T>) {
     let vertex_count = mesh.positions.len();
     let mut first = vec![NONE; vertex_count];

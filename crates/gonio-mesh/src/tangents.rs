@@ -1,24 +1,24 @@
-//! Tangents by MikkTSpace, the convention that bakers of normal maps use.
+//! Tangents by MikkTSpace, the convention of programs that bake normal maps.
 //!
 //! M. S. Mikkelsen, 2008, "Simulation of wrinkled surfaces revisited". Texture coordinates have v up, so the bitangent
-//! points up in the picture, and normal maps have green up (OpenGL's way, as glTF and Blender have it).
+//! points up in the image, and normal maps have green up (as in OpenGL, glTF and Blender).
 
 use crate::{Mesh, split};
 use bevy_mikktspace::{Geometry, TangentSpace};
 use glam::Vec3;
 
-/// The mesh with tangents; vertices are split where corners disagree. `None` where it has no texture
-/// coordinates or no normals.
+/// Returns the mesh with tangents, splitting vertices where corners differ. `None` if it has no texture coordinates or
+/// no normals.
 ///
-/// Corners for which there is no tangent (all their triangles are without area, in space or in the picture) get one
-/// at right angles to their normal.
+/// Corners without a defined tangent (all their triangles are degenerate, in space or in the texture) get one
+/// orthogonal to their normal.
 pub fn with_tangents(mesh: &Mesh) -> Option<Mesh> {
     let count = mesh.positions.len();
     if mesh.indices.is_empty() || mesh.tex_coords.len() != count || mesh.normals.len() != count {
         return None;
     }
     let mut corners = Corners { mesh, tangents: vec![None; mesh.indices.len()] };
-    // Its error type has no values.
+    // The error type has no values.
     bevy_mikktspace::generate_tangents(&mut corners).ok()?;
     let tangents: Vec<[f32; 4]> = corners
         .tangents
@@ -32,13 +32,13 @@ pub fn with_tangents(mesh: &Mesh) -> Option<Mesh> {
     Some(split)
 }
 
-/// Some unit vector at right angles to `normal`.
+/// Returns some unit vector orthogonal to `normal`.
 fn any_tangent(normal: [f32; 3]) -> [f32; 4] {
     let normal = Vec3::from(normal).try_normalize().unwrap_or(Vec3::Z);
     normal.any_orthonormal_vector().extend(1.0).to_array()
 }
 
-/// The mesh as MikkTSpace asks for it.
+/// The mesh in the interface of MikkTSpace.
 struct Corners<'a> {
     mesh: &'a Mesh,
     tangents: Vec<Option<[f32; 4]>>,

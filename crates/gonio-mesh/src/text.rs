@@ -1,9 +1,9 @@
-//! Walking over a text file byte by byte: lines, words, numbers, names, and where they stand.
+//! Reads a text byte by byte: lines, words, numbers, names, and their positions.
 
 use crate::encoding::windows_1252;
 use crate::number;
 
-/// A place in a text of statements, one per line, as OBJ and MTL are.
+/// A position in a text of statements, one per line, as in OBJ and MTL.
 ///
 /// A line ends at LF, CR LF, CR or the end of the bytes; a `\` just before the line's end joins the next
 /// line to it; `#` starts a comment.
@@ -14,66 +14,64 @@ pub(crate) struct Cursor<'a> {
     line_start: usize,
 }
 
-/// Why there is no number here.
+/// The reason why there is no number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum BadNumber {
     /// NaN, infinite, or too large for an `f32`.
     NotFinite,
-    /// No number at all.
+    /// Not a number.
     Unreadable,
 }
 
 impl<'a> Cursor<'a> {
-    /// At the first statement; a byte order mark of UTF-8 is stepped over.
+    /// Starts at the first statement, after a UTF-8 byte order mark.
     pub(crate) fn new(bytes: &'a [u8]) -> Self {
         let at = if bytes.starts_with(b"\xEF\xBB\xBF") { 3 } else { 0 };
         Cursor { bytes, at, line: 1, line_start: 0 }
     }
 
-    /// At the start of a line, whose number is known.
+    /// Starts at the beginning of a line with a known number.
     pub(crate) fn at_line(bytes: &'a [u8], at: usize, line: u64) -> Self {
         let byte_order_mark = if at == 0 { Self::new(bytes).at } else { 0 };
         Cursor { bytes, at: at + byte_order_mark, line, line_start: at }
     }
 
-    /// How many bytes are behind.
+    /// Returns the number of bytes read.
     pub(crate) fn position(&self) -> usize {
         self.at
     }
 
-    /// The line, from 1.
+    /// Returns the line, from 1.
     pub(crate) fn line(&self) -> u64 {
         self.line
     }
 
-    /// The column in bytes, from 1.
+    /// Returns the column in bytes, from 1.
     pub(crate) fn column(&self) -> u64 {
         (self.at - self.line_start) as u64 + 1
     }
 
-    /// Whether nothing is left.
+    /// Whether the end is reached.
     pub(crate) fn at_end(&self) -> bool {
         self.at >= self.bytes.len()
     }
 
-    /// All bytes from here on.
+    /// Returns all remaining bytes.
     pub(crate) fn rest(&self) -> &'a [u8] {
         &self.bytes[self.at.min(self.bytes.len())..]
     }
 
-    /// The byte here.
     #[inline]
     pub(crate) fn peek(&self) -> Option<u8> {
         self.bytes.get(self.at).copied()
     }
 
-    /// One byte on.
     #[inline]
     pub(crate) fn advance(&mut self) {
         self.at += 1;
     }
 
-    /// Steps over blanks and joined lines. Returns whether the statement goes on.
+    /// Skips blanks and joined lines. Returns whether the statement continues.
     #[inline]
     pub(crate) fn next_word(&mut self) -> bool {
         loop {
@@ -90,7 +88,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Where the next line starts, if the `\` here joins it to this one. Blanks may stand between.
+    /// Returns the start of the next line if the `\` here joins it to this one, perhaps after blanks.
     #[cold]
     fn continuation(&self) -> Option<usize> {
         let mut i = self.at + 1;
@@ -121,7 +119,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// The word here, stepped over.
+    /// Reads a word.
     pub(crate) fn word(&mut self) -> &'a [u8] {
         let start = self.at;
         while !self.at_word_end() {
@@ -130,14 +128,14 @@ impl<'a> Cursor<'a> {
         &self.bytes[start..self.at]
     }
 
-    /// The word here up to the next blank, `#` included, for messages.
+    /// Returns the word up to the next blank, including `#`, for messages.
     pub(crate) fn offending_word(&self) -> &'a [u8] {
         let rest = &self.bytes[self.at.min(self.bytes.len())..];
         let end = rest.iter().position(u8::is_ascii_whitespace).unwrap_or(rest.len());
         &rest[..end]
     }
 
-    /// The number here, stepped over. On failure the cursor stays.
+    /// Reads a number. On failure the position does not change.
     #[inline]
     pub(crate) fn number(&mut self) -> Result<f32, BadNumber> {
         if let Some((value, length)) = number::f32_prefix(&self.bytes[self.at..]) {
@@ -155,7 +153,7 @@ impl<'a> Cursor<'a> {
         Err(self.why_no_number())
     }
 
-    /// `1.#QNAN`, `-1.#IND`, `1.#INF`: how Microsoft's C library used to write what is not finite.
+    /// Recognises `1.#QNAN`, `-1.#IND`, `1.#INF`, which Microsoft's C library used to write for non-finite numbers.
     fn is_microsoft_nan(&self) -> bool {
         let rest = &self.bytes[self.at..];
         self.bytes[..self.at].ends_with(b"1.")
@@ -173,7 +171,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Steps over a number that is [`BadNumber::NotFinite`]; returns it in quotes.
+    /// Skips a number that is [`BadNumber::NotFinite`]; returns it in quotes.
     #[cold]
     pub(crate) fn skip_not_finite(&mut self) -> String {
         let what = quote(self.offending_word());
@@ -183,7 +181,7 @@ impl<'a> Cursor<'a> {
         what
     }
 
-    /// The integer here, stepped over; those beyond `i64` are as if at its edge.
+    /// Reads an integer, saturating at the limits of `i64`.
     #[inline]
     pub(crate) fn integer(&mut self) -> Option<i64> {
         let (value, length) = number::integer_prefix(&self.bytes[self.at..])?;
@@ -191,7 +189,7 @@ impl<'a> Cursor<'a> {
         Some(value)
     }
 
-    /// The rest of the statement as one name, stepped over: trimmed, blanks inside kept.
+    /// Reads the rest of the statement as one name: trimmed, with inner blanks.
     ///
     /// A `#` starts a comment only between blanks: `red # the red one` is `red`, while `Material #25` (as 3ds Max
     /// names them) and `a#b` are names.
@@ -206,7 +204,7 @@ impl<'a> Cursor<'a> {
             }
             joined.push(b' ');
         }
-        // A name that begins with `#` and is no comment: only what `next_word` stopped at.
+        // A name that begins with `#` and is not a comment, where `next_word` stopped.
         if joined.is_empty() && self.peek() == Some(b'#') && !self.is_comment() {
             let start = self.at;
             let end = self.name_piece();
@@ -215,7 +213,7 @@ impl<'a> Cursor<'a> {
         decode(joined.trim_ascii_end())
     }
 
-    /// Steps to the end of the line, of the name, or to a joining `\`; returns where the name's part ends.
+    /// Moves to the end of the line, the end of the name, or a joining `\`; returns the end of the name's piece.
     fn name_piece(&mut self) -> usize {
         while let Some(byte) = self.peek() {
             match byte {
@@ -228,13 +226,13 @@ impl<'a> Cursor<'a> {
         self.at
     }
 
-    /// Whether the `#` here stands between blanks (or the line's ends).
+    /// Whether the `#` here is between blanks or line ends.
     fn is_comment(&self) -> bool {
         let blank = |byte: Option<&u8>| byte.is_none_or(|b| b.is_ascii_whitespace() || *b == b'#');
         blank(self.at.checked_sub(1).and_then(|i| self.bytes.get(i))) && blank(self.bytes.get(self.at + 1))
     }
 
-    /// Steps to the start of the next line, over whatever is left of the statement and its joined lines.
+    /// Moves to the start of the next line, skipping the rest of the statement and its joined lines.
     #[inline]
     pub(crate) fn next_line(&mut self) {
         let mut comment = false;
@@ -259,7 +257,7 @@ impl<'a> Cursor<'a> {
     }
 }
 
-/// Bytes of a name as text: UTF-8, and else Windows-1252, as older Windows programs wrote.
+/// Decodes a name: UTF-8, or else Windows-1252, as older Windows programs wrote.
 pub(crate) fn decode(bytes: &[u8]) -> String {
     match std::str::from_utf8(bytes) {
         Ok(text) => text.to_owned(),
@@ -267,7 +265,7 @@ pub(crate) fn decode(bytes: &[u8]) -> String {
     }
 }
 
-/// Bytes of a file as a message shows them: in quotes, escaped, cut at 40 characters.
+/// Quotes bytes of a file for a message: escaped, cut at 40 characters.
 pub(crate) fn quote(bytes: &[u8]) -> String {
     const LONGEST: usize = 40;
     let text = String::from_utf8_lossy(&bytes[..bytes.len().min(4 * LONGEST)]);

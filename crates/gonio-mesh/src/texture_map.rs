@@ -1,34 +1,34 @@
-//! A texture as a material uses it: which picture, where on the model, and what its numbers mean.
+//! A texture as a material uses it: its image, its transform, and the meaning of its values.
 
 use serde::Serialize;
 
-/// A texture that a material names.
+/// A texture of a material.
 ///
-/// The picture is looked at, at texture coordinates (v up), at `R(rotation) * (scale * uv) + offset`.
+/// The image is sampled at `R(rotation) * (scale * uv) + offset`, with v up.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TextureMap {
-    /// As written in the file; of an embedded picture its name, for messages.
+    /// The path as written in the file; for an embedded image its name, for messages.
     pub path: String,
-    /// Index into [`crate::Model::images`] of a picture inside the model's file.
+    /// Index into [`crate::Model::images`] for an image inside the model's file.
     pub embedded: Option<usize>,
-    /// `-s`: texture coordinates are multiplied by this, ...
+    /// `-s`: the factor for texture coordinates, which is applied first.
     pub scale: [f32; 2],
-    /// ... turned by this (radians, counter-clockwise with v up; only glTF has it), ...
+    /// The rotation in radians, counter-clockwise with v up, which is applied second (only in glTF).
     pub rotation: f32,
-    /// `-o`: ... then this is added.
+    /// `-o`: the offset, which is added last.
     pub offset: [f32; 2],
-    /// What is beyond the picture's edges: along u, along v. `-clamp on` is both.
+    /// The wrap mode along u and along v. `-clamp on` sets both.
     pub wrap: [Wrap; 2],
-    /// What is made of its numbers.
+    /// The rule for its values.
     pub texel: TexelRule,
-    /// `-bm`: strength of a normal or bump map.
+    /// `-bm`: the strength of a normal or bump map.
     pub bump_multiplier: f32,
-    /// The line in the material file that names it, from 1.
+    /// The line in the material file that refers to it, from 1.
     pub line: Option<u64>,
 }
 
 impl TextureMap {
-    /// A texture without options.
+    /// Creates a texture without options.
     pub fn new(path: impl Into<String>) -> Self {
         TextureMap {
             path: path.into(),
@@ -44,20 +44,20 @@ impl TextureMap {
     }
 }
 
-/// What is beyond a picture's edges.
+/// The sampling of an image outside of [0, 1].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Wrap {
-    /// The picture again.
+    /// Repeats the image.
     #[default]
     Repeat,
-    /// Its last texel.
+    /// Extends the edge texels.
     Clamp,
-    /// The picture again, every other one mirrored.
+    /// Repeats the image, mirroring every other copy.
     Mirror,
 }
 
-/// A channel of a picture.
+/// A channel of an image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Channel {
@@ -73,17 +73,17 @@ pub enum Channel {
     Luminance,
 }
 
-/// What is made of a texel before it is used: a channel is chosen, then `base + gain * value`, then, with a cutoff, 1
-/// where that is at least the cutoff and else 0. Applied to the numbers of the file (before sRGB is decoded).
+/// Converts a texel before it is used: selects a channel, computes `base + gain * value`, and with a cutoff replaces
+/// that by 1 if it is at least the cutoff, else by 0. Applied to the numbers in the file (before decoding sRGB).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TexelRule {
-    /// Which channel a scalar is read from; `None`: red, and of opacities alpha where the picture has one.
+    /// The channel of a scalar; `None`: red, but alpha for opacities if the image has one.
     pub channel: Option<Channel>,
     /// `-mm base gain`
     pub base: f32,
     /// `-mm base gain`; -1 with a base of 1 inverts, as `map_Tr` does.
     pub gain: f32,
-    /// Only all or nothing: glTF's `alphaCutoff`.
+    /// The threshold of binary opacity: glTF's `alphaCutoff`.
     pub cutoff: Option<f32>,
 }
 

@@ -1,4 +1,4 @@
-//! How triangles hang together.
+//! The connectivity of triangles.
 
 mod report;
 
@@ -9,16 +9,15 @@ use crate::weld::{self, mix};
 use glam::{DVec3, Vec3};
 use std::collections::HashMap;
 
-/// Whether the surface is closed (every edge, by position, is passed as often one way as the other)
-/// and its outside is the front (the enclosed volume is positive): then back faces are never seen
-/// from outside.
+/// Whether the surface is closed (every edge, by position, is used equally often in both directions) and its outside is
+/// the front (the enclosed volume is positive): then back faces are never seen from outside.
 ///
-/// Both hold for each connected piece on its own: one ball turned inside out makes the answer no.
+/// Both must hold for each connected component: one sphere turned inside out makes the answer no.
 ///
-/// Edges are not sorted but summed: each directed edge adds a hash to its start and takes one from its end, so that the
-/// sum of a vertex is 0 where all its edges are balanced, and else is 0 with a chance of about 2^-64. Only the vertices
-/// that are left, those of seams, are looked up by their positions, and their edges summed again. That is linear in the
-/// number of triangles, with a small factor.
+/// Edges are not sorted but summed: each directed edge adds a hash to its start and subtracts it from its end, so that
+/// the sum of a vertex is 0 if all its edges are balanced, and otherwise is 0 with a probability of about 2^-64. Only
+/// the remaining vertices, those of seams, are looked up by position, and their edges summed again. This takes linear
+/// time with a small factor.
 pub fn is_closed_outward(mesh: &Mesh) -> bool {
     if mesh.indices.is_empty() {
         return false;
@@ -28,7 +27,7 @@ pub fn is_closed_outward(mesh: &Mesh) -> bool {
     is_closed(mesh, &sums, &place_of_vertex) && all_volumes_positive(mesh, &place_of_vertex)
 }
 
-/// For each vertex the sum over its edges: 0 where, by index, all are balanced.
+/// Returns for each vertex the sum over its edges: 0 if, by index, all are balanced.
 fn edge_sums(mesh: &Mesh) -> Vec<u64> {
     let mut sums = vec![0_u64; mesh.positions.len()];
     for triangle in mesh.indices.as_chunks::<3>().0 {
@@ -41,7 +40,7 @@ fn edge_sums(mesh: &Mesh) -> Vec<u64> {
     sums
 }
 
-/// For each vertex itself; for those with unbalanced edges the first of them at its position.
+/// Returns for each vertex itself; for those with unbalanced edges the first of them at its position.
 fn places_of_seams(mesh: &Mesh, sums: &[u64]) -> Vec<u32> {
     let mut places: Vec<u32> = (0..sums.len() as u32).collect();
     let seam: Vec<u32> = (0..sums.len() as u32).filter(|&vertex| sums[vertex as usize] != 0).collect();
@@ -56,7 +55,7 @@ fn places_of_seams(mesh: &Mesh, sums: &[u64]) -> Vec<u32> {
     places
 }
 
-/// Whether the edges along seams are balanced by their places; all others are by index.
+/// Whether the edges along seams are balanced by place; all others are balanced by index.
 fn is_closed(mesh: &Mesh, sums: &[u64], place_of_vertex: &[u32]) -> bool {
     let mut whole = [0_u64; 2];
     for triangle in mesh.indices.as_chunks::<3>().0 {
@@ -79,7 +78,7 @@ fn is_closed(mesh: &Mesh, sums: &[u64], place_of_vertex: &[u32]) -> bool {
     whole == [0; 2]
 }
 
-/// Whether each piece (triangles that hang together by places) of a closed surface encloses a positive volume.
+/// Whether each connected component of a closed surface encloses a positive volume.
 fn all_volumes_positive(mesh: &Mesh, place_of_vertex: &[u32]) -> bool {
     let mut pieces = DisjointSets::new(place_of_vertex.len());
     for triangle in mesh.indices.as_chunks::<3>().0 {
@@ -88,14 +87,14 @@ fn all_volumes_positive(mesh: &Mesh, place_of_vertex: &[u32]) -> bool {
         pieces.join(b, c);
     }
     let roots = pieces.into_roots();
-    // Six times the volume of the tetrahedra from one point to each triangle; the point is near, for precision.
+    // Six times the volume of the tetrahedra from one point to each triangle; a nearby point improves precision.
     let origin = mesh.bounds().map_or(DVec3::ZERO, |bounds| bounds.center().as_dvec3());
     let root_of = |triangle: &[u32; 3]| roots[place_of_vertex[triangle[0] as usize] as usize];
     let volume_of = |triangle: &[u32; 3]| {
         let [a, b, c] = triangle.map(|vertex| Vec3::from(mesh.positions[vertex as usize]).as_dvec3() - origin);
         a.dot(b.cross(c))
     };
-    // Triangles of one piece mostly follow one another: they are looked up once.
+    // Triangles of one component are mostly consecutive: look them up once.
     let mut volumes: HashMap<u32, f64> = HashMap::new();
     for run in mesh.indices.as_chunks::<3>().0.chunk_by(|a, b| root_of(a) == root_of(b)) {
         *volumes.entry(root_of(&run[0])).or_default() += run.iter().map(volume_of).sum::<f64>();
@@ -125,7 +124,7 @@ impl DisjointSets {
         }
     }
 
-    /// The smaller root stays: no ranks are needed for meshes, whose places are numbered along the surface.
+    /// The smaller root stays: meshes need no ranks, because their places are numbered along the surface.
     fn join(&mut self, a: u32, b: u32) {
         if self.parents[a as usize] == self.parents[b as usize] {
             return;
@@ -135,10 +134,10 @@ impl DisjointSets {
         self.parents[high as usize] = low;
     }
 
-    /// The root of each.
+    /// Returns the root of each element.
     fn into_roots(mut self) -> Vec<u32> {
         for place in 0..self.parents.len() {
-            // Parents come before their children, so this one's is its root already.
+            // Parents come before their children, so the parent's entry is already a root.
             self.parents[place] = self.parents[self.parents[place] as usize];
         }
         self.parents

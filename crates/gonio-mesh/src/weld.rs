@@ -1,10 +1,9 @@
-//! Which vertices are at the same place.
+//! Finds vertices at the same place.
 
-/// No entry.
 const EMPTY: u32 = u32::MAX;
 
-/// A place for each vertex: equal for equal positions (bit by bit, except that -0 is 0), counted from 0 in the order
-/// of their first vertices. Also how many there are.
+/// Returns a place for each vertex, equal for equal positions (bit by bit, except that -0 is 0), numbered from 0 in the
+/// order of their first vertices. Also returns their number.
 pub(crate) fn places(positions: &[[f32; 3]]) -> (Vec<u32>, usize) {
     let mut table = Table::with_room_for(positions.len());
     let mut place_of_vertex = Vec::with_capacity(positions.len());
@@ -24,13 +23,13 @@ pub(crate) fn places(positions: &[[f32; 3]]) -> (Vec<u32>, usize) {
     (place_of_vertex, first_vertices.len())
 }
 
-/// The bits of a coordinate, the same for 0 and -0.
+/// Returns the bits of a coordinate, equal for 0 and -0.
 fn bits(value: f32) -> u32 {
     (value + 0.0).to_bits()
 }
 
-/// A bijection of 64 bits in which each bit of the input changes half of the output (the finisher of SplitMix64:
-/// G. Steele, D. Lea, C. Flood, 2014).
+/// A bijection of 64 bits in which each bit of the input affects half of the output (the finisher of SplitMix64: G.
+/// Steele, D. Lea, C. Flood, 2014).
 #[inline]
 pub(crate) fn mix(mut z: u64) -> u64 {
     z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -38,20 +37,20 @@ pub(crate) fn mix(mut z: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// A hash table of numbers with open addressing, at most half full, that does not grow.
+/// A hash table of numbers with open addressing, at most half full, with a fixed size.
 pub(crate) struct Table {
     slots: Vec<u32>,
     mask: usize,
 }
 
 impl Table {
-    /// For at most `count` entries.
+    /// Creates a table for at most `count` entries.
     pub(crate) fn with_room_for(count: usize) -> Self {
         let size = (2 * count).next_power_of_two().max(2);
         Table { slots: vec![EMPTY; size], mask: size - 1 }
     }
 
-    /// The entry with this hash for which `is_it`, or the slot where it belongs.
+    /// Returns the entry with this hash for which `is_it` holds, or the slot where it belongs.
     #[inline]
     pub(crate) fn find(&self, hash: u64, is_it: impl Fn(u32) -> bool) -> Result<u32, usize> {
         let mut slot = hash as usize & self.mask;
@@ -67,7 +66,7 @@ impl Table {
         }
     }
 
-    /// Puts an entry into a slot that [`Self::find`] gave.
+    /// Stores an entry in a slot returned by [`Self::find`].
     pub(crate) fn fill(&mut self, slot: usize, entry: u32) {
         self.slots[slot] = entry;
     }

@@ -1,19 +1,19 @@
 //! The built-in functions (GLSL 4.60 and GLSL ES 3.20, chapter 8; GLSL 1.10 and ES 1.00 for the old texture functions).
 //!
-//! A line is: the first desktop version, the first ES version (0: none), what is returned, the name, the parameters. The
-//! words are the specification's: `genType` is float, vec2, vec3 or vec4, the same one in the whole line; `gvec4` goes with
-//! `gsampler2D`, `ivec4` with `isampler2D`. A parameter behind a `|` may be left out.
+//! The columns of a line are: the first desktop version, the first ES version (0: none), the return type, the name, the
+//! parameters. The words are those of the specification: `genType` is float, vec2, vec3 or vec4, the same one in the
+//! whole line; `gvec4` goes with `gsampler2D`, `ivec4` with `isampler2D`. Parameters after a `|` are optional.
 
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
 use crate::{Type, Version};
 
-/// One way to call a function.
+/// A signature of a function.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Signature {
     pub params: Vec<Type>,
-    /// Which parameters are written.
+    /// Whether each parameter is written to.
     pub outs: Vec<bool>,
     pub returns: Type,
 }
@@ -23,7 +23,7 @@ struct Line {
     returns: &'static str,
 }
 
-/// A way to call a function, and the first versions (desktop, ES) that have it.
+/// A signature, and the first versions (desktop, ES) that have it.
 type Known = (u32, u32, Signature);
 
 static FUNCTIONS: LazyLock<HashMap<&'static str, Vec<Known>>> = LazyLock::new(|| {
@@ -34,7 +34,7 @@ static FUNCTIONS: LazyLock<HashMap<&'static str, Vec<Known>>> = LazyLock::new(||
         let [desktop, es, returns, names] = head[..] else { continue };
         let (desktop, es) = (desktop.parse().unwrap_or(0), es.parse().unwrap_or(0));
         let rest = rest.trim_end_matches(')');
-        // What stands behind a `|` may be left out.
+        // Parameters after a `|` are optional.
         let full: Vec<&'static str> = rest.split([',', '|']).map(str::trim).filter(|p| !p.is_empty()).collect();
         let mut ways = vec![Line { params: full.clone(), returns }];
         if rest.contains('|') {
@@ -65,7 +65,7 @@ pub(crate) fn exists(name: &str, version: Version) -> bool {
     FUNCTIONS.get(name).is_some_and(|list| list.iter().any(|l| version.is_at_least(l.0, l.1)))
 }
 
-/// All ways to call a function; those of later versions too if `later`.
+/// Returns all signatures of a function, including those of later versions if `later`.
 pub(crate) fn signatures(
     name: &str,
     version: Version,
@@ -75,7 +75,7 @@ pub(crate) fn signatures(
     list.iter().filter(move |l| later || version.is_at_least(l.0, l.1)).map(|l| &l.2)
 }
 
-/// A line with its general words made particular: variant 0..4 is the number of components, 0, 4, 8 the sampler's letter.
+/// Instantiates the generic words of a line: variant 0..4 is the number of components, 0, 4, 8 the sampler's letter.
 fn signature(line: &Line, variant: usize) -> Option<Signature> {
     let mut params = Vec::new();
     let mut outs = Vec::new();

@@ -1,4 +1,4 @@
-//! What GLSL brings along: functions and variables, each with the versions that have it.
+//! Built-in functions and variables, each with the versions that have it.
 
 mod functions;
 mod variables;

@@ -1,23 +1,23 @@
-//! The built-in variables (GLSL 4.60 and GLSL ES 3.20, chapter 7; GLSL 1.20 for those that core took away).
+//! The built-in variables (GLSL 4.60 and GLSL ES 3.20, chapter 7; GLSL 1.20 for those removed from the core profile).
 
 use std::sync::LazyLock;
 
 use crate::{Stage, Type, Version};
 
-/// A variable that is there without being declared.
+/// A built-in variable.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Builtin {
-    /// None for the structs of old OpenGL, of which nothing is known here.
+    /// `None` for the structs of old OpenGL, whose members are not known here.
     pub ty: Option<Type>,
     pub is_writable: bool,
 }
 
-/// What a variable is in this stage and version. `Err` says that other versions have it.
+/// Returns the variable of this name in this stage and version; `Err` if only other versions have it.
 pub(crate) fn variable(name: &str, stage: Stage, version: Version) -> Option<Result<Builtin, ()>> {
     if name.starts_with("gl_Max") || name.starts_with("gl_Min") {
         return Some(Ok(Builtin { ty: Some(Type::INT), is_writable: false }));
     }
-    // All have this beginning; most names do not.
+    // All names have this prefix; most others do not.
     if !name.starts_with("gl_") {
         return None;
     }
@@ -60,14 +60,14 @@ static ROWS: LazyLock<Vec<Row>> = LazyLock::new(|| {
     TABLE.lines().filter_map(row).collect()
 });
 
-/// Names of this stage, for suggestions.
+/// Returns the names in this stage, for suggestions.
 pub(crate) fn variable_names(stage: Stage) -> impl Iterator<Item = &'static str> {
     let letter = if stage == Stage::Vertex { 'v' } else { 'f' };
-    // The first ones are those that today's versions have.
+    // The first ones are those of current versions.
     ROWS.iter().take(20).filter(move |row| row.stages.contains(letter)).map(|row| row.name)
 }
 
-/// Name, stages, whether it may be written, desktop versions, ES versions (0: none), type (`?`: an old struct).
+/// Name, stages, whether it is writable, desktop versions, ES versions (0: none), type (`?`: an old struct).
 const TABLE: &str = "
 gl_Position v w 110 100 vec4
 gl_PointSize v w 110 100 float

@@ -1,4 +1,4 @@
-//! Calls: the shader's own functions, GLSL's, and which of several is meant.
+//! Checks calls of the shader's own functions and built-in ones, and resolves overloads.
 
 use super::Checker;
 use crate::ast::{Call, Expr, ExprKind, UnaryOp};
@@ -35,7 +35,7 @@ impl Checker<'_> {
         self.resolved_call(call)
     }
 
-    /// Which arguments are written. Apart from the rest, since calls stand deep in one another.
+    /// Returns which arguments are written to. A separate function, because calls may be deeply nested.
     #[inline(never)]
     fn before_call(&mut self, call: &Call) -> Vec<bool> {
         self.hidden(call);
@@ -88,11 +88,12 @@ impl Checker<'_> {
     }
 
     fn builtin_candidates(&self, name: &str, is_there: bool) -> impl Iterator<Item = Candidate> + use<> {
-        // What only later versions have is taken too, and told: files without #version would else be all errors.
+        // Functions of later versions are accepted and reported: otherwise files without #version would be full of
+        // errors.
         builtins::signatures(name, self.version, !is_there).map(Candidate::from)
     }
 
-    /// Arguments that the function writes to.
+    /// Returns which arguments the function writes to.
     fn written_args(&self, call: &Call) -> Vec<bool> {
         let count = call.args.len();
         if let Some(list) = self.functions.get(&call.name) {
@@ -103,7 +104,7 @@ impl Checker<'_> {
         found.map_or_else(|| vec![false; count], |s| s.outs.clone())
     }
 
-    /// A variable of the function's name in between.
+    /// Reports a variable that hides the function.
     fn hidden(&mut self, call: &Call) {
         let Some(id) = self.find(&call.name) else { return };
         self.hiding.insert(id);
@@ -145,7 +146,7 @@ impl Checker<'_> {
         self.unknown(problem);
     }
 
-    /// The function of these arguments: exactly, otherwise with the fewest conversions.
+    /// Selects the overload for these arguments: an exact match, or else the one with the fewest conversions.
     fn choose(&mut self, call: &Call, types: &[Option<Type>], candidates: Vec<Candidate>) -> Option<Candidate> {
         let fitting: Vec<&Candidate> = candidates.iter().filter(|c| c.params.len() == types.len()).collect();
         if fitting.is_empty() {
@@ -157,7 +158,7 @@ impl Checker<'_> {
         let has_double = types.iter().flatten().any(|t| t.scalar() == Some(Scalar::Double));
         let best = fitting.iter().filter_map(|c| Some((c.cost(types)?, *c))).min_by_key(|(cost, _)| *cost);
         if is_unknown || (has_double && fitting[0].own.is_none()) {
-            // All that could be meant may still return the same.
+            // All candidates may still return the same type.
             let possible: Vec<_> = fitting.iter().filter(|c| c.cost(types).is_some()).collect();
             let first = possible.first()?;
             if has_double || possible.iter().any(|c| c.returns != first.returns || c.own != first.own) {
@@ -214,7 +215,7 @@ impl Checker<'_> {
         self.unknown(problem);
     }
 
-    /// A function that only later versions have.
+    /// Reports a function of later versions.
     fn later_function(&mut self, call: &Call) {
         let name = &call.name;
         let message = format!("the function `{name}` is not available in version {}", self.version.written());
@@ -233,7 +234,7 @@ impl Checker<'_> {
         self.unknown(problem);
     }
 
-    /// `texture2D` and its like, which newer versions do not have.
+    /// Reports `texture2D` and similar functions, which newer versions do not have.
     fn old_function(&mut self, call: &Call) {
         let Some(new) = modern(&call.name) else { return };
         if self.version.compatibility || !self.version.is_at_least(140, 300) {
@@ -249,7 +250,7 @@ impl Checker<'_> {
         self.unknown(problem.with_help(format!("write `{new}`")));
     }
 
-    /// `pow` of a negative number is undefined (GLSL 4.60, section 8.2).
+    /// Reports `pow` of a negative number, which is undefined (GLSL 4.60, section 8.2).
     fn negative_power(&mut self, call: &Call) {
         if call.name != "pow" {
             return;
@@ -268,7 +269,7 @@ impl Checker<'_> {
     }
 }
 
-/// What today's GLSL calls an old function.
+/// Returns the current name of an old function.
 pub(crate) fn modern(name: &str) -> Option<&'static str> {
     Some(match name {
         "texture1D" | "texture2D" | "texture3D" | "textureCube" | "shadow1D" | "shadow2D" => "texture",
@@ -297,7 +298,8 @@ impl From<&Signature> for Candidate {
 }
 
 impl Candidate {
-    /// How many conversions a call needs, those to `float` counting least; none if it cannot be.
+    /// Returns the number of conversions that a call needs, those to `float` counting least; `None` if it is
+    /// impossible.
     fn cost(&self, types: &[Option<Type>]) -> Option<u32> {
         let mut cost = 0;
         for (param, ty) in self.params.iter().zip(types) {
@@ -318,7 +320,7 @@ impl Candidate {
     }
 }
 
-/// Functions a misspelt one may be.
+/// Functions suggested for a misspelt name.
 const COMMON: &str = "radians degrees sin cos tan asin acos atan pow exp log exp2 log2 sqrt inversesqrt abs sign floor ceil \
 fract mod min max clamp mix step smoothstep length distance dot cross normalize faceforward reflect refract transpose \
 inverse texture texture2D textureCube textureLod texelFetch dFdx dFdy fwidth lessThan greaterThan equal any all not vec2 \

@@ -1,4 +1,4 @@
-//! Values made of others: `vec4(position, 1.0)` (GLSL 4.60, section 5.4).
+//! Checks constructors: `vec4(position, 1.0)` (GLSL 4.60, section 5.4).
 
 use super::Checker;
 use crate::ast::Call;
@@ -6,7 +6,7 @@ use crate::{Problem, Span, Type};
 
 impl Checker<'_> {
     #[inline(never)]
-    /// The type that is made, whose arguments have been looked at.
+    /// Returns the constructed type; the arguments have been checked.
     pub(super) fn construct(&mut self, call: &mut Call, span: Span) -> Option<Type> {
         let is_struct = self.structs.contains_key(&call.name);
         let of = if is_struct { Type::Struct(call.name.clone()) } else { Type::named(&call.name)? };

@@ -1,4 +1,4 @@
-//! The types of expressions, and what may be written to.
+//! Determines the types of expressions, and checks assignments.
 
 use super::scope::Use;
 use super::{Checker, Conversion, Storage, SymbolKind};
@@ -6,7 +6,7 @@ use crate::ast::{Expr, ExprKind, Literal};
 use crate::{Problem, Scalar, Span, Type};
 
 impl Checker<'_> {
-    /// Finds the type of an expression and of everything in it.
+    /// Determines the type of an expression and of everything in it.
     pub(super) fn expression(&mut self, expr: &mut Expr) -> Option<Type> {
         self.count_expression();
         let ty = self.type_of(expr);
@@ -143,7 +143,7 @@ impl Checker<'_> {
         Some(ty)
     }
 
-    /// What is written to; `is_whole` if its old value does not matter.
+    /// Checks an assignment target; `is_whole` if its old value does not matter.
     pub(super) fn target(&mut self, expr: &mut Expr, is_whole: bool) -> Option<Type> {
         let ty = self.target_type(expr, is_whole);
         expr.ty.clone_from(&ty);
@@ -201,7 +201,7 @@ impl Checker<'_> {
             Storage::In if symbol.kind != SymbolKind::Param => "it is an input, which is read-only",
             _ => return,
         };
-        // Redeclared variables of GLSL keep their own rules.
+        // Redeclared built-in variables keep their own rules.
         if name.starts_with("gl_") {
             return;
         }
@@ -209,7 +209,7 @@ impl Checker<'_> {
         self.problems.push(problem.with_help("assign to a variable of your own"));
     }
 
-    /// `.xyz` or `.member`
+    /// Checks `.xyz` or `.member`.
     #[inline(never)]
     pub(super) fn field(&mut self, base: &Type, name: &str, span: Span) -> Option<Type> {
         match base {
@@ -262,7 +262,7 @@ impl Checker<'_> {
         Some(Type::scalar_or_vector(scalar, name.len() as u8))
     }
 
-    /// What `[..]` takes out.
+    /// Returns the type of an element.
     #[inline(never)]
     fn element(&mut self, base: &Type, index: Option<f64>, span: Span) -> Option<Type> {
         let (of, count) = match base {
@@ -285,7 +285,7 @@ impl Checker<'_> {
         Some(of)
     }
 
-    /// Checks that a value can become `to`, and notes it if it does so by itself.
+    /// Checks that a value can be converted to `to`, and records an implicit conversion.
     #[inline(never)]
     pub(super) fn convert(&mut self, value: &Expr, to: Option<&Type>, what: &str) {
         let (Some(from), Some(to)) = (&value.ty, to) else { return };
@@ -331,7 +331,7 @@ impl Checker<'_> {
         });
     }
 
-    /// Whether the value is known before the shader runs: literals, constants, and functions of such.
+    /// Whether the value is a constant expression: literals, constants, and functions of these.
     pub(super) fn is_constant(&self, expr: &Expr) -> bool {
         match &expr.kind {
             ExprKind::Literal(_) => true,
@@ -361,7 +361,7 @@ impl Checker<'_> {
     }
 }
 
-/// What would make one type of the other.
+/// Suggests how to convert one type to the other.
 fn cure(from: &Type, to: &Type) -> Option<String> {
     match (from, to) {
         (Type::Vector(Scalar::Float, 4), Type::Vector(Scalar::Float, 3)) => {

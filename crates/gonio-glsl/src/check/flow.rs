@@ -1,11 +1,11 @@
-//! What the order of statements tells: returns that are missing, variables that are read before they have a value.
+//! Checks of control flow: missing returns, and variables that are read before they are assigned.
 
 use std::collections::HashMap;
 
 use super::{Access, Checker};
 use crate::ast::{Expr, ExprKind, Literal, Statement, StatementKind};
 
-/// Whether no way through these statements reaches their end.
+/// Whether control flow never reaches the end of these statements.
 pub(super) fn always_leaves(list: &[Statement]) -> bool {
     list.iter().any(leaves)
 }
@@ -15,13 +15,13 @@ fn leaves(statement: &Statement) -> bool {
         StatementKind::Return(_) | StatementKind::Discard => true,
         StatementKind::Block(list) => always_leaves(list),
         StatementKind::If { then, otherwise: Some(otherwise), .. } => leaves(then) && leaves(otherwise),
-        // `while (true)` ends only by a return, or by a break, which is rare enough to be believed.
+        // `while (true)` ends only by a return, or by a break, which is rare enough to ignore.
         StatementKind::While { condition, .. } => {
             matches!(&**condition, crate::ast::Condition::Expr(e) if is_true(e))
         }
         StatementKind::For { condition: None, .. } => true,
         StatementKind::DoWhile { body, .. } => leaves(body),
-        // Each case returning or not: with a default that returns, the switch is taken to be complete.
+        // If the default returns, the switch is assumed to be complete.
         StatementKind::Switch { body, .. } => {
             let default = body.iter().position(|s| matches!(s.kind, StatementKind::Case(None)));
             default.is_some_and(|at| always_leaves(&body[at..]))
@@ -35,8 +35,8 @@ fn is_true(expr: &Expr) -> bool {
 }
 
 impl Checker<'_> {
-    /// Local variables whose first mention reads them. Whatever may have been written before, in a branch or in an earlier
-    /// round of a loop, is believed to have been.
+    /// Reports local variables whose first use reads them. An assignment in a branch, or in an earlier iteration of a
+    /// loop, is assumed to have been executed.
     pub(super) fn report_unset(&mut self) {
         let mut of: HashMap<usize, Vec<&Access>> = HashMap::new();
         for access in &self.accesses {
@@ -49,7 +49,7 @@ impl Checker<'_> {
             if known.has_initialiser || first.is_write {
                 continue;
             }
-            // The loop around the reading that is within the variable's own scope.
+            // The loop around the read that is within the variable's own scope.
             let around = first.loops.get(known.loops);
             let is_written_there = |a: &&&Access| a.is_write && a.loops.get(known.loops) == around;
             if around.is_some() && accesses.iter().any(|a| is_written_there(&a)) {

@@ -1,4 +1,4 @@
-//! What a shader takes, gives and asks for, under the names that OpenGL uses.
+//! The interface of a shader: inputs, outputs and uniforms, under the names that OpenGL uses.
 
 use std::collections::HashMap;
 
@@ -7,29 +7,29 @@ use super::{Checker, Storage};
 use crate::ast::{Declarator, Item, Qualifier, Unit, has};
 use crate::{Span, Type};
 
-/// All that other stages and the program see.
+/// The variables that are visible to other stages and the program.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Interface {
-    /// Attributes of a vertex shader, what the vertex shader gave of a fragment shader.
+    /// The attributes of a vertex shader, or the inputs of a fragment shader from the vertex shader.
     pub inputs: Vec<Variable>,
-    /// What is given to the fragment shader, or the colours of a fragment shader.
+    /// The outputs to the fragment shader, or the colours of a fragment shader.
     pub outputs: Vec<Variable>,
-    /// What the program sets, without those in blocks.
+    /// The uniforms outside of blocks.
     pub uniforms: Vec<Variable>,
-    /// Structs, in their order.
+    /// Structs in source order.
     pub structs: Vec<StructInfo>,
     /// Blocks of uniforms, inputs or outputs.
     pub blocks: Vec<Block>,
 }
 
-/// A variable that others see.
+/// A variable of the interface.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Variable {
     /// Its name.
     pub name: String,
-    /// Its type, sizes of arrays included; none if it is not known.
+    /// Its type including array sizes; `None` if unknown.
     pub ty: Option<Type>,
-    /// Where its name stands.
+    /// The position of its name.
     pub span: Span,
     /// `highp`, `mediump` or `lowp`.
     pub precision: Option<String>,
@@ -39,9 +39,9 @@ pub struct Variable {
     pub location: Option<i32>,
     /// `layout(binding = ..)`
     pub binding: Option<i32>,
-    /// Whether the shader reads it, or for an output writes it.
+    /// Whether the shader reads it, or writes it if it is an output.
     pub is_used: bool,
-    /// Whether it has an initialiser.
+    /// Whether it has an initializer.
     pub initial: bool,
 }
 
@@ -50,48 +50,48 @@ pub struct Variable {
 pub struct StructInfo {
     /// Its name.
     pub name: String,
-    /// Its members with their types, none where that is not known.
+    /// Its members with their types, `None` if unknown.
     pub members: Vec<(String, Option<Type>)>,
-    /// Where its name stands.
+    /// The position of its name.
     pub span: Span,
 }
 
 /// A block.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Block {
-    /// Name of the block.
+    /// The name of the block.
     pub name: String,
-    /// Name of its instance.
+    /// The instance name.
     pub instance: Option<String>,
-    /// Whether it is of uniforms, inputs or outputs.
+    /// Whether it contains uniforms, inputs or outputs.
     pub storage: Storage,
     /// Its members.
     pub members: Vec<Variable>,
-    /// Where its name stands.
+    /// The position of its name.
     pub span: Span,
 }
 
-/// One value that OpenGL knows by a name.
+/// A value that OpenGL identifies by a name.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Leaf {
-    /// `light.light_pos`, `lights[0].position`, `colours`: an array of basic values has one name.
+    /// For example `light.light_pos`, `lights[0].position`, `colours`: an array of basic values has one name.
     pub name: String,
     /// The basic type, without the array.
     pub ty: Type,
-    /// How many there are: 1 if it is no array.
+    /// The array size: 1 if it is not an array.
     pub count: u32,
     /// Index in [`Interface::uniforms`].
     pub uniform: usize,
 }
 
-/// No shader has more uniforms; arrays beyond this are cut off.
+/// No shader has more uniforms; larger arrays are truncated.
 const MOST_LEAVES: usize = 4096;
-/// Structs that hold two structs each, or nothing, are looked at without a leaf being found.
+/// Limits the search in nested structs that contain no leaf.
 const MOST_LOOKS: usize = 8 * MOST_LEAVES;
-/// Structs within structs.
+/// Most levels of nested structs.
 const MOST_NESTED: usize = 32;
 
-/// The uniforms, taken apart into the names of `glGetUniformLocation` (OpenGL 4.6, section 7.3.1).
+/// Returns the uniforms, split into the names of `glGetUniformLocation` (OpenGL 4.6, section 7.3.1).
 #[must_use]
 pub fn leaves(interface: &Interface) -> Vec<Leaf> {
     let structs = interface.structs.iter().map(|s| (&*s.name, s)).collect();
@@ -146,7 +146,7 @@ impl Leaves<'_> {
     }
 }
 
-/// Reads the interface off the tree, once all names are known.
+/// Collects the interface from the tree, once all names are resolved.
 pub(super) fn collect(checker: &Checker<'_>, unit: &Unit) -> Interface {
     let mut interface = Interface::default();
     let symbols: HashMap<u32, usize> =

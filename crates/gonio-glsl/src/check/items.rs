@@ -1,4 +1,4 @@
-//! Declarations: functions, variables, structs, blocks.
+//! Checks declarations: functions, variables, structs, blocks.
 
 use std::collections::HashSet;
 
@@ -34,7 +34,7 @@ impl Checker<'_> {
         }
     }
 
-    /// The type that is written here; none if it is unknown, which is told.
+    /// Resolves a type; reports an unknown one and returns `None`.
     pub(super) fn resolve(&mut self, ty: &mut TypeName) -> Option<Type> {
         if let Some(definition) = &mut ty.definition {
             self.structure(definition);
@@ -75,7 +75,7 @@ impl Checker<'_> {
         self.unknown(problem);
     }
 
-    /// A type with sizes in brackets: the first size is the outermost.
+    /// Returns a type with array sizes: the first size is the outermost.
     pub(super) fn sized(&mut self, of: Type, sizes: &mut [Option<Expr>]) -> Option<Type> {
         let mut ty = of;
         for size in sizes.iter_mut().rev() {
@@ -99,7 +99,7 @@ impl Checker<'_> {
         Some(ty)
     }
 
-    /// The components of a constant expression whose types are known.
+    /// Returns the components of a constant expression whose types are known.
     pub(super) fn value_of(&self, expr: &Expr) -> Option<Vec<f64>> {
         crate::constant::evaluate(expr, &|name| {
             let id = self.find(name)?;
@@ -181,7 +181,7 @@ impl Checker<'_> {
         }
     }
 
-    /// From 4.20 on a local constant may be worked out while the shader runs.
+    /// From 4.20 on the initializer of a local constant need not be a constant expression.
     fn is_const_free(&self, kind: SymbolKind) -> bool {
         self.has_syntax_errors || (kind == SymbolKind::Local && self.version.is_at_least(420, 0))
     }
@@ -226,7 +226,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Checks an initialiser against the variable's type, whose open size it settles.
+    /// Checks an initializer against the variable's type, and completes an open array size.
     fn initialise(&mut self, initialiser: &mut Expr, ty: &mut Option<Type>, storage: Storage) {
         if matches!(initialiser.kind, ExprKind::List(_)) {
             if let Some(ty) = ty {
@@ -244,7 +244,7 @@ impl Checker<'_> {
         }
     }
 
-    /// `{1.0, 2.0}` for an array, a vector, a matrix or a struct.
+    /// Checks `{1.0, 2.0}` for an array, a vector, a matrix or a struct.
     pub(super) fn list(&mut self, expr: &mut Expr, ty: &mut Type) {
         let tokens = expr.tokens;
         let ExprKind::List(list) = &mut expr.kind else { return };
@@ -294,7 +294,7 @@ impl Checker<'_> {
         }
         self.hold_struct(&format!("{} (block)", block.name), &members, block.name_span);
         let Some(instance) = &mut block.instance else { return };
-        // The instance behaves like a struct, whose name no declaration can have.
+        // The instance behaves like a struct, with a name that no declaration can have.
         let name = format!("{} (block)", block.name);
         let info = StructInfo { name: name.clone(), members, span: block.name_span };
         self.structs.insert(name.clone(), info);
@@ -356,7 +356,7 @@ impl Checker<'_> {
         self.sized(of, &mut param.sizes)
     }
 
-    /// A function announced before, or defined twice.
+    /// Checks a second declaration or definition of a function.
     fn second(&mut self, function: &Function, name: &str, index: usize, returns: Option<&Type>) -> usize {
         let Some(known) = self.functions.get_mut(name).and_then(|l| l.get_mut(index)) else { return index };
         let (line, was) = (known.span.line, known.returns.clone());
@@ -383,7 +383,7 @@ impl Checker<'_> {
         outs: Vec<bool>,
         returns: Option<Type>,
     ) -> usize {
-        // Several functions may share a name, and one may share it with a built-in function.
+        // Several functions may share a name, also with a built-in function.
         let symbol = self.symbols.len();
         let kind = SymbolKind::Function;
         self.symbols.push(Symbol {

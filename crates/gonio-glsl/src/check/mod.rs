@@ -1,4 +1,4 @@
-//! Names, types and rules of a whole shader.
+//! Checks names, types and rules of a whole shader.
 
 mod calls;
 mod constructors;
@@ -23,61 +23,61 @@ pub use interface::{Block, Interface, Leaf, StructInfo, Variable, leaves};
 pub use pair::check_pair;
 pub use scope::{Storage, Symbol, SymbolKind};
 
-/// A shader whose names and types are known.
+/// A shader with resolved names and types.
 #[derive(Debug, Clone)]
 pub struct Checked {
-    /// What it takes, gives and asks for.
+    /// Its inputs, outputs and uniforms.
     pub interface: Interface,
-    /// What is wrong, in the order of the source; the syntax's problems stand in [`Parsed::problems`].
+    /// Problems in source order, without syntax errors, which are in [`Parsed::problems`].
     pub problems: Vec<Problem>,
     /// The stage it was checked for.
     pub stage: Stage,
     /// All variables and functions it declares, with their uses.
     pub symbols: Vec<Symbol>,
-    /// Where a value becomes another type by itself.
+    /// Implicit conversions.
     pub conversions: Vec<Conversion>,
-    /// Names of GLSL's own functions that are called.
+    /// Names of built-in functions that are called.
     pub functions_used: BTreeSet<String>,
-    /// Names of GLSL's own variables that are used.
+    /// Names of built-in variables that are used.
     pub variables_used: BTreeSet<String>,
     /// The tokens of those variables.
     pub(crate) variable_uses: Vec<(String, TokenRange)>,
-    /// The names of GLSL's own functions where they are called, with the type of the first argument.
+    /// The calls of built-in functions, with the type of the first argument.
     pub(crate) function_uses: Vec<(String, TokenRange, Option<Type>)>,
     /// Symbols that hide a function where it is called.
     pub(crate) hiding: BTreeSet<usize>,
-    /// Initialiser lists `{..}` with the type they are for.
+    /// Initializer lists `{..}` with their types.
     pub(crate) lists: Vec<(TokenRange, Type)>,
-    /// Values of constants and of uniforms' initialisers, by symbol.
+    /// Values of constants and of uniforms' initializers, by symbol.
     pub(crate) values: HashMap<usize, Components>,
-    /// Global variables whose initialiser is not constant, by symbol.
+    /// Global variables with an initializer that is not constant, by symbol.
     pub(crate) computed: BTreeSet<usize>,
 }
 
 impl Checked {
-    /// The limit that the shader exceeds, where it does: it must not be given to a driver then.
+    /// Returns the limit that the shader exceeds, if any: it must not be given to a driver then.
     #[must_use]
     pub fn refusal(&self) -> Option<&Problem> {
         self.problems.iter().find(|problem| problem.limit.is_some())
     }
 }
 
-/// A value that becomes another type by itself, like the 1 of `float x = 1;`.
+/// An implicit conversion, such as that of the 1 in `float x = 1;`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Conversion {
-    /// The value.
+    /// The tokens of the value.
     pub tokens: TokenRange,
-    /// Where it stands.
+    /// The position of the value.
     pub span: Span,
-    /// Its type.
+    /// The type of the value.
     pub from: Type,
-    /// What it becomes.
+    /// The type it is converted to.
     pub to: Type,
-    /// Whether it is a number written down.
+    /// Whether it is a literal.
     pub is_literal: bool,
 }
 
-/// Fills in the types of all expressions, finds what each name means, and tells what is wrong.
+/// Fills in the types of all expressions, resolves names, and reports problems.
 pub fn check(parsed: &mut Parsed, stage: Stage) -> Checked {
     let mut unit = std::mem::take(&mut parsed.unit);
     let mut checker = Checker::new(parsed, stage);
@@ -107,25 +107,25 @@ pub fn check(parsed: &mut Parsed, stage: Stage) -> Checked {
     checked
 }
 
-/// More than this nobody reads.
+/// Most problems that are reported.
 const MOST_PROBLEMS: usize = 200;
 
-/// A function the shader has.
+/// A function of the shader.
 #[derive(Debug, Clone)]
 struct FunctionInfo {
     symbol: usize,
     params: Vec<Option<Type>>,
-    /// Which parameters are written: `out` and `inout`.
+    /// Whether each parameter is written to: `out` and `inout`.
     outs: Vec<bool>,
     returns: Option<Type>,
     has_body: bool,
     span: Span,
-    /// Functions it calls, by name and place among those of that name.
+    /// Functions it calls, by name and overload index.
     calls: Vec<(String, usize)>,
     cost: size::Cost,
 }
 
-/// A value read or written, in the order of execution as far as the text gives it.
+/// A read or write of a variable, in source order.
 struct Access {
     symbol: usize,
     is_write: bool,
@@ -153,7 +153,7 @@ struct Checker<'p> {
     accesses: Vec<Access>,
     loops: Vec<u32>,
     loop_count: u32,
-    /// The function being read, by name and place among those of that name.
+    /// The current function, by name and overload index.
     current: Option<(String, usize)>,
     has_syntax_errors: bool,
     has_extensions: bool,
@@ -163,7 +163,7 @@ struct Checker<'p> {
     all_components: u64,
     globals: usize,
     loop_depth: u32,
-    /// What the function being read costs.
+    /// The cost of the current function.
     cost: size::Cost,
 }
 
@@ -219,12 +219,12 @@ impl<'p> Checker<'p> {
         self.problems.push(Problem::strict(span, code, message));
     }
 
-    /// Whether enough has been told: nobody reads more, and each unknown name is compared with all known ones.
+    /// Whether enough problems have been reported: each unknown name is compared with all known ones, which takes time.
     fn is_full(&self) -> bool {
         self.problems.len() >= MOST_PROBLEMS
     }
 
-    /// An error about something unknown, which after syntax errors may have been lost, and with extensions may come from one.
+    /// Reports an unknown name, unless a syntax error may have hidden its declaration or an extension may declare it.
     fn unknown(&mut self, problem: Problem) {
         if !self.has_syntax_errors && !self.has_extensions && !self.is_full() {
             self.problems.push(problem);

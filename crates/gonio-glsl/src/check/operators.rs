@@ -1,4 +1,4 @@
-//! Operators: which types they take and what comes out (GLSL 4.60, section 5.9).
+//! Checks operators: operand types and result types (GLSL 4.60, section 5.9).
 
 use super::Checker;
 use crate::ast::{BinaryOp, Expr, UnaryOp};
@@ -32,7 +32,7 @@ impl Checker<'_> {
         None
     }
 
-    /// The type of `left op right`, whose own types are known.
+    /// Returns the type of `left op right`, whose own types are known.
     #[inline(never)]
     pub(super) fn binary(&mut self, op: BinaryOp, left: &Expr, right: &Expr, span: Span) -> Option<Type> {
         let (Some(a), Some(b)) = (left.ty.clone(), right.ty.clone()) else {
@@ -79,7 +79,7 @@ impl Checker<'_> {
         is_test.then_some(Type::BOOL)
     }
 
-    /// Makes both sides one type.
+    /// Converts both sides to one type.
     fn unify(&mut self, left: &Expr, right: &Expr) -> Option<Type> {
         let (a, b) = (left.ty.as_ref()?, right.ty.as_ref()?);
         if a.becomes(b) {
@@ -93,7 +93,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Makes the components of both sides the same, each in its own shape.
+    /// Converts the components of both sides to one type, keeping their shapes.
     fn same_scalar(&mut self, left: &Expr, right: &Expr) -> Option<Scalar> {
         let (a, b) = (left.ty.clone()?, right.ty.clone()?);
         let (s, t) = (a.scalar()?, b.scalar()?);
@@ -127,7 +127,7 @@ impl Checker<'_> {
     }
 }
 
-/// The shape that comes out, whatever the components are.
+/// Returns the shape of the result, regardless of the component type.
 fn shape_of(op: BinaryOp, a: &Type, b: &Type) -> Option<Type> {
     match (a, b) {
         (Type::Scalar(_), Type::Scalar(_) | Type::Vector(..) | Type::Matrix { .. }) => Some(b.clone()),

@@ -1,11 +1,11 @@
-//! What a vertex and a fragment shader have to agree on.
+//! Checks that a vertex and a fragment shader agree.
 
 use std::collections::HashMap;
 
 use super::{Checked, Storage, Variable};
 use crate::{Problem, Type};
 
-/// Problems between the two stages; their places are in the fragment shader, unless the message says otherwise.
+/// Returns problems between the two stages, with positions in the fragment shader unless the message says otherwise.
 #[must_use]
 pub fn check_pair(vertex: &Checked, fragment: &Checked) -> Vec<Problem> {
     let mut problems = Vec::new();
@@ -22,7 +22,7 @@ pub fn check_pair(vertex: &Checked, fragment: &Checked) -> Vec<Problem> {
                 if let Some(near) = near {
                     problem = problem.with_help(format!("the vertex shader has the output `{near}`"));
                 }
-                // One that is not used may be left out by a linker.
+                // A linker may omit an unused input.
                 if !input.is_used {
                     problem.severity = crate::Severity::Strict;
                 }

@@ -1,16 +1,16 @@
-//! Which name means what, where.
+//! Scopes and symbols.
 
 use super::{Access, Checker};
 use crate::ast::{Qualifier, has};
 use crate::types::words;
 use crate::{Problem, Span, Stage, TokenRange, Type};
 
-/// What a name stands for.
+/// The kind of a symbol.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SymbolKind {
-    /// A variable outside of functions.
+    /// A global variable.
     Global,
-    /// A variable within a function.
+    /// A local variable.
     Local,
     /// A function's parameter.
     Param,
@@ -22,51 +22,51 @@ pub enum SymbolKind {
     BlockInstance,
 }
 
-/// Where a variable's value comes from or goes to.
+/// The storage of a variable.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Storage {
-    /// The shader's own.
+    /// No qualifier: a variable of the shader itself.
     None,
-    /// It never changes.
+    /// A constant.
     Const,
-    /// From the stage before: `in`, `attribute`, a fragment shader's `varying`.
+    /// An input from the previous stage: `in`, `attribute`, a fragment shader's `varying`.
     In,
-    /// To the next stage: `out`, a vertex shader's `varying`.
+    /// An output to the next stage: `out`, a vertex shader's `varying`.
     Out,
-    /// From the program.
+    /// A uniform set by the program.
     Uniform,
     /// A storage buffer.
     Buffer,
 }
 
-/// Something with a name.
+/// A declared name.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Symbol {
     /// Its name.
     pub name: String,
-    /// What it is.
+    /// Its kind.
     pub kind: SymbolKind,
-    /// Its type, or what a function returns; none if that is not known.
+    /// Its type, or a function's return type; `None` if unknown.
     pub ty: Option<Type>,
-    /// Where its value comes from.
+    /// Its storage.
     pub storage: Storage,
-    /// Where it is declared.
+    /// The position of its declaration.
     pub span: Span,
-    /// The token of its name there.
+    /// The token of its name in the declaration.
     pub declared: TokenRange,
-    /// All other places where the name stands for it.
+    /// All other tokens that refer to it.
     pub uses: Vec<TokenRange>,
     /// Whether its value is used.
     pub is_read: bool,
-    /// Whether it is given a value after its declaration.
+    /// Whether it is assigned after its declaration.
     pub is_written: bool,
-    /// Whether it has an initialiser.
+    /// Whether it has an initializer.
     pub has_initialiser: bool,
     /// The loops around its declaration.
     pub(crate) loops: usize,
 }
 
-/// What the qualifiers say about a variable outside of functions.
+/// Returns the storage given by the qualifiers of a global variable.
 pub(super) fn storage_of(qualifiers: &[Qualifier], stage: Stage) -> Storage {
     if has(qualifiers, "uniform") {
         Storage::Uniform
@@ -94,12 +94,12 @@ impl Checker<'_> {
         self.scopes.pop();
     }
 
-    /// Makes a name known; a second one of the same scope is an error.
+    /// Declares a name; a duplicate in the same scope is an error.
     pub(super) fn declare(&mut self, symbol: Symbol) -> usize {
         self.hold_variable(&symbol);
         let id = self.symbols.len();
         let is_gl = symbol.name.starts_with("gl_");
-        // `in vec4 gl_FragCoord` and the like are allowed to say again what there is.
+        // Built-in variables such as `in vec4 gl_FragCoord` may be redeclared.
         if is_gl && crate::builtins::variable(&symbol.name, self.stage, self.version).is_none() {
             self.strict(
                 symbol.span,
@@ -133,7 +133,7 @@ impl Checker<'_> {
         self.scopes.iter().rev().find_map(|scope| scope.get(name).copied())
     }
 
-    /// Notes that a variable is read or written here.
+    /// Records that a variable is read or written here.
     pub(super) fn access(&mut self, symbol: usize, is_write: bool, span: Span) {
         let found = &mut self.symbols[symbol];
         if is_write {
@@ -146,7 +146,7 @@ impl Checker<'_> {
         }
     }
 
-    /// The type of a name used as a variable.
+    /// Returns the type of a name used as a variable.
     #[inline(never)]
     pub(super) fn variable(&mut self, name: &str, span: Span, tokens: TokenRange, access: Use) -> Option<Type> {
         if let Some(id) = self.find(name) {
@@ -211,7 +211,7 @@ impl Checker<'_> {
     }
 }
 
-/// What is done with a variable where its name stands.
+/// How a variable is accessed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Use {
     Read,

@@ -1,4 +1,4 @@
-//! How large a shader is, as drivers see it: arrays and structs by their components, functions with all that they call.
+//! Measures a shader as drivers see it: arrays and structs by their components, functions with everything they call.
 
 use std::collections::HashMap;
 
@@ -11,23 +11,23 @@ use crate::limits::{
 use crate::walk::{Visitor, walk_expression};
 use crate::{Limit, Problem, Span, Type};
 
-/// A struct's components, and how many structs it holds within one another.
+/// A struct's components, and its depth of nested structs.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct StructSize {
     components: u64,
     nested: usize,
 }
 
-/// What a function costs by itself, and whom it calls.
+/// The cost of a function by itself, and its calls.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Cost {
     expressions: u64,
     loops: u32,
-    /// The function, by name and place among those of that name, and the loops around the call.
+    /// The called function, by name and overload index, and the loops around the call.
     calls: Vec<((String, usize), u32)>,
 }
 
-/// The same with everything that is called.
+/// The cost including all called functions.
 #[derive(Debug, Clone, Copy)]
 struct Total {
     expressions: u64,
@@ -36,7 +36,7 @@ struct Total {
 }
 
 impl Checker<'_> {
-    /// Tells that a limit is exceeded; the first is enough.
+    /// Reports that a limit is exceeded; only the first one is reported.
     pub(super) fn beyond(&mut self, span: Span, limit: Limit) {
         if !self.is_beyond {
             self.is_beyond = true;
@@ -44,7 +44,7 @@ impl Checker<'_> {
         }
     }
 
-    /// The numbers that a value takes; arrays of unknown size count as one element.
+    /// Returns the number of components of a type; arrays of unknown size count as one element.
     fn components(&self, ty: &Type) -> u64 {
         match ty {
             Type::Void => 0,
@@ -55,14 +55,14 @@ impl Checker<'_> {
         }
     }
 
-    /// Holds a type that the shader writes or makes against the limits.
+    /// Checks a type that the shader declares or constructs against the limits.
     pub(super) fn hold_type(&mut self, ty: &Type, span: Span) {
         if self.components(ty) > MOST_COMPONENTS {
             self.beyond(span, Limit::Components);
         }
     }
 
-    /// Holds a size in brackets against the limits: those that are known, and constants that cannot be worked out.
+    /// Checks an array size against the limits: known sizes, and constants that cannot be evaluated.
     pub(super) fn hold_size(&mut self, size: &Expr, value: Option<f64>) {
         match value {
             Some(value) if value > MOST_COMPONENTS as f64 || value.is_nan() => {
@@ -75,7 +75,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Holds a struct against the limits, and remembers its size.
+    /// Checks a struct against the limits, and records its size.
     pub(super) fn hold_struct(&mut self, name: &str, members: &[(String, Option<Type>)], span: Span) {
         let mut size = StructSize { components: 0, nested: 1 };
         for ty in members.iter().filter_map(|(_, ty)| ty.as_ref()) {
@@ -93,12 +93,12 @@ impl Checker<'_> {
             self.beyond(span, Limit::Variables);
         }
         let known = self.struct_sizes.entry(name.to_string()).or_default();
-        // Of several structs of one name, in functions, the largest counts.
+        // Of several structs with one name, in functions, the largest counts.
         known.components = known.components.max(size.components);
         known.nested = known.nested.max(size.nested);
     }
 
-    /// Holds a new variable against the limits, and all variables together.
+    /// Checks a new variable against the limits, and all variables together.
     pub(super) fn hold_variable(&mut self, symbol: &Symbol) {
         let Some(ty) = &symbol.ty else { return };
         let components = self.components(ty);
@@ -136,7 +136,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Holds functions against the limits, with everything that they call. Calls in a circle are no concern of this.
+    /// Checks functions against the limits, with everything they call. Recursion is checked elsewhere.
     pub(super) fn hold_functions(&mut self) {
         let all: usize = self.functions.values().map(Vec::len).sum();
         let many = self.functions.values().find(|list| all > MOST_FUNCTIONS || list.len() > MOST_OVERLOADS);
@@ -198,7 +198,7 @@ impl Checker<'_> {
     }
 }
 
-/// Whether an expression has one of GLSL's own limits in it, `gl_MaxLights` for example, which only the driver knows.
+/// Whether an expression contains a built-in limit such as `gl_MaxLights`, which only the driver knows.
 fn names_limit(expr: &Expr) -> bool {
     struct Found(bool);
     impl Visitor for Found {

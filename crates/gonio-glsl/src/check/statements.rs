@@ -1,4 +1,4 @@
-//! Statements: scopes, conditions, what is returned.
+//! Checks statements: scopes, conditions, returned values.
 
 use super::{Checker, SymbolKind};
 use crate::ast::{Condition, Expr, Statement, StatementKind};
@@ -64,7 +64,7 @@ impl Checker<'_> {
                     self.beyond(value.span, Limit::Cases);
                 }
                 self.push_scope();
-                // Within a switch the text does not give the order, as little as in a loop.
+                // In a switch, as in a loop, source order is not execution order.
                 self.enter_loop();
                 for statement in body {
                     self.statement(statement, returns);
@@ -105,14 +105,14 @@ impl Checker<'_> {
         self.loops.push(self.loop_count);
     }
 
-    /// A branch: a scope of its own, with or without `{}`.
+    /// Checks a branch, which is a scope of its own with or without `{}`.
     fn in_scope(&mut self, statement: &mut Statement, returns: Option<&Type>) {
         self.push_scope();
         self.statement_or_block(statement, returns);
         self.pop_scope();
     }
 
-    /// A loop's body shares the scope of its head.
+    /// Checks a loop's body, which shares the scope of its head.
     fn statement_or_block(&mut self, statement: &mut Statement, returns: Option<&Type>) {
         self.push_scope();
         self.statement(statement, returns);

@@ -1,4 +1,4 @@
-//! Rules about the whole shader, most of which Mesa lets pass.
+//! Rules for the whole shader, most of which Mesa does not enforce.
 
 use std::collections::HashSet;
 
@@ -29,7 +29,7 @@ fn main(checker: &mut Checker<'_>) {
     }
 }
 
-/// Allowed from 4.60 on only (GLSL 4.60, chapter 9).
+/// Reports stray semicolons, which are allowed from 4.60 on (GLSL 4.60, chapter 9).
 fn stray_semicolons(checker: &mut Checker<'_>, unit: &Unit) {
     if checker.version.is_at_least(460, 320) {
         return;
@@ -42,7 +42,7 @@ fn stray_semicolons(checker: &mut Checker<'_>, unit: &Unit) {
     }
 }
 
-/// `1.0f` is there from 1.20 on, and in ES from 3.00 on.
+/// Reports suffixes such as in `1.0f`, which exist from 1.20 on, and in ES from 3.00 on.
 fn float_suffixes(checker: &mut Checker<'_>, unit: &Unit) {
     struct Suffixes<'c, 'p> {
         checker: &'c mut Checker<'p>,
@@ -67,7 +67,8 @@ fn float_suffixes(checker: &mut Checker<'_>, unit: &Unit) {
     }
 }
 
-/// A fragment shader of OpenGL ES has no precision for floats until it says so (GLSL ES 3.00, section 4.5.4).
+/// Reports a missing precision: in OpenGL ES a fragment shader has no default one for floats (GLSL ES 3.00, section
+/// 4.5.4).
 fn precision(checker: &mut Checker<'_>, unit: &Unit) {
     if !checker.version.es || checker.stage != Stage::Fragment {
         return;
@@ -92,7 +93,7 @@ fn precision(checker: &mut Checker<'_>, unit: &Unit) {
     }
 }
 
-/// A function may not call itself, not even by way of others (GLSL 4.60, section 6.1).
+/// Reports recursion, direct or indirect (GLSL 4.60, section 6.1).
 fn recursion(checker: &mut Checker<'_>) {
     let mut found = Vec::new();
     for (name, list) in &checker.functions {
@@ -128,7 +129,7 @@ fn recursion(checker: &mut Checker<'_>) {
     }
 }
 
-/// Outputs that are never written are undefined.
+/// Reports outputs that are never written, which are undefined.
 fn outputs(checker: &mut Checker<'_>) {
     if checker.has_syntax_errors {
         return;

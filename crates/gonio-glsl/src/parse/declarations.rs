@@ -1,4 +1,4 @@
-//! Qualifiers, types, structs and variables.
+//! Parses qualifiers, types, structs and variables.
 
 use super::{Parse, Parser};
 use crate::TokenRange;
@@ -50,7 +50,7 @@ impl Parser<'_> {
         Ok(entries)
     }
 
-    /// A type, with sizes behind it.
+    /// Parses a type with its array sizes.
     #[inline(never)]
     pub(super) fn type_name(&mut self) -> Parse<TypeName> {
         let first = self.here();
@@ -90,7 +90,7 @@ impl Parser<'_> {
         Ok(StructDefinition { name, span, tokens, members })
     }
 
-    /// `{ vec3 a; float b; }`
+    /// Parses `{ vec3 a; float b; }`.
     pub(super) fn members(&mut self, of: &str) -> Parse<Vec<Declaration>> {
         let open = self.here();
         if !self.take("{") {
@@ -108,7 +108,7 @@ impl Parser<'_> {
         Ok(members)
     }
 
-    /// Qualifiers, type, names, `;`.
+    /// Parses qualifiers, type, names and `;`.
     #[inline(never)]
     pub(super) fn declaration(&mut self) -> Parse<Declaration> {
         let first = self.here();
@@ -117,7 +117,7 @@ impl Parser<'_> {
         self.declarators(first, qualifiers, ty)
     }
 
-    /// Names and `;`, where the type has been read.
+    /// Parses names and `;` after a type.
     #[inline(never)]
     pub(super) fn declarators(
         &mut self,
@@ -154,7 +154,7 @@ impl Parser<'_> {
         Ok(Declarator { name, span: self.span_of(tokens), tokens, sizes, equals, initialiser })
     }
 
-    /// `precision mediump float;`
+    /// Parses `precision mediump float;`.
     pub(super) fn precision(&mut self) -> Parse<Precision> {
         let first = self.here();
         self.advance();

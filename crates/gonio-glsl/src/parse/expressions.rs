@@ -1,4 +1,4 @@
-//! Expressions, by the precedence of their operators.
+//! Parses expressions by operator precedence.
 
 use super::{Parse, Parser};
 use crate::ast::{BinaryOp, Call, Expr, ExprKind, Literal, UnaryOp};
@@ -35,7 +35,7 @@ impl Parser<'_> {
         Ok(Box::new(Expr { kind, span: self.span_of(tokens), ty: None, tokens, height }))
     }
 
-    /// With commas.
+    /// Parses an expression including commas.
     pub(super) fn expression(&mut self) -> Parse<Box<Expr>> {
         let first = self.assignment()?;
         if !self.is(",") {
@@ -49,7 +49,7 @@ impl Parser<'_> {
         self.expr(ExprKind::Sequence(list), tokens)
     }
 
-    /// Without commas.
+    /// Parses an expression without commas.
     pub(super) fn assignment(&mut self) -> Parse<Box<Expr>> {
         self.enter()?;
         let result = self.assignment_within();
@@ -213,7 +213,7 @@ impl Parser<'_> {
         }
     }
 
-    /// A variable, a call or a constructor.
+    /// Parses a variable, a call or a constructor.
     #[inline(never)]
     fn word(&mut self) -> Parse<Box<Expr>> {
         let token = self.token();
@@ -273,7 +273,7 @@ impl Parser<'_> {
         Ok(args)
     }
 
-    /// `{1.0, 2.0}`
+    /// Parses `{1.0, 2.0}`.
     #[inline(never)]
     fn list(&mut self) -> Parse<Box<Expr>> {
         let open = self.here();
@@ -289,7 +289,7 @@ impl Parser<'_> {
         self.expr(ExprKind::List(list), self.since(open))
     }
 
-    /// `[3][]` behind a type or a name.
+    /// Parses array sizes, `[3][]`, after a type or a name.
     #[inline(never)]
     pub(super) fn sizes(&mut self) -> Parse<Vec<Option<Expr>>> {
         let mut sizes = Vec::new();
@@ -312,7 +312,7 @@ impl Parser<'_> {
     }
 }
 
-/// What a number's letters mean.
+/// Parses a number.
 fn number(text: &str) -> Result<Literal, String> {
     let lower = text.to_ascii_lowercase();
     let is_hex = lower.starts_with("0x");

@@ -1,4 +1,4 @@
-//! What stands outside of functions.
+//! Parses top-level constructs.
 
 use super::{Parse, Parser};
 use crate::ast::{Function, InterfaceBlock, Item, Param, Qualifier, Qualify, TypeName, Unit};
@@ -22,7 +22,7 @@ impl Parser<'_> {
         Unit { items }
     }
 
-    /// To the end of what could not be read: past a `;`, or past the `}` of a body.
+    /// Skips to the end of an invalid construct: after a `;`, or after the `}` of a body.
     fn recover_item(&mut self) {
         self.nested = 0;
         let mut depth = 0_usize;
@@ -46,7 +46,7 @@ impl Parser<'_> {
         }
     }
 
-    /// `type name (`: a function begins here, whatever went before.
+    /// Whether a function begins here: `type name (`.
     pub(super) fn starts_function(&self) -> bool {
         let token = self.token();
         (self.is_type_name(token) || token.is("void")) && self.ahead(1).kind == TokenKind::Name && self.ahead(2).is("(")
@@ -103,7 +103,7 @@ impl Parser<'_> {
         if self.is_end() { Ok(Item::Empty(self.span_of(first))) } else { self.item() }
     }
 
-    /// `x = 1;`, `if (..)`, `main();` where only declarations can stand.
+    /// Whether a statement is here: `x = 1;`, `if (..)`, `main();`.
     fn is_statement_outside(&self) -> bool {
         let (token, next) = (self.token(), self.ahead(1));
         if token.kind != TokenKind::Name {
@@ -160,7 +160,7 @@ impl Parser<'_> {
     }
 
     fn function(&mut self, first: TokenRange, qualifiers: Vec<Qualifier>, returns: TypeName) -> Parse<Item> {
-        // Precision may stand before the type that is returned; nothing else matters there.
+        // A precision may precede the return type; nothing else matters there.
         drop(qualifiers);
         let (name, name_tokens) = self.name("a function")?;
         let params = self.params()?;

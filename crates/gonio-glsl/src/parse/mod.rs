@@ -1,4 +1,4 @@
-//! Tokens into the syntax tree.
+//! Parses tokens into the syntax tree.
 
 mod declarations;
 mod expressions;
@@ -13,10 +13,10 @@ use crate::limits::MOST_NESTED;
 use crate::types::words;
 use crate::{Limit, Problem, Span, TokenRange, Version};
 
-/// After so many syntax errors the rest is not worth reading.
+/// Most syntax errors before parsing stops.
 const MOST_PROBLEMS: usize = 50;
 
-/// A syntax error, told already.
+/// A syntax error that has been reported.
 pub(crate) struct Stop;
 pub(crate) type Parse<T> = Result<T, Stop>;
 
@@ -28,13 +28,13 @@ pub(crate) struct Parser<'p> {
     /// Names of the structs so far.
     structs: HashSet<String>,
     nested: usize,
-    /// Where the last error was told: one place, one error.
+    /// The position of the last error: one position, one error.
     told_at: Option<usize>,
     told: usize,
     has_given_up: bool,
 }
 
-/// Reads a whole shader; what could not be read is told and left out.
+/// Parses a whole shader; invalid parts are reported and left out.
 pub(crate) fn unit(tokens: &[Token], version: Version, problems: &mut Vec<Problem>) -> Unit {
     let mut parser = Parser {
         tokens,
@@ -55,7 +55,7 @@ impl<'p> Parser<'p> {
         self.ahead(0)
     }
 
-    /// The token so many places on; the last one, the end, goes on for ever.
+    /// Returns the token `count` positions ahead; the end token repeats.
     fn ahead(&self, count: usize) -> &'p Token {
         &self.tokens[(self.at + count).min(self.tokens.len() - 1)]
     }
@@ -78,7 +78,7 @@ impl<'p> Parser<'p> {
         self.token().kind == TokenKind::End
     }
 
-    /// Takes the token if it is this one.
+    /// Takes the token if it has this text.
     fn take(&mut self, text: &str) -> bool {
         let found = self.is(text);
         if found {
@@ -87,12 +87,12 @@ impl<'p> Parser<'p> {
         found
     }
 
-    /// The place of the token here.
+    /// Returns the position of the current token.
     fn here(&self) -> TokenRange {
         TokenRange { first: self.at as u32, last: self.at as u32 }
     }
 
-    /// From a token up to the last one taken.
+    /// Returns the range from a token to the last one taken.
     fn since(&self, first: TokenRange) -> TokenRange {
         TokenRange { first: first.first, last: (self.at.saturating_sub(1) as u32).max(first.first) }
     }
@@ -102,7 +102,7 @@ impl<'p> Parser<'p> {
         self.tokens[(range.first as usize).min(last)].span.to(self.tokens[(range.last as usize).min(last)].span)
     }
 
-    /// The place just behind the last token taken, where something is missing.
+    /// Returns the position just after the last token, for a missing token.
     fn behind(&self) -> Span {
         let span = self.before().span;
         let width =
@@ -134,7 +134,7 @@ impl<'p> Parser<'p> {
         }
     }
 
-    /// The token here, as a person would name it.
+    /// Describes the current token for messages.
     fn found(&self) -> String {
         let token = self.token();
         match token.kind {
@@ -161,7 +161,7 @@ impl<'p> Parser<'p> {
         self.fail(self.behind(), "missing-bracket", message)
     }
 
-    /// Takes the `;` behind something. Missing at the end of a line, it is told and the reading goes on.
+    /// Takes the `;` after a construct. If it is missing at the end of a line, reports that and continues.
     #[inline(never)]
     fn semicolon(&mut self, after: &str) -> Parse<()> {
         if self.take(";") {
@@ -188,7 +188,7 @@ impl<'p> Parser<'p> {
         self.fail(self.token().span, "stray-character", message)
     }
 
-    /// A name that is no keyword.
+    /// Takes a name that is not a keyword.
     #[inline(never)]
     fn name(&mut self, of: &str) -> Parse<(String, TokenRange)> {
         let token = self.token();
@@ -212,7 +212,7 @@ impl<'p> Parser<'p> {
         Ok((token.text.to_string(), place))
     }
 
-    /// One step deeper; too deep is an error.
+    /// Enters a deeper level; reports one too many.
     fn enter(&mut self) -> Parse<()> {
         self.nested += 1;
         if self.nested > MOST_NESTED {
@@ -225,7 +225,7 @@ impl<'p> Parser<'p> {
         self.nested -= 1;
     }
 
-    /// Gives up reading, since a limit is exceeded here.
+    /// Stops parsing because a limit is exceeded here.
     #[cold]
     #[inline(never)]
     fn fail_beyond<T>(&mut self, limit: Limit) -> Parse<T> {
@@ -253,7 +253,7 @@ impl<'p> Parser<'p> {
         }
         let next = self.ahead(1);
         if next.kind == TokenKind::Name {
-            // `a` and on the next line `b = ..`: an `;` is missing, unless `a` is a type.
+            // For `a`, and `b = ..` on the next line, a `;` is missing unless `a` is a type.
             return self.is_type_name(token) || next.span.line == token.span.line;
         }
         if next.is("[") {
@@ -266,17 +266,17 @@ impl<'p> Parser<'p> {
         token.is("struct") || words::is_qualifier(&token.text, self.version) && !self.is_used_as_name(token)
     }
 
-    /// `sample = 1.0`: a word that is a qualifier, but stands where none can.
+    /// Whether a word that is a qualifier is used as a name: `sample = 1.0`.
     fn is_used_as_name(&self, token: &Token) -> bool {
         let next = self.ahead(1);
         matches!(&*token.text, "sample" | "patch" | "buffer" | "shared" | "smooth" | "flat" | "precise")
             && next.kind == TokenKind::Mark
     }
 
-    /// The token behind `[..][..]`, where the first bracket stands so many places ahead.
+    /// Returns the token after `[..][..]`, where the first bracket is `ahead` positions ahead.
     fn behind_brackets(&self, mut ahead: usize) -> &'p Token {
         let mut depth = 0_usize;
-        // An array's size is short; looking further would make bad files slow.
+        // An array's size is short; searching further would make invalid files slow.
         for _ in 0..100 {
             let token = self.ahead(ahead);
             if token.is("[") {

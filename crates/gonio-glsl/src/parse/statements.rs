@@ -1,4 +1,4 @@
-//! What stands within functions.
+//! Parses statements.
 
 use super::{Parse, Parser};
 use crate::ast::{Condition, Statement, StatementKind};
@@ -6,7 +6,7 @@ use crate::lex::TokenKind;
 use crate::{Problem, TokenRange};
 
 impl Parser<'_> {
-    /// `{ .. }` of a function.
+    /// Parses the `{ .. }` of a function.
     pub(super) fn body(&mut self, name: &str) -> Parse<Vec<Statement>> {
         let open = self.here();
         self.advance();
@@ -23,7 +23,7 @@ impl Parser<'_> {
         Ok(list)
     }
 
-    /// Statements up to a `}`, which is taken; whether it was there.
+    /// Parses statements up to and including a `}`; also returns whether it was there.
     #[inline(never)]
     fn statements(&mut self) -> (Vec<Statement>, bool) {
         let mut list = Vec::new();
@@ -31,7 +31,7 @@ impl Parser<'_> {
             if self.take("}") {
                 return (list, true);
             }
-            // A function cannot stand in a function: the `}` of this one was forgotten.
+            // A function cannot contain a function: the `}` of this one is missing.
             if self.is_end() || self.is_function_with_body() {
                 return (list, false);
             }
@@ -53,7 +53,7 @@ impl Parser<'_> {
         if !self.token().first_on_line || !self.starts_function() {
             return false;
         }
-        // `vec3 f(..) {`; without the bracket it may be anything.
+        // `vec3 f(..) {`; without the brace it may be anything.
         let mut depth = 0_usize;
         for ahead in 2..200 {
             let token = self.ahead(ahead);
@@ -73,7 +73,7 @@ impl Parser<'_> {
         false
     }
 
-    /// To the next place where a statement may begin.
+    /// Skips to the next position where a statement may begin.
     fn recover_statement(&mut self) {
         let mut depth = 0_usize;
         while !self.is_end() {
@@ -141,7 +141,7 @@ impl Parser<'_> {
         Ok(made(StatementKind::Block(list)))
     }
 
-    /// A statement that holds no other.
+    /// Parses a statement that contains no other.
     #[inline(never)]
     fn simple_statement(&mut self) -> Parse<Box<Statement>> {
         let token = self.token();
@@ -181,7 +181,7 @@ impl Parser<'_> {
         Ok(made(kind))
     }
 
-    /// `(` of a condition.
+    /// Takes the `(` of a condition.
     fn open(&mut self, of: &str) -> Parse<TokenRange> {
         let open = self.here();
         if self.take("(") {
@@ -235,7 +235,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Past the `)` that belongs to `open`, where the head of a loop could not be read.
+    /// Skips to the `)` of `open` after an error in the head of a loop.
     fn skip_to_close(&mut self, open: TokenRange) -> bool {
         let mut depth = 0_usize;
         for at in open.first as usize..self.tokens.len() {
@@ -343,7 +343,7 @@ impl Parser<'_> {
     }
 }
 
-/// A statement in its place on the heap, where its size costs the deep recursion nothing; its span comes later.
+/// Allocates a statement on the heap, where its size does not affect the deep recursion; its span is set later.
 #[inline(never)]
 fn made(kind: StatementKind) -> Box<Statement> {
     Box::new(Statement { kind, span: Default::default(), tokens: TokenRange::default() })

@@ -1,10 +1,10 @@
-//! The expression behind `#if`.
+//! Evaluates the expression of an `#if`.
 
 use super::Preprocessor;
 use crate::lex::{Token, TokenKind};
 use crate::{Limit, Problem, Span};
 
-/// Brackets and signs within each other.
+/// Most levels of parentheses and signs.
 const MOST_NESTED: usize = 128;
 
 impl Preprocessor<'_> {
@@ -23,7 +23,7 @@ impl Preprocessor<'_> {
         value.is_some_and(|v| v != 0)
     }
 
-    /// `defined NAME` and `defined(NAME)` are worked out before macros are replaced.
+    /// Evaluates `defined NAME` and `defined(NAME)` before macros are replaced.
     fn without_defined(&self, tokens: &[Token]) -> Vec<Token> {
         let mut out = Vec::new();
         let mut at = 0;
@@ -117,7 +117,7 @@ impl Reader<'_> {
                 self.at += 1;
                 value
             }
-            // A name that is no macro counts as zero.
+            // A name that is not a macro counts as zero.
             _ if token.kind == TokenKind::Name => 0,
             text if token.kind == TokenKind::Number => number(text)?,
             _ => return None,

@@ -1,4 +1,4 @@
-//! Lines that begin with `#`.
+//! Processes directives.
 
 use std::rc::Rc;
 
@@ -114,7 +114,7 @@ impl Preprocessor<'_> {
     fn conditional(&mut self, word: &str, rest: &[Token], span: Span) {
         if word.starts_with("if") {
             let is_active = self.is_active() && self.holds(word, rest, span);
-            // Within a branch not taken no branch is.
+            // In a branch that is not compiled no nested branch is.
             let is_taken = is_active || !self.is_active();
             self.conditionals.push(Conditional { span, is_active, is_taken, has_else: false });
             return;

@@ -1,4 +1,4 @@
-//! Replacing macros by what they stand for.
+//! Expands macros.
 
 use std::rc::Rc;
 
@@ -8,7 +8,7 @@ use crate::limits::{MOST_EXPANDED, MOST_MACROS_IN_ARGUMENTS, MOST_MACROS_IN_MACR
 use crate::{Limit, Problem, Span};
 
 impl Preprocessor<'_> {
-    /// The token itself, or nothing if it was a macro, whose text then lies on `frames`.
+    /// Returns the token itself, or `None` if it was a macro, whose body was pushed to `frames`.
     pub(super) fn expand(&mut self, mut token: Token, frames: &mut Vec<Frame>, from_file: bool) -> Option<Token> {
         if token.kind != TokenKind::Name || token.frozen {
             return Some(token);
@@ -19,7 +19,7 @@ impl Preprocessor<'_> {
             return Some(token);
         }
         let Some(found) = self.macros.get(&token.text).cloned() else { return Some(token) };
-        // A frame that is used up still counts: its last token may be the one in hand.
+        // A frame that is used up still counts: the current token may be its last one.
         let is_open = |frame: &Frame| frame.name.as_ref() == Some(&token.text);
         if self.disabled.contains(&token.text) || frames.iter().any(is_open) {
             token.frozen = true;
@@ -37,12 +37,12 @@ impl Preprocessor<'_> {
             Some(parameters) => {
                 let before = self.at;
                 let Some((arguments, close)) = self.arguments(&token, parameters.len(), frames, from_file) else {
-                    // What was taken for arguments is read as it stands.
+                    // The tokens tried as arguments are read again unchanged.
                     self.at = before;
                     token.frozen = true;
                     return Some(token);
                 };
-                // Within a macro's text the place is the use of the outermost one already.
+                // In a macro's body the position already is the use of the outermost macro.
                 if close.start > token.span.start && token.region == 0 {
                     token.span = token.span.to(close);
                 }
@@ -50,7 +50,7 @@ impl Preprocessor<'_> {
             }
         };
         self.regions += 1;
-        // Arguments are worked out on their own, but within the macros that are open here.
+        // Arguments are expanded on their own, but with the macros that are open here disabled.
         let open = self.disabled.len();
         self.disabled.extend(frames.iter().filter_map(|f| f.name.clone()));
         let tokens = self.substitute(&found, &arguments, &token);
@@ -76,7 +76,7 @@ impl Preprocessor<'_> {
         }
     }
 
-    /// The arguments in brackets behind a macro's name.
+    /// Reads the arguments in parentheses after a macro's name.
     fn arguments(
         &mut self,
         name: &Token,
@@ -123,7 +123,7 @@ impl Preprocessor<'_> {
         Some((arguments, close))
     }
 
-    /// The macro's text with arguments for parameters, everything pointing to the use.
+    /// Substitutes arguments for parameters in a macro's body; all positions are that of the use.
     fn substitute(&mut self, found: &Rc<Macro>, arguments: &[Vec<Token>], used: &Token) -> Vec<Token> {
         let region = self.regions;
         let parameters = found.parameters.as_deref().unwrap_or(&[]);
@@ -164,7 +164,7 @@ impl Preprocessor<'_> {
             }
             out.extend(expanded[index].iter().flatten().cloned());
         }
-        // A macro that is one word stands for it: what is changed is changed where the macro is used.
+        // A macro for one word represents it: a change is made where the macro is used.
         let is_one = found.parameters.is_none() && out.len() == 1;
         for token in &mut out {
             token.span = used.span;
@@ -175,7 +175,7 @@ impl Preprocessor<'_> {
         out
     }
 
-    /// A list of tokens with all its macros replaced.
+    /// Expands all macros in a list of tokens.
     pub(super) fn expand_all(&mut self, tokens: Vec<Token>) -> Vec<Token> {
         if self.nested >= MOST_MACROS_IN_ARGUMENTS {
             if let Some(token) = tokens.first() {
@@ -200,7 +200,7 @@ impl Preprocessor<'_> {
     }
 }
 
-/// `left ## right`: one token of both texts.
+/// Joins tokens, `left ## right`.
 fn paste(mut left: Token, right: Vec<Token>) -> Vec<Token> {
     let mut right = right.into_iter();
     if let Some(first) = right.next() {

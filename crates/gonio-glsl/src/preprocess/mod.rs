@@ -1,4 +1,4 @@
-//! The preprocessor: directives are obeyed, macros replaced, and what lies in a branch not taken is left out.
+//! The preprocessor: executes directives, expands macros, and removes branches that are not compiled.
 
 mod condition;
 mod directives;
@@ -10,25 +10,26 @@ use std::rc::Rc;
 use crate::lex::{Token, TokenKind};
 use crate::{Limit, Problem, Span, Version};
 
-/// A line beginning with `#`, for the translation.
+/// A preprocessor directive, for the translation.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Directive {
-    /// The word behind the `#`, empty if there is none.
+    /// The word after the `#`, empty if there is none.
     pub word: String,
-    /// From the `#` to the last token of the line.
+    /// The range from the `#` to the last token of the line.
     pub span: Span,
 }
 
-/// What the preprocessor leaves.
+/// The result of preprocessing.
 pub(crate) struct Preprocessed {
     pub tokens: Vec<Token>,
     pub directives: Vec<Directive>,
-    /// Bytes of the source that no compiler looks at: branches not taken.
+    /// Ranges of bytes that are not compiled.
     pub inactive: Vec<(u32, u32)>,
-    /// The words in the bodies of macros and in branches not taken do not come as tokens, but have to be translated.
+    /// Words in bodies of macros and in branches that are not compiled, which must be translated although they are not
+    /// tokens.
     pub macro_words: Vec<(String, u32, u32)>,
     pub version: Option<Version>,
-    /// Names of all macros that were defined, and that the file thus may use as it likes.
+    /// Names of all macros that were defined.
     pub macros: Vec<String>,
 }
 
@@ -39,21 +40,21 @@ struct Macro {
     body: Vec<Token>,
 }
 
-/// An `#if` that is open.
+/// An open `#if`.
 struct Conditional {
     span: Span,
     /// Whether this branch is compiled.
     is_active: bool,
-    /// Whether a branch has been taken, so that no other will be.
+    /// Whether a branch has been compiled, so that no other will be.
     is_taken: bool,
     has_else: bool,
 }
 
-/// Tokens of a macro that are yet to be looked at.
+/// The remaining tokens of a macro.
 struct Frame {
     tokens: Vec<Token>,
     at: usize,
-    /// The macro, which is not replaced again within its own text.
+    /// The macro, which is not expanded again in its own body.
     name: Option<Rc<str>>,
 }
 
@@ -69,16 +70,16 @@ struct Preprocessor<'p> {
     macro_words: Vec<(String, u32, u32)>,
     version: Option<Version>,
     problems: &'p mut Vec<Problem>,
-    /// Tokens made so far, against macros without end.
+    /// Tokens produced so far, to stop endless macros.
     steps: usize,
     regions: u32,
     nested: usize,
-    /// Names whose expansion is under way around an argument.
+    /// Macros that are being expanded around an argument.
     disabled: Vec<Rc<str>>,
     has_given_up: bool,
 }
 
-/// Runs the preprocessor over all tokens.
+/// Preprocesses all tokens.
 pub(crate) fn preprocess(raw: Vec<Token>, problems: &mut Vec<Problem>) -> Preprocessed {
     let mut preprocessor = Preprocessor {
         raw,
@@ -145,11 +146,11 @@ impl Preprocessor<'_> {
     }
 
     fn is_active(&self) -> bool {
-        // Within a branch not taken none is active.
+        // In a branch that is not compiled no nested branch is active.
         self.conditionals.last().is_none_or(|c| c.is_active)
     }
 
-    /// Past the rest of a line that is not compiled.
+    /// Skips the rest of a line that is not compiled.
     fn skip_line(&mut self) {
         let line = self.take_line();
         self.remember_inactive(&line);
@@ -161,7 +162,7 @@ impl Preprocessor<'_> {
         }
     }
 
-    /// The tokens up to the end of the line.
+    /// Takes the tokens up to the end of the line.
     fn take_line(&mut self) -> Vec<Token> {
         let mut line: Vec<Token> = Vec::new();
         while let Some(token) = self.raw.get(self.at) {
@@ -174,7 +175,7 @@ impl Preprocessor<'_> {
         line
     }
 
-    /// The next token: of the innermost macro, otherwise of the file, where a directive ends the search.
+    /// Returns the next token: of the innermost macro, or else of the file, up to a directive.
     fn pull(&mut self, frames: &mut Vec<Frame>, from_file: bool) -> Option<Token> {
         while let Some(frame) = frames.last_mut() {
             if let Some(token) = frame.tokens.get(frame.at) {

@@ -1,4 +1,5 @@
-//! Conversions written out, initialiser lists as constructors, and values of globals that ES wants in `main`.
+//! Writes out implicit conversions, converts initializer lists to constructors, and moves initializers of globals to
+//! `main` where ES requires it.
 
 use super::Translator;
 use crate::ast::Item;
@@ -18,8 +19,8 @@ impl Translator<'_> {
         }
     }
 
-    /// Whether the target does not do it by itself. Before 1.30 all functions were of floats, so that an `int` there means a
-    /// `float` which later versions would not make of it.
+    /// Whether the output version does not convert implicitly. Before 1.30 all functions took floats, so an `int` there
+    /// means a `float`, which later versions would not assume.
     fn needs(&self, conversion: &Conversion) -> bool {
         match conversion.to.scalar() {
             // Doubles become floats.
@@ -50,7 +51,7 @@ impl Translator<'_> {
         }
     }
 
-    /// `s.xxx` of a scalar, which 4.20 has: `vec3(s)`.
+    /// Replaces swizzles of scalars, `s.xxx`, which need 4.20, by `vec3(s)`.
     pub(super) fn scalar_components(&mut self) {
         struct Found(Vec<(crate::TokenRange, crate::TokenRange, usize)>);
         impl crate::walk::Visitor for Found {
@@ -74,7 +75,7 @@ impl Translator<'_> {
         }
     }
 
-    /// A global variable whose value is worked out while the shader runs: ES wants that in `main`.
+    /// Moves a global's initializer that is not constant to `main`, as ES requires.
     pub(super) fn move_to_main(&mut self, name: u32, equals: u32, value: crate::TokenRange) {
         let tokens = crate::TokenRange { first: equals, last: value.last };
         let (Some((start, end)), Some((from, to))) = (self.stretch(tokens), self.stretch(value)) else {
@@ -84,7 +85,7 @@ impl Translator<'_> {
         let place = self.parsed.tokens[name as usize];
         let name = self.edits.apply(&self.parsed.source, place.start, place.end);
         let text = self.edits.apply(&self.parsed.source, from, to);
-        // On one line a comment to its end would take the rest along.
+        // On one line a comment would extend to the rest.
         let lines: Vec<&str> = text.lines().map(|l| l.split("//").next().unwrap_or("").trim()).collect();
         self.first_in_main.push_str(&format!(" {name} = {};", lines.join(" ")));
         self.edits.blank(&self.parsed.source, start, end);

@@ -1,4 +1,4 @@
-//! Declarations outside of functions: qualifiers, layouts, blocks.
+//! Translates global declarations: qualifiers, layouts, blocks.
 
 use std::collections::HashMap;
 
@@ -8,15 +8,15 @@ use crate::check::Storage;
 use crate::walk::{Visitor, walk_statement};
 use crate::{Scalar, Stage, TokenRange, Type};
 
-/// No stage gives more blocks to the next than this.
+/// Most blocks between the stages.
 const MOST_BLOCKS: usize = 64;
 
-/// Where a variable stands, which decides what may be said of it.
+/// The role of a variable, which determines its qualifiers.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Place {
     /// A vertex shader's input or a fragment shader's output.
     Edge,
-    /// Between the stages.
+    /// A variable between the stages.
     Between,
     Uniform,
     Other,
@@ -74,7 +74,7 @@ impl Translator<'_> {
         let place = self.place(&declaration.qualifiers);
         let names_gl = declaration.declarators.iter().any(|d| d.name.starts_with("gl_") && d.name != "gl_FragColor");
         if names_gl && self.is_es() {
-            // ES does not let anybody say again what GLSL has declared.
+            // ES does not allow built-in variables to be redeclared.
             let span = declaration.span;
             self.edits.blank(&self.parsed.source, span.start, span.end);
             return;
@@ -124,7 +124,7 @@ impl Translator<'_> {
         }
     }
 
-    /// With several colours ES wants to know which is which.
+    /// Numbers the outputs if there are several colours, as ES requires.
     fn colour(&mut self, declaration: &Declaration, count: &mut usize) {
         if !self.is_es() || self.stage() == Stage::Vertex || self.place(&declaration.qualifiers) != Place::Edge {
             return;
@@ -140,7 +140,7 @@ impl Translator<'_> {
         *count += declaration.declarators.len();
     }
 
-    /// Local constants whose value is not known beforehand: only 4.20 has them.
+    /// Handles local constants with an initializer that is not constant, which only 4.20 has.
     fn locals(&mut self, statement: &Statement, ids: &HashMap<u32, usize>) {
         struct Found<'a> {
             words: Vec<u32>,
@@ -166,7 +166,7 @@ impl Translator<'_> {
         }
     }
 
-    /// The words before a type as the target wants them, in its order.
+    /// Translates the qualifiers before a type, in the order of the output version.
     fn qualifiers(&mut self, qualifiers: &[Qualifier], place: Place, ty: Option<&Type>) {
         let mut kept: Vec<(u8, String)> = Vec::new();
         for qualifier in qualifiers {
@@ -201,7 +201,7 @@ impl Translator<'_> {
         }
     }
 
-    /// One word with its place in the order, or nothing if it goes (GLSL 3.30, section 4.7).
+    /// Returns a qualifier with its rank in the order, or `None` to remove it (GLSL 3.30, section 4.7).
     fn qualifier(&mut self, qualifier: &Qualifier, place: Place) -> Option<(u8, String)> {
         let word = &*qualifier.word;
         let is_vertex = self.stage() == Stage::Vertex;
@@ -251,7 +251,7 @@ impl Translator<'_> {
             self.cannot(block.span, "storage buffers need version 430");
             return;
         }
-        // Whoever runs this has no buffers to bind.
+        // The caller has no buffers to bind.
         if place == Place::Uniform || self.is_es() {
             self.take_apart(block, place);
             return;
@@ -270,7 +270,7 @@ impl Translator<'_> {
         }
     }
 
-    /// Each member becomes a variable of its own, `Block_member` where the block has a name to call it by: ES 3.00 has no blocks
+    /// Converts each member to a variable, `Block_member` if the block has an instance name: ES 3.00 has no blocks
     /// between the stages, and uniforms are set one by one.
     fn take_apart(&mut self, block: &InterfaceBlock, place: Place) {
         let word = match (place, self.stage()) {
@@ -313,7 +313,7 @@ impl Translator<'_> {
                 }
             }
         }
-        // Each looks through the whole shader.
+        // Each block searches the whole shader.
         self.blocks += 1;
         match &block.instance {
             Some(instance) if self.blocks <= MOST_BLOCKS => self.rename_members(block, &instance.name),
@@ -322,7 +322,7 @@ impl Translator<'_> {
         }
     }
 
-    /// `vs_out.normal` becomes `VS_OUT_normal`.
+    /// Renames `vs_out.normal` to `VS_OUT_normal`.
     fn rename_members(&mut self, block: &InterfaceBlock, instance: &str) {
         struct Members<'a>(Vec<(TokenRange, String)>, &'a str, String);
         impl Visitor for Members<'_> {
@@ -340,7 +340,7 @@ impl Translator<'_> {
         crate::walk::walk_unit(&self.parsed.unit, &mut found);
         for (tokens, name) in found.0 {
             let name = format!("{}_{name}", block.name);
-            // Brackets around go as well, which changes nothing.
+            // Enclosing parentheses are removed too, which changes nothing.
             match self.stretch(tokens) {
                 Some((start, end)) => self.edits.replace(start, end, name),
                 None => self.cannot(block.name_span, "the use of this block comes from a macro"),

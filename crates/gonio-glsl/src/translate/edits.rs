@@ -1,20 +1,19 @@
-//! Changes to a text, each at its place, so that lines stay where they are.
+//! Collects changes of a text by position, preserving its lines.
 
 use std::collections::{BTreeMap, HashSet};
 
-/// Changes to be made.
 #[derive(Debug, Default)]
 pub(super) struct Edits {
-    /// Text instead of a stretch, by its first byte.
+    /// Replacements by first byte.
     replaced: BTreeMap<u32, (u32, String)>,
     before: BTreeMap<u32, String>,
-    /// Text behind a place, with the place where its bracket was opened.
+    /// Texts after a position, with the position of the matching opening text.
     after: BTreeMap<u32, Vec<(u32, String)>>,
     wraps: HashSet<(u32, u32, String)>,
 }
 
 impl Edits {
-    /// Another text for a stretch. What lies within a longer stretch goes with it.
+    /// Replaces a range. Replacements inside a longer one are dropped with it.
     pub fn replace(&mut self, start: u32, end: u32, text: impl Into<String>) {
         let is_longest = self.replaced.get(&start).is_none_or(|(known, _)| *known <= end);
         if is_longest && end > start {
@@ -22,24 +21,24 @@ impl Edits {
         }
     }
 
-    /// Takes a stretch away, line ends excepted.
+    /// Removes a range except for line ends.
     pub fn blank(&mut self, source: &str, start: u32, end: u32) {
         let text = source.get(start as usize..end as usize).unwrap_or("");
         let kept: String = text.chars().filter(|c| matches!(c, '\n' | '\r')).collect();
         self.replace(start, end, kept);
     }
 
-    /// Text in front of what stands at a place.
+    /// Inserts text before a position.
     pub fn insert(&mut self, at: u32, text: &str) {
         self.before.entry(at).or_default().push_str(text);
     }
 
-    /// Text behind what ends at a place.
+    /// Inserts text after a position.
     pub fn append(&mut self, at: u32, text: &str) {
         self.after.entry(at).or_default().push((at, text.to_string()));
     }
 
-    /// `open` and `)` around a stretch; an outer pair comes after the inner ones.
+    /// Wraps a range in `open` and `)`; an outer pair comes after the inner ones.
     pub fn wrap(&mut self, start: u32, end: u32, open: &str) {
         if !self.wraps.insert((start, end, open.to_string())) {
             return;
@@ -48,13 +47,13 @@ impl Edits {
         self.after.entry(end).or_default().push((start, ")".to_string()));
     }
 
-    /// `open` and `close` around a stretch and whatever stands around it so far.
+    /// Wraps a range, and everything wrapped around it so far, in `open` and `close`.
     pub fn surround(&mut self, start: u32, end: u32, open: &str, close: &str) {
         self.before.entry(start).or_default().insert_str(0, open);
         self.after.entry(end).or_default().push((start, close.to_string()));
     }
 
-    /// The source between two bytes with all changes.
+    /// Returns the source between two bytes with all changes.
     pub fn apply(&self, source: &str, start: u32, end: u32) -> String {
         let mut places: Vec<u32> = self.replaced.range(start..end).map(|(at, _)| *at).collect();
         places.extend(self.before.range(start..end).map(|(at, _)| *at));
@@ -72,7 +71,7 @@ impl Edits {
             out.push_str(between(at, place));
             at = place;
             for (opened, text) in self.after.get(&place).into_iter().flatten() {
-                // A bracket that was opened in what is gone closes nothing, nor does one from before the start.
+                // A closing text without its opening one, in removed text or before the start, is dropped.
                 let is_gone = gone.1 == place && *opened > gone.0 && *opened < place;
                 if place > start && !is_gone && *opened >= start {
                     out.push_str(text);

@@ -1,9 +1,9 @@
-//! The variables of old OpenGL, as attributes, varyings and uniforms of our own.
+//! Replaces the variables of old OpenGL by attributes, varyings and uniforms.
 
 use super::Translator;
 use crate::Stage;
 
-/// Old name, what it becomes, and how that is declared; `{}` is `out` or `in`.
+/// Old name, replacement, and declaration; `{}` is `out` or `in`.
 const VERTEX: [(&str, &str, &str); 9] = [
     ("gl_Vertex", "gonio_Vertex", "in vec4 gonio_Vertex;"),
     ("gl_Normal", "gonio_Normal", "in vec3 gonio_Normal;"),
@@ -66,7 +66,7 @@ impl Translator<'_> {
                 self.preamble.insert("in vec4 gonio_Vertex;".into());
                 self.preamble.insert("uniform mat4 gonio_ModelViewProjectionMatrix;".into());
                 let line = "vec4 gonio_ftransform() { return gonio_ModelViewProjectionMatrix * gonio_Vertex; }";
-                // Behind the declarations, in the order of the alphabet.
+                // After the declarations, in alphabetical order.
                 self.preamble.insert(line.into());
             }
         }

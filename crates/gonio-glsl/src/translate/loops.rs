@@ -1,5 +1,5 @@
-//! Loops that end after so many turns. In a browser nobody can end a draw, and other drivers end loops by themselves and
-//! draw on: so the same turns are counted for every context.
+//! Bounds the number of loop iterations. In a browser a draw call cannot be aborted, and other drivers end long loops
+//! by themselves and keep drawing, so the same iterations are counted in every context.
 
 use std::collections::BTreeSet;
 
@@ -9,28 +9,28 @@ use crate::ast::{Statement, StatementKind};
 use crate::walk::{Visitor, walk_unit};
 use crate::{Stage, TokenRange};
 
-/// The number of turns after which loops are made to end.
+/// The number of iterations after which loops are ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct LoopBound {
-    /// Turns that all loops of a shader may take together, for one vertex or fragment.
+    /// Iterations that all loops of a shader may take together, for one vertex or fragment.
     pub turns: u32,
 }
 
 impl LoopBound {
-    /// The bound for students' shaders. A thousand times what loops over lights and samples take, and below 65,535: after
-    /// that many turns llvmpipe (Mesa 22.3) leaves all loops without a word, counting for 4 to 16 pixels together.
+    /// The bound for students' shaders: a thousand times the iterations of loops over lights and samples, and below
+    /// 65,535: after that many llvmpipe (Mesa 22.3) silently leaves all loops, counting for 4 to 16 pixels together.
     pub const STUDENTS: Self = Self { turns: 50_000 };
 }
 
-/// The uniform of a bounded shader (a `bool`). While it is false, vertices and fragments with too many turns are not drawn;
-/// while it is true, such fragments are drawn, and such vertices are scattered over the picture.
+/// The uniform of a bounded shader (a `bool`). While it is false, vertices and fragments with too many iterations are
+/// not drawn; while it is true, such fragments are drawn, and such vertices are scattered over the image.
 pub const DRAWN_ALL_THE_SAME: &str = "gonio_drawn_all_the_same";
 
 const COUNT: &str = "gonio_turns";
 
 impl Translator<'_> {
-    /// Each body counts a turn, and leaves its loop from one turn on. Shaders whose loops end within the bound by their text
-    /// stay as they are, so that compilers unroll them as ever.
+    /// Makes each loop body count an iteration and leave its loop after the bound. Shaders whose loops evidently end
+    /// within the bound stay unchanged, so that compilers unroll them as usual.
     pub(super) fn bound_loops(&mut self, bound: LoopBound) {
         let turns = bound.turns;
         if most_turns(&self.parsed.unit, self.checked).is_some_and(|most| most <= u64::from(turns)) {
@@ -38,7 +38,7 @@ impl Translator<'_> {
         }
         let mut found = Found::default();
         walk_unit(&self.parsed.unit, &mut found);
-        // A place within a macro that is used twice is changed once.
+        // A macro that is used twice is changed once.
         let bodies: BTreeSet<_> = found.bodies.into_iter().filter_map(|tokens| self.stretch(tokens)).collect();
         if bodies.is_empty() {
             return;
@@ -46,7 +46,7 @@ impl Translator<'_> {
         for (start, end) in bodies {
             self.edits.surround(start, end, &format!("{{ if (++{COUNT} > {turns}) break; "), " }");
         }
-        // A fragment that is thrown away would not tell of its loop.
+        // A discarded fragment would not reveal its loop.
         let discards: BTreeSet<_> = found.discards.into_iter().filter_map(|tokens| self.stretch(tokens)).collect();
         for (start, end) in discards {
             self.edits.surround(start, end, &format!("{{ if ({COUNT} <= {turns}) "), " }");
@@ -55,7 +55,8 @@ impl Translator<'_> {
         self.preamble.insert(format!("uniform bool {DRAWN_ALL_THE_SAME};"));
         let vanish = match self.stage() {
             Stage::Vertex => {
-                // Scattered all over the picture, so that triangles have an area whatever their vertices' numbers are.
+                // Scattered over the whole image, so that triangles have an area whatever the numbers of their
+                // vertices.
                 let place = |step: &str| format!("fract({step} * float(gl_VertexID)) * 3.0 - 1.5");
                 let scattered = format!("vec4({}, {}, 0.0, 1.0)", place("0.618034"), place("0.754878"));
                 format!("gl_Position = {DRAWN_ALL_THE_SAME} ? {scattered} : vec4(2.0, 2.0, 2.0, 1.0);")

@@ -1,4 +1,4 @@
-//! A student's shader as `#version 330 core` or `#version 300 es`, its lines where they were.
+//! Translates a student's shader to `#version 330 core` or `#version 300 es`, preserving its lines.
 
 mod casts;
 mod declarations;
@@ -20,49 +20,50 @@ use edits::Edits;
 pub use loops::{DRAWN_ALL_THE_SAME, LoopBound};
 pub use show::{Lookup, lookups};
 
-/// A shader in another version of the language.
+/// A translated shader.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Translated {
-    /// The text.
+    /// The translated source.
     pub text: String,
-    /// The line of the text that is the first line of the source: line k there is line `first_line + k - 1` here.
+    /// The line of the text that is the first line of the source: line k of the source is line `first_line + k - 1`
+    /// here.
     pub first_line: u32,
-    /// What could not be translated.
+    /// Constructs that could not be translated.
     pub problems: Vec<Problem>,
-    /// Names that are others now.
+    /// Names that were changed.
     pub renames: Vec<Rename>,
-    /// Values of uniforms that the program has to set, since the text no longer does.
+    /// Values of uniforms that the program must set, because the text no longer does.
     pub uniform_defaults: Vec<UniformDefault>,
 }
 
-/// A name that is another now.
+/// A name that was changed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Rename {
-    /// As the student wrote it.
+    /// The name in the source.
     pub from: String,
-    /// As it stands in the text.
+    /// The name in the text.
     pub to: String,
-    /// Where it is declared.
+    /// The position of its declaration.
     pub span: Span,
     /// Whether the program or the other stage knows it by this name: attributes, uniforms and varyings.
     pub is_interface: bool,
 }
 
-/// What a uniform is before the program sets it.
+/// The initial value of a uniform.
 #[derive(Debug, Clone, PartialEq)]
 pub struct UniformDefault {
-    /// The uniform, by its name in the text.
+    /// The name of the uniform in the text.
     pub name: String,
     /// Its type.
     pub ty: Option<Type>,
-    /// Its components; for a sampler with `layout(binding = ..)` the unit. None if they are not known.
+    /// Its components; for a sampler with `layout(binding = ..)` the unit. `None` if unknown.
     pub value: Option<Components>,
 }
 
-/// The output that stands for `gl_FragColor`.
+/// The output that replaces `gl_FragColor`.
 const COLOUR: &str = "gonio_FragColor";
 
-/// The student's `main`, where ours goes around it.
+/// The name of the student's `main` where ours wraps it.
 const MAIN: &str = "gonio_main";
 
 struct Translator<'t> {
@@ -73,23 +74,23 @@ struct Translator<'t> {
     problems: Vec<Problem>,
     renames: Vec<Rename>,
     defaults: Vec<UniformDefault>,
-    /// Lines in front of the student's, by name, each once.
+    /// Unique lines before the student's, sorted.
     preamble: BTreeSet<String>,
-    /// Statements that come first in `main`.
+    /// Statements at the start of `main`.
     first_in_main: String,
-    /// Statements that come when `main` has ended, wherever it did.
+    /// Statements after `main` has returned.
     after_main: String,
-    /// Blocks between the stages that were taken apart so far.
+    /// The number of split interface blocks.
     blocks: usize,
 }
 
-/// Writes a shader for another version. The tree has to be the one that `checked` was made of.
+/// Translates a shader to another version. The tree must be the one that `checked` was made from.
 #[must_use]
 pub fn translate(parsed: &Parsed, checked: &Checked, target: OutputVersion) -> Translated {
     translate_bounded(parsed, checked, target, None)
 }
 
-/// The same with loops that end, where a bound is given: see [`DRAWN_ALL_THE_SAME`].
+/// Like [`translate`], with bounded loops if there is a bound: see [`DRAWN_ALL_THE_SAME`].
 #[must_use]
 pub fn translate_bounded(
     parsed: &Parsed,
@@ -100,7 +101,7 @@ pub fn translate_bounded(
     translate_showing(parsed, checked, target, bound, None)
 }
 
-/// The same for a fragment shader that puts out what a look-up gives, where one is named.
+/// Like [`translate_bounded`], for a fragment shader that outputs the result of a look-up, if one is selected.
 #[must_use]
 pub fn translate_showing(
     parsed: &Parsed,
@@ -170,7 +171,7 @@ impl Translator<'_> {
         Translated { text, first_line, problems: self.problems, renames: self.renames, uniform_defaults: self.defaults }
     }
 
-    /// Makes room for a `main` of ours around the student's, where statements come after it.
+    /// Wraps the student's `main` in ours if statements follow it.
     fn around_main(&mut self) {
         if self.after_main.is_empty() {
             return;
@@ -192,8 +193,8 @@ impl Translator<'_> {
         self.checked.stage
     }
 
-    /// Where a run of tokens lies in the source, if it can be changed there as a whole: in the file, as the whole of a macro's
-    /// use, or within one macro's text.
+    /// Returns the position of a range of tokens in the source, if it can be changed there as a whole: in the file, as
+    /// a whole use of a macro, or within the text of one macro.
     fn stretch(&self, tokens: TokenRange) -> Option<(u32, u32)> {
         let places = &self.parsed.tokens;
         let first = places.get(tokens.first as usize)?;
@@ -212,14 +213,14 @@ impl Translator<'_> {
         }
     }
 
-    /// Another text for one token, in the macro if it came out of one.
+    /// Replaces the text of one token, in the macro if it came from one.
     fn replace_token(&mut self, index: u32, text: &str) {
         if let Some(place) = self.parsed.tokens.get(index as usize) {
             self.edits.replace(place.start, place.end, text);
         }
     }
 
-    /// The text of one token.
+    /// Returns the text of one token.
     fn token_text(&self, index: u32) -> &str {
         let place = self.parsed.tokens.get(index as usize);
         place.and_then(|p| self.parsed.source.get(p.start as usize..p.end as usize)).unwrap_or("")

@@ -1,4 +1,4 @@
-//! Names: old functions by their new ones, and the student's where the target has no room for them.
+//! Renames old functions, and the student's names that conflict with the output version.
 
 use std::collections::BTreeSet;
 
@@ -16,7 +16,7 @@ impl Translator<'_> {
         self.own_names();
     }
 
-    /// `texture2D` and its like.
+    /// Renames `texture2D` and similar functions.
     fn functions(&mut self) {
         for (name, tokens, first) in &self.checked.function_uses {
             if let Some(new) = crate::check::modern(name) {
@@ -45,7 +45,7 @@ impl Translator<'_> {
         }
     }
 
-    /// `gl_FragColor` and `gl_FragData[..]`.
+    /// Replaces `gl_FragColor` and `gl_FragData[..]`.
     fn outputs(&mut self) {
         struct Data(Vec<(crate::TokenRange, u32, f64)>);
         impl Visitor for Data {
@@ -85,7 +85,7 @@ impl Translator<'_> {
         }
     }
 
-    /// Names of the student's that the target takes for its own, or that hide a function that is called.
+    /// Renames the student's names that are reserved in the output version, or that hide a function that is called.
     fn own_names(&mut self) {
         let mut taken: BTreeSet<String> = self.checked.symbols.iter().map(|s| s.name.clone()).collect();
         taken.extend(self.parsed.macros.iter().cloned());
@@ -102,7 +102,7 @@ impl Translator<'_> {
                 || name.starts_with("webgl_")
                 || self.checked.hiding.contains(&id)
                 || self.hides_modern(symbol)
-                // Both stages have to come to the same name without seeing each other.
+                // Both stages must choose the same name independently.
                 || is_shared && is_builtin
                 || is_function && is_builtin && self.is_es();
             if !is_bad || name.is_empty() {
@@ -123,7 +123,7 @@ impl Translator<'_> {
         }
     }
 
-    /// A variable `texture`, where `texture2D` becomes `texture`.
+    /// Whether a variable is called `texture` and `texture2D` becomes `texture`.
     fn hides_modern(&self, symbol: &crate::Symbol) -> bool {
         let is_variable = symbol.kind != SymbolKind::Function;
         is_variable

@@ -1,24 +1,24 @@
-//! A fragment shader that puts out what one of its cubemap look-ups gives, instead of what it makes of it.
+//! Changes a fragment shader to output the result of one of its cubemap look-ups.
 
 use super::{COLOUR, Translator};
 use crate::ast::{Call, Expr, ExprKind};
 use crate::walk::{Visitor, walk_unit};
 use crate::{Parsed, Span, TokenRange, Type};
 
-/// An expression that looks a cubemap up.
+/// An expression that samples a cubemap.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Lookup {
-    /// Where the name of the function stands.
+    /// The position of the function's name.
     pub span: Span,
     tokens: TokenRange,
 }
 
-/// What the look-up gave last.
+/// The variable for the result of the look-up.
 const SHOWN: &str = "gonio_shown";
-/// Hands a colour on and keeps it.
+/// A function that stores a colour and returns it.
 const SHOW: &str = "gonio_shows";
 
-/// All look-ups of cubemaps in a shader, in the order of its text. The tree has to be checked, for types to be known.
+/// Returns all cubemap look-ups of a shader in source order. The tree must be checked, so that types are known.
 #[must_use]
 pub fn lookups(parsed: &Parsed) -> Vec<Lookup> {
     struct Found(Vec<Lookup>);
@@ -44,7 +44,7 @@ fn is_lookup(call: &Call) -> bool {
 }
 
 impl Translator<'_> {
-    /// Puts `lookup` out. What cannot be changed, since it hides in a macro or puts out no colour, stays as it is.
+    /// Outputs the result of `lookup`. A look-up in a macro, or a shader without a colour output, is left unchanged.
     pub(super) fn show(&mut self, lookup: Lookup) {
         let Some((start, end)) = self.stretch(lookup.tokens) else { return };
         let (output, ty) = self.output();
@@ -59,7 +59,7 @@ impl Translator<'_> {
         self.after_main.push_str(&format!("{output} = {SHOWN}{letters}; "));
     }
 
-    /// The first colour that is put out: its name in the text, and its type.
+    /// Returns the first colour output: its name in the text, and its type.
     fn output(&self) -> (String, String) {
         let outputs = &self.checked.interface.outputs;
         let first = outputs.iter().find(|o| o.location == Some(0)).or_else(|| outputs.iter().find(|o| o.is_used));

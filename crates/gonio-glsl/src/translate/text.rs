@@ -1,10 +1,11 @@
-//! What is changed word by word: directives, precisions, doubles.
+//! Changes that affect single words: directives, precisions, doubles.
 
 use super::Translator;
 use crate::Span;
 
 impl Translator<'_> {
-    /// Only macros stay: `#if` has been decided for the student's version, and must not be decided anew for another.
+    /// Removes directives except for macros: `#if` has been evaluated for the student's version, and must not be
+    /// evaluated again for another.
     pub(super) fn directives(&mut self) {
         let source = &self.parsed.source;
         for directive in &self.parsed.directives {
@@ -19,7 +20,7 @@ impl Translator<'_> {
         }
     }
 
-    /// 3.30 knows no lines that go on behind a backslash: a macro comes onto one line, with the line ends behind it.
+    /// Joins a macro's lines, because 3.30 has no line continuations; the line ends follow it.
     fn join(&mut self, span: Span) {
         let source = &self.parsed.source;
         let text = source.get(span.start as usize..span.end as usize).unwrap_or("");
@@ -39,7 +40,7 @@ impl Translator<'_> {
         }
     }
 
-    /// The same between statements, where a line end is as good as none.
+    /// Replaces line continuations between statements by line ends.
     pub(super) fn continuations(&mut self) {
         let source = &self.parsed.source;
         for (at, _) in source.match_indices('\\') {

@@ -1,4 +1,4 @@
-//! The number of turns that a shader's loops take, where the text alone tells: loops over constants, which end.
+//! Bounds the iterations of loops over constants from the source text.
 
 use std::collections::{HashMap, HashSet};
 
@@ -9,12 +9,12 @@ use crate::{Checked, Scalar, Type, Unit};
 
 /// Counters stay below this, so that none overflows.
 const MOST_VALUE: f64 = 1e9;
-/// A step of a `float` counter is at least this share of its largest value: smaller ones vanish in rounding.
+/// Least step of a `float` counter relative to its largest value: smaller ones vanish in rounding.
 const LEAST_STEP: f64 = 1e-5;
-/// Functions of GLSL itself that write to an argument.
+/// Built-in functions that write to an argument.
 const WRITERS: [&str; 6] = ["modf", "frexp", "uaddCarry", "usubBorrow", "umulExtended", "imulExtended"];
 
-/// An upper bound of the turns that all loops of a shader take in one run of `main`; none where the text does not tell.
+/// Returns an upper bound for the iterations of all loops in one run of `main`; `None` if it cannot be determined.
 pub(super) fn most_turns(unit: &Unit, checked: &Checked) -> Option<u64> {
     let writers = unit.items.iter().filter_map(|item| match item {
         Item::Function(function) => {
@@ -33,7 +33,7 @@ pub(super) fn most_turns(unit: &Unit, checked: &Checked) -> Option<u64> {
     turns.of.get("main").copied().unwrap_or(Some(0))
 }
 
-/// Constants that are numbers, by their names, where a name stands for nothing else anywhere in the shader.
+/// Returns constants that are numbers, by name, if the name has no other meaning anywhere in the shader.
 fn constants(checked: &Checked) -> HashMap<&str, f64> {
     let mut found: HashMap<&str, Option<f64>> = HashMap::new();
     for (id, symbol) in checked.symbols.iter().enumerate() {
@@ -48,7 +48,8 @@ struct Turns<'t> {
     constants: HashMap<&'t str, f64>,
     /// Functions that write to arguments.
     writers: HashSet<&'t str>,
-    /// Of each function so far, all of its name together; a function that is defined after its use is not known there.
+    /// Iterations of each function so far, all overloads together; a function that is defined after its use is unknown
+    /// there.
     of: HashMap<&'t str, Option<u64>>,
 }
 
@@ -59,7 +60,7 @@ impl<'t> Turns<'t> {
             None => None,
         };
         let before = self.of.get(&*function.name).copied();
-        // Announced before: the body is what counts.
+        // For a prototype, the body counts.
         let all = match before {
             None | Some(None) => found,
             Some(Some(before)) => found.and_then(|found| before.checked_add(found)),
@@ -96,14 +97,14 @@ impl<'t> Turns<'t> {
         }
     }
 
-    /// Turns of the functions that an expression calls.
+    /// Returns the iterations of the functions that an expression calls.
     fn calls(&self, expr: &Expr) -> Option<u64> {
         let mut called = Called { turns: self, sum: Some(0) };
         walk_expression(expr, &mut called);
         called.sum
     }
 
-    /// `for (int i = 0; i < 8; i++)`: 8, as long as nothing else writes to `i`.
+    /// Returns the iterations of a loop: 8 for `for (int i = 0; i < 8; i++)` if nothing else writes to `i`.
     fn turns(
         &self,
         initial: Option<&Statement>,
@@ -125,7 +126,7 @@ impl<'t> Turns<'t> {
         }
         let is_enough = match scalar {
             Scalar::Int => step.abs() >= 1.0,
-            // Below zero an unsigned counter begins again from above.
+            // An unsigned counter wraps around below zero.
             Scalar::UInt => step >= 1.0,
             Scalar::Float => step.abs() > LEAST_STEP * first.abs().max(last.abs()),
             _ => false,
@@ -150,7 +151,7 @@ impl<'t> Turns<'t> {
         }
     }
 
-    /// What a turn adds to the counter.
+    /// Returns the change of the counter per iteration.
     fn step(&self, expr: &Expr, counter: &str) -> Option<f64> {
         match &expr.kind {
             ExprKind::Unary { op, operand } if is_name(operand, counter) => match op {

@@ -2,7 +2,7 @@
 
 pub(crate) mod words;
 
-/// What a component is.
+/// The type of a component.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Scalar {
     /// `bool`
@@ -20,26 +20,26 @@ pub enum Scalar {
 /// A type.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Type {
-    /// What a function without a value returns.
+    /// The return type of a function without a value.
     Void,
-    /// One component.
+    /// A scalar.
     Scalar(Scalar),
-    /// 2 to 4 components.
+    /// A vector with 2 to 4 components.
     Vector(Scalar, u8),
-    /// Columns and rows of `float` or `double`.
+    /// A matrix of `float` or `double`.
     Matrix {
-        /// `float` or `double`.
+        /// The component type: `float` or `double`.
         scalar: Scalar,
-        /// Columns, 2 to 4.
+        /// The number of columns, 2 to 4.
         columns: u8,
-        /// Rows, 2 to 4.
+        /// The number of rows, 2 to 4.
         rows: u8,
     },
     /// A sampler or image, by name.
     Opaque(String),
     /// A struct, by name.
     Struct(String),
-    /// Several of a type; without a number where the shader leaves it open.
+    /// An array; without a number if the size is open.
     Array(Box<Type>, Option<u32>),
 }
 
@@ -53,19 +53,19 @@ impl Type {
     /// `bool`
     pub const BOOL: Self = Self::Scalar(Scalar::Bool);
 
-    /// A vector of floats, or `float` itself for 1.
+    /// Returns a vector of floats, or `float` for 1.
     #[must_use]
     pub fn floats(count: u8) -> Self {
         Self::scalar_or_vector(Scalar::Float, count)
     }
 
-    /// A vector, or the scalar itself for 1.
+    /// Returns a vector, or the scalar for 1.
     #[must_use]
     pub fn scalar_or_vector(scalar: Scalar, count: u8) -> Self {
         if count == 1 { Self::Scalar(scalar) } else { Self::Vector(scalar, count) }
     }
 
-    /// One of GLSL's own types by its name.
+    /// Returns the built-in type with this name.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         Some(match name {
@@ -133,7 +133,7 @@ impl Type {
         (is_known || name == "atomic_uint").then(|| Self::Opaque(name.to_string()))
     }
 
-    /// The name as the shader would write it.
+    /// Returns the name as it is written in a shader.
     #[must_use]
     pub fn written(&self) -> String {
         match self {
@@ -156,7 +156,7 @@ impl Type {
         }
     }
 
-    /// What its components are, where it has some.
+    /// Returns the component type, if there is one.
     #[must_use]
     pub fn scalar(&self) -> Option<Scalar> {
         match self {
@@ -165,7 +165,7 @@ impl Type {
         }
     }
 
-    /// Number of components of a scalar, vector or matrix.
+    /// Returns the number of components of a scalar, vector or matrix.
     #[must_use]
     pub fn components(&self) -> Option<u32> {
         match self {
@@ -176,7 +176,7 @@ impl Type {
         }
     }
 
-    /// The same shape of other components.
+    /// Returns the same shape with another component type.
     #[must_use]
     pub fn with_scalar(&self, to: Scalar) -> Self {
         match self {
@@ -187,7 +187,7 @@ impl Type {
         }
     }
 
-    /// The innermost type of an array, or the type itself.
+    /// Returns the innermost element type of an array, or the type itself.
     #[must_use]
     pub fn innermost(&self) -> &Self {
         match self {
@@ -196,8 +196,8 @@ impl Type {
         }
     }
 
-    /// Whether some version of the language turns this into `to` by itself: `int` to `uint` to `float` to `double`, component
-    /// by component (GLSL 4.60, section 4.1.10).
+    /// Whether some version of the language converts this to `to` implicitly: `int` to `uint` to `float` to `double`,
+    /// component by component (GLSL 4.60, section 4.1.10).
     #[must_use]
     pub fn becomes(&self, to: &Self) -> bool {
         if self == to {
@@ -222,7 +222,7 @@ impl std::fmt::Display for Type {
 }
 
 impl Scalar {
-    /// As GLSL writes it.
+    /// Returns the GLSL keyword.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {

@@ -1,12 +1,12 @@
-//! Words that GLSL keeps for itself.
+//! Keywords and reserved words.
 
 use crate::Version;
 
-/// Words that begin or continue statements, in every version.
+/// Keywords of statements in every version.
 const STATEMENTS: &str =
     " if else for while do return break continue discard struct const in out inout uniform true false ";
 
-/// Words before a type, with the versions (desktop, ES) from which on they are that; 0 is never.
+/// Qualifiers, with the first versions (desktop, ES) that have them; 0 is never.
 const QUALIFIERS: [(&str, u32, u32); 30] = [
     ("const", 110, 100),
     ("in", 110, 100),
@@ -40,12 +40,13 @@ const QUALIFIERS: [(&str, u32, u32); 30] = [
     ("row_major", 0, 0),
 ];
 
-/// Words that no version uses and that every one keeps (GLSL 4.60 and GLSL ES 3.00, section 3.6 and 3.7).
+/// Words that are reserved in every version without having a meaning (GLSL 4.60 and GLSL ES 3.00, sections 3.6 and
+/// 3.7).
 const RESERVED: &str = " asm class union enum typedef template this goto inline noinline volatile public static extern \
 external interface long short half fixed unsigned superp input output hvec2 hvec3 hvec4 fvec2 fvec3 fvec4 \
 sampler3DRect sizeof cast namespace using ";
 
-/// More words that are kept, with the version from which on (desktop, ES).
+/// Further reserved words, with the first versions (desktop, ES).
 const RESERVED_FROM: [(&str, u32, u32); 22] = [
     ("common", 130, 300),
     ("partition", 130, 300),
@@ -75,17 +76,17 @@ fn listed(list: &str, word: &str) -> bool {
     !word.is_empty() && list.split_ascii_whitespace().any(|w| w == word)
 }
 
-/// Whether the word may stand before a type in this version.
+/// Whether the word is a qualifier in this version.
 pub(crate) fn is_qualifier(word: &str, version: Version) -> bool {
     QUALIFIERS.iter().any(|(w, desktop, es)| *w == word && version.is_at_least(*desktop, *es))
 }
 
-/// Whether the word controls the flow or the like, so that it can never be a name.
+/// Whether the word is a keyword of statements, which can never be a name.
 pub(crate) fn is_statement(word: &str, version: Version) -> bool {
     listed(STATEMENTS, word) || (matches!(word, "switch" | "case" | "default") && version.is_at_least(130, 300))
 }
 
-/// Whether the word is one of GLSL's types in this version.
+/// Whether the word is a built-in type in this version.
 pub(crate) fn is_type(word: &str, version: Version) -> bool {
     match word {
         "uint" | "uvec2" | "uvec3" | "uvec4" => version.is_at_least(130, 300),
@@ -95,7 +96,7 @@ pub(crate) fn is_type(word: &str, version: Version) -> bool {
     }
 }
 
-/// Whether no variable, function or struct may be called so in this version.
+/// Whether the word cannot be the name of a variable, function or struct in this version.
 pub(crate) fn is_reserved(word: &str, version: Version) -> bool {
     is_statement(word, version)
         || is_qualifier(word, version)

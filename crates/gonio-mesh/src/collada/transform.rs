@@ -6,7 +6,7 @@ use crate::ReadError;
 use crate::text::quote;
 use glam::{DMat3, DMat4, DVec3};
 
-/// To Y up and metres: `parent_from_file`, and metres of one of the file's units.
+/// Returns `parent_from_file`, which converts to Y up and metres, and the length of the file's unit in metres.
 pub(super) fn model_from_file(document: &Document<'_>) -> Result<(DMat4, f64), ReadError> {
     let Some(asset) = document.tree.root().child("asset") else { return Ok((DMat4::IDENTITY, 1.0)) };
     let mut meter = 1.0;
@@ -83,7 +83,7 @@ fn look_at(document: &Document<'_>, element: Element<'_>) -> Result<DMat4, ReadE
 fn skew(v: [f64; 7]) -> DMat4 {
     let turned = DVec3::new(v[1], v[2], v[3]).normalize_or_zero();
     let along = DVec3::new(v[4], v[5], v[6]).normalize_or_zero();
-    // What of `turned` is at right angles to `along` is the height above the plane that stays.
+    // The component of `turned` orthogonal to `along` is the height above the fixed plane.
     let height = turned - turned.dot(along) * along;
     let Some(height) = height.try_normalize() else { return DMat4::IDENTITY };
     let shear = v[0].to_radians().tan();

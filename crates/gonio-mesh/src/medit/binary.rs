@@ -1,20 +1,19 @@
-//! `.meshb`: sections that say where the next one begins.
+//! `.meshb`: a chain of sections.
 //!
-//! The code 1 as 32 bits tells the byte order; then the version: 1 (32-bit reals), 2 (64-bit reals), 3 (also 64-bit
-//! positions), 4 (also 64-bit integers). Each section is a keyword's code, the position of the next section (0: there
-//! is none), the number of rows, the rows.
+//! The code 1 as 32 bits identifies the byte order; then follows the version: 1 (32-bit reals), 2 (64-bit reals), 3
+//! (also 64-bit positions), 4 (also 64-bit integers). Each section consists of a keyword's code, the position of the
+//! next section (0 for the last one), the number of rows, and the rows.
 
 use super::content::{Content, Locator, Numbers};
 use super::keywords::{self, Keyword, Rows};
 use crate::report::Reports;
 use crate::{Limits, ReadError, Severity};
 
-/// Whether the file begins as binary ones do.
+/// Whether the file begins like a binary one.
 pub(super) fn is_binary(bytes: &[u8]) -> bool {
     bytes.starts_with(&[1, 0, 0, 0]) || bytes.starts_with(&[0, 0, 0, 1])
 }
 
-/// Reads a binary file.
 pub(super) fn read<'a>(
     bytes: &'a [u8],
     limits: &Limits,
@@ -52,17 +51,16 @@ pub(super) fn read<'a>(
     Ok((content, Locator::Binary))
 }
 
-/// A section of a known keyword.
 struct Section {
     keyword: &'static Keyword,
-    /// Where its code stands.
+    /// The position of its code.
     at: usize,
-    /// Where its numbers begin and end.
+    /// The range of its numbers.
     data: usize,
     end: usize,
 }
 
-/// Follows the chain of sections, which must lead forward; also whether it ends as it should.
+/// Follows the chain of sections, which must lead forward. Also returns whether it ends with End.
 fn sections(cursor: &mut Bytes<'_>, reports: &mut Reports) -> Result<(Vec<Section>, bool), ReadError> {
     let mut sections = Vec::new();
     let mut has_end = false;
@@ -130,19 +128,19 @@ fn read_section(
     content.read_rows(keyword, count, &mut numbers, limits)
 }
 
-/// A place in the file.
+/// A position in the file.
 #[derive(Clone, Copy)]
 struct Bytes<'a> {
     bytes: &'a [u8],
     at: usize,
     big_endian: bool,
     version: i32,
-    /// What is read, for messages.
+    /// The name of the section that is read, for messages.
     section: &'static str,
 }
 
 impl<'a> Bytes<'a> {
-    /// At the numbers of a section, which end where it ends.
+    /// Returns a cursor at the numbers of a section that ends where the section ends.
     fn enter(&self, section: &Section) -> Bytes<'a> {
         Bytes { bytes: &self.bytes[..section.end], at: section.data, section: section.keyword.name, ..*self }
     }

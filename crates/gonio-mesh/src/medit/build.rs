@@ -1,4 +1,4 @@
-//! From faces to an indexed mesh with a part for each reference.
+//! Builds an indexed mesh from faces, with a part for each reference.
 
 use super::content::{Content, Locator};
 use super::surface::Face;
@@ -9,10 +9,9 @@ use crate::report::Reports;
 use crate::{Diagnostic, Limits, Material, Mesh, NormalSource, Part, ReadError, Severity};
 use gonio_light::color::srgb_decode;
 
-/// References that get parts of their own.
+/// Most references that get a part of their own.
 const MOST_REFERENCES: usize = 1024;
 
-/// Makes mesh and materials of the faces.
 pub(super) fn build(
     content: &Content,
     mut faces: Vec<Face>,
@@ -47,9 +46,9 @@ pub(super) fn build(
     Ok((builder.finish(reports), materials))
 }
 
-/// `ref N`: 0 is clay; the others are as different as hues can be: each golden section of the circle (R. Jain's
-/// multiplicative hashing of Knuth's constant, as M. Ankerl uses it for colours) on from the one before, of saturation
-/// 0.55 and value 0.85 (in sRGB).
+/// Returns the material `ref N`: 0 is clay. The hues of the others differ as much as possible: each is one golden
+/// section of the circle on from the one before (R. Jain's multiplicative hashing of Knuth's constant, as M. Ankerl
+/// uses it for colours), with saturation 0.55 and value 0.85 (in sRGB).
 fn material_of(reference: i64) -> Material {
     let name = format!("ref {reference}");
     if reference == 0 {
@@ -91,7 +90,7 @@ impl<'a> Normals<'a> {
             let elements = content.elements.iter().find(|e| !e.is_volume && e.corners == *corners);
             let expected = elements.map_or(0, |e| e.references.len() * corners);
             if list.len() == expected {
-                // 0 is a way of saying none.
+                // Some files write 0 for none.
                 lost += list.iter().filter(|normal| !(0..=count as i64).contains(normal)).count();
                 normals.of_corners.push((*corners, list));
             } else {

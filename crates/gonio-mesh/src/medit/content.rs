@@ -1,66 +1,65 @@
-//! What a file holds, whichever way it is written.
+//! The contents of a file, in either encoding.
 
 use super::keywords::{Keyword, Rows};
 use crate::line_index::LineIndex;
 use crate::report::Reports;
 use crate::{Diagnostic, Limits, ReadError, Severity};
 
-/// Numbers of a section, one after another.
+/// Reads the numbers of a section one after another.
 pub(super) trait Numbers {
-    /// A coordinate; finite.
+    /// Reads a coordinate, which must be finite.
     fn real(&mut self) -> Result<f32, ReadError>;
-    /// An index or a reference.
+    /// Reads an index or a reference.
     fn integer(&mut self) -> Result<i64, ReadError>;
-    /// The byte where the next number stands.
+    /// Returns the byte where the next number is.
     fn place(&mut self) -> usize;
-    /// An error where the next number stands.
+    /// Creates an error at the next number.
     fn error(&mut self, message: String) -> ReadError;
-    /// How many numbers there can be, at most: no more room is made than for these.
+    /// Returns an upper bound for the remaining numbers, which limits allocations.
     fn most_left(&self) -> usize;
 }
 
-/// Elements of one keyword.
+/// The elements of one keyword.
 pub(super) struct Elements {
     pub(super) keyword: &'static Keyword,
-    /// Corners of each.
+    /// Corners of an element.
     pub(super) corners: usize,
     pub(super) is_volume: bool,
-    /// From 1, not yet checked; so many of each element as it has corners.
+    /// Indices from 1, not yet checked, for each corner of each element.
     pub(super) vertices: Vec<u32>,
-    /// One of each element.
+    /// One for each element.
     pub(super) references: Vec<i64>,
     /// The byte where each begins.
     pub(super) places: Vec<usize>,
 }
 
-/// All that a file says.
+/// The contents of a file.
 #[derive(Default)]
 pub(super) struct Content {
     /// 2 or 3; 0 while unknown.
     pub(super) dimension: usize,
-    /// Whether the section that says so was passed: in a text it may be looked up before.
+    /// Whether the section with the dimension has been read: in a text the dimension may be looked up ahead of it.
     pub(super) has_dimension: bool,
-    /// In two dimensions at z = 0.
+    /// Two-dimensional points are at z = 0.
     pub(super) vertices: Vec<[f32; 3]>,
     pub(super) elements: Vec<Elements>,
-    /// Unit vectors, or zero.
+    /// Vectors of length 1 or 0.
     pub(super) normals: Vec<[f32; 3]>,
-    /// Vertex and normal, from 1.
+    /// Indices of a vertex and a normal, from 1.
     pub(super) normal_at_vertices: Vec<[i64; 2]>,
-    /// Normals of corners, from 1: of how many corners an element has, and of all elements one after another.
+    /// For elements of each corner count: indices of normals from 1, for all corners of all elements.
     pub(super) normal_at_corners: Vec<(usize, Vec<i64>)>,
-    /// Sections in the order of the file, with the byte where each begins.
+    /// The sections in the order of the file: keyword, number of rows and the byte where each begins.
     pub(super) counts: Vec<(&'static Keyword, u64, usize)>,
     pub(super) has_end: bool,
 }
 
 impl Content {
-    /// Whether rows of this keyword were read.
     pub(super) fn has(&self, keyword: &Keyword) -> bool {
         self.counts.iter().any(|(known, ..)| known.code == keyword.code)
     }
 
-    /// How many numbers a row has, where it is read at all.
+    /// Returns the numbers per row, if rows of this kind are read.
     pub(super) fn numbers_in_row(&self, rows: Rows) -> Option<usize> {
         match rows {
             Rows::Vertices => Some(self.dimension + 1),
@@ -144,7 +143,7 @@ impl Content {
             for node in 0..nodes {
                 let index = numbers.integer()?;
                 if node < corners {
-                    // What is no index of any vertex is reported when all vertices are known.
+                    // Indices out of range are reported when the number of vertices is known.
                     elements.vertices.push(u32::try_from(index).unwrap_or(u32::MAX));
                 }
             }
@@ -163,14 +162,14 @@ fn point(dimension: usize, numbers: &mut impl Numbers) -> Result<[f32; 3], ReadE
     Ok(point)
 }
 
-/// How places are told: as lines and columns of a text, as bytes of a binary file.
+/// Formats positions: as lines and columns of a text, or as bytes of a binary file.
 pub(super) enum Locator<'a> {
     Text(LineIndex<'a>),
     Binary,
 }
 
 impl Locator<'_> {
-    /// A warning that may be due at many places; `kind` is a phrase for "and 5 more: KIND".
+    /// Reports a warning that may occur at many places; `kind` completes "and 5 more: KIND".
     pub(super) fn warn(&self, kind: &'static str, at: usize, reports: &mut Reports, message: impl FnOnce() -> String) {
         match self {
             Locator::Text(lines) => {
@@ -183,7 +182,7 @@ impl Locator<'_> {
         }
     }
 
-    /// A diagnostic at a byte.
+    /// Reports a diagnostic at a byte.
     pub(super) fn say(&self, severity: Severity, at: usize, reports: &mut Reports, message: String) {
         let (order, diagnostic) = match self {
             Locator::Text(lines) => {

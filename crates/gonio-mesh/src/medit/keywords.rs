@@ -1,33 +1,32 @@
-//! The keywords of the format, their codes in binary files, and what their rows hold.
+//! The keywords of the format, their codes in binary files, and the contents of their rows.
 //!
 //! Names and codes: L. Maréchal, "The libMeshb library version 7" (INRIA), its table of keywords.
 
-/// What the rows of a keyword are.
+/// The contents of a keyword's rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Rows {
-    /// One integer, 2 or 3, and no count.
+    /// One integer, 2 or 3, without a count.
     Dimension,
     /// Coordinates and a reference.
     Vertices,
-    /// The indices of `nodes` vertices, the first `corners` of which are the corners, and a reference.
+    /// The indices of `nodes` vertices, of which the first `corners` are the corners, and a reference.
     Surface { corners: usize, nodes: usize },
-    /// As surfaces, of a body.
+    /// Like surfaces, for a volume element.
     Volume { corners: usize, nodes: usize },
-    /// Coordinates of a vector.
+    /// The coordinates of a vector.
     Normals,
-    /// A vertex, a normal.
+    /// The indices of a vertex and a normal.
     NormalAtVertices,
-    /// A normal for each corner of the element of the same number; so many.
+    /// A normal for each corner of the element with the same number, which has so many corners.
     NormalAtCorners(usize),
-    /// Counted, and not drawn.
+    /// Counted but not drawn.
     Counted,
-    /// Without a count, and not drawn.
+    /// No count, not drawn.
     Bare,
-    /// Nothing comes after it.
+    /// The end of the file.
     End,
 }
 
-/// A keyword.
 #[derive(Debug)]
 pub(super) struct Keyword {
     pub(super) name: &'static str,
@@ -47,7 +46,7 @@ const fn volume(corners: usize, nodes: usize) -> Rows {
     Rows::Volume { corners, nodes }
 }
 
-/// All that mean something here. `MeshVersionFormatted` is read before them.
+/// All known keywords. `MeshVersionFormatted` is read before them.
 pub(super) const KEYWORDS: &[Keyword] = &[
     keyword("Dimension", 3, Rows::Dimension),
     keyword("Vertices", 4, Rows::Vertices),
@@ -91,12 +90,11 @@ pub(super) const KEYWORDS: &[Keyword] = &[
     keyword("PyramidsP2", 87, volume(5, 14)),
 ];
 
-/// The keyword of this name; programs disagree about the case of its letters.
+/// Finds a keyword by its name; programs differ in the case of its letters.
 pub(super) fn by_name(name: &[u8]) -> Option<&'static Keyword> {
     KEYWORDS.iter().find(|keyword| keyword.name.as_bytes().eq_ignore_ascii_case(name))
 }
 
-/// The keyword of this code.
 pub(super) fn by_code(code: u32) -> Option<&'static Keyword> {
     KEYWORDS.iter().find(|keyword| keyword.code == code)
 }

@@ -13,22 +13,22 @@ use crate::report::Reports;
 use crate::{Diagnostic, Limits, Model, ReadError, Severity, Sidecars};
 use content::{Content, Locator};
 
-/// Reads a Medit file, a text or a binary file of version 1 to 4 in either byte order; it names no other files.
+/// Reads a Medit file, a text or a binary file of version 1 to 4 in either byte order. It refers to no other files.
 ///
-/// - Drawn are surface elements (`Triangles`, `Quadrilaterals`; curved ones by their corners). Only where a file has
-///   none of them, bodies (`Tetrahedra`, `Prisms`, `Hexahedra`, `Pyramids`) are drawn by their boundary: the faces that
-///   only one of them has, fronts outward.
+/// - Surface elements are drawn (`Triangles`, `Quadrilaterals`; curved ones by their corners). Only if a file has none
+///   of them, volume elements (`Tetrahedra`, `Prisms`, `Hexahedra`, `Pyramids`) are drawn by their boundary: the faces
+///   that belong to only one of them, fronts outward.
 /// - References become parts in ascending order, each with a material `ref N`. Reference 0 is clay; the hue of another
-///   one is N times the golden section of the circle of hues. Beyond 1,024 different ones all are one part.
-/// - Two dimensions lie at z = 0.
+///   one is N times the golden section of the circle of hues. More than 1,024 different ones are merged into one part.
+/// - Two-dimensional meshes are at z = 0.
 /// - Normals come from `NormalAtTriangleVertices` and `NormalAtQuadrilateralVertices` (one row of normals for each
-///   element), then from `NormalAtVertices`; they are zero where neither gives one ([`crate::normals::complete`] mends
-///   it).
-/// - What else is known is counted in [`Model::contents`]. Unknown keywords are skipped.
+///   element), then from `NormalAtVertices`; they are zero if neither defines one ([`crate::normals::complete`]
+///   computes them).
+/// - Other known keywords are counted in [`Model::contents`]. Unknown keywords are skipped.
 ///
-/// An element that points at no vertex is left out with a warning. Errors are: what is no number where one should be, a
-/// coordinate that is not finite, a count beyond the end of the file, sections that do not follow one another, no face
-/// at all, more than `limits` allow. Places in binary files are told as bytes from 1.
+/// An element with an index out of range is left out with a warning. Errors are: text in place of a number, a
+/// coordinate that is not finite, a count beyond the end of the file, a broken chain of sections, no faces, and more
+/// data than `limits` allow. Positions in binary files are reported as bytes from 1.
 pub fn read(bytes: &[u8], _sidecars: &mut dyn Sidecars, limits: &Limits) -> Result<Model, ReadError> {
     read_as_utf8(bytes, |bytes| read_utf8(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes), limits))
 }

@@ -1,4 +1,4 @@
-//! Which faces are drawn: the surface that the file has, or else the boundary of its bodies.
+//! Selects the faces to draw: the surface in the file, or else the boundary of its volume elements.
 
 use super::content::{Content, Elements, Locator};
 use super::keywords::Rows;
@@ -6,28 +6,26 @@ use crate::Severity;
 use crate::report::Reports;
 use glam::DVec3;
 
-/// What is told of indices.
 const NO_VERTEX: &str = "elements with an index out of range";
 
-/// The fourth corner of a triangle.
+/// Marks the fourth corner of a triangle.
 pub(super) const NONE: u32 = u32::MAX;
 
-/// A face: vertices from 0.
+/// A face with vertices from 0.
 pub(super) struct Face {
     pub(super) corners: [u32; 4],
     pub(super) reference: i64,
-    /// The number of corners of its elements and its number among them, where normals may be given by these.
+    /// The number of corners of its element and the element's index, which normals may refer to.
     pub(super) element: Option<(usize, usize)>,
 }
 
 impl Face {
-    /// Its three or four vertices.
     pub(super) fn vertices(&self) -> &[u32] {
         if self.corners[3] == NONE { &self.corners[..3] } else { &self.corners }
     }
 }
 
-/// All faces that are drawn, in the order of the file.
+/// Returns all faces to draw, in the order of the file.
 pub(super) fn faces(content: &Content, locator: &Locator<'_>, reports: &mut Reports) -> Vec<Face> {
     let has_surface = content.elements.iter().any(|e| !e.is_volume && !e.references.is_empty());
     let mut faces = Vec::new();
@@ -46,7 +44,7 @@ pub(super) fn faces(content: &Content, locator: &Locator<'_>, reports: &mut Repo
     faces
 }
 
-/// Says what becomes of elements where that is not plain.
+/// Reports elements that are drawn differently than one might expect.
 fn explain(elements: &Elements, has_surface: bool, content: &Content, locator: &Locator<'_>, reports: &mut Reports) {
     let keyword = elements.keyword;
     let at = content.counts.iter().find(|(k, ..)| k.code == keyword.code).map_or(0, |(.., at)| *at);
@@ -65,7 +63,7 @@ fn explain(elements: &Elements, has_surface: bool, content: &Content, locator: &
     locator.say(Severity::Note, at, reports, message);
 }
 
-/// The vertices of an element, from 0, or nothing where one of them does not exist.
+/// Returns the vertices of an element, from 0, or `None` if one of them does not exist.
 fn vertices<'a>(
     elements: &'a Elements,
     index: usize,
@@ -130,7 +128,7 @@ fn add_volume(
         for side in sides {
             let mut corners = side.map(|i| v.get(i).map_or(NONE, |vertex| vertex - 1));
             if faces_inward(corners, center, at) {
-                // The middle corner of a triangle, both ends of a diagonal of a quadrilateral.
+                // Swap the other two corners of a triangle, or two opposite corners of a quadrilateral.
                 if corners[3] == NONE { corners.swap(1, 2) } else { corners.swap(1, 3) }
             }
             faces.push(Face { corners, reference, element: None });
@@ -138,14 +136,14 @@ fn add_volume(
     }
 }
 
-/// Programs disagree about the order of a body's corners, so its middle tells which side is out.
+/// Programs differ in the order of a volume's corners, so its centre decides which side is outside.
 fn faces_inward(corners: [u32; 4], center: DVec3, at: impl Fn(u32) -> DVec3) -> bool {
     let [a, b, c] = [at(corners[0]), at(corners[1]), at(corners[2])];
     let normal = if corners[3] == NONE { (b - a).cross(c - a) } else { (c - a).cross(at(corners[3]) - b) };
     normal.dot(0.5 * (a + c) - center) < 0.0
 }
 
-/// The faces that no other one equals, in the same order.
+/// Removes faces that occur twice, keeping the order.
 fn without_inner(faces: Vec<Face>) -> Vec<Face> {
     let mut keys: Vec<([u32; 4], usize)> = faces
         .iter()

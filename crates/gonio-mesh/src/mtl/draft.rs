@@ -1,4 +1,4 @@
-//! A material while its statements are read: what was written, and nothing else.
+//! The statements of a material as they are written, before any rule is applied.
 
 use super::map::{self, MapUse, UnsupportedOptions};
 use super::values::{Located, Place, color, only_scalar, put};
@@ -6,7 +6,6 @@ use crate::report::Reports;
 use crate::text::{Cursor, quote};
 use crate::{Channel, PropertySource, Severity, TextureMap};
 
-/// The statements of one material.
 #[derive(Default)]
 pub(super) struct Draft {
     pub(super) name: String,
@@ -33,11 +32,11 @@ pub(super) struct Draft {
     pub(super) roughness: Option<Located<f32>>,
     pub(super) metallic_map: Option<Located<TextureMap>>,
     pub(super) roughness_map: Option<Located<TextureMap>>,
-    /// Statements without a term in the light equation, the last of each keyword.
+    /// Statements without a term in the light equation; the last one of each keyword.
     pub(super) unused: Vec<PropertySource>,
 }
 
-/// Statements of the format, and of its physically based extension, that the light equation has no term for.
+/// Statements of the format and its physically based extension for which the light equation has no term.
 pub(super) const UNUSED: [&str; 15] = [
     "map_Ps",
     "map_Pc",
@@ -61,7 +60,7 @@ impl Draft {
         Draft { name, line, ..Draft::default() }
     }
 
-    /// Reads a statement. Returns whether it is one of the format or its extensions.
+    /// Reads a statement. Returns whether it belongs to the format or its extensions.
     pub(super) fn statement(
         &mut self,
         keyword: &[u8],
@@ -70,7 +69,7 @@ impl Draft {
         unsupported: &mut UnsupportedOptions,
         reports: &mut Reports,
     ) -> bool {
-        // Programs disagree about the case of letters, and no two statements differ only in it.
+        // Programs differ in the case of letters, and no two statements differ only in it.
         let lower = keyword.to_ascii_lowercase();
         let (slot, name): (&mut Option<Located<[f32; 3]>>, _) = match lower.as_slice() {
             b"ka" => (&mut self.ambient, "Ka"),
@@ -139,7 +138,7 @@ impl Draft {
                 self.surroundings(&place, cursor, unsupported, reports);
                 return true;
             }
-            // Heights for displacement: no part of a material's light.
+            // Displacement heights do not affect the light of a material.
             b"disp" | b"map_disp" => {
                 map::read(cursor, "disp", MapUse::Bump, unsupported, reports);
                 self.keep_unused("disp", &place, "displacement is not supported");
@@ -152,7 +151,8 @@ impl Draft {
         true
     }
 
-    /// `map_RMA`: roughness, metalness, occlusion in red, green, blue; `map_ORM`: occlusion, roughness, metalness.
+    /// Reads `map_RMA` (roughness, metalness, occlusion in red, green, blue) or `map_ORM` (occlusion, roughness,
+    /// metalness).
     fn packed_map(
         &mut self,
         is_orm: bool,
@@ -174,7 +174,7 @@ impl Draft {
         put(&mut self.metallic_map, of_channel(metallic), place, name, reports);
     }
 
-    /// `refl -type sphere sky.png`. Blender writes its picture of metalness as `map_refl`.
+    /// Reads `refl -type sphere sky.png`. Blender writes its metalness map as `map_refl`.
     fn surroundings(
         &mut self,
         place: &Place,
@@ -206,7 +206,7 @@ impl Draft {
     }
 }
 
-/// `d -halo 0.5` is as `d 0.5`.
+/// Reads `d -halo 0.5` as `d 0.5`.
 fn skip_halo(cursor: &mut Cursor<'_>, reports: &mut Reports) {
     if cursor.next_word() && cursor.offending_word().eq_ignore_ascii_case(b"-halo") {
         let (line, column) = (cursor.line(), Some(cursor.column()));
@@ -217,7 +217,7 @@ fn skip_halo(cursor: &mut Cursor<'_>, reports: &mut Reports) {
     }
 }
 
-/// `illum 2`.
+/// Reads `illum 2`.
 fn illumination_model(cursor: &mut Cursor<'_>, reports: &mut Reports) -> Option<u8> {
     cursor.next_word();
     let (line, column) = (cursor.line(), Some(cursor.column()));

@@ -1,27 +1,27 @@
-//! Texture statements: options, then a file name that may have spaces.
+//! Texture statements: options, followed by a file name that may contain spaces.
 
 use crate::report::Reports;
 use crate::text::{Cursor, quote};
 use crate::{Channel, Severity, TextureMap, Wrap};
 
-/// What a texture is for.
+/// The use of a texture.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum MapUse {
-    /// Three numbers, encoded as sRGB.
+    /// A colour, encoded as sRGB.
     Color,
-    /// One number.
+    /// A scalar.
     Scalar,
     /// Heights or normals.
     Bump,
-    /// Surroundings, `refl`: `-type` says how they are projected.
+    /// A reflection map, `refl`; `-type` sets its projection.
     Surroundings,
 }
 
-/// What follows an option.
+/// The values of an option.
 enum Values {
     /// One to three numbers.
     UpToThree,
-    /// So many numbers.
+    /// A fixed count of numbers.
     Numbers(usize),
     /// One word.
     Word,
@@ -50,10 +50,10 @@ const OPTIONS: [(&str, Values); 15] = [
 const PROJECTIONS: [&str; 7] =
     ["sphere", "cube_top", "cube_bottom", "cube_front", "cube_back", "cube_left", "cube_right"];
 
-/// Options that are understood and not done, to be told once each.
+/// Options that are recognised but not supported, to be reported once each.
 #[derive(Default)]
 pub(super) struct UnsupportedOptions {
-    /// Option, how often, the first one's line and column.
+    /// Option, number of uses, and line and column of the first one.
     options: Vec<(&'static str, u64, u64, Option<u64>)>,
 }
 
@@ -74,13 +74,13 @@ impl UnsupportedOptions {
     }
 }
 
-/// What a texture statement says: the texture, and the word of `-type`.
+/// The contents of a texture statement: the texture, and the word of `-type`.
 pub(super) struct Statement {
     pub(super) texture: TextureMap,
     pub(super) projection: Option<&'static str>,
 }
 
-/// Reads the rest of a texture statement. `None` where it names no file.
+/// Reads the rest of a texture statement. `None` if it has no file name.
 pub(super) fn read(
     cursor: &mut Cursor<'_>,
     keyword: &'static str,
@@ -95,7 +95,7 @@ pub(super) fn read(
     let mut name = reader.options(cursor, Some(line));
     // Some programs write the options last (`bump.jpg -bm 1.5`).
     while let Some(at) = trailing_option(&name) {
-        // Behind the options nothing is left: else it was the name's own ` -s`.
+        // Otherwise ` -s` belongs to the name.
         if !is_only_options(&name[at..]) {
             break;
         }
@@ -115,7 +115,7 @@ pub(super) fn read(
     Some(statement)
 }
 
-/// Where the last ` -option` of a name with options behind it starts.
+/// Returns the start of the last ` -option` in a name that is followed by options.
 fn trailing_option(text: &str) -> Option<usize> {
     let (at, _) = text.rmatch_indices([' ', '\t']).find(|(at, _)| {
         let rest = &text[at + 1..];
@@ -124,7 +124,7 @@ fn trailing_option(text: &str) -> Option<usize> {
     Some(at + 1)
 }
 
-/// Whether `text`, which begins with an option, is that option and its values.
+/// Whether `text`, which begins with an option, consists only of that option and its values.
 fn is_only_options(text: &str) -> bool {
     let mut words = text.split_whitespace();
     let most = match words.next().and_then(|word| option(word.as_bytes())) {
@@ -152,7 +152,7 @@ struct Reader<'a> {
     reports: &'a mut Reports,
 }
 
-/// A value of an option and where the option stands: its line, and its column where that is known.
+/// The line of an option, and its column if known.
 #[derive(Clone, Copy)]
 struct OptionPlace {
     option: &'static str,
@@ -161,8 +161,8 @@ struct OptionPlace {
 }
 
 impl Reader<'_> {
-    /// Reads leading options; returns what follows them. `line` is `None` where the cursor walks over a copy, whose
-    /// lines and columns are not the file's.
+    /// Reads leading options and returns the text after them. `line` is `None` if the cursor is in a copy, whose lines
+    /// and columns are not those of the file.
     fn options(&mut self, cursor: &mut Cursor<'_>, line: Option<u64>) -> String {
         while cursor.next_word() && cursor.peek() == Some(b'-') {
             let column = line.map(|_| cursor.column());
@@ -216,7 +216,7 @@ impl Reader<'_> {
                     format!("{keyword} has {} without a number: it is skipped", at.option)
                 });
             }
-            // What is not written is 1 for a scale and 0 for an offset (the format's defaults).
+            // The format's defaults are 1 for a scale and 0 for an offset.
             ("-s", numbers) => texture.scale = [numbers[0], numbers.get(1).copied().unwrap_or(1.0)],
             ("-o", numbers) => texture.offset = [numbers[0], numbers.get(1).copied().unwrap_or(0.0)],
             ("-mm", numbers) => {
@@ -235,7 +235,7 @@ impl Reader<'_> {
         match at.option {
             "-clamp" if is("on") => self.statement.texture.wrap = [Wrap::Clamp; 2],
             "-clamp" if is("off") => self.statement.texture.wrap = [Wrap::Repeat; 2],
-            // Blending is filtering, which is always done.
+            // Blending is filtering, which is always on.
             "-blendu" | "-blendv" if is("on") => {}
             "-cc" if is("off") => {}
             "-clamp" | "-blendu" | "-blendv" | "-cc" if !is("on") && !is("off") => {
@@ -267,7 +267,7 @@ impl Reader<'_> {
     }
 }
 
-/// A word of `-imfchan`; the depth of a picture, `z`, is none of its channels.
+/// Parses a word of `-imfchan`; an image has no depth channel, `z`.
 fn channel(word: &str) -> Option<Option<Channel>> {
     match word.to_ascii_lowercase().as_str() {
         "r" => Some(Some(Channel::Red)),

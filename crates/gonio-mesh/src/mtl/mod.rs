@@ -17,13 +17,13 @@ use rules::Rules;
 use std::collections::HashMap;
 use values::Place;
 
-/// Reads a material library. Nothing in one is fatal: what cannot be understood is a warning.
+/// Reads a material library. It never fails: text that cannot be understood becomes a warning.
 ///
-/// What a material does not say is:
+/// The defaults are:
 ///
 /// | statement | absent | with a map of its own |
 /// |---|---|---|
-/// | `Ka` | follows the diffuse colour; so does `Ka 1 1 1`, which Blender always writes | the same where it is `map_Kd` |
+/// | `Ka` | follows the diffuse colour; so does `Ka 1 1 1`, which Blender always writes | the same if it is `map_Kd` |
 /// | `Kd` | 0.8 0.8 0.8 (a new material of Blender's) | 1 1 1 (Blender leaves out `Kd` then); so is `Kd 0 0 0` |
 /// | `Ks`, `Ke` | 0 0 0 | 1 1 1; so is 0 0 0 |
 /// | `Ns` | 32 | 1000, the largest that Blender writes; so is 0 |
@@ -33,25 +33,25 @@ use values::Place;
 /// | `Pm` | 0 | 1; so is 0 |
 /// | `Pr` | that of `Ns`, else 0.5 (a new material of Blender's) | 1; so is 0 |
 ///
-/// A `map_Ka` that is another picture than `map_Kd` is not used.
+/// A `map_Ka` with another image than `map_Kd` is not used.
 ///
-/// Where `Pr`, `Pm` or a map of theirs is written, they win over `Ks` and `Ns`: the material is
+/// Where `Pr`, `Pm` or one of their maps is written, they replace `Ks` and `Ns`: the material is
 /// [`crate::MetallicRoughness`], with `Kd` as its base colour, and `Ks`, `map_Ks`, `Ns`, `map_Ns` go to
-/// [`Material::unused`]. Blender, asked for these extensions, writes `Ks 0.5` for a reflectance of 0.04, and no `Ns`; `Pr`
-/// and `Pm` are what it draws with itself.
+/// [`Material::unused`]. With these extensions Blender writes `Ks 0.5` for a reflectance of 0.04, and no `Ns`, but
+/// itself renders `Pr` and `Pm`.
 ///
-/// Colours are linear RGB, as the numbers stand; `xyz` is converted (values beyond sRGB are cut at 0), `spectral` is
-/// not read.
+/// Colours are linear RGB as written; `xyz` is converted (values outside sRGB are clamped at 0), `spectral` is not
+/// read.
 ///
-/// Options of maps: `-s` and `-o` place the picture, `-mm` and `-imfchan` are [`crate::TexelRule`], `-clamp` is
-/// [`crate::Wrap`], `-bm` the strength of a bump or normal map; `-t`, `-boost`, `-blendu off`, `-cc on`, `-texres`,
-/// `-type`, `-colorspace` other than the usual one and `-lod` are not done, which is noted once each.
+/// Options of maps: `-s` and `-o` transform the texture coordinates, `-mm` and `-imfchan` are [`crate::TexelRule`],
+/// `-clamp` is [`crate::Wrap`], `-bm` the strength of a bump or normal map; `-t`, `-boost`, `-blendu off`, `-cc on`,
+/// `-texres`, `-type`, `-colorspace` other than the usual one and `-lod` are not supported, which is noted once each.
 ///
-/// [`Material::sources`] has an entry for each value up to `opacity`, and for the others where the file gives them;
-/// [`Material::unused`] has what is understood and not used, in the order of its lines.
+/// [`Material::sources`] has an entry for each value up to `opacity`, and for the others if they are in the file;
+/// [`Material::unused`] has the statements that are understood but not used, in the order of their lines.
 ///
-/// A file without any `newmtl` has no materials; of more than 65,536 the rest is ignored. Where a name comes twice, the
-/// last one counts, at the first one's place.
+/// A file without `newmtl` has no materials; materials beyond 65,536 are ignored. If a name is defined twice, the last
+/// definition is used, in the first one's place.
 pub fn read(bytes: &[u8]) -> (Vec<Material>, Vec<Diagnostic>) {
     let text = to_utf8(bytes);
     let (materials, mut diagnostics) = read_utf8(&text.bytes);
@@ -71,7 +71,7 @@ fn read_utf8(bytes: &[u8]) -> (Vec<Material>, Vec<Diagnostic>) {
     reader.finish(bytes)
 }
 
-/// Materials of one library: the rest is ignored, so that a file of empty ones cannot fill the memory.
+/// Most materials of a library, so that a file of empty ones cannot fill the memory.
 const MOST_MATERIALS: usize = 1 << 16;
 
 #[derive(Default)]
@@ -79,13 +79,13 @@ struct Reader {
     /// The material whose statements are read.
     draft: Option<Draft>,
     materials: Vec<Material>,
-    /// Where a name is in `materials`, and its line.
+    /// The index of a name in `materials`, and its line.
     by_name: HashMap<String, (usize, u64)>,
     reports: Reports,
     unsupported: UnsupportedOptions,
     unused: Unused,
     has_reported_physical: bool,
-    /// Statements before the first `newmtl` have no one to go to.
+    /// Whether a statement before the first `newmtl` was reported.
     has_homeless: bool,
 }
 
@@ -120,7 +120,7 @@ impl Reader {
         }
     }
 
-    /// The material's last statement has been read.
+    /// Finishes the current material.
     fn finish_material(&mut self) {
         let Some(draft) = self.draft.take() else { return };
         let line = draft.line;
@@ -169,7 +169,7 @@ impl Reader {
     }
 }
 
-/// Statements that are understood and not used, to be told once.
+/// Statements that are understood but not used, to be reported once.
 #[derive(Default)]
 struct Unused {
     keywords: Vec<&'static str>,
@@ -178,11 +178,11 @@ struct Unused {
 }
 
 impl Unused {
-    /// Those of a material that would change its picture.
+    /// Counts the statements of a material that would change its appearance.
     fn count(&mut self, sources: &[PropertySource]) {
         let has_coat = sources.iter().any(|source| source.property == "Pc" && !is_idle(source));
         for source in sources {
-            // Blender writes `Pcr 0.03` without a coat; refl is told of by itself.
+            // Blender writes `Pcr 0.03` without a coat; refl has a report of its own.
             let is_of_no_coat = source.property == "Pcr" && !has_coat;
             if source.property == "refl" || is_of_no_coat || is_idle(source) {
                 continue;
@@ -207,7 +207,7 @@ impl Unused {
     }
 }
 
-/// Whether a statement says what is so without it: no sheen, no coat, a filter that lets all through.
+/// Whether a statement sets the neutral value: no sheen, no coat, a filter that transmits everything.
 fn is_idle(source: &PropertySource) -> bool {
     let neutral = if source.property == "Tf" { 1.0 } else { 0.0 };
     let mut numbers = source.written.split_whitespace().skip(1).map(|word| word.parse::<f32>());

@@ -1,31 +1,30 @@
 //! The physically based extension (Exocortex, 2015, "Extending Wavefront MTL for physically-based rendering"): `Pr`,
 //! `Pm` and their maps.
 //!
-//! They win over `Ks` and `Ns`. A program that writes them says with them what it means; `Ks` and `Ns` beside them are
-//! there for readers that know no better: Blender's `Ks 0.5` means a reflectance of 0.04, which is twelve times
-//! less, and of a metal it says nothing.
+//! They replace `Ks` and `Ns`: a program that writes them means them, and writes `Ks` and `Ns` for other readers only.
+//! Blender's `Ks 0.5`, for example, means a reflectance of 0.04, and says nothing about metals.
 
 use super::draft::Draft;
 use super::rules::{Rules, Sourced, Surface};
 use super::values::{Located, source};
 use crate::{MetallicRoughness, Severity, TextureMap};
 
-/// `Pr` where neither it nor `Ns` is written: a new material of Blender's.
+/// `Pr` if neither it nor `Ns` is written: that of a new material in Blender.
 const ROUGHNESS: f32 = 0.5;
 
-/// What the extension's statements say of a material.
+/// The values of the extension's statements for a material.
 pub(super) struct Physical {
     base_color: [f32; 3],
     metallic: Sourced<f32>,
     roughness: Sourced<f32>,
     metallic_map: Option<Located<TextureMap>>,
     roughness_map: Option<Located<TextureMap>>,
-    /// Whether the roughness is that of `Ns`.
+    /// Whether the roughness is derived from `Ns`.
     is_from_exponent: bool,
 }
 
 impl Physical {
-    /// `None` where the material has no such statement.
+    /// Returns `None` if the material has no such statement.
     pub(super) fn from_draft(draft: &mut Draft, base_color: [f32; 3], rules: &mut Rules<'_>) -> Option<Self> {
         let (metallic_map, roughness_map) = (draft.metallic_map.take(), draft.roughness_map.take());
         let (metallic, roughness) = (draft.metallic.take(), draft.roughness.take());
@@ -49,13 +48,13 @@ impl Physical {
         Some(Physical { base_color, metallic, roughness, metallic_map, roughness_map, is_from_exponent })
     }
 
-    /// Whether some of it is metal.
+    /// Whether any of the surface is metal.
     pub(super) fn is_metal(&self) -> bool {
         self.metallic.0 > 0.0
     }
 
-    /// Puts its numbers in the place of `Kd`, `Ks` and `Ns`. `is_matte` is the rule by which there is no highlight, of
-    /// what is no metal: then nothing is left of it but the diffuse color.
+    /// Replaces `Kd`, `Ks` and `Ns`. `is_matte` is the rule that switches off the highlight of dielectrics, which
+    /// leaves only the diffuse color.
     pub(super) fn apply(
         self,
         draft: &mut Draft,
@@ -120,7 +119,7 @@ impl Physical {
     }
 }
 
-/// A number from 0 to 1 that a map is multiplied by; 0 would hide the map. `None` where nothing is written.
+/// Reads a number from 0 to 1 that is multiplied by a map; 0 would hide the map. `None` if neither is written.
 fn factor(
     [property, keyword]: [&'static str; 2],
     located: &Option<Located<f32>>,

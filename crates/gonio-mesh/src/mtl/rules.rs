@@ -1,5 +1,5 @@
-//! From what is written to a material: what is taken where a statement is absent or contradicts another, and where
-//! each value came from.
+//! Converts statements to a material: decides on the values of statements that are absent or contradict others, and
+//! records the source of each value.
 
 use super::draft::Draft;
 use super::physical::Physical;
@@ -8,30 +8,29 @@ use crate::report::Reports;
 use crate::text::quote;
 use crate::{AmbientRule, Material, PropertySource, Severity, TextureMap};
 
-/// `Kd` where neither it nor `map_Kd` is written: a new material of Blender's.
+/// `Kd` if neither it nor `map_Kd` is written: that of a new material in Blender.
 const DIFFUSE: f32 = 0.8;
-/// `Ns` where it is not written: the lab's exponent.
+/// `Ns` if it is not written: the default of the lab.
 const SHININESS: f32 = 32.0;
-/// `Ns` where only `map_Ns` is: the largest that Blender writes.
+/// `Ns` if only `map_Ns` is written: the largest value that Blender writes.
 const SHININESS_OF_MAP: f32 = 1000.0;
-/// `Ni` where it is not written: glass, plastics.
+/// `Ni` if it is not written: glass, plastics.
 const REFRACTION_INDEX: f32 = 1.5;
 
-/// A material in the making, of the values that are settled so far.
+/// The state while the values of a material are determined.
 pub(super) struct Rules<'a> {
-    /// The material's, as a message shows it.
+    /// The material's name for messages.
     pub(super) name: String,
-    /// Where diagnostics go.
     pub(super) reports: &'a mut Reports,
-    /// Of the values that are settled.
+    /// Sources of the values determined so far.
     pub(super) sources: Vec<PropertySource>,
-    /// What is not taken.
+    /// Statements that are not used.
     pub(super) unused: Vec<PropertySource>,
-    /// Whether it was said that `Pr` and `Pm` win.
+    /// Whether the precedence of `Pr` and `Pm` has been reported.
     pub(super) has_reported_physical: &'a mut bool,
 }
 
-/// A value, and where it came from.
+/// A value and its source.
 pub(super) type Sourced<T> = (T, PropertySource);
 
 impl Rules<'_> {
@@ -116,19 +115,19 @@ impl Rules<'_> {
         Some(located.value)
     }
 
-    /// Says, once for a library, that `Pr` and `Pm` win.
+    /// Reports, once per library, that `Pr` and `Pm` have precedence.
     pub(super) fn report_physical(&mut self, line: u64) {
         if !std::mem::replace(self.has_reported_physical, true) {
             self.reports.note(line, "where Pr or Pm is written, Ks and Ns are not used");
         }
     }
 
-    /// A statement that is not taken, by a rule.
+    /// Records a statement that a rule discards.
     pub(super) fn discard<T>(&mut self, property: &'static str, located: Option<Located<T>>, rule: &str) {
         self.unused.extend(located.map(|located| located.source(property, rule)));
     }
 
-    /// The color that a map is multiplied by: black would hide the map, which no one can have meant.
+    /// Returns the color that is multiplied by a map. Black would hide the map, which no one can have meant.
     fn color(
         &mut self,
         property: &'static str,
@@ -157,7 +156,7 @@ impl Rules<'_> {
         }
     }
 
-    /// `k_a` is what is written, or follows the diffuse color.
+    /// Returns `k_a`: the written value, or "follows the diffuse color".
     fn ambient(&mut self, draft: &mut Draft) -> Sourced<AmbientRule> {
         const FOLLOWS: AmbientRule = AmbientRule::FollowsDiffuse;
         if let Some(map) = draft.ambient_map.take() {
@@ -179,7 +178,8 @@ impl Rules<'_> {
         }
     }
 
-    /// Says what a model asks for that is not done. Returns the rule by which it switches the highlight off, if so.
+    /// Reports features of the model that are not supported. Returns the rule by which it switches the highlight off,
+    /// if it does.
     fn illumination_model(&mut self, draft: &Draft, physical: &Option<Physical>, specular: [f32; 3]) -> Option<String> {
         let located = draft.illumination_model.as_ref()?;
         let (model, line, column) = (located.value, located.place.line, Some(located.place.column));
@@ -189,7 +189,7 @@ impl Rules<'_> {
                 format!("illum {model} of {name} asks for {wish}")
             });
         }
-        // What is metal shines whatever the model says: Blender writes illum 1 for `Ks 0`, which metal does not heed.
+        // Metal always has a highlight: Blender writes illum 1 for `Ks 0`, which does not apply to metal.
         if model > 1 || physical.as_ref().is_some_and(Physical::is_metal) {
             return None;
         }
@@ -242,14 +242,14 @@ impl Rules<'_> {
         }
     }
 
-    /// `d`, or 1 - `Tr`; from 0 to 1. Beside a picture 0 would hide it.
+    /// Returns `d`, or 1 - `Tr`, from 0 to 1. With a map, 0 would hide it.
     fn opacity(&mut self, draft: &mut Draft) -> Sourced<f32> {
         const PROPERTY: &str = "opacity";
         if draft.opacity_map.is_none()
             && draft.opacity.is_none()
             && let (Some(map), Some(located)) = (&mut draft.transparency_map, &draft.transparency)
         {
-            // map_Tr is multiplied by Tr, and the product is what light goes through.
+            // map_Tr is multiplied by Tr, and the product is the transparency.
             let gain = if located.value == 0.0 { 1.0 } else { located.value.min(1.0) };
             (map.value.texel.base, map.value.texel.gain) = (map.value.texel.base * gain, map.value.texel.gain * gain);
             let rule = if located.value == 0.0 { "0 beside map_Tr: treated as 1" } else { "1 - Tr * map_Tr" };
@@ -284,7 +284,7 @@ impl Rules<'_> {
         (value.clamp(0.0, 1.0), from)
     }
 
-    /// `map_d`, or `map_Tr` the other way round.
+    /// Returns `map_d`, or `map_Tr` inverted.
     fn opacity_map(
         &mut self,
         opacity: Option<Located<TextureMap>>,
@@ -305,14 +305,14 @@ impl Rules<'_> {
     }
 }
 
-/// The three values that the physically based extension gives too.
+/// The three values that the physically based extension replaces.
 pub(super) struct Surface {
     pub(super) diffuse: Sourced<[f32; 3]>,
     pub(super) specular: Sourced<[f32; 3]>,
     pub(super) shininess: Sourced<f32>,
 }
 
-/// What a model asks for beyond the light equation, and what is done instead.
+/// Describes what an illumination model asks for beyond the light equation, and what is done instead.
 fn wish_of_model(model: u8) -> Option<&'static str> {
     Some(match model {
         0 => "a constant color without lights: it is lit as with illum 1",
@@ -328,7 +328,7 @@ fn wish_of_model(model: u8) -> Option<&'static str> {
     })
 }
 
-/// What a model switches on and off.
+/// Describes what an illumination model switches on and off.
 fn illumination_rule(model: u8) -> &'static str {
     match model {
         0 => "constant color: highlight off; lights are not switched off",
@@ -342,7 +342,6 @@ fn illumination_rule(model: u8) -> &'static str {
     }
 }
 
-/// A material's name as a message shows it.
 pub(super) fn quoted_name(draft: &Draft) -> String {
     quote(draft.name.as_bytes())
 }

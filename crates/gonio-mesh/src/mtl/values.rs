@@ -1,4 +1,4 @@
-//! Numbers and colours of a material's statements, and what a statement leaves behind: a value and where it stands.
+//! Numbers and colours in statements of a material, with their positions.
 
 use crate::report::Reports;
 use crate::text::{BadNumber, Cursor, quote};
@@ -7,20 +7,20 @@ use crate::{PropertySource, Severity};
 /// The longest text of a statement that is kept, in characters.
 const LONGEST: usize = 80;
 
-/// Where a statement stands, and its words.
+/// The position and text of a statement.
 #[derive(Clone, Default)]
 pub(super) struct Place {
     pub(super) line: u64,
     pub(super) column: u64,
-    /// As in the file, without the comment and with single blanks for joined lines; shortened.
+    /// The text as in the file, without the comment and with single blanks for joined lines; shortened.
     pub(super) written: String,
 }
 
 impl Place {
-    /// Of the statement whose keyword was just read.
+    /// Captures the statement whose keyword was just read.
     pub(super) fn of_statement(line: u64, column: u64, keyword: &[u8], cursor: &Cursor<'_>) -> Self {
         let rest = cursor.rest();
-        // More than is kept, so that a name of some gigabytes is not copied.
+        // Take more than is kept, but do not copy a name of some gigabytes.
         let rest = Cursor::new(&rest[..rest.len().min(8 * LONGEST)]).name();
         let keyword = String::from_utf8_lossy(&keyword[..keyword.len().min(4 * LONGEST)]);
         let whole = if rest.is_empty() { keyword.into_owned() } else { format!("{keyword} {rest}") };
@@ -32,7 +32,7 @@ impl Place {
     }
 }
 
-/// What a statement says.
+/// A value, and the statement that sets it.
 #[derive(Clone)]
 pub(super) struct Located<T> {
     pub(super) value: T,
@@ -40,13 +40,13 @@ pub(super) struct Located<T> {
 }
 
 impl<T> Located<T> {
-    /// Where a material's property came from.
+    /// Creates the source of a property of a material.
     pub(super) fn source(&self, property: &'static str, rule: impl Into<String>) -> PropertySource {
         PropertySource { property, line: Some(self.place.line), written: self.place.written.clone(), rule: rule.into() }
     }
 }
 
-/// The source of a property that a statement may have given, else of one by a rule.
+/// Creates the source of a property that a statement may set, or a rule.
 pub(super) fn source<T>(
     property: &'static str,
     located: Option<&Located<T>>,
@@ -58,7 +58,7 @@ pub(super) fn source<T>(
     }
 }
 
-/// Keeps what a statement says, if it says something. The last of two statements counts, which is noted.
+/// Stores the value of a statement, if it has one. Of two statements the last is used, which is noted.
 pub(super) fn put<T>(
     slot: &mut Option<Located<T>>,
     value: Option<T>,
@@ -76,7 +76,7 @@ pub(super) fn put<T>(
     *slot = Some(Located { value, place: place.clone() });
 }
 
-/// `r g b`, one number for grey, or `xyz x y z`: linear RGB. A file of a spectrum is not read.
+/// Reads `r g b`, one number for grey, or `xyz x y z`, as linear RGB. Spectra are not read.
 pub(super) fn color(cursor: &mut Cursor<'_>, keyword: &'static str, reports: &mut Reports) -> Option<[f32; 3]> {
     let (line, has_word) = (cursor.line(), cursor.next_word());
     let column = Some(cursor.column());
@@ -112,7 +112,7 @@ fn linear_rgb_from_xyz([x, y, z]: [f32; 3]) -> [f32; 3] {
     ROWS.map(|[a, b, c]| (a * x + b * y + c * z) as f32)
 }
 
-/// Three numbers, or one for all three.
+/// Reads three numbers, or one for all three.
 fn three(cursor: &mut Cursor<'_>, keyword: &'static str, reports: &mut Reports) -> Option<[f32; 3]> {
     let first = scalar(cursor, keyword, reports)?;
     if !cursor.next_word() {
@@ -131,7 +131,7 @@ fn three(cursor: &mut Cursor<'_>, keyword: &'static str, reports: &mut Reports) 
     Some(color)
 }
 
-/// One number that is finite and not negative, and nothing behind it.
+/// Reads one number, finite and not negative, with nothing after it.
 pub(super) fn only_scalar(cursor: &mut Cursor<'_>, keyword: &'static str, reports: &mut Reports) -> Option<f32> {
     let value = scalar(cursor, keyword, reports)?;
     nothing_left(cursor, keyword, reports);
@@ -147,7 +147,7 @@ fn nothing_left(cursor: &mut Cursor<'_>, keyword: &'static str, reports: &mut Re
     }
 }
 
-/// A number that is finite and not negative.
+/// Reads a number that is finite and not negative.
 fn scalar(cursor: &mut Cursor<'_>, keyword: &'static str, reports: &mut Reports) -> Option<f32> {
     let has_word = cursor.next_word();
     let (line, column) = (cursor.line(), Some(cursor.column()));

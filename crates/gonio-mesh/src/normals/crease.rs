@@ -1,43 +1,43 @@
-//! Averaged normals that keep creases: a face counts only where it is turned little against the corner's own face.
+//! Averages normals but keeps creases: only faces at a small angle to the corner's own face are included.
 
 use glam::DVec3;
 use std::collections::HashMap;
 
-/// Room for rounding in the squared chord between two unit normals: 0.06 degrees at a crease angle of 0, so that the
-/// triangles of a flat polygon stay together, and less than 0.0001 degrees at 90.
+/// Tolerance for rounding in the squared chord between two unit normals: 0.06 degrees at a crease angle of 0, so that
+/// the triangles of a flat polygon stay together, and less than 0.0001 degrees at 90.
 const TOLERANCE: f64 = 1e-6;
 
-/// Faces around a place that are compared one with another.
+/// Most faces around a place that are compared pairwise.
 const MOST_COMPARED: usize = 64;
 
-/// Faces around a place whose normals are told apart exactly; of more, those of one cell are taken as one.
+/// Most faces around a place whose normals are distinguished exactly; of more, those in one cell are merged.
 const MOST_EXACT: usize = 1 << 16;
 
-/// Cells per unit length: normals of a cell differ by less than 1.6 degrees, and the sphere has some 80,000 of them.
+/// Cells per unit length: normals in a cell differ by less than 1.6 degrees, and the sphere has about 80,000 cells.
 const CELLS_PER_UNIT: f64 = 64.0;
 
-/// Points in a leaf of the tree.
+/// Most points in a leaf of the tree.
 const LEAF: usize = 8;
 
-/// Corners that may be averaged with each other, and what is known of their faces.
+/// Corners that may be averaged with each other, with the normals and weights of their faces.
 pub(super) struct Corners<'a> {
-    /// For each corner the set it belongs to, from 0 to `set_count - 1`; others are flat.
+    /// Returns for each corner its set, from 0 to `set_count - 1`; others are flat.
     pub(super) set_of_corner: &'a dyn Fn(usize) -> u32,
     pub(super) set_count: usize,
-    /// Of each triangle: of unit length, or 0.
+    /// For each triangle, of length 1 or 0.
     pub(super) face_normals: &'a [DVec3],
-    /// Of each corner.
+    /// For each corner.
     pub(super) weights: &'a [f64],
 }
 
-/// For each corner the weighted sum of the face normals in its set that differ from its own face's by at most
+/// Returns for each corner the weighted sum of the face normals in its set that differ from its own face's by at most
 /// `angle_rad`, and the sum of their weights. Corners of faces without area get the sum of their whole set; flat ones
 /// get 0.
 ///
-/// Around a place with k faces this takes k^2 steps up to 64 faces; beyond, the faces are found with a tree over their
-/// normals, in k log k steps where the normals lie on a curve, as around the tip of a cone, and at most about
-/// k^1.5 for normals in all directions. With more than 65,536 faces around one place, those in directions
-/// less than 1.6 degrees apart may be taken as one.
+/// For a place with k faces this takes k^2 steps up to 64 faces. Beyond that the faces are found with a tree over their
+/// normals, in k log k steps if the normals are on a curve, as around the tip of a cone, and at most about k^1.5 for
+/// normals in all directions. With more than 65,536 faces around one place, those in directions less than 1.6 degrees
+/// apart may be merged.
 pub(super) fn sums(corners: &Corners<'_>, angle_rad: f64) -> Vec<(DVec3, f64)> {
     let chord = 2.0 * (0.5 * angle_rad.clamp(0.0, std::f64::consts::PI)).sin();
     let reach = chord * chord + TOLERANCE;
@@ -61,7 +61,7 @@ pub(super) fn sums(corners: &Corners<'_>, angle_rad: f64) -> Vec<(DVec3, f64)> {
     sums
 }
 
-/// The corners set by set, in their order, and where each set ends.
+/// Returns the corners set by set, in order, and the end of each set.
 fn members_of_sets(corners: &Corners<'_>) -> (Vec<u32>, Vec<usize>) {
     let set_of = |corner: usize| {
         let set = (corners.set_of_corner)(corner) as usize;
@@ -73,7 +73,7 @@ fn members_of_sets(corners: &Corners<'_>) -> (Vec<u32>, Vec<usize>) {
     }
     let mut total = 0;
     for end in &mut ends {
-        // For now, where the set begins.
+        // At first, the start of each set.
         total += std::mem::replace(end, total);
     }
     let mut members = vec![0; total];
@@ -86,7 +86,7 @@ fn members_of_sets(corners: &Corners<'_>) -> (Vec<u32>, Vec<usize>) {
     (members, ends)
 }
 
-/// The normal of a face around a place, and its weight there.
+/// The normal of a face around a place, and its weight.
 #[derive(Clone, Copy)]
 struct Point {
     normal: DVec3,
@@ -103,7 +103,7 @@ fn add(a: (DVec3, f64), b: (DVec3, f64)) -> (DVec3, f64) {
     (a.0 + b.0, a.1 + b.1)
 }
 
-/// For each point the sum over those within `reach` (of squared distance).
+/// Returns for each point the sum over those within `reach` (a squared distance).
 fn sums_of_points(points: &[Point], reach: f64) -> Vec<(DVec3, f64)> {
     let whole = || points.iter().map(|p| p.sum()).fold((DVec3::ZERO, 0.0), add);
     if points.len() <= MOST_COMPARED {
@@ -122,7 +122,7 @@ fn sums_of_points(points: &[Point], reach: f64) -> Vec<(DVec3, f64)> {
     points.iter().map(of).collect()
 }
 
-/// As [`sums_of_points`], with all points of a cell taken as one.
+/// Like [`sums_of_points`], with all points of a cell merged.
 fn sums_of_cells(points: &[Point], reach: f64) -> Vec<(DVec3, f64)> {
     let mut cell_of_key: HashMap<[i32; 3], usize> = HashMap::new();
     let mut cells: Vec<(DVec3, f64)> = Vec::new();
@@ -139,7 +139,7 @@ fn sums_of_cells(points: &[Point], reach: f64) -> Vec<(DVec3, f64)> {
         })
         .collect();
     let whole = cells.iter().copied().fold((DVec3::ZERO, 0.0), add);
-    // The mean of a cell is nearly of unit length; what its corners add to it is its sum.
+    // The mean of a cell is nearly of unit length; its corners contribute their sum.
     let mean = |cell: &(DVec3, f64)| Point { normal: cell.0.normalize_or_zero(), weight: cell.0.length() };
     let weight_of_rest: Vec<Point> = cells.iter().map(mean).collect();
     let tree = Tree::new(weight_of_rest.iter().copied().filter(|p| p.normal != DVec3::ZERO).collect());
@@ -148,7 +148,7 @@ fn sums_of_cells(points: &[Point], reach: f64) -> Vec<(DVec3, f64)> {
     cell_of_point.into_iter().map(|cell| of_cells[cell]).collect()
 }
 
-/// Points in boxes in boxes (J. L. Bentley, 1975: a k-d tree), each box with the sum of what is in it.
+/// A k-d tree (J. L. Bentley, 1975), each box with the sum of its contents.
 struct Tree {
     points: Vec<Point>,
     nodes: Vec<Node>,
@@ -160,7 +160,7 @@ struct Node {
     sum: (DVec3, f64),
     first: usize,
     end: usize,
-    /// The two halves; none of a leaf.
+    /// The two halves; `None` for a leaf.
     halves: Option<[usize; 2]>,
 }
 
@@ -173,7 +173,7 @@ impl Tree {
         tree
     }
 
-    /// Makes the node of some points, which it sorts; its depth is the logarithm of their number.
+    /// Builds the node for a range of points, which it sorts; the depth is the logarithm of their number.
     fn build(&mut self, first: usize, end: usize) -> usize {
         let points = &mut self.points[first..end];
         let (mut min, mut max, mut sum) = (points[0].normal, points[0].normal, (DVec3::ZERO, 0.0));
@@ -184,7 +184,7 @@ impl Tree {
         self.nodes.push(Node { min, max, sum, first, end, halves: None });
         if end - first > LEAF && min != max {
             let axis = (max - min).max_position();
-            // The other coordinates and the weight make the order independent of that of equal points.
+            // The other coordinates and the weight make the order independent of the input order of equal points.
             let key = |p: &Point| [p.normal[axis], p.normal.x, p.normal.y, p.normal.z, p.weight];
             let middle = points.len() / 2;
             points.select_nth_unstable_by(middle, |a, b| {

@@ -1,4 +1,4 @@
-//! The mesh out of attributes, vertices and triangles.
+//! Assembles the mesh from attributes, vertices and triangles.
 
 use super::attributes::Attributes;
 use super::vertices::{Corner, CornerAttributes, Vertices};
@@ -7,13 +7,12 @@ use crate::{Limits, Mesh, NormalSource, ReadError};
 use rayon::prelude::*;
 use std::mem;
 
-/// Indices below which several threads are not worth it.
+/// Fewer indices than this are not worth several threads.
 const MANY_INDICES: usize = 1 << 17;
 
-/// Makes the mesh, without parts. `indices` are those of `vertices`, three for each triangle.
+/// Assembles the mesh, without parts. `indices` refer to `vertices`, three for each triangle.
 ///
-/// Where the memory goes is most of what this is about: what is not needed any more is given back at once, and what
-/// can stay where it is stays.
+/// Most of this is about memory: arrays are freed as soon as possible, and reused in place where possible.
 pub(super) fn mesh(
     attributes: Attributes,
     vertices: Vertices,
@@ -46,11 +45,11 @@ pub(super) fn mesh(
     })
 }
 
-/// The vertices that there are: the used positions with their first kinds of corners, then the extras.
+/// The vertices: the used positions with their first attributes, then the extra vertices.
 struct Used {
     vertices: Vertices,
     extras: Vec<Corner>,
-    /// How many positions are used.
+    /// Number of used positions.
     count: usize,
 }
 
@@ -61,7 +60,7 @@ impl Used {
         Used { vertices, extras, count }
     }
 
-    /// Leaves out the numbers of unused positions.
+    /// Removes the numbers of unused positions.
     fn renumber(mut self, position_count: usize, indices: &mut [u32]) {
         let unused = (position_count - self.count) as u32;
         if unused == 0 {
@@ -83,7 +82,7 @@ impl Used {
     }
 }
 
-/// One attribute of all vertices; none where no vertex has it. `index` gives it from 1, or 0.
+/// Gathers one attribute of all vertices; empty if no vertex has it. `index` returns its index from 1, or 0.
 fn gather<const N: usize>(
     mut values: Vec<[f32; N]>,
     used: &Used,
@@ -93,7 +92,7 @@ fn gather<const N: usize>(
         Some(place) => values[place],
         None => [0.0; N],
     };
-    // Each vertex's value lies at its place or behind it: they can move forward one by one.
+    // Each vertex's value is at its own index or later, so they can move forward one by one.
     let (mut has_any, mut is_in_order) = (false, true);
     for (vertex, (_, kind)) in used.vertices.firsts().enumerate() {
         let place = index(kind);

@@ -1,5 +1,5 @@
-//! The first pass: what vertices are made of (`v`, `vt`, `vn`). All other statements are stepped over, and where they
-//! lie is remembered for the second pass, which then knows all vertices, those behind a face too.
+//! The first pass: the attributes of vertices (`v`, `vt`, `vn`). All other statements are skipped, and their positions
+//! are remembered for the second pass, which then knows all vertices, even those defined after a face.
 
 use super::fast_path::{Line, REACH, small_numbers};
 use super::scan::{self, Blanks, WINDOW};
@@ -9,48 +9,48 @@ use crate::{ReadError, Severity};
 use glam::DVec3;
 use std::ops::Range;
 
-/// Attributes of a piece of a file, or of all of it. Line numbers count from the piece's start.
+/// Attributes of a piece of a file, or of all of it. Line numbers count from the start of the piece.
 #[derive(Default)]
 pub(super) struct Attributes {
     pub(super) positions: Vec<[f32; 3]>,
-    /// Of as many positions as had a colour when the last one had one; white in between.
+    /// Colours of the positions up to the last one with a colour; white in between.
     pub(super) colors: Vec<[f32; 3]>,
     pub(super) tex_coords: Vec<[f32; 2]>,
-    /// Unit vectors, or zero where the file's has no length.
+    /// Vectors of length 1, or 0 for those of length 0 in the file.
     pub(super) normals: Vec<[f32; 3]>,
-    /// Where the other statements are.
+    /// The ranges of other statements.
     pub(super) segments: Vec<Segment>,
     pub(super) reports: Reports,
-    /// How many positions have a colour.
+    /// Number of positions with a colour.
     pub(super) colored: u64,
     /// The first line with a weight that is not 1.
     pub(super) weighted: Option<u64>,
-    /// How many lines there are.
+    /// Number of lines.
     pub(super) lines: u64,
-    /// Where it ended, before the end of the piece.
+    /// The error that ended it before the end of the piece.
     pub(super) error: Option<ReadError>,
-    /// Whether the last segment may be made longer.
+    /// Whether the last segment may be extended.
     is_open: bool,
 }
 
-/// A stretch of a file with statements that are no attributes, and perhaps few and plain ones that are.
+/// A range of a file with statements other than attributes, and perhaps a few plain attributes.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Segment {
     pub(super) bytes: Range<usize>,
-    /// The number of its first line.
+    /// The line number of its first line.
     pub(super) line: u64,
-    /// How many positions, texture coordinates and normals there are before it.
+    /// Numbers of positions, texture coordinates and normals before it.
     pub(super) counts: [u64; 3],
-    /// How many triangles its faces are likely to make: rather too many than too few.
+    /// The estimated number of triangles of its faces: rather too many than too few.
     pub(super) triangles: usize,
 }
 
-/// Segments with less than this between them are one: there are never more of them than the file has kilobytes.
+/// Segments with a smaller gap between them are merged, so that there are at most as many as the file has kilobytes.
 const SMALLEST_GAP: usize = 1024;
 
 impl Attributes {
-    /// Of a piece of a file, which begins and ends between two statements. `fast_path` allows the quick way, which
-    /// changes nothing but the time.
+    /// Parses a piece of a file that begins and ends between two statements. `fast_path` enables the fast path, which
+    /// only changes the speed.
     pub(super) fn parse(bytes: &[u8], piece: Range<usize>, fast_path: bool) -> Self {
         let mut attributes = Attributes { lines: 1, ..Attributes::default() };
         let mut at = piece.start;
@@ -75,7 +75,7 @@ impl Attributes {
         [self.positions.len() as u64, self.tex_coords.len() as u64, self.normals.len() as u64]
     }
 
-    /// One plain attribute, or any number of plain other lines; where the next line starts.
+    /// Reads one plain attribute, or any number of plain other lines; returns the start of the next line.
     #[inline(always)]
     fn plain_line(&mut self, bytes: &[u8], at: usize, end: usize) -> Option<usize> {
         match bytes.get(at)? {
@@ -89,7 +89,7 @@ impl Attributes {
                 Some(at + 1)
             }
             b' ' | b'\t' | 0x0B | 0x0C | b'\\' => None,
-            // A byte order mark may stand before a vertex.
+            // A byte order mark may precede a vertex.
             _ if at == 0 => None,
             _ => {
                 let others = other_lines(bytes, at, end);
@@ -103,7 +103,7 @@ impl Attributes {
         }
     }
 
-    /// Takes a `v`, `vt` or `vn` in its plain form; its length.
+    /// Reads a `v`, `vt` or `vn` in plain form; returns its length.
     #[inline(always)]
     fn plain_attribute(&mut self, bytes: &[u8; REACH]) -> Option<usize> {
         match (bytes[1], bytes[2]) {
@@ -137,7 +137,7 @@ impl Attributes {
         }
     }
 
-    /// One, two or three numbers, of which the third means nothing.
+    /// Reads one, two or three numbers, of which the third is ignored.
     #[inline]
     fn plain_tex_coord(&mut self, mut line: Line<'_>) -> Option<usize> {
         let (u, end) = line.number()?;
@@ -157,7 +157,7 @@ impl Attributes {
         Some(length)
     }
 
-    /// Three numbers, or a weight behind them, or a colour.
+    /// Reads three numbers, perhaps followed by a weight or a colour.
     #[inline]
     fn plain_vertex(&mut self, mut line: Line<'_>) -> Option<usize> {
         let (position, end) = three(&mut line)?;
@@ -181,14 +181,14 @@ impl Attributes {
         Some(length)
     }
 
-    /// Notes the colour of the position that comes next.
+    /// Stores the colour of the next position.
     fn color(&mut self, color: [f32; 3]) {
         self.colors.resize(self.positions.len(), [1.0; 3]);
         self.colors.push(color);
         self.colored += 1;
     }
 
-    /// Remembers a stretch of other statements, which starts at the line that is next.
+    /// Remembers a range of other statements, which starts at the next line.
     #[inline]
     fn others(&mut self, bytes: Range<usize>, triangles: usize) {
         let counts = self.counts();
@@ -202,7 +202,7 @@ impl Attributes {
         self.is_open = true;
     }
 
-    /// Any statement, byte by byte; where the next one starts.
+    /// Reads any statement, byte by byte; returns the start of the next one.
     fn slow(&mut self, bytes: &[u8], at: usize) -> Result<usize, ReadError> {
         let mut cursor = Cursor::at_line(bytes, at, self.lines);
         let mut is_attribute = true;
@@ -213,7 +213,7 @@ impl Attributes {
                 b"vn" => self.normal(&mut cursor)?,
                 keyword => {
                     is_attribute = false;
-                    // Names have comments of their own kind: a line ends where their reader says.
+                    // Names have comments of their own kind: the reader of names decides where the line ends.
                     if matches!(keyword, b"o" | b"g" | b"usemtl" | b"mtllib") {
                         cursor.name();
                     }
@@ -223,7 +223,7 @@ impl Attributes {
         cursor.next_line();
         let next = cursor.position().min(bytes.len());
         if is_attribute {
-            // The second pass steps over attributes of one line only.
+            // The second pass skips attributes of one line only.
             self.is_open &= cursor.line() == self.lines + 1;
         } else {
             let blanks = bytes[at..next].iter().filter(|byte| **byte <= b' ').count();
@@ -245,7 +245,7 @@ impl Attributes {
         Ok(())
     }
 
-    /// After x y z: w, or r g b, or r g b a (whose a is ignored). A picture can do without all of them.
+    /// After x y z: w, or r g b, or r g b a (whose a is ignored). All of them are optional.
     fn more_of_vertex(&mut self, cursor: &mut Cursor<'_>) -> Result<(), ReadError> {
         let line = cursor.line();
         let mut more = [0.0; 4];
@@ -298,7 +298,7 @@ impl Attributes {
         Ok(())
     }
 
-    /// A number of a statement that a picture can do without: what is not finite becomes 0.
+    /// Reads a number of an optional attribute; non-finite ones become 0.
     fn finite(&mut self, cursor: &mut Cursor<'_>, keyword: &'static str) -> Result<f32, ReadError> {
         if !cursor.next_word() {
             return Err(too_short(cursor, keyword, if keyword == "vt" { 1 } else { 3 }));
@@ -319,7 +319,7 @@ impl Attributes {
     }
 }
 
-/// Three numbers between blanks, and the byte behind them.
+/// Reads three numbers separated by blanks, and the byte after them.
 #[inline(always)]
 fn three(line: &mut Line<'_>) -> Option<([f32; 3], u8)> {
     let (x, end) = line.number()?;
@@ -328,17 +328,17 @@ fn three(line: &mut Line<'_>) -> Option<([f32; 3], u8)> {
     Some(([x, y, z], last_end))
 }
 
-/// How far from 1 the square of a length may be that need not be divided by: six digits behind the point are not worse.
+/// How far the squared length may differ from 1 to be corrected without division: to at least six decimal places.
 const ALMOST_UNIT: f64 = 1e-4;
 
-/// Of length 1, or zero.
+/// Returns the vector with length 1, or zero.
 #[inline(always)]
 fn unit(normal: [f32; 3]) -> [f32; 3] {
     let [x, y, z] = normal;
     let normal = DVec3::new(x.into(), y.into(), z.into());
     let excess = normal.length_squared() - 1.0;
     let unit = if excess.abs() < ALMOST_UNIT {
-        // The series of 1 / sqrt(1 + excess): what it leaves out is beyond an `f32` (5/16 of the cube).
+        // The series of 1 / sqrt(1 + excess): the omitted terms are below the precision of an `f32` (5/16 of the cube).
         normal * (1.0 - excess * (0.5 - 0.375 * excess))
     } else {
         normal.normalize_or_zero()
@@ -346,23 +346,23 @@ fn unit(normal: [f32; 3]) -> [f32; 3] {
     unit.as_vec3().to_array()
 }
 
-/// Triangles of so many faces on lines of their own with so many blanks, line ends among them: before each corner is
-/// one, and a polygon has two more corners than triangles.
+/// Estimates the triangles of faces on lines of their own from the number of blanks and line ends: one precedes each
+/// corner, and a polygon has two more corners than triangles.
 fn likely_triangles(blanks: usize, faces: usize) -> usize {
     blanks.saturating_sub(3 * faces)
 }
 
-/// Lines that were stepped over.
+/// Lines that were skipped.
 struct Others {
-    /// Where the next line starts.
+    /// The start of the next line.
     end: usize,
     lines: u64,
-    /// About how many triangles their faces make.
+    /// The estimated number of triangles of their faces.
     triangles: usize,
 }
 
-/// Steps over lines, the first of which is no attribute, up to one that may be an attribute, or is not plain, or lies
-/// at `end` or behind.
+/// Skips lines, the first of which is not an attribute, up to one that may be an attribute, is not plain, or is at
+/// `end` or after it.
 #[inline]
 fn other_lines(bytes: &[u8], start: usize, end: usize) -> Others {
     let (mut line_start, mut lines, mut faces, mut blanks) = (start, 0, 0, Blanks::new());
@@ -395,8 +395,8 @@ fn other_lines(bytes: &[u8], start: usize, end: usize) -> Others {
     Others { end: line_start, lines, triangles: likely_triangles(blanks.sum(), faces) }
 }
 
-/// What is said of a number that is not finite behind the position of a vertex, where `count` numbers stand there;
-/// nothing where they mean nothing anyway.
+/// Describes a non-finite number after the position of a vertex with `count` further numbers; `None` if those numbers
+/// are ignored anyway.
 pub(crate) fn not_finite_behind_position(count: usize, what: &str) -> Option<String> {
     match count {
         1 => Some(format!("v has the weight {what}, which is not a finite number: it is ignored")),
@@ -405,7 +405,7 @@ pub(crate) fn not_finite_behind_position(count: usize, what: &str) -> Option<Str
     }
 }
 
-/// A number without which nothing can be drawn.
+/// Reads a required coordinate.
 fn coordinate(cursor: &mut Cursor<'_>, keyword: &str, needed: usize) -> Result<f32, ReadError> {
     if !cursor.next_word() {
         return Err(too_short(cursor, keyword, needed));
@@ -441,8 +441,8 @@ fn not_finite(cursor: &Cursor<'_>, keyword: &str) -> ReadError {
 mod tests {
     use super::*;
 
-    /// Lengths around those that are divided by and those that are not: always what division gives, but for the last
-    /// bit, which two ways of rounding may see differently.
+    /// Lengths around the limit below which division is avoided: the result is that of the division except for the last
+    /// bit, which two ways of rounding may affect.
     #[test]
     fn normals_are_of_unit_length_however_it_is_reached() {
         for step in -2000..=2000_i32 {

@@ -1,11 +1,11 @@
-//! What is worth telling about all of a file: what it holds, and what is odd about it as a whole.
+//! Reports on the file as a whole: its contents and its oddities.
 
 use super::attributes::Attributes;
 use super::statistics::{MOST_COUNTED, NAMES, Statistics};
 use crate::Diagnostic;
 use crate::report::Reports;
 
-/// What the file holds, in its own words: what there is none of is left out.
+/// Lists the non-zero counts under the format's own names.
 pub(super) fn list(attributes: &Attributes, statistics: &Statistics) -> Vec<(String, u64)> {
     let mut contents: Vec<(String, u64)> = Vec::new();
     let mut add = |name: String, count: u64| {
@@ -31,7 +31,7 @@ pub(super) fn list(attributes: &Attributes, statistics: &Statistics) -> Vec<(Str
     contents
 }
 
-/// Says what is odd.
+/// Reports oddities of the file as a whole.
 pub(super) fn report(attributes: &Attributes, statistics: &Statistics, reports: &mut Reports) {
     statistics.tallies.report(reports);
     if let Some(line) = attributes.weighted {
@@ -50,7 +50,7 @@ pub(super) fn report(attributes: &Attributes, statistics: &Statistics, reports: 
     let (total, consequences) =
         (statistics.corners(), ["texture coordinate: using (0, 0)", "normal: using averaged normals"]);
     for ((lacking, line), consequence) in statistics.without.into_iter().zip(consequences) {
-        // Where only some lack it the picture shows it.
+        // If all corners lack it, the file simply has none.
         if lacking > 0 && lacking < total {
             reports.warning(line, format!("{lacking} of {total} corners of faces have no {consequence}"));
         }

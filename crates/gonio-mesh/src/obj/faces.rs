@@ -1,4 +1,4 @@
-//! The second pass: faces into triangles of vertices, and everything else that is said between them.
+//! The second pass: converts faces to triangles of vertices, and reads all other statements.
 
 use super::attributes::{Attributes, Segment};
 use super::part_spans::{PartSpans, SmoothingGroup};
@@ -13,27 +13,26 @@ use crate::text::{Cursor, quote};
 use crate::{ReadError, Severity};
 use std::mem;
 
-/// No vertex.
 const NONE: u32 = u32::MAX;
 
-/// What a stretch of a file makes of its faces.
+/// The results of a range of a file.
 pub(super) struct Faces<'a> {
     bytes: &'a [u8],
     positions: &'a [[f32; 3]],
-    /// Positions, texture coordinates, normals: of the whole file, ...
+    /// Numbers of positions, texture coordinates and normals in the whole file.
     pub(super) totals: [u64; 3],
-    /// ... and before the statement that is read.
+    /// The same numbers before the current statement.
     pub(super) counts: [u64; 3],
     line: u64,
     pub(super) vertices: Vertices,
     pub(super) triangles: Triangles<'a>,
     most_triangles: u64,
     pub(super) spans: PartSpans,
-    /// Each `mtllib`, with its line.
+    /// Each `mtllib` with its line.
     pub(super) libraries: Vec<(u64, String)>,
     pub(super) statistics: Statistics,
     pub(super) reports: Reports,
-    /// Indices of the face that is read which lie beyond the end.
+    /// Out-of-range indices of the current face.
     beyond: Vec<Beyond>,
     corners: Vec<Corner>,
     polygon: Vec<Corner>,
@@ -43,7 +42,7 @@ pub(super) struct Faces<'a> {
 }
 
 impl<'a> Faces<'a> {
-    /// Reads stretches that follow one another. `attributes` are those of the whole file.
+    /// Reads consecutive segments. `attributes` are those of the whole file.
     pub(super) fn read(
         bytes: &'a [u8],
         attributes: &'a Attributes,
@@ -102,7 +101,7 @@ impl<'a> Faces<'a> {
         Ok(())
     }
 
-    /// Steps over an attribute, which the first pass took and found to be on one line.
+    /// Skips an attribute, which the first pass has read and found to be on one line.
     fn step_over_attribute(&mut self, at: &mut usize) -> bool {
         let kind = match (self.bytes.get(*at + 1), self.bytes.get(*at + 2)) {
             (Some(b' '), _) => 0,
@@ -119,8 +118,8 @@ impl<'a> Faces<'a> {
         true
     }
 
-    /// Takes a face in its plain form, from behind its keyword on; where the next line starts. `None`: it is not
-    /// plain, or something is wrong with it.
+    /// Reads a face in plain form from after its keyword; returns the start of the next line. `None` if it is not
+    /// plain, or has an error.
     #[inline(always)]
     fn plain_face<const NEGATIVE: bool>(&mut self, start: usize) -> Result<Option<usize>, ReadError> {
         let mut line = PlainFace::new(self.bytes, start);
@@ -153,7 +152,6 @@ impl<'a> Faces<'a> {
         result.map(|()| next)
     }
 
-    /// A face of three corners.
     #[inline(always)]
     fn triangle(&mut self, corners: [Corner; 3]) -> Result<(), ReadError> {
         self.begin_face(&corners);
@@ -173,7 +171,7 @@ impl<'a> Faces<'a> {
         }
     }
 
-    /// Counts corners without texture coordinate, or normal.
+    /// Counts corners without a texture coordinate or normal.
     fn count_lacking(&mut self, corners: &[Corner]) {
         let count =
             |lacks: fn(CornerAttributes) -> bool| corners.iter().filter(|corner| lacks(corner.1)).count() as u64;
@@ -182,12 +180,12 @@ impl<'a> Faces<'a> {
             if without.0 == 0 {
                 without.1 = self.line;
             }
-            // Of the others something else is said.
+            // Invalid indices have a report of their own.
             without.0 += lacking - self.beyond.iter().filter(|beyond| beyond.kind == kind + 1).count() as u64;
         }
     }
 
-    /// A face of any number of corners from three on.
+    /// Adds a face of three or more corners.
     fn face(&mut self, corners: &[Corner]) -> Result<(), ReadError> {
         match *corners {
             [a, b, c] => self.triangle([a, b, c]),
@@ -196,7 +194,6 @@ impl<'a> Faces<'a> {
         }
     }
 
-    /// A face of four corners.
     #[inline(never)]
     fn quadrilateral(&mut self, corners: [Corner; 4]) -> Result<(), ReadError> {
         let [a, b, c, d] = corners;
@@ -213,7 +210,7 @@ impl<'a> Faces<'a> {
         Ok(())
     }
 
-    /// A face of any number of corners.
+    /// Adds a face of any number of corners.
     #[inline(never)]
     fn polygon(&mut self, corners: &[Corner]) -> Result<(), ReadError> {
         self.find_polygon(corners);
@@ -232,14 +229,14 @@ impl<'a> Faces<'a> {
             Cut::NotSimple => self.statistics.cuts[0] += 1,
             Cut::TooLarge => self.statistics.cuts[1] += 1,
         }
-        // Of all faces only polygons take much more memory than their text.
+        // Only polygons take much more memory than their text.
         if self.triangles.count() as u64 > self.most_triangles {
             return Err(too_many_triangles(self.most_triangles).at(self.line, None));
         }
         Ok(())
     }
 
-    /// Cuts the polygon into triangles.
+    /// Triangulates the polygon.
     fn cut(&mut self) -> Result<Cut, ReadError> {
         let n = self.polygon.len();
         let mut few = ([[0.0; 3]; FEW], [NONE; FEW]);
@@ -255,7 +252,7 @@ impl<'a> Faces<'a> {
             *point = self.positions[corner.0 as usize];
         }
         let mut error = None;
-        // Vertices come in the order of the triangles, which alone is known where pieces are joined.
+        // Vertices are numbered in the order of the triangles, the only order known where pieces are joined.
         let cut = self.triangulator.triangulate(points, |triangle| {
             for corner in triangle {
                 if known[corner] == NONE {
@@ -271,12 +268,12 @@ impl<'a> Faces<'a> {
         error.map_or(Ok(cut), Err)
     }
 
-    /// The corners of a polygon that differ from the one before.
+    /// Collects the corners of a polygon that differ from the previous one.
     fn find_polygon(&mut self, corners: &[Corner]) {
         self.polygon.clear();
         let mut previous = corners.last().map(|corner| corner.0);
         for &corner in corners {
-            // A corner written twice in a row is one: `f 1 2 3 3` is how some programs write triangles.
+            // A repeated corner counts once: some programs write triangles as `f 1 2 3 3`.
             if previous != Some(corner.0) {
                 self.polygon.push(corner);
             }
@@ -284,7 +281,7 @@ impl<'a> Faces<'a> {
         }
     }
 
-    /// Any statement, byte by byte; where the next one starts.
+    /// Reads any statement, byte by byte; returns the start of the next one.
     fn statement(&mut self, at: usize) -> Result<usize, ReadError> {
         let mut cursor = Cursor::at_line(self.bytes, at, self.line);
         if cursor.next_word() {
@@ -317,7 +314,7 @@ impl<'a> Faces<'a> {
         Ok(cursor.position().min(self.bytes.len()))
     }
 
-    /// An attribute, which the first pass took.
+    /// Counts an attribute, which the first pass has read.
     fn count(&mut self, kind: usize) -> bool {
         self.counts[kind] += 1;
         false
@@ -348,7 +345,7 @@ impl<'a> Faces<'a> {
         true
     }
 
-    /// An `f` in any form. It counts itself.
+    /// Reads an `f` in any form, and counts it.
     fn any_face(&mut self, cursor: &mut Cursor<'_>) -> Result<bool, ReadError> {
         let mut corners = mem::take(&mut self.corners);
         corners.clear();
@@ -380,7 +377,7 @@ impl<'a> Faces<'a> {
         result.map(|()| false)
     }
 
-    /// Tells of a face's indices beyond the end. Returns whether it is lost by them.
+    /// Reports the face's out-of-range indices. Returns whether the face is lost because of them.
     fn report_beyond(&mut self) -> bool {
         let beyond = mem::take(&mut self.beyond);
         for &Beyond { kind, index, line, column } in &beyond {
@@ -390,7 +387,7 @@ impl<'a> Faces<'a> {
         self.beyond.iter().any(|beyond| beyond.kind == 0)
     }
 
-    /// `v`, `v/vt`, `v//vn` or `v/vt/vn`. `None` drops the face.
+    /// Reads `v`, `v/vt`, `v//vn` or `v/vt/vn`. `None` drops the face.
     fn corner(&mut self, cursor: &mut Cursor<'_>) -> Result<Option<Corner>, ReadError> {
         let mut corner = [1, 0, 0];
         for (kind, place) in corner.iter_mut().enumerate() {
@@ -420,14 +417,14 @@ impl<'a> Faces<'a> {
         Ok(Some(((corner[0] - 1) as u32, CornerAttributes::new(corner[1], corner[2]))))
     }
 
-    /// An index as written, from 1 or negative; `None` where it points at nothing.
+    /// Resolves an index, from 1 or negative; `None` if it is out of range.
     #[inline(always)]
     fn resolve(&self, index: i64, kind: usize) -> Option<u64> {
         let index = if index < 0 { self.counts[kind].checked_add_signed(index)? + 1 } else { index as u64 };
         (1..=self.totals[kind]).contains(&index).then_some(index)
     }
 
-    /// Says that an index points at nothing: without a position the face is lost, the rest can be done without.
+    /// Reports an out-of-range index: without a position the face is lost, the other attributes are optional.
     #[cold]
     fn report_index(&mut self, kind: usize, index: i64, line: u64, column: u64) {
         let total = self.totals[kind];
@@ -460,9 +457,9 @@ impl<'a> Faces<'a> {
     }
 }
 
-/// An index beyond the end.
+/// An out-of-range index.
 struct Beyond {
-    /// 0 position, 1 texture coordinate, 2 normal.
+    /// 0 for position, 1 for texture coordinate, 2 for normal.
     kind: usize,
     index: i64,
     line: u64,

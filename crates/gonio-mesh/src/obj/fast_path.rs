@@ -1,19 +1,19 @@
-//! Lines in their plain form, as exporters write nearly all of them. Whatever is not plain is `None`, and is read
-//! again byte by byte; what is read here is exactly what would be read there.
+//! Reads lines in plain form, as exporters write nearly all of them. Other lines return `None` and are read again byte
+//! by byte, with exactly the same results for plain lines.
 
 use super::scan::{self, WINDOW};
 use std::num::NonZeroU64;
 
-/// Bytes that must be there from the start of a line: those looked at, and eight more at the last of them.
+/// Bytes that must exist after the start of a line: the window, and eight more after its last byte.
 pub(super) const REACH: usize = WINDOW + 16;
 
-/// Most places behind the point; with them 10^places is an exact `f64`.
+/// Most digits after the point; 10^digits is then an exact `f64`.
 const MOST_PLACES: usize = 16;
 
 /// Eight times `0`.
 const ZEROS: u64 = 0x3030_3030_3030_3030;
 
-/// 1 to 10^7 as `f32`s, which hold them exactly.
+/// 1 to 10^7 as `f32`s, which represent them exactly.
 const EXACT_POWERS_OF_TEN: [f32; 8] = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7];
 
 const POWERS_OF_TEN: [u64; MOST_PLACES + 1] = {
@@ -26,29 +26,28 @@ const POWERS_OF_TEN: [u64; MOST_PLACES + 1] = {
     powers
 };
 
-/// The beginning of a line, and which of its bytes are no digits.
+/// The start of a line, with a mask of the bytes that are not digits.
 #[derive(Clone, Copy)]
 pub(super) struct Line<'a> {
     bytes: &'a [u8; REACH],
-    /// Those from `at` on.
+    /// The mask from `at` on.
     non_digits: u64,
     at: usize,
 }
 
 impl<'a> Line<'a> {
-    /// Of a line from one place in it on.
     #[inline(always)]
     pub(super) fn new(bytes: &'a [u8; REACH]) -> Option<Self> {
         Some(Line { bytes, non_digits: scan::non_digits(bytes.first_chunk()?), at: 0 })
     }
 
-    /// How many bytes are behind.
+    /// Returns the number of bytes read.
     #[inline(always)]
     pub(super) fn at(&self) -> usize {
         self.at
     }
 
-    /// Without the first few bytes, and blanks after them.
+    /// Skips the keyword and the blanks after it.
     #[inline(always)]
     pub(super) fn after_keyword(mut self, length: usize) -> Option<Self> {
         self.at = length;
@@ -59,26 +58,26 @@ impl<'a> Line<'a> {
         Some(self)
     }
 
-    /// Eight bytes from a place on.
+    /// Returns eight bytes from a position on.
     #[inline(always)]
     fn word(&self, at: usize) -> Option<u64> {
         Some(u64::from_le_bytes(*self.bytes.get(at..)?.first_chunk()?))
     }
 
-    /// Steps to the next byte that is no digit, and gives its place, which is below [`WINDOW`].
+    /// Moves to the next byte that is not a digit and returns its position, which is below [`WINDOW`].
     #[inline(always)]
     fn next_non_digit(&mut self) -> Option<usize> {
-        // Of a number known not to be 0 this is one instruction.
+        // For a non-zero number this is one instruction.
         let at = NonZeroU64::new(self.non_digits)?.trailing_zeros() as usize;
         self.non_digits &= self.non_digits.wrapping_sub(1);
         Some(at)
     }
 
-    /// Digits with at most one point among them, and a sign; and the byte behind, stepped over.
+    /// Reads digits with at most one point among them and perhaps a sign, and the byte after them.
     #[inline(always)]
     pub(super) fn number(&mut self) -> Option<(f32, u8)> {
         let minus = *self.bytes.get(self.at)? == b'-';
-        // Signs come as they like: no branch is to guess them.
+        // Signs are unpredictable, so avoid a branch.
         self.at += usize::from(minus);
         self.non_digits &= self.non_digits.wrapping_sub(u64::from(minus));
         let start = self.at;
@@ -91,7 +90,7 @@ impl<'a> Line<'a> {
             places = end - point - 1;
         }
         let magnitude = if whole + places <= 7 && whole > 0 {
-            // Both parts next to each other, as eight digits of which some are leading zeros.
+            // Both parts next to each other, as eight digits with leading zeros.
             let before = (self.word(start)? ^ ZEROS) << (64 - 8 * whole);
             let behind = ((self.word(end - places)? ^ ZEROS) << 8) << (56 - 8 * places);
             let mantissa = scan::aligned_digits(before >> (8 * places) | behind);
@@ -121,7 +120,7 @@ impl<'a> Line<'a> {
         Some(before * POWERS_OF_TEN[places] + behind)
     }
 
-    /// Where the line ends, if `end` is the byte just stepped over and ends it; blanks may stand between.
+    /// Returns the end of the line if `end` is the byte just read and ends it, perhaps after blanks.
     #[inline(always)]
     pub(super) fn end(&self, end: u8) -> Option<usize> {
         let mut at = self.at;
@@ -137,8 +136,8 @@ impl<'a> Line<'a> {
         }
     }
 
-    /// One to eight digits, as eight of which some are leading zeros (see [`scan::aligned_digits`]), and the byte
-    /// behind, stepped over.
+    /// Reads one to eight digits, padded to eight with leading zeros (see [`scan::aligned_digits`]), and the byte after
+    /// them.
     #[inline(always)]
     pub(super) fn index(&mut self) -> Option<(u64, u8)> {
         let start = self.at;
@@ -151,13 +150,12 @@ impl<'a> Line<'a> {
         Some(((self.word(start)? ^ ZEROS) << shift, self.bytes[end]))
     }
 
-    /// The byte here.
     #[inline(always)]
     pub(super) fn peek(&self) -> Option<u8> {
         self.bytes.get(self.at).copied()
     }
 
-    /// Steps over one byte, which must not be a digit.
+    /// Skips one byte, which must not be a digit.
     #[inline(always)]
     pub(super) fn step(&mut self) {
         self.at += 1;
@@ -165,18 +163,18 @@ impl<'a> Line<'a> {
     }
 }
 
-/// `N` numbers from `at` to the line's end, if all are in the form that most programs write small numbers in,
-/// `0.123456`, with one blank between them; and the length of the line.
+/// Reads `N` numbers from `at` to the end of the line if all have the most common form of small numbers, `0.123456`,
+/// separated by single blanks. Also returns the length of the line.
 #[inline(always)]
 pub(super) fn small_numbers<const N: usize>(bytes: &[u8; REACH], mut at: usize) -> Option<([f32; N], usize)> {
-    /// What makes a byte that is no digit (nor the point, in its place) 128 or more, carries apart, which only reach
-    /// bytes behind one that is.
+    /// Added to a byte, this makes it 128 or more unless it is a digit (or the point, in its place). Carries only reach
+    /// bytes after such a byte.
     const BEYOND_DIGITS: u64 = 0x7676_7676_7676_7F76;
     const HIGH_BITS: u64 = 0x8080_8080_8080_8080;
     const LENGTH: usize = 8;
     let mut numbers = [0.0; N];
     for (i, number) in numbers.iter_mut().enumerate() {
-        // Signs come as they like: no branch is to guess them.
+        // Signs are unpredictable, so avoid a branch.
         let minus = *bytes.get(at)? == b'-';
         at += usize::from(minus);
         let word = u64::from_le_bytes(*bytes.get(at..)?.first_chunk()?) ^ u64::from_le_bytes(*b"0.000000");
@@ -186,13 +184,13 @@ pub(super) fn small_numbers<const N: usize>(bytes: &[u8; REACH], mut at: usize) 
         let end = *bytes.get(at + LENGTH)?;
         at += LENGTH + 1;
         if i + 1 < N && end != b' ' || i + 1 == N && end != b'\n' {
-            // CR LF, as the one other end.
+            // CR LF is the only other line end.
             if i + 1 < N || end != b'\r' || *bytes.get(at)? != b'\n' {
                 return None;
             }
             at += 1;
         }
-        // The digit before the point goes next to those behind it.
+        // Move the digit before the point next to those after it.
         let mantissa = scan::aligned_digits(word & !0xFFFF | (word & 0xFF) << 8);
         *number = with_sign(mantissa as i32 as f32 / EXACT_POWERS_OF_TEN[6], minus);
     }
@@ -204,7 +202,7 @@ fn with_sign(magnitude: f32, minus: bool) -> f32 {
     f32::from_bits(magnitude.to_bits() ^ u32::from(minus) << 31)
 }
 
-/// `mantissa / 10^places`, rounded once; see [`crate::number::f32_prefix`].
+/// Returns `mantissa / 10^places`, rounded once; see [`crate::number::f32_prefix`].
 #[inline(always)]
 fn rounded(mantissa: u64, places: usize) -> Option<f32> {
     const POWERS: [f64; MOST_PLACES + 1] = {
@@ -216,7 +214,7 @@ fn rounded(mantissa: u64, places: usize) -> Option<f32> {
         }
         powers
     };
-    // As signed numbers: that conversion is one instruction.
+    // Converting from signed integers is one instruction.
     let quotient = mantissa as i64 as f64 / POWERS.get(places)?;
     let is_half_way = quotient.to_bits() & 0x1FFF_FFFF == 0x1000_0000;
     (mantissa <= 1 << 53 && !is_half_way).then_some(quotient as f32)
@@ -229,14 +227,14 @@ mod tests {
     use crate::weld::mix;
     use std::fmt::Write;
 
-    /// A line, with room behind it.
+    /// Pads a line to the required length.
     fn padded(line: &str) -> [u8; REACH] {
         let mut bytes = [b'9'; REACH];
         bytes[..line.len()].copy_from_slice(line.as_bytes());
         bytes
     }
 
-    /// The numbers of a line, as the quick way reads them.
+    /// Reads the numbers of a line on the fast path.
     fn numbers(line: &str) -> Option<[f32; 3]> {
         let bytes = padded(line);
         if let Some((numbers, length)) = small_numbers(&bytes, 2) {
@@ -253,7 +251,7 @@ mod tests {
         Some(numbers)
     }
 
-    /// Two million numbers with any number of places, as the standard library rounds them.
+    /// Compares two million numbers with any number of places with the standard library.
     #[test]
     fn rounds_as_the_standard_library_does() {
         let (mut line, mut texts) = (String::new(), [const { String::new() }; 3]);
@@ -288,11 +286,12 @@ mod tests {
                 }
             }
         }
-        // The quick way leaves little to the slow one.
+        // The fast path leaves little to the slow one.
         assert!(read > 1_900_000, "{read}");
     }
 
-    /// Above the middle between 0.5 and the next `f32`, by less than an `f64` can tell: rounded twice, it would be 0.5.
+    /// Above the middle between 0.5 and the next `f32` by less than an `f64` can represent: rounded twice, it would be
+    /// 0.5.
     #[test]
     fn nothing_is_rounded_twice() {
         let text = "0.5000000298023224";

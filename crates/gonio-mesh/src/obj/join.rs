@@ -1,4 +1,4 @@
-//! Pieces of a file put together again, in the order of the file, so that the result is that of one piece.
+//! Joins pieces of a file in file order, so that the result is the same as for one piece.
 
 use super::attributes::Attributes;
 use super::triangles::Triangles;
@@ -7,7 +7,7 @@ use crate::ReadError;
 use rayon::prelude::*;
 use std::mem;
 
-/// Attributes of pieces that follow one another, and the first error among them.
+/// Joins the attributes of consecutive pieces, up to the first error.
 pub(super) fn attributes(mut pieces: Vec<Attributes>) -> Attributes {
     let first_error = pieces.iter().position(|piece| piece.error.is_some());
     pieces.truncate(first_error.map_or(pieces.len(), |piece| piece + 1));
@@ -37,7 +37,7 @@ pub(super) fn attributes(mut pieces: Vec<Attributes>) -> Attributes {
             piece.error.take().map(|error| ReadError { line: error.line.map(|line| line + all.lines), ..error });
         all.lines += piece.lines;
     }
-    // One kind after the other, so that little is there twice.
+    // One kind after the other, so that little is in memory twice.
     all.positions = concatenate(pieces.iter_mut().map(|piece| mem::take(&mut piece.positions)).collect());
     all.tex_coords = concatenate(pieces.iter_mut().map(|piece| mem::take(&mut piece.tex_coords)).collect());
     all.normals = concatenate(pieces.iter_mut().map(|piece| mem::take(&mut piece.normals)).collect());
@@ -57,8 +57,8 @@ fn concatenate<const N: usize>(parts: Vec<Vec<[f32; N]>>) -> Vec<[f32; N]> {
     all
 }
 
-/// Vertices and triangles of stretches that follow one another become those of one: as if their corners had all been
-/// asked of one table, in their order.
+/// Renumbers the vertices and triangles of consecutive ranges as if all their corners had been looked up in one table,
+/// in order.
 pub(super) fn vertices(stretches: &mut [(Vertices, Triangles<'_>)]) -> Result<Vertices, ReadError> {
     let Some(((first, _), rest)) = stretches.split_first_mut() else { return Ok(Vertices::new(0)) };
     let mut all = mem::take(first);
@@ -85,7 +85,7 @@ pub(super) fn vertices(stretches: &mut [(Vertices, Triangles<'_>)]) -> Result<Ve
     Ok(all)
 }
 
-/// The first kind of corner of each position, in the order of the file. Returns which positions several stretches use.
+/// Finds the first attributes of each position in file order. Returns the positions that several ranges use.
 fn first_kinds(all: &mut Vertices, rest: &mut [Stretch<'_, '_>]) -> Vec<u64> {
     let mut shared = vec![0; all.position_count() / 64 + 1];
     for stretch in rest {
@@ -106,17 +106,17 @@ fn first_kinds(all: &mut Vertices, rest: &mut [Stretch<'_, '_>]) -> Vec<u64> {
     shared
 }
 
-/// A stretch whose vertices are to become those of all.
+/// A range whose vertices are to be merged with those of the others.
 struct Stretch<'a, 'b> {
     vertices: Vertices,
     triangles: &'a mut Triangles<'b>,
-    /// Whether the first kind of some position is another one than in all the file.
+    /// Whether the first attributes of some position are not the first ones in the whole file.
     differs: bool,
-    /// Its own extras.
+    /// Its own extra vertices.
     extras: Vec<Corner>,
-    /// Corners that are extras of all, in the order of their first use.
+    /// Corners that are extra vertices of the whole file, in the order of first use.
     found: Vec<Corner>,
-    /// For each extra of this stretch: its place in `found`, or that it is the first kind of its position.
+    /// For each of its extra vertices the index in `found`, or that it has the first attributes of its position.
     number_of_extra: Vec<ExtraIs>,
 }
 
@@ -140,8 +140,8 @@ impl<'a, 'b> Stretch<'a, 'b> {
         }
     }
 
-    /// Finds the corners that are extras in all the file, in order. A first kind that is one gives way to its place
-    /// among them.
+    /// Finds the corners that are extra vertices of the whole file, in order. First attributes that become an extra
+    /// vertex are replaced by its index.
     fn find_extras(&mut self, all: &Vertices) {
         let position_count = self.vertices.position_count();
         let extras = mem::take(&mut self.vertices.extras).into_corners();
@@ -174,7 +174,7 @@ impl<'a, 'b> Stretch<'a, 'b> {
         self.extras = extras;
     }
 
-    /// Gives the triangles the numbers of all the file.
+    /// Renumbers the triangles for the whole file.
     fn renumber(&mut self, vertices_of_found: &[u64]) {
         let position_count = self.vertices.position_count();
         for index in self.triangles.vertices_mut() {

@@ -1,27 +1,27 @@
-//! Materials of an OBJ: its libraries are found and read, and `usemtl` is looked up in them.
+//! Materials of an OBJ: finds and reads its libraries, and looks `usemtl` names up in them.
 
 use crate::report::Reports;
 use crate::text::quote;
 use crate::{Diagnostic, Material, Severity, SidecarUse, Sidecars, mtl};
 use std::collections::HashMap;
 
-/// All materials of all libraries, and those that faces use.
+/// All materials of all libraries, and those used by faces.
 #[derive(Default)]
 pub(super) struct MaterialTable {
     materials: Vec<Material>,
     by_name: HashMap<String, usize>,
-    /// What names stood for, unknown ones included.
+    /// The names looked up so far, including unknown ones.
     resolved: HashMap<String, Option<usize>>,
-    /// Names that are in no library, with the line, in the order of the file.
+    /// Names that are in no library, with the line, in file order.
     unknown: Vec<(String, u64)>,
-    /// Whether some face has no material of any library.
+    /// Whether some face has no material from a library.
     needs_default: bool,
     has_libraries: bool,
     sidecars: Vec<SidecarUse>,
 }
 
 impl MaterialTable {
-    /// Reads the libraries that `mtllib` statements (line and rest of the line) name.
+    /// Reads the libraries of the `mtllib` statements (line and rest of the line).
     pub(super) fn read(libraries: &[(u64, String)], sidecars: &mut dyn Sidecars, reports: &mut Reports) -> Self {
         let mut table = MaterialTable { has_libraries: !libraries.is_empty(), ..Self::default() };
         let mut seen: Vec<String> = Vec::new();
@@ -30,8 +30,8 @@ impl MaterialTable {
             table.sidecars.extend(uses);
             for (name, bytes) in found {
                 let (mut materials, diagnostics) = mtl::read(&bytes);
-                // Blender writes a library without materials for a model without: nothing is missing there. Where a
-                // face names a material all the same, that is said.
+                // Blender writes an empty library for a model without materials, so nothing is missing. A face that
+                // refers to a material is still reported.
                 let is_hollow = materials.is_empty() && !bytes.is_empty();
                 for diagnostic in diagnostics {
                     if is_hollow && diagnostic.severity == Severity::Note {
@@ -59,7 +59,7 @@ impl MaterialTable {
         }
     }
 
-    /// The index, in a list that begins with the default material, of what `usemtl` named at a line.
+    /// Returns the index of the material of a `usemtl` statement, in a list that begins with the default material.
     pub(super) fn index_of(&mut self, named: Option<(String, u64)>) -> usize {
         let found = named.and_then(|(name, line)| match self.resolved.get(&name) {
             Some(found) => *found,
@@ -76,13 +76,13 @@ impl MaterialTable {
         found.map_or(0, |index| index + 1)
     }
 
-    /// By the whole name, or by what stands before a `#`.
+    /// Looks up the whole name, or else the part before a `#`.
     fn look_up(&self, name: &str) -> Option<usize> {
         let whole = self.by_name.get(name);
         whole.or_else(|| self.by_name.get(name.split_once(" #")?.0.trim_end())).copied()
     }
 
-    /// Tells which materials were sought in vain: one by one where there are others, else all at once.
+    /// Reports materials that were not found: one by one if there are others, or else all at once.
     pub(super) fn report_unknown(&mut self, reports: &mut Reports) {
         let unknown = std::mem::take(&mut self.unknown);
         let is_lone = unknown.len() == 1;
@@ -110,13 +110,12 @@ impl MaterialTable {
         }
     }
 
-    /// The libraries that were sought.
     pub(super) fn take_sidecars(&mut self) -> Vec<SidecarUse> {
         std::mem::take(&mut self.sidecars)
     }
 
-    /// The materials, and how much smaller every index of [`Self::index_of`] is in them: the default material is
-    /// only there where it is needed.
+    /// Returns the materials, and the number to subtract from every index of [`Self::index_of`]: the default material
+    /// is only included where it is needed.
     pub(super) fn finish(self) -> (Vec<Material>, usize) {
         if self.needs_default {
             let mut materials = vec![Material::default()];
@@ -128,8 +127,8 @@ impl MaterialTable {
     }
 }
 
-/// The files behind the rest of an `mtllib` line, one name, perhaps with spaces, or several names: all that were
-/// sought, and path and bytes of those that were found.
+/// Finds the files of an `mtllib` line, one name that may contain spaces, or several names. Returns all requests, and
+/// path and bytes of the files that were found.
 fn find(
     names: &str,
     line: u64,
@@ -141,7 +140,7 @@ fn find(
     let whole = unquote(names);
     let mut candidates = split(names);
     if candidates.len() > 1 {
-        // Before `a b.mtl c.mtl` is two files it may be one.
+        // `a b.mtl c.mtl` may be one file before it is two.
         let (asked, bytes) = SidecarUse::ask(sidecars, &whole, Some(line));
         if let Some(bytes) = bytes {
             if !seen.contains(&whole) {
@@ -176,7 +175,7 @@ fn find(
     (uses, found)
 }
 
-/// Names end at blanks after `.mtl`; where there is no such end, at any blank that no `\` precedes.
+/// Splits names at blanks after `.mtl`; if there is no such blank, at any blank that is not preceded by `\`.
 fn split(names: &str) -> Vec<String> {
     let mut parts: Vec<String> = Vec::new();
     let mut part = String::new();
@@ -200,7 +199,7 @@ fn split(names: &str) -> Vec<String> {
     parts
 }
 
-/// Without quotes around it and without `\` before blanks.
+/// Removes surrounding quotes, and `\` before blanks.
 fn unquote(name: &str) -> String {
     let name = name.trim();
     let inner = name.strip_prefix('"').and_then(|n| n.strip_suffix('"')).unwrap_or(name);

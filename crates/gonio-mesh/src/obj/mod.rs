@@ -1,13 +1,14 @@
 //! Wavefront OBJ, as its appendix B1 ("Object Files", Alias|Wavefront Advanced Visualizer manual) and two decades of
 //! exporters define it.
 //!
-//! A file is read in two passes over its bytes. The first one takes what vertices are made of (`attributes`) and
-//! remembers where the rest is. The second one reads that rest, merges equal corners into vertices and cuts polygons
-//! into triangles at once (`faces`, `vertices`); it knows all of the file's vertices, so that indices may point
-//! forward. Both work on pieces of the file at the same time (`pieces`); what they give is put together in the file's
-//! order (`join`) and made a mesh (`assemble`): the same one, whatever the number of pieces.
+//! A file is read in two passes over its bytes. The first one reads the attributes of vertices (`attributes`) and
+//! remembers the ranges of the other statements. The second one reads those, merges equal corners into vertices and
+//! triangulates polygons (`faces`, `vertices`); it knows all vertices of the file, so indices may refer forward. Both
+//! work on pieces of the file in parallel (`pieces`); the results are joined in file order (`join`) and assembled into
+//! a mesh (`assemble`), which does not depend on the number of pieces.
 //!
-//! Lines in plain form take a quick way (`fast_path`, `plain_face`, `scan`) to the same result that reading byte by byte has.
+//! Lines in plain form take a fast path (`fast_path`, `plain_face`, `scan`) with the same result as reading byte by
+//! byte.
 
 mod assemble;
 mod attributes;
@@ -46,22 +47,22 @@ use std::ops::Range;
 use triangles::Triangles;
 use vertices::{CornerAttributes, Vertices};
 
-/// Reads an OBJ file; its material libraries are asked of `sidecars`.
+/// Reads an OBJ file; its material libraries are requested from `sidecars`.
 ///
-/// What can be drawn is drawn: a face that points at no vertex is left out with a warning, an index of a texture
-/// coordinate or normal that points at nothing counts as missing. Errors are: a number that cannot be read, a
-/// coordinate that is not finite, no triangle at all, a file that is none of this format, more than `limits` allow, a
-/// face of more than 4,194,304 corners.
+/// Everything that can be drawn is drawn: a face with an out-of-range vertex index is left out with a warning, an
+/// out-of-range index of a texture coordinate or normal counts as missing. Errors are: a number that cannot be read, a
+/// coordinate that is not finite, no triangles, a file of another format, more data than `limits` allow, a face of more
+/// than 4,194,304 corners.
 ///
-/// - Vertices come in the order of the positions (`v`) that faces use; where a position has several texture coordinates
-///   or normals, all but the first used come at the end, in the order of their first use.
-/// - Parts are runs of faces with one name (the latest `o` or `g`) and material. Materials are those of all libraries;
-///   the default material comes first where a face needs it.
-/// - Normals are of unit length, or zero where the file has none for a corner ([`crate::normals::complete`] mends it).
-///   A number of a normal, a texture coordinate or a colour that is not finite counts as 0.
-/// - Vertex colours are taken for sRGB from 0 to 1, as Blender and MeshLab write them (beyond 1: from 0 to 255).
+/// - Vertices are in the order of the positions (`v`) that faces use; if a position has several texture coordinates or
+///   normals, all but the first used come at the end, in the order of their first use.
+/// - Parts are spans of faces with one name (the latest `o` or `g`) and material. Materials are those of all libraries;
+///   the default material comes first if a face needs it.
+/// - Normals are of unit length, or zero if the file has none for a corner ([`crate::normals::complete`] computes
+///   them). Non-finite numbers of a normal, a texture coordinate or a colour are replaced by 0.
+/// - Vertex colours are interpreted as sRGB from 0 to 1, as Blender and MeshLab write them (if larger: from 0 to 255).
 ///
-/// Large files are read on as many threads as rayon's current pool has; how many does not change the result.
+/// Large files are read on as many threads as rayon's current pool has; the result does not depend on their number.
 pub fn read(bytes: &[u8], sidecars: &mut dyn Sidecars, limits: &Limits) -> Result<Model, ReadError> {
     read_as_utf8(bytes, |text| read_with(text, sidecars, limits, Plan::for_size(text.len())))
 }
@@ -90,7 +91,6 @@ fn read_with(bytes: &[u8], sidecars: &mut dyn Sidecars, limits: &Limits, plan: P
     Ok(Model { mesh, materials, contents, sidecars, diagnostics: reports.finish(), ..Model::default() })
 }
 
-/// The first pass.
 fn read_attributes(bytes: &[u8], plan: Plan) -> Attributes {
     let pieces = pieces::split(bytes, plan.pieces);
     let parse = |piece: Range<usize>| Attributes::parse(bytes, piece, plan.fast_path);
@@ -100,7 +100,7 @@ fn read_attributes(bytes: &[u8], plan: Plan) -> Attributes {
     })
 }
 
-/// What the second pass gives, in the order of the file.
+/// The results of the second pass, in file order.
 struct SecondPass {
     reports: Reports,
     statistics: Statistics,
@@ -110,7 +110,7 @@ struct SecondPass {
     indices: Vec<u32>,
 }
 
-/// The second pass. Where both have an error, the first one in the file is returned.
+/// The second pass. If both passes have an error, the first one in the file is returned.
 fn read_second_pass(
     bytes: &[u8],
     attributes: &mut Attributes,
@@ -134,10 +134,10 @@ fn read_second_pass(
         }
     };
     let faces = match (read, first_error) {
-        // The second pass saw no more than what lies before the first one's error.
+        // The second pass stopped where the first one failed.
         (Err(error), _) if error.line.is_some() => return Err(error),
         (_, Some(error)) | (Err(error), None) => return Err(error),
-        // Too many kinds of rubbish to be counted in pieces.
+        // There are too many kinds of unknown statements to count them in pieces.
         (Ok(faces), None) if faces.len() > 1 && faces.iter().any(|faces| faces.statistics.tallies.is_full) => {
             drop(faces);
             vec![parse(&segments, Triangles::of_all(0))?]
@@ -150,11 +150,11 @@ fn read_second_pass(
     Ok(SecondPass { indices, ..rest })
 }
 
-/// For each stretch how much of its room for indices is used, and the indices that found none.
+/// For each range the used part of its room for indices, and the indices that did not fit.
 type Leftovers = Vec<(usize, Vec<u32>)>;
 
 impl SecondPass {
-    /// All but the triangles, which are not yet in one place.
+    /// Joins everything except the triangles, which are not yet in one place.
     fn join(reports: Reports, stretches: Vec<Faces<'_>>) -> Result<(Self, Leftovers), ReadError> {
         let (mut statistics, mut parts, mut libraries, mut all_reports) =
             (Statistics::default(), Parts::default(), Vec::new(), reports);
@@ -176,7 +176,7 @@ impl SecondPass {
     }
 }
 
-/// More of something than there are numbers for it.
+/// Creates the error for too many attributes of a kind.
 fn too_many(attributes: &Attributes) -> Option<ReadError> {
     let limits = [
         ("v", u64::from(u32::MAX) - 1),
@@ -188,7 +188,7 @@ fn too_many(attributes: &Attributes) -> Option<ReadError> {
     Some(ReadError::new(format!("contains more than {most} {keyword} statements, which is the limit")))
 }
 
-/// Says at once what a file is that is certainly no OBJ.
+/// Rejects a file that is certainly not an OBJ.
 fn refuse_other_formats(bytes: &[u8]) -> Result<(), ReadError> {
     const SIGNATURES: [(&[u8], &str); 9] = [
         (b"glTF", "a binary glTF file"),
@@ -227,7 +227,7 @@ fn nothing_understood(reports: &Reports) -> ReadError {
 fn nothing_to_draw(vertices: u64, faces: u64, reports: &Reports) -> ReadError {
     let plural = |count: u64, one: &str, many: &str| format!("{count} {}", if count == 1 { one } else { many });
     let counts = format!("{}, {}", plural(vertices, "vertex", "vertices"), plural(faces, "face", "faces"));
-    // What is said of its libraries does not explain it.
+    // Diagnostics of its libraries do not explain it.
     let why = match reports.first().filter(|first| first.file.is_none()) {
         Some(Diagnostic { line: Some(line), message, .. }) => format!("; line {line}: {message}"),
         Some(first) => format!("; {}", first.message),
@@ -236,7 +236,7 @@ fn nothing_to_draw(vertices: u64, faces: u64, reports: &Reports) -> ReadError {
     ReadError::new(format!("contains no triangles ({counts}): nothing to draw{why}"))
 }
 
-/// From sRGB to linear, in place.
+/// Converts from sRGB to linear, in place.
 fn decode_colors(colors: &mut [[f32; 3]], reports: &mut Reports) {
     let largest = colors.iter().flatten().fold(0.0, |a: f32, &b| a.max(b));
     let scale = if largest > 1.0 && largest <= 255.0 { 1.0 / 255.0 } else { 1.0 };

@@ -1,18 +1,18 @@
-//! What the statements before a face say of it: its part, its material, its smoothing group.
+//! Statements before a face that apply to it: its part, its material, its smoothing group.
 
 use super::triangles::Triangles;
 use crate::text::{Cursor, quote};
 use std::mem;
 
-/// Runs of triangles in a stretch of a file.
+/// Spans of triangles in a range of a file.
 #[derive(Default)]
 pub(super) struct PartSpans {
     pub(super) spans: Vec<PartSpan>,
-    /// Where each smoothing group begins (a triangle), and its number.
+    /// The first triangle of each smoothing group, and its number.
     pub(super) smoothing: Vec<(usize, u32)>,
-    /// What has been said since the last span.
+    /// Settings since the last span.
     next: Option<PartSpan>,
-    /// What was said last, perhaps in this stretch.
+    /// The last settings, if they are in this range.
     last: PartSpan,
 }
 
@@ -20,22 +20,22 @@ pub(super) struct PartSpans {
 #[derive(Clone, Default)]
 pub(super) struct PartSpan {
     pub(super) first_triangle: usize,
-    /// The latest of `o` and `g`; `None` where it is that of the span before.
+    /// The latest of `o` and `g`; `None` if it is that of the previous span.
     pub(super) part: Option<String>,
-    /// `usemtl` (an empty name is no material) and its line; `None` where it is that of the span before.
+    /// `usemtl` (an empty name is no material) and its line; `None` if it is that of the previous span.
     pub(super) material: Option<(String, u64)>,
 }
 
-/// What an `s` says.
+/// An `s` statement.
 pub(crate) struct SmoothingGroup {
-    /// 0 is off.
+    /// The number of the group; 0 is off.
     pub(crate) number: u32,
-    /// Line, column and what is wrong, where it cannot be read.
+    /// Line, column and problem if it cannot be read.
     pub(crate) problem: Option<(u64, u64, String)>,
 }
 
 impl SmoothingGroup {
-    /// From behind the keyword on.
+    /// Reads the statement from after its keyword.
     pub(crate) fn read(cursor: &mut Cursor<'_>) -> Self {
         let has_word = cursor.next_word();
         let (line, column) = (cursor.line(), cursor.column());
@@ -54,7 +54,7 @@ impl SmoothingGroup {
 }
 
 impl PartSpans {
-    /// `o` or `g`.
+    /// Handles `o` and `g`.
     pub(super) fn name_part(&mut self, name: String) {
         if self.last.part.as_ref() != Some(&name) {
             self.last.part = Some(name.clone());
@@ -62,7 +62,7 @@ impl PartSpans {
         }
     }
 
-    /// `usemtl`.
+    /// Handles `usemtl`.
     pub(super) fn use_material(&mut self, name: String, line: u64) {
         if self.last.material.as_ref().is_none_or(|(last, _)| *last != name) {
             self.last.material = Some((name.clone(), line));
@@ -70,17 +70,17 @@ impl PartSpans {
         }
     }
 
-    /// `s`.
+    /// Handles `s`.
     pub(super) fn smooth(&mut self, first_triangle: usize, group: u32) {
         match self.smoothing.last_mut() {
-            // Nothing came of the one before.
+            // The previous group is empty.
             Some(last) if last.0 == first_triangle => last.1 = group,
             Some(last) if last.1 == group => {}
             _ => self.smoothing.push((first_triangle, group)),
         }
     }
 
-    /// Before a face is taken, behind these triangles: what has been said begins to count.
+    /// Called before a face is added: the current settings take effect.
     #[inline(always)]
     pub(super) fn begin_face(&mut self, before: &Triangles<'_>) {
         if self.next.is_some() {
@@ -94,7 +94,7 @@ impl PartSpans {
         self.spans.push(PartSpan { first_triangle, ..span });
     }
 
-    /// The stretch is over: what was said after its last face is for the one after it.
+    /// Ends the range: settings after its last face apply to the next range.
     pub(super) fn finish(&mut self, first_triangle: usize) {
         if self.next.is_some() {
             self.begin_span(first_triangle);

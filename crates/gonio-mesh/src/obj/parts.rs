@@ -1,4 +1,4 @@
-//! Parts and smoothing groups of the mesh, out of what was said between the faces.
+//! Parts and smoothing groups of the mesh, from the statements between the faces.
 
 use super::materials::MaterialTable;
 use super::part_spans::PartSpans;
@@ -6,14 +6,14 @@ use crate::report::Reports;
 use crate::{Mesh, Part};
 use std::mem;
 
-/// Runs of triangles of all the file.
+/// Spans of triangles in the whole file.
 #[derive(Default)]
 pub(super) struct Parts {
-    /// Their names, where they begin, and from [`Parts::find_materials`] on the materials.
+    /// Names and ranges, with materials from [`Parts::find_materials`] on.
     parts: Vec<Part>,
-    /// The names of their materials, with the line; an empty name is no material. As many as there are parts.
+    /// The names of their materials, with the line, for each part; an empty name is no material.
     materials: Vec<Option<(String, u64)>>,
-    /// What the next run has.
+    /// The settings of the next span.
     name: String,
     material: Option<(String, u64)>,
     smoothing: Vec<(usize, u32)>,
@@ -21,7 +21,7 @@ pub(super) struct Parts {
 }
 
 impl Parts {
-    /// The runs of a stretch of so many triangles, which follows those before.
+    /// Appends the spans of a range with a number of triangles.
     pub(super) fn append(&mut self, part_spans: PartSpans, triangle_count: usize) {
         let first = self.triangle_count;
         for span in part_spans.spans {
@@ -30,7 +30,7 @@ impl Parts {
                 self.name = name;
             }
             if let Some((name, line)) = span.material {
-                // The same again is as if it had not been said.
+                // Repeating the current name changes nothing.
                 if self.material.as_ref().is_none_or(|(current, _)| *current != name) {
                     self.material = Some((name, line));
                 }
@@ -40,7 +40,7 @@ impl Parts {
         self.triangle_count += triangle_count;
     }
 
-    /// The triangles up to this one belong to what has been said so far.
+    /// Assigns the triangles up to this one to the current settings.
     fn end_span(&mut self, end: usize) {
         let first_triangle = self.parts.last().map_or(0, |part| part.first_triangle + part.triangle_count);
         if end > first_triangle {
@@ -50,7 +50,7 @@ impl Parts {
         }
     }
 
-    /// Looks the materials up; runs that do not differ become one.
+    /// Looks up the materials; merges adjacent spans that do not differ.
     pub(super) fn find_materials(&mut self, table: &mut MaterialTable, reports: &mut Reports) {
         self.end_span(self.triangle_count);
         let mut parts: Vec<Part> = Vec::new();
@@ -67,7 +67,7 @@ impl Parts {
         self.parts = parts;
     }
 
-    /// Gives the mesh its parts, whose materials count from `offset`, and smoothing groups.
+    /// Sets the mesh's parts, whose materials count from `offset`, and its smoothing groups.
     pub(super) fn finish(self, mesh: &mut Mesh, offset: usize) {
         mesh.parts = self.parts;
         mesh.parts.iter_mut().for_each(|part| part.material -= offset);

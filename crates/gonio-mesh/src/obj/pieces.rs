@@ -1,34 +1,34 @@
-//! A file in pieces, for several threads. How many there are does not change what comes of them.
+//! Splits a file for several threads. The number of pieces does not change the result.
 
 use super::attributes::Segment;
 use std::ops::Range;
 
-/// How to read a file; none of it changes the result.
+/// How to read a file. It does not affect the result.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Plan {
-    /// Into how many pieces it is cut at most.
+    /// Most pieces for the first pass.
     pub(super) pieces: usize,
-    /// Into how many stretches its faces are cut at most; each has a table of vertices of its own.
+    /// Most ranges for the second pass; each has a table of vertices of its own.
     pub(super) stretches: usize,
-    /// Whether lines in plain form are read in the quick way.
+    /// Whether lines in plain form take the fast path.
     pub(super) fast_path: bool,
 }
 
-/// Bytes that are worth a piece of their own.
+/// Least size of a piece in bytes.
 const SMALLEST_PIECE: usize = 1 << 19;
 
 impl Plan {
-    /// For a file of so many bytes, on the threads that are there.
+    /// Chooses a plan for a file's size and the available threads.
     pub(super) fn for_size(size: usize) -> Self {
         let most = size / SMALLEST_PIECE;
-        // Not to be asked without need: it may start the threads.
+        // Only asked when needed, because asking may start the threads.
         let threads = if most < 2 { 1 } else { rayon::current_num_threads() };
         let for_each = |count: usize| if threads < 2 { 1 } else { (count * threads).min(most) };
         Plan { pieces: for_each(8), stretches: for_each(1), fast_path: true }
     }
 }
 
-/// Cuts a file where statements begin, into at most so many pieces of about the same size, which follow one another.
+/// Splits a file where statements begin, into consecutive pieces of similar size.
 pub(super) fn split(bytes: &[u8], most: usize) -> Vec<Range<usize>> {
     let mut pieces = Vec::with_capacity(most);
     let mut start = 0;
@@ -45,7 +45,7 @@ pub(super) fn split(bytes: &[u8], most: usize) -> Vec<Range<usize>> {
     pieces
 }
 
-/// The first place at or behind `at` where a statement certainly begins: behind a line's end that no `\` precedes.
+/// Returns the first position from `at` on where a statement certainly begins: after a line end that no `\` precedes.
 fn statement_behind(bytes: &[u8], at: usize) -> Option<usize> {
     let mut at = at;
     loop {
@@ -54,7 +54,7 @@ fn statement_behind(bytes: &[u8], at: usize) -> Option<usize> {
         let line = &bytes[..end - usize::from(is_second)];
         let is_first = bytes[end] == b'\r' && bytes.get(end + 1) == Some(&b'\n');
         at = end + if is_first { 2 } else { 1 };
-        // Blanks may stand between `\` and the line's end; more than a few, and it is easier to go on.
+        // Blanks may be between `\` and the line end; after more than a few, it is easier to give up.
         const MOST_BLANKS: usize = 64;
         let tail = &line[line.len().saturating_sub(MOST_BLANKS)..];
         match tail.iter().rev().find(|byte| !matches!(byte, b' ' | b'\t')) {
@@ -66,7 +66,7 @@ fn statement_behind(bytes: &[u8], at: usize) -> Option<usize> {
     }
 }
 
-/// Puts segments that follow one another into at most so many stretches of about the same size.
+/// Groups consecutive segments into ranges of similar size.
 pub(super) fn stretches(segments: &[Segment], most: usize) -> Vec<&[Segment]> {
     let size: usize = segments.iter().map(|segment| segment.bytes.len()).sum();
     let mut stretches = Vec::with_capacity(most);
@@ -92,7 +92,7 @@ mod tests {
     #[test]
     fn pieces_begin_with_statements() {
         let text = b"v 1\nv 2 \\\n 3\r\nf \\ \r\n 4\r#\nend";
-        // Every place where one may begin: behind the ends of lines that are not joined to the next.
+        // Every position where one may begin: after line ends that are not joined to the next line.
         let allowed = [0, 4, 14, 23, 25];
         for most in 1..40 {
             let pieces = split(text, most);

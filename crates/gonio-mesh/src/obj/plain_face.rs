@@ -1,27 +1,27 @@
-//! Faces in their plain form: `f` and corners of digits, slashes and minus signs, with one blank between them.
+//! Faces in plain form: `f` and corners of digits, slashes and minus signs, separated by single blanks.
 
 use super::faces::Faces;
 use super::fast_path::{Line, REACH};
 use super::scan;
 use super::vertices::{Corner, CornerAttributes};
 
-/// A face as exporters write it, being read.
+/// A face in plain form that is being read.
 pub(super) struct PlainFace<'a> {
     bytes: &'a [u8],
-    /// Where `line` starts.
+    /// The start of `line`.
     start: usize,
     line: Option<Line<'a>>,
-    /// The byte behind the last corner.
+    /// The byte after the last corner.
     end: u8,
 }
 
 impl<'a> PlainFace<'a> {
-    /// From behind the keyword on.
+    /// Starts after the keyword.
     pub(super) fn new(bytes: &'a [u8], start: usize) -> Self {
         PlainFace { bytes, start, line: None, end: 0 }
     }
 
-    /// The next corner, if it is plain and points at something, and all of its indices are negative or none is.
+    /// Reads the next corner if it is plain and in range, and if all of its indices are negative or none is.
     #[inline(always)]
     pub(super) fn corner<const NEGATIVE: bool>(&mut self, faces: &Faces<'_>) -> Option<Corner> {
         if let Some(line) = &mut self.line {
@@ -35,7 +35,7 @@ impl<'a> PlainFace<'a> {
                 self.end = end;
                 return Some(corner);
             }
-            // Perhaps it only lies beyond what has been looked at.
+            // It may only be outside the window that has been examined.
             if at == 0 {
                 return None;
             }
@@ -48,7 +48,7 @@ impl<'a> PlainFace<'a> {
         Some(corner)
     }
 
-    /// Where the next line starts, if this one ends here.
+    /// Returns the start of the next line if this one ends here.
     #[inline(always)]
     pub(super) fn line_end(&self) -> Option<usize> {
         Some(self.start + self.line.as_ref()?.end(self.end)?)
@@ -73,22 +73,22 @@ fn plain_corner<const NEGATIVE: bool>(line: &mut Line<'_>, faces: &Faces<'_>) ->
     Some((((position.value - 1) as u32, CornerAttributes::new(tex_coord.value, normal.value)), end))
 }
 
-/// An index that points at something, from 1, and how it is written.
+/// An index from 1 that is in range, with its digits.
 #[derive(Clone, Copy)]
 struct Index {
     value: u64,
-    /// As [`Line::index`] gives them.
+    /// The digits as [`Line::index`] returns them.
     digits: u64,
-    /// What they say.
+    /// The number that the digits represent.
     number: u64,
 }
 
 impl Index {
-    /// None, or none that can be written again: these are no digits.
+    /// No index; its digits never match.
     const NONE: Index = Index { value: 0, digits: u64::MAX, number: 0 };
 }
 
-/// `before` is the index before it, which many programs write again and again.
+/// Reads an index. `before` is the previous one, which many programs repeat.
 #[inline(always)]
 fn plain_index<const NEGATIVE: bool>(
     line: &mut Line<'_>,
@@ -104,7 +104,7 @@ fn plain_index<const NEGATIVE: bool>(
     }
     let (digits, end) = line.index()?;
     let number = if digits == before.digits { before.number } else { scan::aligned_digits(digits) };
-    // What lies behind the statement can be named from the front only.
+    // Negative indices cannot refer to values after the statement.
     let (value, most) = if NEGATIVE {
         ((faces.counts[kind] + 1).wrapping_sub(number), faces.counts[kind])
     } else {

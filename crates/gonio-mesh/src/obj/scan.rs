@@ -1,14 +1,14 @@
-//! Which bytes of a text matter, 64 at a time, as the bits of a number.
+//! Finds the relevant bytes of a text, 64 at a time, as the bits of a number.
 //!
-//! Places found this way do not depend on one another, so that a processor works on many numbers of a line at once
-//! (after G. Langdale and D. Lemire, 2019, "Parsing gigabytes of JSON per second").
+//! Positions found this way do not depend on one another, so that a processor works on several numbers of a line at
+//! once (after G. Langdale and D. Lemire, 2019, "Parsing gigabytes of JSON per second").
 
 use wide::u8x16;
 
-/// How many bytes are looked at.
+/// Number of bytes in a window.
 pub(super) const WINDOW: usize = 64;
 
-/// Bit `i` says whether byte `i` is something other than a decimal digit.
+/// Bit `i` is set if byte `i` is not a decimal digit.
 #[inline(always)]
 pub(super) fn non_digits(window: &[u8; WINDOW]) -> u64 {
     bits(window, |bytes| {
@@ -17,35 +17,34 @@ pub(super) fn non_digits(window: &[u8; WINDOW]) -> u64 {
     })
 }
 
-/// Bit `i` says whether byte `i` ends a line or may join two: LF, CR, `\`.
+/// Bit `i` is set if byte `i` ends a line or may join two: LF, CR, `\`.
 #[inline(always)]
 pub(super) fn line_ends(window: &[u8; WINDOW]) -> u64 {
     let is = |bytes: u8x16, byte: u8| bytes.simd_eq(u8x16::splat(byte));
     bits(window, |bytes| is(bytes, b'\n') | is(bytes, b'\r') | is(bytes, b'\\'))
 }
 
-/// Counts bytes that are blanks, end lines, or are other control characters.
+/// Counts bytes that are blanks, line ends or other control characters.
 pub(super) struct Blanks {
-    /// Of each of 16 columns.
+    /// Counts for each of 16 columns.
     columns: u8x16,
-    /// How many windows are in them: after 63 of four rows a column might be full.
+    /// Number of windows counted in them: after 63 of four rows a column might overflow.
     windows: u32,
     sum: usize,
 }
 
 impl Blanks {
-    /// None yet.
     pub(super) fn new() -> Self {
         Blanks { columns: u8x16::splat(0), windows: 0, sum: 0 }
     }
 
-    /// With those of a window.
+    /// Counts the bytes of a window.
     #[inline(always)]
     pub(super) fn count(&mut self, window: &[u8; WINDOW]) {
         let blank = u8x16::splat(b' ');
         for q in 0..4 {
             let bytes = u8x16::new(std::array::from_fn(|i| window[16 * q + i]));
-            // Equal is -1.
+            // A match is -1.
             self.columns -= bytes.max(blank).simd_eq(blank);
         }
         self.windows += 1;
@@ -61,7 +60,7 @@ impl Blanks {
         self.windows = 0;
     }
 
-    /// How many they are.
+    /// Returns the count.
     pub(super) fn sum(mut self) -> usize {
         self.add_columns();
         self.sum
@@ -77,15 +76,16 @@ fn bits(window: &[u8; WINDOW], matches: impl Fn(u8x16) -> u8x16) -> u64 {
     quarter(0) | quarter(1) | quarter(2) | quarter(3)
 }
 
-/// The `length` decimal digits, 1 to 8, that `word` (eight bytes of text, the first one lowest) begins with.
+/// Returns the value of the `length` decimal digits, 1 to 8, at the start of `word` (eight bytes of text, the first one
+/// lowest).
 ///
-/// The number of each two, then four, then eight digits comes of one multiplication for all of them together.
+/// One multiplication each combines all pairs of digits, then of two-digit numbers, then of four-digit numbers.
 #[inline(always)]
 pub(super) fn digits(word: u64, length: usize) -> u64 {
     aligned_digits((word ^ 0x3030_3030_3030_3030) << (64 - 8 * length))
 }
 
-/// Eight digits, each the value of a byte, the most significant one lowest.
+/// Returns the value of eight digits, each the value of a byte, the most significant one lowest.
 #[inline(always)]
 pub(super) fn aligned_digits(bytes: u64) -> u64 {
     const EACH_2ND: u64 = 0x00FF_00FF_00FF_00FF;

@@ -1,36 +1,36 @@
-//! What a stretch of a file says, in numbers.
+//! Counts of statements, faces and corners in a range of a file.
 
 use super::tallies::Tallies;
 
-/// Numbers of things in a stretch of a file.
+/// Counts of statements, faces and corners in a range of a file.
 #[derive(Default)]
 pub(super) struct Statistics {
-    /// Statements that were understood, faces apart.
+    /// Statements that were understood, except for faces.
     pub(super) statements: u64,
-    /// Faces by number of corners, the last for all larger ones; those left out are not in it.
+    /// Faces by number of corners, the last entry for all larger ones; without those left out.
     pub(super) faces: [u64; MOST_COUNTED + 2],
-    /// Faces left out.
+    /// Faces that were left out.
     pub(super) lost: u64,
-    /// Corners of faces with more than three.
+    /// Corners of faces with more than three corners.
     pub(super) polygon_corners: u64,
-    /// Corners without texture coordinate, or normal; and the first line with one.
+    /// Corners without a texture coordinate or normal, and the first line with one.
     pub(super) without: [(u64, u64); 2],
-    /// The first line with an index of a texture coordinate, or normal, where there is none at all.
+    /// The first line with an index of a texture coordinate or normal, if the file has none.
     pub(super) without_any: [Option<u64>; 2],
-    /// Polygons that cross or touch themselves, and those too large or winding to be cut well.
+    /// Polygons that cross or touch themselves, and those too large or complex to triangulate well.
     pub(super) cuts: [u64; 2],
-    /// How often `o`, `g`, `s`, `usemtl`, `mtllib`.
+    /// Numbers of `o`, `g`, `s`, `usemtl`, `mtllib`.
     pub(super) names: [u64; 5],
     pub(super) tallies: Tallies,
 }
 
 impl Statistics {
-    /// Statements that were understood, attributes apart.
+    /// Statements that were understood, except for attributes.
     pub(super) fn understood(&self) -> u64 {
         self.statements + self.face_count()
     }
 
-    /// Faces, those left out too.
+    /// Faces, including those left out.
     pub(super) fn face_count(&self) -> u64 {
         self.faces.iter().sum::<u64>() + self.lost
     }
@@ -40,7 +40,7 @@ impl Statistics {
         3 * self.faces[3] + self.polygon_corners
     }
 
-    /// With those of the stretch that follows.
+    /// Adds the counts of the next range.
     pub(super) fn append(&mut self, other: Statistics) {
         fn add<const N: usize>(sums: &mut [u64; N], more: [u64; N]) {
             sums.iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
@@ -62,7 +62,7 @@ impl Statistics {
     }
 }
 
-/// Corners up to which faces are counted apart.
+/// Most corners for which faces are counted separately.
 pub(super) const MOST_COUNTED: usize = 8;
 
 /// The statements counted in [`Statistics::names`].

@@ -1,10 +1,10 @@
-//! Statements that are not drawn: counted, and told once for each kind.
+//! Counts statements that are not drawn, and reports each kind once.
 
 use crate::report::Reports;
 use crate::text::quote;
 use crate::{Diagnostic, Severity};
 
-/// Statements of one stretch of a file that are not drawn.
+/// Statements of a range of a file that are not drawn.
 #[derive(Default)]
 pub(super) struct Tallies {
     tallies: Vec<Tally>,
@@ -18,13 +18,13 @@ struct Tally {
     first_line: u64,
 }
 
-/// Kinds of unknown statements that are told one by one.
+/// Most kinds of unknown statements that are listed.
 const MOST_UNKNOWN_KINDS: usize = 20;
 
-/// Kinds that are counted: no more than that, or rubbish would fill the memory.
+/// Most kinds that are counted, so that garbage cannot fill the memory.
 const MOST_KINDS: usize = 3 * MOST_UNKNOWN_KINDS;
 
-/// Statements of the format that mean something to other programs, and nothing that could be drawn here.
+/// Statements of the format without an effect on the mesh.
 const IGNORED: [&[u8]; 14] = [
     b"lod",
     b"bevel",
@@ -49,7 +49,7 @@ const FREE_FORM: [&[u8]; 15] = [
 ];
 
 impl Tallies {
-    /// Counts a statement. Returns whether it is one of the format.
+    /// Counts a statement. Returns whether it belongs to the format.
     pub(super) fn count(&mut self, keyword: &[u8], line: u64) -> bool {
         let keyword = if FREE_FORM.contains(&keyword) { b"curv" } else { keyword };
         self.add(&keyword[..keyword.len().min(200)], 1, line);
@@ -66,7 +66,7 @@ impl Tallies {
         }
     }
 
-    /// With those of the stretch that follows.
+    /// Adds the counts of the next range.
     pub(super) fn append(&mut self, other: Tallies) {
         for tally in other.tallies {
             self.add(&tally.keyword, tally.count, tally.first_line);
@@ -74,12 +74,11 @@ impl Tallies {
         self.is_full |= other.is_full;
     }
 
-    /// How many there are of one kind.
+    /// Returns the count of one kind.
     pub(super) fn count_of(&self, keyword: &[u8]) -> u64 {
         self.tallies.iter().find(|tally| tally.keyword == keyword).map_or(0, |tally| tally.count)
     }
 
-    /// Tells them.
     pub(super) fn report(&self, reports: &mut Reports) {
         let mut unknown_kinds = 0;
         for &Tally { ref keyword, count, first_line } in &self.tallies {
@@ -105,7 +104,7 @@ impl Tallies {
     }
 }
 
-/// Severity and words, for a statement of the format.
+/// Describes a statement of the format.
 fn describe(keyword: &[u8], count: u64) -> Option<(Severity, String)> {
     let times = |one: &str, many: &str| if count == 1 { format!("1 {one}") } else { format!("{count} {many}") };
     Some(match keyword {

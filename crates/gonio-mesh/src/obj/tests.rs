@@ -1,4 +1,4 @@
-//! Tests of what cannot be seen from outside: that neither the number of pieces nor the quick way changes anything.
+//! Tests of internals: neither the number of pieces nor the fast path changes the result.
 
 #![allow(clippy::unwrap_used)]
 
@@ -12,7 +12,7 @@ fn read(text: &[u8], plan: Plan) -> Result<Model, ReadError> {
     read_with(text, &mut NoSidecars, &Limits::default(), plan)
 }
 
-/// Read byte by byte in one piece, and in every other way: the same. Returns that.
+/// Reads a text byte by byte in one piece and in every other way, and compares the results.
 fn same_in_every_way(text: &[u8], name: &str) -> Result<Model, ReadError> {
     let expected = read(text, Plan { pieces: 1, stretches: 1, fast_path: false });
     for (pieces, stretches) in [(1, 1), (2, 1), (2, 2), (3, 2), (4, 4), (7, 3), (9, 9), (40, 40)] {
@@ -43,7 +43,7 @@ fn the_corpus_is_the_same_in_every_way() {
     let mut files = 0;
     for file in table.files().iter().filter(|file| file.path.ends_with(".obj")) {
         let _ = same_in_every_way(&file.bytes, &file.path);
-        // The quick way wants room behind a line, which small files do not have.
+        // The fast path needs bytes after a line, which small files do not have.
         let padded = [&file.bytes[..], b"\n", &b"#\n".repeat(100)].concat();
         let _ = same_in_every_way(&padded, &file.path);
         files += 1;
@@ -78,7 +78,7 @@ impl Random {
         }
     }
 
-    /// A statement of any kind; most of them plain. `strange` files have some that are not.
+    /// Appends a random statement; most are plain. `strange` files contain some that are not.
     fn statement(&mut self, text: &mut String, counts: &mut [u64; 3], strange: bool) {
         let end = match self.below(40) {
             0 if strange => " # comment\n",
@@ -193,7 +193,7 @@ fn random_files_are_the_same_in_every_way() {
     assert!(read > 150 && refused > 10 && vertices > 10_000, "{read} {refused} {vertices}");
 }
 
-/// Where pieces have kinds of corners of their own for positions that they share, in all orders.
+/// Pieces with different attributes at positions they share, in all orders.
 #[test]
 fn shared_positions_keep_their_first_kind() {
     let mut text = String::from("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 1\nvt 2 2\n");
@@ -210,7 +210,7 @@ fn shared_positions_keep_their_first_kind() {
     assert_eq!(first, [0.0, 0.0, 0.0, 1.0, 1.0, 2.0, 2.0, 1.0, 2.0]);
 }
 
-/// A name that is said again is as if it had not been: the warning names the first line.
+/// A repeated name changes nothing: the warning refers to the first line.
 #[test]
 fn a_name_said_again_changes_nothing() {
     let again = "# the same again, and no face between\nusemtl red\n".repeat(100);
@@ -219,7 +219,7 @@ fn a_name_said_again_changes_nothing() {
     assert_eq!((model.mesh.parts.len(), model.diagnostics.len(), model.diagnostics[0].line), (1, 1, Some(4)));
 }
 
-/// More kinds of rubbish than are counted apart: still the same counts.
+/// More unknown kinds than are counted separately: the counts are still the same.
 #[test]
 fn rubbish_is_counted_alike() {
     let mut text = String::from("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

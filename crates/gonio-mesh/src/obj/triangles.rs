@@ -1,29 +1,28 @@
-//! Triangles as they are made: where they will stay, as far as there is room.
+//! Collects triangles in their final place, as long as there is room.
 
 use super::attributes::Segment;
 
-/// Triangles of a stretch of a file.
+/// Triangles of a range of a file.
 pub(super) struct Triangles<'a> {
     /// Room in the array of all triangles.
     room: &'a mut [u32],
-    /// How much of it is used.
+    /// The used part of it.
     used: usize,
-    /// What found no room.
+    /// Indices that did not fit.
     more: Vec<u32>,
 }
 
 impl<'a> Triangles<'a> {
-    /// Alone in the file.
+    /// Creates a list without room in a shared array.
     pub(super) fn of_all(likely: usize) -> Self {
         Triangles { room: &mut [], used: 0, more: Vec::with_capacity(3 * likely) }
     }
 
-    /// Those of one stretch of many.
+    /// Creates the list of one of many ranges.
     pub(super) fn with_room(room: &'a mut [u32]) -> Self {
         Triangles { room, used: 0, more: Vec::new() }
     }
 
-    /// The vertices of one more.
     #[inline(always)]
     pub(super) fn push(&mut self, triangle: [u32; 3]) {
         match self.room.get_mut(self.used..).and_then(|room| room.first_chunk_mut()) {
@@ -35,32 +34,32 @@ impl<'a> Triangles<'a> {
         }
     }
 
-    /// How many there are.
+    /// Returns the number of triangles.
     pub(super) fn count(&self) -> usize {
         (self.used + self.more.len()) / 3
     }
 
-    /// All vertices, in order.
+    /// Returns all vertices in order.
     pub(super) fn vertices_mut(&mut self) -> impl Iterator<Item = &mut u32> {
         self.room[..self.used].iter_mut().chain(&mut self.more)
     }
 
-    /// How much of the room is used, and what found none.
+    /// Returns the used part of the room, and the indices that did not fit.
     pub(super) fn finish(self) -> (usize, Vec<u32>) {
         (self.used, self.more)
     }
 }
 
-/// How many triangles a stretch will probably have.
+/// Estimates the number of triangles of segments.
 ///
-/// Not more than a file of this size may have of triangles with an index of one digit: a file of blanks shall not
-/// take more memory than it has itself. Polygons of such indices find room elsewhere.
+/// It is at most the number of triangles with one-digit indices that fit into a file of this size, so that a file of
+/// blanks does not take more memory than its own size. Polygons with such indices are stored elsewhere.
 pub(super) fn likely_count(segments: &[Segment]) -> usize {
     const SMALLEST: usize = "f 1 2 3\n".len();
     segments.iter().map(|segment| segment.triangles.min(segment.bytes.len() / SMALLEST)).sum()
 }
 
-/// Gives each stretch its part of the array.
+/// Divides the array among the ranges.
 pub(super) fn rooms<'a>(all: &'a mut [u32], stretches: &[&[Segment]]) -> Vec<Triangles<'a>> {
     let mut rest = all;
     let mut rooms = Vec::with_capacity(stretches.len());
@@ -72,7 +71,7 @@ pub(super) fn rooms<'a>(all: &'a mut [u32], stretches: &[&[Segment]]) -> Vec<Tri
     rooms
 }
 
-/// Closes the gaps between the parts that are used. `parts` are what [`Triangles::finish`] gave, in order.
+/// Closes the gaps between the used parts. `parts` are the results of [`Triangles::finish`], in order.
 pub(super) fn join(mut all: Vec<u32>, stretches: &[&[Segment]], mut parts: Vec<(usize, Vec<u32>)>) -> Vec<u32> {
     if let ([_], 0) = (parts.as_slice(), all.len())
         && let Some((_, mut only)) = parts.pop()

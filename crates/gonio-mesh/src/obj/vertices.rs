@@ -1,7 +1,7 @@
-//! Corners of faces into vertices: equal ones become one.
+//! Converts corners of faces to vertices, merging equal ones.
 //!
-//! The first kind of corner that a position has is vertex number `position`, so that vertices come in the order of
-//! the file and their positions need not be moved. Further kinds are extras: `position_count` and on, in the order
+//! The first attributes used at a position make vertex number `position`, so that vertices are in file order and their
+//! positions need not be moved. Further attributes make extra vertices, numbered from `position_count` on in the order
 //! of their first use.
 
 use crate::ReadError;
@@ -13,20 +13,20 @@ use std::collections::HashMap;
 pub(super) struct CornerAttributes(u64);
 
 impl CornerAttributes {
-    /// Set in every kind, so that it differs from no kind at all.
+    /// Set in every value, to distinguish it from an empty entry.
     const IS_USED: u64 = 1 << 63;
     /// The largest index of a normal.
     pub(super) const MOST_NORMALS: u64 = (1 << 31) - 1;
     /// The largest index of a texture coordinate.
     pub(super) const MOST_TEX_COORDS: u64 = u32::MAX as u64;
 
-    /// Of indices within the limits above.
+    /// Creates the value for indices within the limits above.
     #[inline(always)]
     pub(super) fn new(tex_coord: u64, normal: u64) -> Self {
         CornerAttributes(Self::IS_USED | normal << 32 | tex_coord)
     }
 
-    /// Whether there is one at all.
+    /// Whether this is not an empty entry.
     pub(super) fn is_used(self) -> bool {
         self.0 & Self::IS_USED != 0
     }
@@ -43,60 +43,58 @@ impl CornerAttributes {
         (self.0 >> 32 & Self::MOST_NORMALS) as usize
     }
 
-    /// Whether there is no texture coordinate or no normal.
+    /// Whether the texture coordinate or the normal is missing.
     #[inline(always)]
     pub(super) fn lacks_something(self) -> bool {
         (self.0 as u32 == 0) | (self.0 << 1 < 1 << 33)
     }
 
-    /// A number in place of a kind, which is none.
+    /// Stores a number in place of attributes.
     pub(super) fn number(number: u32) -> Self {
         CornerAttributes(u64::from(number))
     }
 
-    /// The number, where this is one.
+    /// Returns the number if this is one.
     pub(super) fn as_number(self) -> Option<u32> {
         (!self.is_used()).then_some(self.0 as u32)
     }
 }
 
-/// A corner: its position, from 0, and what else it has.
+/// A corner: its position, from 0, and its other attributes.
 pub(super) type Corner = (u32, CornerAttributes);
 
-/// Vertices of some faces.
+/// The vertices of some faces.
 #[derive(Default)]
 pub(super) struct Vertices {
-    /// For each position its first kind of corner. Untouched memory costs nothing.
+    /// For each position its first attributes. Untouched memory costs nothing.
     first: Vec<u64>,
     /// For each [`BLOCK`] of positions whether one of them is used.
     touched: Vec<bool>,
     pub(super) extras: Extras,
 }
 
-/// Positions that are known together to be unused or perhaps not.
+/// Number of positions that share a flag.
 const BLOCK: usize = 1024;
 
-/// No entry.
 const NONE: u32 = u32::MAX;
 
-/// How many extras of one position are looked through one by one.
+/// Most extra vertices of one position that are searched linearly.
 const MOST_IN_A_CHAIN: u32 = 16;
 
-/// Corners whose position has other corners before them.
+/// Corners whose position already has other attributes.
 #[derive(Default)]
 pub(super) struct Extras {
     /// In the order of their first use.
     pub(super) corners: Vec<Corner>,
-    /// For each position the number of its latest extra plus 1, or 0; ...
+    /// For each position the number of its latest extra vertex plus 1, or 0.
     latest: Vec<u32>,
-    /// ... for each extra the same of the one before it.
+    /// For each extra vertex the number of the previous one at its position plus 1, or 0.
     before: Vec<u32>,
-    /// For positions with many.
+    /// Corners of positions with many extra vertices.
     crowded: HashMap<Corner, u32>,
 }
 
 impl Vertices {
-    /// None yet.
     pub(super) fn new(position_count: usize) -> Self {
         Vertices {
             first: vec![0; position_count],
@@ -105,12 +103,12 @@ impl Vertices {
         }
     }
 
-    /// The vertex of a corner, whose position must exist.
+    /// Returns the vertex of a corner, whose position must exist.
     #[inline(always)]
     pub(super) fn of_corner(&mut self, (position, kind): Corner) -> Result<u32, ReadError> {
         let place = position as usize;
         let known = self.first[place];
-        // One question, not two: which of them is true is hard to foresee.
+        // One comparison, not two: which of them is true is hard to predict.
         if (known == kind.0) | (known == 0) {
             self.first[place] = kind.0;
             self.touched[place / BLOCK] = true;
@@ -126,33 +124,33 @@ impl Vertices {
         if vertex >= u64::from(NONE) { Err(too_many_vertices(u64::from(NONE))) } else { Ok(vertex as u32) }
     }
 
-    /// The first kind of corner of a position.
+    /// Returns the first attributes of a position.
     #[inline(always)]
     pub(super) fn first(&self, position: usize) -> CornerAttributes {
         CornerAttributes(self.first[position])
     }
 
-    /// Puts something in place of the first kind of a position.
+    /// Replaces the first attributes of a position.
     #[inline(always)]
     pub(super) fn set_first(&mut self, position: usize, kind: CornerAttributes) {
         self.first[position] = kind.0;
         self.touched[position / BLOCK] = true;
     }
 
-    /// Numbers the used positions, each number in place of its first kind.
+    /// Numbers the used positions, replacing their first attributes.
     pub(super) fn number_used(&mut self) {
         for (number, first) in (0..).zip(self.first.iter_mut().filter(|first| **first != 0)) {
             *first = number;
         }
     }
 
-    /// The number of a position, after that; `None` behind the last one.
+    /// Returns the number of a position after that; `None` beyond the last one.
     #[inline(always)]
     pub(super) fn number(&self, position: usize) -> Option<u32> {
         self.first.get(position).map(|number| *number as u32)
     }
 
-    /// Used positions and their first kinds, in order.
+    /// Returns used positions and their first attributes, in order.
     #[inline(always)]
     pub(super) fn firsts(&self) -> impl Iterator<Item = (usize, CornerAttributes)> {
         self.first
@@ -162,17 +160,17 @@ impl Vertices {
             .map(|(position, first)| (position, CornerAttributes(*first)))
     }
 
-    /// How many positions are used.
+    /// Returns the number of used positions.
     pub(super) fn used_count(&self) -> usize {
         self.first.iter().map(|first| usize::from(*first != 0)).sum()
     }
 
-    /// How many positions there are, used or not.
+    /// Returns the number of positions, used or not.
     pub(super) fn position_count(&self) -> usize {
         self.first.len()
     }
 
-    /// Positions that may be used, in order.
+    /// Returns positions that may be used, in order.
     pub(super) fn touched(&self) -> impl Iterator<Item = usize> {
         let blocks = self.touched.iter().enumerate().filter(|(_, touched)| **touched);
         blocks.flat_map(|(block, _)| block * BLOCK..((block + 1) * BLOCK).min(self.first.len()))
@@ -180,7 +178,7 @@ impl Vertices {
 }
 
 impl Extras {
-    /// The number of a corner, from 0: an earlier one's, or a new one.
+    /// Returns the number of a corner, from 0, adding it if it is new.
     pub(super) fn number_of(&mut self, corner: Corner, position_count: usize) -> u32 {
         if self.latest.is_empty() {
             self.latest = vec![0; position_count];
@@ -212,14 +210,13 @@ impl Extras {
         number
     }
 
-    /// A corner that is known to be new, and that nobody will ask for again.
+    /// Adds a corner that is known to be new and that will not be looked up again.
     pub(super) fn push(&mut self, corner: Corner) -> u32 {
         self.corners.push(corner);
         self.before.push(0);
         self.corners.len() as u32 - 1
     }
 
-    /// The corners alone.
     pub(super) fn into_corners(self) -> Vec<Corner> {
         self.corners
     }

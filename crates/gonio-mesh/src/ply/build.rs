@@ -1,4 +1,4 @@
-//! From vertices and polygons to an indexed mesh.
+//! Builds an indexed mesh from vertices and polygons.
 
 use super::faces::{Faces, NO_TEXTURE};
 use super::vertices::Vertices;
@@ -9,15 +9,15 @@ use crate::report::Reports;
 use crate::tally::Tally;
 use crate::{Diagnostic, Limits, Mesh, NormalSource, Part, ReadError, Severity};
 
-/// Indices into the file's vertices, three for each triangle, and for each of these its corner of a face.
+/// Indices into the file's vertices, three for each triangle, and for each index its corner of a face.
 struct Triangles {
     indices: Vec<u32>,
-    /// Empty where nothing is said of corners or faces.
+    /// Empty if corners and faces have no attributes.
     corners: Vec<usize>,
     parts: Vec<Part>,
 }
 
-/// Makes the mesh. Vertices that no triangle has are left out.
+/// Builds the mesh. Vertices without triangles are left out.
 pub(super) fn mesh(
     vertices: Vertices,
     faces: &Faces,
@@ -44,7 +44,7 @@ pub(super) fn mesh(
     split(whole, faces, colors, &triangles.corners, limits)
 }
 
-/// Cuts all faces into triangles.
+/// Triangulates all faces.
 fn cut(
     vertices: &Vertices,
     faces: &Faces,
@@ -64,7 +64,7 @@ fn cut(
         let first = std::mem::replace(&mut first_corner, end);
         polygon.clear();
         for (i, corner) in corners.iter().enumerate() {
-            // A corner written twice in a row is one.
+            // A repeated corner counts once.
             if *corner != corners[i.checked_sub(1).unwrap_or(corners.len() - 1)] {
                 polygon.push(first + i);
             }
@@ -103,7 +103,7 @@ fn extend_parts(parts: &mut Vec<Part>, material: usize, first_triangle: usize, t
     }
 }
 
-/// What may be odd about any face.
+/// Counts of oddities in faces.
 #[derive(Default)]
 struct Anomalies {
     not_finite: u64,
@@ -121,7 +121,7 @@ impl Anomalies {
         }
     }
 
-    /// The material of a face: its texture's, as far as that is there; behind them all that of no texture.
+    /// Returns the material of a face: that of its texture if it exists; after these, that of no texture.
     fn material(&mut self, number: i64, count: usize, face: usize) -> usize {
         if number == NO_TEXTURE {
             return count;
@@ -154,7 +154,7 @@ impl Anomalies {
     }
 }
 
-/// The mesh with vertices for every corner that has texture coordinates or a colour of its own.
+/// Splits vertices where corners have texture coordinates or a colour of their own.
 fn split(
     whole: Mesh,
     faces: &Faces,
@@ -187,7 +187,7 @@ fn split(
     Ok(mesh)
 }
 
-/// The mesh without vertices that no triangle has, in the file's order.
+/// Removes vertices without triangles, keeping the order.
 fn without_unused(mesh: Mesh, reports: &mut Reports) -> Mesh {
     let mut is_used = vec![false; mesh.positions.len()];
     mesh.indices.iter().for_each(|&vertex| is_used[vertex as usize] = true);

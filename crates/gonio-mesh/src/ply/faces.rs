@@ -9,32 +9,31 @@ use crate::report::Reports;
 use crate::tally::Tally;
 use crate::{ReadError, Severity};
 
-/// A `texnumber` that means none.
+/// A `texnumber` that means no texture.
 pub(super) const NO_TEXTURE: i64 = -1;
 
-/// Polygons, one after the other, of vertices that are there.
+/// Polygons, one after the other, with valid vertex indices.
 #[derive(Default)]
 pub(super) struct Faces {
-    /// How many the file tells of.
+    /// The number of faces that the file declares.
     pub(super) declared: u64,
     pub(super) corners: Vec<u32>,
-    /// Where in `corners` each face ends.
+    /// The end of each face in `corners`.
     pub(super) ends: Vec<usize>,
-    /// Of each corner, or empty.
+    /// For each corner, or empty.
     pub(super) tex_coords: Vec<[f32; 2]>,
-    /// Which texture each face has, or [`NO_TEXTURE`]; or empty.
+    /// The texture of each face, or [`NO_TEXTURE`]; or empty.
     pub(super) textures: Vec<i64>,
-    /// Linear colour of each face, or empty.
+    /// The linear colour of each face, or empty.
     pub(super) colors: Vec<[f32; 4]>,
-    /// Faces left out.
+    /// Faces with invalid vertex indices, which are left out.
     pub(super) astray: Tally,
     too_short: Tally,
     bad_tex_coords: Tally,
-    /// Faces with a colour that is not finite.
     colors_not_finite: Tally,
 }
 
-/// What a property of a face is.
+/// The meaning of a property of a face.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Role {
     Corners,
@@ -45,7 +44,7 @@ pub(super) enum Role {
 }
 
 impl Role {
-    /// Of each property; the first of a name counts.
+    /// Returns the role of each property; the first of a name counts.
     pub(super) fn all_of(element: &Element) -> Vec<Role> {
         let mut roles: Vec<Role> = Vec::with_capacity(element.properties.len());
         for property in &element.properties {
@@ -64,7 +63,7 @@ impl Role {
     }
 }
 
-/// One face while it is read.
+/// The face that is being read.
 #[derive(Default)]
 struct Face {
     corners: Vec<f64>,
@@ -73,7 +72,7 @@ struct Face {
     color: [f32; 4],
 }
 
-/// Reads the element `face`. Faces that point at no vertex are left out.
+/// Reads the element `face`. Faces with invalid vertex indices are left out.
 pub(super) fn read(
     source: &mut impl NumberReader,
     element: &Element,
@@ -88,7 +87,7 @@ pub(super) fn read(
     let (has_tex_coords, has_texture, has_color) = (has(Role::TexCoords), has(Role::Texture), has(Role::Color(0)));
     let linear = LinearFromSrgb::new();
     let mut faces = Faces { declared: element.count, ..Faces::default() };
-    // A face takes more bytes than this, if it is one.
+    // A face takes more bytes than this.
     faces.ends.reserve((element.count as usize).min(source.left() / 4));
     let mut face = Face::default();
     for index in 0..element.count {
@@ -163,7 +162,7 @@ fn numbers(
 }
 
 impl Faces {
-    /// Adds a polygon, if all its vertices are there.
+    /// Adds a polygon if all its vertices exist.
     #[inline]
     fn add(&mut self, corners: &[f64], vertex_count: u64, line: Option<u64>, what: &str, index: u64) -> bool {
         if corners.len() < 3 {
@@ -190,7 +189,7 @@ impl Faces {
         }
     }
 
-    /// Says what was odd.
+    /// Reports oddities.
     pub(super) fn report(&self, vertex_count: u64, reports: &mut Reports) {
         self.astray.report(Severity::Warning, reports, |tally| {
             let (faces, first) = (tally.counted("polygon points", "polygons point"), &tally.first);
@@ -211,7 +210,7 @@ impl Faces {
     }
 }
 
-/// Reads the element `tristrips`: strips of triangles, of which every second one turns the other way; -1 parts them.
+/// Reads the element `tristrips`: strips of triangles with alternating winding, separated by -1.
 pub(super) fn read_strips(
     source: &mut impl NumberReader,
     element: &Element,
@@ -233,7 +232,7 @@ pub(super) fn read_strips(
         for strip in strip.split(|&vertex| vertex == -1.0) {
             for (i, triangle) in strip.windows(3).enumerate() {
                 let [a, b, c] = [triangle[0], triangle[1], triangle[2]];
-                // A vertex written twice turns a strip around a corner: such triangles have no area.
+                // A repeated vertex turns a strip around a corner: such triangles have no area.
                 if a == b || b == c || a == c {
                     continue;
                 }

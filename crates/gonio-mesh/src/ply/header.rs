@@ -1,11 +1,11 @@
-//! The header of a PLY file: lines of text that say what follows.
+//! The header of a PLY file: lines of text that describe the data.
 
 use super::scalar::Scalar;
 use crate::report::Reports;
 use crate::text::{decode, quote};
 use crate::{ReadError, Severity};
 
-/// How the numbers behind the header are written.
+/// The encoding of the numbers after the header.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Encoding {
     Ascii,
@@ -13,7 +13,6 @@ pub(super) enum Encoding {
     BigEndian,
 }
 
-/// What the header says.
 #[derive(Debug)]
 pub(super) struct Header {
     pub(super) encoding: Encoding,
@@ -22,13 +21,13 @@ pub(super) struct Header {
     pub(super) textures: Vec<(String, u64)>,
     pub(super) comments: u64,
     pub(super) obj_infos: u64,
-    /// Where in the file the numbers begin, ...
+    /// The byte where the numbers begin.
     pub(super) end: usize,
-    /// ... and on which line.
+    /// The line where the numbers begin.
     pub(super) end_line: u64,
 }
 
-/// A kind of thing, and how many of them there are.
+/// An element type and the number of such elements.
 #[derive(Debug)]
 pub(super) struct Element {
     pub(super) name: String,
@@ -36,21 +35,21 @@ pub(super) struct Element {
     pub(super) properties: Vec<Property>,
 }
 
-/// A number, or a list of them, that each thing of a kind has.
+/// A number, or a list of numbers, of each element.
 #[derive(Debug)]
 pub(super) struct Property {
     pub(super) name: String,
-    /// Of the number, or of those in the list.
+    /// The type of the number, or of those in the list.
     pub(super) value: Scalar,
-    /// Of a list: the type of its length.
+    /// The type of a list's length.
     pub(super) count: Option<Scalar>,
 }
 
 impl Element {
-    /// The fewest bytes that one of them takes.
+    /// Returns the least size of an element in bytes.
     pub(super) fn least_size(&self, encoding: Encoding) -> usize {
         let of = |p: &Property| match encoding {
-            // A digit and what parts it from the next.
+            // A digit and a separator.
             Encoding::Ascii => 2,
             _ => p.count.unwrap_or(p.value).size(),
         };
@@ -59,7 +58,7 @@ impl Element {
 }
 
 impl Header {
-    /// Reads it up to and with `end_header`.
+    /// Parses the header including `end_header`.
     pub(super) fn parse(bytes: &[u8], reports: &mut Reports) -> Result<Header, ReadError> {
         let mut lines = Lines::new(bytes);
         let first = lines.next().map(<[u8]>::trim_ascii);
@@ -171,13 +170,13 @@ fn element(text: &str, line: u64) -> Result<Element, ReadError> {
     Ok(Element { name: name.to_owned(), count, properties: Vec::new() })
 }
 
-/// Lines that end with LF or CR LF; or, where the first one does, with CR alone. Which it is must be known: the first
-/// byte of a binary file's numbers may be an LF.
+/// Lines that end with LF or CR LF, or with CR alone if the first one does. This must be known because the first byte
+/// of a binary file's numbers may be an LF.
 struct Lines<'a> {
     bytes: &'a [u8],
     at: usize,
     end: u8,
-    /// Of the latest line, from 1.
+    /// The number of the latest line, from 1.
     number: u64,
 }
 

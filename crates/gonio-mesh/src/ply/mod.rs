@@ -1,5 +1,5 @@
 //! PLY, the Stanford Triangle Format (G. Turk, 1994, "The PLY Polygon File Format", version 1.0), ASCII and binary in
-//! both byte orders, with what MeshLab, Blender and others have added.
+//! both byte orders, with the additions of MeshLab, Blender and others.
 //!
 //! | in the file | in the model |
 //! |---|---|
@@ -14,9 +14,9 @@
 //! | `tristrips`: `vertex_indices` with -1 between strips | triangles |
 //! | `comment TextureFile NAME` | a material with that `diffuse_map` |
 //!
-//! Colours are taken for sRGB, integers from 0 to the largest of their type (`int`: to 255), floats from 0 to 1, as
-//! Blender (whose default that is, both ways), MeshLab and three.js do; alpha is linear. Everything else is stepped
-//! over and listed in [`Model::contents`].
+//! Colours are interpreted as sRGB, integers from 0 to the largest of their type (`int`: to 255), floats from 0 to 1,
+//! as by Blender (whose default this is for reading and writing), MeshLab and three.js; alpha is linear. Everything
+//! else is skipped and listed in [`Model::contents`].
 
 mod build;
 mod faces;
@@ -33,18 +33,17 @@ use header::{Element, Encoding, Header};
 use number_reader::{AsciiReader, BinaryReader, NumberReader, explain, skip_property};
 use vertices::{VertexLayout, Vertices};
 
-/// Reads a PLY file. It names no other files but textures.
+/// Reads a PLY file. It refers to no other files but textures.
 ///
-/// Survived with a warning: faces that point at no vertex, have fewer than three corners or a corner that is not
-/// finite (left out), more numbers on a line than the header says, bytes behind the last element. Errors: a broken
-/// header, no `x y z`, a number that cannot be read, an early end, no triangle at all (a cloud of points), more than
-/// `limits` allow.
+/// Warnings: faces with an out-of-range vertex index, fewer than three corners or a corner that is not finite (left
+/// out), more numbers on a line than the header declares, bytes after the last element. Errors: an invalid header, no
+/// `x y z`, a number that cannot be read, an early end, no triangles (a point cloud), more data than `limits` allow.
 pub fn read(bytes: &[u8], sidecars: &mut dyn Sidecars, limits: &Limits) -> Result<Model, ReadError> {
     let _ = sidecars;
     read_as_utf8(bytes, |bytes| read_utf8(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes), limits))
 }
 
-/// Reads a file whose header is UTF-8, and whose body is too unless the header says otherwise.
+/// Reads a file whose header is UTF-8, and whose body is too unless the header declares another encoding.
 fn read_utf8(bytes: &[u8], limits: &Limits) -> Result<Model, ReadError> {
     let mut reports = Reports::default();
     let header = Header::parse(bytes, &mut reports)?;
@@ -82,12 +81,12 @@ fn read_utf8(bytes: &[u8], limits: &Limits) -> Result<Model, ReadError> {
     Ok(Model { mesh, materials, contents, diagnostics: reports.finish(), ..Model::default() })
 }
 
-/// What stands behind the header.
+/// The elements after the header.
 #[derive(Default)]
 struct Body {
     vertices: Option<Vertices>,
     faces: Faces,
-    /// `edge`, `vertex.quality`, with how many there are.
+    /// Names such as `edge` and `vertex.quality`, with their counts.
     stepped_over: Vec<(String, u64)>,
 }
 
@@ -136,7 +135,7 @@ impl Body {
     }
 }
 
-/// Nothing is allocated for elements that cannot be there.
+/// Checks the size before anything is allocated for elements that cannot exist.
 fn check_count(source: &impl NumberReader, element: &Element, encoding: Encoding) -> Result<(), ReadError> {
     let least = element.least_size(encoding) as u64;
     let possible = (source.left() as u64).checked_div(least).unwrap_or(u64::MAX);
@@ -168,7 +167,7 @@ fn nothing_to_draw(vertices: usize, faces: u64, reports: &Reports) -> ReadError 
     ReadError::new(format!("contains no triangles (vertices: {vertices}, faces: {faces}): nothing to draw{why}"))
 }
 
-/// How many polygons have 3 corners, 4, 5 or more.
+/// Counts the polygons with 3 corners, 4, and 5 or more.
 fn corner_counts(faces: &Faces) -> [u64; 3] {
     let mut counts = [0; 3];
     let mut first = 0;
@@ -198,7 +197,7 @@ fn contents(
     contents
 }
 
-/// One for each texture; without any the default material, white where colours say what it looks like.
+/// Returns a material for each texture; without textures the default material, white if there are colours.
 fn materials(header: &Header, has_colors: bool) -> Vec<Material> {
     let source = |property, line, written: &str, rule: &str| Origin {
         property,

@@ -1,4 +1,4 @@
-//! Numbers behind the header, one after the other, from text or from bytes.
+//! Reads the numbers after the header one by one, from text or bytes.
 
 use super::header::{Element, Property};
 use super::scalar::Scalar;
@@ -10,49 +10,49 @@ use crate::report::Reports;
 use crate::tally::Tally;
 use crate::text::quote;
 
-/// Why there is no number.
+/// The reason why there is no number.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum NumberProblem {
-    /// The file is at its end.
+    /// The file has ended.
     Ended,
-    /// Something else stands here, at this line and column.
+    /// Other text at this line and column.
     NoNumber { found: String, line: u64, column: u64 },
 }
 
-/// Where numbers come from.
+/// A source of numbers.
 pub(super) trait NumberReader {
-    /// Before each element.
+    /// Called before each element.
     fn begin(&mut self) {}
-    /// After each element.
+    /// Called after each element.
     fn end(&mut self) {}
-    /// The next number, for coordinates: rounded once.
+    /// Reads a coordinate, rounded once.
     fn coordinate(&mut self, scalar: Scalar) -> Result<f32, NumberProblem>;
-    /// The next number, for counts and indices.
+    /// Reads a count or an index.
     fn number(&mut self, scalar: Scalar) -> Result<f64, NumberProblem>;
-    /// Steps over a number.
+    /// Skips a number.
     fn skip(&mut self, scalar: Scalar) -> Result<(), NumberProblem>;
-    /// How many bytes are left.
+    /// Returns the number of remaining bytes.
     fn left(&self) -> usize;
-    /// The line of the element that is being read, of text.
+    /// Returns the line of the current element in a text.
     fn line(&self) -> Option<u64>;
-    /// Says what was odd, and what stands behind the last element.
+    /// Reports oddities, and data after the last element.
     fn finish(&mut self, reports: &mut Reports);
 }
 
-/// Text: each element on a line of its own.
+/// Text with each element on a line of its own.
 pub(super) struct AsciiReader<'a> {
     bytes: &'a [u8],
     at: usize,
     line: u64,
     line_start: usize,
-    /// Where the element began.
+    /// The line where the element began.
     element_line: u64,
     continued: Tally,
     left_over: Tally,
 }
 
 impl<'a> AsciiReader<'a> {
-    /// From `at`, which is the beginning of a line.
+    /// Starts at `at`, the beginning of a line.
     pub(super) fn new(bytes: &'a [u8], at: usize, line: u64) -> Self {
         let (continued, left_over) = (Tally::default(), Tally::default());
         AsciiReader { bytes, at, line, line_start: at, element_line: line, continued, left_over }
@@ -65,7 +65,7 @@ impl<'a> AsciiReader<'a> {
         }
     }
 
-    /// Over a line end, if one is here.
+    /// Skips a line end, if there is one.
     #[inline]
     fn skip_line_end(&mut self) -> bool {
         let length = match self.bytes.get(self.at) {
@@ -80,7 +80,7 @@ impl<'a> AsciiReader<'a> {
         true
     }
 
-    /// To the next word, which ought to be on this line.
+    /// Moves to the next word, which should be on this line.
     #[inline]
     fn find_word(&mut self) -> Result<(), NumberProblem> {
         self.skip_blanks();
@@ -105,7 +105,7 @@ impl<'a> AsciiReader<'a> {
         &rest[..length]
     }
 
-    /// The number that the standard library reads here, or what Microsoft's wrote for what is none.
+    /// Reads a number as the standard library does, or a NaN as Microsoft's library writes it.
     fn slow_number(&mut self) -> Result<f64, NumberProblem> {
         let word = self.word();
         let text = std::str::from_utf8(word).unwrap_or_default();
@@ -174,7 +174,7 @@ impl NumberReader for AsciiReader<'_> {
     }
 
     fn left(&self) -> usize {
-        // One more for the blank that the last number needs not have.
+        // One more for the blank that the last number does not need.
         self.bytes.len() - self.at + 1
     }
 
@@ -201,7 +201,6 @@ impl NumberReader for AsciiReader<'_> {
     }
 }
 
-/// Bytes.
 pub(super) struct BinaryReader<'a> {
     bytes: &'a [u8],
     at: usize,
@@ -253,15 +252,15 @@ impl NumberReader for BinaryReader<'_> {
     }
 }
 
-/// The length of the list that comes next, as it is told: nothing may be allocated for it.
+/// Reads the length of a list. It is only a claim: nothing may be allocated for it.
 #[inline]
 pub(super) fn list_length(source: &mut impl NumberReader, count: Scalar) -> Result<u64, ListProblem> {
     let length = source.number(count)?;
-    // Beyond 2^64 it is 2^64 - 1, which the file is too short for as well.
+    // Beyond 2^64 it is 2^64 - 1, which exceeds the file as well.
     if length >= 0.0 && length.fract() == 0.0 { Ok(length as u64) } else { Err(ListProblem::BadLength(length)) }
 }
 
-/// Why a list cannot be read.
+/// The reason why a list cannot be read.
 pub(super) enum ListProblem {
     Number(NumberProblem),
     BadLength(f64),
@@ -274,7 +273,7 @@ impl From<NumberProblem> for ListProblem {
     }
 }
 
-/// Steps over a property, whatever it is.
+/// Skips a property.
 pub(super) fn skip_property(source: &mut impl NumberReader, property: &Property) -> Result<(), ListProblem> {
     let Some(count) = property.count else { return Ok(source.skip(property.value)?) };
     for _ in 0..list_length(source, count)? {
@@ -283,7 +282,7 @@ pub(super) fn skip_property(source: &mut impl NumberReader, property: &Property)
     Ok(())
 }
 
-/// Makes an error of a problem with property `property` of the `index`-th `element`.
+/// Converts a problem with property `property` of the `index`-th `element` to an error.
 #[cold]
 pub(super) fn explain(
     problem: ListProblem,
@@ -311,7 +310,7 @@ pub(super) fn explain(
     }
 }
 
-/// The file ends inside an element.
+/// Creates the error for a file that ends inside an element.
 #[cold]
 fn ended(element: &Element, complete: u64) -> ReadError {
     let (name, count) = (&element.name, element.count);

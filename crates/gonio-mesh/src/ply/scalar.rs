@@ -1,6 +1,6 @@
-//! Scalar types of PLY, and reading them out of bytes.
+//! Scalar types of PLY, and reading them from bytes.
 
-/// A scalar type. The format has the first eight; some programs write 64-bit integers too.
+/// A scalar type. The format defines the first eight; some programs also write 64-bit integers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Scalar {
     I8,
@@ -16,7 +16,7 @@ pub(super) enum Scalar {
 }
 
 impl Scalar {
-    /// By either spelling.
+    /// Parses either name of a type.
     pub(super) fn named(name: &str) -> Option<Scalar> {
         Some(match name {
             "char" | "int8" => Scalar::I8,
@@ -33,7 +33,7 @@ impl Scalar {
         })
     }
 
-    /// In bytes, in binary files.
+    /// Returns the size in bytes in binary files.
     pub(super) fn size(self) -> usize {
         match self {
             Scalar::I8 | Scalar::U8 => 1,
@@ -43,7 +43,7 @@ impl Scalar {
         }
     }
 
-    /// What stands for 1 where such numbers are colours.
+    /// Returns the value that represents 1 in colours.
     pub(super) fn white(self) -> f64 {
         match self {
             Scalar::I8 => f64::from(i8::MAX),
@@ -56,7 +56,7 @@ impl Scalar {
         }
     }
 
-    /// The number at the beginning of `bytes`, which has at least [`Self::size`] of them. Exact, but for 64-bit
+    /// Reads the number at the start of `bytes`, which has at least [`Self::size`] of them. Exact, except for 64-bit
     /// integers beyond 2^53.
     #[inline]
     pub(super) fn read(self, bytes: &[u8], is_big_endian: bool) -> Option<f64> {

@@ -8,14 +8,14 @@ use crate::{Diagnostic, Limits, ReadError, Severity};
 use glam::DVec3;
 use gonio_light::color::srgb_decode;
 
-/// What a number of a vertex is: its place among twelve.
+/// Indices of the values of a vertex among twelve slots.
 const NORMAL: usize = 3;
 const TEX_COORD: usize = 6;
 const COLOR: usize = 8;
 const ALPHA: usize = 11;
 const SLOTS: usize = 12;
 
-/// By which names the numbers go.
+/// Returns the slot of a property name.
 fn slot(name: &str) -> Option<usize> {
     Some(match name {
         "x" => 0,
@@ -30,7 +30,7 @@ fn slot(name: &str) -> Option<usize> {
     })
 }
 
-/// Which channel a name stands for.
+/// Returns the channel of a property name.
 pub(super) fn color_slot(name: &str) -> Option<usize> {
     Some(match name {
         "red" | "r" | "diffuse_red" => 0,
@@ -41,23 +41,23 @@ pub(super) fn color_slot(name: &str) -> Option<usize> {
     })
 }
 
-/// The vertices of a file, in its order; arrays are empty where it has no such thing.
+/// The vertices of a file, in order; arrays are empty if the file has no such values.
 #[derive(Default)]
 pub(super) struct Vertices {
     pub(super) positions: Vec<[f32; 3]>,
-    /// Unit vectors, or zero.
+    /// Vectors of length 1, or 0.
     pub(super) normals: Vec<[f32; 3]>,
     pub(super) tex_coords: Vec<[f32; 2]>,
     /// Linear, once all are read.
     pub(super) colors: Vec<[f32; 4]>,
-    /// Vertices whose position is not finite.
+    /// Number of vertices whose position is not finite.
     pub(super) not_finite: u64,
 }
 
-/// Which property goes where.
+/// The slots of a vertex's properties.
 pub(super) struct VertexLayout {
     slots: Vec<Option<usize>>,
-    /// What each property of a colour is divided by.
+    /// The divisor of each colour property.
     whites: Vec<f32>,
     has_normals: bool,
     has_tex_coords: bool,
@@ -65,7 +65,7 @@ pub(super) struct VertexLayout {
 }
 
 impl VertexLayout {
-    /// The first property of a name counts; a list is none of these.
+    /// Assigns properties to slots. The first property of a name counts; lists are skipped.
     pub(super) fn of_element(element: &Element) -> VertexLayout {
         let mut taken = [false; SLOTS];
         let mut slots: Vec<Option<usize>> = Vec::with_capacity(element.properties.len());
@@ -85,7 +85,7 @@ impl VertexLayout {
         layout.without_halves()
     }
 
-    /// Two of three coordinates of a normal are none: they are stepped over.
+    /// Skips normals with only two coordinates.
     fn without_halves(mut self) -> VertexLayout {
         let keeps = |slot: usize| match slot {
             0..NORMAL => true,
@@ -116,7 +116,7 @@ impl VertexLayout {
     }
 }
 
-/// Reads all of them.
+/// Reads all vertices.
 pub(super) fn read(
     source: &mut impl NumberReader,
     element: &Element,
@@ -132,7 +132,7 @@ pub(super) fn read(
             element.count
         )));
     }
-    // The caller has seen that so many can be there.
+    // The caller has checked that so many fit into the file.
     let count = element.count as usize;
     let mut vertices = Vertices::default();
     vertices.positions.reserve_exact(count);
@@ -195,7 +195,7 @@ impl Vertices {
         }
     }
 
-    /// From sRGB to linear, in place.
+    /// Converts from sRGB to linear, in place.
     fn decode_colors(&mut self, anomalies: &mut Anomalies, reports: &mut Reports) {
         let largest = self.colors.iter().flat_map(|c| &c[..3]).fold(0.0, |a: f32, &b| a.max(b));
         let is_in_bytes = largest > 1.0 && largest <= 255.0;
@@ -217,7 +217,7 @@ impl Vertices {
     }
 }
 
-/// What may be odd about any vertex.
+/// Counts of oddities in vertices.
 #[derive(Default)]
 struct Anomalies {
     line: Option<u64>,
@@ -248,7 +248,7 @@ impl Anomalies {
     }
 }
 
-/// IEC 61966-2-1, with a table for bytes.
+/// Decodes sRGB (IEC 61966-2-1), with a table for bytes.
 pub(super) struct LinearFromSrgb {
     of_byte: [f32; 256],
 }
@@ -258,7 +258,7 @@ impl LinearFromSrgb {
         LinearFromSrgb { of_byte: std::array::from_fn(|byte| linear_from_srgb(byte as f32 / 255.0)) }
     }
 
-    /// Of values from 0 to 1; alpha is not encoded. What is no number counts as 0.
+    /// Decodes values from 0 to 1; alpha is not encoded. NaN becomes 0.
     pub(super) fn rgba(&self, encoded: [f32; 4]) -> [f32; 4] {
         let [r, g, b, a] = encoded.map(|c| if c.is_nan() { 0.0 } else { c.clamp(0.0, 1.0) });
         let linear = |c: f32| {

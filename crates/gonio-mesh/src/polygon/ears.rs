@@ -1,10 +1,10 @@
-//! Ears, sought one by one.
+//! Ear clipping with a simple search.
 
 use super::ring::Ring;
 use super::{Cut, turn};
 
-/// Cuts ears (G. H. Meisters, 1975, "Polygons have ears") off a polygon until a triangle is left. `blocking` is memory:
-/// a bit for each corner.
+/// Clips ears (G. H. Meisters, 1975, "Polygons have ears") until a triangle is left. `blocking` is a buffer with a bit
+/// for each corner.
 pub(super) fn cut(mut ring: Ring<'_>, blocking: &mut [u64], mut emit: impl FnMut([usize; 3])) -> Cut {
     blocking.fill(0);
     let mut blocking = Blocking(blocking);
@@ -20,7 +20,7 @@ pub(super) fn cut(mut ring: Ring<'_>, blocking: &mut [u64], mut emit: impl FnMut
             here = ring.after(here);
             continue;
         } else {
-            // No ear: the polygon crosses or touches itself. The corner nearest to an ear goes.
+            // Without an ear the polygon is self-intersecting. Clip the corner nearest to an ear.
             cut = Cut::NotSimple;
             fruitless = 0;
             here = ring.least_bad(here);
@@ -38,13 +38,13 @@ pub(super) fn cut(mut ring: Ring<'_>, blocking: &mut [u64], mut emit: impl FnMut
     if ring.turn_at(here) < 0.0 { Cut::NotSimple } else { cut }
 }
 
-/// A corner that turns left and whose triangle holds no other corner, its border included.
+/// Whether a corner turns left and no other corner is in its triangle or on its border.
 fn is_ear(ring: &Ring<'_>, blocking: &Blocking<'_>, corner: usize) -> bool {
     let [a, b, c] = ring.triangle(corner);
     turn(a, b, c) > 0.0 && !blocking.any(|other| ring.lies_in_triangle_at(other, corner))
 }
 
-/// Corners that may lie in an ear: those that are left and not strictly convex.
+/// Corners that may be in an ear: those that remain and are not strictly convex.
 struct Blocking<'a>(&'a mut [u64]);
 
 impl Blocking<'_> {
@@ -59,7 +59,7 @@ impl Blocking<'_> {
         self.set(corner, ring.turn_at(corner) <= 0.0);
     }
 
-    /// Whether something is true of one of them.
+    /// Whether a condition holds for one of them.
     #[inline(always)]
     fn any(&self, is: impl Fn(usize) -> bool) -> bool {
         for (i, word) in self.0.iter().enumerate() {

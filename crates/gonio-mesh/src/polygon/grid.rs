@@ -1,37 +1,37 @@
-//! Ears of large polygons: corners that may lie in one are found by their place, in a grid of cells.
+//! Ear clipping for large polygons: corners that may be in an ear are found in a grid of cells.
 
 use super::Cut;
 use super::ring::Ring;
 use glam::DVec2;
 
-/// Work that a corner may cause on average before the search is given up: the worst polygons would take time that grows
-/// with the square of their size.
+/// Most work per corner, on average, before the search is given up: the worst polygons would take time that grows with
+/// the square of their size.
 const MOST_WORK_PER_CORNER: usize = 400;
 
-/// A polygon whose ears are being cut off.
+/// A polygon whose ears are being clipped.
 struct Polygon<'a> {
     ring: Ring<'a>,
-    /// Corners that are left and not strictly convex.
+    /// Whether a corner remains and is not strictly convex.
     blocks: Vec<bool>,
     blocking: usize,
     grid: Grid,
     work: usize,
 }
 
-/// Which corners lie in which cell.
+/// The corners in each cell.
 struct Grid {
     min: DVec2,
     cells_per_unit: DVec2,
     side: usize,
-    /// Where each cell's corners begin, ...
+    /// The start of each cell's corners in `corners`.
     starts: Vec<u32>,
-    /// ... in this list.
+    /// Corners by cell.
     corners: Vec<u32>,
 }
 
-/// Cuts ears off as [`super::ears`] does, in another order. Gives up in time, and fans what is left.
+/// Clips ears as [`super::ears`] does, in another order. Gives up after some time, and fans the rest.
 ///
-/// Neighbours of an ear wait for the next round: cut one after the other they would make a fan of ever longer triangles.
+/// Neighbours of an ear wait for the next round: clipped in sequence they would make a fan of ever longer triangles.
 pub(super) fn cut_ears(ring: Ring<'_>, mut emit: impl FnMut([usize; 3])) -> Cut {
     let count = ring.left();
     let mut polygon = Polygon::new(ring);
@@ -62,7 +62,7 @@ pub(super) fn cut_ears(ring: Ring<'_>, mut emit: impl FnMut([usize; 3])) -> Cut 
         candidates.append(&mut waiting);
         candidates.iter().for_each(|&waited| waits[waited as usize] = false);
         if polygon.ring.left() == left_before && is_everyone {
-            // No ear: it crosses or touches itself.
+            // Without an ear the polygon is self-intersecting.
             cut = Cut::NotSimple;
             polygon.work += left_before;
             let victim = polygon.ring.least_bad(here);
@@ -72,7 +72,7 @@ pub(super) fn cut_ears(ring: Ring<'_>, mut emit: impl FnMut([usize; 3])) -> Cut 
         }
         is_everyone = candidates.is_empty();
         if is_everyone {
-            // Others may have become ears when what lay in them went away.
+            // Others may have become ears when corners in them were clipped.
             candidates.extend((0..count as u32).filter(|&corner| polygon.ring.has(corner as usize)));
             polygon.work += count;
         }
@@ -91,14 +91,14 @@ impl<'a> Polygon<'a> {
         polygon
     }
 
-    /// Notes whether a corner may lie in an ear.
+    /// Records whether a corner may be in an ear.
     fn look_at(&mut self, corner: usize) {
         let blocks = self.ring.turn_at(corner) <= 0.0;
         self.blocking = self.blocking + usize::from(blocks) - usize::from(self.blocks[corner]);
         self.blocks[corner] = blocks;
     }
 
-    /// Cuts a corner off. Its neighbours are to wait. Returns the one behind.
+    /// Clips a corner. Its neighbours wait for the next round. Returns the next corner.
     fn cut(
         &mut self,
         corner: usize,
@@ -119,7 +119,7 @@ impl<'a> Polygon<'a> {
         after
     }
 
-    /// A corner that turns left and whose triangle holds no other corner, its border included.
+    /// Whether a corner turns left and no other corner is in its triangle or on its border.
     fn is_ear(&mut self, corner: usize) -> bool {
         let [a, b, c] = self.ring.triangle(corner);
         self.work += 1;
@@ -131,7 +131,7 @@ impl<'a> Polygon<'a> {
         }
         let (low, high) = (self.grid.cell(a.min(b).min(c)), self.grid.cell(a.max(b).max(c)));
         for row in low[1]..=high[1] {
-            // The cells of a row follow one another.
+            // The cells of a row are consecutive.
             let row = row * self.grid.side;
             let range = self.grid.starts[row + low[0]] as usize..self.grid.starts[row + high[0] + 1] as usize;
             self.work += 1 + range.len();
@@ -154,7 +154,7 @@ impl<'a> Polygon<'a> {
 }
 
 impl Grid {
-    /// About one corner in each cell.
+    /// Makes a grid with about one corner per cell.
     fn new(points: &[DVec2]) -> Self {
         let min = points.iter().fold(DVec2::INFINITY, |a, &b| a.min(b));
         let max = points.iter().fold(DVec2::NEG_INFINITY, |a, &b| a.max(b));
@@ -182,7 +182,7 @@ impl Grid {
         grid
     }
 
-    /// Column and row. What is no number (of a polygon without width) is cell 0.
+    /// Returns column and row. NaN (in a polygon without width) is cell 0.
     fn cell(&self, point: DVec2) -> [usize; 2] {
         let place = (point - self.min) * self.cells_per_unit;
         [place.x, place.y].map(|x| (x as usize).min(self.side - 1))

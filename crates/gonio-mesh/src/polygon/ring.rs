@@ -1,21 +1,21 @@
-//! What is left of a polygon while its corners are cut off.
+//! The remaining corners of a polygon while it is clipped.
 
 use super::turn;
 use glam::DVec2;
 
-/// In place of the corner after one that is cut off.
+/// Marks a clipped corner in place of the next one.
 const REMOVED: u32 = u32::MAX;
 
 /// The corners of a projected polygon, each linked to the ones beside it.
 pub(super) struct Ring<'a> {
     points: &'a [DVec2],
-    /// The corner before each, and the one after.
+    /// The previous and the next corner.
     links: &'a mut [[u32; 2]],
     left: usize,
 }
 
 impl<'a> Ring<'a> {
-    /// All of a polygon. `links` is memory for as many.
+    /// Creates the ring of all corners. `links` is a buffer of the same length.
     pub(super) fn new(points: &'a [DVec2], links: &'a mut [[u32; 2]]) -> Self {
         let last = points.len() as u32 - 1;
         for (corner, link) in (0..).zip(links.iter_mut()) {
@@ -24,48 +24,47 @@ impl<'a> Ring<'a> {
         Ring { points, links, left: points.len() }
     }
 
-    /// All points, those that are cut off too.
+    /// Returns all points, including clipped ones.
     pub(super) fn points(&self) -> &'a [DVec2] {
         self.points
     }
 
-    /// How many corners are left.
+    /// Returns the number of remaining corners.
     pub(super) fn left(&self) -> usize {
         self.left
     }
 
-    /// Whether a corner is left.
+    /// Whether a corner remains.
     pub(super) fn has(&self, corner: usize) -> bool {
         self.links[corner][1] != REMOVED
     }
 
-    /// The corners beside one: before and after.
+    /// Returns the previous and the next corner.
     #[inline(always)]
     pub(super) fn neighbours(&self, corner: usize) -> (usize, usize) {
         let [before, after] = self.links[corner];
         (before as usize, after as usize)
     }
 
-    /// The corner after one.
     pub(super) fn after(&self, corner: usize) -> usize {
         self.links[corner][1] as usize
     }
 
-    /// The points of a corner and those beside it.
+    /// Returns the points of the previous corner, of this one and of the next one.
     #[inline(always)]
     pub(super) fn triangle(&self, corner: usize) -> [DVec2; 3] {
         let (before, after) = self.neighbours(corner);
         [self.points[before], self.points[corner], self.points[after]]
     }
 
-    /// How far the polygon turns to the left there: see [`turn`].
+    /// Returns how far the polygon turns to the left at a corner: see [`turn`].
     #[inline(always)]
     pub(super) fn turn_at(&self, corner: usize) -> f64 {
         let [a, b, c] = self.triangle(corner);
         turn(a, b, c)
     }
 
-    /// Whether a corner that is not strictly convex lies in the triangle at another, or on its border.
+    /// Whether a corner that is not strictly convex is in the triangle at another, or on its border.
     #[inline(always)]
     pub(super) fn lies_in_triangle_at(&self, other: usize, corner: usize) -> bool {
         let (before, after) = self.neighbours(corner);
@@ -81,7 +80,7 @@ impl<'a> Ring<'a> {
             && turn(c, a, p) >= 0.0
     }
 
-    /// Takes a corner away; returns the ones that were beside it.
+    /// Clips a corner; returns its neighbours.
     #[inline(always)]
     pub(super) fn cut_off(&mut self, corner: usize) -> (usize, usize) {
         let (before, after) = self.neighbours(corner);
@@ -92,7 +91,7 @@ impl<'a> Ring<'a> {
         (before, after)
     }
 
-    /// Where no corner is an ear: one without area, or else the smallest that turns left.
+    /// Returns the corner to clip if none is an ear: one without area, or else the smallest one that turns left.
     pub(super) fn least_bad(&self, start: usize) -> usize {
         let mut best = (f64::INFINITY, start);
         let mut here = start;

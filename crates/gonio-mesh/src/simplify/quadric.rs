@@ -13,14 +13,14 @@ pub struct Quadric {
 }
 
 impl Quadric {
-    /// Of the plane through `point` with the unit normal `normal`.
+    /// Creates the quadric of the plane through `point` with the unit normal `normal`.
     pub fn of_plane(normal: DVec3, point: DVec3, weight: f64) -> Self {
         let d = -normal.dot(point);
         let a = DMat3::from_cols(normal * normal.x, normal * normal.y, normal * normal.z);
         Quadric { a: a * weight, b: normal * (d * weight), c: d * d * weight }
     }
 
-    /// The weighted sum of squares at a point; not below 0, whatever rounding makes of it.
+    /// Returns the weighted sum of squares at a point; not below 0 in spite of rounding.
     pub fn error_at(&self, p: DVec3) -> f64 {
         (p.dot(self.a * p) + 2.0 * self.b.dot(p) + self.c).max(0.0)
     }

@@ -1,24 +1,24 @@
-//! Triangles over places, and the attributes of their corners, while edges collapse.
+//! Triangles over places, with the attributes of their corners, while edges collapse.
 
 use super::quadric::Quadric;
 use crate::{Mesh, Part, weld};
 use glam::DVec3;
 use std::collections::HashMap;
 
-/// How much more a step away from an outline or a seam costs than one away from the surface.
+/// The cost of moving away from an outline or a seam, relative to the surface.
 const EDGE_WEIGHT: f64 = 10.0;
-/// The cosine of the angle by which a triangle may turn when a corner of it moves: 78 degrees.
+/// The cosine of the largest angle by which a triangle may turn when a corner of it moves: 78 degrees.
 const LEAST_COSINE: f64 = 0.2;
 
-/// A surface: triangles whose corners are at places, and have a wedge there. A wedge is all that a vertex is besides its
-/// place (normal, texture coordinates, colour) and the part it belongs to; a place with several is on a seam.
+/// A surface: triangles with a place and a wedge for each corner. A wedge consists of the attributes of a vertex other
+/// than its place (normal, texture coordinates, colour) and its part; a place with several wedges is on a seam.
 pub struct Surface {
-    /// Moved to the origin, so that quadrics are exact.
+    /// Relative to the centre, so that quadrics are exact.
     pub places: Vec<DVec3>,
-    /// How many triangles are left.
+    /// Number of remaining triangles.
     pub live: usize,
     triangles: Vec<Triangle>,
-    /// Triangles of each place, dead ones not among them.
+    /// The remaining triangles around each place.
     around: Vec<Vec<u32>>,
     /// A vertex of the mesh for each wedge.
     vertex_of_wedge: Vec<u32>,
@@ -42,7 +42,7 @@ impl Triangle {
 }
 
 impl Surface {
-    /// Of a mesh; where `with_normals` is not set, normals make no seams.
+    /// Creates the surface of a mesh; without `with_normals`, normals make no seams.
     pub fn new(mesh: &Mesh, with_normals: bool) -> Self {
         let (place_of_vertex, count) = weld::places(&mesh.positions);
         let middle = mesh.bounds().map_or(DVec3::ZERO, |b| b.center().as_dvec3());
@@ -85,7 +85,7 @@ impl Surface {
         Surface { places, live, triangles, around, vertex_of_wedge }
     }
 
-    /// The places that share an edge with a place, each once.
+    /// Returns the places that share an edge with a place, each once.
     pub fn neighbours(&self, place: u32) -> Vec<u32> {
         let mut found: Vec<u32> = Vec::with_capacity(8);
         for &t in &self.around[place as usize] {
@@ -98,7 +98,8 @@ impl Surface {
         found
     }
 
-    /// For each place the planes of its triangles, weighted by their areas, and planes upright on outlines and seams.
+    /// Returns the quadric of each place: the planes of its triangles, weighted by area, and planes perpendicular to
+    /// the surface along outlines and seams.
     pub fn quadrics(&self) -> Vec<Quadric> {
         let mut quadrics = vec![Quadric::default(); self.places.len()];
         for triangle in self.triangles.iter().filter(|t| t.alive) {
@@ -130,7 +131,7 @@ impl Surface {
         sharing.count() != 2
     }
 
-    /// Moves everything at `from` onto `onto`, where that keeps the surface what it is; whether it did.
+    /// Moves everything at `from` onto `onto` if that preserves the surface; returns whether it did.
     pub fn collapse(&mut self, from: u32, onto: u32) -> bool {
         let Some(wedge_onto) = self.wedges_onto(from, onto) else { return false };
         for t in std::mem::take(&mut self.around[from as usize]) {
@@ -151,18 +152,18 @@ impl Surface {
         true
     }
 
-    /// What each wedge at `from` becomes at `onto`; `None` where the edge must not collapse.
+    /// Returns the wedge at `onto` for each wedge at `from`; `None` if the edge must not collapse.
     fn wedges_onto(&self, from: u32, onto: u32) -> Option<Vec<(u32, u32)>> {
         let of = |t: &u32| &self.triangles[*t as usize];
         let (shared, moved): (Vec<u32>, Vec<u32>) = self.around[from as usize].iter().partition(|t| of(t).has(onto));
         if shared.is_empty() || shared.len() > 2 {
             return None;
         }
-        // An outline's vertex stays on the outline.
+        // A vertex on an outline stays on the outline.
         if shared.len() == 2 && self.is_on_outline(from) {
             return None;
         }
-        // The link condition (Dey et al. 1999): else a hole would close, or two sheets would touch.
+        // The link condition (Dey et al. 1999): otherwise a hole would close, or two sheets would touch.
         let neighbours = self.neighbours(onto);
         if self.neighbours(from).iter().filter(|p| neighbours.contains(p)).count() != shared.len() {
             return None;
@@ -194,7 +195,7 @@ impl Surface {
         Some(map)
     }
 
-    /// Whether some edge of a place has one triangle only.
+    /// Whether an edge at a place has only one triangle.
     fn is_on_outline(&self, place: u32) -> bool {
         let around = &self.around[place as usize];
         self.neighbours(place)
@@ -202,7 +203,7 @@ impl Surface {
             .any(|other| around.iter().filter(|t| self.triangles[**t as usize].has(*other)).count() == 1)
     }
 
-    /// What is left, as a mesh; without normals where these were not looked at.
+    /// Returns the remaining mesh; without normals if they were ignored.
     pub fn into_mesh(self, mesh: &Mesh, with_normals: bool) -> Mesh {
         let mut vertex_of: Vec<Option<u32>> = vec![None; self.vertex_of_wedge.len()];
         let mut kept: Vec<u32> = Vec::new();

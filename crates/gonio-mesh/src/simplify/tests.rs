@@ -71,7 +71,7 @@ fn a_sphere_stays_round_and_closed() {
     }
 }
 
-/// What is flat costs nothing: the sheet's outline, seam and texture are as they were.
+/// Collapsing flat parts costs nothing: the sheet's outline, seam and texture stay the same.
 #[test]
 fn a_sheet_keeps_its_outline() {
     let fine = sheet(8);

@@ -1,5 +1,5 @@
 //! ASCII STL: `solid NAME`, then `facet normal x y z / outer loop / vertex x y z ... / endloop / endfacet`, then
-//! `endsolid NAME`. Letters of either case, blanks anywhere.
+//! `endsolid NAME`. Case and white space do not matter.
 
 use super::Facets;
 use crate::polygon::Triangulator;
@@ -28,12 +28,12 @@ struct Reader<'a> {
     limits: &'a Limits,
 }
 
-/// What has begun and not ended.
+/// Elements that have not ended.
 #[derive(Default)]
 struct Open {
     solid: bool,
     facet: bool,
-    /// Of the facet.
+    /// The line of the facet.
     line: u64,
     normal: [f32; 3],
     corners: Vec<[f32; 3]>,
@@ -80,7 +80,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// `normal x y z`; what cannot be read is none.
+    /// Reads `normal x y z`; an invalid normal becomes 0.
     fn normal(&mut self, cursor: &mut Cursor<'_>) -> [f32; 3] {
         let line = cursor.line();
         let mut normal = [0.0; 3];
@@ -109,7 +109,7 @@ impl Reader<'_> {
         [0.0; 3]
     }
 
-    /// A facet or solid begins before the last facet ended.
+    /// Handles a facet or solid that begins before the last facet ended.
     fn end_unended_facet(&mut self) -> Result<(), ReadError> {
         if self.open.facet {
             self.anomalies.unended.add(Some(self.open.line), String::new);
@@ -202,7 +202,7 @@ fn corner(cursor: &mut Cursor<'_>) -> Result<[f32; 3], ReadError> {
     Ok(corner)
 }
 
-/// Over a word that may have a `#` in it, as `1.#QNAN` has.
+/// Skips a word that may contain a `#`, such as `1.#QNAN`.
 fn step_over_word(cursor: &mut Cursor<'_>) {
     (0..cursor.offending_word().len()).for_each(|_| cursor.advance());
 }

@@ -1,4 +1,5 @@
-//! Binary STL: 80 bytes of anything, the number of facets, 50 bytes for each: normal, three corners, two bytes more.
+//! Binary STL: an arbitrary header of 80 bytes, the number of facets, 50 bytes for each: normal, three corners, two
+//! more bytes.
 
 use super::Facets;
 use crate::report::Reports;
@@ -10,7 +11,7 @@ const HEADER: usize = 80;
 const FACETS_AT: usize = 84;
 const FACET: usize = 50;
 
-/// How many facets the file says it has, in either byte order.
+/// Returns the number of facets that the file declares, in one of the byte orders.
 fn declared_count(bytes: &[u8], is_big_endian: bool) -> Option<u64> {
     let count = bytes.get(HEADER..)?.first_chunk().copied()?;
     Some(u64::from(if is_big_endian { u32::from_be_bytes(count) } else { u32::from_le_bytes(count) }))
@@ -20,7 +21,7 @@ fn size_of(count: u64) -> u64 {
     FACETS_AT as u64 + FACET as u64 * count
 }
 
-/// Whether the file is as long as it says, in either byte order.
+/// Whether the file has exactly the declared size, in either byte order.
 pub(super) fn has_exact_size(bytes: &[u8]) -> bool {
     [false, true]
         .iter()
@@ -63,7 +64,7 @@ pub(super) fn read(bytes: &[u8], limits: &Limits, reports: &mut Reports) -> Resu
     Ok(facets)
 }
 
-/// How many facets to read, in which byte order.
+/// Decides on the number of facets and the byte order.
 fn count_and_order(bytes: &[u8], declared: u64, reports: &mut Reports) -> Result<(u64, bool), ReadError> {
     let size = bytes.len() as u64;
     let there = (size - FACETS_AT as u64) / FACET as u64;
@@ -88,7 +89,7 @@ fn count_and_order(bytes: &[u8], declared: u64, reports: &mut Reports) -> Result
     Ok((declared, false))
 }
 
-/// Gives facets, or the material, the colours of the file.
+/// Assigns the file's colours to the facets, or to the material.
 fn color(facets: &mut Facets, header: &[u8], attributes: &[u16], reports: &mut Reports) {
     const KEY: &[u8] = b"COLOR=";
     let header_color = header.windows(KEY.len() + 4).find_map(|bytes| bytes.strip_prefix(KEY));
@@ -98,7 +99,7 @@ fn color(facets: &mut Facets, header: &[u8], attributes: &[u16], reports: &mut R
     }
 }
 
-/// Five bits for each channel, from the lowest on: of each the linear value.
+/// Returns the linear values of three channels of five bits, starting with the lowest.
 fn channels(attribute: u16) -> [f32; 3] {
     [0, 5, 10].map(|shift| srgb_decode(f64::from((attribute >> shift) & 31) / 31.0) as f32)
 }
@@ -135,7 +136,7 @@ fn color_by_magics(facets: &mut Facets, rgba: &[u8], attributes: &[u16], reports
     }
     let source =
         |property, rule: &str| PropertySource { property, line: None, written: written.clone(), rule: rule.to_owned() };
-    // No facet of a colour of its own is black: programs that know no colours write 0.
+    // In this dialect no facet is black: programs without colours write 0.
     let has_color = |attribute: u16| attribute & 0x8000 == 0;
     let is_colored = attributes.iter().any(|&attribute| has_color(attribute) && attribute != 0);
     if !is_colored {

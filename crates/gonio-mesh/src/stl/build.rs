@@ -1,4 +1,4 @@
-//! From facets to an indexed mesh with a normal for each triangle.
+//! Builds an indexed mesh with a normal for each triangle from facets.
 
 use super::Facets;
 use crate::join::Joiner;
@@ -8,8 +8,8 @@ use crate::tally::Tally;
 use crate::{Limits, Mesh, Model, NormalSource, Part, ReadError, Severity, weld};
 use glam::DVec3;
 
-/// The cosine of how far a normal may lie from that of the corners: 10 degrees. Six digits are less off, and so are
-/// the normals of all but the thinnest triangles.
+/// The cosine of the largest angle between a normal and that of the corners: 10 degrees. Six digits are more exact, and
+/// so are the normals of all but the thinnest triangles.
 const AGREES: f64 = 0.985;
 
 pub(super) fn model(mut facets: Facets, limits: &Limits, mut reports: Reports) -> Result<Model, ReadError> {
@@ -40,7 +40,7 @@ pub(super) fn model(mut facets: Facets, limits: &Limits, mut reports: Reports) -
     Ok(Model { mesh, materials: vec![facets.material], contents, diagnostics: reports.finish(), ..Model::default() })
 }
 
-/// Runs of facets of one name.
+/// Returns the spans of facets with one name.
 fn parts(facets: &Facets) -> Vec<Part> {
     let mut parts: Vec<Part> = Vec::new();
     let ends = facets.solids.iter().skip(1).map(|solid| solid.1).chain([facets.count()]);
@@ -62,7 +62,7 @@ fn parts(facets: &Facets) -> Vec<Part> {
     parts
 }
 
-/// One for each facet: as written, or of its corners.
+/// Returns one normal for each facet: the written one, or that of its corners.
 fn normals(facets: &Facets, reports: &mut Reports) -> (Vec<[f32; 3]>, NormalSource) {
     let mut anomalies = Anomalies::default();
     let normals = facets.corners.chunks_exact(3).zip(&facets.normals).enumerate();
@@ -84,7 +84,7 @@ struct Anomalies {
 impl Anomalies {
     fn normal(&mut self, facet: usize, corners: &[[f32; 3]], written: [f32; 3]) -> [f32; 3] {
         let place = || format!("facet {facet}");
-        // No unit vector comes of what is zero, infinite or no number.
+        // A vector that is zero, infinite or NaN cannot be normalized.
         let written = DVec3::from(written.map(f64::from)).try_normalize();
         let computed = match corners {
             [a, b, c] => unit_normal([a, b, c].map(|&corner| DVec3::from(corner.map(f64::from)))),
@@ -110,7 +110,7 @@ impl Anomalies {
                 }
             }
         };
-        // Without -0, which would part vertices.
+        // Without -0, which would separate vertices.
         normal.as_vec3().to_array().map(|c| c + 0.0)
     }
 
@@ -134,7 +134,7 @@ impl Anomalies {
     }
 }
 
-/// `None` where the triangle has no area to speak of: what rounding has left of parallel edges.
+/// Returns `None` if the triangle has no area other than the rounding error of parallel edges.
 fn unit_normal([a, b, c]: [DVec3; 3]) -> Option<DVec3> {
     let (ab, ac) = (b - a, c - a);
     let cross = ab.cross(ac);

@@ -1,17 +1,18 @@
 //! STL (3D Systems, 1989, "StereoLithography Interface Specification"), ASCII and binary.
 //!
-//! An STL file is a soup of triangles: each facet has its own three corners and one normal. The mesh made of it shares
-//! a vertex between the corners of facets that have the same position and the same normal (and colour): a cube has 24
-//! vertices, not 36. It is drawn flat, as the file says; [`crate::normals::make_averaged`] and [`crate::topology`] go
-//! by position and so find the neighbours again.
+//! An STL file is a triangle soup: each facet has its own three corners and one normal. The mesh shares a vertex
+//! between corners of facets with the same position and the same normal (and colour): a cube has 24 vertices, not 36.
+//! It is drawn flat, as in the file; [`crate::normals::make_averaged`] and [`crate::topology`] compare positions and
+//! thus find the neighbours again.
 //!
-//! - Normals are the file's, where they lie within 10 degrees of the one that the corners have by their winding
-//!   (counter-clockwise seen from outside); else the corners' own, which is counted in a diagnostic. The specification
-//!   wants both to agree; where they do not, every program that slices or lights the model has gone by the corners.
-//! - Colours: bytes 81 and 82 behind a binary facet, in either of two dialects. Where the header has `COLOR=`
-//!   (Materialise Magics) they are red, green, blue from the lowest bit on, and bit 15 stands for "the colour of the
-//!   header"; else (VisCAM, SolidView) blue, green, red, and bit 15 for "a colour". They are taken for sRGB.
-//! - Each `solid` of an ASCII file is a part by its name.
+//! - Normals are those in the file if they are within 10 degrees of the one given by the winding of the corners
+//!   (counter-clockwise seen from outside); otherwise that of the corners, which is counted in a diagnostic. The
+//!   specification requires both to agree; where they do not, programs that slice or light the model have used the
+//!   corners.
+//! - Colours: bytes 81 and 82 after a binary facet, in either of two dialects. If the header has `COLOR=` (Materialise
+//!   Magics) they are red, green, blue from the lowest bit on, and bit 15 means "the colour of the header"; otherwise
+//!   (VisCAM, SolidView) blue, green, red, and bit 15 means "has a colour". They are interpreted as sRGB.
+//! - Each `solid` of an ASCII file is a part with its name.
 
 mod ascii;
 mod binary;
@@ -22,18 +23,18 @@ use crate::report::Reports;
 use crate::tally::Tally;
 use crate::{Limits, Material, Model, ReadError, Sidecars};
 
-/// Triangles as the file has them.
+/// Triangles as they are in the file.
 #[derive(Default)]
 struct Facets {
-    /// Three for each.
+    /// Three for each facet.
     corners: Vec<[f32; 3]>,
-    /// As written; of each facet.
+    /// The written normal of each facet.
     normals: Vec<[f32; 3]>,
-    /// Linear, of each facet, or empty.
+    /// The linear colour of each facet, or empty.
     colors: Vec<[f32; 4]>,
-    /// Each solid's name, and its first facet.
+    /// The name of each solid, and its first facet.
     solids: Vec<(String, usize)>,
-    /// Facets left out for a corner that is not finite.
+    /// Facets left out because of a corner that is not finite.
     not_finite: Tally,
     contents: Vec<(String, u64)>,
     material: Material,
@@ -44,7 +45,7 @@ impl Facets {
         self.normals.len()
     }
 
-    /// Adds one, if it can be drawn. `place` says which it is.
+    /// Adds a facet, if it can be drawn. `place` describes it for messages.
     #[inline]
     fn add(
         &mut self,
@@ -63,10 +64,10 @@ impl Facets {
     }
 }
 
-/// Reads an STL file, which names no other files.
+/// Reads an STL file. It refers to no other files.
 ///
-/// Errors: a number that cannot be read, fewer binary facets than the file says, no facet at all, more than `limits`
-/// allow. Everything else is survived.
+/// Errors: a number that cannot be read, fewer binary facets than declared, no facets, more data than `limits` allow.
+/// Other problems become diagnostics.
 pub fn read(bytes: &[u8], sidecars: &mut dyn Sidecars, limits: &Limits) -> Result<Model, ReadError> {
     let _ = sidecars;
     if is_text(bytes) {
@@ -75,7 +76,7 @@ pub fn read(bytes: &[u8], sidecars: &mut dyn Sidecars, limits: &Limits) -> Resul
     model(limits, |reports| binary::read(bytes, limits, reports))
 }
 
-/// The model of the facets that `read` gives.
+/// Builds the model from the facets that `read` returns.
 fn model(limits: &Limits, read: impl FnOnce(&mut Reports) -> Result<Facets, ReadError>) -> Result<Model, ReadError> {
     let mut reports = Reports::default();
     let facets = read(&mut reports)?;
@@ -90,11 +91,11 @@ fn model(limits: &Limits, read: impl FnOnce(&mut Reports) -> Result<Facets, Read
     build::model(facets, limits, reports)
 }
 
-/// Whether the file is text: it begins with `solid` (or `facet`) as text does, and is not as long as a binary file
-/// with its number of facets would be. (Many programs begin the free text of binary files with `solid` too.)
+/// Whether the file is text: it begins with `solid` (or `facet`) as text does, and its size is not that of a binary
+/// file with its number of facets. (Many programs also begin the free text of binary files with `solid`.)
 fn is_text(bytes: &[u8]) -> bool {
     const ENOUGH: usize = 1024;
-    // Only a number of facets beyond 2^24 has no byte 0, which text has not.
+    // Unless the number of facets exceeds 2^24 it contains a zero byte, which text does not.
     if binary::has_exact_size(bytes) {
         return false;
     }

@@ -1,4 +1,4 @@
-//! What is odd about how a mesh's triangles hang together, counted, with the first places.
+//! Counts oddities in the connectivity of a mesh's triangles, with the first places.
 
 use super::DisjointSets;
 use crate::Mesh;
@@ -6,68 +6,68 @@ use crate::weld::{self, Table, mix};
 use glam::{DVec3, Vec3};
 use serde::Serialize;
 
-/// How many places of a kind are listed.
+/// Most places of a kind that are listed.
 const MOST_PLACES: usize = 5;
 
-/// How a mesh's triangles hang together. Vertices at the same position (bit by bit) are one here, so that seams of
+/// The connectivity of a mesh's triangles. Vertices at the same position (bit by bit) count as one, so that seams of
 /// texture coordinates or normals do not matter.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct TopologyReport {
     /// All triangles of the mesh.
     pub triangles: u64,
-    /// Different positions that triangles use.
+    /// Distinct positions used by triangles.
     pub positions: u64,
-    /// Different edges, of triangles with three different positions.
+    /// Distinct edges of triangles with three distinct positions.
     pub edges: u64,
-    /// Triangles without area: two corners at one position, or all on a line. They are left out of all that follows
-    /// where two corners are at one position.
+    /// Triangles without area: two corners at one position, or all collinear. The former are excluded from everything
+    /// below.
     pub degenerate_triangles: Findings,
-    /// Triangles with the same three corners, the same way round, as an earlier one.
+    /// Triangles with the same three corners and the same winding as an earlier one.
     pub duplicate_triangles: Findings,
-    /// Triangles with the same three corners as an earlier one, the other way round: the back of a leaf.
+    /// Triangles with the same three corners as an earlier one but the opposite winding: the back of a leaf.
     pub back_to_back_triangles: Findings,
     /// Edges of one triangle.
     pub boundary_edges: Findings,
     /// Edges of more than two triangles.
     pub non_manifold_edges: Findings,
-    /// Edges that two triangles pass in the same direction: one shows its front where the other shows its back.
+    /// Edges that two triangles use in the same direction: one shows its front where the other shows its back.
     pub inconsistent_edges: Findings,
-    /// Positions around which the triangles are more than one fan: cones tip to tip, or boundaries that touch.
+    /// Positions around which the triangles form more than one fan: cones tip to tip, or boundaries that touch.
     pub non_manifold_positions: Findings,
-    /// The fewest triangles to be turned over for both sides of every edge of two triangles to agree; where the
-    /// surface is not orientable, what a walk over it finds.
+    /// The smallest number of triangles to reverse so that the windings agree across every edge of two triangles; if
+    /// the surface is not orientable, the number that a traversal finds.
     pub triangles_to_turn: u64,
-    /// Whether both sides can be made to agree: not so on a Moebius strip.
+    /// Whether all windings can be made to agree, which is impossible for a Moebius strip.
     pub orientable: bool,
-    /// Pieces that hang together by at least a position.
+    /// Components connected by at least a position.
     pub pieces: u64,
-    /// Whether every edge is passed as often one way as the other: no hole is left, and the winding agrees.
+    /// Whether every edge is used equally often in both directions: there are no holes, and the windings agree.
     pub closed: bool,
-    /// Whether it is closed and every piece encloses a positive volume: fronts are outside.
+    /// Whether it is closed and every component encloses a positive volume, so that fronts are outside.
     pub outward: bool,
-    /// Positions - edges + triangles: 2 for a ball, 0 for a ring, the sum over the pieces.
+    /// Positions - edges + triangles, over all components: 2 for a ball, 0 for a ring.
     pub euler_characteristic: i64,
-    /// The number of handles, over all pieces, where the surface is closed, orientable and manifold.
+    /// The number of handles of all components if the surface is closed, orientable and manifold.
     pub genus: Option<u64>,
-    /// The sum of all triangles, in squared units of the model.
+    /// The total area of all triangles, in squared units of the model.
     pub area: f64,
-    /// What it encloses, in cubed units, where it is closed: negative inside out.
+    /// The enclosed volume, in cubed units, if the surface is closed: negative inside out.
     pub volume: Option<f64>,
 }
 
-/// A number of oddities, and the first of them.
+/// The number of occurrences of an oddity, and the first ones.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Findings {
-    /// How many.
+    /// The number of occurrences.
     pub count: u64,
-    /// At most five, in the order of their triangles or, of edges and positions, of the mesh's positions.
+    /// At most five, in the order of their triangles or, for edges and positions, of the mesh's positions.
     pub first: Vec<Finding>,
 }
 
-/// Where something is odd.
+/// The place of an oddity.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Finding {
-    /// Triangles (from 0, in the order of the mesh's indices) that meet there, at most five.
+    /// Triangles that meet there (from 0, in the order of the mesh's indices), at most five.
     pub triangles: Vec<usize>,
     /// One position, the two ends of an edge, or the three corners of a triangle.
     pub positions: Vec<[f32; 3]>,
@@ -82,7 +82,7 @@ impl Findings {
     }
 }
 
-/// Looks at all triangles, edges and positions; linear in their number but for sorting around each position.
+/// Examines all triangles, edges and positions in linear time, except for sorting around each position.
 pub fn report(mesh: &Mesh) -> TopologyReport {
     let (place_of_vertex, place_count) = weld::places(&mesh.positions);
     let surface = Surface { mesh, place_of_vertex, place_count };
@@ -123,13 +123,13 @@ pub fn report(mesh: &Mesh) -> TopologyReport {
     let is_manifold = report.non_manifold_edges.count == 0 && report.non_manifold_positions.count == 0;
     let has_boundary = report.boundary_edges.count > 0;
     if solid > 0 && is_manifold && !has_boundary && report.orientable {
-        // Each closed piece has 2 - 2 g.
+        // Each closed component contributes 2 - 2 g.
         report.genus = u64::try_from((2 * report.pieces as i64 - report.euler_characteristic) / 2).ok();
     }
     report
 }
 
-/// A mesh whose vertices know their places.
+/// A mesh with the place of each vertex.
 struct Surface<'a> {
     mesh: &'a Mesh,
     place_of_vertex: Vec<u32>,
@@ -157,7 +157,7 @@ impl Surface<'_> {
         Finding { triangles, positions }
     }
 
-    /// Counts triangles without area; returns which of them are a point or an edge, used twice.
+    /// Counts triangles without area; returns which of them use a position twice.
     fn degenerate(&self, report: &mut TopologyReport) -> Vec<bool> {
         (0..self.mesh.triangle_count())
             .map(|t| {
@@ -196,7 +196,7 @@ impl Surface<'_> {
         }
     }
 
-    /// Joins the corners of two triangles at both ends of an edge that they share.
+    /// Joins the corners of two triangles at both ends of a shared edge.
     fn join_fans(&self, fans: &mut DisjointSets, ends: [u32; 2], a: usize, b: usize) {
         for end in ends {
             let corner = |t: usize| self.places(t).iter().position(|&place| place == end).map(|k| (3 * t + k) as u32);
@@ -206,7 +206,7 @@ impl Surface<'_> {
         }
     }
 
-    /// Counts positions, those with more than one fan, and the pieces.
+    /// Counts positions, those with more than one fan, and components.
     fn positions(
         &self,
         left_out: &[bool],
@@ -236,7 +236,7 @@ impl Surface<'_> {
         }
     }
 
-    /// Area, volume, and whether every piece is the right way out.
+    /// Computes area and volume, and whether every component has its front outside.
     fn measure(&self, pieces: &mut DisjointSets, report: &mut TopologyReport) {
         let origin = self.mesh.bounds().map_or(DVec3::ZERO, |bounds| bounds.center().as_dvec3());
         let mut volumes = vec![0.0_f64; if report.closed { self.place_count } else { 0 }];
@@ -262,21 +262,21 @@ impl Surface<'_> {
 fn has_no_area(mesh: &Mesh, t: usize) -> bool {
     let [a, b, c] = mesh.triangle_positions(t).map(|p: Vec3| p.as_dvec3());
     let (ab, ac) = (b - a, c - a);
-    // Below this, the product is only what rounding has left of parallel vectors.
+    // A smaller product is only the rounding error of parallel vectors.
     ab.cross(ac).length_squared() <= 1e-28 * ab.length_squared() * ac.length_squared()
 }
 
-/// Whether the second triangle is the first one from another corner on.
+/// Whether the second triangle is a rotation of the first.
 fn is_rotation([a, b, c]: [u32; 3], other: [u32; 3]) -> bool {
     other == [a, b, c] || other == [b, c, a] || other == [c, a, b]
 }
 
-/// A triangle's side along an edge: the triangle, and which way it goes.
+/// A triangle's side along an edge: the triangle and the direction.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct HalfEdge {
     /// The place at the other end.
     high: u32,
-    /// The corner it begins at, and, in the lowest bit, whether it goes from the lower place to the higher.
+    /// The corner where it begins and, in the lowest bit, whether it goes from the lower place to the higher.
     corner: u64,
 }
 
@@ -293,7 +293,7 @@ impl HalfEdge {
 /// All sides of all triangles, by the lower of their places.
 struct HalfEdges {
     uses: Vec<HalfEdge>,
-    /// Where those of each place end.
+    /// The end of each place's entries.
     ends: Vec<usize>,
 }
 
@@ -310,7 +310,7 @@ impl HalfEdges {
         }
         let mut total = 0;
         for end in &mut ends {
-            // For now, where the place's begin.
+            // At first, the start of the place's entries.
             total += std::mem::replace(end, total);
         }
         let mut uses = vec![HalfEdge { high: 0, corner: 0 }; total];
@@ -325,7 +325,7 @@ impl HalfEdges {
         HalfEdges { uses, ends }
     }
 
-    /// Calls `visit` with the two places of each edge and its uses, in the order of the places.
+    /// Calls `visit` with the two places of each edge and its half-edges, in the order of the places.
     fn visit(mut self, mut visit: impl FnMut(u32, u32, &[HalfEdge])) {
         let mut first = 0;
         for (low, end) in self.ends.into_iter().enumerate() {
@@ -339,8 +339,8 @@ impl HalfEdges {
     }
 }
 
-/// Triangles joined with or without turning one over: sets that remember, for each, whether it is turned against the
-/// set's root (union-find with parity).
+/// Sets of triangles joined with or without reversing one of them: each triangle records whether it is reversed
+/// relative to the set's root (union-find with parity).
 struct OrientationSets {
     parents: Vec<u32>,
     is_turned: Vec<bool>,
@@ -352,7 +352,7 @@ impl OrientationSets {
         OrientationSets { parents: (0..count as u32).collect(), is_turned: vec![false; count], is_orientable: true }
     }
 
-    /// The root, and whether the triangle is turned against it.
+    /// Returns the root, and whether the triangle is reversed relative to it.
     fn root(&mut self, triangle: usize) -> (usize, bool) {
         let (mut at, mut is_turned) = (triangle, false);
         loop {
@@ -384,7 +384,7 @@ impl OrientationSets {
         }
     }
 
-    /// How many must be turned, the smaller part of each set; and whether that is enough.
+    /// Returns the number of triangles to reverse, the smaller part of each set; and whether that suffices.
     fn finish(mut self, left_out: &[bool]) -> (u64, bool) {
         let mut parts = vec![[0_u64; 2]; self.parents.len()];
         for triangle in (0..self.parents.len()).filter(|&t| !left_out[t]) {

@@ -1,17 +1,18 @@
-//! Equal values are written once.
+//! Removes repeated values.
 
 use crate::weld::{Table, mix};
 
 /// Values without repetition, in the order of their first use.
 pub(super) struct Distinct {
-    /// For each value the number of the distinct one that it equals, ...
+    /// For each value the number of the equal distinct one.
     pub(super) number_of: Vec<u32>,
-    /// ... and for each distinct one where it is first.
+    /// For each distinct value its first index.
     pub(super) firsts: Vec<u32>,
 }
 
 impl Distinct {
-    /// Of `count` values (below 2^32), `N` numbers each: equal are those with the same bits.
+    /// Finds the distinct ones of `count` values (below 2^32), `N` numbers each: values are equal if they have the same
+    /// bits.
     pub(super) fn from_values<const N: usize>(count: usize, value: impl Fn(usize) -> [f32; N]) -> Distinct {
         let bits = |index: usize| value(index).map(f32::to_bits);
         let mut table = Table::with_room_for(count);
@@ -31,7 +32,7 @@ impl Distinct {
         distinct
     }
 
-    /// Where the distinct values are.
+    /// Returns the indices of the distinct values.
     pub(super) fn indices(&self) -> impl Iterator<Item = usize> {
         self.firsts.iter().map(|&first| first as usize)
     }

@@ -1,7 +1,7 @@
-//! Writers: a model as OBJ with MTL, as PLY, as GLB.
+//! Writes models as OBJ with MTL, as PLY and as GLB.
 //!
-//! Models in, bytes out: no file is opened here. Numbers are written with as many digits as it takes to read the same
-//! `f32` again. What a format cannot hold is told in diagnostics.
+//! Writers take a model and return bytes; they open no files. Numbers have as many digits as needed to read the same
+//! `f32` again. Diagnostics list the properties that a format cannot store.
 
 mod distinct;
 pub mod glb;
@@ -12,16 +12,16 @@ mod text;
 
 use crate::{Material, Model, TextureMap};
 
-/// A picture to write into a file beside the model.
+/// An image to write to a file beside the model.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ImageFile {
-    /// As the written model calls it.
+    /// Its name in the written model.
     pub name: String,
     /// Index into [`crate::Model::images`].
     pub image: usize,
 }
 
-/// Names for the pictures inside the model that its textures use: `STEM_NAME.png`, each another one.
+/// Returns unique names, `STEM_NAME.png`, for the images inside the model that its textures use.
 fn image_files(model: &Model, stem: &str) -> Vec<ImageFile> {
     let is_used = |image: usize| textures(model).any(|texture| texture.embedded == Some(image));
     let mut files: Vec<ImageFile> = Vec::new();
@@ -46,7 +46,7 @@ fn is_plain(c: char) -> bool {
     c.is_alphanumeric() || matches!(c, '-' | '_' | '.')
 }
 
-/// What a picture's bytes say it is.
+/// Returns the file name extension for an image by its first bytes.
 fn picture_extension(bytes: &[u8]) -> &'static str {
     const SIGNATURES: [(&[u8], &str); 6] = [
         (b"\x89PNG", "png"),
@@ -61,18 +61,17 @@ fn picture_extension(bytes: &[u8]) -> &'static str {
     known.unwrap_or(if is_webp { "webp" } else { "img" })
 }
 
-/// All textures of all materials.
 fn textures(model: &Model) -> impl Iterator<Item = &TextureMap> {
     model.materials.iter().flat_map(Material::textures)
 }
 
-/// How a texture is called in a written file.
+/// Returns the path of a texture in a written file.
 fn texture_path<'a>(texture: &'a TextureMap, images: &'a [ImageFile]) -> &'a str {
     let file = texture.embedded.and_then(|index| images.iter().find(|file| file.image == index));
     file.map_or(texture.path.as_str(), |file| file.name.as_str())
 }
 
-/// `1 light`, `2 lights`.
+/// Formats a count: `1 light`, `2 lights`.
 fn counted(count: usize, one: &str) -> String {
     format!("{count} {one}{}", if count == 1 { "" } else { "s" })
 }

@@ -1,11 +1,11 @@
-//! Materials as MTL, with its physically based extension.
+//! Writes materials as MTL, with its physically based extension.
 
 use super::text::{Text, plain_name};
 use super::{ImageFile, texture_path};
 use crate::text::quote;
 use crate::{AmbientRule, Channel, Diagnostic, Material, TexelRule, TextureMap, Wrap};
 
-/// What a map is multiplied by, and whether it is a colour or data.
+/// The keyword of a map, and whether it is a colour or data.
 struct Purpose {
     keyword: &'static str,
     is_color: bool,
@@ -24,13 +24,13 @@ const fn bump(keyword: &'static str) -> Purpose {
     Purpose { keyword, is_color: false, is_bump: true }
 }
 
-/// Statements of numbers that no term of the light equation takes: written as they were read.
+/// Statements without a term in the light equation: written as they were read.
 const UNUSED: [&str; 9] = ["Tf", "Kt", "Km", "Ps", "Pc", "Pcr", "aniso", "anisor", "sharpness"];
 
-/// What is written by other statements, or what every surface of an OBJ is anyway.
+/// Statements written in another form, and those implied by OBJ.
 const SAID_OTHERWISE: [&str; 5] = ["Ks", "map_Ks", "Ns", "map_Ns", "double_sided"];
 
-/// Writes one material under a name.
+/// Writes one material with a name.
 pub(super) fn write(
     material: &Material,
     name: &str,
@@ -96,7 +96,7 @@ impl Writer<'_> {
         }
     }
 
-    /// A map whose factor is 0 is left out: readers take a black `Kd` beside a `map_Kd` for a slip, and show the map.
+    /// Writes a map. One with a factor of 0 is left out: readers ignore a black `Kd` with a `map_Kd` and show the map.
     fn factored_map(&mut self, map: &Option<TextureMap>, purpose: &Purpose, is_zero: bool) {
         let Some(map) = map else { return };
         let path = texture_path(map, self.images);
@@ -108,7 +108,7 @@ impl Writer<'_> {
         self.text.push(purpose.keyword);
         self.options(map, purpose);
         let plain = plain_name(path);
-        // What begins with `-` would be an option.
+        // A name that begins with `-` would be an option.
         self.text.push(if plain.starts_with('-') { " ./" } else { " " });
         self.text.push(&plain);
         self.text.byte(b'\n');

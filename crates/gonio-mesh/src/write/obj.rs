@@ -1,4 +1,4 @@
-//! A model as Wavefront OBJ with its material library.
+//! Writes a model as Wavefront OBJ with its material library.
 
 use super::distinct::Distinct;
 use super::text::{Text, plain_name};
@@ -6,31 +6,31 @@ use super::{ImageFile, counted, image_files, mtl};
 use crate::{Diagnostic, Material, Mesh, Model, Part};
 use gonio_light::color::srgb_encode;
 
-/// The files that a model becomes.
+/// The files of a written model.
 #[derive(Clone, Debug, Default)]
 pub struct ObjFiles {
-    /// The model.
+    /// The OBJ file.
     pub obj: Vec<u8>,
-    /// Its material library; empty where it needs none (then the model names none).
+    /// Its material library; empty if it needs none (then the OBJ file refers to none).
     pub mtl: Vec<u8>,
-    /// The name by which the model calls its library: the one asked for, without what OBJ cannot hold in a name.
+    /// The name of the library in the OBJ file: the requested one, without characters that OBJ cannot store in a name.
     pub mtl_name: String,
-    /// Pictures inside the model that its materials use, to be written beside them.
+    /// Images inside the model that its materials use, to be written beside it.
     pub images: Vec<ImageFile>,
-    /// What got lost.
+    /// The properties that were lost.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Writes a model; `mtl_name` is how it calls its library: a file name beside it.
+/// Writes a model; `mtl_name` is the file name of its library.
 ///
 /// - Equal positions, texture coordinates and normals are written once, in the order of the vertices; triangles in
-///   theirs, as `f`. Read again, the mesh is the same bit by bit, but for normals, which are made unit length again,
-///   and colours.
-/// - Vertex colours stand behind the coordinates of `v`, encoded as sRGB, as Blender and MeshLab read them. Their alpha
-///   is lost, and so is what is beyond 1.
+///   their order, as `f`. Reading it again gives the same mesh bit by bit, except for normals, which are normalized
+///   again, and colours.
+/// - Vertex colours follow the coordinates of `v`, encoded as sRGB, as Blender and MeshLab read them. Their alpha is
+///   lost, and values above 1 are clamped.
 /// - Each part is an `o` with `usemtl`; smoothing groups are `s`.
-/// - A material without a name is called `default`; names that come twice get a number. Where nothing but the default
-///   material is used, no material is written.
+/// - A material without a name is called `default`; duplicate names get a number. If only the default material is used,
+///   no material is written.
 /// - Lights, cameras, tangents are lost.
 pub fn write(model: &Model, mtl_name: &str) -> ObjFiles {
     let mut diagnostics = Vec::new();
@@ -53,7 +53,7 @@ pub fn write(model: &Model, mtl_name: &str) -> ObjFiles {
         text.named("mtllib", &mtl_name);
     }
     let mesh = &model.mesh;
-    // A position takes some 30 bytes, a triangle some 50.
+    // A position takes about 30 bytes, a triangle about 50.
     text.bytes.reserve(60 * mesh.positions.len() + 50 * mesh.triangle_count());
     let numbers = write_vertices(mesh, &mut text);
     write_parts(mesh, &names, &numbers, &mut text, &mut diagnostics);
@@ -61,7 +61,7 @@ pub fn write(model: &Model, mtl_name: &str) -> ObjFiles {
     ObjFiles { obj: text.bytes, mtl: library.bytes, mtl_name, images, diagnostics }
 }
 
-/// What each material is called, each another name; `None` where it needs none.
+/// Returns a unique name for each material; `None` if it needs none.
 fn material_names(model: &Model, diagnostics: &mut Vec<Diagnostic>) -> Vec<Option<String>> {
     let nameless = |material: &Material| {
         material.name.is_empty() && *material == Material { sources: material.sources.clone(), ..Material::default() }
@@ -92,7 +92,7 @@ fn material_names(model: &Model, diagnostics: &mut Vec<Diagnostic>) -> Vec<Optio
     names
 }
 
-/// The numbers by which faces call what a vertex is made of.
+/// The numbers by which faces refer to attributes.
 struct Numbers {
     positions: Vec<u32>,
     tex_coords: Vec<u32>,

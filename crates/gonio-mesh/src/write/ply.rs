@@ -1,11 +1,11 @@
-//! A model as PLY.
+//! Writes a model as PLY.
 
 use super::text::{Text, plain_name};
 use super::{ImageFile, counted, image_files, texture_path};
 use crate::{Diagnostic, Material, Mesh, Model, TextureMap};
 use gonio_light::color::srgb_encode;
 
-/// How numbers are written.
+/// The encoding of numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Encoding {
     /// `binary_little_endian`
@@ -15,24 +15,24 @@ pub enum Encoding {
     Ascii,
 }
 
-/// The files that a model becomes.
+/// The files of a written model.
 #[derive(Clone, Debug, Default)]
 pub struct PlyFiles {
-    /// The model.
+    /// The PLY file.
     pub ply: Vec<u8>,
-    /// Pictures inside the model that it names, to be written beside it.
+    /// Images inside the model that it refers to, to be written beside it.
     pub images: Vec<ImageFile>,
-    /// What got lost.
+    /// The properties that were lost.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Writes a model; names of pictures written beside it begin with `stem`.
+/// Writes a model; names of images written beside it begin with `stem`.
 ///
-/// Vertices have `x y z`, and where the mesh has them `nx ny nz`, `s t` and `red green blue alpha`: bytes, encoded as
-/// sRGB, which every reader knows. Faces are `list uchar int vertex_indices`. Textures are named as MeshLab does it:
-/// `comment TextureFile NAME`, and where there are several, `texnumber` of each face.
+/// Vertices have `x y z`, and if present `nx ny nz`, `s t` and `red green blue alpha`: bytes, encoded as sRGB, which
+/// every reader supports. Faces are `list uchar int vertex_indices`. Textures are written as MeshLab does it: `comment
+/// TextureFile NAME`, and if there are several, `texnumber` for each face.
 ///
-/// Everything else of materials is lost, and so are names of parts, smoothing groups, tangents, lights and cameras.
+/// Other properties of materials are lost, and so are names of parts, smoothing groups, tangents, lights and cameras.
 pub fn write(model: &Model, stem: &str, encoding: Encoding) -> PlyFiles {
     let mesh = &model.mesh;
     let images = image_files(model, stem);
@@ -40,7 +40,7 @@ pub fn write(model: &Model, stem: &str, encoding: Encoding) -> PlyFiles {
     let mut diagnostics = Vec::new();
     let mut text = Text::default();
     write_header(mesh, &textures, &images, encoding, &mut text, &mut diagnostics);
-    // Up to 36 bytes for a vertex, 14 for a face; as text about twice that.
+    // Up to 36 bytes for a vertex, 14 for a face; about twice that as text.
     let factor = if encoding == Encoding::Ascii { 2 } else { 1 };
     text.bytes.reserve(factor * (36 * mesh.positions.len() + 14 * mesh.triangle_count()));
     let mut writer = Writer { encoding, text };
@@ -57,10 +57,10 @@ pub fn write(model: &Model, stem: &str, encoding: Encoding) -> PlyFiles {
     PlyFiles { ply: writer.text.bytes, images: used, diagnostics }
 }
 
-/// The textures that the file names: those of the diffuse colour.
+/// The textures that the file refers to: those of the diffuse colour.
 struct Textures<'a> {
     maps: Vec<&'a TextureMap>,
-    /// Of each material.
+    /// For each material.
     number_of: Vec<Option<usize>>,
 }
 
@@ -82,7 +82,7 @@ impl<'a> Textures<'a> {
         textures
     }
 
-    /// Of each triangle, where it must be said.
+    /// Returns the texture of each triangle, if it must be written.
     fn of_triangles(&self, mesh: &Mesh) -> Vec<i32> {
         if self.maps.len() < 2 {
             return Vec::new();
@@ -133,7 +133,7 @@ fn write_header(
     if !mesh.colors.is_empty() {
         properties("uchar", &["red", "green", "blue", "alpha"]);
     }
-    // Most readers know `int`, and need no more.
+    // Most readers support `int`, and need no more.
     let index = if i32::try_from(mesh.positions.len()).is_ok() { "int" } else { "uint" };
     text.push(&format!("element face {}\nproperty list uchar {index} vertex_indices\n", mesh.triangle_count()));
     if textures.maps.len() > 1 {
@@ -196,7 +196,7 @@ impl Writer {
         }
     }
 
-    /// Between numbers of one line.
+    /// Separates numbers on one line.
     fn blank(&mut self) {
         if self.text.bytes.last() != Some(&b'\n') {
             self.text.byte(b' ');
@@ -220,7 +220,7 @@ impl Writer {
 
 fn bytes_of_color([r, g, b, a]: [f32; 4]) -> [u8; 4] {
     let [r, g, b] = [r, g, b].map(|c| srgb_encode(c.into()));
-    // Converting to a byte ends at its edges.
+    // Conversion to a byte saturates.
     [r, g, b, f64::from(a)].map(|c| (c * 255.0).round() as u8)
 }
 
@@ -270,7 +270,7 @@ fn report_lost(model: &Model, textures: &Textures<'_>, diagnostics: &mut Vec<Dia
     }
 }
 
-/// Whether a byte holds each channel, but for the rounding of the encoding.
+/// Whether a byte represents each channel, except for the rounding of the encoding.
 fn is_of_bytes(color: [f32; 4]) -> bool {
     let [r, g, b, a] = color;
     let encoded = [srgb_encode(r.into()), srgb_encode(g.into()), srgb_encode(b.into()), f64::from(a)];

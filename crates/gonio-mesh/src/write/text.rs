@@ -1,8 +1,7 @@
-//! Numbers and names as text.
+//! Formats numbers and names.
 
 use std::io::Write as _;
 
-/// Text in the making.
 #[derive(Default)]
 pub(super) struct Text {
     pub(super) bytes: Vec<u8>,
@@ -17,10 +16,10 @@ impl Text {
         self.bytes.push(byte);
     }
 
-    /// A number: the shortest text that is read as the same `f32`.
+    /// Writes a number: the shortest text that is read as the same `f32`.
     pub(super) fn number(&mut self, value: f32) {
         let size = value.abs();
-        // Plain digits where they are few; no writing to memory fails.
+        // Without an exponent if that is short; writing to memory cannot fail.
         let _ = if size == 0.0 || (1e-5..1e9).contains(&size) {
             write!(self.bytes, "{value}")
         } else {
@@ -28,7 +27,7 @@ impl Text {
         };
     }
 
-    /// Numbers, each behind a blank.
+    /// Writes numbers, each after a blank.
     pub(super) fn numbers(&mut self, values: &[f32]) {
         for &value in values {
             self.byte(b' ');
@@ -36,7 +35,7 @@ impl Text {
         }
     }
 
-    /// A whole number.
+    /// Writes an unsigned integer.
     pub(super) fn integer(&mut self, mut value: u64) {
         let mut digits = [0; 20];
         let mut first = digits.len();
@@ -51,14 +50,14 @@ impl Text {
         self.bytes.extend_from_slice(&digits[first..]);
     }
 
-    /// `KEYWORD 1 2 3` and a line end.
+    /// Writes `KEYWORD 1 2 3` and a line end.
     pub(super) fn statement(&mut self, keyword: &str, values: &[f32]) {
         self.push(keyword);
         self.numbers(values);
         self.byte(b'\n');
     }
 
-    /// `KEYWORD NAME` and a line end.
+    /// Writes `KEYWORD NAME` and a line end.
     pub(super) fn named(&mut self, keyword: &str, name: &str) {
         self.push(keyword);
         self.push(" ");
@@ -67,8 +66,8 @@ impl Text {
     }
 }
 
-/// A name that OBJ and MTL read as one: without line ends and other control characters, blanks around it, a `\` at
-/// its end, and a `#` between blanks, which would begin a comment.
+/// Changes a name so that OBJ and MTL read it as one: removes line ends and other control characters, surrounding
+/// blanks, a final `\`, and a `#` between blanks, which would start a comment.
 pub(super) fn plain_name(name: &str) -> String {
     let characters: Vec<char> = name.trim().chars().collect();
     let is_blank = |c: Option<&char>| c.is_none_or(|c| c.is_whitespace() || *c == '#');

@@ -9,7 +9,6 @@ const U16: u32 = 5123;
 const U32: u32 = 5125;
 const F32: u32 = 5126;
 
-/// Bytes, and what is said of them.
 #[derive(Default)]
 pub(super) struct Buffer {
     bytes: Vec<u8>,
@@ -18,26 +17,26 @@ pub(super) struct Buffer {
 }
 
 impl Buffer {
-    /// Bytes, views, accessors.
+    /// Returns the bytes, views and accessors.
     pub fn finish(self) -> (Vec<u8>, Vec<Value>, Vec<Value>) {
         (self.bytes, self.views, self.accessors)
     }
 
-    /// Vectors, one behind the other: a view that several accessors may share.
+    /// Appends vectors as a view that several accessors may share.
     pub fn vertices<const N: usize>(&mut self, vectors: impl Iterator<Item = [f32; N]>) -> usize {
         let first = self.bytes.len();
         self.bytes.extend(vectors.flatten().flat_map(f32::to_le_bytes));
         self.view(first, json!({ "target": ARRAY_BUFFER, "byteStride": 4 * N }))
     }
 
-    /// A picture file.
+    /// Appends an image file.
     pub fn file(&mut self, bytes: &[u8]) -> usize {
         let first = self.bytes.len();
         self.bytes.extend(bytes);
         self.view(first, json!({}))
     }
 
-    /// What was written since byte `first`; padded so that the next view begins at a multiple of 4.
+    /// Adds a view of the bytes since `first`, padded so that the next view begins at a multiple of 4.
     fn view(&mut self, first: usize, mut view: Value) -> usize {
         view["buffer"] = 0.into();
         view["byteOffset"] = first.into();
@@ -52,7 +51,7 @@ impl Buffer {
         self.accessors.len() - 1
     }
 
-    /// Some of a view's vectors, each `size` bytes.
+    /// Adds an accessor for a range of a view's vectors of `size` bytes each.
     pub fn stretch(&mut self, view: usize, range: &Range<usize>, kind: &str, size: usize) -> usize {
         self.accessor(json!({
             "bufferView": view, "byteOffset": range.start * size, "count": range.len(), "componentType": F32,
@@ -60,7 +59,7 @@ impl Buffer {
         }))
     }
 
-    /// The same of positions, whose bounds have to be told.
+    /// Adds an accessor for positions, which requires their bounds.
     pub fn positions(&mut self, view: usize, range: &Range<usize>, positions: &[[f32; 3]]) -> usize {
         let fold = |start: f32, pick: fn(f32, f32) -> f32| {
             positions.iter().fold([start; 3], |found, p| [0, 1, 2].map(|i| pick(found[i], p[i])))
@@ -71,14 +70,14 @@ impl Buffer {
         accessor
     }
 
-    /// Indices in 16 bits.
+    /// Appends indices of 16 bits.
     pub fn short_indices(&mut self, indices: impl Iterator<Item = u32>) -> usize {
         let first = self.bytes.len();
         self.bytes.extend(indices.flat_map(|index| (index as u16).to_le_bytes()));
         self.index_accessor(first, U16, 2)
     }
 
-    /// Indices in 32 bits.
+    /// Appends indices of 32 bits.
     pub fn indices(&mut self, indices: impl Iterator<Item = u32>) -> usize {
         let first = self.bytes.len();
         self.bytes.extend(indices.flat_map(u32::to_le_bytes));

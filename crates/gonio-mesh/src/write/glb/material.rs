@@ -1,4 +1,4 @@
-//! Materials of the light equation as metal and roughness: the rule of [`MetallicRoughness`] turned round.
+//! Converts materials of the light equation to metal and roughness: the inverse of the rule of [`MetallicRoughness`].
 
 use super::buffer::Buffer;
 use super::texture::{TextureWriter, key};
@@ -6,10 +6,10 @@ use crate::report::Reports;
 use crate::{AmbientRule, Channel, Material, MetallicRoughness, Severity, TexelRule, TextureMap};
 use serde_json::{Map, Value, json};
 
-/// Below this reflectance an index of refraction would make the colour beside it meaningless.
+/// Below this reflectance an index of refraction would make the colour with it meaningless.
 const LEAST_REFLECTANCE: f32 = 1e-4;
 
-/// Colours that differ by no more are the same: rounding of the rule and of its inverse.
+/// Colours that differ by no more are equal, because of rounding in the rule and its inverse.
 const SAME: f32 = 1e-6;
 
 pub(super) struct MaterialWriter<'w, 'm, 'i> {
@@ -19,8 +19,8 @@ pub(super) struct MaterialWriter<'w, 'm, 'i> {
 }
 
 impl MaterialWriter<'_, '_, '_> {
-    /// `k_d` is the base colour of no metal, gamma the roughness, `k_s` the reflectance (`KHR_materials_specular`).
-    /// What was read as metal and roughness is written as it was.
+    /// `k_d` is the base colour of a dielectric, gamma the roughness, `k_s` the reflectance (`KHR_materials_specular`).
+    /// Parameters that were read as metal and roughness are written unchanged.
     pub fn material(&mut self, material: &Material) -> Value {
         let mut written = Map::new();
         if !material.name.is_empty() {
@@ -70,7 +70,7 @@ impl MaterialWriter<'_, '_, '_> {
         self.textures.info(map, self.buffer, self.reports)
     }
 
-    /// Base colour, its texture, and alpha.
+    /// Writes base colour, its texture, and alpha.
     fn base(
         &mut self,
         material: &Material,
@@ -119,7 +119,7 @@ impl MaterialWriter<'_, '_, '_> {
             map.is_none_or(|map| map.texel == texel)
         };
         let same = metallic.zip(roughness).is_none_or(|(m, r)| key(m) == key(r));
-        // A picture of one of the two would be read as both.
+        // An image of one of the two would be read as both.
         let is_one = metallic.is_some() == roughness.is_some();
         match metallic {
             Some(map) if same && is_one && fits(metallic, Channel::Blue) && fits(roughness, Channel::Green) => {

@@ -1,8 +1,8 @@
-//! A model as binary glTF 2.0 (`.glb`) that needs no other file.
+//! Writes a model as binary glTF 2.0 (`.glb`) that needs no other file.
 //!
-//! Read again, it is the same model: [`crate::gltf`] documents the rule between the two kinds of material, and here it
-//! is turned round. Parts are primitives, those of one name together a mesh and its node. Lights and cameras are not
-//! written.
+//! Reading it again gives the same model: [`crate::gltf`] documents the rule between the two kinds of material, whose
+//! inverse is applied here. Parts are primitives; those with one name share a mesh and its node. Lights and cameras are
+//! not written.
 
 mod buffer;
 mod material;
@@ -17,22 +17,22 @@ use std::fmt;
 use std::ops::Range;
 use texture::TextureWriter;
 
-/// Indices up to this are written in 16 bits; 65535 itself would end a strip.
+/// Most vertices with 16-bit indices; 65535 itself would end a strip.
 const MOST_IN_16_BITS: usize = 65_535;
 
-/// A written model.
+/// A model written as binary glTF.
 #[derive(Clone, Debug)]
 pub struct Glb {
-    /// The file.
+    /// The contents of the file.
     pub bytes: Vec<u8>,
-    /// What of the model has no place in it.
+    /// The parts of the model that were not written.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// A `.glb` counts its bytes in 32 bits, and this model needs more.
+/// A model that needs more bytes than the 32-bit size of a `.glb` allows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TooLarge {
-    /// How many it needs.
+    /// The number of bytes it needs.
     pub bytes: u64,
 }
 
@@ -49,7 +49,7 @@ impl fmt::Display for TooLarge {
 
 impl std::error::Error for TooLarge {}
 
-/// Writes `model`. `images` gives the bytes of a picture that is not inside the model (PNG or JPEG); a texture without
+/// Writes `model`. `images` returns the bytes of an image that is not inside the model (PNG or JPEG); a texture without
 /// bytes is left out with a warning.
 pub fn write(model: &Model, images: &mut dyn FnMut(&TextureMap) -> Option<Vec<u8>>) -> Result<Glb, TooLarge> {
     let mut reports = Reports::default();
@@ -93,7 +93,7 @@ pub fn write(model: &Model, images: &mut dyn FnMut(&TextureMap) -> Option<Vec<u8
     Ok(Glb { bytes: container(&root, &binary)?, diagnostics: reports.finish() })
 }
 
-/// The names of all extensions in the materials.
+/// Returns the names of all extensions in the materials.
 fn extensions_used(root: &Value) -> Vec<Value> {
     const NAMES: [&str; 4] =
         ["KHR_materials_emissive_strength", "KHR_materials_ior", "KHR_materials_specular", "KHR_texture_transform"];
@@ -108,7 +108,7 @@ fn extensions_used(root: &Value) -> Vec<Value> {
     NAMES.into_iter().filter(|name| holds(materials, name)).map(Value::from).collect()
 }
 
-/// Header, JSON and binary chunk; each chunk a multiple of 4 bytes long.
+/// Assembles header, JSON and binary chunk, each chunk a multiple of 4 bytes long.
 fn container(root: &Value, binary: &[u8]) -> Result<Vec<u8>, TooLarge> {
     let mut json = root.to_string().into_bytes();
     json.resize(json.len().next_multiple_of(4), b' ');
@@ -132,7 +132,7 @@ fn container(root: &Value, binary: &[u8]) -> Result<Vec<u8>, TooLarge> {
     Ok(bytes)
 }
 
-/// A mesh and a node for each run of parts of one name.
+/// Writes a mesh and a node for each span of parts with one name.
 fn meshes(mesh: &Mesh, materials: usize, buffer: &mut Buffer, reports: &mut Reports) -> (Vec<Value>, Vec<Value>) {
     let whole = [Part { triangle_count: mesh.triangle_count(), material: usize::MAX, ..Part::default() }];
     let parts = if mesh.parts.is_empty() { &whole[..] } else { &mesh.parts };
@@ -157,7 +157,7 @@ fn meshes(mesh: &Mesh, materials: usize, buffer: &mut Buffer, reports: &mut Repo
     (meshes, nodes)
 }
 
-/// Views of the whole mesh's arrays, of which each primitive uses a stretch.
+/// Views of the whole mesh's arrays, of which each primitive uses a range.
 struct Arrays {
     positions: usize,
     normals: Option<usize>,
@@ -174,7 +174,7 @@ impl Arrays {
         Arrays {
             positions: if count == 0 { 0 } else { buffer.vertices(mesh.positions.iter().copied()) },
             normals: fits(mesh.normals.len()).then(|| buffer.vertices(mesh.normals.iter().copied())),
-            // Tangents mean nothing without normals.
+            // Tangents are useless without normals.
             tangents: (fits(mesh.tangents.len()) && fits(mesh.normals.len()))
                 .then(|| buffer.vertices(mesh.tangents.iter().copied())),
             tex_coords: fits(mesh.tex_coords.len()).then(|| buffer.vertices(mesh.tex_coords.iter().map(flipped))),
@@ -183,7 +183,7 @@ impl Arrays {
     }
 }
 
-/// A part's triangles; none where it has none.
+/// Writes the primitive of a part; `None` if it has no triangles.
 fn primitive(
     mesh: &Mesh,
     part: &Part,
@@ -221,7 +221,7 @@ fn primitive(
     Some(primitive)
 }
 
-/// Whether all normals of a part are of unit length, as glTF asks for.
+/// Whether all normals of a part are of unit length, as glTF requires.
 fn has_normals(mesh: &Mesh, range: &Range<usize>, part: &Part, reports: &mut Reports) -> bool {
     let is_unit = |n: &[f32; 3]| (n.iter().map(|c| c * c).sum::<f32>() - 1.0).abs() < 1e-3;
     let all = mesh.normals.get(range.clone()).is_some_and(|normals| normals.iter().all(is_unit));

@@ -1,4 +1,4 @@
-//! Textures and pictures.
+//! Writes textures and images.
 
 use super::buffer::Buffer;
 use crate::report::Reports;
@@ -6,17 +6,17 @@ use crate::{EmbeddedImage, Severity, TextureMap, Wrap};
 use serde_json::{Value, json};
 use std::collections::HashMap;
 
-/// A picture: inside the model, or by its path.
+/// An image: its index in the model, or its path.
 pub(super) type PictureKey = (Option<usize>, String);
 
-/// What was written of textures.
+/// The written textures, samplers and images.
 pub(super) struct TextureLists {
     pub textures: Vec<Value>,
     pub samplers: Vec<Value>,
     pub images: Vec<Value>,
 }
 
-/// Writes each picture, texture and sampler once.
+/// Writes each image, texture and sampler once.
 pub(super) struct TextureWriter<'m, 'i> {
     embedded: &'m [EmbeddedImage],
     ask: &'i mut dyn FnMut(&TextureMap) -> Option<Vec<u8>>,
@@ -44,7 +44,7 @@ impl<'m, 'i> TextureWriter<'m, 'i> {
         TextureLists { textures: take(textures), samplers: take(samplers), images: take(images) }
     }
 
-    /// A textureInfo; none where there is no picture to be had.
+    /// Returns a textureInfo; `None` if its image is not available.
     pub fn info(&mut self, map: &TextureMap, buffer: &mut Buffer, reports: &mut Reports) -> Option<Value> {
         let image = self.image(map, buffer, reports)?;
         let samplers = &mut self.written.samplers;
@@ -94,7 +94,6 @@ impl<'m, 'i> TextureWriter<'m, 'i> {
     }
 }
 
-/// Which picture a map uses.
 pub(super) fn key(map: &TextureMap) -> PictureKey {
     (map.embedded, if map.embedded.is_some() { String::new() } else { map.path.clone() })
 }
@@ -109,7 +108,7 @@ fn mime_type(bytes: &[u8]) -> Option<&'static str> {
     }
 }
 
-/// `KHR_texture_transform`: the reader's formula solved for its offset.
+/// Returns `KHR_texture_transform`: the reader's formula solved for its offset.
 fn transform(map: &TextureMap) -> Option<Value> {
     if map.scale == [1.0; 2] && map.rotation == 0.0 && map.offset == [0.0; 2] {
         return None;
