@@ -1,5 +1,5 @@
-// Checks students' files in a thread of its own, with the page's module and an OpenGL of its own: what a shader does
-// there holds up nobody, and ends with this worker. `checking.js` starts it, and asks.
+// Checks students' files in a thread of its own, with the page's module and an OpenGL of its own: a shader
+// cannot block the page, and ends with this worker. `checking.js` starts it.
 
 import * as application from "./gonio.js";
 
@@ -19,7 +19,7 @@ function check({ exercise, files, asTheLab }) {
   return checker.check(exercise, files.map(({ name }) => name), files.map(({ bytes }) => bytes), asTheLab);
 }
 
-/** What is asked, and its answer; whatever fails is a sentence. */
+/** The requests. An error is one sentence. */
 const DO = { begin, check };
 
 self.onmessage = ({ data: { what, ...asked } }) => {

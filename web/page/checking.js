@@ -1,4 +1,4 @@
-// The page's side of checks: a worker each (`checker.js`), ended when nobody wants its answer any more.
+// Checks of students' files: each in a worker (`checker.js`), terminated when its answer is no longer needed.
 
 import { restModule } from "./rest.js";
 
@@ -8,9 +8,9 @@ const PATIENCE = 30;
 const IMAGES = ["checker.png", "planks.png", "tiles.png"];
 const FOLDER = "models/textures/";
 
-/** What `prepare` was told. */
+/** The arguments of `prepare`. */
 let page;
-/** A worker that has compiled the laboratory's own and has nothing to do, ready for the next check. */
+/** An idle worker with compiled programs, ready for the next check. */
 let idle;
 
 /** Says what workers need: the module, compiled; `urls`: of a sample by its name; `endless`: the verdict on a check
@@ -33,7 +33,7 @@ class Checker {
     this.worker = new Worker(document.getElementById("checker").content, { type: "module" });
   }
 
-  /** Makes it ready. */
+  /** Initialises it. */
   async begin() {
     const [rest, ...images] = await Promise.all([restModule(), ...IMAGES.map(fetchImage)]);
     await this.ask("begin", { first: page.module, rest, images });
@@ -76,7 +76,7 @@ export function begin(exercise, files, asTheLab = false) {
   const run = async () => {
     if (!Checker.supported()) {
       const why = "this browser cannot draw beside the page (OffscreenCanvas)";
-      throw new Error(`${why}; try another one, or \`gonio lab check\``);
+      throw new Error(`${why}; try another browser, or \`gonio lab check\``);
     }
     if (checker === undefined) {
       checker = new Checker();

@@ -17,7 +17,7 @@ const CONTEXT = {
 
 const canvas = document.getElementById("lab");
 let started = false;
-/** What has come of the first scene where a link opens something else. */
+/** Files of the first scene if a link opens something else. */
 let unopened = [];
 
 /** The module, with its progress shown. It was asked for by a link in the page's head. */
@@ -46,7 +46,7 @@ function builtinFiles(kind) {
   }));
 }
 
-/** Where a built-in file is to be had, by its name. */
+/** The URL of a built-in file. */
 function urlOf(name) {
   return [...builtinFiles("first"), ...builtinFiles("later")].find((file) => file.name === name)?.url;
 }
@@ -59,13 +59,13 @@ async function give({ name, url }) {
   return () => application.give(name, bytes);
 }
 
-/** The same of one that is not needed now: should it not come, the application is told so, and says it when somebody
- * opens what needs it. Until then it waits. */
+/** The same for a file that is not needed yet. If it does not arrive, the application reports that when the file is
+ * needed. */
 function giveIfItComes(file) {
   return give(file).catch(() => () => application.give(file.name));
 }
 
-/** What the page's address asks to open: `?open=model.obj`, a file beside the page. Nothing: the first scene. */
+/** The file that the page's address asks for: `?open=model.obj`, a file beside the page. None: the first scene. */
 function asked() {
   const url = new URLSearchParams(location.search).get("open");
   return url === null ? [] : [{ name: `page/${url.replaceAll(/^.*\//g, "")}`, url }];
@@ -84,7 +84,7 @@ async function run() {
   // The first half can read the first scene, and models in Wavefront's format. What else there is may need anything.
   const whole = carried.length > 0 || opened.some(({ name }) => !name.toLowerCase().endsWith(".obj"));
   if (whole) askForRest();
-  // Said below, after the first `await`; not twice by the browser.
+  // Reported below, after the first `await`; not twice by the browser.
   module.catch(() => {});
   scene.catch(() => {});
   if (!canvas.getContext("webgl2", CONTEXT)) {
@@ -118,7 +118,7 @@ async function start(inputs = []) {
   requestAnimationFrame(untilShown);
 }
 
-/** Takes the page's own frame away once the application has drawn the scene, or has said why not. */
+/** Removes the page's placeholder once the application has drawn the scene, or has reported an error. */
 function untilShown(_, frames = 0) {
   if (application.pictures() === 0 && frames < PATIENCE_FRAMES) {
     requestAnimationFrame((time) => untilShown(time, frames + 1));

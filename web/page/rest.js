@@ -11,7 +11,7 @@ let coming;
 let compiled;
 let there = url === undefined;
 
-/** Says what the first half exports: the second one is built upon it. */
+/** Sets the exports of the first half, which the second one imports. */
 export function firstHalf(exports) {
   first = exports;
 }
@@ -23,7 +23,7 @@ function load() {
   if (there) return;
   try {
     compiled ??= new WebAssembly.Module(bytesNow());
-    // It puts its functions into the first half's table; nothing else is wanted of it.
+    // It puts its functions into the first half's table.
     new WebAssembly.Instance(compiled, { primary: first });
     there = true;
   } catch (error) {
@@ -32,7 +32,7 @@ function load() {
   }
 }
 
-/** Has it come while something else goes on. */
+/** Starts to fetch it in the background. */
 export function askForRest() {
   if (there || coming !== undefined) return;
   coming = fetchRest();

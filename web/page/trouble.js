@@ -1,9 +1,9 @@
-// What is said when the application cannot run. It stays until the page is loaded again.
+// Messages for when the application cannot run. They stay until the page is reloaded.
 
 const element = (id) => document.getElementById(id);
 
-/** Shows a message in place of the application. The first one stays: those that follow come of it.
- * `title`, `text`: one sentence each. `advice`: what to do, one item each. `details`: what the program said. */
+/** Shows a message in place of the application. The first one stays, because later ones are its consequences.
+ * `title`, `text`: one sentence each. `advice`: what to do, one item each. `details`: the error. */
 export function trouble({ title, text, advice = [], details = "" }) {
   if (!element("trouble").hidden) return;
   element("trouble-title").textContent = title;
@@ -21,27 +21,27 @@ export function trouble({ title, text, advice = [], details = "" }) {
 }
 
 export const noWebGl2 = () => trouble({
-  title: "This browser offers no WebGL 2",
-  text: "The light lab draws with it, on the graphics card or without one.",
+  title: "This browser has no WebGL 2",
+  text: "gonio draws with WebGL 2, with or without a graphics card.",
   advice: [
     "Use a current Firefox, Chrome, Edge or Safari (15 or later).",
     "Switch on hardware acceleration in the browser's settings, under System or Performance.",
-    "Close other pages that draw in 3D: a browser allows only so many at once.",
-    "On a machine without graphics, the program on the desktop does the same: gonio view.",
+    "Close other pages with 3D graphics: browsers limit their number.",
+    "On a machine without graphics, use the desktop program: gonio view.",
   ],
 });
 
 export const noModule = (error) => trouble({
   title: "The light lab could not be loaded",
-  text: "A part of the page did not arrive, or is not what it should be.",
-  advice: ["Check the connection, and load the page again.", "If it stays so, tell whoever put this page here."],
+  text: "A part of the page did not arrive or is damaged.",
+  advice: ["Check the connection and reload the page.", "If this does not help, contact the owner of this page."],
   details: describe(error),
 });
 
 export const stopped = (error, said) => trouble({
   title: "The light lab has stopped",
-  text: "It met with a fault of its own and cannot go on. What you had open is still in your files.",
-  advice: ["Load the page again.", "If it happens again, please report what the program said, and what you did before."],
+  text: "It crashed because of an internal error. Your files on disk are unchanged.",
+  advice: ["Reload the page.", "If it happens again, please report the error details and what you did before."],
   details: said ?? describe(error),
 });
 

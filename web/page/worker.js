@@ -1,7 +1,7 @@
-// Keeps the page's files for the next visit: it is there at once, and without a connection.
+// Caches the page's files: the next visit loads at once, and works offline.
 //
-// Names with a hash never change their content: they are taken from the cache, always. The page itself (`./`) is
-// asked for anew, so that a new version is seen at once; where no answer comes soon, the kept one is taken.
+// Names with a hash never change their content: they always come from the cache. The page itself (`./`) is
+// requested again, so that a new version appears at once; if the network is slow, the cached one is used.
 
 /** Filled in when the page is built: a hash over everything, and every file that the page may ask for. */
 const VERSION = "%VERSION%";

@@ -1,61 +1,61 @@
-//! What is asked for that is not a change of the document.
+//! Requests that are not a change of the document.
 
 use crate::document::Overlay;
 use crate::saving::Product;
 use crate::session::Tab;
 use gonio_scene::SpecialView;
 
-/// Asked for by a widget, a key or a menu; done by [`crate::App`] after the panels were shown.
+/// A request by a widget, a key or a menu; [`crate::App`] carries it out after the panels were shown.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
     /// Opens what the inputs name: `builtin:NAME`, or files.
     Open(Vec<String>),
-    /// Opens files that a person named.
+    /// Opens files by their paths.
     OpenPaths(Vec<String>),
-    /// Asks for files, and opens them.
+    /// Shows the file dialog, and opens the chosen files.
     ChooseFiles,
-    /// Asks where to save, and saves.
+    /// Shows the save dialog, and saves.
     Save(Product),
-    /// Saves to a place.
+    /// Saves to a path.
     SaveTo(Product, String),
-    /// Puts the current pane's picture on the clipboard.
+    /// Copies the current pane's picture to the clipboard.
     CopyPicture,
-    /// Puts a link that carries the scene on the clipboard.
+    /// Copies a link with the scene in it to the clipboard.
     CopyLink,
-    /// Puts a text on the clipboard.
+    /// Copies a text to the clipboard.
     CopyText(String),
-    /// One step back.
+    /// Undoes a step.
     Undo,
-    /// One step forth.
+    /// Redoes a step.
     Redo,
-    /// Moves the camera until all objects are in the picture.
+    /// Frames all objects.
     Frame,
-    /// Lets time run, or stops it.
+    /// Plays or pauses.
     PlayOrPause,
-    /// The time, seconds.
+    /// Sets the time, in seconds.
     SetTime(f64),
-    /// Shows this tab of the panel at the side.
+    /// Shows this tab of the side panel.
     Show(Tab),
-    /// Shows the probe's tab, or the lights' again.
+    /// Switches between the probe and the lights.
     ToggleProbe,
-    /// Shows or hides the camera from outside.
+    /// Shows or hides the observer's view.
     ToggleObserver,
-    /// Lays something over the current pane's picture, or takes it away.
+    /// Shows or hides an overlay of the current pane.
     Overlay(Overlay),
-    /// Shows a special view in the current pane, or no longer.
+    /// Switches a special view of the current pane.
     Special(SpecialView),
-    /// Shows or hides the list of keys.
+    /// Shows or hides the keyboard shortcuts.
     ToggleHelp,
-    /// Light or dark.
+    /// Switches between the light and the dark theme.
     ToggleTheme,
-    /// Records what OpenGL is told for the current pane's picture.
+    /// Records the OpenGL calls of the current pane's picture.
     RecordFrame,
-    /// Shows the laboratory: the exercises, or the one that is worked on.
+    /// Shows the open exercise, or the list of exercises.
     ShowExercise,
-    /// Shows the laboratory's list of exercises.
+    /// Shows the list of exercises.
     ListExercises,
-    /// Begins an exercise in the laboratory: its word.
+    /// Starts the exercise with this id.
     StartExercise(String),
-    /// A message was read.
+    /// Dismisses a message.
     Dismiss(u64),
 }

@@ -1,4 +1,4 @@
-//! The application's state as JSON: for tests, and for whoever reads the screen to somebody.
+//! The application's state as JSON, for tests and screen readers.
 //!
 //! Every widget that a person can use notes itself with a stable id; the page hands the whole out as
 //! `window.gonio.state()`.
@@ -47,7 +47,7 @@ pub struct Widget {
     pub role: Role,
     /// As it is called.
     pub label: String,
-    /// What it holds.
+    /// Its content.
     pub value: String,
     /// Left, top, width and height in points of the window (CSS pixels).
     pub rect: [f32; 4],
@@ -94,19 +94,19 @@ pub fn triangles(session: &Session) -> usize {
 /// | key | what |
 /// |---|---|
 /// | `title`, `loaded`, `busy` | what is open; whether a scene is; what is being read, or null |
-/// | `error`, `messages` | the last error that was not read, or null; everything that was said and not read |
-/// | `announcement` | what changed last |
+/// | `error`, `messages` | the last error that was not dismissed, or null; all messages |
+/// | `announcement` | the last change |
 /// | `scene`, `generation` | the document's effective scene, as in scene files; counts what was read or uploaded anew |
 /// | `panes`, `pane`, `pane_settings` | how many; which is current; of each what differs from the scene, and its view |
 /// | `arrangement` | `kind`: side-by-side, wipe or difference; `wipe`: the share left of it, or null; `pair`: of which two |
 /// | `measured`, `difference` | of each pane what its picture took; how the pair differs in 8-bit steps, or null |
 /// | `selection`, `tab`, `help`, `asking` | what is selected and shown; the path that is asked for, or null |
 /// | `probe`, `observer` | the probed pixel by both renderers, or null; whether the camera is seen from outside |
-/// | `recorded_frame` | the recorded frame: its `picture`, `passes`, `draws` and `findings`; null until it was looked at |
+/// | `recorded_frame` | the recorded frame: its `picture`, `passes`, `draws` and `findings`; null until it is recorded |
 /// | `undo`, `redo` | whether there is a step |
 /// | `time`, `playing` | seconds of the scene, and whether they run |
 /// | `dark`, `pixels_per_point`, `size` | how it looks; the window's width and height in points |
-/// | `laboratory` | added by [`crate::App::state`]: the exercise that is worked on, what was said of it, the verdict |
+/// | `exercise` | added by [`crate::App::state`]: the open exercise, its messages and its verdict |
 /// | `recent` | files that were opened before |
 /// | `triangles`, `frame` | of the scene; facts about the last picture: `pictures` and `frames` stand still when idle, |
 /// | | and `complete` is true then: with all of the scene's samples |

@@ -1,4 +1,4 @@
-//! Keys, and the list of them.
+//! Keyboard shortcuts, and their list.
 
 use crate::action::Action;
 use crate::document::{Document, Overlay, VIEW_KEYS};
@@ -8,19 +8,19 @@ use crate::session::Session;
 use egui::{Event, Key, KeyboardShortcut, Modifiers, Ui};
 use gonio_scene::{SpecialView, ViewSpec};
 
-/// A key of the table: what it does, and in which words the list says so.
+/// A row of the table: a key, its action, and its description.
 struct Shortcut {
-    /// Its room in the list.
+    /// The heading in the list.
     group: &'static str,
-    /// As the list writes it; empty where another row says it too.
+    /// The key in the list; empty if another row lists it.
     written: &'static str,
-    /// What it does, in the list.
+    /// The description in the list.
     what: &'static str,
-    /// The key itself; nothing where the viewport or egui listens to it.
+    /// The key itself; `None` if the scene view or egui handles it.
     key: Option<Pressed>,
 }
 
-/// A key with what is held down besides, and what is asked for by it.
+/// Modifiers, key and action.
 type Pressed = (Modifiers, Key, fn() -> Action);
 
 const fn row(group: &'static str, written: &'static str, what: &'static str) -> Shortcut {
@@ -38,8 +38,8 @@ const PICTURE: &str = "In the picture";
 const WINDOW: &str = "The window";
 const FILES: &str = "Files";
 
-/// The one table: what is listed is what is done. The longer combination of a key goes first, for the shorter would take
-/// it.
+/// All shortcuts. The longer combination of a key comes first, because the shorter one would consume
+/// its events.
 const TABLE: &[Shortcut] = &[
     row(PICTURE, "Drag", "orbit around the target"),
     row(PICTURE, "Shift + drag", "pan"),
@@ -76,7 +76,7 @@ const TABLE: &[Shortcut] = &[
     row(FILES, "Ctrl + S", "save the picture").on(Modifiers::COMMAND, Key::S, || Action::Save(Product::Picture)),
 ];
 
-/// Groups of keys with what they do, for the list.
+/// The list of shortcuts by heading.
 pub fn list() -> Vec<(&'static str, Vec<(&'static str, String)>)> {
     let in_group = |group: &str| {
         let rows = TABLE.iter().filter(|row| row.group == group && !row.written.is_empty());
@@ -96,14 +96,14 @@ pub fn list() -> Vec<(&'static str, Vec<(&'static str, String)>)> {
     ]
 }
 
-/// What the keys of this frame ask for.
+/// Handles the keys of this frame.
 pub fn handle(ui: &Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
     navigation::note_combinations(ui);
-    // Letters and digits belong to whatever is being typed into.
+    // Letters and digits go to the focused text field.
     let is_typing = ui.ctx().memory(|m| m.focused().is_some());
     for (modifiers, key, action) in TABLE.iter().filter_map(|row| row.key) {
         let pressed = match key {
-            // Where it lies, with Shift or without, is the keyboard's own affair.
+            // Keyboard layouts differ in whether it needs Shift.
             Key::Questionmark => !is_typing && struck(ui, key, |_| true),
             _ if !modifiers.command => !is_typing && struck(ui, key, |held| held.matches_exact(modifiers)),
             _ => ui.input_mut(|i| i.consume_shortcut(&KeyboardShortcut::new(modifiers, key))),
@@ -133,8 +133,8 @@ pub fn handle(ui: &Ui, document: &mut Document, session: &mut Session, actions: 
     }
 }
 
-/// Whether a key went down in this frame while what was held besides is as wanted. What is held at the frame's end may be
-/// another thing: where frames are slow, all of a combination lies within one.
+/// Whether a key was pressed in this frame with matching modifiers. Modifiers at the end of the frame may
+/// differ: slow frames contain whole key combinations.
 fn struck(ui: &Ui, wanted: Key, besides: impl Fn(Modifiers) -> bool) -> bool {
     ui.input(|i| {
         i.events.iter().any(|event| match event {

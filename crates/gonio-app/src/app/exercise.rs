@@ -1,4 +1,4 @@
-//! The laboratory within the application.
+//! The exercise within the application.
 
 use super::App;
 use crate::exercise::{ExerciseView, Start};
@@ -10,12 +10,12 @@ use egui::Ui;
 use std::path::PathBuf;
 
 impl App {
-    /// The laboratory: what is worked on.
+    /// The exercise view.
     pub fn exercise(&self) -> &ExerciseView {
         &self.exercise
     }
 
-    /// Shows the laboratory with an exercise and a student's files. What goes wrong is said in the window.
+    /// Shows an exercise with a student's files. Errors become messages in the window.
     pub fn begin_exercise(&mut self, ctx: &egui::Context, start: Start) {
         if let Err(why) = self.exercise.begin(start) {
             self.session.messages.say(Severity::Error, why);
@@ -23,12 +23,12 @@ impl App {
         self.watch(ctx);
     }
 
-    /// What files are for that are opened now.
+    /// The purpose of files that are opened now.
     pub(super) fn purpose(&self) -> Purpose {
         if self.exercise.is_open { Purpose::Exercise } else { Purpose::Scene }
     }
 
-    /// Puts a student's files in place of those that are for the same. What was left aside is said.
+    /// Opens a student's files in place of those for the same purpose. Reports files that were ignored.
     pub(super) fn hand_in(&mut self, files: Vec<ExerciseFile>) {
         let taken = self.exercise.take(files);
         let severity = if taken.announcement.is_some() { Severity::Warning } else { Severity::Error };
@@ -40,7 +40,7 @@ impl App {
         }
     }
 
-    /// A frame with the laboratory in place of the scene, which stays as it is.
+    /// A frame that shows the exercise in place of the scene.
     pub(super) fn exercise_ui(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         let mut actions = Vec::new();
@@ -63,7 +63,7 @@ impl App {
         self.publish(&ctx);
     }
 
-    /// A window with text that was not saved closes when it is asked a second time. The text is kept as a draft.
+    /// Refuses to close a window with unsaved text once. The text is kept as a draft.
     pub(super) fn before_closing(&mut self, ctx: &egui::Context) {
         if !ctx.input(|i| i.viewport().close_requested()) {
             return;
@@ -94,14 +94,14 @@ impl App {
         self.session.messages.say(Severity::Warning, sentence);
     }
 
-    /// Watches the files of the scene and those of the laboratory.
+    /// Watches the files of the scene and of the exercises.
     pub(super) fn watch(&mut self, ctx: &egui::Context) {
         self.watched = self.exercise.paths();
         let all = self.read.iter().chain(&self.watched).cloned().collect();
         self.platform.watch(all, ctx);
     }
 
-    /// Files that other programs changed: the laboratory reads its own again, the others are the scene's.
+    /// Reloads changed files of the exercises, and notes those of the scene.
     pub(super) fn changed_on_disk(&mut self, ctx: &egui::Context, paths: Vec<PathBuf>) {
         for sentence in self.exercise.changed(ctx, &paths) {
             self.session.messages.say(Severity::Error, sentence);

@@ -1,4 +1,4 @@
-//! Reading files beside the window: in a thread where there are threads, else between two frames.
+//! Loading scenes without blocking the window: in a thread, or on the web between two frames.
 
 use crate::files::Recording;
 use gonio_mesh::{Limits, ReadError};
@@ -9,44 +9,44 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 
-/// What is laid over a description before its files are read: the options of a command line.
+/// Changes to a scene file before its files are read: options of the command line.
 pub type Adjust = Arc<dyn Fn(&mut SceneFile) + Send + Sync>;
 
-/// What is opened.
+/// Inputs and options of a scene to open.
 #[derive(Clone, Default)]
 pub struct OpenOptions {
     /// Models and scene files.
     pub inputs: Vec<String>,
-    /// An environment in the place of the one that they have.
+    /// An environment that replaces theirs.
     pub environment: Option<String>,
-    /// What is laid over them.
+    /// Changes to the scene file.
     pub adjust: Option<Adjust>,
-    /// How much their files may make us allocate.
+    /// Limits on memory that files may claim.
     pub limits: Limits,
 }
 
-/// What is to be read.
+/// A request to load a scene.
 #[derive(Clone)]
 pub enum LoadRequest {
     /// A new document.
     Open(OpenOptions),
-    /// The same once more, for its scene file is another one now.
+    /// The same again, because the scene file has changed.
     Again(OpenOptions),
-    /// This scene, in the place of the document's: its files have to be read for a change of it.
+    /// This scene in place of the document's: an edit needs files.
     Scene(Box<SceneSettings>),
-    /// The document's scene once more, for its files are others now.
+    /// The document's scene again, because its files have changed.
     Refresh(Box<SceneSettings>),
 }
 
-/// What came of it.
+/// The result of a request.
 pub struct LoadOutcome {
-    /// What was asked for.
+    /// The request.
     pub wanted: LoadRequest,
-    /// Where its files are.
+    /// The source of its files.
     pub files: Arc<dyn FileSource>,
-    /// What was asked for while it was read.
+    /// The paths that were read.
     pub paths: Vec<PathBuf>,
-    /// The scene, or one sentence.
+    /// The scene, or an error in one sentence.
     pub result: Result<Scene, String>,
 }
 
@@ -58,13 +58,13 @@ struct Job {
     limits: Limits,
 }
 
-/// Reads one thing at a time; what is asked for last wins.
+/// Loads one scene at a time; the last request wins.
 pub struct Loader {
     sender: Sender<(u64, LoadOutcome)>,
     receiver: Receiver<(u64, LoadOutcome)>,
-    /// Number of the last that was asked for: older ones are dropped when they come.
+    /// Number of the last request: results of older ones are dropped.
     latest: u64,
-    /// What is being read.
+    /// The files of the running request.
     running: Option<Arc<Recording>>,
     #[cfg(target_arch = "wasm32")]
     waiting: Option<Job>,
@@ -85,7 +85,7 @@ impl Default for Loader {
 }
 
 impl Loader {
-    /// Begins to read within `limits`; `ctx` is painted again when that is done.
+    /// Starts to load within `limits`; `ctx` is repainted when that is done.
     pub fn start(&mut self, wanted: LoadRequest, files: Arc<dyn FileSource>, limits: Limits, ctx: &egui::Context) {
         self.latest += 1;
         let recording = Arc::new(Recording::of(files.clone()));
@@ -131,12 +131,12 @@ impl Loader {
         None
     }
 
-    /// Whether something is being read.
+    /// Whether a scene is being loaded.
     pub fn is_running(&self) -> bool {
         self.running.is_some()
     }
 
-    /// How many files, and how many bytes, were read until now of what is being read.
+    /// Number of files and bytes read so far.
     pub fn progress(&self) -> Option<(usize, u64)> {
         self.running.as_ref().map(|recording| recording.amount())
     }

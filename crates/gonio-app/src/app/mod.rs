@@ -23,7 +23,7 @@ use gonio_scene::settings::CameraSettings;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// What is shown where nothing was asked for.
+/// The scene that is opened when nothing else is named.
 pub const FIRST_SCENE: &str = "builtin:still-life";
 
 const NOTHING_DRAWN: &str = "there is no picture yet: wait until the scene is loaded";
@@ -34,34 +34,34 @@ pub struct App {
     session: Session,
     history: History,
     loader: Loader,
-    /// Where the files of the open scene are.
+    /// The source of the open scene's files.
     files: Arc<dyn FileSource>,
-    /// What was opened, and the camera that came of it.
+    /// The options that the scene was opened with, and its camera then.
     opened: OpenOptions,
     opened_camera: CameraSettings,
-    /// What changed on disk and has not been read again.
+    /// Files that changed on disk and have not been reloaded.
     changed: Vec<PathBuf>,
-    /// Files of the open scene that are watched on disk; the laboratory has its own.
+    /// Watched files of the open scene.
     read: Vec<PathBuf>,
-    /// Those of the laboratory that are watched.
+    /// Watched files of the exercises.
     watched: Vec<PathBuf>,
-    /// The window was to be closed, and there was text that was not saved.
+    /// Whether closing the window was refused once because of unsaved text.
     asked_to_close: bool,
     platform: Box<dyn Platform>,
     pane_renderer: Option<PaneRenderer>,
     exercise: ExerciseView,
-    /// Of a sketch that was drawn. Until it is seen the whole picture waits: drawing that may keep the GPU from showing it.
+    /// Tells when a sketch is on the screen. The full picture waits for that, because drawing it may delay the sketch.
     sketched: Option<FrameShown>,
 }
 
 impl App {
-    /// In a context whose OpenGL is `gl` (without it there are panels and no picture), with `inputs` to open, or else
-    /// what the platform says (the scene of a link), or the first sample.
+    /// Creates the application for a context with the OpenGL `gl` (without it there is no picture). It opens `inputs`, or else
+    /// what the platform names (the scene of a link), or [`FIRST_SCENE`].
     pub fn new(ctx: &egui::Context, gl: Option<Gl>, platform: Box<dyn Platform>, inputs: Vec<String>) -> Self {
         App::with_options(ctx, gl, platform, OpenOptions { inputs, ..OpenOptions::default() })
     }
 
-    /// [`App::new`], with what is laid over the inputs.
+    /// [`App::new`] with further options.
     pub fn with_options(
         ctx: &egui::Context,
         gl: Option<Gl>,
@@ -117,8 +117,8 @@ impl App {
         app
     }
 
-    /// Goes on in another context and with its OpenGL, after the first ones are gone: a browser may take a page's
-    /// graphics away and give them back later. Nothing that is edited or open is lost.
+    /// Continues in another context with its OpenGL, after the first one was lost: a browser may take away a page's
+    /// graphics and restore them later. Documents and open files are kept.
     pub fn resume(&mut self, ctx: &egui::Context, gl: Option<Gl>) {
         theme::install(ctx);
         self.exercise.release();
@@ -135,12 +135,12 @@ impl App {
         }
     }
 
-    /// What is edited.
+    /// The document.
     pub fn document(&self) -> &Document {
         &self.document
     }
 
-    /// What is not undone.
+    /// State that is not undone.
     pub fn session(&self) -> &Session {
         &self.session
     }
@@ -150,7 +150,7 @@ impl App {
         with_exercise(exported::state(ctx, &self.document, &self.session, &self.history), &self.exercise)
     }
 
-    /// Begins to read what `inputs` name.
+    /// Starts to load `inputs`.
     pub fn open(&mut self, ctx: &egui::Context, inputs: Vec<String>, files: Arc<dyn FileSource>) {
         self.start(ctx, OpenOptions { inputs, limits: self.opened.limits, ..OpenOptions::default() }, files);
     }
@@ -232,7 +232,7 @@ impl App {
         }
     }
 
-    /// Hands the state to whoever watches it.
+    /// Publishes the state.
     fn publish(&mut self, ctx: &egui::Context) {
         let (document, session, history, exercise) = (&self.document, &self.session, &self.history, &self.exercise);
         let state = || with_exercise(exported::state(ctx, document, session, history), exercise);
@@ -259,8 +259,8 @@ impl App {
         }
     }
 
-    /// Reads again what changed on disk. A scene file's scene takes the place of the document's; for other files the
-    /// document stays as it was edited.
+    /// Reloads files that changed on disk. A changed scene file replaces the document's scene; for other files the
+    /// document keeps its edits.
     fn read_again(&mut self, ctx: &egui::Context) {
         if self.changed.is_empty() || self.loader.is_running() || self.session.loaded.is_none() {
             return;
@@ -278,7 +278,7 @@ impl App {
         self.loader.start(wanted, self.files.clone(), self.opened.limits, ctx);
     }
 
-    /// What was read, or why not: a scene that cannot be read leaves everything as it was.
+    /// Takes a loaded scene, or reports why it could not be loaded; then everything stays as it was.
     fn take(&mut self, ctx: &egui::Context, finished: LoadOutcome) {
         self.session.busy = None;
         let loaded = match finished.result {
@@ -342,8 +342,8 @@ impl App {
         self.session.generation += 1;
     }
 
-    /// Puts the camera of a scene that was just opened where all is in a picture of this size, if the scene does not say
-    /// where it stands. That is a part of opening it: no step to be undone.
+    /// Frames a scene that was just opened in a picture of this size, if the scene has no camera
+    /// of its own. This is part of opening it and cannot be undone.
     fn frame_opened(&mut self, ctx: &egui::Context, size: egui::Vec2) {
         let Some(loaded) = self.session.loaded.as_ref().filter(|_| self.session.unframed) else { return };
         self.session.unframed = false;
@@ -355,7 +355,7 @@ impl App {
         self.follow_document(ctx);
     }
 
-    /// Makes the loaded scene that of the document.
+    /// Updates the loaded scene to that of the document.
     fn follow_document(&mut self, ctx: &egui::Context) {
         let Some(loaded) = &self.session.loaded else { return };
         if loaded.settings == self.document.scene || self.loader.is_running() {
@@ -461,8 +461,8 @@ impl App {
         ctx.request_repaint();
     }
 
-    /// Records the current pane's picture. Where that fails it is told, and the record is empty: it is not tried again
-    /// before there is another picture.
+    /// Records the OpenGL calls of the current pane's picture. If that fails the record is empty, and it is not retried
+    /// before the next picture.
     fn record_frame(&mut self, ctx: &egui::Context) {
         let Some(pane_renderer) = &mut self.pane_renderer else { return };
         let record = pane_renderer.record(self.document.panes.current).unwrap_or_else(|why| {
@@ -474,7 +474,7 @@ impl App {
         self.session.recorded_frame = Some(taken);
     }
 
-    /// The end of a frame: a gesture that ended is a step of the history.
+    /// Ends a frame: a finished gesture becomes a step of the history.
     fn settle(&mut self, ctx: &egui::Context) {
         let gesture =
             ctx.input(|i| i.pointer.any_down() || !i.keys_down.is_empty() || i.smooth_scroll_delta().y != 0.0);
@@ -489,25 +489,25 @@ impl App {
     }
 }
 
-/// The state with the laboratory's part.
+/// The state with the part of the exercise.
 fn with_exercise(mut state: serde_json::Value, exercise: &ExerciseView) -> serde_json::Value {
     state["exercise"] = exercise.state();
     state
 }
 
-/// Files by their names alone.
+/// File names without folders, for a message.
 fn names(paths: &[PathBuf]) -> String {
     short(&paths.iter().map(|path| path.to_string_lossy().into_owned()).collect::<Vec<_>>())
 }
 
-/// Whether objects are shaded otherwise, or stand in another environment: either wants other things on the GPU.
+/// Whether shading or environment differ, which need other data on the GPU.
 fn is_seen_otherwise(before: &Scene, after: &Scene) -> bool {
     let environment = |scene: &Scene| scene.environment.as_ref().map(Arc::as_ptr);
     let shadings = |scene: &Scene| scene.objects.iter().map(|object| object.shading).collect::<Vec<_>>();
     environment(before) != environment(after) || shadings(before) != shadings(after)
 }
 
-/// What was opened, as a title: the file's name without its folder.
+/// The title of what was opened: the file's name without its folder.
 fn short(inputs: &[String]) -> String {
     let name = |input: &String| {
         let input = input.strip_prefix(gonio_scene::files::BUILTIN).unwrap_or(input);

@@ -1,4 +1,4 @@
-//! What goes out: pictures, scenes, and what is kept for another day.
+//! Output: pictures, scenes, and the list of recent files.
 
 use super::{App, NOTHING_DRAWN};
 use crate::saving::{self, Product, png::DisplayedPicture};
@@ -34,7 +34,7 @@ impl App {
         }
     }
 
-    /// The current pane's picture, as it is displayed.
+    /// The current pane's picture as displayed.
     fn shown(&mut self, size: Option<[u32; 2]>) -> Result<DisplayedPicture, String> {
         let pane = self.document.panes.current;
         let shown = self.pane_renderer.as_mut().map(|pane_renderer| pane_renderer.shown(pane, size)).transpose();
@@ -52,7 +52,7 @@ impl App {
         }
     }
 
-    /// What was opened is a click away another day.
+    /// Adds the input to the recent files.
     pub(super) fn remember(&mut self, inputs: &[String]) {
         let [input] = inputs else { return };
         if let Some(lasting) = self.platform.lasting(input) {

@@ -5,7 +5,7 @@ use super::Document;
 /// Most steps that are kept; a snapshot is a few kilobytes.
 const MOST_STEPS: usize = 500;
 
-/// What the document was, and what it had become before that was undone.
+/// Earlier versions of the document, and later ones that were undone.
 #[derive(Clone, Debug)]
 pub struct History {
     /// The document as of the last finished gesture.
@@ -15,13 +15,13 @@ pub struct History {
 }
 
 impl History {
-    /// Nothing to undo yet.
+    /// An empty history.
     pub fn new(document: &Document) -> Self {
         History { settled: document.clone(), undo: Vec::new(), redo: Vec::new() }
     }
 
-    /// To be called once a frame. `gesture` says that a button, a key or a wheel is still moving: what changes until it
-    /// ends is one step.
+    /// Records changes; called once per frame. All changes while `gesture` is true (a button or key is held, or the wheel
+    /// moves) become one step.
     pub fn observe(&mut self, document: &Document, gesture: bool) {
         if gesture || *document == self.settled {
             return;
@@ -61,7 +61,7 @@ impl History {
         true
     }
 
-    /// The document is given up for the last settled one: what was changed since cannot be done.
+    /// Reverts to the last settled document, because a change since then cannot be applied.
     pub fn revert(&self, document: &mut Document) {
         document.clone_from(&self.settled);
     }

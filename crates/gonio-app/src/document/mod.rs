@@ -1,4 +1,4 @@
-//! What is edited, saved and undone: plain data.
+//! The document: everything that is edited, saved and undone, as plain data.
 
 mod history;
 mod pane;
@@ -8,17 +8,17 @@ pub use pane::{Arrangement, DifferenceSettings, Overlay, Pane, Panes, Reflectanc
 
 use gonio_scene::SceneSettings;
 
-/// Everything that a person changes in the window and would want back.
+/// Everything that the user edits.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Document {
     /// The effective scene: every default filled in.
     pub scene: SceneSettings,
-    /// In how many ways it is shown, and how.
+    /// The panes that show it.
     pub panes: Panes,
 }
 
 impl Document {
-    /// A scene that was just opened, in one pane.
+    /// Wraps a scene that was just opened, in one pane.
     pub fn of(scene: SceneSettings) -> Self {
         Document { scene, panes: Panes::default() }
     }

@@ -31,7 +31,7 @@ pub enum Overlay {
     Boxes,
 }
 
-/// What stands in the place of the diffuse and the specular term in one pane.
+/// Reflectance model of one pane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reflectance {
     /// Both terms themselves.
@@ -56,7 +56,7 @@ impl Reflectance {
     }
 }
 
-/// How the scene is shown in one pane. What is `None` is as the scene says.
+/// Settings of one pane. `None` means: as in the scene.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pane {
     /// Where the equation is evaluated, for all objects.
@@ -69,18 +69,18 @@ pub struct Pane {
     pub cosine_weighted: Option<bool>,
     /// A BRDF, or the terms.
     pub reflectance: Option<Reflectance>,
-    /// Of how many triangles objects are.
+    /// Level of detail.
     pub detail: Option<Detail>,
     /// A quantity of the equation in place of the picture.
     pub view: Option<ViewSpec>,
     /// A view that is no quantity of the equation, in place of the picture and of `view`.
     pub special: Option<SpecialView>,
-    /// What is laid over it.
+    /// The overlays.
     pub overlays: Overlays,
 }
 
 impl Pane {
-    /// Lays something over the picture, or takes it away.
+    /// Shows or hides an overlay.
     pub fn toggle_overlay(&mut self, overlay: Overlay) {
         let on = match overlay {
             Overlay::Wireframe => &mut self.overlays.wireframe,
@@ -123,7 +123,7 @@ impl Pane {
         scene
     }
 
-    /// What is special about it, in the field's words; empty where it is as the scene says.
+    /// The settings that differ from the scene, in words.
     pub fn words(&self) -> Vec<String> {
         let mut words: Vec<String> = Vec::new();
         words.extend(self.shading.map(|s| written(s.name())));
@@ -157,7 +157,7 @@ impl Pane {
     }
 }
 
-/// Names that are names of people are written so.
+/// A name as written in captions: names of people are capitalised.
 fn written(name: &str) -> String {
     match name {
         "gouraud" => "Gouraud".into(),
@@ -179,19 +179,19 @@ fn detail_name(detail: Detail) -> String {
     }
 }
 
-/// How several panes share the room.
+/// Arrangement of several panes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Arrangement {
-    /// Each has a part of the room.
+    /// All panes next to each other.
     #[default]
     SideBySide,
-    /// The pair lies on each other; the first is seen left of this share of the width.
+    /// The pair on top of each other; the first is visible left of this share of the width.
     Wipe(f32),
     /// How the pair differs.
     Difference,
 }
 
-/// How a difference is coloured.
+/// Colouring of a difference.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DifferenceSettings {
     /// The 8-bit steps that get the scale's last colour, 1 to 255.
@@ -211,31 +211,31 @@ impl Default for DifferenceSettings {
 pub struct Panes {
     /// At least one, at most [`Panes::MOST`].
     pub list: Vec<Pane>,
-    /// The one that settings apply to; an index into `list`.
+    /// Index of the pane that settings apply to.
     pub current: usize,
-    /// How they share the room.
+    /// Their arrangement.
     pub arrangement: Arrangement,
-    /// The two that are wiped or whose difference is shown: indices into `list`.
+    /// Indices of the two panes that are compared.
     pub pair: [usize; 2],
     /// How that difference is coloured.
     pub difference: DifferenceSettings,
 }
 
 impl Panes {
-    /// More would be too small to compare.
+    /// Largest number of panes: more would be too small to compare.
     pub const MOST: usize = 4;
 
-    /// The one that settings apply to.
+    /// The pane that settings apply to.
     pub fn current(&self) -> Option<&Pane> {
         self.list.get(self.current)
     }
 
-    /// The one that settings apply to.
+    /// The pane that settings apply to.
     pub fn current_mut(&mut self) -> Option<&mut Pane> {
         self.list.get_mut(self.current)
     }
 
-    /// Another pane behind the others, like the current one, which becomes current; nothing where there are
+    /// Appends a copy of the current pane and makes it current, unless there are
     /// [`Self::MOST`].
     pub fn add(&mut self) {
         if self.list.len() < Self::MOST {
@@ -266,7 +266,7 @@ impl Panes {
         }
     }
 
-    /// These panes, the first current.
+    /// Replaces all panes, and makes the first current.
     pub fn set(&mut self, list: Vec<Pane>) {
         self.list = list;
         self.list.truncate(Self::MOST);
@@ -284,7 +284,7 @@ impl Panes {
         index == 0 || self.arrangement != Arrangement::SideBySide
     }
 
-    /// The panes that are seen: all of them, or the pair.
+    /// The visible panes: all of them, or the pair.
     pub fn seen(&self) -> Vec<usize> {
         match self.arrangement {
             Arrangement::SideBySide => (0..self.list.len()).collect(),

@@ -37,6 +37,6 @@ pub enum Command {
     DiscardRestored,
     /// The drafts stay; the note about them goes.
     KeepRestored,
-    /// Light or dark.
+    /// Switches between the light and the dark theme.
     Theme,
 }

@@ -1,4 +1,4 @@
-//! What is done with the work: pairs compiled as they are written, checks begun and heard, files saved and read again.
+//! Compiles the shaders in the editor while they are being written.
 
 use super::check::request;
 use super::preview::Preview;
@@ -16,40 +16,40 @@ use web_time::Instant;
 /// After the last key a pair is compiled: sooner, and half-written words would be errors.
 const PAUSE: Duration = Duration::from_millis(300);
 
-/// What is under way.
+/// Compiles the pair of shaders, after a trial if needed.
 #[derive(Default)]
 pub struct Compiler {
     preview: Option<Preview>,
-    /// The texts as they were seen last, and since when they are these.
+    /// The last texts, and since when they are unchanged.
     seen: Option<(Vec<SourceFile>, Instant)>,
-    /// Those that were compiled.
+    /// The texts that were compiled.
     compiled: Option<Vec<SourceFile>>,
     trials: Trials,
     failed: bool,
 }
 
 impl Compiler {
-    /// What is on the GPU.
+    /// The preview.
     pub fn preview(&self) -> Option<&Preview> {
         self.preview.as_ref()
     }
 
-    /// What is on the GPU, to be drawn.
+    /// The preview, for drawing.
     pub fn preview_mut(&mut self) -> Option<&mut Preview> {
         self.preview.as_mut()
     }
 
-    /// Forgets what lay on the GPU; it is made anew when there is one.
+    /// Drops everything on the GPU; it is created again in the next context.
     pub fn release(&mut self) {
         (self.preview, self.compiled, self.failed) = (None, None, false);
     }
 
-    /// Other files are open: they are compiled at once, not after a pause.
+    /// Compiles at once, without a pause: other files were opened.
     pub fn begin_anew(&mut self) {
         self.seen = None;
     }
 
-    /// To be called in every frame: compiles what was written a moment ago, and hears what came of checks.
+    /// Compiles texts that have not changed for a moment; called in every frame.
     pub fn follow(
         &mut self,
         ctx: &Context,
@@ -62,7 +62,7 @@ impl Compiler {
             match Preview::new(pane_renderer.gl(), work) {
                 Ok(preview) => self.preview = Some(preview),
                 Err(why) => {
-                    // Told once, not in every frame.
+                    // Reported once, not in every frame.
                     self.failed = true;
                     said.push(why.to_string());
                 }
@@ -80,11 +80,11 @@ impl Compiler {
                     return;
                 }
             }
-            // What was opened, or undone, is compiled at once; what is being written, after a pause.
+            // Opened or undone texts are compiled at once, typed ones after a pause.
             seen => {
                 let is_first = seen.is_none();
                 self.seen = Some((content.clone(), Instant::now()));
-                // The one that is running is of a text that was changed.
+                // The running trial is of an older text.
                 self.trials.cancel();
                 work.program.is_tried = false;
                 if !is_first && !self.is_tried(&content) {
@@ -102,7 +102,7 @@ impl Compiler {
         self.trials.known(ContentKey::new(content)).is_some()
     }
 
-    /// Says that a trial is running only if it takes long: otherwise the words would flash up at each change.
+    /// Announces a trial only if it takes long, so that the caption does not flash at each change.
     fn announce_trial(&self, ctx: &Context, work: &mut Work) {
         let slow = self.trials.slow();
         work.program.is_trial_slow = slow == Some(Ok(()));
@@ -173,7 +173,7 @@ impl Compiler {
         };
     }
 
-    /// Begins a trial, unless it is running already; the pair is compiled when that has ended.
+    /// Starts a trial, unless it is running; the pair is compiled when it has ended.
     fn try_first(
         &mut self,
         ctx: &Context,
@@ -189,14 +189,14 @@ impl Compiler {
         }
     }
 
-    /// What came of the trial and of the check.
+    /// Takes the outcome of the trial.
     fn hear(&mut self, work: &mut Work) {
         self.trials.poll();
         work.program.is_tried = self.trials.slow().is_some();
     }
 }
 
-/// There is no pair, or none that may be drawn here: the last one that was drawn stays.
+/// Notes why the pair cannot be drawn; the last drawn one stays visible.
 fn refuse(work: &mut Work, why: String) {
     let is_drawn = work.program.is_drawn;
     let variables = std::mem::take(&mut work.program.variables);
@@ -204,13 +204,13 @@ fn refuse(work: &mut Work, why: String) {
         ProgramFacts { unusable: Some(why), is_drawn, is_old: is_drawn, variables, ..ProgramFacts::default() };
 }
 
-/// Whether these are the files that the exercise is begun with, unchanged.
+/// Whether these are the original files of the exercise, unchanged.
 fn is_start(work: &Work, content: &[SourceFile]) -> bool {
     let start = work.exercise.start_files().map(|(name, text)| (name, text.as_bytes()));
     start.eq(content.iter().map(|file| (file.name.as_str(), file.bytes.as_slice())))
 }
 
-/// What both compilers say of a line is said once.
+/// Removes messages that both compilers report.
 fn without_repeats(notes: Vec<Note>) -> Vec<Note> {
     let mut kept: Vec<Note> = Vec::new();
     for note in notes {

@@ -1,4 +1,4 @@
-//! Drafts: text that was typed and not saved, kept where the next window finds it.
+//! Drafts: unsaved text, kept for the next window.
 //!
 //! A draft belongs to one file of one exercise. It is written at most [`DELAY`] after the first change, and at once when the
 //! window loses the focus or closes; it is removed when the file is saved or the text is discarded. A draft is never written

@@ -1,4 +1,4 @@
-//! The editor: a tab a file, line numbers, marks at lines, what was said below.
+//! The editor: a tab per file, line numbers, marked lines, and messages below.
 
 use super::command::Command;
 use super::file_sets::listed;

@@ -1,4 +1,4 @@
-//! A student's own files, put in place of those that are open. What was open stays whole, and can be put back.
+//! Sets of files: a student's files replace the open ones, which are kept and can be put back.
 
 use super::work::{OpenFile, Work};
 use crate::files::ExerciseFile;
@@ -8,18 +8,18 @@ use gonio_exercises::preview::{self, FileUse};
 /// Files that were open together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FileSet {
-    /// With what was written in them.
+    /// The files with their edits.
     pub files: Vec<OpenFile>,
-    /// The one in the editor.
+    /// The file in the editor.
     pub current: usize,
 }
 
-/// What came of files that were given.
+/// Result of opening a student's files.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ReplaceOutcome {
-    /// What is open now, for those who hear the screen; nothing where nothing was taken.
+    /// What was opened, for screen readers; `None` if nothing was.
     pub announcement: Option<String>,
-    /// What was left aside, and why: one sentence.
+    /// Why some files were ignored, in one sentence.
     pub aside: Option<String>,
 }
 
@@ -70,7 +70,7 @@ impl Work {
         ReplaceOutcome { announcement: Some(announcement), aside: handed.aside }
     }
 
-    /// Begins again with the files to start from.
+    /// Starts over with the original files.
     pub fn begin_again(&mut self) {
         self.sets += 1;
         let mut files = Work::start_files(self.exercise, self.sets);
@@ -80,21 +80,21 @@ impl Work {
         self.replace(FileSet { files, current });
     }
 
-    /// Puts the files back that were open before these; these are then those before, and nothing of them is lost.
+    /// Puts back the files that were open before these, which are kept in turn.
     pub fn put_back(&mut self) {
         let Some(set) = self.before.pop() else { return };
         let now = self.exchange(set);
         self.before.insert(0, now);
     }
 
-    /// Whether something was written and not saved in files that were open before.
+    /// Whether files that were open before have unsaved changes.
     pub fn has_unsaved_before(&self) -> bool {
         self.before.iter().any(|set| set.files.iter().any(OpenFile::is_changed))
     }
 
     fn replace(&mut self, set: FileSet) {
         let now = self.exchange(set);
-        // Twice the same is no help to who wants one of them back.
+        // Each set is kept once.
         self.before.retain(|set| set.files != now.files);
         self.before.push(now);
     }
@@ -115,10 +115,10 @@ impl FileSet {
     }
 }
 
-/// Most names that are said.
+/// Most names in an enumeration.
 const MOST: usize = 4;
 
-/// Names as one says them.
+/// Names as an enumeration.
 pub(super) fn listed(names: &[&str]) -> String {
     match names {
         [] => "nothing".to_owned(),

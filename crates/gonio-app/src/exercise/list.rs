@@ -1,4 +1,4 @@
-//! The exercises, to be chosen from.
+//! The list of exercises.
 
 use super::command::Command;
 use super::work::Work;

@@ -1,20 +1,20 @@
-//! The laboratory in the window: an exercise's text, the student's files in an editor, their picture beside the right answer's,
-//! and what the checker says.
+//! The exercise view: an exercise's text, the student's files in an editor, their picture beside the correct answer's,
+//! and the verdict.
 //!
 //! | file | what |
 //! |---|---|
-//! | `work` | what is worked on: plain data |
-//! | `taking` | a student's own files, in place of those that are open |
-//! | `compiler` | what is done with it: files read and saved, pairs compiled, checks begun and heard |
-//! | `trials` | shaders tried outside of the window before its OpenGL gets them |
+//! | `work` | the open exercise as plain data |
+//! | `file_sets`, `saving` | a student's files in place of the open ones; files on disk |
+//! | `command`, `apply` | commands of widgets and keys, and what they do |
+//! | `compiler`, `trials` | shaders compiled, after a trial outside of the window |
 //! | `drafts` | unsaved text, kept for the next window |
-//! | `drawing` | the pictures |
+//! | `check`, `preview` | the running check; the pictures |
 //! | `editor`, `highlight` | the files' texts |
-//! | `bar`, `list`, `pictures` | the bar at the top, the exercises, the pictures and their settings |
-//! | `markdown`, `figure`, `verdict`, `given` | the pages beside: the text and its figures, the verdict, the variables |
-//! | `told` | its part of the exported state |
+//! | `toolbar`, `list`, `pictures` | the toolbar, the exercises, the pictures and their settings |
+//! | `markdown`, `figure`, `verdict`, `variables` | the pages: the text and its figures, the verdict, the variables |
+//! | `state_json` | its part of the exported state |
 //!
-//! It is apart from the scene and its document: entering and leaving it leaves them as they are.
+//! It is independent of the scene and its document.
 
 mod apply;
 mod check;
@@ -59,16 +59,16 @@ use egui::{Frame, Margin, Panel, ScrollArea, Ui};
 /// Below this width (points) everything lies one above the other: a phone held upright.
 const NARROW: f32 = 720.0;
 
-/// The laboratory.
+/// The exercise view.
 #[derive(Default)]
 pub struct ExerciseView {
     /// Whether it is shown in place of the scene.
     pub is_open: bool,
-    /// What is worked on.
+    /// The open exercise.
     pub work: Option<Work>,
-    /// Other exercises that were begun, with everything that was written there.
+    /// Other exercises in progress, with all edits.
     aside: Vec<Work>,
-    /// The list of exercises is shown, and not what is worked on.
+    /// Whether the list of exercises is shown.
     is_listing: bool,
     compiler: Compiler,
     check: Check,
@@ -76,8 +76,8 @@ pub struct ExerciseView {
 }
 
 impl ExerciseView {
-    /// Begins an exercise with these files; without any, goes on where it was left, or begins with the files to start from. A
-    /// word that names none is one sentence.
+    /// Starts an exercise with these files; without any, resumes it, or starts with the original files. An unknown
+    /// id gives an error of one sentence.
     pub fn begin(&mut self, start: Start) -> Result<(), String> {
         let exercise = gonio_exercises::exercise::find(&start.exercise)
             .ok_or_else(|| format!("unknown exercise `{}`: select one from the list", start.exercise))?;
@@ -95,12 +95,12 @@ impl ExerciseView {
         Ok(())
     }
 
-    /// Shows the list of exercises; what is worked on stays as it is.
+    /// Shows the list of exercises.
     pub fn list(&mut self) {
         (self.is_open, self.is_listing) = (true, true);
     }
 
-    /// Everything that was begun.
+    /// All exercises in progress.
     pub fn works(&self) -> impl Iterator<Item = &Work> {
         self.work.iter().chain(&self.aside)
     }
@@ -130,7 +130,7 @@ impl ExerciseView {
         self.works().flat_map(|work| work.files.iter().filter_map(|file| file.path.clone())).collect()
     }
 
-    /// Puts a student's own files in place of those that are for the same.
+    /// Opens a student's files in place of those for the same purpose.
     pub fn take(&mut self, files: Vec<ExerciseFile>) -> ReplaceOutcome {
         match self.work.as_mut().filter(|_| !self.is_listing) {
             Some(work) => {
@@ -150,7 +150,7 @@ impl ExerciseView {
         state_json::build(self)
     }
 
-    /// Forgets what lay on the GPU: its context is gone, or will be.
+    /// Drops everything on the GPU, because its context is lost or about to be.
     pub fn release(&mut self) {
         self.compiler.release();
     }
@@ -165,7 +165,7 @@ impl ExerciseView {
         self.compiler.preview().map_or(0, |preview| preview.pictures)
     }
 
-    /// One frame of it, in all the room there is. Sentences that are to be said come back as errors.
+    /// Shows a frame of it. Returns errors, a sentence each.
     pub fn ui(
         &mut self,
         ui: &mut Ui,
@@ -205,7 +205,7 @@ impl ExerciseView {
         said
     }
 
-    /// Does what was asked for.
+    /// Applies commands.
     fn apply(
         &mut self,
         ctx: &egui::Context,

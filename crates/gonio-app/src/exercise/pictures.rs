@@ -1,4 +1,4 @@
-//! The pictures beside the editor: which of them, in which scene, seen from where.
+//! The pictures beside the editor, with their settings.
 
 use super::preview::{Picture, Preview, situations};
 use super::work::{PictureMode, Work};

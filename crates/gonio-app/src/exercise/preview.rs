@@ -1,4 +1,4 @@
-//! The pictures: the student's pair and the right answer, drawn when something changed.
+//! The pictures of the student's pair and of the correct answer, drawn when something changes.
 
 use super::work::{PictureMode, Work};
 use crate::scene_view::drawing::PaneRenderer;
@@ -12,7 +12,7 @@ const BACKGROUND: [f32; 3] = [0.13, 0.14, 0.16];
 /// 8-bit steps that get the last colour of the map of differences.
 const FULL_SCALE: f64 = 48.0;
 
-/// Which of the pictures.
+/// One of the pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Picture {
     /// The student's.
@@ -23,10 +23,10 @@ pub enum Picture {
     Difference = 2,
 }
 
-/// Of what a picture was drawn.
+/// Everything that a picture depends on.
 type Drawn = ([u32; 2], Vec<(Body, TestScene)>, u64);
 
-/// What the laboratory has on the GPU. Everything follows from the work and its sources.
+/// Everything of an exercise on the GPU. It follows from the work and its sources.
 pub struct Preview {
     gl: Gl,
     stage: PreviewRenderer,
@@ -41,7 +41,7 @@ pub struct Preview {
 }
 
 impl Preview {
-    /// For an exercise, in the window's context.
+    /// Creates the preview of an exercise in the window's context.
     pub fn new(gl: &Gl, work: &Work) -> Result<Self, GlError> {
         let stage = PreviewRenderer::new(gl)?;
         let compiled = |source: Result<SubmittedPair, String>| source.ok().and_then(|source| source.compile(gl).ok());
@@ -74,7 +74,7 @@ impl Preview {
         self.pairs[0].as_ref()
     }
 
-    /// Whether there is a right answer to be seen.
+    /// Whether there is a picture of the correct answer.
     pub fn has_reference(&self) -> bool {
         self.pairs[1].is_some()
     }

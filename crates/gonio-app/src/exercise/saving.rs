@@ -11,8 +11,8 @@ use std::path::PathBuf;
 /// Most bytes of a student's file that is read again.
 const MOST_BYTES: u64 = 32 << 20;
 
-/// Saves the files that were changed: on the disk to where they lie, in memory to where the person says. What could not be
-/// saved is a sentence each.
+/// Saves the changed files: those on disk in place, those in memory to a folder that the user names. Returns a sentence
+/// for each file that could not be saved.
 pub fn save(work: &mut Work, platform: &mut dyn Platform) -> Vec<String> {
     let in_memory = work.files.iter().all(|file| file.path.is_none());
     let mut said = Vec::new();
@@ -45,8 +45,8 @@ pub fn save(work: &mut Work, platform: &mut dyn Platform) -> Vec<String> {
     said
 }
 
-/// Saves files that are in memory into a folder, which is made where it is not there; nothing is written over. Where others
-/// have a place already, those that nothing was written in stay in memory.
+/// Saves files in memory to a folder, which is created if needed; nothing is overwritten. If other files
+/// have a path already, unchanged ones stay in memory.
 pub fn save_into(work: &mut Work, folder: &str, platform: &mut dyn Platform) -> Vec<String> {
     let folder = PathBuf::from(folder);
     let place = |name: &str| folder.join(name);
@@ -70,7 +70,7 @@ pub fn save_into(work: &mut Work, folder: &str, platform: &mut dyn Platform) -> 
     Vec::new()
 }
 
-/// Reads files again that another program changed. What could not be read is a sentence each.
+/// Reloads files that another program changed. Returns a sentence for each that could not be read.
 pub fn read_again(ctx: &Context, work: &mut Work, paths: &[PathBuf]) -> Vec<String> {
     let mut said = Vec::new();
     for file in &mut work.files {
@@ -88,7 +88,7 @@ pub fn read_again(ctx: &Context, work: &mut Work, paths: &[PathBuf]) -> Vec<Stri
     said
 }
 
-/// What one starts from, as one file: texts and pictures.
+/// The original files of the exercise as a zip file.
 pub fn start_files(work: &Work) -> Vec<u8> {
     let texts = work.exercise.start_files().map(|(name, text)| (name, text.as_bytes()));
     files::pack(&texts.chain(work.exercise.pictures()).collect::<Vec<_>>())

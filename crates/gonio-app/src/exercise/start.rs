@@ -2,11 +2,11 @@
 
 use crate::files::ExerciseFile;
 
-/// What the laboratory is opened with.
+/// An exercise to open, with a student's files.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Start {
-    /// The exercise's word: `ex04`.
+    /// The id of the exercise: `ex04`.
     pub exercise: String,
-    /// The student's files; where there are none, those to start from.
+    /// The student's files; if empty, the original ones.
     pub files: Vec<ExerciseFile>,
 }

@@ -1,4 +1,4 @@
-//! The bar at the top of the laboratory, and its keys.
+//! The toolbar of the exercise view, and its keyboard shortcuts.
 
 use super::command::Command;
 use super::editor;
@@ -13,7 +13,7 @@ use egui::{
 /// Below this width (points) names give way to icons.
 const NARROW: f32 = 620.0;
 
-/// Keys of the laboratory. Undo and redo in the editor are its own, where it has the focus.
+/// Keyboard shortcuts. A focused editor handles undo and redo itself.
 const KEYS: [(Modifiers, Key, Command); 7] = [
     (Modifiers::COMMAND, Key::Enter, Command::Check),
     (Modifiers::COMMAND, Key::S, Command::Save),
@@ -24,7 +24,7 @@ const KEYS: [(Modifiers, Key, Command); 7] = [
     (Modifiers::NONE, Key::Escape, Command::StopChecking),
 ];
 
-/// What the keys of this frame ask for.
+/// Handles the keys of this frame.
 pub fn keys(ui: &Ui, work: Option<&Work>, commands: &mut Vec<Command>) {
     let Some(work) = work else { return };
     let is_writing = work.files.get(work.current).is_some_and(|file| ui.memory(|m| m.has_focus(file.id())));
@@ -42,7 +42,6 @@ pub fn keys(ui: &Ui, work: Option<&Work>, commands: &mut Vec<Command>) {
     }
 }
 
-/// Shows it.
 pub fn show(ui: &mut Ui, work: Option<&mut Work>, commands: &mut Vec<Command>) {
     let bar = Frame::NONE.inner_margin(Margin::symmetric(10, 5));
     let work = Panel::top("laboratory bar").frame(bar).resizable(false).show(ui, |ui| {

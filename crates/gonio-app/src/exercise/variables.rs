@@ -1,4 +1,4 @@
-//! What the program's variables were taken for, and what they hold in the picture that is seen.
+//! The page with the meaning and the value of each variable.
 
 use super::work::Work;
 use crate::theme::{self, colors};

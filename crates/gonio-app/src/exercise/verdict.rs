@@ -1,4 +1,4 @@
-//! What the check said.
+//! The page with the verdict.
 
 use super::command::Command;
 use super::work::{Judged, Work};

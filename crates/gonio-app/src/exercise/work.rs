@@ -1,4 +1,4 @@
-//! What is being worked on: an exercise, the student's files, what was said of them. Plain data.
+//! The open exercise as plain data: the student's files, compiler messages, verdict.
 
 use super::file_sets::FileSet;
 use crate::files::ExerciseFile;
@@ -11,24 +11,24 @@ use gonio_exercises::preview::{Note, NoteKind, PreviewScene, VariableValue, scen
 use gonio_scene::settings::{Aim, CameraSettings};
 use std::path::PathBuf;
 
-/// A file that is being written.
+/// A file in the editor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OpenFile {
-    /// As it is called here.
+    /// The name in the exercise.
     pub name: String,
-    /// On the disk; nothing where it is in memory alone.
+    /// The path on disk; `None` for a file in memory.
     pub path: Option<PathBuf>,
-    /// As it is in the editor.
+    /// The text in the editor.
     pub text: String,
-    /// As it is on the disk, or was when it was begun.
+    /// The saved content.
     pub saved: Vec<u8>,
-    /// What it is on the disk now, where that is another text than both: the person is to choose.
+    /// A conflicting version on disk, until the user chooses one.
     pub other: Option<Vec<u8>>,
-    /// Why it cannot be written to: it is no text.
+    /// Whether it cannot be edited, because it is not UTF-8 text.
     pub locked: bool,
-    /// The text is a draft that an earlier window left, and how long ago that was: "5 minutes ago".
+    /// The age of the restored draft, if the text is one: "5 minutes ago".
     pub restored: Option<String>,
-    /// It was looked for a draft of this file.
+    /// Whether a draft of this file was looked for.
     pub(super) draft_was_asked: bool,
     /// Of the editor's widget.
     id: Id,
@@ -40,7 +40,7 @@ pub struct OpenFile {
 const PAPERS: [&str; 5] = [".md", ".svg", ".obj", ".png", ".jpg"];
 
 impl OpenFile {
-    /// As it was given: `number` tells it from files of the same name that were open at other times.
+    /// Opens a file. `number` distinguishes files of the same name that are opened at different times.
     pub(super) fn new(exercise: &Exercise, file: ExerciseFile, number: (u64, usize)) -> Self {
         let (text, locked) = decoded(&file.bytes);
         let id = Id::unique("laboratory editor").with((&exercise.id, number, &file.name));
@@ -90,8 +90,8 @@ impl OpenFile {
         self.id
     }
 
-    /// It is another file on the disk now. True where the editor's text became it; where there is text that was not saved,
-    /// nothing is lost, and the person is asked.
+    /// Takes the content of the changed file on disk. Returns whether it replaced the text; unsaved changes are
+    /// kept, and the user is asked.
     pub fn is_now(&mut self, bytes: Vec<u8>) -> bool {
         if bytes == self.saved {
             return false;
@@ -118,7 +118,7 @@ impl OpenFile {
     }
 }
 
-/// A text, and whether it is none that could be written back as it was.
+/// Decodes a text. The second value is true if it could not be written back unchanged.
 fn decoded(bytes: &[u8]) -> (String, bool) {
     match std::str::from_utf8(bytes) {
         // Numbers and pictures as letters are no help, and their lines may be endless.
@@ -128,7 +128,7 @@ fn decoded(bytes: &[u8]) -> (String, bool) {
     }
 }
 
-/// Which picture is shown.
+/// The pictures that are shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum PictureMode {
     /// The student's.
@@ -142,7 +142,7 @@ pub enum PictureMode {
     Difference,
 }
 
-/// What stands beside the editor.
+/// The page beside the editor.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Page {
     /// The editor itself, where there is little room.
@@ -156,14 +156,14 @@ pub enum Page {
     Variables,
 }
 
-/// What is known of the pair as it stands in the editor.
+/// Facts about the pair in the editor.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ProgramFacts {
     /// What is said of lines.
     pub notes: Vec<Note>,
     /// Why there is no pair: one sentence.
     pub unusable: Option<String>,
-    /// What was guessed or mended.
+    /// Warnings about guesses and corrections.
     pub warnings: Vec<String>,
     /// A pair was compiled and can be drawn: this one, or an earlier one.
     pub is_drawn: bool,
@@ -177,7 +177,7 @@ pub struct ProgramFacts {
     pub variables: Vec<VariableValue>,
 }
 
-/// A verdict, and of which texts.
+/// A verdict with the texts that it is of.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Judged {
     /// What the check says, or why it said nothing.
@@ -193,11 +193,11 @@ pub struct Work {
     pub exercise: &'static Exercise,
     /// The student's files.
     pub files: Vec<OpenFile>,
-    /// The one in the editor.
+    /// The file in the editor.
     pub current: usize,
-    /// Which picture is shown.
+    /// The pictures that are shown.
     pub shown: PictureMode,
-    /// What stands beside the editor.
+    /// The page beside the editor.
     pub page: Page,
     /// The scenes to look at it in.
     pub scenes: Vec<PreviewScene>,
@@ -362,7 +362,7 @@ impl Work {
     }
 }
 
-/// How a line is marked.
+/// Kind of a marked line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum MarkKind {
     /// Other compilers may refuse it.
@@ -373,12 +373,12 @@ pub enum MarkKind {
     Error,
 }
 
-/// What is said of a line.
+/// A marked line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mark {
     /// From 1.
     pub line: u32,
-    /// How bad it is.
+    /// Severity of a message.
     pub kind: MarkKind,
     /// In words.
     pub text: String,

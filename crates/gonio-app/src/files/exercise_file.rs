@@ -2,13 +2,13 @@
 
 use std::path::PathBuf;
 
-/// A file as it was given, and where it lies.
+/// A file of an exercise, with its path.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ExerciseFile {
-    /// As it is called here.
+    /// The name in the exercise.
     pub name: String,
-    /// On the disk; nothing where it is in memory alone.
+    /// The path on disk; `None` for a file in memory.
     pub path: Option<PathBuf>,
-    /// What it holds.
+    /// Its content.
     pub bytes: Vec<u8>,
 }

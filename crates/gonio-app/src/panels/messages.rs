@@ -1,4 +1,4 @@
-//! Messages over the picture: they stay until they are read.
+//! Messages over the picture, which stay until they are dismissed.
 
 use crate::action::Action;
 use crate::exported::{self, Role};

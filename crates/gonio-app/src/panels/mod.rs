@@ -1,4 +1,4 @@
-//! The widgets around the picture.
+//! The panels around the picture.
 
 mod camera;
 mod compare;
@@ -30,13 +30,13 @@ const SIDE_WIDTH: f32 = 352.0;
 const TAB_SIZE: f32 = 12.5;
 const TAB_GAP: std::ops::RangeInclusive<f32> = 3.0..=14.0;
 
-/// What the panels stand on. The window is cleared with it, and no panel fills its own: clearing is nearly free, and half
+/// The background of the panels. The window is cleared with it, and no panel fills its own: clearing is nearly free, and half
 /// a window of rectangles is milliseconds of each frame for a software driver.
 pub fn ground(visuals: &Visuals) -> Color32 {
     visuals.panel_fill
 }
 
-/// Shows everything but the picture, on [`ground`].
+/// Shows everything but the pictures, on [`ground`].
 pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, history: &History, actions: &mut Vec<Action>) {
     let narrow = ui.available_width() < NARROW;
     let bar = Frame::NONE.inner_margin(Margin::symmetric(10, 5));

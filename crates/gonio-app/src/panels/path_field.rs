@@ -1,4 +1,4 @@
-//! Asks for a path, where the system has no dialogs.
+//! The path field, for systems without file dialogs.
 
 use crate::action::Action;
 use crate::exported::{self, Role};

@@ -1,4 +1,4 @@
-//! What surrounds the scene, and the way from light to the picture.
+//! Environment, background, exposure and tone mapping.
 
 use crate::action::Action;
 use crate::document::Document;
@@ -12,7 +12,6 @@ use gonio_scene::settings::EnvironmentSettings;
 use gonio_scene::texture::TextureFilter;
 use gonio_scene::{SceneSettings, ViewSpec};
 
-/// Shows it.
 pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
     let _ = actions;
     if session.loaded.is_none() {

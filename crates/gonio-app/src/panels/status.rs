@@ -1,4 +1,4 @@
-//! The line at the bottom: what is going on, and what the last picture took.
+//! The status bar: progress, and facts about the last frame.
 
 use crate::exported;
 use crate::session::Session;
@@ -8,7 +8,6 @@ use egui::{Align, Label, Layout, RichText, Ui};
 /// Below this width (points) only the size and the time are said.
 const NARROW: f32 = 560.0;
 
-/// Shows it.
 pub fn show(ui: &mut Ui, session: &Session) {
     let narrow = ui.available_width() < NARROW;
     ui.horizontal(|ui| {

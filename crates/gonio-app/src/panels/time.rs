@@ -1,4 +1,4 @@
-//! Time: play, pause, scrub. Shown wherever a light moves.
+//! The time bar, shown if a light moves.
 
 use crate::action::Action;
 use crate::document::Document;
@@ -15,7 +15,6 @@ pub fn period(document: &Document) -> Option<f64> {
     (longest > 0.0 && longest.is_finite()).then_some(longest)
 }
 
-/// Shows it, if there is anything that moves.
 pub fn show(ui: &mut Ui, document: &Document, session: &Session, actions: &mut Vec<Action>) {
     let Some(period) = period(document) else { return };
     let clock = &session.clock;

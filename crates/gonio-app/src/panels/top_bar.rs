@@ -1,4 +1,4 @@
-//! The bar at the top: what is open, files, undo, light or dark. Where there is little room, a menu has it all.
+//! The top bar: files, undo, theme. In a narrow window, a menu contains the file actions.
 
 use crate::action::Action;
 use crate::document::{Document, History};
@@ -14,7 +14,6 @@ const NARROW: f32 = 560.0;
 /// What the laboratory is, in a sentence.
 const EXERCISES: &str = "Shader exercises: edit, compare with the correct answer, and check";
 
-/// Shows it.
 pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &History, actions: &mut Vec<Action>) {
     let narrow = ui.available_width() < NARROW;
     ui.horizontal(|ui| {

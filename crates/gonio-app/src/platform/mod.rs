@@ -1,4 +1,4 @@
-//! What the desktop and the web do each in their own way.
+//! Everything that differs between desktop and web.
 
 #[cfg(not(target_arch = "wasm32"))]
 pub mod desktop;
@@ -20,91 +20,91 @@ use std::sync::Arc;
 use std::time::Duration;
 use web_time::Instant;
 
-/// Files that a person gave: chosen or dropped.
+/// Files to open as a scene, chosen or dropped by the user.
 #[derive(Clone)]
 pub struct SceneInput {
     /// Models or scenes to open; none where there is only an environment.
     pub inputs: Vec<String>,
     /// The environment.
     pub environment: Option<String>,
-    /// Where they are, with what lies beside them.
+    /// The source of these files and of those beside them.
     pub files: Arc<dyn FileSource>,
 }
 
-/// What files are wanted for.
+/// The purpose of opened files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
-    /// Models and scenes, to be looked at.
+    /// Models and scenes.
     Scene,
-    /// A student's own files, for the exercise that is worked on.
+    /// A student's files for the open exercise.
     Exercise,
 }
 
-/// What came from outside since it was last asked.
+/// An event of the platform.
 pub enum Event {
     /// Files to open.
     Open(SceneInput),
-    /// Files for the exercise, as they are: those in folders and zips too.
+    /// Files for the exercise, including those in folders and zip files.
     ExerciseFiles(Vec<ExerciseFile>),
-    /// Where something is to be saved.
+    /// Where to save something.
     SaveTo(Product, String),
-    /// Files that were read are others now.
+    /// Watched files changed.
     Changed(Vec<PathBuf>),
-    /// What was asked for could not be done: one sentence.
+    /// A request failed, with one sentence on why.
     Failed(String),
 }
 
-/// Whom a person is asked by.
+/// Result of showing a file dialog.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FileDialog {
-    /// A dialog of the system: the answer comes by [`Platform::poll`].
+    /// The dialog is open; [`Platform::poll`] returns the choice.
     Opened,
-    /// Nobody: the window is to ask itself.
+    /// There is no dialog: the window shows a path field.
     Unavailable,
 }
 
-/// How long a picture is left alone that somebody is to see: by then the window has come to show it.
+/// Time after which a painted picture is taken to be on the screen.
 const MOMENT: Duration = Duration::from_millis(100);
 
-/// Whether what was painted is on the screen, and has been for a moment. Paints again when it is.
+/// Tells whether a painted frame is on the screen. Requests a repaint when it is.
 pub type FrameShown = Box<dyn Fn(&egui::Context) -> bool>;
 
-/// The outer world of the application.
+/// The interface between the application and the platform.
 pub trait Platform {
-    /// Where files lie that are named by hand: the disk, or nothing but what is built in.
+    /// The source of files named by path: the disk, or only built-in files.
     fn files(&self) -> Arc<dyn FileSource>;
-    /// What is to be opened at the start, where the inputs say nothing: the scene of a link. An error is one sentence.
+    /// The scene to open if no input is named: that of a link. An error is one sentence.
     fn first(&self) -> Option<Result<SceneInput, String>> {
         None
     }
-    /// Asks a person for files.
+    /// Shows the dialog for opening files.
     fn choose_files(&mut self, purpose: Purpose, ctx: &egui::Context) -> FileDialog;
-    /// Opens files that a person named by hand.
+    /// Opens files by path.
     fn open_paths(&mut self, paths: Vec<String>, purpose: Purpose, ctx: &egui::Context);
-    /// Asks a person where to save; `name` is proposed.
+    /// Shows the dialog for saving, with `name` proposed.
     fn choose_place(&mut self, product: Product, name: &str, ctx: &egui::Context) -> FileDialog;
-    /// What came since; files that were dropped in this frame are wanted for `purpose`.
+    /// Returns the events since the last call; files dropped in this frame have this purpose.
     fn poll(&mut self, purpose: Purpose, ctx: &egui::Context) -> Vec<Event>;
-    /// Hands a file out: where it went, or one sentence.
+    /// Writes a file. Returns its place, or an error in one sentence.
     fn write(&mut self, place: &str, bytes: &[u8]) -> Result<String, String>;
-    /// The address of this page with another part after `#`, or a text that says where to put it.
+    /// The address of this page with this fragment, or the fragment alone.
     fn link(&self, fragment: &str) -> String;
-    /// Tells ([`Event::Changed`]) when one of these files becomes another; those that were watched no longer are.
+    /// Reports changes of these files ([`Event::Changed`]), and no longer of those watched before.
     fn watch(&mut self, paths: Vec<PathBuf>, ctx: &egui::Context) {
         let _ = (paths, ctx);
     }
-    /// Whether there are folders to save into; otherwise what is written goes to where downloads go.
+    /// Whether files can be saved to folders; otherwise they are downloaded.
     fn has_folders(&self) -> bool {
         cfg!(not(target_arch = "wasm32"))
     }
-    /// How an input can be opened again another day; `None` where it cannot.
+    /// The path by which an input can be reopened later, if any.
     fn lasting(&self, input: &str) -> Option<String> {
         let _ = input;
         None
     }
-    /// What was kept of the last time.
+    /// The settings of the last session.
     fn settings(&self) -> Settings;
-    /// Keeps it for the next time: what cannot be kept is forgotten, for nothing of a scene is in it.
+    /// Keeps the settings for the next session. Failures are ignored, because they contain nothing of a scene.
     fn keep(&mut self, settings: &Settings);
     /// Keeps a draft, a text of unsaved changes, in place of the one that this window kept under this key. An error is one
     /// sentence without a full stop.
@@ -121,7 +121,7 @@ pub trait Platform {
         let _ = key;
         None
     }
-    /// Whether the frame that is being painted has been shown: to be asked in those after it.
+    /// Returns a function that tells whether the current frame is on the screen.
     fn shown(&mut self, ctx: &egui::Context) -> FrameShown {
         let then = Instant::now() + MOMENT;
         let shown = move |ctx: &egui::Context| {
@@ -134,7 +134,7 @@ pub trait Platform {
         shown(ctx);
         Box::new(shown)
     }
-    /// Begins to check a student's files, where nothing that they do can harm or hold up the window.
+    /// Starts a check of a student's files, isolated from the window.
     fn check(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Pending<CheckResult>> {
         let _ = (request, ctx);
         Box::new(Ready::new(Err("checks are not available here: run `gonio lab check` on the command line".into())))
@@ -144,11 +144,11 @@ pub trait Platform {
     fn tries_every_pair(&self) -> bool {
         false
     }
-    /// Begins to compile and draw a pair of shaders where a crash does not end the window.
+    /// Starts a trial of a pair of shaders, isolated from the window.
     fn trial(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Pending<TrialOutcome>> {
         Box::new(ByCheck::new(self.check(request, ctx)))
     }
-    /// The state after a frame, for whoever watches it.
+    /// Publishes the state after a frame, for tests.
     fn publish(&mut self, state: &dyn Fn() -> Value) {
         let _ = state;
     }

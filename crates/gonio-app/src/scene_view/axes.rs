@@ -1,4 +1,4 @@
-//! The axes cross: which way x, y and z go; a click looks along one.
+//! The axes cross; a click looks along an axis.
 
 use super::{Projection, ink, navigation};
 use crate::document::Document;

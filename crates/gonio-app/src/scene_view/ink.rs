@@ -1,4 +1,4 @@
-//! Lines and words over the picture: legible on whatever is behind them.
+//! Lines and labels over the picture, legible on any background.
 
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Ui, Vec2, vec2};
 

@@ -1,4 +1,4 @@
-//! The camera from outside: the same scene from a second eye, with the first one's frustum, axes and position.
+//! The observer's view: the scene from a second camera, with frustum, axes and position of the first.
 
 use super::dragging::Dragging;
 use super::present::{picture_size, present};
@@ -25,7 +25,7 @@ const PER_SECOND: f64 = 0.35;
 /// The far plane is shown no farther than so many times what it is for.
 const FARTHEST: f64 = 3.0;
 
-/// The second eye for the first.
+/// The observer's camera for a frame of the first one.
 fn observer_camera(observer: &mut Observer, frame: &Frame, aspect: f64) -> Camera {
     let first = &frame.camera;
     let (yaw, pitch) = *observer.angles.get_or_insert_with(|| {

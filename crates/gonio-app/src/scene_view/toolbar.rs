@@ -1,4 +1,4 @@
-//! The strip over the picture: which view is shown, what is laid over it, and what its colours mean.
+//! The toolbar over the picture: view, overlays, and the legend of debug views.
 
 use crate::document::{Document, Pane, VIEW_KEYS};
 use crate::exported::{self, Role};

@@ -1,6 +1,6 @@
 //! The scene's time.
 
-/// Seconds, and whether they run.
+/// The animation's time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Clock {
     /// Seconds of the scene.

@@ -1,26 +1,26 @@
-//! What was measured of the panes: plain numbers, for panel and picture.
+//! Measurements of the panes, as plain numbers.
 
 use gonio_scene::difference::{Spread, Tally};
 use gonio_scene::scene_file::Shading;
 
-/// What one pane took.
+/// Measurements of one pane.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PaneFacts {
     /// Triangles of all objects.
     pub triangles: usize,
-    /// Vertices lit or carried on: counted by the GPU, or else those that the index buffers ask for at most.
+    /// Vertex shader runs, counted by the GPU, or else an upper bound from the index buffers.
     pub vertices: Option<u64>,
-    /// Fragments shaded, counted by the GPU; `None` where the driver cannot count.
+    /// Fragment shader runs, counted by the GPU; `None` if the driver cannot count.
     pub fragments: Option<u64>,
     /// Whether the vertices were counted by the GPU.
     pub counted: bool,
-    /// Milliseconds that the last picture took that was waited for.
+    /// Milliseconds of the last finished frame.
     pub ms: f64,
-    /// Its meshes are being simplified.
+    /// Whether its meshes are being simplified.
     pub preparing: bool,
 }
 
-/// How the pair differs, pictures as displayed.
+/// Difference between the displayed pictures of a pair of panes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DifferenceFacts {
     /// Of the map, pixels.
@@ -36,7 +36,7 @@ pub struct DifferenceFacts {
 }
 
 impl DifferenceFacts {
-    /// Of a tally over a picture.
+    /// Summarises a tally over a picture.
     pub fn new(tally: &Tally, size: [u32; 2]) -> Self {
         let width = size[0].max(1) as usize;
         let place = |index: usize| [(index % width) as u32, (index / width) as u32];
@@ -55,7 +55,7 @@ impl DifferenceFacts {
     }
 }
 
-/// One picture of the curve of errors.
+/// One picture of the error curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurvePoint {
     /// Where the equation was evaluated.
@@ -70,20 +70,20 @@ pub struct CurvePoint {
     pub fragments: Option<u64>,
 }
 
-/// The error against the finest, for rows of triangle counts.
+/// The error against the finest mesh as a function of the number of triangles.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Curve {
-    /// It is asked for, and not finished.
+    /// Whether it is being drawn.
     pub running: bool,
-    /// Pictures drawn, and how many there are.
+    /// Pictures drawn so far, and all.
     pub progress: [usize; 2],
-    /// What is known so far, by shading, then from coarse to fine.
+    /// The points so far, by shading, then from coarse to fine.
     pub points: Vec<CurvePoint>,
-    /// The picture that all are held against, in words.
+    /// Description of the picture that all are compared with.
     pub against: String,
 }
 
-/// What was measured.
+/// All measurements.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Comparison {
     /// Of each pane.

@@ -1,4 +1,4 @@
-//! What of the equation is looked at.
+//! State of the equation panel.
 
 use std::fmt;
 
@@ -40,7 +40,7 @@ impl Term {
         Term::Cosine,
     ];
 
-    /// As ids and announcements call it.
+    /// The name in ids and announcements.
     pub const fn name(self) -> &'static str {
         match self {
             Term::Ambient => "ambient",
@@ -55,7 +55,7 @@ impl Term {
         }
     }
 
-    /// What it is, in a sentence.
+    /// A description in one sentence.
     pub const fn description(self) -> &'static str {
         match self {
             Term::Ambient => "A, ambient light: the same from every direction, never attenuated",
@@ -77,18 +77,18 @@ impl fmt::Display for Term {
     }
 }
 
-/// How the bar with the equation stands.
+/// State of the equation panel.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct EquationView {
-    /// Whose parameters are shown.
+    /// The term whose parameters are shown.
     pub selected: Term,
     /// Whether all definitions are shown.
     pub open: bool,
-    /// What was on before a term was shown alone, to come back to.
+    /// The switches before a term was shown alone.
     pub before_alone: Option<BeforeAlone>,
 }
 
-/// What was on before a term was shown alone.
+/// The switches before a term was shown alone.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BeforeAlone {
     /// Each of the other summands, and whether it was.

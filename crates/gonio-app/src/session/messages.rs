@@ -1,30 +1,30 @@
-//! What a person has to be told: it stays until it was read.
+//! Messages, which stay until they are dismissed.
 
-/// How bad it is.
+/// Severity of a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
     /// Worth knowing.
     Note,
-    /// Survived, but not as expected.
+    /// The result is not as expected.
     Warning,
-    /// Not done.
+    /// The operation failed.
     Error,
 }
 
-/// One sentence: what, where, what to do.
+/// A message of one sentence.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Message {
-    /// To dismiss it by.
+    /// Identifies the message.
     pub id: u64,
-    /// How bad it is.
+    /// Severity of a message.
     pub severity: Severity,
     /// The sentence.
     pub text: String,
-    /// How often it was said.
+    /// How often it was reported.
     pub times: u32,
 }
 
-/// Said and not yet read.
+/// Messages that have not been dismissed.
 #[derive(Clone, Debug, Default)]
 pub struct Messages {
     list: Vec<Message>,
@@ -32,7 +32,7 @@ pub struct Messages {
 }
 
 impl Messages {
-    /// Says something; what stands there already is counted.
+    /// Adds a message. A repeated one is counted.
     pub fn say(&mut self, severity: Severity, text: impl Into<String>) {
         let text = text.into();
         if let Some(known) = self.list.iter_mut().find(|m| m.severity == severity && m.text == text) {
@@ -43,22 +43,22 @@ impl Messages {
         self.next += 1;
     }
 
-    /// Takes one away.
+    /// Removes a message.
     pub fn dismiss(&mut self, id: u64) {
         self.list.retain(|message| message.id != id);
     }
 
-    /// Takes all away but errors: they are about what was open before.
+    /// Removes everything but errors.
     pub fn forget_remarks(&mut self) {
         self.list.retain(|message| message.severity == Severity::Error);
     }
 
-    /// In the order in which they were said.
+    /// The messages in order.
     pub fn list(&self) -> &[Message] {
         &self.list
     }
 
-    /// The last error that was not read.
+    /// The last error that has not been dismissed.
     pub fn last_error(&self) -> Option<&str> {
         self.list.iter().rev().find(|m| m.severity == Severity::Error).map(|m| m.text.as_str())
     }

@@ -1,4 +1,4 @@
-//! What is not undone: what was loaded, where time stands, what is selected, what was said.
+//! State that is not undone: loaded scene, time, selection, messages.
 
 mod clock;
 pub mod comparison;
@@ -24,83 +24,83 @@ use crate::saving::Product;
 use gonio_scene::Scene;
 use std::sync::Arc;
 
-/// Facts about the last drawn picture.
+/// Facts about the last picture.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FrameFacts {
     /// Pixels of the current pane.
     pub size: [u32; 2],
-    /// Milliseconds that drawing took, as far as the CPU knows.
+    /// Milliseconds of the last finished frame.
     pub draw_ms: f64,
-    /// How many pictures were drawn since the start: stands still where nothing changes.
+    /// Number of pictures drawn since the start; constant while nothing changes.
     pub pictures: u64,
-    /// How many times the window was painted: stands still too, where nothing changes.
+    /// Number of times that the window was painted; constant while nothing changes.
     pub frames: u64,
     /// The driver.
     pub renderer: String,
-    /// What the driver could not do as asked.
+    /// Settings that the driver does not support.
     pub notes: Vec<String>,
     /// Samples per pixel of the last picture.
     pub samples: u32,
 }
 
-/// A path that a person is writing.
+/// A path that is being typed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PathField {
-    /// What is to be saved there; nothing where a file is to be opened.
+    /// What to save there; `None` to open a file.
     pub saves: Option<Product>,
-    /// As far as it is written.
+    /// The text so far.
     pub text: String,
 }
 
-/// What is not undone.
+/// State that is not undone.
 pub struct Session {
-    /// The document's scene with its files read; none until the first was.
+    /// The document's scene with its files; `None` until the first is loaded.
     pub loaded: Option<Arc<Scene>>,
-    /// What was opened, as a person calls it.
+    /// The title of the open scene.
     pub title: String,
-    /// Seconds, and whether they run.
+    /// The animation's time.
     pub clock: Clock,
-    /// What the side panel is about.
+    /// The selected light or object.
     pub selection: Selection,
-    /// Which of its tabs is shown.
+    /// The visible tab.
     pub tab: Tab,
-    /// What of the equation is looked at.
+    /// State of the equation panel.
     pub equation: EquationView,
-    /// What was said and not yet read.
+    /// Messages to the user.
     pub messages: Messages,
-    /// Files are being read: what is said meanwhile.
+    /// A description of the files that are being loaded, if any.
     pub busy: Option<String>,
-    /// How many files, and how many bytes, were read until now.
+    /// Number of files and bytes loaded so far.
     pub progress: Option<(usize, u64)>,
-    /// Whether the list of keys is shown.
+    /// Whether the keyboard shortcuts are shown.
     pub help: bool,
-    /// A path is asked for: by the window itself, where the system has no dialogs.
+    /// The path field, for systems without file dialogs.
     pub asking: Option<PathField>,
-    /// What is kept from one time to the next.
+    /// Settings that are kept between sessions.
     pub settings: Settings,
-    /// About the last picture.
+    /// Facts about the last picture.
     pub facts: FrameFacts,
-    /// What OpenGL was told for a picture; none until somebody wanted to see it.
+    /// The recorded OpenGL calls of a picture, once requested.
     pub recorded_frame: Option<RecordedFrame>,
-    /// The pixel that is asked for, and its numbers.
+    /// The probed pixel and its values.
     pub probing: Probing,
-    /// The camera from outside.
+    /// The observer's view.
     pub observer: Observer,
-    /// What changed last, for those who hear the screen.
+    /// The last change, for screen readers.
     pub announcement: String,
-    /// Counts whenever geometry or materials of `loaded` change: what is on the GPU is then uploaded anew.
+    /// Incremented when geometry or materials of `loaded` change and have to be uploaded.
     pub generation: u64,
-    /// What was measured of the panes.
+    /// Measurements of the panes.
     pub comparison: Comparison,
-    /// Pictures that take long are drawn with one sample while something moves.
+    /// Slow pictures are drawn with one sample while something moves.
     pub adaptive: bool,
     /// Something is being dragged, or time runs.
     pub moving: bool,
-    /// Nobody said where the camera of the open scene stands: it is put where all objects are in the picture, once it is
-    /// known how wide that is.
+    /// The open scene has no camera of its own: all objects are framed once the size of the
+    /// picture is known.
     pub unframed: bool,
-    /// The next pictures are the first ones of what was opened, and they are wanted soon: one sample a pixel must do, and
-    /// the whole pictures follow right after. Only where the driver is a program and the pictures may take long.
+    /// The next pictures are the first ones of a scene: they have one sample per pixel to appear soon, and the
+    /// full pictures follow. Only with software drivers.
     pub sketching: bool,
 }
 

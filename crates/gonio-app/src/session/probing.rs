@@ -1,4 +1,4 @@
-//! The probe: which pixel is asked for, and every number of it.
+//! The probe: the selected pixel, and all its values.
 //!
 //! The numbers come from the CPU reference, in f64 through the pixel's centre; what OpenGL draws there stands beside
 //! them. The reference's tree of boxes is built once for a geometry, beside the window where there are threads; moving a
@@ -10,14 +10,14 @@ use serde::Serialize;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
-/// What of the picture is probed, and what is known about it.
+/// State of the probe.
 #[derive(Default)]
 pub struct Probing {
-    /// The pixel under the pointer is probed wherever that goes.
+    /// Whether the pixel under the pointer is probed.
     pub follows: bool,
-    /// A place that is kept: shares of the picture's width (from the left) and height (from the top).
+    /// The pinned place, as shares of the picture's width (from the left) and height (from the top).
     pub pinned: Option<[f64; 2]>,
-    /// The place under the pointer, alike.
+    /// The place under the pointer, likewise.
     pub hovered: Option<[f64; 2]>,
     /// The pane that is probed.
     pub pane: usize,
@@ -32,7 +32,7 @@ struct Building {
     result: Receiver<ReferenceGeometry>,
 }
 
-/// What is known about a pixel. Colours are linear, premultiplied RGBA.
+/// All values of a pixel. Colours are linear, premultiplied RGBA.
 #[derive(Clone, Serialize)]
 pub struct Reading {
     /// Column, from the left.

@@ -1,4 +1,4 @@
-//! The frame taken apart: what OpenGL was told for a picture, and what is looked at of it.
+//! A recorded frame: the OpenGL calls of a picture, and the selected draw.
 
 use egui::{ColorImage, Context, TextureHandle, TextureOptions};
 use gonio_gl::trace::{Finding, FrameRecord, lint};
@@ -6,21 +6,21 @@ use std::collections::HashMap;
 
 /// A record of a picture.
 pub struct RecordedFrame {
-    /// What was done.
+    /// The record.
     pub record: FrameRecord,
-    /// What is wrong with it.
+    /// The problems found in it.
     pub findings: Vec<Finding>,
-    /// Which picture it is of: [`super::FrameFacts::pictures`] when it was recorded.
+    /// The recorded picture: [`super::FrameFacts::pictures`] at the time.
     pub picture: u64,
-    /// The draw that is looked at.
+    /// The selected draw.
     pub draw: usize,
-    /// Which of a program's shaders is read.
+    /// Whether the fragment shader's source is shown, not the vertex shader's.
     pub fragment_source: bool,
     thumbnails: HashMap<u32, TextureHandle>,
 }
 
 impl RecordedFrame {
-    /// Looks through a record. `before` is what was looked at until now: the same draw stays chosen.
+    /// Checks a record. The draw that was selected in `before` stays selected.
     pub fn new(ctx: &Context, record: FrameRecord, picture: u64, before: Option<&RecordedFrame>) -> Self {
         let show = |id: u32| {
             let thumbnail = record.texture(id)?.thumbnail.as_ref()?;

@@ -2,33 +2,33 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Kept on the disk of the desktop, or in the storage of the browser.
+/// Settings on disk, or in the browser's storage.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Settings {
-    /// Whether it is dark; as the system says where nobody chose.
+    /// Whether the theme is dark; `None` follows the system.
     pub dark: Option<bool>,
-    /// What was opened, the latest first.
+    /// Recently opened files, the latest first.
     pub recent: Vec<String>,
 }
 
 impl Settings {
-    /// More would make a menu that nobody reads.
+    /// Largest number of recent files.
     pub const MOST_RECENT: usize = 8;
 
-    /// Puts what was opened at the beginning.
+    /// Adds a file at the front.
     pub fn opened(&mut self, input: String) {
         self.recent.retain(|known| *known != input);
         self.recent.insert(0, input);
         self.recent.truncate(Self::MOST_RECENT);
     }
 
-    /// From text that was kept; what is damaged counts as nothing.
+    /// Parses stored settings; damaged ones are replaced by defaults.
     pub fn from_text(text: &str) -> Self {
         serde_json::from_str(text).unwrap_or_default()
     }
 
-    /// To be kept.
+    /// Serialises the settings.
     pub fn to_text(&self) -> String {
         serde_json::to_string(self).unwrap_or_default()
     }

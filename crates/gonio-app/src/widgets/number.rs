@@ -70,7 +70,7 @@ impl<'a> Number<'a> {
         Number { whole: true, ..self }
     }
 
-    /// Shows it.
+    /// Shows the number, and lets it be edited.
     pub fn show(self, ui: &mut Ui, value: &mut f64) -> Response {
         let before = *value;
         let step = self.step.unwrap_or_else(|| step_of(before, &self.range));

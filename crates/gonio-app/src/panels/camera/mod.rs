@@ -16,7 +16,6 @@ use gonio_scene::settings::{Aim, CameraSettings};
 /// The closest that pitch comes to straight up or down, degrees.
 const STEEPEST: f64 = 89.0;
 
-/// Shows it.
 pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
     let _ = actions;
     let Some(loaded) = &session.loaded else { return };

@@ -11,7 +11,6 @@ use gonio_scene::scene_file::Shading;
 
 const SHADINGS: [Shading; 3] = [Shading::Flat, Shading::Gouraud, Shading::Phong];
 
-/// Shows it.
 pub fn show(ui: &mut Ui, session: &mut Session) {
     let curve = &mut session.comparison.curve;
     ui.horizontal(|ui| {

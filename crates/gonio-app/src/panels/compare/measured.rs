@@ -1,4 +1,4 @@
-//! What the panes took, and how two of them differ: numbers.
+//! Measurements of the panes, and the difference of two.
 
 use crate::session::Session;
 use crate::widgets::{SPACE, grouped};

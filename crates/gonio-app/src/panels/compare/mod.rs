@@ -13,7 +13,6 @@ use crate::session::Session;
 use crate::theme::icons;
 use egui::{Response, RichText, Ui};
 
-/// Shows it.
 pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, _: &mut Vec<Action>) {
     presets::show(ui, document);
     list(ui, document);

@@ -1,4 +1,4 @@
-//! Comparisons that a lecture wants, one click away.
+//! Presets for common comparisons.
 
 use super::noted;
 use crate::document::{Document, Pane};
@@ -45,7 +45,6 @@ fn presets(scene: &SceneSettings) -> Vec<Preset> {
     ]
 }
 
-/// Shows them.
 pub fn show(ui: &mut Ui, document: &mut Document) {
     let presets = presets(&document.scene);
     ui.horizontal_wrapped(|ui| {

@@ -1,4 +1,4 @@
-//! What a term is, and what the scene has of it now.
+//! The tooltip of a term: its definition, and its values in this scene.
 
 use super::{formula, formula_line, switch};
 use crate::document::Document;

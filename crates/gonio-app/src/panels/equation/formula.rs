@@ -1,4 +1,4 @@
-//! The equation as the settings have it, and its definitions.
+//! The equation for the current settings, and its definitions.
 
 use crate::session::Term;
 use crate::typeset::{Node, Tag};

@@ -34,7 +34,6 @@ const BUTTONS: f32 = 56.0;
 /// Where the window is narrower the parameters wait until they are asked for.
 const NARROW: f32 = 780.0;
 
-/// Shows it.
 pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
     if session.loaded.is_none() {
         // The same height as later: nothing jumps when the first scene arrives.

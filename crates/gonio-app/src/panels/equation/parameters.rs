@@ -11,7 +11,6 @@ use gonio_light::{Convention, Specular};
 use gonio_scene::settings::EquationSettings;
 use gonio_scene::{SceneSettings, defaults};
 
-/// Shows them.
 pub fn show(
     ui: &mut Ui,
     document: &mut Document,

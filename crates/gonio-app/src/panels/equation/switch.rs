@@ -1,4 +1,4 @@
-//! Terms on, off, alone.
+//! Switches of the terms.
 
 use crate::document::Document;
 use crate::session::{BeforeAlone, EquationView, Term};

@@ -12,7 +12,6 @@ const THUMBNAIL: f32 = 44.0;
 /// Rows of an array that are shown.
 const MOST_ROWS: usize = 16;
 
-/// Shows it.
 pub fn show(ui: &mut Ui, taken: &mut RecordedFrame) {
     let Some(draw) = taken.record.draws.get(taken.draw) else { return };
     heading(ui, &draw.title());

@@ -1,4 +1,4 @@
-//! What is wrong with the frame: above everything else.
+//! Problems found in the recorded frame.
 
 use crate::session::RecordedFrame;
 use crate::theme::{self, colors, icons};

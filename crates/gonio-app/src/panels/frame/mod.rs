@@ -1,4 +1,4 @@
-//! What the GPU was asked to do for this picture: passes and draw calls, and the chosen draw with all that it read.
+//! The recorded frame: passes and draw calls, and the selected draw with its inputs.
 
 mod draw;
 mod findings;
@@ -15,7 +15,6 @@ use gonio_gl::trace::{DrawRecord, PassRecord};
 /// Height of the list of draws, points: some ten of them.
 const LIST_HEIGHT: f32 = 190.0;
 
-/// Shows it.
 pub fn show(ui: &mut Ui, _: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
     // While something is dragged or moves, a record would be old before it is read.
     let quiet = !session.clock.playing && !ui.input(|input| input.pointer.any_down());

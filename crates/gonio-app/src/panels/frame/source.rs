@@ -7,7 +7,6 @@ use egui::{CollapsingHeader, Label, RichText, ScrollArea, TextStyle, Ui};
 /// Height of the source, points.
 const HEIGHT: f32 = 320.0;
 
-/// Shows it.
 pub fn show(ui: &mut Ui, taken: &mut RecordedFrame) {
     let draw = taken.record.draws.get(taken.draw);
     let Some(program) = draw.and_then(|draw| taken.record.program_of(draw)) else { return };

@@ -1,4 +1,4 @@
-//! What is done to the list of lights: added, copied, moved, taken out; kinds changed.
+//! Edits of the list of lights.
 
 use crate::document::Document;
 use crate::session::{Selection, Session};
@@ -8,7 +8,7 @@ use gonio_scene::defaults;
 use gonio_scene::scene_file::LightSourceKind;
 use gonio_scene::settings::LightSettings;
 
-/// Asked for by the parameters of a light.
+/// An edit of the list of lights.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Edit {
     /// A copy after it.

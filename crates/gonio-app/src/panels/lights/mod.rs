@@ -34,7 +34,6 @@ pub fn name_of(document: &Document, index: usize) -> String {
     }
 }
 
-/// Shows it.
 pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
     if session.loaded.is_none() {
         return;

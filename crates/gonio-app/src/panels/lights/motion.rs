@@ -12,7 +12,6 @@ use gonio_scene::settings::{LightSettings, Motion, MotionPath};
 /// Most points of a path that are shown; more are edited in the scene file.
 const MOST_POINTS: usize = 24;
 
-/// Shows it.
 pub fn show(ui: &mut Ui, light: &mut LightSettings, session: &Session, index: usize) {
     let mut kind = light.motion.as_ref().map(|motion| motion.path.kind());
     let mut options = vec![(None, "none", "The light does not move")];

@@ -1,4 +1,4 @@
-//! What is done to the list of objects: added, copied, taken out, looked at.
+//! Edits of the list of objects.
 
 use crate::document::Document;
 use crate::session::{Selection, Session};
@@ -8,7 +8,7 @@ use gonio_scene::files;
 use gonio_scene::scene_file::ObjectSpec;
 use gonio_scene::settings::{Aim, CameraSettings};
 
-/// Asked for by the values of an object.
+/// An edit of the list of objects.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Edit {
     /// A copy beside it.
@@ -19,7 +19,7 @@ pub enum Edit {
     Frame(usize),
 }
 
-/// Does it.
+/// Applies it.
 pub fn apply(document: &mut Document, session: &mut Session, edit: Edit) {
     let objects = &mut document.scene.objects;
     match edit {

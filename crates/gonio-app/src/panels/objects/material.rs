@@ -1,4 +1,4 @@
-//! Values in the place of a model's own. Each shows what the file says until it is changed, and goes back to it.
+//! Material values that override those of the model's file, and can be reset.
 
 use crate::theme::icons;
 use crate::widgets::{Number, color, dropdown, named_options, row, tool_button};

@@ -14,7 +14,6 @@ use gonio_scene::Scene;
 use gonio_scene::files;
 use gonio_scene::scene_file::{Normals, ObjectSpec, Shading};
 
-/// Shows it.
 pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
     let _ = actions;
     let loaded = session.loaded.clone();

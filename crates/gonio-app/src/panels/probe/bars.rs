@@ -1,4 +1,4 @@
-//! A bar for each light, stacked from its terms, on one scale: who lights this pixel?
+//! A stacked bar for each light, on one scale, with its terms.
 
 use super::numbers::{number, triple};
 use crate::session::probing::Reading;
@@ -54,7 +54,6 @@ fn bars(reading: &Reading, probe: &Probe) -> Vec<Bar> {
     bars
 }
 
-/// Shows them.
 pub fn show(ui: &mut Ui, reading: &Reading, probe: &Probe) {
     let bars = bars(reading, probe);
     let longest = bars.iter().map(Bar::length).fold(1e-12, f64::max);

@@ -16,7 +16,6 @@ use crate::theme::{self, icons};
 use egui::{Color32, Grid, Response, RichText, Sense, Ui, vec2};
 use numbers::{hex, number};
 
-/// Shows it.
 pub fn show(ui: &mut Ui, _: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
     let reading = session.probing.reading().cloned();
     header(ui, session, reading.as_deref(), actions);

@@ -18,7 +18,6 @@ const DIFFUSE: Tag = Tag(3);
 const SPECULAR: Tag = Tag(4);
 const LIGHT: Tag = Tag(5);
 
-/// Shows it.
 pub fn show(ui: &mut Ui, reading: &Reading, probe: &Probe) {
     formula(ui, &symbols(probe));
     ui.add_space(2.0);

@@ -1,4 +1,4 @@
-//! What is seen there: object, triangle, material, texels, normals, and the environment's part.
+//! The surface at the pixel: object, triangle, material, texels, normals, and light of the environment.
 
 use super::numbers::{number, vector_row};
 use super::{fact, heading, swatch};
@@ -10,7 +10,6 @@ use gonio_light::Fresnel;
 use gonio_light::color::srgb_encode;
 use gonio_reference::Probe;
 
-/// Shows it.
 pub fn show(ui: &mut Ui, reading: &Reading, probe: &Probe) {
     heading(ui, "Surface");
     ui.scope(|ui| {

@@ -1,4 +1,4 @@
-//! Whether there is somewhere to show a window, and in which words to say that there is not.
+//! Whether a window can be shown, and errors that explain why not.
 
 /// The window's counterpart that needs none of this.
 const INSTEAD: &str = "`gonio render` draws without a window";

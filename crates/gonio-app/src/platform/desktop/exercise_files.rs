@@ -1,4 +1,4 @@
-//! A student's files on disk, for the exercise that is worked on: as they are, with those in folders and zips.
+//! A student's files on disk, including those in folders and zip files.
 
 use crate::files::ExerciseFile;
 use crate::files::zip;

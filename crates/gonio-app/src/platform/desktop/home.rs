@@ -1,4 +1,4 @@
-//! Where a program keeps what it remembers: XDG Base Directory Specification 0.8, Known Folders of Windows, Library of
+//! Folders for settings and drafts: XDG Base Directory Specification 0.8, Known Folders of Windows, Library of
 //! macOS.
 
 use std::env::var_os;

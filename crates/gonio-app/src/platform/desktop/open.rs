@@ -1,5 +1,5 @@
-//! Files on disk that a person gave, looked at beside the window; which of them is the model, and what a zip among them
-//! holds.
+//! Opens files on disk in a thread: finds the model among them, and unpacks zip
+//! files.
 
 use super::Access;
 use super::exercise_files;

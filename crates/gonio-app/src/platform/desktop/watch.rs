@@ -1,4 +1,4 @@
-//! Tells when files become others.
+//! Watches files for changes.
 //!
 //! By looking at them twice a second: a scene has a few files, and a few dozen `stat`s cost less than the packages that
 //! would have the systems tell (three ways for three systems, none of which sees network folders).

@@ -28,7 +28,7 @@ const MAX_ANSWER_BYTES: u64 = 512 << 20;
 /// What is to be checked, and what is wanted of it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Request {
-    /// The exercise's word: `ex04`.
+    /// The id of the exercise: `ex04`.
     pub exercise: String,
     /// The submission.
     pub files: Vec<SourceFile>,

@@ -132,7 +132,7 @@ fn storage() -> Option<Storage> {
     window().ok()?.0.local_storage().ok()?
 }
 
-/// What was kept of the last time.
+/// The settings of the last session.
 pub fn kept() -> Option<String> {
     storage()?.get_item(KEY).ok()?
 }

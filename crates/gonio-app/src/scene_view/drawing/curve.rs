@@ -1,4 +1,4 @@
-//! The error against the finest, for a row of triangle counts: one picture a frame, so that the window stays awake.
+//! The error curve: one picture per frame, so that the window stays responsive.
 
 use super::details::Details;
 use super::pane::{triangles, with_settings};

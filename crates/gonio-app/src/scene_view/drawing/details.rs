@@ -1,4 +1,4 @@
-//! Meshes in other details: made once, beside the window where there are threads.
+//! Meshes at other levels of detail, made once, in a thread where possible.
 
 use gonio_mesh::Mesh;
 use gonio_scene::Scene;

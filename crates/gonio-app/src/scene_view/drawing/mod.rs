@@ -1,4 +1,4 @@
-//! The pictures of the panes: drawn by `gonio-gl` into textures, only when something changed.
+//! The pictures of the panes: drawn by `gonio-render` into textures, only when something changed.
 //!
 //! Everything on the GPU follows from document and session: after a lost context a new [`PaneRenderer`] draws the same.
 
@@ -36,7 +36,7 @@ pub struct PaneRenderer {
 }
 
 impl PaneRenderer {
-    /// For the window's context, which is current.
+    /// Creates it for the window's context, which is current.
     pub fn new(gl: Gl) -> Result<Self, GlError> {
         let renderer = Renderer::new(gl.clone())?;
         let presenter = Presenter::new(&gl)?;
@@ -52,7 +52,7 @@ impl PaneRenderer {
         })
     }
 
-    /// What draws; the laboratory draws other people's programs with it.
+    /// The renderer, which also draws students' programs.
     pub fn renderer(&mut self) -> &mut Renderer {
         &mut self.renderer
     }

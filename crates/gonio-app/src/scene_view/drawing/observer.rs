@@ -1,4 +1,4 @@
-//! A pane's scene in other pictures than its own: one pixel for the probe, and what a second camera sees.
+//! Further pictures of a pane's scene: one pixel for the probe, and the observer's view.
 
 use super::PaneRenderer;
 use gonio_gl::GlError;
@@ -6,7 +6,7 @@ use gonio_render::{DisplayOptions, DisplayTexture, Presentation};
 use gonio_scene::{Camera, Frame, Scene};
 use std::sync::Arc;
 
-/// The second camera's picture, and what is on it.
+/// The observer's picture, and the frame that it shows.
 pub struct ObserverPicture {
     canvas: DisplayTexture,
     drawn: Option<(Frame, Arc<Scene>)>,

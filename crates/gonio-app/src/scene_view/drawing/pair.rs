@@ -1,4 +1,4 @@
-//! Where two panes differ: the map, drawn on the GPU, and its numbers.
+//! The difference of two panes: a map drawn on the GPU, and its statistics.
 
 use super::pane::PaneDrawing;
 use crate::document::DifferenceSettings;

@@ -1,4 +1,4 @@
-//! Pictures to be saved: of what a pane showed last, in its size there or in another one.
+//! Pictures to be saved, at the pane's size or another one.
 
 use super::PaneRenderer;
 use super::pane::PaneDrawing;

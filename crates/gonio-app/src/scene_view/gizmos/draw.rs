@@ -1,4 +1,4 @@
-//! What a light looks like in the picture: a bulb, a sun with its arrow, a lamp with its cone.
+//! Drawing of the light gizmos: a bulb, a sun with its arrow, a lamp with its cone.
 
 use super::Mark;
 use crate::scene_view::{Projection, ink};

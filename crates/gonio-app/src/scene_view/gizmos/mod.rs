@@ -1,4 +1,4 @@
-//! The lights in the picture: to be seen, chosen and dragged.
+//! Gizmos of the lights in the picture, to select and to drag.
 //!
 //! | part | dragged |
 //! |---|---|
