@@ -48,7 +48,7 @@ test("a sample that cannot be fetched is said when it is opened", async (lab) =>
   await lab.until((state) => state?.loaded && state.busy === null);
   await lab.drop({ name: "ape.toml", text: '[[object]]\nmodel = "builtin:suzanne"\n' });
   const state = await lab.until((state) => state.error !== null && state.busy === null);
-  assert.match(state.error, /suzanne.*did not come over the network; load the page again/);
+  assert.match(state.error, /suzanne.*was not downloaded; load the page again/);
   assert.equal(state.title, "still-life");
 }, {
   ...options,

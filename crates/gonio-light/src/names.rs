@@ -1,10 +1,9 @@
 //! Enums whose variants have one written name each.
 //!
-//! A scene file, a command line, a debug view and a report all write the same word for the same
-//! thing, because the word stands in one place: beside the variant.
+//! Scene files, options, debug views and reports all use the name that is declared beside the variant.
 
-/// Declares an enum with a written name per variant, and everything that goes with names: `ALL`,
-/// `name`, `description`, `Display`, `FromStr` (which lists the names it knows), serde and JSON Schema.
+/// Declares an enum with a written name for each variant. It gets `ALL`, `name`, `description`, `Display`, `FromStr` (whose
+/// error lists the known names), serde and JSON Schema. `what` is the noun in that error.
 #[macro_export]
 macro_rules! named_enum {
     (
@@ -26,7 +25,7 @@ macro_rules! named_enum {
             /// Every variant, in the order of declaration.
             pub const ALL: &'static [$Enum] = &[$($Enum::$Variant),+];
 
-            /// The word that scene files, options and reports use.
+            /// The name that scene files, options and reports use.
             pub const fn name(self) -> &'static str {
                 match self { $($Enum::$Variant => $name),+ }
             }
@@ -64,20 +63,20 @@ macro_rules! named_enum {
     };
 }
 
-/// A word that names none of the things it should name.
+/// The error for a name that is not one of an enum's.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownName {
-    /// What was to be named, for example `shading`.
+    /// The noun for the enum, for example `shading`.
     pub what: &'static str,
-    /// The word that was given.
+    /// The unknown name.
     pub given: String,
-    /// The words that would have done.
+    /// The known names.
     pub known: Vec<&'static str>,
 }
 
 impl core::fmt::Display for UnknownName {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        write!(f, "`{}` is no {}; one of {} is wanted", self.given, self.what, self.known.join(", "))
+        write!(f, "invalid {} `{}`: expected one of {}", self.what, self.given, self.known.join(", "))
     }
 }
 

@@ -40,7 +40,7 @@ fn names_round_trip() {
 #[test]
 fn an_unknown_name_is_answered_with_the_known_ones() {
     let error = "blin".parse::<BrdfKind>().unwrap_err();
-    assert_eq!(error.to_string(), "`blin` is no BRDF; one of lambert, lafortune, blinn, phong, ward is wanted");
+    assert_eq!(error.to_string(), "invalid BRDF `blin`: expected one of lambert, lafortune, blinn, phong, ward");
 }
 
 #[test]

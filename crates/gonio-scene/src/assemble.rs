@@ -42,7 +42,7 @@ pub(crate) fn assemble(
         }
         let object = mesh_of_object.iter().position(|mesh| *mesh == m).unwrap_or(0);
         let name = specs.get(object).map_or("", |object| object.model.as_str());
-        let message = "a normal map is used, but the mesh has no texture coordinates to lay it along; it is not used";
+        let message = "the normal map is ignored: the mesh has no texture coordinates";
         diagnostics.push(Diagnostic::warning(message).in_file(name));
     }
     for &(m, tangents) in &wanted {

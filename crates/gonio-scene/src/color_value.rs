@@ -30,7 +30,7 @@ impl FromStr for Color {
 
     /// `#rrggbb`, `#rgb`, `r,g,b` or one number for grey.
     fn from_str(text: &str) -> Result<Self, String> {
-        let wrong = || format!("`{text}` is no colour; #rrggbb (sRGB), r,g,b (linear) or one linear number is wanted");
+        let wrong = || format!("invalid colour `{text}`: expected #rrggbb (sRGB), r,g,b (linear) or one linear number");
         let text = text.trim();
         if let Some(hex) = text.strip_prefix('#') {
             if !hex.is_ascii() {
@@ -49,7 +49,7 @@ impl FromStr for Color {
         let numbers: Vec<f64> =
             text.split(',').map(|t| t.trim().parse::<f64>()).collect::<Result<_, _>>().map_err(|_| wrong())?;
         if numbers.iter().any(|v| !v.is_finite() || *v < 0.0) {
-            return Err(format!("`{text}` is no colour: its numbers must be finite and not negative"));
+            return Err(format!("invalid colour `{text}`: its numbers must be finite and not negative"));
         }
         match numbers[..] {
             [v] => Ok(Color::grey(v)),

@@ -26,7 +26,7 @@ impl FromStr for ViewSpec {
             None => (text, None),
             Some((name, index)) => {
                 let index = index.trim().parse::<usize>().map_err(|_| {
-                    format!("`{index}` is no light's number; write {name}:0 for the scene's first light")
+                    format!("invalid light number `{index}`: write {name}:0 for the scene's first light")
                 })?;
                 (name, Some(index))
             }

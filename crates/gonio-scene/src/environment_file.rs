@@ -108,7 +108,7 @@ pub fn open(
 
 /// What was asked for in vain is told: else a user looks for its effect.
 fn layout_unused(name: &str) -> Diagnostic {
-    Diagnostic::warning("a layout is about faces, and this has none; what was said of it changes nothing").in_file(name)
+    Diagnostic::warning("the layout has no effect: this environment has no faces").in_file(name)
 }
 
 /// [`open`] without a word on a layout that is not used.
@@ -121,7 +121,7 @@ fn open_quietly<S: FileSource>(
     let opened = if let Some(kind) = builtin_of(name) {
         let mut opened = open_builtin(name, kind, reading, files, &limits_of(files)).map_err(|e| told(e, name))?;
         if !name.starts_with(files::BUILTIN) && !files::list(files, &files::resolve(base, name)).is_empty() {
-            let message = format!("the built-in environment is meant; ./{name} names the folder");
+            let message = format!("this names the built-in environment; write ./{name} for the folder");
             opened.diagnostics.push(Diagnostic::note(message).in_file(name));
         }
         opened
@@ -133,7 +133,7 @@ fn open_quietly<S: FileSource>(
     match reading.arrangement {
         Some(wanted) if wanted != opened.arrangement => {
             let (is, wanted) = (opened.arrangement, wanted.name());
-            let message = format!("this is {is} already and cannot be taken for {wanted}; leave the arrangement out");
+            let message = format!("this is already {is} and cannot be read as {wanted}; leave the arrangement out");
             Err(ReadError::new(message).in_file(name))
         }
         _ => Ok(opened),
@@ -157,8 +157,7 @@ fn open_files<S: FileSource>(name: &str, reader: &Reader<'_, S>, path: &Path) ->
 fn no_builtin(name: &str) -> String {
     let meant = nearest_builtin(name).map_or(String::new(), |known| format!("; did you mean `{known}`?"));
     let names = Builtin::ALL.iter().map(|b| b.name()).collect::<Vec<_>>().join(", ");
-    let join = if meant.is_empty() { ";" } else { "" };
-    format!("there is no built-in environment `{name}`{meant}{join} there are {names}")
+    format!("unknown built-in environment `{name}`: expected one of {names}{meant}")
 }
 
 fn nearest_builtin(name: &str) -> Option<&'static str> {
@@ -213,7 +212,7 @@ impl<S: FileSource> Reader<'_, S> {
         let names = sorted_names(files::list(self.files, folder));
         let names: Vec<String> = names.into_iter().filter(|n| matches(pattern, n)).collect();
         if names.is_empty() {
-            return Err(ReadError::new("no file has a name like this; check the pattern").in_file(name));
+            return Err(ReadError::new("no file matches this pattern").in_file(name));
         }
         let assignment = names::assign(&names).map_err(|e| told(e, name))?;
         self.open_faces(name, folder, &names, assignment)
@@ -307,7 +306,7 @@ impl<S: FileSource> Reader<'_, S> {
             match decoded.shape {
                 Shape::Picture(image) => faces[i] = image,
                 Shape::Faces(_) => {
-                    let message = "this file has six faces of its own, and was to be one of six; name it alone";
+                    let message = "this file holds six faces, but one face was expected; name this file alone";
                     return Err(ReadError::new(message).in_file(&shown(i)));
                 }
             }
@@ -348,7 +347,7 @@ impl<S: FileSource> Reader<'_, S> {
                 }
                 // A folder with something in it is not read as a file.
                 (std::io::ErrorKind::IsADirectory, _) => {
-                    "the folder is empty; six faces are wanted, called like posx.png negx.png posy.png negy.png \
+                    "the folder is empty; it must hold six faces, for example posx.png negx.png posy.png negy.png \
                      posz.png negz.png"
                         .into()
                 }

@@ -49,7 +49,7 @@ pub(crate) fn decode(bytes: &[u8], name: &str) -> Result<Decoded, String> {
     }
     let mut reader = reader(bytes, name)?;
     if reader.format().is_none() {
-        return Err("this is no picture that gonio knows; PNG, JPEG, BMP, TGA and GIF can be read".into());
+        return Err("unknown picture format; PNG, JPEG, BMP, TGA and GIF can be read".into());
     }
     let mut limits = Limits::default();
     limits.max_image_width = Some(MAX_TEXTURE_SIDE);

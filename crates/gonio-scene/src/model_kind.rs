@@ -90,9 +90,9 @@ fn unknown(bytes: &[u8], extension: &str) -> String {
     const LOOKED_AT: usize = 4096;
     let is_binary = bytes[..bytes.len().min(LOOKED_AT)].contains(&0) && !encoding::is_wide(bytes);
     let what = match (is_binary, extension) {
-        (true, _) => "this is binary data of no known kind".to_owned(),
-        (false, "") => "this file is of no known kind".to_owned(),
-        (false, extension) => format!("this .{extension} file is of no known kind"),
+        (true, _) => "unknown binary format".to_owned(),
+        (false, "") => "unknown file format".to_owned(),
+        (false, extension) => format!("unknown format of this .{extension} file"),
     };
     format!("{what}; {READABLE}")
 }

@@ -27,10 +27,10 @@ pub(crate) fn take_camera(
     let Some((camera, matrix)) = cameras.iter().find(|(camera, _)| camera.name == wanted).or(by_number) else {
         let names: Vec<&str> = cameras.iter().map(|(camera, _)| camera.name.as_str()).collect();
         let there_are = match names.as_slice() {
-            [] => "no model's file has one".to_owned(),
-            names => format!("there are {}", names.join(", ")),
+            [] => "the models have none".to_owned(),
+            names => format!("the models have {}", names.join(", ")),
         };
-        return Err(ReadError::new(format!("camera.from_model: there is no camera `{wanted}`; {there_are}")));
+        return Err(ReadError::new(format!("camera.from_model: unknown camera `{wanted}`: {there_are}")));
     };
     let spec = &mut scene.camera;
     let from = spec_of(camera, *matrix);
@@ -94,11 +94,15 @@ pub(crate) fn take_lights(
     for light in &mut lights {
         light.intensity = light.intensity.map(|i| i * factor);
     }
-    let count = if lights.len() == 1 { "its own light".to_owned() } else { format!("its {} own lights", lights.len()) };
+    let count = if lights.len() == 1 {
+        "the model's own light".to_owned()
+    } else {
+        format!("the model's own {} lights", lights.len())
+    };
     let scaled = if factor == 1.0 {
         String::new()
     } else {
-        format!(", their intensities times {factor:.3e}, so that the middle of the scene gets 1 in all")
+        format!(", scaled by {factor:.3e} so that the centre of the scene receives 1 in total")
     };
     let file = from.first().copied().unwrap_or_default();
     diagnostics.push(Diagnostic::note(format!("lit by {count}{scaled}")).in_file(file));

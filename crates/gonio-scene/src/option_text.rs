@@ -135,8 +135,8 @@ fn preset(span: &Range<usize>, word: &str) -> Result<Entry, Fault> {
         Err(_) => {
             let known = || std::iter::once("mirror").chain(Medium::ALL.iter().map(|m| m.name()));
             let names = known().collect::<Vec<_>>().join(", ");
-            let meant = nearest(word, known()).map_or(String::new(), |known| format!("did you mean `{known}`? "));
-            Err(Fault::at(span, format!("`{word}` has no value; {meant}key=value is wanted, or one of {names}")))
+            let meant = nearest(word, known()).map_or(String::new(), |known| format!("; did you mean `{known}`?"));
+            Err(Fault::at(span, format!("`{word}` has no value: expected key=value or one of {names}{meant}")))
         }
     }
 }
@@ -183,7 +183,7 @@ fn pairs(words: &[(Range<usize>, &str)]) -> Result<Vec<Entry>, Fault> {
                 value_span.end = span.end;
             }
             (None, None) => {
-                return Err(Fault::at(span, format!("`{word}` has no value; key=value is wanted")));
+                return Err(Fault::at(span, format!("`{word}` has no value: expected key=value")));
             }
         }
     }
@@ -192,7 +192,7 @@ fn pairs(words: &[(Range<usize>, &str)]) -> Result<Vec<Entry>, Fault> {
         .map(|(key, key_span, text, span)| {
             let text = text.trim_matches(['"', '\'']);
             if text.is_empty() {
-                return Err(Fault::at(&key_span, format!("`{key}` has no value; key=value is wanted")));
+                return Err(Fault::at(&key_span, format!("`{key}` has no value: expected key=value")));
             }
             let value = value_of(&key, text, &span);
             Ok(Entry { key, key_span, item: Item { value, span } })

@@ -23,7 +23,7 @@ impl<'a> TableReader<'a> {
         let heading = heading.into();
         match &item.value {
             Value::Table(entries) => Ok(TableReader { heading, entries, span: item.span.clone(), asked: Vec::new() }),
-            other => Err(Fault::at(&item.span, format!("{heading} is a table, got {}", other.describe()))),
+            other => Err(Fault::at(&item.span, format!("{heading}: expected a table, found {}", other.describe()))),
         }
     }
 
@@ -34,7 +34,7 @@ impl<'a> TableReader<'a> {
     }
 
     fn wants(key: &str, what: &str, item: &Item) -> Fault {
-        Fault::at(&item.span, format!("`{key}` wants {what}, got {}", item.value.describe()))
+        Fault::at(&item.span, format!("`{key}`: expected {what}, found {}", item.value.describe()))
     }
 
     /// A number, whole or not.
@@ -51,7 +51,9 @@ impl<'a> TableReader<'a> {
         let Some(item) = self.get(key) else { return Ok(None) };
         match item.value {
             Value::Number(n) if n.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&n) => Ok(Some(n as u32)),
-            Value::Number(n) => Err(Fault::at(&item.span, format!("`{key}` wants a whole number from 0 up, got {n}"))),
+            Value::Number(n) => {
+                Err(Fault::at(&item.span, format!("`{key}`: expected a whole number of at least 0, found {n}")))
+            }
             _ => Err(Self::wants(key, "a whole number", item)),
         }
     }
@@ -154,15 +156,13 @@ pub(crate) fn unknown_key(key: &str, heading: &str, known: &[&'static str]) -> S
 /// The sentence about a word that an enum does not have.
 pub(crate) fn unknown_word(key: &str, unknown: &UnknownName) -> String {
     let meant = nearest(&unknown.given, unknown.known.iter().copied())
-        .map_or(String::new(), |word| format!("did you mean `{word}`? "));
-    let known = unknown.known.join(", ");
-    format!("`{key}`: `{}` is no {}; {meant}One of {known} is wanted", unknown.given, unknown.what)
-        .replace("; One of", "; one of")
+        .map_or(String::new(), |word| format!("; did you mean `{word}`?"));
+    format!("`{key}`: {unknown}{meant}")
 }
 
 fn vector_of(key: &str, item: &Item) -> Result<[f64; 3], Fault> {
     let wants =
-        |at: &Item, got: String| Fault::at(&at.span, format!("`{key}` wants three numbers [x, y, z], got {got}"));
+        |at: &Item, got: String| Fault::at(&at.span, format!("`{key}`: expected three numbers [x, y, z], found {got}"));
     let Value::List(items) = &item.value else { return Err(wants(item, item.value.describe())) };
     let mut vector = [0.0; 3];
     for (i, item) in items.iter().enumerate() {

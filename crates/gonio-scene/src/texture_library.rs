@@ -200,9 +200,9 @@ impl<'a> TextureLibrary<'a> {
             if path.is_none() {
                 let why = match &refused {
                     Some(refused) => format!("was not read: {refused}"),
-                    None => format!("is not to be found; looked at {} (letters in any case)", tried.join(", ")),
+                    None => format!("was not found; looked for {} (upper or lower case)", tried.join(", ")),
                 };
-                let message = format!("the texture `{}` {why}. The material goes without it", map.path);
+                let message = format!("the texture `{}` {why}. The material is used without it", map.path);
                 let mut diagnostic = about(map, key, asker);
                 diagnostic.message.push_str(&message);
                 self.diagnostics.push(diagnostic);
@@ -286,7 +286,7 @@ impl<'a> TextureLibrary<'a> {
                     textures.push(Arc::new(texture));
                 }
                 Err(why) => {
-                    let message = format!("{why}; the material goes without it");
+                    let message = format!("{why}; the material is used without it");
                     self.diagnostics.push(about(Diagnostic::warning(""), message));
                     texture_of_job.push(None);
                 }

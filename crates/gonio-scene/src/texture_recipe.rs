@@ -100,11 +100,11 @@ pub(crate) fn cook(purpose: Purpose, sources: &[&Decoded]) -> (Decoded, Option<S
         Purpose::Normal(bits) => strengthen(&mut picture, bits),
         Purpose::Bump(bits) if height_map::is_heights(&picture) => {
             height_map::normals_of_heights(&mut picture, f32::from_bits(bits).into());
-            note = Some("is grey, so it holds heights; normals were made of them".to_owned());
+            note = Some("is grey, so it is read as a height map".to_owned());
         }
         Purpose::Bump(bits) => {
             strengthen(&mut picture, bits);
-            note = Some("is coloured, so it is taken as a tangent-space normal map".to_owned());
+            note = Some("is coloured, so it is read as a tangent-space normal map".to_owned());
         }
         Purpose::MetalDiffuse(metal) => picture = of_metal(metal, sources, false),
         Purpose::MetalSpecular(metal) => picture = of_metal(metal, sources, true),

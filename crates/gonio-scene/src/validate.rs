@@ -122,7 +122,7 @@ fn check_camera(c: &CameraSpec) -> Check {
 
 fn check_equation(e: &EquationSpec) -> Check {
     if e.lafortune.iter().any(|v| !v.is_finite() || v.abs() > 1e6) {
-        return fail("equation", "lafortune", "`lafortune` wants three finite numbers");
+        return fail("equation", "lafortune", "`lafortune` must be three finite numbers");
     }
     Ok(())
 }

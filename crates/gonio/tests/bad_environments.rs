@@ -81,13 +81,13 @@ fn faces_that_are_no_set_of_six() {
     lab.faces("oblong", |f| Some(if f == Face::NegY { png(4, 3) } else { png(4, 4) }));
     lab.refuses("oblong", &["negy.png: ", "4 x 3", "square"]);
     std::fs::create_dir(lab.path("empty")).unwrap();
-    lab.refuses("empty", &["empty: the folder is empty; six faces are wanted, called like posx.png"]);
+    lab.refuses("empty", &["empty: the folder is empty; it must hold six faces, for example posx.png"]);
     std::fs::create_dir(lab.path("texts")).unwrap();
     lab.write("texts/readme.txt", "sky");
     lab.refuses("texts", &["texts: there is no picture here; six are wanted, called like posx.png"]);
     lab.write("square.png", png(4, 4));
     lab.refuses("square.png", &["called like faces", "posx"]);
-    lab.refuses("no*.png", &["no file has a name like this; check the pattern"]);
+    lab.refuses("no*.png", &["no file matches this pattern"]);
 }
 
 #[test]
@@ -300,9 +300,9 @@ fn options_that_are_wrong() {
     ] {
         convert(&[option, value]).refused(&[option, piece]);
     }
-    convert(&["--from", "cross"]).refused(&["this is faces already and cannot be taken for cross"]);
+    convert(&["--from", "cross"]).refused(&["this is already faces and cannot be read as cross"]);
     // A layout of what has no faces is told and changes nothing.
     let run = convert(&["--from-layout", "opengl", "--size", "1", "--format", "hdr"]).good();
-    assert!(run.stderr.contains("warning: sky: a layout is about faces"), "{}", run.stderr);
+    assert!(run.stderr.contains("warning: sky: the layout has no effect"), "{}", run.stderr);
     assert_eq!(lab.names(), ["out"]);
 }

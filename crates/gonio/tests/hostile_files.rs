@@ -124,7 +124,7 @@ fn files_that_never_end_are_refused() {
         lab.write("t.obj", TRIANGLE);
         lab.write("t.mtl", format!("newmtl m\nmap_Kd {endless}\n"));
         let done = lab.render(&["t.obj", "-o", "out.png"]).good();
-        assert!(done.stderr.contains(why) && done.stderr.contains("goes without it"), "{}", done.stderr);
+        assert!(done.stderr.contains(why) && done.stderr.contains("is used without it"), "{}", done.stderr);
     }
 }
 

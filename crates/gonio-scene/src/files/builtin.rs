@@ -152,20 +152,20 @@ pub(super) fn no_builtin(name: &str) -> Error {
         let counts = [near.saturating_sub(1).max(1), near, (near + 1).min(sphere::MOST_FREQUENCY)];
         let [below, at, above] = counts.map(sphere::triangle_count);
         let message = format!(
-            "no sphere of {triangles} triangles can be made, for each of an octahedron's 8 faces is cut into 1, 4, 9, ...; \
-             take one of {below}, {at} or {above}"
+            "a sphere cannot have {triangles} triangles: each of an octahedron's 8 faces is divided into 1, 4, 9, ...; \
+             use {below}, {at} or {above}"
         );
         return Error::new(ErrorKind::NotFound, message);
     }
     if is_builtin(&builtin_path(name)) {
         // A page fetches them.
-        return Error::new(ErrorKind::NotFound, "this sample did not come over the network; load the page again");
+        return Error::new(ErrorKind::NotFound, "this sample was not downloaded; load the page again");
     }
     let names = builtin_names();
     let meant = nearest(name, names.iter().map(String::as_str))
-        .map_or(String::new(), |word| format!("did you mean `{BUILTIN}{word}`? "));
-    let message =
-        format!("nothing of this name is built in; {meant}there are {}, and sphere-N of N triangles", names.join(", "));
+        .map_or(String::new(), |word| format!("; did you mean `{BUILTIN}{word}`?"));
+    let names = names.join(", ");
+    let message = format!("unknown built-in file: expected one of {names}, or sphere-N with N triangles{meant}");
     Error::new(ErrorKind::NotFound, message)
 }
 
@@ -184,8 +184,8 @@ mod tests {
 
     #[test]
     fn a_sample_that_did_not_come_is_not_taken_for_a_wrong_name() {
-        assert!(no_builtin("suzanne").to_string().contains("did not come over the network"));
-        assert!(no_builtin("models/suzanne.mtl").to_string().contains("did not come over the network"));
+        assert!(no_builtin("suzanne").to_string().contains("was not downloaded"));
+        assert!(no_builtin("models/suzanne.mtl").to_string().contains("was not downloaded"));
         assert!(no_builtin("suzane").to_string().contains("did you mean `builtin:suzanne`?"));
     }
 }

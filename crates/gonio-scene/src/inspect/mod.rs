@@ -177,7 +177,7 @@ pub fn explain_line(
     match crate::model_kind::format_of(content, &path.to_string_lossy()).map_err(|e| in_file(ReadError::new(e)))? {
         Format::Obj => explain::line(content, line).map_err(in_file),
         other => {
-            let message = format!("lines are explained of OBJ and MTL files, and this is {}", other.name());
+            let message = format!("only lines of OBJ and MTL files can be explained, and this is {}", other.name());
             Err(in_file(ReadError::new(message)))
         }
     }

@@ -302,12 +302,12 @@ fn errors_say_where_in_the_text() {
     );
     says(
         "pont position=1,2,3",
-        "`pont position=1,2,3`: `kind`: `pont` is no kind of light; did you mean `point`? One of ambient, \
-         directional, point, spot is wanted",
+        "`pont position=1,2,3`: `kind`: invalid kind of light `pont`: expected one of ambient, directional, \
+         point, spot; did you mean `point`?",
     );
     says(
         "point position=1,2",
-        "`point position=1,2`, at 16: `position` wants three numbers [x, y, z], got a list of 2",
+        "`point position=1,2`, at 16: `position`: expected three numbers [x, y, z], found a list of 2",
     );
     says(
         "position=1,2,3",
@@ -317,7 +317,7 @@ fn errors_say_where_in_the_text() {
         "point position=1,2,3 position=1,2,3",
         "`point position=1,2,3 position=1,2,3`, at 22: `position` is given twice",
     );
-    says("point position=", "`point position=`, at 7: `position` has no value; key=value is wanted");
+    says("point position=", "`point position=`, at 7: `position` has no value: expected key=value");
     says("point", "`point`: this point light needs `position`");
     says(
         "ambient position=1,2,3",
@@ -379,12 +379,12 @@ fn names_of_materials_stand_first() {
     };
     says(
         "glas",
-        "`glas`: `glas` has no value; did you mean `glass`? key=value is wanted, or one of mirror, air, water, ice, \
-         glass, diamond",
+        "`glas`: `glas` has no value: expected key=value or one of mirror, air, water, ice, glass, diamond; did you \
+         mean `glass`?",
     );
     says(
         "velvet",
-        "`velvet`: `velvet` has no value; key=value is wanted, or one of mirror, air, water, ice, glass, diamond",
+        "`velvet`: `velvet` has no value: expected key=value or one of mirror, air, water, ice, glass, diamond",
     );
     says("glass water", "`glass water`, at 7: `medium` is given twice");
     says("glass medium=water", "`glass medium=water`, at 7: `medium` is given twice");
@@ -397,7 +397,7 @@ fn names_of_materials_stand_first() {
     );
     says(
         "medium=glas",
-        "`medium=glas`, at 8: `medium`: `glas` is no medium; did you mean `glass`? One of air, water, ice, glass, \
-         diamond is wanted",
+        "`medium=glas`, at 8: `medium`: invalid medium `glas`: expected one of air, water, ice, glass, diamond; \
+         did you mean `glass`?",
     );
 }

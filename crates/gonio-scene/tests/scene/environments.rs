@@ -154,7 +154,7 @@ fn a_ktx2_file_is_in_opengls_layout() {
     assert!(*cubemap(&opened(&files, "a.ktx2", in_layout(Layout::Photographic))) == map(Layout::Photographic));
     // It is no face of six.
     let text = refused(&six("*.png").with("posx.png", bytes), "negx.png");
-    assert_eq!(text, "posx.png: this file has six faces of its own, and was to be one of six; name it alone");
+    assert_eq!(text, "posx.png: this file holds six faces, but one face was expected; name this file alone");
 }
 
 #[test]
@@ -178,7 +178,7 @@ fn built_in_environments_need_no_file() {
     let found = opened(&six("./sky/*.png"), "./sky", Reading::default());
     assert!(*cubemap(&found) == map(Layout::Photographic));
     let found = opened(&six("sky/*.png"), "sky", small);
-    let note = "the built-in environment is meant; ./sky names the folder";
+    let note = "this names the built-in environment; write ./sky for the folder";
     assert_eq!((found.diagnostics[0].severity, found.diagnostics[0].message.as_str()), (Severity::Note, note));
 }
 
@@ -188,10 +188,10 @@ fn what_is_wrong_is_told_with_its_file() {
     let none = Memory::default();
     assert_eq!(refused(&none, "skyy"), "skyy: there is no such file or folder; did you mean `sky`, which is built in?");
     ends(refused(&none, "sky/day.png"), "check the path, or use debug, sky or room to try things out");
-    let wanted = "there is no built-in environment `rom`; did you mean `room`? there are debug, sky, room";
+    let wanted = "unknown built-in environment `rom`: expected one of debug, sky, room; did you mean `room`?";
     ends(refused(&none, "builtin:rom"), wanted);
-    ends(refused(&none, "builtin:suzanne"), "no built-in environment `suzanne`; there are debug, sky, room");
-    ends(refused(&none, "sky_*.png"), "no file has a name like this; check the pattern");
+    ends(refused(&none, "builtin:suzanne"), "unknown built-in environment `suzanne`: expected one of debug, sky, room");
+    ends(refused(&none, "sky_*.png"), "no file matches this pattern");
     let five = Face::ALL[..5].iter().fold(Memory::default(), |m, f| m.with(&format!("a/{}.png", f.name()), face(*f)));
     assert_eq!(refused(&five, "a"), "a: 5 of six faces are here; missing: `negz` (`negz.png`)");
     assert_eq!(refused(&five, "a/posx.png"), "a/posx.png: 5 of six faces are here; missing: `negz` (`negz.png`)");
@@ -212,7 +212,7 @@ fn what_is_wrong_is_told_with_its_file() {
     let folder = tempfile::tempdir().unwrap();
     ends(
         refused(&Disk, &folder.path().to_string_lossy()),
-        "the folder is empty; six faces are wanted, called like posx.png negx.png posy.png negy.png posz.png negz.png",
+        "the folder is empty; it must hold six faces, for example posx.png negx.png posy.png negy.png posz.png negz.png",
     );
 }
 
@@ -238,7 +238,7 @@ fn what_is_asked_for_in_vain_is_told() {
     let files = six("a/*.png").with("p.png", png(8, 4, |_, _| [9; 3])).with("odd.png", png(9, 3, |_, _| [9; 3]));
     let found = opened(&files, "p.png", in_layout(Layout::OpenGl));
     assert_eq!(found.layout, None);
-    assert!(found.diagnostics.iter().any(|d| d.message.starts_with("a layout is about faces")));
+    assert!(found.diagnostics.iter().any(|d| d.message.starts_with("the layout has no effect")));
     assert!(opened(&files, "p.png", Reading::default()).diagnostics.is_empty());
     let odd = opened(&files, "odd.png", Reading::default());
     assert_eq!((odd.diagnostics.len(), odd.diagnostics[0].severity), (1, Severity::Warning));
@@ -246,7 +246,7 @@ fn what_is_asked_for_in_vain_is_told() {
     // Six files are no cross.
     let reading = Reading { arrangement: Some(Arrangement::Cross), ..Reading::default() };
     let error = open("a", reading, Path::new(""), &files, &Limits::default()).map(|o| o.source).unwrap_err();
-    let wanted = "a: this is faces already and cannot be taken for cross; leave the arrangement out";
+    let wanted = "a: this is already faces and cannot be read as cross; leave the arrangement out";
     assert_eq!(error.to_string(), wanted);
 }
 
@@ -370,10 +370,10 @@ fn keys_of_an_environment_are_checked() {
     says("image = \"sky\"\nblur = 2\n", "5:8: `blur` must be 0 to 1, not 2");
     says("image = \"sky\"\nsize = 0\n", "5:8: `size` must be 1 to 8192 texels, not 0");
     says("image = \"sky\"\nintensity = -1\n", "5:13: `intensity` must be 0 to 1000000, not -1");
-    says("image = \"sky\"\nrotate = [1, 2]\n", "5:10: `rotate` wants three numbers [x, y, z], got a list of 2");
+    says("image = \"sky\"\nrotate = [1, 2]\n", "5:10: `rotate`: expected three numbers [x, y, z], found a list of 2");
     says(
         "image = \"sky\"\nlayout = \"open-gl\"\n",
-        "5:10: `layout`: `open-gl` is no layout of faces; did you mean `opengl`? One of opengl, photographic is wanted",
+        "5:10: `layout`: invalid layout of faces `open-gl`: expected one of opengl, photographic; did you mean `opengl`?",
     );
     says(
         "imag = \"sky\"\n",

@@ -113,7 +113,7 @@ fn a_scene_without_lights_has_those_of_its_models() {
     let note = scene.diagnostics.iter().find(|d| d.message.starts_with("lit by")).unwrap();
     assert_eq!(
         note.to_string(),
-        "m.gltf: note: lit by its own light, their intensities times 4.500e-2, so that the middle of the scene gets 1 in all"
+        "m.gltf: note: lit by the model's own light, scaled by 4.500e-2 so that the centre of the scene receives 1 in total"
     );
     // A light of the scene's own is all that counts.
     let text = "[[object]]\nmodel = \"m.gltf\"\n[[light]]\nkind = \"ambient\"\n";
@@ -139,7 +139,7 @@ fn a_camera_of_the_file_is_taken_when_asked_for() {
     let own = with("from_model = \"Above\"\nfov_y = 10").unwrap().settings.camera;
     assert_eq!((own.fov_y, own.position), (10.0, [1.0, 0.0, 5.0]));
     let error = with("from_model = \"Below\"").unwrap_err().to_string();
-    assert_eq!(error, "camera.from_model: there is no camera `Below`; there are Above");
+    assert_eq!(error, "camera.from_model: unknown camera `Below`: the models have Above");
     let framed = with("").unwrap();
     assert!(framed.camera_was_framed, "by default the camera frames the objects");
 }

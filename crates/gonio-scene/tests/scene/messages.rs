@@ -47,19 +47,22 @@ fn unknown_keys_get_the_nearest_known_one() {
 
 #[test]
 fn wrong_types_name_the_key() {
-    says("[camera]\nfov_y = \"wide\"\n", "4:9: `fov_y` wants a number, got a string");
-    says("[camera]\nposition = [1, 2]\n", "4:12: `position` wants three numbers [x, y, z], got a list of 2");
-    says("[camera]\nposition = [1, 2, 3, 4]\n", "4:12: `position` wants three numbers [x, y, z], got a list of 4");
+    says("[camera]\nfov_y = \"wide\"\n", "4:9: `fov_y`: expected a number, found a string");
+    says("[camera]\nposition = [1, 2]\n", "4:12: `position`: expected three numbers [x, y, z], found a list of 2");
+    says(
+        "[camera]\nposition = [1, 2, 3, 4]\n",
+        "4:12: `position`: expected three numbers [x, y, z], found a list of 4",
+    );
     says(
         "[camera]\nposition = [1, \"2\", 3]\n",
-        "4:16: `position` wants three numbers [x, y, z], got a string among them",
+        "4:16: `position`: expected three numbers [x, y, z], found a string among them",
     );
-    says("[picture]\nwidth = 10.5\n", "4:9: `width` wants a whole number from 0 up, got 10.5");
-    says("[picture]\nwidth = -1\n", "4:9: `width` wants a whole number from 0 up, got -1");
-    says("[equation]\ngated = 1\n", "4:9: `gated` wants true or false, got a number");
-    says("[[object]]\nmodel = 3\n", "4:9: `model` wants a string, got a number");
+    says("[picture]\nwidth = 10.5\n", "4:9: `width`: expected a whole number of at least 0, found 10.5");
+    says("[picture]\nwidth = -1\n", "4:9: `width`: expected a whole number of at least 0, found -1");
+    says("[equation]\ngated = 1\n", "4:9: `gated`: expected true or false, found a number");
+    says("[[object]]\nmodel = 3\n", "4:9: `model`: expected a string, found a number");
     let whole = read("camera = 3\n[[object]]\nmodel = \"builtin:cube\"\n").unwrap_err();
-    assert_eq!(whole.to_string(), "1:10: [camera] is a table, got a number");
+    assert_eq!(whole.to_string(), "1:10: [camera]: expected a table, found a number");
     let whole = read("[object]\nmodel = \"builtin:cube\"\n").unwrap_err();
     assert_eq!(whole.to_string(), "1:1: `object` is a list of tables: write [[object]] with two brackets");
 }
@@ -68,20 +71,20 @@ fn wrong_types_name_the_key() {
 fn words_and_colours() {
     says(
         "shading = \"gouraut\"\n",
-        "3:11: `shading`: `gouraut` is no shading; did you mean `gouraud`? One of flat, flat-per-face, gouraud, phong \
-         is wanted",
+        "3:11: `shading`: invalid shading `gouraut`: expected one of flat, flat-per-face, gouraud, phong; did you mean \
+         `gouraud`?",
     );
     says(
         "[equation]\nconvention = \"xyzzy\"\n",
-        "4:14: `convention`: `xyzzy` is no convention; one of lab, physical is wanted",
+        "4:14: `convention`: invalid convention `xyzzy`: expected one of lab, physical",
     );
     says(
         "[background]\ntop = \"#12345\"\n",
-        "4:7: `top`: `#12345` is no colour; #rrggbb (sRGB), r,g,b (linear) or one linear number is wanted",
+        "4:7: `top`: invalid colour `#12345`: expected #rrggbb (sRGB), r,g,b (linear) or one linear number",
     );
     says(
         "[background]\ntop = 1\n",
-        "4:7: `top` wants a colour, [r, g, b] in linear light or \"#rrggbb\" in sRGB, got a number",
+        "4:7: `top`: expected a colour, [r, g, b] in linear light or \"#rrggbb\" in sRGB, found a number",
     );
     says("[background]\ntop = [1, -1, 0]\n", "4:7: `top` is a colour: its numbers must be finite and not negative");
 }

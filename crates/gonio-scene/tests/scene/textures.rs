@@ -24,8 +24,8 @@ fn a_missing_texture_is_a_warning_that_names_every_place() {
     assert_eq!(
         warnings(&scene),
         [
-            "models/t.mtl:3: warning: map_Kd of material `m`: the texture `textures\\wood.png` is not to be found; looked at \
-          models/textures/wood.png, models/wood.png (letters in any case). The material goes without it"
+            "models/t.mtl:3: warning: map_Kd of material `m`: the texture `textures\\wood.png` was not found; looked for \
+          models/textures/wood.png, models/wood.png (upper or lower case). The material is used without it"
         ]
     );
     assert_eq!(scene.materials[0].maps.diffuse, None);
