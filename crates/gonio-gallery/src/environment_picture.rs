@@ -8,7 +8,7 @@ use gonio_image::decode::{Shape, decode};
 use gonio_image::encode::{ktx2, png};
 use gonio_image::{EncodedPicture, Image, ImageError, Limits};
 use gonio_light::color::{ColorEncoding, OutputTransform, ToneMap};
-use gonio_scene::environment_file::{self, Reading, Source};
+use gonio_scene::environment_file::{self, EnvironmentMap, OpenOptions};
 use gonio_scene::files::BuiltinOnly;
 use std::path::Path;
 
@@ -101,19 +101,19 @@ impl EnvironmentPicture {
         Ok(ConvertedEnvironment { image, transform, cells })
     }
 
-    fn open(self, size: Option<u32>, layout: Option<Layout>) -> Result<Source, GalleryError> {
+    fn open(self, size: Option<u32>, layout: Option<Layout>) -> Result<EnvironmentMap, GalleryError> {
         // Only the debug cubemap shows the names of files.
         let layout = layout.filter(|_| self.from == Builtin::Debug);
-        let reading = Reading { layout, arrangement: None, size };
+        let reading = OpenOptions { layout, arrangement: None, size };
         let limits = gonio_mesh::Limits::default();
         let opened = environment_file::open(self.from.name(), reading, Path::new(""), &BuiltinOnly, &limits)?;
-        Ok(opened.source)
+        Ok(opened.map)
     }
 }
 
-fn cubemap(source: Source, size: u32) -> Cubemap {
+fn cubemap(source: EnvironmentMap, size: u32) -> Cubemap {
     match source {
-        Source::Cubemap(map) if map.size() == size => map,
+        EnvironmentMap::Cubemap(map) if map.size() == size => map,
         other => Conversion::default().cubemap(other.as_from(), size),
     }
 }

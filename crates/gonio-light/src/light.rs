@@ -66,7 +66,7 @@ pub enum LightKind {
 /// One light of the sum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Light {
-    /// What kind, and where.
+    /// The kind, with position and direction.
     pub kind: LightKind,
     /// `L_i`: linear RGB, each >= 0. Lab convention: a colour. Physical: intensity in W/sr (point,
     /// spot), irradiance perpendicular to the rays in W/m^2 (directional).
@@ -75,7 +75,7 @@ pub struct Light {
     pub attenuation: Attenuation,
 }
 
-/// What one light sends to one point.
+/// The light from one source at one point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Incident {
     /// `L`: unit vector from the point to the light, in world space.
@@ -89,7 +89,7 @@ pub struct Incident {
 }
 
 impl Light {
-    /// What reaches `position` (world space), or `None` for an ambient light.
+    /// The light that reaches `position` (world space), or `None` for an ambient light.
     ///
     /// A light at the very point (or a directional light whose direction is degenerate) has no
     /// direction: `fallback` (a unit vector, the normal) stands in.

@@ -117,7 +117,7 @@ impl Optics {
 /// Dispersion brings no index below this: a vacuum in which light goes twice as fast is no material any more.
 pub const SMALLEST_INDEX: f64 = 0.1;
 
-/// What becomes of the ray of sight at a boundary.
+/// The reflected and the refracted ray at a boundary.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Boundary {
     /// `R`, unit.
@@ -156,7 +156,7 @@ pub fn reflectance(kind: Fresnel, cos_i: f64, eta: f64) -> f64 {
     }
 }
 
-/// What a point shows of its surroundings.
+/// The environment that a point shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sight {
     /// `R`, unit.
@@ -169,7 +169,7 @@ pub struct Sight {
     pub fresnel: DVec3,
 }
 
-/// What an environment adds to the terms of the light equation at a point.
+/// The terms that an environment adds to the light equation at a point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EnvironmentTerms {
     /// Diffuse light, times `k_d`.

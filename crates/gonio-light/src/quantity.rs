@@ -68,7 +68,7 @@ named_enum! {
     what "debug view";
 }
 
-/// How a quantity's numbers become a colour.
+/// The mapping of a quantity's numbers to a colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Encoding {
     /// A direction: [-1, 1] is mapped to [0, 1].
@@ -84,7 +84,7 @@ pub enum Encoding {
 }
 
 impl Quantity {
-    /// How it is shown.
+    /// Its encoding as a colour.
     pub const fn encoding(self) -> Encoding {
         use Quantity::*;
         match self {
@@ -130,7 +130,7 @@ impl Quantity {
     }
 }
 
-/// What a shading point knows besides the equation's terms.
+/// The geometry of a shading point besides the equation's terms.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Geometry {
     /// Unit, world space.

@@ -1,4 +1,4 @@
-//! What a ray finds where it meets a triangle: the place, the texture coordinates, the material there.
+//! The point where a ray meets a triangle: position, texture coordinates, material.
 
 use crate::geometry::{Triangle, WorldGeometry};
 use crate::intersect::{Crossing, RaySpace, plane_barycentrics};
@@ -43,7 +43,7 @@ pub(crate) struct Fragment<'a> {
     pub geometric_normal: DVec3,
     /// v up; (0, 0) where the mesh has none.
     pub uv: DVec2,
-    /// Change of `uv` to the next pixel on the right, and to the one below.
+    /// Change of `uv` to the next sample on the right, and to the one below.
     pub uv_steps: [DVec2; 2],
     pub filter: TextureFilter,
 }
@@ -51,18 +51,18 @@ pub(crate) struct Fragment<'a> {
 /// One texture's part in a fragment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Texel {
-    /// Which map of the material.
+    /// The map of the material.
     pub map: &'static str,
     /// Index into the scene's textures.
     pub texture: usize,
-    /// Where it was read.
+    /// The coordinates at which it was read.
     pub uv: DVec2,
     /// RGBA, colours linear.
     pub value: DVec4,
 }
 
 impl<'a> Fragment<'a> {
-    /// What the hit shows of the scene.
+    /// The fragment of a hit.
     pub fn new(
         scene: &'a Scene,
         geometry: &WorldGeometry,
@@ -108,8 +108,8 @@ impl<'a> Fragment<'a> {
         self.mesh_corners().map(|v| corner(&self.mesh.tex_coords, v).map_or(DVec2::ZERO, uv_of))
     }
 
-    /// Weights where the ray of the next pixel (`axis` 0: to the right, 1: below) meets the triangle's plane, and 1; or
-    /// those of the pixel before and -1, where the next one looks past the plane's horizon.
+    /// Weights where the ray of the next sample (`axis` 0: to the right, 1: below) meets the triangle's plane, and 1; or
+    /// those of the sample before and -1, where the next one looks past the plane's horizon.
     fn weights_beside(&self, axis: usize) -> Option<(DVec3, f64)> {
         let corners = self.space.corners(self.triangle.vertices);
         let step = self.space.steps()[axis];
@@ -118,8 +118,8 @@ impl<'a> Fragment<'a> {
         })
     }
 
-    /// The same triangle's plane as the next pixel sees it (`axis` 0: to the right, 1: below), or the pixel before where
-    /// the next one does not; for differences between them.
+    /// The same triangle's plane as the next sample sees it (`axis` 0: to the right, 1: below), or the sample before where
+    /// the next one does not see it; for differences between them.
     pub fn beside(&self, axis: usize, geometry: &WorldGeometry) -> Option<Fragment<'a>> {
         let (weights, _) = self.weights_beside(axis)?;
         let mut beside = self.clone();

@@ -32,7 +32,7 @@ pub(crate) struct Triangle {
     pub mirrored: bool,
 }
 
-/// How an object's vectors are carried to world space.
+/// The transformation of an object's vectors to world space.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Placement {
     /// For directions along the surface.
@@ -49,7 +49,7 @@ pub(crate) struct WorldGeometry {
     pub positions: Vec<DVec3>,
     /// Unit, or zero where the mesh's normal is degenerate; by the inverse transpose of `M`.
     pub normals: Vec<DVec3>,
-    /// What is drawn.
+    /// The triangles to draw.
     pub triangles: Vec<Triangle>,
     /// By object.
     pub placements: Vec<Placement>,

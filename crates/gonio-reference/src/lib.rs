@@ -1,25 +1,25 @@
-//! Pictures of a scene on the CPU, in f64, straight from `gonio-light`: the yardstick of the GPU, and
-//! the stand-in where there is no OpenGL.
+//! Pictures of a scene on the CPU, in f64, straight from `gonio-light`: the reference for the GPU, and the fallback where
+//! there is no OpenGL.
 //!
 //! A ray goes from the eye through each sample of each pixel to the nearest triangle; there the light equation is
 //! evaluated as the object's shading says. Nothing is random and no value depends on the number of threads: the same
 //! scene gives the same bytes.
 //!
-//! | room | what |
+//! | module | content |
 //! |---|---|
 //! | `geometry` | triangles in world space, the tree of boxes over them |
-//! | `kept` | the same, kept for other scenes of the same geometry |
+//! | `reference_geometry` | the same, shared by scenes of the same geometry |
 //! | `intersect` | a ray against a triangle, without leaks |
 //! | `visibility` | which triangles the rays of a block of pixels see |
 //! | `fragment` | place, texture coordinates and material where a ray meets a triangle |
 //! | `shade` | the equation there: flat, Gouraud, Phong |
-//! | `surroundings` | what is seen of the environment there, and behind the objects |
+//! | `environment` | the environment that is seen there, and behind the objects |
 //! | `ray`, `body` | rays from anywhere, and through the inside of an object |
 //! | `render` | samples, transparency, threads |
 //! | `panorama` | the whole sphere at once, and the six faces of a cube |
 //! | [`probe`] | every number of one pixel |
 //!
-//! What is as the GPU does it, and might surprise:
+//! As on the GPU, which may surprise:
 //! - a hit nearer than the near plane or beyond the far plane is none, as if clipped;
 //! - of equally near triangles the first drawn wins; an edge that a ray meets exactly belongs to one triangle, by the
 //!   top-left rule;
@@ -28,22 +28,22 @@
 //! - a debug view shows the nearest surface that is no hole, as if it were opaque.
 
 mod body;
+mod environment;
 mod fragment;
 mod geometry;
 mod intersect;
-mod kept;
 mod panorama;
 pub mod probe;
 mod ray;
+mod reference_geometry;
 mod render;
 mod report;
 mod samples;
 mod shade;
-mod surroundings;
 mod visibility;
 
-pub use kept::ReferenceGeometry;
 pub use probe::Probe;
+pub use reference_geometry::ReferenceGeometry;
 pub use render::{HOLE, MAX_LAYERS};
 pub use samples::sample_positions;
 
@@ -60,14 +60,14 @@ pub struct ReferenceScene {
     geometry: Arc<ReferenceGeometry>,
 }
 
-/// What was drawn, and what it took.
+/// A picture, with statistics.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rendered {
     /// Linear, premultiplied, nothing clamped.
     pub picture: Picture,
-    /// How many vertices were carried to world space: those of all objects.
+    /// The number of vertices of all objects.
     pub vertices: u64,
-    /// How many fragments were shaded: one per sample and surface that is seen.
+    /// The number of shaded fragments: one for each sample and visible surface.
     pub fragments: u64,
 }
 
@@ -95,7 +95,7 @@ impl ReferenceScene {
         &self.scene
     }
 
-    /// What the structure holds.
+    /// The geometry in world space.
     pub(crate) fn world(&self) -> &WorldGeometry {
         self.geometry.world()
     }

@@ -28,7 +28,7 @@ pub(crate) fn cube_face(reference: &ReferenceScene, frame: &Frame, face: Face, l
     draw(reference, frame, [size, size], 2.0 / f64::from(size), direction)
 }
 
-/// What a thread keeps from pixel to pixel.
+/// The data that a thread reuses for each pixel.
 #[derive(Default)]
 struct Workspace {
     corners: CornerCache,
@@ -37,14 +37,14 @@ struct Workspace {
 }
 
 /// The space of one ray of a panorama.
-struct Around<'a> {
+struct PanoramaRay<'a> {
     ray: &'a Ray,
     geometry: &'a WorldGeometry,
     /// Directions a sample's width farther to the right, and farther down.
     beside: [DVec3; 2],
 }
 
-impl RaySpace for Around<'_> {
+impl RaySpace for PanoramaRay<'_> {
     fn corners(&self, vertices: [u32; 3]) -> [DVec3; 3] {
         self.ray.corners(self.geometry, vertices)
     }
@@ -108,7 +108,7 @@ fn radiance(context: &FrameContext, ray: &Ray, beside: [DVec3; 2], workspace: &m
     layers.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let ids = layers.iter().map(|layer| layer.1).chain((opaque.1 != NOTHING).then_some(opaque.1));
 
-    let space = Around { ray, geometry, beside };
+    let space = PanoramaRay { ray, geometry, beside };
     let surfaces = context.surfaces_of(ids, DVec2::ZERO, &space);
     let behind = || context.behind(|| ray.direction, equirectangular::place(ray.direction).1);
     context.radiance(surfaces, behind, corners).0

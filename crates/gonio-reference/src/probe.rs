@@ -13,7 +13,7 @@ use gonio_scene::Frame;
 use gonio_scene::scene_file::Shading;
 use serde::Serialize;
 
-/// What is seen through the centre of one pixel.
+/// The values at the centre of one pixel.
 ///
 /// Numbers that are not finite (the distance of a directional light) are `null` in JSON.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -76,7 +76,7 @@ pub struct Probe {
     pub optics: Optics,
     /// What the surface sends to the eye: `lit` and the environment's light, as `optics` let them be seen.
     pub radiance: DVec3,
-    /// How many surfaces show through from behind.
+    /// The number of surfaces that are visible behind it.
     pub surfaces_behind: usize,
     /// The pixel: linear RGBA, premultiplied, with what is behind.
     pub total: DVec4,
@@ -85,7 +85,7 @@ pub struct Probe {
 /// One texture's part.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TexelReport {
-    /// Which map: `diffuse`, `specular`, `emitted`, `shininess`, `opacity` or `normal`.
+    /// The map: `diffuse`, `specular`, `emitted`, `shininess`, `opacity` or `normal`.
     pub map: &'static str,
     /// The texture's file.
     pub texture: String,
@@ -95,7 +95,7 @@ pub struct TexelReport {
     pub value: DVec4,
 }
 
-/// What is behind all objects at the centre of a pixel.
+/// The radiance behind all objects at the centre of a pixel.
 pub(crate) fn behind(reference: &ReferenceScene, frame: &Frame, x: u32, y: u32) -> DVec4 {
     let frame = &Frame { samples: 1, ..frame.clone() };
     let centre = [f64::from(x) + 0.5, f64::from(y) + 0.5];

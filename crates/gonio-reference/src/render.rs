@@ -1,11 +1,11 @@
 //! From rays to pictures: blocks of pixels on all threads, samples averaged in linear premultiplied values.
 
+use crate::environment::Environment;
 use crate::fragment::{Fragment, Hit};
 use crate::intersect::{EyeSpace, RaySpace, cross};
 use crate::sample_positions;
 use crate::samples::sample_width;
 use crate::shade::{CornerCache, Shader};
-use crate::surroundings::Environment;
 use crate::visibility::{Block, Layer, NOTHING, Visible};
 use crate::{ReferenceScene, Rendered};
 use glam::{DVec2, DVec3, DVec4};
@@ -24,7 +24,7 @@ pub const HOLE: f64 = gonio_scene::scene::HOLE_OPACITY;
 /// Edge length of the blocks of pixels whose rays are traced together.
 const BLOCK: u32 = 8;
 
-/// All that is the same for all pixels of a frame.
+/// The data that all pixels of a frame share.
 pub(crate) struct FrameContext<'a> {
     pub reference: &'a ReferenceScene,
     pub frame: &'a Frame,
@@ -40,7 +40,7 @@ pub(crate) struct Surfaced<'a> {
     pub opacity: f64,
 }
 
-/// What a thread keeps from block to block.
+/// The data that a thread reuses for each block.
 #[derive(Default)]
 struct Workspace {
     visible: Visible,

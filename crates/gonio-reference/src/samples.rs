@@ -1,4 +1,4 @@
-//! Where in a pixel the rays go.
+//! The positions of samples in a pixel.
 
 /// The positions of `count` samples in a pixel: in `[0, 1)`, x to the right, y down. The same in every pixel.
 ///

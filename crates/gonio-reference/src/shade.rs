@@ -1,8 +1,8 @@
 //! The equation at a fragment, evaluated where the object's shading says.
 
+use crate::environment::Environment;
 use crate::fragment::{Fragment, base_surface, corner, interpolate};
 use crate::geometry::WorldGeometry;
-use crate::surroundings::Environment;
 use glam::DVec3;
 use gonio_light::quantity::Geometry;
 use gonio_light::{Light, LightSums, Quantity, ShadingPoint, Surface, Terms, light, vector};
@@ -46,7 +46,7 @@ pub(crate) struct Shader<'a> {
 }
 
 impl Shader<'_> {
-    /// Where the object's equation is evaluated.
+    /// The shading of the fragment's object.
     pub fn shading(fragment: &Fragment) -> Shading {
         fragment.scene.objects[fragment.triangle.object as usize].shading
     }
@@ -160,7 +160,7 @@ impl Shader<'_> {
         Some((terms, interpolated_sums(fragment, light)))
     }
 
-    /// What the fragment sends to the eye: `L_o`, and the environment as the material's optics show it.
+    /// The radiance from the fragment to the eye: `L_o`, and the environment as the material's optics show it.
     pub fn radiance(&self, fragment: &Fragment, id: u32, surface: &Surface, cache: &mut CornerCache) -> DVec3 {
         let lit = self.lit(fragment, id, surface, cache);
         let optics = &fragment.material().optics;
@@ -195,7 +195,7 @@ impl Shader<'_> {
         }
     }
 
-    /// What the fragment knows besides the equation's terms. The tangent is the mesh's, made perpendicular to the
+    /// The fragment's geometry besides the equation's terms. The tangent is the mesh's, made perpendicular to the
     /// shading normal, unit; zero where the mesh has none.
     pub fn geometry_of(&self, fragment: &Fragment, point: &ShadingPoint) -> Geometry {
         Geometry {

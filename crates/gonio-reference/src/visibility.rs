@@ -1,4 +1,4 @@
-//! What the rays of one block of pixels see: the block's rays go through the tree of boxes together.
+//! The triangles that the rays of one block of pixels see. All rays of a block go through the tree of boxes together.
 //!
 //! All rays start at the eye, so those of a block of pixels fill a narrow pyramid. A box outside of the pyramid, or
 //! behind what already covers the whole block, is passed over for all rays at once; the triangles that are left are
@@ -43,7 +43,7 @@ pub(crate) struct Layer {
     pub depth: f64,
 }
 
-/// What each ray of a block sees. Kept between blocks for its memory.
+/// The triangles that each ray of a block sees. Reused between blocks for its memory.
 #[derive(Default)]
 pub(crate) struct Visible {
     /// The rays (`sx`, `sy`).

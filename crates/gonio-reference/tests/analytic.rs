@@ -14,7 +14,7 @@ use gonio_scene::scene_file::Shading;
 const ROUNDING: f64 = 1e-6;
 
 /// Where the ray through a pixel's centre meets the plane through `p` with normal `n`.
-fn on_plane(lab: &Lab, x: u32, y: u32, p: DVec3, n: DVec3) -> DVec3 {
+fn on_plane(lab: &TestScene, x: u32, y: u32, p: DVec3, n: DVec3) -> DVec3 {
     let c = &lab.frame.camera;
     let d = c.ray_direction(f64::from(x) + 0.5, f64::from(y) + 0.5, lab.frame.width, lab.frame.height);
     c.position + d * ((p - c.position).dot(n) / d.dot(n))
@@ -23,7 +23,7 @@ fn on_plane(lab: &Lab, x: u32, y: u32, p: DVec3, n: DVec3) -> DVec3 {
 #[test]
 fn the_unit_sphere_under_one_directional_light() {
     let l = DVec3::new(0.5, 0.7, 1.0).normalize();
-    let lab = Lab::new()
+    let lab = TestScene::new()
         .object(sphere(200, 200), Shading::Phong, matte([0.5; 3]))
         .light(directional([-l.x, -l.y, -l.z], 0.8));
     let picture = lab.draw().picture;
@@ -47,15 +47,16 @@ fn the_unit_sphere_under_one_directional_light() {
     }
     assert!(compared > 100, "{compared}");
     // At the centre, lit from the eye, N.L is 1.
-    let centre =
-        Lab::new().object(sphere(64, 64), Shading::Phong, matte([0.5; 3])).light(directional([0.0, 0.0, -1.0], 0.8));
+    let centre = TestScene::new()
+        .object(sphere(64, 64), Shading::Phong, matte([0.5; 3]))
+        .light(directional([0.0, 0.0, -1.0], 0.8));
     assert!(near(centre.middle()[0], 0.4, ROUNDING));
 }
 
 #[test]
 fn inverse_square_at_three_distances() {
     for distance in [1.0, 2.0, 4.0] {
-        let lab = Lab::new().object(square(2.0, 0.0), Shading::Phong, matte([0.5; 3])).light(point(
+        let lab = TestScene::new().object(square(2.0, 0.0), Shading::Phong, matte([0.5; 3])).light(point(
             [0.0, 0.0, distance],
             3.0,
             Attenuation::INVERSE_SQUARE,
@@ -78,7 +79,7 @@ fn the_edge_of_a_spot() {
         color: DVec3::ONE,
         attenuation: Attenuation::NONE,
     };
-    let lab = Lab::new().object(square(3.0, 0.0), Shading::Phong, matte([0.5; 3])).light(light);
+    let lab = TestScene::new().object(square(3.0, 0.0), Shading::Phong, matte([0.5; 3])).light(light);
     let picture = lab.draw().picture;
     let (mut full, mut half, mut none) = (0, 0, 0);
     for x in 0..33 {
@@ -107,7 +108,7 @@ fn gouraud_on_one_triangle_is_linear_in_space() {
     let f32s = |v: DVec3| v.to_array().map(|x| x as f32);
     let mesh = mesh(&corners.map(f32s), &normals.map(f32s), &[0, 1, 2]);
     let light = DVec3::new(1.0, 2.0, 4.0);
-    let lab = Lab::new()
+    let lab = TestScene::new()
         .object(mesh, Shading::Gouraud, matte([0.5; 3]))
         .light(point([1.0, 2.0, 4.0], 1.0, Attenuation::NONE))
         .frame(|f| f.background.transparent = true);
@@ -137,8 +138,9 @@ fn gouraud_on_one_triangle_is_linear_in_space() {
 #[test]
 fn flat_is_one_value_per_triangle_and_phong_is_not() {
     let l = DVec3::new(0.3, 0.5, 1.0).normalize();
-    let of =
-        |shading| Lab::new().object(sphere(6, 8), shading, matte([0.5; 3])).light(directional([-l.x, -l.y, -l.z], 1.0));
+    let of = |shading| {
+        TestScene::new().object(sphere(6, 8), shading, matte([0.5; 3])).light(directional([-l.x, -l.y, -l.z], 1.0))
+    };
     let flat = of(Shading::Flat);
     let (flat_picture, phong_picture) = (flat.draw().picture, of(Shading::Phong).draw().picture);
     let reference = ReferenceScene::new(&flat.scene);
@@ -163,7 +165,7 @@ fn flat_is_one_value_per_triangle_and_phong_is_not() {
 fn flat_per_face_is_evaluated_at_the_centroid() {
     let mesh = mesh(&[[-2.0, -2.0, 0.0], [2.0, -2.0, 0.0], [0.0, 2.0, 0.0]], &[[0.0, 0.0, 1.0]; 3], &[0, 1, 2]);
     let of = |shading| {
-        Lab::new().object(mesh.clone(), shading, matte([0.5; 3])).light(point(
+        TestScene::new().object(mesh.clone(), shading, matte([0.5; 3])).light(point(
             [0.0, 0.0, 1.0],
             1.0,
             Attenuation::INVERSE_SQUARE,
@@ -188,7 +190,7 @@ fn normals_are_carried_by_the_inverse_transpose() {
     for scale in [DVec3::new(1.4, 0.5, 0.9), DVec3::new(-1.4, 0.5, 0.9)] {
         let m = DMat4::from_scale_rotation_translation(scale, turn, DVec3::new(0.1, -0.2, 0.3));
         for shading in [Shading::Phong, Shading::Flat] {
-            let lab = Lab::new().placed(sphere(300, 300), shading, matte([0.5; 3]), Maps::default(), m);
+            let lab = TestScene::new().placed(sphere(300, 300), shading, matte([0.5; 3]), Maps::default(), m);
             let (normals, positions) = (lab.show(Quantity::Normal).picture, lab.show(Quantity::Position).picture);
             let mut compared = 0;
             for (n, p) in normals.pixels.iter().zip(&positions.pixels).filter(|(n, _)| n[3] == 1.0) {
@@ -208,7 +210,7 @@ fn normals_are_carried_by_the_inverse_transpose() {
 #[test]
 fn position_and_depth_are_those_of_the_ray() {
     let m = DMat4::from_rotation_x(-0.9);
-    let lab = Lab::new()
+    let lab = TestScene::new()
         .placed(square(5.0, 0.0), Shading::Phong, matte([0.5; 3]), Maps::default(), m)
         .eye([0.3, 0.5, 4.0], [0.0, 0.2, 0.0]);
     let n = m.transform_vector3(DVec3::Z);

@@ -21,8 +21,8 @@ const EYE: [f64; 3] = [0.3, -0.2, 0.4];
 
 /// Six balls in the directions of the axes and a small one beside each, every one of another colour, and light that
 /// comes from one side. The camera looks askew: it must not count.
-fn room() -> Lab {
-    let mut lab = Lab::new().light(directional([-1.0, -2.0, -0.5], 0.6)).frame(|f| {
+fn room() -> TestScene {
+    let mut lab = TestScene::new().light(directional([-1.0, -2.0, -0.5], 0.6)).frame(|f| {
         f.background.top = DVec3::new(0.2, 0.3, 0.6);
         f.background.bottom = DVec3::new(0.3, 0.2, 0.1);
         f.samples = 4;
@@ -52,7 +52,7 @@ fn psnr(pairs: impl Iterator<Item = (DVec3, DVec3)>) -> f64 {
 }
 
 /// Faces of 64 texels in a layout.
-fn faces(reference: &ReferenceScene, lab: &Lab, layout: Layout) -> [Image; 6] {
+fn faces(reference: &ReferenceScene, lab: &TestScene, layout: Layout) -> [Image; 6] {
     Face::ALL.map(|face| image(reference.cube_face(&lab.frame, face, layout, 64)))
 }
 
@@ -124,7 +124,7 @@ fn a_face_is_what_a_camera_sees() {
 
 #[test]
 fn an_environment_comes_back_as_it_was() {
-    let lab = Lab::new().environment(compass()).eye(EYE, [1.0, 2.0, -3.0]);
+    let lab = TestScene::new().environment(compass()).eye(EYE, [1.0, 2.0, -3.0]);
     let reference = ReferenceScene::new(&lab.scene);
     let drawn = reference.panorama(&lab.frame, 64, 32);
     let wanted = Panorama::from_function(64, 32, on_cube);
@@ -154,7 +154,7 @@ fn an_environment_comes_back_as_it_was() {
 fn large_pixels_show_smaller_copies() {
     let map = Cubemap::from_function(256, |d| (40.0 * d).map(|v| v.sin()) + 1.0);
     let mips = gonio_environment::CubeMips::new(map.clone());
-    let lab = Lab::new().environment(map).frame(|f| f.texture_filter = gonio_scene::TextureFilter::Mipmap);
+    let lab = TestScene::new().environment(map).frame(|f| f.texture_filter = gonio_scene::TextureFilter::Mipmap);
     let reference = ReferenceScene::new(&lab.scene);
     // What a pixel in the middle covers, in texels of the full copy.
     let panorama = reference.panorama(&lab.frame, 80, 40).at(13, 17);
@@ -168,7 +168,7 @@ fn large_pixels_show_smaller_copies() {
 
 #[test]
 fn nothing_in_front_of_the_eye_is_cut_off() {
-    let lab = Lab::new()
+    let lab = TestScene::new()
         .object(square(0.01, 4.95), Shading::Flat, Material { emitted: [1.0; 3], ..matte([0.0; 3]) })
         .object(square(1e4, -1e3), Shading::Flat, Material { emitted: [0.5; 3], ..matte([0.0; 3]) });
     // Nearer than 0.1, farther than 100: in a picture neither is seen.
@@ -185,7 +185,7 @@ fn layers_optics_and_closed_objects_are_as_in_pictures() {
     let ball = |x: f64| DMat4::from_translation(DVec3::new(x, 0.1, 0.0));
     let pane = |opacity| Material { opacity, ..Material::default() };
     let maps = || Maps { diffuse: bound(0), ..Maps::default() };
-    let lab = Lab::new()
+    let lab = TestScene::new()
         .texture(
             2,
             2,
@@ -224,7 +224,7 @@ const ROUNDING: f64 = 1e-6;
 
 const SHADINGS: [Shading; 4] = [Shading::Flat, Shading::FlatPerFace, Shading::Gouraud, Shading::Phong];
 
-fn lit(lab: Lab, intensity: f64) -> Lab {
+fn lit(lab: TestScene, intensity: f64) -> TestScene {
     lab.frame(|f| {
         let surroundings = f.surroundings.as_mut().unwrap();
         (surroundings.lights, surroundings.intensity) = (true, intensity);
@@ -240,7 +240,7 @@ fn even_light_is_multiplied_by_the_material() {
     for shading in SHADINGS {
         let even = |material| {
             // Something that shines is in every scene, here out of sight.
-            let lab = Lab::new().object(square(0.1, 9.0), shading, gloss(10.0));
+            let lab = TestScene::new().object(square(0.1, 9.0), shading, gloss(10.0));
             let lab = lab.object(square(9.0, 0.0), shading, material);
             lit(lab.environment(Cubemap::new(4, [1.0, 1.0, 0.5, 1.0])), 2.0)
         };
@@ -280,7 +280,7 @@ fn light_comes_from_where_the_environment_is_bright() {
     let turn = DMat3::from_rotation_y(0.4) * DMat3::from_rotation_x(-0.3);
     let map = Cubemap::from_function(64, |d| DVec3::ONE + d);
     for shading in SHADINGS {
-        let lab = Lab::new().object(sphere(12, 18), shading, gloss(40.0)).environment(map.clone());
+        let lab = TestScene::new().object(sphere(12, 18), shading, gloss(40.0)).environment(map.clone());
         let lab = lit(lab, 1.5).frame(|f| f.surroundings.as_mut().unwrap().environment_from_world = turn);
         let glossy = lab.scene.environment.as_ref().unwrap().glossy();
         let reference = ReferenceScene::new(&lab.scene);
@@ -312,7 +312,7 @@ fn light_comes_from_where_the_environment_is_bright() {
 fn a_blurred_background_is_that_of_a_rough_mirror() {
     let map = Cubemap::from_function(64, |d| (9.0 * d).map(|v| v.sin()) + 1.0);
     for filter in [gonio_scene::TextureFilter::Linear, gonio_scene::TextureFilter::Mipmap] {
-        let lab = Lab::new().environment(map.clone()).frame(|f| {
+        let lab = TestScene::new().environment(map.clone()).frame(|f| {
             let surroundings = f.surroundings.as_mut().unwrap();
             (surroundings.blur, surroundings.intensity) = (0.4, 0.5);
             f.texture_filter = filter;

@@ -10,14 +10,14 @@ use gonio_scene::scene_file::Shading;
 use gonio_scene::{ColorSpace, Frame, Maps, Picture, TextureFilter};
 
 /// A glowing chequered plane that goes to the horizon; its squares become smaller than pixels on the way.
-fn plane(filter: TextureFilter) -> Lab {
+fn plane(filter: TextureFilter) -> TestScene {
     let square_of = |i: usize| (i % 64 / 8 + i / 64 / 8) % 2;
     let rgba: Vec<u8> = (0..64 * 64).flat_map(|i| [[230, 60][square_of(i)]; 3].into_iter().chain([255])).collect();
     let mut maps = Maps { emitted: bound(0), ..Maps::default() };
     maps.emitted.as_mut().unwrap().scale = [24.0, 24.0];
     let flat = DMat4::from_translation(DVec3::new(0.0, -1.0, 0.0)) * DMat4::from_rotation_x(-90f64.to_radians());
     let glowing = Material { emitted: [1.0; 3], ..with_ambient(matte([0.0; 3]), 0.0) };
-    Lab::new()
+    TestScene::new()
         .texture(64, 64, &rgba, ColorSpace::Data)
         .placed(square(48.0, 0.0), Shading::Phong, glowing, maps, flat)
         .frame(|f| (f.width, f.height, f.texture_filter) = (96, 64, filter))
@@ -46,11 +46,12 @@ fn more_samples_do_not_blur_a_texture_twice() {
     for filter in [TextureFilter::Mipmap, TextureFilter::Anisotropic] {
         let lab = plane(filter);
         // Single samples of a finer picture: no average of samples is in it.
-        let finer = Lab { scene: lab.scene.clone(), frame: Frame { width: 768, height: 512, ..lab.frame.clone() } };
+        let finer =
+            TestScene { scene: lab.scene.clone(), frame: Frame { width: 768, height: 512, ..lab.frame.clone() } };
         let truth = reduced(&finer.draw().picture, 8);
         let error = |samples: u32| {
             let frame = Frame { samples, ..lab.frame.clone() };
-            rms_steps(&Lab { scene: lab.scene.clone(), frame }.draw().picture, &truth)
+            rms_steps(&TestScene { scene: lab.scene.clone(), frame }.draw().picture, &truth)
         };
         // Measured: 6.4 of 12.5 steps with mipmaps and 3.9 of 8.2 with anisotropic filtering; with a whole pixel's
         // footprint for each sample 11.9 and 5.7.

@@ -47,7 +47,7 @@ fn one_surface_bends_by_snells_law() {
         let index64 = f64::from(index);
         for lean in [0.0, 0.5, -1.1] {
             let m = DMat4::from_rotation_y(lean);
-            let lab = Lab::new()
+            let lab = TestScene::new()
                 .placed(square(50.0, 0.0), Shading::Phong, Material::default(), Maps::default(), m)
                 .optics(clear(Surfaces::One))
                 .index(index)
@@ -76,7 +76,7 @@ fn one_surface_bends_by_snells_law() {
 #[test]
 fn colours_are_bent_by_indices_of_their_own() {
     let optics = Optics { dispersion: 0.4, tint: DVec3::new(0.5, 1.0, 0.25), ..clear(Surfaces::One) };
-    let lab = Lab::new()
+    let lab = TestScene::new()
         .object(square(50.0, 0.0), Shading::Phong, Material::default())
         .optics(optics)
         .index(1.5)
@@ -100,16 +100,16 @@ fn colours_are_bent_by_indices_of_their_own() {
 }
 
 /// The same with an environment that is 1 - x on the cube, in all channels.
-fn lab_of_x(lab: &Lab) -> Lab {
+fn lab_of_x(lab: &TestScene) -> TestScene {
     let scene = lab.scene.clone();
     let map = Cubemap::from_function(COMPASS_SIZE, |d| DVec3::splat(1.0 - on_cube(d).x));
-    Lab { scene, frame: lab.frame.clone() }.environment(map)
+    TestScene { scene, frame: lab.frame.clone() }.environment(map)
 }
 
 #[test]
 fn a_ball_turns_the_view_as_on_paper() {
     let ball = |m: DMat4| {
-        Lab::new()
+        TestScene::new()
             .placed(sphere(160, 160), Shading::Phong, Material::default(), Maps::default(), m)
             .closed()
             .optics(clear(Surfaces::Two))
@@ -156,7 +156,7 @@ fn a_slab_shifts_the_view_and_weakens_it() {
     ]);
     let absorption = DVec3::new(0.1, 0.5, 2.0);
     let optics = Optics { absorption, tint: DVec3::new(1.0, 0.5, 1.0), ..clear(Surfaces::Two) };
-    let shifted = Lab::new()
+    let shifted = TestScene::new()
         .object(slab, Shading::Phong, Material::default())
         .optics(optics)
         .index(1.52)
@@ -195,7 +195,7 @@ fn prism() -> Mesh {
 #[test]
 fn a_right_angled_prism_sends_the_view_back() {
     for shading in [Shading::Flat, Shading::Phong] {
-        let lab = Lab::new()
+        let lab = TestScene::new()
             .object(prism(), shading, Material::default())
             .closed()
             .optics(clear(Surfaces::Two))
@@ -224,7 +224,7 @@ fn a_right_angled_prism_sends_the_view_back() {
 fn in_an_even_environment_glass_is_not_seen() {
     for fresnel in [Fresnel::None, Fresnel::Exact, Fresnel::Schlick] {
         for (surfaces, dispersion) in [(Surfaces::One, 0.0), (Surfaces::Two, 0.0), (Surfaces::Two, 0.1)] {
-            let lab = Lab::new()
+            let lab = TestScene::new()
                 .object(sphere(20, 30), Shading::Phong, Material::default())
                 .closed()
                 .optics(Optics { fresnel, dispersion, ..clear(surfaces) })
@@ -263,7 +263,7 @@ fn facets_are_met_as_brute_force_meets_them() {
     let optics = Optics { absorption, fresnel: Fresnel::Exact, ..clear(Surfaces::Two) };
     let smooth = |d: DVec3| DVec3::splat(2.0) + on_cube(d);
     let others = square(0.3, 0.0);
-    let lab = Lab::new()
+    let lab = TestScene::new()
         .object(ball.clone(), Shading::Flat, Material::default())
         .closed()
         .optics(optics)
@@ -313,7 +313,7 @@ fn facets_are_met_as_brute_force_meets_them() {
 #[test]
 fn open_bodies_let_the_view_go() {
     let of = |surfaces| {
-        Lab::new()
+        TestScene::new()
             .object(square(9.0, 0.0), Shading::Phong, Material::default())
             .optics(Optics { absorption: DVec3::ONE, ..clear(surfaces) })
             .environment(compass())

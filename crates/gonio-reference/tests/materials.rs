@@ -15,7 +15,7 @@ fn glowing(color: [f32; 3], opacity: f32) -> Material {
     Material { emitted: color, opacity, ..with_ambient(matte([0.0; 3]), 0.0) }
 }
 
-fn probe(lab: &Lab) -> Probe {
+fn probe(lab: &TestScene) -> Probe {
     ReferenceScene::new(&lab.scene).probe(&lab.frame, lab.frame.width / 2, lab.frame.height / 2).unwrap()
 }
 
@@ -44,8 +44,13 @@ fn maps_multiply_the_numbers_of_the_same_name() {
         refraction_index: 1.33,
         ..Material::default()
     };
-    let lab =
-        Lab::new().texture(1, 1, &GREY, ColorSpace::Data).placed(mesh, Shading::Phong, material, maps, DMat4::IDENTITY);
+    let lab = TestScene::new().texture(1, 1, &GREY, ColorSpace::Data).placed(
+        mesh,
+        Shading::Phong,
+        material,
+        maps,
+        DMat4::IDENTITY,
+    );
     let probe = probe(&lab);
     let texel = DVec3::new(0.2, 0.4, 0.8);
     let close = |a: DVec3, b: DVec3| a.distance(b) < 1e-6; // f32 of the material
@@ -65,8 +70,9 @@ fn maps_multiply_the_numbers_of_the_same_name() {
 
 #[test]
 fn ambient_follows_diffuse_or_is_a_value() {
-    let of =
-        |material: Material| Lab::new().object(square(2.0, 0.0), Shading::Phong, material).light(ambient(0.5)).middle();
+    let of = |material: Material| {
+        TestScene::new().object(square(2.0, 0.0), Shading::Phong, material).light(ambient(0.5)).middle()
+    };
     assert!(near(of(matte([0.2, 0.4, 0.8]))[2], 0.4, 1e-6));
     assert!(near(of(with_ambient(matte([0.2, 0.4, 0.8]), 0.6))[2], 0.3, 1e-6));
 }
@@ -79,7 +85,7 @@ fn texture_coordinates_are_scaled_then_shifted() {
         let mut maps = Maps { emitted: bound(0), ..Maps::default() };
         maps.emitted.as_mut().unwrap().scale = scale;
         maps.emitted.as_mut().unwrap().offset = offset;
-        Lab::new().texture(2, 2, &rgba, ColorSpace::Data).placed(
+        TestScene::new().texture(2, 2, &rgba, ColorSpace::Data).placed(
             square(2.0, 0.0),
             Shading::Phong,
             glowing([1.0; 3], 1.0),
@@ -87,7 +93,7 @@ fn texture_coordinates_are_scaled_then_shifted() {
             DMat4::IDENTITY,
         )
     };
-    let corners = |lab: Lab| {
+    let corners = |lab: TestScene| {
         let p = lab.draw().picture;
         [p.at(2, 2), p.at(30, 2), p.at(2, 30), p.at(30, 30)].map(|p| [p[0] as u8, p[1] as u8, p[2] as u8])
     };
@@ -104,7 +110,7 @@ fn footprints_reach_the_filter() {
     let rgba: Vec<u8> = (0..64 * 64).flat_map(|i| [if (i + i / 64) % 2 == 0 { 255u8 } else { 0 }, 0, 0, 255]).collect();
     let mut maps = Maps { emitted: bound(0), ..Maps::default() };
     maps.emitted.as_mut().unwrap().scale = [40.0, 40.0];
-    let lab = Lab::new().texture(64, 64, &rgba, ColorSpace::Data).placed(
+    let lab = TestScene::new().texture(64, 64, &rgba, ColorSpace::Data).placed(
         square(2.0, 0.0),
         Shading::Phong,
         glowing([1.0; 3], 1.0),
@@ -112,8 +118,10 @@ fn footprints_reach_the_filter() {
         DMat4::from_rotation_x(-1.2),
     );
     let reds = |filter: TextureFilter| -> Vec<f32> {
-        let lab =
-            Lab { scene: lab.scene.clone(), frame: gonio_scene::Frame { texture_filter: filter, ..lab.frame.clone() } };
+        let lab = TestScene {
+            scene: lab.scene.clone(),
+            frame: gonio_scene::Frame { texture_filter: filter, ..lab.frame.clone() },
+        };
         (4..29).map(|x| lab.draw().picture.at(x, 16)[0]).collect()
     };
     // Mipmaps are rounded to 8 bits: 127.5 / 255 is one step off at most.
@@ -133,7 +141,7 @@ fn the_footprint_is_that_of_a_pixel() {
         let mut maps = Maps { emitted: bound(0), ..Maps::default() };
         let scale = (texels_per_pixel / pixel_in_uv / f64::from(size)) as f32;
         maps.emitted.as_mut().unwrap().scale = [scale, scale];
-        let lab = Lab::new()
+        let lab = TestScene::new()
             .texture(size, size, &rgba, ColorSpace::Data)
             .placed(square(2.0, 0.0), Shading::Phong, glowing([1.0; 3], 1.0), maps, DMat4::IDENTITY)
             .frame(|f| f.texture_filter = TextureFilter::Mipmap);
@@ -153,7 +161,7 @@ fn normal_maps_tilt_the_normal_in_the_tangent_frame() {
         // Not quite perpendicular to the normal: Gram-Schmidt must see to it.
         mesh.tangents = vec![[0.8, 0.0, 0.6, handedness]; 4];
         let maps = Maps { normal: bound(0), ..Maps::default() };
-        Lab::new().texture(1, 1, &texel, ColorSpace::Data).placed(mesh, shading, matte([0.5; 3]), maps, m)
+        TestScene::new().texture(1, 1, &texel, ColorSpace::Data).placed(mesh, shading, matte([0.5; 3]), maps, m)
     };
     let close = |a: DVec3, b: DVec3| a.distance(b) < 1e-6; // f32 of the picture
     let plain = DMat4::IDENTITY;
@@ -180,7 +188,7 @@ fn normal_maps_tilt_the_normal_in_the_tangent_frame() {
 #[test]
 fn gloss_is_that_of_the_equation() {
     let lab = |shading| {
-        Lab::new()
+        TestScene::new()
             .object(square(2.0, 0.0), shading, Material { specular: [0.5; 3], shininess: 10.0, ..matte([0.0; 3]) })
             .light(directional([0.0, -0.6, -0.8], 1.0))
             .frame(|f| f.equation.specular = Specular::BlinnPhong)
@@ -200,7 +208,7 @@ fn transparent_surfaces_are_composited_from_front_to_back() {
     // Red in front of green in front of blue, drawn in several orders.
     let expected = [0.5, 0.5 * 0.25, 0.5 * 0.75, 1.0];
     let lab = |order: [usize; 3]| {
-        order.iter().fold(Lab::new(), |lab, &i| {
+        order.iter().fold(TestScene::new(), |lab, &i| {
             let (z, material) = [(1.0, red()), (0.5, green()), (0.0, blue())][i].clone();
             lab.object(square(1.5, z), Shading::Flat, material)
         })
@@ -211,21 +219,25 @@ fn transparent_surfaces_are_composited_from_front_to_back() {
     }
     assert_eq!(probe(&lab([2, 1, 0])).surfaces_behind, 2);
     // Every surface is seen, and so counted, wherever it is.
-    let alone = |z: f32| Lab::new().object(square(1.5, z), Shading::Flat, blue()).draw().fragments;
+    let alone = |z: f32| TestScene::new().object(square(1.5, z), Shading::Flat, blue()).draw().fragments;
     assert_eq!(lab([0, 1, 2]).draw().fragments, alone(0.0) + alone(0.5) + alone(1.0));
     // In front of nothing: premultiplied alpha.
-    let alone = Lab::new().object(square(1.0, 0.0), Shading::Flat, red()).frame(|f| f.background.transparent = true);
+    let alone =
+        TestScene::new().object(square(1.0, 0.0), Shading::Flat, red()).frame(|f| f.background.transparent = true);
     assert_eq!(alone.middle(), [0.5, 0.0, 0.0, 0.5]);
     // In front of a background.
-    let grey = Lab::new().object(square(1.0, 0.0), Shading::Flat, red()).frame(|f| {
+    let grey = TestScene::new().object(square(1.0, 0.0), Shading::Flat, red()).frame(|f| {
         f.background.top = DVec3::ONE;
         f.background.bottom = DVec3::ONE;
     });
     assert_eq!(grey.middle(), [1.0, 0.5, 0.5, 1.0]);
     // Behind something opaque: not at all, where that hides everything and where it is one pixel large.
     for half in [1.0, 0.06] {
-        let hidden =
-            Lab::new().object(square(half, 1.0), Shading::Flat, blue()).object(square(1.0, 0.0), Shading::Flat, red());
+        let hidden = TestScene::new().object(square(half, 1.0), Shading::Flat, blue()).object(
+            square(1.0, 0.0),
+            Shading::Flat,
+            red(),
+        );
         assert_eq!((hidden.middle(), probe(&hidden).surfaces_behind), ([0.0, 0.0, 1.0, 1.0], 0));
     }
 }
@@ -235,22 +247,23 @@ fn holes_are_seen_through_in_pictures_and_in_views() {
     // The left half of the texture is cut out.
     let rgba = [0, 0, 0, 255, 255, 255, 255, 255];
     let maps = Maps { opacity: bound(0), ..Maps::default() };
-    let lab = Lab::new()
+    let lab = TestScene::new()
         .texture(2, 1, &rgba, ColorSpace::Data)
         .placed(square(1.0, 1.0), Shading::Phong, glowing([1.0, 0.0, 0.0], 1.0), maps, DMat4::IDENTITY)
         .object(square(2.0, 0.0), Shading::Phong, glowing([0.0, 1.0, 0.0], 1.0));
     let (picture, depth) = (lab.draw().picture, lab.show(Quantity::Depth).picture);
     assert_eq!((picture.at(12, 16), picture.at(20, 16)), ([0.0, 1.0, 0.0, 1.0], [1.0, 0.0, 0.0, 1.0]));
     assert_eq!((depth.at(12, 16)[0], depth.at(20, 16)[0]), (5.0, 4.0));
-    let invisible = Lab::new().object(square(2.0, 0.0), Shading::Phong, glowing([1.0; 3], 0.003));
+    let invisible = TestScene::new().object(square(2.0, 0.0), Shading::Phong, glowing([1.0; 3], 0.003));
     assert_eq!(invisible.middle(), [0.0, 0.0, 0.0, 1.0]);
     assert!(ReferenceScene::new(&invisible.scene).probe(&invisible.frame, 16, 16).is_none());
 }
 
 #[test]
 fn layers_end_at_the_documented_number() {
-    let lab = (0..MAX_LAYERS + 10)
-        .fold(Lab::new(), |lab, i| lab.object(square(1.0, -0.01 * i as f32), Shading::Flat, glowing([1.0; 3], 0.01)));
+    let lab = (0..MAX_LAYERS + 10).fold(TestScene::new(), |lab, i| {
+        lab.object(square(1.0, -0.01 * i as f32), Shading::Flat, glowing([1.0; 3], 0.01))
+    });
     let lab = lab.frame(|f| f.background.transparent = true);
     let expected = 1.0 - 0.99f64.powi(MAX_LAYERS as i32);
     assert!(near(lab.middle()[3], expected, 1e-6), "{:?} {expected}", lab.middle());

@@ -19,7 +19,7 @@ const ROUNDING: f64 = 1e-6;
 const MIRROR: fn() -> Optics = || Optics { reflectivity: 1.0, ..Optics::default() };
 
 /// Each pixel's colour and direction, if `wanted` gives what it should be.
-fn compare(lab: &Lab, wanted: impl Fn(DVec3) -> Option<DVec3>) -> u32 {
+fn compare(lab: &TestScene, wanted: impl Fn(DVec3) -> Option<DVec3>) -> u32 {
     let picture = lab.draw().picture;
     let mut compared = 0;
     for (x, y) in (0..lab.frame.height).flat_map(|y| (0..lab.frame.width).map(move |x| (x, y))) {
@@ -35,7 +35,7 @@ fn compare(lab: &Lab, wanted: impl Fn(DVec3) -> Option<DVec3>) -> u32 {
 
 #[test]
 fn the_sky_lies_where_the_world_has_it() {
-    let lab = Lab::new().environment(compass());
+    let lab = TestScene::new().environment(compass());
     // Looking along -Z: that is ahead, +X is on the right, +Y is above.
     let picture = lab.draw().picture;
     let at = |x, y| rgb(picture.at(x, y));
@@ -45,7 +45,7 @@ fn the_sky_lies_where_the_world_has_it() {
     for target in [[1.0, 0.0, 0.0], [-1.0, 0.2, 0.1], [0.0, 1.0, 0.1], [0.0, -1.0, 0.0], [0.3, 0.1, 1.0]] {
         // Wherever the eye is: it only turns.
         let eye = [3.0, -2.0, 1.0];
-        let lab = Lab::new().environment(compass());
+        let lab = TestScene::new().environment(compass());
         let lab = lab.eye(eye, (DVec3::from(eye) + DVec3::from(target)).to_array());
         assert!(compare(&lab, |d| is_exact(d).then(|| on_cube(d))) > 500, "{target:?}");
     }
@@ -54,7 +54,7 @@ fn the_sky_lies_where_the_world_has_it() {
 #[test]
 fn it_is_turned_and_made_brighter() {
     let turn = DMat3::from_rotation_y(0.4) * DMat3::from_rotation_x(-0.3);
-    let lab = Lab::new().environment(compass()).frame(|f| {
+    let lab = TestScene::new().environment(compass()).frame(|f| {
         let surroundings = f.surroundings.as_mut().unwrap();
         surroundings.environment_from_world = turn;
         surroundings.intensity = 2.5;
@@ -69,10 +69,12 @@ fn it_is_turned_and_made_brighter() {
 fn what_is_seen_may_be_another_or_none() {
     let red = Cubemap::new(1, [1.0, 0.0, 0.0, 1.0]);
     let both = LoadedEnvironment::new("test", compass()).with_background(red);
-    let mut lab =
-        Lab::new().object(square(1.0, 0.0), Shading::Flat, Material::default()).optics(MIRROR()).environment(compass());
+    let mut lab = TestScene::new()
+        .object(square(1.0, 0.0), Shading::Flat, Material::default())
+        .optics(MIRROR())
+        .environment(compass());
     lab.scene.environment = Some(Arc::new(both));
-    let corner = |lab: &Lab| lab.draw().picture.at(0, 0);
+    let corner = |lab: &TestScene| lab.draw().picture.at(0, 0);
     assert_eq!(corner(&lab), [1.0, 0.0, 0.0, 1.0]);
     assert!(rgb(lab.draw().picture.at(16, 16)).abs_diff_eq(DVec3::Z, ROUNDING), "mirrors show the first");
     // The background's transparency is only that of the background.
@@ -95,7 +97,7 @@ fn mirrors_show_what_is_in_front_of_them() {
     for m in [DMat4::IDENTITY, DMat4::from_rotation_y(0.6), DMat4::from_rotation_x(-0.5) * DMat4::from_rotation_y(0.2)]
     {
         for shading in [Shading::Flat, Shading::FlatPerFace, Shading::Gouraud, Shading::Phong] {
-            let lab = Lab::new()
+            let lab = TestScene::new()
                 .placed(square(9.0, 0.0), shading, Material::default(), Maps::default(), m)
                 .optics(MIRROR())
                 .environment(compass());
@@ -112,7 +114,8 @@ fn mirrors_show_what_is_in_front_of_them() {
 #[test]
 fn curved_mirrors_take_the_normal_that_the_shading_has() {
     for shading in [Shading::Flat, Shading::FlatPerFace, Shading::Gouraud, Shading::Phong] {
-        let lab = Lab::new().object(sphere(6, 9), shading, Material::default()).optics(MIRROR()).environment(compass());
+        let lab =
+            TestScene::new().object(sphere(6, 9), shading, Material::default()).optics(MIRROR()).environment(compass());
         let (reference, picture) = (ReferenceScene::new(&lab.scene), lab.draw().picture);
         let mut compared = 0;
         for (x, y) in (8..25).flat_map(|y| (8..25).map(move |x| (x, y))) {
@@ -132,14 +135,14 @@ fn curved_mirrors_take_the_normal_that_the_shading_has() {
 #[test]
 fn the_sky_is_seen_through_transparent_surfaces() {
     let pane = Material { opacity: 0.4, emitted: [0.5, 0.25, 1.0], ..matte([0.0; 3]) };
-    let lab = Lab::new().object(square(9.0, 0.0), Shading::Flat, pane).environment(compass());
+    let lab = TestScene::new().object(square(9.0, 0.0), Shading::Flat, pane).environment(compass());
     // f32 of the material's numbers.
     let wanted = |d: DVec3| f64::from(0.4_f32) * DVec3::new(0.5, 0.25, 1.0) + (1.0 - f64::from(0.4_f32)) * on_cube(d);
     assert!(compare(&lab, |d| is_exact(d).then(|| wanted(d))) > 500);
 }
 
 /// A ball, half mirror, half glass, lit; all views of one pixel add up to the picture.
-fn mixed(shading: Shading) -> Lab {
+fn mixed(shading: Shading) -> TestScene {
     let optics = Optics {
         reflectivity: 0.3,
         transmission: 0.6,
@@ -150,7 +153,7 @@ fn mixed(shading: Shading) -> Lab {
         ..Optics::default()
     };
     let material = Material { emitted: [0.1, 0.05, 0.2], ..Material::default() };
-    Lab::new()
+    TestScene::new()
         .object(sphere(12, 18), shading, material)
         .optics(optics)
         .object(square(0.5, 1.5), shading, Material { opacity: 0.4, ..Material::default() })
@@ -230,7 +233,7 @@ fn the_probe_says_what_the_picture_shows() {
 #[test]
 fn without_an_environment_mirrors_and_glass_are_lit_surfaces() {
     for optics in [MIRROR(), Optics { transmission: 1.0, ..Optics::default() }] {
-        let plain = Lab::new()
+        let plain = TestScene::new()
             .object(sphere(12, 18), Shading::Phong, Material::default())
             .light(directional([-1.0, -0.5, -1.0], 0.7));
         let before = plain.draw();
@@ -262,20 +265,22 @@ fn smaller_copies_are_looked_up_as_far_as_directions_turn() {
     let mips = CubeMips::new(map.clone());
     let filters = |filter| move |f: &mut gonio_scene::Frame| f.texture_filter = filter;
     let level = |step: f64| (256.0 * step).log2();
-    let far = |lab: &Lab, x: u32, y: u32, of: &dyn Fn(DVec3) -> DVec3| {
+    let far = |lab: &TestScene, x: u32, y: u32, of: &dyn Fn(DVec3) -> DVec3| {
         let at = |x, y| of(ray_of(lab, x, y));
         level(at(x, y).distance(at(x + 1, y)).max(at(x, y).distance(at(x, y + 1))))
     };
     let across = |n: DVec3| move |d: DVec3| d - 2.0 * d.dot(n) * n;
     let into = |d: DVec3| vector::refraction(DVec3::Z, -d, 1.0 / 1.5).unwrap();
-    let pane =
-        |optics| Lab::new().object(square(9.0, 0.0), Shading::Phong, Material::default()).optics(optics).index(1.5);
+    let pane = |optics| {
+        TestScene::new().object(square(9.0, 0.0), Shading::Phong, Material::default()).optics(optics).index(1.5)
+    };
     let glass = Optics { transmission: 1.0, ..Optics::default() };
     let sky_level = level(2.0 * (20f64.to_radians()).tan() / 33.0);
     assert!(sky_level > 1.0, "{sky_level}");
     for filter in [TextureFilter::Nearest, TextureFilter::Linear, TextureFilter::Mipmap, TextureFilter::Anisotropic] {
         let has_levels = matches!(filter, TextureFilter::Mipmap | TextureFilter::Anisotropic);
-        let labs = [Lab::new(), pane(MIRROR()), pane(glass)].map(|l| l.environment(map.clone()).frame(filters(filter)));
+        let labs =
+            [TestScene::new(), pane(MIRROR()), pane(glass)].map(|l| l.environment(map.clone()).frame(filters(filter)));
         for (x, y) in [(16, 16), (3, 20), (30, 1)] {
             let d = ray_of(&labs[0], x, y);
             let (mirrored, bent) = (across(DVec3::Z)(d), into(d));

@@ -15,7 +15,7 @@ use gonio_scene::{ColorSpace, Maps, ViewSpec};
 const SHADINGS: [Shading; 4] = [Shading::Flat, Shading::FlatPerFace, Shading::Gouraud, Shading::Phong];
 
 /// Two balls and a glass pane in front, three lights, textures, a stretched and turned object.
-fn busy(shading: Shading) -> Lab {
+fn busy(shading: Shading) -> TestScene {
     let mut ball = sphere(8, 12);
     ball.tex_coords = ball.positions.iter().map(|p| [p[0] * 2.0, p[1]]).collect();
     ball.tangents = ball.positions.iter().map(|p| [p[2] + 0.01, 0.0, -p[0], 1.0]).collect();
@@ -25,7 +25,7 @@ fn busy(shading: Shading) -> Lab {
         * DMat4::from_rotation_y(0.5)
         * DMat4::from_scale(DVec3::new(1.2, 0.8, 1.0));
     let material = Material { emitted: [0.1, 0.05, 0.2], ..Material::default() };
-    Lab::new()
+    TestScene::new()
         .texture(2, 2, &rgba, ColorSpace::Srgb)
         .placed(ball, shading, material, maps, m)
         .object(sphere(5, 7), shading, Material::default())
@@ -74,7 +74,7 @@ fn the_probe_says_what_the_picture_shows() {
 #[test]
 fn many_triangles_in_a_block_do_not_mix() {
     for shading in [Shading::Gouraud, Shading::FlatPerFace] {
-        let lab = Lab::new()
+        let lab = TestScene::new()
             .object(sphere(60, 60), shading, Material::default())
             .light(directional([-1.0, -0.5, -1.0], 0.7))
             .light(point([1.0, 2.0, 2.0], 2.0, Attenuation::NONE));
@@ -232,8 +232,9 @@ fn the_terms_add_up_to_the_picture() {
 fn gouraud_views_are_interpolated_from_the_corners() {
     let normals = [[0.6f32, 0.0, 0.8], [-0.6, 0.0, 0.8], [0.0, 0.6, 0.8]];
     let mesh = mesh(&[[-2.0, -2.0, 0.0], [2.0, -2.0, 0.0], [0.0, 2.0, 0.0]], &normals, &[0, 1, 2]);
-    let lab =
-        |shading| Lab::new().object(mesh.clone(), shading, matte([0.5; 3])).light(directional([0.0, 0.0, -1.0], 1.0));
+    let lab = |shading| {
+        TestScene::new().object(mesh.clone(), shading, matte([0.5; 3])).light(directional([0.0, 0.0, -1.0], 1.0))
+    };
     let reference = lab(Shading::Gouraud);
     let probe = ReferenceScene::new(&reference.scene).probe(&reference.frame, 16, 18).unwrap();
     let pixel = |shading, quantity| {
@@ -261,7 +262,7 @@ fn gouraud_views_are_interpolated_from_the_corners() {
 #[test]
 fn per_face_views_are_the_centroids() {
     let mesh = mesh(&[[-2.0, -2.0, 0.0], [2.0, -2.0, 0.0], [0.0, 2.0, 0.0]], &[[0.0, 0.0, 1.0]; 3], &[0, 1, 2]);
-    let lab = Lab::new().object(mesh, Shading::FlatPerFace, matte([0.5; 3])).light(point(
+    let lab = TestScene::new().object(mesh, Shading::FlatPerFace, matte([0.5; 3])).light(point(
         [0.0, 0.0, 1.0],
         1.0,
         Attenuation::NONE,
@@ -275,7 +276,7 @@ fn per_face_views_are_the_centroids() {
 #[test]
 fn a_light_at_the_very_point_makes_no_nan() {
     for shading in SHADINGS {
-        let lab = Lab::new()
+        let lab = TestScene::new()
             .object(square(1.0, 0.0), shading, Material::default())
             .light(point([0.0, 0.0, 0.0], 1.0, Attenuation::INVERSE_SQUARE))
             .light(point([-1.0, -1.0, 0.0], 1.0, Attenuation::INVERSE_SQUARE))

@@ -22,7 +22,7 @@ fn glowing(color: [f32; 3]) -> Material {
 fn two_sided_turns_the_normal_to_the_viewer() {
     for shading in [Shading::Flat, Shading::FlatPerFace, Shading::Gouraud, Shading::Phong] {
         let from_behind = |light: f64, two_sided: bool| {
-            Lab::new()
+            TestScene::new()
                 .object(square(2.0, 0.0), shading, matte([0.5; 3]))
                 .eye([0.0, 0.0, -5.0], [0.0; 3])
                 .light(directional([0.0, 0.0, light], 1.0))
@@ -41,7 +41,7 @@ fn two_sided_turns_the_normal_to_the_viewer() {
 #[test]
 fn a_mirrored_object_keeps_its_front() {
     let lab = |two_sided| {
-        Lab::new()
+        TestScene::new()
             .placed(
                 square(2.0, 0.0),
                 Shading::Flat,
@@ -59,7 +59,8 @@ fn a_mirrored_object_keeps_its_front() {
 #[test]
 fn back_faces_of_closed_objects_are_culled() {
     let inside = |closed: bool| {
-        let lab = Lab::new().object(sphere(24, 48), Shading::Phong, glowing([1.0; 3])).eye([0.0; 3], [0.0, 0.0, -1.0]);
+        let lab =
+            TestScene::new().object(sphere(24, 48), Shading::Phong, glowing([1.0; 3])).eye([0.0; 3], [0.0, 0.0, -1.0]);
         let lab = lab
             .frame(|f| f.background.top = DVec3::new(0.0, 0.25, 0.0))
             .frame(|f| f.background.bottom = DVec3::new(0.0, 0.25, 0.0));
@@ -68,8 +69,9 @@ fn back_faces_of_closed_objects_are_culled() {
     assert!(inside(true).draw().picture.pixels.iter().all(|&p| p == [0.0, 0.25, 0.0, 1.0]));
     assert!(inside(false).draw().picture.pixels.iter().all(|&p| p == [1.0, 1.0, 1.0, 1.0]));
     // From outside nothing changes.
-    let outside =
-        Lab::new().object(sphere(24, 48), Shading::Phong, matte([0.5; 3])).light(directional([-1.0, -1.0, -1.0], 1.0));
+    let outside = TestScene::new()
+        .object(sphere(24, 48), Shading::Phong, matte([0.5; 3]))
+        .light(directional([-1.0, -1.0, -1.0], 1.0));
     let open = outside.draw().picture;
     assert!(open.pixels.iter().filter(|p| p[0] > 0.0).count() > 100);
     assert_eq!(outside.closed().draw().picture, open);
@@ -78,7 +80,7 @@ fn back_faces_of_closed_objects_are_culled() {
 #[test]
 fn near_and_far_planes_cut() {
     let lab = |near: f64, far: f64| {
-        Lab::new()
+        TestScene::new()
             .object(square(1.0, 4.0), Shading::Flat, glowing([1.0, 0.0, 0.0]))
             .object(square(2.0, 0.0), Shading::Flat, glowing([0.0, 1.0, 0.0]))
             .frame(|f| {
@@ -96,13 +98,14 @@ fn near_and_far_planes_cut() {
 #[test]
 fn a_triangle_through_the_near_plane_is_cut_there() {
     let floor = mesh(&[[-90.0, -1.0, 90.0], [90.0, -1.0, 90.0], [0.0, -1.0, -90.0]], &[[0.0, 1.0, 0.0]; 3], &[0, 1, 2]);
-    let lab = Lab::new().object(floor, Shading::Flat, glowing([1.0; 3])).eye([0.0; 3], [0.0, 0.0, -1.0]).frame(|f| {
-        f.camera.fov_y_rad = 150f64.to_radians();
-        f.camera.near = 0.4;
-        f.height = 101;
-        f.width = 101;
-        f.camera.far = 10.0;
-    });
+    let lab =
+        TestScene::new().object(floor, Shading::Flat, glowing([1.0; 3])).eye([0.0; 3], [0.0, 0.0, -1.0]).frame(|f| {
+            f.camera.fov_y_rad = 150f64.to_radians();
+            f.camera.near = 0.4;
+            f.height = 101;
+            f.width = 101;
+            f.camera.far = 10.0;
+        });
     let picture = lab.draw().picture;
     let tan = 75f64.to_radians().tan();
     for y in 0..101 {
@@ -118,7 +121,7 @@ fn a_triangle_through_the_near_plane_is_cut_there() {
 fn of_equally_near_triangles_the_first_is_seen() {
     // In several numbers, so that the tree meets them in several orders.
     for others in 1..12 {
-        let first = Lab::new().object(square(2.0, 0.0), Shading::Flat, glowing([1.0, 0.0, 0.0]));
+        let first = TestScene::new().object(square(2.0, 0.0), Shading::Flat, glowing([1.0, 0.0, 0.0]));
         let lab =
             (0..others).fold(first, |lab, _| lab.object(square(2.0, 0.0), Shading::Flat, glowing([0.0, 1.0, 0.0])));
         assert!(lab.draw().picture.pixels.iter().all(|&p| p == [1.0, 0.0, 0.0, 1.0]), "{others}");
@@ -160,7 +163,7 @@ fn random_closed_meshes_are_seen_exactly_once_from_inside() {
         let eye = place.to_array();
         let target = (place + DVec3::from(direction)).to_array();
         let material = Material { opacity: 0.5, ..glowing([1.0; 3]) };
-        let lab = Lab::new()
+        let lab = TestScene::new()
             .placed(star(&mut random), Shading::Flat, material, Maps::default(), DMat4::from_translation(place))
             .eye(eye, target)
             .frame(|f| {
@@ -178,10 +181,11 @@ fn random_closed_meshes_are_seen_exactly_once_from_inside() {
 #[test]
 fn a_closed_mesh_has_no_hole_from_outside() {
     for (rings, segments) in [(16, 32), (7, 11)] {
-        let lab = Lab::new().object(sphere(rings, segments), Shading::Phong, glowing([1.0; 3])).closed().frame(|f| {
-            (f.width, f.height) = (129, 129);
-            f.background.transparent = true;
-        });
+        let lab =
+            TestScene::new().object(sphere(rings, segments), Shading::Phong, glowing([1.0; 3])).closed().frame(|f| {
+                (f.width, f.height) = (129, 129);
+                f.background.transparent = true;
+            });
         let picture = lab.draw().picture;
         // A ball inside of every facet: the least distance of a facet from the centre.
         let radius =
@@ -218,7 +222,7 @@ fn the_tree_finds_what_brute_force_finds() {
             soup.normals.push([0.0, 0.0, 1.0]);
         }
     }
-    let lab = Lab::new().object(soup, Shading::Flat, matte([0.5; 3]));
+    let lab = TestScene::new().object(soup, Shading::Flat, matte([0.5; 3]));
     let reference = ReferenceScene::new(&lab.scene);
     let mesh = &lab.scene.meshes[0];
     let camera = &lab.frame.camera;
@@ -255,7 +259,7 @@ fn samples_are_averaged() {
         &[0, 1, 2, 0, 2, 3],
     );
     for samples in [1, 2, 4, 5, 8, 16] {
-        let lab = Lab::new().object(wall.clone(), Shading::Flat, glowing([1.0, 0.5, 0.25])).frame(|f| {
+        let lab = TestScene::new().object(wall.clone(), Shading::Flat, glowing([1.0, 0.5, 0.25])).frame(|f| {
             f.samples = samples;
             f.background.transparent = true;
         });
@@ -273,7 +277,7 @@ fn samples_are_averaged() {
 
 #[test]
 fn the_background_is_that_of_the_samples_height() {
-    let lab = Lab::new().frame(|f| {
+    let lab = TestScene::new().frame(|f| {
         (f.width, f.height, f.samples) = (2, 4, 1);
         f.background.top = DVec3::ONE;
         f.background.bottom = DVec3::ZERO;
@@ -287,7 +291,7 @@ fn the_background_is_that_of_the_samples_height() {
 
 #[test]
 fn one_thread_or_many_the_bytes_are_the_same() {
-    let lab = Lab::new()
+    let lab = TestScene::new()
         .object(sphere(20, 30), Shading::Phong, matte([0.5; 3]))
         .object(square(3.0, 1.2), Shading::Gouraud, Material { opacity: 0.4, ..Material::default() })
         .light(directional([-1.0, -1.0, -1.0], 1.0))
@@ -304,7 +308,7 @@ fn one_thread_or_many_the_bytes_are_the_same() {
 
 #[test]
 fn progress_ends_at_one() {
-    let lab = Lab::new().object(square(1.0, 0.0), Shading::Flat, matte([0.5; 3]));
+    let lab = TestScene::new().object(square(1.0, 0.0), Shading::Flat, matte([0.5; 3]));
     let seen = std::sync::Mutex::new(Vec::new());
     ReferenceScene::new(&lab.scene).render(&lab.frame, None, &|share| seen.lock().unwrap().push(share));
     let mut seen = seen.into_inner().unwrap();
@@ -316,14 +320,14 @@ fn progress_ends_at_one() {
 #[test]
 fn odd_geometry_is_left_out() {
     // No object, no triangle, indices beyond the mesh, corners that are no numbers, no area, a matrix without extent.
-    assert!(Lab::new().draw().picture.pixels.iter().all(|&p| p == [0.0, 0.0, 0.0, 1.0]));
+    assert!(TestScene::new().draw().picture.pixels.iter().all(|&p| p == [0.0, 0.0, 0.0, 1.0]));
     let good = square(1.0, 0.0);
     let mut odd = good.clone();
     odd.positions.extend([[f32::NAN, 0.0, 0.0], [f32::INFINITY, 1.0, 0.0], [0.0, 0.0, 0.0]]);
     odd.indices.extend([0, 1, 99, 0, 1, 4, 0, 1, 5, 0, 0, 1, 6, 6, 6]);
     odd.normals.truncate(2);
     odd.tex_coords.truncate(1);
-    let lab = Lab::new()
+    let lab = TestScene::new()
         .object(Mesh::default(), Shading::Phong, matte([0.5; 3]))
         .object(odd, Shading::Flat, glowing([1.0; 3]))
         .placed(good, Shading::Phong, glowing([1.0; 3]), Maps::default(), DMat4::from_scale(DVec3::ZERO));
@@ -331,8 +335,8 @@ fn odd_geometry_is_left_out() {
     assert!(lab.show(Quantity::Normal).picture.pixels.iter().flatten().all(|v| v.is_finite()));
 }
 
-fn lab() -> Lab {
-    Lab::new()
+fn lab() -> TestScene {
+    TestScene::new()
         .object(sphere(6, 8), Shading::Phong, Material::default())
         .object(square(0.5, 1.5), Shading::Flat, Material { opacity: 0.5, ..Material::default() })
         .light(directional([-1.0, -0.5, -1.0], 0.7))

@@ -1,29 +1,29 @@
 //! From meshes and materials to a scene's objects.
 
+use crate::asset_cache::CachedMesh;
 use crate::load::world_from_model;
 use crate::scene::{Object, ObjectPart, Scene};
 use crate::scene_file::ObjectSpec;
-use crate::stock::MeshStock;
 use gonio_mesh::{Diagnostic, Mesh, tangents};
 use rayon::prelude::*;
 use std::sync::Arc;
 
 /// Fills in `meshes` and `objects` of `loaded`, whose materials are there: objects in the scene's order, tangents where
-/// a normal map wants them. `mesh_of_object` indexes `stock`, `first_material` the materials.
+/// a normal map wants them. `mesh_of_object` indexes `cache`, `first_material` the materials.
 pub(crate) fn assemble(
     loaded: &mut Scene,
     specs: &[ObjectSpec],
-    stock: &mut [MeshStock],
+    cache: &mut [CachedMesh],
     mesh_of_object: &[usize],
     first_material: &[usize],
     diagnostics: &mut Vec<Diagnostic>,
 ) {
-    // A mesh of the stock with or without tangents, each once.
+    // A mesh of the cache with or without tangents, each once.
     let mut wanted: Vec<(usize, bool)> = Vec::new();
     let mut index_of_object = Vec::with_capacity(specs.len());
     for (&mesh, &first) in mesh_of_object.iter().zip(first_material) {
         let has_normal_map = |material: usize| loaded.materials.get(material).is_some_and(|m| m.maps.normal.is_some());
-        let parts = stock[mesh].any().map(|mesh| mesh.parts.as_slice()).unwrap_or_default();
+        let parts = cache[mesh].any().map(|mesh| mesh.parts.as_slice()).unwrap_or_default();
         let tangents = parts.iter().any(|part| part.triangle_count > 0 && has_normal_map(first + part.material));
         let index = wanted.iter().position(|key| *key == (mesh, tangents)).unwrap_or(wanted.len());
         if index == wanted.len() {
@@ -32,12 +32,12 @@ pub(crate) fn assemble(
         index_of_object.push(index);
     }
     let lacking: Vec<usize> =
-        wanted.iter().filter(|(m, t)| *t && stock[*m].with_tangents.is_none()).map(|w| w.0).collect();
+        wanted.iter().filter(|(m, t)| *t && cache[*m].with_tangents.is_none()).map(|w| w.0).collect();
     let made: Vec<Option<Mesh>> =
-        lacking.par_iter().map(|&m| stock[m].plain.as_ref().and_then(|mesh| tangents::with_tangents(mesh))).collect();
+        lacking.par_iter().map(|&m| cache[m].plain.as_ref().and_then(|mesh| tangents::with_tangents(mesh))).collect();
     for (&m, made) in lacking.iter().zip(made) {
         if let Some(mesh) = made {
-            stock[m].with_tangents = Some(Arc::new(mesh));
+            cache[m].with_tangents = Some(Arc::new(mesh));
             continue;
         }
         let object = mesh_of_object.iter().position(|mesh| *mesh == m).unwrap_or(0);
@@ -46,12 +46,12 @@ pub(crate) fn assemble(
         diagnostics.push(Diagnostic::warning(message).in_file(name));
     }
     for &(m, tangents) in &wanted {
-        let of = &stock[m];
+        let of = &cache[m];
         let [first, second] = if tangents { [&of.with_tangents, &of.plain] } else { [&of.plain, &of.with_tangents] };
         loaded.meshes.push(first.as_ref().or(second.as_ref()).cloned().unwrap_or_default());
     }
     // Tangents harm nobody: where a mesh has them, the one without is kept only while it is drawn.
-    for (m, of) in stock.iter_mut().enumerate() {
+    for (m, of) in cache.iter_mut().enumerate() {
         if of.with_tangents.is_some() && !wanted.contains(&(m, false)) {
             of.plain = None;
         }
@@ -76,12 +76,12 @@ pub(crate) fn assemble(
             shading: spec.shading,
             world_from_model: world_from_model(spec),
             parts,
-            closed: opaque && stock[mesh_of_object[i]].closed,
+            closed: opaque && cache[mesh_of_object[i]].closed,
         });
     }
 }
 
-impl MeshStock {
+impl CachedMesh {
     fn any(&self) -> Option<&Arc<Mesh>> {
         self.plain.as_ref().or(self.with_tangents.as_ref())
     }

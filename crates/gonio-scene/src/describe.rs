@@ -1,8 +1,8 @@
-//! From what the user names to a scene's description.
+//! From the inputs that a user names to a scene file.
 
 use crate::environment_file;
 use crate::files::{self, FileSource};
-use crate::model_kind::{self, InputKind};
+use crate::input_kind::{self, InputKind};
 use crate::scene_file::{ObjectSpec, SceneFile};
 use crate::toml_reader;
 use crate::toml_tree::line_and_column;
@@ -15,8 +15,8 @@ use std::path::Path;
 /// one, so that [`crate::load::load`] is given an empty base.
 ///
 /// Several inputs become one scene, models in the coordinates of their files; the first scene file
-/// among them gives picture, camera, background and equation. Of a model no more is looked at than tells
-/// its format.
+/// among them gives picture, camera, background and equation. Models are only read as far as it takes to
+/// detect their format.
 pub fn describe(inputs: &[&str], files: &dyn FileSource) -> Result<SceneFile, ReadError> {
     if inputs.is_empty() {
         return Err(ReadError::new("nothing to read: name a model, a scene file or builtin:suzanne"));
@@ -35,7 +35,7 @@ pub fn describe(inputs: &[&str], files: &dyn FileSource) -> Result<SceneFile, Re
     Ok(whole)
 }
 
-/// The description, and whether it came from a scene file.
+/// The scene of one input, and whether it came from a scene file.
 fn describe_one(input: &str, files: &dyn FileSource) -> Result<(SceneFile, bool), ReadError> {
     let path = files::resolve(Path::new(""), input);
     let explain = |e: std::io::Error| {
@@ -47,7 +47,7 @@ fn describe_one(input: &str, files: &dyn FileSource) -> Result<(SceneFile, bool)
         files::failed(&e)
     };
     let bytes = files::read(files, &path).map_err(explain)?;
-    match model_kind::tell(&bytes, &path)? {
+    match input_kind::detect(&bytes, &path)? {
         InputKind::Model => {
             let object = ObjectSpec { model: input.to_owned(), ..ObjectSpec::default() };
             Ok((SceneFile { objects: vec![object], ..SceneFile::default() }, false))

@@ -7,7 +7,7 @@ use crate::scene_file::ObjectSpec;
 use gonio_mesh::{Mesh, simplify, sphere, tangents, topology};
 use std::sync::{Arc, OnceLock};
 
-/// How finely objects are drawn.
+/// The level of detail of objects.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Detail {
     /// Each mesh simplified to this share of its triangles, above 0, at most 1.
@@ -20,7 +20,7 @@ impl Detail {
     /// A mesh of an object in this detail; `None` where it stays what it is.
     ///
     /// Simplifying a large mesh takes seconds: it is meant to be done beside the window.
-    pub fn of(self, mesh: &Mesh, object: &ObjectSpec) -> Option<Mesh> {
+    pub fn mesh_for(self, mesh: &Mesh, object: &ObjectSpec) -> Option<Mesh> {
         let other = match self {
             Detail::Share(share) => {
                 let wanted = (share.clamp(0.0, 1.0) * mesh.triangle_count() as f64).round() as usize;
@@ -34,7 +34,7 @@ impl Detail {
                     return None;
                 }
                 let sphere = sphere::sphere(sphere::nearest_frequency(triangles));
-                with_normals(sphere, NormalChoice::of(object)).0
+                with_normals(sphere, NormalChoice::for_object(object)).0
             }
         };
         let wants_tangents = !mesh.tangents.is_empty() && other.tangents.is_empty();

@@ -1,4 +1,4 @@
-//! How two pictures differ: numbers, and the colours of a map of where.
+//! Differences of two pictures, as numbers and as a map in colours.
 //!
 //! `gonio diff` and the window say the same of the same two pictures, for both count here.
 
@@ -51,7 +51,7 @@ pub fn within(value: f64, limit: f64) -> bool {
     value <= limit * (1.0 + 1e-12)
 }
 
-/// What the differences of encoded values add up to, in 8-bit steps.
+/// Statistics of the differences of encoded values, in 8-bit steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Tally {
     sum: f64,
@@ -105,7 +105,7 @@ impl Tally {
         (self.max > 0.0).then_some(self.worst)
     }
 
-    /// How many pixels differ by more than the tolerance.
+    /// The number of pixels that differ by more than the tolerance.
     pub fn differing(&self) -> u64 {
         self.differing
     }

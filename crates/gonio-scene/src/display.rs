@@ -11,7 +11,7 @@ use std::str::FromStr;
 /// A debug view: a quantity of the equation, and of which light. Written `NAME` or `NAME:LIGHT`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ViewSpec {
-    /// What is shown.
+    /// The quantity.
     pub quantity: Quantity,
     /// Index into the scene's lights.
     pub light: Option<usize>,
@@ -52,7 +52,7 @@ impl std::fmt::Display for ViewSpec {
     }
 }
 
-/// How a renderer's linear numbers are shown.
+/// A mapping of a renderer's linear numbers to the display.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DisplayMap {
     /// Light.

@@ -1,7 +1,7 @@
 //! A scene with edited settings, without reading its files again.
 //!
 //! A window edits the settings (a light is dragged, a colour is chosen) many times a second. Everything that does not
-//! need another file or other normals follows from what [`crate::load`] left in the scene's [`crate::Stock`].
+//! need another file or other normals follows from what [`crate::load`] left in the scene's [`crate::AssetCache`].
 
 use crate::assemble::assemble;
 use crate::load::{NormalChoice, lacks_surroundings, world_from_model};
@@ -47,15 +47,15 @@ pub struct Applied {
 /// The first value that is out of its range.
 pub fn apply(loaded: &Scene, mut scene: SceneSettings) -> Result<Edited, Problem> {
     validate::check(&SceneFile::from(&scene))?;
-    let stock = &loaded.stock;
-    let known: Option<Vec<(usize, usize)>> = scene.objects.iter().map(|object| stock.find(object)).collect();
-    let environment = scene.environment.as_ref().map(|spec| stock.environment(spec));
+    let cache = &loaded.cache;
+    let known: Option<Vec<(usize, usize)>> = scene.objects.iter().map(|object| cache.find(object)).collect();
+    let environment = scene.environment.as_ref().map(|spec| cache.environment(spec));
     let Some(known) = known.filter(|_| !matches!(environment, Some(None))) else {
         return Ok(Edited::NeedsFiles(Box::new(scene)));
     };
     for (object, (model, _)) in scene.objects.iter_mut().zip(&known) {
         if object.name.is_empty() {
-            object.name = stock.models[*model].object_name();
+            object.name = cache.models[*model].object_name();
         }
     }
     let same_things = loaded.settings.objects.len() == scene.objects.len()
@@ -81,7 +81,9 @@ pub fn apply(loaded: &Scene, mut scene: SceneSettings) -> Result<Edited, Problem
 
 /// Whether an object has the same mesh and the same materials as before.
 fn is_same_thing(before: &ObjectSpec, now: &ObjectSpec) -> bool {
-    before.model == now.model && before.material == now.material && NormalChoice::of(before) == NormalChoice::of(now)
+    before.model == now.model
+        && before.material == now.material
+        && NormalChoice::for_object(before) == NormalChoice::for_object(now)
 }
 
 /// The same objects, where they are now.
@@ -97,15 +99,15 @@ fn moved(loaded: &Scene, scene: &SceneSettings) -> Scene {
 
 /// Other objects or materials, of what is known; `None` where something is not.
 fn rebound(loaded: &Scene, scene: &SceneSettings, known: &[(usize, usize)]) -> Option<Scene> {
-    let mut stock = (*loaded.stock).clone();
-    let mut binder = MaterialBinder::of_stock(&stock.textures);
+    let mut cache = (*loaded.cache).clone();
+    let mut binder = MaterialBinder::from_cache(&cache.textures);
     let first_material: Vec<usize> = scene
         .objects
         .iter()
         .zip(known)
-        .map(|(object, &(model, _))| stock.models[model].bind(model, &object.material, &mut binder))
+        .map(|(object, &(model, _))| cache.models[model].bind(model, &object.material, &mut binder))
         .collect();
-    let bound = binder.recall(&stock.textures)?;
+    let bound = binder.recall(&cache.textures)?;
     let mesh_of_object: Vec<usize> = known.iter().map(|&(_, mesh)| mesh).collect();
     let mut next = Scene {
         materials: bound.materials,
@@ -114,10 +116,10 @@ fn rebound(loaded: &Scene, scene: &SceneSettings, known: &[(usize, usize)]) -> O
         ..Scene::default()
     };
     let mut told: Vec<Diagnostic> = Vec::new();
-    assemble(&mut next, &scene.objects, &mut stock.meshes, &mesh_of_object, &first_material, &mut told);
+    assemble(&mut next, &scene.objects, &mut cache.meshes, &mesh_of_object, &first_material, &mut told);
     told.retain(|new| !loaded.diagnostics.contains(new));
     next.diagnostics.append(&mut told);
-    next.stock = Arc::new(stock);
+    next.cache = Arc::new(cache);
     Some(next)
 }
 

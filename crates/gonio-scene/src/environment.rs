@@ -1,4 +1,4 @@
-//! What surrounds a scene, ready to be looked up.
+//! The environment of a scene, ready to be looked up.
 
 use crate::scene::Scene;
 use glam::{DMat3, DQuat, DVec3};
@@ -8,11 +8,11 @@ use std::sync::OnceLock;
 /// An environment with its files read.
 #[derive(Clone, Debug)]
 pub struct LoadedEnvironment {
-    /// As the user calls it.
+    /// The name that the user gave.
     pub name: String,
-    /// What is reflected and refracted, and what lights the objects.
+    /// The environment that is reflected and refracted, and that lights the objects.
     pub mips: CubeMips,
-    /// What is seen behind the objects, where that is another one.
+    /// The environment behind the objects, where that is another one.
     pub background: Option<CubeMips>,
     /// Made when they are first asked for: seconds of work that a mirror does without.
     harmonics: OnceLock<Harmonics>,
@@ -40,7 +40,7 @@ impl LoadedEnvironment {
         self
     }
 
-    /// What is seen behind the objects.
+    /// The environment behind the objects.
     pub fn seen(&self) -> &CubeMips {
         self.background.as_ref().unwrap_or(&self.mips)
     }
@@ -64,7 +64,7 @@ impl LoadedEnvironment {
     }
 }
 
-/// How the scene's environment takes part in a frame.
+/// The part of the environment in a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surroundings {
     /// Carries directions in the world to directions in the environment. A rotation.
@@ -75,7 +75,7 @@ pub struct Surroundings {
     pub lights: bool,
     /// It is seen behind the objects, in the place of the background.
     pub visible: bool,
-    /// How blurred it is there: 0 not at all, 1 as a surface of roughness 1 would show it.
+    /// Blur of the background: 0 is sharp, 1 is what a surface of roughness 1 shows.
     pub blur: f64,
 }
 
@@ -99,7 +99,7 @@ pub fn world_from_environment([yaw, pitch, roll]: [f64; 3]) -> DMat3 {
 }
 
 impl Scene {
-    /// How the environment takes part; `None` where there is none.
+    /// The part of the environment; `None` where there is none.
     pub fn surroundings(&self) -> Option<Surroundings> {
         self.environment.as_ref()?;
         let settings = self.settings.environment.clone().unwrap_or_default();

@@ -2,7 +2,7 @@
 
 use crate::environment::LoadedEnvironment;
 use crate::files::{self, Budgeted, FileSource};
-use crate::model_kind;
+use crate::input_kind;
 use crate::scene_file::EnvironmentSpec;
 use crate::toml_tree::nearest;
 use gonio_environment::arrange::{self, Arrangement};
@@ -16,61 +16,61 @@ use gonio_mesh::{Cause, Diagnostic, Limits, ReadError};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 
-/// What an environment was read as.
+/// The map of an environment.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Source {
+pub enum EnvironmentMap {
     /// Six faces.
     Cubemap(Cubemap),
     /// An equirectangular picture.
     Panorama(Panorama),
 }
 
-impl Source {
-    /// For a conversion.
+impl EnvironmentMap {
+    /// Returns the map as the input of a conversion.
     pub fn as_from(&self) -> From<'_> {
         match self {
-            Source::Cubemap(map) => From::Cubemap(map),
-            Source::Panorama(panorama) => From::Panorama(panorama),
+            EnvironmentMap::Cubemap(map) => From::Cubemap(map),
+            EnvironmentMap::Panorama(panorama) => From::Panorama(panorama),
         }
     }
 }
 
-/// An environment as it was found in its files.
+/// An environment that was read from its files.
 #[derive(Clone, Debug)]
 pub struct OpenedEnvironment {
-    /// As the user calls it.
+    /// The name that the user gave.
     pub name: String,
-    /// The light.
-    pub source: Source,
-    /// How it lay in its files.
+    /// Its radiance.
+    pub map: EnvironmentMap,
+    /// The arrangement of the faces in the files.
     pub arrangement: Arrangement,
-    /// In which layout its faces lay; `None` of a panorama.
+    /// The layout of the faces; `None` for a panorama.
     pub layout: Option<Layout>,
-    /// The files, in the order of [`Face::ALL`] where there are six; none of what is built in.
+    /// The files, in the order of [`Face::ALL`] if there are six; empty for a built-in environment.
     pub files: Vec<PathBuf>,
-    /// Its files can hold light beyond 1.
+    /// Whether the file format can hold radiance above 1.
     pub high_dynamic_range: bool,
-    /// What kind of file it was in, of six the first; `None` of what is built in.
+    /// The format of the file, or of the first of six; `None` for a built-in environment.
     pub format: Option<FileFormat>,
-    /// What is worth saying.
+    /// Warnings and notes.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// How to understand what is named.
+/// Options for opening an environment.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Reading {
-    /// The layout of the faces; without one photographic where six files, a cross or a strip are read, and OpenGL's in
-    /// KTX2 and DDS, as these formats say.
+pub struct OpenOptions {
+    /// The layout of the faces. By default photographic for six files, a cross or a strip, and OpenGL's for KTX2 and DDS,
+    /// as these formats define.
     pub layout: Option<Layout>,
-    /// How one picture is arranged; without one, its proportions tell.
+    /// The arrangement of a single picture; by default it follows from the proportions.
     pub arrangement: Option<Arrangement>,
-    /// Texels along an edge of built-in environments that are made to any size; without it [`BUILTIN_SIZE`].
+    /// Texels along an edge of built-in environments that exist in any size; [`BUILTIN_SIZE`] by default.
     pub size: Option<u32>,
 }
 
-/// Texels along an edge of built-in environments that are made to any size, where none is asked for.
+/// Default size of built-in environments, texels along an edge.
 pub const BUILTIN_SIZE: u32 = 512;
-/// A panorama becomes a cubemap of at most this size unless another one is asked for.
+/// The largest default size of the cubemap that a panorama is converted to.
 pub const USUAL_SIZE_MAX: u32 = 1024;
 
 /// The built-in environment of a name: `sky`, or `builtin:sky`.
@@ -78,7 +78,7 @@ pub fn builtin_of(name: &str) -> Option<Builtin> {
     name.strip_prefix(files::BUILTIN).unwrap_or(name).parse().ok()
 }
 
-/// What a scene file in `base` calls `name`, as seen from the current folder.
+/// The environment `name` of a scene file in `base`, relative to the current folder.
 pub(crate) fn rebased(base: &Path, name: &str) -> String {
     if builtin_of(name).is_some() {
         return name.to_owned();
@@ -95,31 +95,32 @@ pub(crate) fn rebased(base: &Path, name: &str) -> String {
 /// faces that are missing, or do not fit together; an arrangement or a size that what is named cannot have.
 pub fn open(
     name: &str,
-    reading: Reading,
+    options: OpenOptions,
     base: &Path,
     files: &dyn FileSource,
     limits: &Limits,
 ) -> Result<OpenedEnvironment, ReadError> {
-    let mut opened = open_quietly(name, reading, base, &Budgeted::new(files, limits.max_bytes))?;
-    let unused = reading.layout.is_some() && opened.layout.is_none();
+    let mut opened = open_within(name, options, base, &Budgeted::new(files, limits.max_bytes))?;
+    let unused = options.layout.is_some() && opened.layout.is_none();
     opened.diagnostics.extend(unused.then(|| layout_unused(name)));
     Ok(opened)
 }
 
-/// What was asked for in vain is told: else a user looks for its effect.
+/// Warns about a layout that has no effect.
 fn layout_unused(name: &str) -> Diagnostic {
     Diagnostic::warning("the layout has no effect: this environment has no faces").in_file(name)
 }
 
-/// [`open`] without a word on a layout that is not used.
-fn open_quietly<S: FileSource>(
+/// [`open`] without the warning about an unused layout.
+fn open_within<S: FileSource>(
     name: &str,
-    reading: Reading,
+    options: OpenOptions,
     base: &Path,
     files: &Budgeted<S>,
 ) -> Result<OpenedEnvironment, ReadError> {
     let opened = if let Some(kind) = builtin_of(name) {
-        let mut opened = open_builtin(name, kind, reading, files, &limits_of(files)).map_err(|e| told(e, name))?;
+        let mut opened =
+            open_builtin(name, kind, options, files, &limits_of(files)).map_err(|e| read_error(e, name))?;
         if !name.starts_with(files::BUILTIN) && !files::list(files, &files::resolve(base, name)).is_empty() {
             let message = format!("this names the built-in environment; write ./{name} for the folder");
             opened.diagnostics.push(Diagnostic::note(message).in_file(name));
@@ -128,9 +129,9 @@ fn open_quietly<S: FileSource>(
     } else if let Some(unknown) = name.strip_prefix(files::BUILTIN) {
         return Err(ReadError::new(no_builtin(unknown)).in_file(name));
     } else {
-        open_files(name, &Reader { reading, files }, &files::resolve(base, name))?
+        open_files(name, &Reader { options, files }, &files::resolve(base, name))?
     };
-    match reading.arrangement {
+    match options.arrangement {
         Some(wanted) if wanted != opened.arrangement => {
             let (is, wanted) = (opened.arrangement, wanted.name());
             let message = format!("this is already {is} and cannot be read as {wanted}; leave the arrangement out");
@@ -140,7 +141,7 @@ fn open_quietly<S: FileSource>(
     }
 }
 
-/// What is left for pixels.
+/// The memory that is left for pixels.
 fn limits_of<S: FileSource>(files: &Budgeted<S>) -> gonio_image::Limits {
     gonio_image::Limits { max_bytes: files.budget().left() }
 }
@@ -153,7 +154,7 @@ fn open_files<S: FileSource>(name: &str, reader: &Reader<'_, S>, path: &Path) ->
     if within.is_empty() { reader.open_file(name, path) } else { reader.open_folder(name, path, within) }
 }
 
-/// That there is no built-in environment of a name, and which there are.
+/// Explains that a built-in environment does not exist, and lists those that do.
 fn no_builtin(name: &str) -> String {
     let meant = nearest_builtin(name).map_or(String::new(), |known| format!("; did you mean `{known}`?"));
     let names = Builtin::ALL.iter().map(|b| b.name()).collect::<Vec<_>>().join(", ");
@@ -167,12 +168,12 @@ fn nearest_builtin(name: &str) -> Option<&'static str> {
 fn open_builtin(
     name: &str,
     kind: Builtin,
-    reading: Reading,
+    options: OpenOptions,
     files: &dyn FileSource,
     limits: &gonio_image::Limits,
 ) -> Result<OpenedEnvironment, EnvironmentError> {
-    let layout = reading.layout.unwrap_or_default();
-    let size = reading.size.unwrap_or(BUILTIN_SIZE);
+    let layout = options.layout.unwrap_or_default();
+    let size = options.size.unwrap_or(BUILTIN_SIZE);
     limits.pixels(size.into(), size.into(), 6)?;
     let (source, arrangement) = match kind {
         Builtin::Room => {
@@ -180,14 +181,14 @@ fn open_builtin(
                 Some(bytes) => builtin::room_from(&bytes)?,
                 None => builtin::room()?,
             };
-            (Source::Panorama(room), Arrangement::Equirectangular)
+            (EnvironmentMap::Panorama(room), Arrangement::Equirectangular)
         }
-        _ => (Source::Cubemap(kind.cubemap(size, layout)?), Arrangement::Faces),
+        _ => (EnvironmentMap::Cubemap(kind.cubemap(size, layout)?), Arrangement::Faces),
     };
     Ok(OpenedEnvironment {
         name: name.to_owned(),
         layout: (kind == Builtin::Debug).then_some(layout),
-        source,
+        map: source,
         arrangement,
         files: Vec::new(),
         high_dynamic_range: kind != Builtin::Debug,
@@ -197,14 +198,14 @@ fn open_builtin(
 }
 
 struct Reader<'a, S> {
-    reading: Reading,
+    options: OpenOptions,
     files: &'a Budgeted<S>,
 }
 
 impl<S: FileSource> Reader<'_, S> {
     fn open_folder(&self, name: &str, folder: &Path, within: Vec<PathBuf>) -> Result<OpenedEnvironment, ReadError> {
         let names = sorted_names(within);
-        let assignment = names::assign(&names).map_err(|e| told(e, name))?;
+        let assignment = names::assign(&names).map_err(|e| read_error(e, name))?;
         self.open_faces(name, folder, &names, assignment)
     }
 
@@ -214,7 +215,7 @@ impl<S: FileSource> Reader<'_, S> {
         if names.is_empty() {
             return Err(ReadError::new("no file matches this pattern").in_file(name));
         }
-        let assignment = names::assign(&names).map_err(|e| told(e, name))?;
+        let assignment = names::assign(&names).map_err(|e| read_error(e, name))?;
         self.open_faces(name, folder, &names, assignment)
     }
 
@@ -223,46 +224,46 @@ impl<S: FileSource> Reader<'_, S> {
         let bytes = memory(&decoded);
         let mut opened = OpenedEnvironment {
             name: name.to_owned(),
-            source: Source::Cubemap(Cubemap::new(1, [0.0; 4])),
+            map: EnvironmentMap::Cubemap(Cubemap::new(1, [0.0; 4])),
             arrangement: Arrangement::Faces,
             layout: None,
             files: vec![path.to_owned()],
             high_dynamic_range: decoded.high_dynamic_range,
             format: Some(decoded.format),
-            diagnostics: said(&decoded, name),
+            diagnostics: diagnostics_of(&decoded, name),
         };
         let say = |opened: &mut OpenedEnvironment, warning: String| {
             opened.diagnostics.push(Diagnostic::warning(warning).in_file(name));
         };
         match decoded.shape {
             Shape::Faces(faces) => {
-                let layout = self.reading.layout.unwrap_or(Layout::OpenGl);
+                let layout = self.options.layout.unwrap_or(Layout::OpenGl);
                 opened.layout = Some(layout);
-                let map = Cubemap::from_faces(*faces, layout).map_err(|e| told(e, name))?;
-                opened.source = Source::Cubemap(map);
+                let map = Cubemap::from_faces(*faces, layout).map_err(|e| read_error(e, name))?;
+                opened.map = EnvironmentMap::Cubemap(map);
             }
             Shape::Picture(image) => {
-                if image.width == image.height && self.reading.arrangement.is_none_or(|a| a == Arrangement::Faces) {
+                if image.width == image.height && self.options.arrangement.is_none_or(|a| a == Arrangement::Faces) {
                     return self.open_with_siblings(name, path);
                 }
                 let recognised = arrange::recognise(image.width, image.height);
-                let arrangement = self.reading.arrangement.unwrap_or(recognised.arrangement);
+                let arrangement = self.options.arrangement.unwrap_or(recognised.arrangement);
                 if let Some(warning) = recognised.warning.filter(|_| arrangement == recognised.arrangement) {
                     say(&mut opened, warning);
                 }
                 opened.arrangement = arrangement;
                 if arrangement == Arrangement::Equirectangular {
-                    opened.source = Source::Panorama(Panorama::new(image).map_err(|e| told(e, name))?);
+                    opened.map = EnvironmentMap::Panorama(Panorama::new(image).map_err(|e| read_error(e, name))?);
                 } else if arrangement == Arrangement::Faces {
                     return self.open_with_siblings(name, path);
                 } else {
-                    let layout = self.reading.layout.unwrap_or(Layout::Photographic);
+                    let layout = self.options.layout.unwrap_or(Layout::Photographic);
                     opened.layout = Some(layout);
-                    let arranged = arrange::to_cubemap(&image, arrangement, layout).map_err(|e| told(e, name))?;
+                    let arranged = arrange::to_cubemap(&image, arrangement, layout).map_err(|e| read_error(e, name))?;
                     let notes = arranged.notes.into_iter().map(Diagnostic::note);
                     let warnings = arranged.warnings.into_iter().map(Diagnostic::warning);
                     opened.diagnostics.extend(notes.chain(warnings).map(|d| d.in_file(name)));
-                    opened.source = Source::Cubemap(arranged.cubemap);
+                    opened.map = EnvironmentMap::Cubemap(arranged.cubemap);
                 }
             }
         }
@@ -275,7 +276,7 @@ impl<S: FileSource> Reader<'_, S> {
         let folder = path.parent().unwrap_or(Path::new(""));
         let names = sorted_names(files::list(self.files, folder));
         let own = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-        let assignment = names::assign_with(&names, &own).map_err(|e| told(e, name))?;
+        let assignment = names::assign_with(&names, &own).map_err(|e| read_error(e, name))?;
         self.open_faces(name, folder, &names, assignment)
     }
 
@@ -286,7 +287,7 @@ impl<S: FileSource> Reader<'_, S> {
         names: &[String],
         assignment: Assignment,
     ) -> Result<OpenedEnvironment, ReadError> {
-        let layout = self.reading.layout.unwrap_or(Layout::Photographic);
+        let layout = self.options.layout.unwrap_or(Layout::Photographic);
         let paths = assignment.files.map(|i| folder.join(names.get(i).map_or("", |n| n.as_str())));
         let shown = |i: usize| paths[i].display().to_string();
         // Six at once: what is left is for all.
@@ -302,7 +303,7 @@ impl<S: FileSource> Reader<'_, S> {
             self.pay(memory(&decoded), &shown(i))?;
             high_dynamic_range |= decoded.high_dynamic_range;
             format = format.or(Some(decoded.format));
-            diagnostics.append(&mut said(&decoded, &shown(i)));
+            diagnostics.append(&mut diagnostics_of(&decoded, &shown(i)));
             match decoded.shape {
                 Shape::Picture(image) => faces[i] = image,
                 Shape::Faces(_) => {
@@ -314,12 +315,12 @@ impl<S: FileSource> Reader<'_, S> {
         // The sentence names the face; the user knows its file.
         let named = |e: EnvironmentError| {
             let wrong = Face::ALL.into_iter().position(|f| e.message.contains(&format!("the face `{}`", f.name())));
-            told(e, &wrong.map_or_else(|| name.to_owned(), shown))
+            read_error(e, &wrong.map_or_else(|| name.to_owned(), shown))
         };
         let map = Cubemap::from_faces(faces, layout).map_err(named)?;
         Ok(OpenedEnvironment {
             name: name.to_owned(),
-            source: Source::Cubemap(map),
+            map: EnvironmentMap::Cubemap(map),
             arrangement: Arrangement::Faces,
             layout: Some(layout),
             files: paths.to_vec(),
@@ -355,12 +356,12 @@ impl<S: FileSource> Reader<'_, S> {
             };
             ReadError::new(message).in_file(name)
         })?;
-        decode(name, &bytes, limits).map_err(|e| match model_kind::is_model_or_scene(&bytes, path) {
+        decode(name, &bytes, limits).map_err(|e| match input_kind::is_model_or_scene(&bytes, path) {
             Some(what) if FileFormat::detect(&bytes).is_none() => {
                 let message = format!("this is {what}, not a picture; to draw it, name it as the input");
                 ReadError::new(message).in_file(name)
             }
-            _ => told(e.into(), name),
+            _ => read_error(e.into(), name),
         })
     }
 }
@@ -374,13 +375,13 @@ fn memory(decoded: &Decoded) -> u64 {
     }
 }
 
-fn told(error: EnvironmentError, name: &str) -> ReadError {
+fn read_error(error: EnvironmentError, name: &str) -> ReadError {
     let file = error.file.unwrap_or_else(|| name.to_owned());
     let cause = error.over_limit.then_some(Cause::MemoryLimit);
     ReadError { cause, ..ReadError::new(error.message) }.in_file(&file)
 }
 
-fn said(decoded: &Decoded, name: &str) -> Vec<Diagnostic> {
+fn diagnostics_of(decoded: &Decoded, name: &str) -> Vec<Diagnostic> {
     let notes = decoded.notes.iter().map(|n| Diagnostic::note(n.as_str()));
     let warnings = decoded.warnings.iter().map(|w| Diagnostic::warning(w.as_str()));
     notes.chain(warnings).map(|d| d.in_file(name)).collect()
@@ -403,37 +404,37 @@ fn matches(pattern: &str, name: &str) -> bool {
     }
 }
 
-/// An environment for a scene, with what is to be said about it.
+/// An environment for a scene, with its warnings and notes.
 pub(crate) struct ReadEnvironment {
     pub environment: LoadedEnvironment,
-    /// The layout and the size that a description needs to be read as this again; `None` where what is in front and
-    /// what is behind differ, and each has its own default.
+    /// The layout and the size that a scene file needs to be read as this again; `None` where image and background differ
+    /// and each has its own default.
     pub layout: Option<Layout>,
     pub size: Option<u32>,
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Reads what a scene is surrounded by.
+/// Reads the environment of a scene.
 pub(crate) fn load<S: FileSource>(
     spec: &EnvironmentSpec,
     base: &Path,
     files: &Budgeted<S>,
 ) -> Result<ReadEnvironment, ReadError> {
-    let reading = Reading { layout: spec.layout, arrangement: None, size: spec.size };
-    let opened = open_quietly(&spec.image, reading, base, files)?;
+    let options = OpenOptions { layout: spec.layout, arrangement: None, size: spec.size };
+    let opened = open_within(&spec.image, options, base, files)?;
     let mut layouts: Vec<Layout> = opened.layout.into_iter().collect();
     let mut diagnostics = opened.diagnostics;
-    // Where nobody said which layout it is, whoever sees a mirrored world has to know which one was taken.
+    // A wrong guess shows a mirrored world: name the layout that was assumed.
     let guessed = opened.layout.filter(|_| spec.layout.is_none() && !opened.files.is_empty());
     diagnostics.extend(guessed.map(|layout| layout_taken(layout, &opened.name)));
-    let map = as_cubemap(opened.source, spec.size, &opened.name, &mut diagnostics);
+    let map = as_cubemap(opened.map, spec.size, &opened.name, &mut diagnostics);
     let mut size = Some(map.size());
     let mut environment = LoadedEnvironment::new(opened.name, map);
     if let Some(name) = &spec.background {
-        let mut behind = open_quietly(name, reading, base, files)?;
+        let mut behind = open_within(name, options, base, files)?;
         layouts.extend(behind.layout);
         diagnostics.append(&mut behind.diagnostics);
-        let map = as_cubemap(behind.source, spec.size, &behind.name, &mut diagnostics);
+        let map = as_cubemap(behind.map, spec.size, &behind.name, &mut diagnostics);
         size = size.filter(|size| *size == map.size()).or(spec.size);
         environment = environment.with_background(map);
     }
@@ -444,7 +445,7 @@ pub(crate) fn load<S: FileSource>(
     Ok(ReadEnvironment { environment, layout, size, diagnostics })
 }
 
-/// Says which layout the faces were taken to be in.
+/// Names the layout that was assumed.
 fn layout_taken(layout: Layout, name: &str) -> Diagnostic {
     let other = if layout == Layout::OpenGl { Layout::Photographic } else { Layout::OpenGl };
     let message =
@@ -452,12 +453,12 @@ fn layout_taken(layout: Layout, name: &str) -> Diagnostic {
     Diagnostic::note(message).caused_by(Cause::GuessedLayout).in_file(name)
 }
 
-/// The cubemap of a size, or of the size that suits it.
-fn as_cubemap(source: Source, size: Option<u32>, name: &str, diagnostics: &mut Vec<Diagnostic>) -> Cubemap {
+/// Converts to a cubemap of `size`, or of the size that suits the map.
+fn as_cubemap(source: EnvironmentMap, size: Option<u32>, name: &str, diagnostics: &mut Vec<Diagnostic>) -> Cubemap {
     let natural = source.as_from().natural_cubemap_size();
     let usual = match &source {
-        Source::Cubemap(_) => natural,
-        Source::Panorama(_) => natural.min(USUAL_SIZE_MAX),
+        EnvironmentMap::Cubemap(_) => natural,
+        EnvironmentMap::Panorama(_) => natural.min(USUAL_SIZE_MAX),
     };
     let size = size.unwrap_or(usual);
     if usual < natural && size < natural {
@@ -468,7 +469,7 @@ fn as_cubemap(source: Source, size: Option<u32>, name: &str, diagnostics: &mut V
         diagnostics.push(Diagnostic::note(message).caused_by(Cause::CoarseEnvironment).in_file(name));
     }
     match source {
-        Source::Cubemap(map) if map.size() == size => map,
+        EnvironmentMap::Cubemap(map) if map.size() == size => map,
         other => Conversion::default().cubemap(other.as_from(), size),
     }
 }

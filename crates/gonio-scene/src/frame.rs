@@ -1,4 +1,4 @@
-//! One moment of a scene, as a renderer wants it.
+//! One moment of a scene: the input of a renderer.
 
 use crate::camera::Camera;
 use crate::environment::Surroundings;
@@ -14,7 +14,7 @@ use gonio_light::color::OutputTransform;
 use gonio_light::vector::unit;
 use gonio_light::{Attenuation, Equation, Light, LightKind, TermSwitches};
 
-/// What is seen where there is no object: linear radiance.
+/// The background: linear radiance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Background {
     /// At the picture's top edge.
@@ -57,11 +57,11 @@ pub struct Frame {
     pub two_sided: bool,
     /// Behind everything.
     pub background: Background,
-    /// How the scene's environment takes part; `None` where it has none.
+    /// The part of the environment; `None` where the scene has none.
     pub surroundings: Option<Surroundings>,
     /// From light to the picture's numbers.
     pub output: OutputTransform,
-    /// How textures are sampled.
+    /// The filter of textures.
     pub texture_filter: TextureFilter,
     /// Box around all objects, world space.
     pub bounds_min: DVec3,
@@ -133,8 +133,7 @@ impl Scene {
         Frame { camera: Camera { position, near, far, ..camera }, ..frame.clone() }
     }
 
-    /// What an orbit goes around: the point looked at, or the objects' middle where the camera looks
-    /// along angles.
+    /// The centre of an orbit: the point looked at, or the centre of the objects if the camera looks along angles.
     fn orbit_pivot(&self, frame: &Frame) -> DVec3 {
         self.settings.camera.target().map_or(0.5 * (frame.bounds_min + frame.bounds_max), DVec3::from)
     }

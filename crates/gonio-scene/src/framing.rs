@@ -12,7 +12,7 @@ use gonio_light::vector::unit;
 
 /// The share of the picture's half width or height that the objects fill.
 const FILLED: f64 = 0.92;
-/// Most that far may be of near: beyond, a 24-bit depth buffer gets coarse.
+/// Largest ratio of far to near: beyond it a 24-bit depth buffer is too coarse.
 const FAR_OVER_NEAR: f64 = 1e4;
 /// The default view: from the right of the front (+Z) ...
 const AZIMUTH_DEG: f64 = 25.0;
@@ -20,23 +20,23 @@ const AZIMUTH_DEG: f64 = 25.0;
 /// seen as one. Between height / width of 0.6 and 0.2 the angle goes from the first to the second.
 const ELEVATION_DEG: (f64, f64) = (12.0, 27.0);
 
-/// All objects, seen through one question: how far they reach along a direction.
+/// The extent of all objects along directions.
 pub(crate) trait Extent {
     /// For each direction (any length) the largest `direction . p` over all points `p`, world space.
     fn support(&self, directions: &[DVec3]) -> Vec<f64>;
 }
 
-/// The objects' box, as centre and half diagonal; something usable where there is no extent.
+/// The sphere around the box of all objects; of radius 1 where there is no extent.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Around {
+pub(crate) struct BoundingSphere {
     pub center: DVec3,
     pub radius: f64,
 }
 
-impl Around {
+impl BoundingSphere {
     pub fn new(min: DVec3, max: DVec3) -> Self {
         let radius = 0.5 * (max - min).length();
-        Around { center: 0.5 * (min + max), radius: if radius > 1e-12 { radius } else { 1.0 } }
+        BoundingSphere { center: 0.5 * (min + max), radius: if radius > 1e-12 { radius } else { 1.0 } }
     }
 
     /// Rounded to about a thousandth of the radius: numbers that a person likes to read.
@@ -48,7 +48,12 @@ impl Around {
 
 /// The camera of a scene file with every default filled in: where its position is free, all objects are in a picture of
 /// this `aspect` (width over height).
-pub(crate) fn complete_camera(spec: &CameraSpec, around: Around, objects: &dyn Extent, aspect: f64) -> CameraSettings {
+pub(crate) fn complete_camera(
+    spec: &CameraSpec,
+    around: BoundingSphere,
+    objects: &dyn Extent,
+    aspect: f64,
+) -> CameraSettings {
     let world_up = spec.up.unwrap_or(defaults::UP);
     let up = unit(world_up.into()).unwrap_or(DVec3::Y);
     let fov_y = spec.fov_y.unwrap_or(defaults::FOV_Y);
@@ -91,7 +96,7 @@ impl Scene {
     /// field of view stay.
     pub fn framed(&self, camera: &CameraSettings, aspect: f64) -> CameraSettings {
         let (min, max) = self.bounds();
-        let around = Around::new(min, max);
+        let around = BoundingSphere::new(min, max);
         let front = camera.to_camera().front;
         let up = unit(camera.up.into()).unwrap_or(DVec3::Y);
         let fit = Fit::new(front, up, camera.fov_y, aspect, around.center, self);
@@ -103,7 +108,7 @@ impl Scene {
     /// `camera` with near and far planes that suit its position: no object is cut off, if the depth buffer allows it.
     pub fn with_planes(&self, camera: CameraSettings) -> CameraSettings {
         let (min, max) = self.bounds();
-        let around = Around::new(min, max);
+        let around = BoundingSphere::new(min, max);
         let distance = DVec3::from(camera.position).distance(around.center);
         let (near, far) = planes((None, None), distance, around.radius);
         CameraSettings { near, far, ..camera }
@@ -111,7 +116,7 @@ impl Scene {
 }
 
 /// Unit vector from the objects to the eye, for Y up.
-fn direction_to_eye(up: DVec3, around: Around, objects: &dyn Extent) -> DVec3 {
+fn direction_to_eye(up: DVec3, around: BoundingSphere, objects: &dyn Extent) -> DVec3 {
     let height: f64 = objects.support(&[up, -up]).iter().sum();
     let width = (4.0 * around.radius * around.radius - height * height).max(0.0).sqrt();
     let flatness = if height > 0.0 { ((0.6 - height / width) / 0.4).clamp(0.0, 1.0) } else { 1.0 };
@@ -120,7 +125,7 @@ fn direction_to_eye(up: DVec3, around: Around, objects: &dyn Extent) -> DVec3 {
     DVec3::new(azimuth.sin() * elevation.cos(), elevation.sin(), azimuth.cos() * elevation.cos())
 }
 
-/// How far back the eye must stand, for one viewing direction.
+/// The distance of the eye at which all objects are in the picture, for one viewing direction.
 ///
 /// A point at `x` to the right of the axis and `z` along it is in the picture if
 /// `x k <= distance + z`, with `k = 1 / (tan(fov / 2) aspect filled)`: so the distance is at least the
@@ -183,7 +188,11 @@ fn planes(given: (Option<f64>, Option<f64>), distance: f64, radius: f64) -> (f64
 ///
 /// In the lab's convention a white wall facing the key is lit by 0.84 in all, so that nothing but
 /// highlights reaches the display's limit; where `diff` is 1/pi the lights are pi times as strong.
-pub(crate) fn three_point_lights(camera: &Camera, around: Around, equation: &EquationSettings) -> Vec<LightSettings> {
+pub(crate) fn three_point_lights(
+    camera: &Camera,
+    around: BoundingSphere,
+    equation: &EquationSettings,
+) -> Vec<LightSettings> {
     let unit_light = match (equation.convention, equation.brdf) {
         (Convention::Lab, None) => 1.0,
         _ => std::f64::consts::PI,
@@ -225,7 +234,7 @@ pub(crate) fn three_point_lights(camera: &Camera, around: Around, equation: &Equ
     ]
 }
 
-/// To so many decimals (negative: tens, hundreds); the nearest number that prints that short.
+/// Rounds to a number of decimals (negative: tens, hundreds).
 fn round_decimals(v: f64, decimals: i32) -> f64 {
     let power = 10f64.powi(decimals.abs());
     let rounded = if decimals >= 0 { (v * power).round() / power } else { (v / power).round() * power };

@@ -4,6 +4,7 @@
 //! and every default is filled in. [`Frame`] is the scene at one moment, the input of both renderers.
 
 mod assemble;
+mod asset_cache;
 pub mod camera;
 pub mod color_value;
 pub mod defaults;
@@ -19,12 +20,12 @@ pub mod frame;
 pub mod framing;
 mod height_map;
 mod image_file;
+mod input_kind;
 pub mod inspect;
 pub mod load;
 mod material_binding;
 pub mod mip;
 pub mod model_file;
-mod model_kind;
 mod model_scene;
 pub mod model_textures;
 pub mod motion;
@@ -35,7 +36,6 @@ mod sampling;
 pub mod scene;
 pub mod scene_file;
 pub mod settings;
-mod stock;
 mod table_reader;
 pub mod texture;
 mod texture_library;
@@ -45,6 +45,7 @@ mod toml_tree;
 mod toml_writer;
 pub mod validate;
 
+pub use asset_cache::AssetCache;
 pub use camera::Camera;
 pub use display::{DisplayMap, ViewSpec};
 pub use environment::{LoadedEnvironment, Surroundings};
@@ -54,6 +55,5 @@ pub use picture::Picture;
 pub use scene::{BoundTexture, Maps, Object, ObjectPart, Scene, SceneMaterial};
 pub use scene_file::SceneFile;
 pub use settings::SceneSettings;
-pub use stock::Stock;
 pub use texture::{ColorSpace, Texture, TextureFilter};
 pub use texture_library::TextureUse;

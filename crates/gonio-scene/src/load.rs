@@ -1,16 +1,16 @@
-//! From a scene's description to a loaded scene.
+//! From a scene file to a complete scene.
 
 use crate::assemble::assemble;
+use crate::asset_cache::{self, AssetCache, CachedMesh, CachedModel, MaterialSource};
 use crate::environment_file;
 use crate::files::{self, Budgeted, FileSource};
-use crate::framing::{self, Around};
+use crate::framing::{self, BoundingSphere};
 use crate::material_binding::MaterialBinder;
 use crate::model_file::{self, ModelFile};
 use crate::model_scene;
 use crate::scene::{Scene, SceneMaterial};
 use crate::scene_file::{MaterialOverride, Normals, ObjectSpec, SceneFile};
 use crate::settings::{EnvironmentSettings, EquationSettings, LightSettings, SceneSettings};
-use crate::stock::{self, MaterialSource, MeshStock, ModelStock, Stock};
 use crate::validate;
 use glam::{DMat4, DQuat, DVec3};
 use gonio_light::{Fresnel, Optics};
@@ -72,7 +72,7 @@ pub fn load_within(
     let mut diagnostics = Vec::new();
     let mut binder = MaterialBinder::new(files, files.budget());
     let mut first_material = Vec::with_capacity(scene.objects.len());
-    let used: Vec<Vec<bool>> = models.iter().map(|file| stock::used_materials(&file.model)).collect();
+    let used: Vec<Vec<bool>> = models.iter().map(|file| asset_cache::used_materials(&file.model)).collect();
     let folders: Vec<Vec<PathBuf>> = models.iter().map(ModelFile::texture_folders).collect();
     for (object, &m) in scene.objects.iter().zip(&model_of_object) {
         let source = MaterialSource::of_file(&models[m], &folders[m], &used[m]);
@@ -86,7 +86,7 @@ pub fn load_within(
     let mut wanted: Vec<(usize, NormalChoice)> = Vec::new();
     let mut prepared_of_object = Vec::with_capacity(scene.objects.len());
     for (object, &m) in scene.objects.iter().zip(&model_of_object) {
-        let key = (m, NormalChoice::of(object));
+        let key = (m, NormalChoice::for_object(object));
         let index = wanted.iter().position(|k| *k == key).unwrap_or(wanted.len());
         if index == wanted.len() {
             wanted.push(key);
@@ -116,19 +116,19 @@ pub fn load_within(
         found.iter_mut().for_each(|d| *d = d.clone().in_file(&models[model].name));
         diagnostics.append(&mut found);
         let plain = Some(Arc::new(mesh.mesh));
-        meshes.push(MeshStock { model, normals, closed: mesh.closed, plain, with_tangents: None });
+        meshes.push(CachedMesh { model, normals, closed: mesh.closed, plain, with_tangents: None });
     }
-    let of_models = models.iter_mut().zip(used).map(|(file, used)| ModelStock::of_file(file, used)).collect();
-    let mut stock =
-        Stock { base: base.to_owned(), models: of_models, meshes, textures: bound.stock, environment: None };
+    let of_models = models.iter_mut().zip(used).map(|(file, used)| CachedModel::of_file(file, used)).collect();
+    let mut cache =
+        AssetCache { base: base.to_owned(), models: of_models, meshes, textures: bound.cache, environment: None };
     for (spec, &m) in scene.objects.iter_mut().zip(&model_of_object) {
         if spec.name.is_empty() {
-            spec.name = stock.models[m].object_name();
+            spec.name = cache.models[m].object_name();
         }
     }
 
     let mut loaded = Scene { materials: bound.materials, textures: bound.textures, ..Scene::default() };
-    assemble(&mut loaded, &scene.objects, &mut stock.meshes, &prepared_of_object, &first_material, &mut diagnostics);
+    assemble(&mut loaded, &scene.objects, &mut cache.meshes, &prepared_of_object, &first_material, &mut diagnostics);
     model_scene::take_camera(&mut scene, &models, &model_of_object)?;
     model_scene::take_lights(&mut scene, &models, &model_of_object, loaded.bounds(), &mut diagnostics);
     if let Some(mut read) = environment {
@@ -142,8 +142,8 @@ pub fn load_within(
     }
     loaded.camera_was_framed = scene.camera.position.is_none();
     loaded.settings = complete(scene, &loaded);
-    stock.environment = loaded.settings.environment.clone().zip(loaded.environment.clone());
-    loaded.stock = Arc::new(stock);
+    cache.environment = loaded.settings.environment.clone().zip(loaded.environment.clone());
+    loaded.cache = Arc::new(cache);
     loaded.diagnostics = diagnostics;
     Ok(loaded)
 }
@@ -155,7 +155,7 @@ fn prepare(mesh: Mesh, choice: NormalChoice) -> (PreparedMesh, Vec<Diagnostic>) 
     (PreparedMesh { mesh, closed }, diagnostics)
 }
 
-/// Which normals a mesh gets.
+/// The normals of a mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct NormalChoice {
     normals: Normals,
@@ -163,8 +163,7 @@ pub(crate) struct NormalChoice {
 }
 
 impl NormalChoice {
-    /// Of an object.
-    pub fn of(object: &ObjectSpec) -> Self {
+    pub fn for_object(object: &ObjectSpec) -> Self {
         // Flat normals have no creases to speak of.
         let crease_angle = object.crease_angle.filter(|_| object.normals != Normals::Flat);
         NormalChoice { normals: object.normals, crease_angle_rad: crease_angle.map(f64::to_radians) }
@@ -181,7 +180,7 @@ pub(crate) fn with_normals(mesh: Mesh, choice: NormalChoice) -> (Mesh, Vec<Diagn
     }
 }
 
-/// That nothing is there to be mirrored.
+/// The warning about mirrors and glass without an environment.
 pub(crate) fn lacks_surroundings() -> Diagnostic {
     Diagnostic::warning(
         "mirrors and glass show their surroundings, and the scene has none: they look like any surface; add an \
@@ -194,7 +193,7 @@ pub(crate) fn lacks_surroundings() -> Diagnostic {
 fn complete(file: SceneFile, scene: &Scene) -> SceneSettings {
     let SceneFile { picture, camera, background, environment, equation, objects, lights } = file;
     let (min, max) = scene.bounds();
-    let around = Around::new(min, max);
+    let around = BoundingSphere::new(min, max);
     let aspect = f64::from(picture.width) / f64::from(picture.height);
     let camera = framing::complete_camera(&camera, around, scene, aspect);
     let environment = environment.map(|spec| EnvironmentSettings::new(spec, lights.is_empty()));
@@ -214,7 +213,7 @@ pub fn world_from_model(object: &ObjectSpec) -> DMat4 {
     DMat4::from_scale_rotation_translation(object.scale.into(), rotation, object.translate.into())
 }
 
-/// The material of an object: the model's, with what the scene puts in its place.
+/// The material of an object: the model's, with the values that the scene replaces.
 pub(crate) fn overridden(mut material: Material, with: &MaterialOverride) -> Material {
     let rgb = |c: crate::color_value::Color| c.0.map(|v| v as f32);
     if with.textures == Some(false) {
@@ -254,7 +253,7 @@ pub(crate) fn overridden(mut material: Material, with: &MaterialOverride) -> Mat
     material
 }
 
-/// How an object of a material shows its surroundings: as the scene says, for model files have no word for it.
+/// Reflection and refraction of an object. Only the scene file has them: model files have no keys for them.
 pub(crate) fn optics_of(with: &MaterialOverride) -> Optics {
     let usual = Optics::default();
     let clear = with.medium.is_some();

@@ -1,12 +1,12 @@
 //! Materials and their textures.
 
+use crate::asset_cache::MaterialSource;
 use crate::files::{Budget, FileSource};
 use crate::load::{optics_of, overridden};
 use crate::scene::{BoundTexture, Maps, SceneMaterial};
 use crate::scene_file::MaterialOverride;
-use crate::stock::MaterialSource;
 use crate::texture::Texture;
-use crate::texture_library::{Asker, DecodedLibrary, TextureLibrary, TextureStock, TextureUse};
+use crate::texture_library::{DecodedLibrary, Requester, TextureCache, TextureLibrary, TextureUse};
 use crate::texture_recipe::{Metal, Purpose, Rule};
 use gonio_light::Optics;
 use gonio_mesh::{Diagnostic, Format, Material, TextureMap};
@@ -34,7 +34,7 @@ pub(crate) struct Bound {
     pub materials: Vec<SceneMaterial>,
     pub uses: Vec<TextureUse>,
     pub diagnostics: Vec<Diagnostic>,
-    pub stock: TextureStock,
+    pub cache: TextureCache,
 }
 
 /// Collects materials and textures of all objects, then decodes the textures at once.
@@ -47,13 +47,13 @@ pub(crate) struct MaterialBinder<'a> {
 
 impl MaterialBinder<'static> {
     /// Of textures that are known already.
-    pub fn of_stock(stock: &TextureStock) -> Self {
-        MaterialBinder { library: TextureLibrary::of_stock(stock), pending: Vec::new(), known: Vec::new() }
+    pub fn from_cache(cache: &TextureCache) -> Self {
+        MaterialBinder { library: TextureLibrary::from_cache(cache), pending: Vec::new(), known: Vec::new() }
     }
 
-    /// [`Self::finish`] without files: `None` where a texture is wanted that the stock lacks.
-    pub fn recall(self, stock: &TextureStock) -> Option<Bound> {
-        Some(bound(&self.pending, self.library.recall(stock)?))
+    /// [`Self::finish`] without files: `None` where a texture is wanted that the cache lacks.
+    pub fn recall(self, cache: &TextureCache) -> Option<Bound> {
+        Some(bound(&self.pending, self.library.recall(cache)?))
     }
 }
 
@@ -71,7 +71,7 @@ impl<'a> MaterialBinder<'a> {
         let first = self.pending.len();
         self.known.push((index, with.clone(), first));
         for (material, &used) in from.materials.iter().zip(from.used) {
-            let asker = Asker {
+            let requester = Requester {
                 model: from.name,
                 file: material.file.as_deref().unwrap_or(from.name),
                 material: &material.name,
@@ -80,7 +80,7 @@ impl<'a> MaterialBinder<'a> {
             };
             let material = overridden(material.clone(), with);
             let mut pending = if used {
-                Requests { library: &mut self.library, asker, format: from.format }.of(material, with)
+                Requests { library: &mut self.library, requester, format: from.format }.for_material(material, with)
             } else {
                 PendingMaterial::without_textures(material)
             };
@@ -123,7 +123,7 @@ fn bound(pending: &[PendingMaterial], library: DecodedLibrary) -> Bound {
         materials,
         uses: library.uses,
         diagnostics: library.diagnostics,
-        stock: library.stock,
+        cache: library.cache,
     }
 }
 
@@ -146,12 +146,12 @@ impl PendingMaterial {
 /// The textures of one material.
 struct Requests<'r, 'a> {
     library: &'r mut TextureLibrary<'a>,
-    asker: Asker<'r>,
+    requester: Requester<'r>,
     format: Format,
 }
 
 impl Requests<'_, '_> {
-    fn of(mut self, material: Material, with: &MaterialOverride) -> PendingMaterial {
+    fn for_material(mut self, material: Material, with: &MaterialOverride) -> PendingMaterial {
         let color = |m: &TextureMap| Purpose::Color(Rule::new(m.texel));
         let data = |m: &TextureMap| Purpose::Data(Rule::new(m.texel));
         let opacity = |m: &TextureMap| Purpose::Opacity(Rule::new(m.texel));
@@ -184,7 +184,7 @@ impl Requests<'_, '_> {
     ) -> Request {
         let map = map.as_ref()?;
         let key = self.key(statement, name);
-        Some((self.library.request(map, purpose(map), key, &self.asker)?, map.clone()))
+        Some((self.library.request(map, purpose(map), key, &self.requester)?, map.clone()))
     }
 
     /// As the user's file calls it.
@@ -208,7 +208,7 @@ impl Requests<'_, '_> {
         let key = self.key("map_Pm", "metalness texture");
         let metal = Metal::new(&from);
         let mut made = |purpose| {
-            let job = self.library.request_of_two(first, other, purpose, key, &self.asker)?;
+            let job = self.library.request_of_two(first, other, purpose, key, &self.requester)?;
             Some((job, lies.clone()))
         };
         if with.diffuse.is_none()

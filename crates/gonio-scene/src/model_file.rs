@@ -1,23 +1,23 @@
 //! One model file, read with the files beside it.
 
-use crate::files::{self, Beside, Budget, Budgeted, FileSource, OverLimit};
-use crate::model_kind;
+use crate::files::{self, Budget, Budgeted, FileSource, OverLimit, SidecarFolder};
+use crate::input_kind;
 use gonio_mesh::{Cause, Format, Limits, Material, Model, ReadError, compression};
 use std::path::{Path, PathBuf};
 
 /// A model file, read.
 pub struct ModelFile {
-    /// As the user knows it.
+    /// The name that the user knows.
     pub name: String,
-    /// Where it lies.
+    /// Its path.
     pub path: PathBuf,
-    /// What it was read as.
+    /// Its format.
     pub format: Format,
     /// Bytes of the file.
     pub size: u64,
     /// Bytes of what was in it, where it was compressed.
     pub unpacked_size: Option<u64>,
-    /// What is in it. Its diagnostics name their file.
+    /// The model. Its diagnostics name their file.
     pub model: Model,
     /// The sidecar files that were found.
     pub libraries: Vec<PathBuf>,
@@ -42,7 +42,7 @@ pub(crate) fn read_within<S: FileSource>(
     read_bytes(&bytes, path, name, files, limits).map_err(|e| e.in_file(name))
 }
 
-/// What is in compressed bytes, paid for; `None` where they are not compressed.
+/// Unpacks compressed bytes and charges them to the budget; `None` where they are not compressed.
 pub(crate) fn unpack(bytes: &[u8], limits: &Limits, budget: &Budget) -> Result<Option<Vec<u8>>, ReadError> {
     if !compression::is_compressed(bytes) {
         return Ok(None);
@@ -83,8 +83,8 @@ fn read_bytes<S: FileSource>(
 ) -> Result<ModelFile, ReadError> {
     let unpacked = unpack(bytes, limits, files.budget())?;
     let content = unpacked.as_deref().unwrap_or(bytes);
-    let format = model_kind::format_of(content, &path.to_string_lossy()).map_err(ReadError::new)?;
-    let mut beside = Beside::of(path, files, files.budget());
+    let format = input_kind::format_of(content, &path.to_string_lossy()).map_err(ReadError::new)?;
+    let mut beside = SidecarFolder::new(path, files, files.budget());
     let read = format.read(content, &mut beside, limits);
     // What other files leave over depends on the order in which threads read them: that a model goes without a file
     // for want of memory would not be the same every time.

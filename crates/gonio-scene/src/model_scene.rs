@@ -1,4 +1,4 @@
-//! Lights and cameras of models' files, as the scene's own.
+//! Lights and cameras of model files, taken over into the scene.
 
 use crate::color_value::Color;
 use crate::load::world_from_model;
@@ -11,7 +11,7 @@ use gonio_mesh::{Diagnostic, ModelCamera, ModelLight, ModelLightKind, ReadError}
 /// Lights whose sum in the middle of the objects lies between these are taken as they are.
 const USUAL_LIGHT: (f64, f64) = (0.25, 4.0);
 
-/// In the place of `camera.from_model` its values; what the scene gives besides stays.
+/// Replaces `camera.from_model` by the values of that camera. Values that the scene gives itself stay.
 pub(crate) fn take_camera(
     scene: &mut SceneFile,
     models: &[ModelFile],
@@ -62,7 +62,7 @@ fn spec_of(camera: &ModelCamera, world_from_model: DMat4) -> CameraSpec {
     }
 }
 
-/// A scene without lights gets those of its models' files.
+/// Gives a scene without lights those of its model files.
 ///
 /// Their units are those of photometry or of a program's own (candela, watts), whose numbers would need a camera's
 /// exposure: where their sum in the middle of the objects is no usual one, all are scaled alike, so that it is 1.

@@ -7,9 +7,9 @@ use std::path::{Path, PathBuf};
 
 /// A texture's file.
 pub struct TextureFile {
-    /// Where it was found; `None` of built-in ones, which are no files.
+    /// Its path; `None` for built-in files.
     pub path: Option<PathBuf>,
-    /// What is in it.
+    /// Its content.
     pub bytes: FileBytes,
 }
 
@@ -27,7 +27,7 @@ impl ModelFile {
         Ok(TextureFile { path: Some(path).filter(|_| !is_builtin), bytes })
     }
 
-    /// Where its textures are sought, in order.
+    /// The folders in which its textures are searched for, in order.
     pub(crate) fn texture_folders(&self) -> Vec<PathBuf> {
         let mut folders: Vec<PathBuf> = Vec::new();
         for file in [&self.path].into_iter().chain(&self.libraries) {

@@ -1,13 +1,13 @@
-//! Where a moving light is.
+//! The positions of moving lights.
 
 use crate::settings::{Motion, MotionPath};
 use glam::{DQuat, DVec3};
 use gonio_light::vector::unit;
 use std::f64::consts::TAU;
 
-/// The place at `time`, seconds, of a light that stands at `position` where it does not move.
+/// The position at `time`, seconds, of a light whose motion starts at `position`.
 ///
-/// All motions repeat after `period` and start, at time 0, at `position` (a path: at its first point).
+/// All motions repeat after `period`. At time 0 the light is at `position`, on a path at its first point.
 pub fn position_at(motion: &Motion, position: DVec3, time: f64) -> DVec3 {
     let turns = time / motion.period;
     if !turns.is_finite() {

@@ -1,10 +1,10 @@
-//! What a window shows of a scene besides its picture and the quantities of the equation.
+//! Views of a scene besides its picture and the quantities of the equation, and overlays.
 
 use gonio_light::named_enum;
 use serde::{Deserialize, Serialize};
 
 named_enum! {
-    /// A view of a scene that is no quantity of the light equation.
+    /// A view of a scene that is not a quantity of the light equation.
     pub enum SpecialView {
         /// The texture coordinates: eight by eight squares for each unit, red growing with u and green with v.
         UvChecker = "uv-checker",
@@ -31,7 +31,7 @@ named_enum! {
     what "overlay";
 }
 
-/// What is laid over it: lines of one and a half pixels, hidden where a surface is in front of them, in colours of their
+/// The overlays of a view: lines of one and a half pixels, hidden where a surface is in front of them, in colours of their
 /// own whatever the exposure is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]

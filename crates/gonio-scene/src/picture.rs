@@ -58,7 +58,7 @@ impl Picture {
     }
 }
 
-/// What [`DisplayMap::apply`] gives, with a table in place of the sRGB power. `to_display` is the
+/// [`DisplayMap::apply`] with a table in place of the sRGB power. `to_display` is the
 /// transform without its encoding.
 fn srgb8(pixel: [f32; 4], to_display: &OutputTransform) -> [u8; 4] {
     let alpha = f64::from(pixel[3]).clamp(0.0, 1.0);

@@ -1,10 +1,10 @@
 //! A scene with its files read.
 
+use crate::asset_cache::AssetCache;
 use crate::environment::LoadedEnvironment;
 use crate::framing::Extent;
 use crate::scene_file::Shading;
 use crate::settings::SceneSettings;
-use crate::stock::Stock;
 use crate::texture::Texture;
 use glam::{DMat4, DVec3};
 use gonio_light::Optics;
@@ -21,22 +21,22 @@ pub struct Scene {
     pub settings: SceneSettings,
     /// Geometry; every mesh has normals.
     pub meshes: Vec<Arc<Mesh>>,
-    /// Of all objects.
+    /// The materials of all objects.
     pub materials: Vec<SceneMaterial>,
     /// Each file once per color space.
     pub textures: Vec<Arc<Texture>>,
-    /// What the scene is surrounded by.
+    /// The environment.
     pub environment: Option<Arc<LoadedEnvironment>>,
-    /// In the order of the scene.
+    /// The objects, in the order of the scene file.
     pub objects: Vec<Object>,
-    /// Everything odd that was survived.
+    /// Warnings and notes about the files.
     pub diagnostics: Vec<Diagnostic>,
     /// The scene file had no camera position: one was chosen that frames the objects.
     pub camera_was_framed: bool,
     /// Remembered by [`Scene::bounds`]; leave it empty.
     pub known_bounds: OnceLock<(DVec3, DVec3)>,
-    /// What [`crate::edit::apply`] needs; leave it empty in scenes that are built by hand.
-    pub stock: Arc<Stock>,
+    /// The assets that [`crate::edit::apply`] needs; empty in scenes that are built by hand.
+    pub cache: Arc<AssetCache>,
 }
 
 impl Scene {
@@ -53,10 +53,10 @@ impl Scene {
     /// The materials of an object's model as they stand in its file, before the scene put anything in their place: those
     /// that any triangle has. Empty in scenes that were built by hand.
     pub fn materials_in_file(&self, object: usize) -> Vec<&Material> {
-        let Some((model, _)) = self.settings.objects.get(object).and_then(|spec| self.stock.find(spec)) else {
+        let Some((model, _)) = self.settings.objects.get(object).and_then(|spec| self.cache.find(spec)) else {
             return Vec::new();
         };
-        let Some(of) = self.stock.models.get(model) else { return Vec::new() };
+        let Some(of) = self.cache.models.get(model) else { return Vec::new() };
         let used = |i: usize| of.used.get(i).copied().unwrap_or(false);
         of.materials.iter().enumerate().filter(|(i, _)| used(*i)).map(|(_, material)| material).collect()
     }
@@ -95,7 +95,7 @@ impl Extent for Scene {
 /// A model in its place.
 #[derive(Clone, Debug)]
 pub struct Object {
-    /// For reports and debug groups.
+    /// The name in reports and debug groups.
     pub name: String,
     /// Index into [`Scene::meshes`].
     pub mesh: usize,
@@ -116,7 +116,7 @@ pub struct ObjectPart {
     pub name: String,
     /// First triangle.
     pub first_triangle: usize,
-    /// How many.
+    /// The number of triangles.
     pub triangle_count: usize,
     /// Index into [`Scene::materials`].
     pub material: usize,
@@ -129,7 +129,7 @@ pub struct SceneMaterial {
     pub material: Material,
     /// The textures that were found.
     pub maps: Maps,
-    /// How it shows the environment. Without one it shows nothing of it.
+    /// Reflection and refraction of the environment.
     pub optics: Optics,
 }
 
@@ -164,7 +164,7 @@ pub struct BoundTexture {
     pub rotation: f32,
     /// ... then this is added.
     pub offset: [f32; 2],
-    /// What is beyond the picture's edges, along u and along v.
+    /// The values beyond the picture's edges, along u and along v.
     pub wrap: [Wrap; 2],
 }
 

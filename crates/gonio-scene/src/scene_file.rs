@@ -62,7 +62,7 @@ named_enum! {
 }
 
 named_enum! {
-    /// How a light moves.
+    /// The motion of a light.
     pub enum MotionKind {
         /// position + amplitude * sin(2 pi time / period)
         Oscillate = "oscillate",
@@ -95,7 +95,7 @@ pub struct SceneFile {
     pub picture: PictureSpec,
     /// The eye. What is left out is chosen so that all objects are in the picture.
     pub camera: CameraSpec,
-    /// What is seen where there is no object.
+    /// The colours behind the objects.
     pub background: BackgroundSpec,
     /// Light that comes from everywhere: what is seen behind the objects, in mirrors and through glass.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -127,7 +127,7 @@ pub struct PictureSpec {
     pub tone_map: ToneMap,
     /// Stops.
     pub exposure: f64,
-    /// How textures are sampled.
+    /// The filter of textures.
     pub texture_filter: TextureFilter,
 }
 
@@ -180,7 +180,7 @@ pub struct CameraSpec {
     pub far: Option<f64>,
 }
 
-/// What is seen where there is no object.
+/// The colours behind the objects.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct BackgroundSpec {
@@ -225,7 +225,7 @@ pub struct EnvironmentSpec {
     pub light: Option<bool>,
     /// Whether it is seen behind the objects.
     pub visible: bool,
-    /// How blurred it is there, 0 to 1.
+    /// Blur of the background, 0 to 1.
     pub blur: f64,
     /// Another environment to be seen there; turned alike.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -311,7 +311,7 @@ impl Default for EquationSpec {
 pub struct ObjectSpec {
     /// A file, relative to the scene file, or `builtin:NAME`; `builtin:sphere-N` has N triangles: 8, 32, ... 8 f².
     pub model: String,
-    /// For reports and debug groups; the model's file name by default.
+    /// The name in reports and debug groups; the model's file name by default.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub name: String,
     /// Applied last.
@@ -388,7 +388,7 @@ pub struct MaterialOverride {
     /// From an opaque surface (0) to a clear one (1), through which the environment is seen.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub transmission: Option<f64>,
-    /// How much is reflected by the angle: none, exact or Schlick's.
+    /// The Fresnel factor: none, exact or Schlick's.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fresnel: Option<Fresnel>,
     /// Colour of what is let through.
@@ -418,16 +418,16 @@ impl MaterialOverride {
 pub struct LightSpec {
     /// Ambient, directional, point or spot.
     pub kind: LightSourceKind,
-    /// For reports.
+    /// The name in reports.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub name: String,
-    /// Whether it shines; left out, it does. One that is off sends no light and keeps its number.
+    /// Whether the light is on; it is by default. A light that is off keeps its number.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub enabled: Option<bool>,
-    /// Of points and spots: world space.
+    /// The position of point lights and spots, world space.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub position: Option<[f64; 3]>,
-    /// Of directional lights and spots: the way the light travels. Need not have unit length.
+    /// The direction in which directional lights and spots shine. Need not have unit length.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub direction: Option<[f64; 3]>,
     /// `L_i` is `color` times `intensity`.
@@ -458,12 +458,12 @@ pub struct LightSpec {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("default" = defaults::OUTER_ANGLE))]
     pub outer_angle: Option<f64>,
-    /// How it moves with time.
+    /// Its motion.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub motion: Option<MotionSpec>,
 }
 
-/// How a light moves with time.
+/// The motion of a light.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MotionSpec {
@@ -471,17 +471,17 @@ pub struct MotionSpec {
     pub kind: MotionKind,
     /// Seconds, > 0.
     pub period: f64,
-    /// Of oscillate: how far to each side.
+    /// The largest displacement of an oscillation.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub amplitude: Option<[f64; 3]>,
-    /// Of circle.
+    /// The centre of a circle.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub center: Option<[f64; 3]>,
     /// The axis of a circle.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("default" = defaults::MOTION_AXIS))]
     pub axis: Option<[f64; 3]>,
-    /// Of path.
+    /// The points of a path.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub points: Option<Vec<[f64; 3]>>,
 }

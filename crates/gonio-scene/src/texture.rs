@@ -20,7 +20,7 @@ named_enum! {
     what "texture filter";
 }
 
-/// What a texture's numbers mean.
+/// The meaning of a texture's numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ColorSpace {
     /// sRGB colours (alpha linear): decoded before filtering.
@@ -40,7 +40,7 @@ pub struct Texture {
     pub height: u32,
     /// `width * height * 4` bytes, first row is the picture's **top**.
     pub rgba: Vec<u8>,
-    /// What the numbers mean.
+    /// The meaning of the numbers.
     pub color_space: ColorSpace,
     /// The smaller levels, made when they are first asked for.
     levels: OnceLock<Vec<MipLevel>>,

@@ -1,4 +1,4 @@
-//! All textures of a scene: each file is sought, read and decoded once, and made into a texture once for each use.
+//! All textures of a scene: each file is searched for, read and decoded once, and made into a texture once for each use.
 
 use crate::files::{self, Budget, FileBytes, FileSource};
 use crate::image_file::{self, Decoded};
@@ -11,38 +11,38 @@ use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// Who asks for a texture: for messages, and where to look.
-pub(crate) struct Asker<'a> {
+/// The material that needs a texture: for messages, and for the folders to search.
+pub(crate) struct Requester<'a> {
     /// The model, as the user knows it.
     pub model: &'a str,
     /// The file whose line names the texture.
     pub file: &'a str,
     pub material: &'a str,
-    /// Where textures are sought, in order.
+    /// The folders to search, in order.
     pub folders: &'a [PathBuf],
     /// Pictures inside the model's file.
     pub images: &'a [EmbeddedImage],
 }
 
-/// A texture that a material names, and what became of it.
+/// A texture that a material names, and the outcome.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct TextureUse {
     /// The material that names it.
     pub material: String,
-    /// For what: `map_Kd`.
+    /// The key: `map_Kd`.
     pub key: String,
-    /// As written.
+    /// The name as written.
     pub name: String,
     /// The line that names it, from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub line: Option<u64>,
-    /// Where it was found; of embedded pictures the model's file and the picture's name.
+    /// Its path; for embedded pictures the model's file and the picture's name.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub found: Option<String>,
-    /// Where it was sought in vain.
+    /// The paths where it was not found.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tried: Vec<String>,
-    /// The reason for which a file that exists was not read.
+    /// The reason why a file that exists was not read.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub refused: Option<String>,
     /// Width and height in texels, where it could be decoded.
@@ -63,16 +63,16 @@ struct Job {
     first_asked_by: Diagnostic,
 }
 
-/// Where a name was found, or where it was sought in vain.
+/// The picture of a name, or the paths where it was not found.
 type Found = Result<usize, MissingSidecar>;
 
-/// What was sought: a name, and where.
+/// A search: a name and folders.
 type Sought = (String, Vec<PathBuf>);
 
-/// What was found and made, kept so that other materials of the same models can be bound without the files. It has the
+/// The pictures found and textures made, kept so that other materials of the same models can be bound without the files. It has the
 /// pictures' paths and not their bytes: a file that is mapped may be written anew by whoever edits it.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct TextureStock {
+pub(crate) struct TextureCache {
     paths: Vec<PathBuf>,
     found: HashMap<Sought, Found>,
     /// `None` where it could not be made, which was said then.
@@ -81,9 +81,9 @@ pub(crate) struct TextureStock {
 
 /// The textures that were asked for.
 pub(crate) struct TextureLibrary<'a> {
-    /// Where to read and what pays for it; `None`: only what the stock has.
+    /// Where to read and what pays for it; `None`: only what the cache has.
     files: Option<(&'a dyn FileSource, &'a Budget)>,
-    /// Something was asked for that the stock lacks.
+    /// Something was asked for that the cache lacks.
     lacks: bool,
     pictures: Vec<Picture>,
     jobs: Vec<Job>,
@@ -96,39 +96,39 @@ pub(crate) struct TextureLibrary<'a> {
     diagnostics: Vec<Diagnostic>,
 }
 
-/// What [`TextureLibrary::decode`] gives.
+/// The result of [`TextureLibrary::decode`].
 pub(crate) struct DecodedLibrary {
     pub textures: Vec<Arc<Texture>>,
-    /// For each job which texture it became.
+    /// The texture of each job.
     pub texture_of_job: Vec<Option<usize>>,
     pub uses: Vec<TextureUse>,
     pub diagnostics: Vec<Diagnostic>,
-    pub stock: TextureStock,
+    pub cache: TextureCache,
 }
 
 impl TextureLibrary<'static> {
     /// Of what is known, without files.
-    pub fn of_stock(stock: &TextureStock) -> Self {
+    pub fn from_cache(cache: &TextureCache) -> Self {
         let nothing = || FileBytes::from_static(&[]);
-        let pictures = stock.paths.iter().map(|path| Picture { path: path.clone(), bytes: nothing() }).collect();
-        TextureLibrary { pictures, found: stock.found.clone(), ..TextureLibrary::from_files(None) }
+        let pictures = cache.paths.iter().map(|path| Picture { path: path.clone(), bytes: nothing() }).collect();
+        TextureLibrary { pictures, found: cache.found.clone(), ..TextureLibrary::from_files(None) }
     }
 
     /// The textures that were asked for, all of them known; `None` where one is not. What is to be said of them was
     /// said when they were made.
-    pub fn recall(self, stock: &TextureStock) -> Option<DecodedLibrary> {
+    pub fn recall(self, cache: &TextureCache) -> Option<DecodedLibrary> {
         let mut textures = Vec::new();
         let mut texture_of_job = Vec::new();
         for job in &self.jobs {
-            let made = stock.made.get(&(job.pictures.clone(), job.purpose))?;
+            let made = cache.made.get(&(job.pictures.clone(), job.purpose))?;
             texture_of_job.push(made.as_ref().map(|texture| {
                 textures.push(texture.clone());
                 textures.len() - 1
             }));
         }
         let (uses, diagnostics) = (Vec::new(), Vec::new());
-        let stock = stock.clone();
-        (!self.lacks).then_some(DecodedLibrary { textures, texture_of_job, uses, diagnostics, stock })
+        let cache = cache.clone();
+        (!self.lacks).then_some(DecodedLibrary { textures, texture_of_job, uses, diagnostics, cache })
     }
 }
 
@@ -153,9 +153,15 @@ impl<'a> TextureLibrary<'a> {
     }
 
     /// The job's number for a map, or `None` with a warning where the file is not to be found.
-    pub fn request(&mut self, map: &TextureMap, purpose: Purpose, key: &str, asker: &Asker<'_>) -> Option<usize> {
-        let picture = self.find(map, key, asker)?;
-        Some(self.job(vec![picture], purpose, about(map, key, asker)))
+    pub fn request(
+        &mut self,
+        map: &TextureMap,
+        purpose: Purpose,
+        key: &str,
+        requester: &Requester<'_>,
+    ) -> Option<usize> {
+        let picture = self.find(map, key, requester)?;
+        Some(self.job(vec![picture], purpose, about(map, key, requester)))
     }
 
     /// The job's number for a texture made of two pictures, where both are found; the second may be left out, and
@@ -166,13 +172,13 @@ impl<'a> TextureLibrary<'a> {
         other: Option<&TextureMap>,
         purpose: Purpose,
         key: &str,
-        asker: &Asker<'_>,
+        requester: &Requester<'_>,
     ) -> Option<usize> {
-        let mut pictures = vec![self.find(map, key, asker)?];
+        let mut pictures = vec![self.find(map, key, requester)?];
         if let Some(other) = other {
-            pictures.push(self.find(other, key, asker)?);
+            pictures.push(self.find(other, key, requester)?);
         }
-        Some(self.job(pictures, purpose, about(map, key, asker)))
+        Some(self.job(pictures, purpose, about(map, key, requester)))
     }
 
     fn job(&mut self, pictures: Vec<usize>, purpose: Purpose, first_asked_by: Diagnostic) -> usize {
@@ -184,10 +190,10 @@ impl<'a> TextureLibrary<'a> {
     }
 
     /// The picture of a map.
-    fn find(&mut self, map: &TextureMap, key: &str, asker: &Asker<'_>) -> Option<usize> {
+    fn find(&mut self, map: &TextureMap, key: &str, requester: &Requester<'_>) -> Option<usize> {
         let found = match map.embedded {
-            Some(index) => self.find_embedded(index, asker),
-            None => self.find_file(&map.path, asker.folders),
+            Some(index) => self.find_embedded(index, requester),
+            None => self.find_file(&map.path, requester.folders),
         };
         let (missing, path) = match &found {
             Ok(picture) => (MissingSidecar::default(), Some(self.pictures[*picture].path.display().to_string())),
@@ -195,7 +201,7 @@ impl<'a> TextureLibrary<'a> {
         };
         let MissingSidecar { tried, refused } = missing;
         // One material of one model may be asked for several times: with overrides, for a derived texture.
-        let asked = [asker.model, asker.material, key, &map.path].map(str::to_owned);
+        let asked = [requester.model, requester.material, key, &map.path].map(str::to_owned);
         if self.asked.insert((asked, map.line)) {
             if path.is_none() {
                 let why = match &refused {
@@ -203,12 +209,12 @@ impl<'a> TextureLibrary<'a> {
                     None => format!("was not found; looked for {} (upper or lower case)", tried.join(", ")),
                 };
                 let message = format!("the texture `{}` {why}. The material is used without it", map.path);
-                let mut diagnostic = about(map, key, asker);
+                let mut diagnostic = about(map, key, requester);
                 diagnostic.message.push_str(&message);
                 self.diagnostics.push(diagnostic);
             }
             let asked = TextureUse {
-                material: asker.material.to_owned(),
+                material: requester.material.to_owned(),
                 key: key.to_owned(),
                 name: map.path.clone(),
                 line: map.line,
@@ -237,8 +243,8 @@ impl<'a> TextureLibrary<'a> {
         found
     }
 
-    fn find_embedded(&mut self, index: usize, asker: &Asker<'_>) -> Found {
-        let path = format!("{}#{index}", asker.model);
+    fn find_embedded(&mut self, index: usize, requester: &Requester<'_>) -> Found {
+        let path = format!("{}#{index}", requester.model);
         let sought = (path, Vec::new());
         if let Some(found) = self.found.get(&sought) {
             return found.clone();
@@ -247,10 +253,10 @@ impl<'a> TextureLibrary<'a> {
             self.lacks = true;
             return Err(MissingSidecar::default());
         }
-        let image = asker.images.get(index);
+        let image = requester.images.get(index);
         let found = image.map_or_else(
             || Err(MissingSidecar { tried: vec![sought.0.clone()], refused: None }),
-            |image| Ok(self.picture(format!("{}#{}", asker.model, image.name).into(), image.bytes.clone().into())),
+            |image| Ok(self.picture(format!("{}#{}", requester.model, image.name).into(), image.bytes.clone().into())),
         );
         self.found.insert(sought, found.clone());
         found
@@ -296,7 +302,7 @@ impl<'a> TextureLibrary<'a> {
             let texture = texture.and_then(|index| textures.get(index).cloned());
             ((job.pictures.clone(), job.purpose), texture)
         });
-        let stock = TextureStock {
+        let cache = TextureCache {
             made: made.collect(),
             paths: self.pictures.iter().map(|p| p.path.clone()).collect(),
             found: self.found,
@@ -307,7 +313,7 @@ impl<'a> TextureLibrary<'a> {
             .into_iter()
             .map(|(asked, picture)| TextureUse { size: picture.and_then(size_of), ..asked })
             .collect();
-        DecodedLibrary { textures, texture_of_job, uses, diagnostics: self.diagnostics, stock }
+        DecodedLibrary { textures, texture_of_job, uses, diagnostics: self.diagnostics, cache }
     }
 
     /// Each picture, in parallel; those that would take more than what is left are refused by their sizes, before
@@ -348,7 +354,7 @@ impl<'a> TextureLibrary<'a> {
 }
 
 /// A warning that begins with who asks, to be completed.
-fn about(map: &TextureMap, key: &str, asker: &Asker<'_>) -> Diagnostic {
-    let message = format!("{key} of material `{}`: ", asker.material);
-    Diagnostic { line: map.line, ..Diagnostic::warning(message).in_file(asker.file) }
+fn about(map: &TextureMap, key: &str, requester: &Requester<'_>) -> Diagnostic {
+    let message = format!("{key} of material `{}`: ", requester.material);
+    Diagnostic { line: map.line, ..Diagnostic::warning(message).in_file(requester.file) }
 }

@@ -1,11 +1,11 @@
-//! What a picture is made into before it is a texture: its channels, its range, heights to normals, metal to colours.
+//! Conversion of pictures to textures: channels, ranges, heights to normals, metalness to colours.
 
 use crate::height_map;
 use crate::image_file::Decoded;
 use gonio_light::color::{srgb_decode, srgb_encode};
 use gonio_mesh::{Channel, MetallicRoughness, TexelRule};
 
-/// What a texture is for, which decides what is done to its numbers. Floats are kept as bits, so that uses can be
+/// The purpose of a texture, which determines the conversion of its numbers. Floats are kept as bits, so that uses can be
 /// compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Purpose {

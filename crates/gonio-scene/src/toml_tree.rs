@@ -1,5 +1,5 @@
-//! A tree of values that remember where in the text they stand: what a scene file and an option of
-//! the command line have in common before they are understood.
+//! A tree of values with their positions in the text: the common form of scene files and options before they are
+//! interpreted.
 
 use gonio_mesh::ReadError;
 use std::ops::Range;
@@ -12,7 +12,7 @@ pub(crate) struct Item {
     pub span: Range<usize>,
 }
 
-/// What stands there.
+/// A value.
 #[derive(Clone, Debug)]
 pub(crate) enum Value {
     Number(f64),
@@ -31,7 +31,7 @@ pub(crate) struct Entry {
     pub item: Item,
 }
 
-/// What is wrong, and at which bytes of the text.
+/// An error at some bytes of the text.
 #[derive(Clone, Debug)]
 pub(crate) struct Fault {
     pub message: String,
@@ -43,7 +43,7 @@ impl Fault {
         Fault { message: message.into(), span: Some(span.clone()) }
     }
 
-    /// As an error with line and column of `text`.
+    /// Converts to an error with line and column of `text`.
     pub fn in_text(self, text: &str) -> ReadError {
         let error = ReadError::new(self.message);
         match self.span {
@@ -57,7 +57,7 @@ impl Fault {
 }
 
 impl Value {
-    /// In the words of an error message.
+    /// The type of the value in error messages.
     pub fn describe(&self) -> String {
         match self {
             Value::Number(_) => "a number".into(),

@@ -1,5 +1,5 @@
-//! What a scene's numbers may be. Knows nothing of files: a scene from TOML and one that the command
-//! line has changed pass the same checks.
+//! The ranges of a scene's values. Scenes from TOML and scenes that the command line or the window has changed pass the
+//! same checks.
 
 use crate::scene_file::{
     CameraSpec, EnvironmentSpec, EquationSpec, LightSourceKind, LightSpec, MaterialOverride, MotionKind, MotionSpec,
@@ -16,10 +16,10 @@ pub const MAX_PIXELS: u64 = 1 << 26;
 /// Coordinates and lengths are at most this, so that their squares are finite also in `f32`.
 pub const MAX_LENGTH: f64 = 1e15;
 
-/// A value that a scene may not have.
+/// A value that is out of its range.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Problem {
-    /// `camera.fov_y`, `light[0].motion.period`: where it stands.
+    /// The path of the key: `camera.fov_y`, `light[0].motion.period`.
     pub path: String,
     /// One sentence that names the key.
     pub message: String,
@@ -43,7 +43,7 @@ impl std::error::Error for Problem {}
 
 type Check = Result<(), Problem>;
 
-/// The first thing that is wrong with `scene`.
+/// Checks all values of `scene`; the error is about the first that is out of its range.
 pub fn check(scene: &SceneFile) -> Check {
     check_picture(&scene.picture)?;
     check_camera(&scene.camera)?;
@@ -180,7 +180,7 @@ pub(crate) fn check_material(at: &str, m: &MaterialOverride) -> Check {
     check_number(at, "dispersion", m.dispersion, |v| (-1.0..=1.0).contains(&v), "must be -1 to 1")
 }
 
-/// One light, as it stands at `at` (for example `light[0]`).
+/// Checks one light, whose path is `at` (for example `light[0]`).
 pub fn check_light(at: &str, l: &LightSpec) -> Check {
     use LightSourceKind::{Ambient, Directional, Point, Spot};
     let (has_position, has_direction) = (l.kind.has_position(), l.kind.has_direction());

@@ -14,7 +14,7 @@ use gonio_scene::{
 use std::sync::Arc;
 
 /// A scene and a moment of it.
-pub struct Lab {
+pub struct TestScene {
     pub scene: Scene,
     pub frame: Frame,
 }
@@ -44,10 +44,10 @@ pub fn view(quantity: Quantity) -> ViewSpec {
     ViewSpec { quantity, light: None }
 }
 
-impl Lab {
+impl TestScene {
     /// 33 x 33 pixels, one sample, the eye at (0, 0, 5) looking along -Z, black behind, no light, no object.
-    pub fn new() -> Lab {
-        Lab {
+    pub fn new() -> TestScene {
+        TestScene {
             scene: Scene::default(),
             frame: Frame {
                 width: 33,
@@ -75,37 +75,37 @@ impl Lab {
         }
     }
 
-    pub fn light(mut self, light: Light) -> Lab {
+    pub fn light(mut self, light: Light) -> TestScene {
         self.frame.lights.push(light);
         self
     }
 
     /// The eye at `position`, looking at `target`.
-    pub fn eye(mut self, position: [f64; 3], target: [f64; 3]) -> Lab {
+    pub fn eye(mut self, position: [f64; 3], target: [f64; 3]) -> TestScene {
         let (position, target) = (DVec3::from(position), DVec3::from(target));
         let c = self.frame.camera;
         self.frame.camera = Camera::looking_along(position, target - position, DVec3::Y, c.fov_y_rad, c.near, c.far);
         self
     }
 
-    pub fn frame(mut self, change: impl FnOnce(&mut Frame)) -> Lab {
+    pub fn frame(mut self, change: impl FnOnce(&mut Frame)) -> TestScene {
         change(&mut self.frame);
         self
     }
 
     /// A texture; the index of the next one is the number of those before.
-    pub fn texture(mut self, width: u32, height: u32, rgba: &[u8], color_space: ColorSpace) -> Lab {
+    pub fn texture(mut self, width: u32, height: u32, rgba: &[u8], color_space: ColorSpace) -> TestScene {
         let texture = Texture::new("test", width, height, rgba.to_vec(), color_space);
         self.scene.textures.push(std::sync::Arc::new(texture));
         self
     }
 
     /// An object of one material.
-    pub fn object(self, mesh: Mesh, shading: Shading, material: Material) -> Lab {
+    pub fn object(self, mesh: Mesh, shading: Shading, material: Material) -> TestScene {
         self.placed(mesh, shading, material, Maps::default(), DMat4::IDENTITY)
     }
 
-    pub fn placed(mut self, mesh: Mesh, shading: Shading, material: Material, maps: Maps, m: DMat4) -> Lab {
+    pub fn placed(mut self, mesh: Mesh, shading: Shading, material: Material, maps: Maps, m: DMat4) -> TestScene {
         let scene = &mut self.scene;
         scene.objects.push(Object {
             name: format!("object {}", scene.objects.len()),
@@ -126,26 +126,26 @@ impl Lab {
     }
 
     /// An environment all around, seen and of intensity 1.
-    pub fn environment(mut self, map: Cubemap) -> Lab {
+    pub fn environment(mut self, map: Cubemap) -> TestScene {
         self.scene.environment = Some(Arc::new(LoadedEnvironment::new("test", map)));
         self.frame.surroundings = Some(Surroundings::default());
         self
     }
 
     /// The last object's material shows the environment so.
-    pub fn optics(mut self, optics: Optics) -> Lab {
+    pub fn optics(mut self, optics: Optics) -> TestScene {
         self.scene.materials.last_mut().unwrap().optics = optics;
         self
     }
 
     /// The index of refraction of the last object's material.
-    pub fn index(mut self, index: f32) -> Lab {
+    pub fn index(mut self, index: f32) -> TestScene {
         self.scene.materials.last_mut().unwrap().material.refraction_index = index;
         self
     }
 
     /// The last object is closed: its back faces are culled.
-    pub fn closed(mut self) -> Lab {
+    pub fn closed(mut self) -> TestScene {
         self.scene.objects.last_mut().unwrap().closed = true;
         self
     }
@@ -247,13 +247,13 @@ pub fn is_exact(d: DVec3) -> bool {
 }
 
 /// The unit direction through the middle of a pixel.
-pub fn ray_of(lab: &Lab, x: u32, y: u32) -> DVec3 {
+pub fn ray_of(lab: &TestScene, x: u32, y: u32) -> DVec3 {
     let frame = &lab.frame;
     frame.camera.ray_direction(f64::from(x) + 0.5, f64::from(y) + 0.5, frame.width, frame.height)
 }
 
 /// The normal that a shading has where the first object is hit.
-pub fn shading_normal(lab: &Lab, probe: &Probe, shading: Shading) -> DVec3 {
+pub fn shading_normal(lab: &TestScene, probe: &Probe, shading: Shading) -> DVec3 {
     if matches!(shading, Shading::Flat | Shading::FlatPerFace) {
         return probe.geometry.geometric_normal;
     }

@@ -57,7 +57,7 @@ impl Budget {
         let mut spent = self.lock();
         let known = spent.files.get(path).copied().unwrap_or(0);
         let allowed = self.limit - spent.bytes + known;
-        let bytes = read(allowed).map_err(|error| match Refusal::of(&error) {
+        let bytes = read(allowed).map_err(|error| match Refusal::in_error(&error) {
             Some(Refusal::OverLimit(over)) => Refusal::OverLimit(self.over(over.needed, allowed.min(over.left))).into(),
             _ => error,
         })?;
@@ -98,7 +98,7 @@ impl<S: FileSource> Budgeted<S> {
         Budgeted { inner, budget: Budget::new(limit) }
     }
 
-    /// What is left, and where to pay for what is made of the files.
+    /// The budget that the files are charged to.
     pub fn budget(&self) -> &Budget {
         &self.budget
     }
@@ -151,7 +151,7 @@ mod tests {
         assert_eq!(files.budget().left(), 40);
         let error = files.read(Path::new("50")).unwrap_err();
         let over = OverLimit { needed: Some(50), left: 40, limit: 100 };
-        assert_eq!(Refusal::of(&error), Some(&Refusal::OverLimit(over)));
+        assert_eq!(Refusal::in_error(&error), Some(&Refusal::OverLimit(over)));
         assert_eq!(files.read(Path::new("40")).unwrap().len(), 40);
         assert_eq!(files.budget().left(), 0);
         assert_eq!(files.read(Path::new("60")).unwrap().len(), 60, "it is paid for");

@@ -6,7 +6,7 @@ use std::fmt::Write;
 use std::io::{Error, ErrorKind};
 use std::path::{Component, Path, PathBuf};
 
-/// What the paths of built-in files begin with.
+/// The prefix of the paths of built-in files.
 pub const BUILTIN: &str = "builtin:";
 
 /// A module for the web carries the names alone: together the files are as large as the rest of it, and the first
@@ -73,7 +73,7 @@ pub fn is_builtin(path: &str) -> bool {
     FILES.iter().any(|(known, _)| *known == path)
 }
 
-/// What the built-in spheres of a number of triangles are called: `sphere-512`.
+/// The name of the built-in sphere with a number of triangles: `sphere-512`.
 const SPHERE: &str = "sphere-";
 
 /// The frequency of the sphere that a model's name stands for, `builtin:sphere-N`, where a sphere of N triangles can be

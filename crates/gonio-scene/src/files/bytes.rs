@@ -15,12 +15,12 @@ enum Place {
 }
 
 impl FileBytes {
-    /// Of the program itself.
+    /// Bytes of the program itself.
     pub fn from_static(bytes: &'static [u8]) -> Self {
         FileBytes(Place::Static(bytes))
     }
 
-    /// Of something that holds them: a memory map, a buffer that others hold too.
+    /// Bytes of a memory map or of a shared buffer.
     pub fn shared(bytes: Arc<dyn AsRef<[u8]> + Send + Sync>) -> Self {
         FileBytes(Place::Shared(bytes))
     }

@@ -106,7 +106,7 @@ fn read_empty(file: &File, most: u64) -> Result<FileBytes, Error> {
         return Err(Refusal::Generated.into());
     }
     let Some(left) = most.checked_sub(bytes.len() as u64) else { return Err(over(None, most)) };
-    let rest = read_to_end(file, left).map_err(|error| match Refusal::of(&error) {
+    let rest = read_to_end(file, left).map_err(|error| match Refusal::in_error(&error) {
         Some(Refusal::OverLimit(_)) => over(None, most),
         _ => error,
     })?;
@@ -141,7 +141,7 @@ pub struct DiskAndInput {
     piped: Mutex<HashMap<PathBuf, Piped>>,
 }
 
-/// What came out of a pipe.
+/// The content of a pipe.
 type Piped = Result<Arc<Vec<u8>>, Failed>;
 
 /// An error that can be told more than once.
@@ -173,7 +173,7 @@ impl FileSource for DiskAndInput {
             return Disk.read_within(path, most);
         }
         let read = piped.entry(path.to_owned()).or_insert_with(|| {
-            read_pipe(path, most).map(Arc::new).map_err(|error| match Refusal::of(&error) {
+            read_pipe(path, most).map(Arc::new).map_err(|error| match Refusal::in_error(&error) {
                 Some(refusal) => Failed::Refused(refusal.clone()),
                 None => Failed::System(error.to_string()),
             })

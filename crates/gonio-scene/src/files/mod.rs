@@ -1,4 +1,4 @@
-//! Where a scene's files come from: the disk, or what is built in.
+//! The files of a scene: on disk, or built in.
 //!
 //! Sources are wrapped in one another: [`Budgeted`] limits the memory that all files together take, [`Sandbox`] the
 //! folders that they may lie in.
@@ -76,7 +76,7 @@ pub fn within(bytes: FileBytes, most: u64) -> Result<FileBytes, Error> {
     Ok(bytes)
 }
 
-/// Nothing but the built-in files.
+/// The built-in files only.
 pub struct BuiltinOnly;
 
 impl FileSource for BuiltinOnly {
@@ -107,7 +107,7 @@ pub(crate) fn read(files: &dyn FileSource, path: &Path) -> Result<FileBytes, Err
     }
 }
 
-/// Why a file cannot be read, as a sentence that says what to do.
+/// Explains in a sentence why a file cannot be read and what to do.
 pub(crate) fn explain(error: &Error) -> String {
     match error.kind() {
         // Our own errors already are sentences.
@@ -122,7 +122,7 @@ pub(crate) fn explain(error: &Error) -> String {
 /// The error of a file that cannot be read.
 pub(crate) fn failed(error: &Error) -> ReadError {
     let failed = ReadError::new(explain(error));
-    match Refusal::of(error) {
+    match Refusal::in_error(error) {
         Some(Refusal::OverLimit(_)) => failed.caused_by(Cause::MemoryLimit),
         Some(Refusal::OutsideSandbox) => failed.caused_by(Cause::Sandbox),
         _ => failed,
@@ -191,7 +191,7 @@ impl NotFound {
     /// Notes why the file at `path` is not read, where it is more than that there is none.
     fn note(&mut self, path: &Path, error: &Error) {
         use ErrorKind::{InvalidFilename, InvalidInput, IsADirectory, NotADirectory, NotFound};
-        let refusal = Refusal::of(error);
+        let refusal = Refusal::in_error(error);
         let shown = path.display();
         if let Some(Refusal::OverLimit(_)) = refusal {
             self.over_limit.get_or_insert_with(|| Box::new(failed(error).in_file(&shown.to_string())));
@@ -228,11 +228,11 @@ fn in_any_case(files: &dyn FileSource, folder: &Path, part: &str) -> Option<Path
     })
 }
 
-/// The files beside one model; remembers what was found.
-pub(crate) struct Beside<'a> {
+/// The files beside one model, with those that were found.
+pub(crate) struct SidecarFolder<'a> {
     files: &'a dyn FileSource,
     budget: &'a Budget,
-    /// Where the model lies.
+    /// The folder of the model.
     folder: PathBuf,
     /// The material libraries that were found, in order.
     pub found: Vec<PathBuf>,
@@ -240,11 +240,11 @@ pub(crate) struct Beside<'a> {
     pub over_limit: Option<ReadError>,
 }
 
-impl<'a> Beside<'a> {
+impl<'a> SidecarFolder<'a> {
     /// The files beside `model`, which are paid for from `budget` when they are read from `files`.
-    pub fn of(model: &Path, files: &'a dyn FileSource, budget: &'a Budget) -> Self {
+    pub fn new(model: &Path, files: &'a dyn FileSource, budget: &'a Budget) -> Self {
         let folder = model.parent().map(Path::to_owned).unwrap_or_default();
-        Beside { files, budget, folder, found: Vec::new(), over_limit: None }
+        SidecarFolder { files, budget, folder, found: Vec::new(), over_limit: None }
     }
 
     /// Readers get copies. The first is paid for by reading; one under another name is not.
@@ -253,7 +253,7 @@ impl<'a> Beside<'a> {
     }
 }
 
-impl Sidecars for Beside<'_> {
+impl Sidecars for SidecarFolder<'_> {
     fn read(&mut self, name: &str) -> Result<Sidecar, MissingSidecar> {
         let (path, bytes) = match find(self.files, name, std::slice::from_ref(&self.folder)) {
             Ok(found) => found,

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::io::Error;
 
-/// A reason for which a file that exists is not read. Travels inside an [`Error`]; [`Refusal::of`] takes it out again.
+/// A reason for which a file that exists is not read. Travels inside an [`Error`]; [`Refusal::in_error`] takes it out again.
 ///
 /// Displayed, it is the predicate of a sentence whose subject is the file: "is a pipe, not a file".
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,7 +25,7 @@ pub enum Refusal {
 
 impl Refusal {
     /// The refusal inside an error of a [`FileSource`](super::FileSource), if there is one.
-    pub fn of(error: &Error) -> Option<&Refusal> {
+    pub fn in_error(error: &Error) -> Option<&Refusal> {
         error.get_ref()?.downcast_ref::<Refused>().map(|refused| &refused.0)
     }
 }
@@ -122,8 +122,8 @@ mod tests {
     #[test]
     fn a_refusal_survives_in_an_error() {
         let error = Error::from(Refusal::Pipe);
-        assert_eq!(Refusal::of(&error), Some(&Refusal::Pipe));
+        assert_eq!(Refusal::in_error(&error), Some(&Refusal::Pipe));
         assert!(error.to_string().starts_with("it is a pipe, not a file"), "{error}");
-        assert_eq!(Refusal::of(&Error::other("else")), None);
+        assert_eq!(Refusal::in_error(&Error::other("else")), None);
     }
 }

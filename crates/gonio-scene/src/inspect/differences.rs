@@ -1,4 +1,4 @@
-//! What other programs are known to make of a file, where that is something else.
+//! Known differences in how other programs read a file.
 //!
 //! Each was seen in the program's source: three.js r187 (OBJLoader, MTLLoader), tobj 4.0.
 
@@ -10,11 +10,11 @@ use serde::Serialize;
 /// Something of the file that other programs read in another way.
 #[derive(Debug, PartialEq, Eq, Serialize)]
 pub struct Difference {
-    /// What is in the file.
+    /// The feature of the file.
     pub feature: &'static str,
-    /// Which programs, and what they make of it.
+    /// Other programs, and their result.
     pub others: &'static str,
-    /// What is made of it here.
+    /// The result here.
     pub here: &'static str,
 }
 
@@ -101,8 +101,8 @@ const KNOWN: [Known; 9] = [
     },
 ];
 
-/// All that apply. Only of OBJ is enough known.
-pub(super) fn of(file: &ModelFile, textures: &[TextureUse]) -> Vec<Difference> {
+/// Finds the differences that apply; they are known for OBJ only.
+pub(super) fn find(file: &ModelFile, textures: &[TextureUse]) -> Vec<Difference> {
     if file.format != Format::Obj {
         return Vec::new();
     }

@@ -12,11 +12,11 @@ pub struct MaterialReport {
     /// The file that describes it, where that is not the model itself.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
-    /// How many triangles have it.
+    /// The number of triangles that have it.
     pub triangles: usize,
     /// Its values.
     pub values: Vec<ValueReport>,
-    /// What the file says of it that no term of the light equation takes.
+    /// Properties in the file that no term of the light equation uses.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unused: Vec<PropertySource>,
 }
@@ -26,12 +26,12 @@ pub struct MaterialReport {
 pub struct ValueReport {
     /// The field's name, as `--material` and scene files have it.
     pub property: &'static str,
-    /// As it is used.
+    /// The value in use.
     pub value: String,
     /// The line that says it, from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub line: Option<u64>,
-    /// What the file says there.
+    /// The value in the file.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub written: String,
     /// Why the value is another than what is written, or where it comes from if nothing is.

@@ -1,4 +1,4 @@
-//! What a model file holds, and how it was understood.
+//! The content of a model file, and its interpretation.
 
 mod differences;
 mod materials;
@@ -6,12 +6,12 @@ mod materials;
 pub use differences::Difference;
 pub use materials::{MaterialReport, ValueReport};
 
+use crate::asset_cache::{self, MaterialSource};
 use crate::files::{self, Budgeted, FileSource};
 use crate::load;
 use crate::material_binding::MaterialBinder;
 use crate::model_file::{self, ModelFile};
 use crate::scene_file::MaterialOverride;
-use crate::stock::{self, MaterialSource};
 use crate::texture_library::TextureUse;
 use gonio_mesh::topology::{self, TopologyReport};
 use gonio_mesh::{
@@ -20,25 +20,25 @@ use gonio_mesh::{
 use serde::Serialize;
 use std::path::Path;
 
-/// What a model file holds, and how it was understood.
+/// The content of a model file, and its interpretation.
 #[derive(Debug, Serialize)]
 pub struct Inspection {
     /// The file, as the user knows it.
     pub file: String,
-    /// What it was read as.
+    /// The format.
     pub format: Format,
     /// Its size.
     pub bytes: u64,
     /// The size of what is in it, where it is compressed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unpacked_bytes: Option<u64>,
-    /// What it holds, counted in its own words.
+    /// The elements of the file, counted under the format's own names.
     pub contents: Vec<Count>,
-    /// What became of it: triangles.
+    /// The resulting triangles.
     pub geometry: GeometryReport,
-    /// How the triangles hang together.
+    /// The connectivity of the triangles.
     pub surface: TopologyReport,
-    /// Where the normals come from that a picture is drawn with.
+    /// The source of the normals in a picture.
     pub normals: NormalReport,
     /// Each material, value by value.
     pub materials: Vec<MaterialReport>,
@@ -52,7 +52,7 @@ pub struct Inspection {
     pub lights: Vec<ModelLight>,
     /// Its cameras.
     pub cameras: Vec<ModelCamera>,
-    /// What other programs are known to make of it.
+    /// Known differences to other programs.
     pub differences: Vec<Difference>,
     /// Everything odd, with line and column where there are such.
     pub diagnostics: Vec<Diagnostic>,
@@ -61,7 +61,7 @@ pub struct Inspection {
 /// So many of something.
 #[derive(Debug, Serialize)]
 pub struct Count {
-    /// As the format calls it.
+    /// The format's own name.
     pub what: String,
     /// How many.
     pub count: u64,
@@ -103,12 +103,12 @@ pub struct PartReport {
     pub triangles: usize,
 }
 
-/// Where normals come from.
+/// The source of normals.
 #[derive(Debug, Serialize)]
 pub struct NormalReport {
     /// Of the mesh that is drawn.
     pub source: NormalSource,
-    /// What had to be made.
+    /// The number of generated normals.
     pub notes: Vec<String>,
 }
 
@@ -126,13 +126,13 @@ pub fn inspect(input: &str, files: &dyn FileSource, limits: &Limits) -> Result<I
     let files = &Budgeted::new(files, limits.max_bytes);
     let mut file = model_file::read_within(&files::resolve(Path::new(""), input), input, files, limits)?;
     let mut binder = MaterialBinder::new(files, files.budget());
-    let (folders, used) = (file.texture_folders(), stock::used_materials(&file.model));
+    let (folders, used) = (file.texture_folders(), asset_cache::used_materials(&file.model));
     binder.add(0, &MaterialOverride::default(), &MaterialSource::of_file(&file, &folders, &used));
     let bound = binder.finish();
     let geometry = geometry(&file);
     let surface = topology::report(&file.model.mesh);
     let materials = materials::reports(&file);
-    let differences = differences::of(&file, &bound.uses);
+    let differences = differences::find(&file, &bound.uses);
     let mut diagnostics = std::mem::take(&mut file.model.diagnostics);
     diagnostics.extend(bound.diagnostics);
     let model = file.model;
@@ -174,7 +174,7 @@ pub fn explain_line(
     if is_library {
         return explain::mtl_line(content, line).map_err(in_file);
     }
-    match crate::model_kind::format_of(content, &path.to_string_lossy()).map_err(|e| in_file(ReadError::new(e)))? {
+    match crate::input_kind::format_of(content, &path.to_string_lossy()).map_err(|e| in_file(ReadError::new(e)))? {
         Format::Obj => explain::line(content, line).map_err(in_file),
         other => {
             let message = format!("only lines of OBJ and MTL files can be explained, and this is {}", other.name());

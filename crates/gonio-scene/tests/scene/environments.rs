@@ -8,7 +8,7 @@ use gonio_image::decode::{self, FileFormat, Shape};
 use gonio_image::encode::ktx2;
 use gonio_image::{Image, Limits as ImageLimits};
 use gonio_mesh::{Limits, Severity};
-use gonio_scene::environment_file::{BUILTIN_SIZE, OpenedEnvironment, Reading, Source, open};
+use gonio_scene::environment_file::{BUILTIN_SIZE, EnvironmentMap, OpenOptions, OpenedEnvironment, open};
 use gonio_scene::files::{Disk, FileSource};
 use gonio_scene::load::{describe, load};
 use gonio_scene::{Scene, toml_reader};
@@ -53,24 +53,24 @@ fn map(layout: Layout) -> Cubemap {
     Cubemap::from_faces(Face::ALL.map(|f| decoded(&face(f))), layout).unwrap()
 }
 
-fn in_layout(layout: Layout) -> Reading {
-    Reading { layout: Some(layout), ..Reading::default() }
+fn in_layout(layout: Layout) -> OpenOptions {
+    OpenOptions { layout: Some(layout), ..OpenOptions::default() }
 }
 
 #[track_caller]
-fn opened(files: &dyn FileSource, name: &str, reading: Reading) -> OpenedEnvironment {
+fn opened(files: &dyn FileSource, name: &str, reading: OpenOptions) -> OpenedEnvironment {
     open(name, reading, Path::new(""), files, &Limits::default()).unwrap_or_else(|e| panic!("{e}"))
 }
 
 #[track_caller]
 fn refused(files: &dyn FileSource, name: &str) -> String {
-    open(name, Reading::default(), Path::new(""), files, &Limits::default()).map(|o| o.source).unwrap_err().to_string()
+    open(name, OpenOptions::default(), Path::new(""), files, &Limits::default()).map(|o| o.map).unwrap_err().to_string()
 }
 
 fn cubemap(opened: &OpenedEnvironment) -> &Cubemap {
-    match &opened.source {
-        Source::Cubemap(map) => map,
-        Source::Panorama(_) => panic!("{} is a panorama", opened.name),
+    match &opened.map {
+        EnvironmentMap::Cubemap(map) => map,
+        EnvironmentMap::Panorama(_) => panic!("{} is a panorama", opened.name),
     }
 }
 
@@ -78,7 +78,7 @@ fn cubemap(opened: &OpenedEnvironment) -> &Cubemap {
 fn a_folder_a_pattern_and_one_of_six_are_the_same_faces() {
     let files = six("faces/day_*.png").with("faces/night_posx.png", face(Face::PosX)).with("faces/readme.txt", "x");
     for name in ["faces", "faces/day_*.png", "faces/d*_*.p*", "faces/day_negy.png"] {
-        let found = opened(&files, name, Reading::default());
+        let found = opened(&files, name, OpenOptions::default());
         assert_eq!((found.layout, found.arrangement), (Some(Layout::Photographic), Arrangement::Faces), "{name}");
         assert!(*cubemap(&found) == map(Layout::Photographic), "{name}");
         let paths: Vec<String> = found.files.iter().map(|p| p.display().to_string()).collect();
@@ -88,7 +88,7 @@ fn a_folder_a_pattern_and_one_of_six_are_the_same_faces() {
         assert!(*cubemap(&opened(&files, name, in_layout(Layout::OpenGl))) == map(Layout::OpenGl), "{name}");
     }
     // In the current folder.
-    assert!(*cubemap(&opened(&six("*.png"), "negz.png", Reading::default())) == map(Layout::Photographic));
+    assert!(*cubemap(&opened(&six("*.png"), "negz.png", OpenOptions::default())) == map(Layout::Photographic));
 }
 
 /// Said once without the code that is tested: where each picture is, and that none is mirrored.
@@ -134,13 +134,13 @@ fn pictures_of_six_faces_are_told_by_their_proportions() {
         assert_eq!((found.arrangement, found.layout), (arrangement, Some(Layout::OpenGl)));
         assert!(*cubemap(&found) == map(Layout::OpenGl), "{arrangement}");
         // The usual layout is the other one.
-        let usual = opened(&files, "a.png", Reading::default());
+        let usual = opened(&files, "a.png", OpenOptions::default());
         assert_eq!(usual.layout, Some(Layout::Photographic));
         assert!(*cubemap(&usual) == *cubemap(&opened(&files, "a.png", in_layout(Layout::Photographic))));
         assert!(*cubemap(&usual) != map(Layout::OpenGl), "{arrangement}");
         // Taken for a panorama where that is asked for.
-        let reading = Reading { arrangement: Some(Arrangement::Equirectangular), ..Reading::default() };
-        assert!(matches!(opened(&files, "a.png", reading).source, Source::Panorama(_)));
+        let reading = OpenOptions { arrangement: Some(Arrangement::Equirectangular), ..OpenOptions::default() };
+        assert!(matches!(opened(&files, "a.png", reading).map, EnvironmentMap::Panorama(_)));
     }
 }
 
@@ -148,7 +148,7 @@ fn pictures_of_six_faces_are_told_by_their_proportions() {
 fn a_ktx2_file_is_in_opengls_layout() {
     let bytes = CubeMips::new(map(Layout::OpenGl)).to_ktx2(ktx2::Format::Srgb8).bytes;
     let files = Memory::default().with("a.ktx2", bytes.clone());
-    let found = opened(&files, "a.ktx2", Reading::default());
+    let found = opened(&files, "a.ktx2", OpenOptions::default());
     assert_eq!((found.layout, found.format), (Some(Layout::OpenGl), Some(FileFormat::Ktx2)));
     assert!(*cubemap(&found) == map(Layout::OpenGl));
     assert!(*cubemap(&opened(&files, "a.ktx2", in_layout(Layout::Photographic))) == map(Layout::Photographic));
@@ -161,21 +161,21 @@ fn a_ktx2_file_is_in_opengls_layout() {
 fn built_in_environments_need_no_file() {
     let none = Memory::default();
     for (name, layout) in [("debug", Some(Layout::OpenGl)), ("sky", None)] {
-        let found = opened(&none, name, Reading::default());
+        let found = opened(&none, name, OpenOptions::default());
         assert_eq!((cubemap(&found).size(), found.layout, found.files.len()), (BUILTIN_SIZE, layout, 0), "{name}");
     }
-    let small = Reading { size: Some(8), ..Reading::default() };
+    let small = OpenOptions { size: Some(8), ..OpenOptions::default() };
     assert!(cubemap(&opened(&none, "builtin:sky", small)) == cubemap(&opened(&none, "SKY", small)));
     assert_eq!(cubemap(&opened(&none, "sky", small)).size(), 8);
-    let photographic = Reading { layout: Some(Layout::Photographic), ..small };
+    let photographic = OpenOptions { layout: Some(Layout::Photographic), ..small };
     assert_eq!(opened(&none, "debug", photographic).layout, Some(Layout::Photographic));
-    assert!(matches!(opened(&none, "room", Reading::default()).source, Source::Panorama(_)));
+    assert!(matches!(opened(&none, "room", OpenOptions::default()).map, EnvironmentMap::Panorama(_)));
     // A size is checked before anything is made.
     let few = Limits { max_bytes: 1 << 20, ..Limits::default() };
-    let text = open("sky", Reading::default(), Path::new(""), &none, &few).map(|o| o.source).unwrap_err().to_string();
+    let text = open("sky", OpenOptions::default(), Path::new(""), &none, &few).map(|o| o.map).unwrap_err().to_string();
     assert!(text.starts_with("sky: 6 times 512 x 512 pixels are 24.0 MiB"), "{text}");
     // A folder that is called like one can be named otherwise.
-    let found = opened(&six("./sky/*.png"), "./sky", Reading::default());
+    let found = opened(&six("./sky/*.png"), "./sky", OpenOptions::default());
     assert!(*cubemap(&found) == map(Layout::Photographic));
     let found = opened(&six("sky/*.png"), "sky", small);
     let note = "this names the built-in environment; write ./sky for the folder";
@@ -239,13 +239,13 @@ fn what_is_asked_for_in_vain_is_told() {
     let found = opened(&files, "p.png", in_layout(Layout::OpenGl));
     assert_eq!(found.layout, None);
     assert!(found.diagnostics.iter().any(|d| d.message.starts_with("the layout has no effect")));
-    assert!(opened(&files, "p.png", Reading::default()).diagnostics.is_empty());
-    let odd = opened(&files, "odd.png", Reading::default());
+    assert!(opened(&files, "p.png", OpenOptions::default()).diagnostics.is_empty());
+    let odd = opened(&files, "odd.png", OpenOptions::default());
     assert_eq!((odd.diagnostics.len(), odd.diagnostics[0].severity), (1, Severity::Warning));
     assert!(odd.diagnostics[0].message.contains("whole width is 360 degrees"), "{:?}", odd.diagnostics);
     // Six files are no cross.
-    let reading = Reading { arrangement: Some(Arrangement::Cross), ..Reading::default() };
-    let error = open("a", reading, Path::new(""), &files, &Limits::default()).map(|o| o.source).unwrap_err();
+    let reading = OpenOptions { arrangement: Some(Arrangement::Cross), ..OpenOptions::default() };
+    let error = open("a", reading, Path::new(""), &files, &Limits::default()).map(|o| o.map).unwrap_err();
     let wanted = "a: this is already faces and cannot be read as cross; leave the arrangement out";
     assert_eq!(error.to_string(), wanted);
 }

@@ -3,7 +3,7 @@
 use crate::memory::{Memory, TRIANGLE, png};
 use gonio_mesh::{Cause, Limits, ReadError};
 use gonio_scene::Scene;
-use gonio_scene::environment_file::{self, Reading};
+use gonio_scene::environment_file::{self, OpenOptions};
 use gonio_scene::files::{Budgeted, BuiltinOnly, Disk, FileSource, Refusal, Sandbox};
 use gonio_scene::load::{describe, load, load_within};
 use std::path::Path;
@@ -101,7 +101,7 @@ fn pixels_of_an_environment_count() {
     }
     let open = |max_bytes| {
         let limits = Limits { max_bytes, ..Limits::default() };
-        environment_file::open("faces", Reading::default(), Path::new(""), &files, &limits)
+        environment_file::open("faces", OpenOptions::default(), Path::new(""), &files, &limits)
     };
     let decoded = 6 * 16 * 16 * 16;
     assert_eq!(open(read + decoded).err(), None);
@@ -218,7 +218,7 @@ fn files_without_an_end_are_refused() {
         ("/proc/self/environ", Refusal::Generated),
     ] {
         let error = Disk.read_within(Path::new(path), u64::MAX).err().unwrap();
-        assert_eq!(Refusal::of(&error), Some(&refusal), "{path}");
+        assert_eq!(Refusal::in_error(&error), Some(&refusal), "{path}");
     }
 }
 
@@ -235,7 +235,7 @@ fn pipes_and_sockets_are_refused_without_waiting() {
     std::os::unix::fs::symlink("pipe", &link).unwrap();
     for (path, refusal) in [(&pipe, Refusal::Pipe), (&link, Refusal::Pipe), (&socket, Refusal::Socket)] {
         let error = Disk.read_within(path, u64::MAX).err().unwrap();
-        assert_eq!(Refusal::of(&error), Some(&refusal), "{path:?}");
+        assert_eq!(Refusal::in_error(&error), Some(&refusal), "{path:?}");
     }
 }
 
@@ -249,7 +249,7 @@ fn a_file_is_read_to_its_limit_and_no_further() {
         if size > 0 {
             let error = Disk.read_within(&path, size - 1).err().unwrap();
             assert!(
-                matches!(Refusal::of(&error), Some(Refusal::OverLimit(over)) if over.needed == Some(size)),
+                matches!(Refusal::in_error(&error), Some(Refusal::OverLimit(over)) if over.needed == Some(size)),
                 "{error}"
             );
         }

@@ -42,7 +42,7 @@ fn numbers_that_cannot_be_are_refused_with_those_that_can() {
 fn a_scene_in_another_detail_is_the_same_scene() {
     let loaded = opened("builtin:sphere-smooth", Normals::Flat).unwrap_or_else(|e| panic!("{e}"));
     let spec = &loaded.settings.objects[0];
-    let sphere = Detail::Sphere(100).of(&loaded.meshes[0], spec).unwrap_or_else(|| panic!("it is a sphere"));
+    let sphere = Detail::Sphere(100).mesh_for(&loaded.meshes[0], spec).unwrap_or_else(|| panic!("it is a sphere"));
     // The next to 100 is 128; flat, as the object wants it.
     assert_eq!((sphere.triangle_count(), sphere.positions.len()), (128, 3 * 128));
     let coarse = detail::with_meshes(&loaded, &[Arc::new(sphere)]);
@@ -55,10 +55,10 @@ fn a_scene_in_another_detail_is_the_same_scene() {
 
     let monkey = opened("builtin:suzanne", Normals::File).unwrap_or_else(|e| panic!("{e}"));
     let spec = &monkey.settings.objects[0];
-    assert!(Detail::Sphere(100).of(&monkey.meshes[0], spec).is_none(), "no sphere");
-    assert!(Detail::Share(1.0).of(&monkey.meshes[0], spec).is_none(), "all of it");
+    assert!(Detail::Sphere(100).mesh_for(&monkey.meshes[0], spec).is_none(), "no sphere");
+    assert!(Detail::Share(1.0).mesh_for(&monkey.meshes[0], spec).is_none(), "all of it");
     let wanted = monkey.meshes[0].triangle_count() / 4;
-    let mesh = Detail::Share(0.25).of(&monkey.meshes[0], spec).unwrap_or_else(|| panic!("fewer"));
+    let mesh = Detail::Share(0.25).mesh_for(&monkey.meshes[0], spec).unwrap_or_else(|| panic!("fewer"));
     assert!(mesh.triangle_count() <= wanted + 1);
     assert_eq!(mesh.normals.len(), mesh.positions.len());
     assert_eq!(mesh, simplify::simplify(&monkey.meshes[0], mesh.triangle_count()));

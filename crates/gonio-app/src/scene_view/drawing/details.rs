@@ -89,7 +89,7 @@ impl Details {
         let (for_it, object, sender) = (source.clone(), object.clone(), self.sender.clone());
         let made_of = key.clone();
         let make = move || {
-            let mesh = made_of.detail.of(&for_it, &object);
+            let mesh = made_of.detail.mesh_for(&for_it, &object);
             // The window may be closed by now.
             let _ = sender.send(Made { source: for_it, key: made_of, mesh });
         };

@@ -14,7 +14,7 @@ use gonio_environment::check::{self, Certificate, Verdict};
 use gonio_environment::check_panorama::{PanoramaCertificate, Seam, check_panorama};
 use gonio_environment::{Cubemap, EnvironmentError, Layout, Panorama};
 use gonio_light::color::{ColorEncoding, OutputTransform};
-use gonio_scene::environment_file::{self, OpenedEnvironment, Reading, Source};
+use gonio_scene::environment_file::{self, EnvironmentMap, OpenOptions, OpenedEnvironment};
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -60,15 +60,15 @@ pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     if let Some(plan) = &plan {
         plan.check_writable()?;
     }
-    let reading = Reading { layout: args.layout, arrangement: args.from, size: None };
+    let reading = OpenOptions { layout: args.layout, arrangement: args.from, size: None };
     let files = args.limits.files([args.input.as_str()], reporter);
     let busy = reporter.busy("reading the environment");
     let opened = environment_file::open(&args.input, reading, Path::new(""), &files, &args.limits.limits())?;
     drop(busy);
     reporter.diagnostics(&opened.diagnostics);
-    let found = match &opened.source {
-        Source::Cubemap(map) => Found::faces(map, opened.layout.unwrap_or_default())?,
-        Source::Panorama(panorama) => Found::panorama(panorama),
+    let found = match &opened.map {
+        EnvironmentMap::Cubemap(map) => Found::faces(map, opened.layout.unwrap_or_default())?,
+        EnvironmentMap::Panorama(panorama) => Found::panorama(panorama),
     };
     let mut outputs = Vec::new();
     if let Some(plan) = plan {
@@ -179,8 +179,8 @@ impl Found {
                 "--repair: a PNG would clip the light above 1 that INPUT may contain; name an .exr or .hdr file";
             return Err(CliError::new(message));
         }
-        match (self, &opened.source) {
-            (Found::Faces(c), Source::Cubemap(map)) => {
+        match (self, &opened.map) {
+            (Found::Faces(c), EnvironmentMap::Cubemap(map)) => {
                 if c.verdict == Verdict::NeverMeets {
                     return Err(CliError::new("the faces match in no arrangement, so there is no repair to write"));
                 }
@@ -192,7 +192,7 @@ impl Found {
                 let repaired = Cubemap::from_faces(c.repair.apply(&map.faces(layout)), layout).map_err(failed)?;
                 plan.write_cubemap(repaired, &appearance)
             }
-            (Found::Panorama(c), Source::Panorama(panorama)) => {
+            (Found::Panorama(c), EnvironmentMap::Panorama(panorama)) => {
                 if plan.container != Container::Equirectangular {
                     return Err(CliError::new("--repair of a panorama needs the name of a picture"));
                 }

@@ -17,7 +17,7 @@ use gonio_environment::{Cubemap, Layout, Panorama};
 use gonio_light::color::{ColorEncoding, OutputTransform, ToneMap};
 use gonio_render::conversion::Converter;
 use gonio_scene::environment::world_from_environment;
-use gonio_scene::environment_file::{self, OpenedEnvironment, Reading, Source};
+use gonio_scene::environment_file::{self, EnvironmentMap, OpenOptions, OpenedEnvironment};
 use std::path::Path;
 
 /// Convert a panorama or a cubemap to six faces, a cross, a strip, a panorama or KTX2, of any size, rotated.
@@ -118,7 +118,7 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<Outcome, CliError>
         // The debug cubemap shows the names of the files that its faces will have.
         let is_debug = environment_file::builtin_of(&args.input) == Some(Builtin::Debug);
         let from_layout = args.from_layout.or(is_debug.then_some(args.layout));
-        let reading = Reading { layout: from_layout, arrangement: args.from, size };
+        let reading = OpenOptions { layout: from_layout, arrangement: args.from, size };
         let files = args.limits.files([args.input.as_str()], reporter);
         times.measure("read", || {
             environment_file::open(&args.input, reading, Path::new(""), &files, &args.limits.limits())
@@ -142,9 +142,9 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<Outcome, CliError>
     let busy = reporter.busy("converting");
     let (written, size, filter) = if plan.container.has_faces() {
         let size = face_size(args, &opened)?;
-        let filter = conversion.filter_for(&opened.source.as_from(), 2.0 / f64::from(size));
+        let filter = conversion.filter_for(&opened.map.as_from(), 2.0 / f64::from(size));
         let read = describe(&opened);
-        let map = times.measure("convert", || engine.cubemap(opened.source, &conversion, size, reporter))?;
+        let map = times.measure("convert", || engine.cubemap(opened.map, &conversion, size, reporter))?;
         let written = times.measure("write", || plan.write_cubemap(map, &appearance))?;
         let what = if plan.container == Container::Faces {
             "six faces".into()
@@ -155,10 +155,10 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<Outcome, CliError>
         (written, (size, size), filter)
     } else {
         let (width, height) = panorama_size(args, &opened)?;
-        let filter = conversion.filter_for(&opened.source.as_from(), std::f64::consts::PI / f64::from(height));
+        let filter = conversion.filter_for(&opened.map.as_from(), std::f64::consts::PI / f64::from(height));
         let read = describe(&opened);
         let panorama =
-            times.measure("convert", || engine.panorama(opened.source, &conversion, width, height, reporter))?;
+            times.measure("convert", || engine.panorama(opened.map, &conversion, width, height, reporter))?;
         let written = times.measure("write", || plan.write_panorama(&panorama, &appearance))?;
         note_conversion(reporter, &read, &format!("a panorama of {width} x {height}"), filter);
         (written, (width, height), filter)
@@ -207,14 +207,14 @@ impl Engine {
 
     fn cubemap(
         &self,
-        source: Source,
+        source: EnvironmentMap,
         conversion: &Conversion,
         size: u32,
         reporter: &Reporter,
     ) -> Result<Cubemap, CliError> {
         match (source, self) {
             // Unchanged: nothing to look up.
-            (Source::Cubemap(map), _) if map.size() == size && conversion.is_not_turned() => Ok(map),
+            (EnvironmentMap::Cubemap(map), _) if map.size() == size && conversion.is_not_turned() => Ok(map),
             (source, Engine::Cpu) => Ok(conversion.cubemap(source.as_from(), size)),
             (source, Engine::Gl(converter)) => {
                 let made = converter.cubemap(conversion, source.as_from(), size)?;
@@ -226,14 +226,14 @@ impl Engine {
 
     fn panorama(
         &self,
-        source: Source,
+        source: EnvironmentMap,
         conversion: &Conversion,
         width: u32,
         height: u32,
         reporter: &Reporter,
     ) -> Result<Panorama, CliError> {
         match (source, self) {
-            (Source::Panorama(panorama), _)
+            (EnvironmentMap::Panorama(panorama), _)
                 if (panorama.image.width, panorama.image.height) == (width, height) && conversion.is_not_turned() =>
             {
                 Ok(panorama)
@@ -278,15 +278,15 @@ fn check_panorama(width: u32, height: u32) -> Result<(), CliError> {
 }
 
 fn face_size(args: &ConvertArgs, opened: &OpenedEnvironment) -> Result<u32, CliError> {
-    let size = args.size.map_or_else(|| opened.source.as_from().natural_cubemap_size(), |(size, _)| size);
+    let size = args.size.map_or_else(|| opened.map.as_from().natural_cubemap_size(), |(size, _)| size);
     check_faces(size).map(|()| size)
 }
 
 fn panorama_size(args: &ConvertArgs, opened: &OpenedEnvironment) -> Result<(u32, u32), CliError> {
-    let (width, height) = match (args.size, &opened.source) {
+    let (width, height) = match (args.size, &opened.map) {
         (Some((width, Some(height))), _) => (width, height),
         (Some((width, None)), _) => (width, (width / 2).max(1)),
-        (None, Source::Panorama(panorama)) => (panorama.image.width, panorama.image.height),
+        (None, EnvironmentMap::Panorama(panorama)) => (panorama.image.width, panorama.image.height),
         (None, source) => {
             let height = source.as_from().natural_panorama_height();
             (height.saturating_mul(2), height)

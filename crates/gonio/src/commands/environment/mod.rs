@@ -8,7 +8,7 @@ use crate::cli::GeneralOptions;
 use crate::report::{CliError, Outcome, Reporter};
 use clap::Subcommand;
 use gonio_environment::arrange::Arrangement;
-use gonio_scene::environment_file::{OpenedEnvironment, Source};
+use gonio_scene::environment_file::{EnvironmentMap, OpenedEnvironment};
 
 #[derive(Subcommand, Debug)]
 #[command(after_long_help = "\
@@ -42,14 +42,16 @@ pub fn run(command: &EnvironmentCommand, reporter: &Reporter) -> Result<Outcome,
 /// A description of an environment: `a panorama of 1024 x 512`.
 fn describe(opened: &OpenedEnvironment) -> String {
     let layout = opened.layout.map_or(String::new(), |layout| format!(", {layout} layout"));
-    match (&opened.source, opened.arrangement) {
-        (Source::Panorama(panorama), _) => {
+    match (&opened.map, opened.arrangement) {
+        (EnvironmentMap::Panorama(panorama), _) => {
             format!("a panorama of {} x {}", panorama.image.width, panorama.image.height)
         }
-        (Source::Cubemap(map), Arrangement::Faces) if opened.files.len() == 1 => {
+        (EnvironmentMap::Cubemap(map), Arrangement::Faces) if opened.files.len() == 1 => {
             format!("a cubemap of {0} x {0}{layout}", map.size())
         }
-        (Source::Cubemap(map), Arrangement::Faces) => format!("six faces of {0} x {0}{layout}", map.size()),
-        (Source::Cubemap(map), arrangement) => format!("a {arrangement} of faces of {0} x {0}{layout}", map.size()),
+        (EnvironmentMap::Cubemap(map), Arrangement::Faces) => format!("six faces of {0} x {0}{layout}", map.size()),
+        (EnvironmentMap::Cubemap(map), arrangement) => {
+            format!("a {arrangement} of faces of {0} x {0}{layout}", map.size())
+        }
     }
 }

@@ -1,4 +1,4 @@
-//! What a loaded scene was made of: kept with it, so that most edits need no file.
+//! The assets of a scene, kept with it so that most edits need no file.
 
 use crate::environment::LoadedEnvironment;
 use crate::files;
@@ -7,42 +7,42 @@ use crate::material_binding::MaterialBinder;
 use crate::model_file::ModelFile;
 use crate::scene_file::{MaterialOverride, ObjectSpec};
 use crate::settings::EnvironmentSettings;
-use crate::texture_library::TextureStock;
+use crate::texture_library::TextureCache;
 use gonio_mesh::{EmbeddedImage, Format, Material, Mesh, Model};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// What a loaded scene was made of: materials before the scene changed them, meshes by their normals, textures by what
-/// they were made from, the environment. Geometry and texels are shared with the scene, not copied.
+/// The assets of a scene: materials before the scene changed them, meshes by their normals, textures by their pictures,
+/// and the environment. Geometry and texels are shared with the scene, not copied.
 #[derive(Clone, Debug, Default)]
-pub struct Stock {
-    /// What the scene's paths are relative to.
+pub struct AssetCache {
+    /// The folder that the scene's paths are relative to.
     pub(crate) base: PathBuf,
-    pub(crate) models: Vec<ModelStock>,
-    pub(crate) meshes: Vec<MeshStock>,
-    pub(crate) textures: TextureStock,
+    pub(crate) models: Vec<CachedModel>,
+    pub(crate) meshes: Vec<CachedMesh>,
+    pub(crate) textures: TextureCache,
     /// The environment that was read, also while the scene is without it.
     pub(crate) environment: Option<(EnvironmentSettings, Arc<LoadedEnvironment>)>,
 }
 
 /// A model file's materials, as they stand in the file.
 #[derive(Clone, Debug)]
-pub(crate) struct ModelStock {
-    /// As the user knows it.
+pub(crate) struct CachedModel {
+    /// The name that the user knows.
     pub name: String,
     pub path: PathBuf,
     pub format: Format,
-    /// Where its textures are sought.
+    /// The folders in which its textures are searched for.
     pub folders: Vec<PathBuf>,
     pub materials: Vec<Material>,
-    /// By material: whether any triangle has it.
+    /// Whether any triangle has the material, for each material.
     pub used: Vec<bool>,
 }
 
 /// A model's mesh with one choice of normals.
 #[derive(Clone, Debug)]
-pub(crate) struct MeshStock {
-    /// Index into [`Stock::models`].
+pub(crate) struct CachedMesh {
+    /// Index into [`AssetCache::models`].
     pub model: usize,
     pub normals: NormalChoice,
     /// Its surface is closed, and faces outwards.
@@ -52,7 +52,7 @@ pub(crate) struct MeshStock {
     pub with_tangents: Option<Arc<Mesh>>,
 }
 
-/// Where materials come from: a model file that was just read, or what is kept of it.
+/// The source of materials: a model file that was just read, or its cached form.
 pub(crate) struct MaterialSource<'a> {
     pub name: &'a str,
     pub format: Format,
@@ -63,7 +63,7 @@ pub(crate) struct MaterialSource<'a> {
 }
 
 impl<'a> MaterialSource<'a> {
-    /// Of a file, with [`ModelFile::texture_folders`] and [`used_materials`].
+    /// Takes the materials of a file, with [`ModelFile::texture_folders`] and [`used_materials`].
     pub fn of_file(file: &'a ModelFile, folders: &'a [PathBuf], used: &'a [bool]) -> Self {
         let model = &file.model;
         let (name, format) = (file.name.as_str(), file.format);
@@ -71,7 +71,7 @@ impl<'a> MaterialSource<'a> {
     }
 }
 
-/// By material of a model: whether any triangle has it.
+/// Returns for each material of a model whether any triangle has it.
 pub(crate) fn used_materials(model: &Model) -> Vec<bool> {
     let mut used = vec![false; model.materials.len()];
     for part in model.mesh.parts.iter().filter(|part| part.triangle_count > 0) {
@@ -82,10 +82,10 @@ pub(crate) fn used_materials(model: &Model) -> Vec<bool> {
     used
 }
 
-impl ModelStock {
-    /// What is kept of a file; its materials and its pictures are bound already.
+impl CachedModel {
+    /// Takes what is kept of a file whose materials and pictures are bound already.
     pub fn of_file(file: &mut ModelFile, used: Vec<bool>) -> Self {
-        ModelStock {
+        CachedModel {
             name: file.name.clone(),
             path: file.path.clone(),
             format: file.format,
@@ -95,7 +95,7 @@ impl ModelStock {
         }
     }
 
-    /// What an object of it is called that has no other name.
+    /// The name of an object that the scene does not name.
     pub fn object_name(&self) -> String {
         self.path.file_stem().map_or_else(|| "object".into(), |stem| stem.to_string_lossy().into_owned())
     }
@@ -114,12 +114,12 @@ impl ModelStock {
     }
 }
 
-impl Stock {
+impl AssetCache {
     /// The model and the mesh of an object, where they are known.
     pub fn find(&self, object: &ObjectSpec) -> Option<(usize, usize)> {
         let path = files::resolve(&self.base, &object.model);
         let model = self.models.iter().position(|m| m.path == path)?;
-        let normals = NormalChoice::of(object);
+        let normals = NormalChoice::for_object(object);
         let mesh = self.meshes.iter().position(|m| m.model == model && m.normals == normals)?;
         Some((model, mesh))
     }

@@ -1,10 +1,10 @@
-//! What an input is: told by its content first, then by its name.
+//! Detection of the kind of an input: by its content first, then by its name.
 
 use gonio_image::decode::FileFormat;
 use gonio_mesh::{Cause, Format, ReadError, compression, encoding, format};
 use std::path::Path;
 
-/// What can be read.
+/// A kind of input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum InputKind {
     Scene,
@@ -14,8 +14,8 @@ pub(crate) enum InputKind {
 const READABLE: &str = "models (.obj .gltf .glb .dae .ply .stl .mesh .meshb, also .gz and .zst) and scene files (.toml) \
                         can be read";
 
-/// What the file named `name` with these bytes is, or why it cannot be read.
-pub(crate) fn tell(bytes: &[u8], name: &Path) -> Result<InputKind, ReadError> {
+/// Detects the kind of the file `name` with these bytes; the error says why it cannot be read.
+pub(crate) fn detect(bytes: &[u8], name: &Path) -> Result<InputKind, ReadError> {
     if bytes.is_empty() {
         return Err(ReadError::new(format!("the file is empty; {READABLE}")));
     }
@@ -58,7 +58,7 @@ pub(crate) fn is_model_or_scene(bytes: &[u8], name: &Path) -> Option<&'static st
     if bytes.is_empty() || compression::is_compressed(bytes) {
         return None;
     }
-    tell(bytes, name).ok().map(|kind| match kind {
+    detect(bytes, name).ok().map(|kind| match kind {
         InputKind::Model => "a model",
         InputKind::Scene => "a scene file",
     })

@@ -13,7 +13,7 @@ pub struct ReferenceGeometry {
     built_of: Vec<ObjectParts>,
 }
 
-/// All that the triangles of an object depend on.
+/// The properties of an object that its triangles depend on.
 struct ObjectParts {
     mesh: Option<Arc<Mesh>>,
     world_from_model: DMat4,

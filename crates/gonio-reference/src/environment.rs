@@ -20,9 +20,9 @@ pub(crate) struct Environment<'a> {
     how: Surroundings,
     /// The frame's filter chooses among smaller copies.
     has_levels: bool,
-    /// Which copy is seen in the background.
+    /// The level of the background.
     background_level: f64,
-    /// What is seen there where it is blurred.
+    /// The blurred background, where it is blurred.
     blurred: Option<&'a GlossyMips>,
     /// Diffuse light by the normal, where it counts.
     diffuse: Option<[DVec3; 9]>,
@@ -58,7 +58,7 @@ impl<'a> Environment<'a> {
         self.how.intensity * self.loaded.mips.sample(self.how.environment_from_world * direction, level)
     }
 
-    /// What is seen behind the objects in a unit direction in the world; `None` where the background is.
+    /// The radiance behind the objects from a unit direction in the world; `None` where the background colours are seen.
     pub fn background(&self, direction: impl FnOnce() -> DVec3) -> Option<DVec3> {
         self.how.visible.then(|| {
             let direction = self.how.environment_from_world * direction();
@@ -75,7 +75,7 @@ impl<'a> Environment<'a> {
         self.how.lights || !optics.is_plain()
     }
 
-    /// What the environment adds at a fragment. `point` is that of Phong and flat shading: the fragment itself.
+    /// The environment's terms at a fragment. `point` is that of Phong and flat shading: the fragment itself.
     pub fn terms(
         &self,
         shader: &Shader,
@@ -163,8 +163,7 @@ impl<'a> Environment<'a> {
     }
 }
 
-/// Which of the smaller copies has texels as large as `step_rad`: 2 / size is what a texel in the middle of a face covers.
-/// Not negative.
+/// The level whose texels cover `step_rad`, not negative. A texel in the middle of a face covers 2 / size.
 fn level(size: u32, step_rad: f64) -> f64 {
     (0.5 * f64::from(size) * step_rad).log2().max(0.0)
 }
