@@ -89,7 +89,7 @@ test("graphics that are taken away and given back bring the same picture", async
 
 test("what changed is said to those who hear the screen", async (lab) => {
   await lab.until(settled);
-  assert.match(await lab.page.locator("#said").textContent(), /opened still-life/);
+  assert.match(await lab.page.locator("#announcement").textContent(), /opened still-life/);
 });
 
 test("the page follows the browser's light or dark look", async (lab) => {

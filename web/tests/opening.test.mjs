@@ -73,7 +73,7 @@ test("the page says in words what it is", async (lab) => {
   assert.match(await canvas.getAttribute("aria-label"), /light/);
   const described = await lab.page.locator(`#${await canvas.getAttribute("aria-describedby")}`).textContent();
   assert.match(described, /light equation/);
-  assert.equal(await lab.page.locator("#said").getAttribute("aria-live"), "polite");
+  assert.equal(await lab.page.locator("#announcement").getAttribute("aria-live"), "polite");
 });
 
 test("the frame shown while loading is that of the window, and goes", async (lab) => {

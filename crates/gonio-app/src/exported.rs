@@ -1,6 +1,6 @@
 //! The application's state as JSON, for tests and screen readers.
 //!
-//! Every widget that a person can use notes itself with a stable id; the page hands the whole out as
+//! Every widget is exported with a stable id; the page exposes the state as
 //! `window.gonio.state()`.
 
 use crate::document::{Arrangement, Document, History, Panes};
@@ -12,13 +12,13 @@ use gonio_scene::SceneFile;
 use serde::Serialize;
 use serde_json::{Value, json};
 
-/// What kind of widget it is.
+/// Kind of a widget.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Role {
-    /// To be pressed.
+    /// A button.
     Button,
-    /// On or off.
+    /// A switch.
     Toggle,
     /// A number, to be dragged or typed.
     Number,
@@ -43,9 +43,9 @@ pub enum Role {
 pub struct Widget {
     /// Stable, kebab-case.
     pub id: String,
-    /// What kind it is.
+    /// Its kind.
     pub role: Role,
-    /// As it is called.
+    /// Its label.
     pub label: String,
     /// Its content.
     pub value: String,
@@ -59,7 +59,7 @@ fn key() -> Id {
     Id::unique("gonio: exported widgets")
 }
 
-/// Notes a widget of this frame.
+/// Exports a widget of this frame.
 pub fn note(ui: &Ui, response: &Response, id: &str, role: Role, label: &str, value: impl ToString) {
     let r = response.rect;
     let widget = Widget {
@@ -73,7 +73,7 @@ pub fn note(ui: &Ui, response: &Response, id: &str, role: Role, label: &str, val
     ui.ctx().data_mut(|data| data.get_temp_mut_or_default::<Vec<Widget>>(key()).push(widget));
 }
 
-/// Forgets the widgets of the last frame: to be called where a frame begins.
+/// Clears the exported widgets; called at the start of a frame.
 pub fn begin(ctx: &Context) {
     ctx.data_mut(|data| data.get_temp_mut_or_default::<Vec<Widget>>(key()).clear());
 }

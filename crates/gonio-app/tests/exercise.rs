@@ -1,4 +1,4 @@
-//! The laboratory as a student uses it: the whole application, with OpenGL but without a window, checks in a thread.
+//! The exercises as a student uses them: the whole application, with OpenGL but without a window, checks in a thread.
 #![allow(missing_docs, clippy::unwrap_used)]
 
 mod support;
@@ -54,7 +54,7 @@ impl Window {
         self.app().session().messages.list().iter().map(|message| message.text.clone()).collect()
     }
 
-    /// The laboratory's part of the state.
+    /// The exercise's part of the state.
     fn state(&self) -> Value {
         self.app().state(&self.harness.ctx)["exercise"].clone()
     }
@@ -151,7 +151,7 @@ fn what_does_not_compile_is_said_at_its_line_and_the_last_picture_stays() {
     window.harness.event(Event::Text("\nvoid broken(".into()));
     let state = window.wait("the error", |s| s["older"] == true);
     let lines = window.text().lines().count() as u64;
-    let said = state["said"].as_array().unwrap();
+    let said = state["marks"].as_array().unwrap();
     assert!(
         said.iter().any(|n| n["kind"] == "error" && n["line"].as_u64().is_some_and(|l| l + 1 >= lines)),
         "{said:?}"
@@ -164,7 +164,7 @@ fn what_does_not_compile_is_said_at_its_line_and_the_last_picture_stays() {
     window.steps(90);
     window.press(Modifiers::COMMAND, Key::Z);
     assert_ne!(window.text(), text);
-    window.wait("it to be well again", |s| s["older"] == false && s["said"].as_array().is_some_and(Vec::is_empty));
+    window.wait("it to be well again", |s| s["older"] == false && s["marks"].as_array().is_some_and(Vec::is_empty));
     window.click("redo");
     assert_eq!(window.text(), text);
 }

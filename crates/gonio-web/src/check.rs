@@ -14,7 +14,7 @@ use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 use web_sys::{OffscreenCanvas, WebGl2RenderingContext};
 
-/// Checks in a canvas of its own, one submission after the other. What it compiles of the laboratory's own is kept.
+/// Checks submissions one after the other, in a canvas of its own. Compiled programs of the exercises are kept.
 #[wasm_bindgen]
 pub struct PageChecker {
     checker: Checker,

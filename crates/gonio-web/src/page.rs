@@ -1,4 +1,4 @@
-//! What the page's loader calls: files in, the application started, its state out.
+//! Functions that the page's loader calls.
 
 use eframe::egui;
 use gonio_app::App;
@@ -7,7 +7,7 @@ use std::cell::RefCell;
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 
-/// What lives as long as the page.
+/// State that lives as long as the page.
 #[derive(Default)]
 struct Page {
     files: PageFiles,
@@ -26,26 +26,26 @@ fn with_page<T>(act: impl FnOnce(&mut Page) -> T) -> T {
     PAGE.with(|page| act(&mut page.borrow_mut()))
 }
 
-/// A built-in file has come, or, without bytes, could not be fetched; `name` is its path below `assets`.
+/// Adds a built-in file, or notes that it could not be fetched (without bytes); `name` is its path below `assets`.
 #[wasm_bindgen]
 pub fn give(name: String, bytes: Option<Vec<u8>>) {
     with_page(|page| {
         page.files.give(name, bytes);
-        // Something may wait for it.
+        // A scene may be waiting for it.
         if let Some(context) = &page.context {
             context.request_repaint();
         }
     });
 }
 
-/// A file will be given that is no sample: `name` is its path below `builtin:`.
+/// Announces a file that is not a sample: `name` is its path below `builtin:`.
 #[wasm_bindgen]
 pub fn expect(name: String) {
     with_page(|page| page.files.expect(name));
 }
 
-/// Starts the application in the canvas with `inputs` to open (none: the first scene), or goes on with it after
-/// [`pause`]. `check` begins a check of a student's files (`web/page/checking.js`). Fails where the canvas has no WebGL 2.
+/// Starts the application in the canvas with `inputs` to open (none: the first scene), or resumes it after
+/// [`pause`]. `check` starts a check of a student's files (`web/page/checking.js`). Fails if the canvas has no WebGL 2.
 #[wasm_bindgen]
 pub async fn start(
     canvas: web_sys::HtmlCanvasElement,
@@ -67,7 +67,7 @@ pub async fn start(
     runner.start(canvas, options, Box::new(created)).await
 }
 
-/// The graphics are gone: nothing is drawn until the next [`start`].
+/// Stops drawing until the next [`start`], because the graphics context is lost.
 #[wasm_bindgen]
 pub fn pause() {
     let (runner, app) = with_page(|page| (page.runner.take(), page.app.clone()));
@@ -82,7 +82,7 @@ pub fn pause() {
     }
 }
 
-/// How many pictures of the scene were drawn since the page was loaded.
+/// Number of pictures of the scene since the page was loaded.
 #[wasm_bindgen]
 pub fn pictures() -> f64 {
     with_page(|page| page.app.as_ref().map_or(0.0, |app| app.borrow().session().facts.pictures as f64))
@@ -95,10 +95,10 @@ pub fn state() -> String {
     state.unwrap_or_else(|| "null".to_owned())
 }
 
-/// What the application said when it panicked, and where; nothing while it is well.
+/// Message and call stack of a panic, if the application has panicked.
 #[wasm_bindgen]
 pub fn last_panic() -> Option<String> {
-    // A panic leaves what it had borrowed borrowed: nothing here may insist.
+    // After a panic, borrows may still be held.
     let runner = PAGE.with(|page| page.try_borrow().ok()?.runner.clone())?;
     runner.panic_summary().map(|summary| format!("{}\n\n{}", summary.message(), summary.callstack()))
 }
@@ -123,25 +123,25 @@ impl Page {
             }
         };
         self.app = Some(app.clone());
-        Shell { app, said: String::new() }
+        Shell { app, announced: String::new() }
     }
 }
 
-/// The application as eframe wants it.
+/// The application as an eframe application.
 struct Shell {
     app: Rc<RefCell<App>>,
-    /// What the page's live region holds.
-    said: String,
+    /// Content of the page's live region.
+    announced: String,
 }
 
 impl Shell {
-    /// Tells those who hear the screen what changed.
+    /// Announces a change to screen readers.
     fn say(&mut self, announcement: &str) {
-        if announcement == self.said {
+        if announcement == self.announced {
             return;
         }
-        announcement.clone_into(&mut self.said);
-        let region = web_sys::window().and_then(|w| w.document()).and_then(|d| d.get_element_by_id("said"));
+        announcement.clone_into(&mut self.announced);
+        let region = web_sys::window().and_then(|w| w.document()).and_then(|d| d.get_element_by_id("announcement"));
         if let Some(region) = region {
             region.set_text_content(Some(announcement));
         }

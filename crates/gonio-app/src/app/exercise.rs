@@ -44,10 +44,10 @@ impl App {
     pub(super) fn exercise_ui(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         let mut actions = Vec::new();
-        let mut said = self.exercise.restore_drafts(&ctx, self.platform.as_mut());
-        said.extend(self.exercise.ui(ui, self.pane_renderer.as_mut(), self.platform.as_mut(), &mut actions));
-        said.extend(self.exercise.follow_drafts(&ctx, self.platform.as_mut()));
-        for sentence in said {
+        let mut failures = self.exercise.restore_drafts(&ctx, self.platform.as_mut());
+        failures.extend(self.exercise.ui(ui, self.pane_renderer.as_mut(), self.platform.as_mut(), &mut actions));
+        failures.extend(self.exercise.follow_drafts(&ctx, self.platform.as_mut()));
+        for sentence in failures {
             self.session.messages.say(Severity::Error, sentence);
         }
         panels::messages(ui, &self.session, &mut actions);

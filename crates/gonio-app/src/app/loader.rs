@@ -88,7 +88,7 @@ impl Loader {
     /// Starts to load within `limits`; `ctx` is repainted when that is done.
     pub fn start(&mut self, wanted: LoadRequest, files: Arc<dyn FileSource>, limits: Limits, ctx: &egui::Context) {
         self.latest += 1;
-        let recording = Arc::new(Recording::of(files.clone()));
+        let recording = Arc::new(Recording::new(files.clone()));
         self.running = Some(recording.clone());
         let job = Job { number: self.latest, wanted, files, recording, limits };
         #[cfg(target_arch = "wasm32")]
@@ -108,14 +108,14 @@ impl Loader {
         ctx.request_repaint();
     }
 
-    /// What was finished since, if it is still wanted. On the web this is where it is read, so that a frame that says
-    /// so was shown before, and where it is read again when built-in files have come that were asked for too early.
+    /// Returns the outcome of the last request, once. On the web this loads the scene, after a frame that says
+    /// so was shown, and loads it again when missing built-in files have arrived.
     pub fn poll(&mut self) -> Option<LoadOutcome> {
         #[cfg(target_arch = "wasm32")]
         if let Some(job) = self.waiting.take_if(|job| !job.recording.is_waiting()) {
             job.recording.forget();
             let result = job.read();
-            // What has not come over the network yet is no fault of the scene.
+            // A file that has not arrived over the network yet is not an error of the scene.
             if job.recording.is_waiting() {
                 self.waiting = Some(job);
             } else {

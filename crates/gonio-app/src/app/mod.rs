@@ -308,7 +308,7 @@ impl App {
                 self.session.selection = Default::default();
                 self.session.probing.forget();
                 self.session.announcement = format!("opened {}", self.session.title);
-                self.document = Document::of(loaded.settings.clone());
+                self.document = Document::from_scene(loaded.settings.clone());
                 self.history = History::new(&self.document);
                 self.opened_camera = loaded.settings.camera.clone();
                 self.remember(&opening.inputs);
@@ -331,7 +331,7 @@ impl App {
             }
             LoadRequest::Refresh(scene) => {
                 self.session.announcement = "reloaded the changed files".into();
-                // What was edited meanwhile stays.
+                // Edits since the request are kept.
                 if *scene == self.document.scene {
                     self.document.scene = loaded.settings.clone();
                 }
@@ -363,7 +363,7 @@ impl App {
         }
         match edit::apply(loaded, self.document.scene.clone()) {
             Ok(Edited::Done(applied)) => {
-                // What the description left open was filled in.
+                // Defaults were filled in.
                 self.document.scene = applied.loaded.settings.clone();
                 if applied.geometry_changed || applied.materials_changed || is_seen_otherwise(loaded, &applied.loaded) {
                     self.session.generation += 1;

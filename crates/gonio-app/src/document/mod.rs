@@ -19,7 +19,7 @@ pub struct Document {
 
 impl Document {
     /// Wraps a scene that was just opened, in one pane.
-    pub fn of(scene: SceneSettings) -> Self {
+    pub fn from_scene(scene: SceneSettings) -> Self {
         Document { scene, panes: Panes::default() }
     }
 }

@@ -20,7 +20,7 @@ pub const VIEW_KEYS: [Quantity; 9] = [
     Quantity::Uv,
 ];
 
-/// What can be laid over a picture.
+/// An overlay of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Overlay {
     /// The edges of all triangles.
@@ -47,7 +47,7 @@ impl Reflectance {
         [Reflectance::Terms].into_iter().chain(brdfs).collect()
     }
 
-    /// As it is written.
+    /// The name in the interface.
     pub fn name(self) -> &'static str {
         match self {
             Reflectance::Terms => "diff + spec",
@@ -59,7 +59,7 @@ impl Reflectance {
 /// Settings of one pane. `None` means: as in the scene.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pane {
-    /// Where the equation is evaluated, for all objects.
+    /// The shading of all objects.
     pub shading: Option<Shading>,
     /// The specular term.
     pub specular: Option<Specular>,
@@ -90,7 +90,7 @@ impl Pane {
         *on = !*on;
     }
 
-    /// What is drawn.
+    /// A drawable shape.
     pub fn show(&self) -> DisplayOptions {
         let view = self.special.map_or_else(|| self.view.into(), View::Special);
         DisplayOptions { view, overlays: self.overlays }
@@ -187,7 +187,7 @@ pub enum Arrangement {
     SideBySide,
     /// The pair on top of each other; the first is visible left of this share of the width.
     Wipe(f32),
-    /// How the pair differs.
+    /// Statistics of the difference of the pair.
     Difference,
 }
 
@@ -217,7 +217,7 @@ pub struct Panes {
     pub arrangement: Arrangement,
     /// Indices of the two panes that are compared.
     pub pair: [usize; 2],
-    /// How that difference is coloured.
+    /// Colouring of the difference.
     pub difference: DifferenceSettings,
 }
 

@@ -1,4 +1,4 @@
-//! What each command does.
+//! Application of commands to the open exercise.
 
 use super::check::Check;
 use super::command::Command;

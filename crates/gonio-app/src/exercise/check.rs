@@ -43,7 +43,7 @@ impl Check {
 
 /// The files that a check or a trial gets.
 pub fn request(work: &Work, content: &[SourceFile]) -> CheckRequest {
-    // Of several host programs or buffers the one in the editor is meant.
+    // Of several OpenGL programs or buffers, the one in the editor is checked.
     let endings: &[&str] = match work.exercise.kind {
         ExerciseKind::GlProgram => &[".txt"],
         ExerciseKind::Buffers => &buffers::ENDINGS,
@@ -52,7 +52,7 @@ pub fn request(work: &Work, content: &[SourceFile]) -> CheckRequest {
     let is_one = |name: &str| endings.iter().any(|ending| name.to_ascii_lowercase().ends_with(ending));
     let in_editor = work.files.get(work.current).map(|file| file.name.as_str()).filter(|name| is_one(name));
     let is_meant = |name: &str| in_editor.is_none_or(|meant| meant == name || !is_one(name));
-    // A single picture is the answer where nothing but pictures is handed in.
+    // A submission of pictures alone may consist of one picture.
     let is_paper = |name: &str| name.ends_with(".svg") && work.exercise.file(name).is_some();
     let meant = content.iter().filter(|file| is_meant(&file.name) && !is_paper(&file.name));
     let files = meant.map(|file| (file.name.clone(), file.bytes.clone())).collect();

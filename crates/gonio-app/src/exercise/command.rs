@@ -3,39 +3,39 @@
 /// A command of the exercise view.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Command {
-    /// Begin an exercise: its word.
+    /// Start the exercise with this id.
     Begin(String),
-    /// The list of exercises.
+    /// Show the list of exercises.
     List,
-    /// Back to the scene.
+    /// Return to the scene.
     Leave,
     /// Check what is in the editor.
     Check,
-    /// No longer wait for the check.
+    /// Stop the check.
     StopChecking,
-    /// Open files in place of these.
+    /// Choose files to open.
     Open,
-    /// The files that were open before these.
+    /// Put back the previous files.
     PutBack,
-    /// The files to start from in place of these.
+    /// Start over with the original files.
     BeginAgain,
-    /// The files to start from, handed out as they are.
+    /// Download the original files.
     StartFiles,
-    /// Save the files that were changed.
+    /// Save the changed files.
     Save,
-    /// Save the files that are in memory into this folder.
+    /// Save the files in memory to this folder.
     SaveInto(String),
-    /// A step back in the current file.
+    /// Undo in the current file.
     Undo,
-    /// A step forth in the current file.
+    /// Redo in the current file.
     Redo,
-    /// The current file as it is on the disk.
+    /// Load the version on disk of the file with this index.
     TakeOther(usize),
-    /// The file as it is in the editor, also on the disk.
+    /// Save the editor's version of the file with this index over that on disk.
     KeepMine(usize),
-    /// The saved texts in place of the drafts that were restored.
+    /// Discard the restored drafts.
     DiscardRestored,
-    /// The drafts stay; the note about them goes.
+    /// Keep the restored drafts, and dismiss the note.
     KeepRestored,
     /// Switches between the light and the dark theme.
     Theme,

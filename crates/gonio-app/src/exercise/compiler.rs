@@ -56,7 +56,7 @@ impl Compiler {
         work: &mut Work,
         pane_renderer: Option<&PaneRenderer>,
         platform: &mut dyn Platform,
-        said: &mut Vec<String>,
+        failures: &mut Vec<String>,
     ) {
         if let (None, Some(pane_renderer), false) = (&self.preview, pane_renderer, self.failed) {
             match Preview::new(pane_renderer.gl(), work) {
@@ -64,7 +64,7 @@ impl Compiler {
                 Err(why) => {
                     // Reported once, not in every frame.
                     self.failed = true;
-                    said.push(why.to_string());
+                    failures.push(why.to_string());
                 }
             }
         }

@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 use std::time::Duration;
 use web_time::{Instant, SystemTime, UNIX_EPOCH};
 
-/// How much typing a crash may cost.
+/// Longest time whose typing a crash may lose.
 const DELAY: Duration = Duration::from_secs(1);
 /// Longer texts are not kept. A sentence says so.
 const MOST_BYTES: usize = 1024 * 1024;
@@ -36,7 +36,7 @@ struct Draft {
 /// The drafts of this window.
 #[derive(Default)]
 pub struct Drafts {
-    /// By key, the text that was kept last.
+    /// The last kept text by key.
     kept: BTreeMap<String, String>,
     /// When changed texts are to be written.
     due: Option<Instant>,
@@ -45,7 +45,7 @@ pub struct Drafts {
 }
 
 impl Drafts {
-    /// How many drafts are kept now.
+    /// Number of drafts.
     pub fn count(&self) -> usize {
         self.kept.len()
     }
@@ -94,7 +94,7 @@ impl Drafts {
         failures
     }
 
-    /// To be called in every frame: removes drafts of what was saved or discarded, and keeps what was typed a moment ago.
+    /// Removes drafts of saved or discarded texts, and keeps changed texts after a moment; called in every frame.
     pub fn follow<'a>(
         &mut self,
         ctx: &Context,
@@ -235,7 +235,7 @@ fn now() -> u64 {
     SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |time| time.as_secs())
 }
 
-/// How long ago something was: "5 minutes ago".
+/// An age in words: "5 minutes ago".
 fn in_words(age: Duration) -> String {
     let minutes = age.as_secs() / 60;
     let (count, unit) = match minutes {

@@ -225,7 +225,7 @@ fn what_cannot_be_kept_is_said_once_and_tried_again() {
             "the unsaved changes to light.frag could not be kept as a draft: the file is larger than 1 MB; Ctrl + S saves the file"
         ]
     );
-    // Whoever closes the window is told again.
+    // It is reported again when the window closes.
     assert_eq!(drafts.flush([&work].into_iter(), &mut platform).len(), 1);
 }
 

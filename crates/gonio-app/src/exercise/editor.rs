@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 /// Points between the numbers and the text.
 const GAP: f32 = 10.0;
-/// Of the mark beside a number.
+/// Width of the mark beside a line number.
 const MARK_WIDTH: f32 = 4.0;
 /// Most messages that are listed below the text at once.
 const MOST_LISTED: usize = 8;
@@ -135,7 +135,7 @@ fn question(
     asked
 }
 
-/// What was open before these files, to be had again.
+/// The previous set of files, with a button to put it back.
 fn put_back(ui: &mut Ui, work: &Work) -> Option<Command> {
     let before = work.before.last()?;
     ui.horizontal_wrapped(|ui| {
@@ -203,13 +203,13 @@ fn put_cursor(ui: &Ui, id: Id, text: &str, line: u32) {
     state.store(ui.ctx(), id);
 }
 
-/// Where a line (from 1) lies in the window.
+/// The rectangle of a line (from 1) in the window.
 fn row_rect(output: &TextEditOutput, line: u32) -> Rect {
     let row = rows(output).nth(line.saturating_sub(1) as usize);
     row.unwrap_or(Rect::from_min_size(output.galley_pos, vec2(1.0, 14.0)))
 }
 
-/// Where the lines lie in the window: none is wrapped, so each is a row.
+/// The rectangles of the lines in the window. No line is wrapped, so each is a row.
 fn rows(output: &TextEditOutput) -> impl Iterator<Item = Rect> + '_ {
     output.galley.rows.iter().map(|row| row.rect().translate(output.galley_pos.to_vec2()))
 }
@@ -239,9 +239,9 @@ fn numbers(ui: &Ui, output: &TextEditOutput, marks: &[Mark], gutter: f32, id: Id
         painter.rect_filled(mark, 1.0, color);
         let whole = Rect::from_min_max(pos2(left, row.top()), pos2(clip.right(), row.bottom()));
         painter.rect_filled(whole, 0.0, color.gamma_multiply(0.13));
-        let said: Vec<&str> = of_line.iter().map(|mark| mark.text.as_str()).collect();
+        let texts: Vec<&str> = of_line.iter().map(|mark| mark.text.as_str()).collect();
         let place = Rect::from_min_max(pos2(left, row.top()), pos2(left + gutter, row.bottom()));
-        ui.interact(place, id.with(("mark", line)), Sense::hover()).on_hover_text(said.join("\n\n"));
+        ui.interact(place, id.with(("mark", line)), Sense::hover()).on_hover_text(texts.join("\n\n"));
     }
     let edge = Pos2::new(left + gutter - 4.0, clip.top());
     painter.vline(edge.x, clip.y_range(), ui.visuals().widgets.noninteractive.bg_stroke);
@@ -255,27 +255,27 @@ fn tint(kind: MarkKind) -> colors::Tint {
     }
 }
 
-/// How much room the list below the text takes: as much as it needs, within reason.
+/// Height of the list below the text.
 fn messages_height(ui: &Ui, marks: &[Mark], work: &Work) -> f32 {
     let count = marks.len().min(MOST_LISTED) + usize::from(work.program.unusable.is_some());
     if count == 0 { 0.0 } else { (16.0 + 40.0 * count as f32).min(0.32 * ui.available_height()) }
 }
 
-/// What was said of this file's lines; a click goes there.
+/// The messages about this file; a click goes to the line.
 fn messages(ui: &mut Ui, work: &mut Work, marks: &[Mark]) {
     if marks.is_empty() && work.program.unusable.is_none() {
         return;
     }
-    ScrollArea::vertical().id_salt("said of lines").auto_shrink([false, false]).show(ui, |ui| {
+    ScrollArea::vertical().id_salt("messages of lines").auto_shrink([false, false]).show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 3.0;
         if let Some(why) = &work.program.unusable {
-            said(ui, icons::WARNING_CIRCLE, colors::ERROR.of(ui), why);
+            message_row(ui, icons::WARNING_CIRCLE, colors::ERROR.of(ui), why);
         }
         let mut wanted = None;
         for (index, mark) in marks.iter().take(MOST_LISTED).enumerate() {
             let icon = if mark.kind == MarkKind::Error { icons::WARNING_CIRCLE } else { icons::WARNING };
-            let line = said(ui, icon, tint(mark.kind).of(ui), &format!("Line {}: {}", mark.line, mark.text));
-            exported::note(ui, &line, &format!("said-{index}"), Role::Button, &mark.text, mark.line);
+            let line = message_row(ui, icon, tint(mark.kind).of(ui), &format!("Line {}: {}", mark.line, mark.text));
+            exported::note(ui, &line, &format!("note-{index}"), Role::Button, &mark.text, mark.line);
             if line.on_hover_cursor(egui::CursorIcon::PointingHand).clicked() {
                 wanted = Some(mark.line);
             }
@@ -289,7 +289,7 @@ fn messages(ui: &mut Ui, work: &mut Work, marks: &[Mark]) {
     });
 }
 
-fn said(ui: &mut Ui, icon: &str, color: Color32, text: &str) -> egui::Response {
+fn message_row(ui: &mut Ui, icon: &str, color: Color32, text: &str) -> egui::Response {
     ui.horizontal_top(|ui| {
         ui.label(RichText::new(icon).font(theme::icon_font(15.0)).color(color));
         ui.add(Label::new(text).wrap().sense(Sense::click()))

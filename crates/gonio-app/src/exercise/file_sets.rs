@@ -108,7 +108,7 @@ impl Work {
 }
 
 impl FileSet {
-    /// What is in it and not in `files`, by their names.
+    /// Names of its files that are not in `files`.
     pub fn names_beside(&self, files: &[OpenFile]) -> String {
         let is_there = |file: &OpenFile| files.iter().any(|other| other.id() == file.id());
         listed(&self.files.iter().filter(|file| !is_there(file)).map(|file| file.name.as_str()).collect::<Vec<_>>())

@@ -36,7 +36,7 @@ pub fn show(ui: &mut Ui, begun: &[&Work], commands: &mut Vec<Command>) {
     });
 }
 
-/// What was done for an exercise, in a word.
+/// State of an exercise, in a word.
 fn state_of(work: &Work) -> &'static str {
     let outcome = work.judged.as_ref().and_then(|judged| judged.verdict.as_ref().ok()).map(|found| found.verdict);
     match outcome {

@@ -12,12 +12,12 @@ enum Block<'a> {
     /// Its level, from 1.
     Heading(usize, &'a str),
     Paragraph(String),
-    /// How far it is indented, its number or dot, and its words.
+    /// Indentation, number or bullet, and text.
     Item(usize, String, String),
     Code(String),
     /// The first row is the head.
     Table(Vec<Vec<&'a str>>),
-    /// What it shows, and its file.
+    /// Caption and file.
     Figure(&'a str, &'a str),
 }
 
@@ -54,7 +54,7 @@ pub fn show(ui: &mut Ui, exercise: &Exercise) {
             Block::Code(code) => code_block(ui, code, index),
             Block::Table(rows) => table(ui, rows),
             Block::Figure(shows, file) => {
-                // What it shows is said below it, and where it cannot be drawn in its place.
+                // The caption is below the figure, or in its place if it cannot be drawn.
                 if let Some(text) = exercise.file(file) {
                     figure::show(ui, file, shows, text);
                 }
@@ -129,7 +129,7 @@ fn inline(ui: &Ui, words: &str) -> LayoutJob {
     job
 }
 
-/// Words and their styles. What is not closed is as it stands.
+/// Splits a text by style. Unclosed markup is plain text.
 fn spans(words: &str) -> Vec<(String, Style)> {
     let mut found: Vec<(String, Style)> = Vec::new();
     let mut plain = String::new();

@@ -120,7 +120,7 @@ impl ExerciseView {
         self.drafts.flush(self.work.iter().chain(&self.aside), platform)
     }
 
-    /// How many drafts are kept.
+    /// Number of drafts.
     pub fn drafts(&self) -> usize {
         self.drafts.count()
     }
@@ -160,7 +160,7 @@ impl ExerciseView {
         self.compiler.preview()?.pixels(picture)
     }
 
-    /// How many pictures were drawn since it was begun.
+    /// Number of pictures drawn since the exercise was opened.
     pub fn pictures(&self) -> u64 {
         self.compiler.preview().map_or(0, |preview| preview.pictures)
     }
@@ -173,7 +173,7 @@ impl ExerciseView {
         platform: &mut dyn Platform,
         actions: &mut Vec<Action>,
     ) -> Vec<String> {
-        let mut said = Vec::new();
+        let mut failures = Vec::new();
         let mut commands = Vec::new();
         let ctx = ui.ctx().clone();
         let work = self.work.as_mut().filter(|_| !self.is_listing);
@@ -182,13 +182,13 @@ impl ExerciseView {
             toolbar::show(ui, None, &mut commands);
             let begun: Vec<&Work> = self.works().collect();
             list::show(ui, &begun, &mut commands);
-            self.apply(&ctx, commands, platform, actions, &mut said);
-            return said;
+            self.apply(&ctx, commands, platform, actions, &mut failures);
+            return failures;
         };
         let seconds = ctx.input(|i| f64::from(i.stable_dt));
         work.clock.advance(seconds);
         self.check.poll(work);
-        self.compiler.follow(&ctx, work, pane_renderer.as_deref(), platform, &mut said);
+        self.compiler.follow(&ctx, work, pane_renderer.as_deref(), platform, &mut failures);
         toolbar::show(ui, Some(work), &mut commands);
         let drawn = if ui.available_width() < NARROW {
             narrow(ui, work, self.compiler.preview_mut(), pane_renderer, &mut commands)
@@ -196,13 +196,13 @@ impl ExerciseView {
             wide(ui, work, self.compiler.preview_mut(), pane_renderer, &mut commands)
         };
         if let Err(why) = drawn {
-            said.push(why.to_string());
+            failures.push(why.to_string());
         }
         if work.clock.playing {
             ctx.request_repaint();
         }
-        self.apply(&ctx, commands, platform, actions, &mut said);
-        said
+        self.apply(&ctx, commands, platform, actions, &mut failures);
+        failures
     }
 
     /// Applies commands.
@@ -212,7 +212,7 @@ impl ExerciseView {
         commands: Vec<Command>,
         platform: &mut dyn Platform,
         actions: &mut Vec<Action>,
-        said: &mut Vec<String>,
+        failures: &mut Vec<String>,
     ) {
         for command in commands {
             ctx.request_repaint();
@@ -220,7 +220,7 @@ impl ExerciseView {
                 Command::Begin(exercise) => actions.push(Action::StartExercise(exercise)),
                 Command::List => actions.push(Action::ListExercises),
                 Command::Open => {
-                    // Where a path is asked for, that is what is written next.
+                    // The path field gets the keyboard focus, if there is one.
                     self.work.as_ref().inspect(|work| editor::let_go(ctx, work));
                     actions.push(Action::ChooseFiles);
                 }
@@ -228,7 +228,7 @@ impl ExerciseView {
                 Command::Theme => actions.push(Action::ToggleTheme),
                 other => {
                     if let Some(work) = &mut self.work {
-                        said.extend(apply::apply(ctx, other, work, &mut self.compiler, &mut self.check, platform));
+                        failures.extend(apply::apply(ctx, other, work, &mut self.compiler, &mut self.check, platform));
                     }
                 }
             }
@@ -257,11 +257,11 @@ fn wide(
     }
     let inside = Frame::NONE.inner_margin(Margin::symmetric(10, 6));
     let width = 0.48 * ui.available_width();
-    Panel::left("laboratory files").frame(inside).default_size(width).size_range(280.0..=1200.0).show(ui, |ui| {
+    Panel::left("exercise files").frame(inside).default_size(width).size_range(280.0..=1200.0).show(ui, |ui| {
         edit(ui, work, commands);
     });
     let height = 0.5 * ui.available_height();
-    let page = Panel::bottom("laboratory page").frame(inside).default_size(height).size_range(120.0..=1200.0);
+    let page = Panel::bottom("exercise page").frame(inside).default_size(height).size_range(120.0..=1200.0);
     page.resizable(true).show(ui, |ui| {
         pages(ui, work, &[Page::Text, Page::Verdict, Page::Variables]);
         page_of(ui, work, commands);
@@ -278,7 +278,7 @@ fn narrow(
     commands: &mut Vec<Command>,
 ) -> Drawn {
     let height = (0.36 * ui.available_height()).max(120.0);
-    let drawn = Panel::top("laboratory picture").frame(Frame::NONE).exact_size(height).resizable(false);
+    let drawn = Panel::top("exercise picture").frame(Frame::NONE).exact_size(height).resizable(false);
     let drawn = drawn.show(ui, |ui| pictures::show(ui, work, preview, pane_renderer)).inner;
     let inside = Frame::NONE.inner_margin(Margin::symmetric(10, 6));
     egui::CentralPanel::default().frame(inside).show(ui, |ui| {

@@ -11,7 +11,7 @@ use egui::{Align2, Color32, CornerRadius, Label, Rect, RichText, Sense, TextStyl
 use gonio_exercises::exercise::ExerciseKind;
 use gonio_gl::GlError;
 
-/// What captions stand on, over any picture.
+/// Background of captions.
 const GROUND: Color32 = Color32::from_black_alpha(150);
 /// Below this width (points) the scenes have a row of their own.
 const NARROW: f32 = 480.0;
@@ -62,7 +62,7 @@ pub fn show(
     Ok(())
 }
 
-/// What is said over the pictures: that an older program is seen, that a newer one is being tested.
+/// The caption over the pictures: an older program is shown, or a newer one is being tested.
 fn over(ui: &Ui, room: Rect, work: &Work) {
     let text = if work.program.is_trial_slow {
         "Testing the new program in a separate process before drawing it"
@@ -113,7 +113,7 @@ fn without_picture(kind: ExerciseKind) -> &'static str {
     }
 }
 
-/// Which pictures, which scene, and whether time runs.
+/// Selection of pictures and scene, and the play button.
 fn settings(ui: &mut Ui, work: &mut Work, preview: &Preview) {
     let narrow = ui.available_width() < NARROW;
     ui.add_space(4.0);

@@ -7,7 +7,7 @@ use gonio_exercises::preview::{self, Body, CompiledPair, Eye, Note, PreviewRende
 use gonio_gl::{Gl, GlError};
 use gonio_render::{DifferenceScale, DisplayTexture, Presentation};
 
-/// Where nothing is drawn: the lab's programs clear to a dark grey too.
+/// Background colour, a dark grey as in the lab's programs.
 const BACKGROUND: [f32; 3] = [0.13, 0.14, 0.16];
 /// 8-bit steps that get the last colour of the map of differences.
 const FULL_SCALE: f64 = 48.0;
@@ -19,7 +19,7 @@ pub enum Picture {
     Yours = 0,
     /// The right answer's.
     Reference = 1,
-    /// Where they differ.
+    /// The difference of both.
     Difference = 2,
 }
 
@@ -36,7 +36,7 @@ pub struct Preview {
     drawn: [Option<Drawn>; 2],
     /// Counts programs that were compiled.
     serial: u64,
-    /// How many pictures were drawn.
+    /// Number of pictures drawn.
     pub pictures: u64,
 }
 
@@ -151,7 +151,7 @@ impl Preview {
     }
 }
 
-/// What programs are given for each body of the scene as it is looked at now.
+/// The inputs of programs for each body of the scene at this moment.
 pub fn situations(work: &Work, size: [u32; 2]) -> Vec<(Body, TestScene)> {
     let Some(scene) = work.scene() else { return Vec::new() };
     let camera = work.camera.to_camera();

@@ -15,18 +15,18 @@ const MOST_BYTES: u64 = 32 << 20;
 /// for each file that could not be saved.
 pub fn save(work: &mut Work, platform: &mut dyn Platform) -> Vec<String> {
     let in_memory = work.files.iter().all(|file| file.path.is_none());
-    let mut said = Vec::new();
+    let mut failures = Vec::new();
     if platform.has_folders() && work.files.iter().any(|file| file.path.is_none() && (in_memory || file.is_changed())) {
         // Beside those that have a place already.
         let beside = work.files.iter().find_map(|file| Some(file.path.as_ref()?.parent()?.display().to_string()));
         work.asking = Some(beside.unwrap_or_else(|| work.exercise.id.clone()));
         if in_memory {
-            return said;
+            return failures;
         }
     }
     let current = work.current;
     for (index, file) in work.files.iter_mut().enumerate() {
-        // What changed on the disk meanwhile is not written over before the person has chosen.
+        // A file that changed on disk is not overwritten before the user has chosen a version.
         if file.locked || file.other.is_some() || !(file.is_changed() || (in_memory && index == current)) {
             continue;
         }
@@ -39,10 +39,10 @@ pub fn save(work: &mut Work, platform: &mut dyn Platform) -> Vec<String> {
         };
         match platform.write(&place, &bytes) {
             Ok(_) => file.saved = bytes,
-            Err(why) => said.push(why),
+            Err(why) => failures.push(why),
         }
     }
-    said
+    failures
 }
 
 /// Saves files in memory to a folder, which is created if needed; nothing is overwritten. If other files
@@ -72,7 +72,7 @@ pub fn save_into(work: &mut Work, folder: &str, platform: &mut dyn Platform) -> 
 
 /// Reloads files that another program changed. Returns a sentence for each that could not be read.
 pub fn read_again(ctx: &Context, work: &mut Work, paths: &[PathBuf]) -> Vec<String> {
-    let mut said = Vec::new();
+    let mut failures = Vec::new();
     for file in &mut work.files {
         let Some(path) = file.path.as_ref().filter(|path| paths.contains(path)) else { continue };
         match Disk.read_within(path, MOST_BYTES).map(FileBytes::into_vec) {
@@ -82,10 +82,10 @@ pub fn read_again(ctx: &Context, work: &mut Work, paths: &[PathBuf]) -> Vec<Stri
                     editor::remember(ctx, &before);
                 }
             }
-            Err(why) => said.push(format!("{} could not be reloaded: {why}", path.display())),
+            Err(why) => failures.push(format!("{} could not be reloaded: {why}", path.display())),
         }
     }
-    said
+    failures
 }
 
 /// The original files of the exercise as a zip file.

@@ -14,7 +14,7 @@ use serde_json::{Value, json};
 /// | `drafts` | how many files have unsaved text that is kept for the next window |
 /// | `before` | how many sets of files were open before these, and can be put back |
 /// | `file`, `page`, `shown`, `scene` | the file in the editor; the page beside; which picture; in which scene |
-/// | `said` | what is said of lines of all files: `file`, `line`, `kind` (error, warning, mistake), `text` |
+/// | `marks` | marked lines of all files: `file`, `line`, `kind` (error, warning, mistake), `text` |
 /// | `unusable` | why there is no pair of shaders, or null |
 /// | `drawn`, `older`, `tried` | a pair is drawn; it is an older one; the newer one is tried outside of the window |
 /// | `trials` | how many pairs were tried outside of the window first |
@@ -43,7 +43,7 @@ fn of_work(work: &Work) -> Value {
             })
         })
         .collect();
-    let said: Vec<Value> = (0..work.files.len())
+    let marks: Vec<Value> = (0..work.files.len())
         .flat_map(|index| work.marks(index).into_iter().map(move |mark| (index, mark)))
         .map(|(index, mark)| {
             let kind = match mark.kind {
@@ -79,7 +79,7 @@ fn of_work(work: &Work) -> Value {
         "page": page,
         "shown": pictures::word(work.shown),
         "scene": work.scene().map(|scene| scene.name),
-        "said": said,
+        "marks": marks,
         "unusable": work.program.unusable,
         "drawn": work.program.is_drawn,
         "older": work.program.is_old,

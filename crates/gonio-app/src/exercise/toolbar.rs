@@ -44,7 +44,7 @@ pub fn keys(ui: &Ui, work: Option<&Work>, commands: &mut Vec<Command>) {
 
 pub fn show(ui: &mut Ui, work: Option<&mut Work>, commands: &mut Vec<Command>) {
     let bar = Frame::NONE.inner_margin(Margin::symmetric(10, 5));
-    let work = Panel::top("laboratory bar").frame(bar).resizable(false).show(ui, |ui| {
+    let work = Panel::top("exercise bar").frame(bar).resizable(false).show(ui, |ui| {
         let narrow = ui.available_width() < NARROW;
         ui.horizontal(|ui| {
             if icon(ui, "leave", icons::CARET_LEFT, "Back to the scene", true) {
@@ -116,7 +116,7 @@ fn files(ui: &mut Ui, work: &Work, commands: &mut Vec<Command>) {
     }
 }
 
-/// Asks for a folder to save into, where it is wanted.
+/// The dialog for the folder to save to.
 fn ask(ui: &Ui, work: &mut Work, commands: &mut Vec<Command>) {
     let Some(mut folder) = work.asking.take() else { return };
     let (mut open, mut done) = (true, false);

@@ -18,7 +18,7 @@ const SLOW: Duration = Duration::from_millis(1000);
 pub struct ContentKey(u64);
 
 impl ContentKey {
-    /// Of these files.
+    /// The key of these files.
     pub fn new(files: &[SourceFile]) -> Self {
         let mut hasher = DefaultHasher::new();
         for file in files {

@@ -147,7 +147,7 @@ fn compiler_message(ui: &mut Ui, work: &mut Work, message: &CompilerMessage) {
     });
 }
 
-/// A file's line, to be gone to, and what stands there.
+/// A link to a line of a file, with the quoted line.
 fn place(ui: &mut Ui, work: &mut Work, id: &str, file: &str, line: u32, quoted: Option<&str>) {
     let label = format!("{file}:{line}");
     let link = ui.link(RichText::new(&label).monospace());
@@ -161,7 +161,7 @@ fn place(ui: &mut Ui, work: &mut Work, id: &str, file: &str, line: u32, quoted: 
     }
 }
 
-/// As much of a line as is worth quoting.
+/// The beginning of a line, as far as it is quoted.
 fn beginning(line: &str) -> String {
     match line.char_indices().nth(MOST_QUOTED) {
         Some((end, _)) => format!("{}…", line.get(..end).unwrap_or_default()),
@@ -188,7 +188,7 @@ fn terms(ui: &mut Ui, verdict: &Verdict) {
     });
 }
 
-/// The scenes; those with one term alone are told by the terms.
+/// The test scenes, without those of single terms.
 fn scenes(ui: &mut Ui, verdict: &Verdict) {
     if verdict.scenes.is_empty() {
         return;

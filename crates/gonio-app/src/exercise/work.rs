@@ -30,20 +30,20 @@ pub struct OpenFile {
     pub restored: Option<String>,
     /// Whether a draft of this file was looked for.
     pub(super) draft_was_asked: bool,
-    /// Of the editor's widget.
+    /// Id of the editor's widget.
     id: Id,
     /// Whether it has a tab.
     is_shown: bool,
 }
 
-/// Endings of what is handed out with an exercise and is no answer.
+/// Extensions of files that come with an exercise and are not part of the answer.
 const PAPERS: [&str; 5] = [".md", ".svg", ".obj", ".png", ".jpg"];
 
 impl OpenFile {
     /// Opens a file. `number` distinguishes files of the same name that are opened at different times.
     pub(super) fn new(exercise: &Exercise, file: ExerciseFile, number: (u64, usize)) -> Self {
         let (text, locked) = decoded(&file.bytes);
-        let id = Id::unique("laboratory editor").with((&exercise.id, number, &file.name));
+        let id = Id::unique("exercise editor").with((&exercise.id, number, &file.name));
         let name = file.name.to_ascii_lowercase();
         let is_shown = !PAPERS.iter().any(|end| name.ends_with(end));
         OpenFile {
@@ -75,17 +75,17 @@ impl OpenFile {
         !self.locked && self.text.as_bytes() != self.saved
     }
 
-    /// Whether it has a tab: what is handed out with an exercise and is no answer has none.
+    /// Whether it has a tab: texts and figures of the exercise have none.
     pub fn is_shown(&self) -> bool {
         self.is_shown
     }
 
-    /// What it holds for a check: a file that is no text as it is.
+    /// Its content for a check; a file that is not text is unchanged.
     pub fn content(&self) -> Vec<u8> {
         if self.locked { self.saved.clone() } else { self.text.clone().into_bytes() }
     }
 
-    /// Of the editor's widget: its undo is this file's own.
+    /// Id of the editor's widget, which has its own undo history.
     pub fn id(&self) -> Id {
         self.id
     }
@@ -138,7 +138,7 @@ pub enum PictureMode {
     /// Both side by side.
     #[default]
     Both,
-    /// Where they differ.
+    /// The difference of both.
     Difference,
 }
 
@@ -150,16 +150,16 @@ pub enum Page {
     /// The exercise's text.
     #[default]
     Text,
-    /// What the check said.
+    /// The verdict.
     Verdict,
-    /// What the program's variables were taken for.
+    /// The meaning of the program's variables.
     Variables,
 }
 
 /// Facts about the pair in the editor.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ProgramFacts {
-    /// What is said of lines.
+    /// Messages about lines.
     pub notes: Vec<Note>,
     /// Why there is no pair: one sentence.
     pub unusable: Option<String>,
@@ -167,20 +167,20 @@ pub struct ProgramFacts {
     pub warnings: Vec<String>,
     /// A pair was compiled and can be drawn: this one, or an earlier one.
     pub is_drawn: bool,
-    /// What is drawn is an earlier one: the one in the editor does not compile.
+    /// Whether the drawn pair is an earlier one, because the one in the editor does not compile.
     pub is_old: bool,
     /// It is tried outside of the window first: it may crash the driver, or never end.
     pub is_tried: bool,
     /// The trial takes so long that it should be announced.
     pub is_trial_slow: bool,
-    /// What its variables were taken for, as it was drawn last.
+    /// Meaning and value of its variables in the last picture.
     pub variables: Vec<VariableValue>,
 }
 
 /// A verdict with the texts that it is of.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Judged {
-    /// What the check says, or why it said nothing.
+    /// The verdict, or why there is none.
     pub verdict: Result<Verdict, String>,
     /// [`Work::content`] at the time.
     pub of: Vec<SourceFile>,
@@ -201,19 +201,19 @@ pub struct Work {
     pub page: Page,
     /// The scenes to look at it in.
     pub scenes: Vec<PreviewScene>,
-    /// Which of them.
+    /// Index of the current scene.
     pub scene: usize,
-    /// Where one looks from.
+    /// The camera.
     pub camera: CameraSettings,
     /// `now`.
     pub clock: Clock,
     /// Pass what the lab's own solutions do too.
     pub as_the_lab: bool,
-    /// Of the pair in the editor.
+    /// Facts about the pair in the editor.
     pub program: ProgramFacts,
-    /// How many pairs were tried outside of the window before they were drawn, or not drawn, here.
+    /// Number of trials.
     pub trials: u32,
-    /// What the last check said.
+    /// The last verdict.
     pub judged: Option<Judged>,
     /// A check is under way.
     pub checking: bool,
@@ -316,12 +316,12 @@ impl Work {
         self.files.iter().any(OpenFile::is_changed)
     }
 
-    /// Whether what the last check said is of other texts than these.
+    /// Whether the files have changed since the last check.
     pub fn is_judged_before(&self) -> bool {
         self.judged.as_ref().is_some_and(|judged| judged.of != self.content())
     }
 
-    /// The number of a file that something was said of.
+    /// The index of a file by its name.
     pub fn file_named(&self, name: &str) -> Option<usize> {
         self.files.iter().position(|file| file.name == name)
     }
@@ -376,11 +376,11 @@ pub enum MarkKind {
 /// A marked line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mark {
-    /// From 1.
+    /// Line number, from 1.
     pub line: u32,
     /// Severity of a message.
     pub kind: MarkKind,
-    /// In words.
+    /// The message.
     pub text: String,
 }
 

@@ -1,4 +1,4 @@
-//! Which of several files is the model.
+//! Finds the model among several files.
 //!
 //! The rules, in this order:
 //!
@@ -6,7 +6,7 @@
 //! 2. Else all models are opened, in one scene. Pictures are their textures, but for those that no model has as a texture
 //!    (Radiance, OpenEXR, KTX2, DDS): one of these is the environment.
 //! 3. Else pictures are the environment of the scene that is open: one picture, or the six faces of a cubemap.
-//! 4. Else there is nothing to open, and that is said.
+//! 4. Otherwise there is nothing to open, which is an error.
 
 use gonio_environment::names;
 use gonio_image::decode::FileFormat;
@@ -14,7 +14,7 @@ use gonio_mesh::{Format, compression};
 use gonio_scene::files::FileSource;
 use std::path::Path;
 
-/// What several files are.
+/// The roles of several files.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Gathered {
     /// Models or scene files to open; none where there is only an environment.

@@ -7,16 +7,16 @@ use std::sync::Arc;
 
 /// Files that are looked for in the first place, and then in the second.
 pub struct Layered {
-    /// Asked first.
+    /// The first source.
     pub first: Arc<dyn FileSource>,
-    /// Asked for what the first does not have.
+    /// The source of files that the first does not have.
     pub then: Arc<dyn FileSource>,
 }
 
 impl FileSource for Layered {
     fn read_within(&self, path: &Path, most: u64) -> Result<FileBytes, Error> {
         match self.first.read_within(path, most) {
-            // What the first has but cannot give is told; what it does not have may be in the second.
+            // Errors of the first source are reported; files that it does not have may be in the second.
             Err(why) if matches!(why.kind(), ErrorKind::NotFound | ErrorKind::IsADirectory) => self
                 .then
                 .read_within(path, most)

@@ -8,7 +8,7 @@ use gonio_scene::files::BUILTIN;
 use gonio_scene::{SceneFile, SceneSettings};
 use std::io::{Read, Write};
 
-/// What the part of the address after `#` begins with.
+/// Prefix of the address fragment.
 pub const KEY: &str = "scene=";
 /// Most bytes of a scene file that are taken from an address.
 const MOST_BYTES: u64 = 1 << 20;

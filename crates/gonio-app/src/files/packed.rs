@@ -1,11 +1,11 @@
-//! Several files as one to be handed out: a zip, nothing in it compressed.
+//! Packs files into an uncompressed zip file.
 //!
 //! After PKWARE, *.ZIP File Format Specification (APPNOTE 6.3), sections 4.3.7, 4.3.12 and 4.3.16. Small files are meant: no
 //! 64-bit sizes.
 
 use flate2::Crc;
 
-/// What a reader must understand: 2.0, folders.
+/// Version needed to extract: 2.0, for folders.
 const VERSION: u16 = 20;
 /// Names are UTF-8.
 const FLAGS: u16 = 1 << 11;

@@ -1,4 +1,4 @@
-//! Which files were asked for while something was read.
+//! Records which files are read.
 
 use gonio_scene::files::{FileBytes, FileSource};
 use std::collections::BTreeSet;
@@ -26,16 +26,16 @@ struct Asked {
 
 impl Recording {
     /// Around `inner`.
-    pub fn of(inner: Arc<dyn FileSource>) -> Self {
+    pub fn new(inner: Arc<dyn FileSource>) -> Self {
         Recording { inner, asked: Mutex::default() }
     }
 
-    /// What was asked for until now, each once.
+    /// The paths that were read, each once.
     pub fn paths(&self) -> Vec<PathBuf> {
         self.lock().paths.iter().cloned().collect()
     }
 
-    /// How many files were read until now, and how many bytes they have.
+    /// Number of files read so far, and their bytes.
     pub fn amount(&self) -> (usize, u64) {
         let asked = self.lock();
         (asked.files, asked.bytes)
@@ -97,7 +97,7 @@ mod tests {
     fn what_is_read_and_what_is_missing_is_remembered() {
         let mut files = MemoryFiles::default();
         files.insert("a.obj", b"123".to_vec());
-        let recording = Recording::of(Arc::new(files));
+        let recording = Recording::new(Arc::new(files));
         assert!(recording.read(Path::new("a.obj")).is_ok());
         assert!(recording.read(Path::new("a.obj")).is_ok());
         assert!(recording.read(Path::new("a.mtl")).is_err());
@@ -127,7 +127,7 @@ mod tests {
     #[test]
     fn it_waits_for_what_was_asked_for_too_early_and_for_nothing_else() {
         let fetching = Arc::new(Fetching(Mutex::new(Some("models/cube.mtl"))));
-        let recording = Recording::of(fetching.clone());
+        let recording = Recording::new(fetching.clone());
         assert!(recording.builtin("models/cube.png").is_none());
         assert!(!recording.is_waiting());
         assert!(recording.builtin("models/cube.mtl").is_none());
@@ -142,7 +142,7 @@ mod tests {
     fn what_is_read_once_more_is_counted_once() {
         let mut files = MemoryFiles::default();
         files.insert("a.obj", b"123".to_vec());
-        let recording = Recording::of(Arc::new(files));
+        let recording = Recording::new(Arc::new(files));
         assert!(recording.read(Path::new("a.obj")).is_ok());
         recording.forget();
         assert_eq!((recording.amount(), recording.paths()), ((0, 0), Vec::new()));

@@ -1,8 +1,8 @@
-//! What a zip holds: stored and deflated files.
+//! Reads zip files with stored and deflated entries.
 //!
 //! After PKWARE, *.ZIP File Format Specification (APPNOTE 6.3), sections 4.3.6 to 4.3.16. The central directory is
 //! believed, as by every other program; sizes that it states are held against the limit before anything is allocated.
-//! What encrypts, splits or needs 64-bit sizes is refused: models of that size are not dropped as a zip.
+//! Encrypted, split and 64-bit zip files are refused.
 
 use super::MemoryFiles;
 use flate2::read::DeflateDecoder;
@@ -20,9 +20,9 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// For models with their textures, or an environment.
+    /// Limits for models with their textures, or an environment.
     pub const MODELS: Limits = Limits { files: 10_000, file_bytes: 1 << 30, bytes: 1 << 30 };
-    /// For a student's answer to an exercise.
+    /// Limits for a student's files.
     pub const SUBMISSION: Limits = Limits { files: 2000, file_bytes: 64 << 20, bytes: 256 << 20 };
 
     /// The same, but at most `bytes` for all files together.
@@ -52,7 +52,7 @@ pub struct Entry {
     pub size: u64,
     method: u64,
     is_encrypted: bool,
-    /// Where its own header begins, which its content follows.
+    /// Offset of its local header.
     local: usize,
     packed: usize,
 }
@@ -169,7 +169,7 @@ fn is_left_out(name: &str) -> bool {
     name.ends_with('/') || name.split('/').any(|part| part.starts_with('.') || part == "__MACOSX")
 }
 
-/// Where the end of the directory begins: behind it there may be a comment.
+/// Offset of the end of central directory record, which a comment may follow.
 fn find_end(bytes: &[u8]) -> Option<usize> {
     let last = bytes.len().checked_sub(END_SIZE)?;
     let first = last.saturating_sub(0xffff);

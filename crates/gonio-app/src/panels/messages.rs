@@ -6,7 +6,7 @@ use crate::session::{Session, Severity};
 use crate::theme::{self, colors, icons};
 use egui::{Align2, Area, Frame, Id, Margin, Order, RichText, Stroke, Ui, vec2};
 
-/// Most that are shown at once; the next follows when one was read.
+/// Most messages that are shown at once.
 const MOST: usize = 3;
 const WIDTH: f32 = 380.0;
 

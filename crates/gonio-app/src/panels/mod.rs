@@ -26,7 +26,7 @@ use egui::{Color32, FontId, Frame, Margin, Panel, Rect, ScrollArea, Sense, Ui, V
 /// Below this width (points) the side panel lies under the picture: a phone held upright.
 const NARROW: f32 = 720.0;
 const SIDE_WIDTH: f32 = 352.0;
-/// Of the tabs' names, and the least and the most there is between them.
+/// Font size of the tabs' names, and the range of gaps between them.
 const TAB_SIZE: f32 = 12.5;
 const TAB_GAP: std::ops::RangeInclusive<f32> = 3.0..=14.0;
 

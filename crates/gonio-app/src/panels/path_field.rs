@@ -7,7 +7,7 @@ use crate::session::Session;
 use egui::{Align2, Key, Label, RichText, TextEdit, Ui, Window, vec2};
 use gonio_scene::files::BUILTIN;
 
-/// Shows it where one is asked for; files that it names are wanted for `purpose`.
+/// Shows the field if a path is requested.
 pub fn show(ui: &Ui, session: &mut Session, purpose: Purpose, actions: &mut Vec<Action>) {
     let Some(mut asking) = session.asking.take() else { return };
     let (title, hint, verb) = match asking.saves {

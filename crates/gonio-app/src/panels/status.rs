@@ -5,7 +5,7 @@ use crate::session::Session;
 use crate::widgets::{SPACE, grouped};
 use egui::{Align, Label, Layout, RichText, Ui};
 
-/// Below this width (points) only the size and the time are said.
+/// Below this width (points) only the size and the time are shown.
 const NARROW: f32 = 560.0;
 
 pub fn show(ui: &mut Ui, session: &Session) {
@@ -14,7 +14,7 @@ pub fn show(ui: &mut Ui, session: &Session) {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let facts = &session.facts;
             let [width, height] = facts.size;
-            // Of a fixed width, so that nothing jumps while it changes.
+            // Fixed width, so that nothing jumps while it changes.
             let mut text = format!("{width} x {height} {:6.1} ms", facts.draw_ms);
             if !narrow && let Some(loaded) = &session.loaded {
                 // Fewer than the scene's while something moves and pictures take long.

@@ -37,7 +37,7 @@ pub fn show(ui: &mut Ui, document: &Document, session: &Session, actions: &mut V
     if slider.double_clicked() {
         actions.push(Action::SetTime(0.0));
     }
-    // Of a fixed width, so that nothing jumps while it runs.
+    // Fixed width, so that nothing jumps while time runs.
     let text = format!("{within:6.2} of {} s", crate::widgets::compact(period));
     ui.label(RichText::new(text).monospace().small());
 }

@@ -11,7 +11,7 @@ use gonio_scene::files;
 
 /// Below this width (points) the files are behind one button.
 const NARROW: f32 = 560.0;
-/// What the laboratory is, in a sentence.
+/// Tooltip of the exercises.
 const EXERCISES: &str = "Shader exercises: edit, compare with the correct answer, and check";
 
 pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &History, actions: &mut Vec<Action>) {
@@ -85,7 +85,7 @@ fn icon(ui: &mut Ui, id: &str, icon: &str, tip: &str, enabled: bool) -> bool {
 /// A button that opens a menu, which scrolls where the window is low.
 fn menu(ui: &mut Ui, id: &str, text: RichText, tip: &str, content: impl FnOnce(&mut Ui)) {
     let height = ui.ctx().content_rect().height() - 60.0;
-    // As the icons beside it: a frame only under the pointer.
+    // Like the icons beside it, it has a frame only under the pointer.
     let button = egui::Button::new(text).frame_when_inactive(false);
     let content = |ui: &mut Ui| ScrollArea::vertical().max_height(height).show(ui, content);
     let (button, _) = egui::containers::menu::MenuButton::from_button(button).ui(ui, content);
@@ -130,7 +130,7 @@ fn recent_entries(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
     }
 }
 
-/// What a sample is, in a sentence.
+/// Description of a sample.
 fn sentence(sample: &str) -> &'static str {
     match sample {
         "cube" => "Six faces with hard edges: flat and Phong shading look the same",

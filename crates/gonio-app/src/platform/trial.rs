@@ -1,5 +1,5 @@
 //! A trial of a student's shaders: they are compiled and drawn once where a crash, an endless loop or too much memory harms
-//! nobody. Only what came back from there is given to the window's own OpenGL.
+//! nobody. Only shaders that pass are given to the window's own OpenGL.
 
 use super::{CheckResult, Pending};
 use gonio_check::verdict::{Outcome, Verdict};

@@ -1,11 +1,11 @@
-//! What can be saved: the picture and the scene.
+//! Saving of pictures and scenes.
 
 pub mod png;
 mod scene_file;
 
 pub use scene_file::scene_file;
 
-/// What is saved.
+/// Something to save.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Product {
     /// The current pane's picture as it is shown, in its size there.
@@ -32,7 +32,7 @@ impl Product {
         }
     }
 
-    /// As a menu calls it.
+    /// The title in menus.
     pub fn title(self) -> &'static str {
         match self {
             Product::Picture => "Picture as displayed (PNG)",
@@ -42,7 +42,7 @@ impl Product {
         }
     }
 
-    /// What its files' names end with.
+    /// The file name extension.
     pub fn extension(self) -> &'static str {
         match self {
             Product::Picture | Product::SizedPicture => "png",

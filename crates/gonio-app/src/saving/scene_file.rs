@@ -22,7 +22,7 @@ pub fn scene_file(settings: &SceneSettings, folder: Option<&Path>) -> String {
     scene.to_toml_string()
 }
 
-/// A path, relative to the current folder until now, as seen from `folder`; as it was where that cannot be told.
+/// Converts a path relative to the current folder to one relative to `folder`, or returns it unchanged if that fails.
 fn seen_from(folder: &Path, file: &str) -> String {
     let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
     // A pattern of faces (`sky_*.png`) is no file: its folder is.

@@ -16,7 +16,7 @@ use gonio_gl::GlError;
 const GAP: f32 = 2.0;
 /// Half the width of what takes hold of the divider: wide enough for a finger.
 const HOLD: f32 = 22.0;
-/// What captions stand on, over any picture.
+/// Background of captions.
 const GROUND: Color32 = Color32::from_black_alpha(150);
 const INK: Color32 = Color32::from_gray(0xf2);
 
@@ -137,7 +137,7 @@ fn divider(ui: &Ui, room: Rect, x: f32, active: bool) {
     }
 }
 
-/// Where the pair of panes differs, with its scale and its numbers.
+/// The difference map of the pair, with its scale.
 pub fn difference(
     ui: &mut Ui,
     room: Rect,

@@ -8,9 +8,9 @@ use crate::theme::{self, colors};
 use egui::{Align2, Color32, Rect, Sense, Ui, Vec2, vec2};
 use glam::DVec3;
 
-/// From the middle to the end of an axis that lies in the picture's plane, points.
+/// Length of an axis parallel to the picture, points.
 const LENGTH: f32 = 26.0;
-/// Of the disc at the end of an axis, points.
+/// Radius of the disc at the end of an axis, points.
 const END: f32 = 8.0;
 /// A pane smaller than this has no room for it, points.
 const SMALLEST_PANE: f32 = 220.0;

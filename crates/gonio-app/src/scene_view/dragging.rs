@@ -9,7 +9,7 @@ pub trait Dragging {
     fn is_dragged(&self) -> bool;
     /// The same by one button.
     fn is_dragged_by(&self, button: PointerButton) -> bool;
-    /// How far since the last frame, points.
+    /// Movement since the last frame, points.
     fn way(&self) -> Vec2;
 }
 

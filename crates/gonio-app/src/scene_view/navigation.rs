@@ -34,7 +34,7 @@ pub struct Rig {
 }
 
 impl Rig {
-    /// Of a complete description. `middle` is what a camera without target turns around.
+    /// Creates the rig of a camera. `middle` is the pivot of a camera without target.
     pub fn new(spec: &CameraSettings, middle: DVec3) -> Self {
         let camera = spec.to_camera();
         let depth = camera.depth_of(middle);
@@ -92,12 +92,12 @@ impl Rig {
         self.camera.position = self.pivot - self.camera.front * distance;
     }
 
-    /// What the eye turns around, world space.
+    /// The pivot, world space.
     pub fn pivot(&self) -> DVec3 {
         self.pivot
     }
 
-    /// Turns the eye where it stands.
+    /// Turns the camera in place.
     pub fn look_around(&mut self, yaw_rad: f64, pitch_rad: f64) {
         let distance = self.distance();
         let front = self.turned(self.camera.front, yaw_rad, pitch_rad);
@@ -124,7 +124,7 @@ impl Rig {
     }
 }
 
-/// What the pointer over a pane and the keys do to the document's camera.
+/// Moves the document's camera by the pointer over a pane and by keys.
 pub fn handle(ui: &Ui, response: &Response, document: &mut Document, session: &Session) {
     let Some(loaded) = &session.loaded else { return };
     let (min, max) = loaded.bounds();

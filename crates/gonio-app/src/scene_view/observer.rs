@@ -12,17 +12,17 @@ use glam::DVec3;
 use gonio_gl::GlError;
 use gonio_scene::{Camera, Frame};
 
-/// Of the second eye, radians.
+/// Field of view of the observer, radians.
 const FOV_Y: f64 = 0.6;
-/// When it is opened it stands so far around from the first, and so far above, radians.
+/// Initial azimuth relative to the first camera, and elevation, radians.
 const BESIDE: f64 = 1.15;
 const ABOVE: f64 = 0.42;
-/// It never looks straight down or up, radians.
+/// Largest elevation, radians.
 const HIGHEST: f64 = 1.5;
-/// Radians that a drag of one point turns it, and that it turns in a second where it was let go.
+/// Rotation by a drag of one point, and per second when it rotates automatically, radians.
 const PER_POINT: f64 = 0.01;
 const PER_SECOND: f64 = 0.35;
-/// The far plane is shown no farther than so many times what it is for.
+/// The far plane is shown at most at this multiple of the scene's extent.
 const FARTHEST: f64 = 3.0;
 
 /// The observer's camera for a frame of the first one.
@@ -61,7 +61,7 @@ fn frustum(frame: &Frame) -> [[DVec3; 4]; 2] {
     })
 }
 
-/// Where the inset is in a pane; `None` where there is no room.
+/// The rectangle of the inset in a pane; `None` if there is no room.
 pub fn place(pane: Rect) -> Option<Rect> {
     let width = (0.34 * pane.width()).clamp(170.0, 340.0);
     let size = vec2(width, 0.78 * width);

@@ -56,12 +56,12 @@ pub fn drawn(
     picture
 }
 
-/// How a pane differs, in words.
+/// The caption of a pane.
 pub fn caption(document: &Document, index: usize) -> String {
     document.panes.list.get(index).map(|pane| pane.caption()).unwrap_or_default()
 }
 
-/// What lies over a pane's picture: lights to drag, the probe's arrows, the axes, the camera from outside, the views.
+/// Everything over a pane's picture: light gizmos, the probe's arrows, axes, observer's view, toolbar.
 pub fn over(
     ui: &mut Ui,
     index: usize,
@@ -71,7 +71,7 @@ pub fn over(
     pane_renderer: &mut PaneRenderer,
 ) -> Result<(), GlError> {
     let rect = response.rect;
-    // As it is in the picture: the document may be a frame ahead.
+    // The state in the picture: the document may be a frame ahead.
     let (Some(loaded), Some(frame)) = (pane_renderer.loaded(index).cloned(), pane_renderer.frame(index).cloned())
     else {
         return Ok(());
@@ -96,7 +96,7 @@ pub fn over(
     Ok(())
 }
 
-/// What the pointer asks the probe for: while its tab is shown it follows, and a click anywhere pins.
+/// Updates the probed place: it follows the pointer while its tab is shown, and a click pins it.
 fn point(index: usize, response: &Response, session: &mut Session) {
     let share = |place: Pos2| {
         let local = (place - response.rect.min) / response.rect.size();

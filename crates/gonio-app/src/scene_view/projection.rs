@@ -1,10 +1,10 @@
-//! From the world to the window, and back.
+//! Projection from world to window, and back.
 
 use egui::{Pos2, Rect, pos2};
 use glam::{DMat4, DVec3};
 use gonio_scene::Camera;
 
-/// Where points of the world are in a pane.
+/// Maps points of the world to a pane.
 #[derive(Clone, Copy, Debug)]
 pub struct Projection {
     camera: Camera,
@@ -13,7 +13,7 @@ pub struct Projection {
 }
 
 impl Projection {
-    /// Of a camera whose picture fills `rect` (points of the window).
+    /// The projection of a camera whose picture fills `rect` (points of the window).
     pub fn new(camera: &Camera, rect: Rect) -> Self {
         let aspect = f64::from(rect.width().max(1.0)) / f64::from(rect.height().max(1.0));
         let clip_from_world = camera.clip_from_view(aspect) * camera.view_from_world();
@@ -30,7 +30,7 @@ impl Projection {
         self.rect
     }
 
-    /// Where a point of the world is seen; `None` behind the eye.
+    /// The window position of a point of the world; `None` behind the eye.
     pub fn to_window(&self, point: DVec3) -> Option<Pos2> {
         let clip = self.clip_from_world * point.extend(1.0);
         if clip.w <= 1e-9 {

@@ -3,12 +3,12 @@
 use egui::{Align2, Color32, CornerRadius, Mesh, Rect, Stroke, StrokeKind, TextStyle, Ui, pos2, vec2};
 use gonio_scene::difference::{heat, signed};
 
-/// What the colours of a map stand for.
+/// The scale of a map of differences.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scale {
     /// 8-bit steps of the last colour.
     pub full_scale: f64,
-    /// From minus to plus.
+    /// Whether it ranges from minus to plus.
     pub signed: bool,
 }
 
@@ -19,7 +19,7 @@ impl Scale {
         Color32::from_rgb(r, g, b)
     }
 
-    /// Where numbers stand, by their share of the scale's length.
+    /// Labels by their share of the scale's length.
     fn marks(&self) -> Vec<(f64, String)> {
         let number = |steps: f64| {
             let text = if steps.abs() < 10.0 { format!("{steps:.1}") } else { format!("{steps:.0}") };

@@ -10,7 +10,7 @@ use gonio_light::Quantity;
 use gonio_light::quantity::Encoding;
 use gonio_scene::{DisplayMap, SpecialView, ViewSpec};
 
-/// What it takes of a picture's height, in points, together with what is left free around it.
+/// Height with margins, points.
 pub const HEIGHT: f32 = 34.0;
 
 /// Shows the strip at the upper left of a pane. `frame` is what was drawn.
@@ -148,7 +148,7 @@ fn toggle(ui: &mut Ui, id: &str, icon: &str, tip: &str, on: bool) -> bool {
     response.on_hover_text(tip).clicked()
 }
 
-/// What the colours of a debug view mean.
+/// The legend of a debug view.
 fn legend(ui: &Ui, painter: &Painter, place: egui::Pos2, pane: &Pane, frame: &gonio_scene::Frame) {
     if pane.special.is_some() {
         return;
@@ -180,7 +180,7 @@ fn legend(ui: &Ui, painter: &Painter, place: egui::Pos2, pane: &Pane, frame: &go
     }
 }
 
-/// From black to a colour; the numbers are not encoded, as in the view.
+/// A gradient from black to a colour, not encoded, as in the view.
 fn gradient(painter: &Painter, rect: Rect, color: Color32) {
     let mut mesh = egui::Mesh::default();
     for (corner, tint) in [

@@ -77,7 +77,7 @@ fn arrows(ui: &Ui, painter: &Painter, projection: &Projection, reading: &Reading
     }
 }
 
-/// A letter beyond an arrow's tip; farther out where another one stands already.
+/// A letter beyond an arrow's tip, moved outwards if it would overlap another one.
 fn name(
     ui: &Ui,
     painter: &Painter,
@@ -89,7 +89,7 @@ fn name(
 ) {
     let (origin, tip) = along;
     let ahead = if (tip - origin).length() > 1.0 { (tip - origin).normalized() } else { Vec2::new(0.0, -1.0) };
-    // In the light theme the plate is bright: the dark theme's inks would vanish on it.
+    // The light theme's plate is too bright for these colours.
     let plate = if ui.visuals().dark_mode { ui.visuals().window_fill } else { Color32::from_gray(40) };
     let galley = painter.layout_no_wrap(text.to_owned(), theme::math_italic_font(17.0), ink);
     let size = galley.size() + Vec2::new(8.0, 2.0);

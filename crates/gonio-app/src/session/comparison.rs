@@ -23,7 +23,7 @@ pub struct PaneFacts {
 /// Difference between the displayed pictures of a pair of panes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DifferenceFacts {
-    /// Of the map, pixels.
+    /// Size of the map, pixels.
     pub size: [u32; 2],
     /// 8-bit steps.
     pub spread: Spread,
@@ -58,9 +58,9 @@ impl DifferenceFacts {
 /// One picture of the error curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurvePoint {
-    /// Where the equation was evaluated.
+    /// The shading.
     pub shading: Shading,
-    /// Of all objects.
+    /// Triangles of all objects.
     pub triangles: usize,
     /// Root of the mean square of the difference from the finest, 8-bit steps.
     pub rms: f64,
@@ -86,9 +86,9 @@ pub struct Curve {
 /// All measurements.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Comparison {
-    /// Of each pane.
+    /// Each pane.
     pub panes: Vec<PaneFacts>,
-    /// Of the pair, where its difference is shown.
+    /// The difference of the pair, if shown.
     pub difference: Option<DifferenceFacts>,
     /// Error against the number of triangles.
     pub curve: Curve,

@@ -27,7 +27,7 @@ pub enum Term {
 }
 
 impl Term {
-    /// In the order of the equation.
+    /// All terms, in the order of the equation.
     pub const ALL: [Term; 9] = [
         Term::Ambient,
         Term::Emitted,

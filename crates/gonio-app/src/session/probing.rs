@@ -49,7 +49,7 @@ pub struct Reading {
     pub reference: [f64; 4],
     /// The same as displayed: sRGB or direct, 8 bits.
     pub displayed: [u8; 3],
-    /// What OpenGL draws there.
+    /// The value that OpenGL draws.
     pub gpu: Option<GpuValue>,
     /// The moment it was read at.
     #[serde(skip)]
@@ -59,12 +59,12 @@ pub struct Reading {
     pub loaded: Arc<Scene>,
 }
 
-/// What OpenGL draws at a pixel.
+/// The value that OpenGL draws at a pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct GpuValue {
-    /// With one sample, through the pixel's centre.
+    /// With one sample at the pixel centre.
     pub value: [f32; 4],
-    /// As displayed.
+    /// The displayed 8-bit value.
     pub displayed: [u8; 3],
     /// The largest absolute difference of the four from the reference.
     pub difference: f64,
@@ -76,7 +76,7 @@ impl Probing {
         self.pinned.or(self.hovered.filter(|_| self.follows))
     }
 
-    /// What is known about that place, once it is.
+    /// The values at that place, once known.
     pub fn reading(&self) -> Option<&Arc<Reading>> {
         self.reading.as_ref().filter(|_| self.place().is_some())
     }
@@ -116,7 +116,7 @@ impl Probing {
         }
         let Some(geometry) = &self.geometry else { return };
         let Some(reference) = ReferenceScene::with_geometry(loaded, geometry.clone()) else { return };
-        self.reading = Some(Arc::new(Reading::of(&reference, loaded, frame, [x, y], gpu)));
+        self.reading = Some(Arc::new(Reading::at_pixel(&reference, loaded, frame, [x, y], gpu)));
         // The panel was shown before.
         ctx.request_repaint();
     }
@@ -161,7 +161,7 @@ impl Probing {
 
 impl Reading {
     /// Reads a pixel.
-    fn of(
+    fn at_pixel(
         reference: &ReferenceScene,
         loaded: &Arc<Scene>,
         frame: &Frame,

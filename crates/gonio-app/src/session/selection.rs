@@ -1,6 +1,6 @@
-//! What the side panel is about.
+//! The selection, and the tabs of the side panel.
 
-/// What was clicked last, in the equation, the lists or the picture.
+/// The selected light, object or camera.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Selection {
     /// Nothing.
@@ -24,7 +24,7 @@ pub enum Tab {
     Objects,
     /// The camera and its matrices.
     Camera,
-    /// What surrounds the scene, and the picture.
+    /// Environment, background and display.
     Picture,
     /// The equation at a pixel.
     Probe,
@@ -35,11 +35,11 @@ pub enum Tab {
 }
 
 impl Tab {
-    /// In the order in which they are shown.
+    /// All tabs, in order.
     pub const ALL: [Tab; 7] =
         [Tab::Lights, Tab::Objects, Tab::Camera, Tab::Picture, Tab::Probe, Tab::Compare, Tab::Frame];
 
-    /// As written on it.
+    /// The title.
     pub fn title(self) -> &'static str {
         match self {
             Tab::Lights => "Lights",
@@ -52,7 +52,7 @@ impl Tab {
         }
     }
 
-    /// What is behind it, in a sentence.
+    /// A description in one sentence.
     pub fn description(self) -> &'static str {
         match self {
             Tab::Lights => "Lights: each adds one summand to the equation",

@@ -1,4 +1,4 @@
-//! What is kept from one time to the next.
+//! Settings that are kept between sessions.
 
 use serde::{Deserialize, Serialize};
 

@@ -18,18 +18,18 @@ impl Tint {
         }
     }
 
-    /// As it is shown in the dark, or in the light.
+    /// The colour in the dark or the light theme.
     pub fn in_theme(self, dark: bool) -> Color32 {
         if dark { self.dark } else { self.light }
     }
 
-    /// As it is shown in `ui`.
+    /// The colour in the theme of `ui`.
     pub fn of(self, ui: &Ui) -> Color32 {
         self.in_theme(ui.visuals().dark_mode)
     }
 }
 
-/// What is selected, and what asks to be pressed.
+/// Selected items and primary buttons.
 pub const ACCENT: Tint = Tint::new([0x1f, 0x6f, 0xd6], [0x6c, 0xb0, 0xff]);
 /// The ambient term, A.
 pub const AMBIENT: Tint = Tint::new([0x5b, 0x7a, 0x2e], [0xa9, 0xcf, 0x73]);

@@ -36,7 +36,7 @@ pub(super) fn install(ctx: &egui::Context) {
         fonts.font_data.insert(name.to_owned(), Arc::new(data));
     }
     let family = |name: &str| FontFamily::Name(name.into());
-    // What a font lacks is taken from the next: Greek letters in a sentence from the formulas' fonts.
+    // Missing glyphs come from the next font: Greek letters from those for formulas.
     for (family, chain) in [
         (FontFamily::Proportional, &["text", MATH, MATH_ITALIC, ICONS][..]),
         (FontFamily::Monospace, &["code", "text", MATH, MATH_ITALIC]),

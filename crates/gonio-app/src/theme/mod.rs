@@ -1,4 +1,4 @@
-//! How the application looks: fonts, colours, distances; light and dark.
+//! Fonts, colours and spacing of the light and the dark theme.
 
 pub mod colors;
 mod fonts;

@@ -1,4 +1,4 @@
-//! Where each piece of a formula stands.
+//! Layout of formulas.
 //!
 //! | distance | ems | TeX's name |
 //! |---|---|---|
@@ -23,13 +23,13 @@ const UNDER: f32 = 0.345;
 const RULE: f32 = 0.04;
 const SUM_GAP: f32 = 0.166;
 const SCRIPT: f32 = 0.7;
-/// What TeX leaves beside scripts and fractions.
+/// Spacing beside scripts and fractions, as in TeX.
 const SCRIPT_SPACE: f32 = 0.05;
 const FRACTION_SIDE: f32 = 0.12;
 /// Smaller letters would not be read.
 const SMALLEST: f32 = 8.5;
 
-/// What is drawn.
+/// A drawable shape.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
     /// Characters; their size is points for an em.
@@ -58,7 +58,7 @@ pub struct Laid {
     pub ascent: f32,
     /// Below the baseline.
     pub descent: f32,
-    /// What is drawn.
+    /// A drawable shape.
     pub pieces: Vec<Piece>,
     /// Tagged parts; a tag may have several.
     pub tagged: Vec<(Tag, Rect)>,
@@ -70,7 +70,7 @@ impl Laid {
         vec2(self.width, self.ascent + self.descent)
     }
 
-    fn of(extent: Extent) -> Self {
+    fn from_extent(extent: Extent) -> Self {
         Laid { width: extent.width, ascent: extent.ascent, descent: extent.descent, ..Laid::default() }
     }
 
@@ -93,7 +93,7 @@ impl Laid {
 pub fn lay(node: &Node, size: f32, fonts: &mut dyn Measure) -> Laid {
     match node {
         Node::Text(text, face) => {
-            let mut laid = Laid::of(fonts.measure(text, *face, size));
+            let mut laid = Laid::from_extent(fonts.measure(text, *face, size));
             let shape = Shape::Text(text.clone(), *face, size);
             laid.pieces.push(Piece { shape, at: Vec2::ZERO, tag: None });
             laid

@@ -1,6 +1,6 @@
 //! Formulas as a textbook sets them: TeX's rules, in the fonts of [`crate::theme`].
 //!
-//! A [`Node`] says what a formula is; [`Laid`] where each piece of it stands, in points from the start of its baseline;
+//! A [`Node`] is a formula; [`Laid`] has the position of each piece, in points from the start of its baseline;
 //! [`paint`] draws it and gives the rectangles of tagged parts, to be clicked. Layout knows no window: it asks a
 //! [`Measure`] how large a piece of text is.
 //!
@@ -14,9 +14,9 @@ pub use fonts::{EguiFonts, paint};
 pub use layout::{Laid, Piece, Shape, broken, lay};
 pub use node::{Face, Node, Tag};
 
-/// How large a piece of text is.
+/// Measures text.
 pub trait Measure {
-    /// Of `text` on one line, `size` points for an em.
+    /// The size of `text` on one line, with `size` points per em.
     fn measure(&mut self, text: &str, face: Face, size: f32) -> Extent;
 }
 

@@ -1,10 +1,10 @@
-//! What a formula is made of.
+//! The nodes of a formula.
 
-/// Which part of a formula something belongs to, for its colour and for clicks.
+/// Identifies a part of a formula, for its colour and for clicks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Tag(pub u8);
 
-/// Which cut of the fonts.
+/// A font style.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Face {
     /// Digits, signs, brackets, names of functions.
@@ -24,9 +24,9 @@ pub enum Node {
     Row(Vec<Node>),
     /// Nothing, so many ems wide.
     Space(f32),
-    /// With an index below, an exponent above, or both.
+    /// A node with a subscript, a superscript or both.
     Scripts {
-        /// What they belong to.
+        /// The base.
         base: Box<Node>,
         /// The index.
         below: Option<Box<Node>>,
@@ -77,12 +77,12 @@ impl Node {
         Node::Row(nodes.into_iter().collect())
     }
 
-    /// With an index.
+    /// Adds a subscript.
     pub fn below(self, below: Node) -> Node {
         Node::Scripts { base: Box::new(self), below: Some(Box::new(below)), above: None }
     }
 
-    /// With an exponent.
+    /// Adds a superscript.
     pub fn sup(self, above: Node) -> Node {
         Node::Scripts { base: Box::new(self), below: None, above: Some(Box::new(above)) }
     }
@@ -92,7 +92,7 @@ impl Node {
         Node::Fraction(Box::new(self), Box::new(under))
     }
 
-    /// With a meaning of its own.
+    /// Adds a tag.
     pub fn tagged(self, tag: Tag) -> Node {
         Node::Tagged(tag, Box::new(self))
     }

@@ -33,7 +33,7 @@ impl TestApp {
     fn open(input: &str) -> Self {
         let scene = load::describe(&[input], &Disk).unwrap_or_else(|e| panic!("{e}"));
         let loaded = read(scene);
-        let document = Document::of(loaded.settings.clone());
+        let document = Document::from_scene(loaded.settings.clone());
         let mut session = Session { loaded: Some(Arc::new(loaded)), title: input.to_owned(), ..Session::default() };
         session.facts.size = [800, 600];
         TestApp { history: History::new(&document), document, session, actions: Vec::new(), file_edits: 0 }

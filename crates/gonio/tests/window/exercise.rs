@@ -19,7 +19,7 @@ pub fn answered() -> tempfile::TempDir {
 
 fn said(state: &Value) -> Vec<(String, u64, String)> {
     let word = |value: &Value| value.as_str().unwrap_or_default().to_owned();
-    let notes = state["exercise"]["said"].as_array().unwrap();
+    let notes = state["exercise"]["marks"].as_array().unwrap();
     notes.iter().map(|n| (word(&n["file"]), n["line"].as_u64().unwrap_or(0), word(&n["kind"]))).collect()
 }
 
@@ -38,7 +38,7 @@ fn what_is_broken_on_disk_keeps_the_last_picture_and_is_said_at_its_line() {
     window.find("older-program");
     std::fs::write(&path, &right).unwrap();
     window
-        .wait("it to be mended", |s| s["exercise"]["older"] == false && s["exercise"]["said"] == Value::Array(vec![]));
+        .wait("it to be mended", |s| s["exercise"]["older"] == false && s["exercise"]["marks"] == Value::Array(vec![]));
     window.key("ctrl+Return");
     let state = window.wait("a verdict", |s| s["exercise"]["verdict"].is_object());
     assert_eq!(state["exercise"]["verdict"]["word"], "correct", "{}", state["exercise"]["verdict"]);

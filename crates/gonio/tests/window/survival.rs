@@ -39,7 +39,7 @@ fn hostile_shaders_are_said_and_the_window_goes_on() {
         window.write("mine/reference.frag", &right.replacen("void main() {", hostile, 1));
         let state = window.wait("a sentence", |s| s["exercise"]["older"] == true);
         let exercise = &state["exercise"];
-        let errors = exercise["said"].as_array().unwrap().iter().filter(|note| note["kind"] == "error").count();
+        let errors = exercise["marks"].as_array().unwrap().iter().filter(|note| note["kind"] == "error").count();
         assert!(exercise["unusable"].is_string() || errors > 0, "{exercise}");
         assert_eq!(exercise["drawn"], true, "the last picture stays");
         // It can be written in, and mended.

@@ -33,7 +33,7 @@ fn edges(points: &[Pos2]) -> impl Iterator<Item = [Pos2; 2]> + '_ {
     points.iter().copied().zip(points.iter().copied().cycle().skip(1)).map(|(from, to)| [from, to])
 }
 
-/// How high an edge is at the left and at the right of a strip; nothing where it does not go through.
+/// Height of an edge at the left and the right end of a strip; `None` if it does not cross the strip.
 fn within([a, b]: [Pos2; 2], left: f32, right: f32) -> Option<[f32; 2]> {
     let (a, b) = if a.x <= b.x { (a, b) } else { (b, a) };
     let at = |x: f32| a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x);

@@ -51,7 +51,7 @@ fn parts(sign: char) -> (char, bool) {
     if sign == '\u{2260}' { ('=', true) } else { (sign, false) }
 }
 
-/// Where a figure is painted.
+/// Placement of a figure.
 struct Place<'a> {
     ui: &'a Ui,
     min: Pos2,

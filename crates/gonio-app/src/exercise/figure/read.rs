@@ -6,12 +6,12 @@
 use super::path;
 use egui::{Color32, Pos2, Rect, Vec2, pos2, vec2};
 
-/// What a file shows.
+/// A figure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
     /// Its width and height, in its own units.
     pub size: Vec2,
-    /// In the order in which they are painted.
+    /// Its shapes, in painting order.
     pub shapes: Vec<Shape>,
 }
 
@@ -73,9 +73,9 @@ pub struct Text {
     pub at: Pos2,
     /// 0 left, 0.5 the middle, 1 right.
     pub anchor: f32,
-    /// Of all letters.
+    /// Font size.
     pub color: Color32,
-    /// Of which kind they are.
+    /// The font.
     pub letters: Letters,
     /// Pieces, each with the step before it and its size.
     pub pieces: Vec<(Vec2, f32, String)>,

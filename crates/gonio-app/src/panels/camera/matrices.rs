@@ -6,7 +6,7 @@ use egui::{Color32, FontFamily, FontId, Grid, RichText, Ui};
 use glam::DMat4;
 use gonio_scene::Camera;
 
-/// What is shown of one matrix.
+/// Labels of one matrix.
 struct Table {
     id: &'static str,
     rows: [&'static str; 4],

@@ -24,7 +24,7 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
     place(ui, spec);
     lens(ui, spec);
     if spec.position != before.position || spec.aim != before.aim {
-        // Near and far for the place where it stands now: nothing is cut off.
+        // Near and far planes for the new position, so that nothing is clipped.
         let moved = loaded.with_planes(spec.clone());
         (spec.near, spec.far) = (moved.near, moved.far);
     }
@@ -75,7 +75,7 @@ fn place(ui: &mut Ui, spec: &mut CameraSettings) {
     });
 }
 
-/// Looks along other angles from where it stands, at a target as far away as before.
+/// Turns the camera in place, with its target at the same distance.
 fn turn(spec: &mut CameraSettings, camera: &Camera, target: DVec3, yaw: f64, pitch: f64) {
     let distance = camera.position.distance(target);
     let direction = Camera::direction_of(yaw, pitch);

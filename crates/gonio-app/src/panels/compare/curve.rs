@@ -38,7 +38,7 @@ pub fn show(ui: &mut Ui, session: &mut Session) {
     let lines = SHADINGS.iter().zip(tints).map(|(&shading, tint)| Line {
         name: title(shading),
         color: tint.of(ui),
-        points: of(curve, shading).map(|p| [p.triangles as f64, p.rms]).collect(),
+        points: points_of(curve, shading).map(|p| [p.triangles as f64, p.rms]).collect(),
     });
     let plot = Plot { x_label: "triangles", y_label: "RMS difference (0 to 255)", lines: lines.collect() };
     plot.show(ui, "error curve");
@@ -46,7 +46,7 @@ pub fn show(ui: &mut Ui, session: &mut Session) {
     table(ui, curve);
 }
 
-fn of(curve: &Curve, shading: Shading) -> impl Iterator<Item = &CurvePoint> {
+fn points_of(curve: &Curve, shading: Shading) -> impl Iterator<Item = &CurvePoint> {
     curve.points.iter().filter(move |point| point.shading == shading)
 }
 
@@ -59,7 +59,7 @@ fn title(shading: Shading) -> &'static str {
     }
 }
 
-/// What was lit for each number of triangles: vertices for Gouraud, fragments for Phong.
+/// Evaluations of the equation for each number of triangles: at vertices for Gouraud, at fragments for Phong.
 fn table(ui: &mut Ui, curve: &Curve) {
     ScrollArea::horizontal().id_salt("curve table").show(ui, |ui| {
         Grid::new("curve").num_columns(4).spacing([16.0, 3.0]).striped(true).show(ui, |ui| {

@@ -35,7 +35,7 @@ pub fn show(ui: &mut Ui, session: &Session) {
     }
 }
 
-/// How the pair differs.
+/// Statistics of the difference of the pair.
 pub fn difference(ui: &mut Ui, session: &Session) {
     let Some(facts) = &session.comparison.difference else {
         ui.weak("The panes have not been compared yet");

@@ -4,7 +4,7 @@ use egui::{Align2, Color32, CornerRadius, FontId, Pos2, Rect, Sense, Stroke, Tex
 
 /// One line of it.
 pub struct Line {
-    /// As the legend calls it.
+    /// The name in the legend.
     pub name: &'static str,
     /// Its colour.
     pub color: Color32,
@@ -41,7 +41,7 @@ impl Axis {
         Axis { low, high: (high.ceil() as i32).max(low + 1) }
     }
 
-    /// Where a value lies, 0 at the low end, 1 at the high one.
+    /// Position of a value, from 0 at the low end to 1 at the high end.
     fn share(&self, value: f64) -> f32 {
         ((value.log10() - f64::from(self.low)) / f64::from(self.high - self.low)) as f32
     }

@@ -63,7 +63,7 @@ fn choice<T: Copy + PartialEq>(ui: &mut Ui, id: &str, label: &str, value: &mut O
     ui.end_row();
 }
 
-/// How many triangles: of the sphere, or a share of each model's.
+/// Number of triangles of the sphere, or share of each model's.
 fn detail(ui: &mut Ui, pane: &mut Pane, scene: &SceneSettings, loaded: Option<&Scene>) {
     let name = ui.add(egui::Label::new("Triangles").sense(egui::Sense::click()));
     if name.on_hover_text("Double click: as in the scene").double_clicked() {

@@ -33,7 +33,7 @@ pub fn show(ui: &mut Ui, document: &Document, session: &Session, scene: &SceneSe
     ui.label(RichText::new(how).small().weak());
 }
 
-/// What the scene has of it.
+/// The values of a term in this scene.
 fn now(scene: &SceneSettings, session: &Session, term: Term) -> Option<String> {
     let count = |kind: LightSourceKind| scene.lights.iter().filter(|l| l.kind == kind && l.enabled).count();
     let e = &scene.equation;

@@ -34,7 +34,7 @@ fn n_dot_l() -> Node {
     Node::clamped_product(v("N"), indexed(v("L")))
 }
 
-/// Whether the specular term is weighted by the cosine, which then stands outside the brackets.
+/// Whether the specular term is weighted by the cosine, which is then outside of the brackets.
 fn is_weighted(e: &EquationSettings) -> bool {
     e.brdf.is_some() || e.cosine_weighted
 }
@@ -111,7 +111,7 @@ pub fn equation(scene: &SceneSettings) -> Vec<Node> {
     parts
 }
 
-/// What a term is, as an equation.
+/// The definition of a term.
 pub fn definition(scene: &SceneSettings, term: Term) -> Node {
     let e = &scene.equation;
     let is = |right: Node| Node::row([symbol(term), Node::relation("="), right]);

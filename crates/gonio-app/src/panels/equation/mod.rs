@@ -26,12 +26,12 @@ use gonio_scene::SceneSettings;
 const SIZES: [f32; 4] = [23.0, 21.0, 19.0, 17.0];
 /// Its size where it is broken.
 const BROKEN_SIZE: f32 = 18.0;
-/// What a term has above and below its baseline, to be clicked; points.
+/// Height of a term's clickable area above and below its baseline, points.
 const ABOVE: f32 = 21.0;
 const BELOW: f32 = 12.0;
 /// Room for the buttons at the right.
 const BUTTONS: f32 = 56.0;
-/// Where the window is narrower the parameters wait until they are asked for.
+/// Below this width the parameters are hidden until the definitions are opened.
 const NARROW: f32 = 780.0;
 
 pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {

@@ -5,7 +5,7 @@ use crate::session::{BeforeAlone, EquationView, Term};
 use crate::theme::colors::{self, Tint};
 use gonio_light::Specular;
 
-/// What is added up: what can be shown alone.
+/// The summands of the equation, which can be shown alone.
 pub const SUMMANDS: [Term; 5] = [Term::Ambient, Term::Emitted, Term::Environment, Term::Diffuse, Term::Specular];
 
 /// The colour of a term wherever it is shown.
@@ -74,7 +74,7 @@ pub fn set(document: &mut Document, term: Term, on: bool) {
     }
 }
 
-/// On becomes off, off becomes on.
+/// Toggles a term.
 pub fn toggle(document: &mut Document, term: Term) {
     if let Some(on) = is_on(document, term) {
         set(document, term, !on);

@@ -141,7 +141,7 @@ fn cone(ui: &mut Ui, light: &mut LightSettings, index: usize) {
     (light.inner_angle, light.outer_angle) = (inner, outer);
 }
 
-/// What no light can be is left as it was: a direction without length.
+/// Keeps the previous direction if the new one has no length.
 fn keep_possible(light: &mut LightSettings, before: &LightSettings) {
     if light.direction == Some([0.0; 3]) {
         light.direction = before.direction;

@@ -18,7 +18,7 @@ pub fn show(ui: &mut Ui, [constant, linear, quadratic]: [f64; 3], reach: f64, he
         let below = constant + linear * d + quadratic * d * d;
         if below > 0.0 { (1.0 / below).min(1e6) } else { 1e6 }
     };
-    // Where the light is stronger than 1 near its place, the axis ends at what the scene's nearest part gets.
+    // If attenuation exceeds 1 near the light, the axis ends at its value for the nearest part of the scene.
     let most = at(0.15 * reach).max(at(here)).max(1e-9);
     let top = if at(0.0) <= 1.5 * most { at(0.0) } else { 1.5 * most };
     let place = |d: f64| {

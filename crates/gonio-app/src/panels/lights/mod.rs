@@ -25,7 +25,7 @@ pub fn icon_of(kind: LightSourceKind) -> &'static str {
     }
 }
 
-/// What a light is called: its name, or its kind and number.
+/// The name of a light, or its kind and number.
 pub fn name_of(document: &Document, index: usize) -> String {
     match document.scene.lights.get(index) {
         Some(light) if !light.name.is_empty() => light.name.clone(),

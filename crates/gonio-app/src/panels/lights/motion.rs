@@ -1,4 +1,4 @@
-//! How a light moves.
+//! Motion of a light.
 
 use super::edits;
 use crate::session::Session;

@@ -61,7 +61,7 @@ fn named(material: &Material) -> &str {
     if material.name.is_empty() { "unnamed" } else { &material.name }
 }
 
-/// How it shows its surroundings.
+/// Reflection and refraction.
 fn optics<'a>(
     ui: &mut Ui,
     with: &mut MaterialOverride,

@@ -7,7 +7,7 @@ use egui::{Rect, RichText, Sense, Ui, vec2};
 use glam::DVec3;
 use gonio_reference::Probe;
 
-/// How bright linear light is: the weights of sRGB's primaries (IEC 61966-2-1).
+/// Luminance weights of sRGB's primaries (IEC 61966-2-1).
 const LUMINANCE: DVec3 = DVec3::new(0.2126, 0.7152, 0.0722);
 
 /// One bar.
@@ -22,7 +22,7 @@ impl Bar {
     }
 }
 
-/// What makes up the pixel's light.
+/// The contributions to the pixel's light.
 fn bars(reading: &Reading, probe: &Probe) -> Vec<Bar> {
     let terms = &probe.terms;
     let mut bars = Vec::new();
@@ -46,7 +46,7 @@ fn bars(reading: &Reading, probe: &Probe) -> Vec<Bar> {
         bar("environment".into(), parts);
     }
     if !probe.optics.is_plain() {
-        // As much as is seen in the mirror and through the glass: what is not the lit surface's.
+        // The reflected and transmitted light is what the lit surface does not account for.
         let (mirror, through) = (probe.optics.mirror_share(around.sight.fresnel.y), probe.optics.transmission);
         let own = (1.0 - through) * (1.0 - mirror) * (probe.lit + around.diffuse + around.specular);
         bar("mirror and glass".into(), vec![("seen", ENVIRONMENT, (probe.radiance - own).max(DVec3::ZERO))]);

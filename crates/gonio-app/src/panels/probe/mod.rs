@@ -80,7 +80,7 @@ fn header(ui: &mut Ui, session: &mut Session, reading: Option<&Reading>, actions
             if button(ui, "probe-copy-text", icons::COPY, tip, reading.is_some()).clicked()
                 && let Some(reading) = reading
             {
-                actions.push(Action::CopyText(text::of(reading)));
+                actions.push(Action::CopyText(text::format_reading(reading)));
             }
         });
     });

@@ -59,7 +59,7 @@ fn plus(node: Node) -> Node {
     Node::row([Node::binary("+"), node])
 }
 
-/// In symbols: as the numbers below stand.
+/// The equation in symbols, in the order of the numbers below.
 fn symbols(probe: &Probe) -> Vec<Node> {
     let k = |index: &str| v("k").below(v(index));
     let mut parts = vec![
@@ -81,7 +81,7 @@ fn symbols(probe: &Probe) -> Vec<Node> {
     parts
 }
 
-/// In numbers, for one channel: 0 red, 1 green, 2 blue.
+/// The equation in numbers, for one channel: 0 red, 1 green, 2 blue.
 fn numbers(probe: &Probe, channel: usize) -> Vec<Node> {
     let (terms, surface) = (&probe.terms, &probe.surface);
     let of = |color: glam::DVec3| up(&short(color.to_array()[channel % 3]));
@@ -112,7 +112,7 @@ fn numbers(probe: &Probe, channel: usize) -> Vec<Node> {
     parts
 }
 
-/// A formula, in as many lines as it wants.
+/// A formula, broken into lines.
 fn formula(ui: &mut Ui, parts: &[Node]) {
     let width = ui.available_width();
     let lines = typeset::broken(parts, SIZE, width, &mut EguiFonts(ui.painter()));

@@ -81,7 +81,7 @@ fn texels(ui: &mut Ui, probe: &Probe) {
     }
 }
 
-/// What the environment adds; nothing where there is none.
+/// Light of the environment, if any.
 fn environment(ui: &mut Ui, reading: &Reading, probe: &Probe) {
     let (Some(environment), Some(how)) = (&reading.loaded.environment, reading.frame.surroundings) else { return };
     if probe.optics.is_plain() && !how.lights {

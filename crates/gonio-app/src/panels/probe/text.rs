@@ -5,7 +5,7 @@ use crate::session::probing::Reading;
 use std::fmt::Write;
 
 /// Aligned lines: the pixel, its value, and where a surface is seen every factor of every light.
-pub fn of(reading: &Reading) -> String {
+pub fn format_reading(reading: &Reading) -> String {
     let mut text = String::new();
     let mut line = |name: &str, value: String| {
         let _ = writeln!(text, "{name:16} {value}");

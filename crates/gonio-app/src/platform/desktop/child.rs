@@ -8,17 +8,17 @@ use std::time::{Duration, Instant};
 
 /// Address space of a child, in kilobytes: a software driver reserves two gigabytes of it without using them.
 const MOST_ADDRESSES_KB: u64 = 6 * 1024 * 1024;
-/// What a child may really use. A check uses 0.2 gigabytes; the largest a submission has any reason for is a few more images.
+/// Resident memory of a child. A check uses 0.2 gigabytes, and a submission has no reason for more than a few images.
 const MOST_RESIDENT_KB: u64 = 1024 * 1024;
-/// How often a child is looked at.
+/// Interval at which a child is polled.
 const LOOK: Duration = Duration::from_millis(5);
-/// How often its memory is.
+/// Interval at which its memory is measured.
 const LOOK_AT_MEMORY: Duration = Duration::from_millis(10);
 
-/// How a child ended.
+/// The end of a child process.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ended {
-    /// By itself, well or not.
+    /// It exited, successfully or not.
     ByItself(ExitStatus),
     /// It was stopped after the time it had.
     TooLong,
@@ -87,7 +87,7 @@ fn stop(child: &mut Child) {
     let _ = child.wait();
 }
 
-/// What a process really uses; `None` where the system does not tell it in a file.
+/// Resident memory of a process; `None` if the system has no file for it.
 fn resident_kb(process: u32) -> Option<u64> {
     let status = std::fs::read_to_string(format!("/proc/{process}/status")).ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;

@@ -42,7 +42,7 @@ fn check_libraries() -> Result<(), String> {
     Ok(())
 }
 
-/// What eframe says, as one sentence.
+/// An error of eframe as one sentence.
 pub fn sentence(why: eframe::Error) -> String {
     let packages =
         "on Debian and Ubuntu: apt-get install libgl1-mesa-dri libegl1 libxcursor1 libxi6 libxkbcommon-x11-0";

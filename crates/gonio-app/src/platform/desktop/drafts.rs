@@ -43,7 +43,7 @@ struct Left {
 }
 
 impl DraftFolder {
-    /// In this folder, which is made when there is something to keep.
+    /// Uses this folder, which is created with the first draft.
     pub fn new(root: PathBuf) -> Self {
         DraftFolder { root, own: None, is_pruned: false }
     }
@@ -85,7 +85,7 @@ impl DraftFolder {
         Some(text)
     }
 
-    /// This window's folder, which is made when it is first wanted.
+    /// This window's folder, which is created on first use.
     fn session(&mut self) -> Result<&Session, String> {
         let failed = |why: Error| format!("a folder in `{}` could not be created: {why}", self.root.display());
         match &mut self.own {
@@ -184,7 +184,7 @@ impl Session {
     }
 }
 
-/// What is in a folder; nothing where it cannot be read.
+/// The entries of a folder; none if it cannot be read.
 fn entries(folder: &Path) -> Vec<PathBuf> {
     let Ok(entries) = fs::read_dir(folder) else { return Vec::new() };
     let mut paths: Vec<PathBuf> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();

@@ -31,16 +31,16 @@ use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use watch::Watcher;
 
-/// What `gonio view` opens.
+/// Options of `gonio view`.
 #[derive(Default)]
 pub struct WindowOptions {
     /// Models and scenes; nothing for the first sample.
     pub inputs: Vec<String>,
     /// Points of the window.
     pub size: Option<[f32; 2]>,
-    /// What is laid over the description of the inputs.
+    /// Changes to the scene file of the inputs.
     pub adjust: Option<Adjust>,
-    /// How much the files may make us allocate.
+    /// Limits on memory that files may claim.
     pub limits: Limits,
     /// Environments that `adjust` lays over the inputs: files that the user names as well.
     pub environments: Vec<String>,
@@ -50,7 +50,7 @@ pub struct WindowOptions {
     pub state: Option<PathBuf>,
     /// gonio's own program, for checks in a process of their own. Without it nothing is checked.
     pub program: Option<PathBuf>,
-    /// An exercise to be worked on at once, in the laboratory.
+    /// An exercise to open at the start.
     pub exercise: Option<Start>,
 }
 
@@ -98,7 +98,7 @@ pub fn run_within(
     eframe::run_native("gonio", native, Box::new(created)).map_err(display::sentence)
 }
 
-/// What may be read of the disk.
+/// Restrictions on reading files.
 #[derive(Clone, Copy)]
 pub(super) struct Access {
     /// Most bytes of a file, and of all files of a zip.
@@ -263,7 +263,7 @@ mod tests {
         }
     }
 
-    /// What comes of a file that is dropped on the window while files are wanted for `purpose`.
+    /// The event for a file that is dropped on the window, for this purpose.
     fn dropped(path: &Path, purpose: Purpose) -> Event {
         let access = Access { max_bytes: 1 << 20, sandbox: false };
         let mut desktop = Desktop::new(None, None, access, &[]);

@@ -25,7 +25,7 @@ pub fn in_thread(paths: Vec<String>, purpose: Purpose, access: Access, sender: S
     });
 }
 
-/// What these files are. Of a folder, the files that lie directly in it are meant.
+/// Finds the models and the environment among these files. A folder stands for the files directly in it.
 fn given(paths: Vec<String>, access: Access) -> Result<SceneInput, String> {
     let disk: Arc<dyn FileSource> =
         if access.sandbox { Arc::new(Sandbox::new(Disk, paths.iter().map(String::as_str))) } else { Arc::new(Disk) };

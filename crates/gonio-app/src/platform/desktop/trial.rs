@@ -20,20 +20,20 @@ const MOST_TIME: Duration = Duration::from_secs(15);
 /// The exit code of a command line that was not understood, or of any other error of gonio's own.
 const CODE_OF_ERRORS: i32 = 2;
 
-/// What the process answers.
+/// The answer of the process.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", tag = "answer")]
 pub enum Answer {
     /// The pair was compiled and drawn, or refused by the compiler.
     Harmless,
-    /// The window would hang for so many seconds at each picture.
+    /// The window would hang for this many seconds at each picture.
     Slow {
         /// Estimated from a small picture.
         seconds: f64,
     },
     /// OpenGL reported an error while the pair was drawn.
     Failed {
-        /// In OpenGL's words.
+        /// OpenGL's message.
         why: String,
     },
     /// There is no OpenGL to try it with.

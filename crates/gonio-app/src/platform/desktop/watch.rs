@@ -1,6 +1,6 @@
 //! Watches files for changes.
 //!
-//! By looking at them twice a second: a scene has a few files, and a few dozen `stat`s cost less than the packages that
+//! It polls them twice a second: a scene has a few files, and a few dozen `stat`s cost less than the packages that
 //! would have the systems tell (three ways for three systems, none of which sees network folders).
 
 use crate::platform::Event;
@@ -17,9 +17,9 @@ type Stamp = Option<(SystemTime, u64)>;
 
 #[derive(Clone, Copy)]
 struct Looked {
-    /// As it was read.
+    /// The stamp of the content that was read.
     known: Stamp,
-    /// As it was seen last.
+    /// The last stamp.
     seen: Stamp,
 }
 
@@ -80,7 +80,7 @@ fn look(files: &mut BTreeMap<PathBuf, Looked>) -> Vec<PathBuf> {
             settled.push(path.clone());
         }
     }
-    // Several files are often written one after the other: they are told together.
+    // Several files are often written one after the other: they are reported together.
     if moving {
         return Vec::new();
     }

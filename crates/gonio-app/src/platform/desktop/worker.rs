@@ -20,12 +20,12 @@ use std::time::Duration;
 /// The hidden command of `gonio` that [`serve`]s.
 pub const COMMAND: [&str; 2] = ["lab", "check-worker"];
 
-/// Most bytes of a header: a verdict with all that it quotes.
+/// Most bytes of a header, which contains the verdict with its quotes.
 const MAX_HEADER_BYTES: u64 = 64 << 20;
-/// Most bytes of an answer: a page with its pictures, and the sheet.
+/// Most bytes of an answer, with a page and its pictures.
 const MAX_ANSWER_BYTES: u64 = 512 << 20;
 
-/// What is to be checked, and what is wanted of it.
+/// A request for a check.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Request {
     /// The id of the exercise: `ex04`.
@@ -38,13 +38,13 @@ pub struct Request {
     pub options: CheckOptions,
     /// OpenGL ES 3 instead of OpenGL.
     pub es: bool,
-    /// The title of the page that is wanted, if one is.
+    /// The title of the requested page, if any.
     pub page: Option<String>,
-    /// Whether the sheet of pictures is wanted.
+    /// Whether the contact sheet is requested.
     pub sheet: bool,
 }
 
-/// What a check gave.
+/// The answer to a request.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer {
     /// The verdict.
@@ -118,14 +118,14 @@ impl Worker {
         let answer = self.reader.join().unwrap_or_else(|_| Err("its answer could not be read".into()));
         // Where the process ended before it had read everything, its answer counts.
         let _ = self.writer.join();
-        let said = |verdict| Ok(Answer { verdict, page: None, sheet: None });
+        let without_pictures = |verdict| Ok(Answer { verdict, page: None, sheet: None });
         match ended.map_err(|why| format!("the check could not be monitored: {why}"))? {
-            Ended::TooLong => said(Verdict::endless(&self.exercise, patience.as_secs())),
-            Ended::TooLarge => said(Verdict::too_large(&self.exercise)),
+            Ended::TooLong => without_pictures(Verdict::endless(&self.exercise, patience.as_secs())),
+            Ended::TooLarge => without_pictures(Verdict::too_large(&self.exercise)),
             Ended::GivenUp => Err("the check was stopped".into()),
             Ended::ByItself(status) => match answer {
                 Ok(Some(answer)) => Ok(answer),
-                Ok(None) if status.code().is_none_or(is_crash) => said(Verdict::crashed(&self.exercise)),
+                Ok(None) if status.code().is_none_or(is_crash) => without_pictures(Verdict::crashed(&self.exercise)),
                 Ok(None) => Err("the check ended without an answer: try again".into()),
                 Err(why) => Err(why),
             },

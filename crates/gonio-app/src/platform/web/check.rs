@@ -14,7 +14,7 @@ use wasm_bindgen_futures::{JsFuture, spawn_local};
 pub struct PageChecks(Function);
 
 impl PageChecks {
-    /// By this function.
+    /// Uses this function.
     pub fn new(begin: Function) -> Self {
         PageChecks(begin)
     }
@@ -47,7 +47,7 @@ impl PageChecks {
     }
 }
 
-/// What JavaScript threw, in its words.
+/// The message of a JavaScript error.
 fn words(why: &JsValue) -> String {
     let message = why.dyn_ref::<js_sys::Error>().map(|error| String::from(error.message()));
     message.or_else(|| why.as_string()).unwrap_or_else(|| format!("{why:?}"))

@@ -1,4 +1,4 @@
-//! What the page is asked for: files, downloads, its address, its storage.
+//! Browser functions: file dialog, downloads, address, storage.
 
 use js_sys::{Array, Function, Promise, Uint8Array};
 use std::cell::RefCell;
@@ -9,7 +9,7 @@ use web_sys::{Blob, Document, File, HtmlAnchorElement, HtmlInputElement, Storage
 
 /// Under which name the settings are kept.
 const KEY: &str = "gonio";
-/// What the names of drafts begin with.
+/// Prefix of the names of drafts.
 const DRAFT: &str = "gonio draft ";
 /// A window may leave several texts of one file: KEY, KEY-2 and so on.
 const MOST_OF_ONE_FILE: usize = 9;
@@ -117,13 +117,13 @@ pub fn download(name: &str, bytes: &[u8]) -> Result<(), String> {
     Url::revoke_object_url(&url).map_err(failed)
 }
 
-/// The address of the page without what is behind `#`.
+/// The address of the page without its fragment.
 pub fn address() -> String {
     let href = window().ok().and_then(|(window, _)| window.location().href().ok()).unwrap_or_default();
     href.split('#').next().unwrap_or_default().to_owned()
 }
 
-/// What is behind `#`.
+/// The fragment of the address.
 pub fn fragment() -> String {
     window().ok().and_then(|(window, _)| window.location().hash().ok()).unwrap_or_default()
 }

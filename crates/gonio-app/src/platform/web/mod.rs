@@ -26,7 +26,7 @@ pub struct PageFiles {
     fetched: Arc<Mutex<BTreeMap<String, Fetched>>>,
 }
 
-/// What has become of a file that was asked for.
+/// State of a requested file.
 enum Fetched {
     NotYet,
     Here(FileBytes),
@@ -80,12 +80,12 @@ pub fn gl_of(creation: &eframe::CreationContext<'_>) -> Option<Gl> {
 pub struct Web {
     files: PageFiles,
     checks: PageChecks,
-    /// What came since it was last asked for. Files are read between two frames.
+    /// Events since the last poll. Files are read between two frames.
     events: Rc<RefCell<Vec<Event>>>,
 }
 
 impl Web {
-    /// With the files that the page fetches, and what checks there.
+    /// Creates the platform with the files that the page fetches and its function for checks.
     pub fn new(files: PageFiles, checks: PageChecks) -> Self {
         Web { files, checks, events: Rc::default() }
     }

@@ -16,7 +16,7 @@ use std::sync::Arc;
 const SIDE: u32 = 480;
 /// Frequencies of the spheres: 8 to 8192 triangles.
 const SPHERES: [usize; 10] = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32];
-/// Of the sphere that all are held against: 32768 triangles.
+/// Frequency of the reference sphere: 32768 triangles.
 const FINEST_SPHERE: usize = 64;
 /// A model has at least so many triangles.
 const FEWEST: f64 = 16.0;

@@ -10,7 +10,7 @@ use std::sync::{Arc, Weak};
 /// Most meshes that are kept; the oldest go first.
 const MOST: usize = 64;
 
-/// What a mesh in another detail depends on, besides the mesh.
+/// Parameters of a mesh at another level of detail.
 #[derive(Clone, PartialEq)]
 struct Key {
     detail: Detail,

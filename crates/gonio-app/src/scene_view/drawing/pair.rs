@@ -10,10 +10,10 @@ use gonio_scene::difference;
 /// A pixel differs where a colour is more than so many 8-bit steps apart.
 const TOLERANCE: f64 = 1.0;
 
-/// Of which pictures something was made: the panes and the numbers of their pictures.
+/// Identifies a pair of pictures: panes and picture numbers.
 type Made = ([usize; 2], [u64; 2]);
 
-/// What is kept of the pair between pictures.
+/// State of the pair between pictures.
 #[derive(Default)]
 pub struct PairDrawing {
     pub map: Option<DisplayTexture>,

@@ -15,7 +15,7 @@ use std::sync::Arc;
 /// Longer than this (for all panes), and a drag is no longer smooth: fewer than 20 pictures a second.
 pub const SLOW_MS: f64 = 50.0;
 
-/// How a picture is to be drawn.
+/// Speed and detail of drawing.
 #[derive(Clone, Copy, Debug)]
 pub struct Pace {
     /// Something is being dragged, or time runs: nothing is waited for.
@@ -26,7 +26,7 @@ pub struct Pace {
     pub counted: bool,
 }
 
-/// What is kept of one pane between pictures.
+/// State of one pane between pictures.
 #[derive(Default)]
 pub struct PaneDrawing {
     /// The document's scene that it was made from, and the pane's own.
@@ -38,7 +38,7 @@ pub struct PaneDrawing {
     detailed: Option<(u64, Vec<Arc<Mesh>>)>,
     pub uploaded: Option<(Arc<Scene>, GpuScene)>,
     pub canvas: Option<DisplayTexture>,
-    /// What is on the canvas.
+    /// The frame on the canvas.
     pub drawn: Option<(Frame, DisplayOptions)>,
     /// Counts the pictures.
     pub serial: u64,
@@ -121,7 +121,7 @@ impl PaneDrawing {
         if let Some((drawn, shown)) = &self.drawn
             && *shown == show
         {
-            // Where nothing changed but that something moves elsewhere, fewer samples would be a change for the worse.
+            // If only something else moves, drawing with fewer samples would make the picture worse.
             let samples_alone = Frame { samples: full.samples, ..drawn.clone() } == full;
             if samples_alone && (pace.moving || drawn.samples == full.samples) {
                 return Ok(());
@@ -170,13 +170,13 @@ pub fn with_settings(base: &Arc<Scene>, settings: &Pane) -> Arc<Scene> {
     }
 }
 
-/// Of all objects.
+/// Triangles of all objects.
 pub fn triangles(loaded: &Scene) -> usize {
     let of = |object: &gonio_scene::Object| loaded.meshes.get(object.mesh).map_or(0, |mesh| mesh.triangle_count());
     loaded.objects.iter().map(of).sum()
 }
 
-/// What the GPU counted; where it cannot, the vertices that are handed to it.
+/// Counts of the GPU, or else the number of submitted vertices.
 fn count(facts: &mut PaneFacts, statistics: Option<GpuStatistics>, loaded: &Scene) {
     let statistics = statistics.unwrap_or_default();
     facts.counted = statistics.vertices.is_some();

@@ -9,7 +9,7 @@ use gonio_render::{DisplayOptions, DisplayTexture, GpuScene, View};
 use gonio_scene::{Frame, Picture};
 
 impl PaneRenderer {
-    /// As displayed; `None` where the pane has not been drawn. Waits for the GPU.
+    /// The picture as displayed; `None` if the pane has not been drawn. Waits for the GPU.
     pub fn shown(&mut self, index: usize, size: Option<[u32; 2]>) -> Result<Option<DisplayedPicture>, GlError> {
         let Some((uploaded, frame, show)) = self.panes.get(index).and_then(|pane| pane.to_save(size)) else {
             return Ok(None);
@@ -32,7 +32,7 @@ impl PaneRenderer {
 }
 
 impl PaneDrawing {
-    /// With all of the scene's samples, also where the last picture did with one.
+    /// The frame with all of the scene's samples.
     fn to_save(&self, size: Option<[u32; 2]>) -> Option<(&GpuScene, Frame, DisplayOptions)> {
         let (frame, show) = self.drawn.as_ref()?;
         let [width, height] = size.unwrap_or([frame.width, frame.height]);

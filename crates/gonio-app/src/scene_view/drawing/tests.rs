@@ -26,7 +26,7 @@ fn context() -> HeadlessContext {
 fn opened(input: &str) -> (Document, Session) {
     let scene = load::describe(&[input], &BuiltinOnly).unwrap_or_else(|e| panic!("{e}"));
     let loaded = load::load(scene, Path::new(""), &BuiltinOnly).unwrap_or_else(|e| panic!("{e}"));
-    let document = Document::of(loaded.settings.clone());
+    let document = Document::from_scene(loaded.settings.clone());
     (document, Session { loaded: Some(Arc::new(loaded)), ..Session::default() })
 }
 

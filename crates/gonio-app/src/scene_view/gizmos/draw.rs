@@ -10,7 +10,7 @@ use gonio_scene::Scene;
 use gonio_scene::motion::position_at;
 use gonio_scene::settings::LightSettings;
 
-/// Of the disc that every light has, points.
+/// Radius of a light's disc, points.
 pub const RADIUS: f32 = 7.0;
 /// Length of the arrow of a directional light and of a spot's beam, points.
 const ARROW: f64 = 46.0;
@@ -52,7 +52,7 @@ pub fn selected(painter: &Painter, place: Pos2, color: Color32) {
     painter.circle_stroke(place, RADIUS + 6.0, Stroke::new(2.0, color));
 }
 
-/// Where an arrow of fixed length in the world's direction `direction` ends on the screen, from its beginning.
+/// Screen vector of an arrow of fixed length along the world direction `direction`.
 fn way_on_screen(projection: &Projection, anchor: DVec3, direction: DVec3) -> Option<Vec2> {
     let end = anchor + direction * (ARROW * projection.units_per_point(anchor));
     let way = projection.to_window(end)? - projection.to_window(anchor)?;

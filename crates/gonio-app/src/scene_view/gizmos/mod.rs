@@ -28,9 +28,9 @@ use gonio_scene::{Frame, Scene};
 /// A handle is hit within so many points of its centre; fingers are thicker.
 const HIT: f32 = 13.0;
 const HIT_BY_FINGER: f32 = 22.0;
-/// From a light to the end of its arms, points.
+/// Length of a light's arms, points.
 const ARM: f64 = 52.0;
-/// A directional light stands so far from the objects' middle, as a share of their radius ...
+/// Distance of a directional light's gizmo from the objects' centre, as a share of their radius ...
 const SUN_DISTANCE: f64 = 1.15;
 /// ... and at most of the picture's height, so that it is in the picture.
 const SUN_IN_PICTURE: f64 = 0.40;
@@ -43,14 +43,14 @@ pub struct Mark {
     kind: LightKind,
     /// World space: the light's own place, or where a directional light is shown.
     anchor: DVec3,
-    /// Where that is in the window; `None` behind the eye and outside of the picture.
+    /// Its window position; `None` behind the eye and outside of the picture.
     place: Option<Pos2>,
     color: Color32,
     /// It sends no light.
     off: bool,
 }
 
-/// What of a light is dragged.
+/// A draggable part of a light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Part {
     Body,
@@ -59,14 +59,14 @@ enum Part {
     Rim,
 }
 
-/// Where a drag began.
+/// The start of a drag.
 #[derive(Clone, Copy, Debug)]
 struct Grab {
     /// From the pointer to what it grabbed: it does not jump there.
     offset: Vec2,
     /// World space.
     start: DVec3,
-    /// Where the light was, world space.
+    /// Position of the light at the start, world space.
     anchor: DVec3,
     /// Points that the pointer went along the view so far (Shift).
     along: f32,
@@ -74,7 +74,7 @@ struct Grab {
     far_side: bool,
 }
 
-/// What a frame of handles works on.
+/// Context for the handles of a frame.
 struct Handles<'a> {
     ui: &'a Ui,
     painter: Painter,
@@ -164,7 +164,7 @@ impl Handles<'_> {
         Some(Mark { index, kind, anchor, place, color, off })
     }
 
-    /// Where the picture's edge is nearest to what is outside of it.
+    /// The point of the picture's edge nearest to a light outside of it.
     fn edge(&self, mark: &Mark) -> Pos2 {
         let camera = self.projection.camera();
         let towards = mark.anchor - camera.position;
@@ -385,7 +385,7 @@ fn name_of(index: usize, spec: &LightSettings) -> String {
     if spec.name.is_empty() { format!("{} light {index}", spec.kind.name()) } else { spec.name.clone() }
 }
 
-/// Where it is, or where it goes.
+/// Its position or direction.
 fn coordinates(mark: &Mark) -> String {
     let v = match mark.kind {
         LightKind::Directional { direction } => direction,
