@@ -141,7 +141,7 @@ pub struct CompilerMessage {
     /// From 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub column: Option<u32>,
-    /// What the compiler says.
+    /// Compiler messages.
     pub text: String,
     /// The line itself.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -190,7 +190,7 @@ pub struct Verdict {
     pub properties: Vec<PropertyVerdict>,
     /// Where it does not compile.
     pub messages: Vec<CompilerMessage>,
-    /// What was bound to what.
+    /// Variables and their roles.
     pub bound: Vec<BoundVariable>,
     /// Right answers are 1, wrong ones by the share of test scenes that are right; 0 where it does not compile.
     #[serde(deserialize_with = "or_infinite")]
@@ -241,7 +241,17 @@ pub struct Peculiarity {
     pub name: String,
 }
 
+/// Joins the names of several mistakes into one summary.
+pub fn join_names<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
+    names.into_iter().collect::<Vec<_>>().join("; also: ")
+}
+
 impl Verdict {
+    /// The names of all mistakes that were found, as a summary.
+    pub fn mistake_names(&self) -> String {
+        join_names(self.mistakes.iter().map(|mistake| mistake.name.as_str()))
+    }
+
     /// A verdict that says no more than this.
     pub fn new(exercise: &str, verdict: Outcome, summary: impl Into<String>) -> Self {
         Verdict {
@@ -264,7 +274,7 @@ impl Verdict {
     /// Of a check that was ended because it never would have: after so many seconds.
     pub fn endless(exercise: &str, seconds: u64) -> Self {
         let summary =
-            format!("it did not finish within {seconds} seconds; is there a loop in a shader that never ends?");
+            format!("the check did not finish within {seconds} seconds; is there a loop in a shader that never ends?");
         Verdict::new(exercise, Outcome::Unsure, summary)
     }
 
@@ -276,7 +286,7 @@ impl Verdict {
 
     /// Of a check that was ended because of the memory it took.
     pub fn too_large(exercise: &str) -> Self {
-        let summary = "checking it took more than a gigabyte of memory, and was stopped; is there a giant array?";
+        let summary = "the check was stopped because it took more than a gigabyte of memory; is there a giant array?";
         Verdict::new(exercise, Outcome::Unsure, summary)
     }
 }

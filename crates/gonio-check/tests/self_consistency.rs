@@ -106,7 +106,7 @@ fn each_is_broken_by_what_breaks_it() {
 fn what_nothing_explains_says_where_to_look() {
     let verdict = check("normalize(turned + vec3(0.4, 0.3, 0.0))", "materialColour * (a + b)");
     assert!(verdict.mistakes.is_empty(), "{}", verdict.summary);
-    assert!(verdict.summary.contains("when the world is turned"), "{}", verdict.summary);
+    assert!(verdict.summary.contains("when model, light and camera are rotated"), "{}", verdict.summary);
 }
 
 #[test]

@@ -6,7 +6,7 @@ use crate::exercise::{Exercise, ExerciseKind};
 use crate::gl_program::{self, GlProgramFiles, GlProgramImage};
 use gonio_check::search::Evidence;
 use gonio_check::submission::SourceFile;
-use gonio_check::verdict::{CompilerMessage, FoundMistake, Outcome, Verdict};
+use gonio_check::verdict::{CompilerMessage, FoundMistake, Outcome, Verdict, join_names};
 use gonio_check::{CheckOptions, ShaderChecker, ShaderExercise};
 use gonio_gl::{Gl, GlError};
 use std::collections::BTreeMap;
@@ -102,7 +102,7 @@ fn buffers(exercise: &Exercise, files: Vec<SourceFile>) -> Verdict {
     let answers = answers(&files, &buffers::ENDINGS);
     let [answer] = answers.as_slice() else {
         let summary = match answers.len() {
-            0 => "there is no buffer among the files: hand in a .csv, .json or .bin as text.md says".to_owned(),
+            0 => "there is no buffer among the files: hand in a .csv, .json or .bin as text.md describes".to_owned(),
             count => format!("there are {count} buffers among the files; check one at a time"),
         };
         return Verdict::new(&exercise.id, Outcome::Unsure, summary);
@@ -117,17 +117,18 @@ fn buffers(exercise: &Exercise, files: Vec<SourceFile>) -> Verdict {
         .filter_map(|(name, text)| Some((name.to_owned(), Expected::from_obj(text.as_bytes()).ok()?)))
         .collect();
     let Some((model, expected)) = buffers::choose(&models, &answer.name, &buffer) else {
-        let summary = "it is like none of the exercise's models; call the file as its model, such as cube.csv";
+        let summary = "the buffer resembles none of the exercise's models; name the file after its model, for \
+                       example cube.csv";
         return Verdict::new(&exercise.id, Outcome::Unsure, summary);
     };
     let found = buffers::compare(expected, &buffer);
     let outcome = found.verdict;
     let names: Vec<&str> = found.mistakes.iter().map(|mistake| mistake.name).collect();
     let summary = match (outcome, names.is_empty()) {
-        (Outcome::Correct, _) => format!("all {} triangles of {model} are there", found.shares.triangles_expected),
-        (_, false) => format!("{} (of {model})", names.join("; and: ")),
+        (Outcome::Correct, _) => format!("all {} triangles of {model} are right", found.shares.triangles_expected),
+        (_, false) => format!("{} (of {model})", join_names(names)),
         (_, true) => format!(
-            "{:.0} % of the triangles of {model} are right; no mistake that gonio knows explains the others",
+            "{:.0} % of the triangles of {model} are right; no known mistake explains the others",
             100.0 * found.shares.all
         ),
     };
@@ -162,8 +163,8 @@ fn host_program(
     let answers = answers(&files, &[".txt"]);
     let [answer] = answers.as_slice() else {
         let summary = match answers.len() {
-            0 => "there is no host program among the files: hand in a .txt as text.md says".to_owned(),
-            count => format!("there are {count} host programs among the files; check one at a time"),
+            0 => "there is no GL program among the files: hand in a .txt as text.md describes".to_owned(),
+            count => format!("there are {count} GL programs among the files; check one at a time"),
         };
         return Ok(Verdict::new(&exercise.id, Outcome::Unsure, summary));
     };

@@ -126,11 +126,11 @@ fn each_its_own(entries: &[Entry], chosen: &[usize], answers: &dyn Fn(usize) -> 
 
 fn why_skipped(entries: &[Entry], at: usize, answers: &dyn Fn(usize) -> bool) -> &'static str {
     if is_noise(&entries[at].name) {
-        "made by the system, not by a student"
+        "a system file, not a student's"
     } else if answers(at) {
-        "it lies beside the submissions, in none of them"
+        "it is beside the submissions, not in one of them"
     } else {
-        "it holds no answer"
+        "it contains no answer"
     }
 }
 

@@ -28,7 +28,7 @@ const BAD: &[Bad] = &[
     ("a.raw", b"\0\0\0", None, None, "3 bytes"),
     ("a.raw", &[0; 16], None, None, "4 floats"),
     ("a.raw8", &[0; 36], None, None, "multiple of the 8"),
-    ("a.json", b"[[1,2,3],\n[1,2,x]]", Some(2), Some(6), "no JSON"),
+    ("a.json", b"[[1,2,3],\n[1,2,x]]", Some(2), Some(6), "invalid JSON"),
     ("a.json", b"[[1,2,NaN]]", Some(1), Some(7), "write null"),
     ("a.json", b"[]", None, None, "empty"),
     ("a.json", b"[[1,2,3],[4,5]]", None, None, "row 2 has 2 numbers"),
@@ -103,7 +103,8 @@ fn extreme_numbers_are_compared() {
     for (_, expected) in &models {
         assert_ne!(compare(expected, &buffer).verdict, gonio_check::verdict::Outcome::Correct);
     }
-    let extreme = b"v 1e38 -1e38 0\nv 3e38 0 1e-45\nv 0 1 -3e38\nvn 0 0 0\nf 1//1 2//1 3//1\nf -9223372036854775808 1 2\nf 9223372036854775807 1 2\n";
+    let extreme = b"v 1e38 -1e38 0\nv 3e38 0 1e-45\nv 0 1 -3e38\nvn 0 0 0\nf 1//1 2//1 3//1\nf -9223372036854775808 \
+                    1 2\nf 9223372036854775807 1 2\n";
     let expected = gonio_exercises::buffers::Expected::from_obj(extreme).expect("a model");
     compare(&expected, &buffer);
     assert_eq!(expected.triangle_count(), 1);

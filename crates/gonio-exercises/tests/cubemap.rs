@@ -20,7 +20,7 @@ fn panorama() -> Panorama {
     let (name, bytes) = exercise::find("s1").unwrap().pictures().next().unwrap();
     match decode(name, bytes, &Limits::default()).unwrap().shape {
         Shape::Picture(image) => Panorama::new(image).unwrap(),
-        Shape::Faces(_) => panic!("{name} is no panorama"),
+        Shape::Faces(_) => panic!("{name} is not a panorama"),
     }
 }
 

@@ -29,7 +29,7 @@ fn exercises_are_listed_shown_and_begun_once() {
     // Nothing is done yet, and that is what is said: neither a guess, nor a word about what was handed out.
     let run = lab.run(&["lab", "check", "ex04", &folder, "--json"]).json();
     let (summary, warnings) = (run["summary"].as_str().unwrap(), run["warnings"].as_array().unwrap());
-    assert!(run["verdict"] == "wrong" && summary.contains("nothing in them is changed yet"), "{run}");
+    assert!(run["verdict"] == "wrong" && summary.contains("unchanged start files"), "{run}");
     assert!(warnings.is_empty() && run["runner_up"].is_null(), "{run}");
     lab.write("mine/start.frag", "mine");
     lab.run(&["lab", "start", "ex04", &folder]).refused(&["exists"]);
@@ -120,7 +120,7 @@ fn a_class_is_checked_whatever_its_folders_look_like_and_nothing_is_written_into
         .collect();
     let expected = [("-rf", "wrong"), ("_bob", "correct"), ("ann", "correct"), (&long[6..], "correct")];
     assert_eq!(verdicts, expected.map(|(label, word)| (label.to_owned(), word.to_owned())));
-    assert!(run.stderr.contains("skipped: list.txt (it holds no answer)"), "{}", run.stderr);
+    assert!(run.stderr.contains("skipped: list.txt (it contains no answer)"), "{}", run.stderr);
     assert_eq!(all_files(&lab.path("class")), before);
     let overview = String::from_utf8(lab.read("class-results/index.html")).unwrap();
     assert!(overview.contains("Not checked") && overview.contains("list.txt"));

@@ -33,11 +33,10 @@ pub(super) fn judge(
         of_lookup.bound.clone_from(&verdict.bound);
         let is_named = |verdict: &Verdict| verdict.verdict == Outcome::Wrong && !verdict.mistakes.is_empty();
         if of_lookup.verdict == Outcome::Correct {
-            of_lookup.summary =
-                "what is looked up is right in every scene; its colour is changed afterwards".to_owned();
+            of_lookup.summary = "the lookup is right in every scene; its colour is changed afterwards".to_owned();
             of_lookup.peculiarities.push(Peculiarity {
                 id: "lookup-mixed".to_owned(),
-                name: "The colour of the cubemap is mixed with other colours; the pictures show what was looked up"
+                name: "The colour of the cubemap is mixed with other colours; the pictures show the lookup alone"
                     .to_owned(),
             });
             return Ok(Some((of_lookup, evidence)));
@@ -45,9 +44,9 @@ pub(super) fn judge(
         let is_better = |best: &(Verdict, Option<Evidence>)| of_lookup.mistakes.len() < best.0.mistakes.len();
         if is_named(&of_lookup) && best.as_ref().is_none_or(is_better) {
             of_lookup.warnings.push(
-                "the colour of the cubemap is mixed with other colours; what is looked up was judged, and the pictures show \
-                 it"
-                .to_owned(),
+                "the colour of the cubemap is mixed with other colours; only the lookup was judged, and the pictures \
+                 show it"
+                    .to_owned(),
             );
             best = Some((of_lookup, evidence));
         }

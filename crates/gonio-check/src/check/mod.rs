@@ -148,7 +148,7 @@ pub fn check(
         place(&mut found, at);
         if verdict.verdict == Outcome::Correct {
             verdict.verdict = Outcome::Wrong;
-            verdict.summary = format!("{}; the picture is right here by luck", found.name);
+            verdict.summary = format!("{}; the picture is right here only by chance", found.name);
             verdict.score = verdict.score.min(0.9);
         }
         if verdict.mistakes.iter().all(|known| known.id != found.id) {
@@ -185,9 +185,9 @@ fn is_unchanged(exercise: &ShaderExercise<'_>, submission: &Submission) -> bool 
 fn tell_unchanged(verdict: &mut Verdict) {
     verdict.summary = match verdict.mistakes.first() {
         Some(first) => {
-            format!("these are the files one starts from, and nothing in them is changed yet; {}", first.name)
+            format!("these are the unchanged start files; {}", first.name)
         }
-        None => "these are the files one starts from, and nothing in them is changed yet".to_owned(),
+        None => "these are the unchanged start files".to_owned(),
     };
     verdict.runner_up = None;
     verdict.peculiarities.clear();
@@ -213,8 +213,8 @@ fn by_places(
     }
     by_places.bound.clone_from(&verdict.bound);
     by_places.warnings.push(
-        "the colours are not those of the vertices (`color`); only where things are drawn was judged, which is what \
-         this exercise asks, and the pictures show distances"
+        "the output is not the vertex colour (`color`), so only positions were compared, which is what this exercise \
+         is about; the pictures show distances"
             .to_owned(),
     );
     Ok(Some((by_places, evidence)))
@@ -280,6 +280,6 @@ fn pass_as_the_lab(verdict: &mut Verdict) {
     verdict.peculiarities.extend(passed.into_iter().map(|m| Peculiarity { id: m.id, name: m.name }));
     verdict.verdict = Outcome::Correct;
     verdict.scenes.iter_mut().for_each(|scene| scene.right = true);
-    verdict.summary = "right as the lab's own solution is".to_owned();
+    verdict.summary = "right by the standard of the lab's own solutions".to_owned();
     verdict.score = 1.0;
 }

@@ -21,18 +21,17 @@ pub(super) fn trust(verdict: &mut Verdict, source: &Analysis) {
     let view = verdict.bound.iter().find(|bound| bound.role.as_deref().is_some_and(is_view));
     let view = view.map_or("V", |bound| bound.name.as_str()).to_owned();
     verdict.warnings.push(format!(
-        "it is right where the program sends `{view}` without its translation, `glm::mat4(glm::mat3({view}))`; where it \
-         sends it as the camera has it, the sky moves along with the camera, and the shader has to take it out: \
+        "this is right if the program sends `{view}` without its translation, `glm::mat4(glm::mat3({view}))`; \
+         otherwise the sky moves with the camera, and the shader must remove the translation: \
          `mat4(mat3({view}))`"
     ));
     verdict.mistakes.retain(|found| found.id != MOVES);
     if verdict.mistakes.is_empty() {
         verdict.verdict = Outcome::Correct;
         verdict.score = 1.0;
-        verdict.summary = format!("right, as long as the program sends `{view}` without its translation");
+        verdict.summary = format!("right, provided that the program sends `{view}` without its translation");
         verdict.runner_up = None;
     } else {
-        let names: Vec<&str> = verdict.mistakes.iter().map(|found| found.name.as_str()).collect();
-        verdict.summary = names.join("; and: ");
+        verdict.summary = verdict.mistake_names();
     }
 }

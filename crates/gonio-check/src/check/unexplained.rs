@@ -78,11 +78,18 @@ impl Blank {
     fn sentence(self) -> &'static str {
         match self {
             Blank::Nothing => "nothing is drawn; is gl_Position what the exercise asks for?",
-            Blank::Black => "it is black in every scene; some vector, colour or strength is 0 where it should not be",
-            Blank::NoNumber => {
-                "it is no number (NaN) in every scene; somewhere 0 is divided by 0, or a vector of length 0 is normalised"
+            Blank::Black => {
+                "the picture is black in every scene; some vector, colour or strength is 0 that should \
+                             not be"
             }
-            Blank::Flat => "it has one colour all over in every scene; no term depends on the place or on the normal",
+            Blank::NoNumber => {
+                "every pixel is NaN in every scene; look for a division of 0 by 0, or for a normalised vector of \
+                 length 0"
+            }
+            Blank::Flat => {
+                "the picture has a single colour in every scene; no term depends on the position or the \
+                            normal"
+            }
         }
     }
 }
@@ -121,9 +128,9 @@ pub(super) fn name_from_source(verdict: &mut Verdict, evidence: Option<&Evidence
         .take(MOST_NAMES)
         .collect();
     if !shown.is_empty() {
-        let names: Vec<&str> = shown.iter().map(|found| found.name.as_str()).collect();
-        verdict.summary = format!("{}; the source shows that, and more is wrong in the picture", names.join("; and: "));
         verdict.mistakes = shown;
+        verdict.summary =
+            format!("{}; the source shows this, and the picture has further errors", verdict.mistake_names());
     }
 }
 

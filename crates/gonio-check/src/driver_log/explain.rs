@@ -15,7 +15,8 @@ const fn usual(signs: &'static [&'static [&'static str]], means: &'static str) -
 const USUAL: &[Usual] = &[
     usual(
         &[&["gl_fragcolor"], &["gl_fragdata"]],
-        "`gl_FragColor` does not exist any more from version 330 core on: declare `out vec4 FragColor;` and write to that.",
+        "`gl_FragColor` does not exist any more from version 330 core on: declare `out vec4 FragColor;` and write to \
+         that.",
     ),
     usual(
         &[&["texture2d"], &["texturecube"]],
@@ -36,7 +37,8 @@ const USUAL: &[Usual] = &[
             &["bad #version"],
             &["version", "unsupported"],
         ],
-        "This computer's OpenGL does not know that `#version`: write `#version 330 core`, which every one knows.",
+        "This computer's OpenGL does not support that `#version`: write `#version 330 core`, which every driver \
+         supports.",
     ),
     usual(
         &[
@@ -46,7 +48,7 @@ const USUAL: &[Usual] = &[
             &["version", "must occur"],
             &["version directive"],
         ],
-        "`#version` must be the first line of the shader; only comments and empty lines may stand before it.",
+        "`#version` must be the first line of the shader; only comments and empty lines may precede it.",
     ),
     usual(
         &[
@@ -79,7 +81,7 @@ const USUAL: &[Usual] = &[
             &["non-array", "dereference"],
             &["not of array"],
         ],
-        "Square brackets stand behind something that is no array, vector or matrix.",
+        "Square brackets follow something that is not an array, vector or matrix.",
     ),
     usual(
         &[
@@ -93,7 +95,7 @@ const USUAL: &[Usual] = &[
     ),
     usual(
         &[&["index", "out of bounds"], &["index", "out of range"], &["index", "bounds"], &["array index"]],
-        "The index lies outside of the array or matrix; the first element has index 0, the last one less than the size.",
+        "The index is outside the array or matrix; the first element has index 0, the last one less than the size.",
     ),
     usual(
         &[
@@ -111,7 +113,7 @@ const USUAL: &[Usual] = &[
             &["no field"],
             &["not a member"],
         ],
-        "What stands behind the dot does not exist there: a vec3 has x y z (or r g b) and no w; a struct has only its own \
+        "There is no such component or field after the dot: a vec3 has x y z (or r g b) and no w; a struct has only its own \
          fields.",
     ),
     usual(
@@ -170,8 +172,9 @@ const USUAL: &[Usual] = &[
             &["no matching constructor"],
             &["parameter types do not match"],
         ],
-        "No function `{name}` takes arguments of these types: look at the type of each. `dot`, `reflect`, `cross` and `max` want \
-         both of one type (vec3 with vec3), `texture` a sampler and a vec2 (a vec3 for a cubemap).",
+        "No function `{name}` takes arguments of these types: look at the type of each. `dot`, `reflect`, `cross` \
+         and `max` take two arguments of one type (vec3 and vec3), `texture` a sampler and a vec2 (a vec3 for a \
+         cubemap).",
     ),
     usual(
         &[
@@ -207,7 +210,7 @@ const USUAL: &[Usual] = &[
     ),
     usual(
         &[&["interpolation qualif"], &["flat", "must"], &["qualified as flat"]],
-        "`flat` must stand in both stages or in neither; a varying of whole numbers must have it.",
+        "`flat` must be in both stages or in neither; an integer varying requires it.",
     ),
     usual(
         &[
@@ -216,7 +219,7 @@ const USUAL: &[Usual] = &[
             &["uniform", "declared as type"],
             &["uniform", "declared as"],
         ],
-        "The uniform `{name}` stands in both stages with different types: they must be alike.",
+        "The uniform `{name}` is declared in both stages with different types: the types must match.",
     ),
     usual(
         &[
@@ -228,7 +231,7 @@ const USUAL: &[Usual] = &[
             &["duplicate"],
             &["previous declaration"],
         ],
-        "`{name}` is declared twice in the same place: leave out one, or give it another name.",
+        "`{name}` is declared twice in the same place: remove one, or rename it.",
     ),
     usual(
         &[
@@ -240,7 +243,7 @@ const USUAL: &[Usual] = &[
             &["identifier", "reserved"],
             &["keyword", "identifier"],
         ],
-        "`{name}` is a word that GLSL keeps for itself (as `input`, `output`, `sample`, `filter`, `texture`, names with `gl_` or \
+        "`{name}` is reserved in GLSL (as are `input`, `output`, `sample`, `filter`, `texture`, names with `gl_` or \
          two underscores): give it another name.",
     ),
     usual(&[&["division by zero"], &["divide by zero"]], "A constant is divided by zero here."),
@@ -273,7 +276,7 @@ const USUAL: &[Usual] = &[
             &["cannot convert", "int", "float"],
             &["global implicit"],
         ],
-        "A whole number stands where a float is wanted: write it with a point, `2.0` for `2`.",
+        "A float is expected, not an integer: write it with a point, `2.0` for `2`.",
     ),
     usual(
         &[
@@ -290,7 +293,7 @@ const USUAL: &[Usual] = &[
             &["conversion"],
             &["does not match variable"],
         ],
-        "The value has another type than the variable that it is given to: take the part that fits (`v4.xyz`, `vec3(v4)`) or fill up \
+        "The value and the variable have different types: take a part of the value (`v4.xyz`, `vec3(v4)`) or fill up \
          (`vec4(v3, 1.0)`).",
     ),
     usual(
@@ -302,7 +305,7 @@ const USUAL: &[Usual] = &[
             &["`return'"],
             &["'return'"],
         ],
-        "What the function returns is not of the type that stands in front of its name.",
+        "The returned value does not have the function's return type.",
     ),
     usual(
         &[
@@ -320,7 +323,7 @@ const USUAL: &[Usual] = &[
     ),
     usual(
         &[&["no precision"], &["precision", "declared"], &["default precision"], &["precision", "must"]],
-        "GLSL ES wants a precision: write `precision mediump float;` under the `#version`.",
+        "GLSL ES requires a precision: write `precision mediump float;` under the `#version`.",
     ),
     usual(
         &[&["in", "out", "qualifier", "not"], &["storage qualifier"], &["qualifier"]],
@@ -329,7 +332,7 @@ const USUAL: &[Usual] = &[
     ),
     usual(
         &[&["used uninitialized"], &["might be used before"], &["uninitialized"], &["use of uninitialised"]],
-        "`{name}` is read before anything is written to it: its value is then left to chance.",
+        "`{name}` is read before anything is written to it: its value is undefined then.",
     ),
     usual(&[&["recursion"], &["recursive"]], "A function calls itself; GLSL does not allow that."),
     usual(&[&["#include"], &["extension", "include"]], "GLSL has no `#include`: put the text into the file."),
@@ -350,8 +353,8 @@ const USUAL: &[Usual] = &[
             &["unexpected character"],
             &["illegal non-ascii"],
         ],
-        "There is a character that GLSL does not know, perhaps a quotation mark, a dash or a space copied from a web page or a \
-         text document: type it anew.",
+        "There is a character that GLSL does not know, perhaps a quotation mark, a dash or a space copied from a web \
+         page or a text document: retype it.",
     ),
     usual(
         &[
@@ -369,16 +372,16 @@ const USUAL: &[Usual] = &[
     ),
     usual(
         &[&["linking with uncompiled"], &["uncompiled"], &["not successfully compiled"], &["unspecialized shader"]],
-        "The program cannot be put together because one of its shaders did not compile: fix that first.",
+        "The program cannot be linked because one of its shaders did not compile: fix that first.",
     ),
 ];
 
 /// What an undeclared name means.
-const UNDECLARED: &str = "`{name}` is not declared here: declare it (`uniform`, `in`, or a variable before this line), or look \
-                          whether it is spelt the same elsewhere, capitals too.";
+const UNDECLARED: &str = "`{name}` is not declared here: declare it (`uniform`, `in`, or a variable before this \
+                          line), or check its spelling, including capitals.";
 
 /// What a message of syntax means.
-const SYNTAX: &str = "The compiler cannot read this. Often the reason is a semicolon or a bracket that is missing at the end of the \
+const SYNTAX: &str = "The compiler cannot read this. Often a semicolon or a bracket is missing at the end of the \
                       line before.";
 
 /// A plain explanation of a usual message; `None` for others.

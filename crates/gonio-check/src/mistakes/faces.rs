@@ -13,9 +13,9 @@ pub const LECTURE_SECTION: &str = "Equirectangular to cubemap";
 /// What can be done to a square picture but leaving it as it is: the word, what is said of it, and where (s, t) of the
 /// picture that is there lie in the one that should be, as GLSL.
 pub const TURNS: [(&str, &str, [&str; 2]); 7] = [
-    ("turned-left", "turned by 90 degrees to the left", ["-t", "s"]),
-    ("turned-half", "turned by 180 degrees", ["-s", "-t"]),
-    ("turned-right", "turned by 90 degrees to the right", ["t", "-s"]),
+    ("turned-left", "rotated by 90 degrees to the left", ["-t", "s"]),
+    ("turned-half", "rotated by 180 degrees", ["-s", "-t"]),
+    ("turned-right", "rotated by 90 degrees to the right", ["t", "-s"]),
     ("mirrored", "mirrored left to right", ["-s", "t"]),
     ("flipped", "upside down, mirrored top to bottom", ["s", "-t"]),
     ("transposed", "mirrored about its diagonal: rows and columns are swapped", ["t", "s"]),
@@ -68,7 +68,7 @@ pub fn mistakes() -> Vec<Mistake> {
                 turned_id(face, turn),
                 format!("Face {name} is {said}"),
                 "Seams along the edges of that face.",
-                &format!("Say its row of the table aloud: where do s and t run on {name}?"),
+                &format!("Read its row of the table: in which directions do s and t run on {name}?"),
                 BTreeMap::from([((*word).to_owned(), direction(face, s, t))]),
             ));
         }
@@ -108,7 +108,7 @@ mod tests {
         let all = mistakes();
         assert_eq!(all.len(), 6 * 7 + 15);
         let turned = all.iter().find(|mistake| mistake.id == "face-posy-turned-left").unwrap();
-        assert_eq!(turned.name, "Face +Y is turned by 90 degrees to the left");
+        assert_eq!(turned.name, "Face +Y is rotated by 90 degrees to the left");
         assert_eq!(turned.change[0]["posy"], "vec3(-t, 1.0, s)");
         assert!(all.iter().any(|mistake| mistake.id == "faces-posz-negz-swapped"));
     }

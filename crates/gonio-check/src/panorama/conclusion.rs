@@ -7,7 +7,7 @@ use crate::mistakes::{
     faces::{FACES, LECTURE_SECTION},
 };
 use crate::search::Evidence;
-use crate::verdict::{FoundMistake, Outcome, SceneVerdict, Verdict};
+use crate::verdict::{FoundMistake, Outcome, SceneVerdict, Verdict, join_names};
 
 /// Faces of less than this part of the sharpness that is possible are blurred.
 const BLURRED: f64 = 0.45;
@@ -72,13 +72,13 @@ pub fn verdict(
     let mut sentences: Vec<String> = verdict.mistakes.iter().map(|mistake| mistake.name.clone()).collect();
     match unexplained.len() {
         0 => {}
-        6 => sentences.push("wrong, and no mistake that gonio knows explains it: no face is right".to_owned()),
+        6 => sentences.push("no face is right, and no known mistake explains it".to_owned()),
         _ => {
             let s = if unexplained.len() == 1 { "face" } else { "faces" };
-            sentences.push(format!("no mistake that gonio knows explains the {s} {}", names(unexplained)));
+            sentences.push(format!("no known mistake explains the {s} {}", names(unexplained)));
         }
     }
-    verdict.summary = sentences.join("; and: ");
+    verdict.summary = join_names(sentences.iter().map(String::as_str));
     (verdict, evidence)
 }
 
@@ -116,8 +116,7 @@ pub fn blur(verdict: &mut Verdict, sharpness: f64) {
         return;
     }
     let mut mistake = found("faces-blurred", 1.0);
-    mistake.name =
-        format!("{}: they have {:.0} % of the sharpness that the panorama has", mistake.name, 100.0 * sharpness);
+    mistake.name = format!("{}: they have {:.0} % of the panorama's sharpness", mistake.name, 100.0 * sharpness);
     verdict.verdict = Outcome::Wrong;
     verdict.score = 0.8;
     verdict.summary.clone_from(&mistake.name);

@@ -38,12 +38,10 @@ pub(crate) fn check(
     };
     let has = |role: Role| bindings.bound.iter().any(|known| known.role == role);
     if !bindings.bound.iter().any(|b| b.declared.kind == VariableKind::Attribute && b.role == Role::Position) {
-        return unsure(
-            "no attribute was found that could be the position; call it `position`, or say in names.toml which it is",
-        );
+        return unsure("no attribute looks like the position: name it `position`, or assign its role in names.toml");
     }
     if !bindings.bound.iter().any(|b| b.declared.glsl_type == "sampler2D") {
-        return unsure("the shaders read no panorama: a sampler2D called `panorama` is wanted");
+        return unsure("the shaders do not read a panorama: declare `uniform sampler2D panorama;`");
     }
     let bench = FaceBench::smooth(checker.gl(), TILE)?;
     // With a face's number one draws a square; with a view matrix a cube around the camera.

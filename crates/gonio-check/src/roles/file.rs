@@ -149,7 +149,7 @@ mod tests {
         for (text, message) in [
             (
                 "[names]\n\nsun = \"lihgt-pos\"\n",
-                "names.toml, line 3: there is no role `lihgt-pos`: did you mean `light-pos`?",
+                "names.toml, line 3: unknown role `lihgt-pos`: did you mean `light-pos`?",
             ),
             (
                 "[names]\nsun = []\n",

@@ -255,7 +255,7 @@ pub struct UnknownRole {
 
 impl fmt::Display for UnknownRole {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "there is no role `{}`: did you mean `{}`?", self.given, self.nearest)
+        write!(f, "unknown role `{}`: did you mean `{}`?", self.given, self.nearest)
     }
 }
 

@@ -78,7 +78,7 @@ impl Analysis {
     #[must_use]
     pub fn in_source_only(&self) -> Vec<(&'static str, Place, String)> {
         let found = power_under_maximum(&self.reading).and_then(|node| self.place(node, 1.0));
-        let sentence = "`pow` of a negative number is undefined: the `max` belongs inside, \
+        let sentence = "`pow` of a negative number is undefined: move `max` inside, \
                         `pow(max(dot(R, V), 0.0), shininess)`";
         found.map(|place| ("specular-power-of-negative", place, sentence.to_owned())).into_iter().collect()
     }
@@ -105,8 +105,8 @@ impl Analysis {
         let by_itself =
             |call: Id| matches!(graph.op(call), Op::Call(name, _) if matches!(name.as_str(), "texture" | "texture2D"));
         let (call, _) = self.reading.lookups().into_iter().find(|(call, at)| by_itself(*call) && jumps(*at))?;
-        let sentence = "with mipmaps there would be a line behind you, where u jumps from 1 to 0; \
-                        `textureLod(panorama, place, 0.0)` never shows it";
+        let sentence = "with mipmaps a seam would appear behind the camera, where u jumps from 1 to 0; \
+                        `textureLod(panorama, place, 0.0)` avoids it";
         Some((self.place(call, 1.0)?, sentence.to_owned()))
     }
 

@@ -19,7 +19,7 @@ pub(super) const NAMED_FROM: f64 = 0.985;
 /// ... and by that much more than the next best.
 const CLEARER_BY: f64 = 0.01;
 
-/// What was bound to what, for people.
+/// Variables and their roles, for people.
 pub fn bound(bindings: &Bindings) -> Vec<BoundVariable> {
     let known = bindings.bound.iter().map(|b| (&b.declared, Some(b.role.to_string())));
     let unknown = bindings.unknown.iter().map(|declared| (declared, None));
@@ -67,7 +67,7 @@ pub fn verdict(
     let undefined = undefined_pixels(seen);
     if undefined > 0 {
         verdict.warnings.push(format!(
-            "{undefined} pixels are no number (NaN or infinite): a division by 0, a root or a power of something negative"
+            "{undefined} pixels are NaN or infinite: look for a division by 0, or a square root or power of a negative number"
         ));
     }
     let next = found.ranking.iter().skip(1).find(|tried| !tried.wrong().is_empty());
@@ -82,7 +82,7 @@ pub fn verdict(
         verdict.peculiarities = peculiarities(task, best, entry);
         verdict.summary = match verdict.peculiarities.is_empty() {
             true => "right in every scene".to_owned(),
-            false => "right in every scene, in a way of its own".to_owned(),
+            false => "right in every scene, by another method".to_owned(),
         };
         return verdict;
     }
@@ -90,7 +90,7 @@ pub fn verdict(
     if !names_well {
         let wrong: Vec<&str> = verdict.scenes.iter().filter(|s| !s.right).map(|s| s.scene.as_str()).collect();
         verdict.summary =
-            format!("no mistake that gonio knows explains it; it differs from the reference in: {}", wrong.join(", "));
+            format!("no known mistake explains the difference from the reference in: {}", wrong.join(", "));
         if !best.wrong().is_empty() && best.explained >= RUNNER_UP_FROM {
             let ids = best.wrong().into_iter().map(str::to_owned).collect();
             verdict.runner_up = Some(RunnerUp { ids, share_explained: best.explained });
@@ -120,8 +120,7 @@ pub fn verdict(
         ids: tried.wrong().into_iter().map(str::to_owned).collect(),
         share_explained: tried.explained,
     });
-    let names: Vec<&str> = verdict.mistakes.iter().map(|m| m.name.as_str()).collect();
-    verdict.summary = names.join("; and: ");
+    verdict.summary = verdict.mistake_names();
     verdict
 }
 

@@ -25,7 +25,7 @@ pub fn strengths(seen: &[f32], known: &[f32], terms: &[&[f32]]) -> Vec<f64> {
     let (mut matrix, mut right) = (vec![0.0_f64; count * count], vec![0.0_f64; count]);
     let mut beyond_known = vec![0.0_f64; count];
     for (index, (&s, &k)) in seen.iter().zip(known).enumerate() {
-        // What is burnt out tells only that it is bright.
+        // What is overexposed tells only that it is bright.
         if !(s.is_finite() && k.is_finite() && s < 1.0) {
             continue;
         }

@@ -143,7 +143,7 @@ impl ShaderChecker {
             let mut verdict = Verdict::new(
                 task.exercise,
                 Outcome::Unsure,
-                "no attribute was found that could be the position; call it `position`, or say in names.toml which it is",
+                "no attribute looks like the position: name it `position`, or assign its role in names.toml",
             );
             verdict.bound = bound;
             return Ok((verdict, None));

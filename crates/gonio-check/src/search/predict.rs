@@ -63,7 +63,7 @@ impl CompiledModel {
         let sources = if is_own { self.hypotheses.written(hypothesis) } else { self.hypotheses.sources() };
         let [vertex, fragment] = sources.map(|source| for_context(&self.gl, &source));
         let program = UserProgram::new(&self.gl, &vertex, &fragment)
-            .map_err(|broken| GlError::new(format!("the laboratory's own model does not compile here: {broken}")))?;
+            .map_err(|broken| GlError::new(format!("gonio's own shader does not compile on this driver: {broken}")))?;
         // Those that choose among hypotheses have words of the equation in their names.
         let known: Vec<Declared> = declared(&program)
             .into_iter()

@@ -35,28 +35,28 @@ pub struct Student<'a> {
 const WORDS: [(&str, &str, &str); 5] = [
     (
         "finite",
-        "every pixel is a number",
-        "some pixels are no number (NaN) or infinite: a division by 0, or a root or a power of something negative",
+        "every pixel is finite",
+        "some pixels are NaN or infinite: look for a division by 0, or a square root or power of a negative number",
     ),
     (
         "unchanged-when-turned",
-        "the picture stays when the world is turned: model, light and camera together",
-        "the picture changes when the world is turned, model, light and camera together: some vectors are not in the same space",
+        "the picture does not change when model, light and camera are rotated together",
+        "the picture changes when model, light and camera are rotated together: some vectors are in different spaces",
     ),
     (
         "linear-in-light",
         "half the light gives half the picture",
-        "half the light does not give half the picture: light has to be multiplied in once and added up, nothing else",
+        "half the light does not give half the picture: the colour must be linear in the light",
     ),
     (
         "additive-over-lights",
-        "two lights together give what each of them gives alone, added up",
-        "two lights together do not give what each of them gives alone, added up",
+        "the picture with two lights is the sum of the pictures with each light alone",
+        "the picture with two lights is not the sum of the pictures with each light alone",
     ),
     (
         "falls-with-distance",
-        "light falls off with the distance as the attenuation's constants say",
-        "light does not fall off as the attenuation's constants say: twice the constants have to give half the light",
+        "light falls off with distance as the attenuation constants require",
+        "light does not fall off as the attenuation constants require: doubling the constants must halve the light",
     ),
 ];
 
@@ -183,7 +183,7 @@ impl Student<'_> {
     }
 }
 
-/// The tiles in which a picture is not what it has to be. Where it is burnt out, or no number, nothing can be told; `None` where
+/// The tiles in which a picture is not what it has to be. Where it is overexposed, or no number, nothing can be told; `None` where
 /// it is so everywhere.
 fn failing(seen: &Atlas, expected: impl Fn(usize, usize, usize) -> f32) -> Option<Vec<usize>> {
     let counted = |tile: usize| {

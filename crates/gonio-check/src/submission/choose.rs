@@ -216,8 +216,8 @@ pub(super) fn choose(
     if candidates.len() > 2 {
         let all: Vec<String> = candidates.iter().map(|c| format!("{} ({})", c.shown(), c.stage)).collect();
         warnings.push(format!(
-            "there are several shaders: {}; taken were {} and {}. If that is the wrong pair, hand in only the right \
-             one or say its name.",
+            "there are several shaders: {}; {} and {} were checked. If that is the wrong pair, hand in only the \
+             right one, or name it.",
             list(&all),
             vertex.shown(),
             fragment.shown()

@@ -15,7 +15,7 @@ pub(super) fn decode(file: &str, bytes: &[u8]) -> Result<(String, Option<String>
         [0xEF, 0xBB, 0xBF, rest @ ..] => (
             utf8_or_latin1(file, rest)?.0,
             Some(format!(
-                "{file} begins with a byte order mark, which some compilers refuse; gonio left it out. Save the file \
+                "{file} begins with a byte order mark, which some compilers reject; gonio ignored it. Save the file \
                  as UTF-8 without BOM."
             )),
         ),
@@ -55,7 +55,7 @@ fn utf8_or_latin1(file: &str, bytes: &[u8]) -> Result<(String, Option<String>), 
             let controls = bytes.iter().filter(|b| b.is_ascii_control() && !b.is_ascii_whitespace()).count();
             let foreign = bytes.iter().filter(|b| !b.is_ascii()).count();
             if controls > 0 || foreign * 5 > bytes.len() {
-                return binary(format!("bytes that are no UTF-8 at offset {}", error.valid_up_to()));
+                return binary(format!("invalid UTF-8 at offset {}", error.valid_up_to()));
             }
             let warning = format!(
                 "{file} is not UTF-8; gonio read it as Latin-1. Save the file as UTF-8, or write comments without \

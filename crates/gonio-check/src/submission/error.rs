@@ -74,7 +74,7 @@ pub(super) fn list(names: &[String]) -> String {
 impl fmt::Display for IntakeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NoFiles => write!(f, "no files were handed in: name a vertex and a fragment shader"),
+            Self::NoFiles => write!(f, "there are no files: name a vertex and a fragment shader"),
             Self::Empty { file } => write!(f, "{file} is empty: save the shader in your editor and hand it in again"),
             Self::Binary { file, because } => {
                 write!(f, "{file} is not a text file ({because}): hand in the shader's source as plain text")

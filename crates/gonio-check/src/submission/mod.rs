@@ -347,9 +347,9 @@ impl Intake {
         let mut warnings: Vec<String> =
             self.mended.into_iter().filter(|(name, _)| is_taken(name)).map(|(_, warning)| warning).collect();
         warnings.extend(chosen_because);
-        warnings.extend(self.errors.iter().map(|error| format!("left aside: {error}")));
+        warnings.extend(self.errors.iter().map(|error| format!("ignored: {error}")));
         if !self.left_aside.is_empty() {
-            warnings.push(format!("left aside: {}", error::list(&self.left_aside)));
+            warnings.push(format!("ignored: {}", error::list(&self.left_aside)));
         }
         Ok(Submission { vertex: vertex.text, fragment: fragment.text, names: self.names, warnings })
     }

@@ -107,7 +107,7 @@ fn a_program_with_several_pairs() {
         let submission = gathered(&[("main.cpp", &source)]);
         assert_eq!((submission.vertex.text, submission.fragment.text), (v(1), f(1)));
         let warning = &submission.warnings[0];
-        for part in ["sourceV`", "sourceF`", "sourceVCubeMap", "sourceFCubeMap", "(vertex)", "taken were"] {
+        for part in ["sourceV`", "sourceF`", "sourceVCubeMap", "sourceFCubeMap", "(vertex)", "were checked"] {
             assert!(warning.contains(part), "{part}: {warning}");
         }
         let wanted = Submission::gather_choosing(files(&[("main.cpp", &source)]), "cubemap").unwrap();
@@ -209,7 +209,7 @@ fn names_come_along_and_mended_files_are_told() {
 fn each_error_is_a_sentence() {
     let big = " ".repeat(decode::LARGEST + 1);
     for (list, message) in [
-        (vec![], "no files were handed in: name a vertex and a fragment shader"),
+        (vec![], "there are no files: name a vertex and a fragment shader"),
         (vec![("a.vert", V)], "the fragment shader is missing, there is only a.vert (vertex): hand in both stages"),
         (
             vec![("a.frag", F), ("b.md", "")],
@@ -226,7 +226,8 @@ fn each_error_is_a_sentence() {
         ),
         (
             vec![("a.vert", V), ("a.frag", &big)],
-            "a.frag has 10485761 bytes, more than the 10485760 that a shader may have: hand in the shader's source alone",
+            "a.frag has 10485761 bytes, more than the 10485760 that a shader may have: hand in the shader's source \
+             alone",
         ),
         (
             vec![("a.md", ""), ("main.cpp", "int main() {}")],
@@ -242,11 +243,7 @@ fn each_error_is_a_sentence() {
 fn an_unreadable_file_does_not_spoil_a_pair() {
     let submission = gathered(&[("a.vert", V), ("a.frag", F), ("b.frag", ""), ("x", "\0")]);
     assert_eq!(taken(&submission), ("a.vert", "a.frag"));
-    assert!(
-        submission.warnings.iter().any(|w| w.starts_with("left aside: b.frag is empty")),
-        "{:?}",
-        submission.warnings
-    );
+    assert!(submission.warnings.iter().any(|w| w.starts_with("ignored: b.frag is empty")), "{:?}", submission.warnings);
 }
 
 #[test]

@@ -91,7 +91,7 @@ impl Testbench {
     fn ask(&self, place: &str) -> Result<Surface, GlError> {
         let [vertex, fragment] = sources(place).map(|source| super::for_context(&self.gl, &source));
         let program = UserProgram::new(&self.gl, &vertex, &fragment)
-            .map_err(|broken| GlError::new(format!("the laboratory's own program does not compile here: {broken}")))?;
+            .map_err(|broken| GlError::new(format!("gonio's own shader does not compile on this driver: {broken}")))?;
         let feed: Vec<(u32, usize)> = ["position", "corner", "triangle"]
             .into_iter()
             .enumerate()

@@ -50,7 +50,7 @@ const LAYOUTS: [Layout; 5] = [
         width: 8,
         tex_coord: Some(6),
         normal: Some(3),
-        remark: Some("the columns are x y z nx ny nz u v here; expected was x y z u v nx ny nz"),
+        remark: Some("the columns are x y z nx ny nz u v here; expected x y z u v nx ny nz"),
     },
     Layout { width: 6, tex_coord: None, normal: Some(3), remark: None },
     Layout { width: 5, tex_coord: Some(3), normal: None, remark: None },

@@ -110,7 +110,7 @@ impl<'a> Comparison<'a> {
         let mut warnings = Vec::new();
         if !reading.vertices.len().is_multiple_of(3) {
             warnings.push(format!(
-                "the buffer has {} rows, which is no multiple of three: three rows make a triangle",
+                "the buffer has {} rows, which is not a multiple of three: three rows make a triangle",
                 reading.vertices.len()
             ));
         }

@@ -16,7 +16,7 @@ const SHAPES: &str = "expected is a list of rows, a list of objects, {\"position
 pub(super) fn read(bytes: &[u8]) -> Result<Buffer, BufferError> {
     if bytes.len() > MOST_BYTES {
         let message = format!(
-            "the file has {} MB; of JSON at most {} are read: write raw floats instead",
+            "the file has {} MB; at most {} of JSON are read: write raw floats instead",
             bytes.len() >> 20,
             MOST_BYTES >> 20
         );
@@ -31,7 +31,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Buffer, BufferError> {
             false => "",
         };
         let error_line = (error.line() > 0).then_some(error.line() as u64);
-        let error_at = BufferError::new(format!("this is no JSON: {message}{hint}"));
+        let error_at = BufferError::new(format!("invalid JSON: {message}{hint}"));
         error_line.map_or(error_at.clone(), |line| error_at.at(line, Some(error.column() as u64)))
     })?;
     let mut warnings = Vec::new();
@@ -48,7 +48,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Buffer, BufferError> {
         Data::Raw { bytes, .. } => bytes.is_empty(),
     };
     if is_empty {
-        return Err(BufferError::new("there is no vertex in the file"));
+        return Err(BufferError::new("the file has no vertices"));
     }
     Ok(Buffer { data, warnings })
 }
@@ -122,7 +122,7 @@ impl<'de> Deserialize<'de> for Tree {
 /// A list of numbers without rows is like raw floats.
 fn flat(values: Vec<f32>) -> Result<Data, BufferError> {
     if !WIDTHS.iter().any(|width| values.len().is_multiple_of(*width)) {
-        let message = format!("the list has {} numbers, which is no multiple of 3, 5, 6 or 8", values.len());
+        let message = format!("the list has {} numbers, which is not a multiple of 3, 5, 6 or 8", values.len());
         return Err(BufferError::new(message));
     }
     Ok(Data::Raw { bytes: values.iter().flat_map(|value| value.to_le_bytes()).collect(), stride: None })
@@ -137,7 +137,7 @@ fn list(rows: Vec<Tree>) -> Result<Data, BufferError> {
     let mut width = None;
     for (number, row) in (1..).zip(rows) {
         let Tree::Numbers(row) = row else {
-            return Err(BufferError::new(format!("row {number} is no list of numbers; {SHAPES}")));
+            return Err(BufferError::new(format!("row {number} is not a list of numbers; {SHAPES}")));
         };
         let first = *width.get_or_insert(row.len());
         if row.len() != first {
@@ -150,7 +150,8 @@ fn list(rows: Vec<Tree>) -> Result<Data, BufferError> {
         Some(width) if WIDTHS.contains(&width) => Ok(Data::Rows { values, width }),
         width => {
             let message = format!(
-                "a row has {} numbers; it may have 3 (x y z), 5 (x y z u v), 6 (x y z nx ny nz) or 8 (x y z u v nx ny nz)",
+                "a row has {} numbers; it may have 3 (x y z), 5 (x y z u v), 6 (x y z nx ny nz) or 8 (x y z u v nx \
+                 ny nz)",
                 width.unwrap_or(0)
             );
             Err(BufferError::new(message))
@@ -171,7 +172,7 @@ fn objects(rows: Vec<Tree>) -> Result<Data, BufferError> {
     let mut all = None;
     for (number, row) in (1..).zip(rows) {
         let Tree::Object(fields) = row else {
-            return Err(BufferError::new(format!("vertex {number} is no object, the first one is")));
+            return Err(BufferError::new(format!("vertex {number} is not an object, but the first one is")));
         };
         let (vertex, has) =
             one_object(&fields).map_err(|message| BufferError::new(format!("vertex {number}: {message}")))?;
@@ -243,7 +244,7 @@ fn object(fields: Vec<(String, Tree)>, warnings: &mut Vec<String>) -> Result<Dat
             name if POSITIONS.contains(&name) => positions = Some(rows_of::<3>(value, &key)?),
             name if TEX_COORDS.contains(&name) => tex_coords = Some(rows_of::<2>(value, &key)?),
             name if NORMALS.contains(&name) => normals = Some(rows_of::<3>(value, &key)?),
-            _ => warnings.push(format!("`{}` is not known and was left out", key.chars().take(30).collect::<String>())),
+            _ => warnings.push(format!("`{}` is unknown and was ignored", key.chars().take(30).collect::<String>())),
         }
     }
     // `{"vertices": positions, "normals": ...}` is the habit of some.
@@ -281,7 +282,8 @@ fn named(
     for (name, count) in [("texture coordinates", tex_coords.len()), ("normals", normals.len())] {
         if count != positions.len() {
             let message = format!(
-                "there are {} positions and {count} {name}: each vertex of the buffer needs one of each, as the faces join them",
+                "there are {} positions and {count} {name}: each vertex of the buffer needs one of each, as the \
+                 faces join them",
                 positions.len()
             );
             return Err(BufferError::new(message));
@@ -297,16 +299,16 @@ fn rows_of<const N: usize>(tree: Tree, key: &str) -> Result<Vec<[f32; N]>, Buffe
     match tree {
         Tree::Numbers(values) if values.len().is_multiple_of(N) => Ok(values.as_chunks::<N>().0.to_vec()),
         Tree::Numbers(values) => {
-            Err(BufferError::new(format!("`{key}` has {} numbers, which is no multiple of {N}", values.len())))
+            Err(BufferError::new(format!("`{key}` has {} numbers, which is not a multiple of {N}", values.len())))
         }
         Tree::List(rows) => {
             let row = |(number, row): (usize, Tree)| match row {
                 Tree::Numbers(values) if values.len() >= N => Ok(std::array::from_fn(|i| values[i])),
-                _ => Err(BufferError::new(format!("row {number} of `{key}` is no list of {N} numbers"))),
+                _ => Err(BufferError::new(format!("row {number} of `{key}` is not a list of {N} numbers"))),
             };
             (1..).zip(rows).map(row).collect()
         }
-        _ => Err(BufferError::new(format!("`{key}` is no list of numbers"))),
+        _ => Err(BufferError::new(format!("`{key}` is not a list of numbers"))),
     }
 }
 
@@ -314,7 +316,7 @@ fn whole_numbers(tree: Tree) -> Result<Vec<usize>, BufferError> {
     let values = match tree {
         Tree::Numbers(values) => values,
         Tree::List(rows) => rows_of::<3>(Tree::List(rows), "indices")?.concat(),
-        _ => return Err(BufferError::new("\"indices\" is no list of numbers")),
+        _ => return Err(BufferError::new("\"indices\" is not a list of numbers")),
     };
     let whole = |(number, value): (usize, &f32)| {
         let is_whole = value.fract() == 0.0 && *value >= 0.0 && *value < 16_777_216.0;

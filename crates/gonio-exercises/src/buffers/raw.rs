@@ -28,12 +28,12 @@ pub(super) fn read(bytes: &[u8], stride: Option<usize>) -> Result<Buffer, Buffer
     match stride {
         Some(stride) if !fits(&stride) => {
             let message =
-                format!("the file has {floats} floats, which is no multiple of the {stride} that its name states");
+                format!("the file has {floats} floats, which is not a multiple of the {stride} that its name states");
             return Err(BufferError::new(message));
         }
         None if !WIDTHS.iter().any(fits) => {
             let message =
-                format!("the file has {floats} floats, which is no multiple of 3, 5, 6 or 8: no whole vertices");
+                format!("the file has {floats} floats, which is not a multiple of 3, 5, 6 or 8: not whole vertices");
             return Err(BufferError::new(message));
         }
         _ => {}
@@ -43,7 +43,7 @@ pub(super) fn read(bytes: &[u8], stride: Option<usize>) -> Result<Buffer, Buffer
 
 /// As 32-bit floats, then as 64-bit ones: what NumPy and JavaScript's arrays hold unless told.
 pub(super) fn readings(bytes: &[u8], stride: Option<usize>) -> Vec<Reading> {
-    const DOUBLES: &str = "the numbers are 64-bit floats; expected were 32-bit ones (float, np.float32, Float32Array)";
+    const DOUBLES: &str = "the numbers are 64-bit floats; expected 32-bit ones (float, np.float32, Float32Array)";
     let singles: Vec<f32> = bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
     let doubles = bytes.chunks_exact(8).map(|b| f64::from_le_bytes([b[0], b[1], b[2], b[3], b[4], b[5], b[6], b[7]]));
     let doubles: Vec<f32> = doubles.map(|x| x as f32).collect();

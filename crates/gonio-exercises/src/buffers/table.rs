@@ -60,7 +60,7 @@ fn decode(bytes: &[u8]) -> Result<&str, BufferError> {
         let message = "this is binary: name raw floats `.raw`, so that they are read as such";
         return Err(at_byte(bytes, at, message));
     }
-    std::str::from_utf8(bytes).map_err(|error| at_byte(bytes, error.valid_up_to(), "this is no UTF-8 text"))
+    std::str::from_utf8(bytes).map_err(|error| at_byte(bytes, error.valid_up_to(), "the file is not UTF-8 text"))
 }
 
 fn at_byte(bytes: &[u8], at: usize, message: &str) -> BufferError {
@@ -125,7 +125,7 @@ impl Parser {
             let value = self.number(cell).ok_or_else(|| {
                 let message = match cell.is_empty() {
                     true => "a number is missing here".to_owned(),
-                    false => format!("`{}` is no number", shortened(cell)),
+                    false => format!("`{}` is not a number", shortened(cell)),
                 };
                 BufferError::new(message).at(line.number, Some(*column))
             })?;
@@ -196,7 +196,7 @@ impl Header {
                 return Err(BufferError::new(message).at(line.number, Some(*place)));
             }
             if column.is_none() {
-                warnings.push(format!("the column `{}` is not known and was left out", shortened(name)));
+                warnings.push(format!("the column `{}` is unknown and was ignored", shortened(name)));
             }
             columns.push(column);
         }

@@ -146,5 +146,5 @@ fn each_entry_can_be_asked_for_by_itself() {
         found.submissions.iter().map(|group| group.label.as_str()).collect::<Vec<_>>(),
         ["a.cpp", "ex03", "ex04"]
     );
-    assert_eq!(found.skipped, [(3, "it holds no answer")]);
+    assert_eq!(found.skipped, [(3, "it contains no answer")]);
 }

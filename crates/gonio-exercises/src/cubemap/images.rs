@@ -65,14 +65,13 @@ impl SubmittedFaces {
             ));
         }
         if size < LEAST {
-            return Err(format!(
-                "the faces have {size} x {size} pixels; {LEAST} x {LEAST} are needed to tell them apart"
-            ));
+            return Err(format!("the faces have {size} x {size} pixels; at least {LEAST} x {LEAST} are needed"));
         }
         let natural = panorama.width / 4;
         if size * 2 < natural {
             warnings.push(format!(
-                "the faces have {size} x {size} pixels: much of what the panorama shows is lost; {natural} x {natural} keep it"
+                "the faces have {size} x {size} pixels: much of what the panorama shows is lost; {natural} x \
+                 {natural} would keep it"
             ));
         }
         let panorama = Panorama::new(panorama).map_err(|error| error.to_string())?;
@@ -105,7 +104,7 @@ fn given(exercise: &Exercise) -> Result<Image, String> {
         exercise.pictures().next().ok_or("the exercise has no panorama; hand yours in with the faces")?;
     match decode(name, bytes, &Limits::default()).map_err(|error| error.to_string())?.shape {
         Shape::Picture(image) => Ok(image),
-        Shape::Faces(_) => Err(format!("{name} is no panorama")),
+        Shape::Faces(_) => Err(format!("{name} is not a panorama")),
     }
 }
 

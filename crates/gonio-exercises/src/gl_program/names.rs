@@ -36,37 +36,38 @@ pub fn name_of(id: &str) -> Option<&'static GlProgramMistakeName> {
 mistakes! {
     // Samplers and units
     "texture-name-as-unit": "the sampler is set to the texture's name instead of its unit",
-        "A sampler wants the number of a texture unit. The name of a texture is another number, which OpenGL gives.",
+        "A sampler takes the number of a texture unit. The name of a texture is another number, chosen by OpenGL.",
         "black, without any error", "give the sampler the unit that the texture is bound to";
     "unbound-unit": "the sampler reads another unit than the texture is bound to",
-        "Where nothing is bound, a sampler reads black, and OpenGL takes that for a wish.",
+        "Where nothing is bound, a sampler reads black, and OpenGL reports no error.",
         "black, without any error", "bind the texture to the unit that the sampler reads, or set the sampler to that unit";
     "active-texture-after-bind": "the unit is made active after the texture was bound",
         "bind_texture binds to the unit that is active at that moment.",
         "black, without any error", "write active_texture before bind_texture";
     "active-texture-number": "active_texture is given a plain number",
-        "Units are written TEXTURE0, TEXTURE1 and so on; 0 and 1 are no constants that OpenGL knows here, and it refuses them.",
+        "Units are written TEXTURE0, TEXTURE1 and so on; OpenGL rejects 0 and 1 here.",
         "black, or the wrong texture", "write TEXTURE0 and so on";
     "sampler-never-set": "the sampler is never set, and reads unit 0",
-        "A sampler that nobody sets reads unit 0, and the texture is bound to another one.",
+        "A sampler that is not set reads unit 0, and the texture is bound to another one.",
         "black, without any error", "set the sampler to the texture's unit, with uniform_1i after use_program";
     "uniform-before-use-program": "the uniform is set before its program is in use",
-        "uniform_1i sets a uniform of the program in use. Where none is, OpenGL refuses it, and the uniform stays 0.",
+        "uniform_1i sets a uniform of the program in use. Without one, OpenGL rejects the call, and the uniform \
+         stays 0.",
         "black; OpenGL reports INVALID_OPERATION", "call use_program first";
     "uniform-after-draw": "the uniform is set after the draw",
         "A draw reads what the uniforms hold at that moment.",
         "black in the first frame", "set it before the draw";
     "uniform-name-wrong": "the program has no uniform of that name",
-        "The location of an unknown name is -1, and OpenGL passes over that without a word.",
-        "as if the uniform were never set", "write the name as it stands in the shader";
+        "The location of an unknown name is -1, which OpenGL ignores without an error.",
+        "as if the uniform were never set", "write the name as in the shader";
     "uniform-type-wrong": "the uniform is set by the call of another type",
-        "A sampler is a whole number: OpenGL refuses uniform_1f for it.",
+        "A sampler is an integer: OpenGL rejects uniform_1f for it.",
         "as if the uniform were never set", "use uniform_1i";
     // Textures
-    "mipmaps-missing": "the filter wants mipmaps, and there are none",
-        "A texture that lacks what its filter wants is not complete, and reads as black.",
+    "mipmaps-missing": "the filter needs mipmaps, and there are none",
+        "A texture without the mipmaps that its filter needs is incomplete, and reads as black.",
         "black, without any error", "call generate_mipmap after tex_image_2d, or take a filter without mipmaps";
-    "filter-never-set": "the filter is never set: it wants mipmaps from the start, and there are none",
+    "filter-never-set": "the filter is never set: the default needs mipmaps, and there are none",
         "The minifying filter that a texture starts with is NEAREST_MIPMAP_LINEAR.",
         "black, without any error", "set TEXTURE_MIN_FILTER to LINEAR, or call generate_mipmap";
     "mipmaps-before-image": "the mipmaps are made before the image is there",
@@ -75,9 +76,9 @@ mistakes! {
     "mipmaps-misplaced": "the mipmaps are made of another texture",
         "generate_mipmap works on the texture that is bound to the active unit at that moment.",
         "a black triangle", "call generate_mipmap right after tex_image_2d";
-    "filter-refused": "OpenGL refuses the filter",
+    "filter-refused": "OpenGL rejects the filter",
         "TEXTURE_MAG_FILTER is NEAREST or LINEAR; the ones with mipmaps are for TEXTURE_MIN_FILTER.",
-        "black, if the other filter then wants mipmaps", "give the filter to TEXTURE_MIN_FILTER";
+        "black, if the other filter then needs mipmaps", "give the filter to TEXTURE_MIN_FILTER";
     "wrong-target": "the texture is used with the target of another kind",
         "A sampler2D reads what is bound to TEXTURE_2D, a samplerCube what is bound to TEXTURE_CUBE_MAP.",
         "a black triangle", "write TEXTURE_2D in all calls for this texture";
@@ -134,7 +135,7 @@ mistakes! {
         "no triangle", "call vertex_attrib_pointer for it";
     "attribute-name-wrong": "the program has no attribute of that name",
         "The location of an unknown name is -1, which OpenGL refuses.",
-        "as if the attribute were not enabled", "write the name as it stands in the vertex shader";
+        "as if the attribute were not enabled", "write the name as in the vertex shader";
     "vertex-array-missing": "there is no vertex array",
         "OpenGL's core profile keeps attributes in a vertex array only.",
         "no triangle; OpenGL reports INVALID_OPERATION", "make one with gen_vertex_array and bind it";
@@ -191,12 +192,14 @@ mistakes! {
         "A draw runs the program in use; linking does not put it to use.", "no triangle", "call use_program";
     "program-switched-off": "no program is in use at the draw",
         "use_program with 0 puts none to use.", "no triangle", "put the program to use before the draw";
-    "program-number-wrong": "use_program is given a number that is no program",
-        "The number of a program is what create_program returned.", "no triangle", "give it what create_program returned";
+    "program-number-wrong": "use_program is given a number that is not a program",
+        "The number of a program is what create_program returned.", "no triangle", "give it what create_program \
+            returned";
     "draw-missing": "nothing is drawn", "Without a draw call there is only the ground.", "no triangle",
         "call draw_arrays";
     "draw-count-wrong": "the number of vertices is wrong",
-        "The count is that of the vertices, not of the triangles and not of the numbers.", "no triangle, or a part of it",
+        "The count is that of the vertices, not of the triangles and not of the numbers.", "no triangle, or a part \
+            of it",
         "write 3";
     "draw-first-wrong": "the draw begins at the wrong vertex", "The first vertex is 0.", "no triangle, or another one",
         "write 0";

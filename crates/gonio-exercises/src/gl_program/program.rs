@@ -60,7 +60,7 @@ impl GlProgram {
             return Err(error(format!("the text has {} bytes", text.len()), &format!("{most} MB is the most")));
         }
         if text.contains('\0') {
-            return Err(error("this is no text".to_owned(), "give the text of the host program"));
+            return Err(error("the file is not text".to_owned(), "hand in the GL program as text"));
         }
         let steps = reader::read(text, file_name)?;
         let lines = text.lines().map(str::to_owned).collect();
@@ -79,8 +79,8 @@ impl GlProgram {
                     file: file_name.to_owned(),
                     line,
                     column: 1,
-                    message: "this is no text in UTF-8".to_owned(),
-                    help: "give the text of the host program".to_owned(),
+                    message: "the file is not UTF-8 text".to_owned(),
+                    help: "hand in the GL program as text".to_owned(),
                 }])
             }
         }

@@ -163,7 +163,7 @@ pub fn read(text: &str, file: &str) -> Result<Vec<Step>, Vec<GlProgramError>> {
             "write a line with `end` after its last number",
         );
     } else if steps.is_empty() {
-        at_end("there is no call in it".to_owned(), "each line has a call, for example `gen_texture`");
+        at_end("the program has no calls".to_owned(), "each line has a call, for example `gen_texture`");
     }
     errors.truncate(MOST_ERRORS);
     if errors.is_empty() { Ok(steps) } else { Err(errors) }
@@ -230,7 +230,7 @@ impl List {
             if self.whole {
                 let number = bare.parse().map_err(|_| {
                     let help = "write whole numbers from 0 on";
-                    Problem::at(*word, format!("`{}` is no index", shown(word.text)), help)
+                    Problem::at(*word, format!("`{}` is not an index", shown(word.text)), help)
                 })?;
                 self.indices.push(number);
             } else {
@@ -238,7 +238,7 @@ impl List {
                 let number = bare.parse().ok().filter(|number: &f32| number.is_finite());
                 let Some(number) = number else {
                     let help = "write numbers such as 0.5, or `end` after the last one";
-                    return Err(Problem::at(*word, format!("`{}` is no number", shown(word.text)), help));
+                    return Err(Problem::at(*word, format!("`{}` is not a number", shown(word.text)), help));
                 };
                 self.floats.push(number);
             }

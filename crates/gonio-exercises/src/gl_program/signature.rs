@@ -72,7 +72,7 @@ pub fn call(words: &[Word<'_>], names: &Names) -> Result<Read, Problem> {
     };
     let Some((&word, given)) = rest.split_first() else {
         let end = words[words.len() - 1];
-        return Err(Problem::at(end, "there is no call after `=`", "write `name = gen_texture` or the like"));
+        return Err(Problem::at(end, "expected a call after `=`", "write `name = gen_texture` or the like"));
     };
     let Some((_, wanted)) = SIGNATURES.iter().find(|(known, _)| *known == word.text) else {
         return Err(no_call(word));
@@ -228,7 +228,7 @@ impl Arguments<'_> {
             let big = word.text.parse::<i128>().is_ok();
             let message = match big {
                 true => format!("`{}` is too large", shown(word.text)),
-                false => format!("`{}` is no whole number", shown(word.text)),
+                false => format!("`{}` is not a whole number", shown(word.text)),
             };
             Problem::at(word, message, "write a whole number such as 32")
         })
@@ -238,7 +238,7 @@ impl Arguments<'_> {
         let word = self.word(at)?;
         let number = word.text.trim_end_matches('f').parse().ok().filter(|number: &f32| number.is_finite());
         number.ok_or_else(|| {
-            Problem::at(word, format!("`{}` is no number", shown(word.text)), "write a number such as 0.5")
+            Problem::at(word, format!("`{}` is not a number", shown(word.text)), "write a number such as 0.5")
         })
     }
 

@@ -19,7 +19,7 @@ pub fn collect(program: &GlProgram, run: &GlProgramRun, right: bool) -> Vec<GlPr
             warnings.push(GlProgramWarning { line, text });
         }
         for error in &run.errors {
-            let text = format!("OpenGL refuses {} with {}: {}", error.call, error.code, error.why);
+            let text = format!("OpenGL rejects {} with {}: {}", error.call, error.code, error.why);
             warnings.push(GlProgramWarning { line: Some(error.line), text });
         }
     }

@@ -74,7 +74,7 @@ pub fn sort_files(exercise: &Exercise, files: &[SourceFile]) -> SortedFiles {
     }
     sorted.aside = match aside.as_slice() {
         [] if sorted.taken.is_empty() => {
-            Some(format!("nothing of it is an answer: {} reads {}", exercise.id, what_it_reads(exercise.kind)))
+            Some(format!("none of these files is an answer: {} reads {}", exercise.id, what_it_reads(exercise.kind)))
         }
         [] => None,
         [(_, why)] => Some(why.clone()),
@@ -85,7 +85,7 @@ pub fn sort_files(exercise: &Exercise, files: &[SourceFile]) -> SortedFiles {
                 more => format!(" and {more} more"),
             };
             let reads = what_it_reads(exercise.kind);
-            Some(format!("left aside: {}{more}; {} reads {reads}", named.join(", "), exercise.id))
+            Some(format!("ignored: {}{more}; {} reads {reads}", named.join(", "), exercise.id))
         }
     };
     sorted
@@ -133,7 +133,7 @@ fn used(exercise: &Exercise, file: &SourceFile) -> Result<Option<FileUse>, Strin
     let is_model = |format: &Format| format.extension() == ending;
     if Format::ALL.iter().any(is_model) || (ending == "toml" && !name.eq_ignore_ascii_case("names.toml")) {
         let what = if ending == "toml" { "a scene" } else { "a model" };
-        return Err(format!("{name} is {what}: leave the laboratory by the arrow at its top left, and open it there"));
+        return Err(format!("{name} is {what}: leave the exercises with the arrow at the top left, and open it there"));
     }
     let is_buffer = || buffers::ENDINGS.iter().any(|known| known.strip_prefix('.') == Some(ending.as_str()));
     let found = match exercise.kind {
@@ -158,7 +158,7 @@ fn used(exercise: &Exercise, file: &SourceFile) -> Result<Option<FileUse>, Strin
             ExerciseKind::Shaders | ExerciseKind::Faces if is_text(file) => {
                 format!("there is no shader in {name}: {} reads {reads}", exercise.id)
             }
-            _ => format!("{name} is nothing that {} reads: it reads {reads}", exercise.id),
+            _ => format!("{} does not read {name}: it reads {reads}", exercise.id),
         }
     })
 }
@@ -171,7 +171,7 @@ fn what_it_reads(kind: ExerciseKind) -> &'static str {
         }
         ExerciseKind::Faces => "a vertex and a fragment shader, or six faces as pictures",
         ExerciseKind::Buffers => "a vertex buffer (.csv, .tsv, .json, or raw floats as .bin, .raw or .f32)",
-        ExerciseKind::GlProgram => "host programs (.txt)",
+        ExerciseKind::GlProgram => "GL programs (.txt)",
     }
 }
 
@@ -257,14 +257,14 @@ mod tests {
     fn what_is_nothing_for_the_exercise_is_one_sentence() {
         for (exercise, name, bytes, wanted) in [
             ("ex04", "notes.txt", &b"to do"[..], "there is no shader in notes.txt: ex04 reads a vertex and"),
-            ("ex04", "photo.png", PNG, "photo.png is nothing that ex04 reads"),
-            ("ex04", "cow.obj", b"v 0 0 0", "cow.obj is a model: leave the laboratory"),
-            ("ex04", "room.toml", b"[camera]", "room.toml is a scene: leave the laboratory"),
+            ("ex04", "photo.png", PNG, "ex04 does not read photo.png"),
+            ("ex04", "cow.obj", b"v 0 0 0", "cow.obj is a model: leave the exercises"),
+            ("ex04", "room.toml", b"[camera]", "room.toml is a scene: leave the exercises"),
             ("ex04", "light.vert", b"void main\0", "light.vert is not a text file (a zero byte at offset 9)"),
             ("ex04", "light.frag", b"", "light.frag is empty"),
-            ("ex02", "cube.dat", b"\0\xff", "cube.dat is nothing that ex02 reads: it reads a vertex buffer (.csv"),
-            ("ex11", "mine.c", b"glDrawArrays", "mine.c is nothing that ex11 reads: it reads host programs (.txt)"),
-            ("s1", "movie.mp4", b"\0\0", "movie.mp4 is nothing that s1 reads"),
+            ("ex02", "cube.dat", b"\0\xff", "ex02 does not read cube.dat: it reads a vertex buffer (.csv"),
+            ("ex11", "mine.c", b"glDrawArrays", "ex11 does not read mine.c: it reads GL programs (.txt)"),
+            ("s1", "movie.mp4", b"\0\0", "s1 does not read movie.mp4"),
         ] {
             let said = letters(exercise, name, bytes);
             assert!(said.starts_with(wanted), "{exercise}: {name}: {said}");
@@ -272,9 +272,9 @@ mod tests {
         let ex04 = exercise::find("ex04").unwrap();
         let many: Vec<SourceFile> = (0..5).map(|n| file(&format!("{n}.txt"), "words")).collect();
         let aside = sort_files(ex04, &many).aside.unwrap();
-        assert!(aside.starts_with("left aside: 0.txt, 1.txt, 2.txt and 2 more; ex04 reads"), "{aside}");
+        assert!(aside.starts_with("ignored: 0.txt, 1.txt, 2.txt and 2 more; ex04 reads"), "{aside}");
         let paper = sort_files(ex04, &[file("text.md", "# Phong")]);
-        assert!(paper.taken.is_empty() && paper.aside.unwrap().starts_with("nothing of it is an answer"));
+        assert!(paper.taken.is_empty() && paper.aside.unwrap().starts_with("none of these files is an answer"));
         let both = sort_files(ex04, &[file("text.md", "# Phong"), file("a.vert", VERTEX)]);
         assert_eq!((both.taken.len(), both.aside), (1, None));
     }

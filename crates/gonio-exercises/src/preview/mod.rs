@@ -27,6 +27,6 @@ pub fn reference(exercise: &Exercise) -> Result<SubmittedPair, String> {
 
 /// The pair that draws the sky behind what mirrors it.
 pub fn sky() -> Result<SubmittedPair, String> {
-    let exercise = crate::exercise::find("ex08").ok_or("there is no exercise of the sky")?;
+    let exercise = crate::exercise::find("ex08").ok_or("the exercise about skyboxes is missing")?;
     reference(exercise)
 }

@@ -99,7 +99,12 @@ impl SubmittedPair {
                 strict.map(|problem| Note { kind: NoteKind::Warning, message: stage.message(problem) })
             })
             .collect();
-        let unused = bindings.unused.iter().map(|name| format!("names.toml speaks of `{name}`, which is not used"));
+        let unused = bindings.unused.iter().map(|name| {
+            format!(
+                "names.toml mentions `{name}`, which the shaders do \
+            not use"
+            )
+        });
         let warnings = self.submission.warnings.iter().cloned().chain(unused).collect();
         Ok(CompiledPair { program, bindings, notes, warnings })
     }

@@ -114,7 +114,7 @@ impl CompiledPair {
         let bound = self.bindings.bound.iter().map(|bound| {
             let value = match (bound.declared.kind, held(bound, test_scene)) {
                 (VariableKind::Attribute, _) if stream_of(bound.role).is_some() => "the mesh's".to_owned(),
-                (VariableKind::Attribute, _) => "0 0 0 1: the mesh has none".to_owned(),
+                (VariableKind::Attribute, _) => "0 0 0 1: not in the mesh".to_owned(),
                 (VariableKind::Uniform, None) => "0".to_owned(),
                 (VariableKind::Uniform, Some(values)) => written(&bound.declared.glsl_type, &values),
             };
@@ -150,7 +150,7 @@ fn written(glsl_type: &str, values: &[f32]) -> String {
     };
     let line = |values: Vec<&f32>| values.into_iter().map(number).collect::<Vec<_>>().join("  ");
     match glsl_type {
-        "samplerCube" => "unit 0: the laboratory's sky".to_owned(),
+        "samplerCube" => "unit 0: gonio's sky".to_owned(),
         "sampler2D" => "unit 1: white".to_owned(),
         "mat2" | "mat3" | "mat4" => {
             let side = glsl_type.bytes().last().map_or(4, |digit| usize::from(digit - b'0'));
@@ -179,7 +179,7 @@ mod tests {
         assert_eq!(written("float", &[32.0]), "32");
         // By columns in memory, by rows on paper.
         assert_eq!(written("mat2", &[1.0, 2.0, 3.0, 4.0]), "1  3\n2  4");
-        assert_eq!(written("samplerCube", &[0.0]), "unit 0: the laboratory's sky");
+        assert_eq!(written("samplerCube", &[0.0]), "unit 0: gonio's sky");
     }
 
     #[test]

@@ -102,7 +102,7 @@ fn term_words(state: TermState) -> &'static str {
     match state {
         TermState::Right => "right",
         TermState::Wrong => "wrong",
-        TermState::NotSeparable => "its strength is not given from outside, so it cannot be looked at alone",
+        TermState::NotSeparable => "its strength is not a uniform, so it cannot be tested alone",
     }
 }
 
@@ -154,7 +154,7 @@ fn told(verdict: &Verdict) -> String {
     if !verdict.peculiarities.is_empty() || !verdict.warnings.is_empty() {
         told.push(String::new());
     }
-    told.extend(verdict.peculiarities.iter().map(|known| format!("peculiar, and right: {}", line(&known.name))));
+    told.extend(verdict.peculiarities.iter().map(|known| format!("right, by another method: {}", line(&known.name))));
     told.extend(verdict.warnings.iter().map(|warning| format!("warning: {}", line(warning))));
     told.join("\n")
 }

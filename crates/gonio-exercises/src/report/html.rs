@@ -2,7 +2,9 @@
 
 use super::text::{count, escaped, escaped_line, line, percent, word, words};
 use crate::content_hash;
-use gonio_check::verdict::{CompilerMessage, FoundMistake, Outcome, PropertyState, PropertyVerdict, Verdict};
+use gonio_check::verdict::{
+    CompilerMessage, FoundMistake, Outcome, PropertyState, PropertyVerdict, Verdict, join_names,
+};
 use std::fmt::Write as _;
 
 /// Of a list that a student's file makes as long as it likes, no more is shown.
@@ -176,7 +178,8 @@ pub fn verdict_html(verdict: &Verdict, with_icon: bool) -> String {
     }
     facts.push(format!("Score {}", percent(verdict.score)));
     format!(
-        "<section class=\"verdict {}\">\n<h2>{}<span>{}</span></h2>\n<p class=\"summary\">{}</p>\n<p class=\"facts\">{}</p>\n</section>\n",
+        "<section class=\"verdict {}\">\n<h2>{}<span>{}</span></h2>\n<p class=\"summary\">{}</p>\n<p \
+         class=\"facts\">{}</p>\n</section>\n",
         word(verdict.verdict),
         if with_icon { Icon::for_outcome(verdict.verdict).svg() } else { String::new() },
         capital(words(verdict.verdict)),
@@ -205,7 +208,7 @@ pub fn mistakes_html(verdict: &Verdict) -> String {
     }
     let heading = match verdict.mistakes.len() {
         1 => "What is wrong".to_owned(),
-        several => format!("What is wrong: {several} things"),
+        several => format!("What is wrong: {several} mistakes"),
     };
     let together = verdict.mistakes.len() > 1;
     let each = |mistake: &FoundMistake| mistake_html(mistake, together);
@@ -231,10 +234,11 @@ fn mistake_html(mistake: &FoundMistake, together: bool) -> String {
             None => format!("<code>{}</code>", escaped_line(id)),
         };
         let others: Vec<String> = mistake.or.iter().take(MOST_SHOWN).map(name).collect();
-        let _ = writeln!(html, "<dt>Or else</dt><dd>{} (no picture tells these apart)</dd>", others.join("; or: "));
+        let _ =
+            writeln!(html, "<dt>Alternatives</dt><dd>{} (no picture distinguishes these)</dd>", others.join("; or: "));
     }
     if mistake.lab_does_it {
-        html.push_str("<dt>By the way</dt><dd>The lab’s own solutions do the same; the textbook does not.</dd>\n");
+        html.push_str("<dt>Note</dt><dd>The lab’s own solutions do the same; the textbook does not.</dd>\n");
     }
     let others = if together { "together with the others, it" } else { "it" };
     let facts = match mistake.share_explained > 0.0 {
@@ -257,24 +261,24 @@ fn nearest_html(verdict: &Verdict) -> String {
     let name =
         |id: &String| gonio_check::mistakes::find(id).map_or_else(|| escaped_line(id), |known| prose(&known.name));
     let names: Vec<String> = next.ids.iter().take(MOST_SHOWN).map(name).collect();
-    let (names, share) = (names.join("; and: "), percent(next.share_explained));
+    let (names, share) = (join_names(names.iter().map(String::as_str)), percent(next.share_explained));
     match verdict.mistakes.is_empty() {
         false => format!("<p class=\"next\">The next best explanation, with {share} of the difference: {names}.</p>\n"),
         true => format!(
-            "<p class=\"next\">The nearest that gonio knows explains only {share} of the difference, \
-             so it is no more than a hint: {names}.</p>\n"
+            "<p class=\"next\">The closest known mistake explains only {share} of the difference, so this is only a \
+             hint: {names}.</p>\n"
         ),
     }
 }
 
-/// What the compiler says.
+/// Compiler messages.
 pub fn messages_html(verdict: &Verdict) -> String {
     if verdict.messages.is_empty() {
         return String::new();
     }
-    let more = |more: usize| format!("<p>And {}. Mend the first ones first.</p>\n", count(more, "more", "more"));
+    let more = |more: usize| format!("<p>And {}. Fix the first ones first.</p>\n", count(more, "more", "more"));
     let messages = shown(&verdict.messages, message_html, more);
-    format!("<section class=\"messages\">\n<h2>What the compiler says</h2>\n{messages}</section>\n")
+    format!("<section class=\"messages\">\n<h2>Compiler messages</h2>\n{messages}</section>\n")
 }
 
 /// The explanation, where there is one, above the compiler's own words: these are seldom written for students.
@@ -285,13 +289,13 @@ fn message_html(message: &CompilerMessage) -> String {
     let is_long = said.chars().count() > LONGEST_SAID;
     match &message.explanation {
         Some(explanation) if is_long => format!(
-            "<article>\n{place}<p>{}</p>\n<div class=\"said\"><details><summary>In the compiler’s words</summary>\
+            "<article>\n{place}<p>{}</p>\n<div class=\"said\"><details><summary>Original message</summary>\
              <pre>{}</pre></details></div>\n</article>\n",
             prose(explanation),
             escaped(&said)
         ),
         Some(explanation) => format!(
-            "<article>\n{place}<p>{}</p>\n<div class=\"said\"><p>In the compiler’s words</p><pre>{}</pre></div>\n</article>\n",
+            "<article>\n{place}<p>{}</p>\n<div class=\"said\"><p>Original message</p><pre>{}</pre></div>\n</article>\n",
             prose(explanation),
             escaped(&said)
         ),
@@ -326,7 +330,7 @@ fn properties_html(verdict: &Verdict) -> String {
         format!("<li><strong>{word}</strong>: {}{scenes}</li>\n", prose(&property.sentence))
     };
     let list = shown(&tried, each, |more| format!("<li>And {more} more.</li>\n"));
-    format!("<section>\n<h2>Held against itself</h2>\n<ul class=\"notes\">\n{list}</ul>\n</section>\n")
+    format!("<section>\n<h2>Self-consistency</h2>\n<ul class=\"notes\">\n{list}</ul>\n</section>\n")
 }
 
 /// What holds without any reference, what is right in another way, and what may go wrong elsewhere.
@@ -340,7 +344,7 @@ pub fn notes_html(verdict: &Verdict) -> String {
         let list = shown(&verdict.peculiarities, each, more);
         let _ = write!(
             html,
-            "<section>\n<h2>Right, in a way of its own</h2>\n<ul class=\"notes\">\n{list}</ul>\n</section>\n"
+            "<section>\n<h2>Right, by another method</h2>\n<ul class=\"notes\">\n{list}</ul>\n</section>\n"
         );
     }
     if !verdict.warnings.is_empty() {

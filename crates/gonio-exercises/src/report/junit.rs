@@ -91,7 +91,7 @@ fn suite(label: &str, verdict: &Verdict) -> (String, Counts) {
                 End::Failure(format!("<failure message=\"the {} term is wrong\"/>", escaped_line(&term.term)))
             }
             TermState::NotSeparable => {
-                let message = "its strength is not given from outside, so it cannot be looked at alone";
+                let message = "its strength is not a uniform, so it cannot be tested alone";
                 End::Skipped(format!("<skipped message=\"{message}\"/>"))
             }
         };
@@ -112,7 +112,7 @@ fn suite(label: &str, verdict: &Verdict) -> (String, Counts) {
     let said: Vec<String> = verdict
         .peculiarities
         .iter()
-        .map(|peculiarity| format!("peculiar, and right: {}", escaped_line(&peculiarity.name)))
+        .map(|peculiarity| format!("right, by another method: {}", escaped_line(&peculiarity.name)))
         .chain(verdict.warnings.iter().map(|warning| format!("warning: {}", escaped_line(warning))))
         .collect();
     let said = match said.is_empty() {

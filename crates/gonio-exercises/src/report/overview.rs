@@ -24,7 +24,7 @@ pub fn overview(title: &str, rows: &[Row], similar: &[(String, String, f64)], sk
     body.push_str(&pairs(similar, &rows));
     body.push_str(&all(&rows, exercises.len() > 1));
     body.push_str(&not_checked(skipped));
-    body.push_str("<footer><p>Checked by gonio’s laboratory.</p></footer>\n");
+    body.push_str("<footer><p>Checked by gonio.</p></footer>\n");
     document(title, &body)
 }
 
@@ -65,7 +65,8 @@ fn verdicts(rows: &[&Row]) -> String {
         let bar = if number > 0 { bar(share) } else { "<span class=\"track\"></span>".to_owned() };
         let _ = writeln!(
             html,
-            "<li class=\"{}\"><span class=\"name\">{}<span>{}</span></span>{bar}<span class=\"count\">{number} <small>{}</small></span></li>",
+            "<li class=\"{}\"><span class=\"name\">{}<span>{}</span></span>{bar}<span class=\"count\">{number} \
+             <small>{}</small></span></li>",
             word(outcome),
             Icon::for_outcome(outcome).svg(),
             words(outcome),
@@ -94,7 +95,8 @@ fn mistakes(rows: &[&Row]) -> String {
     for (id, name, number) in sorted {
         let _ = writeln!(
             html,
-            "<li><span class=\"name\">{} <code>{}</code></span>{}<span class=\"count\">{number} <small>{}</small></span></li>",
+            "<li><span class=\"name\">{} <code>{}</code></span>{}<span class=\"count\">{number} \
+             <small>{}</small></span></li>",
             super::html::prose(name),
             escaped_line(id),
             bar(number as f64 / most as f64),
@@ -129,8 +131,9 @@ fn pairs(similar: &[(String, String, f64)], rows: &[&Row]) -> String {
         let _ = writeln!(html, "<tr>{}{}<td class=\"share\">{}</td></tr>", cell(a), cell(b), percent(*share));
     }
     html.push_str(
-        "</tbody>\n</table>\n<p class=\"hint\">How much of the two is the same, layout, comments and names aside, and without what the exercise \
-         hands out. It is a reason to look, not a proof: short right answers are alike.</p>\n</section>\n",
+        "</tbody>\n</table>\n<p class=\"hint\">The share of the two that is the same, ignoring layout, comments, \
+         names and the start files. It is a reason to look, not a proof: short right answers are \
+         alike.</p>\n</section>\n",
     );
     html
 }
@@ -139,7 +142,8 @@ fn all(rows: &[&Row], with_exercise: bool) -> String {
     let exercise = if with_exercise { "<th scope=\"col\">Exercise</th>" } else { "" };
     let mut html = format!(
         "<section class=\"all\">\n<h2>Submissions</h2>\n<table>\n<thead><tr><th scope=\"col\">Name</th>{exercise}<th scope=\"col\">Verdict</th>\
-         <th scope=\"col\" class=\"share\">Score</th><th scope=\"col\">What</th><th scope=\"col\" class=\"seconds\">Time</th></tr></thead>\n<tbody>\n"
+         <th scope=\"col\" class=\"share\">Score</th><th scope=\"col\">What</th><th scope=\"col\" \
+                     class=\"seconds\">Time</th></tr></thead>\n<tbody>\n"
     );
     for row in rows {
         let _ = write!(html, "<tr><th scope=\"row\">{}</th>", link(&row.submission));
@@ -149,7 +153,8 @@ fn all(rows: &[&Row], with_exercise: bool) -> String {
         let seconds = if row.seconds.is_finite() { row.seconds.max(0.0) } else { 0.0 };
         let _ = writeln!(
             html,
-            "<td><span class=\"outcome {}\">{}<span>{}</span></span></td><td class=\"share\">{}</td><td class=\"what\">{}</td><td class=\"seconds\">{seconds:.1} s</td></tr>",
+            "<td><span class=\"outcome {}\">{}<span>{}</span></span></td><td class=\"share\">{}</td><td \
+             class=\"what\">{}</td><td class=\"seconds\">{seconds:.1} s</td></tr>",
             word(row.verdict),
             Icon::for_outcome(row.verdict).svg(),
             words(row.verdict),

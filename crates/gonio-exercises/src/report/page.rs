@@ -33,7 +33,7 @@ pub fn page(label: &str, verdict: &Verdict, evidence: Option<&Evidence>) -> Stri
     body.push_str(&scenes(verdict, pictures.as_ref()));
     body.push_str(&notes_html(verdict));
     body.push_str(&bound(&verdict.bound));
-    body.push_str("<footer><p>Checked by gonio’s laboratory.</p></footer>\n");
+    body.push_str("<footer><p>Checked by gonio.</p></footer>\n");
     document(&format!("{label}: {}", super::text::words(verdict.verdict)), &body)
 }
 
@@ -46,7 +46,7 @@ fn terms(terms: &[TermVerdict]) -> String {
         let (class, icon, words) = match term.state {
             TermState::Right => ("right", Icon::Right, "right"),
             TermState::Wrong => ("wrong", Icon::Wrong, "wrong"),
-            TermState::NotSeparable => ("apart", Icon::None, "not looked at alone"),
+            TermState::NotSeparable => ("apart", Icon::None, "not tested alone"),
         };
         let _ = writeln!(
             html,
@@ -58,7 +58,7 @@ fn terms(terms: &[TermVerdict]) -> String {
     html.push_str("</ul>\n");
     if terms.iter().any(|term| term.state == TermState::NotSeparable) {
         html.push_str(
-            "<p class=\"hint\">A term can be looked at alone where its strength is a uniform, so that it can be set to 0 from outside.</p>\n",
+            "<p class=\"hint\">A term can be tested alone if its strength is a uniform, which can be set to 0.</p>\n",
         );
     }
     html.push_str("</section>\n");
@@ -96,7 +96,7 @@ fn caption(kind: PictureKind, verdict: &Verdict) -> &'static str {
         (PictureKind::Yours, _) => "Yours",
         (PictureKind::Reference, _) => "Reference",
         (PictureKind::Difference, _) => "Difference",
-        (PictureKind::Predicted, Outcome::Correct) => "Your way",
+        (PictureKind::Predicted, Outcome::Correct) => "Your method",
         (PictureKind::Predicted, _) => "Predicted",
     }
 }
@@ -105,7 +105,8 @@ fn caption(kind: PictureKind, verdict: &Verdict) -> &'static str {
 fn table(verdict: &Verdict, scenes: &[&SceneVerdict], pictures: Option<&Pictures<'_>>) -> String {
     let kinds = pictures.map(Pictures::kinds).unwrap_or_default();
     let mut html = String::from(
-        "<table role=\"table\">\n<thead role=\"rowgroup\"><tr role=\"row\"><th role=\"columnheader\" scope=\"col\">Scene</th>",
+        "<table role=\"table\">\n<thead role=\"rowgroup\"><tr role=\"row\"><th role=\"columnheader\" \
+         scope=\"col\">Scene</th>",
     );
     for kind in &kinds {
         let _ = write!(html, "<th role=\"columnheader\" scope=\"col\">{}</th>", caption(*kind, verdict));
@@ -143,7 +144,8 @@ fn scene_head(scene: &SceneVerdict) -> String {
         ),
     };
     format!(
-        "<th role=\"rowheader\" scope=\"row\"><span class=\"name {class}\">{}<span><b>{}</b> {class}</span></span><span class=\"shows\">{}</span>{measure}</th>",
+        "<th role=\"rowheader\" scope=\"row\"><span class=\"name {class}\">{}<span><b>{}</b> \
+         {class}</span></span><span class=\"shows\">{}</span>{measure}</th>",
         icon.svg(),
         escaped_line(&scene.scene),
         escaped_line(&scene.shows)
@@ -160,12 +162,12 @@ fn legend(verdict: &Verdict, pictures: &Pictures<'_>) -> String {
     let full = pictures.full;
     let more = if full < 1.0 { format!("{full} or more") } else { "1".to_owned() };
     let mut notes = vec![
-        "<li><span class=\"swatch nan\"></span>no number (NaN)</li>".to_owned(),
-        "<li><span class=\"swatch checker\"></span>nothing is drawn</li>".to_owned(),
+        "<li><span class=\"swatch nan\"></span>not a number (NaN)</li>".to_owned(),
+        "<li><span class=\"swatch checker\"></span>nothing drawn</li>".to_owned(),
     ];
     if pictures.kinds().contains(&PictureKind::Predicted) {
         let what = match (verdict.verdict, verdict.mistakes.len()) {
-            (Outcome::Correct, _) => "Your way: the reference, computed as yours is",
+            (Outcome::Correct, _) => "Your method: the reference, computed with your method",
             (_, 1) => "Predicted: what the mistake draws",
             _ => "Predicted: what the mistakes draw together",
         };
@@ -174,20 +176,21 @@ fn legend(verdict: &Verdict, pictures: &Pictures<'_>) -> String {
     notes.insert(
         0,
         format!(
-            "<li>Difference: 0 <span class=\"scale\" style=\"background: linear-gradient(90deg, {})\"></span> {more}</li>",
+            "<li>Difference: 0 <span class=\"scale\" style=\"background: linear-gradient(90deg, {})\"></span> \
+             {more}</li>",
             stops.join(", ")
         ),
     );
     let own_way = match verdict.peculiarities.is_empty() {
         true => "",
         false => {
-            " The reference has a way of its own: where yours is right in another way, the pictures may differ, \
-             and the scene is right all the same."
+            " The reference uses its own method: where yours is right by another method, the pictures may differ \
+             although the scene is right."
         }
     };
     format!(
-        "<ul class=\"legend\">\n{}\n</ul>\n<p class=\"hint\">Colours are taken as linear light and encoded for the screen (sRGB): \
-         a window that does not do so shows the same numbers darker.{own_way}</p>\n",
+        "<ul class=\"legend\">\n{}\n</ul>\n<p class=\"hint\">Colours are linear light, encoded as sRGB for the \
+         screen: a window without that encoding shows the same numbers darker.{own_way}</p>\n",
         notes.join("\n")
     )
 }
@@ -200,7 +203,7 @@ fn bound(bound: &[BoundVariable]) -> String {
     let each = |variable: &BoundVariable| {
         let (class, role) = match &variable.role {
             Some(role) => ("", format!("<code>{}</code>", escaped_line(role))),
-            None => (" class=\"unknown\"", format!("{}nothing that gonio knows: it holds 0", Icon::Unsure.svg())),
+            None => (" class=\"unknown\"", format!("{}unrecognised, set to 0", Icon::Unsure.svg())),
         };
         format!(
             "<tr{class}><th scope=\"row\"><code>{}</code></th><td><code>{}</code></td><td>{role}</td></tr>\n",
@@ -211,15 +214,15 @@ fn bound(bound: &[BoundVariable]) -> String {
     let rows = shown(bound, each, |more| format!("<tr><td colspan=\"3\">And {more} more.</td></tr>\n"));
     let (open, said) = match unknown {
         0 => ("", String::new()),
-        some => (" open", format!(", {some} unknown")),
+        some => (" open", format!(", {some} unrecognised")),
     };
     let hint = match unknown {
         0 => "",
-        _ => "<p class=\"hint\">A file <code>names.toml</code> beside the shaders can say what these are.</p>\n",
+        _ => "<p class=\"hint\">A file <code>names.toml</code> beside the shaders can assign their roles.</p>\n",
     };
     format!(
-        "<section class=\"bound\">\n<h2>What was bound to what</h2>\n<details{open}>\n<summary>{}{said}</summary>\n\
-         <table>\n<thead><tr><th scope=\"col\">Name</th><th scope=\"col\">Type</th><th scope=\"col\">Taken for</th></tr></thead>\n\
+        "<section class=\"bound\">\n<h2>Variables and their roles</h2>\n<details{open}>\n<summary>{}{said}</summary>\n\
+         <table>\n<thead><tr><th scope=\"col\">Name</th><th scope=\"col\">Type</th><th scope=\"col\">Role</th></tr></thead>\n\
          <tbody>\n{rows}</tbody>\n</table>\n{hint}</details>\n</section>\n",
         count(bound.len(), "variable", "variables")
     )

@@ -26,7 +26,7 @@ fn srgb(linear: f32) -> u8 {
 }
 
 /// What is drawn at a pixel: opaque, [`NAN_COLOUR`] where a channel is no number, nothing where nothing is drawn. A student's
-/// alpha is left aside: the lab does not blend.
+/// alpha is ignored: the lab does not blend.
 fn shown(pixel: &[f32; 4]) -> [u8; 4] {
     match pixel {
         pixel if !Atlas::is_drawn(pixel) => [0; 4],

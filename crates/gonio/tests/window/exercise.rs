@@ -151,7 +151,7 @@ fn ones_own_files_are_opened_in_place_followed_on_the_disk_and_saved_where_they_
     window.write("photo.dat", "\u{0}\u{1}");
     open(&mut window, "photo.dat");
     let state = window.wait("the sentence", |s| s["error"].is_string());
-    assert!(state["error"].as_str().unwrap().starts_with("photo.dat is nothing that ex04 reads"), "{}", state["error"]);
+    assert!(state["error"].as_str().unwrap().starts_with("ex04 does not read photo.dat"), "{}", state["error"]);
     assert_eq!(state["exercise"]["file"], "start.frag");
 }
 

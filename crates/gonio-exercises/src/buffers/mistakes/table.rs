@@ -17,15 +17,15 @@ const fn mistake(
 pub(in super::super) static MISTAKES: [Mistake; 38] = [
     mistake(
         "indices-from-0",
-        "Indices are taken to count from 0",
-        "An OBJ file counts its vertices, texture coordinates and normals from 1. Taken as places in an array that starts \
-         at 0, every index leads one too far, and the last one behind the end.",
-        "Take 1 away from each index before you use it.",
+        "Indices are treated as counting from 0",
+        "An OBJ file counts its vertices, texture coordinates and normals from 1. Used as indices into an array that \
+         starts at 0, each one is off by one, and the last one is out of range.",
+        "Subtract 1 from each index before you use it.",
         &[|r| r.from_zero = [true; 3]],
     ),
     mistake(
         "tex-coord-and-normal-swapped",
-        "vt and vn change places in f",
+        "vt and vn are swapped in f",
         "The corners of a face are v/vt/vn, in this order. Here the second number leads into the normals and the third \
          into the texture coordinates.",
         "Take the second number of a corner for vt, the third for vn.",
@@ -37,9 +37,9 @@ pub(in super::super) static MISTAKES: [Mistake; 38] = [
             "v-flipped",
             "v is 1 - v",
             "v runs from the bottom to the top in an OBJ file, and here from the top down. That is right if pictures are \
-             loaded with their first row first and not flipped; else textures stand on their heads.",
-            "Hand v to OpenGL as the file has it and flip the picture when loading it, \
-             stbi_set_flip_vertically_on_load(true); or keep it so, but only one of both.",
+             loaded with their first row first and not flipped; otherwise textures are upside down.",
+            "Pass v to OpenGL as in the file and flip the picture when loading it, \
+             stbi_set_flip_vertically_on_load(true); or keep it so, but do only one of the two.",
             &[|r| r.flip_v = true],
         )
     },
@@ -61,7 +61,7 @@ pub(in super::super) static MISTAKES: [Mistake; 38] = [
     mistake(
         "quads-as-triangles",
         "Corner 4 of a quad starts the next triangle",
-        "All corners of all faces stand in one row and every three are drawn as a triangle. After the first quad the \
+        "All corners of all faces form one list, and every three are drawn as a triangle. After the first quad the \
          triangles join corners of different faces.",
         "Finish each line f by itself: cut it into triangles before reading the next one.",
         &[|r| r.polygons = Polygons::Stream],
@@ -85,7 +85,8 @@ pub(in super::super) static MISTAKES: [Mistake; 38] = [
         "A concave polygon is cut as a fan",
         "Triangles of corners 1, i, i + 1 cover a polygon only if it has no corner that points inwards. Here some lie outside of \
          it, turned over.",
-        "Cut ears: a corner that turns outwards and whose triangle holds no other corner. Or triangulate in Blender's export.",
+        "Cut ears: a corner that turns outwards and whose triangle holds no other corner. Or triangulate in \
+         Blender's export.",
         &[|r| r.polygons = Polygons::Fan],
     ),
     mistake(
@@ -157,42 +158,42 @@ pub(in super::super) static MISTAKES: [Mistake; 38] = [
         "1 is taken away from negative indices too",
         "Positive indices count from 1 and need 1 taken away; negative ones count back from the end and need none. Here -1 \
          leads to the last but one.",
-        "Take 1 away from positive indices only.",
+        "Subtract 1 from positive indices only.",
         &[|r| r.negative = Negative::OneTooFar],
     ),
     mistake(
         "normal-indices-from-0",
-        "Only the indices of normals are taken to count from 0",
+        "Only the indices of normals are treated as counting from 0",
         "Positions are right, but the normals' index is used without taking 1 away: each corner has the next normal.",
-        "Take 1 away from the third number of a corner too.",
+        "Subtract 1 from the third number of a corner too.",
         &[|r| r.from_zero[2] = true],
     ),
     mistake(
         "tex-coord-indices-from-0",
-        "Only the indices of texture coordinates are taken to count from 0",
+        "Only the indices of texture coordinates are treated as counting from 0",
         "Positions are right, but the texture coordinates' index is used without taking 1 away: each corner has the next \
          one.",
-        "Take 1 away from the second number of a corner too.",
+        "Subtract 1 from the second number of a corner too.",
         &[|r| r.from_zero[1] = true],
     ),
     mistake(
         "position-indices-from-0",
-        "Only the indices of positions are taken to count from 0",
+        "Only the indices of positions are treated as counting from 0",
         "Texture coordinates and normals are right, but the positions' index is used without taking 1 away.",
-        "Take 1 away from the first number of a corner too.",
+        "Subtract 1 from the first number of a corner too.",
         &[|r| r.from_zero[0] = true],
     ),
     mistake(
         "u-and-v-swapped",
-        "u and v change places",
-        "A line vt is u, then v. Here they stand in the buffer the other way round, and textures lie on their sides.",
+        "u and v are swapped",
+        "A line vt is u, then v. Here they are swapped in the buffer, and textures appear on their sides.",
         "Write the first number of vt first.",
         &[|r| r.swap_uv = true],
     ),
     mistake(
         "y-and-z-swapped",
-        "y and z change places",
-        "The buffer has x, z, y: the model lies on its back, and being mirrored it is seen from inside.",
+        "y and z are swapped",
+        "The buffer has x, z, y: the model lies on its back, mirrored, so that its inside is visible.",
         "Write the numbers of v and vn in the file's order. To turn a model use the model matrix.",
         &[|r| r.axes = Axes::SwappedYz],
     ),
@@ -205,23 +206,23 @@ pub(in super::super) static MISTAKES: [Mistake; 38] = [
     ),
     mistake(
         "winding-reversed",
-        "Triangles turn the other way round",
-        "The corners of a face stand counter-clockwise seen from the front. Here each triangle has two of them swapped: \
+        "Triangles have the opposite winding",
+        "The corners of a face are counter-clockwise seen from the front. Here each triangle has two of them swapped: \
          with face culling its front is not drawn.",
         "Keep the corners' order: 1, i, i + 1.",
         &[|r| r.turned_over = true],
     ),
     mistake(
         "faces-ignored",
-        "The faces are not followed: v, vt and vn stand in the file's order",
-        "The lists v, vt and vn are put side by side as they are. Which of them belong together, and which three make a \
-         triangle, is what the lines f say.",
+        "The faces are ignored: v, vt and vn are in the file's order",
+        "The lists v, vt and vn are combined by position. The f lines define which of them belong together, and \
+         which three form a triangle.",
         "For each corner of each line f, append the position, texture coordinate and normal that it names.",
         &[|r| r.order = Order::FacesIgnored],
     ),
     mistake(
         "indices-not-applied",
-        "Each different vertex stands in the buffer once, without its indices",
+        "Each distinct vertex is in the buffer once, without its indices",
         "These are the vertices for glDrawElements, without the element indices that join them to triangles.",
         "Write one row for each corner of each triangle, or hand in JSON with \"vertices\" and \"indices\".",
         &[|r| r.order = Order::EachOnce],
@@ -229,7 +230,8 @@ pub(in super::super) static MISTAKES: [Mistake; 38] = [
     mistake(
         "one-normal-per-face",
         "All corners of a face have its first corner's normal",
-        "Each corner names its own normal. Here the first corner's is used for the whole face, and round models get facets.",
+        "Each corner names its own normal. Here the first corner's is used for the whole face, and round models get \
+         facets.",
         "Use the third number of each corner.",
         &[|r| r.normal = From::FirstCorner],
     ),
@@ -257,7 +259,7 @@ pub(in super::super) static MISTAKES: [Mistake; 38] = [
     ),
     mistake(
         "indices-anew-in-each-object",
-        "Indices are counted anew in each object",
+        "Indices restart in each object",
         "Indices count through the whole file, objects or not. Here they are added to the place where the object's own \
          vertices begin.",
         "Do not start counting again at a line o.",
@@ -267,19 +269,20 @@ pub(in super::super) static MISTAKES: [Mistake; 38] = [
         "first-lines-skipped",
         "The first line of each kind is skipped",
         "The first v, vt, vn and f are missing: everything is one place off, and one face is lost.",
-        "Look at how your loop starts: a line is read before it, or a first element is passed over.",
+        "Check how your loop starts: a line is read before it, or the first element is skipped.",
         &[|r| r.skips_first = true],
     ),
     mistake(
         "last-face-lost",
         "The last face is missing",
-        "All faces but the last are in the buffer: the loop ends one too early, or needs a line end after the last line.",
+        "All faces but the last are in the buffer: the loop ends one too early, or needs a line end after the last \
+         line.",
         "Handle a line before asking whether there is another: while (std::getline(file, line)).",
         &[|r| r.loses_last_face = true],
     ),
     mistake(
         "numbers-truncated",
-        "Numbers lose what is behind the point",
+        "Numbers lose their fraction",
         "0.625 arrives as 0. The numbers are read as whole ones (int, atoi), or by a function that expects a decimal comma \
          and stops at the point.",
         "Read floats, and set no locale of your own: setlocale(LC_NUMERIC, \"C\"), std::locale::classic().",
@@ -295,9 +298,9 @@ pub(in super::super) static MISTAKES: [Mistake; 38] = [
     ),
     mistake(
         "empty-slot-passed-over",
-        "v//vn is taken for v/vt",
+        "v//vn is read as v/vt",
         "Where a corner is v//vn, its second slot is empty. Here empty slots vanish when the corner is split, and the normal's \
-         index is taken for the texture coordinate's.",
+         index is used for the texture coordinate's.",
         "Split at each `/` and keep empty parts.",
         &[|r| r.slots = SlotUse::EmptyPassedOver],
     ),

@@ -33,14 +33,14 @@ fn vertex_arrays(case: &Case<'_>, found: &mut Vec<Suspect>) {
             Some(name) => {
                 let made = case.first(|call| matches!(call, Call::Generate { name: n, .. } if n == name)).unwrap_or(0);
                 let fix = format!("write `bind_vertex_array {name}` after it");
-                let said = format!("`{name}` is made and never bound");
+                let said = format!("`{name}` is created but never bound");
                 let corrected = case.inserted(first_for.max(made + 1), [bound]);
                 case.suspect("vertex-array-not-bound", made, said, fix, corrected)
             }
             None => {
                 let made = Call::Generate { name: array, kind: ObjectKind::VertexArray };
                 let fix = "write `array = gen_vertex_array` and `bind_vertex_array array` before it";
-                let said = "there is no vertex array that could keep what is said here";
+                let said = "no vertex array is bound to store this setting";
                 case.suspect("vertex-array-missing", first_for, said, fix, case.inserted(first_for, [made, bound]))
             }
         });
@@ -74,7 +74,7 @@ fn vertex_arrays(case: &Case<'_>, found: &mut Vec<Suspect>) {
     for (at, step) in case.before() {
         if at != last && matches!(&step.call, Call::BindVertexArray(Number::Literal(0))) {
             let said = "0 unbinds the vertex array, and what follows is meant for it";
-            found.push(case.suspect("vertex-array-unbound", at, said, "leave it out", case.without(at)));
+            found.push(case.suspect("vertex-array-unbound", at, said, "remove it", case.without(at)));
         }
     }
 }
@@ -96,7 +96,7 @@ fn buffers(case: &Case<'_>, found: &mut Vec<Suspect>) {
                     case.first(|call| matches!(call, Call::Generate { name, .. } if name == buffer)).unwrap_or(0);
                 let call = Call::BindBuffer { target: vertices, buffer: Number::Variable(buffer.to_owned()) };
                 let fix = format!("write `bind_buffer ARRAY_BUFFER {buffer}` after it");
-                let said = format!("`{buffer}` is made and never bound to ARRAY_BUFFER");
+                let said = format!("`{buffer}` is created but never bound to ARRAY_BUFFER");
                 let corrected = case.inserted(first_for.max(made + 1), [call]);
                 found.push(case.suspect("buffer-not-bound", made, said, fix, corrected));
             }
@@ -114,7 +114,7 @@ fn buffers(case: &Case<'_>, found: &mut Vec<Suspect>) {
         let Call::BindBuffer { target, buffer: Number::Literal(0) } = &step.call else { continue };
         let said = format!("0 unbinds the buffer of {}, and what follows refers to none", target.name);
         let id = if *target == vertices { "buffer-unbound" } else { "index-buffer-not-bound" };
-        found.push(case.suspect(id, at, said, "leave it out", case.without(at)));
+        found.push(case.suspect(id, at, said, "remove it", case.without(at)));
     }
     filled(case, found);
 }

@@ -32,14 +32,14 @@ fn program(case: &Case<'_>, found: &mut Vec<Suspect>) {
         .collect();
     if uses.is_empty() {
         let corrected = case.inserted(made + 1, [Call::UseProgram(right.clone())]);
-        let said = format!("`{name}` is created and never put to use");
+        let said = format!("`{name}` is created but never used");
         let fix = format!("write `use_program {name}` before the uniforms and the draw");
         found.push(case.suspect("program-not-used", made, said, fix, corrected));
     }
     for (at, number) in uses {
         if *number == Number::Literal(0) {
-            let said = "0 puts no program to use, and the draw that follows has none";
-            found.push(case.suspect("program-switched-off", at, said, "leave it out", case.without(at)));
+            let said = "0 unbinds the program, and the draw that follows has none";
+            found.push(case.suspect("program-switched-off", at, said, "remove it", case.without(at)));
         } else if *number != right {
             let corrected = case.replaced(at, Call::UseProgram(right.clone()));
             let said = format!("this is not the number of `{name}`");
@@ -69,7 +69,7 @@ fn clears(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let first_draw = case.first(Call::draws).unwrap_or(case.steps.len());
     let clears: Vec<usize> = (0..case.steps.len()).filter(|at| clears_color(&case.steps[*at].call)).collect();
     for &at in clears.iter().filter(|at| **at > first_draw) {
-        let said = format!("what was drawn in line {} is wiped out", case.line(first_draw));
+        let said = format!("this clears what line {} has drawn", case.line(first_draw));
         let corrected = case.moved(at, first_draw);
         found.push(case.suspect("clear-after-draw", at, said, "write it before the draw", corrected));
     }
@@ -114,7 +114,7 @@ fn switches(case: &Case<'_>, found: &mut Vec<Suspect>) {
         let Call::Switch { what, on: true } = &step.call else { continue };
         if what.name == "CULL_FACE" {
             let said = "the triangle's corners go clockwise, and CULL_FACE leaves such triangles out";
-            found.push(case.suspect("culled", at, said, "leave it out", case.without(at)));
+            found.push(case.suspect("culled", at, said, "remove it", case.without(at)));
         }
     }
 }

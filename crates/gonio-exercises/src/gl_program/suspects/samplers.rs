@@ -44,7 +44,7 @@ pub fn suspect(case: &Case<'_>, found: &mut Vec<Suspect>) {
             UniformArgument::Floats(_) => {
                 for &unit in &units {
                     let fix = format!("write `uniform_1i {uniform} {unit}`");
-                    let said = format!("`{uniform}` is a sampler, and a sampler is a whole number");
+                    let said = format!("`{uniform}` is a sampler, and a sampler is an integer");
                     let corrected = case.replaced(at, set(uniform, unit));
                     found.push(case.suspect("uniform-type-wrong", at, said, fix, corrected));
                 }
@@ -139,7 +139,7 @@ fn active_number(case: &Case<'_>, found: &mut Vec<Suspect>) {
             Number::Variable(_) => 0,
         };
         let unit = texture_unit(unit).unwrap_or(known("TEXTURE0"));
-        let said = format!("a plain number is no unit, and OpenGL refuses it; {} is one", unit.name);
+        let said = format!("a plain number is not a unit, and OpenGL rejects it; {} is one", unit.name);
         let corrected = case.replaced(at, Call::ActiveTexture(Selector::Constant(unit)));
         found.push(case.suspect("active-texture-number", at, said, format!("write {}", unit.name), corrected));
     }

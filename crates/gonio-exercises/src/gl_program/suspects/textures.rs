@@ -96,7 +96,7 @@ fn bindings(case: &Case<'_>, found: &mut Vec<Suspect>) {
         let Call::BindTexture { target, texture } = &case.steps[at].call else { continue };
         if *texture == Number::Literal(0) {
             let said = "0 unbinds the texture, and the draw reads an empty unit";
-            found.push(case.suspect("texture-unbound", at, said, "leave it out", case.without(at)));
+            found.push(case.suspect("texture-unbound", at, said, "remove it", case.without(at)));
             continue;
         }
         if binds.len() > 1 && binds.first() != Some(&at) {
@@ -104,7 +104,7 @@ fn bindings(case: &Case<'_>, found: &mut Vec<Suspect>) {
             let said = "this texture takes the place of the one that is to be drawn, for the same unit is active";
             let fix = "call active_texture with another unit before it";
             found.push(case.suspect("other-texture-bound", at, said, fix, case.inserted(at, [free])));
-            let fix = "leave it out";
+            let fix = "remove it";
             found.push(case.suspect("other-texture-bound", at, said, fix, case.without(at)));
         }
         for name in &textures {
@@ -125,7 +125,7 @@ fn filters(case: &Case<'_>, found: &mut Vec<Suspect>) {
             if parameter.name.ends_with("LEVEL") {
                 let said =
                     format!("with this {} the levels that are there are not the ones that are read", parameter.name);
-                found.push(case.suspect("level-range-wrong", at, said, "leave it out", case.without(at)));
+                found.push(case.suspect("level-range-wrong", at, said, "remove it", case.without(at)));
             }
             continue;
         };
@@ -133,13 +133,13 @@ fn filters(case: &Case<'_>, found: &mut Vec<Suspect>) {
             let parameter = known("TEXTURE_MIN_FILTER");
             let call = Call::TexParameter { target: *target, parameter, value: value.clone() };
             let said =
-                format!("OpenGL refuses {} for TEXTURE_MAG_FILTER, and TEXTURE_MIN_FILTER stays what it was", set.name);
+                format!("OpenGL rejects {} for TEXTURE_MAG_FILTER, and TEXTURE_MIN_FILTER stays what it was", set.name);
             found.push(case.suspect("filter-refused", at, said, "write TEXTURE_MIN_FILTER", case.replaced(at, call)));
         }
         if case.refused(at).is_some() && parameter.name == "TEXTURE_MIN_FILTER" {
             let value = Selector::Constant(known("LINEAR"));
             let call = Call::TexParameter { target: *target, parameter: *parameter, value };
-            let said = format!("OpenGL refuses {}, and TEXTURE_MIN_FILTER stays what it was", set.name);
+            let said = format!("OpenGL rejects {}, and TEXTURE_MIN_FILTER stays what it was", set.name);
             found.push(case.suspect("filter-refused", at, said, "write LINEAR", case.replaced(at, call)));
         }
     }
@@ -155,14 +155,14 @@ fn mipmaps(case: &Case<'_>, found: &mut Vec<Suspect>) {
             Some((_, step)) => case.suspect(
                 "mipmaps-missing",
                 image,
-                format!("the filter set in line {} wants mipmaps, and this image has none", step.line),
+                format!("the filter set in line {} needs mipmaps, and this image has none", step.line),
                 "write `generate_mipmap TEXTURE_2D` after it, or take the filter LINEAR",
                 corrected,
             ),
             None => case.suspect(
                 "filter-never-set",
                 image,
-                "TEXTURE_MIN_FILTER is never set, so it wants mipmaps, and this image has none",
+                "TEXTURE_MIN_FILTER is never set, so it needs mipmaps, and this image has none",
                 "write `tex_parameter TEXTURE_2D TEXTURE_MIN_FILTER LINEAR`, or `generate_mipmap TEXTURE_2D` after it",
                 corrected,
             ),

@@ -83,7 +83,7 @@ fn enabled(case: &Case<'_>, found: &mut Vec<Suspect>) {
     for (at, step) in case.before() {
         if let Call::SwitchAttribute { attribute, on: false } = &step.call {
             let said = format!("`{attribute}` is disabled before the draw in line {}", case.line(case.draw));
-            found.push(case.suspect("attribute-disabled", at, said, "leave it out", case.without(at)));
+            found.push(case.suspect("attribute-disabled", at, said, "remove it", case.without(at)));
         }
     }
 }
@@ -169,7 +169,7 @@ fn repeated_names(case: &Case<'_>, found: &mut Vec<Suspect>) {
             if let Some(name) = name_of_mut(&mut call) {
                 meant.clone_into(name);
             }
-            let said = format!("`{name}` stands here, and nothing is said of `{meant}`");
+            let said = format!("`{name}` is used here, and `{meant}` is never described");
             let corrected = case.replaced(at, call);
             found.push(case.suspect("attribute-name-wrong", at, said, format!("write `{meant}`"), corrected));
         }
@@ -202,7 +202,7 @@ fn numbers(case: &Case<'_>, found: &mut Vec<Suspect>) {
                 let call = Call::Data { name: name.clone(), numbers: right.clone() };
                 let said = format!("`{name}` does not hold the exercise's numbers");
                 let corrected = case.replaced(at, call);
-                found.push(case.suspect("data-changed", at, said, "put them back as they were", corrected));
+                found.push(case.suspect("data-changed", at, said, "restore the original numbers", corrected));
             }
         }
     }

@@ -97,7 +97,7 @@ fn errors_have_a_place_and_say_what_to_do() {
         ("gen_texture", 1, "nothing keeps what `gen_texture` returns", "write `name = gen_texture`"),
         ("x = clear COLOR_BUFFER_BIT", 1, "`clear` returns nothing that `x` could keep", "write `clear` alone"),
         ("x=gen_texture", 1, "blanks are missing around `=`", "name = call"),
-        ("viewport 0 0 1.5 2", 14, "`1.5` is no whole number", "write a whole number"),
+        ("viewport 0 0 1.5 2", 14, "`1.5` is not a whole number", "write a whole number"),
         ("viewport 0 0 99999999999 2", 14, "`99999999999` is too large", ""),
         ("clear_color nan 0 0 0", 13, "`nan` is no number", ""),
         ("clear_color 1e99 0 0 0", 13, "`1e99` is no number", ""),
@@ -111,8 +111,8 @@ fn errors_have_a_place_and_say_what_to_do() {
         ("buffer_data ARRAY_BUFFER c STATIC_DRAW", 26, "there is no `c` yet", "data NAME ... end"),
         ("vertex_attrib_pointer p 3 FLOAT false 0 0", 33, "`false` is neither TRUE nor FALSE", "write FALSE"),
         ("enable_vertex_attrib_array 0", 28, "`0` names no variable of a shader", "the name that it has in the shader"),
-        ("", 1, "there is no call in it", ""),
-        ("# nothing\n\n", 1, "there is no call in it", ""),
+        ("", 1, "the program has no calls", ""),
+        ("# nothing\n\n", 1, "the program has no calls", ""),
     ];
     for (text, column, message, help) in cases {
         let first = errors(text).remove(0);

@@ -148,7 +148,7 @@ fn class_of(trees: &[Tree], exercise: &Exercise, requested: Submissions) -> Resu
                 label = outer.name.clone();
             }
             let rest = level.iter().enumerate().filter(|(other, _)| *other != at);
-            skipped.extend(rest.map(|(_, tree)| format!("{} (it holds no answer)", tree.name)));
+            skipped.extend(rest.map(|(_, tree)| format!("{} (it contains no answer)", tree.name)));
             level = match outer.children() {
                 Ok(children) => children,
                 // Gathering it reports the reason.

@@ -121,7 +121,7 @@ fn a_class_is_found_in_folders_in_a_zip_and_in_a_flat_download() {
     for place in [in_folders.path().join("class"), in_folders.path().to_owned(), in_a_zip.path().join("class.zip")] {
         let class = class_at(&place);
         assert_eq!(labels(&class), ["anna", "ben", "cyd"], "{place:?}");
-        assert_eq!(class.skipped, ["list.txt (it holds no answer)"]);
+        assert_eq!(class.skipped, ["list.txt (it contains no answer)"]);
         assert_eq!(names(&class.submissions[1].gather()), ["ben.zip/a.frag", "ben.zip/a.vert"]);
     }
     let class = class_at(side_by_side.path());
