@@ -5,7 +5,7 @@
 
 use crate::measure::{self, Cost};
 use crate::{Places, peers, table};
-use gonio_environment::convert::{Conversion, Filter, From};
+use gonio_environment::convert::{Conversion, EnvironmentRef, Filter};
 use gonio_environment::{Cubemap, Panorama, SimdLevel, builtin};
 use gonio_image::encode::png::{self, Depth};
 use gonio_light::color::OutputTransform;
@@ -74,7 +74,9 @@ fn ours(level: SimdLevel, panorama: &Panorama, map: &mut Cubemap, repeats: usize
     let conversion = Conversion { filter: Some(Filter::Bilinear), ..Conversion::default() };
     let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().map_err(|e| e.to_string())?;
     let ((), cost) = measure::here(|| {
-        one.install(|| (0..repeats).for_each(|_| conversion.fill_cubemap_at(level, From::Panorama(panorama), map)));
+        one.install(|| {
+            (0..repeats).for_each(|_| conversion.fill_cubemap_at(level, EnvironmentRef::Panorama(panorama), map))
+        });
     });
     Ok(cost.cpu_s / repeats as f64)
 }
@@ -224,7 +226,7 @@ fn panorama_png(folder: &Path) -> Result<PathBuf, String> {
     }
     let room = builtin::room().map_err(|e| e.to_string())?;
     let conversion = Conversion { filter: Some(Filter::Bicubic), ..Conversion::default() };
-    let mut large = conversion.panorama(From::Panorama(&room), 4096, 2048);
+    let mut large = conversion.panorama(EnvironmentRef::Panorama(&room), 4096, 2048);
     let mut state = 1_u32;
     for pixel in &mut large.image.pixels {
         for value in &mut pixel[..3] {

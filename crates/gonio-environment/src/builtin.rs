@@ -1,6 +1,6 @@
 //! Environments that gonio brings along, by name.
 
-use crate::convert::{Conversion, From};
+use crate::convert::{Conversion, EnvironmentRef};
 use crate::debug::debug;
 use crate::face::Layout;
 use crate::sky::Sky;
@@ -43,14 +43,14 @@ impl Builtin {
         match self {
             Builtin::Debug => Ok(debug(size, layout)),
             Builtin::Sky => Ok(Sky::default().cubemap(size)),
-            Builtin::Room => Ok(Conversion::default().cubemap(From::Panorama(&room()?), size)),
+            Builtin::Room => Ok(Conversion::default().cubemap(EnvironmentRef::Panorama(&room()?), size)),
         }
     }
 }
 
 /// The room as a panorama. On the web an error: there the room is a file of the page, for [`room_from`].
 pub fn room() -> Result<Panorama, EnvironmentError> {
-    let missing = || EnvironmentError::new("the room is still on its way to this page; try again in a moment");
+    let missing = || EnvironmentError::new("the room is still being downloaded; try again in a moment");
     room_from(ROOM.ok_or_else(missing)?)
 }
 
@@ -59,7 +59,7 @@ pub fn room_from(bytes: &[u8]) -> Result<Panorama, EnvironmentError> {
     let decoded = decode("room.hdr", bytes, &Limits::default())?;
     match decoded.shape {
         Shape::Picture(image) => Panorama::new(image),
-        Shape::Faces(_) => Err(EnvironmentError::new("the built-in room is no panorama")),
+        Shape::Faces(_) => Err(EnvironmentError::new("the built-in room is not a panorama")),
     }
 }
 

@@ -1,8 +1,8 @@
 //! Certifies six faces: do the twelve edges meet, and if not, which faces are mirrored, turned or swapped?
 //!
-//! What edges cannot tell, and is said: the two layouts of faces, and any world and its mirror image, have the same edges;
-//! so has the world turned as a whole. Of all arrangements that fit, the one that changes the fewest faces is proposed. A face
-//! along whose edges nothing changes may lie any way.
+//! Edges cannot tell everything: the two layouts of faces have the same edges, and so have a world, its mirror image and
+//! the world turned as a whole. Of all arrangements that fit, the one that changes the fewest faces is proposed. A face along
+//! whose edges nothing changes fits in any orientation.
 
 use crate::EnvironmentError;
 use crate::cubemap::check_sizes;
@@ -32,7 +32,7 @@ pub struct Edge {
     pub across: f64,
     /// The same between the two outermost rows inside the faces: across a good edge it is as large.
     pub inside: f64,
-    /// Whether the picture goes on across it.
+    /// Whether the picture continues across it.
     pub meets: bool,
 }
 
@@ -43,44 +43,46 @@ impl Edge {
     }
 }
 
-/// What the edges say.
+/// How well six faces fit together, by their edges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
+pub enum FaceFit {
     /// The faces fit as they are.
     Fits,
-    /// Other arrangements fit, this one does not.
+    /// Another arrangement fits, but not this one.
     Misplaced,
     /// The edges meet in no arrangement: the faces are not one continuous picture.
     NeverMeets,
-    /// Too little changes along the edges to tell anything.
+    /// Too little changes along the edges to decide.
     TooPlain,
 }
 
-/// What is known of six faces after [`check`].
+/// The result of [`check`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Certificate {
-    /// The layout that the files were said to be in. Edges cannot tell whether they are.
+    /// The layout given by the caller. Edges cannot confirm it.
     pub layout: Layout,
     /// The twelve edges as given.
     pub edges: Vec<Edge>,
-    /// What they say.
-    pub verdict: Verdict,
-    /// What to do; nothing unless the verdict is [`Verdict::Misplaced`].
+    /// How well the faces fit together.
+    pub fit: FaceFit,
+    /// The repair; nothing unless the fit is [`FaceFit::Misplaced`].
     pub repair: Repair,
-    /// What else could be done, and fits exactly as well: what leaves the same world turned as a whole and changes as few
-    /// faces, and last what leaves its mirror image (the right one if text is reversed after `repair`). Empty unless the
-    /// verdict is [`Verdict::Misplaced`].
+    /// Repairs that fit equally well: those that leave the same world turned as a whole and change as few faces, and last
+    /// the one that leaves its mirror image (the right one if text is reversed after `repair`). Empty unless the
+    /// fit is [`FaceFit::Misplaced`].
     pub alternatives: Vec<Repair>,
-    /// Faces that could lie otherwise and fit as well: nothing changes along their edges.
+    /// Faces that fit in other orientations too, because nothing changes along their edges.
     pub undecided: Vec<Face>,
     /// How many times worse than the repaired arrangement the next best one fits that moves a face that is decided: above
     /// 1.15, and the larger the surer.
     pub margin: f64,
 }
 
-/// Checks six pictures, in the order of [`Face::ALL`] by their names, in the layout that they are said to be in.
+/// Checks six pictures, in the order of [`Face::ALL`] by their names, in the given layout.
 ///
-/// An error where they are not square or not of one size. Takes a few milliseconds, up to a tenth of a second where nothing
+/// # Errors
+///
+/// Pictures that are not square, or not of one size. Takes a few milliseconds, up to a tenth of a second where nothing
 /// fits.
 pub fn check(faces: &[Image; 6], layout: Layout) -> Result<Certificate, EnvironmentError> {
     check_sizes(faces)?;
@@ -94,10 +96,10 @@ pub fn check(faces: &[Image; 6], layout: Layout) -> Result<Certificate, Environm
             Edge { faces: (Face::ALL[a], Face::ALL[b]), across, inside, meets: misfit < MEETS }
         })
         .collect();
-    let plain = |verdict, undecided| Certificate {
+    let plain = |fit, undecided| Certificate {
         layout,
         edges: edges.clone(),
-        verdict,
+        fit,
         repair: Repair::nothing(),
         alternatives: Vec::new(),
         undecided,
@@ -106,8 +108,8 @@ pub fn check(faces: &[Image; 6], layout: Layout) -> Result<Certificate, Environm
     let (lowest, fitting) = cube.search(&seams, RELATIVE, ABSOLUTE);
     let Some(fitting) = fitting else {
         // Whatever is done fits as well: because every edge fits every other, or because none fits any.
-        let verdict = if lowest > 12.0 * MEETS { Verdict::NeverMeets } else { Verdict::TooPlain };
-        return Ok(plain(verdict, Face::ALL.to_vec()));
+        let fit = if lowest > 12.0 * MEETS { FaceFit::NeverMeets } else { FaceFit::TooPlain };
+        return Ok(plain(fit, Face::ALL.to_vec()));
     };
     let aligned = fitting.iter().map(|a| cube.aligned(a, &AS_GIVEN));
     let chosen = aligned
@@ -123,19 +125,19 @@ pub fn check(faces: &[Image; 6], layout: Layout) -> Result<Certificate, Environm
     let undecided: Vec<Face> = Face::ALL.into_iter().filter(|f| is_undecided[*f as usize]).collect();
     let meeting = cube.misfits(&seams, &chosen).filter(|m| *m < MEETS).count();
     if meeting < 6 {
-        return Ok(plain(Verdict::NeverMeets, undecided));
+        return Ok(plain(FaceFit::NeverMeets, undecided));
     }
     if undecided.len() == 6 {
-        return Ok(plain(Verdict::TooPlain, undecided));
+        return Ok(plain(FaceFit::TooPlain, undecided));
     }
     let margin = rival(&cube, &seams, &chosen, &is_undecided) / cube.misfit(&seams, &chosen).max(ABSOLUTE);
     let repair = Repair::from_placements(&chosen);
     let alternatives = if repair.is_nothing() { Vec::new() } else { alternatives(&cube, &chosen) };
-    let verdict = if repair.is_nothing() { Verdict::Fits } else { Verdict::Misplaced };
-    Ok(Certificate { layout, edges, verdict, repair, alternatives, undecided, margin })
+    let fit = if repair.is_nothing() { FaceFit::Fits } else { FaceFit::Misplaced };
+    Ok(Certificate { layout, edges, fit, repair, alternatives, undecided, margin })
 }
 
-/// How much an arrangement changes: the fewest faces, of them the fewest mirrored, then the fewest moved and turned.
+/// The extent of an arrangement's changes: the fewest faces, of them the fewest mirrored, then the fewest moved and turned.
 fn key(arrangement: &Placements) -> (usize, usize, usize, usize) {
     let count =
         |is: fn(usize, usize) -> bool| arrangement.iter().enumerate().filter(|(file, p)| is(*file, **p)).count();
@@ -181,46 +183,45 @@ fn rival(cube: &Cube, seams: &Seams, chosen: &Placements, undecided: &[bool; 6])
 }
 
 impl Certificate {
-    /// The result in sentences without final full stop: first what is wrong, then what cannot be told.
+    /// Describes the result in sentences without final full stop: first the faults, then the limits of the check.
     pub fn sentences(&self) -> Vec<String> {
         let open = self.edges.iter().filter(|e| !e.meets).count();
-        let mut sentences = match self.verdict {
-            Verdict::Fits => vec![format!("{} of the twelve edges meet", 12 - open)],
-            Verdict::Misplaced => self.repair.sentences(),
-            Verdict::NeverMeets => vec![format!(
+        let mut sentences = match self.fit {
+            FaceFit::Fits => vec![format!("{} of the twelve edges meet", 12 - open)],
+            FaceFit::Misplaced => self.repair.sentences(),
+            FaceFit::NeverMeets => vec![format!(
                 "{open} of the twelve edges do not meet, and no other arrangement is better: the faces are not one \
                  continuous picture, or have a border"
             )],
-            Verdict::TooPlain => vec![format!(
+            FaceFit::TooPlain => vec![format!(
                 "too little changes along the edges to tell how the faces belong together; {open} of the twelve do not meet"
             )],
         };
         if let Some((mirrored, turned)) = self.alternatives.split_last() {
             for other in turned {
                 sentences.push(format!(
-                    "or else: {}; the edges fit just as well, and the world is the same, turned",
+                    "alternatively: {}; the edges fit equally well, and the world is the same, turned",
                     other.sentences().join("; ")
                 ));
             }
             sentences.push(format!(
-                "or, if text is reversed after the repair: {}; the edges of the mirrored world fit just as well",
+                "if text is reversed after the repair: {}; the edges of the mirrored world fit equally well",
                 mirrored.sentences().join("; ")
             ));
         }
-        if matches!(self.verdict, Verdict::Fits | Verdict::Misplaced) {
+        if matches!(self.fit, FaceFit::Fits | FaceFit::Misplaced) {
             for edge in self.still_open() {
                 let (a, b) = (edge.faces.0.name(), edge.faces.1.name());
                 sentences.push(format!(
-                    "the edge between `{a}` and `{b}` shows: it differs by {:.2} stops, the rows beside it by {:.2}",
+                    "the seam between `{a}` and `{b}` is visible: it differs by {:.2} stops, the rows beside it by {:.2}",
                     edge.across, edge.inside
                 ));
             }
             if !self.undecided.is_empty() {
                 let names: Vec<String> = self.undecided.iter().map(|f| format!("`{}`", f.name())).collect();
                 let names = names.join(", ");
-                sentences.push(format!(
-                    "too little changes along the edges of {names} to tell which way round the picture belongs"
-                ));
+                sentences
+                    .push(format!("too little changes along the edges of {names} to tell how the picture is oriented"));
             }
             sentences.push(format!(
                 "edges cannot tell whether the layout is `{}`, nor whether the whole world is mirrored or turned",
@@ -232,6 +233,6 @@ impl Certificate {
 
     /// Edges that do not meet although nothing is misplaced.
     fn still_open(&self) -> impl Iterator<Item = &Edge> {
-        self.edges.iter().filter(|e| self.verdict == Verdict::Fits && !e.meets)
+        self.edges.iter().filter(|e| self.fit == FaceFit::Fits && !e.meets)
     }
 }

@@ -1,9 +1,9 @@
 //! Certifies an equirectangular picture: does it close at its sides and over its poles?
 //!
-//! In a panorama that lies right the left and the right edge are neighbours, and so are, in the top row and in the bottom
+//! In a correct panorama the left and the right edge are neighbours, and so are, in the top row and in the bottom
 //! one, pixels half a turn apart: a pole is one point. If that holds for columns instead of rows, the picture is turned by a
-//! quarter. Whether it is upside down or mirrored, no edge tells: upside down, everything closes as before. That the lower
-//! half is the brighter one is a hint, and called one.
+//! quarter. Edges cannot tell whether it is upside down or mirrored: upside down, everything closes as before. A brighter
+//! lower half is a hint, and is reported as one.
 
 use crate::panorama::Panorama;
 use crate::seams::encode;
@@ -31,24 +31,24 @@ pub struct Seam {
 }
 
 impl Seam {
-    /// Whether the picture does not go on across it.
+    /// Returns whether the seam is visible.
     pub fn shows(&self) -> bool {
         self.across > SHOWS * self.inside.max(FLOOR)
     }
 }
 
-/// What is known of a panorama after [`check_panorama`].
+/// The result of [`check_panorama`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct PanoramaCertificate {
-    /// Between the left edge and the right one.
+    /// The seam between the left and the right edge.
     pub sides: Seam,
-    /// Over the upper pole: the top row against itself half a turn further.
+    /// The seam over the upper pole: the top row against itself half a turn further.
     pub top: Seam,
-    /// Over the lower pole.
+    /// The seam over the lower pole.
     pub bottom: Seam,
-    /// Whether it closes as it should only if columns are taken for rows: it was turned by 90 degrees.
+    /// Whether it closes only if columns are read as rows: it was turned by 90 degrees.
     pub is_turned: bool,
-    /// By how many stops the upper half is brighter than the lower one, on average over the logarithms.
+    /// How many stops brighter the upper half is than the lower one, as a mean of logarithms.
     pub upper_is_brighter_by: f64,
 }
 
@@ -66,17 +66,17 @@ pub fn check_panorama(panorama: &Panorama) -> PanoramaCertificate {
 }
 
 impl PanoramaCertificate {
-    /// Whether it closes everywhere.
+    /// Returns whether the panorama closes everywhere.
     pub fn closes(&self) -> bool {
         !self.sides.shows() && !self.top.shows() && !self.bottom.shows()
     }
 
-    /// The result in sentences without final full stop: what was found, what is only a hint, and what cannot be told.
+    /// Describes the result in sentences without final full stop: findings, hints, and the limits of the check.
     pub fn sentences(&self) -> Vec<String> {
         let mut sentences = Vec::new();
         if self.is_turned {
             sentences.push(
-                "the picture is turned by 90 degrees: it closes only if its columns are taken for rows; turn it back"
+                "the picture is turned by 90 degrees: it closes only if its columns are read as rows; turn it back"
                     .to_owned(),
             );
         } else if self.closes() {
@@ -86,11 +86,11 @@ impl PanoramaCertificate {
                 (self.sides, "the left and the right edge do not meet: the picture does not go all around"),
                 (
                     self.top,
-                    "the top row is not one point: the picture does not reach the pole above, or is no panorama",
+                    "the top row is not one point: the picture does not reach the pole above, or it is not a panorama",
                 ),
                 (
                     self.bottom,
-                    "the bottom row is not one point: the picture does not reach the pole below, or is no panorama",
+                    "the bottom row is not one point: the picture does not reach the pole below, or it is not a panorama",
                 ),
             ];
             for (seam, what) in seams.into_iter().filter(|(seam, _)| seam.shows()) {

@@ -126,7 +126,7 @@ impl Cubemap {
     /// Linear radiance from a direction of any length, bilinear and without seams: as OpenGL with
     /// `TEXTURE_CUBE_MAP_SEAMLESS`, and as OpenGL ES 3, WebGL 2 and Vulkan always do. Zero for a direction of no length.
     pub fn sample(&self, direction: DVec3) -> DVec3 {
-        let Some((face, s, t)) = Face::of(direction, Layout::OpenGl) else { return DVec3::ZERO };
+        let Some((face, s, t)) = Face::from_direction(direction, Layout::OpenGl) else { return DVec3::ZERO };
         let size = f64::from(self.size);
         let (x, y) = (0.5 * (s + 1.0) * size - 0.5, 0.5 * (t + 1.0) * size - 0.5);
         let (left, top) = (x.floor(), y.floor());
@@ -139,7 +139,7 @@ impl Cubemap {
 
     /// Linear radiance of the nearest texel.
     pub fn sample_nearest(&self, direction: DVec3) -> DVec3 {
-        let Some((face, s, t)) = Face::of(direction, Layout::OpenGl) else { return DVec3::ZERO };
+        let Some((face, s, t)) = Face::from_direction(direction, Layout::OpenGl) else { return DVec3::ZERO };
         let index = |v: f64| ((0.5 * (v + 1.0) * f64::from(self.size)) as u32).min(self.size - 1);
         color(self.at(face, index(s), index(t)))
     }

@@ -10,8 +10,8 @@
 //! receptors.
 
 use crate::Cubemap;
-use crate::canvas::Canvas;
 use crate::face::{Face, Layout};
+use crate::face_drawing::FaceDrawing;
 use glam::{DVec2, DVec3};
 use gonio_light::color::srgb_decode;
 
@@ -51,30 +51,30 @@ fn draw(face: Face, size: u32, layout: Layout) -> gonio_image::Image {
     // Dark ink on light grounds and light ink on dark ones: at least 6 : 1 in luminance.
     let ink = linear(if positive { [22, 26, 32] } else { [250, 248, 242] });
     // A little darker towards the edges, which also shows where the face ends.
-    let mut canvas = Canvas::new(size, |p| ground * (1.06 - 0.12 * p.length_squared()));
+    let mut drawing = FaceDrawing::new(size, |p| ground * (1.06 - 0.12 * p.length_squared()));
 
     let grid: Vec<_> = (1..8)
         .map(|i| 0.25 * f64::from(i) - 1.0)
         .flat_map(|at| [(DVec2::new(at, -1.0), DVec2::new(at, 1.0)), (DVec2::new(-1.0, at), DVec2::new(1.0, at))])
         .map(line)
         .collect();
-    canvas.stroke(&grid, 0.006, ink, if positive { 0.32 } else { 0.2 });
+    drawing.stroke(&grid, 0.006, ink, if positive { 0.32 } else { 0.2 });
     let rim = 0.985;
     let border = [(-rim, -rim), (rim, -rim), (rim, rim), (-rim, rim), (-rim, -rim)].map(DVec2::from).to_vec();
-    canvas.stroke(&[border], 0.03, ink, 0.75);
+    drawing.stroke(&[border], 0.03, ink, 0.75);
     // The mark: a filled triangle, of lines as wide as their distance.
     let mark: Vec<_> = (0..12).map(|i| 0.02 * f64::from(i)).map(|d| line((corner(d, 0.0), corner(0.0, d)))).collect();
-    canvas.stroke(&mark, 0.03, ink, 0.75);
+    drawing.stroke(&mark, 0.03, ink, 0.75);
 
     let sign = if positive { "+" } else { "-" };
-    canvas.write(&format!("{sign}{}", LETTERS[axis]), DVec2::new(0.0, -0.16), 0.66, 0.105, ink);
-    let name = Face::of(middle, layout).map_or("", |(there, ..)| there.name());
-    canvas.write(name, DVec2::new(0.0, 0.44), 0.225, 0.034, ink);
+    drawing.write(&format!("{sign}{}", LETTERS[axis]), DVec2::new(0.0, -0.16), 0.66, 0.105, ink);
+    let name = Face::from_direction(middle, layout).map_or("", |(there, ..)| there.name());
+    drawing.write(name, DVec2::new(0.0, 0.44), 0.225, 0.034, ink);
 
     let along = |s: f64, t: f64| axis_of(face.direction(s, t, Layout::Photographic) - middle);
     let (across, to_the_right) = along(1.0, 0.0);
     arrow(
-        &mut canvas,
+        &mut drawing,
         LETTERS[across],
         DVec2::new(if to_the_right { 1.0 } else { -1.0 }, 0.0),
         DVec2::new(0.0, 0.82),
@@ -82,13 +82,13 @@ fn draw(face: Face, size: u32, layout: Layout) -> gonio_image::Image {
     );
     let (upright, downwards) = along(0.0, 1.0);
     arrow(
-        &mut canvas,
+        &mut drawing,
         LETTERS[upright],
         DVec2::new(0.0, if downwards { 1.0 } else { -1.0 }),
         DVec2::new(-0.82, 0.0),
         ink,
     );
-    canvas.finish()
+    drawing.finish()
 }
 
 /// A point on the diagonal's two sides at the upper left corner, inside the border.
@@ -101,12 +101,12 @@ fn line((a, b): Ends) -> Vec<DVec2> {
 }
 
 /// An arrow through `middle`, its axis' letter beyond its tip.
-fn arrow(canvas: &mut Canvas, letter: &str, towards: DVec2, middle: DVec2, ink: DVec3) {
+fn arrow(drawing: &mut FaceDrawing, letter: &str, towards: DVec2, middle: DVec2, ink: DVec3) {
     let (tip, aside) = (middle + 0.34 * towards, towards.perp());
     let barb = |side: f64| line((tip, tip - 0.11 * towards + side * 0.07 * aside));
     let strokes = [line((middle - 0.34 * towards, tip)), barb(1.0), barb(-1.0)];
-    canvas.stroke(&strokes, 0.026, ink, 1.0);
-    canvas.write(letter, middle + 0.47 * towards, 0.13, 0.026, ink);
+    drawing.stroke(&strokes, 0.026, ink, 1.0);
+    drawing.write(letter, middle + 0.47 * towards, 0.13, 0.026, ink);
 }
 
 #[cfg(test)]

@@ -1,26 +1,26 @@
-//! Why an environment could not be read, made or written.
+//! The error of environments.
 
 use gonio_image::ImageError;
 use std::fmt;
 
-/// Why an environment could not be read, made or written: one sentence that says what is wrong and what to do.
+/// Describes why an environment could not be read, made or written: one sentence that says what is wrong and what to do.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct EnvironmentError {
-    /// Which file, as the user knows it, where it is about one.
+    /// The name of the file as the user knows it, if the error concerns one.
     pub file: Option<String>,
-    /// One sentence, without final full stop.
+    /// One sentence without a final full stop.
     pub message: String,
     /// Whether a larger limit on memory would help.
     pub over_limit: bool,
 }
 
 impl EnvironmentError {
-    /// An error that names no file yet.
+    /// Creates an error that does not name a file yet.
     pub fn new(message: impl Into<String>) -> Self {
         EnvironmentError { file: None, message: message.into(), over_limit: false }
     }
 
-    /// The same about a named file, where none is named yet.
+    /// Names the file, unless one is named already.
     pub fn in_file(mut self, file: &str) -> Self {
         self.file.get_or_insert_with(|| file.to_owned());
         self

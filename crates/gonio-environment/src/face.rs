@@ -92,7 +92,7 @@ impl Face {
 
     /// The face that a direction meets, and where: the inverse of [`Self::direction`]. Where two faces meet, the
     /// earlier one of X, Y, Z counts. `None` for a direction of no length.
-    pub fn of(direction: DVec3, layout: Layout) -> Option<(Face, f64, f64)> {
+    pub fn from_direction(direction: DVec3, layout: Layout) -> Option<(Face, f64, f64)> {
         let d = layout.turn(direction);
         let size = d.abs();
         let largest = size.max_element();
@@ -157,14 +157,14 @@ mod tests {
         for layout in [Layout::OpenGl, Layout::Photographic] {
             for face in Face::ALL {
                 for (s, t) in [(0.0, 0.0), (0.5, -0.25), (-0.9, 0.7), (0.99, 0.99)] {
-                    let found = Face::of(3.0 * face.direction(s, t, layout), layout);
+                    let found = Face::from_direction(3.0 * face.direction(s, t, layout), layout);
                     let (same, there_s, there_t) = found.unwrap_or((Face::PosX, 9.0, 9.0));
                     assert_eq!(same, face);
                     assert!((there_s - s).abs() < 1e-15 && (there_t - t).abs() < 1e-15, "{face:?} {s} {t}");
                 }
             }
-            assert_eq!(Face::of(DVec3::ZERO, layout), None);
-            assert_eq!(Face::of(DVec3::NAN, layout), None);
+            assert_eq!(Face::from_direction(DVec3::ZERO, layout), None);
+            assert_eq!(Face::from_direction(DVec3::NAN, layout), None);
         }
     }
 

@@ -4,30 +4,29 @@
 //! right-handed, Y is up, and straight ahead is -Z. In memory a cubemap's faces always lie as OpenGL samples them
 //! ([`Layout::OpenGl`]); the other layout exists in files only. Files are decoded and encoded by `gonio-image`.
 //!
-//! | room | what |
+//! | module | contents |
 //! |---|---|
-//! | [`face`] | the six faces, the two layouts, which direction each point of a face is |
+//! | [`face`] | the six faces, the two layouts, the direction of each point of a face |
 //! | [`cubemap`] | six square pictures, looked up without seams |
 //! | [`panorama`] | an equirectangular picture |
-//! | [`convert`] | from one to the other, filtered, turned |
-//! | [`mip`] | smaller and smaller copies of a cubemap |
+//! | [`convert`] | conversion between both, filtered and turned |
+//! | [`mip`] | mip levels of a cubemap |
 //! | [`harmonics`] | diffuse light by nine spherical harmonics |
 //! | [`prefilter`] | glossy light: an environment blurred for each roughness |
-//! | [`mod@check`] | whether the edges of six faces meet, and what is wrong if they do not |
+//! | [`mod@check`] | whether the edges of six faces meet, and which repair makes them meet |
 //! | [`mod@check_panorama`] | whether a panorama closes at its sides and poles |
 //! | [`repair`] | mirroring, turning and swapping faces back |
-//! | [`builtin`] | environments by name, which need no file |
-//! | [`debug`] | a cubemap of which every face says which one it is |
+//! | [`builtin`] | built-in environments |
+//! | [`debug`] | a cubemap with labelled faces |
 //! | [`sky`] | a clear sky with its sun |
-//! | [`brdf_table`] | what a rough mirror makes of uniform light, as a texture |
-//! | [`names`] | which of six files is which face |
+//! | [`brdf_table`] | scale and bias of the split sum, as a texture |
+//! | [`names`] | assignment of files to faces by name |
 //! | [`arrange`] | crosses and strips: six faces in one picture |
-//! | [`simd`] | instruction sets that a conversion can run on |
+//! | [`simd`] | instruction sets for conversions |
 
 pub mod arrange;
 pub mod brdf_table;
 pub mod builtin;
-mod canvas;
 pub mod check;
 pub mod check_panorama;
 pub mod convert;
@@ -35,6 +34,7 @@ pub mod cubemap;
 pub mod debug;
 pub mod error;
 pub mod face;
+mod face_drawing;
 pub mod harmonics;
 pub mod mip;
 pub mod names;

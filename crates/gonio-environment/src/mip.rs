@@ -1,4 +1,4 @@
-//! Smaller and smaller copies of a cubemap.
+//! Mip levels of a cubemap.
 
 use crate::Cubemap;
 use crate::face::Face;
@@ -9,7 +9,7 @@ use gonio_image::encode::Encoded;
 use gonio_image::encode::ktx2::{self, Format, Level};
 use rayon::prelude::*;
 
-/// A cubemap and smaller copies of it: what a GPU calls its mip levels.
+/// A cubemap and its mip levels.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CubeMips {
     /// The full one first; each next has half the size, rounded down, and the last is 1. Never empty.
@@ -17,8 +17,8 @@ pub struct CubeMips {
 }
 
 impl CubeMips {
-    /// Each texel of a level is the mean of those that it covers, by the solid angle of each: no light is lost. Where a
-    /// size is odd, texels that lie in two are shared out.
+    /// Computes the levels. Each texel is the mean of those that it covers, weighted by solid angle: no light is lost. If a
+    /// size is odd, a texel that two others cover is shared between them.
     pub fn new(map: Cubemap) -> Self {
         let mut levels = vec![map];
         while let Some(last) = levels.last().filter(|l| l.size() > 1) {
@@ -27,7 +27,7 @@ impl CubeMips {
         CubeMips { levels }
     }
 
-    /// Levels that were made some other way, the largest first; an empty list becomes one black texel.
+    /// Takes levels made in another way, the largest first; an empty list becomes one black texel.
     pub fn from_levels(mut levels: Vec<Cubemap>) -> Self {
         if levels.is_empty() {
             levels.push(Cubemap::new(1, [0.0, 0.0, 0.0, 1.0]));
@@ -35,12 +35,12 @@ impl CubeMips {
         CubeMips { levels }
     }
 
-    /// The full one first. Never empty.
+    /// Returns the levels, the full one first. Never empty.
     pub fn levels(&self) -> &[Cubemap] {
         &self.levels
     }
 
-    /// The full cubemap.
+    /// Returns the full cubemap.
     pub fn full(&self) -> &Cubemap {
         &self.levels[0]
     }
@@ -52,7 +52,7 @@ impl CubeMips {
         ktx2::encode(&levels, format)
     }
 
-    /// Linear radiance from a direction: bilinear in the two levels about `level`, and linear between them, as
+    /// Returns the linear radiance from a direction: bilinear in the two levels about `level`, and linear between them, as
     /// `textureLod` does. Levels beyond the ends count as the ends; NaN counts as 0.
     pub fn sample(&self, direction: DVec3, level: f64) -> DVec3 {
         let last = self.levels.len() - 1;

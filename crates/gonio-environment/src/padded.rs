@@ -58,7 +58,7 @@ impl Padded {
     }
 }
 
-/// The face's index in [`Face::ALL`] and the place on it from -1 to 1: [`Face::of`] in OpenGL's layout, in `f32`.
+/// The face's index in [`Face::ALL`] and the place on it from -1 to 1: [`Face::from_direction`] in OpenGL's layout, in `f32`.
 fn place(d: Vec3A) -> (usize, f32, f32) {
     let size = d.abs();
     let (face, s, t, largest) = if size.x >= size.y && size.x >= size.z {
@@ -88,7 +88,7 @@ mod tests {
             // All over the sphere, and often exactly on edges and corners.
             let at = |k: u32| f64::from((i * k) % 17) / 8.0 - 1.0;
             let d = DVec3::new(at(1), at(5), at(11));
-            let Some((face, s, t)) = Face::of(d, Layout::OpenGl) else { continue };
+            let Some((face, s, t)) = Face::from_direction(d, Layout::OpenGl) else { continue };
             let (there, there_s, there_t) = place(d.as_vec3a());
             assert_eq!(there, face as usize, "{d}");
             assert!((f64::from(there_s) - s).abs() < 1e-6 && (f64::from(there_t) - t).abs() < 1e-6, "{d}");

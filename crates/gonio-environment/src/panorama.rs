@@ -22,15 +22,19 @@ pub struct Panorama {
 }
 
 impl Panorama {
-    /// A picture as a panorama; an empty one is an error.
+    /// Creates a panorama from a picture.
+    ///
+    /// # Errors
+    ///
+    /// A picture without pixels.
     pub fn new(image: Image) -> Result<Self, EnvironmentError> {
         if image.width == 0 || image.height == 0 {
-            return Err(EnvironmentError::new("a panorama without pixels shows nothing; give one with at least one"));
+            return Err(EnvironmentError::new("a panorama needs at least one pixel"));
         }
         Ok(Panorama { image })
     }
 
-    /// The function of a direction as a panorama of this size: each pixel is its value at the pixel's middle.
+    /// Creates a panorama from a function of the direction, evaluated at the middle of each pixel.
     pub fn from_function(width: u32, height: u32, radiance: impl Fn(DVec3) -> DVec3) -> Self {
         let (width, height) = (width.max(1), height.max(1));
         let mut image = Image::new(width, height, [0.0; 4]);
@@ -45,7 +49,7 @@ impl Panorama {
         Panorama { image }
     }
 
-    /// Linear radiance from a direction, bilinear: across the +-180 degree meridian, and over the poles.
+    /// Returns the linear radiance from a direction, bilinear: across the +-180 degree meridian, and over the poles.
     pub fn sample(&self, direction: DVec3) -> DVec3 {
         let (u, v) = place(direction);
         let (width, height) = (i64::from(self.image.width), i64::from(self.image.height));
@@ -172,7 +176,7 @@ pub fn place(direction: DVec3) -> (f64, f64) {
     (0.5 + direction.x.atan2(-direction.z) / (2.0 * PI), across.atan2(direction.y) / PI)
 }
 
-/// A pixel's radiance.
+/// Returns the radiance of a pixel.
 pub(crate) fn color([r, g, b, _]: Pixel) -> DVec3 {
     DVec3::new(r.into(), g.into(), b.into())
 }

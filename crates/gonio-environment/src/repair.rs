@@ -1,39 +1,39 @@
-//! What to do to six files so that they make one world.
+//! Repairs of six faces: swapping, mirroring and turning them.
 
 use crate::face::Face;
 use crate::placement::{Placements, parts};
 use gonio_image::Image;
 
-/// What a face is to be made of.
+/// The file that a repaired face is made from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Source {
-    /// The file in which this face's picture is.
+pub struct FaceSource {
+    /// The file with this face's picture.
     pub file: Face,
     /// Whether its columns are mirrored (before it is turned).
     pub mirrored: bool,
-    /// By how many quarters it is turned clockwise, as seen in a viewer, 0 to 3.
+    /// Quarter turns clockwise, as seen in a viewer, 0 to 3.
     pub quarter_turns: u8,
 }
 
-/// For each face, in the order of [`Face::ALL`], what it is to be made of. Names are those of the files' layout, pictures as
-/// a viewer shows them.
+/// The source of each face, in the order of [`Face::ALL`]. Names are those of the files' layout, and orientations those of
+/// an image viewer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Repair {
     /// One source per face; every file is used once.
-    pub faces: [Source; 6],
+    pub faces: [FaceSource; 6],
 }
 
 impl Repair {
-    /// Everything is right as it is.
+    /// Creates the repair that changes nothing.
     pub fn nothing() -> Self {
-        Repair { faces: Face::ALL.map(|file| Source { file, mirrored: false, quarter_turns: 0 }) }
+        Repair { faces: Face::ALL.map(|file| FaceSource { file, mirrored: false, quarter_turns: 0 }) }
     }
 
     pub(crate) fn from_placements(arrangement: &Placements) -> Self {
         let mut repair = Repair::nothing();
         for (file, &placement) in Face::ALL.into_iter().zip(arrangement) {
             let (face, mirrored, quarters) = parts(placement);
-            repair.faces[face] = Source { file, mirrored, quarter_turns: quarters as u8 };
+            repair.faces[face] = FaceSource { file, mirrored, quarter_turns: quarters as u8 };
         }
         repair
     }
@@ -125,7 +125,7 @@ mod tests {
     fn with(changes: &[(Face, Face, bool, u8)]) -> Repair {
         let mut repair = Repair::nothing();
         for &(face, file, mirrored, quarter_turns) in changes {
-            repair.faces[face as usize] = Source { file, mirrored, quarter_turns };
+            repair.faces[face as usize] = FaceSource { file, mirrored, quarter_turns };
         }
         repair
     }

@@ -1,7 +1,7 @@
 //! Conversions: held against look-ups in f64, against what paper says, and against themselves the way back.
 
 use glam::{DMat3, DVec3};
-use gonio_environment::convert::{Conversion, Filter, From};
+use gonio_environment::convert::{Conversion, EnvironmentRef, Filter};
 use gonio_environment::{Cubemap, Face, Layout, Panorama, cubemap, panorama};
 use gonio_image::Pixel;
 
@@ -40,7 +40,7 @@ fn psnr(a: &[Pixel], b: &[Pixel]) -> f64 {
 #[test]
 fn bilinear_conversions_are_the_look_ups_in_double_precision() {
     let (map, pano) = (Cubemap::from_function(37, detailed), Panorama::from_function(90, 46, detailed));
-    for from in [From::Cubemap(&map), From::Panorama(&pano)] {
+    for from in [EnvironmentRef::Cubemap(&map), EnvironmentRef::Panorama(&pano)] {
         for source_from_target in [DMat3::IDENTITY, turn()] {
             let conversion = Conversion { filter: Some(Filter::Bilinear), source_from_target };
             let mut worst: f64 = 0.0;
@@ -66,7 +66,7 @@ fn bilinear_conversions_are_the_look_ups_in_double_precision() {
 #[test]
 fn every_filter_puts_everything_in_its_place() {
     let (map, pano) = (Cubemap::from_function(64, smooth), Panorama::from_function(256, 128, smooth));
-    for from in [From::Cubemap(&map), From::Panorama(&pano)] {
+    for from in [EnvironmentRef::Cubemap(&map), EnvironmentRef::Panorama(&pano)] {
         for &filter in Filter::ALL {
             let conversion = Conversion { filter: Some(filter), source_from_target: turn() };
             let made = conversion.cubemap(from, 16);
@@ -89,8 +89,9 @@ fn a_picture_comes_back() {
     let pano = Panorama::from_function(512, 256, detailed);
     for (filter, wanted) in [(Filter::Bilinear, 45.0), (Filter::Bicubic, 55.0)] {
         let conversion = Conversion { filter: Some(filter), ..Conversion::default() };
-        let map = conversion.cubemap(From::Panorama(&pano), From::Panorama(&pano).natural_cubemap_size());
-        let back = conversion.panorama(From::Cubemap(&map), 512, 256);
+        let map =
+            conversion.cubemap(EnvironmentRef::Panorama(&pano), EnvironmentRef::Panorama(&pano).natural_cubemap_size());
+        let back = conversion.panorama(EnvironmentRef::Cubemap(&map), 512, 256);
         let got = psnr(&pano.image.pixels, &back.image.pixels);
         assert!(got >= wanted, "{filter}: {got} dB");
     }
@@ -103,17 +104,17 @@ fn shrinking_loses_no_light_and_makes_no_pattern() {
     for (i, p) in pano.image.pixels.iter_mut().enumerate() {
         *p = if i % 2 == 0 { [2.0, 2.0, 2.0, 1.0] } else { [0.0, 0.0, 0.0, 1.0] };
     }
-    let small = Conversion::default().cubemap(From::Panorama(&pano), 32);
+    let small = Conversion::default().cubemap(EnvironmentRef::Panorama(&pano), 32);
     let worst = small.pixels().iter().map(|p| (f64::from(p[0]) - 1.0).abs()).fold(0.0, f64::max);
     // A pixel covers five columns at the corners of faces, ten in the middle; part of one tips the balance.
     assert!(worst < 0.15, "{worst}");
     let plain = Conversion { filter: Some(Filter::Bilinear), ..Conversion::default() };
-    let aliased = plain.cubemap(From::Panorama(&pano), 32);
+    let aliased = plain.cubemap(EnvironmentRef::Panorama(&pano), 32);
     let worst = aliased.pixels().iter().map(|p| (f64::from(p[0]) - 1.0).abs()).fold(0.0, f64::max);
     assert!(worst > 0.5, "the pattern would not show: {worst}");
 
     let pano = Panorama::from_function(1024, 512, detailed);
-    let small = Conversion::default().cubemap(From::Panorama(&pano), 16);
+    let small = Conversion::default().cubemap(EnvironmentRef::Panorama(&pano), 16);
     // Bilinear look-ups weigh texels a little unevenly.
     assert!(
         small.mean_radiance().abs_diff_eq(pano.mean_radiance(), 2e-3),
@@ -122,7 +123,7 @@ fn shrinking_loses_no_light_and_makes_no_pattern() {
         pano.mean_radiance()
     );
     let map = Cubemap::from_function(256, detailed);
-    let small = Conversion::default().panorama(From::Cubemap(&map), 64, 32);
+    let small = Conversion::default().panorama(EnvironmentRef::Cubemap(&map), 64, 32);
     assert!(
         small.mean_radiance().abs_diff_eq(map.mean_radiance(), 2e-3),
         "{} {}",
@@ -136,7 +137,7 @@ fn no_seam_shows() {
     let pano = Panorama::from_function(512, 256, detailed);
     for &filter in Filter::ALL {
         let conversion = Conversion { filter: Some(filter), source_from_target: turn() };
-        for (from, size) in [(From::Panorama(&pano), 96), (From::Panorama(&pano), 20)] {
+        for (from, size) in [(EnvironmentRef::Panorama(&pano), 96), (EnvironmentRef::Panorama(&pano), 20)] {
             let map = conversion.cubemap(from, size);
             let last = i64::from(size) - 1;
             let (mut across, mut inside, mut count) = (0.0, 0.0, 0.0);
@@ -168,8 +169,8 @@ fn turning_there_and_back_changes_little() {
     let map = Cubemap::from_function(96, detailed);
     let there = Conversion { filter: Some(Filter::Bicubic), source_from_target: turn() };
     let back = Conversion { source_from_target: turn().transpose(), ..there };
-    let turned = there.cubemap(From::Cubemap(&map), 96);
-    let again = back.cubemap(From::Cubemap(&turned), 96);
+    let turned = there.cubemap(EnvironmentRef::Cubemap(&map), 96);
+    let again = back.cubemap(EnvironmentRef::Cubemap(&turned), 96);
     let (off, on) = (psnr(map.pixels(), turned.pixels()), psnr(map.pixels(), again.pixels()));
     assert!(off < 25.0 && on > 40.0, "turned {off} dB, turned back {on} dB");
 }
@@ -181,8 +182,8 @@ fn the_smallest_pictures_convert() {
         for &filter in Filter::ALL {
             let conversion = Conversion { filter: Some(filter), source_from_target: turn() };
             for size in [1, 2, 3, 9] {
-                let map = conversion.cubemap(From::Panorama(&pano), size);
-                let back = conversion.panorama(From::Cubemap(&map), 2 * size, size);
+                let map = conversion.cubemap(EnvironmentRef::Panorama(&pano), size);
+                let back = conversion.panorama(EnvironmentRef::Cubemap(&map), 2 * size, size);
                 for p in map.pixels().iter().chain(&back.image.pixels) {
                     assert!((p[0] - 0.5).abs() < 1e-6, "{width} x {height} {filter} {size}: {p:?}");
                 }
@@ -196,7 +197,7 @@ fn layouts_are_the_same_environment() {
     // What `light-equation` says in words: a camera that looks along -Z sees the photographic `posz`.
     let pano = Panorama::from_function(128, 64, |d| d + DVec3::ONE);
     let conversion = Conversion { filter: Some(Filter::Bilinear), ..Conversion::default() };
-    let map = conversion.cubemap(From::Panorama(&pano), 9);
+    let map = conversion.cubemap(EnvironmentRef::Panorama(&pano), 9);
     let faces = map.faces(Layout::Photographic);
     let middle = |face: Face| color(faces[face as usize].at(4, 4)) - DVec3::ONE;
     for (face, wanted) in [

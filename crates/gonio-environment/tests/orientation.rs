@@ -1,8 +1,8 @@
 //! Faces that were mirrored, turned or swapped are found and brought back, bit for bit.
 
 use glam::DVec3;
-use gonio_environment::check::{Certificate, Verdict, check};
-use gonio_environment::repair::{Repair, Source};
+use gonio_environment::check::{Certificate, FaceFit, check};
+use gonio_environment::repair::{FaceSource, Repair};
 use gonio_environment::{Builtin, Cubemap, Face, Layout};
 use gonio_image::Image;
 
@@ -36,7 +36,7 @@ fn certified(faces: &[Image; 6]) -> Certificate {
 fn spoilt(faces: &[Image; 6], changes: &[(usize, usize, bool, u8)]) -> [Image; 6] {
     let mut spoil = Repair::nothing();
     for &(to, from, mirrored, quarter_turns) in changes {
-        spoil.faces[to] = Source { file: Face::ALL[from], mirrored, quarter_turns };
+        spoil.faces[to] = FaceSource { file: Face::ALL[from], mirrored, quarter_turns };
     }
     spoil.apply(faces)
 }
@@ -49,7 +49,7 @@ fn ways() -> impl Iterator<Item = (bool, u8)> {
 fn assert_repaired(name: &str, faces: &[Image; 6], changes: &[(usize, usize, bool, u8)]) {
     let spoilt = spoilt(faces, changes);
     let found = certified(&spoilt);
-    assert_eq!(found.verdict, Verdict::Misplaced, "{name} {changes:?}: {:?}", found.sentences());
+    assert_eq!(found.fit, FaceFit::Misplaced, "{name} {changes:?}: {:?}", found.sentences());
     assert!(found.repair.apply(&spoilt) == *faces, "{name} {changes:?}: {:?}", found.sentences());
     assert!(found.margin > 1.15, "{name} {changes:?}: {}", found.margin);
 }
@@ -58,12 +58,7 @@ fn assert_repaired(name: &str, faces: &[Image; 6], changes: &[(usize, usize, boo
 fn what_is_right_is_left_alone() {
     for (name, faces) in [("rich", rich_faces()), ("room", builtin(Builtin::Room)), ("sky", builtin(Builtin::Sky))] {
         let found = certified(&faces);
-        assert_eq!(
-            (found.verdict, found.repair),
-            (Verdict::Fits, Repair::nothing()),
-            "{name}: {:?}",
-            found.sentences()
-        );
+        assert_eq!((found.fit, found.repair), (FaceFit::Fits, Repair::nothing()), "{name}: {:?}", found.sentences());
         assert!(found.edges.iter().all(|e| e.meets), "{name}: {:?}", found.edges);
         // Of the sky only the plain ground could lie otherwise.
         let undecided: &[Face] = if name == "sky" { &[Face::NegY] } else { &[] };
@@ -84,7 +79,7 @@ fn every_turned_or_mirrored_face_is_found() {
                 if name == "sky" && Face::ALL[face] == Face::NegY {
                     // Plain ground: nothing to see, and it is said.
                     let found = certified(&spoilt(&faces, &[(face, face, mirrored, turns)]));
-                    assert_eq!((found.verdict, found.undecided), (Verdict::Fits, vec![Face::NegY]));
+                    assert_eq!((found.fit, found.undecided), (FaceFit::Fits, vec![Face::NegY]));
                     continue;
                 }
                 assert_repaired(name, &faces, &[(face, face, mirrored, turns)]);
@@ -128,7 +123,7 @@ fn worlds_that_are_the_same_but_turned_are_named() {
     assert_eq!(repairs.iter().filter(|r| r.apply(&spoilt) == faces).count(), 1, "{:?}", found.sentences());
     // What they leave fits, each of them.
     for repair in repairs {
-        assert_eq!(certified(&repair.apply(&spoilt)).verdict, Verdict::Fits);
+        assert_eq!(certified(&repair.apply(&spoilt)).fit, FaceFit::Fits);
     }
 }
 
@@ -151,7 +146,7 @@ fn six_mirrored_faces_are_a_swap_of_the_mirrored_world() {
         let found = certified(&mirrored);
         // Two faces swapped explain the edges as well, and are fewer; that leaves the world mirrored, and the other way
         // is named too.
-        assert_eq!(found.verdict, Verdict::Misplaced);
+        assert_eq!(found.fit, FaceFit::Misplaced);
         assert_eq!(found.repair.changed().len(), 2, "{:?}", found.sentences());
         let other = found.alternatives.last().copied().unwrap_or(Repair::nothing());
         assert!(other.apply(&mirrored) == faces, "{:?}", found.sentences());
@@ -165,7 +160,7 @@ fn the_layouts_have_the_same_edges() {
     for layout in [Layout::OpenGl, Layout::Photographic] {
         for said in [Layout::OpenGl, Layout::Photographic] {
             let found = check(&map.faces(layout), said).unwrap_or_else(|e| panic!("{e}"));
-            assert_eq!((found.verdict, found.layout), (Verdict::Fits, said));
+            assert_eq!((found.fit, found.layout), (FaceFit::Fits, said));
             let told = found.sentences().iter().any(|s| s.contains("cannot tell whether the layout"));
             assert!(told, "{:?}", found.sentences());
         }
@@ -203,7 +198,7 @@ fn photographed(faces: &[Image; 6]) -> [Image; 6] {
 fn grain_and_compression_do_not_mislead() {
     for (name, faces) in [("rich", photographed(&rich_faces())), ("room", photographed(&builtin(Builtin::Room)))] {
         let found = certified(&faces);
-        assert_eq!(found.verdict, Verdict::Fits, "{name}: {:?}", found.sentences());
+        assert_eq!(found.fit, FaceFit::Fits, "{name}: {:?}", found.sentences());
         for face in 0..6 {
             for (mirrored, turns) in ways() {
                 assert_repaired(name, &faces, &[(face, face, mirrored, turns)]);
@@ -221,7 +216,7 @@ fn where_nothing_can_be_told_nothing_is_claimed() {
         faces_of(&Cubemap::new(8, [f32::NAN, f32::INFINITY, -1.0, 1.0])),
     ] {
         let found = certified(&plain);
-        assert_eq!((found.verdict, found.repair), (Verdict::TooPlain, Repair::nothing()));
+        assert_eq!((found.fit, found.repair), (FaceFit::TooPlain, Repair::nothing()));
         assert_eq!(found.undecided.len(), 6);
     }
     // The debug cubemap has a border of one colour around each face: that can be told from nothing, and fits nothing.
@@ -229,11 +224,7 @@ fn where_nothing_can_be_told_nothing_is_claimed() {
         for layout in [Layout::OpenGl, Layout::Photographic] {
             let debug = Builtin::Debug.cubemap(size, layout).unwrap_or_else(|e| panic!("{e}"));
             let found = certified(&faces_of(&debug));
-            assert!(
-                matches!(found.verdict, Verdict::NeverMeets | Verdict::TooPlain),
-                "{size}: {:?}",
-                found.sentences()
-            );
+            assert!(matches!(found.fit, FaceFit::NeverMeets | FaceFit::TooPlain), "{size}: {:?}", found.sentences());
             assert_eq!(found.repair, Repair::nothing());
         }
     }
@@ -244,7 +235,7 @@ fn where_nothing_can_be_told_nothing_is_claimed() {
         *image = faces_of(&Cubemap::from_function(64, |d| rich(turn * d)))[face].clone();
     }
     let found = certified(&strangers);
-    assert_eq!((found.verdict, found.repair), (Verdict::NeverMeets, Repair::nothing()), "{:?}", found.sentences());
+    assert_eq!((found.fit, found.repair), (FaceFit::NeverMeets, Repair::nothing()), "{:?}", found.sentences());
     let mut uneven = rich_faces();
     uneven[2] = Image::new(3, 3, [0.0; 4]);
     assert!(check(&uneven, Layout::OpenGl).is_err());
@@ -256,13 +247,8 @@ fn one_painted_over_face_does_not_hide_the_rest() {
     let mut faces = rich_faces();
     faces[3] = Image::new(64, 64, [0.9, 0.02, 0.02, 1.0]);
     let found = certified(&faces);
-    assert_eq!(
-        (found.verdict, found.undecided.as_slice()),
-        (Verdict::Fits, &[Face::NegY][..]),
-        "{:?}",
-        found.sentences()
-    );
-    assert_eq!(found.sentences().iter().filter(|s| s.contains("shows: it differs")).count(), 4);
+    assert_eq!((found.fit, found.undecided.as_slice()), (FaceFit::Fits, &[Face::NegY][..]), "{:?}", found.sentences());
+    assert_eq!(found.sentences().iter().filter(|s| s.contains("is visible: it differs")).count(), 4);
     let spoilt = spoilt(&faces, &[(1, 1, true, 2), (4, 0, false, 0), (0, 4, false, 0)]);
     let found = certified(&spoilt);
     assert!(found.repair.apply(&spoilt) == faces, "{:?}", found.sentences());

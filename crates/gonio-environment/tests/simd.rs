@@ -1,7 +1,7 @@
 //! Conversions at every level of instructions that this CPU has: equal to the baseline bit by bit, and to look-ups in f64.
 
 use glam::{DMat3, DVec3};
-use gonio_environment::convert::{Conversion, Filter, From};
+use gonio_environment::convert::{Conversion, EnvironmentRef, Filter};
 use gonio_environment::{Cubemap, Face, Panorama, SimdLevel, cubemap, panorama};
 use gonio_image::Pixel;
 
@@ -34,16 +34,16 @@ fn bits(pixels: &[Pixel]) -> Vec<u32> {
 }
 
 /// Both kinds of sources in all sizes, with noise.
-fn for_each_source(odd: Option<usize>, mut test: impl FnMut(From<'_>, &str)) {
+fn for_each_source(odd: Option<usize>, mut test: impl FnMut(EnvironmentRef<'_>, &str)) {
     for &(width, height) in PANORAMAS {
         let mut pano = Panorama::from_function(width, height, |_| DVec3::ONE);
         noise(&mut pano.image.pixels, odd);
-        test(From::Panorama(&pano), &format!("panorama {width} x {height}"));
+        test(EnvironmentRef::Panorama(&pano), &format!("panorama {width} x {height}"));
     }
     for &size in CUBEMAPS {
         let mut map = Cubemap::new(size, [1.0; 4]);
         noise(map.pixels_mut(), odd);
-        test(From::Cubemap(&map), &format!("cubemap {size}"));
+        test(EnvironmentRef::Cubemap(&map), &format!("cubemap {size}"));
     }
 }
 
@@ -78,7 +78,7 @@ fn every_level_gives_the_bits_of_the_baseline() {
 
 /// A difference from the look-up in f64, in units of what a place that is off by a hundred-thousandth of the source's
 /// width changes between texels that differ by 1000: what f32 leaves of a place.
-fn off(got: Pixel, from: From<'_>, direction: DVec3) -> f64 {
+fn off(got: Pixel, from: EnvironmentRef<'_>, direction: DVec3) -> f64 {
     let wanted = from.sample(direction);
     (DVec3::new(got[0].into(), got[1].into(), got[2].into()) - wanted).abs().max_element() / 1000.0
 }
@@ -97,7 +97,7 @@ fn every_level_gives_the_look_ups_in_double_precision() {
                             let d = cubemap::texel_direction(face, i as u32 % size, i as u32 / size, size);
                             let d = source_from_target * d.normalize();
                             // A pole has no longitude to interpolate along.
-                            if matches!(from, From::Cubemap(_)) || d.x.hypot(d.z) > 1e-6 {
+                            if matches!(from, EnvironmentRef::Cubemap(_)) || d.x.hypot(d.z) > 1e-6 {
                                 worst = worst.max(off(*got, from, d));
                             }
                         }
@@ -128,8 +128,8 @@ fn a_texel_that_is_no_number_spoils_its_neighbourhood_alone() {
         for &level in SimdLevel::available() {
             for filter in [Filter::Nearest, Filter::Bilinear, Filter::Bicubic] {
                 let conversion = Conversion { filter: Some(filter), ..Conversion::default() };
-                let wanted = conversion.cubemap_at(level, From::Panorama(&clean), 24);
-                let got = conversion.cubemap_at(level, From::Panorama(&spoilt), 24);
+                let wanted = conversion.cubemap_at(level, EnvironmentRef::Panorama(&clean), 24);
+                let got = conversion.cubemap_at(level, EnvironmentRef::Panorama(&spoilt), 24);
                 let mut changed = 0;
                 for face in Face::ALL {
                     for (i, (got, wanted)) in got.face(face).iter().zip(wanted.face(face)).enumerate() {
@@ -158,8 +158,8 @@ fn the_number_of_threads_changes_nothing() {
             let made = [1, 3, 8].map(|threads| {
                 let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads start");
                 pool.install(|| {
-                    let to_cubemap = conversion.cubemap_at(level, From::Panorama(&pano), 43);
-                    let to_panorama = conversion.panorama_at(level, From::Cubemap(&map), 61, 47);
+                    let to_cubemap = conversion.cubemap_at(level, EnvironmentRef::Panorama(&pano), 43);
+                    let to_panorama = conversion.panorama_at(level, EnvironmentRef::Cubemap(&map), 61, 47);
                     [bits(to_cubemap.pixels()), bits(&to_panorama.image.pixels)]
                 })
             });

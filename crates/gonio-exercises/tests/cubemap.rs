@@ -26,7 +26,7 @@ fn panorama() -> Panorama {
 
 fn converted(panorama: &Panorama, size: u32, filter: Filter) -> Cubemap {
     let conversion = Conversion { filter: Some(filter), ..Conversion::default() };
-    conversion.cubemap(convert::From::Panorama(panorama), size)
+    conversion.cubemap(convert::EnvironmentRef::Panorama(panorama), size)
 }
 
 fn faces() -> [Image; 6] {
@@ -166,7 +166,7 @@ fn what_is_wrong_with_all_faces_is_one_mistake() {
     assert_eq!(lab.ids(&all(&brighter)), ["faces-too-bright"]);
     let blurred = converted(&panorama(), 40, Filter::Area);
     let blurred = Conversion { filter: Some(Filter::Bilinear), ..Conversion::default() }
-        .cubemap(convert::From::Cubemap(&blurred), SIDE);
+        .cubemap(convert::EnvironmentRef::Cubemap(&blurred), SIDE);
     assert_eq!(lab.ids(&blurred.faces(Layout::OpenGl)), ["faces-blurred"]);
 }
 

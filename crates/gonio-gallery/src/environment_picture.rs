@@ -2,7 +2,7 @@
 
 use crate::GalleryError;
 use gonio_environment::arrange::{self, Arrangement};
-use gonio_environment::convert::{Conversion, From};
+use gonio_environment::convert::{Conversion, EnvironmentRef};
 use gonio_environment::{Builtin, CubeMips, Cubemap, Layout};
 use gonio_image::decode::{Shape, decode};
 use gonio_image::encode::{ktx2, png};
@@ -75,7 +75,7 @@ impl EnvironmentPicture {
     pub fn convert(self, width: u32) -> Result<ConvertedEnvironment, GalleryError> {
         let size = self.size(width);
         let conversion = Conversion::default();
-        let panorama = |from: From<'_>| conversion.panorama(from, size, size / 2).image;
+        let panorama = |from: EnvironmentRef<'_>| conversion.panorama(from, size, size / 2).image;
         let (image, cells) = match self.form {
             PictureForm::Panorama => (panorama(self.open(None, None)?.as_from()), None),
             PictureForm::PanoramaOfCubemap(face) => {
@@ -89,7 +89,7 @@ impl EnvironmentPicture {
                     }
                 };
                 let there = Cubemap::from_faces(faces, Layout::OpenGl)?;
-                (panorama(From::Cubemap(&there)), None)
+                (panorama(EnvironmentRef::Cubemap(&there)), None)
             }
             PictureForm::Faces(arrangement, layout) => {
                 let map = cubemap(self.open(Some(size), Some(layout))?, size);

@@ -1,10 +1,10 @@
-//! How much a file may ask for.
+//! Limits on the memory that a file may use.
 
 use crate::image::Image;
 use crate::{ImageError, Pixel};
 
-/// How much memory a file may ask for before it is refused. Sizes are checked as the header names them, before anything
-/// is allocated.
+/// The memory that a file may use before it is rejected. Sizes are checked as the header gives them, before anything is
+/// allocated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
     /// Bytes of all decoded pixels together, 16 each.
@@ -20,7 +20,11 @@ impl Default for Limits {
 }
 
 impl Limits {
-    /// How many pixels `pictures` pictures of a size have together, or why they are refused: no pixels, or too many.
+    /// Returns the number of pixels of `pictures` pictures of a size.
+    ///
+    /// # Errors
+    ///
+    /// No pixels, or too many.
     pub fn pixels(&self, width: u64, height: u64, pictures: u64) -> Result<usize, ImageError> {
         if width == 0 || height == 0 {
             return Err(ImageError::new(format!(
@@ -44,14 +48,16 @@ impl Limits {
         }
     }
 
-    /// A picture of a size with room for its pixels, but none yet: what a reader fills row by row, so that a header
-    /// that lies costs no memory.
+    /// Returns a picture with room for its pixels, but none yet. Readers fill it row by row, so that a wrong header costs
+    /// no memory.
     pub(crate) fn unfilled(&self, width: u32, height: u32) -> Result<Image, ImageError> {
         let count = self.pixels(width.into(), height.into(), 1)?;
         let mut pixels = Vec::new();
         pixels.try_reserve_exact(count).map_err(|_| {
             let size = gibibytes(count as u64 * size_of::<Pixel>() as u64);
-            ImageError::new(format!("there is no memory for {width} x {height} pixels ({size}); make it smaller"))
+            ImageError::new(format!(
+                "not enough memory for {width} x {height} pixels ({size}); make the picture smaller"
+            ))
         })?;
         Ok(Image { width, height, pixels })
     }

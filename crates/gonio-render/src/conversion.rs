@@ -1,7 +1,7 @@
 //! Panoramas and cubemaps converted into one another by the GPU: the same pictures as gonio-environment makes on the CPU,
 //! to f32's rounding.
 
-use gonio_environment::convert::{self, Conversion, Filter, From, Sheets};
+use gonio_environment::convert::{self, Conversion, EnvironmentRef, Filter, TexelLayers};
 use gonio_environment::{Cubemap, Face, Layout, Panorama, panorama};
 use gonio_gl::Dialect;
 use gonio_gl::objects::{TextureObject, VertexArray};
@@ -52,7 +52,12 @@ impl Converter {
     /// # Errors
     ///
     /// A size beyond the driver's, or no memory.
-    pub fn cubemap(&self, conversion: &Conversion, from: From<'_>, size: u32) -> Result<Converted<Cubemap>, GlError> {
+    pub fn cubemap(
+        &self,
+        conversion: &Conversion,
+        from: EnvironmentRef<'_>,
+        size: u32,
+    ) -> Result<Converted<Cubemap>, GlError> {
         let mut map = Cubemap::new(size, [0.0; 4]);
         let size = map.size();
         let filter = conversion.filter_for(&from, 2.0 / f64::from(size));
@@ -77,7 +82,7 @@ impl Converter {
     pub fn panorama(
         &self,
         conversion: &Conversion,
-        from: From<'_>,
+        from: EnvironmentRef<'_>,
         width: u32,
         height: u32,
     ) -> Result<Converted<Panorama>, GlError> {
@@ -92,9 +97,9 @@ impl Converter {
     }
 
     /// The source as a texture; made smaller where it is larger than the driver's textures.
-    fn uploaded(&self, from: From<'_>, filter: Filter) -> Result<(SourceTexture, Vec<String>), GlError> {
+    fn uploaded(&self, from: EnvironmentRef<'_>, filter: Filter) -> Result<(SourceTexture, Vec<String>), GlError> {
         let most = self.info.max_size;
-        let sheets = from.sheets(filter);
+        let sheets = from.texel_layers(filter);
         if sheets.width.max(sheets.height) <= most {
             return Ok((SourceTexture::upload(&self.gl, &from, &sheets)?, Vec::new()));
         }
@@ -105,21 +110,21 @@ impl Converter {
             )]
         };
         match from {
-            From::Panorama(panorama) => {
+            EnvironmentRef::Panorama(panorama) => {
                 let (width, height) = (panorama.image.width, panorama.image.height);
                 let scale = f64::from(most) / f64::from(width.max(height));
                 let side = |v: u32| ((f64::from(v) * scale) as u32).max(1);
                 let smaller = reduce.panorama(from, side(width), side(height));
                 let notes = said(format!("{width} x {height} pixels"), format!("{} x {}", side(width), side(height)));
-                let from = From::Panorama(&smaller);
-                Ok((SourceTexture::upload(&self.gl, &from, &from.sheets(filter))?, notes))
+                let from = EnvironmentRef::Panorama(&smaller);
+                Ok((SourceTexture::upload(&self.gl, &from, &from.texel_layers(filter))?, notes))
             }
-            From::Cubemap(map) => {
+            EnvironmentRef::Cubemap(map) => {
                 let size = (most - 2 * sheets.border).max(1);
                 let smaller = reduce.cubemap(from, size);
                 let notes = said(format!("faces of {0} x {0} texels", map.size()), format!("{size} x {size}"));
-                let from = From::Cubemap(&smaller);
-                Ok((SourceTexture::upload(&self.gl, &from, &from.sheets(filter))?, notes))
+                let from = EnvironmentRef::Cubemap(&smaller);
+                Ok((SourceTexture::upload(&self.gl, &from, &from.texel_layers(filter))?, notes))
             }
         }
     }
@@ -181,7 +186,7 @@ struct SourceTexture {
 }
 
 impl SourceTexture {
-    fn upload(gl: &Gl, from: &From<'_>, sheets: &Sheets<'_>) -> Result<Self, GlError> {
+    fn upload(gl: &Gl, from: &EnvironmentRef<'_>, sheets: &TexelLayers<'_>) -> Result<Self, GlError> {
         let texture = TextureObject::array(gl, "conversion's source")?;
         gl.tex_image_3d(
             glow::TEXTURE_2D_ARRAY,
@@ -203,7 +208,7 @@ impl SourceTexture {
         }
         let border = 2 * sheets.border;
         let size = [sheets.width - border, sheets.height - border];
-        Ok(SourceTexture { texture, from_cubemap: matches!(from, From::Cubemap(_)), size })
+        Ok(SourceTexture { texture, from_cubemap: matches!(from, EnvironmentRef::Cubemap(_)), size })
     }
 }
 

@@ -7,7 +7,7 @@ use crate::scene_file::EnvironmentSpec;
 use crate::toml_tree::nearest;
 use gonio_environment::arrange::{self, Arrangement};
 use gonio_environment::builtin::{self, Builtin};
-use gonio_environment::convert::{Conversion, From};
+use gonio_environment::convert::{Conversion, EnvironmentRef};
 use gonio_environment::names::{self, Assignment};
 use gonio_environment::{Cubemap, EnvironmentError, Face, Layout, Panorama};
 use gonio_image::Image;
@@ -27,10 +27,10 @@ pub enum EnvironmentMap {
 
 impl EnvironmentMap {
     /// Returns the map as the input of a conversion.
-    pub fn as_from(&self) -> From<'_> {
+    pub fn as_from(&self) -> EnvironmentRef<'_> {
         match self {
-            EnvironmentMap::Cubemap(map) => From::Cubemap(map),
-            EnvironmentMap::Panorama(panorama) => From::Panorama(panorama),
+            EnvironmentMap::Cubemap(map) => EnvironmentRef::Cubemap(map),
+            EnvironmentMap::Panorama(panorama) => EnvironmentRef::Panorama(panorama),
         }
     }
 }

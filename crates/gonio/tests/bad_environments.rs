@@ -73,9 +73,9 @@ impl Lab {
 fn faces_that_are_no_set_of_six() {
     let lab = Lab::new();
     lab.faces("five", |f| (f != Face::NegZ).then(|| png(4, 4)));
-    lab.refuses("five", &["five: 5 of six faces are here", "missing: `negz` (`negz.png`)"]);
+    lab.refuses("five", &["five: 5 of six faces found", "missing: `negz` (`negz.png`)"]);
     lab.refuses("five/posy.png", &["missing: `negz` (`negz.png`)"]);
-    lab.refuses("five/pos*.png", &["3 of six faces are here", "negx"]);
+    lab.refuses("five/pos*.png", &["3 of six faces found", "negx"]);
     lab.faces("sizes", |f| Some(if f == Face::PosZ { png(2, 2) } else { png(4, 4) }));
     lab.refuses("sizes", &["posz.png: ", "2 x 2", "4"]);
     lab.faces("oblong", |f| Some(if f == Face::NegY { png(4, 3) } else { png(4, 4) }));
@@ -84,9 +84,9 @@ fn faces_that_are_no_set_of_six() {
     lab.refuses("empty", &["empty: the folder is empty; it must hold six faces, for example posx.png"]);
     std::fs::create_dir(lab.path("texts")).unwrap();
     lab.write("texts/readme.txt", "sky");
-    lab.refuses("texts", &["texts: there is no picture here; six are wanted, called like posx.png"]);
+    lab.refuses("texts", &["texts: there are no pictures here: expected six, for example posx.png"]);
     lab.write("square.png", png(4, 4));
-    lab.refuses("square.png", &["called like faces", "posx"]);
+    lab.refuses("square.png", &["named like faces", "posx"]);
     lab.refuses("no*.png", &["no file matches this pattern"]);
 }
 
@@ -97,7 +97,7 @@ fn names_that_mean_nothing() {
     lab.refuses("builtin:rooom", &["no built-in environment `rooom`; did you mean `room`?"]);
     lab.refuses("no/where.hdr", &["no/where.hdr: there is no such file or folder; check the path"]);
     lab.write("words.hdr", "these are words");
-    lab.refuses("words.hdr", &["words.hdr: this is no kind of picture that is known; PNG, JPEG"]);
+    lab.refuses("words.hdr", &["words.hdr: this is not a known picture format; PNG, JPEG"]);
     lab.write("nothing.hdr", "");
     lab.refuses("nothing.hdr", &["nothing.hdr: the file is empty"]);
     lab.write("photo.webp", b"RIFF....WEBPVP8 ");
@@ -174,8 +174,8 @@ fn files_that_are_cut_off_or_damaged() {
 fn panoramas_of_other_proportions_and_very_wide_ones() {
     let lab = Lab::new();
     lab.write("odd.png", png(9, 3));
-    let warning = "warning: odd.png: 9 x 3 pixels are no cross, strip or panorama of 2:1; they are taken for an \
-                   equirectangular panorama whose whole width is 360 degrees and whose whole height is 180";
+    let warning = "warning: odd.png: 9 x 3 pixels are not the size of a cross, a strip or a 2:1 panorama; the picture is \
+                   read as an equirectangular panorama, 360 degrees across its width and 180 along its height";
     for args in [
         &["environment", "convert", "odd.png", "out", "--size", "4"][..],
         &["render", "builtin:cube", "--environment", "odd.png", "-o", "a.png", "--size", "8x8", "--backend", "cpu"],

@@ -44,7 +44,7 @@ impl FaceBench {
         if width <= MOST_COLUMNS && height <= MOST_COLUMNS {
             return FaceBench::new(gl, side, panorama);
         }
-        let from = convert::From::Panorama(panorama);
+        let from = convert::EnvironmentRef::Panorama(panorama);
         let smaller = Conversion::default().panorama(from, MOST_COLUMNS, MOST_COLUMNS / 2);
         FaceBench::new(gl, side, &smaller)
     }

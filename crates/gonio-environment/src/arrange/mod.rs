@@ -31,7 +31,7 @@ use gonio_light::named_enum;
 pub use recognise::{Recognised, recognise};
 
 named_enum! {
-    /// How an environment lies in files.
+    /// How an environment is arranged in files.
     pub enum Arrangement {
         /// Six files, one a face.
         Faces = "faces",
@@ -50,7 +50,7 @@ named_enum! {
     what "arrangement of an environment";
 }
 
-/// Where a face lies: column and row of its cell, and whether it is turned by 180 degrees there.
+/// The position of a face: column and row of its cell, and whether it is turned by 180 degrees there.
 type Cell = (Face, u32, u32, bool);
 
 const CROSS: [Cell; 6] = [
@@ -82,7 +82,7 @@ const VERTICAL_CROSS: [Cell; 6] = [
 ];
 
 impl Arrangement {
-    /// How many faces the picture is wide and high; `None` for what is not one picture of six faces.
+    /// Width and height of the picture in faces; `None` unless it is one picture of six faces.
     pub fn grid(self) -> Option<(u32, u32)> {
         match self {
             Arrangement::Faces | Arrangement::Equirectangular => None,
@@ -93,7 +93,7 @@ impl Arrangement {
         }
     }
 
-    /// The cells of the six faces; none of what is not one picture of six faces.
+    /// The cells of the six faces; empty unless the arrangement is one picture of six faces.
     fn cells(self) -> Vec<Cell> {
         match self {
             Arrangement::Faces | Arrangement::Equirectangular => Vec::new(),
@@ -105,22 +105,22 @@ impl Arrangement {
     }
 }
 
-/// A cubemap out of a picture, and what was seen on the way.
+/// A cubemap read from one picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arranged {
     /// The six faces.
     pub cubemap: Cubemap,
-    /// Which of the two crosses it is.
+    /// Which of the two crosses the picture is.
     pub notes: Vec<String>,
-    /// Where the cells of a cross that should be empty are not.
+    /// A warning about cells of a cross that should be empty.
     pub warnings: Vec<String>,
 }
 
-/// The six faces of a picture, which are in `layout` there.
+/// Reads the six faces of a picture, which are in `layout`.
 ///
 /// # Errors
 ///
-/// A size that is no such grid of square cells; [`Arrangement::Faces`] and [`Arrangement::Equirectangular`], which are
+/// A size that is not such a grid of square cells; [`Arrangement::Faces`] and [`Arrangement::Equirectangular`], which are
 /// not six faces in one picture.
 pub fn to_cubemap(image: &Image, arrangement: Arrangement, layout: Layout) -> Result<Arranged, EnvironmentError> {
     let size = cell_size(image, arrangement)?;
@@ -151,9 +151,9 @@ pub fn to_cubemap(image: &Image, arrangement: Arrangement, layout: Layout) -> Re
 }
 
 const CELLS_NOT_EMPTY: &str =
-    "the cells of the cross that should be empty hold a picture; if it is no cross, say what it is";
+    "cells of the cross that should be empty are not; if the picture is not a cross, give its arrangement";
 
-/// The six faces, in a layout, in one picture; empty cells are black.
+/// Writes the six faces, in a layout, into one picture; empty cells are black.
 ///
 /// # Errors
 ///
@@ -211,7 +211,7 @@ fn cell_size(image: &Image, arrangement: Arrangement) -> Result<u32, Environment
 
 fn no_grid(arrangement: Arrangement) -> EnvironmentError {
     EnvironmentError::new(format!(
-        "`{arrangement}` is not six faces in one picture; one of cross, vertical-cross, strip, vertical-strip is wanted"
+        "`{arrangement}` is not six faces in one picture: expected cross, vertical-cross, strip or vertical-strip"
     ))
 }
 

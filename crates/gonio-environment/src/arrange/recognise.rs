@@ -1,19 +1,19 @@
-//! What a picture of a size is taken for, and which of the two crosses it is.
+//! Guesses the arrangement of a picture from its size, and which of the two crosses it is.
 
 use super::{Arrangement, cell};
 use crate::panorama::color;
 use gonio_image::Image;
 
-/// What a picture is taken for.
+/// The arrangement guessed from a size.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Recognised {
     /// Never [`Arrangement::Faces`].
     pub arrangement: Arrangement,
-    /// Where the size is of no kind that is in use: what it is taken for all the same, and what that means.
+    /// A warning if no arrangement has this size.
     pub warning: Option<String>,
 }
 
-/// What a picture of this size is taken for: 4:3 a cross, 3:4 a vertical one, 6:1 and 1:6 strips, 2:1 equirectangular.
+/// Guesses the arrangement of a picture from its size: 4:3 a cross, 3:4 a vertical one, 6:1 and 1:6 strips, 2:1 equirectangular.
 /// Everything else is equirectangular too, with a warning that says what its width and height then mean.
 pub fn recognise(width: u32, height: u32) -> Recognised {
     let (w, h) = (u64::from(width), u64::from(height));
@@ -26,8 +26,8 @@ pub fn recognise(width: u32, height: u32) -> Recognised {
     }
     let warning = (w != 2 * h).then(|| {
         format!(
-            "{width} x {height} pixels are no cross, strip or panorama of 2:1; they are taken for an equirectangular \
-             panorama whose whole width is 360 degrees and whose whole height is 180"
+            "{width} x {height} pixels are not the size of a cross, a strip or a 2:1 panorama; the picture is read as an \
+             equirectangular panorama, 360 degrees across its width and 180 along its height"
         )
     });
     Recognised { arrangement: Arrangement::Equirectangular, warning }
@@ -39,31 +39,31 @@ pub fn recognise(width: u32, height: u32) -> Recognised {
 /// Of the second and the third column the one whose upper and lower cell look more like that is empty too.
 pub(super) fn is_back_first(image: &Image, size: u32) -> (bool, bool) {
     let corners = [(0, 0), (0, 2), (3, 0), (3, 2)];
-    let empty = Look::of(image, size, &corners);
-    let second = Look::of(image, size, &[(1, 0), (1, 2)]).distance(&empty);
-    let third = Look::of(image, size, &[(2, 0), (2, 2)]).distance(&empty);
+    let empty = CellStatistics::of_cells(image, size, &corners);
+    let second = CellStatistics::of_cells(image, size, &[(1, 0), (1, 2)]).distance(&empty);
+    let third = CellStatistics::of_cells(image, size, &[(2, 0), (2, 2)]).distance(&empty);
     let back_first = second < third;
     (back_first, empty.spread < ALMOST_ONE_COLOUR && second.min(third) < ALMOST_ONE_COLOUR)
 }
 
 /// Whether the six cells beside a vertical cross are (almost) of one colour.
 pub(super) fn has_empty_corners(image: &Image, size: u32) -> bool {
-    Look::of(image, size, &[(0, 0), (2, 0), (0, 2), (2, 2), (0, 3), (2, 3)]).spread < ALMOST_ONE_COLOUR
+    CellStatistics::of_cells(image, size, &[(0, 0), (2, 0), (0, 2), (2, 2), (0, 3), (2, 3)]).spread < ALMOST_ONE_COLOUR
 }
 
 /// The mean difference of encoded light below which pixels count as of one colour. JPEG's noise beside an edge is some
 /// 0.01 on average over a cell; the sky of a photograph is above 0.03.
 const ALMOST_ONE_COLOUR: f64 = 0.02;
 
-/// What cells look like: their mean, and how far pixels are from it. In roots of light, which are near to what is seen,
+/// Statistics of cells: their mean, and how far pixels are from it. In roots of light, which are near to what is seen,
 /// and in which one bright lamp does not hide everything else.
-struct Look {
+struct CellStatistics {
     mean: glam::DVec3,
     spread: f64,
 }
 
-impl Look {
-    fn of(image: &Image, size: u32, cells: &[(u32, u32)]) -> Look {
+impl CellStatistics {
+    fn of_cells(image: &Image, size: u32, cells: &[(u32, u32)]) -> CellStatistics {
         let seen: Vec<glam::DVec3> = cells
             .iter()
             .flat_map(|(column, row)| cell(image, size, *column, *row, false).pixels)
@@ -72,11 +72,11 @@ impl Look {
         let count = seen.len().max(1) as f64;
         let mean = seen.iter().sum::<glam::DVec3>() / count;
         let spread = seen.iter().map(|c| (c - mean).abs().element_sum() / 3.0).sum::<f64>() / count;
-        Look { mean, spread }
+        CellStatistics { mean, spread }
     }
 
     /// How far the pixels are from another's mean.
-    fn distance(&self, other: &Look) -> f64 {
+    fn distance(&self, other: &CellStatistics) -> f64 {
         (self.mean - other.mean).abs().element_sum() / 3.0 + self.spread
     }
 }

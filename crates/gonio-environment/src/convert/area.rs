@@ -2,8 +2,8 @@
 
 use super::lanes::{Directions, LANES, first_eight, turned};
 use super::lookup::{Bilinear, Block, Mix, fill_block};
-use super::source::Source;
-use super::target::Target;
+use super::output_grid::OutputGrid;
+use super::texel_source::TexelSource;
 use fearless_simd::prelude::*;
 use fearless_simd::{f32x4, f32x8};
 use glam::Mat3;
@@ -14,8 +14,8 @@ use gonio_image::Pixel;
 #[inline(always)]
 pub(super) fn fill_row<S: Simd>(
     simd: S,
-    source: &impl Source,
-    target: &impl Target,
+    source: &impl TexelSource,
+    target: &impl OutputGrid,
     row: usize,
     turn: Option<Mat3>,
     pixels: &mut [Pixel],
@@ -58,7 +58,7 @@ pub(super) fn fill_row<S: Simd>(
 
 /// `k`: from the distances between the edges of the pixels, and of the source's texels in their middles.
 #[inline(always)]
-fn lookups_along<S: Simd>(source: &impl Source, at: impl Fn(f32, f32) -> Directions<S>) -> usize {
+fn lookups_along<S: Simd>(source: &impl TexelSource, at: impl Fn(f32, f32) -> Directions<S>) -> usize {
     let wide = distance(unit(at(-0.5, 0.0)), unit(at(0.5, 0.0)));
     let high = distance(unit(at(0.0, -0.5)), unit(at(0.0, 0.5)));
     let k: [f32; LANES] = (wide.max(high) / source.spacing(unit(at(0.0, 0.0)))).into();

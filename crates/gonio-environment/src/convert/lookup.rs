@@ -5,7 +5,7 @@
 //! the texels of the present run are mixed.
 
 use super::lanes::LANES;
-use super::source::Source;
+use super::texel_source::TexelSource;
 use fearless_simd::prelude::*;
 use fearless_simd::{f32x4, f32x8, i32x8};
 use gonio_image::Pixel;
@@ -60,7 +60,7 @@ impl Block {
 
     /// Sets the block to what `F` looks up in these cells.
     #[inline(always)]
-    pub fn set<S: Simd, const N: usize, F: Mix<N>>(&mut self, source: &impl Source, cells: Cells<S>) {
+    pub fn set<S: Simd, const N: usize, F: Mix<N>>(&mut self, source: &impl TexelSource, cells: Cells<S>) {
         let (left, top) = (cells.left - F::BEFORE, cells.top - F::BEFORE);
         cells.right_share.store_slice(&mut self.right_share);
         cells.lower_share.store_slice(&mut self.lower_share);
@@ -80,7 +80,7 @@ impl Block {
 
     /// A block of these cells.
     #[inline(always)]
-    pub fn new<S: Simd, const N: usize, F: Mix<N>>(source: &impl Source, cells: Cells<S>) -> Block {
+    pub fn new<S: Simd, const N: usize, F: Mix<N>>(source: &impl TexelSource, cells: Cells<S>) -> Block {
         let mut block = Block::EMPTY;
         block.set::<S, N, F>(source, cells);
         block
@@ -88,7 +88,7 @@ impl Block {
 
     /// Asks for the texels of all windows, so that they are in the cache when they are looked up.
     #[inline(always)]
-    fn prefetch<const N: usize>(&self, source: &impl Source) {
+    fn prefetch<const N: usize>(&self, source: &impl TexelSource) {
         let Some(piece) = self.piece else { return };
         let texels = source.texels(piece);
         if texels.len() < WORTH_PREFETCHING {
@@ -103,7 +103,7 @@ impl Block {
 
     /// Asks for the texels that lie `rows` further down than these, if the windows are next to each other.
     #[inline(always)]
-    fn prefetch_below(&self, source: &impl Source, rows: usize) {
+    fn prefetch_below(&self, source: &impl TexelSource, rows: usize) {
         let Some(piece) = self.piece else { return };
         let texels = source.texels(piece);
         // Four texels share a line of the cache.
@@ -116,7 +116,7 @@ impl Block {
     pub fn look_up<S: Simd, const N: usize, F: Mix<N>>(
         &self,
         simd: S,
-        source: &impl Source,
+        source: &impl TexelSource,
         mut found: impl FnMut(usize, f32x4<S>),
     ) {
         let stride = source.stride();
@@ -166,7 +166,7 @@ const RUN: usize = 8;
 #[inline(always)]
 pub(super) fn fill_rows<S: Simd, const N: usize, F: Mix<N>, const K: usize>(
     simd: S,
-    source: &impl Source,
+    source: &impl TexelSource,
     mut rows: [&mut [Pixel]; K],
     locate: impl Fn(usize) -> [Cells<S>; K],
 ) {
@@ -214,7 +214,7 @@ pub(super) fn fill_rows<S: Simd, const N: usize, F: Mix<N>, const K: usize>(
 #[inline(always)]
 pub(super) fn fill_rows_downwards<S: Simd, const N: usize, F: Mix<N>, const K: usize>(
     simd: S,
-    source: &impl Source,
+    source: &impl TexelSource,
     rows_ahead: usize,
     rows: [&mut [Pixel]; K],
     locate: impl Fn(usize) -> [Cells<S>; K],

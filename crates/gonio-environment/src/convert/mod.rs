@@ -18,9 +18,9 @@
 mod area;
 mod lanes;
 mod lookup;
-mod sheets;
-mod source;
-mod target;
+mod output_grid;
+mod texel_layers;
+mod texel_source;
 mod upright;
 
 use crate::simd::{Kernel, SimdLevel};
@@ -33,10 +33,10 @@ use gonio_light::named_enum;
 pub use lanes::ARC_TANGENT;
 use lanes::{first_eight, turned};
 use lookup::{Bicubic, Bilinear, Mix, Nearest, fill_rows};
+use output_grid::{CubeGrid, OutputGrid, PanoramaGrid};
 use rayon::prelude::*;
-pub use sheets::{BORDER, Sheets};
-use source::{CubeSource, PanoramaSource, Source};
-use target::{CubeTarget, PanoramaTarget, Target};
+pub use texel_layers::{BORDER, TexelLayers};
+use texel_source::{CubeSource, PanoramaSource, TexelSource};
 
 named_enum! {
     /// How a conversion looks up its source.
@@ -72,35 +72,35 @@ impl Default for Conversion {
 
 /// What is converted from.
 #[derive(Clone, Copy, Debug)]
-pub enum From<'a> {
+pub enum EnvironmentRef<'a> {
     /// Six faces.
     Cubemap(&'a Cubemap),
     /// An equirectangular picture.
     Panorama(&'a Panorama),
 }
 
-impl From<'_> {
+impl EnvironmentRef<'_> {
     /// How many radians a texel in the middle of a face, or on the horizon, is high.
     pub fn texel_angle(&self) -> f64 {
         match self {
-            From::Cubemap(map) => 2.0 / f64::from(map.size()),
-            From::Panorama(panorama) => std::f64::consts::PI / f64::from(panorama.image.height),
+            EnvironmentRef::Cubemap(map) => 2.0 / f64::from(map.size()),
+            EnvironmentRef::Panorama(panorama) => std::f64::consts::PI / f64::from(panorama.image.height),
         }
     }
 
     /// Linear radiance from a direction, bilinear, in f64: what a conversion is held against.
     pub fn sample(&self, direction: DVec3) -> DVec3 {
         match self {
-            From::Cubemap(map) => map.sample(direction),
-            From::Panorama(panorama) => panorama.sample(direction),
+            EnvironmentRef::Cubemap(map) => map.sample(direction),
+            EnvironmentRef::Panorama(panorama) => panorama.sample(direction),
         }
     }
 
     /// The size of a cubemap that has about as many texels in the middle of a face as this has there: a multiple of 4.
     pub fn natural_cubemap_size(&self) -> u32 {
         match self {
-            From::Cubemap(map) => map.size(),
-            From::Panorama(panorama) => {
+            EnvironmentRef::Cubemap(map) => map.size(),
+            EnvironmentRef::Panorama(panorama) => {
                 let by_height = f64::from(panorama.image.height) / 2.0;
                 let by_width = f64::from(panorama.image.width) / 4.0;
                 ((by_height.max(by_width) / 4.0).round() as u32 * 4).max(1)
@@ -111,8 +111,8 @@ impl From<'_> {
     /// The height of a panorama (twice as wide) that has about as many pixels along the horizon as this has there.
     pub fn natural_panorama_height(&self) -> u32 {
         match self {
-            From::Cubemap(map) => map.size().saturating_mul(2),
-            From::Panorama(panorama) => panorama.image.height,
+            EnvironmentRef::Cubemap(map) => map.size().saturating_mul(2),
+            EnvironmentRef::Panorama(panorama) => panorama.image.height,
         }
     }
 }
@@ -123,7 +123,7 @@ const COARSER: f64 = 1.5;
 
 impl Conversion {
     /// The filter that is used from a source onto pixels that are `target_angle` radians high.
-    pub fn filter_for(&self, from: &From<'_>, target_angle: f64) -> Filter {
+    pub fn filter_for(&self, from: &EnvironmentRef<'_>, target_angle: f64) -> Filter {
         let shrinks = target_angle > from.texel_angle() * COARSER;
         self.filter.unwrap_or(if shrinks { Filter::Area } else { Filter::Bilinear })
     }
@@ -134,54 +134,54 @@ impl Conversion {
     }
 
     /// A cubemap of `size` texels along an edge.
-    pub fn cubemap(&self, from: From<'_>, size: u32) -> Cubemap {
+    pub fn cubemap(&self, from: EnvironmentRef<'_>, size: u32) -> Cubemap {
         self.cubemap_at(SimdLevel::detect(), from, size)
     }
 
     /// [`Self::cubemap`] with the instructions of this level, for tests and benchmarks: the result is the same.
-    pub fn cubemap_at(&self, level: SimdLevel, from: From<'_>, size: u32) -> Cubemap {
+    pub fn cubemap_at(&self, level: SimdLevel, from: EnvironmentRef<'_>, size: u32) -> Cubemap {
         let mut map = Cubemap::new(size, [0.0; 4]);
         self.fill_cubemap_at(level, from, &mut map);
         map
     }
 
     /// [`Self::cubemap_at`] into one that is there already.
-    pub fn fill_cubemap_at(&self, level: SimdLevel, from: From<'_>, map: &mut Cubemap) {
-        if let From::Cubemap(source) = from
+    pub fn fill_cubemap_at(&self, level: SimdLevel, from: EnvironmentRef<'_>, map: &mut Cubemap) {
+        if let EnvironmentRef::Cubemap(source) = from
             && source.size() == map.size()
             && self.is_not_turned()
         {
             map.pixels_mut().copy_from_slice(source.pixels());
             return;
         }
-        let target = CubeTarget::new(map.size());
+        let target = CubeGrid::new(map.size());
         self.fill(level, from, &target, map.pixels_mut());
     }
 
     /// A panorama of this size; 0 counts as 1.
-    pub fn panorama(&self, from: From<'_>, width: u32, height: u32) -> Panorama {
+    pub fn panorama(&self, from: EnvironmentRef<'_>, width: u32, height: u32) -> Panorama {
         self.panorama_at(SimdLevel::detect(), from, width, height)
     }
 
     /// [`Self::panorama`] with the instructions of this level, for tests and benchmarks: the result is the same.
-    pub fn panorama_at(&self, level: SimdLevel, from: From<'_>, width: u32, height: u32) -> Panorama {
+    pub fn panorama_at(&self, level: SimdLevel, from: EnvironmentRef<'_>, width: u32, height: u32) -> Panorama {
         let mut image = Image::new(width.max(1), height.max(1), [0.0; 4]);
-        if let From::Panorama(source) = from
+        if let EnvironmentRef::Panorama(source) = from
             && (source.image.width, source.image.height) == (image.width, image.height)
             && self.is_not_turned()
         {
             return source.clone();
         }
-        let target = PanoramaTarget::new(image.width, image.height);
+        let target = PanoramaGrid::new(image.width, image.height);
         self.fill(level, from, &target, &mut image.pixels);
         Panorama { image }
     }
 
-    fn fill(&self, level: SimdLevel, from: From<'_>, target: &impl Target, pixels: &mut [Pixel]) {
+    fn fill(&self, level: SimdLevel, from: EnvironmentRef<'_>, target: &impl OutputGrid, pixels: &mut [Pixel]) {
         let filter = self.filter_for(&from, target.pixel_angle());
         match from {
-            From::Cubemap(map) => self.fill_from(level, &CubeSource::new(map), filter, target, pixels),
-            From::Panorama(panorama) => {
+            EnvironmentRef::Cubemap(map) => self.fill_from(level, &CubeSource::new(map), filter, target, pixels),
+            EnvironmentRef::Panorama(panorama) => {
                 let source = PanoramaSource::new(panorama, filter);
                 match target.sides().filter(|_| self.is_not_turned() && filter == Filter::Bilinear) {
                     Some(size) => upright::fill(level, &source, size, pixels),
@@ -194,9 +194,9 @@ impl Conversion {
     fn fill_from(
         &self,
         level: SimdLevel,
-        source: &impl Source,
+        source: &impl TexelSource,
         filter: Filter,
-        target: &impl Target,
+        target: &impl OutputGrid,
         pixels: &mut [Pixel],
     ) {
         let turn = self.source_from_target.as_mat3();
@@ -217,7 +217,7 @@ struct Row<'a, F, T> {
     pixels: &'a mut [Pixel],
 }
 
-impl<F: Source, T: Target> Kernel for Row<'_, F, T> {
+impl<F: TexelSource, T: OutputGrid> Kernel for Row<'_, F, T> {
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) {
         match self.filter {
@@ -229,7 +229,7 @@ impl<F: Source, T: Target> Kernel for Row<'_, F, T> {
     }
 }
 
-impl<F: Source, T: Target> Row<'_, F, T> {
+impl<F: TexelSource, T: OutputGrid> Row<'_, F, T> {
     /// Fills the row by a filter that looks at one place for each pixel.
     #[inline(always)]
     fn mix<S: Simd, const N: usize, M: Mix<N>>(self, simd: S) {

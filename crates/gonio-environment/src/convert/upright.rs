@@ -7,7 +7,7 @@
 
 use super::lanes::{LANES, angle, arc_tangent, first_eight};
 use super::lookup::{Bilinear, Cells, fill_rows, fill_rows_downwards, split};
-use super::source::PanoramaSource;
+use super::texel_source::PanoramaSource;
 use crate::face::{Face, Layout};
 use crate::panorama::place;
 use crate::simd::{Kernel, SimdLevel};

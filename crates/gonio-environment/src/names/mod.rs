@@ -1,4 +1,4 @@
-//! Which of several files is which face, by their names.
+//! Assigns files to faces by their names.
 //!
 //! [`table`] says what words there are and what they mean. A word counts at the end of a name, at its beginning, or
 //! between separators (`_`, `-`, `.`, space); upper and lower case are the same. Six files are a set where everything
@@ -9,15 +9,15 @@ pub mod table;
 use crate::EnvironmentError;
 use crate::face::Face;
 use std::collections::BTreeMap;
-pub use table::{Convention, TABLE};
+pub use table::{NamingScheme, TABLE};
 
-/// Six files and which face each is.
+/// Six files assigned to the faces.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Assignment {
     /// Which of the names given is each face, in the order of [`Face::ALL`].
     pub files: [usize; 6],
     /// What kind of names they are.
-    pub convention: Convention,
+    pub convention: NamingScheme,
     /// The name with `*` where the faces' words stand: `sky_*.png`.
     pub pattern: String,
     /// What was ignored, and what about the names is a guess. Sentences without final full stop.
@@ -30,7 +30,7 @@ const PICTURES: &[&str] = &[
     "webp", "gif", "avif", "psd", "vtf",
 ];
 
-/// Picks the six faces among files of a folder, by their names alone. Names may have folders before them.
+/// Finds the six faces among the files of a folder, by their names alone. Names may include folders.
 ///
 /// # Errors
 ///
@@ -40,7 +40,7 @@ pub fn assign<S: AsRef<str>>(names: &[S]) -> Result<Assignment, EnvironmentError
     choose(names, None)
 }
 
-/// The same, of the set that one file belongs to: for a user who names one of the six.
+/// Finds the six faces of the set that one file belongs to, for a user who names one of the six.
 pub fn assign_with<S: AsRef<str>>(names: &[S], member: &str) -> Result<Assignment, EnvironmentError> {
     choose(names, Some(member))
 }
@@ -139,7 +139,7 @@ fn choose<S: AsRef<str>>(names: &[S], member: Option<&str>) -> Result<Assignment
     let pictures: Vec<usize> = (0..names.len()).filter(|i| is_picture(name_of(*i))).collect();
     if pictures.is_empty() {
         return Err(EnvironmentError::new(
-            "there is no picture here; six are wanted, called like posx.png negx.png posy.png negy.png posz.png negz.png",
+            "there are no pictures here: expected six, for example posx.png negx.png posy.png negy.png posz.png negz.png",
         ));
     }
     let mut sets: BTreeMap<(usize, String), Faces> = BTreeMap::new();
@@ -169,7 +169,7 @@ fn choose<S: AsRef<str>>(names: &[S], member: Option<&str>) -> Result<Assignment
         _ => {
             let sets: Vec<String> = complete.iter().map(|(_, files)| format!("of `{}`", name_of(files[0]))).collect();
             Err(EnvironmentError::new(format!(
-                "there are {} sets of faces ({}); say which one is meant by naming one of its files",
+                "there are {} sets of faces ({}); choose one by naming one of its files",
                 sets.len(),
                 sets.join(", ")
             )))
@@ -202,7 +202,7 @@ fn one_of_each<S: AsRef<str>>(names: &[S], faces: &Faces) -> Result<[usize; 6], 
         _ => {
             let files: Vec<String> = files.iter().map(|i| format!("`{}`", names[*i].as_ref())).collect();
             Err(EnvironmentError::new(format!(
-                "{} are both the face `{}`; leave one of them, or name a pattern",
+                "{} are both the face `{}`; remove one of them, or give a pattern",
                 files.join(" and "),
                 face.name()
             )))
@@ -214,15 +214,15 @@ fn assigned<S: AsRef<str>>(names: &[S], pictures: &[usize], row: usize, files: [
     let convention = TABLE[row].0;
     let mut notes = Vec::new();
     match convention {
-        Convention::Axes => {}
-        Convention::Words => notes.push(
+        NamingScheme::Axes => {}
+        NamingScheme::Words => notes.push(
             "the names are words: front is taken as straight ahead and right as to the right of it (Unity has left there)"
                 .to_owned(),
         ),
-        Convention::Quake => notes.push(
+        NamingScheme::Quake => notes.push(
             "the names are Quake's letters: `rt` is taken as straight ahead and `ft` as to the right of it".to_owned(),
         ),
-        Convention::FromZero | Convention::FromOne => notes
+        NamingScheme::FromZero | NamingScheme::FromOne => notes
             .push("the names are numbers: they are taken in OpenGL's order posx negx posy negy posz negz".to_owned()),
     }
     let others: Vec<&str> = pictures.iter().filter(|i| !files.contains(i)).map(|i| names[*i].as_ref()).collect();
@@ -231,7 +231,7 @@ fn assigned<S: AsRef<str>>(names: &[S], pictures: &[usize], row: usize, files: [
         notes.push(format!("{} of the pictures are not among the six ({})", others.len(), shortened(&others)));
     }
     if rest > 0 {
-        notes.push(format!("{rest} files that are no pictures are ignored"));
+        notes.push(format!("{rest} files that are not pictures are ignored"));
     }
     Assignment { files, convention, pattern: pattern(names, row, files), notes }
 }
@@ -260,7 +260,7 @@ fn incomplete<S: AsRef<str>>(
     let Some(((row, _), faces)) = best.filter(|(_, faces)| filled(faces) >= 2) else {
         let some: Vec<&str> = pictures.iter().map(|i| names[*i].as_ref()).collect();
         return EnvironmentError::new(format!(
-            "no six pictures here are called like faces ({}); call them posx, negx, posy, negy, posz, negz",
+            "no six pictures here are named like faces ({}); rename them to posx, negx, posy, negy, posz, negz",
             shortened(&some)
         ));
     };
@@ -283,9 +283,9 @@ fn incomplete<S: AsRef<str>>(
         .flat_map(|(_, other)| other.iter().flatten())
         .find(|i| !faces.iter().flatten().any(|own| own == *i));
     let mixed = mixed.map_or_else(String::new, |i| {
-        format!("; `{}` is a name of another kind, and kinds are not mixed", names[*i].as_ref())
+        format!("; `{}` follows another naming scheme, and schemes are not mixed", names[*i].as_ref())
     });
-    EnvironmentError::new(format!("{} of six faces are here; missing: {}{mixed}", filled(faces), missing.join(", ")))
+    EnvironmentError::new(format!("{} of six faces found; missing: {}{mixed}", filled(faces), missing.join(", ")))
 }
 
 #[cfg(test)]

@@ -30,7 +30,7 @@ use gonio_light::named_enum;
 
 named_enum! {
     /// What kind of names six files have.
-    pub enum Convention {
+    pub enum NamingScheme {
         /// `posx`, `negx`, ...: OpenGL's names of the axes.
         Axes = "axes",
         /// `right`, `left`, `top`, `bottom`, `front`, `back`; front is straight ahead, right is to the right of it.
@@ -48,28 +48,28 @@ named_enum! {
 
 /// Words of a convention for the faces in the order of [`Face::ALL`]; each list is a way of writing that is used for
 /// all six. The face is the same in both layouts: a layout says how the picture lies on it.
-pub const TABLE: &[(Convention, [&str; 6])] = &[
-    (Convention::Axes, ["posx", "negx", "posy", "negy", "posz", "negz"]),
-    (Convention::Axes, ["pos_x", "neg_x", "pos_y", "neg_y", "pos_z", "neg_z"]),
-    (Convention::Axes, ["positive_x", "negative_x", "positive_y", "negative_y", "positive_z", "negative_z"]),
-    (Convention::Axes, ["positivex", "negativex", "positivey", "negativey", "positivez", "negativez"]),
-    (Convention::Axes, ["plus_x", "minus_x", "plus_y", "minus_y", "plus_z", "minus_z"]),
-    (Convention::Axes, ["xpos", "xneg", "ypos", "yneg", "zpos", "zneg"]),
-    (Convention::Axes, ["x_pos", "x_neg", "y_pos", "y_neg", "z_pos", "z_neg"]),
-    (Convention::Axes, ["px", "nx", "py", "ny", "pz", "nz"]),
-    (Convention::Axes, ["xp", "xn", "yp", "yn", "zp", "zn"]),
-    (Convention::Axes, ["+x", "-x", "+y", "-y", "+z", "-z"]),
-    (Convention::Axes, ["x+", "x-", "y+", "y-", "z+", "z-"]),
-    (Convention::Words, ["right", "left", "top", "bottom", "front", "back"]),
-    (Convention::Words, ["right", "left", "up", "down", "front", "back"]),
-    (Convention::Words, ["right", "left", "up", "dn", "front", "back"]),
-    (Convention::Words, ["right", "left", "top", "bot", "front", "back"]),
-    (Convention::Quake, ["ft", "bk", "up", "dn", "rt", "lf"]),
-    (Convention::FromZero, ["c00", "c01", "c02", "c03", "c04", "c05"]),
-    (Convention::FromZero, ["00", "01", "02", "03", "04", "05"]),
-    (Convention::FromZero, ["0", "1", "2", "3", "4", "5"]),
-    (Convention::FromOne, ["01", "02", "03", "04", "05", "06"]),
-    (Convention::FromOne, ["1", "2", "3", "4", "5", "6"]),
+pub const TABLE: &[(NamingScheme, [&str; 6])] = &[
+    (NamingScheme::Axes, ["posx", "negx", "posy", "negy", "posz", "negz"]),
+    (NamingScheme::Axes, ["pos_x", "neg_x", "pos_y", "neg_y", "pos_z", "neg_z"]),
+    (NamingScheme::Axes, ["positive_x", "negative_x", "positive_y", "negative_y", "positive_z", "negative_z"]),
+    (NamingScheme::Axes, ["positivex", "negativex", "positivey", "negativey", "positivez", "negativez"]),
+    (NamingScheme::Axes, ["plus_x", "minus_x", "plus_y", "minus_y", "plus_z", "minus_z"]),
+    (NamingScheme::Axes, ["xpos", "xneg", "ypos", "yneg", "zpos", "zneg"]),
+    (NamingScheme::Axes, ["x_pos", "x_neg", "y_pos", "y_neg", "z_pos", "z_neg"]),
+    (NamingScheme::Axes, ["px", "nx", "py", "ny", "pz", "nz"]),
+    (NamingScheme::Axes, ["xp", "xn", "yp", "yn", "zp", "zn"]),
+    (NamingScheme::Axes, ["+x", "-x", "+y", "-y", "+z", "-z"]),
+    (NamingScheme::Axes, ["x+", "x-", "y+", "y-", "z+", "z-"]),
+    (NamingScheme::Words, ["right", "left", "top", "bottom", "front", "back"]),
+    (NamingScheme::Words, ["right", "left", "up", "down", "front", "back"]),
+    (NamingScheme::Words, ["right", "left", "up", "dn", "front", "back"]),
+    (NamingScheme::Words, ["right", "left", "top", "bot", "front", "back"]),
+    (NamingScheme::Quake, ["ft", "bk", "up", "dn", "rt", "lf"]),
+    (NamingScheme::FromZero, ["c00", "c01", "c02", "c03", "c04", "c05"]),
+    (NamingScheme::FromZero, ["00", "01", "02", "03", "04", "05"]),
+    (NamingScheme::FromZero, ["0", "1", "2", "3", "4", "5"]),
+    (NamingScheme::FromOne, ["01", "02", "03", "04", "05", "06"]),
+    (NamingScheme::FromOne, ["1", "2", "3", "4", "5", "6"]),
 ];
 
 /// The face of a word, in a row of [`TABLE`].

@@ -81,7 +81,7 @@ fn quakes_letters_fit_together_as_its_source_lays_them() {
         ("up", [0., 0., 1.], [0., -1., 0.], [1., 0., 0.]),
         ("dn", [0., 0., -1.], [0., -1., 0.], [-1., 0., 0.]),
     ];
-    let words = TABLE.iter().find(|(c, _)| *c == Convention::Quake).map(|(_, words)| *words).unwrap_or_default();
+    let words = TABLE.iter().find(|(c, _)| *c == NamingScheme::Quake).map(|(_, words)| *words).unwrap_or_default();
     for (letters, middle, columns, rows) in faces {
         let face = table::face_of(&words, letters).unwrap_or_else(|| panic!("{letters}"));
         let at = |s, t| face.direction(s, t, crate::Layout::Photographic);
@@ -100,7 +100,7 @@ fn what_else_lies_in_the_folder_is_told() {
     assert_eq!(assignment.pattern, "*.jpg");
     assert_eq!(
         assignment.notes,
-        ["1 of the pictures are not among the six (`preview.png`)", "3 files that are no pictures are ignored"]
+        ["1 of the pictures are not among the six (`preview.png`)", "3 files that are not pictures are ignored"]
     );
 }
 
@@ -108,13 +108,13 @@ fn what_else_lies_in_the_folder_is_told() {
 fn five_of_six_name_the_sixth() {
     let mut names = set(TABLE[0].1, "Sky-", ".PNG");
     let gone = names.remove(3);
-    assert_eq!(refused(&names), format!("5 of six faces are here; missing: `negy` (`{gone}`)"));
+    assert_eq!(refused(&names), format!("5 of six faces found; missing: `negy` (`{gone}`)"));
     let mut quake = set(["FT", "BK", "UP", "DN", "RT", "LF"], "sky01", ".png");
     quake.truncate(5);
-    assert_eq!(refused(&quake), "5 of six faces are here; missing: `negz` (`sky01LF.png`)");
+    assert_eq!(refused(&quake), "5 of six faces found; missing: `negz` (`sky01LF.png`)");
     // From 1 to 5: of which count the first or the last is missing cannot be known; one of both is told.
     let message = refused(&set(["1", "2", "3", "4", "5", "x"], "", ".png")[..5]);
-    assert_eq!(message, "5 of six faces are here; missing: `posx` (`0.png`)");
+    assert_eq!(message, "5 of six faces found; missing: `posx` (`0.png`)");
 }
 
 #[test]
@@ -123,13 +123,13 @@ fn contradictions_are_told() {
     names.push("POSX.PNG".into());
     assert_eq!(
         refused(&names),
-        "`posx.png` and `POSX.PNG` are both the face `posx`; leave one of them, or name a pattern"
+        "`posx.png` and `POSX.PNG` are both the face `posx`; remove one of them, or give a pattern"
     );
     let mixed = ["right.png", "left.png", "top.png", "bottom.png", "posz.png", "negz.png"];
     assert_eq!(
         refused(&mixed),
-        "4 of six faces are here; missing: `posz` (`front.png`), `negz` (`back.png`); `posz.png` is a name of another \
-         kind, and kinds are not mixed"
+        "4 of six faces found; missing: `posz` (`front.png`), `negz` (`back.png`); `posz.png` follows another \
+         naming scheme, and schemes are not mixed"
     );
     let mut both = set(TABLE[0].1, "", ".png");
     both.extend(set(["right", "left", "top", "bottom", "front", "back"], "", ".png"));
@@ -142,7 +142,7 @@ fn contradictions_are_told() {
     two.extend(set(TABLE[0].1, "night_", ".png"));
     assert_eq!(
         refused(&two),
-        "there are 2 sets of faces (of `day_posx.png`, of `night_posx.png`); say which one is meant by naming one of its files"
+        "there are 2 sets of faces (of `day_posx.png`, of `night_posx.png`); choose one by naming one of its files"
     );
     let night = assign_with(&two, "night_negy.png").unwrap_or_else(|e| panic!("{e}"));
     assert_eq!((night.files, night.pattern.as_str()), ([6, 7, 8, 9, 10, 11], "night_*.png"));
@@ -162,7 +162,7 @@ fn nothing_to_find_says_what_is_wanted() {
     assert!(refused::<&str>(&[]).contains("no picture"), "{}", refused::<&str>(&[]));
     assert!(refused(&["posx.txt"]).contains("no picture"));
     let message = refused(&["bright.png", "photo.jpg"]);
-    assert!(message.contains("called like faces (`bright.png`, `photo.jpg`)"), "{message}");
+    assert!(message.contains("named like faces (`bright.png`, `photo.jpg`)"), "{message}");
 }
 
 #[test]

@@ -112,7 +112,7 @@ impl Header {
             caps2 & VOLUME == 0
         };
         if !is_picture {
-            return Err(ImageError::new("it holds a volume or one row; a cubemap or a picture is wanted"));
+            return Err(ImageError::new("it holds a volume or one row: expected a cubemap or a 2-D picture"));
         }
         if header.is_cubemap && width != height {
             return Err(ImageError::new(format!("its faces are {width} x {height} pixels; faces must be square")));

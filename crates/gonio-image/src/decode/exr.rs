@@ -23,9 +23,9 @@ const BATCH: usize = 64;
 pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ImageError> {
     let reader = exr::block::read(Cursor::new(bytes), false).map_err(failed)?;
     let (mut notes, mut warnings) = (Vec::new(), Vec::new());
-    let chosen = Chosen::of(reader.headers(), &mut notes)?;
+    let chosen = Chosen::find(reader.headers(), &mut notes)?;
     let header = reader.headers()[chosen.part].clone();
-    let window = Window::of(&header, limits, &mut warnings)?;
+    let window = Window::from_header(&header, limits, &mut warnings)?;
     say_what_is_ignored(&header, &mut notes, &mut warnings);
 
     let part = chosen.part;
@@ -66,7 +66,7 @@ struct Chosen {
 impl Chosen {
     /// The first part with R, G, B; else the first with a layer `name.R`, `name.G`, `name.B`; else the first with Y, or
     /// with one channel alone.
-    fn of(headers: &[Header], notes: &mut Vec<String>) -> Result<Self, ImageError> {
+    fn find(headers: &[Header], notes: &mut Vec<String>) -> Result<Self, ImageError> {
         let layers = headers.iter().enumerate().flat_map(|(part, header)| {
             let names: Vec<String> = header.channels.list.iter().map(|c| c.name.to_string()).collect();
             layers_of(&names).into_iter().map(move |(rank, layer, channels)| (rank, part, layer, channels))
@@ -143,7 +143,7 @@ struct Window {
 }
 
 impl Window {
-    fn of(header: &Header, limits: &Limits, warnings: &mut Vec<String>) -> Result<Self, ImageError> {
+    fn from_header(header: &Header, limits: &Limits, warnings: &mut Vec<String>) -> Result<Self, ImageError> {
         let display = header.shared_attributes.display_window;
         let data = header.layer_size;
         let (data_width, data_height) = (data.width() as u64, data.height() as u64);

@@ -73,12 +73,12 @@ impl Header {
                     "32-bit_rle_xyze" => {
                         return Err(ImageError::new(
                             "the colours are CIE XYZ (32-bit_rle_xyze), which depends on a white point that the file \
-                             does not tell; convert it with Radiance: ra_xyze -r in.hdr out.hdr",
+                             does not state; convert it with Radiance: ra_xyze -r in.hdr out.hdr",
                         ));
                     }
                     other => {
                         return Err(ImageError::new(format!(
-                            "the pixels are `{other}`, and only 32-bit_rle_rgbe is known; save it as such"
+                            "unsupported pixel format `{other}`: expected 32-bit_rle_rgbe"
                         )));
                     }
                 },
@@ -111,7 +111,9 @@ impl Header {
         }
         header.factors = correction.map(|c| c * exposure);
         if header.factors.iter().any(|f| !(f.is_finite() && *f > 0.0)) {
-            return Err(ImageError::new("the exposures in the header multiply to no number; mend the header"));
+            return Err(ImageError::new(
+                "the exposures in the header do not multiply to a positive number; correct the header",
+            ));
         }
         Ok(header)
     }
@@ -130,7 +132,7 @@ fn are_known(text: &str) -> bool {
 
 fn positive(key: &str, text: &str) -> Result<f64, ImageError> {
     text.trim().parse().ok().filter(|x: &f64| x.is_finite() && *x > 0.0).ok_or_else(|| {
-        ImageError::new(format!("the header's {key} is `{}`, not a positive number; mend it", text.trim()))
+        ImageError::new(format!("invalid {key} `{}` in the header: expected a positive number", text.trim()))
     })
 }
 

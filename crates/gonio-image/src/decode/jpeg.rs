@@ -36,8 +36,7 @@ pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ImageErro
     }
     if let Some(turn) = decoder.exif().and_then(|e| orientation(e)).filter(|t| *t != 1) {
         warnings.push(format!(
-            "the camera's note that the picture is to be turned (EXIF orientation {turn}) is ignored; save it turned if \
-             it stands wrong"
+            "the EXIF orientation {turn} of the camera is ignored; if the picture is not upright, rotate and save it"
         ));
     }
     // The codec fills in what a file lacks at its end; a whole file has its end marker.

@@ -136,7 +136,7 @@ impl Header {
         let stated = file.0.get(self.descriptor.saturating_add(14)).copied().unwrap_or(1);
         let transfer = if stated == 2 { Transfer::Srgb } else { Transfer::Linear };
         if transfer == Transfer::Linear && !texel.is_high_dynamic_range() {
-            notes.push("the file says that its integers are linear light; they are read as such".to_owned());
+            notes.push("the file declares its integers as linear light, and they are read as linear light".to_owned());
         }
         Ok((*texel, transfer))
     }
@@ -159,7 +159,7 @@ impl Header {
     fn pictures(&self, notes: &mut Vec<String>) -> Result<usize, ImageError> {
         if self.depth > 0 || self.height == 0 {
             let kind = if self.depth > 0 { "a volume" } else { "one row of pixels (1-D)" };
-            return Err(ImageError::new(format!("it holds {kind}; a cubemap or a picture is wanted")));
+            return Err(ImageError::new(format!("it holds {kind}: expected a cubemap or a 2-D picture")));
         }
         if self.layers > 1 {
             notes.push(format!("the file holds {} layers; the first is read", self.layers));
@@ -174,7 +174,7 @@ impl Header {
                 "its faces are {} x {} pixels; faces must be square",
                 self.width, self.height
             ))),
-            n => Err(ImageError::new(format!("it says that it has {n} faces; 6 or 1 are possible"))),
+            n => Err(ImageError::new(format!("invalid number of faces {n}: expected 6 or 1"))),
         }
     }
 
@@ -194,16 +194,16 @@ impl Header {
             0 => Ok(Cow::Borrowed(packed)),
             2 => {
                 let mut decoder = ruzstd::decoding::StreamingDecoder::new(packed).map_err(|e| {
-                    ImageError::new(format!("its largest level is no Zstandard ({e}); the file is damaged"))
+                    ImageError::new(format!("its largest level is not valid Zstandard ({e}); the file is damaged"))
                 })?;
                 unpack(&mut decoder, "Zstandard")
             }
             3 => unpack(&mut flate2::read::ZlibDecoder::new(packed), "zlib"),
             1 => Err(ImageError::new(
-                "its levels are packed with Basis LZ, which is not unpacked; convert it with `ktx transcode`",
+                "its levels are compressed with Basis LZ, which is not supported; convert it with `ktx transcode`",
             )),
             n => Err(ImageError::new(format!(
-                "its levels are packed in a way that is not known (scheme {n}); save it unpacked or with Zstandard"
+                "its levels have the unknown supercompression scheme {n}; save it uncompressed or with Zstandard"
             ))),
         }
     }

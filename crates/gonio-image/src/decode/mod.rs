@@ -1,9 +1,9 @@
-//! Files to pictures of linear light.
+//! Decoding of image files to linear light.
 //!
-//! The kind of a file is told by its content, never by its name. 8- and 16-bit colours are sRGB and are decoded; light
-//! in floats is taken as it is, after NaN and negative numbers became 0 and infinite ones 65504. Alpha is ignored.
+//! The format of a file is detected by its content, never by its name. Colours of 8 and 16 bits are sRGB and are decoded;
+//! floats are linear light, in which NaN and negative numbers become 0 and infinite ones 65504. Alpha is ignored.
 //!
-//! | kind | what is read |
+//! | format | supported |
 //! |---|---|
 //! | PNG, JPEG | everything that the formats hold, as sRGB |
 //! | Radiance `.hdr` | RGBE in all packings and all eight orders of pixels; exposure and colour correction taken back |
@@ -26,10 +26,10 @@ use crate::{Image, ImageError, Limits};
 pub(crate) use ktx2::MAGIC as KTX2_MAGIC;
 pub use tidy::INFINITE_LIGHT;
 
-/// Said of every file with alpha.
+/// The note about every file with alpha.
 const ALPHA_IGNORED: &str = "alpha is ignored";
 
-/// What a file holds.
+/// The content of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
     /// One picture: a face, a panorama, a cross, a strip.
@@ -39,7 +39,7 @@ pub enum Shape {
     Faces(Box<[Image; 6]>),
 }
 
-/// What kind of file it was.
+/// The format of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FileFormat {
     /// PNG.
@@ -57,7 +57,7 @@ pub enum FileFormat {
 }
 
 impl FileFormat {
-    /// As reports call it.
+    /// Returns the name for reports.
     pub fn name(self) -> &'static str {
         match self {
             FileFormat::Png => "PNG",
@@ -69,7 +69,7 @@ impl FileFormat {
         }
     }
 
-    /// The kind that a file's first bytes show; `None` for kinds that are not read.
+    /// Detects the format by the first bytes of a file; `None` for unsupported formats.
     pub fn detect(bytes: &[u8]) -> Option<FileFormat> {
         let kinds = [
             (png::MAGIC, FileFormat::Png),
@@ -83,26 +83,26 @@ impl FileFormat {
     }
 }
 
-/// A file, read.
+/// A decoded file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Decoded {
     /// Linear light; every number is finite and at least 0, and the fourth of every pixel is 1.
     pub shape: Shape,
     /// Whether the file can hold light beyond 1: floats, half floats, RGBE.
     pub high_dynamic_range: bool,
-    /// What kind of file it was.
+    /// The format of the file.
     pub format: FileFormat,
-    /// What is good to know and changes nothing: what was chosen or left aside. Sentences without final full stop.
+    /// Notes on choices that do not change the light. Sentences without final full stop.
     pub notes: Vec<String>,
-    /// What may make the light another one than was meant.
+    /// Warnings about light that may differ from what was meant.
     pub warnings: Vec<String>,
 }
 
-/// Reads a file. `name` is what it is called in errors; its kind is told by its content.
+/// Decodes a file. `name` is its name in errors; its format is detected by its content.
 ///
 /// # Errors
 ///
-/// A kind or a variant that is not read (the message says what to convert it to); a file that is cut off or damaged; a
+/// An unsupported format or variant (the message says what to convert it to); a file that is cut off or damaged; a
 /// size beyond `limits`, before anything is allocated.
 pub fn decode(name: &str, bytes: &[u8], limits: &Limits) -> Result<Decoded, ImageError> {
     let decode = match FileFormat::detect(bytes) {
@@ -117,7 +117,7 @@ pub fn decode(name: &str, bytes: &[u8], limits: &Limits) -> Result<Decoded, Imag
     decode(bytes, limits).map_err(|e| e.in_file(name))
 }
 
-/// What to say of a kind that is not read.
+/// The error for an unsupported format.
 fn unknown(bytes: &[u8]) -> ImageError {
     const READ: &str = "PNG, JPEG, Radiance .hdr, OpenEXR, KTX2 and DDS are read";
     if bytes.is_empty() {
@@ -145,6 +145,6 @@ fn unknown(bytes: &[u8]) -> ImageError {
     let what = OTHERS.iter().find(|(at, magic, _)| bytes.get(*at..).is_some_and(|b| b.starts_with(magic)));
     match what {
         Some((_, _, what)) => ImageError::new(format!("this is {what}; {READ}")),
-        None => ImageError::new(format!("this is no kind of picture that is known; {READ}")),
+        None => ImageError::new(format!("this is not a known picture format; {READ}")),
     }
 }

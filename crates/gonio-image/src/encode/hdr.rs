@@ -43,7 +43,7 @@ pub fn encode(image: &Image) -> Result<Encoded, ImageError> {
     let lost = image.pixels.par_iter().with_min_len(1 << 14).filter(|p| tiny(p)).count();
     let warnings = match lost {
         0 => Vec::new(),
-        n => vec![format!("{n} pixels are darker than .hdr can tell from black (3e-39)")],
+        n => vec![format!("{n} pixels are darker than the darkest value of .hdr (3e-39) and become black")],
     };
     Ok(Encoded { bytes, warnings })
 }

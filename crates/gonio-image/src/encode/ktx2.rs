@@ -90,7 +90,8 @@ pub fn encode(levels: &[Level<'_>], format: Format) -> Encoded {
             let count: usize =
                 full.par_iter().with_min_len(1 << 14).map(|p| p[..3].iter().filter(|x| **x > 1.0).count()).sum();
             if count > 0 {
-                warnings.push(format!("{count} numbers are above 1 and are cut to it; write half floats to keep them"));
+                warnings
+                    .push(format!("{count} numbers are above 1 and are clamped to it; write half floats to keep them"));
             }
         }
         Format::Float => {}

@@ -20,7 +20,7 @@ use crate::Pixel;
 use half::f16;
 use rayon::prelude::*;
 
-/// A file, and what it could not hold.
+/// An encoded file, with warnings about values that it cannot represent.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Encoded {
     /// The file.
@@ -29,17 +29,17 @@ pub struct Encoded {
     pub warnings: Vec<String>,
 }
 
-/// The half float nearest to light; beyond the largest it is that, and what is no light is 0.
+/// Returns the half float nearest to light, clamped to the largest; negative numbers and NaN become 0.
 fn half(light: f32) -> f16 {
     // Written so that NaN becomes 0.
     f16::from_f32(if light > 0.0 { light.min(f16::MAX.to_f32_const()) } else { 0.0 })
 }
 
-/// Says how many numbers are more than a half float holds.
+/// Warns about numbers above the largest half float.
 fn beyond_half(pixels: &[Pixel], remedy: &str) -> Option<String> {
     let limit = f16::MAX.to_f32_const();
     let beyond = |p: &Pixel| p[..3].iter().filter(|x| **x > limit).count();
     let count: usize = pixels.par_iter().with_min_len(1 << 14).map(beyond).sum();
     (count > 0)
-        .then(|| format!("{count} numbers are above {limit}, the largest half float, and are cut to it; {remedy}"))
+        .then(|| format!("{count} numbers are above {limit}, the largest half float, and are clamped to it; {remedy}"))
 }

@@ -59,7 +59,7 @@ fn light_beyond_half_floats_is_cut_and_told() {
     let half = encode(&image, Precision::Half).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(
         half.warnings,
-        ["2 numbers are above 65504, the largest half float, and are cut to it; write floats to keep them"]
+        ["2 numbers are above 65504, the largest half float, and are clamped to it; write floats to keep them"]
     );
     assert_eq!(picture(&read(&half.bytes)).pixels[5], [65504.0, 65504.0, 1.0, 1.0]);
     let float = encode(&image, Precision::Float).unwrap_or_else(|e| panic!("{e}"));

@@ -100,9 +100,9 @@ fn what_makes_no_sense_is_refused() {
     let one = &[1, 2, 3, 136];
     for (header, pixels, wanted) in [
         ("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n", &one[..], "the colours are CIE XYZ"),
-        ("#?RADIANCE\nFORMAT=other\n\n-Y 1 +X 1\n", one, "the pixels are `other`"),
-        ("#?RADIANCE\nEXPOSURE=0\n\n-Y 1 +X 1\n", one, "the header's EXPOSURE is `0`"),
-        ("#?RADIANCE\nCOLORCORR=1 1\n\n-Y 1 +X 1\n", one, "the header's COLORCORR is ``"),
+        ("#?RADIANCE\nFORMAT=other\n\n-Y 1 +X 1\n", one, "unsupported pixel format `other`"),
+        ("#?RADIANCE\nEXPOSURE=0\n\n-Y 1 +X 1\n", one, "invalid EXPOSURE `0` in the header"),
+        ("#?RADIANCE\nCOLORCORR=1 1\n\n-Y 1 +X 1\n", one, "invalid COLORCORR `` in the header"),
         ("#?RADIANCE\n\n-Y 1 +Y 1\n", one, "the line with the size reads `-Y 1 +Y 1`"),
         ("#?RADIANCE\n\n-Y -1 +X 1\n", one, "the line with the size"),
         ("#?RADIANCE\n\n-Y 0 +X 1\n", one, "the picture is 1 x 0 pixels"),
@@ -121,5 +121,5 @@ fn what_makes_no_sense_is_refused() {
 #[test]
 fn what_is_darker_than_the_format_tells_is_told() {
     let encoded = encode(&Image::new(3, 1, [1e-40, 0.0, 0.0, 1.0])).unwrap_or_else(|e| panic!("{e}"));
-    assert_eq!(encoded.warnings, ["3 pixels are darker than .hdr can tell from black (3e-39)"]);
+    assert_eq!(encoded.warnings, ["3 pixels are darker than the darkest value of .hdr (3e-39) and become black"]);
 }

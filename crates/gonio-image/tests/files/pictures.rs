@@ -166,7 +166,7 @@ fn tone_maps_and_direct_numbers_are_those_of_the_definition() {
 fn other_kinds_are_named() {
     for (bytes, what) in [
         (&b""[..], "the file is empty; get it again"),
-        (b"hello", "this is no kind of picture that is known"),
+        (b"hello", "this is not a known picture format"),
         (b"RIFF....WEBPVP8 ", "this is a WebP picture"),
         (b"II*\0....", "this is a TIFF picture"),
         (b"\xABKTX 11\xBB\r\n\x1a\n", "this is a KTX file of version 1"),

@@ -3,7 +3,7 @@
 use crate::conversion::Converter;
 use crate::{DifferenceScale, DisplayTexture, Renderer};
 use glam::{DMat3, DVec3};
-use gonio_environment::convert::{Conversion, Filter, From};
+use gonio_environment::convert::{Conversion, EnvironmentRef, Filter};
 use gonio_environment::{Cubemap, Panorama};
 use gonio_gl::Texels;
 use gonio_image::Pixel;
@@ -35,7 +35,9 @@ fn gpu_and_cpu_convert_alike() {
         for &filter in Filter::ALL {
             for source_from_target in [DMat3::IDENTITY, turn] {
                 let conversion = Conversion { filter: Some(filter), source_from_target };
-                for (from, name) in [(From::Cubemap(&map), "cubemap"), (From::Panorama(&pano), "panorama")] {
+                for (from, name) in
+                    [(EnvironmentRef::Cubemap(&map), "cubemap"), (EnvironmentRef::Panorama(&pano), "panorama")]
+                {
                     // Coarser and finer than the source; even, so that no texel looks at a pole, which has no longitude.
                     for size in [14, 52] {
                         let cpu = conversion.cubemap(from, size);
@@ -65,7 +67,7 @@ fn what_is_too_large_for_the_driver_is_reduced_and_told() {
     let mut converter = Converter::new(context.gl().clone()).unwrap_or_else(|e| panic!("{e}"));
     converter.info.max_size = 64;
     let (map, pano) = (Cubemap::from_function(100, radiance), Panorama::from_function(256, 128, radiance));
-    for from in [From::Cubemap(&map), From::Panorama(&pano)] {
+    for from in [EnvironmentRef::Cubemap(&map), EnvironmentRef::Panorama(&pano)] {
         let made = converter.cubemap(&Conversion::default(), from, 16).unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(made.notes.len(), 1);
         assert!(made.notes[0].contains("exceed the driver's limit of 64"), "{}", made.notes[0]);
@@ -73,7 +75,7 @@ fn what_is_too_large_for_the_driver_is_reduced_and_told() {
         let (_, mean) = difference(made.environment.pixels(), Conversion::default().cubemap(from, 16).pixels());
         assert!(mean < 0.02, "{mean}");
     }
-    let refused = converter.cubemap(&Conversion::default(), From::Panorama(&pano), 65).map(|_| ());
+    let refused = converter.cubemap(&Conversion::default(), EnvironmentRef::Panorama(&pano), 65).map(|_| ());
     assert!(refused.is_err_and(|e| e.message.contains("65 x 65 texels exceed the driver's limit of 64")));
 }
 

@@ -193,8 +193,8 @@ fn what_is_wrong_is_told_with_its_file() {
     ends(refused(&none, "builtin:suzanne"), "unknown built-in environment `suzanne`: expected one of debug, sky, room");
     ends(refused(&none, "sky_*.png"), "no file matches this pattern");
     let five = Face::ALL[..5].iter().fold(Memory::default(), |m, f| m.with(&format!("a/{}.png", f.name()), face(*f)));
-    assert_eq!(refused(&five, "a"), "a: 5 of six faces are here; missing: `negz` (`negz.png`)");
-    assert_eq!(refused(&five, "a/posx.png"), "a/posx.png: 5 of six faces are here; missing: `negz` (`negz.png`)");
+    assert_eq!(refused(&five, "a"), "a: 5 of six faces found; missing: `negz` (`negz.png`)");
+    assert_eq!(refused(&five, "a/posx.png"), "a/posx.png: 5 of six faces found; missing: `negz` (`negz.png`)");
     ends(refused(&six("a/*.png").with("b/c.txt", "x"), "b"), "posx.png negx.png posy.png negy.png posz.png negz.png");
 
     // The face's own file is named.

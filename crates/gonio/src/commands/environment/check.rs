@@ -10,7 +10,7 @@ use crate::report::{CliError, Outcome, Reporter};
 use crate::values;
 use clap::Args;
 use gonio_environment::arrange::Arrangement;
-use gonio_environment::check::{self, Certificate, Verdict};
+use gonio_environment::check::{self, Certificate, FaceFit};
 use gonio_environment::check_panorama::{PanoramaCertificate, Seam, check_panorama};
 use gonio_environment::{Cubemap, EnvironmentError, Layout, Panorama};
 use gonio_light::color::{ColorEncoding, OutputTransform};
@@ -124,7 +124,7 @@ impl Found {
     /// Whether nothing is wrong.
     fn fits(&self) -> bool {
         match self {
-            Found::Faces(c) => matches!(c.verdict, Verdict::Fits | Verdict::TooPlain),
+            Found::Faces(c) => matches!(c.fit, FaceFit::Fits | FaceFit::TooPlain),
             Found::Panorama(c) => c.closes() && !c.is_turned,
         }
     }
@@ -139,7 +139,7 @@ impl Found {
     fn details(&self) -> Value {
         match self {
             Found::Faces(c) => json!({
-                "verdict": format!("{:?}", c.verdict),
+                "verdict": format!("{:?}", c.fit),
                 "edges": c.edges.iter().map(|e| json!({
                     "faces": [e.faces.0.name(), e.faces.1.name()],
                     "across_stops": e.across,
@@ -181,7 +181,7 @@ impl Found {
         }
         match (self, &opened.map) {
             (Found::Faces(c), EnvironmentMap::Cubemap(map)) => {
-                if c.verdict == Verdict::NeverMeets {
+                if c.fit == FaceFit::NeverMeets {
                     return Err(CliError::new("the faces match in no arrangement, so there is no repair to write"));
                 }
                 if !plan.container.has_faces() {

@@ -1,7 +1,7 @@
-//! A source as a GPU takes it: what the CPU looks up, texel for texel.
+//! The texels of a source, laid out for a GPU: the same texels that the CPU looks up.
 
-use super::source::texel_about;
-use super::{Filter, From};
+use super::texel_source::texel_about;
+use super::{EnvironmentRef, Filter};
 use crate::Cubemap;
 use crate::face::Face;
 use crate::panorama::reduced_rows;
@@ -10,7 +10,7 @@ use std::borrow::Cow;
 
 /// One picture, or six of one size, rows from the top.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Sheets<'a> {
+pub struct TexelLayers<'a> {
     /// Texels, borders included.
     pub width: u32,
     /// Texels, borders included.
@@ -23,17 +23,17 @@ pub struct Sheets<'a> {
     pub texels: Cow<'a, [Pixel]>,
 }
 
-impl<'a> From<'a> {
-    /// What a filter looks up in this source: faces with their neighbours' texels around them; a panorama, for
-    /// [`Filter::Area`] with its crowded rows averaged.
-    pub fn sheets(&self, filter: Filter) -> Sheets<'a> {
+impl<'a> EnvironmentRef<'a> {
+    /// Returns the texels that a filter looks up: faces with a border of their neighbours' texels, or a panorama, whose
+    /// crowded rows are averaged for [`Filter::Area`].
+    pub fn texel_layers(&self, filter: Filter) -> TexelLayers<'a> {
         match *self {
-            From::Cubemap(map) => {
+            EnvironmentRef::Cubemap(map) => {
                 let side = map.size() + 2 * BORDER as u32;
                 let texels = Cow::Owned(with_borders(map));
-                Sheets { width: side, height: side, layers: 6, border: BORDER as u32, texels }
+                TexelLayers { width: side, height: side, layers: 6, border: BORDER as u32, texels }
             }
-            From::Panorama(panorama) => {
+            EnvironmentRef::Panorama(panorama) => {
                 let image = &panorama.image;
                 let mut texels = Cow::Borrowed(image.pixels.as_slice());
                 if filter == Filter::Area {
@@ -43,7 +43,7 @@ impl<'a> From<'a> {
                     all[..top.len()].copy_from_slice(&top);
                     all[bottom_begins..].copy_from_slice(&bottom);
                 }
-                Sheets { width: image.width, height: image.height, layers: 1, border: 0, texels }
+                TexelLayers { width: image.width, height: image.height, layers: 1, border: 0, texels }
             }
         }
     }

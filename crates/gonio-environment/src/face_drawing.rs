@@ -1,27 +1,27 @@
-//! A square picture to draw on with antialiased strokes, in linear light.
+//! Antialiased strokes and words on a square picture, in linear light.
 
 use crate::stroke_font::{self, CAPITAL, Stroke};
 use glam::{DVec2, DVec3};
 use gonio_image::Image;
 
-/// A face being drawn. Places are (s, t), both from -1 to 1, columns to the right and rows downwards.
-pub(crate) struct Canvas {
+/// A face being drawn. Positions are (s, t), both from -1 to 1, columns to the right and rows downwards.
+pub(crate) struct FaceDrawing {
     size: u32,
     colors: Vec<DVec3>,
-    /// How much of each texel the strokes at hand cover.
+    /// The share of each texel that the current strokes cover.
     covered: Vec<f64>,
 }
 
-impl Canvas {
-    /// The function of a place, at the texels' middles.
+impl FaceDrawing {
+    /// Fills the face with a function of the position, evaluated at the middle of each texel.
     pub fn new(size: u32, ground: impl Fn(DVec2) -> DVec3) -> Self {
         let middle = |i: u32| (2.0 * f64::from(i) + 1.0) / f64::from(size) - 1.0;
         let colors: Vec<DVec3> =
             (0..size).flat_map(|y| (0..size).map(move |x| DVec2::new(middle(x), middle(y)))).map(ground).collect();
-        Canvas { size, covered: vec![0.0; colors.len()], colors }
+        FaceDrawing { size, covered: vec![0.0; colors.len()], colors }
     }
 
-    /// Lines of a width and an opacity, with round ends. Where they cross they count once.
+    /// Draws lines of a width and an opacity, with round ends. Where they cross they count once.
     pub fn stroke(&mut self, strokes: &[Stroke], width: f64, color: DVec3, opacity: f64) {
         self.covered.fill(0.0);
         for stroke in strokes {
@@ -34,7 +34,7 @@ impl Canvas {
         }
     }
 
-    /// A word, its letters' middle (of capitals) at `centre`. `height` is that of a capital.
+    /// Writes a word with the middle of its capitals at `centre`. `height` is the height of a capital.
     pub fn write(&mut self, word: &str, centre: DVec2, height: f64, width: f64, color: DVec3) {
         let (mut strokes, length) = stroke_font::write(word);
         let scale = height / CAPITAL;
@@ -45,7 +45,7 @@ impl Canvas {
         self.stroke(&strokes, width, color, 1.0);
     }
 
-    /// Covers what is near a straight line: full inside, and over the width of one texel less and less.
+    /// Covers the texels near a straight line: fully inside, and falling off over the width of one texel.
     fn cover(&mut self, a: DVec2, b: DVec2, half_width: f64) {
         let texel = 2.0 / f64::from(self.size);
         let reach = half_width + texel;
@@ -66,7 +66,7 @@ impl Canvas {
         }
     }
 
-    /// The picture, opaque.
+    /// Returns the picture, opaque.
     pub fn finish(self) -> Image {
         let pixels = self.colors.iter().map(|c| [c.x as f32, c.y as f32, c.z as f32, 1.0]).collect();
         Image { width: self.size, height: self.size, pixels }

@@ -29,7 +29,7 @@ impl<S: Simd> Places<S> {
 }
 
 /// What directions are looked up in. Its texels lie in up to three pieces of memory, in rows of one length.
-pub(super) trait Source: Sync {
+pub(super) trait TexelSource: Sync {
     /// Where the directions meet it.
     fn places<S: Simd>(&self, d: Directions<S>) -> Places<S>;
 
@@ -89,7 +89,7 @@ pub(super) fn texel_about(map: &Cubemap, face: Face, x: i64, y: i64) -> Pixel {
     [r, g, b, 1.0]
 }
 
-impl Source for CubeSource<'_> {
+impl TexelSource for CubeSource<'_> {
     #[inline(always)]
     fn places<S: Simd>(&self, [x, y, z]: Directions<S>) -> Places<S> {
         let simd = x.simd;
@@ -233,7 +233,7 @@ const PICTURE: u8 = 0;
 const TOP: u8 = 1;
 const BOTTOM: u8 = 2;
 
-impl Source for PanoramaSource<'_> {
+impl TexelSource for PanoramaSource<'_> {
     #[inline(always)]
     fn places<S: Simd>(&self, [x, y, z]: Directions<S>) -> Places<S> {
         let longitude = angle(x, -z);

@@ -7,7 +7,7 @@ use fearless_simd::prelude::*;
 use std::f64::consts::PI;
 
 /// A picture to be filled, row by row.
-pub(super) trait Target: Sync {
+pub(super) trait OutputGrid: Sync {
     /// What all pixels of a row share.
     type Row: Copy;
 
@@ -31,7 +31,7 @@ pub(super) trait Target: Sync {
 }
 
 /// The six faces of a cubemap, OpenGL's layout.
-pub(super) struct CubeTarget {
+pub(super) struct CubeGrid {
     size: usize,
     /// Of a texel, where the face is from -1 to 1.
     step: f32,
@@ -46,13 +46,13 @@ pub(super) struct CubeRow {
     t: f32,
 }
 
-impl CubeTarget {
+impl CubeGrid {
     pub fn new(size: u32) -> Self {
-        CubeTarget { size: size as usize, step: 2.0 / size as f32 }
+        CubeGrid { size: size as usize, step: 2.0 / size as f32 }
     }
 }
 
-impl Target for CubeTarget {
+impl OutputGrid for CubeGrid {
     type Row = CubeRow;
 
     fn row_length(&self) -> usize {
@@ -88,14 +88,14 @@ impl Target for CubeTarget {
 }
 
 /// An equirectangular picture.
-pub(super) struct PanoramaTarget {
+pub(super) struct PanoramaGrid {
     width: usize,
     height: usize,
 }
 
-impl PanoramaTarget {
+impl PanoramaGrid {
     pub fn new(width: u32, height: u32) -> Self {
-        PanoramaTarget { width: width as usize, height: height as usize }
+        PanoramaGrid { width: width as usize, height: height as usize }
     }
 }
 
@@ -108,7 +108,7 @@ pub(super) struct PanoramaRow {
     polar: [f32; 2],
 }
 
-impl PanoramaTarget {
+impl PanoramaGrid {
     /// The sine and the cosine of the angle from the upper pole, `rows` below the top.
     fn polar(&self, rows: f32) -> [f32; 2] {
         let (sin, cos) = (f64::from(rows) * PI / self.height as f64).sin_cos();
@@ -116,7 +116,7 @@ impl PanoramaTarget {
     }
 }
 
-impl Target for PanoramaTarget {
+impl OutputGrid for PanoramaGrid {
     type Row = PanoramaRow;
 
     fn row_length(&self) -> usize {
