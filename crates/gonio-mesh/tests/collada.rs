@@ -207,7 +207,10 @@ fn small_shininess_is_a_part_of_128() {
     let (found, said) = material("phong", &content("0.5"));
     assert_eq!(found.shininess, 64.0);
     let rule = "between 0 and 1: multiplied by 128";
-    assert_eq!(said, [format!("17:55: note: the shininess of \"M\" is 0.5, {rule}, as some programs write it")]);
+    assert_eq!(
+        said,
+        [format!("17:55: note: the shininess of \"M\" is 0.5, {rule} (some programs write it as a fraction)")]
+    );
     assert_eq!(found.sources[1].rule, rule);
     assert_eq!(quiet("phong", &content("1.5")).shininess, 1.5);
     let zero = quiet("phong", &content("0"));

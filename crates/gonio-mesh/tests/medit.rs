@@ -222,7 +222,7 @@ fn broken_binary_files_are_refused() {
         "the section after Dimension is declared to begin at byte 8, which is before it or beyond the end (at byte 9)";
     assert_eq!(with(12, 8), back);
     let beyond = with(12, i32::MAX);
-    assert!(beyond.starts_with("the section after Dimension is said to begin at byte 2147483647"), "{beyond}");
+    assert!(beyond.starts_with("the section after Dimension is declared to begin at byte 2147483647"), "{beyond}");
     assert_eq!(with(16, 4), "Dimension is 4: only 2 and 3 can be drawn (at byte 17)");
     // The count of Vertices.
     assert_eq!(with(28, -1), "invalid count of Vertices: -1 (at byte 29)");
@@ -313,7 +313,7 @@ fn limits_are_kept() {
 #[test]
 fn counts_are_not_believed() {
     let text = format!("MeshVersionFormatted 4 Dimension 3 Vertices {} 0 0 0 0", i64::MAX);
-    assert!(read(text.as_bytes()).unwrap_err().message.contains("more than the rest of the file can hold"));
+    assert!(read(text.as_bytes()).unwrap_err().message.contains("more than the rest of the file can contain"));
     let text = format!("MeshVersionFormatted 4 Dimension 3 Hexahedra {} 0 0 0 0", i64::MAX / 9);
-    assert!(read(text.as_bytes()).unwrap_err().message.contains("more than the rest of the file can hold"));
+    assert!(read(text.as_bytes()).unwrap_err().message.contains("more than the rest of the file can contain"));
 }

@@ -258,8 +258,8 @@ fn attributes_of_some_primitives_only() {
     says(&said, "note: only some primitives have tangents (TANGENT): those of the file are not used");
     says(
         &said,
-        "note: meshes[0].primitives[0] has no normals: glTF asks for flat shading there; they are averaged where \
-         smooth shading is asked for",
+        "note: meshes[0].primitives[0] has no normals: glTF specifies flat shading there; they are averaged for \
+         smooth shading",
     );
     // Tangents without normals mean nothing.
     let mut file = File::triangle();

@@ -407,8 +407,8 @@ fn texture_coordinates_of_the_first_texture() {
     let (model, said) = file.said();
     assert_eq!(model.mesh.tex_coords, [[0.0, 1.0]; 3]);
     assert_eq!(model.materials[0].emitted_map, None);
-    let first = "the material's first texture on TEXCOORD_0: it is left out";
-    says(&said, &format!("warning: materials[0].emissiveTexture lies on TEXCOORD_1, {first}"));
+    let first = "but the material's first texture uses TEXCOORD_0: it is left out";
+    says(&said, &format!("warning: materials[0].emissiveTexture uses TEXCOORD_1, {first}"));
     file.json["meshes"][0]["primitives"][0]["attributes"].as_object_mut().unwrap().remove("TEXCOORD_0");
     let (model, said) = file.said();
     assert!(model.mesh.tex_coords.is_empty());
