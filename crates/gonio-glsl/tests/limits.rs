@@ -32,7 +32,7 @@ fn on_a_small_stack<T: Send + 'static>(job: impl FnOnce() -> T + Send + 'static)
 }
 
 #[test]
-fn every_limit_is_told_with_its_line() {
+fn every_limit_is_reported_with_its_line() {
     let told = on_a_small_stack(|| pairs().iter().map(|pair| (pair.name, pair.limit, read(pair))).collect::<Vec<_>>());
     assert!(told.len() >= 60, "{}", told.len());
     let is_right = |(_, limit, refused): &&(&str, Option<Limit>, Vec<(Limit, u32)>)| match refused.as_slice() {

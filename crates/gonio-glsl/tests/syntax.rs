@@ -53,7 +53,7 @@ fn each_syntax_error_has_its_place() {
 }
 
 #[test]
-fn several_errors_are_told_and_later_functions_known() {
+fn several_errors_are_reported_and_later_functions_known() {
     let source = "float f() {\n  return 1.0\n}\nfloat g() {\n  return (2.0;\n}\nvoid main() {\n  x = ;\n}\n";
     assert_eq!(told(source).iter().map(|t| t.0).collect::<Vec<_>>(), [2, 5, 8]);
     assert_eq!(functions(source), ["f", "g", "main"]);

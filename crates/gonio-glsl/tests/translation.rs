@@ -225,7 +225,7 @@ fn bounded(source: &str, stage: Stage) -> String {
 }
 
 #[test]
-fn loops_end_where_they_are_told_to() {
+fn loops_end_where_they_are_reported_to() {
     let source = "#version 330 core\nout vec4 c;\nvoid main() {\n  float x = 0.0;\n  \
                   for (int i = 0; i < 3; i++) for (;;) x += 1;\n  while (x > 0.0) {\n    x -= 0.5;\n  }\n  \
                   do x *= 2; while (x < 9.0);\n  if (x > 1.0) return;\n  c = vec4(x);\n} // end";

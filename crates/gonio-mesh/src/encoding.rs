@@ -281,7 +281,7 @@ mod tests {
     }
 
     #[test]
-    fn invalid_code_units_are_replaced_and_told() {
+    fn invalid_code_units_are_replaced_and_reported() {
         let mut bytes: Vec<u8> = "o a\r\no b".encode_utf16().flat_map(u16::to_le_bytes).collect();
         // A lone low surrogate, a high one before an x, and half a code unit.
         bytes.extend([0x00, 0xDC, 0x00, 0xD8, b'x', 0, b'!']);

@@ -234,7 +234,7 @@ fn textures_take_the_place_of_colours() {
 }
 
 #[test]
-fn textures_that_lead_nowhere_are_told() {
+fn textures_that_lead_nowhere_are_reported() {
     let (found, said) = material("phong", "<diffuse><texture texture=\"nothing\" texcoord=\"uv\"/></diffuse>");
     assert_eq!((found.diffuse_map, found.diffuse), (None, [0.8; 3]));
     assert_eq!(

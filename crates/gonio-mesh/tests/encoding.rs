@@ -118,7 +118,7 @@ fn material_libraries_are_read_in_every_encoding() {
 }
 
 #[test]
-fn damage_is_told_with_its_place() {
+fn damage_is_reported_with_its_place() {
     for (format, text) in ALL {
         let mut bytes: Vec<u8> = text.encode_utf16().flat_map(u16::to_le_bytes).collect();
         // Half of a character, at the end.
@@ -295,7 +295,7 @@ fn members_frames_and_padding_are_one_file() {
 }
 
 #[test]
-fn every_cut_is_told() {
+fn every_cut_is_reported() {
     for (name, method) in [("triangle.obj.gz", "gzip"), ("triangle.obj.zst", "zstd")] {
         let bytes = packed(name);
         for length in 4..bytes.len() {
@@ -334,7 +334,7 @@ fn every_changed_byte_is_survived_and_those_of_data_are_noticed() {
 }
 
 #[test]
-fn rubbish_behind_the_data_is_told() {
+fn rubbish_behind_the_data_is_reported() {
     let gz = packed("triangle.obj.gz");
     let expected =
         format!("compressed data ends at byte {}, and 3 bytes of other data follow: the file is damaged", gz.len());

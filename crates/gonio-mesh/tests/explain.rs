@@ -246,7 +246,7 @@ fn lines_that_are_not_there() {
 }
 
 #[test]
-fn large_faces_are_told_in_part() {
+fn large_faces_are_reported_in_part() {
     let mut text = String::from("f");
     (0..5000).for_each(|_| text.push_str(" 1 2 3"));
     text.push_str("\nv 0 0 0\nv 1 0 0\nv 0 1 0\n");

@@ -245,7 +245,7 @@ fn broken_binary_files_are_refused() {
 }
 
 #[test]
-fn bad_indices_of_binary_files_are_told_with_their_byte() {
+fn bad_indices_of_binary_files_are_reported_with_their_byte() {
     let mut writer = Writer::new(1, false);
     writer.dimension(3);
     writer.vertices(&CORNERS, 3);

@@ -231,7 +231,7 @@ fn the_last_of_two_counts() {
 }
 
 #[test]
-fn what_is_not_used_is_told_once() {
+fn what_is_not_used_is_reported_once() {
     let (_, said) = odd("Ps 0.5\nPc 1\nmap_Ps velvet.png\nTf 0 1 1\nPs 0.4\n");
     assert_eq!(said, ["3: note: 4 statements without a term in the light equation: Pc, map_Ps, Tf, Ps"]);
     let (_, said) = odd("shiny yes\n");

@@ -328,7 +328,7 @@ fn a_tetrahedron_is_closed_and_gets_normals() {
 }
 
 #[test]
-fn what_is_odd_is_survived_and_told() {
+fn what_is_odd_is_survived_and_reported() {
     let face = |line: &str| format!("{HEAD}{FACE}{SQUARE}{line}\n");
     let two_faces = |lines: &str| face(lines).replace("face 1", "face 2");
     let cases: &[(String, &[&str])] = &[

@@ -255,7 +255,7 @@ fn sizes_that_do_not_fit() {
 }
 
 #[test]
-fn what_is_odd_is_survived_and_told() {
+fn what_is_odd_is_survived_and_reported() {
     let facet = one_facet("0 0 1");
     let two = |more: &str| facet.replace("endsolid\n", more);
     let second =

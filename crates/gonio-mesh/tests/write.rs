@@ -323,7 +323,7 @@ fn lossy() -> Model {
 }
 
 #[test]
-fn what_obj_cannot_hold_is_told() {
+fn what_obj_cannot_hold_is_reported() {
     let files = write_obj::write(&lossy(), "out.mtl");
     let said: Vec<String> = files.diagnostics.iter().map(ToString::to_string).collect();
     let expected = [
@@ -344,7 +344,7 @@ fn what_obj_cannot_hold_is_told() {
 }
 
 #[test]
-fn what_ply_cannot_hold_is_told() {
+fn what_ply_cannot_hold_is_reported() {
     let mut model = lossy();
     model.mesh.parts[0].name = "part".to_owned();
     let files = write_ply::write(&model, "out", write_ply::Encoding::Binary);

@@ -36,7 +36,7 @@ impl Checker<'_> {
         for arg in &call.args {
             self.convert(arg, Some(&of), "this element");
         }
-        self.hold_type(&ty, span);
+        self.check_type(&ty, span);
         Some(ty)
     }
 

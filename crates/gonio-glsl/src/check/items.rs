@@ -89,12 +89,12 @@ impl Checker<'_> {
                     } else if value.is_some_and(|v| v < 1.0) {
                         self.error(size.span, "array-size", "the size of an array must be at least 1");
                     }
-                    self.hold_size(size, value);
+                    self.check_size(size, value);
                     value.filter(|v| (1.0..1e9).contains(v)).map(|v| v as u32)
                 }
             };
             ty = Type::Array(Box::new(ty), count);
-            self.hold_type(&ty, size.as_ref().map_or(Span::default(), |size| size.span));
+            self.check_type(&ty, size.as_ref().map_or(Span::default(), |size| size.span));
         }
         Some(ty)
     }
@@ -121,7 +121,7 @@ impl Checker<'_> {
                 members.push((declarator.name.clone(), ty));
             }
         }
-        self.hold_struct(&definition.name, &members, definition.span);
+        self.check_struct(&definition.name, &members, definition.span);
         if definition.name.is_empty() {
             return;
         }
@@ -292,7 +292,7 @@ impl Checker<'_> {
                 members.push((declarator.name.clone(), ty));
             }
         }
-        self.hold_struct(&format!("{} (block)", block.name), &members, block.name_span);
+        self.check_struct(&format!("{} (block)", block.name), &members, block.name_span);
         let Some(instance) = &mut block.instance else { return };
         // The instance behaves like a struct, with a name that no declaration can have.
         let name = format!("{} (block)", block.name);

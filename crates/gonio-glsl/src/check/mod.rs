@@ -82,7 +82,7 @@ pub fn check(parsed: &mut Parsed, stage: Stage) -> Checked {
     let mut unit = std::mem::take(&mut parsed.unit);
     let mut checker = Checker::new(parsed, stage);
     checker.unit(&mut unit);
-    checker.hold_functions();
+    checker.check_functions();
     strict::whole(&mut checker, &unit);
     let interface = interface::collect(&checker, &unit);
     let mut problems = checker.problems;

@@ -96,7 +96,7 @@ impl Checker<'_> {
 
     /// Declares a name; a duplicate in the same scope is an error.
     pub(super) fn declare(&mut self, symbol: Symbol) -> usize {
-        self.hold_variable(&symbol);
+        self.check_variable(&symbol);
         let id = self.symbols.len();
         let is_gl = symbol.name.starts_with("gl_");
         // Built-in variables such as `in vec4 gl_FragCoord` may be redeclared.

@@ -56,14 +56,14 @@ impl Checker<'_> {
     }
 
     /// Checks a type that the shader declares or constructs against the limits.
-    pub(super) fn hold_type(&mut self, ty: &Type, span: Span) {
+    pub(super) fn check_type(&mut self, ty: &Type, span: Span) {
         if self.components(ty) > MOST_COMPONENTS {
             self.beyond(span, Limit::Components);
         }
     }
 
     /// Checks an array size against the limits: known sizes, and constants that cannot be evaluated.
-    pub(super) fn hold_size(&mut self, size: &Expr, value: Option<f64>) {
+    pub(super) fn check_size(&mut self, size: &Expr, value: Option<f64>) {
         match value {
             Some(value) if value > MOST_COMPONENTS as f64 || value.is_nan() => {
                 self.beyond(size.span, Limit::Components);
@@ -76,7 +76,7 @@ impl Checker<'_> {
     }
 
     /// Checks a struct against the limits, and records its size.
-    pub(super) fn hold_struct(&mut self, name: &str, members: &[(String, Option<Type>)], span: Span) {
+    pub(super) fn check_struct(&mut self, name: &str, members: &[(String, Option<Type>)], span: Span) {
         let mut size = StructSize { components: 0, nested: 1 };
         for ty in members.iter().filter_map(|(_, ty)| ty.as_ref()) {
             size.components = size.components.saturating_add(self.components(ty));
@@ -99,7 +99,7 @@ impl Checker<'_> {
     }
 
     /// Checks a new variable against the limits, and all variables together.
-    pub(super) fn hold_variable(&mut self, symbol: &Symbol) {
+    pub(super) fn check_variable(&mut self, symbol: &Symbol) {
         let Some(ty) = &symbol.ty else { return };
         let components = self.components(ty);
         self.all_components = self.all_components.saturating_add(components);
@@ -137,7 +137,7 @@ impl Checker<'_> {
     }
 
     /// Checks functions against the limits, with everything they call. Recursion is checked elsewhere.
-    pub(super) fn hold_functions(&mut self) {
+    pub(super) fn check_functions(&mut self) {
         let all: usize = self.functions.values().map(Vec::len).sum();
         let many = self.functions.values().find(|list| all > MOST_FUNCTIONS || list.len() > MOST_OVERLOADS);
         if let Some(span) = many.and_then(|list| list.last()).map(|last| last.span) {

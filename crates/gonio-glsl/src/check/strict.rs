@@ -77,17 +77,17 @@ fn precision(checker: &mut Checker<'_>, unit: &Unit) {
     impl Visitor for First {
         fn declaration(&mut self, declaration: &Declaration) -> bool {
             let is_float = Type::named(&declaration.ty.name).and_then(|t| t.scalar()) == Some(Scalar::Float);
-            let is_said = declaration.qualifiers.iter().any(|q| matches!(&*q.word, "highp" | "mediump" | "lowp"));
-            if is_float && !is_said && self.0.is_none() {
+            let is_written = declaration.qualifiers.iter().any(|q| matches!(&*q.word, "highp" | "mediump" | "lowp"));
+            if is_float && !is_written && self.0.is_none() {
                 self.0 = Some(declaration.ty.span);
             }
             true
         }
     }
-    let is_said = unit.items.iter().any(|i| matches!(i, Item::Precision(p) if p.ty.name == "float"));
+    let is_written = unit.items.iter().any(|i| matches!(i, Item::Precision(p) if p.ty.name == "float"));
     let mut first = First(None);
     walk_unit(unit, &mut first);
-    if let (Some(span), false) = (first.0, is_said) {
+    if let (Some(span), false) = (first.0, is_written) {
         let problem = Problem::strict(span, "missing-precision", "no default precision for `float`");
         checker.problems.push(problem.with_help("add `precision highp float;` near the top"));
     }

@@ -185,7 +185,7 @@ impl Parser<'_> {
                     Ok(literal) => literal,
                     Err(why) => {
                         let message = format!("`{}` is not a number: {why}", token.text);
-                        self.tell(Problem::error(token.span, "bad-number", message));
+                        self.report(Problem::error(token.span, "bad-number", message));
                         Literal::Float(0.0)
                     }
                 };

@@ -59,7 +59,7 @@ impl Parser<'_> {
             return Ok(Item::Empty(token.span));
         }
         if self.is("}") {
-            self.tell(Problem::error(
+            self.report(Problem::error(
                 token.span,
                 "stray-bracket",
                 "unexpected `}`: this one, or one before it, closes nothing",

@@ -29,8 +29,8 @@ pub(crate) struct Parser<'p> {
     structs: HashSet<String>,
     nested: usize,
     /// The position of the last error: one position, one error.
-    told_at: Option<usize>,
-    told: usize,
+    reported_at: Option<usize>,
+    reported: usize,
     has_given_up: bool,
 }
 
@@ -43,8 +43,8 @@ pub(crate) fn unit(tokens: &[Token], version: Version, problems: &mut Vec<Proble
         problems,
         structs: HashSet::new(),
         nested: 0,
-        told_at: None,
-        told: 0,
+        reported_at: None,
+        reported: 0,
         has_given_up: false,
     };
     parser.unit()
@@ -113,20 +113,20 @@ impl<'p> Parser<'p> {
     #[cold]
     #[inline(never)]
     fn fail<T>(&mut self, span: Span, code: &'static str, message: impl Into<String>) -> Parse<T> {
-        self.tell(Problem::error(span, code, message));
+        self.report(Problem::error(span, code, message));
         Err(Stop)
     }
 
     #[cold]
     #[inline(never)]
-    fn tell(&mut self, problem: Problem) {
-        if self.told_at == Some(self.at) || self.has_given_up {
+    fn report(&mut self, problem: Problem) {
+        if self.reported_at == Some(self.at) || self.has_given_up {
             return;
         }
-        self.told_at = Some(self.at);
-        self.told += 1;
+        self.reported_at = Some(self.at);
+        self.reported += 1;
         self.problems.push(problem);
-        if self.told >= MOST_PROBLEMS {
+        if self.reported >= MOST_PROBLEMS {
             let span = self.token().span;
             self.problems.push(Problem::beyond(span, Limit::SyntaxErrors));
             self.has_given_up = true;
@@ -179,7 +179,7 @@ impl<'p> Parser<'p> {
             let message = format!("expected an operator or `;` before {}", self.found());
             return self.fail(next.span, "missing-semicolon", message);
         }
-        self.tell(Problem::error(self.behind(), "missing-semicolon", format!("expected `;` after this {after}")));
+        self.report(Problem::error(self.behind(), "missing-semicolon", format!("expected `;` after this {after}")));
         Ok(())
     }
 
@@ -202,7 +202,7 @@ impl<'p> Parser<'p> {
         if words::is_reserved(&token.text, self.version) {
             let message = format!("`{}` is a reserved word and cannot be the name of {of}", token.text);
             // The tree is as good as with any other name.
-            self.tell(Problem::error(token.span, "reserved-word", message));
+            self.report(Problem::error(token.span, "reserved-word", message));
             if words::is_statement(&token.text, self.version) {
                 return Err(Stop);
             }

@@ -18,7 +18,7 @@ impl Parser<'_> {
             } else {
                 format!("expected `}}` before this function: the body of `{name}` (line {line}) is not closed")
             };
-            self.tell(Problem::error(self.token().span, "missing-bracket", message));
+            self.report(Problem::error(self.token().span, "missing-bracket", message));
         }
         Ok(list)
     }
@@ -136,9 +136,9 @@ impl Parser<'_> {
         let (list, is_closed) = self.statements();
         if !is_closed {
             let message = format!("the `{{` of line {} is never closed: expected `}}`", open.line);
-            self.tell(Problem::error(open, "missing-bracket", message));
+            self.report(Problem::error(open, "missing-bracket", message));
         }
-        Ok(made(StatementKind::Block(list)))
+        Ok(boxed(StatementKind::Block(list)))
     }
 
     /// Parses a statement that contains no other.
@@ -146,7 +146,7 @@ impl Parser<'_> {
     fn simple_statement(&mut self) -> Parse<Box<Statement>> {
         let token = self.token();
         if self.take(";") {
-            return Ok(made(StatementKind::Empty));
+            return Ok(boxed(StatementKind::Empty));
         }
         let word = if token.kind == TokenKind::Name { &*token.text } else { "" };
         match word {
@@ -155,12 +155,12 @@ impl Parser<'_> {
                 let is_bare = self.is(";") || self.is("}");
                 let value = if is_bare { None } else { Some(*self.expression()?) };
                 self.semicolon("return")?;
-                return Ok(made(StatementKind::Return(value)));
+                return Ok(boxed(StatementKind::Return(value)));
             }
             "break" => return self.jump(StatementKind::Break),
             "continue" => return self.jump(StatementKind::Continue),
             "discard" => return self.jump(StatementKind::Discard),
-            "precision" => return Ok(made(StatementKind::Precision(self.precision()?))),
+            "precision" => return Ok(boxed(StatementKind::Precision(self.precision()?))),
             "else" => {
                 let message = "`else` without an `if`: is there a `;` after `if (..)`, or an extra `}`?";
                 return self.fail(token.span, "stray-else", message);
@@ -168,17 +168,17 @@ impl Parser<'_> {
             _ => {}
         }
         if self.is_declaration() {
-            return Ok(made(StatementKind::Declaration(self.declaration()?)));
+            return Ok(boxed(StatementKind::Declaration(self.declaration()?)));
         }
         let value = self.expression()?;
         self.semicolon("statement")?;
-        Ok(made(StatementKind::Expression(*value)))
+        Ok(boxed(StatementKind::Expression(*value)))
     }
 
     fn jump(&mut self, kind: StatementKind) -> Parse<Box<Statement>> {
         self.advance();
         self.semicolon("statement")?;
-        Ok(made(kind))
+        Ok(boxed(kind))
     }
 
     /// Takes the `(` of a condition.
@@ -199,7 +199,7 @@ impl Parser<'_> {
         self.close(")", open)?;
         let then = self.statement()?;
         let otherwise = if self.take("else") { Some(self.statement()?) } else { None };
-        Ok(made(StatementKind::If { condition: *condition, then, otherwise }))
+        Ok(boxed(StatementKind::If { condition: *condition, then, otherwise }))
     }
 
     #[inline(never)]
@@ -223,14 +223,14 @@ impl Parser<'_> {
         match self.for_head(open) {
             Ok((initial, condition, step)) => {
                 let body = self.statement()?;
-                Ok(made(StatementKind::For { initial, condition, step, body }))
+                Ok(boxed(StatementKind::For { initial, condition, step, body }))
             }
             Err(stop) => {
                 if !self.skip_to_close(open) {
                     return Err(stop);
                 }
                 let body = self.statement()?;
-                Ok(made(StatementKind::For { initial: None, condition: None, step: None, body }))
+                Ok(boxed(StatementKind::For { initial: None, condition: None, step: None, body }))
             }
         }
     }
@@ -296,7 +296,7 @@ impl Parser<'_> {
         let condition = self.condition()?;
         self.close(")", open)?;
         let body = self.statement()?;
-        Ok(made(StatementKind::While { condition, body }))
+        Ok(boxed(StatementKind::While { condition, body }))
     }
 
     #[inline(never)]
@@ -310,7 +310,7 @@ impl Parser<'_> {
         let condition = *self.expression()?;
         self.close(")", open)?;
         self.semicolon("`do .. while (..)`")?;
-        Ok(made(StatementKind::DoWhile { body, condition }))
+        Ok(boxed(StatementKind::DoWhile { body, condition }))
     }
 
     #[inline(never)]
@@ -326,9 +326,9 @@ impl Parser<'_> {
         let (body, is_closed) = self.statements();
         if !is_closed {
             let message = "the `{` of this `switch` is never closed";
-            self.tell(Problem::error(brace, "missing-bracket", message));
+            self.report(Problem::error(brace, "missing-bracket", message));
         }
-        Ok(made(StatementKind::Switch { value, body }))
+        Ok(boxed(StatementKind::Switch { value, body }))
     }
 
     #[inline(never)]
@@ -339,12 +339,12 @@ impl Parser<'_> {
         if !self.take(":") {
             return self.fail(self.behind(), "missing-colon", "expected `:` after this `case`");
         }
-        Ok(made(StatementKind::Case(value)))
+        Ok(boxed(StatementKind::Case(value)))
     }
 }
 
 /// Allocates a statement on the heap, where its size does not affect the deep recursion; its span is set later.
 #[inline(never)]
-fn made(kind: StatementKind) -> Box<Statement> {
+fn boxed(kind: StatementKind) -> Box<Statement> {
     Box::new(Statement { kind, span: Default::default(), tokens: TokenRange::default() })
 }

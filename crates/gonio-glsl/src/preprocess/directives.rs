@@ -32,8 +32,8 @@ impl Preprocessor<'_> {
             }
             "version" => self.version(&rest, span),
             "error" => {
-                let said = words(&rest);
-                self.problems.push(Problem::error(span, "error-directive", format!("#error {said}")));
+                let text = words(&rest);
+                self.problems.push(Problem::error(span, "error-directive", format!("#error {text}")));
             }
             "include" => {
                 let message = "GLSL has no `#include`";
@@ -113,7 +113,7 @@ impl Preprocessor<'_> {
 
     fn conditional(&mut self, word: &str, rest: &[Token], span: Span) {
         if word.starts_with("if") {
-            let is_active = self.is_active() && self.holds(word, rest, span);
+            let is_active = self.is_active() && self.is_true(word, rest, span);
             // In a branch that is not compiled no nested branch is.
             let is_taken = is_active || !self.is_active();
             self.conditionals.push(Conditional { span, is_active, is_taken, has_else: false });
@@ -130,12 +130,12 @@ impl Preprocessor<'_> {
             self.problems.push(Problem::error(span, "stray-directive", format!("`#{word}` after `#else`")));
         }
         open.has_else |= word == "else";
-        open.is_active = !open.is_taken && (word == "else" || self.holds("if", rest, span));
+        open.is_active = !open.is_taken && (word == "else" || self.is_true("if", rest, span));
         open.is_taken |= open.is_active;
         self.conditionals.push(open);
     }
 
-    fn holds(&mut self, word: &str, rest: &[Token], span: Span) -> bool {
+    fn is_true(&mut self, word: &str, rest: &[Token], span: Span) -> bool {
         match word {
             "ifdef" | "ifndef" => {
                 let Some(name) = rest.first() else {

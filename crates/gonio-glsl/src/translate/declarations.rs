@@ -303,8 +303,8 @@ impl Translator<'_> {
             let is_integer = is_integer && place != Place::Uniform;
             let flat =
                 if has_flat && !has(&member.qualifiers, "flat") || is_integer && !has_flat { "flat " } else { "" };
-            let is_said = ["in", "out", "uniform"].iter().any(|word| has(&member.qualifiers, word));
-            let word = if is_said { "" } else { word };
+            let is_written = ["in", "out", "uniform"].iter().any(|word| has(&member.qualifiers, word));
+            let word = if is_written { "" } else { word };
             self.edits.insert(at, &format!("{flat}{word} "));
             if block.instance.is_some() {
                 for declarator in &member.declarators {

@@ -59,21 +59,21 @@ impl<'t> Document<'t> {
     }
 
     pub(super) fn warn(&self, at: usize, message: impl Into<String>) {
-        self.say(Severity::Warning, at, message);
+        self.report(Severity::Warning, at, message);
     }
 
     pub(super) fn note(&self, at: usize, message: impl Into<String>) {
-        self.say(Severity::Note, at, message);
+        self.report(Severity::Note, at, message);
     }
 
-    fn say(&self, severity: Severity, at: usize, message: impl Into<String>) {
+    fn report(&self, severity: Severity, at: usize, message: impl Into<String>) {
         let (line, column) = self.lines.place(at);
         let diagnostic = Diagnostic { severity, ..Diagnostic::warning(message) }.at(line, Some(column));
         self.reports.borrow_mut().push(line, diagnostic);
     }
 
     /// Adds a diagnostic without a position, after all others.
-    pub(super) fn say_at_end(&self, diagnostic: Diagnostic) {
+    pub(super) fn report_at_end(&self, diagnostic: Diagnostic) {
         self.reports.borrow_mut().push(u64::MAX, diagnostic);
     }
 

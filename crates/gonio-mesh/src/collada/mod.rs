@@ -130,7 +130,7 @@ fn report_cuts(document: &Document<'_>, scene: &NodeWalker<'_, '_>) {
     if scene.cuts.not_simple > 0 {
         let message =
             format!("{} polygons cross or touch themselves: their triangles are guessed", scene.cuts.not_simple);
-        document.say_at_end(Diagnostic::warning(message));
+        document.report_at_end(Diagnostic::warning(message));
     }
     if scene.cuts.too_large > 0 {
         let most = crate::polygon::MOST_CORNERS_FOR_EARS;
@@ -138,6 +138,6 @@ fn report_cuts(document: &Document<'_>, scene: &NodeWalker<'_, '_>) {
             "{} concave polygons have more than {most} corners: triangulated as if convex",
             scene.cuts.too_large
         );
-        document.say_at_end(Diagnostic::warning(message));
+        document.report_at_end(Diagnostic::warning(message));
     }
 }

@@ -61,7 +61,7 @@ pub(super) fn blank(bytes: &[u8], line: u64, extent: Extent) -> LineExplanation 
 }
 
 /// Adds the range of the statement, if it is not just the requested line.
-pub(super) fn say_extent(explanation: &mut LineExplanation) {
+pub(super) fn describe_extent(explanation: &mut LineExplanation) {
     let (line, first, last) = (explanation.line, explanation.first_line, explanation.last_line);
     if line > first {
         explanation.meaning = format!("continues line {first}: {}", explanation.meaning);

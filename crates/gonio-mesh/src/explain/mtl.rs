@@ -1,6 +1,6 @@
 //! Explains statements of a material library.
 
-use super::file::{Extent, blank, named, no_such_line, numbers, printable, say_extent};
+use super::file::{Extent, blank, describe_extent, named, no_such_line, numbers, printable};
 use super::{InForce, LineExplanation, LineValue};
 use crate::text::{Cursor, decode};
 use crate::{AmbientRule, Material, ReadError, TextureMap, Wrap, mtl};
@@ -83,7 +83,7 @@ pub(super) fn explain(bytes: &[u8], line: u64) -> Result<LineExplanation, ReadEr
         explanation.in_force.push(InForce { what: "material", name: printable(name), line: *line });
     }
     add_what_is_read(bytes, extent, &mut explanation);
-    say_extent(&mut explanation);
+    describe_extent(&mut explanation);
     Ok(explanation)
 }
 

@@ -1,7 +1,7 @@
 //! Explains statements of an OBJ file.
 
 use super::face::{self, Element};
-use super::file::{Extent, blank, count, named, note, numbers, say_extent, warning};
+use super::file::{Extent, blank, count, describe_extent, named, note, numbers, warning};
 use super::walk::{self, Keyword, State};
 use super::{LineExplanation, LineValue};
 use crate::obj::{SmoothingGroup, not_finite_behind_position};
@@ -49,7 +49,7 @@ pub(super) fn explain(bytes: &[u8], line: u64) -> Result<LineExplanation, ReadEr
     let mut cursor = Cursor::at_line(bytes, extent.start, extent.first_line);
     if cursor.next_word() {
         statement(bytes, &mut cursor, &state, extent, &mut explanation);
-        say_extent(&mut explanation);
+        describe_extent(&mut explanation);
     } else {
         let is_comment = cursor.peek() == Some(b'#');
         explanation.meaning = if is_comment { "a comment" } else { "an empty line" }.to_owned();

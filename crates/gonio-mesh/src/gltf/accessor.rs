@@ -80,9 +80,9 @@ impl<'v> Accessor<'v> {
         widths: &[usize],
     ) -> Result<Option<Self>, ReadError> {
         let Some((_, at)) = from.target(root, key, "accessors")? else { return Ok(None) };
-        let count = at.index("count")?.ok_or_else(|| at.lacks("count"))?;
+        let count = at.index("count")?.ok_or_else(|| at.missing("count"))?;
         let component = component(at)?;
-        let kind = at.text("type")?.ok_or_else(|| at.lacks("type"))?;
+        let kind = at.text("type")?.ok_or_else(|| at.missing("type"))?;
         let width = ["SCALAR", "VEC2", "VEC3", "VEC4", "MAT4"].iter().position(|name| *name == kind);
         let width = width.map(|i| [1, 2, 3, 4, 16][i]).filter(|width| widths.contains(width));
         let width = width.ok_or_else(|| {
@@ -144,7 +144,7 @@ impl<'v> Accessor<'v> {
 }
 
 fn component(at: JsonRef<'_>) -> Result<Component, ReadError> {
-    let code = at.unsigned("componentType")?.ok_or_else(|| at.lacks("componentType"))?;
+    let code = at.unsigned("componentType")?.ok_or_else(|| at.missing("componentType"))?;
     Component::of_code(code).ok_or_else(|| {
         let what = "is not one of 5120 (i8), 5121 (u8), 5122 (i16), 5123 (u16), 5125 (u32), 5126 (f32)";
         ReadError::new(format!("{} {what}", at.written("componentType")))
@@ -159,11 +159,11 @@ impl<'v> Sparse<'v> {
         width: usize,
         values_are: Component,
     ) -> Result<Self, ReadError> {
-        let count = at.index("count")?.ok_or_else(|| at.lacks("count"))?;
+        let count = at.index("count")?.ok_or_else(|| at.missing("count"))?;
         let mut array = |key: &'v str, width, component: Option<Component>| {
-            let at = at.get(key).ok_or_else(|| at.lacks(key))?;
+            let at = at.get(key).ok_or_else(|| at.missing(key))?;
             let component = component.map_or_else(|| self::component(at), Ok)?;
-            let view = buffers.view(at, "bufferView")?.ok_or_else(|| at.lacks("bufferView"))?;
+            let view = buffers.view(at, "bufferView")?.ok_or_else(|| at.missing("bufferView"))?;
             Array::open(view, at, count, width, component)
         };
         let indices = array("indices", 1, None)?;

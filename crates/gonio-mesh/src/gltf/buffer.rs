@@ -46,10 +46,12 @@ impl<'v, 's> Buffers<'v, 's> {
     /// Returns the view that the index `key` of `from` refers to.
     pub fn view(&mut self, from: JsonRef<'v>, key: &'v str) -> Result<Option<View<'v>>, ReadError> {
         let Some((_, at)) = from.target(self.root, key, "bufferViews")? else { return Ok(None) };
-        let Some((index, buffer)) = at.target(self.root, "buffer", "buffers")? else { return Err(at.lacks("buffer")) };
+        let Some((index, buffer)) = at.target(self.root, "buffer", "buffers")? else {
+            return Err(at.missing("buffer"));
+        };
         let bytes = self.bytes(index, buffer)?;
         let first = at.unsigned("byteOffset")?.unwrap_or(0);
-        let length = at.unsigned("byteLength")?.ok_or_else(|| at.lacks("byteLength"))?;
+        let length = at.unsigned("byteLength")?.ok_or_else(|| at.missing("byteLength"))?;
         let range = range(first, length).filter(|range| range.end <= bytes.len());
         let range = range.ok_or_else(|| {
             let (path, size) = (at.path(), bytes.len());
@@ -63,7 +65,7 @@ impl<'v, 's> Buffers<'v, 's> {
         if let Some(bytes) = self.fetched.get(&index) {
             return Ok(bytes.clone());
         }
-        let length = at.unsigned("byteLength")?.ok_or_else(|| at.lacks("byteLength"))?;
+        let length = at.unsigned("byteLength")?.ok_or_else(|| at.missing("byteLength"))?;
         let bytes = match (at.text("uri")?, self.binary) {
             (Some(uri), _) => self.fetch(uri, at)?,
             (None, Some(binary)) if index == 0 => Rc::new(Cow::Borrowed(binary)),
@@ -101,9 +103,9 @@ impl<'v, 's> Buffers<'v, 's> {
                     if let Some(refused) = refused {
                         return ReadError::new(format!("{name:?}, which {path} names, was not read: {refused}"));
                     }
-                    let sought = if tried.is_empty() { String::new() } else { format!("; tried {tried}") };
+                    let tried_places = if tried.is_empty() { String::new() } else { format!("; tried {tried}") };
                     ReadError::new(format!(
-                        "{name:?}, which {path} names, was not found: put it beside the model{sought}"
+                        "{name:?}, which {path} names, was not found: put it beside the model{tried_places}"
                     ))
                 })?
             }

@@ -197,7 +197,7 @@ impl<'v> JsonRef<'v> {
     }
 
     /// Creates an error: a required member is missing.
-    pub fn lacks(self, key: &str) -> ReadError {
+    pub fn missing(self, key: &str) -> ReadError {
         ReadError::new(format!("{} has no {key}: the file is damaged or of another version", self.path()))
     }
 }

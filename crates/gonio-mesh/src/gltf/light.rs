@@ -52,12 +52,12 @@ fn light(
     model_from_node: &DMat4,
     reports: &mut Reports,
 ) -> Result<Option<ModelLight>, ReadError> {
-    let index = user.index("light")?.ok_or_else(|| user.lacks("light"))?;
+    let index = user.index("light")?.ok_or_else(|| user.missing("light"))?;
     let lights = root.extension(EXTENSION).and_then(|extension| extension.get("lights"));
     let Some(at) = lights.and_then(|lights| lights.item(index)) else {
         return Err(ReadError::new(format!("{}, but the file has {} lights", user.written("light"), count(root))));
     };
-    let kind = match at.text("type")?.ok_or_else(|| at.lacks("type"))? {
+    let kind = match at.text("type")?.ok_or_else(|| at.missing("type"))? {
         "directional" => ModelLightKind::Directional,
         "point" => ModelLightKind::Point,
         "spot" => spot(at)?,
@@ -105,13 +105,13 @@ fn camera(
     reports: &mut Reports,
 ) -> Result<Option<ModelCamera>, ReadError> {
     let Some((_, at)) = node.target(root, "camera", "cameras")? else { return Ok(None) };
-    let kind = at.text("type")?.ok_or_else(|| at.lacks("type"))?;
+    let kind = at.text("type")?.ok_or_else(|| at.missing("type"))?;
     let lens = match kind {
-        "perspective" | "orthographic" => at.get(kind).ok_or_else(|| at.lacks(kind))?,
+        "perspective" | "orthographic" => at.get(kind).ok_or_else(|| at.missing(kind))?,
         other => return Err(ReadError::new(format!("{} has the unknown type {other:?}", at.title()))),
     };
     let fov_y_rad = if kind == "perspective" {
-        let fov = lens.number("yfov")?.ok_or_else(|| lens.lacks("yfov"))?;
+        let fov = lens.number("yfov")?.ok_or_else(|| lens.missing("yfov"))?;
         if !(fov > 0.0 && fov < std::f64::consts::PI) {
             return Err(ReadError::new(format!("{}, which is not a valid field of view", lens.written("yfov"))));
         }

@@ -114,7 +114,7 @@ impl<'l> Geometry<'l> {
                 ReadError::new(format!("{}, which is not a primitive mode (0 to 6)", at.written("mode")))
             })?,
         };
-        let Some(attributes) = at.get("attributes") else { return Err(at.lacks("attributes")) };
+        let Some(attributes) = at.get("attributes") else { return Err(at.missing("attributes")) };
         let Some(positions) = Accessor::open(buffers, root, attributes, "POSITION", &[3])? else {
             let message = || format!("{} has no POSITION: it is not drawn", at.path());
             reports.add_without_line("primitives without positions", Severity::Warning, message);

@@ -61,7 +61,9 @@ impl<'v> Textures<'v> {
         buffers: &mut Buffers<'v, '_>,
         reports: &mut Reports,
     ) -> Result<TextureUse, ReadError> {
-        let Some((_, texture)) = info.target(self.root, "index", "textures")? else { return Err(info.lacks("index")) };
+        let Some((_, texture)) = info.target(self.root, "index", "textures")? else {
+            return Err(info.missing("index"));
+        };
         let picture = self.picture(texture, buffers)?;
         let mut map = TextureMap { embedded: picture.embedded, ..TextureMap::new(picture.path) };
         if let Some((_, sampler)) = texture.target(self.root, "sampler", "samplers")? {
@@ -90,7 +92,7 @@ impl<'v> Textures<'v> {
                 source = extension.target(self.root, "source", "images")?;
             }
         }
-        let (index, image) = source.ok_or_else(|| texture.lacks("source"))?;
+        let (index, image) = source.ok_or_else(|| texture.missing("source"))?;
         if let Some(picture) = self.known.get(&index) {
             return Ok(picture.clone());
         }
@@ -108,7 +110,7 @@ impl<'v> Textures<'v> {
                 self.check_bytes(view.bytes().len(), image)?;
                 self.embed(name, view.bytes().to_vec(), image)?
             }
-            (None, None) => return Err(image.lacks("uri and no bufferView")),
+            (None, None) => return Err(image.missing("uri and no bufferView")),
         };
         self.known.insert(index, picture.clone());
         Ok(picture)

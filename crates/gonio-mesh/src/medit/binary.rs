@@ -41,7 +41,7 @@ pub(super) fn read<'a>(
         read_section(section, &mut cursor, &mut content, limits, reports)?;
     }
     if !has_end {
-        Locator::Binary.say(
+        Locator::Binary.report(
             Severity::Warning,
             bytes.len(),
             reports,
@@ -113,7 +113,7 @@ fn read_section(
     }
     if content.has(keyword) {
         let message = format!("duplicate section {}: ignored", keyword.name);
-        Locator::Binary.say(Severity::Warning, section.at, reports, message);
+        Locator::Binary.report(Severity::Warning, section.at, reports, message);
         return Ok(());
     }
     let mut numbers = cursor.enter(section);

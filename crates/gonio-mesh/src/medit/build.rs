@@ -102,7 +102,7 @@ impl<'a> Normals<'a> {
             let at = content.counts.iter().find(|(keyword, ..)| what(keyword.name)).map_or(0, |(.., at)| *at);
             let message =
                 format!("{lost} normals are missing or belong to no vertex ({count} Normals): using averaged normals");
-            locator.say(Severity::Warning, at, reports, message);
+            locator.report(Severity::Warning, at, reports, message);
         }
         normals
     }

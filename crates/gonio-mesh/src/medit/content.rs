@@ -183,7 +183,7 @@ impl Locator<'_> {
     }
 
     /// Reports a diagnostic at a byte.
-    pub(super) fn say(&self, severity: Severity, at: usize, reports: &mut Reports, message: String) {
+    pub(super) fn report(&self, severity: Severity, at: usize, reports: &mut Reports, message: String) {
         let (order, diagnostic) = match self {
             Locator::Text(lines) => {
                 let (line, column) = lines.place(at);

@@ -55,7 +55,7 @@ fn report_not_drawn(content: &Content, locator: &Locator<'_>, reports: &mut Repo
     let ignored = || content.counts.iter().filter(|(k, count, _)| k.rows == keywords::Rows::Counted && *count > 0);
     let names: Vec<&str> = ignored().map(|(keyword, ..)| keyword.name).collect();
     if let Some((.., at)) = ignored().next() {
-        locator.say(Severity::Note, *at, reports, format!("{} are not drawn", names.join(", ")));
+        locator.report(Severity::Note, *at, reports, format!("{} are not drawn", names.join(", ")));
     }
 }
 

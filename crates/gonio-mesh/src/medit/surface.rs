@@ -60,7 +60,7 @@ fn explain(elements: &Elements, has_surface: bool, content: &Content, locator: &
         (false, _) if is_curved => format!("{} are drawn by their corners, as if they were flat", keyword.name),
         (false, _) => return,
     };
-    locator.say(Severity::Note, at, reports, message);
+    locator.report(Severity::Note, at, reports, message);
 }
 
 /// Returns the vertices of an element, from 0, or `None` if one of them does not exist.

@@ -184,9 +184,9 @@ impl Rules<'_> {
         let located = draft.illumination_model.as_ref()?;
         let (model, line, column) = (located.value, located.place.line, Some(located.place.column));
         let name = &self.name;
-        if let Some(wish) = wish_of_model(model) {
+        if let Some(features) = unsupported_features(model) {
             self.reports.add("unsupported illumination models", Severity::Note, line, column, || {
-                format!("illum {model} of {name} asks for {wish}")
+                format!("illum {model} of {name} asks for {features}")
             });
         }
         // Metal always has a highlight: Blender writes illum 1 for `Ks 0`, which does not apply to metal.
@@ -313,7 +313,7 @@ pub(super) struct Surface {
 }
 
 /// Describes what an illumination model asks for beyond the light equation, and what is done instead.
-fn wish_of_model(model: u8) -> Option<&'static str> {
+fn unsupported_features(model: u8) -> Option<&'static str> {
     Some(match model {
         0 => "a constant color without lights: it is lit as with illum 1",
         3 => "reflections by ray tracing, which need surroundings: it is lit as with illum 2",

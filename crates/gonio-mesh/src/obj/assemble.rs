@@ -20,8 +20,8 @@ pub(super) fn mesh(
     limits: &Limits,
 ) -> Result<Mesh, ReadError> {
     let position_count = vertices.position_count();
-    let first_kinds = Used::new(vertices);
-    let vertex_count = (first_kinds.count + first_kinds.extras.len()) as u64;
+    let first_attributes = Used::new(vertices);
+    let vertex_count = (first_attributes.count + first_attributes.extras.len()) as u64;
     let most = limits.max_vertices.min(u64::from(u32::MAX));
     if vertex_count > most {
         return Err(too_many_vertices(most));
@@ -29,11 +29,11 @@ pub(super) fn mesh(
     if indices.len() as u64 / 3 > limits.max_triangles {
         return Err(too_many_triangles(limits.max_triangles));
     }
-    let normals = gather(attributes.normals, &first_kinds, CornerAttributes::normal);
-    let tex_coords = gather(attributes.tex_coords, &first_kinds, CornerAttributes::tex_coord);
-    let colors = gather_colors(attributes.colors, &first_kinds);
-    let positions = gather_positions(attributes.positions, &first_kinds);
-    first_kinds.renumber(position_count, &mut indices);
+    let normals = gather(attributes.normals, &first_attributes, CornerAttributes::normal);
+    let tex_coords = gather(attributes.tex_coords, &first_attributes, CornerAttributes::tex_coord);
+    let colors = gather_colors(attributes.colors, &first_attributes);
+    let positions = gather_positions(attributes.positions, &first_attributes);
+    first_attributes.renumber(position_count, &mut indices);
     Ok(Mesh {
         normal_source: if normals.is_empty() { NormalSource::None } else { NormalSource::File },
         positions,

@@ -166,7 +166,7 @@ impl<'a> Faces<'a> {
     fn begin_face(&mut self, corners: &[Corner]) {
         self.statistics.faces[corners.len().min(MOST_COUNTED + 1)] += 1;
         self.spans.begin_face(&self.triangles);
-        if corners.iter().fold(false, |lacks, corner| lacks | corner.1.lacks_something()) {
+        if corners.iter().fold(false, |lacks, corner| lacks | corner.1.is_incomplete()) {
             self.count_lacking(corners);
         }
     }

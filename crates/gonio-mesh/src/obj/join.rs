@@ -63,7 +63,7 @@ pub(super) fn vertices(stretches: &mut [(Vertices, Triangles<'_>)]) -> Result<Ve
     let Some(((first, _), rest)) = stretches.split_first_mut() else { return Ok(Vertices::new(0)) };
     let mut all = mem::take(first);
     let mut rest: Vec<Stretch<'_, '_>> = rest.iter_mut().map(Stretch::new).collect();
-    let shared = first_kinds(&mut all, &mut rest);
+    let shared = first_attributes(&mut all, &mut rest);
     if rest.iter().all(|stretch| !stretch.differs && stretch.vertices.extras.corners.is_empty()) {
         return Ok(all);
     }
@@ -86,7 +86,7 @@ pub(super) fn vertices(stretches: &mut [(Vertices, Triangles<'_>)]) -> Result<Ve
 }
 
 /// Finds the first attributes of each position in file order. Returns the positions that several ranges use.
-fn first_kinds(all: &mut Vertices, rest: &mut [Stretch<'_, '_>]) -> Vec<u64> {
+fn first_attributes(all: &mut Vertices, rest: &mut [Stretch<'_, '_>]) -> Vec<u64> {
     let mut shared = vec![0; all.position_count() / 64 + 1];
     for stretch in rest {
         for position in stretch.vertices.touched() {

@@ -45,7 +45,7 @@ impl CornerAttributes {
 
     /// Whether the texture coordinate or the normal is missing.
     #[inline(always)]
-    pub(super) fn lacks_something(self) -> bool {
+    pub(super) fn is_incomplete(self) -> bool {
         (self.0 as u32 == 0) | (self.0 << 1 < 1 << 33)
     }
 

@@ -451,7 +451,7 @@ fn skins_stand_as_they_were_bound() {
 }
 
 #[test]
-fn odd_transforms_are_told() {
+fn odd_transforms_are_reported() {
     let (model, said) = File::triangle().with("/nodes/0/rotation", json!([0, 0, 2_f64.sqrt(), 2_f64.sqrt()])).said();
     near(&model.mesh.positions[1], &[0.0, 1.0, 0.0]);
     says(&said, "warning: nodes[0].rotation is a quaternion of length 2.0000 instead of 1");

@@ -234,7 +234,7 @@ fn a_file_read_and_written_is_the_same_model() {
 }
 
 #[test]
-fn what_has_no_place_is_told() {
+fn what_has_no_place_is_reported() {
     let material = Material {
         name: "Odd".to_owned(),
         ambient: AmbientRule::Value([0.1; 3]),
