@@ -48,7 +48,7 @@ pub enum Opened {
 
 /// A context and the renderer in it.
 pub struct OpenGl {
-    // In this order: the renderer frees its objects while the context exists.
+    // The order matters: the renderer frees its objects while the context exists.
     renderer: Renderer,
     context: HeadlessContext,
     /// Captures the first picture.
@@ -341,9 +341,9 @@ fn sentence(driver: Option<&DriverInfo>, reason: Option<&str>) -> String {
 pub enum Shot {
     /// On the GPU.
     Gl(RenderedFrame),
-    /// With 8 bits per channel only.
+    /// Has 8 bits per channel only.
     Gl8(RenderedPicture),
-    /// With the map from its values to what is displayed.
+    /// Has the map from its values to displayed ones.
     Cpu(Rendered, DisplayMap),
 }
 

@@ -447,7 +447,7 @@ mod tests {
             "Window options",
         ];
         for (path, command) in every_command() {
-            for option in command.get_opts().chain(command.get_arguments().filter(|arg| arg.get_num_args().is_none())) {
+            for option in command.get_arguments().filter(|arg| !arg.is_positional()) {
                 let heading = option.get_help_heading();
                 let is_known = heading.is_some_and(|heading| HEADINGS.contains(&heading));
                 assert!(option.is_hide_set() || is_known, "{path} --{}: {heading:?}", option.get_id());

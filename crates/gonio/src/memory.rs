@@ -84,7 +84,7 @@ mod tests {
         let around = ("/sys/fs/cgroup/user/memory.max", "1073741824\n");
         assert_eq!(memory_with(&[("/proc/meminfo", MEMINFO), group, own]), Some(16 << 30));
         assert_eq!(memory_with(&[("/proc/meminfo", MEMINFO), group, own, around]), Some(1 << 30));
-        // In a container, whose own group is the root it sees.
+        // A container sees its own group as the root.
         let root = ("/sys/fs/cgroup/memory.max", "536870912\n");
         assert_eq!(memory_with(&[("/proc/meminfo", MEMINFO), ("/proc/self/cgroup", "0::/\n"), root]), Some(512 << 20));
     }

@@ -197,7 +197,7 @@ mod tests {
         // A mark of another process is text.
         let old = MARK.replace(|c: char| c.is_ascii_hexdigit(), "0");
         assert_eq!(one(format!("{old}gright")), format!("\\u{{10ffff}}{}gright", &old[4..]));
-        // What is not ended ends with its line.
+        // An open style ends with its line.
         assert_eq!(one(format_args!("{}x", Style::Dim)), "\u{1b}[2mx\u{1b}[0m");
     }
 

@@ -38,7 +38,7 @@ pub fn print_help_without_display(command: &mut clap::Command) -> i32 {
     2
 }
 
-/// Prints why the arguments were rejected, or the help or version that was asked for, and returns the exit code.
+/// Prints why the arguments were rejected, or the requested help or version, and returns the exit code.
 ///
 /// Messages quote the arguments, so these are parsed once more with hidden characters as escapes.
 pub fn print_usage_error(error: &clap::Error) -> i32 {

@@ -5,7 +5,7 @@ use gonio_scene::files::{FileBytes, FileSource};
 use std::io::Error;
 use std::path::{Path, PathBuf};
 
-/// A source of files that reports each one it reads, if that was asked for.
+/// A source of files that reports each one it reads if `is_verbose`.
 pub struct ReportedReads<S> {
     pub source: S,
     pub is_verbose: bool,

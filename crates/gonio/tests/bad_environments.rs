@@ -1,4 +1,4 @@
-//! Everything that can be wrong with an environment: the exit code, the one sentence, and that nothing is left behind.
+//! Everything that can be wrong with an environment: each mistake ends in exit code 2 and one sentence, and leaves no files.
 #![allow(clippy::unwrap_used)]
 
 mod common;
@@ -190,7 +190,7 @@ fn panoramas_of_other_proportions_and_very_wide_ones() {
     let run = lab.run(&[&args[..], &["--backend", "cpu"]].concat()).good();
     assert!(run.stderr.contains("cubemap of 8192 texels an edge, and is made into one of 1024"), "{}", run.stderr);
 
-    // What a header says is checked before it is believed.
+    // The sizes in a header are checked before anything is allocated.
     let before = lab.names();
     lab.write("claims.png", png_header(32768, 16384));
     let args = ["environment", "convert", "claims.png", "out.hdr"];
@@ -234,7 +234,7 @@ fn outputs_that_cannot_be_are_refused_before_anything_is_read() {
     check(&["--repair", "file"]).refused(&["`file` is a file; six faces need a folder"]);
     check(&["--repair", "no/a.png"]).refused(&["there is no folder `no`"]);
     assert_eq!(lab.names(), before);
-    // What is made and not read is not made for nothing either.
+    // The same applies to environments that are computed, not read.
     lab.run(&["environment", "convert", "sky", "a", "--size", "30000"]).refused(&["too large"]);
     let small = ["environment", "convert", "sky", "a", "--max-memory", "1MiB"];
     lab.run(&small).refused(&["6 times 512 x 512 pixels are 24.0 MiB", "the limit is 1.0 MiB"]);
@@ -301,7 +301,7 @@ fn options_that_are_wrong() {
         convert(&[option, value]).refused(&[option, piece]);
     }
     convert(&["--from", "cross"]).refused(&["this is already faces and cannot be read as cross"]);
-    // A layout of what has no faces is told and changes nothing.
+    // A layout for an input without faces is a warning and changes nothing.
     let run = convert(&["--from-layout", "opengl", "--size", "1", "--format", "hdr"]).good();
     assert!(run.stderr.contains("warning: sky: the layout has no effect"), "{}", run.stderr);
     assert_eq!(lab.names(), ["out"]);

@@ -1,5 +1,4 @@
-//! Everything that can be wrong with what a user gives: the exit code, the one sentence, and that
-//! nothing is left behind.
+//! Everything that can be wrong with input: each mistake ends in exit code 2 and one sentence, and leaves no files.
 #![allow(clippy::unwrap_used)]
 
 mod common;

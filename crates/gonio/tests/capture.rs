@@ -1,6 +1,5 @@
-//! `gonio render --capture`: the capture is opened by RenderDoc itself, and what is in it is held
-//! against the scene. Needs RenderDoc with its Python module, and an X server for its replay; where one is
-//! missing these tests fail and say so.
+//! `gonio render --capture`: RenderDoc itself opens the capture, and the tests compare its content with the scene. They need
+//! RenderDoc with its Python module, and an X server for its replay; without them they fail with a message.
 #![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used, missing_docs)]
 
@@ -32,7 +31,7 @@ fn require(program: &str, args: &[&str]) {
     assert!(works, "`{program} {}` does not run, and this test needs it: {INSTALL}\n{outcome:?}", args.join(" "));
 }
 
-/// What RenderDoc says is in a capture.
+/// The content of a capture according to RenderDoc.
 struct Capture {
     facts: Value,
 }
@@ -130,7 +129,7 @@ fn renderdoc_finds_the_draws_the_textures_and_the_uniforms() {
     let with_capture = ["-o", "picture.png", "--capture", "the frame.rdc", "--json"];
     let run = lab.run(&[&args[..], &with_capture].concat()).good();
     assert_eq!(run.stderr, "");
-    // The picture is the same, the capture has the name that was asked for, and nothing else is left.
+    // The picture is the same, the capture has its name, and no other files are left.
     assert_eq!(lab.names(), ["picture.png", "plain.png", "the frame.rdc"]);
     assert!(lab.read("picture.png") == lab.read("plain.png"), "the capture changes the picture");
     let report = run.json();
@@ -278,7 +277,7 @@ fn a_capture_that_cannot_be_made_is_one_sentence_and_leaves_nothing() {
     with(&["a.rdc", "--egl-library", "libNoSuchEGL.so.1"]).refused(&["libNoSuchEGL.so.1", "libegl1"]);
     assert!(lab.names().is_empty(), "{:?}", lab.names());
 
-    // A system without RenderDoc: the dynamic linker looks here first, and finds what is no library.
+    // A system without RenderDoc: the dynamic linker searches here first, and finds a file that is not a library.
     lab.write("librenderdoc.so", "not there");
     let path = lab.path("");
     let run = Run::of(lab.command(&args).arg("a.rdc").env("LD_LIBRARY_PATH", path).output().unwrap());

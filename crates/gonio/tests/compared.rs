@@ -1,4 +1,4 @@
-//! `gonio diff` on pictures made by hand, whose differences are known.
+//! `gonio diff` on constructed pictures with known differences.
 #![allow(clippy::unwrap_used)]
 
 mod common;

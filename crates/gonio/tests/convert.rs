@@ -1,4 +1,4 @@
-//! `gonio convert`: files written, what they name, and what is refused.
+//! `gonio convert`: the files it writes, the names in them, and the errors.
 #![allow(clippy::unwrap_used)]
 
 mod common;
@@ -33,7 +33,7 @@ fn a_triangle_goes_round() {
     assert!(!lab.names().iter().any(|name| name.starts_with(".gonio")), "{:?}", lab.names());
 }
 
-/// What was beside the old place is named as it is seen from the new one.
+/// Textures beside the old file are named relative to the new one.
 #[test]
 fn textures_are_named_from_the_new_folder() {
     let lab = lab();
@@ -82,7 +82,7 @@ fn what_is_missing_or_lost_is_said() {
 }
 
 #[test]
-fn bad_wishes_are_refused() {
+fn bad_options_are_rejected() {
     let lab = lab();
     lab.run(&["convert", "m.obj", "a.stl"]).refused(&["`a.stl` cannot be written", ".obj, .ply, .glb"]);
     lab.run(&["convert", "m.obj", "a"]).refused(&["`a` cannot be written"]);

@@ -1,4 +1,4 @@
-//! `gonio environment`, and scenes that have an environment: what a user types, and the pixels that come of it.
+//! `gonio environment`, and scenes with an environment: commands and the pixels that they write.
 #![allow(clippy::unwrap_used)]
 
 mod common;
@@ -25,7 +25,7 @@ fn distance(a: [u8; 3], b: [u8; 3]) -> u32 {
     a.iter().zip(b).map(|(a, b)| u32::from(a.abs_diff(b))).sum()
 }
 
-/// Which direction's ground a colour is nearest to.
+/// The direction whose ground colour is nearest to a colour.
 fn direction_of(color: [u8; 3]) -> &'static str {
     GROUNDS.iter().min_by_key(|(_, ground)| distance(color, *ground)).unwrap().0
 }
@@ -36,7 +36,7 @@ fn at(picture: &image::RgbImage, s: f64, t: f64) -> [u8; 3] {
     picture.get_pixel(index(s, picture.width()), index(t, picture.height())).0
 }
 
-/// Where nothing is drawn on a debug face.
+/// A place on a debug face where nothing is drawn.
 const GROUND: f64 = 0.62;
 /// The mark in the upper left corner of a debug face, as it is seen.
 const MARK: f64 = -0.9;
@@ -236,7 +236,7 @@ fn faces_have_the_format_that_is_asked_for() {
     let (hdr, exr) = (lab.image("b/posx.hdr"), lab.image("c/posx.exr"));
     let close = |(a, b): (&[f32; 4], &[f32; 4])| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 0.01);
     assert!(hdr.pixels.iter().zip(&exr.pixels).all(close));
-    // A second set in the folder is told: nobody could say which one is meant.
+    // A second set in the folder is a warning: a reader could not choose between them.
     let run = lab.convert(&["panorama.hdr", "a", "--size", "4"]);
     let path = std::path::Path::new("a").join("posx.png");
     assert!(run.stderr.contains(&format!("warning: `{}` belongs to another set", path.display())), "{}", run.stderr);

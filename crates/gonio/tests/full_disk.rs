@@ -1,7 +1,7 @@
-//! Where the last file of a command cannot be written, none of its files is there, nor any folder made for them.
+//! If the last file of a command cannot be written, none of its files appears, nor any folder made for them.
 //!
-//! No file of the program may become larger than a limit (`ulimit -f`): that needs no rights, and a file that reaches it is
-//! refused like one on a full disk.
+//! A limit on the size of files (`ulimit -f`) takes the place of a full disk: it needs no privileges, and writing fails in the
+//! same way.
 #![allow(clippy::unwrap_used, missing_docs)]
 #![cfg(unix)]
 
@@ -82,7 +82,7 @@ fn models_are_converted_whole() {
     };
     all_or_none(prepare, &["convert", "a.glb", "b.obj"]);
     all_or_none(prepare, &["convert", "a.glb", "b.ply"]);
-    // What was there before stays what it was.
+    // Existing files keep their content.
     let old = |lab: &Lab| {
         prepare(lab);
         lab.write("b.obj", "old");

@@ -1,4 +1,4 @@
-//! Files that are made to make gonio wait, read what it should not, or fill the memory.
+//! Files made to let gonio wait for ever, read files that it must not, or fill the memory.
 #![cfg(unix)]
 #![allow(clippy::unwrap_used)]
 
@@ -240,7 +240,7 @@ fn a_sandbox_holds_in_every_command() {
     }
     lab.write("in/s.toml", "[[object]]\nmodel = \"../secret.obj\"\n");
     lab.run(&["scene", "in/s.toml", "--sandbox"]).refused(&["secret.obj", says, "without --sandbox it is read"]);
-    // What the user names may lie anywhere.
+    // A file on the command line may be anywhere.
     lab.run(&["scene", "in/texture.obj", "secret.obj", "--sandbox"]).good();
     lab.run(&["scene", "in/s.toml"]).good();
 }

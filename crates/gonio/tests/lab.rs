@@ -26,7 +26,7 @@ fn exercises_are_listed_shown_and_begun_once() {
     let folder = lab.path("mine").to_string_lossy().into_owned();
     lab.run(&["lab", "start", "ex04", &folder]).good();
     assert!(lab.path("mine/start.frag").exists() && !lab.path("mine/reference.frag").exists());
-    // Nothing is done yet, and that is what is said: neither a guess, nor a word about what was handed out.
+    // Nothing is changed yet, and the verdict says only that: no guess, and nothing about the files to start from.
     let run = lab.run(&["lab", "check", "ex04", &folder, "--json"]).json();
     let (summary, warnings) = (run["summary"].as_str().unwrap(), run["warnings"].as_array().unwrap());
     assert!(run["verdict"] == "wrong" && summary.contains("unchanged start files"), "{run}");
@@ -90,7 +90,7 @@ fn a_batch_ends_whatever_is_in_it_and_goes_on_where_it_stopped() {
     for name in ["index.html", "table.csv", "ann.html", "bob.html", "cyd.html"] {
         assert!(results.join(name).exists(), "{name}");
     }
-    // What was found is kept: a page that was not made again shows it.
+    // Verdicts are stored: a page that was not written again shows it.
     std::fs::write(results.join("ann.html"), "kept").unwrap();
     hand_in_again(&lab);
     assert_eq!(batch()[..2], ["wrong", "wrong"]);

@@ -1,4 +1,4 @@
-//! Every model file a user has: drawn alike whatever its format, and explained.
+//! Models in every format: they look the same, and `inspect` explains them.
 
 #![allow(clippy::unwrap_used)]
 

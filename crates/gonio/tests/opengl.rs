@@ -1,5 +1,5 @@
-//! `--backend`: OpenGL, the CPU in its place, and what is said about it. Needs the OpenGL that the
-//! README names (Mesa's llvmpipe will do).
+//! `--backend`: OpenGL, and the CPU in its place with a note about the reason. Needs the OpenGL that the README names; Mesa's
+//! llvmpipe is enough.
 #![allow(clippy::unwrap_used)]
 
 mod common;

@@ -1,4 +1,4 @@
-//! `gonio probe` in an environment: its terms, their sum, and the sky beside all objects.
+//! `gonio probe` in an environment: its terms, their sum, and the sky where no object is visible.
 #![allow(clippy::unwrap_used, missing_docs)]
 
 mod common;
@@ -11,7 +11,7 @@ fn numbers(v: &Value) -> Vec<f64> {
 }
 
 #[test]
-fn every_term_of_glass_is_told() {
+fn every_term_of_glass_is_listed() {
     let lab = Lab::new();
     let cube = asset("cube.obj");
     let size = ["--size", "48x32", "--backend", "cpu", "--environment", "debug"];
@@ -42,10 +42,10 @@ fn every_term_of_glass_is_told() {
 }
 
 #[test]
-fn beside_all_objects_the_sky_is_seen() {
+fn where_no_object_is_visible_the_sky_is() {
     let lab = Lab::new();
     let cube = asset("cube.obj");
-    // The debug cubemap's upper left of what is ahead; a background is asked for in vain.
+    // The upper left of the debug cubemap ahead; it hides the background.
     let args = ["probe", &cube, "--at", "0,0", "--backend", "cpu", "--environment", "debug", "--background", "0,0,0"];
     let run = lab.run(&args).good();
     assert!(run.text().contains("none is visible there, only the environment"), "{}", run.text());

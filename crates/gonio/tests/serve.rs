@@ -1,4 +1,4 @@
-//! `gonio serve`, asked over real sockets.
+//! `gonio serve`, with requests over real sockets.
 #![allow(clippy::unwrap_used, missing_docs)]
 
 mod common;
@@ -136,7 +136,7 @@ fn the_smallest_form_that_the_client_takes_is_sent() {
         assert_eq!((answer.header("content-encoding"), answer.text()), (encoding, body), "{accepted}");
         assert_eq!(answer.header("vary"), "Accept-Encoding");
         assert_eq!(answer.header("content-type"), "application/wasm");
-        // Its name says what is in it: it need never be asked for again.
+        // Its name contains the hash of its content: it never has to be requested again.
         assert_eq!(answer.header("cache-control"), "public, max-age=31536000, immutable");
     }
 }
@@ -272,7 +272,7 @@ fn the_page_built_into_it_is_served_or_missed() {
     let server = Server { child, port, url: report["url"].as_str().unwrap().to_owned() };
     let index = server.get("/");
     assert_eq!(index.status, 200);
-    // What the page names is there, whole, also for a client that takes nothing compressed.
+    // Every file that the page names is complete, also for a client that accepts no compression.
     let names: Vec<&str> =
         index.text().split('"').filter(|word| word.ends_with(".wasm") || word.ends_with(".js")).collect();
     // Two scripts, the page's and its checker's, and the module: in two halves, if it was built for people and not with

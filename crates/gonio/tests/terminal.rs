@@ -1,4 +1,4 @@
-//! Nothing of a file, a name or an option acts on the terminal that it is printed to.
+//! Nothing in a file, a name or an option can act on the terminal that it is printed to.
 #![allow(clippy::unwrap_used, missing_docs)]
 #![cfg(unix)]
 
@@ -137,7 +137,7 @@ fn names_within_models_and_scenes() {
     );
     harmless(&lab, &["scene", "a.toml"]);
     quoted(&lab, &[&["probe", "a.toml", "--at", "8,8"][..], &small].concat(), READABLE);
-    // What is printed is a scene again, and the same.
+    // The printed scene can be read again, and is the same.
     let printed = lab.run(&["scene", "a.toml"]).good();
     lab.write("b.toml", &printed.stdout);
     assert_eq!(lab.run(&["scene", "b.toml"]).good().text(), printed.text());
@@ -182,7 +182,7 @@ fn verdicts() {
         text.replace("mat3(itM) * normal);", &format!("mat3(M) * normal); // {evil}"))
     });
     judged(&lab, &["lab", "check", "ex04", "quoted"], "ex04  wrong: ");
-    // What a compiler repeats.
+    // Text that a compiler quotes.
     hand_in(&lab, "ex04", "error", |_, text| text.replace("void main", &format!("#error {evil}\nvoid main")));
     judged(&lab, &["lab", "check", "ex04", "error"], "ex04  does not compile: ");
     hand_in(&lab, "ex04", "token", |_, text| text.replace("void main() {", &format!("void main() {{\n  {evil}")));
@@ -194,7 +194,7 @@ fn verdicts() {
             .unwrap();
     }
     judged(&lab, &["lab", "check", "ex04", "named"], "ex04  ");
-    // What names.toml says.
+    // Text in names.toml.
     let key = evil.chars().map(|c| format!("\\U{:08x}", u32::from(c))).collect::<String>();
     hand_in(&lab, "ex04", "names", |_, text| wrong(text));
     lab.write("names/names.toml", format!("\"{key}\" = \"{key}\"\n"));

@@ -1,5 +1,4 @@
-//! `gonio tour`, small and by the CPU: every file that the page names is there, and every picture can be
-//! made again.
+//! `gonio tour`, small and by the CPU: every file that the page names exists, and every picture can be drawn again.
 #![allow(clippy::unwrap_used, missing_docs)]
 
 mod common;
@@ -7,7 +6,7 @@ mod common;
 use common::Lab;
 use std::collections::HashSet;
 
-/// What stands between `before` and the next `"`, each time it occurs.
+/// Every text between `before` and the next `"`.
 fn attributes<'a>(page: &'a str, before: &str) -> Vec<&'a str> {
     page.split(before).skip(1).map(|rest| rest.split('"').next().unwrap()).collect()
 }
@@ -66,7 +65,7 @@ fn a_small_tour_is_complete_and_can_be_made_again() {
 fn draw_again(lab: &Lab, picture: &serde_json::Value) {
     let name = picture["name"].as_str().unwrap();
     for command in picture["command"].as_str().unwrap().split(" && ") {
-        // What stands in quotes is one word.
+        // A quoted text is one word.
         let parts = command.split('"').enumerate();
         let words: Vec<&str> = parts
             .flat_map(|(i, part)| if i % 2 == 1 { vec![part] } else { part.split_whitespace().collect() })

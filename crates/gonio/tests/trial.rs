@@ -1,4 +1,4 @@
-//! `gonio lab trial`, the process that the window tries shaders in: what it answers for shaders of every kind.
+//! `gonio lab trial`, the process that tries shaders for the window: its answers for shaders of every kind.
 #![allow(clippy::unwrap_used, missing_docs)]
 
 use gonio_app::platform::desktop::trial;
@@ -7,7 +7,7 @@ use gonio_exercises::exercise;
 use std::path::Path;
 use std::time::Duration;
 
-/// What the window hears of exercise 04's right answer, with this in place of the fragment shader's `void main() {`.
+/// The window's result for the reference solution of exercise 04, with `change` in place of the fragment shader's `void main() {`.
 fn outcome(change: &str) -> TrialOutcome {
     let exercise = exercise::find("ex04").unwrap();
     let text = |(name, text): (&str, &str)| {

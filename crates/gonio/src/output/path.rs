@@ -1,4 +1,4 @@
-//! Where one output of a command goes.
+//! The destination of a command's output: a file or stdout.
 
 use super::atomic;
 use crate::report::{self, CliError, Reporter};

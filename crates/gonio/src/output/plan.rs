@@ -33,7 +33,7 @@ impl Format {
         }
     }
 
-    /// The format that the extension of a file's name stands for.
+    /// Finds the format by the extension of a file's name.
     fn from_path(path: &Path) -> Result<Format, CliError> {
         let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
         if let Some(known) = Self::ALL.iter().find(|f| f.name() == extension) {

@@ -1,4 +1,4 @@
-//! Runs the program in a folder of its own.
+//! Running the program in a folder of its own.
 #![allow(dead_code, clippy::unwrap_used, missing_docs)]
 
 pub mod visible;
@@ -10,7 +10,7 @@ pub struct Lab {
     folder: tempfile::TempDir,
 }
 
-/// What a run gave.
+/// The result of a run.
 #[derive(Debug)]
 pub struct Run {
     pub code: i32,
@@ -45,7 +45,7 @@ impl Run {
     pub fn refused(self, pieces: &[&str]) -> Run {
         assert_eq!(self.code, 2, "{}", self.stderr);
         let errors: Vec<&str> = self.stderr.lines().filter(|l| l.starts_with("error: ")).collect();
-        assert_eq!(errors.len(), 1, "one sentence is wanted: {}", self.stderr);
+        assert_eq!(errors.len(), 1, "expected one sentence: {}", self.stderr);
         for piece in pieces {
             assert!(self.stderr.contains(piece), "`{piece}` is not in: {}", self.stderr);
         }

@@ -1,4 +1,4 @@
-//! What a program may print of hostile text.
+//! Checks that a program prints hostile text harmlessly.
 #![allow(dead_code)]
 
 /// Everything that moves the cursor, recolours, hides or reorders text, begins a line of its own, or commands a build server.
@@ -10,9 +10,9 @@ pub fn evil_line() -> String {
     EVIL.replace(['\n', '\r'], " ")
 }
 
-/// What is wrong with an output; empty where nothing is. `styled`: sequences of colours and weights are ours.
+/// The faults of an output. With `styled`, it may contain our own sequences for colours and weights.
 pub fn faults(output: &[u8], styled: bool) -> Vec<String> {
-    let Ok(text) = std::str::from_utf8(output) else { return vec!["it is no UTF-8".to_owned()] };
+    let Ok(text) = std::str::from_utf8(output) else { return vec!["it is not UTF-8".to_owned()] };
     let mut faults = Vec::new();
     for line in text.split('\n') {
         let bare = if styled { without_styles(line) } else { line.to_owned() };

@@ -1,4 +1,4 @@
-//! A case: what is handed in, and what may be said of it.
+//! A case: the files of a submission, and the verdicts that are acceptable.
 
 use std::ffi::OsString;
 
@@ -7,7 +7,7 @@ pub struct Case {
     pub name: String,
     pub exercise: &'static str,
     pub files: Vec<File>,
-    /// What is named on the command line, from within the folder; the folder itself, where it is `None`.
+    /// The paths on the command line, relative to the folder; the folder itself if `None`.
     pub paths: Option<Vec<OsString>>,
     /// It contains the right answer. All others must not be called correct.
     pub may_be_right: bool,

@@ -1,4 +1,4 @@
-//! Words that want to pass for a verdict.
+//! Texts that imitate a verdict.
 
 use crate::case::{Answer, Case, Fill};
 use crate::visible::{EVIL, evil_line};
@@ -78,7 +78,7 @@ pub fn cases() -> Vec<Case> {
             Case::new("forging", name, exercise).file(format!("{file}.vert"), Fill::Bytes(vertex.clone().into()));
         cases.push(case.file(format!("{file}.frag"), Fill::Bytes(broken.clone().into())));
     }
-    // Right, and so it may be said.
+    // This answer is correct, so the verdict may say so.
     let right = Answer::right("ex04");
     let fragment = right.fragment_with(&format!("// {evil}"), "");
     cases.push(

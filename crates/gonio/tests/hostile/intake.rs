@@ -1,4 +1,4 @@
-//! Files that are no text, no file, or too much of one.
+//! Entries that are not text, not files, or too large.
 
 use crate::case::{Answer, Case, Fill};
 use crate::zip;

@@ -1,6 +1,5 @@
-//! Hostile submissions, generated: each is handed in as a student would. Whatever it is, the program ends by itself in time and
-//! within its memory, never calls a wrong answer correct, prints its own verdict and no other, leaves no process behind and its
-//! input as it was.
+//! Generated hostile submissions. Whatever they contain, the program ends by itself in time and within its memory, never calls a
+//! wrong answer correct, prints its own verdict and no other, leaves no process behind, and does not change its input.
 #![allow(clippy::unwrap_used, clippy::print_stdout, missing_docs)]
 #![cfg(target_os = "linux")]
 
@@ -75,6 +74,6 @@ fn no_verdict_is_forged() {
 }
 
 #[test]
-fn whatever_is_handed_in_is_a_submission_or_is_refused() {
+fn every_submission_is_checked_or_rejected() {
     held(&intake::cases(), 50);
 }

@@ -1,4 +1,4 @@
-//! Texts that ask for more memory than there is.
+//! Texts that need more memory than the machine has.
 
 use crate::case::{Answer, Case, Fill};
 

@@ -1,4 +1,4 @@
-//! Runs a case as a user would, and looks at what the program did: its exit, its words, its memory, what it left behind.
+//! Running a case as a user would, and checking exit code, output, memory and leftovers.
 
 use crate::case::{Case, Fill};
 use crate::visible::faults;
@@ -11,17 +11,17 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// Seconds that a check may take, as the program is told.
+/// Seconds that a check may take, for `--patience`.
 const PATIENCE: &str = "3";
 /// A case that takes longer has hung. Far beyond the patience: other tests use the same cores.
 const HUNG: Duration = Duration::from_secs(60);
-/// What all processes of a case may use together.
+/// The memory that all processes of a case may use together.
 const MOST_RESIDENT_KB: u64 = 1536 * 1024;
-/// More is no verdict.
+/// The most output that a verdict has.
 const MOST_OUTPUT: usize = 1 << 20;
 const VERDICTS: [&str; 4] = ["correct", "wrong", "does not compile", "unsure"];
 
-/// What came of a case.
+/// The result of a case.
 pub struct Report {
     pub name: String,
     /// The first line, or how it ended.
@@ -92,7 +92,7 @@ pub fn run(case: &Case) -> Report {
     Report { name: case.name.clone(), outcome: first, faults, seconds, most_kb }
 }
 
-/// What is wrong with what was said.
+/// The faults of the output.
 fn words(case: &Case, code: Option<i32>, stdout: &[u8], stderr: &[u8]) -> Vec<String> {
     let mut wrong: Vec<String> = [("stdout", stdout), ("stderr", stderr)]
         .into_iter()

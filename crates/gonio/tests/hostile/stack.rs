@@ -1,4 +1,4 @@
-//! Nesting that uses up a reader's stack, or a driver's.
+//! Nesting that exhausts the stack of a reader or a driver.
 
 use crate::case::{Answer, Case};
 

@@ -1,4 +1,4 @@
-//! Programs that never end, or not before long.
+//! Programs that run for ever, or for very long.
 
 use crate::case::{Answer, Case};
 

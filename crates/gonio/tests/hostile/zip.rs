@@ -1,4 +1,4 @@
-//! Zips, as small as the format allows.
+//! Writing minimal zip archives.
 
 use flate2::{Compression, Crc, write::DeflateEncoder};
 use std::io::Write;
@@ -33,7 +33,7 @@ pub fn pack(files: &[(String, Vec<u8>)]) -> Vec<u8> {
     zip
 }
 
-/// The same with other sizes in its directory: what each file is said to hold.
+/// The same archive with other sizes of the files in its directory.
 pub fn with_sizes(zip: &[u8], size: u32) -> Vec<u8> {
     let mut zip = zip.to_vec();
     let starts: Vec<usize> = (0..zip.len()).filter(|&at| zip[at..].starts_with(b"PK\x01\x02")).collect();

@@ -12,7 +12,7 @@ use gonio_light::color::{OutputTransform, ToneMap};
 use rayon::prelude::*;
 use std::path::Path;
 
-/// What an environment is written as.
+/// The container that an environment is written to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Container {
     /// Six files in a folder.
@@ -137,7 +137,7 @@ pub struct Appearance {
 #[derive(Debug, Default)]
 pub struct Written {
     pub outputs: Vec<OutputPath>,
-    /// What their formats could not represent.
+    /// Warnings about what their formats cannot represent.
     pub warnings: Vec<String>,
 }
 

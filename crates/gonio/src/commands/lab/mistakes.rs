@@ -61,14 +61,14 @@ fn explanation(mistake: &Mistake) -> Page {
     let mut page = Page::new();
     page.heading(&mistake.id);
     page.line(format_args!("{}.", mistake.name));
-    for (what, said) in [
+    for (heading, text) in [
         ("What it looks like", &mistake.looks_like),
         ("How to fix it", &mistake.fix),
         ("In the lecture", &mistake.lecture_section),
     ] {
-        if !said.is_empty() {
-            page.heading(what);
-            page.line(format_args!("  {said}"));
+        if !text.is_empty() {
+            page.heading(heading);
+            page.line(format_args!("  {text}"));
         }
     }
     if let Some(model) = mistake.models.first() {

@@ -179,11 +179,11 @@ fn table(rows: &[Row]) -> String {
         ));
     }
     for row in rows {
-        for (made, said) in row.score.single.misnamed.iter().chain(&row.score.pairs.misnamed) {
-            text.push_str(&format!("\n{}: {made} was called {said}", row.score.exercise));
+        for (made, named) in row.score.single.misnamed.iter().chain(&row.score.pairs.misnamed) {
+            text.push_str(&format!("\n{}: {made} was named {named}", row.score.exercise));
         }
         for name in &row.false_alarms {
-            text.push_str(&format!("\n{}: {} is right and was called wrong", row.score.exercise, visible(name)));
+            text.push_str(&format!("\n{}: {} is correct but was called wrong", row.score.exercise, visible(name)));
         }
     }
     text.trim_end().to_owned() + "\n"

@@ -121,13 +121,13 @@ fn mistake(page: &mut Page, found: &FoundMistake) {
     if !found.or.is_empty() {
         page.line(format_args!("    No picture distinguishes it from: {}.", found.or.join(", ")));
     }
-    for (what, said) in [
+    for (heading, text) in [
         ("What it looks like", &found.looks_like),
         ("How to fix it", &found.fix),
         ("In the lecture", &found.lecture_section),
     ] {
-        if !said.is_empty() {
-            page.line(format_args!("    {DIM}{what}:{DIM:#} {said}"));
+        if !text.is_empty() {
+            page.line(format_args!("    {DIM}{heading}:{DIM:#} {text}"));
         }
     }
     if found.lab_does_it {

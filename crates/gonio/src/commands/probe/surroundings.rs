@@ -132,7 +132,7 @@ mod tests {
         };
         let material = Material { emitted: [0.5; 3], refraction_index: 1.5, ..Material::default() };
         let part = ObjectPart { name: String::new(), first_triangle: 0, triangle_count: 1, material: 0 };
-        // In the colours of E: 0.2 from where the pane shines back to, 0.8 from beyond it.
+        // E is 0.2 where the pane reflects to, and 0.8 behind it.
         let map = Cubemap::from_function(64, |d| DVec3::splat(if d.z > 0.0 { 0.2 } else { 0.8 }));
         let scene = Scene {
             meshes: vec![std::sync::Arc::new(mesh)],

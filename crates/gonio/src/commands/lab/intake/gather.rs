@@ -18,7 +18,7 @@ const MAX_DEPTH: usize = 32;
 pub struct Gathered {
     /// The files in the order of the submission.
     pub files: Vec<SourceFile>,
-    /// What was left out: a name and the reason each.
+    /// The entries that were left out, each with its name and the reason.
     pub left_out: Vec<String>,
 }
 

@@ -1,4 +1,4 @@
-//! From the paths on the command line to submissions: one, or those of a class.
+//! Turns the paths on the command line into submissions: one, or those of a class.
 //!
 //! [`tree`] reads folders and archives, [`gonio_exercises::class`] separates submissions, [`gather()`] reads the files of one.
 
