@@ -4,6 +4,7 @@ use crate::EnvironmentError;
 use crate::face::{Face, Layout};
 use crate::panorama::color;
 use crate::solid_angle::SolidAngles;
+pub use crate::solid_angle::solid_angle;
 use glam::DVec3;
 use gonio_image::{Image, Pixel};
 
@@ -220,15 +221,6 @@ pub(crate) fn check_sizes(faces: &[Image; 6]) -> Result<u32, EnvironmentError> {
 pub fn texel_direction(face: Face, x: u32, y: u32, size: u32) -> DVec3 {
     let centre = |v: u32| (2.0 * f64::from(v) + 1.0) / f64::from(size) - 1.0;
     face.direction(centre(x), centre(y), Layout::OpenGl)
-}
-
-/// The solid angle in steradians that a texel covers, seen from the cube's middle; all of a cubemap are `4 pi`.
-pub fn solid_angle(x: u32, y: u32, size: u32) -> f64 {
-    // Of the rectangle from the face's middle to (s, t): its corners' areas are added and subtracted.
-    let corner = |s: f64, t: f64| (s * t).atan2((s * s + t * t + 1.0).sqrt());
-    let edge = |v: u32| 2.0 * f64::from(v) / f64::from(size) - 1.0;
-    let (s0, s1, t0, t1) = (edge(x), edge(x + 1), edge(y), edge(y + 1));
-    corner(s0, t0) - corner(s0, t1) - corner(s1, t0) + corner(s1, t1)
 }
 
 /// The mean of pixels.

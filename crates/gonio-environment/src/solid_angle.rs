@@ -1,7 +1,15 @@
 //! The solid angles of all texels of a face, calculated once.
 
-use crate::cubemap::solid_angle;
 use rayon::prelude::*;
+
+/// The solid angle in steradians that a texel covers, seen from the cube's middle; all of a cubemap are `4 pi`.
+pub fn solid_angle(x: u32, y: u32, size: u32) -> f64 {
+    // Of the rectangle from the face's middle to (s, t): its corners' areas are added and subtracted.
+    let corner = |s: f64, t: f64| (s * t).atan2((s * s + t * t + 1.0).sqrt());
+    let edge = |v: u32| 2.0 * f64::from(v) / f64::from(size) - 1.0;
+    let (s0, s1, t0, t1) = (edge(x), edge(x + 1), edge(y), edge(y + 1));
+    corner(s0, t0) - corner(s0, t1) - corner(s1, t0) + corner(s1, t1)
+}
 
 /// [`solid_angle`] of every texel of a face, in steradians: a quarter of them, of which the others are mirror images.
 ///

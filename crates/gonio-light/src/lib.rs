@@ -34,6 +34,7 @@ mod noise;
 pub mod optics;
 pub mod quantity;
 pub mod roughness;
+mod shading_point;
 pub mod vector;
 
 pub use equation::{Convention, Equation, LightSums, LightTerms, ShadingPoint, Specular, Surface, TermSwitches, Terms};

@@ -16,7 +16,7 @@
 //!
 //! Where two surfaces count ([`Surfaces::Two`]), `E(T)` is what is seen through the body: [`through_body`].
 
-use crate::equation::ShadingPoint;
+use crate::shading_point::ShadingPoint;
 use crate::{fresnel, vector};
 use glam::DVec3;
 

@@ -13,7 +13,6 @@ mod hints;
 mod limits;
 mod loading;
 mod memory;
-mod numbers;
 mod output;
 mod overrides;
 mod page;

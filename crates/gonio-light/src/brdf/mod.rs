@@ -13,7 +13,7 @@ pub mod lambert;
 pub mod phong;
 pub mod ward;
 
-use crate::equation::{ShadingPoint, Surface};
+use crate::shading_point::{ShadingPoint, Surface};
 use glam::DVec3;
 
 named_enum! {

@@ -18,10 +18,11 @@ const MOST_OF_ONE_FILE: usize = 9;
 pub struct NamedFile {
     /// Its name without folders, or with those below a folder that was chosen.
     pub name: String,
-    file: Kind,
+    file: UnreadFile,
 }
 
-enum Kind {
+/// A file of the file dialog or of a drop.
+enum UnreadFile {
     Chosen(File),
     Dropped(egui::DroppedFileHandle),
 }
@@ -29,14 +30,14 @@ enum Kind {
 impl NamedFile {
     /// Dropped on the canvas.
     pub fn dropped(file: egui::DroppedFileHandle) -> Self {
-        NamedFile { name: file.path().to_string_lossy().into_owned(), file: Kind::Dropped(file) }
+        NamedFile { name: file.path().to_string_lossy().into_owned(), file: UnreadFile::Dropped(file) }
     }
 
     /// Reads it; why not, in the browser's words.
     pub async fn bytes(self) -> Result<Vec<u8>, String> {
         match self.file {
-            Kind::Dropped(file) => file.bytes_async().await,
-            Kind::Chosen(file) => {
+            UnreadFile::Dropped(file) => file.bytes_async().await,
+            UnreadFile::Chosen(file) => {
                 let buffer = wasm_bindgen_futures::JsFuture::from(file.array_buffer()).await.map_err(words)?;
                 Ok(Uint8Array::new(&buffer).to_vec())
             }
@@ -90,7 +91,7 @@ pub fn choose(answer: impl Fn(Vec<NamedFile>) + 'static) -> Result<(), String> {
         let Some(list) = chosen.files() else { return };
         let files: Vec<NamedFile> = (0..list.length())
             .filter_map(|index| list.get(index))
-            .map(|file| NamedFile { name: file.name(), file: Kind::Chosen(file) })
+            .map(|file| NamedFile { name: file.name(), file: UnreadFile::Chosen(file) })
             .collect();
         if !files.is_empty() {
             answer(files);

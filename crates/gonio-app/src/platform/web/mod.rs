@@ -95,8 +95,8 @@ impl Web {
         let (page, events, ctx) = (self.files.clone(), self.events.clone(), ctx.clone());
         wasm_bindgen_futures::spawn_local(async move {
             let event = match (unpacked(files).await, purpose) {
-                (Ok(memory), Purpose::Scene) => of_memory(memory, page).map(Event::Open),
-                (Ok(memory), Purpose::Exercise) => handed(&memory).map(Event::ExerciseFiles),
+                (Ok(memory), Purpose::Scene) => scene_input(memory, page).map(Event::Open),
+                (Ok(memory), Purpose::Exercise) => exercise_files(&memory).map(Event::ExerciseFiles),
                 (Err(why), _) => Err(why),
             };
             let event = event.unwrap_or_else(Event::Failed);
@@ -121,8 +121,8 @@ async fn unpacked(files: Vec<document::NamedFile>) -> Result<MemoryFiles, String
     Ok(memory)
 }
 
-/// The files as they are: a page knows no places.
-fn handed(memory: &MemoryFiles) -> Result<Vec<ExerciseFile>, String> {
+/// The files for an exercise; in a page they have no paths.
+fn exercise_files(memory: &MemoryFiles) -> Result<Vec<ExerciseFile>, String> {
     let file = |name: String| {
         let bytes = memory.read(Path::new(&name)).map_err(|why| format!("`{name}` cannot be read: {why}"))?.to_vec();
         Ok(ExerciseFile { name, path: None, bytes })
@@ -130,7 +130,7 @@ fn handed(memory: &MemoryFiles) -> Result<Vec<ExerciseFile>, String> {
     memory.names().into_iter().map(file).collect()
 }
 
-fn of_memory(memory: MemoryFiles, page: PageFiles) -> Result<SceneInput, String> {
+fn scene_input(memory: MemoryFiles, page: PageFiles) -> Result<SceneInput, String> {
     let gathered = gather(&memory.names(), &memory)?;
     // Scenes name built-in models too, which the page has fetched.
     let files = Arc::new(Layered { first: Arc::new(memory), then: Arc::new(page) });
@@ -147,7 +147,7 @@ impl Platform for Web {
         Some(text.and_then(|text| {
             let mut memory = MemoryFiles::default();
             memory.insert("linked.toml", text.into_bytes());
-            of_memory(memory, self.files.clone())
+            scene_input(memory, self.files.clone())
         }))
     }
 

@@ -7,7 +7,6 @@ mod read;
 mod sheets;
 
 use crate::cli::GeneralOptions;
-use crate::numbers::is_noise;
 use crate::output::path::check_stdout;
 use crate::output::{Content, FileSet, OutputPath};
 use crate::page::Page;
@@ -16,6 +15,7 @@ use crate::values;
 use clap::Args;
 use gonio_image::EncodedPicture;
 use gonio_image::encode::png::{self, ColorTag};
+use gonio_light::is_noise;
 use measure::Numbers;
 use read::Pixels;
 use serde::Serialize;

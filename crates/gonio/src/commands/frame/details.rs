@@ -1,12 +1,12 @@
 //! One draw call with everything it read, or one program.
 
 use super::text::{self, aligned, counted, numbers, table};
-use crate::numbers::is_noise;
 use crate::page::Page;
 use gonio_gl::trace::{
     AttributeRecord, AttributeSource, DrawRecord, Finding, FrameRecord, Numbers, ProgramRecord, SamplerRecord,
     UniformValue,
 };
+use gonio_light::is_noise;
 
 /// The width of the column of names.
 const NAME: usize = 18;

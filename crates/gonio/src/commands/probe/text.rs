@@ -1,9 +1,9 @@
 //! A probe as text: aligned numbers, and the light equation with its numbers.
 
 use super::{GpuValue, Report};
-use crate::numbers::is_noise;
 use crate::page;
 use glam::DVec3;
+use gonio_light::is_noise;
 use gonio_light::{Convention, LightKind, LightTerms, Specular, Terms};
 use gonio_reference::Probe;
 use gonio_scene::{Frame, Scene};
