@@ -1,4 +1,4 @@
-//! The second factor of the split sum as a small table: what a rough mirror makes of uniform light.
+//! The second factor of the split sum as a small table: the reflection of uniform light by a rough mirror.
 
 use gonio_light::microfacet::environment_brdf;
 use rayon::prelude::*;
@@ -19,7 +19,7 @@ impl BrdfTable {
     /// a degree (a cosine of 0.02) of edge on, where it errs by up to 0.06.
     pub const SIZE: usize = 64;
 
-    /// The table; made at the first call, which takes some 30 ms.
+    /// Returns the table, computed at the first call in some 30 ms.
     pub fn get() -> &'static BrdfTable {
         static TABLE: OnceLock<BrdfTable> = OnceLock::new();
         TABLE.get_or_init(|| {
@@ -32,18 +32,18 @@ impl BrdfTable {
         })
     }
 
-    /// (scale, bias) of each texel, rows of equal roughness, smooth first: ready for a texture.
+    /// Returns (scale, bias) of each texel, rows of equal roughness, smooth first: ready for a texture.
     pub fn values(&self) -> &[[f32; 2]] {
         &self.values
     }
 
-    /// Where a texture is asked, `s` and `t` from 0 to 1; a cosine or a roughness beyond `[0, 1]` counts as the end, NaN as 0.
+    /// Returns the texture coordinates, `s` and `t` from 0 to 1; a cosine or a roughness beyond `[0, 1]` counts as the end, NaN as 0.
     pub fn coordinates(cos_v: f64, roughness: f64) -> (f64, f64) {
         let from_middle_to_middle = |v: f64| (0.5 + v * (Self::SIZE - 1) as f64) / Self::SIZE as f64;
         (from_middle_to_middle(held(cos_v).sqrt()), from_middle_to_middle(held(roughness)))
     }
 
-    /// (scale, bias), bilinear: what the texture gives at the [coordinates](Self::coordinates).
+    /// Returns (scale, bias), bilinear as the texture at the [coordinates](Self::coordinates).
     pub fn lookup(&self, cos_v: f64, roughness: f64) -> (f64, f64) {
         let last = Self::SIZE - 1;
         let place = |value: f64| {

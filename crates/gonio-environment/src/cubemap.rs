@@ -18,15 +18,17 @@ pub struct Cubemap {
 }
 
 impl Cubemap {
-    /// A cubemap of one colour. A size of 0 counts as 1.
+    /// Creates a cubemap of one colour. A size of 0 counts as 1.
     pub fn new(size: u32, pixel: Pixel) -> Self {
         let size = size.max(1);
         Cubemap { size, pixels: vec![pixel; 6 * size as usize * size as usize] }
     }
 
-    /// Six pictures as faces, in the order of [`Face::ALL`] and in the layout that they are in.
+    /// Creates a cubemap from six pictures in the order of [`Face::ALL`] and in a layout.
     ///
-    /// An error where one is not square or not of the size of the others; it names the face.
+    /// # Errors
+    ///
+    /// A picture that is not square, or not of the size of the others; the message names the face.
     pub fn from_faces(faces: [Image; 6], layout: Layout) -> Result<Self, EnvironmentError> {
         let size = check_sizes(&faces)?;
         let mut map = Cubemap::new(size, [0.0; 4]);
@@ -36,7 +38,7 @@ impl Cubemap {
         Ok(map)
     }
 
-    /// The six faces as pictures, in the order of [`Face::ALL`] and in a layout.
+    /// Returns the six faces as pictures, in the order of [`Face::ALL`] and in a layout.
     pub fn faces(&self, layout: Layout) -> [Image; 6] {
         Face::ALL.map(|face| {
             let mut image = Image { width: self.size, height: self.size, pixels: Vec::new() };
@@ -56,7 +58,7 @@ impl Cubemap {
         })
     }
 
-    /// Puts a picture of this cubemap's size onto the face of a layout.
+    /// Copies a picture of this cubemap's size onto the face of a layout.
     pub(crate) fn lay(&mut self, face: Face, layout: Layout, pixels: &[Pixel]) {
         let size = self.size as usize;
         let (to, flips_columns, flips_rows) = face.in_open_gl(layout);
@@ -71,8 +73,7 @@ impl Cubemap {
         }
     }
 
-    /// The function of a direction as a cubemap of this size: each texel is its value at the texel's middle. The
-    /// directions are of unit length.
+    /// Creates a cubemap from a function of the unit direction, evaluated at the middle of each texel.
     pub fn from_function(size: u32, radiance: impl Fn(DVec3) -> DVec3) -> Self {
         let mut map = Cubemap::new(size, [0.0; 4]);
         let size = map.size;
@@ -87,22 +88,22 @@ impl Cubemap {
         map
     }
 
-    /// Texels along an edge.
+    /// Returns the number of texels along an edge.
     pub fn size(&self) -> u32 {
         self.size
     }
 
-    /// All faces one after the other, in the order of [`Face::ALL`], rows from the top, OpenGL's layout.
+    /// Returns all faces one after the other, in the order of [`Face::ALL`], rows from the top, OpenGL's layout.
     pub fn pixels(&self) -> &[Pixel] {
         &self.pixels
     }
 
-    /// The same, to be changed.
+    /// Returns all faces for modification.
     pub fn pixels_mut(&mut self) -> &mut [Pixel] {
         &mut self.pixels
     }
 
-    /// A face in OpenGL's layout, rows from the top.
+    /// Returns a face in OpenGL's layout, rows from the top.
     pub fn face(&self, face: Face) -> &[Pixel] {
         let area = self.size as usize * self.size as usize;
         &self.pixels[face as usize * area..][..area]

@@ -36,7 +36,7 @@ fn axis_of(direction: DVec3) -> (usize, bool) {
     (axis, direction[axis] > 0.0)
 }
 
-/// What has the axes' letters, in their order.
+/// The letters of the axes.
 const LETTERS: [&str; 3] = ["X", "Y", "Z"];
 
 /// sRGB of the negative and the positive side of each axis.

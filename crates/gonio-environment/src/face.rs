@@ -1,11 +1,11 @@
-//! The six faces of a cubemap, and which direction each of their points is.
+//! The six faces of a cubemap, and the direction of each point on them.
 //!
 //! The world is right-handed, Y is up. Directions need not be of unit length.
 
 use glam::DVec3;
 use gonio_light::named_enum;
 
-/// A face, called after the axis that goes through its middle.
+/// A face, named after the axis through its middle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Face {
     /// `posx`
@@ -23,12 +23,12 @@ pub enum Face {
 }
 
 named_enum! {
-    /// How six pictures are laid on the faces of a cube.
+    /// The orientation of six pictures on the faces of a cube.
     pub enum Layout {
         /// As OpenGL samples them: `texture(samplerCube, direction_in_world)` is right. The faces are left-handed
         /// (OpenGL 4.6, table 8.19), so that a viewer of images shows each as the mirror image of what is seen.
         OpenGl = "opengl",
-        /// As they look right in a viewer of images, which is how most are given away: sampled at (x, y, -z). `posx` is
+        /// As they look right in an image viewer, which is how most are published: sampled at (x, y, -z). `posx` is
         /// to the right (+X), `posz` straight ahead (-Z).
         Photographic = "photographic",
     }
@@ -37,16 +37,16 @@ named_enum! {
 }
 
 impl Face {
-    /// In the order of OpenGL's and KTX2's layers.
+    /// All faces in the order of OpenGL's and KTX2's layers.
     pub const ALL: [Face; 6] = [Face::PosX, Face::NegX, Face::PosY, Face::NegY, Face::PosZ, Face::NegZ];
 
-    /// `posx`, ...
+    /// Returns the name of the face: `posx` and so on.
     pub fn name(self) -> &'static str {
         ["posx", "negx", "posy", "negy", "posz", "negz"][self as usize]
     }
 
-    /// Where OpenGL's table has the middle of the face, and where `s` (columns, to the right) and `t` (rows,
-    /// downwards) run.
+    /// The middle of the face in OpenGL's table, and the directions of `s` (columns, to the right) and `t` (rows,
+    /// downwards).
     fn axes(self) -> [DVec3; 3] {
         const X: DVec3 = DVec3::X;
         const Y: DVec3 = DVec3::Y;
@@ -61,18 +61,18 @@ impl Face {
         }
     }
 
-    /// Where columns run to, OpenGL's layout.
+    /// The direction of columns in OpenGL's layout.
     pub(crate) fn along_s(self) -> DVec3 {
         self.axes()[1]
     }
 
-    /// Where rows run to, OpenGL's layout.
+    /// The direction of rows in OpenGL's layout.
     pub(crate) fn along_t(self) -> DVec3 {
         self.axes()[2]
     }
 
-    /// Where this face's picture in a layout lies in OpenGL's: on which face, and whether its columns and its rows run
-    /// the other way. The same the other way round: what OpenGL has on this face lies there in the layout.
+    /// Returns the position of this face's picture of a layout in OpenGL's layout: the face, and whether columns and rows
+    /// are reversed. The mapping is its own inverse.
     pub fn in_open_gl(self, layout: Layout) -> (Face, bool, bool) {
         match (layout, self) {
             (Layout::OpenGl, _) => (self, false, false),
@@ -83,14 +83,14 @@ impl Face {
         }
     }
 
-    /// The direction of a point of a face: `s` and `t` from -1 to 1, from the first column to the last and from the
+    /// Returns the direction of a point of a face: `s` and `t` from -1 to 1, from the first column to the last and from the
     /// first row to the last. Its largest component is 1.
     pub fn direction(self, s: f64, t: f64, layout: Layout) -> DVec3 {
         let [middle, along_s, along_t] = self.axes();
         layout.turn(middle + s * along_s + t * along_t)
     }
 
-    /// The face that a direction meets, and where: the inverse of [`Self::direction`]. Where two faces meet, the
+    /// Returns the face that a direction meets, and the point on it: the inverse of [`Self::direction`]. Where two faces meet, the
     /// earlier one of X, Y, Z counts. `None` for a direction of no length.
     pub fn from_direction(direction: DVec3, layout: Layout) -> Option<(Face, f64, f64)> {
         let d = layout.turn(direction);

@@ -39,7 +39,7 @@ const FACTORS: [f64; 9] = [
     0.546_274_215_296_039_6,
 ];
 
-/// What the cosine lobe leaves of each degree, `A_l` (eq. 8), for each of the nine.
+/// The factor of the cosine lobe for each degree, `A_l` (eq. 8), for each of the nine.
 const COSINE: [f64; 9] =
     [PI, 2.0 * PI / 3.0, 2.0 * PI / 3.0, 2.0 * PI / 3.0, PI / 4.0, PI / 4.0, PI / 4.0, PI / 4.0, PI / 4.0];
 
@@ -52,7 +52,7 @@ pub struct Harmonics {
 }
 
 impl Harmonics {
-    /// Those of an environment: each texel counts by the solid angle that it covers. Uses all threads; the result does
+    /// Projects an environment: each texel is weighted by the solid angle that it covers. Uses all threads; the result does
     /// not depend on how many.
     pub fn from_cubemap(map: &Cubemap) -> Self {
         let size = map.size() as usize;
@@ -84,20 +84,20 @@ impl Harmonics {
         Harmonics { coefficients: std::array::from_fn(|i| FACTORS[i] * coefficients[i]) }
     }
 
-    /// The nine constants of the polynomial that [`irradiance`] evaluates, for a shader: everything multiplied together
-    /// that does not depend on the normal.
+    /// Returns the nine constants of the polynomial that [`irradiance`] evaluates, for a shader: the product of all factors
+    /// that do not depend on the normal.
     pub fn polynomial(&self) -> [DVec3; 9] {
         std::array::from_fn(|i| COSINE[i] * FACTORS[i] * self.coefficients[i])
     }
 
-    /// The light that falls on a surface with this unit normal (in the world), linear RGB: the integral of radiance times
-    /// cosine. `pi` under uniform radiance 1. Never negative. Where the environment has been turned, give the normal
-    /// turned back.
+    /// Returns the irradiance on a surface with this unit normal (in the world), linear RGB: the integral of radiance times
+    /// cosine. `pi` under uniform radiance 1. Never negative. If the environment is turned, give the normal turned
+    /// back.
     pub fn irradiance(&self, normal: DVec3) -> DVec3 {
         irradiance(&self.polynomial(), normal)
     }
 
-    /// The radiance from a unit direction that is left after all frequencies above `l = 2` are gone; it can be negative.
+    /// Returns the radiance from a unit direction without the frequencies above `l = 2`; it can be negative.
     pub fn radiance(&self, direction: DVec3) -> DVec3 {
         let basis = monomials(direction);
         (0..9).map(|i| FACTORS[i] * basis[i] * self.coefficients[i]).sum()

@@ -4,8 +4,8 @@ use crate::Cubemap;
 use crate::face::Face;
 use glam::{Vec3A, Vec4};
 
-/// A cubemap whose faces have a margin of one texel, so that a bilinear lookup has no edge to ask about. What it gives is
-/// what [`Cubemap::sample`] gives, in `f32`.
+/// A cubemap whose faces have a margin of one texel, so that a bilinear lookup never crosses an edge. The result is
+/// that of [`Cubemap::sample`], in `f32`.
 pub(crate) struct Padded {
     size: f32,
     /// Texels from row to row: the size and two.
@@ -33,7 +33,7 @@ impl Padded {
         Padded { size: size as f32, stride, area: stride * stride, pixels }
     }
 
-    /// Trilinear: between the levels about `level`, which is within them.
+    /// Looks up trilinearly between the levels about `level`, which is within them.
     pub fn sample(levels: &[Padded], direction: Vec3A, level: f32) -> Vec4 {
         let place = place(direction);
         let fine = level as usize;

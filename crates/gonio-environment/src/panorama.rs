@@ -62,15 +62,15 @@ impl Panorama {
         upper.lerp(lower, lower_share)
     }
 
-    /// The pixel in column `x` of row `y`, where columns go round and what is beyond a pole is the same row half a turn
-    /// further.
+    /// Returns the pixel in column `x` of row `y`. Columns wrap around, and rows beyond a pole continue in the same row half
+    /// a turn further.
     pub fn texel(&self, x: i64, y: i64) -> DVec3 {
         let (x, y) = over_the_pole(x, y, i64::from(self.image.width), i64::from(self.image.height));
         color(self.image.at(x as u32, y as u32))
     }
 
-    /// A panorama that was turned by 90 degrees, turned back: of the two ways to do it the one that has the brighter half
-    /// above, as most places have.
+    /// Turns back a panorama that was turned by 90 degrees. Of the two ways, it chooses the one with the brighter half
+    /// above.
     pub fn turned_back(&self) -> Panorama {
         let (width, height) = (self.image.height, self.image.width);
         let turned = |clockwise: bool| {
@@ -90,7 +90,7 @@ impl Panorama {
         Panorama { image: if upright { image } else { turned(false) } }
     }
 
-    /// The mean radiance over the sphere: rows count by the solid angle that they cover.
+    /// Returns the mean radiance over the sphere: rows are weighted by solid angle.
     pub fn mean_radiance(&self) -> DVec3 {
         let height = f64::from(self.image.height);
         let rows = (0..self.image.height).map(|y| {
@@ -103,8 +103,8 @@ impl Panorama {
     }
 }
 
-/// The texel at (`x`, `y`), which may be outside: columns go round, and what is beyond a pole is the same row half a turn
-/// further. In [0, `width`) and [0, `height`).
+/// Returns the texel at (`x`, `y`), which may be outside: columns wrap around, and rows beyond a pole continue in the same
+/// row half a turn further. In [0, `width`) and [0, `height`).
 pub(crate) fn over_the_pole(x: i64, y: i64, width: i64, height: i64) -> (i64, i64) {
     let (x, y) = match y {
         y if y < 0 => (x + width / 2, (-1 - y).min(height - 1)),
@@ -114,7 +114,7 @@ pub(crate) fn over_the_pole(x: i64, y: i64, width: i64, height: i64) -> (i64, i6
     (x.rem_euclid(width), y)
 }
 
-/// How many texels of a row that crowds are together as wide as one is high.
+/// The number of texels of a crowded row that together are as wide as one is high.
 pub const CROWDED: f64 = 2.0;
 
 /// The first and the last rows of a panorama, those where texels crowd along the row by [`CROWDED`] or more, each averaged along
@@ -158,7 +158,7 @@ fn average_along(from: &[Pixel], reach: f64, to: &mut [Pixel]) {
     }
 }
 
-/// The unit direction of a place in the picture: `u` from 0 at the left edge to 1 at the right one, `v` from 0 at the
+/// Returns the unit direction of a position in the picture: `u` from 0 at the left edge to 1 at the right one, `v` from 0 at the
 /// top edge to 1 at the bottom one.
 pub fn direction(u: f64, v: f64) -> DVec3 {
     let (sin_lon, cos_lon) = ((u - 0.5) * 2.0 * PI).sin_cos();
@@ -166,7 +166,7 @@ pub fn direction(u: f64, v: f64) -> DVec3 {
     DVec3::new(sin_polar * sin_lon, cos_polar, -sin_polar * cos_lon)
 }
 
-/// The place (u, v) of a direction, the inverse of [`direction`]; any length, (0.5, 0.5) for one that has none.
+/// Returns the position (u, v) of a direction of any length, the inverse of [`direction`]; (0.5, 0.5) for length 0.
 pub fn place(direction: DVec3) -> (f64, f64) {
     let across = direction.x.hypot(direction.z);
     if !(across > 0.0 || direction.y != 0.0) {

@@ -1,25 +1,25 @@
 //! All ways in which six pictures can lie on a cube, and the search for those whose edges meet.
 //!
 //! A picture lies on one of six faces, turned by one of four quarters, mirrored or not: 48 placements. There are also 48
-//! symmetries of the cube (24 turns and their mirror images), and each moves a given placement to another one. What edges
-//! can tell is told *up to* these 48: the first picture is therefore kept where it is, and 5! 8^5 = 3.9 million
+//! symmetries of the cube (24 turns and their mirror images), and each moves a given placement to another one. Edges decide
+//! only *up to* these 48: the first picture is therefore kept in its place, and 5! 8^5 = 3.9 million
 //! arrangements are left, of which a search that gives up early visits a small part.
 
 use crate::face::Face;
 use crate::seams::Seams;
 use glam::{DMat3, DVec3};
 
-/// Where a file's picture lies: `8 * face + 4 * mirrored + quarters`. Its columns are mirrored first, then it is turned
+/// The placement of a file's picture: `8 * face + 4 * mirrored + quarters`. Its columns are mirrored first, then it is turned
 /// clockwise.
 pub(crate) type Placement = usize;
 
 /// The placement of each of six files.
 pub(crate) type Placements = [Placement; 6];
 
-/// How many arrangements that fit equally well are looked at; with more there is nothing to be told.
+/// The limit on arrangements that fit equally well; with more, the edges decide nothing.
 const CROWD: usize = 60_000;
 
-/// Every file on the face that is called after it, as it is.
+/// Every file on the face with its name, unchanged.
 pub(crate) const AS_GIVEN: Placements = [0, 8, 16, 24, 32, 40];
 
 /// Face (index in [`Face::ALL`]), mirrored, clockwise quarter turns.
@@ -27,7 +27,7 @@ pub(crate) fn parts(placement: Placement) -> (usize, bool, usize) {
     (placement / 8, placement % 8 >= 4, placement % 4)
 }
 
-/// Which side of the file a placement puts at a side of the face (top, right, bottom, left).
+/// Returns the side of the file at a side of the face (top, right, bottom, left).
 fn side_of_file(placement: Placement, side: usize) -> usize {
     let (_, mirrored, quarters) = parts(placement);
     let before_turning = (side + 4 - quarters) % 4;
@@ -38,7 +38,7 @@ fn side_of_file(placement: Placement, side: usize) -> usize {
 pub(crate) struct Cube {
     /// The twelve edges: face and side, and the neighbour's.
     pub edges: Vec<(usize, usize, usize, usize)>,
-    /// `[symmetry][placement]`: where the symmetry moves it.
+    /// `[symmetry][placement]`: the placement after the symmetry.
     moved: Vec<[Placement; 48]>,
     /// `[from][to]`: the symmetry that moves a placement to another.
     mover: Vec<[usize; 48]>,
@@ -66,24 +66,24 @@ impl Cube {
         Cube { edges: edges(), moved, mover, mirrors }
     }
 
-    /// An arrangement moved as a whole.
+    /// Moves an arrangement as a whole.
     pub fn moved(&self, symmetry: usize, arrangement: &Placements) -> Placements {
         arrangement.map(|p| self.moved[symmetry][p])
     }
 
-    /// The arrangement moved so that as many files as possible lie as they do in another one.
+    /// Moves the arrangement so that as many files as possible have the placement of another one.
     pub fn aligned(&self, arrangement: &Placements, other: &Placements) -> Placements {
         // At least one file can be brought to its place, so only six symmetries come into question.
         let candidates = (0..6).map(|f| self.moved(self.mover[arrangement[f]][other[f]], arrangement));
         candidates.min_by_key(|a| differing(a, other)).unwrap_or(*arrangement)
     }
 
-    /// The sum of the misfits of all twelve edges.
+    /// Returns the sum of the misfits of all twelve edges.
     pub fn misfit(&self, seams: &Seams, arrangement: &Placements) -> f64 {
         self.misfits(seams, arrangement).sum()
     }
 
-    /// The misfit of each of the twelve edges.
+    /// Returns the misfit of each of the twelve edges.
     pub fn misfits<'a>(&'a self, seams: &'a Seams, arrangement: &Placements) -> impl Iterator<Item = f64> + 'a {
         let mut files = [(0, 0); 6];
         for (file, &placement) in arrangement.iter().enumerate() {
@@ -92,8 +92,8 @@ impl Cube {
         self.edges.iter().map(move |&(a, side_a, b, side_b)| edge_misfit(seams, files[a], side_a, files[b], side_b))
     }
 
-    /// The lowest misfit, and all arrangements (with the first file where it is) that do not fit worse than that times
-    /// `1 + relative`, plus `absolute`. `None` for the list if there are too many to be worth looking at.
+    /// Returns the lowest misfit, and all arrangements (with the first file in its place) whose misfit is at most that times
+    /// `1 + relative`, plus `absolute`. The list is `None` if there are too many.
     pub fn search(&self, seams: &Seams, relative: f64, absolute: f64) -> (f64, Option<Vec<Placements>>) {
         let mut search = Search::new(self, seams);
         search.bound = self.misfit(seams, &AS_GIVEN);
@@ -108,7 +108,7 @@ impl Cube {
     }
 }
 
-/// How many files lie elsewhere, or otherwise, in one arrangement than in another.
+/// Counts the files with different placements in two arrangements.
 pub(crate) fn differing(a: &Placements, b: &Placements) -> usize {
     a.iter().zip(b).filter(|(p, q)| p != q).count()
 }
@@ -124,7 +124,7 @@ fn edge_misfit(
     seams.misfit(4 * file_a + side_of_file(a, side_a), 4 * file_b + side_of_file(b, side_b), same_way)
 }
 
-/// The face's middle, and where the file's columns and rows run to, in the cube's directions (OpenGL's table).
+/// The face's middle and the directions of the file's columns and rows, in the cube's directions (OpenGL's table).
 fn frame(placement: Placement) -> DMat3 {
     let (face, mirrored, quarters) = parts(placement);
     let face = Face::ALL[face];
@@ -142,7 +142,7 @@ fn frame(placement: Placement) -> DMat3 {
     DMat3::from_cols(middle, put(1.0, 0.0), put(0.0, 1.0))
 }
 
-/// Sides that share both of their corners.
+/// Finds the sides that share both of their corners.
 fn edges() -> Vec<(usize, usize, usize, usize)> {
     let ends = |face: usize, side: usize| {
         let corner = |k: usize| {
@@ -168,7 +168,7 @@ fn edges() -> Vec<(usize, usize, usize, usize)> {
 /// Faces in an order in which each soon has neighbours.
 const ORDER: [usize; 6] = [0, 2, 4, 3, 5, 1];
 
-/// A search that puts a file on one face after the other and gives up what already fits too badly.
+/// A search that puts a file on one face after the other and drops arrangements that already fit too badly.
 struct Search<'a> {
     seams: &'a Seams,
     /// Per step: (side, step of the neighbour that is there already, its side).

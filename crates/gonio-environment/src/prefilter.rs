@@ -1,4 +1,4 @@
-//! Glossy reflection of an environment: blurred for each roughness beforehand, and put together again by the split sum.
+//! Glossy reflection of an environment: prefiltered for each roughness, and combined by the split sum.
 //!
 //! ```text
 //! integral of f L <N.L>  ~  (integral of f L <N.L> / integral of f <N.L>, seen along N)  *  (f0 scale + bias)
@@ -26,19 +26,19 @@ use gonio_light::microfacet::{alpha, distribution, unshadowed_share, visible_fac
 use gonio_light::vector::{reflection, tangent_frame};
 use rayon::prelude::*;
 
-/// An environment as rough mirrors see it. Level `i` of `n` is for the roughness `i / (n - 1)`; the first is the
+/// An environment prefiltered for rough mirrors. Level `i` of `n` is for the roughness `i / (n - 1)`; the first is the
 /// environment itself, each next has half its size.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GlossyMips {
     mips: CubeMips,
 }
 
-/// One direction in which light is gathered: of the local frame, normal along z.
+/// A sample of the lobe, in the local frame with the normal along z.
 struct Sample {
     light: Vec3A,
-    /// All weights of a lobe make 1.
+    /// The weight; those of a lobe sum to 1.
     weight: f32,
-    /// Which mip level of the environment is looked up.
+    /// The mip level of the environment for the lookup.
     level: f32,
 }
 
@@ -54,13 +54,13 @@ impl GlossyMips {
     /// Smaller first levels are enlarged to this, so that there are roughnesses enough: 64, 32, 16, 8.
     const FIRST_MIN: u32 = 64;
 
-    /// How many directions a texel of a level gathers. Most lobes of the largest blurred level are narrow, and its texels
+    /// The number of directions that a texel of a level gathers. Most lobes of the largest blurred level are narrow, and its texels
     /// many; about wide lobes a sun needs a thousand for its highlight to be smooth to 2 %.
     fn samples(size: u32) -> u32 {
         (SAMPLES_A_FACE / (size * size)).clamp(128, 1024)
     }
 
-    /// From an environment and its mip levels; the first level is the largest of these of at most `size` texels an edge
+    /// Prefilters an environment with its mip levels; the first level is the largest of these of at most `size` texels an edge
     /// (see [`Self::SIZE`]). Uses all threads; the result does not depend on how many.
     pub fn new(environment: &CubeMips, size: u32) -> Self {
         let size = size.max(Self::FIRST_MIN);
@@ -82,23 +82,23 @@ impl GlossyMips {
         GlossyMips { mips: CubeMips::from_levels(levels) }
     }
 
-    /// The levels, smooth first.
+    /// Returns the levels, smooth first.
     pub fn levels(&self) -> &[Cubemap] {
         self.mips.levels()
     }
 
-    /// The level for a roughness, which is held in `[0, 1]`: what a shader gives to `textureLod`.
+    /// Returns the level for a roughness, clamped to `[0, 1]`: the argument of `textureLod` in a shader.
     pub fn level_of_roughness(&self, roughness: f64) -> f64 {
         let held = if roughness > 0.0 { roughness.min(1.0) } else { 0.0 };
         held * (self.levels().len() - 1) as f64
     }
 
-    /// Linear radiance about a direction (any length), averaged over the lobe of a roughness.
+    /// Returns the linear radiance about a direction (any length), averaged over the lobe of a roughness.
     pub fn sample(&self, direction: DVec3, roughness: f64) -> DVec3 {
         self.mips.sample(direction, self.level_of_roughness(roughness))
     }
 
-    /// What a rough mirror with unit normal `n` sends to the eye at unit `v` (both in the world), by the split sum: an
+    /// Returns the light that a rough mirror with unit normal `n` reflects towards unit `v` (both in the world), by the split sum: an
     /// approximation of [`specular_integral`](gonio_light::microfacet::specular_integral). `f0` is the reflectance at
     /// normal incidence. Seen from below (`n.v <= 0`) it is 0.
     pub fn reflected(&self, n: DVec3, v: DVec3, f0: DVec3, roughness: f64) -> DVec3 {
@@ -111,7 +111,7 @@ impl GlossyMips {
     }
 }
 
-/// Where the middle of a rough mirror's lobe is, for unit `n` and `v` (not of unit length): the mirror direction for a smooth
+/// Returns the middle of a rough mirror's lobe, for unit `n` and `v` (not of unit length): the mirror direction for a smooth
 /// one, towards the normal for a rough one, whose light from near the horizon is shadowed. Source: S. Lagarde and C. de
 /// Rousiers, *Moving Frostbite to Physically Based Rendering*, SIGGRAPH 2014 course, listing 22.
 pub fn dominant_direction(n: DVec3, v: DVec3, roughness: f64) -> DVec3 {
@@ -119,7 +119,7 @@ pub fn dominant_direction(n: DVec3, v: DVec3, roughness: f64) -> DVec3 {
     n.lerp(reflection(n, v), smooth * (smooth.sqrt() + alpha(roughness)))
 }
 
-/// How many directions the texels of one face of a level gather together.
+/// The number of directions that the texels of one face of a level gather together.
 const SAMPLES_A_FACE: u32 = 3 << 19;
 
 /// The golden section.
@@ -154,7 +154,7 @@ fn lobe(roughness: f64, size: u32, levels: usize, count: u32) -> Vec<Sample> {
     samples
 }
 
-/// A cubemap of which each texel has gathered the samples about its direction.
+/// Computes a cubemap whose texels gather the samples about their directions.
 fn gathered(size: u32, sources: &[Padded], samples: &[Sample]) -> Cubemap {
     let mut map = Cubemap::new(size, [0.0; 4]);
     let width = size as usize;

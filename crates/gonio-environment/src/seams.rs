@@ -1,4 +1,4 @@
-//! What lies along the edges of six faces, and how well any two of them would meet.
+//! The texels along the edges of six faces, and how well any two edges meet.
 //!
 //! Light is compared in stops: `log2(L / mean + 1/20)` of each channel, with the mean over all edges. So neither a lamp nor
 //! the exposure of the picture outweighs everything else, and noise in the dark counts little.
@@ -10,16 +10,16 @@
 
 use gonio_image::{Image, Pixel};
 
-/// No edge counts for more: how much two pictures that do not belong together differ says nothing.
+/// The largest misfit: beyond it, the size of a difference carries no information.
 pub(crate) const MISFIT_MAX: f64 = 25.0;
 
-/// Texels are averaged to at most so many along an edge, against noise and for speed.
+/// The largest number of samples along an edge: texels are averaged, against noise and for speed.
 const SAMPLES_MAX: usize = 128;
 
-/// In stops: differences about this small are below what 8 bits can store.
+/// Stops. Differences as small as this are below the precision of 8 bits.
 const FLOOR: f64 = 0.01;
 
-/// Along an edge of a face, clockwise as seen in a viewer: the outermost texels and those one row further in, in stops.
+/// The texels along an edge of a face in stops, clockwise as seen in a viewer: the outermost row and the next one.
 #[derive(Clone, Debug, Default)]
 struct Strip {
     outer: Vec<[f64; 3]>,
@@ -38,7 +38,7 @@ pub(crate) struct Seams {
 }
 
 impl Seams {
-    /// Of six square pictures of one size.
+    /// Collects the edges of six square pictures of one size.
     pub fn new(faces: &[Image; 6]) -> Self {
         let mut strips: Vec<Strip> = faces.iter().flat_map(|face| (0..4).map(|side| Strip::new(face, side))).collect();
         encode(strips.iter_mut().flat_map(|s| s.outer.iter_mut().chain(&mut s.inner)).collect());
@@ -57,12 +57,12 @@ impl Seams {
         Seams { strips, inside, misfits }
     }
 
-    /// The misfit of two edges, from 0 to [`MISFIT_MAX`].
+    /// Returns the misfit of two edges, from 0 to [`MISFIT_MAX`].
     pub fn misfit(&self, a: usize, b: usize, same_way: bool) -> f64 {
         self.misfits[24 * a + b][usize::from(same_way)]
     }
 
-    /// Root mean squares in stops: across the seam of two edges (the second the other way round), and between the
+    /// Returns root mean squares in stops: across the seam of two edges (the second the other way round), and between the
     /// outermost rows inside the two faces.
     pub fn differences(&self, a: usize, b: usize) -> (f64, f64) {
         let across = mean_square(self.strips[a].outer.iter(), self.strips[b].outer.iter().rev());
@@ -71,7 +71,7 @@ impl Seams {
 }
 
 impl Strip {
-    /// Linear light of one side of a square face.
+    /// Returns the linear light along one side of a square face.
     fn new(face: &Image, side: usize) -> Self {
         let size = face.width as usize;
         let count = size.min(SAMPLES_MAX);
@@ -109,7 +109,7 @@ fn add(sum: &mut [f64; 3], [r, g, b, _]: Pixel) {
     }
 }
 
-/// From linear light to stops, about the mean of all.
+/// Converts linear light to stops about the mean.
 pub(crate) fn encode(mut lights: Vec<&mut [f64; 3]>) {
     let count = 3.0 * lights.len().max(1) as f64;
     // Brightest lamps would darken all else: the mean is that of the logarithms.
@@ -119,7 +119,7 @@ pub(crate) fn encode(mut lights: Vec<&mut [f64; 3]>) {
     }
 }
 
-/// The mean square of the difference of two rows of samples.
+/// Returns the mean square of the difference of two rows of samples.
 pub(crate) fn mean_square<'a>(
     a: impl Iterator<Item = &'a [f64; 3]> + Clone,
     b: impl Iterator<Item = &'a [f64; 3]>,

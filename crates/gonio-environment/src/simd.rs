@@ -1,4 +1,4 @@
-//! Which instruction set the lane-wise loops run on, chosen when the program runs.
+//! The instruction set of the lane-wise loops, chosen at run time.
 //!
 //! A program is compiled for the oldest CPU that it must run on: SSE2 on x86-64. The loops of [`crate::convert`] are
 //! generic over [`fearless_simd::Simd`] and compiled twice on x86-64, once for that baseline and once for AVX2 (x86-64-v3
@@ -18,12 +18,12 @@ use fearless_simd::{Level, Simd};
 pub enum SimdLevel {
     /// The oldest CPU that the program runs on.
     Baseline,
-    /// x86-64-v3: AVX2 and what came with it.
+    /// x86-64-v3: AVX2 and its companions.
     Avx2,
 }
 
 impl SimdLevel {
-    /// Levels of this CPU, the fastest one last.
+    /// Returns the levels of this CPU, the fastest last.
     pub fn available() -> &'static [SimdLevel] {
         match Self::detect() {
             SimdLevel::Baseline => &[SimdLevel::Baseline],
@@ -31,7 +31,7 @@ impl SimdLevel {
         }
     }
 
-    /// The fastest level of this CPU.
+    /// Returns the fastest level of this CPU.
     pub fn detect() -> SimdLevel {
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
         if Level::new().as_avx2().is_some() {
@@ -40,7 +40,7 @@ impl SimdLevel {
         SimdLevel::Baseline
     }
 
-    /// The name of the instruction set on this kind of CPU.
+    /// Returns the name of the instruction set on this architecture.
     pub fn name(self) -> &'static str {
         match self {
             SimdLevel::Avx2 => "AVX2",
@@ -51,7 +51,7 @@ impl SimdLevel {
         }
     }
 
-    /// Runs a kernel at this level, or at the baseline where the CPU does not have it.
+    /// Runs a kernel at this level, or at the baseline if the CPU does not support it.
     pub(crate) fn run(self, kernel: impl Kernel) {
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
         {
@@ -76,9 +76,9 @@ fn vectorized<S: Simd>(simd: S, kernel: impl Kernel) {
     );
 }
 
-/// A piece of work that is compiled for every level. `run` and everything that it calls must be `#[inline(always)]`, closures
+/// A computation that is compiled for every level. `run` and everything that it calls must be `#[inline(always)]`, closures
 /// included: a function of its own is compiled for the baseline.
 pub(crate) trait Kernel {
-    /// Does the work.
+    /// Runs the computation.
     fn run<S: Simd>(self, simd: S);
 }

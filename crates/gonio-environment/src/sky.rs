@@ -35,24 +35,24 @@ const UNIT_KCD: f64 = 36.0;
 /// The sun's illuminance above the air, in units of radiance times steradian: 128 klux.
 const SUN_ILLUMINANCE: f64 = 128.0 / UNIT_KCD;
 
-/// What share of light the ground sends back, linear RGB: between the 0.1 of dark soil and the 0.2 of grass.
+/// Albedo of the ground, linear RGB: between the 0.1 of dark soil and the 0.2 of grass.
 const GROUND_ALBEDO: DVec3 = DVec3::new(0.14, 0.125, 0.08);
 
 /// So far below the horizon the haze hides half of the ground: as on a hill of 100 m where one sees 30 km far (contrast 2 %,
 /// H. Koschmieder, 1924: extinction 3.91 / 30 km, half after 5.3 km).
 pub const HALF_VEILED_RAD: f64 = 1.08 * PI / 180.0;
 
-/// A clear sky: where its sun is, and how hazy it is.
+/// A clear sky, by the position of its sun and its haze.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sky {
-    /// To the sun, in the world; of any length.
+    /// Direction to the sun in the world, of any length.
     pub sun: DVec3,
     /// Haze, from 2 to 10.
     pub turbidity: f64,
 }
 
 impl Default for Sky {
-    /// Late in a clear morning, the sun behind the right shoulder of one who looks along -Z.
+    /// A clear late morning, with the sun behind the right shoulder of a viewer who looks along -Z.
     fn default() -> Self {
         let ((sin_up, cos_up), (sin_right, cos_right)) =
             (40_f64.to_radians().sin_cos(), 130_f64.to_radians().sin_cos());
@@ -60,9 +60,9 @@ impl Default for Sky {
     }
 }
 
-/// A sky's formulas with all that does not depend on the direction.
+/// The factors of the formulas that do not depend on the direction.
 struct Model {
-    /// Held in its range.
+    /// Clamped to its range.
     turbidity: f64,
     to_sun: DVec3,
     /// Luminance (kcd/m^2), x and y of the zenith, over the distribution's value there.
@@ -111,7 +111,7 @@ impl Model {
         (1.0 + a * (b / cos_theta).exp()) * (1.0 + c * (d * gamma).exp() + e * gamma.cos().powi(2))
     }
 
-    /// The sky's radiance from a unit direction without its sun, linear RGB; below the horizon that at the horizon.
+    /// Returns the radiance from a unit direction without the sun, linear RGB; below the horizon that at the horizon.
     fn radiance(&self, direction: DVec3) -> DVec3 {
         // The formula's quotient at the horizon itself is infinite, its value there is not.
         let cos_theta = direction.y.max(1e-3);
@@ -121,7 +121,7 @@ impl Model {
         rgb_from_xyz(y_unit * DVec3::new(x / y, 1.0, (1.0 - x - y) / y)).max(DVec3::ZERO)
     }
 
-    /// The radiance of the sun's disc through the air, linear RGB.
+    /// Returns the radiance of the sun's disc through the air, linear RGB.
     fn sun_radiance(&self) -> DVec3 {
         let theta = self.to_sun.y.acos();
         // Relative optical mass (F. Kasten and A. T. Young, as Preetham's appendix has it).
@@ -147,8 +147,8 @@ fn rgb_from_xyz(xyz: DVec3) -> DVec3 {
 }
 
 impl Sky {
-    /// The sky as a cubemap of `size` texels an edge (0 counts as 1). The sun's disc is antialiased; at any size all of its
-    /// light is there.
+    /// Renders the sky as a cubemap of `size` texels an edge (0 counts as 1). The sun's disc is antialiased and keeps all of
+    /// its light at any size.
     pub fn cubemap(&self, size: u32) -> Cubemap {
         let model = Model::new(self);
         let sun = model.sun_radiance();
@@ -166,7 +166,7 @@ impl Sky {
         map
     }
 
-    /// The irradiance on level ground, of sky and sun.
+    /// Returns the irradiance of sky and sun on level ground.
     fn light_on_the_ground(model: &Model, sun: DVec3) -> DVec3 {
         let disc = PI * SUN_RADIUS_RAD.sin().powi(2);
         let mut sum = disc * model.to_sun.y * sun;
@@ -184,7 +184,7 @@ impl Sky {
     }
 }
 
-/// How much of what lies in a direction the haze before it hides: all of it above the horizon (where the sky itself is
+/// Returns the share of a direction that haze hides: all of it above the horizon (where the sky itself is
 /// that haze), nothing straight below. `y` is the direction's height; in a cubemap of this size no step is finer than a texel.
 fn haze(y: f64, size: u32) -> f64 {
     if y >= 0.0 {

@@ -1,4 +1,4 @@
-//! The solid angles of all texels of a face, calculated once.
+//! A table of the solid angles of a face's texels.
 
 use rayon::prelude::*;
 
@@ -13,7 +13,7 @@ pub fn solid_angle(x: u32, y: u32, size: u32) -> f64 {
 
 /// [`solid_angle`] of every texel of a face, in steradians: a quarter of them, of which the others are mirror images.
 ///
-/// An arc tangent a texel is dear; a table of a quarter of one face serves all of six.
+/// An arc tangent per texel is expensive; a table of a quarter of one face serves all six.
 #[derive(Clone, Debug)]
 pub(crate) struct SolidAngles {
     size: usize,
@@ -24,7 +24,7 @@ pub(crate) struct SolidAngles {
 }
 
 impl SolidAngles {
-    /// Of faces of `size` texels an edge.
+    /// Computes the table for faces of `size` texels an edge.
     pub fn new(size: u32) -> Self {
         let half = size.div_ceil(2);
         let row = |y: u32| (0..half).map(move |x| solid_angle(x, y, size));
@@ -32,7 +32,7 @@ impl SolidAngles {
         SolidAngles { size: size as usize, half: half as usize, quarter }
     }
 
-    /// Of the texels of row `y`, from the left.
+    /// Returns the solid angles of row `y`, from the left.
     pub fn row(&self, y: usize) -> impl Iterator<Item = f64> + Clone + '_ {
         let held = y.min(self.size - 1 - y);
         let left = &self.quarter[held * self.half..][..self.half];

@@ -1,4 +1,4 @@
-//! Letters as pen strokes: just those that the debug cubemap writes.
+//! A stroke font with the letters of the debug cubemap.
 //!
 //! Units: a small letter `x` is 1 high; `y` points up from the baseline.
 
@@ -7,13 +7,13 @@ use glam::DVec2;
 /// A pen stroke: points joined by straight lines.
 pub(crate) type Stroke = Vec<DVec2>;
 
-/// How high capitals are.
+/// Height of capitals.
 pub(crate) const CAPITAL: f64 = 1.4;
 
-/// Between letters.
+/// Gap between letters.
 const GAP: f64 = 0.42;
 
-/// What a letter is drawn of.
+/// A part of a letter.
 enum Part {
     Line(&'static [(f64, f64)]),
     /// Centre, radii, and from which angle to which, in degrees anticlockwise from the right.
@@ -21,7 +21,7 @@ enum Part {
 }
 use Part::{Arc, Line};
 
-/// A letter's width and parts; a letter that is not known is an empty place.
+/// Returns the width and the parts of a letter; an unknown letter is blank.
 fn glyph(letter: char) -> (f64, &'static [Part]) {
     const HALF: (f64, f64) = (0.5, 0.5);
     match letter {
@@ -52,7 +52,7 @@ fn glyph(letter: char) -> (f64, &'static [Part]) {
     }
 }
 
-/// A word's strokes, from `x = 0` on, and its width.
+/// Returns the strokes of a word, from `x = 0`, and its width.
 pub(crate) fn write(word: &str) -> (Vec<Stroke>, f64) {
     let (mut strokes, mut at) = (Vec::new(), 0.0);
     for letter in word.chars() {

@@ -1,4 +1,4 @@
-//! Sources: where directions meet them, and how their texels lie in memory.
+//! The sources of a conversion: the positions that directions meet, and the memory layout of the texels.
 
 use super::Filter;
 use super::lanes::{Directions, angle};
