@@ -435,8 +435,8 @@ fn errors_say_what_and_where() {
         (with("4 0 1 2 3", "1e18 0 1 2 3"), "14: face 0 has more than 4194304 corners, which is the limit"),
         (
             with("vertex 4", "vertex 18446744073709551615"),
-            "the file ends early: its header tells of 18446744073709551615 elements vertex, and the bytes that follow \
-             hold 5 at most; get it again",
+            "the file ends early: its header declares 18446744073709551615 vertex elements, but at most 5 fit in the \
+             remaining bytes; get it again",
         ),
         (
             with("face 1", "face 2"),
@@ -456,8 +456,8 @@ fn errors_say_what_and_where() {
     let bytes = binary_square(true, "\n");
     let expected = "the file ends early: its header declares 1 face elements, but only 0 are there; get it again";
     assert_eq!(error(&bytes[..bytes.len() - 1]), expected);
-    let expected = "the file ends early: its header tells of 4 elements vertex, and the bytes that follow hold 3 at \
-                    most; get it again";
+    let expected = "the file ends early: its header declares 4 vertex elements, but at most 3 fit in the remaining \
+                    bytes; get it again";
     assert_eq!(error(&bytes[..bytes.len() - 18 - 30]), expected);
 }
 
