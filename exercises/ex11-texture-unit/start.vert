@@ -1,5 +1,5 @@
 #version 330 core
-// Exercise 11: the black triangle. This shader is right; the mistake is in the host program.
+// Exercise 11: the black triangle. This shader is right; the mistake is in the GL program.
 
 in vec3 position; // in clip space already
 in vec3 color;

@@ -1,5 +1,5 @@
 #version 330 core
-// The light equation per fragment, with everything that any exercise asks for. Every line that the bank of mistakes
+// The light equation per fragment, with everything that any exercise asks for. Every line that the catalogue of mistakes
 // changes stands alone and is written `what = value;`.
 in vec3 position;
 in vec3 normal;

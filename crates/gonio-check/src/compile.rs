@@ -34,7 +34,7 @@ impl<'a> ParsedStage<'a> {
         gonio_glsl::translate_showing(&self.parsed, &self.checked, self.target, bound, Some(lookup)).text
     }
 
-    /// Where it looks cubemaps up.
+    /// Returns the places where it looks up a cubemap.
     pub fn lookups(&self) -> Vec<Lookup> {
         gonio_glsl::lookups(&self.parsed)
     }
@@ -74,7 +74,7 @@ pub fn compile(gl: &Gl, vertex: &ParsedStage<'_>, fragment: &ParsedStage<'_>) ->
         return Err(BrokenProgram { vertex_log: log(vertex), fragment_log: log(fragment), ..BrokenProgram::default() });
     }
     let program = UserProgram::new(gl, &vertex.translated.text, &fragment.translated.text)?;
-    // Where the translation mended what every compiler refuses, the student's own text tells.
+    // Where the translation corrected what every compiler refuses, the student's own text tells.
     let refused = |stage: &ParsedStage<'_>| stage.problems().any(|problem| problem.severity == Severity::Error);
     if refused(vertex) || refused(fragment) {
         UserProgram::new(gl, &vertex.text.text, &fragment.text.text)?;
@@ -168,7 +168,7 @@ pub(crate) fn first_message(messages: &[CompilerMessage], broken: &BrokenProgram
     }
 }
 
-/// What this driver takes and others may not.
+/// Returns the constructs that this driver accepts and others may reject.
 pub(crate) fn strictness(vertex: &ParsedStage<'_>, fragment: &ParsedStage<'_>) -> Vec<String> {
     let said = |stage: &ParsedStage<'_>, problem: &Problem| {
         let (file, line, _) = stage.text.place(problem.span.line, problem.span.column);

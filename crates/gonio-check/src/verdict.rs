@@ -1,31 +1,31 @@
-//! What a check says, for people and for machines.
+//! Verdicts: the results of checks, for people and machines.
 
 use crate::mistakes::Mistake;
 use serde::{Deserialize, Deserializer, Serialize};
 use std::borrow::Cow;
 
-/// The word for it all.
+/// The outcome of a check.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Outcome {
-    /// As the exercise asks, or as right in another way.
+    /// Right, as the exercise asks or by another method.
     Correct,
     /// Something is wrong, named or not.
     Wrong,
     /// A compiler refuses it.
     DoesNotCompile,
-    /// It could not be judged: what is missing is said.
+    /// The answer could not be judged; the summary says what is missing.
     Unsure,
 }
 
 /// A mistake that was found.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FoundMistake {
-    /// The bank's word.
+    /// The mistake's id in the catalogue.
     pub id: String,
-    /// What is wrong, in half a sentence.
+    /// The mistake in half a sentence.
     pub name: String,
-    /// How much of the difference it explains, together with the others that were found: 0 to 1.
+    /// The share of the difference that it explains together with the other mistakes, 0 to 1.
     #[serde(deserialize_with = "or_infinite")]
     pub share_explained: f64,
     /// The student's file and line that look like it, where they were found.
@@ -37,9 +37,9 @@ pub struct FoundMistake {
     /// The line itself.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub quoted: Option<String>,
-    /// What it looks like.
+    /// The symptom in the picture.
     pub looks_like: String,
-    /// How to mend it.
+    /// How to fix it.
     pub fix: String,
     /// The section of the lecture that teaches it.
     pub lecture_section: String,
@@ -52,7 +52,7 @@ pub struct FoundMistake {
 }
 
 impl FoundMistake {
-    /// A mistake of which no more is known yet than its word, its name and its share, 0 to 1.
+    /// A mistake with its id, its name and its share of the difference, 0 to 1.
     pub fn new(id: impl Into<String>, name: impl Into<String>, share_explained: f64) -> Self {
         FoundMistake {
             id: id.into(),
@@ -69,14 +69,14 @@ impl FoundMistake {
         }
     }
 
-    /// One of the bank's, as the bank teaches it. What looks the same, and whether the lab does it too, is for who
+    /// A mistake of the catalogue. What looks the same, and whether the lab does it too, is for who
     /// compared pictures to say.
     pub fn from_catalogue(mistake: &Mistake, share_explained: f64) -> Self {
         let Mistake { id, name, looks_like, fix, lecture_section, .. } = mistake;
         FoundMistake::new(id, name, share_explained).taught(looks_like, fix, lecture_section)
     }
 
-    /// With what it looks like, how to mend it, and the section of the lecture that teaches it.
+    /// Adds the symptom, the fix, and the section of the lecture that teaches it.
     pub fn taught(
         self,
         looks_like: impl Into<String>,
@@ -86,13 +86,13 @@ impl FoundMistake {
         FoundMistake { looks_like: looks_like.into(), fix: fix.into(), lecture_section: lecture_section.into(), ..self }
     }
 
-    /// With the file that it stands in, its line from 1 and the line itself.
+    /// Adds the file, the line from 1 and the text of the line.
     pub fn at(self, file: impl Into<String>, line: Option<u32>, quoted: impl Into<String>) -> Self {
         FoundMistake { file: Some(file.into()), line, quoted: Some(quoted.into()), ..self }
     }
 }
 
-/// How a term of the equation fares, where it could be looked at alone.
+/// The state of a term of the equation that was tested alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum TermState {
@@ -109,7 +109,7 @@ pub enum TermState {
 pub struct TermVerdict {
     /// `ambient`, `diffuse` or `specular`.
     pub term: Cow<'static, str>,
-    /// How it fares.
+    /// The state.
     pub state: TermState,
 }
 
@@ -118,7 +118,7 @@ pub struct TermVerdict {
 pub struct SceneVerdict {
     /// The test scene's word.
     pub scene: String,
-    /// What it shows that others do not.
+    /// The reason for this scene: what it shows that others do not.
     pub shows: Cow<'static, str>,
     /// Whether the pictures are the same.
     pub right: bool,
@@ -146,12 +146,12 @@ pub struct CompilerMessage {
     /// The line itself.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub quoted: Option<String>,
-    /// What it means.
+    /// The explanation.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub explanation: Option<String>,
 }
 
-/// What a variable of the program was taken for, and what it was given.
+/// A variable of the program and its role.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct BoundVariable {
     /// OpenGL's name for it.
@@ -159,33 +159,33 @@ pub struct BoundVariable {
     /// Its type.
     #[serde(rename = "type")]
     pub glsl_type: String,
-    /// What it was taken for; `None` where nothing fits, and it holds 0.
+    /// Its role; `None` if unrecognised, and set to 0.
     pub role: Option<String>,
 }
 
-/// What a check says.
+/// The result of a check.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Verdict {
     /// The exercise's word.
     pub exercise: String,
-    /// The word for it all.
+    /// The outcome of a check.
     pub verdict: Outcome,
     /// In one sentence.
     pub summary: String,
-    /// What is wrong, the most telling first.
+    /// The mistakes, the most significant first.
     pub mistakes: Vec<FoundMistake>,
     /// The next best explanation, where a name was given or nearly so.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub runner_up: Option<RunnerUp>,
     /// Right, but worth knowing: `id: sentence`.
     pub peculiarities: Vec<Peculiarity>,
-    /// What may go wrong elsewhere.
+    /// Problems that may occur on other drivers.
     pub warnings: Vec<String>,
     /// Term by term.
     pub terms: Vec<TermVerdict>,
     /// Situation by test scene.
     pub scenes: Vec<SceneVerdict>,
-    /// What needs no reference: tried with programs that compute light.
+    /// Properties that need no reference, tested on programs that compute light.
     #[serde(default)]
     pub properties: Vec<PropertyVerdict>,
     /// Where it does not compile.
@@ -214,7 +214,7 @@ pub enum PropertyState {
 pub struct PropertyVerdict {
     /// A stable kebab-case word.
     pub id: String,
-    /// What holds or does not, in one sentence.
+    /// The property that holds or does not, in one sentence.
     pub sentence: String,
     /// Which of the two.
     pub state: PropertyState,
@@ -225,9 +225,9 @@ pub struct PropertyVerdict {
 /// The next best explanation.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RunnerUp {
-    /// The bank's words.
+    /// The mistakes' ids in the catalogue.
     pub ids: Vec<String>,
-    /// How much of the difference it explains.
+    /// The share of the difference that it explains.
     #[serde(deserialize_with = "or_infinite")]
     pub share_explained: f64,
 }
@@ -235,7 +235,7 @@ pub struct RunnerUp {
 /// Something right that is done in another way.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Peculiarity {
-    /// The bank's word.
+    /// The mistake's id in the catalogue.
     pub id: String,
     /// In half a sentence.
     pub name: String,
@@ -271,20 +271,20 @@ impl Verdict {
         }
     }
 
-    /// Of a check that was ended because it never would have: after so many seconds.
+    /// The verdict on a check that was stopped after a number of seconds.
     pub fn endless(exercise: &str, seconds: u64) -> Self {
         let summary =
             format!("the check did not finish within {seconds} seconds; is there a loop in a shader that never ends?");
         Verdict::new(exercise, Outcome::Unsure, summary)
     }
 
-    /// Of a check whose process crashed.
+    /// The verdict on a check whose process crashed.
     pub fn crashed(exercise: &str) -> Self {
         let summary = "the check crashed: the graphics driver here cannot compile or run this shader";
         Verdict::new(exercise, Outcome::Unsure, summary)
     }
 
-    /// Of a check that was ended because of the memory it took.
+    /// The verdict on a check that was stopped because of its memory use.
     pub fn too_large(exercise: &str) -> Self {
         let summary = "the check was stopped because it took more than a gigabyte of memory; is there a giant array?";
         Verdict::new(exercise, Outcome::Unsure, summary)

@@ -22,12 +22,12 @@ pub struct Checker {
 }
 
 impl Checker {
-    /// In this context.
+    /// Creates a checker for this OpenGL context.
     pub fn new(gl: &Gl) -> Self {
         Checker { shaders: ShaderChecker::new(gl), images: BTreeMap::new() }
     }
 
-    /// Gives an image that host programs may name: PNG, JPEG, BMP, TGA or GIF. Wanted on the web, where the program carries
+    /// Gives an image that GL programs may name: PNG, JPEG, BMP, TGA or GIF. Wanted on the web, where the program carries
     /// none. An error says why it cannot be read.
     pub fn give_image(&mut self, name: &str, bytes: &[u8]) -> Result<(), String> {
         let image = GlProgramImage::decode(name, bytes).map_err(|why| format!("{name}: {why}"))?;
@@ -35,7 +35,7 @@ impl Checker {
         Ok(())
     }
 
-    /// What host programs may name.
+    /// Returns the files that GL programs may name.
     fn host_files(&self) -> GlProgramFiles {
         let mut files = gl_program::exercise_files();
         files.images.extend(self.images.clone());
@@ -82,7 +82,7 @@ fn answers_with_pictures(exercise: &Exercise, files: &[SourceFile]) -> bool {
     pictures > 1 || pictures > 0 && files.iter().all(|file| cubemap::is_picture(file) || file.name.ends_with(".md"))
 }
 
-/// What was handed out, as it was.
+/// Whether the file is an unchanged start file.
 fn is_given_picture(exercise: &Exercise, file: &SourceFile) -> bool {
     exercise.pictures().any(|(_, bytes)| file.bytes == bytes)
 }
@@ -153,7 +153,7 @@ fn buffers(exercise: &Exercise, files: Vec<SourceFile>) -> Verdict {
     verdict
 }
 
-/// A host program, carried out; `given` are the files that it may name.
+/// A GL program, carried out; `given` are the files that it may name.
 fn host_program(
     gl: &Gl,
     exercise: &Exercise,

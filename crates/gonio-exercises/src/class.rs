@@ -54,7 +54,7 @@ pub struct Group {
 }
 
 /// The layout of these entries. `answers` tells of a file, by its index, whether it could be part of an answer to the
-/// exercise (a shader, a buffer, a host program), and of a container whether it holds a whole answer; it is asked only
+/// exercise (a shader, a buffer, a GL program), and of a container whether it holds a whole answer; it is asked only
 /// where names do not decide.
 pub fn layout(entries: &[Entry], answers: &dyn Fn(usize) -> bool) -> Layout {
     if let Some(many) = flat_download(entries, answers) {

@@ -1,4 +1,4 @@
-//! The checker measured: each mistake of the bank is made in the exercise's model, handed in, and looked for.
+//! Measures the checker: each mistake of the catalogue is made in the exercise's model, submitted and looked for.
 
 use crate::check::{Checker, check};
 use crate::exercise::Exercise;
@@ -10,7 +10,7 @@ use gonio_check::verdict::{Outcome, Verdict};
 use gonio_gl::GlError;
 use serde::{Deserialize, Serialize};
 
-/// How many were named right.
+/// Counts of mistakes by how they were named.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Count {
     /// Handed in, and to be seen in some scene.
@@ -72,7 +72,7 @@ pub struct Score {
     pub pairs: Count,
 }
 
-/// Makes every mistake of the bank that an exercise's model can have, every way to make it, and `pairs` pairs of them spread
+/// Makes every mistake of the catalogue that an exercise's model can have, every way to make it, and `pairs` pairs of them spread
 /// evenly over all.
 pub fn measure(checker: &mut Checker, exercise: &Exercise, pairs: usize) -> Result<Score, GlError> {
     let mut score = Score { exercise: exercise.id.clone(), ..Score::default() };

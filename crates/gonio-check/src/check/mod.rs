@@ -19,16 +19,16 @@ use gonio_glsl::{OutputVersion, Stage};
 use gonio_render::user_program::UserProgram;
 use std::rc::Rc;
 
-/// How a check is made.
+/// Options of a check.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct CheckOptions {
-    /// Of several pairs: the one whose file or variable is called so.
+    /// The pair to check if there are several, by the name of its file or variable.
     pub pair: Option<String>,
     /// Pass what the lab's own solutions do too.
     pub as_the_lab: bool,
 }
 
-/// What the checker has to know of an exercise.
+/// An exercise, as far as the checker has to know it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ShaderExercise<'a> {
     /// The identifier, such as `ex04`.
@@ -253,7 +253,7 @@ fn by_the_source(verdict: &mut Verdict, source: &Analysis, model: Model) {
     }
 }
 
-/// Of ambient, diffuse and specular: whether the vertex shader hands it over and the fragment shader lets it lie.
+/// For ambient, diffuse and specular: whether the vertex shader passes it on and the fragment shader never uses it.
 fn unused_terms(fragment: &ParsedStage<'_>) -> [bool; 3] {
     let unused = |word: &str| {
         let inputs = fragment.checked.interface.inputs.iter();
@@ -262,13 +262,13 @@ fn unused_terms(fragment: &ParsedStage<'_>) -> [bool; 3] {
     ["amb", "diff", "spec"].map(unused)
 }
 
-/// A mistake that only the source shows; `sentence` says how to mend it there.
+/// A mistake that only the source shows; `sentence` says how to fix it there.
 fn in_source(id: &str, sentence: String, model: Model) -> Option<FoundMistake> {
     let mistake = mistakes::for_model(model).find(|mistake| mistake.id == id)?;
     Some(FoundMistake { fix: sentence, ..FoundMistake::from_catalogue(mistake, 0.0) })
 }
 
-/// What the lab's own solutions do passes, and is said all the same.
+/// Accepts mistakes that the lab's own solutions make, and reports them as peculiarities.
 fn pass_as_the_lab(verdict: &mut Verdict) {
     if verdict.verdict != Outcome::Wrong
         || verdict.mistakes.is_empty()

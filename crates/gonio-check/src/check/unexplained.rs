@@ -48,7 +48,7 @@ const BEYOND_DOUBT: &[&str] = &[
     "output-normal",
 ];
 
-/// What no model of the bank has, and the source shows.
+/// Mistakes that no model of the catalogue has, and the source shows.
 const WITHOUT_MODEL: &[&str] = &["ambient-in-cone", "attenuation-other-formula"];
 
 /// A picture that says nothing about mistakes.

@@ -1,4 +1,4 @@
-//! What matrices are whose names say nothing, by how the position is multiplied with them.
+//! Infers the roles of matrices with unclear names from the way the position is multiplied with them.
 
 use super::graph::{Id, Op};
 use super::reading::Reading;

@@ -15,7 +15,7 @@ pub(crate) enum Axis {
     GivenUp,
     /// Where the camera is.
     Eye,
-    /// What it looks at.
+    /// The point that the camera looks at.
     Target,
     /// Front and a place, added up.
     Mixed,

@@ -105,7 +105,7 @@ impl<'a> Runner<'a> {
         }
     }
 
-    /// What comes from outside stands where it is read, not where it is declared.
+    /// Inputs are nodes where they are read, not where they are declared.
     fn read(&mut self, id: Id, span: Span) -> Id {
         match self.graph.op(id) {
             op @ (Op::Input { .. } | Op::Interpolated(_)) => {

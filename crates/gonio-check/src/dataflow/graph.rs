@@ -1,4 +1,4 @@
-//! What a program computes, as a graph: each node made of earlier ones, with the place in the source that made it.
+//! The values of a program as a graph: each node refers to earlier ones, and to its place in the source.
 
 use crate::roles::Role;
 use gonio_glsl::ast::BinaryOp;
@@ -10,7 +10,7 @@ use super::fold;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct Id(pub u32);
 
-/// What a node is.
+/// The operation of a node.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Op {
     /// Nothing is known of it.

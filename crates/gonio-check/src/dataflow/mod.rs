@@ -28,6 +28,6 @@ use gonio_glsl::{Checked, Parsed};
 pub struct Shader<'a> {
     /// As it was read.
     pub parsed: &'a Parsed,
-    /// What the names mean.
+    /// Names and types.
     pub checked: &'a Checked,
 }

@@ -319,7 +319,7 @@ impl Reading {
         found
     }
 
-    /// What goes into reflections (and refractions) of that.
+    /// Returns the incident vectors of reflections (and refractions) of a vector.
     pub fn reflections(&self, of: Incoming) -> Vec<Id> {
         let made = self.lit.iter().filter_map(|id| self.vector(*id).filter(|vector| vector.at == *id));
         made.filter(|v| matches!(v.kind, VectorKind::Reflected(kind) | VectorKind::Refracted(kind) if kind == of))

@@ -1,4 +1,4 @@
-//! What the numbers of a program are: terms of the light equation, and the products that the colour is the sum of.
+//! Classifies the numbers of a program: terms of the light equation, and the products whose sum is the colour.
 
 use super::graph::{Graph, Id, Op, is_leading};
 use super::vector::{Vector, VectorKind};

@@ -1,4 +1,4 @@
-//! What the vectors of a program are: a normal, a place, a direction to the light or to the eye.
+//! Classifies the vectors of a program: a normal, a position, a direction to the light or to the eye.
 
 use super::graph::{Graph, Id, Op, component, is_leading};
 use super::matrix::{Base, Matrix};

@@ -1,6 +1,6 @@
 //! The logs of compilers and linkers, each driver's in its own way, as lines with a place.
 
-/// How bad it is.
+/// The severity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Severity {
     /// It does not compile.
@@ -18,9 +18,9 @@ pub struct LogLine {
     pub line: Option<u32>,
     /// The driver's column, where it names one.
     pub column: Option<u32>,
-    /// How bad it is.
+    /// The severity.
     pub severity: Severity,
-    /// What is said, without place and severity.
+    /// The message without location and severity.
     pub text: String,
 }
 

@@ -16,7 +16,7 @@ use std::collections::BTreeSet;
 /// One message at its place in the student's file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Message {
-    /// How bad it is.
+    /// The severity.
     pub severity: Severity,
     /// The student's file.
     pub file: String,
@@ -24,11 +24,11 @@ pub struct Message {
     pub line: Option<u32>,
     /// Its column, where the driver named one.
     pub column: Option<u32>,
-    /// What the driver says.
+    /// The driver's message.
     pub text: String,
     /// The student's line.
     pub quoted: Option<String>,
-    /// What it means and what to do, for the usual messages.
+    /// An explanation and a remedy, for common messages.
     pub explanation: Option<String>,
 }
 

@@ -3,7 +3,7 @@
 use super::value::{Spans, Value};
 use glam::{Mat3, Mat4};
 
-/// What a model's text may call.
+/// A function that a model's text may call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Function {
     /// Length 1.

@@ -72,7 +72,7 @@ impl Way {
     }
 }
 
-/// What a step does.
+/// The action of a step.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Act {
     /// Works out one of its ways: the first is the model's own.
@@ -86,7 +86,7 @@ pub(super) enum Act {
 pub(super) struct Step {
     pub slot: usize,
     pub stage: Stage,
-    /// Which of the bank's lines it is, if it is one.
+    /// The index of the changeable line, if it is one.
     pub line: Option<usize>,
     pub act: Act,
 }

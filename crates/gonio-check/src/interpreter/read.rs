@@ -11,7 +11,7 @@ use std::collections::HashMap;
 type Frame = HashMap<String, usize>;
 
 pub(super) struct Reader<'a> {
-    /// The variables that the bank changes, in its order.
+    /// The variables that the catalogue changes, in its order.
     lines: &'a [String],
     inputs: Vec<Input>,
     steps: Vec<Step>,

@@ -40,7 +40,7 @@ pub struct Run {
     input_sets: Rc<Vec<InputSet>>,
     /// Which inputs are not the same in all casts.
     varying: Vec<bool>,
-    /// Of each variable: its value in each cast.
+    /// The value of each variable in each input set.
     own: Vec<PerSet>,
 }
 

@@ -1,4 +1,4 @@
-//! One program for all hypotheses of a model: each line that the bank changes chooses among its ways by a uniform.
+//! One program for all hypotheses of a model: each line that the catalogue changes selects its variant by a uniform.
 //!
 //! Compiling a program costs a software driver as much as drawing a hundred small pictures with it, and there are a hundred
 //! mistakes: so there is one program, and a hypothesis is a few integers.
@@ -7,7 +7,7 @@ use super::{Mistake, Model};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-/// What may be wrong with a program, and what may be peculiar: changes of different lines of a model.
+/// A hypothesis about a program: changes of different lines of a model, mistakes or harmless peculiarities.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Hypothesis {
     /// Of each line that is changed: its number among the model's changeable ones, and which way (from 1).
@@ -31,9 +31,9 @@ impl Hypothesis {
 
 /// A model with all its changes.
 pub struct Hypotheses {
-    /// Whose.
+    /// The model.
     pub model: Model,
-    /// What can be made of it, harmless ones among them.
+    /// The mistakes that can be made in it, harmless ones included.
     pub mistakes: Vec<&'static Mistake>,
     /// Each way to make each mistake: the index of the mistake stands in `mistakes`.
     pub singles: Vec<Hypothesis>,

@@ -1,4 +1,4 @@
-//! The bank of mistakes: each a small change to one of the models, with its name, what it looks like and how to mend it.
+//! The catalogue of mistakes: each a small change to one of the models, with its name, its symptom and its fix.
 
 mod compose;
 pub mod faces;
@@ -19,9 +19,9 @@ use std::sync::LazyLock;
 pub struct Mistake {
     /// A stable kebab-case word.
     pub id: String,
-    /// What is wrong, in half a sentence.
+    /// The mistake in half a sentence.
     pub name: String,
-    /// Where it can be made.
+    /// The models in which it can be made.
     pub models: Vec<Model>,
     /// A right answer that looks different.
     #[serde(default)]
@@ -29,10 +29,10 @@ pub struct Mistake {
     /// The lab's own solutions do the same.
     #[serde(default)]
     pub lab_does_it: bool,
-    /// What the picture looks like; empty for what is harmless.
+    /// The symptom in the picture; empty for harmless peculiarities.
     #[serde(default)]
     pub looks_like: String,
-    /// How to mend it; empty for what is harmless.
+    /// How to fix it; empty for harmless peculiarities.
     #[serde(default)]
     pub fix: String,
     /// The section of the lecture that teaches it; empty for what is harmless.
@@ -79,7 +79,7 @@ pub fn all() -> &'static [Mistake] {
     &ALL
 }
 
-/// What can be made of a model.
+/// Returns the mistakes that can be made in a model.
 pub fn for_model(model: Model) -> impl Iterator<Item = &'static Mistake> {
     all().iter().filter(move |mistake| mistake.models.contains(&model.with_mistakes_of()))
 }

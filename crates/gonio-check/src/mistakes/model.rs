@@ -1,4 +1,4 @@
-//! The models: right answers written so that each quantity has a line of its own, which the bank changes.
+//! The models: right answers written so that each quantity has a line of its own, which the catalogue can change.
 
 use serde::{Deserialize, Serialize};
 
@@ -66,7 +66,7 @@ impl Model {
         matches!(self, Model::Skybox | Model::Reflection | Model::Refraction)
     }
 
-    /// Whose mistakes can be made in it.
+    /// The model whose mistakes apply to this one.
     pub fn with_mistakes_of(self) -> Model {
         match self {
             Model::Places => Model::Camera,

@@ -16,7 +16,7 @@ pub fn structural() -> Vec<Mistake> {
     STRUCTURAL.iter().map(mistake).collect()
 }
 
-/// Their words, names, looks and mends.
+/// Their ids, names, symptoms and fixes.
 const STRUCTURAL: &[(&str, &str, &str, &str)] = &[
     (
         "phong-instead-of-gouraud",

@@ -1,4 +1,4 @@
-//! Where faces are drawn: a square or a cube, a panorama, a small target.
+//! Draws cubemap faces: a square or a cube, a panorama, a small target.
 
 use super::tiles::Tiles;
 use crate::mistakes::Hypothesis;
@@ -16,7 +16,7 @@ const MOST_COLUMNS: u32 = 1024;
 const SMOOTH: [u32; 2] = [128, 64];
 const PANORAMA_UNIT: u32 = 0;
 
-/// What faces are drawn with.
+/// The meshes, textures and targets that faces are drawn with.
 pub struct FaceBench {
     square: StreamMesh,
     cube: StreamMesh,
@@ -97,7 +97,7 @@ impl FaceBench {
         Ok(self.tiles(&pixels))
     }
 
-    /// What the model draws under a hypothesis.
+    /// Draws the model under a hypothesis.
     pub fn draw_model(&self, model: &CompiledModel, hypothesis: &Hypothesis) -> Result<Tiles, GlError> {
         // Without a choice it is the one program of all hypotheses.
         let made = model.program(&Hypothesis::default())?;

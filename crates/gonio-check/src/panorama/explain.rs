@@ -1,4 +1,5 @@
-//! What is wrong with six faces: with all of them by a hypothesis of the bank, with each by how it lies.
+//! Finds the mistakes in six faces: mistakes with all of them by a hypothesis of the catalogue, with single ones by
+//! orientation.
 
 use super::tiles::{Fit, Tiles, Tolerance, WAYS};
 use crate::mistakes::faces::{FACES, swapped_id, turned_id};
@@ -6,17 +7,17 @@ use crate::mistakes::{Hypotheses, Hypothesis, Model};
 use crate::search::SourceSupport;
 use gonio_gl::GlError;
 
-/// What faces are held against.
+/// What faces are compared with.
 pub struct Task<'a> {
     /// The model's.
     pub hypotheses: &'a Hypotheses,
-    /// From when on two pictures differ.
+    /// The tolerance of the comparison.
     pub tolerance: Tolerance,
-    /// What the source says where pictures are silent.
+    /// Evidence in the source where pictures do not decide.
     pub source_support: &'a SourceSupport,
 }
 
-/// What draws under a hypothesis.
+/// Draws the faces under a hypothesis.
 pub type Predict<'a> = dyn FnMut(&Hypothesis) -> Result<Tiles, GlError> + 'a;
 
 /// Where each face's picture belongs and in which way it lies; `None` where it is like none.
@@ -24,22 +25,22 @@ pub type Placed = [Option<(usize, usize)>; 6];
 
 const AS_IT_SHOULD: Placed = [Some((0, 0)), Some((1, 0)), Some((2, 0)), Some((3, 0)), Some((4, 0)), Some((5, 0))];
 
-/// What was found.
+/// The result of the search.
 #[derive(Clone, Debug)]
 pub struct Explanation {
-    /// Ids of what is wrong with all faces, the bank's.
+    /// Ids of mistakes with all faces.
     pub global: Vec<String>,
-    /// Ids of what is wrong with single faces, the bank's.
+    /// Ids of mistakes with single faces.
     pub local: Vec<String>,
     /// Ids that explain it just as well as the one that is named.
     pub or: Vec<String>,
     /// Faces that nothing explains.
     pub unexplained: Vec<usize>,
-    /// How each face compares with what it should be.
+    /// The comparison of each face with the expected one.
     pub held: [Fit; 6],
-    /// What it should be.
+    /// The expected picture.
     pub reference: Tiles,
-    /// What the explanation draws.
+    /// The picture that the explanation predicts.
     pub predicted: Tiles,
 }
 
@@ -201,7 +202,7 @@ impl<'a> Search<'a> {
             if ids.is_empty() { 0.5 } else { sum / ids.len() as f32 }
         };
         let mut equal: Vec<&Candidate> = candidates.iter().filter(|candidate| candidate.cost() == least).collect();
-        // Stable: where the source is silent, the bank's order stays.
+        // Stable: where the source is silent, the catalogue's order stays.
         equal.sort_by(|a, b| support(b).total_cmp(&support(a)));
         let Some(best) = equal.first() else { return };
         found.global = ids(best);

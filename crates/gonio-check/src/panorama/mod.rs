@@ -1,7 +1,7 @@
 //! A panorama as six faces: whether each is what it should be, and what is wrong with it.
 //!
 //! Six pictures are held against gonio's own, drawn from the same panorama. What is wrong with all of them at once (the
-//! panorama upside down, a wrong angle) is a hypothesis of the bank, as in other exercises. What is wrong with one (turned,
+//! panorama upside down, a wrong angle) is a hypothesis of the catalogue, as in other exercises. What is wrong with one (turned,
 //! mirrored, in another's place) is found face by face: each is compared with all six in all eight ways.
 
 mod bench;

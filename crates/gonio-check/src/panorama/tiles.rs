@@ -17,7 +17,7 @@ pub struct Tiles {
     pub faces: [Vec<[f32; 3]>; 6],
 }
 
-/// From when on two pictures differ.
+/// The tolerance of the comparison.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
     /// Of a channel.
@@ -34,7 +34,7 @@ impl Tolerance {
     pub const FILES: Tolerance = Tolerance { pixel: 0.1, share: 0.1 };
 }
 
-/// How a picture compares with another.
+/// The comparison of two pictures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fit {
     /// The share of pixels beyond the tolerance.
@@ -48,7 +48,7 @@ pub struct Fit {
 /// Where a way takes a pixel's column and row from.
 fn source(way: usize, side: usize, x: usize, y: usize) -> (usize, usize) {
     let last = side - 1;
-    // In the order of `bank::faces::TURNS`, after what is as it should be.
+    // In the order of `mistakes::faces::TURNS`, after what is as it should be.
     match way {
         0 => (x, y),
         1 => (last - y, x),
@@ -71,7 +71,7 @@ fn difference(a: &[f32; 3], b: &[f32; 3]) -> f32 {
 }
 
 impl Tiles {
-    /// How a face compares with what another one laid in a way should show.
+    /// The comparison of a face with another one in a given orientation.
     pub fn fit(&self, face: usize, other: &Tiles, of: usize, way: usize, tolerance: Tolerance) -> Fit {
         let side = self.side;
         let (mut beyond, mut square, mut worst) = (0_usize, 0.0, 0.0_f32);

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use toml::{Spanned, Value};
 
-/// What `names.toml` says of one name.
+/// The entry of one name in `names.toml`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Meaning {
     /// It has this role.
@@ -29,12 +29,12 @@ pub struct NamesFile {
     pub names: BTreeMap<String, Meaning>,
 }
 
-/// What is wrong with a `names.toml`, and where.
+/// An error in a `names.toml`, with its line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NamesError {
     /// Line, from 1.
     pub line: u32,
-    /// What is wrong and what to write instead.
+    /// The error, and what to write instead.
     pub message: String,
 }
 

@@ -18,7 +18,7 @@ pub use role::{Role, UnknownRole};
 
 use std::fmt;
 
-/// How a variable comes into a shader.
+/// Whether a variable is an attribute or a uniform.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum VariableKind {
     /// Per vertex.
@@ -36,7 +36,7 @@ pub struct Declared {
     pub glsl_type: String,
     /// Elements of an array, 1 where it is none. A role with a light's index then means the lights from there on.
     pub array: u32,
-    /// How it comes in.
+    /// Attribute or uniform.
     pub kind: VariableKind,
 }
 
@@ -54,7 +54,7 @@ impl Declared {
     }
 }
 
-/// What told a role.
+/// The evidence for a role.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum How {
     /// Its name.
@@ -83,9 +83,9 @@ impl fmt::Display for How {
 pub struct Bound {
     /// The variable.
     pub declared: Declared,
-    /// What it means.
+    /// The explanation.
     pub role: Role,
-    /// What told so.
+    /// The evidence for the role.
     pub how: How,
 }
 
@@ -98,7 +98,7 @@ pub struct Fixed {
     pub values: Vec<f32>,
 }
 
-/// What a pair of shaders' variables mean.
+/// The roles of a pair of shaders' variables.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bindings {
     /// Those with a role, in the given order.

@@ -1,9 +1,9 @@
-//! What a shader's variable can mean to the laboratory.
+//! The roles that a shader's variable can have.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// What an attribute or a uniform means. Numbers are a light's index, from 0.
+/// The meaning of an attribute or a uniform. Numbers are a light's index, from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Role {
     /// Attribute: a vertex's place, in the model's space.
@@ -38,7 +38,7 @@ pub enum Role {
     ViewFront,
     /// The camera's own Up, perpendicular to where it looks, in world space.
     ViewUp,
-    /// What is roughly upwards for the camera, in world space.
+    /// The approximate up direction of the camera, in world space.
     WorldUp,
     /// The camera's own Right, in world space.
     ViewRight,

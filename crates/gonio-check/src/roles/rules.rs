@@ -3,7 +3,7 @@
 use super::role::Role;
 use super::words::Words;
 
-/// What kind of value a GLSL type holds.
+/// The kind of value that a GLSL type holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Shape {
     Scalar,

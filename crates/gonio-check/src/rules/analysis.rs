@@ -1,4 +1,4 @@
-//! What the source of a pair of shaders shows: which mistakes it makes and where, and which constants are written in it.
+//! Analyses the source of a pair of shaders: the mistakes that it makes and where, and the constants written in it.
 
 use super::constants::{self, Written};
 use super::{Answer, answer, power_under_maximum};

@@ -41,7 +41,7 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Answer {
     }
 }
 
-/// What makes the place on the screen.
+/// The expression for the position on the screen.
 struct Product {
     at: Id,
     /// From left to right, with what each is; a camera's matrix in two factors counts once.

@@ -31,9 +31,7 @@ pub(super) fn answer(reading: &Reading, id: &str, model: Model) -> Option<Answer
             if specular::signs_cancel(reading) { Not } else { reversed(reading, &eyes) }
         }
         "view-position-as-direction" => eye(&|v| v.kind == VectorKind::Eye),
-        "view-direction-not-normalised" | "refraction-direction-not-normalised" => {
-            eye(&|v| matches!(v.kind, VectorKind::ToEye(_)) && !v.is_unit)
-        }
+        "view-direction-not-normalised" => eye(&|v| matches!(v.kind, VectorKind::ToEye(_)) && !v.is_unit),
         "view-position-at-origin" => match eye(&|v| matches!(v.kind, VectorKind::Point(space) if space != Space::View))
         {
             At(id, support) => At(source(reading, id), support),

@@ -10,9 +10,7 @@ use gonio_glsl::ast::BinaryOp;
 pub(super) fn answer(reading: &Reading, id: &str, model: Model) -> Option<Answer> {
     Some(match id {
         "reflection-vector-reversed" | "refraction-view-reversed" => reversed(reading),
-        "reflection-by-normal" | "reflection-normal-only" => {
-            looked_up(reading, |kind| matches!(kind, VectorKind::Normal(_)))
-        }
+        "reflection-normal-only" => looked_up(reading, |kind| matches!(kind, VectorKind::Normal(_))),
         "reflection-by-position" => looked_up(reading, |kind| matches!(kind, VectorKind::Point(_)))
             .or(|| looked_up(reading, |kind| matches!(kind, VectorKind::ToEye(_) | VectorKind::Eye))),
         "reflection-by-view" => looked_up(reading, |kind| matches!(kind, VectorKind::ToEye(_) | VectorKind::Eye)),
@@ -23,8 +21,7 @@ pub(super) fn answer(reading: &Reading, id: &str, model: Model) -> Option<Answer
             ratio(reading, |reading, id| reading.graph.scalar(id).is_some_and(|n| (n - 1.0).abs() < 1e-6))
         }
         "lookup-mirrored" => negated(reading, &[0], model),
-        "skybox-lookup-mirrored" => negated(reading, &[0, 2], model),
-        "lookup-flipped" | "skybox-lookup-flipped" => negated(reading, &[1], model),
+        "lookup-flipped" => negated(reading, &[1], model),
         "lookup-depth-mirrored" => negated(reading, &[2], model),
         "skybox-wrong-direction" => sky_direction(reading),
         _ => return None,

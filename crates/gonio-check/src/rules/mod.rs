@@ -22,7 +22,7 @@ pub use constants::{Written, WrittenSun};
 use crate::dataflow::{Id, Op, Reading};
 use crate::mistakes::Model;
 
-/// What the source says about a mistake.
+/// The evidence in the source for a mistake.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Answer {
     /// Here it stands, or should stand what is missing; from 0 to 1 how far the source shows it.
@@ -45,7 +45,7 @@ impl Answer {
     }
 }
 
-/// The answer for a mistake of the bank.
+/// Returns the evidence in the source for a mistake of the catalogue.
 pub(super) fn answer(reading: &Reading, id: &str, model: Model) -> Answer {
     if model.is_of_places() {
         return camera::answer(reading, id);

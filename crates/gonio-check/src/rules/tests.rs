@@ -445,3 +445,36 @@ fn who_cuts_the_translation_off_knows_that_it_comes() {
     assert!(turns("mat4 turned = mat4(mat3(V)); gl_Position = P * V * vec4(position, 1.0);"));
     assert!(!turns("gl_Position = P * V * vec4(position, 1.0);"));
 }
+
+/// The ids of mistakes that a file's string literals name: kebab-case words of letters.
+fn ids(text: &str) -> impl Iterator<Item = &str> {
+    let is_word = |word: &str| !word.is_empty() && word.bytes().all(|byte| byte.is_ascii_lowercase());
+    text.split('"').skip(1).step_by(2).filter(move |word| word.contains('-') && word.split('-').all(is_word))
+}
+
+#[test]
+fn every_id_in_the_sources_is_in_the_catalogue() {
+    let source = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let structural = crate::mistakes::structural();
+    let is_known = |id: &str| crate::mistakes::find(id).is_some() || structural.iter().any(|mistake| mistake.id == id);
+    // A peculiarity, which no mistake is.
+    let others = ["lookup-mixed"];
+    let (mut found, mut unknown) = (0, Vec::new());
+    for folder in ["rules", "check", "panorama"] {
+        for entry in std::fs::read_dir(source.join(folder)).unwrap() {
+            let path = entry.unwrap().path();
+            if path.ends_with("tests.rs") {
+                continue;
+            }
+            let text = std::fs::read_to_string(&path).unwrap();
+            for id in ids(&text) {
+                found += 1;
+                if !is_known(id) && !others.contains(&id) {
+                    unknown.push(format!("{}: {id}", path.display()));
+                }
+            }
+        }
+    }
+    assert!(found > 150, "{found}");
+    assert!(unknown.is_empty(), "{unknown:#?}");
+}

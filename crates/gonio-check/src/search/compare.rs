@@ -73,11 +73,11 @@ impl FromIterator<Tally> for Comparison {
 /// Two atlases side by side, test scene by test scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
-    /// Of each test scene: the share of pixels beyond [`PIXEL_TOLERANCE`], of those drawn in either.
+    /// For each test scene, the share of pixels beyond [`PIXEL_TOLERANCE`], of those drawn in either picture.
     pub beyond: Vec<f64>,
-    /// Of each test scene: the mean of the squared differences.
+    /// For each test scene, the mean of the squared differences.
     pub squares: Vec<f64>,
-    /// Of each test scene: the largest difference.
+    /// For each test scene, the largest difference.
     pub worst: Vec<f32>,
 }
 

@@ -10,7 +10,7 @@ use crate::verdict::{
     BoundVariable, FoundMistake, Outcome, Peculiarity, RunnerUp, SceneVerdict, TermState, TermVerdict, Verdict,
 };
 
-/// What is wrong scores no more than this, however many scenes it is right in.
+/// The highest score of a wrong answer, however many scenes are right.
 const MOST_FOR_WRONG: f64 = 0.9;
 /// A runner-up is told from this share on.
 const RUNNER_UP_FROM: f64 = 0.25;
@@ -38,7 +38,7 @@ pub fn fixed(bindings: &Bindings) -> Vec<(String, Vec<f32>)> {
     bindings.fixed.iter().map(|fixed| (fixed.declared.name.clone(), fixed.values.clone())).collect()
 }
 
-/// A mistake of the bank, or one that is no change of a line, by its word.
+/// Finds a mistake of the catalogue, or a structural one, by its id.
 pub fn mistake(id: &str, share: f64) -> Option<FoundMistake> {
     if let Some(known) = crate::mistakes::find(id) {
         return Some(FoundMistake { lab_does_it: known.lab_does_it, ..FoundMistake::from_catalogue(known, share) });

@@ -10,9 +10,9 @@ use gonio_render::user_program::NOT_DRAWN;
 /// The strengths found, and the picture that they give.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fit {
-    /// Of each term, for red, green and blue.
+    /// For each term, for red, green and blue.
     pub strengths: Vec<[f64; 3]>,
-    /// What the model draws with them.
+    /// The picture that the model draws with them.
     pub predicted: Atlas,
 }
 

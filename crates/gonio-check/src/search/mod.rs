@@ -36,27 +36,28 @@ use std::collections::HashMap;
 pub struct Prepared {
     /// Uniforms that the source declares, used or not.
     pub declared: Vec<Declared>,
-    /// What names mean, where nothing else tells.
+    /// Roles of names that nothing else determines.
     pub names: NamesFile,
-    /// What is written in the source where a uniform could be.
+    /// Constants in the source where a uniform could be.
     pub written: Written,
-    /// Of ambient, diffuse and specular: whether the source computes it and lets it lie.
+    /// For ambient, diffuse and specular: whether the source computes it but never uses it.
     pub unused_terms: [bool; 3],
-    /// What the source says of a mistake where pictures are silent: 0 contradicted, 1 the very expression is there.
+    /// The support of the source for a mistake where pictures do not decide: 0 contradicted, 1 the very expression is
+    /// there.
     pub source_support: SourceSupport,
 }
 
-/// How far a source supports that it makes a mistake of the bank, in a model.
+/// The support of the source for a mistake of the catalogue, in a model.
 pub type SourceSupport = Box<dyn Fn(&str, Model) -> f32>;
 
-/// What a check draws: for atlases of pictures beside a verdict.
+/// The pictures of a check, for reports beside a verdict.
 #[derive(Clone, Debug)]
 pub struct Evidence {
     /// The student's.
     pub seen: Atlas,
     /// The right answer's.
     pub reference: Atlas,
-    /// What the named mistakes draw, where there are any.
+    /// The picture that the named mistakes predict, if any.
     pub predicted: Option<Atlas>,
     /// The test scenes' words, in order.
     pub scenes: Vec<String>,
@@ -70,7 +71,7 @@ pub struct ShaderChecker {
 }
 
 impl ShaderChecker {
-    /// In this context.
+    /// Creates a checker for this OpenGL context.
     pub fn new(gl: &Gl) -> Self {
         ShaderChecker { gl: gl.clone(), models: HashMap::new(), testbenches: HashMap::new() }
     }

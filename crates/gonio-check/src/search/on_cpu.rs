@@ -12,7 +12,7 @@ use std::cell::{OnceCell, RefCell};
 use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 
-/// How closely it is looked.
+/// The resolution of the comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Detail {
     /// Every fourth pixel: enough to rank by.
@@ -31,11 +31,11 @@ pub struct CpuComparer<'a> {
     points: Rc<Points>,
     /// The terms whose strengths have to be found.
     terms: Vec<usize>,
-    /// Of each light: without those terms, and then each of them alone.
+    /// For each light, the inputs without those terms, and then with each of them alone.
     input_sets: Rc<Vec<InputSet>>,
-    /// Of each light: all of them together.
+    /// For each light, the inputs with all terms.
     whole: Rc<Vec<InputSet>>,
-    /// Of each light: whether a hypothesis holds in it.
+    /// For each light, whether the hypothesis applies to it.
     is_changed: Vec<bool>,
     /// By what is written to `gl_Position`.
     known: RefCell<HashMap<(String, Detail), Rc<CoveredPixels>>>,
@@ -47,12 +47,12 @@ struct CoveredPixels {
     whole: OnceCell<Run>,
     surface: crate::testbench::Surface,
     seen: [Plane; 3],
-    /// Of each test scene: pixels that only one of both draws.
+    /// For each test scene, the number of pixels that only one of the two draws.
     lost: Vec<usize>,
 }
 
 impl<'a> CpuComparer<'a> {
-    /// Of a model; `None` where it can only be drawn by the driver.
+    /// Returns `None` for models that only the driver can draw.
     pub fn new(
         testbench: &'a Testbench,
         model: &'a CompiledModel,
@@ -83,7 +83,7 @@ impl<'a> CpuComparer<'a> {
         })
     }
 
-    /// What a hypothesis leaves over, and the strengths that had to be found for it.
+    /// Returns the residual of a hypothesis and the strengths that were fitted for it.
     pub fn compare(&self, hypothesis: &Hypothesis, detail: Detail) -> Result<(Comparison, Strengths), GlError> {
         let place = self.model.hypotheses.text_of("gl_Position", hypothesis).unwrap_or_default();
         let covered = self.covered(place, detail)?;

@@ -1,4 +1,5 @@
-//! What a program takes from outside, and what is written in it: only the former can be varied.
+//! The parameterisation of a program: which quantities are inputs, and which are written in the source and cannot be
+//! varied.
 
 use super::task::Task;
 use crate::roles::{Bindings, Role};
@@ -65,26 +66,26 @@ impl Lights {
     }
 }
 
-/// What may be varied, and what is fixed to which value.
+/// Which inputs of a program can be varied, and the values of the others.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameterisation {
-    /// Of ambient, diffuse and specular: whether the strength is not given from outside, so that it has to be found.
+    /// For ambient, diffuse and specular: whether the strength is not an input, so that it must be fitted.
     pub to_find: [bool; 3],
-    /// Of the same: whether it is given all the same, and only the material's colour is not.
+    /// For the same terms: whether the strength is an input although the material's colour is not.
     given: [bool; 3],
-    /// Of the same: what is usual in the exercise.
+    /// For the same terms: the usual strength in the exercise.
     usual: [f32; 3],
     /// Whether the material's colour is given from outside.
     material: bool,
     light_position: Option<Vec3>,
     shininess: Option<f32>,
-    /// The exponent that stands in the source: what the bank's mistakes call `written_exponent`.
+    /// The exponent written in the source, which mistakes of the catalogue call `written_exponent`.
     pub written_exponent: Option<f32>,
     attenuation: [Option<f32>; 3],
     refraction_index: Option<f32>,
     /// Whether there is a second light.
     pub second: Second,
-    /// Of the second light, what it has of its own: ambient, diffuse, specular, attenuation.
+    /// Which of ambient, diffuse, specular and attenuation are separate inputs of the second light.
     own: [bool; 4],
     /// Whether it has a colour of its own.
     coloured: bool,

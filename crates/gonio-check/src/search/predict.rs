@@ -1,4 +1,4 @@
-//! What a model draws under a hypothesis, by the driver.
+//! Predictions by the driver: the picture of a model under a hypothesis.
 
 use super::fit::{Fit, fit};
 use super::parameterisation::{Lights, Parameterisation};
@@ -31,7 +31,7 @@ pub struct Program {
     pub bindings: Bindings,
 }
 
-/// What a model draws, and the strengths that had to be found for it.
+/// The picture that a model draws, and the strengths that were fitted for it.
 #[derive(Clone, Debug)]
 pub struct Prediction {
     /// In all test scenes.
@@ -40,7 +40,8 @@ pub struct Prediction {
     pub strengths: Strengths,
 }
 
-/// Of ambient, diffuse and specular, for red, green and blue, where they had to be found.
+/// The fitted strengths of ambient, diffuse and specular, for red, green and blue; `None` for terms with a given
+/// strength.
 pub type Strengths = [Option<[f64; 3]>; 3];
 
 impl CompiledModel {
@@ -207,7 +208,7 @@ pub enum Lit {
     Whole,
 }
 
-/// What a model is given in every test scene.
+/// The inputs of a model in every test scene.
 pub struct ModelInputs {
     /// Terms whose strengths have to be found.
     pub terms: Vec<usize>,
@@ -215,7 +216,7 @@ pub struct ModelInputs {
     pub parameterisation: Parameterisation,
     /// The exponent that stands in the student's source.
     pub exponent: f32,
-    /// What it is lit by.
+    /// The lights.
     pub lights: Lights,
 }
 

@@ -1,4 +1,4 @@
-//! What holds of every light equation, tried with the student's program alone: it is held against itself.
+//! Self-consistency: properties of every light equation, tested with the student's program alone.
 
 use super::compare::{PIXEL_TOLERANCE, channel_difference};
 use super::parameterisation::Parameterisation;
@@ -23,7 +23,7 @@ pub struct Student<'a> {
     pub testbench: &'a Testbench,
     /// The program.
     pub program: &'a UserProgram,
-    /// What its variables mean.
+    /// The roles of its variables.
     pub bindings: &'a Bindings,
     /// Uniforms with values of the student's own.
     pub fixed: &'a [(String, Vec<f32>)],

@@ -16,17 +16,17 @@ use gonio_gl::GlError;
 pub struct Tried<'a> {
     /// In which of the models that were handed in.
     pub model: usize,
-    /// What it is made of, harmless peculiarities among it.
+    /// Its mistakes and harmless peculiarities.
     pub mistakes: Vec<&'a Mistake>,
     /// The choices behind it.
     pub hypothesis: Hypothesis,
-    /// What it leaves over.
+    /// The residual difference.
     pub residual: Comparison,
     /// The strengths that were found for it.
     pub strengths: Strengths,
-    /// What it draws, where the driver was asked.
+    /// The picture that it draws, if the driver drew it.
     pub atlas: Option<Atlas>,
-    /// How much of the difference it explains: 0 to 1.
+    /// The share of the difference that it explains, 0 to 1.
     pub explained: f64,
 }
 
@@ -63,7 +63,7 @@ impl Tried<'_> {
     }
 }
 
-/// What was found.
+/// The result of the search.
 pub struct Found<'a> {
     /// The right answer that is nearest.
     pub nearest_right: Tried<'a>,
@@ -71,7 +71,7 @@ pub struct Found<'a> {
     pub ranking: Vec<Tried<'a>>,
 }
 
-/// What the source says of a mistake in a model: 0 where it contradicts it, 1 where the very expression is there.
+/// The support of the source for a mistake in a model: 0 contradicted, 1 the very expression is there.
 pub type Support<'s> = &'s dyn Fn(&str, usize) -> f32;
 
 impl Found<'_> {
@@ -86,7 +86,7 @@ impl Found<'_> {
             let each = tried.wrong().into_iter().map(|id| support(id, model));
             each.sum::<f32>()
         };
-        // Stable: where the source is silent, the bank's order stays.
+        // Stable: where the source is silent, the catalogue's order stays.
         self.ranking[..end].sort_by(|a, b| support(b).total_cmp(&support(a)));
     }
 }
@@ -117,9 +117,9 @@ impl Difference {
 /// A way to answer, right or wrong, that answers may be changes of.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Entry {
-    /// What is computed.
+    /// The function.
     pub model: Model,
-    /// Of which lights.
+    /// The lights that it covers.
     pub lights: Lights,
     /// Whether an answer may be so.
     pub is_right: bool,

@@ -1,10 +1,10 @@
-//! What the exercises ask of a pair of shaders.
+//! The tasks that exercises set for a pair of shaders.
 
 use crate::mistakes::Model;
 use crate::testbench::{TestScene, scene};
 use glam::Vec3;
 
-/// What an exercise asks.
+/// The task that an exercise sets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Task {
     /// The exercise's word: `ex04`.
@@ -55,7 +55,7 @@ const fn task(
 }
 
 impl Task {
-    /// Of an exercise.
+    /// Finds the task of an exercise.
     pub fn find(exercise: &str) -> Option<&'static Task> {
         TASKS.iter().find(|task| task.exercise == exercise)
     }

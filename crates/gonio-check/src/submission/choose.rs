@@ -18,7 +18,7 @@ pub(super) struct Candidate {
 }
 
 impl Candidate {
-    /// How it is called in messages: file, or file and variable.
+    /// Its name in messages: file, or file and variable.
     fn shown(&self) -> String {
         match &self.variable {
             Some(variable) if !variable.is_empty() => format!("{} `{variable}`", self.text.file),

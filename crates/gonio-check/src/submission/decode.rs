@@ -1,4 +1,4 @@
-//! From a file's bytes to text, with a warning where they had to be mended.
+//! Decodes a file's bytes to text, with a warning where they had to be corrected.
 
 use super::error::IntakeError;
 

@@ -1,7 +1,7 @@
 //! From files as students hand them in to a pair of shaders.
 //!
 //! Any names and endings; one file with both stages; a program whose strings hold them; a whole folder. What was
-//! guessed, mended or left aside is a warning; what cannot be used is one [`IntakeError`].
+//! guessed, corrected or left aside is a warning; what cannot be used is one [`IntakeError`].
 
 mod choose;
 mod decode;
@@ -48,7 +48,7 @@ pub struct Submission {
     pub fragment: StageText,
     /// The content of `names.toml`, if there was one.
     pub names: Option<String>,
-    /// What was guessed, mended or left aside, a sentence or two each.
+    /// Guesses, corrections and ignored files, a sentence or two each.
     pub warnings: Vec<String>,
 }
 
@@ -94,7 +94,7 @@ pub struct Holds {
     pub vertex: bool,
     /// A fragment shader.
     pub fragment: bool,
-    /// What names mean.
+    /// The roles of names.
     pub names: bool,
 }
 
@@ -120,8 +120,8 @@ pub fn holds(file: &SourceFile) -> Result<Holds, IntakeError> {
 struct Intake {
     candidates: Vec<Candidate>,
     names: Option<String>,
-    /// File and what had to be mended in it; told only of files that are taken.
-    mended: Vec<(String, String)>,
+    /// File and what had to be corrected in it; told only of files that are taken.
+    corrected: Vec<(String, String)>,
     /// Shaders of no stage that can be told.
     undecided: Vec<(String, String)>,
     few: bool,
@@ -197,7 +197,7 @@ impl Intake {
         }
         let text = match decode::decode(name, &file.bytes) {
             Ok((text, warning)) => {
-                self.mended.extend(warning.map(|warning| (name.clone(), warning)));
+                self.corrected.extend(warning.map(|warning| (name.clone(), warning)));
                 text
             }
             Err(_) if kind == FileKind::Perhaps && !self.few => return self.left_aside.push(name.clone()),
@@ -345,7 +345,7 @@ impl Intake {
         let is_taken =
             |name: &str| name == vertex.text.file || name == fragment.text.file || kind(name) == FileKind::Names;
         let mut warnings: Vec<String> =
-            self.mended.into_iter().filter(|(name, _)| is_taken(name)).map(|(_, warning)| warning).collect();
+            self.corrected.into_iter().filter(|(name, _)| is_taken(name)).map(|(_, warning)| warning).collect();
         warnings.extend(chosen_because);
         warnings.extend(self.errors.iter().map(|error| format!("ignored: {error}")));
         if !self.left_aside.is_empty() {

@@ -197,7 +197,7 @@ fn pairs_belong_together() {
 }
 
 #[test]
-fn names_come_along_and_mended_files_are_told() {
+fn names_come_along_and_corrected_files_are_told() {
     let submission = gathered(&[("a.vert", V), ("a.frag", &format!("\u{FEFF}{F}")), ("names.toml", "[names]\n")]);
     assert_eq!(submission.names.as_deref(), Some("[names]\n"));
     assert_eq!(submission.fragment.text, F);

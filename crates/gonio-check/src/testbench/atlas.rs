@@ -116,7 +116,8 @@ impl Testbench {
         ProgramInputs { feed, values }
     }
 
-    /// What OpenGL complained of since this was last asked. In a browser the question costs as much as many a draw.
+    /// Returns an error if OpenGL reported one since the last call. In a browser this costs as much as several draw
+    /// calls.
     pub fn complaint(&self) -> Result<(), GlError> {
         self.target.error().map_or(Ok(()), Err)
     }
@@ -148,12 +149,12 @@ impl Testbench {
     }
 }
 
-/// What a program's attributes and uniforms hold in every test scene.
+/// The values of a program's attributes and uniforms in every test scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProgramInputs {
     /// Locations of attributes, and the streams that feed them.
     feed: Vec<(u32, usize)>,
-    /// Of each test scene: numbers of uniforms, and what they hold.
+    /// For each test scene, the indices of uniforms and their values.
     values: Vec<Vec<(usize, Vec<f32>)>>,
 }
 

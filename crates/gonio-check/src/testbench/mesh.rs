@@ -2,7 +2,7 @@
 
 use std::f32::consts::{PI, TAU};
 
-/// What is drawn.
+/// The mesh to draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Shape {
     /// Radius 1 around the origin, 8 segments and 6 rings. Its normals are its positions.
@@ -18,10 +18,10 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// Every one, by its number in [`Shape::index`].
+    /// All shapes, in the order of [`Shape::index`].
     pub const ALL: [Shape; 5] = [Shape::Sphere, Shape::Torus, Shape::Cube, Shape::Pyramid, Shape::Landmarks];
 
-    /// Its place in [`Shape::ALL`].
+    /// Its index in [`Shape::ALL`].
     pub fn index(self) -> usize {
         self as usize
     }

@@ -1,4 +1,4 @@
-//! Where programs are tried: meshes, test scenes that tell mistakes apart, and the drawing of all of them at once.
+//! The testbench: meshes, test scenes that distinguish mistakes, and the drawing of all scenes at once.
 
 mod atlas;
 pub mod mesh;

@@ -19,7 +19,8 @@ pub struct Light {
     pub specular: f32,
     /// kc, kl, kq of 1 / (kc + kl d + kq d^2).
     pub attenuation: [f32; 3],
-    /// Of programs that have a colour for the light: how bright it is. Models know strengths alone, so it is 1 where they are asked.
+    /// The brightness of the light's colour, for programs that have one. Models know strengths alone, so it is 1 for
+    /// them.
     pub brightness: f32,
     /// Whether a program that takes a direction instead of a place takes the one towards the light, not the one from it.
     pub points_to_light: bool,
@@ -48,15 +49,15 @@ impl Light {
 pub struct TestScene {
     /// A word for tables.
     pub name: String,
-    /// What it shows that others do not.
+    /// The reason for this scene: what it shows that others do not.
     pub shows: &'static str,
-    /// What is drawn.
+    /// The mesh to draw.
     pub shape: Shape,
     /// M.
     pub world_from_model: Mat4,
     /// In the world.
     pub eye: Vec3,
-    /// What the camera looks at, in the world.
+    /// The point that the camera looks at, in world space.
     pub target: Vec3,
     /// Which way is up in the picture, in the world.
     pub up: Vec3,
@@ -70,7 +71,7 @@ pub struct TestScene {
     pub material: Vec3,
     /// The exponent of the highlight.
     pub shininess: f32,
-    /// Of the object, against air.
+    /// The object's refractive index against air.
     pub refraction_index: f32,
     /// Seconds.
     pub time: f32,

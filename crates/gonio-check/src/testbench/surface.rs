@@ -12,7 +12,7 @@ use std::rc::Rc;
 pub struct Surface {
     /// Situation by test scene: which vertices each pixel lies between.
     pub drawn: Drawn,
-    /// Of each of these pixels: its number in a sheet.
+    /// The number in the atlas of each of these pixels.
     pub places: Vec<u32>,
 }
 

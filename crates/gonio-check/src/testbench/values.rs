@@ -1,4 +1,4 @@
-//! What a uniform of a known meaning holds in a test scene.
+//! The value of a uniform with a known role in a test scene.
 
 use super::TestScene;
 use crate::roles::Role;

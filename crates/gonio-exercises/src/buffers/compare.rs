@@ -185,7 +185,7 @@ impl<'a> Comparison<'a> {
 
     /// The best explanations: all that fit equally well, of the fewest mistakes.
     fn best(&self) -> Option<Best<'a>> {
-        let singles = self.best_of(&self.expected.bank(self.compared).singles);
+        let singles = self.best_of(&self.expected.wrong_buffers(self.compared).singles);
         if singles.as_ref().is_some_and(|best| best.fit.share >= 1.0 && best.fit.open == 0) {
             return singles;
         }

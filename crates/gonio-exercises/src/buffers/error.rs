@@ -6,7 +6,7 @@ use std::fmt;
 /// Why a file is no vertex buffer: one sentence, and where in the file.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct BufferError {
-    /// What is wrong and what to do.
+    /// The error and the remedy.
     pub message: String,
     /// From 1; none where the whole file is meant, or where it has no lines.
     pub line: Option<u64>,

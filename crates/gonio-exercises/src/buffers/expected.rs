@@ -1,4 +1,4 @@
-//! What a right reader makes of a model, and what wrong ones do.
+//! The buffers that right and wrong readers make of a model.
 
 use super::fit::Triangles;
 use super::keys::Keys;
@@ -16,7 +16,7 @@ pub struct Expected {
     pub(super) has: Attributes,
     pub(super) keys: Keys,
     /// By [`Attributes::number`] of what is compared.
-    banks: [OnceLock<Bank>; 4],
+    wrong_buffers: [OnceLock<WrongBuffers>; 4],
 }
 
 /// A triangle, and the face that it belongs to where that is known.
@@ -27,7 +27,7 @@ pub(super) struct ExpectedTriangle {
 }
 
 /// The wrong readers' buffers.
-pub(super) struct Bank {
+pub(super) struct WrongBuffers {
     pub(super) singles: Vec<Hypothesis>,
     pairs: OnceLock<Vec<Hypothesis>>,
 }
@@ -54,7 +54,7 @@ impl Expected {
         // word counts.
         let followed: Vec<ExpectedTriangle> = Reader::default().read(&source).iter().filter_map(closed).collect();
         let triangles = if is_same(&of_mesh, &followed, &keys, has) { followed } else { of_mesh };
-        Ok(Expected { source, triangles, has, keys, banks: Default::default() })
+        Ok(Expected { source, triangles, has, keys, wrong_buffers: Default::default() })
     }
 
     /// How many triangles the model has.
@@ -72,8 +72,8 @@ impl Expected {
         self.triangles.iter().flat_map(|triangle| triangle.vertices)
     }
 
-    pub(super) fn bank(&self, compared: Attributes) -> &Bank {
-        self.banks[compared.number()].get_or_init(|| Bank {
+    pub(super) fn wrong_buffers(&self, compared: Attributes) -> &WrongBuffers {
+        self.wrong_buffers[compared.number()].get_or_init(|| WrongBuffers {
             singles: mistakes::singles().into_iter().flat_map(|wrong| self.hypotheses(wrong, compared)).collect(),
             pairs: OnceLock::new(),
         })
@@ -87,7 +87,7 @@ impl Expected {
             }
             mistakes::pairs(|_, _| true).into_iter().flat_map(|wrong| self.hypotheses(wrong, compared)).collect()
         };
-        self.bank(compared).pairs.get_or_init(make)
+        self.wrong_buffers(compared).pairs.get_or_init(make)
     }
 
     fn hypotheses(&self, wrong: WrongReader, compared: Attributes) -> Vec<Hypothesis> {

@@ -1,4 +1,4 @@
-//! What is said of a student's buffer.
+//! The findings about a student's buffer.
 
 use super::vertex::Vertex;
 use gonio_check::verdict::Outcome;
@@ -17,7 +17,7 @@ pub struct BufferFindings {
     pub warnings: Vec<String>,
     /// The difference, where there is one.
     pub example: Option<Example>,
-    /// How much of the buffer is right.
+    /// The shares of the buffer that are right.
     pub shares: Shares,
 }
 
@@ -26,11 +26,11 @@ pub struct BufferFindings {
 pub struct BufferMistake {
     /// Stable, in kebab-case: one of [`super::names`].
     pub id: &'static str,
-    /// A few words.
+    /// The title.
     pub name: &'static str,
-    /// What the program does, and what comes of it.
+    /// What the program does, and the consequence.
     pub explanation: &'static str,
-    /// What to change.
+    /// The change that fixes it.
     pub how_to_fix: &'static str,
     /// The share of the difference that it explains, together with the other mistakes named: 1 for all.
     pub share_explained: f64,

@@ -1,4 +1,4 @@
-//! How well the buffer of a wrong reader fits the student's.
+//! Measures how well the buffer of a wrong reader fits the student's.
 
 use super::keys::{CornerKeys, Keys, join, mix, triangle};
 use super::obj_lines::ObjLines;

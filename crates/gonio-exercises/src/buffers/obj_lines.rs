@@ -21,7 +21,7 @@ pub(super) struct Face {
     pub(super) is_convex: bool,
 }
 
-/// What an OBJ file says.
+/// The lines of an OBJ file.
 #[derive(Clone, Debug, Default)]
 pub(super) struct ObjLines {
     pub(super) positions: Vec<[f32; 3]>,

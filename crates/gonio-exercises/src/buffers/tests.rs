@@ -101,7 +101,7 @@ fn pairs_of_mistakes_are_named() {
     for (name, expected) in models() {
         let right_print = Triangles::read(&Reader::default(), &expected.source, &expected.keys, expected.has)[0].print;
         let prints: BTreeSet<u64> =
-            expected.bank(expected.has).singles.iter().map(|single| single.made.print).collect();
+            expected.wrong_buffers(expected.has).singles.iter().map(|single| single.made.print).collect();
         for (number, pair) in expected.pairs(expected.has).iter().enumerate() {
             // A pair of which one mistake hides the other is the other alone.
             if prints.contains(&pair.made.print) || pair.made.print == right_print || pair.made.keys.len() < 2 {

@@ -9,7 +9,7 @@ pub struct Vertex {
     pub position: [f32; 3],
     /// u to the right, v up; zero where there is none.
     pub tex_coord: [f32; 2],
-    /// Of unit length; zero where there is none.
+    /// Of unit length; zero if absent.
     pub normal: [f32; 3],
 }
 

@@ -18,13 +18,13 @@ pub fn is_picture(file: &SourceFile) -> bool {
     FileFormat::detect(&file.bytes).is_some()
 }
 
-/// What was handed in.
+/// The faces and the panorama of a submission.
 pub struct SubmittedFaces {
     /// In OpenGL's order, each square and of one size, as the files have them.
     faces: [Image; 6],
     /// What they were made from.
     pub panorama: Panorama,
-    /// What is good to know.
+    /// Warnings, a sentence each.
     pub warnings: Vec<String>,
 }
 

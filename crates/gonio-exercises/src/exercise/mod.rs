@@ -6,7 +6,7 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-/// What is handed in.
+/// The kind of answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ExerciseKind {
@@ -14,13 +14,13 @@ pub enum ExerciseKind {
     Shaders,
     /// The vertex buffer that a program of any language writes.
     Buffers,
-    /// A host program's OpenGL calls.
+    /// A GL program's OpenGL calls.
     GlProgram,
     /// Six faces of a cubemap, or a shader that makes them.
     Faces,
 }
 
-/// What an exercise gives.
+/// The inputs of an exercise.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
 pub struct Inputs {
     /// By name.
@@ -34,7 +34,7 @@ pub struct Inputs {
 /// An attribute or a uniform that is given.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 pub struct Input {
-    /// Of GLSL.
+    /// The GLSL type.
     #[serde(rename = "type")]
     pub glsl_type: String,
     /// With its space and unit.
@@ -43,7 +43,7 @@ pub struct Input {
     pub value: String,
 }
 
-/// What to look for in the picture.
+/// Details to look for in the picture.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 pub struct LookFor {
     /// A sentence.
@@ -74,61 +74,61 @@ pub struct Exercise {
     pub id: String,
     /// Its folder in `exercises/`.
     pub folder: &'static str,
-    /// A few words.
+    /// The title.
     pub title: String,
     /// A sentence.
     pub summary: String,
-    /// What is handed in.
+    /// The kind of answer.
     pub kind: ExerciseKind,
-    /// Where the lecture teaches it.
+    /// The section of the lecture that teaches it.
     pub lecture_section: String,
     /// Exercises that should be done before.
     pub builds_on: Vec<String>,
-    /// What to look for in the picture.
+    /// Details to look for in the picture.
     pub look_for: Vec<LookFor>,
-    /// What is given.
+    /// The inputs.
     pub inputs: Inputs,
     files: &'static [(&'static str, &'static str)],
 }
 
 impl Exercise {
-    /// Its text, in Markdown.
+    /// Returns its text, in Markdown.
     pub fn text(&self) -> &'static str {
         self.file("text.md").unwrap_or_default()
     }
 
-    /// One of its files, by its name in the folder.
+    /// Returns one of its files, by its name in the folder.
     pub fn file(&self, name: &str) -> Option<&'static str> {
         self.files.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
     }
 
-    /// What one starts from: everything but what gives the answer away. Names have folders.
+    /// The start files: all files that do not give the answer away. Names include folders.
     pub fn start_files(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
         let given_away =
             |name: &str| name.split('/').any(|part| part.starts_with("reference")) || name == "exercise.toml";
         self.files.iter().copied().filter(move |(name, _)| !given_away(name))
     }
 
-    /// Pictures that one starts from, by their names.
+    /// Returns the start pictures, by name.
     pub fn pictures(&self) -> impl Iterator<Item = (&'static str, &'static [u8])> {
         let of_this = files::PICTURES.iter().filter(|(folder, ..)| *folder == self.folder);
         of_this.map(|(_, name, bytes)| (*name, *bytes))
     }
 
-    /// What the right answer looks like.
+    /// The files of the reference solution.
     pub fn reference_files(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
         self.files.iter().copied().filter(|(name, _)| name.split('/').any(|part| part.starts_with("reference")))
     }
 }
 
-/// All of them, in their order.
+/// All exercises, in order.
 pub fn all() -> &'static [Exercise] {
     static ALL: LazyLock<Vec<Exercise>> =
         LazyLock::new(|| files::FOLDERS.iter().filter_map(|(folder, files)| read(folder, files).ok()).collect());
     &ALL
 }
 
-/// By its word: `ex04`, `4`, `04`, `EX4`, the folder's name or `s1`.
+/// Finds an exercise by `ex04`, `4`, `04`, `EX4`, its folder's name or `s1`.
 pub fn find(word: &str) -> Option<&'static Exercise> {
     let word = word.to_ascii_lowercase();
     let number = word.trim_start_matches("ex").trim_start_matches('0');

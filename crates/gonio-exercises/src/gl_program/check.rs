@@ -1,6 +1,6 @@
-//! Judges a host program: right, or wrong and why.
+//! Judges a GL program: right, or wrong and why.
 //!
-//! A mistake is named only where the picture is right without it: each suspicion comes with the mended program, and that
+//! A mistake is named only where the picture is right without it: each suspicion comes with the corrected program, and that
 //! is carried out. Where no single one does, they are tried one after the other, the most telling first.
 
 use super::compare::{ENOUGH, Judge};
@@ -27,7 +27,7 @@ const FOLLOWED: usize = 4;
 /// A share of pixels that is no progress.
 const LITTLE: f64 = 1e-4;
 
-/// Judges a host program's text. `files` are the shaders and images that it may name; the reference reads the same ones,
+/// Judges a GL program's text. `files` are the shaders and images that it may name; the reference reads the same ones,
 /// `start.vert`, `start.frag` and `checker.png` among them.
 ///
 /// An error where OpenGL itself fails, or one of these is not there.
@@ -59,7 +59,7 @@ pub fn reference() -> Result<GlProgram, GlError> {
     })
 }
 
-/// Judges a host program that was read.
+/// Judges a GL program that was read.
 pub fn check_program(gl: &Gl, program: &GlProgram, files: &GlProgramFiles) -> Result<GlProgramFindings, GlError> {
     let reference = reference()?;
     let files = &*for_context(gl, files);

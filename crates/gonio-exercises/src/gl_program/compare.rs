@@ -15,7 +15,7 @@ const STEP: f32 = 1.01 / 255.0;
 /// So many of all pixels must be the same: the exercise's own tolerance.
 pub const ENOUGH: f64 = 0.99;
 
-/// How the reference is carried out, and what has come of it so far.
+/// Runs programs and compares them with the reference.
 pub struct Judge<'a> {
     gl: &'a gonio_gl::Gl,
     files: &'a GlProgramFiles,
@@ -75,7 +75,7 @@ impl<'a> Judge<'a> {
         Ok(self.pictures.get(&key).map(Vec::as_slice).unwrap_or_default())
     }
 
-    /// What may be wrong with a program.
+    /// Returns every suspected mistake.
     pub fn case<'b>(&'b self, steps: &'b [Step], run: &'b GlProgramRun) -> Case<'b>
     where
         'a: 'b,

@@ -1,4 +1,4 @@
-//! The files that the exercise's host programs name.
+//! The files that the exercise's GL programs name.
 
 use gonio_gl::Gl;
 use gonio_render::gl_program::{GlProgramFiles, GlProgramImage};

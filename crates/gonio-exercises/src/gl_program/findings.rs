@@ -1,4 +1,4 @@
-//! What a check of a host program says.
+//! The findings about a GL program.
 
 use super::names::GlProgramMistakeName;
 use super::program::GlProgramError;
@@ -7,18 +7,18 @@ use gonio_gl::trace::Finding;
 use gonio_render::gl_program::{CallError, GlProgramRun};
 use serde::Serialize;
 
-/// A mistake: with it mended, the picture is right.
+/// A mistake: with it fixed, the picture is right.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct GlProgramMistake {
     /// Its word, one of `names`.
     pub id: String,
-    /// What is wrong, in half a sentence.
+    /// The mistake in half a sentence.
     pub name: String,
-    /// What exactly is wrong in this line, and why that matters.
+    /// The error in this line and its effect.
     pub explanation: String,
-    /// What it looks like.
+    /// The symptom in the picture.
     pub looks_like: String,
-    /// What exactly to write.
+    /// The exact text to write.
     pub fix: String,
     /// The line that is wrong; where a call is missing, the one after which it is.
     pub line: u32,
@@ -36,18 +36,18 @@ pub struct GlProgramWarning {
     pub text: String,
 }
 
-/// What a check says.
+/// The result of a check.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct GlProgramFindings {
     /// The file's name.
     pub file: String,
-    /// The word for it all.
+    /// The outcome of a check.
     pub verdict: Outcome,
     /// In one sentence.
     pub summary: String,
-    /// What is wrong: all of these together explain the picture. Empty where nothing does.
+    /// The mistakes that together explain the picture; empty if nothing does.
     pub mistakes: Vec<GlProgramMistake>,
-    /// What the frame panel shows of it.
+    /// The findings about the frame, as the frame panel shows them.
     pub findings: Vec<Finding>,
     /// Why it does not compile.
     pub errors: Vec<GlProgramError>,
@@ -57,7 +57,7 @@ pub struct GlProgramFindings {
     pub warnings: Vec<GlProgramWarning>,
     /// The share of pixels that are as they should be, 0 to 1.
     pub share_right: f64,
-    /// What came of the program: the picture, and the record for the frame panel.
+    /// The result of running the program: the picture, and the trace for the frame panel.
     #[serde(skip)]
     pub run: Option<GlProgramRun>,
     /// The picture that it should be, of the same size and order.
@@ -66,7 +66,7 @@ pub struct GlProgramFindings {
 }
 
 impl GlProgramFindings {
-    /// Of what is no program.
+    /// The findings for a text that is not a program.
     pub(super) fn broken(file: &str, errors: Vec<GlProgramError>) -> Self {
         let more = errors.len().saturating_sub(1);
         let first = errors.first().map_or(String::new(), |error| format!("line {}: {}", error.line, error.message));

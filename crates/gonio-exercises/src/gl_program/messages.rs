@@ -1,4 +1,4 @@
-//! Why a host program gives no picture at all: at its line, or at the shader's.
+//! Why a GL program gives no picture at all: at its line, or at the shader's.
 
 use super::program::{GlProgram, GlProgramError};
 use gonio_check::nearest::nearest;

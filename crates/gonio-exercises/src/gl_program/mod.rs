@@ -1,4 +1,4 @@
-//! Host programs: OpenGL calls as a short text, read, really carried out, and judged.
+//! GL programs: OpenGL calls as a short text, read, really carried out, and judged.
 //!
 //! [`GlProgram::parse`] reads one, `gonio_render::gl_program::run` carries it out, and [`check()`] says what is wrong with it.
 

@@ -1,17 +1,17 @@
-//! The mistakes that a host program can have, in words. Ids stay as they are: they stand in results of machines.
+//! The mistakes that a GL program can have, in words. Ids stay as they are: they stand in results of machines.
 
 /// A mistake in words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GlProgramMistakeName {
     /// Its word.
     pub id: &'static str,
-    /// What is wrong, in half a sentence.
+    /// The mistake in half a sentence.
     pub name: &'static str,
     /// Why that matters.
     pub explanation: &'static str,
-    /// What it looks like.
+    /// The symptom in the picture.
     pub looks_like: &'static str,
-    /// How to mend it.
+    /// How to fix it.
     pub fix: &'static str,
 }
 

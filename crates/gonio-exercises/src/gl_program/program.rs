@@ -1,11 +1,11 @@
-//! The text of a host program and its calls.
+//! The text of a GL program and its calls.
 
 use super::reader;
 use gonio_render::gl_program::Step;
 use serde::Serialize;
 use std::fmt;
 
-/// Most calls of a host program.
+/// Most calls of a GL program.
 pub const MOST_CALLS: usize = 1000;
 /// Most bytes of its text.
 pub const MOST_TEXT_BYTES: usize = 4 << 20;
@@ -14,7 +14,7 @@ pub const MOST_DATA_BYTES: usize = 1 << 20;
 /// Most errors that are told at once.
 pub const MOST_ERRORS: usize = 50;
 
-/// A host program, read.
+/// A GL program, read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GlProgram {
     /// The file's name.
@@ -25,7 +25,7 @@ pub struct GlProgram {
     lines: Vec<String>,
 }
 
-/// Something that is no host program.
+/// Something that is no GL program.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct GlProgramError {
     /// The file's name.
@@ -34,9 +34,9 @@ pub struct GlProgramError {
     pub line: u32,
     /// From 1, in characters.
     pub column: u32,
-    /// What is wrong: a sentence without its end.
+    /// The error, a sentence without its full stop.
     pub message: String,
-    /// What to do, likewise; may be empty.
+    /// The remedy; may be empty.
     pub help: String,
 }
 

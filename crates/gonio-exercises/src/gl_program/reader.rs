@@ -1,4 +1,4 @@
-//! Reads host programs: a call to a line, words between blanks.
+//! Reads GL programs: a call to a line, words between blanks.
 
 use super::program::{GlProgramError, MOST_CALLS, MOST_DATA_BYTES, MOST_ERRORS};
 use super::signature::{self, WORDS};
@@ -44,7 +44,7 @@ pub struct Problem {
     pub column: u32,
     /// A sentence without its end.
     pub message: String,
-    /// What to do; may be empty.
+    /// The remedy; may be empty.
     pub help: String,
 }
 

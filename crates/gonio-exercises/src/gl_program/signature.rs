@@ -1,4 +1,4 @@
-//! What each call wants, word by word.
+//! The parameters of each call, word by word.
 
 use super::reader::{Named, Problem, Word, is_name, no_call, shown};
 use gonio_check::nearest::nearest;

@@ -1,4 +1,4 @@
-//! What goes well, and may not elsewhere.
+//! Warnings about GL programs that run here and may not elsewhere.
 
 use super::findings::GlProgramWarning;
 use super::program::GlProgram;

@@ -7,7 +7,7 @@ use crate::gl_program::GlProgram;
 use gonio_check::submission::{self, Holds, SourceFile};
 use gonio_mesh::Format;
 
-/// What a file is for.
+/// The use of a file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FileUse {
     /// It holds a vertex shader.
@@ -18,18 +18,18 @@ pub struct FileUse {
     pub names: bool,
     /// It is a vertex buffer.
     pub buffer: bool,
-    /// It is a host program.
+    /// It is a GL program.
     pub gl_program: bool,
     /// It is a picture: a face, or several.
     pub picture: bool,
 }
 
-/// What came of files that were given.
+/// Files sorted by their use.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct SortedFiles {
     /// Those that the exercise can do something with, by their numbers among what was given, and what each is for.
     pub taken: Vec<(usize, FileUse)>,
-    /// What was left aside, and why: one sentence. There is one where nothing was taken.
+    /// Which files were ignored, and why, in one sentence. Always present if no file was taken.
     pub aside: Option<String>,
 }
 
@@ -97,7 +97,7 @@ pub fn is_replaced(exercise: &Exercise, open: &SourceFile, taken: &[(&SourceFile
         return true;
     }
     let Ok(Some(old)) = used(exercise, open) else { return false };
-    // A face that is called as one of those that are open is that face, mended; others are another answer.
+    // A face that is called as one of those that are open is that face, corrected; others are another answer.
     let is_open = |file: &SourceFile| all.iter().any(|name| base(name) == base(&file.name));
     let other_pictures = taken.iter().any(|(file, new)| new.picture && !is_open(file));
     let new = taken.iter().fold(FileUse::default(), |all, (_, new)| all.with(*new));
@@ -123,7 +123,7 @@ impl FileUse {
     }
 }
 
-/// What one file is for; nothing where it was handed out and is no answer. An error is one sentence.
+/// Returns the use of one file; `None` for start files that cannot be an answer. An error is one sentence.
 fn used(exercise: &Exercise, file: &SourceFile) -> Result<Option<FileUse>, String> {
     let name = base(&file.name);
     let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending).to_ascii_lowercase();
@@ -163,7 +163,7 @@ fn used(exercise: &Exercise, file: &SourceFile) -> Result<Option<FileUse>, Strin
     })
 }
 
-/// What an exercise reads, in words.
+/// Returns a description of the files that an exercise reads.
 fn what_it_reads(kind: ExerciseKind) -> &'static str {
     match kind {
         ExerciseKind::Shaders => {
@@ -294,13 +294,13 @@ mod tests {
         assert_eq!(left("ex04", &pair, &[file("a", FRAGMENT), file("b", VERTEX)]), ["text.md"]);
         assert_eq!(left("ex04", &pair, &[file("names.toml", "")]).len(), 3, "an empty one is refused");
         assert_eq!(left("ex04", &pair, &[file("names.toml", "[uniforms]")]).len(), 3);
-        // Pictures and shaders are two ways to answer; a single face is that face, mended.
+        // Pictures and shaders are two ways to answer; a single face is that face, corrected.
         assert_eq!(left("s1", &pair, &[file("posx.png", PNG)]), ["text.md"]);
         let faces = ["posx.png", "negx.png"].map(|name| file(name, PNG));
         assert_eq!(left("s1", &faces, &[file("new/posx.png", PNG)]), ["negx.png"]);
         assert_eq!(left("s1", &faces, &[file("cross.png", PNG)]), [""; 0]);
         assert_eq!(left("s1", &faces, &[file("a.frag", FRAGMENT)]), [""; 0]);
-        // One buffer is checked at a time; of host programs there are many.
+        // One buffer is checked at a time; of GL programs there are many.
         let buffers = [file("start/obj_reader.py", "print()"), file("cube.csv", "1")];
         assert_eq!(left("ex02", &buffers, &[file("gem.json", "[]")]), ["start/obj_reader.py"]);
         let programs = [file("host/one.txt", "gl"), file("host/two.txt", "gl")];

@@ -10,7 +10,7 @@ use gonio_gl::Gl;
 use gonio_glsl::{Class, OutputVersion, Severity, Stage};
 use gonio_render::user_program::{UserProgram, is_embedded};
 
-/// How much there is to say of a line.
+/// The severity of a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum NoteKind {
     /// Other compilers may refuse it.
@@ -19,12 +19,12 @@ pub enum NoteKind {
     Error,
 }
 
-/// What there is to say of a line.
+/// A message about a line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Note {
-    /// How bad it is.
+    /// The severity.
     pub kind: NoteKind,
-    /// What is said, and where.
+    /// The message and its location.
     pub message: CompilerMessage,
 }
 
@@ -39,11 +39,11 @@ pub struct SubmittedPair {
 pub struct CompiledPair {
     /// The program.
     pub program: UserProgram,
-    /// What its variables mean.
+    /// The roles of its variables.
     pub bindings: Bindings,
-    /// What other compilers may refuse, by file and line.
+    /// Constructs that other compilers may reject, by file and line.
     pub notes: Vec<Note>,
-    /// What was guessed, mended or left aside, and what of `names.toml` nobody asked for: a sentence each.
+    /// Guesses, corrections, ignored files, and unused names of `names.toml`: a sentence each.
     pub warnings: Vec<String>,
 }
 

@@ -1,4 +1,4 @@
-//! What programs are drawn with, but for themselves: meshes, the sky, a white texture.
+//! Draws previews: meshes, the sky, a white texture.
 
 use super::{Body, CompiledPair, PreviewScene};
 use gonio_check::roles::{Bound, Role, VariableKind};
@@ -8,16 +8,16 @@ use gonio_render::user_program::{FloatTexture, Stream, StreamMesh};
 use std::cell::RefCell;
 use std::rc::Rc;
 
-/// What an attribute or a uniform of a program was taken for, and what it holds.
+/// The role and the value of an attribute or a uniform.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct VariableValue {
     /// OpenGL's name for it.
     pub name: String,
     /// As GLSL writes it.
     pub glsl_type: String,
-    /// What it was taken for, and what told so; `None` where nothing fits.
+    /// Its role and the evidence for it; `None` if unrecognised.
     pub role: Option<(String, String)>,
-    /// What it holds, for people.
+    /// The value, in readable form.
     pub value: String,
 }
 

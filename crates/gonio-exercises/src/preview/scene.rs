@@ -5,7 +5,7 @@ use glam::{Mat4, Quat, Vec3};
 use gonio_check::search::Task;
 use gonio_check::testbench::{Light, Shape, TestMesh, TestScene, mesh, scene::LAB_LIGHT};
 
-/// What is drawn.
+/// The mesh to draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Body {
     /// A sphere of radius 1 whose triangles are a quarter of its height.
@@ -25,11 +25,11 @@ pub enum Body {
 }
 
 impl Body {
-    /// Every one, by its number in [`Body::index`].
+    /// All bodies, in the order of [`Body::index`].
     pub const ALL: [Body; 7] =
         [Body::ExtremelyCoarse, Body::Coarse, Body::Smooth, Body::Torus, Body::Cube, Body::Pyramid, Body::Landmarks];
 
-    /// Its place in [`Body::ALL`].
+    /// Its index in [`Body::ALL`].
     pub fn index(self) -> usize {
         self as usize
     }
@@ -48,12 +48,12 @@ impl Body {
     }
 }
 
-/// Where one looks from. In the world.
+/// A camera, in world space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Eye {
     /// The camera.
     pub position: Vec3,
-    /// What it looks at.
+    /// The point that the camera looks at.
     pub target: Vec3,
     /// Which way is up in the picture.
     pub up: Vec3,
@@ -64,7 +64,7 @@ pub struct Eye {
 /// One of a scene's objects.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Part {
-    /// What it is.
+    /// The mesh.
     pub body: Body,
     /// M.
     pub world_from_model: Mat4,
@@ -75,7 +75,7 @@ pub struct Part {
 pub struct PreviewScene {
     /// A word or two, for people.
     pub name: &'static str,
-    /// What it shows, a sentence.
+    /// What the scene shows, in a sentence.
     pub shows: &'static str,
     /// The objects.
     pub parts: Vec<Part>,

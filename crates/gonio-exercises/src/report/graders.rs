@@ -5,7 +5,7 @@ use super::text::{line, percent, place, plain, unit, words};
 use gonio_check::verdict::{Outcome, SceneVerdict, TermState, Verdict};
 use serde_json::{Value, json};
 
-/// What Gradescope reads from `results.json`.
+/// The content of Gradescope's `results.json`.
 ///
 /// Used: `score`, which is the verdict's share of `max_score` (not below 0; no number is 0), and stands above the tests' sum;
 /// `output` as `text`, so that nothing in it is taken for markup; `test_output_format`; `visibility` and `stdout_visibility`;
@@ -57,7 +57,7 @@ pub fn gradescope(verdict: &Verdict, max_score: f64) -> String {
     .to_string()
 }
 
-/// What a combinator template grader of Moodle's CodeRunner returns.
+/// The result that a combinator template grader of Moodle's CodeRunner returns.
 ///
 /// Used: `fraction`; `prologuehtml`, the verdict, the mistakes and the compiler's messages; `testresults`, whose first row names
 /// the columns (`iscorrect` is shown as tick or cross), with a row a term and a scene; `columnformats`, all `%s`, so that the

@@ -200,7 +200,7 @@ fn sentence(text: &str) -> String {
     format!("{}{end}", prose(&text))
 }
 
-/// What is wrong, why one can tell, and how to mend it.
+/// The section about the mistakes: name, evidence and fix of each.
 pub fn mistakes_html(verdict: &Verdict) -> String {
     let nearest = nearest_html(verdict);
     if verdict.mistakes.is_empty() {

@@ -1,4 +1,4 @@
-//! What a check says, in the forms that people and machines read: test reports, graders' results, tables, pages, pictures.
+//! Reports on verdicts for people and machines: test reports, graders' results, tables, pages, pictures.
 //!
 //! All of it is text or bytes made of data: nothing is written anywhere. What students wrote (names, lines of source,
 //! messages) is taken for hostile: see `text` and `visible`.

@@ -90,7 +90,7 @@ fn scenes(verdict: &Verdict, pictures: Option<&Pictures<'_>>) -> String {
     html
 }
 
-/// What a column of pictures is called.
+/// Returns the heading of a column of pictures.
 fn caption(kind: PictureKind, verdict: &Verdict) -> &'static str {
     match (kind, verdict.verdict) {
         (PictureKind::Yours, _) => "Yours",

@@ -58,7 +58,7 @@ pub enum PictureKind {
     Reference,
     /// How far apart these two are.
     Difference,
-    /// What the named mistakes draw.
+    /// The picture that the named mistakes predict.
     Predicted,
 }
 

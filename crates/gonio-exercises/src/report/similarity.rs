@@ -2,7 +2,7 @@
 //! algorithms for document fingerprinting", SIGMOD 2003).
 //!
 //! Comments and layout are no tokens. Names do not count: within each k-gram they are numbered in the order of their first
-//! occurrence, so that a declaration put in front changes nothing behind it. Numbers count by their value. What the host program
+//! occurrence, so that a declaration put in front changes nothing behind it. Numbers count by their value. What the GL program
 //! prescribes (uniforms, attributes, varyings, structs) and what the exercise hands out is left out.
 
 use gonio_glsl::{Item, Parsed, Span, TokenPlace, TokenRange};

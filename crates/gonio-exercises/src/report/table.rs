@@ -12,37 +12,37 @@ pub struct Row {
     pub submission: String,
     /// The exercise's word.
     pub exercise: String,
-    /// The word for it all.
+    /// The outcome of a check.
     pub verdict: Outcome,
     /// In one sentence.
     pub summary: String,
     /// 0 to 1.
     pub score: f64,
-    /// What is wrong.
+    /// The error.
     pub mistakes: Vec<RowMistake>,
     /// Where to look first, `file:line`: at the first mistake that has a place, or at the compiler's first message.
     pub place: Option<String>,
-    /// What may go wrong elsewhere.
+    /// Problems that may occur on other drivers.
     pub warnings: Vec<String>,
-    /// How long the check took.
+    /// The duration of the check.
     pub seconds: f64,
 }
 
 /// A mistake of a submission in a batch.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RowMistake {
-    /// The bank's word.
+    /// The mistake's id in the catalogue.
     pub id: String,
-    /// What is wrong, in half a sentence.
+    /// The mistake in half a sentence.
     pub name: String,
-    /// How much of the difference it explains: 0 to 1.
+    /// The share of the difference that it explains, 0 to 1.
     pub share_explained: f64,
     /// `file:line`, or `file` alone, where it was found.
     pub place: Option<String>,
 }
 
 impl Row {
-    /// What a verdict says of a submission, and how long that took.
+    /// The verdict on a submission and the time that the check took.
     pub fn new(label: &str, verdict: &Verdict, seconds: f64) -> Self {
         let mistake = |mistake: &gonio_check::verdict::FoundMistake| RowMistake {
             id: mistake.id.clone(),

@@ -11,11 +11,11 @@ pub(super) use table::MISTAKES;
 pub struct MistakeName {
     /// Stable, in kebab-case.
     pub id: &'static str,
-    /// A few words.
+    /// The title.
     pub name: &'static str,
-    /// What the program does, and what comes of it.
+    /// What the program does, and the consequence.
     pub explanation: &'static str,
-    /// What to change.
+    /// The change that fixes it.
     pub how_to_fix: &'static str,
 }
 

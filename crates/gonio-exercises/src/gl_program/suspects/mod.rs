@@ -1,5 +1,5 @@
-//! What may be wrong with a host program, and what it would be without that: each suspicion comes with the program as it
-//! would be mended. Whether it is the mistake is told by carrying that out.
+//! What may be wrong with a GL program, and what it would be without that: each suspicion comes with the program as it
+//! would be corrected. Whether it is the mistake is told by carrying that out.
 
 mod arrays;
 mod picture;
@@ -16,11 +16,11 @@ pub struct Suspect {
     pub id: &'static str,
     /// The line that is wrong; where a call is missing, the line after which it is.
     pub line: u32,
-    /// What exactly is wrong there.
+    /// The exact error there.
     pub said: String,
-    /// What exactly to write.
+    /// The exact text to write.
     pub fix: String,
-    /// The program with it mended.
+    /// The program with the mistake fixed.
     pub corrected: Vec<Step>,
 }
 

@@ -21,7 +21,7 @@ fn reference(case: &Case<'_>) -> Vec<Pointer> {
 }
 
 type Change = fn(&mut Pointer, &Pointer) -> bool;
-/// A mistake's word, how it is mended, and the field in words.
+/// A mistake's word, how it is corrected, and the field in words.
 type Field = (&'static str, Change, fn(&Pointer) -> String);
 
 fn changes<T: PartialEq>(mine: &mut T, right: T) -> bool {

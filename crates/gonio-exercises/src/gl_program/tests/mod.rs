@@ -1,4 +1,4 @@
-//! Host programs, right and wrong, really carried out on whatever driver there is.
+//! GL programs, right and wrong, really carried out on whatever driver there is.
 
 mod broken;
 mod execution;

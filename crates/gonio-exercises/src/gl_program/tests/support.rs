@@ -44,7 +44,7 @@ pub fn told(context: &HeadlessContext, text: &str, mistakes: &[(&str, &str)]) {
     assert_eq!(told, wanted, "{text}\n{}\n{:#?}\n{:#?}", verdict.summary, verdict.refused, verdict.findings);
 }
 
-/// The exercise's host programs: names without ending, and texts.
+/// The exercise's GL programs: names without ending, and texts.
 pub fn host_programs() -> Vec<(String, String)> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../exercises/ex11-texture-unit/host");
     let entries = std::fs::read_dir(folder).unwrap_or_else(|why| panic!("{folder}: {why}"));
