@@ -7,7 +7,7 @@
 use glam::{DMat3, DVec3};
 
 named_enum! {
-    /// How light becomes the picture's numbers.
+    /// The encoding of light in the picture's numbers.
     pub enum ColorEncoding {
         /// The sRGB transfer function, after exposure and tone mapping.
         Srgb = "srgb",
@@ -20,7 +20,7 @@ named_enum! {
 }
 
 named_enum! {
-    /// How radiance above 1 is brought into the display's range.
+    /// The tone map, which brings radiance above 1 into the display's range.
     pub enum ToneMap {
         /// Clamped.
         None = "none",

@@ -10,7 +10,7 @@ use glam::DVec3;
 use std::f64::consts::FRAC_1_PI;
 
 named_enum! {
-    /// What `diff` is, and so what `L_i` measures.
+    /// The convention for `diff`, and so for the unit of `L_i`.
     pub enum Convention {
         /// `diff = 1`, as in the lab; `L_i` is a colour.
         Lab = "lab",
@@ -35,7 +35,7 @@ named_enum! {
     what "specular model";
 }
 
-/// Which terms are in the sum. A term that is off counts as 0; a factor that is off counts as 1.
+/// Switches of the terms of the sum. A term that is off counts as 0; a factor that is off counts as 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TermSwitches {
     /// `A`
@@ -72,7 +72,7 @@ pub struct Equation {
     pub gated: bool,
     /// The specular term is weighted by `<N.L>`: the factor that the lab's equation has lost.
     pub cosine_weighted: bool,
-    /// Which terms take part.
+    /// The terms that take part.
     pub terms: TermSwitches,
 }
 
@@ -153,7 +153,7 @@ pub struct Terms {
     pub diffuse: DVec3,
     /// The sum over the lights of their specular terms.
     pub specular: DVec3,
-    /// What the environment adds; zero without one.
+    /// The environment's terms; zero without one.
     pub environment: EnvironmentTerms,
     /// `L_o`, as the surface's optics let it be seen.
     pub total: DVec3,
@@ -289,7 +289,7 @@ impl Equation {
         }
     }
 
-    /// Which BRDF is in use, if one is.
+    /// The BRDF in use, if any.
     pub fn brdf_kind(&self) -> Option<BrdfKind> {
         self.brdf.map(|b| b.kind)
     }

@@ -1,4 +1,4 @@
-//! How much of the light is reflected where two media meet.
+//! Fresnel factors: the share of the light that is reflected at the boundary of two media.
 //!
 //! `eta = eta_L / eta_T` throughout, as in [`vector::refraction`](crate::vector::refraction): the index
 //! of refraction on the light's side over the one on the other side.

@@ -64,8 +64,7 @@ fn slope_root(cos: f64, alpha: f64) -> f64 {
     (a2 + (1.0 - a2) * cos * cos).sqrt()
 }
 
-/// Of the light that facets turned to the view send on, the share that is not shadowed: `G_2 / G_1(V)`, in `[0, 1]`.
-/// What an integral weighs the samples of [`visible_facet`] with. `cos_v > 0`; 0 where `cos_l` is not positive.
+/// The weight of a sample of [`visible_facet`]: the share of its light that is not shadowed, `G_2 / G_1(V)`, in `[0, 1]`. `cos_v > 0`; 0 where `cos_l` is not positive.
 pub fn unshadowed_share(cos_v: f64, cos_l: f64, alpha: f64) -> f64 {
     if cos_l > 0.0 {
         let (root_v, root_l) = (slope_root(cos_v, alpha), slope_root(cos_l, alpha));
@@ -102,7 +101,7 @@ pub fn hammersley(index: u32, count: u32) -> (f64, f64) {
     ((f64::from(index) + 0.5) / f64::from(count.max(1)), fraction)
 }
 
-/// What a rough mirror makes of uniform light 1: `f0 scale + bias`. The second factor of the split sum.
+/// The reflection of uniform light 1 by a rough mirror: `f0 scale + bias`. The second factor of the split sum.
 ///
 /// ```text
 /// scale = integral of D Vis <N.L> (1 - (1 - V.H)^5) dL       bias = integral of D Vis <N.L> (1 - V.H)^5 dL

@@ -1,4 +1,4 @@
-//! How a surface shows its surroundings: mirrors, glass, and everything between them and the lit surface.
+//! Reflection and refraction of the environment: mirrors, glass, and everything between them and the lit surface.
 //!
 //! ```text
 //! L = (1 - t) [(1 - w) L_o + w E(R)]  +  t [F E(R) + (1 - F) tint E(T)]
@@ -14,16 +14,16 @@
 //! | `F` | [`reflectance`]: exact, Schlick's, or none (then 0); 1 where reflection is total | 0 to 1 | none |
 //! | `tint` | colour of what is let through, once | 0 to 1 | white |
 //!
-//! Where two surfaces count ([`Surfaces::Two`]), `E(T)` is what is seen through the body: [`through_body`].
+//! With two refracting surfaces ([`Surfaces::Two`]), `E(T)` is the radiance through the body: [`through_body`].
 
 use crate::shading_point::ShadingPoint;
 use crate::{fresnel, vector};
 use glam::DVec3;
 
 named_enum! {
-    /// How much of the light a boundary reflects, by the angle.
+    /// The Fresnel factor of a boundary.
     pub enum Fresnel {
-        /// The angle does not count, as in the lab; reflection is total where there is no refraction.
+        /// Independent of the angle, as in the lab; reflection is total where there is no refraction.
         None = "none",
         /// Fresnel's equations for unpolarised light and a dielectric.
         Exact = "exact",
@@ -35,11 +35,11 @@ named_enum! {
 }
 
 named_enum! {
-    /// How many surfaces of a body the ray of sight is refracted at.
+    /// The number of surfaces of a body at which a view ray is refracted.
     pub enum Surfaces {
         /// The first one only, as in the lab.
         One = "one",
-        /// Where it goes in and where it comes out, with total reflections between: needs a closed body.
+        /// The surfaces where the ray enters and leaves, with total reflections between; needs a closed body.
         Two = "two",
     }
     default One;
@@ -50,23 +50,23 @@ named_enum! {
 /// partial reflection inside carries a few per cent on; total ones may be many, and look alike after some.
 pub const MOST_MEETINGS: usize = 4;
 
-/// How a surface shows its surroundings. See the head of the module.
+/// Reflection and refraction of the environment by a surface. See the head of the module.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Optics {
-    /// Of the part that is not transmitting: from the lit surface (0) to a mirror (1).
+    /// From the lit surface (0) to a mirror (1), for the part that does not transmit.
     pub reflectivity: f64,
     /// From an opaque surface (0) to a clear one (1), which shows nothing of its own light.
     pub transmission: f64,
-    /// How the angle counts.
+    /// The Fresnel factor.
     pub fresnel: Fresnel,
     /// Multiplies what is let through, once however many surfaces count. Linear RGB, 0 to 1.
     pub tint: DVec3,
-    /// Of the body, per world unit: light is weakened by `exp(-absorption d)` over the distance `d`. Counts between two
+    /// The absorption of the body, per world unit: light is weakened by `exp(-absorption d)` over the distance `d`. Counts between two
     /// surfaces. Linear RGB, not negative.
     pub absorption: DVec3,
     /// The index of blue light (486 nm, the green channel has the index itself) less that of red light (656 nm).
     pub dispersion: f64,
-    /// Where refraction happens.
+    /// The refracting surfaces.
     pub surfaces: Surfaces,
 }
 
@@ -176,11 +176,11 @@ pub struct EnvironmentTerms {
     pub diffuse: DVec3,
     /// Glossy reflection, times `k_s`.
     pub specular: DVec3,
-    /// What mirrors and glass would show; all zero where the surface is neither.
+    /// The environment in mirrors and glass; all zero where the surface is neither.
     pub sight: Sight,
 }
 
-/// Where the ray of sight meets its body again, from inside.
+/// The point where a view ray inside a body meets its surface again.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Meeting {
     /// World space.
@@ -202,7 +202,7 @@ pub trait Body {
     fn next_meeting(&self, origin: DVec3, direction: DVec3) -> Option<Meeting>;
 }
 
-/// What the point shows. `environment` is `E`: linear radiance from a unit direction. `body` matters where two surfaces
+/// The environment that a point shows. `environment` is `E`: linear radiance from a unit direction. `body` matters where two surfaces
 /// count and the point is seen from outside.
 pub fn sight(
     point: &ShadingPoint,
@@ -237,7 +237,7 @@ pub fn sight(
     seen
 }
 
-/// What a ray of sight that has gone into a body at `origin` along `direction` shows.
+/// The radiance along a view ray that has entered a body at `origin` along `direction`.
 ///
 /// At each meeting the part that is not reflected goes out and shows the environment there; the reflected part goes
 /// on, at most [`MOST_MEETINGS`] times, then it is let go as it points. Every part is weakened by its way inside.

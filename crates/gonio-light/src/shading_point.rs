@@ -33,7 +33,7 @@ impl Default for Surface {
     }
 }
 
-/// Where the equation is evaluated: the geometry of one point. World space.
+/// The geometry of the point at which the equation is evaluated. World space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShadingPoint {
     /// World space, world units.

@@ -33,7 +33,7 @@ pub(crate) struct Environment<'a> {
 
 impl<'a> Environment<'a> {
     /// `None` where the frame has none. `sample_angle_rad` is the angle that a sample in the middle of the picture
-    /// stands for.
+    /// represents.
     ///
     /// Not to be called for each pixel: what the environment makes at the first wish is made here.
     pub fn new(scene: &'a Scene, frame: &Frame, sample_angle_rad: f64) -> Option<Self> {
@@ -135,8 +135,7 @@ impl<'a> Environment<'a> {
         optics::sight(point, index, optics, &radiance, body)
     }
 
-    /// Which of the smaller copies are seen in the direction of `R` and in those of `T`: how far the two turn to the next
-    /// sample says it. What comes out of a body is taken from the copy of the `T` that goes in, and all channels from
+    /// The levels of the environment for `R` and for `T`, by the angle between neighbouring samples. What comes out of a body is taken from the copy of the `T` that goes in, and all channels from
     /// that of the middle one.
     fn levels(
         &self,

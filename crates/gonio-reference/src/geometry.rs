@@ -24,7 +24,7 @@ pub(crate) struct Triangle {
     pub material: u32,
     /// Index of the triangle in its mesh.
     pub in_mesh: u32,
-    /// What is behind may show through.
+    /// Whether surfaces behind it may be visible.
     pub transparent: bool,
     /// Back faces are never hit.
     pub closed: bool,
@@ -39,13 +39,13 @@ pub(crate) struct Placement {
     pub world_from_model: DMat3,
     /// -1 where `M` mirrors, else 1.
     pub handedness: f64,
-    /// Of the box around the object, world units; 0 where no ray of sight goes through the object.
+    /// The diagonal of the box around the object, world units; 0 where no view ray goes through the object.
     pub diagonal: f64,
 }
 
 /// Geometry in world space.
 pub(crate) struct WorldGeometry {
-    /// Of all objects, one after the other.
+    /// The vertices of all objects, one object after the other.
     pub positions: Vec<DVec3>,
     /// Unit, or zero where the mesh's normal is degenerate; by the inverse transpose of `M`.
     pub normals: Vec<DVec3>,
@@ -192,7 +192,7 @@ impl Tree {
     }
 }
 
-/// What `obvhs::bvh2::builder::build_bvh2` does, but for its clock: there is none on the web.
+/// Same as `obvhs::bvh2::builder::build_bvh2`, without its clock, which the web does not have.
 fn build(boxes: &[Aabb], parameters: &BvhBuildParams) -> Bvh2 {
     let p = parameters;
     let order: Vec<u32> = (0..boxes.len() as u32).collect();

@@ -21,7 +21,7 @@ pub(crate) struct EyeSpace {
     pub half_extent: DVec2,
     /// Pixels.
     pub size: DVec2,
-    /// The part of a pixel's width that a ray stands for.
+    /// The part of a pixel's width that a ray represents.
     pub sample_width: f64,
     /// [`WorldGeometry::positions`] in eye space.
     pub positions: Vec<DVec3>,
@@ -48,7 +48,7 @@ impl RaySpace for EyeSpace {
     }
 }
 
-/// Where a ray meets a triangle.
+/// The intersection of a ray and a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Crossing {
     /// Weights of the corners; their sum is 1.
@@ -107,7 +107,7 @@ fn edge_functions([a, b, c]: &[DVec3; 3], ray: DVec2) -> ([f64; 3], [DVec2; 3]) 
     ([edge(b, c), edge(c, a), edge(a, b)], [a, b, c])
 }
 
-/// Where the ray meets the triangle, at any depth (behind the eye too), or `None`.
+/// The intersection of the ray and the triangle at any depth (behind the eye too), or `None`.
 #[inline]
 pub(crate) fn cross(corners: &[DVec3; 3], ray: DVec2) -> Option<Crossing> {
     let (e, sheared) = edge_functions(corners, ray);

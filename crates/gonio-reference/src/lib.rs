@@ -25,7 +25,7 @@
 //!   top-left rule;
 //! - surfaces that are not opaque are composited from front to back ("over", Porter and Duff 1984), at most
 //!   [`MAX_LAYERS`] of them; below an opacity of [`HOLE`] there is a hole;
-//! - a debug view shows the nearest surface that is no hole, as if it were opaque.
+//! - a debug view shows the nearest surface that is not a hole, as if it were opaque.
 
 mod body;
 mod environment;
@@ -129,13 +129,13 @@ impl ReferenceScene {
         panorama::panorama(self, frame, width, height)
     }
 
-    /// What is seen from the frame's camera through one face of a cube whose edges are along the world's axes, as a
+    /// The view from the frame's camera through one face of a cube whose edges are along the world's axes, as a
     /// picture of that face in a layout; else as [`Self::panorama`]. A size of 0 counts as 1.
     pub fn cube_face(&self, frame: &Frame, face: Face, layout: Layout, size: u32) -> Picture {
         panorama::cube_face(self, frame, face, layout, size)
     }
 
-    /// What is behind all objects in the pixel in column `x` of row `y` (from the top left), at its centre: the
+    /// The radiance behind all objects in the pixel in column `x` of row `y` (from the top left), at its centre: the
     /// environment where it is seen, else the background. Premultiplied RGBA.
     pub fn behind(&self, frame: &Frame, x: u32, y: u32) -> [f64; 4] {
         probe::behind(self, frame, x, y).to_array()

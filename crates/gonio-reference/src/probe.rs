@@ -49,7 +49,7 @@ pub struct Probe {
     pub front_facing: bool,
     /// The normals were turned to the viewer, as the frame is two-sided and the back is seen.
     pub normal_turned: bool,
-    /// Where the equation is evaluated.
+    /// The points at which the equation is evaluated.
     pub shading: Shading,
     /// The material at the pixel, textures and vertex colours included.
     #[serde(with = "report::SurfaceReport")]
@@ -71,10 +71,10 @@ pub struct Probe {
     pub interpolated: Option<LightSums>,
     /// The light equation's value as the shading has it, without the environment.
     pub lit: DVec3,
-    /// How the material shows the environment; plain where the frame has none.
+    /// Reflection and refraction of the environment; plain where the frame has none.
     #[serde(with = "report::OpticsReport")]
     pub optics: Optics,
-    /// What the surface sends to the eye: `lit` and the environment's light, as `optics` let them be seen.
+    /// The radiance from the surface to the eye: `lit` and the environment's light, as `optics` let them be seen.
     pub radiance: DVec3,
     /// The number of surfaces that are visible behind it.
     pub surfaces_behind: usize,
@@ -89,7 +89,7 @@ pub struct TexelReport {
     pub map: &'static str,
     /// The texture's file.
     pub texture: String,
-    /// Where it was read: scale and offset applied, v up.
+    /// The coordinates at which it was read, scale and offset applied, v up.
     pub uv: DVec2,
     /// RGBA as filtered, colours linear.
     pub value: DVec4,

@@ -84,7 +84,7 @@ impl Ray {
 struct Line {
     origin: DVec3,
     direction: DVec3,
-    /// What every box is grown by: beyond the rounding of all that is computed with it.
+    /// The margin added to every box, larger than the rounding errors.
     slack: f64,
 }
 
@@ -93,7 +93,7 @@ impl Line {
         Line { origin, direction, slack: 1e-12 * (1.0 + origin.abs().max_element()) }
     }
 
-    /// Where the ray goes into the box, in the tree's units, not negative; `None` where it misses it or meets it beyond
+    /// The distance at which the ray enters the box, in the tree's units, not negative; `None` where it misses it or meets it beyond
     /// `reach`.
     fn entry(&self, node: &Bvh2Node, reach: f64) -> Option<f64> {
         let aabb = node.aabb();

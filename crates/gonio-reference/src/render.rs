@@ -99,7 +99,7 @@ impl<'a> FrameContext<'a> {
         .take(MAX_LAYERS)
     }
 
-    /// What is behind all objects, premultiplied RGBA: the environment in a unit direction in the world, or the
+    /// The radiance behind all objects, premultiplied RGBA: the environment in a unit direction in the world, or the
     /// background at a height in the picture, 0 at its top and 1 at its bottom.
     pub fn behind(&self, direction: impl FnOnce() -> DVec3, height: f64) -> DVec4 {
         let seen = self.shader.environment.as_ref().and_then(|e| e.background(direction));

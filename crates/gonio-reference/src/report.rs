@@ -1,4 +1,4 @@
-//! How the types of `gonio-light` are written in a report: field by field, under their own names.
+//! Serialization of the types of `gonio-light` in reports.
 
 use glam::{DVec2, DVec3};
 use gonio_light::optics::EnvironmentTerms;

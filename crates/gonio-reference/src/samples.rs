@@ -43,7 +43,7 @@ pub fn sample_positions(count: u32) -> Vec<[f64; 2]> {
     sixteenths.iter().map(|p| p.map(|v| 0.5 + f64::from(v) / 16.0)).collect()
 }
 
-/// The part of a pixel's width that each of `count` samples stands for: the footprint by which a sample's texture is
+/// The part of a pixel's width that each of `count` samples represents: the footprint by which a sample's texture is
 /// filtered. With a whole pixel's footprint the average of the samples would be blurred twice.
 pub(crate) fn sample_width(count: u32) -> f64 {
     1.0 / f64::from(count.max(1)).sqrt()

@@ -65,7 +65,7 @@ struct Pyramid {
     front: DVec3,
     near: f64,
     far: f64,
-    /// What every box is grown by: beyond the rounding of all that is computed with it.
+    /// The margin added to every box, larger than the rounding errors.
     slack: f64,
 }
 

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use std::sync::Arc;
 
 /// Fills in `meshes` and `objects` of `loaded`, whose materials are there: objects in the scene's order, tangents where
-/// a normal map wants them. `mesh_of_object` indexes `cache`, `first_material` the materials.
+/// a normal map needs them. `mesh_of_object` indexes `cache`, `first_material` the materials.
 pub(crate) fn assemble(
     loaded: &mut Scene,
     specs: &[ObjectSpec],
@@ -50,7 +50,7 @@ pub(crate) fn assemble(
         let [first, second] = if tangents { [&of.with_tangents, &of.plain] } else { [&of.plain, &of.with_tangents] };
         loaded.meshes.push(first.as_ref().or(second.as_ref()).cloned().unwrap_or_default());
     }
-    // Tangents harm nobody: where a mesh has them, the one without is kept only while it is drawn.
+    // A mesh with tangents can replace the one without, which is kept only while it is drawn.
     for (m, of) in cache.iter_mut().enumerate() {
         if of.with_tangents.is_some() && !wanted.contains(&(m, false)) {
             of.plain = None;

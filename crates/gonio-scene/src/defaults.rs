@@ -6,7 +6,7 @@
 use crate::color_value::Color;
 use gonio_light::Convention;
 
-/// Which way is up.
+/// The up direction.
 pub const UP: [f64; 3] = [0.0, 1.0, 0.0];
 /// Yaw of a camera that has only a pitch, degrees: along -Z.
 pub const YAW: f64 = -90.0;
@@ -14,9 +14,9 @@ pub const YAW: f64 = -90.0;
 pub const PITCH: f64 = 0.0;
 /// Full vertical field of view, degrees: about that of a portrait lens.
 pub const FOV_Y: f64 = 40.0;
-/// Distance of the near plane where there are no objects to choose it by, world units.
+/// Distance of the near plane of a scene without objects, world units.
 pub const NEAR: f64 = 0.1;
-/// Distance of the far plane where there are no objects to choose it by, world units.
+/// Distance of the far plane of a scene without objects, world units.
 pub const FAR: f64 = 100.0;
 
 /// The colour of a light.

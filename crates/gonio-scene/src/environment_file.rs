@@ -393,7 +393,7 @@ fn sorted_names(entries: Vec<PathBuf>) -> Vec<String> {
     names
 }
 
-/// Whether a name is one of a pattern's, in which each `*` stands for any letters.
+/// Whether a name matches a pattern, in which `*` matches any letters.
 fn matches(pattern: &str, name: &str) -> bool {
     match pattern.split_once('*') {
         None => pattern == name,

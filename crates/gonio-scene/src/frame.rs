@@ -49,7 +49,7 @@ pub struct Frame {
     pub time: f64,
     /// The eye.
     pub camera: Camera,
-    /// Where the lights are at `time`, in the scene's order.
+    /// The lights at `time`, in the scene's order.
     pub lights: Vec<Light>,
     /// The form of the equation.
     pub equation: Equation,

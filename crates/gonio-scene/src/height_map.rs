@@ -1,4 +1,4 @@
-//! Bump maps: heights become normals, and normal maps are told from heights.
+//! Bump maps: heights become normals, and normal maps are distinguished from height maps.
 
 use crate::image_file::Decoded;
 

@@ -82,7 +82,7 @@ pub fn load_within(
         diagnostics.append(&mut model.model.diagnostics);
     }
 
-    // The wanted (model, normals), each once.
+    // The needed (model, normals), each once.
     let mut wanted: Vec<(usize, NormalChoice)> = Vec::new();
     let mut prepared_of_object = Vec::with_capacity(scene.objects.len());
     for (object, &m) in scene.objects.iter().zip(&model_of_object) {
@@ -93,7 +93,7 @@ pub fn load_within(
         }
         prepared_of_object.push(index);
     }
-    // The last that wants a model's mesh gets it; others copies.
+    // The last user of a model's mesh takes it; others get copies.
     let mut meshes = Vec::with_capacity(wanted.len());
     for (i, (m, _)) in wanted.iter().enumerate() {
         let mesh = &mut models[*m].model.mesh;

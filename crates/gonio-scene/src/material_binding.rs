@@ -12,7 +12,7 @@ use gonio_light::Optics;
 use gonio_mesh::{Diagnostic, Format, Material, TextureMap};
 use std::sync::Arc;
 
-/// A texture that was asked for: the job, and the map that says how it lies.
+/// A requested texture: the job, and the map with its placement.
 type Request = Option<(usize, TextureMap)>;
 
 struct PendingMaterial {
@@ -46,12 +46,12 @@ pub(crate) struct MaterialBinder<'a> {
 }
 
 impl MaterialBinder<'static> {
-    /// Of textures that are known already.
+    /// Binds textures of the cache only.
     pub fn from_cache(cache: &TextureCache) -> Self {
         MaterialBinder { library: TextureLibrary::from_cache(cache), pending: Vec::new(), known: Vec::new() }
     }
 
-    /// [`Self::finish`] without files: `None` where a texture is wanted that the cache lacks.
+    /// [`Self::finish`] without files: `None` where the cache lacks a texture.
     pub fn recall(self, cache: &TextureCache) -> Option<Bound> {
         Some(bound(&self.pending, self.library.recall(cache)?))
     }

@@ -8,7 +8,7 @@ use glam::{DMat4, DVec3};
 use gonio_light::vector::unit;
 use gonio_mesh::{Diagnostic, ModelCamera, ModelLight, ModelLightKind, ReadError};
 
-/// Lights whose sum in the middle of the objects lies between these are taken as they are.
+/// Lights whose sum at the centre of the objects lies between these are not scaled.
 const USUAL_LIGHT: (f64, f64) = (0.25, 4.0);
 
 /// Replaces `camera.from_model` by the values of that camera. Values that the scene gives itself stay.
@@ -65,7 +65,7 @@ fn spec_of(camera: &ModelCamera, world_from_model: DMat4) -> CameraSpec {
 /// Gives a scene without lights those of its model files.
 ///
 /// Their units are those of photometry or of a program's own (candela, watts), whose numbers would need a camera's
-/// exposure: where their sum in the middle of the objects is no usual one, all are scaled alike, so that it is 1.
+/// exposure: where their sum at the centre of the objects is unusual, all are scaled by one factor, so that it is 1.
 pub(crate) fn take_lights(
     scene: &mut SceneFile,
     models: &[ModelFile],

@@ -125,7 +125,7 @@ fn read_material(text: &str) -> Result<MaterialOverride, Fault> {
     Ok(spec)
 }
 
-/// What a bare word stands for.
+/// The entry that a word without `=` abbreviates.
 fn preset(span: &Range<usize>, word: &str) -> Result<Entry, Fault> {
     if word.eq_ignore_ascii_case("mirror") {
         return Ok(entry("reflectivity", span, Value::Number(1.0), span));

@@ -113,7 +113,7 @@ fn near(u: f64, wrap: Wrap) -> f64 {
     }
 }
 
-/// The texel of `0..size` that stands for number `k` (OpenGL 4.6 core, table 8.20).
+/// The texel of `0..size` for number `k` (OpenGL 4.6 core, table 8.20).
 fn inside(k: i64, size: u32, wrap: Wrap) -> i64 {
     let size = i64::from(size);
     match wrap {

@@ -41,7 +41,7 @@ pub struct Scene {
 
 impl Scene {
     /// Gives every mesh with texture coordinates its tangents, for a view that shows them: loading makes
-    /// only those that a normal map wants, since they take longer than everything else.
+    /// only those that a normal map needs, since they take longer than everything else.
     pub fn add_tangents(&mut self) {
         for mesh in self.meshes.iter_mut().filter(|mesh| mesh.tangents.is_empty()) {
             if let Some(with_tangents) = gonio_mesh::tangents::with_tangents(mesh) {
@@ -99,7 +99,7 @@ pub struct Object {
     pub name: String,
     /// Index into [`Scene::meshes`].
     pub mesh: usize,
-    /// Where the equation is evaluated.
+    /// The points at which the equation is evaluated.
     pub shading: Shading,
     /// `M`
     pub world_from_model: DMat4,
@@ -174,7 +174,7 @@ impl BoundTexture {
         BoundTexture { texture, scale: [1.0; 2], rotation: 0.0, offset: [0.0; 2], wrap: [Wrap::Repeat; 2] }
     }
 
-    /// Where in the picture the texture coordinates (u, v) lie is `M * (u, v, 1)`: the columns of M.
+    /// The columns of the matrix `M` that carries texture coordinates to the picture: `M * (u, v, 1)`.
     pub fn uv_matrix(&self) -> [[f32; 2]; 3] {
         let (sin, cos) = self.rotation.sin_cos();
         let [su, sv] = self.scale;

@@ -16,7 +16,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 named_enum! {
-    /// Where the equation is evaluated.
+    /// The points at which the equation is evaluated.
     pub enum Shading {
         /// One normal per triangle, the equation at every fragment.
         Flat = "flat",
@@ -32,7 +32,7 @@ named_enum! {
 }
 
 named_enum! {
-    /// Which normals a mesh gets.
+    /// The normals of a mesh.
     pub enum Normals {
         /// The file's; averaged where it has none.
         File = "file",
@@ -164,7 +164,7 @@ pub struct CameraSpec {
     /// Degrees; positive looks up.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pitch: Option<f64>,
-    /// Which way is up.
+    /// The up direction.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("default" = defaults::UP))]
     pub up: Option<[f64; 3]>,
@@ -320,9 +320,9 @@ pub struct ObjectSpec {
     pub rotate: [f64; 3],
     /// Applied first, per axis.
     pub scale: [f64; 3],
-    /// Where the equation is evaluated.
+    /// The points at which the equation is evaluated.
     pub shading: Shading,
-    /// Which normals the mesh gets.
+    /// The normals of the mesh.
     pub normals: Normals,
     /// Of averaged normals: faces that differ by more than this many degrees are not averaged; 180, as without it,
     /// averages all.
@@ -394,13 +394,13 @@ pub struct MaterialOverride {
     /// Colour of what is let through.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tint: Option<Color>,
-    /// Of a body with two refracting surfaces, per world unit and channel.
+    /// Absorption in a body with two refracting surfaces, per world unit and channel.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub absorption: Option<Color>,
     /// Index of refraction for blue less that for red.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub dispersion: Option<f64>,
-    /// Where light is refracted: one surface, as in the lab, or two.
+    /// The refracting surfaces: one, as in the lab, or two.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub surfaces: Option<Surfaces>,
 }

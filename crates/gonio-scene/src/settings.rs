@@ -33,7 +33,7 @@ pub struct SceneSettings {
     pub lights: Vec<LightSettings>,
 }
 
-/// What a camera looks at.
+/// The target or the direction of a camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Aim {
     /// A point, world space.
@@ -52,9 +52,9 @@ pub enum Aim {
 pub struct CameraSettings {
     /// The eye, world space.
     pub position: [f64; 3],
-    /// What it looks at.
+    /// The target or the direction.
     pub aim: Aim,
-    /// Which way is up, world space.
+    /// The up direction, world space.
     pub up: [f64; 3],
     /// Full vertical field of view, degrees.
     pub fov_y: f64,
@@ -115,7 +115,7 @@ pub struct EnvironmentSettings {
     pub light: bool,
     /// Whether it is seen behind the objects.
     pub visible: bool,
-    /// How blurred it is there, 0 to 1.
+    /// Blur of the background, 0 to 1.
     pub blur: f64,
     /// Another environment to be seen there.
     pub background: Option<String>,
@@ -232,7 +232,7 @@ pub struct LightSettings {
     pub inner_angle: f64,
     /// Half angle at which the light ends, degrees, for spots.
     pub outer_angle: f64,
-    /// How it moves with time; `None` where it does not.
+    /// Its motion; `None` where it does not move.
     pub motion: Option<Motion>,
 }
 
@@ -272,21 +272,21 @@ impl From<LightSpec> for LightSettings {
     }
 }
 
-/// How a light moves with time.
+/// The motion of a light.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
     /// Seconds until it is back, > 0.
     pub period: f64,
-    /// The way that it goes.
+    /// The path.
     pub path: MotionPath,
 }
 
-/// The way that a moving light goes.
+/// The path of a moving light.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MotionPath {
     /// position + amplitude * sin(2 pi time / period)
     Oscillate {
-        /// How far to each side, world space.
+        /// The largest displacement, world space.
         amplitude: [f64; 3],
     },
     /// Around `center` about `axis`, starting at the light's position.

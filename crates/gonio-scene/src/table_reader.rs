@@ -18,7 +18,7 @@ pub(crate) struct TableReader<'a> {
 }
 
 impl<'a> TableReader<'a> {
-    /// Of `item`, which must be a table.
+    /// Reads `item`, which must be a table.
     pub fn new(heading: impl Into<String>, item: &'a Item) -> Result<Self, Fault> {
         let heading = heading.into();
         match &item.value {

@@ -5,7 +5,7 @@ use gonio_light::named_enum;
 use std::sync::OnceLock;
 
 named_enum! {
-    /// How textures are sampled.
+    /// The filter of textures.
     pub enum TextureFilter {
         /// The nearest texel.
         Nearest = "nearest",

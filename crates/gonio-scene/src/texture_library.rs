@@ -70,7 +70,7 @@ type Found = Result<usize, MissingSidecar>;
 type Sought = (String, Vec<PathBuf>);
 
 /// The pictures found and textures made, kept so that other materials of the same models can be bound without the files. It has the
-/// pictures' paths and not their bytes: a file that is mapped may be written anew by whoever edits it.
+/// pictures' paths and not their bytes: a file that is mapped may be overwritten by an editor.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct TextureCache {
     paths: Vec<PathBuf>,
@@ -81,14 +81,14 @@ pub(crate) struct TextureCache {
 
 /// The textures that were asked for.
 pub(crate) struct TextureLibrary<'a> {
-    /// Where to read and what pays for it; `None`: only what the cache has.
+    /// The source of files and the budget; `None` where only the cache may be used.
     files: Option<(&'a dyn FileSource, &'a Budget)>,
-    /// Something was asked for that the cache lacks.
+    /// Whether the cache lacks a requested texture.
     lacks: bool,
     pictures: Vec<Picture>,
     jobs: Vec<Job>,
     by_use: HashMap<(Vec<usize>, Purpose), usize>,
-    /// By name and folders: what was sought once is not sought again.
+    /// Results by name and folders, so that no search is repeated.
     found: HashMap<Sought, Found>,
     uses: Vec<(TextureUse, Option<usize>)>,
     /// Model, material, key, name and line of each of `uses`.
@@ -107,7 +107,7 @@ pub(crate) struct DecodedLibrary {
 }
 
 impl TextureLibrary<'static> {
-    /// Of what is known, without files.
+    /// Takes textures from the cache only, without files.
     pub fn from_cache(cache: &TextureCache) -> Self {
         let nothing = || FileBytes::from_static(&[]);
         let pictures = cache.paths.iter().map(|path| Picture { path: path.clone(), bytes: nothing() }).collect();

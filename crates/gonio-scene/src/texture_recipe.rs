@@ -55,7 +55,7 @@ impl Rule {
         self == Rule::new(TexelRule { channel: self.channel, ..TexelRule::default() })
     }
 
-    /// Of a number from 0 to 255.
+    /// Applies the rule to a number from 0 to 255.
     fn apply(self, value: u8) -> u8 {
         let value = f32::from_bits(self.base) + f32::from_bits(self.gain) * f32::from(value) / 255.0;
         let value = match self.cutoff.map(f32::from_bits) {
@@ -133,7 +133,7 @@ fn color(picture: &mut Decoded, rule: Rule) {
     }
 }
 
-/// The value that is wanted goes to red.
+/// Moves the value in use to the red channel.
 fn scalar(picture: &mut Decoded, rule: Rule, usual: Channel) {
     let channel = rule.channel.unwrap_or(usual);
     if channel == Channel::Red && rule.is_plain() {

@@ -63,7 +63,7 @@ pub fn above_horizon(n: DVec3, v: DVec3, l: DVec3) -> bool {
 /// A BRDF with what it needs besides the surface's `a = k_d`, `b = k_s` and `c = shininess`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BrdfSettings {
-    /// Which one.
+    /// The BRDF.
     pub kind: BrdfKind,
     /// With the factor that keeps the lobe's albedo at most `b`.
     pub normalised: bool,

@@ -13,7 +13,7 @@
 //! is `2 pi / (c + 2)`) and smaller elsewhere, where part of the lobe falls below the horizon.
 //!
 //! *Source*: B. T. Phong, *Illumination for Computer Generated Pictures*, CACM 18(6), 1975: the term
-//! `W(i) cos^n s`, which the paper adds *without* the factor `cos i`: it is no BRDF. The reciprocal
+//! `W(i) cos^n s`, which the paper adds *without* the factor `cos i`: it is not a BRDF. The reciprocal
 //! form here and its factor: E. P. Lafortune and Y. D. Willems, *Using the Modified Phong
 //! Reflectance Model for Physically Based Rendering*, report CW 197, K. U. Leuven, 1994.
 //! *The seed's print* (Appendix 6) writes `cos^c (2<w_i|n><w_o|n> - <w_i|w_o>)`: its argument is a

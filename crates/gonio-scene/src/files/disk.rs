@@ -144,7 +144,7 @@ pub struct DiskAndInput {
 /// The content of a pipe.
 type Piped = Result<Arc<Vec<u8>>, Failed>;
 
-/// An error that can be told more than once.
+/// An error that can be returned more than once.
 #[derive(Clone)]
 enum Failed {
     Refused(Refusal),

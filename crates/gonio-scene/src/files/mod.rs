@@ -46,7 +46,7 @@ pub trait FileSource: Send + Sync {
     }
 }
 
-/// Forwards everything, so that a source can be wrapped by whoever has only borrowed or shares it.
+/// Forwards everything, so that a borrowed or shared source can be wrapped.
 macro_rules! forward {
     ($($pointer:ty),+) => {
         $(impl<S: FileSource + ?Sized> FileSource for $pointer {
@@ -211,7 +211,7 @@ impl NotFound {
     }
 }
 
-/// `part` below `folder`, each of its names taken in whatever case it stands there.
+/// Finds `part` below `folder`, whatever the case of its names.
 fn in_any_case(files: &dyn FileSource, folder: &Path, part: &str) -> Option<PathBuf> {
     if part.starts_with('/') {
         return None;

@@ -18,7 +18,7 @@ pub struct Difference {
     pub here: &'static str,
 }
 
-/// A feature, how it is told, and who reads it in another way.
+/// A feature, its test, and the programs that read it differently.
 struct Known {
     is_there: fn(&ModelFile, &[TextureUse]) -> bool,
     difference: Difference,

@@ -42,9 +42,9 @@ pub struct Inspection {
     pub normals: NormalReport,
     /// Each material, value by value.
     pub materials: Vec<MaterialReport>,
-    /// The files that it names (textures apart), and where they were sought.
+    /// The files that it names (textures apart), and the paths that were searched.
     pub files: Vec<SidecarUse>,
-    /// The textures that its materials name, and where they were sought.
+    /// The textures that its materials name, and the paths that were searched.
     pub textures: Vec<TextureUse>,
     /// Pictures inside it.
     pub images: Vec<ImageReport>,
@@ -63,7 +63,7 @@ pub struct Inspection {
 pub struct Count {
     /// The format's own name.
     pub what: String,
-    /// How many.
+    /// The count.
     pub count: u64,
 }
 
@@ -85,7 +85,7 @@ pub struct GeometryReport {
     pub tex_coords: Option<[[f32; 2]; 2]>,
     /// Whether vertices have colours.
     pub colors: bool,
-    /// How many smoothing groups there are, 0 ("off") not counted; `None` where the file says nothing.
+    /// The number of smoothing groups without 0 ("off"); `None` where the file has none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub smoothing_groups: Option<usize>,
     /// Bytes of each array in memory, as a GPU gets it.
@@ -95,18 +95,18 @@ pub struct GeometryReport {
 /// A run of triangles.
 #[derive(Debug, Serialize)]
 pub struct PartReport {
-    /// Of the object or group.
+    /// The name of the object or group.
     pub name: String,
     /// The material's name.
     pub material: String,
-    /// How many.
+    /// The count.
     pub triangles: usize,
 }
 
 /// The source of normals.
 #[derive(Debug, Serialize)]
 pub struct NormalReport {
-    /// Of the mesh that is drawn.
+    /// The source of the normals in the mesh.
     pub source: NormalSource,
     /// The number of generated normals.
     pub notes: Vec<String>,
@@ -157,7 +157,7 @@ pub fn inspect(input: &str, files: &dyn FileSource, limits: &Limits) -> Result<I
     })
 }
 
-/// What line `line` (from 1) of the OBJ or MTL file called `input` says.
+/// Explains line `line` (from 1) of the OBJ or MTL file `input`.
 pub fn explain_line(
     input: &str,
     line: u64,
