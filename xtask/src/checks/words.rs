@@ -5,7 +5,8 @@ use super::tree::TextFile;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Terms of the glossary that exactly one type of the workspace may have as its name, private types included.
-pub const TERMS: &[&str] = &["SceneFile"];
+pub const TERMS: &[&str] =
+    &["Frame", "Scene", "SceneFile", "Source", "Stage", "Submission", "Target", "Testbench", "Verdict"];
 
 /// How many names public types of several crates may share. A name that two crates declare for the same idea in different
 /// layers (a reader's `Limits`) is counted all the same; new ones want a reason.

@@ -138,7 +138,7 @@ pub(super) struct Triangle {
 
 /// What a slot leads to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-enum Target {
+enum AttributeSlot {
     Empty,
     /// Behind a list's end.
     Nowhere,
@@ -151,7 +151,7 @@ impl Reader {
         if self.order == Order::FacesIgnored {
             return self.faces_ignored(source);
         }
-        let mut faces: Vec<(usize, Vec<[Target; 3]>)> = self
+        let mut faces: Vec<(usize, Vec<[AttributeSlot; 3]>)> = self
             .faces(source)
             .map(|(number, face)| {
                 (number, face.corners.iter().map(|slots| self.targets(source, face, slots)).collect())
@@ -186,17 +186,19 @@ impl Reader {
         })
     }
 
-    fn targets(&self, source: &ObjLines, face: &Face, slots: &Slots) -> [Target; 3] {
+    fn targets(&self, source: &ObjLines, face: &Face, slots: &Slots) -> [AttributeSlot; 3] {
         let [v, vt, vn] = *slots;
         let slots = match self.slots {
             SlotUse::Right => [v, vt, vn],
             SlotUse::Swapped => [v, vn, vt],
             SlotUse::EmptyPassedOver => [v, vt.or(vn), vn.filter(|_| vt.is_some())],
         };
-        std::array::from_fn(|kind| slots[kind].map_or(Target::Empty, |index| self.target(source, face, kind, index)))
+        std::array::from_fn(|kind| {
+            slots[kind].map_or(AttributeSlot::Empty, |index| self.target(source, face, kind, index))
+        })
     }
 
-    fn target(&self, source: &ObjLines, face: &Face, kind: usize, index: i64) -> Target {
+    fn target(&self, source: &ObjLines, face: &Face, kind: usize, index: i64) -> AttributeSlot {
         let total = [source.positions.len(), source.tex_coords.len(), source.normals.len()][kind];
         let index = if self.negative == Negative::Positive { index.saturating_abs() } else { index };
         let before = match self.negative {
@@ -210,12 +212,12 @@ impl Reader {
             let shift = start + i64::from(self.from_zero[kind]) + i64::from(self.skips_first) - 1;
             index.saturating_add(shift)
         };
-        usize::try_from(place).ok().filter(|place| *place < total).map_or(Target::Nowhere, Target::At)
+        usize::try_from(place).ok().filter(|place| *place < total).map_or(AttributeSlot::Nowhere, AttributeSlot::At)
     }
 
-    fn corner(&self, source: &ObjLines, targets: &[Target; 3], first: &[Target; 3]) -> Corner {
+    fn corner(&self, source: &ObjLines, targets: &[AttributeSlot; 3], first: &[AttributeSlot; 3]) -> Corner {
         let position = match targets[0] {
-            Target::At(place) => source.positions.get(place).map(|p| self.turn(self.cut(*p))),
+            AttributeSlot::At(place) => source.positions.get(place).map(|p| self.turn(self.cut(*p))),
             _ => None,
         };
         let tex_coord = match self.chosen(self.tex_coord, 1, targets, first) {
@@ -229,7 +231,13 @@ impl Reader {
         Corner { position, tex_coord, normal }
     }
 
-    fn chosen(&self, from: From, kind: usize, targets: &[Target; 3], first: &[Target; 3]) -> Result<Target, [f32; 3]> {
+    fn chosen(
+        &self,
+        from: From,
+        kind: usize,
+        targets: &[AttributeSlot; 3],
+        first: &[AttributeSlot; 3],
+    ) -> Result<AttributeSlot, [f32; 3]> {
         match from {
             From::Own => Ok(targets[kind]),
             From::Position => Ok(targets[0]),
@@ -274,7 +282,7 @@ impl Reader {
         Triangle { corners, face }
     }
 
-    fn triangles(&self, source: &ObjLines, faces: &[(usize, Vec<[Target; 3]>)]) -> Vec<Triangle> {
+    fn triangles(&self, source: &ObjLines, faces: &[(usize, Vec<[AttributeSlot; 3]>)]) -> Vec<Triangle> {
         let mut triangles = Vec::new();
         for (number, targets) in faces {
             let corners: Vec<Corner> = targets.iter().map(|corner| self.corner(source, corner, &targets[0])).collect();
@@ -293,7 +301,7 @@ impl Reader {
         triangles
     }
 
-    fn stream(&self, source: &ObjLines, faces: &[(usize, Vec<[Target; 3]>)]) -> Vec<Triangle> {
+    fn stream(&self, source: &ObjLines, faces: &[(usize, Vec<[AttributeSlot; 3]>)]) -> Vec<Triangle> {
         let corners: Vec<(usize, Corner)> = faces
             .iter()
             .flat_map(|(number, targets)| {
@@ -304,7 +312,7 @@ impl Reader {
         triangles.map(|triangle| self.triangle(triangle.map(|(_, corner)| corner), Some(triangle[0].0))).collect()
     }
 
-    fn each_once(&self, source: &ObjLines, faces: &[(usize, Vec<[Target; 3]>)]) -> Vec<Triangle> {
+    fn each_once(&self, source: &ObjLines, faces: &[(usize, Vec<[AttributeSlot; 3]>)]) -> Vec<Triangle> {
         let mut seen = std::collections::HashSet::new();
         let corners = faces.iter().flat_map(|(_, targets)| targets.iter().map(move |corner| (corner, &targets[0])));
         let unseen = corners.filter(|(corner, _)| seen.insert(**corner));
@@ -314,8 +322,8 @@ impl Reader {
 
     fn faces_ignored(&self, source: &ObjLines) -> Vec<Triangle> {
         let vertex = |i: usize| {
-            let at = |count: usize| if i < count { Target::At(i) } else { Target::Nowhere };
-            let targets = [Target::At(i), at(source.tex_coords.len()), at(source.normals.len())];
+            let at = |count: usize| if i < count { AttributeSlot::At(i) } else { AttributeSlot::Nowhere };
+            let targets = [AttributeSlot::At(i), at(source.tex_coords.len()), at(source.normals.len())];
             self.corner(source, &targets, &targets)
         };
         let vertices: Vec<Corner> = (usize::from(self.skips_first)..source.positions.len()).map(vertex).collect();
@@ -324,19 +332,19 @@ impl Reader {
 }
 
 /// The value; zero where the slot is empty.
-fn follow<const N: usize>(target: Target, values: &[[f32; N]]) -> Option<[f32; N]> {
+fn follow<const N: usize>(target: AttributeSlot, values: &[[f32; N]]) -> Option<[f32; N]> {
     match target {
-        Target::Empty => Some([0.0; N]),
-        Target::Nowhere => None,
-        Target::At(place) => values.get(place).copied(),
+        AttributeSlot::Empty => Some([0.0; N]),
+        AttributeSlot::Nowhere => None,
+        AttributeSlot::At(place) => values.get(place).copied(),
     }
 }
 
 /// Gives each position the other two of one corner.
-fn unsplit(faces: &mut [(usize, Vec<[Target; 3]>)], positions: usize, which: Which) {
-    let mut kept: Vec<Option<[Target; 3]>> = vec![None; positions];
+fn unsplit(faces: &mut [(usize, Vec<[AttributeSlot; 3]>)], positions: usize, which: Which) {
+    let mut kept: Vec<Option<[AttributeSlot; 3]>> = vec![None; positions];
     for corner in faces.iter().flat_map(|(_, corners)| corners) {
-        if let Target::At(place) = corner[0]
+        if let AttributeSlot::At(place) = corner[0]
             && let Some(kept) = kept.get_mut(place)
         {
             if which == Which::Last {
@@ -347,7 +355,7 @@ fn unsplit(faces: &mut [(usize, Vec<[Target; 3]>)], positions: usize, which: Whi
         }
     }
     for corner in faces.iter_mut().flat_map(|(_, corners)| corners) {
-        if let Target::At(place) = corner[0]
+        if let AttributeSlot::At(place) = corner[0]
             && let Some(Some(kept)) = kept.get(place)
         {
             *corner = *kept;

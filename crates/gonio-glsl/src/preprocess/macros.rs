@@ -2,14 +2,14 @@
 
 use std::rc::Rc;
 
-use super::{Frame, Macro, Preprocessor};
+use super::{Macro, OpenMacro, Preprocessor};
 use crate::lex::{Token, TokenKind};
 use crate::limits::{MOST_EXPANDED, MOST_MACROS_IN_ARGUMENTS, MOST_MACROS_IN_MACROS, MOST_NAME_BYTES};
 use crate::{Limit, Problem, Span};
 
 impl Preprocessor<'_> {
     /// Returns the token itself, or `None` if it was a macro, whose body was pushed to `frames`.
-    pub(super) fn expand(&mut self, mut token: Token, frames: &mut Vec<Frame>, from_file: bool) -> Option<Token> {
+    pub(super) fn expand(&mut self, mut token: Token, frames: &mut Vec<OpenMacro>, from_file: bool) -> Option<Token> {
         if token.kind != TokenKind::Name || token.frozen {
             return Some(token);
         }
@@ -20,7 +20,7 @@ impl Preprocessor<'_> {
         }
         let Some(found) = self.macros.get(&token.text).cloned() else { return Some(token) };
         // A frame that is used up still counts: the current token may be its last one.
-        let is_open = |frame: &Frame| frame.name.as_ref() == Some(&token.text);
+        let is_open = |frame: &OpenMacro| frame.name.as_ref() == Some(&token.text);
         if self.disabled.contains(&token.text) || frames.iter().any(is_open) {
             token.frozen = true;
             return Some(token);
@@ -60,7 +60,7 @@ impl Preprocessor<'_> {
             self.give_up(token.span, Limit::Macros);
             return None;
         }
-        frames.push(Frame { tokens, at: 0, name: Some(token.text.clone()) });
+        frames.push(OpenMacro { tokens, at: 0, name: Some(token.text.clone()) });
         None
     }
 
@@ -81,7 +81,7 @@ impl Preprocessor<'_> {
         &mut self,
         name: &Token,
         wanted: usize,
-        frames: &mut Vec<Frame>,
+        frames: &mut Vec<OpenMacro>,
         from_file: bool,
     ) -> Option<(Vec<Vec<Token>>, Span)> {
         self.pull(frames, from_file);
@@ -184,7 +184,7 @@ impl Preprocessor<'_> {
             return tokens;
         }
         self.nested += 1;
-        let mut frames = vec![Frame { tokens, at: 0, name: None }];
+        let mut frames = vec![OpenMacro { tokens, at: 0, name: None }];
         let mut out = Vec::new();
         while let Some(token) = self.pull(&mut frames, false) {
             if let Some(token) = self.expand(token, &mut frames, false) {

@@ -51,7 +51,7 @@ struct Conditional {
 }
 
 /// The remaining tokens of a macro.
-struct Frame {
+struct OpenMacro {
     tokens: Vec<Token>,
     at: usize,
     /// The macro, which is not expanded again in its own body.
@@ -176,7 +176,7 @@ impl Preprocessor<'_> {
     }
 
     /// Returns the next token: of the innermost macro, or else of the file, up to a directive.
-    fn pull(&mut self, frames: &mut Vec<Frame>, from_file: bool) -> Option<Token> {
+    fn pull(&mut self, frames: &mut Vec<OpenMacro>, from_file: bool) -> Option<Token> {
         while let Some(frame) = frames.last_mut() {
             if let Some(token) = frame.tokens.get(frame.at) {
                 frame.at += 1;
@@ -195,7 +195,7 @@ impl Preprocessor<'_> {
         Some(token.clone())
     }
 
-    fn peek_is_open(&self, frames: &[Frame], from_file: bool) -> bool {
+    fn peek_is_open(&self, frames: &[OpenMacro], from_file: bool) -> bool {
         for frame in frames.iter().rev() {
             if let Some(token) = frame.tokens.get(frame.at) {
                 return token.is("(");

@@ -1,7 +1,7 @@
 //! Checking many submissions, each in a process of its own, so that none can harm the others.
 
 use super::check::CheckArgs;
-use super::intake::{Class, Gathered, Submission};
+use super::intake::{Class, ClassMember, Gathered};
 use super::text;
 use crate::output::{FileSet, OutputPath, atomic};
 use crate::report::{CliError, Outcome, Reporter, io_reason};
@@ -169,7 +169,7 @@ fn existing_part_resolved(path: &Path) -> std::io::Result<PathBuf> {
 fn one(
     args: &CheckArgs,
     exercise: &Exercise,
-    submission: &Submission,
+    submission: &ClassMember,
     results: &Path,
     program: &Path,
 ) -> Result<Checked, CliError> {

@@ -1,6 +1,6 @@
 //! `gonio lab score`: measurements of the checker.
 
-use super::intake::{self, Intake, Submission, Submissions};
+use super::intake::{self, ClassMember, Intake, Submissions};
 use super::{exercise, guard};
 use crate::cli::GeneralOptions;
 use crate::page::Page;
@@ -151,7 +151,7 @@ fn measure_in_child(args: &ScoreArgs, exercise: &Exercise, program: &Path) -> Re
 }
 
 /// The submissions in a folder; none if it does not exist, because not every exercise has correct answers of its own.
-fn right_answers(folder: &Path, exercise: &Exercise) -> Result<Vec<Submission>, CliError> {
+fn right_answers(folder: &Path, exercise: &Exercise) -> Result<Vec<ClassMember>, CliError> {
     if !folder.is_dir() {
         return Ok(Vec::new());
     }

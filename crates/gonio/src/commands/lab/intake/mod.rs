@@ -40,19 +40,19 @@ pub enum Intake {
 /// Several submissions.
 pub struct Class {
     /// The submissions in order of their labels, which are unique.
-    pub submissions: Vec<Submission>,
+    pub submissions: Vec<ClassMember>,
     /// Entries that belong to no submission: `name (reason)`.
     pub skipped: Vec<String>,
 }
 
-/// One submission of several. [`Submission::gather`] reads its files.
-pub struct Submission {
+/// One submission of several. [`ClassMember::gather`] reads its files.
+pub struct ClassMember {
     /// The name of the student, folder or archive.
     pub label: String,
     members: Vec<(Tree, String)>,
 }
 
-impl Submission {
+impl ClassMember {
     /// Reads its files.
     pub fn gather(&self) -> Gathered {
         gather(self.members.iter().map(|(tree, name)| (tree, name.clone())))
@@ -80,7 +80,7 @@ pub fn take(
     let members = members(paths, trees);
     let gathered = gather_some(&members)?;
     Ok(match as_class {
-        true => Intake::Class(Class { submissions: vec![Submission { label, members }], skipped: Vec::new() }),
+        true => Intake::Class(Class { submissions: vec![ClassMember { label, members }], skipped: Vec::new() }),
         false => Intake::One(gathered),
     })
 }
@@ -177,7 +177,7 @@ fn class_from_groups(many: Many, level: &[Tree], mut skipped: Vec<String>) -> Cl
         let name = if name.is_empty() && !tree.is_container() { tree.name.clone() } else { name };
         (tree, name)
     };
-    let submission = |group: class::Group| Submission {
+    let submission = |group: class::Group| ClassMember {
         label: group.label,
         members: group.members.into_iter().map(member).collect(),
     };
