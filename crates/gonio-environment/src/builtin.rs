@@ -30,7 +30,7 @@ const ROOM: Option<&[u8]> = Some(include_bytes!("../../../assets/environments/ro
 #[cfg(target_arch = "wasm32")]
 const ROOM: Option<&[u8]> = None;
 
-/// Where the room's file lies below `assets`.
+/// The path of the room's file below `assets`.
 pub const ROOM_FILE: &str = "environments/room.hdr";
 
 impl Builtin {

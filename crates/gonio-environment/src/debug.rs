@@ -15,7 +15,7 @@ use crate::face_drawing::FaceDrawing;
 use glam::{DVec2, DVec3};
 use gonio_light::color::srgb_decode;
 
-/// Where a line begins and ends.
+/// The ends of a line.
 type Ends = (DVec2, DVec2);
 
 /// The debug cubemap with `size` texels an edge (0 counts as 1), with the file names of a layout. From about 64 texels on

@@ -106,7 +106,7 @@ fn halved(map: &Cubemap) -> Cubemap {
     half
 }
 
-/// Where two columns make one, and each counts whole.
+/// Adds pairs of columns, each with its full weight.
 fn add_pairs(sums: &mut [([f64; 4], f64)], texels: &[Pixel], weights: impl Iterator<Item = f64>) {
     let mut weights = weights;
     for ((sum, weight), pair) in sums.iter_mut().zip(texels.chunks_exact(2)) {

@@ -54,7 +54,7 @@ impl Repair {
         self.faces.map(|source| turned(&faces[source.file as usize], source.mirrored, source.quarter_turns))
     }
 
-    /// What is wrong with the files, one sentence each, without final full stop; empty where nothing is.
+    /// Describes the faults of the files, one sentence each, without final full stop; empty if there are none.
     pub fn sentences(&self) -> Vec<String> {
         let mut sentences = Vec::new();
         if self.faces.iter().all(|s| s.mirrored) {

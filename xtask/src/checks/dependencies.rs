@@ -11,9 +11,9 @@ use std::collections::BTreeSet;
 pub struct Rule {
     /// The crate.
     pub krate: &'static str,
-    /// What it may depend on. Not more than it does depend on, or may with good reason.
+    /// The crates that it may depend on: those that it does depend on, or may with good reason.
     pub may_know: &'static [&'static str],
-    /// What its tests may know besides.
+    /// The crates that only its tests may depend on.
     pub tests_may_know: &'static [&'static str],
 }
 

@@ -11,10 +11,10 @@ pub struct Source {
 enum State {
     Code,
     LineComment,
-    /// How deep they are nested.
+    /// The depth of nesting.
     BlockComment(u32),
     String,
-    /// How many `#` end it.
+    /// The number of `#` at its end.
     RawString(usize),
 }
 
@@ -137,7 +137,7 @@ pub fn find_words<'a>(line: &'a str, word: &'a str) -> impl Iterator<Item = usiz
     })
 }
 
-/// How many characters after the quote belong to a character literal; 0 for a lifetime.
+/// The number of characters of a character literal after its quote; 0 for a lifetime.
 fn char_literal_length(from_quote: &[char]) -> usize {
     match from_quote {
         ['\'', '\\', rest @ ..] => {

@@ -31,7 +31,7 @@ use gonio_light::named_enum;
 pub use recognise::{Recognised, recognise};
 
 named_enum! {
-    /// How an environment is arranged in files.
+    /// The arrangement of an environment in files.
     pub enum Arrangement {
         /// Six files, one a face.
         Faces = "faces",
@@ -110,7 +110,7 @@ impl Arrangement {
 pub struct Arranged {
     /// The six faces.
     pub cubemap: Cubemap,
-    /// Which of the two crosses the picture is.
+    /// Notes, for example on which of the two crosses the picture is.
     pub notes: Vec<String>,
     /// A warning about cells of a cross that should be empty.
     pub warnings: Vec<String>,

@@ -7,7 +7,7 @@ use fearless_simd::{f32x8, i32x8};
 use glam::Mat3;
 use std::f32::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 
-/// How many go together.
+/// The number of lanes.
 pub(super) const LANES: usize = 8;
 
 /// Eight directions of any length: x, y and z of each.

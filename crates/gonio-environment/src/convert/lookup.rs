@@ -255,7 +255,7 @@ pub(super) fn fill_block(pixels: &mut [Pixel], look_up: impl FnOnce(&mut [Pixel;
     }
 }
 
-/// How a filter mixes the `N` x `N` texels of a window.
+/// A filter over a window of `N` x `N` texels.
 pub(super) trait Mix<const N: usize> {
     /// How many columns and rows of the window lie before the texel to the left of and above a place.
     const BEFORE: i32;

@@ -39,7 +39,7 @@ pub use texel_layers::{BORDER, TexelLayers};
 use texel_source::{CubeSource, PanoramaSource, TexelSource};
 
 named_enum! {
-    /// How a conversion looks up its source.
+    /// The lookup of a conversion.
     pub enum Filter {
         /// The nearest texel.
         Nearest = "nearest",
@@ -54,7 +54,7 @@ named_enum! {
     what "filter";
 }
 
-/// How to convert.
+/// The settings of a conversion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Conversion {
     /// The filter; without one [`Filter::Area`] where the target is clearly coarser than the source (one and a half
@@ -70,7 +70,7 @@ impl Default for Conversion {
     }
 }
 
-/// What is converted from.
+/// The source of a conversion.
 #[derive(Clone, Copy, Debug)]
 pub enum EnvironmentRef<'a> {
     /// Six faces.
@@ -80,7 +80,7 @@ pub enum EnvironmentRef<'a> {
 }
 
 impl EnvironmentRef<'_> {
-    /// How many radians a texel in the middle of a face, or on the horizon, is high.
+    /// Returns the height of a texel in the middle of a face, or on the horizon, in radians.
     pub fn texel_angle(&self) -> f64 {
         match self {
             EnvironmentRef::Cubemap(map) => 2.0 / f64::from(map.size()),

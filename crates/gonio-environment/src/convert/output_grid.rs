@@ -1,4 +1,4 @@
-//! Where the pixels of a target look.
+//! The outputs of a conversion: the directions of their pixels, row by row.
 
 use super::lanes::{Directions, sin_cos};
 use crate::face::{Face, Layout};
@@ -8,13 +8,13 @@ use std::f64::consts::PI;
 
 /// A picture to be filled, row by row.
 pub(super) trait OutputGrid: Sync {
-    /// What all pixels of a row share.
+    /// The values that all pixels of a row share.
     type Row: Copy;
 
     /// Pixels in a row.
     fn row_length(&self) -> usize;
 
-    /// How many radians a pixel in the middle is high.
+    /// Returns the height of a pixel in the middle, in radians.
     fn pixel_angle(&self) -> f64;
 
     /// Of a cubemap the size of its faces.

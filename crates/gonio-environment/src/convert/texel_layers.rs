@@ -17,7 +17,7 @@ pub struct TexelLayers<'a> {
     pub height: u32,
     /// 1, or 6: the faces in the order of [`crate::Face::ALL`].
     pub layers: u32,
-    /// How many texels of its neighbours a face has on each side; 0 of a panorama, which goes round instead.
+    /// Texels of the neighbours on each side of a face; 0 for a panorama, which wraps around instead.
     pub border: u32,
     /// Layer after layer.
     pub texels: Cow<'a, [Pixel]>,

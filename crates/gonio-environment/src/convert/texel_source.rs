@@ -11,7 +11,7 @@ use fearless_simd::{f32x8, i32x8, u32x8};
 use gonio_image::Pixel;
 use std::f32::consts::PI;
 
-/// Where eight directions meet a source: a plane (a cubemap's face), and texels from the middle of its first one.
+/// The positions at which eight directions meet a source: a plane (a cubemap's face), and texels from the middle of its first one.
 #[derive(Clone, Copy)]
 pub(super) struct Places<S: Simd> {
     plane: i32x8<S>,
@@ -28,9 +28,9 @@ impl<S: Simd> Places<S> {
     }
 }
 
-/// What directions are looked up in. Its texels lie in up to three pieces of memory, in rows of one length.
+/// A source of texels for lookups by direction. Its texels are in up to three pieces of memory, in rows of one length.
 pub(super) trait TexelSource: Sync {
-    /// Where the directions meet it.
+    /// Returns the positions at which directions meet the source.
     fn places<S: Simd>(&self, d: Directions<S>) -> Places<S>;
 
     /// The texels of a piece.
@@ -46,7 +46,7 @@ pub(super) trait TexelSource: Sync {
     /// A window whose first texel is (`x`, `y`). Neighbours are those on the sphere.
     fn window<const N: usize>(&self, plane: i32, x: i32, y: i32) -> [[Pixel; N]; N];
 
-    /// How many radians apart the nearest texels are about unit directions.
+    /// Returns the distance of neighbouring texels about unit directions, in radians.
     fn spacing<S: Simd>(&self, d: Directions<S>) -> f32x8<S>;
 }
 

@@ -14,13 +14,13 @@ pub use table::{NamingScheme, TABLE};
 /// Six files assigned to the faces.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Assignment {
-    /// Which of the names given is each face, in the order of [`Face::ALL`].
+    /// The index of each face's name, in the order of [`Face::ALL`].
     pub files: [usize; 6],
-    /// What kind of names they are.
+    /// The naming scheme.
     pub convention: NamingScheme,
     /// The name with `*` where the faces' words stand: `sky_*.png`.
     pub pattern: String,
-    /// What was ignored, and what about the names is a guess. Sentences without final full stop.
+    /// Notes on ignored files and on guesses about the names. Sentences without final full stop.
     pub notes: Vec<String>,
 }
 
@@ -89,7 +89,7 @@ impl Reading {
     }
 }
 
-/// What may stand between words.
+/// The characters between words.
 const SEPARATORS: &str = "_-. ";
 
 /// All ways to understand a name. Longer words come first: `posx` is not `..sx`.

@@ -1,4 +1,4 @@
-//! Which word in a file's name means which face.
+//! The words in file names that stand for faces.
 //!
 //! **By axes.** `posx`, `px`, `x+` and so on are OpenGL's and Direct3D's faces. humus.name gives its photographs away as
 //! `posx.jpg`..., three.js's examples have `px.jpg`..., Babylon.js `_px`, Filament's `cmgen` writes `px`..., AMD's
@@ -29,7 +29,7 @@ use crate::face::Face;
 use gonio_light::named_enum;
 
 named_enum! {
-    /// What kind of names six files have.
+    /// The naming scheme of six files.
     pub enum NamingScheme {
         /// `posx`, `negx`, ...: OpenGL's names of the axes.
         Axes = "axes",

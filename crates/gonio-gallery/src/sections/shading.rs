@@ -1,4 +1,4 @@
-//! Where the equation is evaluated.
+//! Flat, Gouraud and Phong shading.
 
 use crate::GalleryError;
 use crate::base_scene::BaseScene;

@@ -1,4 +1,4 @@
-//! What triangles cost, and what they give.
+//! The cost and the benefit of triangles.
 
 use crate::GalleryError;
 use crate::base_scene::BaseScene;

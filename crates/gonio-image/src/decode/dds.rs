@@ -11,7 +11,7 @@ use super::{Decoded, FileFormat, Shape};
 use crate::image::Image;
 use crate::{ImageError, Limits};
 
-/// What DDS begins with.
+/// The first bytes of a DDS file.
 pub(super) const MAGIC: &[u8] = b"DDS ";
 
 // Flags of the pixel format and of `caps2`.

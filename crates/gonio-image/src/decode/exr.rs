@@ -14,7 +14,7 @@ use half::slice::HalfFloatSliceExt;
 use rayon::prelude::*;
 use std::io::Cursor;
 
-/// What OpenEXR begins with.
+/// The first bytes of an OpenEXR file.
 pub(super) const MAGIC: &[u8] = &[0x76, 0x2F, 0x31, 0x01];
 
 /// Blocks that are unpacked at once: enough for all threads, and at most a few hundred lines of the picture.
@@ -57,7 +57,7 @@ pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ImageErro
     Ok(Decoded { shape: Shape::Picture(image), high_dynamic_range: true, format: FileFormat::Exr, notes, warnings })
 }
 
-/// Which part and which of its channels are red, green and blue; three times the same for a grey picture.
+/// The part and the channels for red, green and blue; the same channel three times for a grey picture.
 struct Chosen {
     part: usize,
     channels: [usize; 3],
@@ -132,8 +132,8 @@ fn layers_of(names: &[String]) -> Vec<(u32, String, [usize; 3])> {
     found
 }
 
-/// Where the pixels of the part lie in the picture. The picture is what the file declares to be shown: its display
-/// window. What lies outside of it is cut off, and what it has no pixels for is black.
+/// The position of the part's pixels in the picture. The picture is the display window of the file. Pixels outside of it
+/// are cut off, and missing pixels are black.
 struct Window {
     width: u32,
     height: u32,

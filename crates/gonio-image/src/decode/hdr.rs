@@ -8,7 +8,7 @@ use crate::image::Image;
 use crate::{ImageError, Limits, Pixel};
 use std::sync::LazyLock;
 
-/// What it begins with.
+/// The first bytes of a Radiance HDR file.
 pub(super) const MAGIC: &[u8] = b"#?";
 
 /// `2^(e - 136)` of each exponent; 0 for exponent 0, which means black.
@@ -49,7 +49,7 @@ fn linear([r, g, b, e]: [u8; 4], factors: [f64; 3]) -> Pixel {
 }
 
 struct Header {
-    /// What red, green and blue were multiplied by.
+    /// The factors of red, green and blue in the file.
     factors: [f64; 3],
     notes: Vec<String>,
     warnings: Vec<String>,
@@ -148,7 +148,7 @@ fn next_line<'a>(rest: &mut &'a [u8]) -> Result<std::borrow::Cow<'a, str>, Image
 
 /// In which order the pixels come.
 struct Order {
-    /// How many scan lines there are, and how many pixels each has.
+    /// The number of scan lines, and the number of pixels in each.
     scans: u32,
     scan_length: u32,
     /// Whether scan lines are columns.

@@ -10,10 +10,10 @@ use zune_jpeg::zune_core::bytestream::ZCursor;
 use zune_jpeg::zune_core::colorspace::ColorSpace;
 use zune_jpeg::zune_core::options::DecoderOptions;
 
-/// What JPEG begins with.
+/// The first bytes of a JPEG file.
 pub(super) const MAGIC: &[u8] = &[0xFF, 0xD8, 0xFF];
 
-/// What it ends with, perhaps followed by other things.
+/// The end marker, which other data may follow.
 const END: [u8; 2] = [0xFF, 0xD9];
 
 pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ImageError> {

@@ -13,7 +13,7 @@ use crate::{ImageError, Limits};
 use std::borrow::Cow;
 use std::io::Read;
 
-/// What KTX2 begins with.
+/// The first bytes of a KTX2 file.
 pub(crate) const MAGIC: &[u8] = b"\xABKTX 20\xBB\r\n\x1a\n";
 
 /// Formats of Vulkan (registry `VkFormat`): number, how it is stored, what integers mean. `None`: the file says.
@@ -98,9 +98,9 @@ struct Header {
     faces: u32,
     levels: u32,
     packing: u32,
-    /// Where the data format descriptor begins.
+    /// The byte at which the data format descriptor begins.
     descriptor: usize,
-    /// Where keys and values stand, and how many bytes they are.
+    /// The position and length of keys and values, in bytes.
     key_values: (u32, u32),
 }
 
@@ -120,7 +120,7 @@ impl Header {
         })
     }
 
-    /// How pixels are stored and what integers mean.
+    /// Returns the texel format and the meaning of integers.
     fn texel(&self, file: Bytes<'_>, notes: &mut Vec<String>) -> Result<(Texel, Transfer), ImageError> {
         let known = FORMATS.iter().find(|(number, ..)| *number == self.format);
         let Some((_, texel, transfer)) = known else {
@@ -155,7 +155,7 @@ impl Header {
         }
     }
 
-    /// How many pictures are read: 6, or 1 of a 2-D file.
+    /// Returns the number of pictures to read: 6, or 1 for a 2-D file.
     fn pictures(&self, notes: &mut Vec<String>) -> Result<usize, ImageError> {
         if self.depth > 0 || self.height == 0 {
             let kind = if self.depth > 0 { "a volume" } else { "one row of pixels (1-D)" };

@@ -7,7 +7,7 @@ use png::{BitDepth, DecodingError, Transformations};
 use rayon::prelude::*;
 use std::io::Cursor;
 
-/// What PNG begins with.
+/// The first bytes of a PNG file.
 pub(super) const MAGIC: &[u8] = b"\x89PNG\r\n\x1a\n";
 
 /// Rows that are decoded before they are converted: few enough to stay in a cache, enough for all threads.
@@ -57,7 +57,7 @@ pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ImageErro
     Ok(Decoded { shape: Shape::Picture(image), high_dynamic_range: false, format: FileFormat::Png, notes, warnings })
 }
 
-/// What the file says that is not honoured.
+/// Notes and warnings about statements of the file that are ignored.
 fn remarks(info: &png::Info<'_>, has_alpha: bool) -> (Vec<String>, Vec<String>) {
     let (mut notes, mut warnings) = (Vec::new(), Vec::new());
     if has_alpha {

@@ -1,4 +1,4 @@
-//! How GPUs store pixels: the formats of KTX2 and DDS, to linear light.
+//! Texel formats of GPUs, as KTX2 and DDS have them, to linear light.
 
 use super::block::Block;
 use crate::image::Image;
@@ -7,7 +7,7 @@ use crate::{ImageError, Limits, Pixel};
 use half::f16;
 use rayon::prelude::*;
 
-/// How a picture's pixels are stored.
+/// The storage format of texels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Texel {
     /// Channels of 8 bits; which byte is red, green and blue.
@@ -28,7 +28,7 @@ pub(super) enum Texel {
     Block(Block),
 }
 
-/// What integers mean.
+/// The meaning of integers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Transfer {
     /// Light itself.

@@ -9,7 +9,7 @@ use exr::prelude::{
 };
 use std::io::Cursor;
 
-/// How numbers are stored.
+/// The number format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Precision {
     /// 16 bits: three decimal digits, up to 65504.

@@ -8,7 +8,7 @@ use crate::Pixel;
 use crate::srgb::ENCODER;
 use rayon::prelude::*;
 
-/// How numbers are stored.
+/// The number format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Format {
     /// `R16G16B16A16_SFLOAT`: half floats, up to 65504.
@@ -41,7 +41,7 @@ struct Layout {
     vk_format: u32,
     /// Bytes of a number, which is what a machine of the other order would have to swap.
     type_size: u32,
-    /// Of a sample in the descriptor: what its bits are (signed 0x40, float 0x80), and what counts as 0 and as 1.
+    /// The qualifiers of a sample in the descriptor (signed 0x40, float 0x80), and the values that count as 0 and as 1.
     qualifiers: u32,
     lower: u32,
     upper: u32,
