@@ -29,14 +29,14 @@ impl App {
     }
 
     /// Opens a student's files in place of those for the same purpose. Reports files that were ignored.
-    pub(super) fn hand_in(&mut self, files: Vec<ExerciseFile>) {
+    pub(super) fn open_exercise_files(&mut self, files: Vec<ExerciseFile>) {
         let taken = self.exercise.take(files);
         let severity = if taken.announcement.is_some() { Severity::Warning } else { Severity::Error };
         if let Some(announcement) = taken.announcement {
             self.session.announcement = announcement;
         }
-        if let Some(aside) = taken.aside {
-            self.session.messages.say(severity, aside);
+        if let Some(ignored) = taken.ignored {
+            self.session.messages.say(severity, ignored);
         }
     }
 

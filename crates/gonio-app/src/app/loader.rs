@@ -171,7 +171,7 @@ fn read(wanted: &LoadRequest, files: &dyn FileSource, limits: &Limits) -> Result
         LoadRequest::Scene(scene) | LoadRequest::Refresh(scene) => {
             let loaded =
                 load::load_within(SceneFile::from(&**scene), Path::new(""), files, limits).map_err(sentence)?;
-            // Loading gives lights to a scene that has none; here somebody took them out.
+            // Loading adds lights to a scene without any; here the user removed them.
             if !scene.lights.is_empty() || loaded.settings.lights.is_empty() {
                 return Ok(loaded);
             }

@@ -252,7 +252,7 @@ impl App {
                 self.document.scene.set_environment(&image);
             }
             Event::Open(_) => {}
-            Event::ExerciseFiles(files) => self.hand_in(files),
+            Event::ExerciseFiles(files) => self.open_exercise_files(files),
             Event::SaveTo(product, place) => self.save(product, &place),
             Event::Changed(paths) => self.changed_on_disk(ctx, paths),
             Event::Failed(why) => self.session.messages.say(Severity::Error, why),
@@ -530,7 +530,7 @@ impl eframe::App for App {
     }
 
     fn on_exit(&mut self, _: Option<&eframe::glow::Context>) {
-        // There is no window left to say what goes wrong.
+        // No window is left to show errors in.
         let _ = self.exercise.flush_drafts(self.platform.as_mut());
         // Buffers and textures go while their context is still there.
         self.exercise.release();

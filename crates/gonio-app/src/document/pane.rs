@@ -73,7 +73,7 @@ pub struct Pane {
     pub detail: Option<Detail>,
     /// A quantity of the equation in place of the picture.
     pub view: Option<ViewSpec>,
-    /// A view that is no quantity of the equation, in place of the picture and of `view`.
+    /// A view that is not a quantity of the equation, in place of the picture and of `view`.
     pub special: Option<SpecialView>,
     /// The overlays.
     pub overlays: Overlays,
@@ -96,7 +96,7 @@ impl Pane {
         DisplayOptions { view, overlays: self.overlays }
     }
 
-    /// The scene with the pane's settings in place of its own, but for its detail, which is no matter of the description.
+    /// The scene with the pane's settings in place of its own, except the level of detail.
     pub fn applied_to(&self, scene: &SceneSettings) -> SceneSettings {
         let mut scene = scene.clone();
         if let Some(shading) = self.shading {

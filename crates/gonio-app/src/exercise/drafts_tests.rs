@@ -139,7 +139,7 @@ fn what_was_saved_or_discarded_leaves_no_draft() {
         assert_eq!((platform.drafts.len(), drafts.count()), (0, 0), "saved: {is_saved}");
         killed(&mut work(&files), 0, "typed", &mut platform);
     }
-    // What another window saved since is no draft any more.
+    // A text that another window has saved is not a draft any more.
     restored(&mut work(&[("/a/light.frag", "typed")]), &mut platform);
     assert_eq!(platform.drafts.len(), 0);
 }

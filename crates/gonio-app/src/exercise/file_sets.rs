@@ -20,7 +20,7 @@ pub struct ReplaceOutcome {
     /// What was opened, for screen readers; `None` if nothing was.
     pub announcement: Option<String>,
     /// Why some files were ignored, in one sentence.
-    pub aside: Option<String>,
+    pub ignored: Option<String>,
 }
 
 impl Work {
@@ -32,7 +32,7 @@ impl Work {
         let taken: Vec<(&SourceFile, FileUse)> =
             handed.taken.iter().filter_map(|(index, of_file)| Some((sources.get(*index)?, *of_file))).collect();
         if taken.is_empty() {
-            return ReplaceOutcome { announcement: None, aside: handed.aside };
+            return ReplaceOutcome { announcement: None, ignored: handed.aside };
         }
         let is_open = |file: &ExerciseFile| self.files.iter().position(|open| open.is_same(file));
         let all: Option<Vec<usize>> =
@@ -41,7 +41,7 @@ impl Work {
         if let Some(&first) = all.as_ref().and_then(|all| all.first()) {
             // Nothing is to be put away for what is there already.
             self.current = first;
-            return ReplaceOutcome { announcement: Some(format!("opened {}", listed(&names))), aside: handed.aside };
+            return ReplaceOutcome { announcement: Some(format!("opened {}", listed(&names))), ignored: handed.aside };
         }
         let mut kept = Vec::new();
         let mut away = Vec::new();
@@ -67,7 +67,7 @@ impl Work {
         // The fragment shader is what is written at most.
         let fragment = uses.iter().position(|of_file| of_file.fragment).unwrap_or(0);
         self.replace(FileSet { files, current: first_new + fragment });
-        ReplaceOutcome { announcement: Some(announcement), aside: handed.aside }
+        ReplaceOutcome { announcement: Some(announcement), ignored: handed.aside }
     }
 
     /// Starts over with the original files.
@@ -153,7 +153,7 @@ mod tests {
         work.files[work.current].text = "what I wrote".into();
         let taken = work.take(vec![given("light.txt", FRAGMENT), given("notes.txt", "to do")]);
         assert_eq!(taken.announcement.as_deref(), Some("opened light.txt in place of start.frag"));
-        assert!(taken.aside.unwrap().contains("no shader in notes.txt"));
+        assert!(taken.ignored.unwrap().contains("no shader in notes.txt"));
         assert_eq!((shown(&work), work.current), (vec!["start.vert", "light.txt"], work.files.len() - 1));
         assert!(!work.is_changed() && work.has_unsaved_before());
         assert_eq!(work.before[0].names_beside(&work.files), "start.frag");
@@ -184,7 +184,7 @@ mod tests {
         let before = work.files.clone();
         let taken = work.take(vec![given("photo.png", "PNG\0")]);
         assert_eq!(taken.announcement, None);
-        assert!(taken.aside.unwrap().contains("photo.png is nothing that ex04 reads"));
+        assert!(taken.ignored.unwrap().contains("photo.png is nothing that ex04 reads"));
         assert!(work.files == before && work.before.is_empty());
     }
 

@@ -139,8 +139,8 @@ impl ExerciseView {
                 taken
             }
             None => {
-                let aside = "select the exercise first, then open its files again";
-                ReplaceOutcome { announcement: None, aside: Some(aside.to_owned()) }
+                let ignored = "select the exercise first, then open its files again";
+                ReplaceOutcome { announcement: None, ignored: Some(ignored.to_owned()) }
             }
         }
     }
@@ -334,7 +334,7 @@ fn page_of(ui: &mut Ui, work: &mut Work, commands: &mut Vec<Command>) {
     });
 }
 
-/// The files to start from, to be had again.
+/// Buttons to start over and to download the original files.
 fn start_files(ui: &mut Ui, work: &Work, commands: &mut Vec<Command>) {
     ui.horizontal_wrapped(|ui| {
         let mut button = |id: &str, label: &str, tip: &str, command: Command| {

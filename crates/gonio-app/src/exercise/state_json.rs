@@ -15,7 +15,7 @@ use serde_json::{Value, json};
 /// | `before` | how many sets of files were open before these, and can be put back |
 /// | `file`, `page`, `shown`, `scene` | the file in the editor; the page beside; which picture; in which scene |
 /// | `marks` | marked lines of all files: `file`, `line`, `kind` (error, warning, mistake), `text` |
-/// | `unusable` | why there is no pair of shaders, or null |
+/// | `unusable` | the reason why there are no shaders to draw, or null |
 /// | `drawn`, `older`, `tried` | a pair is drawn; it is an older one; the newer one is tried outside of the window |
 /// | `trials` | how many pairs were tried outside of the window first |
 /// | `pictures` | how many were drawn |

@@ -10,7 +10,7 @@ use egui::{
     WidgetInfo, Window, vec2,
 };
 
-/// Below this width (points) names give way to icons.
+/// Below this width (points) icons replace names.
 const NARROW: f32 = 620.0;
 
 /// Keyboard shortcuts. A focused editor handles undo and redo itself.

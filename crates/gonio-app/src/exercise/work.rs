@@ -121,7 +121,7 @@ impl OpenFile {
 /// Decodes a text. The second value is true if it could not be written back unchanged.
 fn decoded(bytes: &[u8]) -> (String, bool) {
     match std::str::from_utf8(bytes) {
-        // Numbers and pictures as letters are no help, and their lines may be endless.
+        // Binary data is useless as text, and its lines may be very long.
         _ if bytes.contains(&0) => (format!("{} bytes of binary data.\n", bytes.len()), true),
         Ok(text) => (text.to_owned(), false),
         Err(_) => (String::from_utf8_lossy(bytes).into_owned(), true),
@@ -161,7 +161,7 @@ pub enum Page {
 pub struct ProgramFacts {
     /// Messages about lines.
     pub notes: Vec<Note>,
-    /// Why there is no pair: one sentence.
+    /// Why the pair cannot be drawn, in one sentence.
     pub unusable: Option<String>,
     /// Warnings about guesses and corrections.
     pub warnings: Vec<String>,
@@ -217,13 +217,13 @@ pub struct Work {
     pub judged: Option<Judged>,
     /// A check is under way.
     pub checking: bool,
-    /// A line that is to be shown: file and line.
+    /// The line to scroll to: file and line.
     pub jump: Option<(usize, u32)>,
     /// A folder is asked for, to save into: as far as it is written.
     pub asking: Option<String>,
     /// Files that were open before these, the latest last.
     pub before: Vec<FileSet>,
-    /// Files are saved as downloads here, for there are no folders.
+    /// Whether files are saved as downloads, because there are no folders.
     pub downloads: bool,
     /// Counts the sets of files that were opened.
     pub(super) sets: u64,
@@ -301,7 +301,7 @@ impl Work {
         self.clock = Clock { time: 0.0, playing: scene.swing.length() > 0.0 };
     }
 
-    /// The scene that is looked at.
+    /// The current scene.
     pub fn scene(&self) -> Option<&PreviewScene> {
         self.scenes.get(self.scene)
     }

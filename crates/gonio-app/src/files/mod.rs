@@ -1,4 +1,4 @@
-//! Files that a person gives: dropped, chosen, packed into a zip or into a link.
+//! Files from the user: dropped, chosen, in a zip file or in a link.
 //!
 //! | file | what |
 //! |---|---|

@@ -2,10 +2,10 @@
 //!
 //! | input | what |
 //! |---|---|
-//! | drag | turns around the point looked at |
-//! | drag with Shift or the middle button, two fingers | moves sideways |
+//! | drag | orbits around the target |
+//! | drag with Shift or the middle button, two fingers | pans |
 //! | drag with the right button | looks around, as in the lab's first exercise |
-//! | wheel, pinch | nearer and farther, towards the pointer |
+//! | wheel, pinch | zooms towards the pointer |
 //! | w a s d, z q s d, arrows | flies |
 
 use super::Projection;

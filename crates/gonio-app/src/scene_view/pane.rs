@@ -124,7 +124,7 @@ fn point(index: usize, response: &Response, session: &mut Session) {
     }
 }
 
-/// The point looked at, while the eye turns around it.
+/// A mark at the target while the camera orbits around it.
 fn aim(ui: &Ui, projection: &Projection, document: &Document, loaded: &Scene) {
     let (min, max) = loaded.bounds();
     let pivot = navigation::Rig::new(&document.scene.camera, 0.5 * (min + max)).pivot();

@@ -86,13 +86,13 @@ impl Probing {
         self.building.is_some()
     }
 
-    /// Forgets everything about the scene before.
+    /// Forgets everything about the previous scene.
     pub fn forget(&mut self) {
         *self = Probing { follows: self.follows, ..Probing::default() };
     }
 
-    /// Reads the place anew if anything changed: the pixel, the scene or its moment. `gpu` is asked for OpenGL's value
-    /// of a column and row of `frame` then.
+    /// Reads the place again if the pixel, the scene or its time changed. `gpu` returns OpenGL's value
+    /// at a column and row of `frame`.
     pub fn update(
         &mut self,
         ctx: &egui::Context,
@@ -117,11 +117,11 @@ impl Probing {
         let Some(geometry) = &self.geometry else { return };
         let Some(reference) = ReferenceScene::with_geometry(loaded, geometry.clone()) else { return };
         self.reading = Some(Arc::new(Reading::at_pixel(&reference, loaded, frame, [x, y], gpu)));
-        // The panel was shown before.
+        // The panel has already been laid out in this frame.
         ctx.request_repaint();
     }
 
-    /// Takes the tree of boxes that was built, or begins to build one.
+    /// Takes the finished tree of boxes, or starts to build one.
     fn build(&mut self, ctx: &egui::Context, loaded: &Arc<Scene>) {
         if let Some(building) = &self.building {
             match building.result.try_recv() {
@@ -132,7 +132,7 @@ impl Probing {
                         return;
                     }
                 }
-                // It is for a scene that is no more: that one has to end before the next begins.
+                // It is for an outdated scene, and has to end before the next one starts.
                 Err(TryRecvError::Empty) => return,
                 Err(TryRecvError::Disconnected) => self.building = None,
             }

@@ -94,7 +94,7 @@ pub enum Letters {
     Code,
 }
 
-/// Reads a figure. What is no element that is known here is left out; nothing where the file has no size.
+/// Reads a figure. Unknown elements are skipped. Returns `None` if the file has no size.
 pub fn figure(text: &str) -> Option<Figure> {
     let mut elements = Elements { rest: text };
     let svg = elements.next().filter(|element| element.name == "svg")?;

@@ -80,7 +80,7 @@ fn fitted(ui: &Ui, parts: &[Node], width: f32) -> Vec<Laid> {
     typeset::broken(parts, BROKEN_SIZE, width, &mut fonts)
 }
 
-/// The lines with their terms to be clicked; which was, and whether it is to be shown alone.
+/// Shows the lines with clickable terms. Returns the clicked term, and whether to show it alone.
 fn lines_of_terms(
     ui: &mut Ui,
     lines: &[Laid],

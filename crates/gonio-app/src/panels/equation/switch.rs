@@ -35,7 +35,7 @@ pub fn set_specular(document: &mut Document, specular: Specular) {
     }
 }
 
-/// Whether a term takes part; `None` where it is no switch.
+/// Whether a term is on; `None` if it cannot be switched.
 pub fn is_on(document: &Document, term: Term) -> Option<bool> {
     let e = &document.scene.equation;
     match term {
@@ -126,7 +126,7 @@ fn lights_on(document: &Document) -> Vec<usize> {
     document.scene.lights.iter().enumerate().filter(|(_, light)| light.enabled).map(|(index, _)| index).collect()
 }
 
-/// Switches lights; those that are no more are left out.
+/// Switches lights; removed ones are skipped.
 fn turn(document: &mut Document, lights: &[usize], on: bool) {
     for index in lights {
         if let Some(light) = document.scene.lights.get_mut(*index) {

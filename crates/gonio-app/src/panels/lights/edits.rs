@@ -135,7 +135,7 @@ pub fn around(session: &Session) -> (DVec3, f64) {
 fn tidy(v: f64, size: f64) -> f64 {
     let step = 10f64.powf(size.log10().floor() - 2.0);
     let tidied = (v / step).round() * step;
-    // Steps below 1 are no binary fractions: the nearest number that prints short.
+    // Steps below 1 are not binary fractions: this is the nearest number with a short decimal form.
     format!("{tidied:.6e}").parse().unwrap_or(v)
 }
 

@@ -24,7 +24,7 @@ pub enum Ended {
     TooLong,
     /// It was stopped because of the memory it took.
     TooLarge,
-    /// It was stopped because nobody wants its answer any more.
+    /// It was stopped because its answer is no longer needed.
     GivenUp,
 }
 

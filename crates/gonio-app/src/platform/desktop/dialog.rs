@@ -8,7 +8,7 @@ use crate::platform::{Event, FileDialog, Purpose};
 use crate::saving::Product;
 use std::sync::mpsc::Sender;
 
-/// Asks for files to open.
+/// Shows the dialog for opening files.
 pub fn open(purpose: Purpose, access: Access, sender: Sender<Event>, ctx: &egui::Context) -> FileDialog {
     let inner = ctx.clone();
     ask(Question::Open, ctx, move |paths| {
@@ -18,7 +18,7 @@ pub fn open(purpose: Purpose, access: Access, sender: Sender<Event>, ctx: &egui:
     })
 }
 
-/// Asks where to save.
+/// Shows the dialog for saving.
 pub fn save(product: Product, name: &str, sender: Sender<Event>, ctx: &egui::Context) -> FileDialog {
     ask(Question::Save(name.to_owned()), ctx, move |paths| {
         if let Some(path) = paths.into_iter().next() {

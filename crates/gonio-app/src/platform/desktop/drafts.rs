@@ -7,7 +7,7 @@
 //! | `PROCESS-N/KEY.json` | a draft |
 //!
 //! So two windows never write the same draft, and a window takes drafts only from windows that are gone, however they ended.
-//! Drafts that nobody took within 90 days are removed, and beyond 200 the oldest.
+//! Drafts older than 90 days are removed, and the oldest beyond 200.
 
 use super::write;
 use crate::exercise::MOST_AGE_OF_DRAFTS;
@@ -24,12 +24,12 @@ const LOCK: &str = "lock";
 /// The folder of all windows' drafts.
 pub struct DraftFolder {
     root: PathBuf,
-    own: Option<Session>,
+    own: Option<WindowFolder>,
     is_pruned: bool,
 }
 
 /// The drafts of one window, and the lock that says so.
-struct Session {
+struct WindowFolder {
     folder: PathBuf,
     _lock: File,
 }
@@ -39,7 +39,7 @@ struct Left {
     path: PathBuf,
     written: SystemTime,
     /// Keeps its window's folder locked meanwhile.
-    _session: std::rc::Rc<Session>,
+    _session: std::rc::Rc<WindowFolder>,
 }
 
 impl DraftFolder {
@@ -80,17 +80,17 @@ impl DraftFolder {
         let newest = left.iter().filter(|left| is_meant(&left.path)).max_by_key(|left| left.written)?;
         let text = fs::read_to_string(&newest.path).ok()?;
         let own = self.session().ok()?.folder.join(format!("{key}.json"));
-        // Renamed: at no time there is no draft.
+        // Renaming keeps a draft at all times.
         fs::rename(&newest.path, own).ok()?;
         Some(text)
     }
 
     /// This window's folder, which is created on first use.
-    fn session(&mut self) -> Result<&Session, String> {
+    fn session(&mut self) -> Result<&WindowFolder, String> {
         let failed = |why: Error| format!("a folder in `{}` could not be created: {why}", self.root.display());
         match &mut self.own {
             Some(own) => Ok(own),
-            own => Ok(own.insert(Session::new(&self.root).map_err(failed)?)),
+            own => Ok(own.insert(WindowFolder::new(&self.root).map_err(failed)?)),
         }
     }
 
@@ -99,7 +99,7 @@ impl DraftFolder {
         let own = self.own.as_ref().map(|own| own.folder.as_path());
         let mut left = Vec::new();
         for folder in entries(&self.root).into_iter().filter(|path| path.is_dir() && Some(path.as_path()) != own) {
-            let Some(session) = Session::of_window_that_is_gone(folder) else { continue };
+            let Some(session) = WindowFolder::of_window_that_is_gone(folder) else { continue };
             let session = std::rc::Rc::new(session);
             for path in entries(&session.folder).into_iter().filter(|path| path.extension() == Some(OsStr::new("json")))
             {
@@ -127,7 +127,7 @@ impl DraftFolder {
         drop(left);
         let own = self.own.as_ref().map(|own| own.folder.as_path());
         for folder in entries(&self.root).into_iter().filter(|path| path.is_dir() && Some(path.as_path()) != own) {
-            if let Some(session) = Session::of_window_that_is_gone(folder) {
+            if let Some(session) = WindowFolder::of_window_that_is_gone(folder) {
                 session.remove_if_empty();
             }
         }
@@ -142,7 +142,7 @@ impl Drop for DraftFolder {
     }
 }
 
-impl Session {
+impl WindowFolder {
     fn new(root: &Path) -> Result<Self, Error> {
         fs::create_dir_all(root)?;
         let process = std::process::id();
@@ -156,7 +156,7 @@ impl Session {
                     let lock = File::create(folder.join(LOCK))?;
                     // Where a file system has no locks, another window may take these drafts; none is lost.
                     let _ = lock.lock();
-                    return Ok(Session { folder, _lock: lock });
+                    return Ok(WindowFolder { folder, _lock: lock });
                 }
             }
         }
@@ -167,9 +167,9 @@ impl Session {
     fn of_window_that_is_gone(folder: PathBuf) -> Option<Self> {
         let lock = File::options().write(true).open(folder.join(LOCK)).ok()?;
         match lock.try_lock() {
-            Ok(()) => Some(Session { folder, _lock: lock }),
+            Ok(()) => Some(WindowFolder { folder, _lock: lock }),
             Err(fs::TryLockError::Error(why)) if why.kind() == ErrorKind::Unsupported => {
-                Some(Session { folder, _lock: lock })
+                Some(WindowFolder { folder, _lock: lock })
             }
             Err(_) => None,
         }

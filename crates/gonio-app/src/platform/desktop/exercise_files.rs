@@ -5,9 +5,9 @@ use crate::files::zip;
 use gonio_scene::files::{Disk, FileSource};
 use std::path::Path;
 
-/// Files larger than this are no student's answer: `gonio lab check` refuses them too.
+/// Largest file of an exercise, as for `gonio lab check`.
 const MOST_BYTES: u64 = 32 * 1024 * 1024;
-/// More files than this are no answer.
+/// Most files of an exercise.
 const MOST_FILES: usize = 500;
 /// Folders within folders.
 const DEEPEST: usize = 8;

@@ -4,12 +4,12 @@
 use std::env::var_os;
 use std::path::PathBuf;
 
-/// The file of the window's settings; `None` where there is no home.
+/// The file of the window's settings; `None` without a home folder.
 pub fn settings_file() -> Option<PathBuf> {
     Some(folder()?.join("window.json"))
 }
 
-/// The folder of drafts of unsaved text; `None` where there is no home.
+/// The folder of drafts of unsaved text; `None` without a home folder.
 pub fn drafts_folder() -> Option<PathBuf> {
     Some(folder()?.join("drafts"))
 }

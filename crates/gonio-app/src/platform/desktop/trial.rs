@@ -36,7 +36,7 @@ pub enum Answer {
         /// OpenGL's message.
         why: String,
     },
-    /// There is no OpenGL to try it with.
+    /// OpenGL is not available.
     Unavailable {
         /// One sentence.
         why: String,
@@ -85,7 +85,7 @@ fn finish(child: &mut Child, input: Vec<u8>, given_up: impl Fn() -> bool) -> Tri
     if let Some(pipe) = child.stdout.take() {
         std::thread::spawn(move || {
             let mut text = String::new();
-            // What is not UTF-8 is no answer.
+            // Output that is not UTF-8 is not an answer.
             let _ = pipe.take(1 << 16).read_to_string(&mut text);
             let _ = sender.send(text);
         });

@@ -50,7 +50,7 @@ impl Watcher {
         Watcher { files }
     }
 
-    /// Looks at these files from now on. Those that were looked at before are known as they were.
+    /// Watches these files from now on. Files that were watched before keep their stamps.
     pub fn set(&self, paths: Vec<PathBuf>) {
         let mut files = self.files.lock().unwrap_or_else(PoisonError::into_inner);
         let before = std::mem::take(&mut *files);
@@ -67,7 +67,7 @@ impl Watcher {
     }
 }
 
-/// Those that are others now, and have stopped changing: a file that is being written is left alone until the next time.
+/// Returns files that changed and have stopped changing. Files that are still being written follow later.
 fn look(files: &mut BTreeMap<PathBuf, Looked>) -> Vec<PathBuf> {
     let mut settled = Vec::new();
     let mut moving = false;

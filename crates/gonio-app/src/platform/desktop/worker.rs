@@ -165,7 +165,7 @@ pub fn serve(
     output.flush()
 }
 
-/// Waits for the end of an input that nobody writes to any more, and ends the process then.
+/// Waits for the end of the input, and ends the process then.
 pub fn end_with(mut input: impl Read) {
     let _ = input.read(&mut [0]);
     // Not `exit`, which waits for the driver.

@@ -19,7 +19,7 @@ impl PageChecks {
         PageChecks(begin)
     }
 
-    /// Begins. An error is one sentence.
+    /// Starts a check. An error is one sentence.
     pub fn begin(&self, request: &CheckRequest, ctx: &egui::Context) -> Result<PageCheck, String> {
         let failed = |why: JsValue| format!("the check could not be started: {}", words(&why));
         let files = Array::new();
@@ -53,7 +53,7 @@ fn words(why: &JsValue) -> String {
     message.or_else(|| why.as_string()).unwrap_or_else(|| format!("{why:?}"))
 }
 
-/// A check that is under way.
+/// A running check.
 pub struct PageCheck {
     answer: Rc<RefCell<Option<CheckResult>>>,
     end: Function,
@@ -67,7 +67,7 @@ impl Pending<CheckResult> for PageCheck {
 
 impl Drop for PageCheck {
     fn drop(&mut self) {
-        // One that has answered has nothing to end.
+        // A check that has answered ignores this.
         let _ = self.end.call0(&JsValue::NULL);
     }
 }

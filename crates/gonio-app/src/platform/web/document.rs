@@ -14,7 +14,7 @@ const DRAFT: &str = "gonio draft ";
 /// A window may leave several texts of one file: KEY, KEY-2 and so on.
 const MOST_OF_ONE_FILE: usize = 9;
 
-/// A file that a person gave, not yet read.
+/// A chosen or dropped file that has not been read yet.
 pub struct NamedFile {
     /// Its name without folders, or with those below a folder that was chosen.
     pub name: String,
@@ -78,7 +78,7 @@ thread_local! {
     static CHOICE: RefCell<Option<Closure<dyn FnMut()>>> = const { RefCell::new(None) };
 }
 
-/// Asks for files by the browser's dialog. An error is one sentence.
+/// Shows the browser's file dialog. An error is one sentence.
 pub fn choose(answer: impl Fn(Vec<NamedFile>) + 'static) -> Result<(), String> {
     let failed = |_| "the browser does not allow choosing files: drop them on the page".to_owned();
     let (_, document) = window()?;
@@ -166,7 +166,7 @@ pub fn take_draft(key: &str) -> Option<String> {
     let read = |key: &String| storage.get_item(&format!("{DRAFT}{key}")).ok()?;
     let (found, text) = (1..=MOST_OF_ONE_FILE).map(numbered).find_map(|key| Some((key.clone(), read(&key)?)))?;
     if found != key {
-        // Kept under its new name first: at no time there is no draft.
+        // Stored under its new name first, so that a draft exists at all times.
         keep_draft(key, &text).ok()?;
         remove_draft(&found);
     }

@@ -34,13 +34,13 @@ enum Fetched {
 }
 
 impl PageFiles {
-    /// A built-in file has come, or could not be fetched: `name` is its path below `assets`.
+    /// Adds a built-in file, or notes that it could not be fetched: `name` is its path below `assets`.
     pub fn give(&self, name: String, bytes: Option<Vec<u8>>) {
         let fetched = bytes.map_or(Fetched::Failed, |bytes| Fetched::Here(bytes.into()));
         self.lock().insert(name, fetched);
     }
 
-    /// A file that is not one of the samples has been asked for, and will be given: whoever reads it before waits.
+    /// Announces a file that is not one of the samples: reading it waits until it has arrived.
     pub fn expect(&self, name: String) {
         self.lock().entry(name).or_insert(Fetched::NotYet);
     }
@@ -90,7 +90,7 @@ impl Web {
         Web { files, checks, events: Rc::default() }
     }
 
-    /// Reads files and tells what they are.
+    /// Reads files, and turns them into an event.
     fn take(&self, files: Vec<document::NamedFile>, purpose: Purpose, ctx: &egui::Context) {
         let (page, events, ctx) = (self.files.clone(), self.events.clone(), ctx.clone());
         wasm_bindgen_futures::spawn_local(async move {
@@ -106,7 +106,7 @@ impl Web {
     }
 }
 
-/// The files' contents, and those of zips among them.
+/// The contents of the files, with zip files unpacked.
 async fn unpacked(files: Vec<document::NamedFile>) -> Result<MemoryFiles, String> {
     let mut memory = MemoryFiles::default();
     for file in files {
@@ -190,7 +190,7 @@ impl Platform for Web {
         format!("{}#{fragment}", document::address())
     }
 
-    /// A browser asks for another frame when the last one is on its way to the screen, however long that takes.
+    /// A browser requests another frame once the last one is on its way to the screen.
     fn shown(&mut self, ctx: &egui::Context) -> FrameShown {
         let (seen, ctx) = (Rc::new(Cell::new(false)), ctx.clone());
         let told = seen.clone();

@@ -62,7 +62,7 @@ impl PaneRenderer {
         &self.gl
     }
 
-    /// A canvas without holes, to be shown by a paint callback.
+    /// An opaque canvas, for a paint callback.
     pub fn presented(&self, canvas: &DisplayTexture) -> Presentation {
         self.presenter.presentation(canvas.texture()).opaque()
     }

@@ -12,7 +12,7 @@ use gonio_scene::scene_file::Shading;
 use gonio_scene::{Frame, Scene, detail};
 use std::sync::Arc;
 
-/// Longer than this (for all panes), and a drag is no longer smooth: fewer than 20 pictures a second.
+/// Above this time for all panes a drag is not smooth: fewer than 20 pictures per second.
 pub const SLOW_MS: f64 = 50.0;
 
 /// Speed and detail of drawing.

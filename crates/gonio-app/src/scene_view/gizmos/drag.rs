@@ -130,7 +130,7 @@ mod tests {
         }
     }
 
-    /// Half of what a person could see.
+    /// Half of a visible distance.
     const POINT: f32 = 0.5;
 
     #[test]
