@@ -108,7 +108,7 @@ impl CheckArgs {
         Request {
             exercise: exercise.id.clone(),
             files: gathered.files,
-            left_out: gathered.left_out.iter().map(|what| format!("not read: {what}")).collect(),
+            left_out: gathered.left_out.iter().map(|what| format!("ignored: {what}")).collect(),
             options: CheckOptions { pair: self.pair.clone(), as_the_lab: self.as_the_lab },
             es: self.es,
             page: None,

@@ -71,7 +71,7 @@ pub fn verdict(verdict: &Verdict) -> Page {
     }
     if !verdict.peculiarities.is_empty() {
         page.blank();
-        page.line(format_args!("  {BOLD}Correct, but unusual{BOLD:#}"));
+        page.line(format_args!("  {BOLD}Right, by another method{BOLD:#}"));
         for peculiarity in &verdict.peculiarities {
             page.line(format_args!("    {}: {}", peculiarity.id, peculiarity.name));
         }
