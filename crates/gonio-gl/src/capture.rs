@@ -6,6 +6,7 @@
 //! RenderDoc 1.24). So it has to be in `LD_PRELOAD` ([`PRELOAD`]), and whoever needs a capture starts the
 //! program anew where [`is_loaded`] says no. On Windows it patches what is loaded already, so there
 //! [`load`] is enough when it comes before OpenGL.
+#![cfg_attr(windows, allow(unsafe_code))]
 
 use crate::{Gl, GlError};
 use renderdoc::{RenderDoc, V112};
@@ -25,7 +26,6 @@ pub fn is_loaded() -> bool {
 /// [`PRELOAD`] is something, this is always an error.
 pub fn load() -> Result<(), GlError> {
     #[cfg(windows)]
-    #[allow(unsafe_code)]
     // SAFETY: loading a library runs its initialisers; RenderDoc is made to be loaded into any program.
     if let Ok(library) = unsafe { libloading::Library::new("renderdoc.dll") } {
         // It has patched other libraries by now, so it stays.

@@ -8,19 +8,19 @@ use gonio_gl::{Gl, GlError};
 /// background; colours are premultiplied with it, as they are shown. It is shown pixel for pixel, so it is not filtered (which
 /// costs software drivers as much as the rest of showing it), and it has no mipmaps.
 ///
-/// The texture belongs to the canvas and keeps its name when its size changes. Whoever shows it must not delete it.
+/// OpenGL's name of the texture stays the same when its size changes. The code that shows it must not delete it.
 pub struct DisplayTexture {
     gl: Gl,
     output: OutputTarget,
 }
 
 impl DisplayTexture {
-    /// An empty canvas, pixels; sides of 0 count as 1.
+    /// An empty display texture, pixels; sides of 0 count as 1.
     pub fn new(gl: &Gl, size: [u32; 2]) -> Result<Self, GlError> {
         Ok(DisplayTexture { gl: gl.clone(), output: OutputTarget::to_be_shown(gl, sides(size))? })
     }
 
-    /// OpenGL's name of the texture, the same for the life of the canvas.
+    /// OpenGL's name of the texture, the same for the life of the display texture.
     pub fn texture(&self) -> glow::Texture {
         self.output.texture()
     }

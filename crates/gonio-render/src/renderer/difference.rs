@@ -20,9 +20,9 @@ pub struct DifferenceScale {
 }
 
 impl Renderer {
-    /// Draws onto `map`, which takes the size of the first, where two canvases of one size differ: of each pixel the
+    /// Draws onto `map`, which takes the size of the first, where two display textures of one size differ: of each pixel the
     /// channel (red, green or blue, as displayed) that differs most. Waits for nothing and leaves the window's state as
-    /// [`Renderer::paint`] does. Canvases of different sizes are an error.
+    /// [`Renderer::paint`] does. Textures of different sizes are an error.
     pub fn paint_difference(
         &mut self,
         first: &DisplayTexture,

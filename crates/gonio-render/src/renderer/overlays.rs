@@ -35,7 +35,7 @@ const SPARSE: f64 = 2000.0;
 const SHORTEST: f64 = 0.25;
 
 impl Shared {
-    /// Draws the overlays onto a canvas that shows the frame.
+    /// Draws the overlays onto a display texture that shows the frame.
     pub(super) fn draw_overlays(
         &self,
         overlays: Overlays,
@@ -47,7 +47,7 @@ impl Shared {
         let gl = &self.gl;
         let _group = DebugGroup::new(gl, "overlays");
         canvas.begin_overlays()?;
-        // The canvas' first row is the picture's top.
+        // The texture's first row is the picture's top.
         let clip_from_world = DMat4::from_scale(DVec3::new(1.0, -1.0, 1.0)) * clip_from_world(frame);
         gl.enable(glow::DEPTH_TEST);
         gl.depth_func(glow::LEQUAL);

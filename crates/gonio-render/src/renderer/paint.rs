@@ -1,4 +1,4 @@
-//! A frame for a window: onto a canvas, with nothing to wait for, and with the window's own state left as it was.
+//! A frame for a window: onto a display texture, with nothing to wait for, and with the window's own state left as it was.
 
 use super::output::{Band, DisplaySettings};
 use super::{PANES, RenderedPicture, Renderer};
@@ -25,8 +25,8 @@ pub struct Painted {
 }
 
 impl Renderer {
-    /// Draws the frame onto the canvas, which takes the frame's size. Nothing is waited for: the GPU may still be
-    /// drawing when this returns, and whoever shows the canvas' texture shows it in order.
+    /// Draws the frame onto the display texture, which takes the frame's size. Nothing is waited for: the GPU may still be
+    /// drawing when this returns, and whoever shows the display texture shows it in order.
     ///
     /// The state that a window's toolkit relies upon is as before: framebuffer, viewport, scissor, blending, depth,
     /// culling, the active texture unit (on the web: as of a new context, with no framebuffer bound). No program and no

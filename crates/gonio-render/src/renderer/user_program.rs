@@ -17,8 +17,8 @@ const SAMPLES: u32 = 4;
 const PICTURES: usize = 2;
 
 impl Renderer {
-    /// Draws onto the canvas, which takes `size`, what `draw` draws: programs of [`crate::user_program`]. The numbers are shown as
-    /// they are, 0 to 1, without any encoding; alpha is not looked at. `background` is where nothing is drawn.
+    /// Draws what `draw` draws, programs of [`crate::user_program`], onto the display texture, which takes `size`. Colours are
+    /// shown unchanged, 0 to 1, without any encoding; alpha is ignored. `background` is the colour where nothing is drawn.
     ///
     /// The viewport is a square in the picture's middle, as wide as the longer side: its matrices are those of a square
     /// picture, of which the window shows a part. There is a depth buffer, with a test that lets the farthest plane pass too,

@@ -81,7 +81,7 @@ fn what_is_too_large_for_the_driver_is_reduced_and_told() {
 
 const SIZE: [u32; 2] = [48, 32];
 
-/// A canvas of given pixels.
+/// A display texture of given pixels.
 fn canvas(gl: &gonio_gl::Gl, pixels: &[u8]) -> DisplayTexture {
     let canvas = DisplayTexture::new(gl, SIZE).unwrap_or_else(|e| panic!("{e}"));
     gl.bind_texture(glow::TEXTURE_2D, Some(canvas.texture()));

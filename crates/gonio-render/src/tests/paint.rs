@@ -1,4 +1,4 @@
-//! What a window relies on: the right picture on a canvas, its own state left alone, nothing made twice.
+//! What a window relies on: the right picture on a display texture, its own state left alone, nothing made twice.
 
 use super::context;
 use crate::display_options::{DisplayOptions, View};
