@@ -214,7 +214,7 @@ fn small_shininess_is_a_part_of_128() {
     assert_eq!(found.sources[1].rule, rule);
     assert_eq!(quiet("phong", &content("1.5")).shininess, 1.5);
     let zero = quiet("phong", &content("0"));
-    assert_eq!((zero.shininess, zero.sources[1].rule.as_str()), (1.0, "1 is the smallest"));
+    assert_eq!((zero.shininess, zero.sources[1].rule.as_str()), (1.0, "raised to the minimum of 1"));
     // Nothing is said where there is no highlight.
     assert_eq!(quiet("phong", "<shininess><float>0.001</float></shininess>").shininess, 1.0);
 }
