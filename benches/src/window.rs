@@ -1,4 +1,4 @@
-//! The overhead of the lab window: a light is dragged in a scene of 100,000 triangles, and the renderer alone draws the same
+//! The overhead of the window: a light is dragged in a scene of 100,000 triangles, and the renderer alone draws the same
 //! pictures.
 
 use crate::screen::Screen;

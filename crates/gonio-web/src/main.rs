@@ -1,4 +1,4 @@
-//! The lab window as a web page: the thin entry that a browser calls.
+//! The gonio window as a web page: the entry points that a browser calls.
 //!
 //! What the page's loader (`web/page/main.js`) calls stands in `page`, and what its worker (`web/page/checker.js`) calls in
 //! `check`; elsewhere there is nothing to run.

@@ -27,7 +27,7 @@ Pictures:
   serve        Serve the lab as a web page to this machine
 
 Window:
-  view         Open the lab window; also the default without a command
+  view         Open the gonio window; also the default without a command
 
 Models:
   convert      Convert a model to OBJ with MTL, PLY or GLB

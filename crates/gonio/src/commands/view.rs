@@ -1,4 +1,4 @@
-//! `gonio view`: the lab window.
+//! `gonio view`: the gonio window.
 
 use crate::cli::{GeneralOptions, SceneOptions};
 use crate::report::{CliError, Outcome};
@@ -8,7 +8,7 @@ use gonio_scene::SceneFile;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// Open the lab window to view a scene, change it and take its light apart.
+/// Open the gonio window to view and edit a scene.
 #[derive(Args, Debug, Default)]
 #[command(after_long_help = "\
 Examples:
