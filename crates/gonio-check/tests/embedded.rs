@@ -32,16 +32,16 @@ fn sample() -> Vec<Submission> {
 
 /// What has to be the same: the word, the names, their lines, and for what does not compile the lines of the messages.
 #[derive(Debug, PartialEq)]
-struct Said {
+struct Essentials {
     verdict: Outcome,
     mistakes: Vec<(String, Option<String>, Option<u32>)>,
     peculiarities: Vec<String>,
     messages: Vec<(String, Option<u32>)>,
 }
 
-impl Said {
+impl Essentials {
     fn by(verdict: Verdict) -> Self {
-        Said {
+        Essentials {
             verdict: verdict.verdict,
             mistakes: verdict.mistakes.into_iter().map(|m| (m.id, m.file, m.line)).collect(),
             peculiarities: verdict.peculiarities.into_iter().map(|p| p.id).collect(),
@@ -51,11 +51,11 @@ impl Said {
     }
 }
 
-fn said(sample: &[Submission], es: bool) -> Vec<Said> {
+fn essentials(sample: &[Submission], es: bool) -> Vec<Essentials> {
     let context = HeadlessContext::with_options(&HeadlessOptions { es, ..Default::default() })
         .unwrap_or_else(|why| panic!("{why}"));
     let mut checker = ShaderChecker::new(context.gl());
-    sample.iter().map(|submission| Said::by(submission.check(&mut checker))).collect()
+    sample.iter().map(|submission| Essentials::by(submission.check(&mut checker))).collect()
 }
 
 #[test]
@@ -64,8 +64,8 @@ fn verdicts_are_the_same_in_opengl_es() {
     assert!(sample.len() >= 60, "{}", sample.len());
     // Each context is current in a thread of its own.
     let (desktop, embedded) = std::thread::scope(|scope| {
-        let desktop = scope.spawn(|| said(&sample, false));
-        let embedded = said(&sample, true);
+        let desktop = scope.spawn(|| essentials(&sample, false));
+        let embedded = essentials(&sample, true);
         (desktop.join().unwrap(), embedded)
     });
     let differ: Vec<String> = sample

@@ -62,15 +62,15 @@ fn with(face: Face, change: impl Fn(&Image) -> Image) -> [Image; 6] {
     all
 }
 
-struct Lab {
+struct TestLab {
     checker: Checker,
     _context: HeadlessContext,
 }
 
-impl Lab {
+impl TestLab {
     fn new() -> Self {
         let context = HeadlessContext::new().unwrap_or_else(|why| panic!("{why}"));
-        Lab { checker: Checker::new(context.gl()), _context: context }
+        TestLab { checker: Checker::new(context.gl()), _context: context }
     }
 
     fn check(&mut self, files: Vec<SourceFile>) -> Verdict {
@@ -93,7 +93,7 @@ impl Lab {
 
 #[test]
 fn right_faces_are_right_under_every_name_filter_and_size() {
-    let mut lab = Lab::new();
+    let mut lab = TestLab::new();
     lab.is_right("as the text says", files(&faces(), NAMES));
     lab.is_right("px", files(&faces(), ["px.png", "nx.png", "py.png", "ny.png", "pz.png", "nz.png"]));
     let words = ["my_right.png", "my_left.png", "my_top.png", "my_bottom.png", "my_front.png", "my_back.png"];
@@ -117,7 +117,7 @@ fn right_faces_are_right_under_every_name_filter_and_size() {
 
 #[test]
 fn each_face_that_lies_wrong_is_named() {
-    let mut lab = Lab::new();
+    let mut lab = TestLab::new();
     let last = SIDE - 1;
     let left = |image: &Image| from_elsewhere(image, |x, y| (last - y, x));
     let half = |image: &Image| from_elsewhere(image, |x, y| (last - x, last - y));
@@ -142,7 +142,7 @@ fn each_face_that_lies_wrong_is_named() {
 
 #[test]
 fn what_is_wrong_with_all_faces_is_one_mistake() {
-    let mut lab = Lab::new();
+    let mut lab = TestLab::new();
     let last = SIDE - 1;
     let photographic = converted(&panorama(), SIDE, Filter::Bilinear).faces(Layout::Photographic);
     assert_eq!(lab.ids(&photographic), ["layout-photographic"]);
@@ -172,7 +172,7 @@ fn what_is_wrong_with_all_faces_is_one_mistake() {
 
 #[test]
 fn another_panorama_is_taken_where_one_lies_beside_the_faces() {
-    let mut lab = Lab::new();
+    let mut lab = TestLab::new();
     let other = Panorama::from_function(256, 128, |d| {
         0.5 + 0.4 * glam::DVec3::new((3.0 * d.x).sin(), (4.0 * d.y + d.x).cos(), d.z)
     });
@@ -185,7 +185,7 @@ fn another_panorama_is_taken_where_one_lies_beside_the_faces() {
 
 #[test]
 fn what_cannot_be_judged_is_said() {
-    let mut lab = Lab::new();
+    let mut lab = TestLab::new();
     let mut five = files(&faces(), NAMES);
     five.remove(2);
     let mut broken = files(&faces(), NAMES);

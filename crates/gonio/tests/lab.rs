@@ -152,7 +152,7 @@ fn a_submission_is_never_a_class_and_a_class_never_one_submission() {
     for option in ["--page", "--sheet", "--gradescope", "--code-runner"] {
         lab.run(&["lab", "check", "ex04", "flat", option, "out.file"]).refused(&[option, "one submission", "2"]);
     }
-    lab.run(&["lab", "check", "ex04", "flat", "-o", "flat/results"]).refused(&["lies in", "outside"]);
+    lab.run(&["lab", "check", "ex04", "flat", "-o", "flat/results"]).refused(&["is inside", "outside"]);
     // One submission with a folder for results is a class of one.
     lab.run(&["lab", "check", "ex04", "mine", "-o", "one", "--json"]).good();
     assert!(lab.path("one/mine.html").exists(), "{:?}", lab.names());

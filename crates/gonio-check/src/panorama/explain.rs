@@ -8,7 +8,7 @@ use crate::search::SourceSupport;
 use gonio_gl::GlError;
 
 /// What faces are compared with.
-pub struct Task<'a> {
+pub struct FaceTask<'a> {
     /// The model's.
     pub hypotheses: &'a Hypotheses,
     /// The tolerance of the comparison.
@@ -46,7 +46,7 @@ pub struct Explanation {
 
 impl Explanation {
     /// Looks for the one with the fewest mistakes.
-    pub fn find(task: &Task<'_>, seen: &Tiles, predict: &mut Predict<'_>) -> Result<Self, GlError> {
+    pub fn find(task: &FaceTask<'_>, seen: &Tiles, predict: &mut Predict<'_>) -> Result<Self, GlError> {
         let reference = predict(&Hypothesis::default())?;
         let held = std::array::from_fn(|face| seen.fit(face, &reference, face, 0, task.tolerance));
         let mut found = Explanation {
@@ -148,7 +148,7 @@ fn local(placed: &Placed) -> Vec<String> {
 }
 
 struct Search<'a> {
-    task: &'a Task<'a>,
+    task: &'a FaceTask<'a>,
     seen: &'a Tiles,
 }
 

@@ -11,7 +11,7 @@ mod tiles;
 
 pub use bench::FaceBench;
 pub use conclusion::{blur, verdict};
-pub use explain::{Explanation, Task};
+pub use explain::{Explanation, FaceTask};
 pub use tiles::{Tiles, Tolerance};
 
 use crate::mistakes::{Hypothesis, Model};
@@ -56,8 +56,11 @@ pub(crate) fn check(
         return Ok((verdict, None));
     };
     let model = checker.model(Model::Panorama);
-    let task =
-        Task { hypotheses: &model.hypotheses, tolerance: Tolerance::DRAWN, source_support: &prepared.source_support };
+    let task = FaceTask {
+        hypotheses: &model.hypotheses,
+        tolerance: Tolerance::DRAWN,
+        source_support: &prepared.source_support,
+    };
     let mut predict = |hypothesis: &Hypothesis| bench.draw_model(model, hypothesis);
     let explanation = Explanation::find(&task, &seen, &mut predict)?;
     let (mut verdict, evidence) = conclusion::verdict(exercise, &explanation, &seen, |tiles| tiles.atlas());

@@ -270,7 +270,7 @@ impl Intake {
     /// A file that is one stage, if it is one.
     fn take_plain(&mut self, name: &str, text: String, code: &str, surely: bool) {
         let (glsl, main) = stage::looks_like_glsl(code);
-        let named = stage::said_by_name(name) != stage::Said::Nothing;
+        let named = stage::hint_from_name(name) != stage::StageHint::Nothing;
         // Without a `main` it may still be the student's shader: then its name must say so.
         if !(main && glsl || named && (surely || glsl)) {
             return;

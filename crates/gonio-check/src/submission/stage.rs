@@ -18,51 +18,51 @@ pub(super) fn stage_of_word(word: &str) -> Option<Stage> {
 
 /// What a name says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Said {
+pub(super) enum StageHint {
     Nothing,
     One(Stage),
     /// Words for both stages.
     Both,
 }
 
-fn join(said: impl Iterator<Item = Stage>) -> Said {
-    said.fold(Said::Nothing, |so_far, stage| match so_far {
-        Said::Nothing => Said::One(stage),
-        Said::One(other) if other == stage => so_far,
-        _ => Said::Both,
+fn join(hint: impl Iterator<Item = Stage>) -> StageHint {
+    hint.fold(StageHint::Nothing, |so_far, stage| match so_far {
+        StageHint::Nothing => StageHint::One(stage),
+        StageHint::One(other) if other == stage => so_far,
+        _ => StageHint::Both,
     })
 }
 
 /// What a name's words say: a file's (with its folders), or a variable's.
 ///
 /// The ending counts most, then the words of the name, then single letters, then the folder.
-pub(super) fn said_by_name(name: &str) -> Said {
+pub(super) fn hint_from_name(name: &str) -> StageHint {
     let path = name.replace('\\', "/");
     let (folder, base) = path.rsplit_once('/').unwrap_or(("", &path));
     if let Some((_, ending)) = base.rsplit_once('.')
         && let Some(stage) = stage_of_word(&ending.to_lowercase())
     {
         // `vertex.frag`: let the content decide.
-        return match said_by_words(base) {
-            Said::Both => Said::Both,
-            _ => Said::One(stage),
+        return match hint_from_words(base) {
+            StageHint::Both => StageHint::Both,
+            _ => StageHint::One(stage),
         };
     }
-    match said_by_words(base) {
-        Said::Nothing => said_by_words(folder.rsplit('/').next().unwrap_or_default()),
-        said => said,
+    match hint_from_words(base) {
+        StageHint::Nothing => hint_from_words(folder.rsplit('/').next().unwrap_or_default()),
+        hint => hint,
     }
 }
 
-fn said_by_words(name: &str) -> Said {
-    match said_by_whole_words(name) {
-        Said::Nothing => said_by_letters(name),
-        said => said,
+fn hint_from_words(name: &str) -> StageHint {
+    match hint_from_whole_words(name) {
+        StageHint::Nothing => hint_from_letters(name),
+        hint => hint,
     }
 }
 
 /// What `v` and `f` say: little, for `light v2` is a second version.
-fn said_by_letters(name: &str) -> Said {
+fn hint_from_letters(name: &str) -> StageHint {
     join(words_of(name).iter().filter_map(|word| match word.as_str() {
         "v" => Some(Stage::Vertex),
         "f" => Some(Stage::Fragment),
@@ -70,11 +70,11 @@ fn said_by_letters(name: &str) -> Said {
     }))
 }
 
-fn said_by_whole_words(name: &str) -> Said {
+fn hint_from_whole_words(name: &str) -> StageHint {
     let words = words_of(name);
-    let said = join(words.iter().filter_map(|word| stage_of_word(word)));
-    if said != Said::Nothing {
-        return said;
+    let hint = join(words.iter().filter_map(|word| stage_of_word(word)));
+    if hint != StageHint::Nothing {
+        return hint;
     }
     // Words written together: `vertexlighting`, `myfragshader`.
     join(words.iter().flat_map(|word| {
@@ -89,7 +89,7 @@ fn is_said_by_letters_alone(name: &str) -> bool {
     let path = name.replace('\\', "/");
     let base = path.rsplit('/').next().unwrap_or_default();
     let by_ending = base.rsplit('.').any(|part| stage_of_word(&part.to_lowercase()).is_some());
-    !by_ending && said_by_whole_words(base) == Said::Nothing && said_by_letters(base) != Said::Nothing
+    !by_ending && hint_from_whole_words(base) == StageHint::Nothing && hint_from_letters(base) != StageHint::Nothing
 }
 
 /// How the content of a text speaks for a stage.
@@ -138,8 +138,8 @@ pub(super) fn tell(shown: &str, name: &str, code: &str) -> (Option<Stage>, Optio
             return (by_all, None);
         }
     }
-    match (said_by_name(name), by_content) {
-        (Said::One(named), Some(content))
+    match (hint_from_name(name), by_content) {
+        (StageHint::One(named), Some(content))
             if named != content && !(named == Stage::Fragment && found.rather_fragment) =>
         {
             let because = if content == Stage::Vertex { "gl_Position" } else { "what only a fragment shader has" };
@@ -148,7 +148,7 @@ pub(super) fn tell(shown: &str, name: &str, code: &str) -> (Option<Stage>, Optio
             );
             (Some(content), Some(warning))
         }
-        (Said::One(named), _) => (Some(named), None),
+        (StageHint::One(named), _) => (Some(named), None),
         (_, Some(content)) => (Some(content), None),
         (_, None) => {
             let stage = if found.vertex {
@@ -222,9 +222,9 @@ mod tests {
 
     #[test]
     fn names_tell_the_stage() {
-        use Said::{Both, Nothing, One};
         use Stage::{Fragment, Vertex};
-        for (name, said) in [
+        use StageHint::{Both, Nothing, One};
+        for (name, hint) in [
             ("shader.vert", One(Vertex)),
             ("shader.frag", One(Fragment)),
             ("phong.vs", One(Vertex)),
@@ -259,7 +259,7 @@ mod tests {
             ("sourceF", One(Fragment)),
             ("FRAGMENT_SHADER_SRC", One(Fragment)),
         ] {
-            assert_eq!(said_by_name(name), said, "{name}");
+            assert_eq!(hint_from_name(name), hint, "{name}");
         }
     }
 

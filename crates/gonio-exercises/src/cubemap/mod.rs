@@ -11,7 +11,7 @@ pub use images::is_picture;
 use crate::exercise::Exercise;
 use gonio_check::ShaderChecker;
 use gonio_check::mistakes::{Hypothesis, Model};
-use gonio_check::panorama::{Explanation, FaceBench, Task, Tiles, Tolerance, blur, verdict};
+use gonio_check::panorama::{Explanation, FaceBench, FaceTask, Tiles, Tolerance, blur, verdict};
 use gonio_check::search::{Evidence, SourceSupport};
 use gonio_check::submission::SourceFile;
 use gonio_check::testbench::TILE;
@@ -36,7 +36,7 @@ pub fn check(
     let model = checker.model(Model::Panorama);
     let seen = submitted.tiles(TILE as usize).encoded().softened();
     let silent: SourceSupport = Box::new(|id, _| if id == "layout-photographic" { 0.6 } else { 0.5 });
-    let task = Task { hypotheses: &model.hypotheses, tolerance: Tolerance::FILES, source_support: &silent };
+    let task = FaceTask { hypotheses: &model.hypotheses, tolerance: Tolerance::FILES, source_support: &silent };
     let draw = |hypothesis: &Hypothesis| Ok::<Tiles, GlError>(bench.draw_model(model, hypothesis)?.held_to_screens());
     let mut predict = |hypothesis: &Hypothesis| Ok(draw(hypothesis)?.smaller(TILE as usize).encoded().softened());
     let explanation = Explanation::find(&task, &seen, &mut predict)?;

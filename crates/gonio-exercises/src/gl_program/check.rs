@@ -122,7 +122,7 @@ struct Attempt {
     run: GlProgramRun,
     /// Calls that are refused, and findings that cannot be meant.
     complaints: BTreeSet<String>,
-    /// How many complaints the last mend has ended; others may have come to light.
+    /// How many complaints the last fix has ended; others may have come to light.
     ended: usize,
     share: f64,
 }

@@ -12,7 +12,7 @@ use std::fmt::Write as _;
 const SHOWN: u32 = 4 * TILE;
 
 /// A page for a student, in one HTML file that loads nothing and runs nothing: the verdict, each mistake with its place and how to
-/// mend it, the compiler's messages, terms, scenes with pictures where there is evidence, peculiarities, warnings, and what
+/// fix it, the compiler's messages, terms, scenes with pictures where there is evidence, peculiarities, warnings, and what
 /// was bound to what. `label` is the submission's name. It is light or dark as the reader's system is, and fits a phone.
 ///
 /// Pictures are linear light encoded as sRGB; pixels are enlarged unsmoothed; what is no number is magenta; where nothing is
