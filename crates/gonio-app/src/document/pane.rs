@@ -350,7 +350,7 @@ mod tests {
         );
         assert_eq!(pane.caption(), "Gouraud · Phong · physical");
         let weighted = Pane { cosine_weighted: Some(false), ..pane };
-        assert_eq!(weighted.applied_to(&scene).equation.cosine_weighted, false);
+        assert!(!weighted.applied_to(&scene).equation.cosine_weighted);
         let ward = Pane { reflectance: Some(Reflectance::Brdf(BrdfKind::Blinn)), ..Pane::default() };
         assert_eq!(ward.applied_to(&scene).equation.brdf, Some(BrdfKind::Blinn));
     }

@@ -94,7 +94,7 @@ fn the_equation_follows_the_settings() {
     assert_eq!(bench.document().scene.equation.specular, Specular::Phong);
     assert!(!cosine_is_last(&bench));
     bench.click("cosine-weighted");
-    assert_eq!(bench.document().scene.equation.cosine_weighted, true);
+    assert!(bench.document().scene.equation.cosine_weighted);
     assert!(cosine_is_last(&bench));
     bench.app().document.scene.equation.brdf = Some(BrdfKind::Ward);
     bench.settle();

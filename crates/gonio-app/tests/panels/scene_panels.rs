@@ -196,11 +196,11 @@ fn a_light_goes_off_and_the_frame_is_dark_of_it() {
     let mut bench = Bench::new(SCENE, Tab::Lights);
     let index = bench.document().scene.lights.iter().position(|l| l.kind == LightSourceKind::Point).unwrap_or(0);
     bench.click(&format!("light-{index}-on"));
-    assert_eq!(bench.document().scene.lights[index].enabled, false);
+    assert!(!bench.document().scene.lights[index].enabled);
     let frame = bench.app().session.loaded.as_ref().map(|l| l.frame(0.0)).unwrap_or_else(|| panic!("no scene"));
     assert_eq!(frame.lights[index].color.to_array(), [0.0; 3]);
     bench.click(&format!("light-{index}-on"));
-    assert_eq!(bench.document().scene.lights[index].enabled, true);
+    assert!(bench.document().scene.lights[index].enabled);
 }
 
 #[test]

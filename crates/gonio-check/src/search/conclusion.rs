@@ -2,7 +2,7 @@
 
 use super::compare::Comparison;
 use super::parameterisation::Parameterisation;
-use super::search::{Entry, Found, Search, Tried};
+use super::ranking::{Entry, Found, Search, Tried};
 use super::task::Task;
 use crate::roles::Bindings;
 use crate::testbench::{Atlas, Testbench};

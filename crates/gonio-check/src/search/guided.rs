@@ -1,6 +1,6 @@
 //! Three mistakes and more at once: pictures alone cannot find them among a hundred, but the source says where to look.
 
-use super::search::{Difference, Search, Support, Tried};
+use super::ranking::{Difference, Search, Support, Tried};
 use crate::mistakes::Hypothesis;
 use gonio_gl::GlError;
 

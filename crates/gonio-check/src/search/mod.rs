@@ -9,8 +9,8 @@ mod on_cpu;
 mod parameterisation;
 mod predict;
 mod properties;
+mod ranking;
 mod right;
-mod search;
 mod task;
 
 pub use compare::{Comparison, PIXEL_TOLERANCE, PIXELS_TOLERANCE, pixel_difference};
@@ -29,7 +29,7 @@ use crate::verdict::{Outcome, Verdict};
 use gonio_gl::{Gl, GlError};
 use gonio_render::user_program::UserProgram;
 use on_cpu::CpuComparer;
-use search::{Entry, Found, Search};
+use ranking::{Entry, Found, Search};
 use std::collections::HashMap;
 
 /// A pair of shaders that runs here, and what is known of it beside its pictures.

@@ -1,7 +1,7 @@
 //! The right answer that a verdict holds a program against: scenes and terms are compared with the same one.
 
 use super::conclusion::NAMED_FROM;
-use super::search::{Found, Search};
+use super::ranking::{Found, Search};
 use crate::mistakes::Hypothesis;
 
 /// The model's number among the search's, and what of it is peculiar.

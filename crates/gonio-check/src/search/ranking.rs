@@ -1,7 +1,6 @@
-//! Which hypothesis explains what a program draws.
+//! Ranks hypotheses by how well they explain what a program draws.
 //!
-//! Peculiarities that are right come first, then single mistakes, then pairs of them: the simplest explanation that leaves
-//! nothing over is the one that is named.
+//! Harmless peculiarities come first, then single mistakes, then pairs: the simplest explanation without a residual is named.
 
 use super::compare::Comparison;
 use super::on_cpu::{CpuComparer, Detail};
