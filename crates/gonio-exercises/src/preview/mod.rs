@@ -1,5 +1,5 @@
 //! A pair of shaders as it runs in a window: read while it is being written, its variables given what they mean, drawn in
-//! the exercise's scene. What it draws is for the eye; verdicts are the checker's ([`gonio_check::search()`]).
+//! the exercise's scene. What it draws is for the eye; verdicts are the checker's ([`gonio_check::check`]).
 
 mod files;
 mod pair;

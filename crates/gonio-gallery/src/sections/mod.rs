@@ -1,4 +1,4 @@
-//! The sections of the gallery. A new technique adds a file here, and a line to [`SECTIONS`].
+//! The sections of the gallery. A new technique adds a file here, and a line to `SECTIONS`.
 
 mod brdfs;
 mod cubemaps;

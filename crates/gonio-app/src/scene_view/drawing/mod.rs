@@ -116,11 +116,11 @@ impl PaneRenderer {
         self.details.begin(ctx);
     }
 
-    /// The picture of a pane, `size` pixels, to be shown by a paint callback; drawn if anything changed since.
+    /// The picture of a pane, `size` pixels, for a paint callback. It is drawn only if something has changed.
     ///
-    /// While something moves ([`Session::moving`]) nothing is waited for, and if the panes took longer than
-    /// [`pane::SLOW_MS`] when they were drawn last, one sample a pixel must do until all is still. So it is with the first
-    /// pictures of a scene while it is sketched ([`Session::sketching`]).
+    /// While something moves ([`Session::moving`]) the call does not wait for the GPU, and if the panes were slow to draw last
+    /// time, they are drawn with one sample per pixel until nothing moves. The first pictures of a scene are drawn in the same
+    /// way while it is sketched ([`Session::sketching`]).
     pub fn picture(
         &mut self,
         index: usize,
