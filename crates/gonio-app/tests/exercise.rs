@@ -258,7 +258,7 @@ fn the_exercises_are_listed_begun_and_left_and_the_scene_stays() {
         window.click("exercises");
         assert_eq!(window.state()["open"], true);
         window.click("exercise-ex03");
-        window.wait("the exercise", |s| s["exercise"] == "ex03" && s["drawn"] == true);
+        window.wait("the exercise", |s| s["id"] == "ex03" && s["drawn"] == true);
         let names: Vec<Value> = window.state()["files"].as_array().unwrap().iter().map(|f| f["name"].clone()).collect();
         assert!(names.contains(&"start.vert".into()), "{names:?}");
         window.click("leave");
@@ -278,10 +278,10 @@ fn a_file_is_not_lost_to_another_exercise() {
     let text = window.text();
     window.click("exercises");
     window.click("exercise-ex03");
-    window.wait("the other", |s| s["exercise"] == "ex03" && s["drawn"] == true);
+    window.wait("the other", |s| s["id"] == "ex03" && s["drawn"] == true);
     window.click("exercises");
     window.click("exercise-ex04");
-    assert_eq!((&window.state()["exercise"], window.text()), (&"ex04".into(), text));
+    assert_eq!((&window.state()["id"], window.text()), (&"ex04".into(), text));
     window.wait("its picture", |s| s["drawn"] == true);
 }
 
@@ -386,9 +386,9 @@ fn a_pair_in_a_program_takes_the_place_of_both_and_a_model_is_left_for_the_scene
 #[test]
 fn of_several_buffers_the_one_in_the_editor_is_checked() {
     let mut window = Window::open(Start { exercise: "ex02".into(), files: Vec::new() }, DESK);
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../gonio-exercises/tests/ex02");
-    let [right, wrong] =
-        ["house.reference.csv", "house.start.csv"].map(|name| std::fs::read(folder.join(name)).unwrap());
+    let table = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../gonio-exercises/tests/buffers.txt");
+    let table = gonio_fixtures::FixtureTable::read(table).unwrap();
+    let [right, wrong] = ["house.reference.csv", "house.start.csv"].map(|name| table.get(name).unwrap().to_vec());
     let floats = [0_u8; 96];
     window.hand(&[("house.csv", &right), ("house2.csv", &wrong), ("cube.bin", &floats)]);
     for (tab, word) in [("house.csv", "correct"), ("house2.csv", "wrong")] {

@@ -15,8 +15,8 @@ fn a_right_buffer_is_right_in_every_format_and_order() {
     for (name, expected) in &models() {
         let has = expected.attributes();
         let vertices: Vec<Vertex> = expected.vertices().collect();
-        for lecture_section in 0..4 {
-            let vertices = if lecture_section == 0 { vertices.clone() } else { shuffled(&vertices, lecture_section) };
+        for seed in 0..4 {
+            let vertices = if seed == 0 { vertices.clone() } else { shuffled(&vertices, seed) };
             for Format { name: format, file, bytes } in formats(&vertices, has) {
                 let buffer = read_buffer(&file, &bytes).unwrap_or_else(|error| panic!("{name} as {format}: {error}"));
                 let verdict = compare(expected, &buffer);

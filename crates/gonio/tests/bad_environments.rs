@@ -94,7 +94,7 @@ fn faces_that_are_no_set_of_six() {
 fn names_that_mean_nothing() {
     let lab = Lab::new();
     lab.refuses("skyy", &["skyy: there is no such file or folder; did you mean `sky`, which is built in?"]);
-    lab.refuses("builtin:rooom", &["no built-in environment `rooom`; did you mean `room`?"]);
+    lab.refuses("builtin:rooom", &["unknown built-in environment `rooom`", "did you mean `room`?"]);
     lab.refuses("no/where.hdr", &["no/where.hdr: there is no such file or folder; check the path"]);
     lab.write("words.hdr", "these are words");
     lab.refuses("words.hdr", &["words.hdr: this is not a known picture format; PNG, JPEG"]);

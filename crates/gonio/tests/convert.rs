@@ -84,7 +84,7 @@ fn what_is_missing_or_lost_is_said() {
 #[test]
 fn bad_options_are_rejected() {
     let lab = lab();
-    lab.run(&["convert", "m.obj", "a.stl"]).refused(&["`a.stl` cannot be written", ".obj, .ply, .glb"]);
+    lab.run(&["convert", "m.obj", "a.stl"]).refused(&["`a.stl` cannot be written", ".obj, .ply or .glb"]);
     lab.run(&["convert", "m.obj", "a"]).refused(&["`a` cannot be written"]);
     lab.run(&["convert", "m.obj", "a.obj", "--ascii"]).refused(&["--ascii is for .ply only"]);
     lab.run(&["convert", "m.obj", "no/a.obj"]).refused(&["there is no folder `no`"]);

@@ -146,7 +146,7 @@ fn stdout_takes_one_file() {
     lab.run(&["convert", &cube, "-", "--format", "glb", "--json"]).refused(&["--json", "stdout"]);
     lab.run(&["convert", &cube, "-"]).refused(&["--format"]);
     // Its library is a file of its own.
-    lab.run(&["convert", &cube, "-", "--format", "obj"]).refused(&["2 files", "--format glb"]);
+    lab.run(&["convert", &asset("still_life.obj"), "-", "--format", "obj"]).refused(&["2 files", "--format glb"]);
     lab.run(&["environment", "convert", "debug", "-", "--to", "faces"]).refused(&["six faces", "name a folder"]);
     lab.run(&["tour", "-o", "-"]).refused(&["several files", "name a folder"]);
     lab.run(&["lab", "start", "ex04", "-"]).refused(&["several files", "name a folder"]);

@@ -184,7 +184,7 @@ mod tests {
         let before = work.files.clone();
         let taken = work.take(vec![given("photo.png", "PNG\0")]);
         assert_eq!(taken.announcement, None);
-        assert!(taken.ignored.unwrap().contains("photo.png is nothing that ex04 reads"));
+        assert!(taken.ignored.unwrap().contains("ex04 does not read photo.png"));
         assert!(work.files == before && work.before.is_empty());
     }
 

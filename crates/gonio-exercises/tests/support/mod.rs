@@ -40,8 +40,8 @@ pub fn random(state: &mut u64, below: usize) -> usize {
 }
 
 /// The triangles in another order, each starting at another corner.
-pub fn shuffled(vertices: &[Vertex], lecture_section: u64) -> Vec<Vertex> {
-    let mut state = lecture_section;
+pub fn shuffled(vertices: &[Vertex], seed: u64) -> Vec<Vertex> {
+    let mut state = seed;
     let mut triangles: Vec<[Vertex; 3]> = vertices.as_chunks::<3>().0.to_vec();
     for i in (1..triangles.len()).rev() {
         triangles.swap(i, random(&mut state, i + 1));

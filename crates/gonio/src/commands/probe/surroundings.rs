@@ -176,7 +176,7 @@ mod tests {
         has(&text, &["R 0.70711 0 0.70711", "T 0.47140 0 -0.88192", "F 0 0 0", "E(R) 0.40000 0.40000 0.40000"]);
         has(&text, &["(1-F) * tint * E(T) 1.60000 1.60000 1.60000", "w 0.40000 = reflectivity", "L 1.03000 1.03000"]);
         has(&text, &["L = (1-t) * [ (1-w) * L_o + w * E(R) ] + t * [ F * E(R) + (1-F) * tint * E(T) ]"]);
-        has(&text, &["red 1.03 = 0.5 [ 0.6 * 0.5 + 0.4 * 0.4 ] + 0.5 [ 0 * 0.4 + 1.6 ]"]);
+        has(&text, &["red 1.03 = 0.5 * [ 0.6 * 0.5 + 0.4 * 0.4 ] + 0.5 * [ 0 * 0.4 + 1.6 ]"]);
         let text = page(Optics { fresnel: Fresnel::Exact, ..glass }, true);
         has(&text, &["Fresnel exact", "surfaces one", "w 0.02", "it lights the objects"]);
         has(&text, &["L = (1-t) * [ (1-w) * (L_o + diffuse + specular) + w * E(R) ]"]);
