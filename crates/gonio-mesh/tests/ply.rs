@@ -292,8 +292,7 @@ fn strips_of_triangles() {
     assert_eq!(model.mesh.indices, [0, 1, 2, 2, 1, 3, 2, 3, 4, 1, 0, 2]);
     let astray = read(text.replace("3 4 -1", "3 9 -1").as_bytes()).unwrap();
     let expected = [
-        "15: warning: 1 polygon points at vertices that are not there (strip 0 at vertex 9 of 5 is the first): left \
-         out",
+        "15: warning: 1 polygon points at missing vertices (the first is strip 0 at vertex 9 of 5): left out",
         "note: 1 vertex is unused: left out",
     ];
     assert_eq!(said(&astray), expected);
@@ -342,13 +341,11 @@ fn what_is_odd_is_survived_and_reported() {
         (face("4 0 1 2 3\n\nmore"), &["16: warning: \"more\" after the last element is ignored"]),
         (
             two_faces("4 0 1 2 3\n3 0 1 4"),
-            &["15: warning: 1 polygon points at vertices that are not there (face 1 at vertex 4 of 4 is the first): \
-               left out"],
+            &["15: warning: 1 polygon points at missing vertices (the first is face 1 at vertex 4 of 4): left out"],
         ),
         (
             two_faces("4 0 1 2 3\n3 0 1 -1"),
-            &["15: warning: 1 polygon points at vertices that are not there (face 1 at vertex -1 of 4 is the first): \
-               left out"],
+            &["15: warning: 1 polygon points at missing vertices (the first is face 1 at vertex -1 of 4): left out"],
         ),
         (
             two_faces("4 0 1 2 3\n2 0 1"),
@@ -444,8 +441,8 @@ fn errors_say_what_and_where() {
         ),
         (
             with("4 0 1 2 3", "3 0 1 9"),
-            "contains no triangles (vertices: 4, faces: 1): nothing to draw; 1 polygon points at vertices that are not \
-             there (face 0 at vertex 9 of 4 is the first): left out",
+            "contains no triangles (vertices: 4, faces: 1): nothing to draw; 1 polygon points at missing \
+             vertices (the first is face 0 at vertex 9 of 4): left out",
         ),
         (format!("{HEAD}end_header\n{SQUARE}"), "contains 4 points but no faces: nothing to draw"),
         (with("face 1", "face 0"), "contains 4 points but no faces: nothing to draw"),

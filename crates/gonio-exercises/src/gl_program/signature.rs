@@ -262,7 +262,7 @@ impl Arguments<'_> {
         match self.names.get(word.text) {
             Some(Named::Number) => return Ok(Number::Variable(word.text.to_owned())),
             Some(other) => {
-                let message = format!("`{}` is {} and no number", word.text, other.words());
+                let message = format!("`{}` is {}, not a number", word.text, other.words());
                 return Err(Problem::at(word, message, "give the name that a call returned its number to"));
             }
             None => {}
@@ -297,7 +297,7 @@ impl Arguments<'_> {
         match self.names.get(word.text) {
             Some(named) if *named == wanted => Ok(word.text.to_owned()),
             Some(named) => {
-                let message = format!("`{}` is {} and not {}", word.text, named.words(), wanted.words());
+                let message = format!("`{}` is {}, not {}", word.text, named.words(), wanted.words());
                 Err(Problem::at(word, message, format!("make one with `{how}`")))
             }
             None => {

@@ -242,7 +242,7 @@ fn what_is_asked_for_in_vain_is_told() {
     assert!(opened(&files, "p.png", OpenOptions::default()).diagnostics.is_empty());
     let odd = opened(&files, "odd.png", OpenOptions::default());
     assert_eq!((odd.diagnostics.len(), odd.diagnostics[0].severity), (1, Severity::Warning));
-    assert!(odd.diagnostics[0].message.contains("whole width is 360 degrees"), "{:?}", odd.diagnostics);
+    assert!(odd.diagnostics[0].message.contains("360 degrees across its width"), "{:?}", odd.diagnostics);
     // Six files are no cross.
     let reading = OpenOptions { arrangement: Some(Arrangement::Cross), ..OpenOptions::default() };
     let error = open("a", reading, Path::new(""), &files, &Limits::default()).map(|o| o.map).unwrap_err();

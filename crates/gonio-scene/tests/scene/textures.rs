@@ -103,7 +103,7 @@ fn heights_become_normals_and_normal_maps_stay() {
     let ramp = || png(5, 2, |x, _| [51 * x as u8, 51 * x as u8, 51 * x as u8, 255]);
     let scene = loaded("newmtl m\nmap_Bump -bm 2 h.png\n", |f| f.with("models/h.png", ramp()));
     assert_eq!(warnings(&scene), [""; 0]);
-    assert!(scene.diagnostics.iter().any(|d| d.message.contains("holds heights")), "{:?}", scene.diagnostics);
+    assert!(scene.diagnostics.iter().any(|d| d.message.contains("is read as a height map")), "{:?}", scene.diagnostics);
     let bound = scene.materials[0].maps.normal.unwrap();
     let texture = &scene.textures[bound.texture];
     assert_eq!(texture.color_space, ColorSpace::Data);
