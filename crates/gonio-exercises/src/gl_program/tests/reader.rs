@@ -107,7 +107,7 @@ fn errors_have_a_place_and_say_what_to_do() {
         ("data d\n1 2", 1, "the list `d`, begun in line 1, has no end", "`end`"),
         ("data clear\n1\nend", 6, "`clear` cannot be a name", ""),
         ("data d\n1\nend\ndata d\n2\nend", 6, "there is a `d` already", "another name"),
-        ("data d\n1\nend\nuse_program d", 13, "`d` is a list of numbers and no number", ""),
+        ("data d\n1\nend\nuse_program d", 13, "`d` is a list of numbers, not a number", ""),
         ("buffer_data ARRAY_BUFFER c STATIC_DRAW", 26, "there is no `c` yet", "data NAME ... end"),
         ("vertex_attrib_pointer p 3 FLOAT false 0 0", 33, "`false` is neither TRUE nor FALSE", "write FALSE"),
         ("enable_vertex_attrib_array 0", 28, "`0` names no variable of a shader", "the name that it has in the shader"),
