@@ -400,7 +400,7 @@ fn of_several_buffers_the_one_in_the_editor_is_checked() {
         assert_eq!(state["verdict"]["word"], word, "{tab}: {}", state["verdict"]);
     }
     let work = window.app().exercise().work.as_ref().unwrap();
-    assert_eq!(work.files[work.file_named("cube.bin").unwrap()].text, "96 bytes that are no text.\n");
+    assert_eq!(work.files[work.file_named("cube.bin").unwrap()].text, "96 bytes of binary data.\n");
 }
 
 #[test]

@@ -86,7 +86,7 @@ fn bad_options_are_rejected() {
     let lab = lab();
     lab.run(&["convert", "m.obj", "a.stl"]).refused(&["`a.stl` cannot be written", ".obj, .ply or .glb"]);
     lab.run(&["convert", "m.obj", "a"]).refused(&["`a` cannot be written"]);
-    lab.run(&["convert", "m.obj", "a.obj", "--ascii"]).refused(&["--ascii is for .ply only"]);
+    lab.run(&["convert", "m.obj", "a.obj", "--ascii"]).refused(&["--ascii applies to .ply only"]);
     lab.run(&["convert", "m.obj", "no/a.obj"]).refused(&["there is no folder `no`"]);
     lab.run(&["convert", "no.obj", "a.obj"]).refused(&["no.obj"]);
     lab.run(&["convert", "m.obj", "a.obj", "--max-triangles", "0"]).refused(&["more than 0 triangles"]);

@@ -15,7 +15,7 @@ fn usual_messages_are_explained() {
             "initializer of type vec4 cannot be assigned to variable of type vec3",
             "another type than the variable on the left",
         ),
-        ("value of type vec4 cannot be assigned to variable of type vec3", "another type than the variable"),
+        ("value of type vec4 cannot be assigned to variable of type vec3", "different types"),
         ("syntax error, unexpected NEW_IDENTIFIER, expecting ',' or ';'", "semicolon or a bracket"),
         ("assignment to read-only variable 'n'", "`n` cannot be changed"),
         ("no function with name 'texture2D'", "are called `texture`"),
