@@ -43,7 +43,7 @@ pub fn section() -> Result<Section, GalleryError> {
         title: "BRDFs of Appendix 6",
         equation: "L_o = E + Σ_i f(L_i, V) L_i att_i ⟨N·L_i⟩",
         introduction: "A BRDF takes the place of both terms. All six are normalised, so they spread the same share of \
-                       light over different directions. γ = 24, b = 0.22 (0.04 for the last, which comes back whole).",
+                       light over different directions. g = 24, b = 0.22 (0.04 for the last, which comes back whole).",
         rows: vec![vec![
             exhibit(
                 "brdf-lambert",

@@ -161,7 +161,7 @@ fn image_based() -> Result<Vec<Exhibit>, GalleryError> {
             })?;
             Ok::<_, GalleryError>(Exhibit::new(name, caption, scene).remark(remark).about(equation, look))
         };
-    const GLOSSY: &str = "∫ f_γ E … ≈ E_γ(R') !{(A k_s + B)}";
+    const GLOSSY: &str = "∫ f_g E … ≈ E_g(R') !{(A k_s + B)}";
     let (metal, dark) = ([0.95, 0.68, 0.36], [0.02, 0.012, 0.006]);
     Ok(vec![
         suzanne(
@@ -177,7 +177,7 @@ fn image_based() -> Result<Vec<Exhibit>, GalleryError> {
         )?,
         suzanne(
             "ibl-rough",
-            "γ = 8",
+            "g = 8",
             "rough metal",
             dark,
             metal,
@@ -188,7 +188,7 @@ fn image_based() -> Result<Vec<Exhibit>, GalleryError> {
         )?,
         suzanne(
             "ibl-satin",
-            "γ = 80",
+            "g = 80",
             "satin",
             dark,
             metal,
@@ -198,7 +198,7 @@ fn image_based() -> Result<Vec<Exhibit>, GalleryError> {
         )?,
         suzanne(
             "ibl-polished",
-            "γ = 800",
+            "g = 800",
             "polished",
             dark,
             metal,
@@ -222,7 +222,7 @@ fn image_based() -> Result<Vec<Exhibit>, GalleryError> {
         .at_sheet_size()
         .remark("the still life by the room's light")
         .about(
-            "L = !{E_γ(−V)}",
+            "L = !{E_g(−V)}",
             "The same blurred cubemaps behind the objects keep the eye on what is in front. There are no shadows: E does \
              not know the objects.",
         ),

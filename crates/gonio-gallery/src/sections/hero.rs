@@ -4,7 +4,7 @@ use crate::GalleryError;
 use crate::base_scene::BaseScene;
 use crate::exhibit::{Exhibit, Section};
 
-const WHOLE: &str = "L_o = A + E + Σ_i [ k_d ⟨N·L_i⟩ + k_s spec_i ] L_i att_i spot_i";
+const WHOLE: &str = "L_o = A + E + Σ_i [ diff k_d ⟨N·L_i⟩ + k_s spec_i ] L_i att_i spot_i";
 
 /// The still life and Suzanne.
 pub fn section() -> Result<Section, GalleryError> {

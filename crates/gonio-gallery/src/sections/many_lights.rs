@@ -38,7 +38,7 @@ fn carpet() -> Result<Exhibit, GalleryError> {
         .at_sheet_size()
         .remark("a sunflower of lamps a hand above the floor, each fading with 1 / (0.35 + 14 d^2)")
         .about(
-            "L_o = A + E + !{Σ_{i=1}^{200}} [ k_d ⟨N·L_i⟩ + k_s spec_i ] L_i !{att_i}",
+            "L_o = A + E + !{Σ_{i=1}^{200}} [ diff k_d ⟨N·L_i⟩ + k_s spec_i ] L_i !{att_i}",
             "Every fragment sums all lights. Each pool of light on the floor is one of them; in the dark squares and on \
              the crate each has its own small mirror image.",
         ))
@@ -70,7 +70,7 @@ fn ring() -> Result<Exhibit, GalleryError> {
         .at_sheet_size()
         .remark("grey all over: every colour here is a light's")
         .about(
-            "L_o = A + !{Σ_{i=1}^{24}} [ k_d ⟨N·L_i⟩ + k_s spec_i ] !{L_i} att_i",
+            "L_o = A + !{Σ_{i=1}^{24}} [ diff k_d ⟨N·L_i⟩ + k_s spec_i ] !{L_i} att_i",
             "A colour wheel of lamps around a grey head: what faces a lamp takes its colour, and where lamps mix the \
              grey returns.",
         ))

@@ -11,8 +11,8 @@ use std::f64::consts::PI;
 pub fn section() -> Result<Section, GalleryError> {
     let mut exponents = Vec::new();
     for (specular, word, equation) in [
-        (Specular::Phong, "Phong", "spec = ⟨R·V⟩^{!{γ}},  R = 2 (N·L) N − L"),
-        (Specular::BlinnPhong, "Blinn–Phong", "spec = ⟨N·H⟩^{!{γ}},  H = \\f{L + V}{|L + V|}"),
+        (Specular::Phong, "Phong", "spec = ⟨R·V⟩^{!{g}},  R = 2 (N·L) N − L"),
+        (Specular::BlinnPhong, "Blinn–Phong", "spec = ⟨N·H⟩^{!{g}},  H = \\f{L + V}{|L + V|}"),
     ] {
         for gamma in [4.0, 32.0, 256.0] {
             exponents.push(exponent(specular, word, gamma, equation)?);
@@ -21,7 +21,7 @@ pub fn section() -> Result<Section, GalleryError> {
     Ok(Section {
         id: "specular",
         title: "The specular term",
-        equation: "Phong ⟨R·V⟩^γ,   Blinn–Phong ⟨N·H⟩^γ",
+        equation: "Phong ⟨R·V⟩^g,   Blinn–Phong ⟨N·H⟩^g",
         introduction: "Phong compares the mirrored light with the eye, Blinn and Phong the half vector with the normal. \
                        At the same exponent Blinn–Phong's highlight is about twice as wide.",
         rows: vec![choices()?, exponents],
@@ -41,31 +41,31 @@ fn choices() -> Result<Vec<Exhibit>, GalleryError> {
         exhibit(
             "specular-none",
             "none",
-            "only k_d ⟨N·L⟩",
+            "only diff k_d ⟨N·L⟩",
             |e| e.specular = Specular::None,
-            "L_o = A + Σ_i [ k_d ⟨N·L_i⟩ ~{+ k_s spec_i} ] L_i",
+            "L_o = A + Σ_i [ diff k_d ⟨N·L_i⟩ ~{+ k_s spec_i} ] L_i",
             "Clay. The form is there, the material is not.",
         )?,
         exhibit(
             "specular-phong",
             "Phong",
-            "⟨R·V⟩^γ",
+            "⟨R·V⟩^g",
             |e| e.specular = Specular::Phong,
-            "spec_i = !{⟨R_i·V⟩^γ}",
-            "Tight highlights; compare the forehead with the next picture at the same γ.",
+            "spec_i = !{⟨R_i·V⟩^g}",
+            "Tight highlights; compare the forehead with the next picture at the same g.",
         )?,
         exhibit(
             "specular-blinn-phong",
             "Blinn–Phong",
-            "⟨N·H⟩^γ",
+            "⟨N·H⟩^g",
             |e| e.specular = Specular::BlinnPhong,
-            "spec_i = !{⟨N·H_i⟩^γ}",
+            "spec_i = !{⟨N·H_i⟩^g}",
             "Wider highlights, and long ones where light grazes: the cold rim reaches further around the head.",
         )?,
         exhibit(
             "specular-cosine",
             "cosine-weighted",
-            "⟨N·H⟩^γ ⟨N·L⟩",
+            "⟨N·H⟩^g ⟨N·L⟩",
             |e| e.cosine_weighted = Some(true),
             "k_s spec_i !{⟨N·L_i⟩}",
             "The factor cos θ that the lab's specular term has lost: grazing highlights fade out instead of ending.",
@@ -90,7 +90,7 @@ fn exponent(specular: Specular, word: &str, gamma: f64, equation: &str) -> Resul
         s.objects[0].material.shininess = Some(gamma);
         s.equation.specular = specular;
     })?;
-    Ok(Exhibit::new(format!("{specular}-{gamma}"), format!("{word}, γ = {gamma}"), scene)
+    Ok(Exhibit::new(format!("{specular}-{gamma}"), format!("{word}, g = {gamma}"), scene)
         .aspect(1.3)
         .remark(match gamma {
             4.0 => "satin",
