@@ -166,7 +166,7 @@ fn check_dependencies(root: &Path) -> Findings {
     if let Err(error) = setup::cargo_deny(root) {
         return Findings::fail(error);
     }
-    cargo_check(root, &["deny", "--offline", "--log-level", "warn", "check", "bans", "licenses", "sources"], &[])
+    cargo_check(root, &["deny", "--locked", "--log-level", "warn", "check", "bans", "licenses", "sources"], &[])
         .remarking("advisories: `cargo deny check advisories`")
 }
 
