@@ -158,7 +158,7 @@ fn only_one_records_at_a_time_and_dropping_ends_it() {
     let context = super::context(false);
     let recording = Recording::begin(context.gl()).unwrap_or_else(|e| panic!("{e}"));
     let why = Recording::begin(context.gl()).err().map(|e| e.message).unwrap_or_default();
-    assert!(why.contains("recorded already"), "{why}");
+    assert!(why.contains("another recording is running"), "{why}");
     drop(recording);
     let record = Recording::begin(context.gl()).unwrap_or_else(|e| panic!("{e}")).finish();
     assert!(record.draws.is_empty() && record.texture_units >= 16, "{record:?}");
