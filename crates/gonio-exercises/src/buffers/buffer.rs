@@ -1,11 +1,45 @@
-//! A student's vertex buffer, in whichever format it came.
+//! A student's vertex buffer, in whichever format it came, and the vertices in it.
 
-use super::error::BufferError;
-use super::vertex::{Attributes, Vertex, unit};
-use super::{json, raw, table};
+use serde::Serialize;
+use std::fmt;
 
-/// Most bytes of a file.
-pub const MOST_BYTES: usize = 100 << 20;
+/// A vertex of a triangle list.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Vertex {
+    /// In the model's space and unit.
+    pub position: [f32; 3],
+    /// u to the right, v up; zero where there is none.
+    pub tex_coord: [f32; 2],
+    /// Of unit length; zero if absent.
+    pub normal: [f32; 3],
+}
+
+/// Which attributes beside the position there are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Attributes {
+    /// Texture coordinates.
+    pub tex_coords: bool,
+    /// Normals.
+    pub normals: bool,
+}
+
+impl Attributes {
+    /// From 0 to 3, another one for each.
+    pub(super) fn number(self) -> usize {
+        usize::from(self.tex_coords) + 2 * usize::from(self.normals)
+    }
+
+    pub(super) fn and(self, other: Attributes) -> Attributes {
+        Attributes { tex_coords: self.tex_coords && other.tex_coords, normals: self.normals && other.normals }
+    }
+}
+
+/// Unit length, or zero where there is none; what is not finite stays.
+pub(super) fn unit(normal: [f32; 3]) -> [f32; 3] {
+    let wide = normal.map(f64::from);
+    let length = wide.iter().map(|x| x * x).sum::<f64>().sqrt();
+    if length.is_finite() && length > 1e-12 { wide.map(|x| (x / length) as f32) } else { normal }
+}
 
 /// A vertex buffer as it was read. What columns without names mean is decided when it is compared with a model.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,33 +94,6 @@ const LAYOUTS: [Layout; 5] = [
 /// Column counts that a buffer without names may have.
 pub(super) const WIDTHS: [usize; 4] = [3, 5, 6, 8];
 
-/// Reads a vertex buffer: CSV (or semicolons, tabs, blanks), JSON or raw little-endian floats, by the file's ending, or
-/// by its content where that says nothing. The ending `.raw8` (`6`, `5`, `3`) states the floats of a vertex.
-pub fn read_buffer(name: &str, bytes: &[u8]) -> Result<Buffer, BufferError> {
-    if bytes.len() > MOST_BYTES {
-        let message = format!("the file has {} MB; at most {} are read", bytes.len() >> 20, MOST_BYTES >> 20);
-        return Err(BufferError::new(message));
-    }
-    if bytes.is_empty() {
-        return Err(BufferError::new("the file is empty: was it closed before the program ended?"));
-    }
-    let ending = name.rsplit_once('.').map_or(String::new(), |(_, ending)| ending.to_ascii_lowercase());
-    let is_text = raw::looks_like_text(bytes);
-    match ending.as_str() {
-        "json" => json::read(bytes),
-        "csv" | "tsv" | "txt" => table::read(bytes),
-        "raw" | "bin" | "f32" | "dat" if !is_text => raw::read(bytes, None),
-        "raw8" | "raw6" | "raw5" | "raw3" if !is_text => {
-            raw::read(bytes, ending.bytes().last().map(|digit| usize::from(digit - b'0')))
-        }
-        _ if !is_text => raw::read(bytes, None),
-        _ => match bytes.trim_ascii_start().first() {
-            Some(b'[' | b'{') => json::read(bytes),
-            _ => table::read(bytes),
-        },
-    }
-}
-
 impl Buffer {
     /// Every way of taking the columns, the documented one first; never empty.
     pub(super) fn readings(&self) -> Vec<Reading> {
@@ -95,13 +102,13 @@ impl Buffer {
                 vec![Reading { vertices: vertices.clone(), has: *has, remark: None }]
             }
             Data::Rows { values, width } => by_width(values, *width, None),
-            Data::Raw { bytes, stride } => raw::readings(bytes, *stride),
+            Data::Raw { bytes, stride } => readings_of_bytes(bytes, *stride),
         }
     }
 }
 
 /// The readings of rows of `width` numbers.
-pub(super) fn by_width(values: &[f32], width: usize, remark: Option<&'static str>) -> Vec<Reading> {
+fn by_width(values: &[f32], width: usize, remark: Option<&'static str>) -> Vec<Reading> {
     let layouts = LAYOUTS.iter().filter(|layout| layout.width == width);
     layouts
         .map(|layout| Reading {
@@ -112,6 +119,23 @@ pub(super) fn by_width(values: &[f32], width: usize, remark: Option<&'static str
         .collect()
 }
 
+/// As 32-bit floats, then as 64-bit ones: what NumPy and JavaScript's arrays hold unless told.
+fn readings_of_bytes(bytes: &[u8], stride: Option<usize>) -> Vec<Reading> {
+    const DOUBLES: &str = "the numbers are 64-bit floats; expected 32-bit ones (float, np.float32, Float32Array)";
+    let singles: Vec<f32> = bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
+    let doubles = bytes.chunks_exact(8).map(|b| f64::from_le_bytes([b[0], b[1], b[2], b[3], b[4], b[5], b[6], b[7]]));
+    let doubles: Vec<f32> = doubles.map(|x| x as f32).collect();
+    let mut readings = Vec::new();
+    for (values, remark) in [(&singles, None), (&doubles, Some(DOUBLES))] {
+        for width in WIDTHS.iter().rev().filter(|width| stride.is_none_or(|stride| stride == **width)) {
+            if !values.is_empty() && values.len().is_multiple_of(*width) {
+                readings.extend(by_width(values, *width, remark));
+            }
+        }
+    }
+    readings
+}
+
 fn vertex(row: &[f32], tex_coord: Option<usize>, normal: Option<usize>) -> Vertex {
     let at = |i: usize| row.get(i).copied().unwrap_or(0.0);
     Vertex {
@@ -120,3 +144,43 @@ fn vertex(row: &[f32], tex_coord: Option<usize>, normal: Option<usize>) -> Verte
         normal: normal.map_or([0.0; 3], |i| unit([at(i), at(i + 1), at(i + 2)])),
     }
 }
+
+/// Why a file is no vertex buffer: one sentence, and where in the file.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct BufferError {
+    /// The error and the remedy.
+    pub message: String,
+    /// From 1; none where the whole file is meant, or where it has no lines.
+    pub line: Option<u64>,
+    /// In bytes, from 1.
+    pub column: Option<u64>,
+}
+
+impl BufferError {
+    /// About the whole file.
+    pub fn new(message: impl Into<String>) -> Self {
+        BufferError { message: message.into(), line: None, column: None }
+    }
+
+    /// The same at a line, and perhaps a column.
+    pub fn at(mut self, line: u64, column: Option<u64>) -> Self {
+        self.line = Some(line);
+        self.column = column;
+        self
+    }
+}
+
+impl fmt::Display for BufferError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(line) = self.line {
+            write!(f, "line {line}")?;
+            if let Some(column) = self.column {
+                write!(f, ", column {column}")?;
+            }
+            f.write_str(": ")?;
+        }
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for BufferError {}

@@ -1,11 +1,11 @@
 //! The buffers that right and wrong readers make of a model.
 
+use super::buffer::{Attributes, Vertex, unit};
 use super::fit::Triangles;
 use super::keys::Keys;
 use super::mistakes::{self, WrongReader};
 use super::obj_lines::ObjLines;
 use super::reader::{Reader, Triangle};
-use super::vertex::{Attributes, Vertex, unit};
 use gonio_mesh::{Limits, Mesh, NoSidecars, ReadError};
 use std::sync::OnceLock;
 

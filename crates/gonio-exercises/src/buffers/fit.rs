@@ -1,9 +1,9 @@
 //! Measures how well the buffer of a wrong reader fits the student's.
 
+use super::buffer::{Attributes, Vertex};
 use super::keys::{CornerKeys, Keys, join, mix, triangle};
 use super::obj_lines::ObjLines;
 use super::reader::{Corner, Reader, Triangle};
-use super::vertex::{Attributes, Vertex};
 
 /// A reader's triangles as keys.
 #[derive(Clone, Debug)]

@@ -1,8 +1,6 @@
 //! Vertex buffers as JSON: rows, objects, or one list for each attribute, with or without indices.
 
-use super::buffer::{Buffer, Data, WIDTHS};
-use super::error::BufferError;
-use super::vertex::{Attributes, Vertex, unit};
+use super::buffer::{Attributes, Buffer, BufferError, Data, Vertex, WIDTHS, unit};
 use serde::de::{Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
 use std::fmt;
 

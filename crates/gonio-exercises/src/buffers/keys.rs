@@ -1,9 +1,9 @@
 //! Vertices and triangles as numbers that are equal where the vertices are equal within the tolerance, so that buffers
 //! can be compared as sets, whatever their order.
 
+use super::buffer::{Attributes, Vertex, unit};
 use super::obj_lines::ObjLines;
 use super::reader::Corner;
-use super::vertex::{Attributes, Vertex, unit};
 
 /// How far numbers may lie apart, in parts of the model's largest coordinate (of 1 for texture coordinates and normals):
 /// what printing six digits leaves of a number, ten times over. Set by the exercise.

@@ -7,29 +7,24 @@
 mod buffer;
 mod compare;
 mod cut;
-mod error;
 mod expected;
-mod findings;
 mod fit;
+mod formats;
 mod json;
 mod keys;
 mod mistakes;
 mod obj_lines;
-mod raw;
 mod reader;
 mod same;
 mod table;
 #[cfg(test)]
 mod tests;
-mod vertex;
 
-pub use buffer::{Buffer, MOST_BYTES, read_buffer};
-pub use compare::{choose, compare};
-pub use error::BufferError;
+pub use buffer::{Attributes, Buffer, BufferError, Vertex};
+pub use compare::{BufferFindings, BufferMistake, Example, Shares, choose, compare};
 pub use expected::Expected;
-pub use findings::{BufferFindings, BufferMistake, Example, Shares};
+pub use formats::{MOST_BYTES, read_buffer};
 pub use mistakes::{MistakeName, names};
-pub use vertex::{Attributes, Vertex};
 
 /// Endings of buffers among other files; raw floats have no beginning by which they could be known.
 pub const ENDINGS: [&str; 6] = [".csv", ".json", ".bin", ".raw", ".f32", ".tsv"];

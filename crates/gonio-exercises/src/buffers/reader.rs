@@ -1,7 +1,7 @@
 //! A reader of OBJ files with switches: each switch is a mistake that students make. With none set it reads rightly.
 
+use super::buffer::unit;
 use super::obj_lines::{Face, ObjLines, Slots};
-use super::vertex::unit;
 
 /// How to read. The default is right.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,11 +1,11 @@
 //! What is left of two buffers when all that is the same is taken away: equal triangles, polygons cut in another way,
 //! numbers that differ by rounding.
 
+use super::buffer::{Attributes, Vertex};
 use super::cut;
 use super::expected::Expected;
 use super::fit::SubmittedTriangles;
 use super::keys::{TOLERANCE, join, triangle};
-use super::vertex::{Attributes, Vertex};
 use std::collections::{HashMap, HashSet};
 
 /// Triangles that found no partner, by their numbers.

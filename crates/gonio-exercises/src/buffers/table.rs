@@ -1,8 +1,6 @@
 //! Vertex buffers as text: a row a vertex, separated by commas, semicolons, tabs or blanks.
 
-use super::buffer::{Buffer, Data, WIDTHS};
-use super::error::BufferError;
-use super::vertex::{Attributes, Vertex, unit};
+use super::buffer::{Attributes, Buffer, BufferError, Data, Vertex, WIDTHS, unit};
 
 /// x y z, u v, nx ny nz: the columns' numbers here.
 const COLUMNS: usize = 8;

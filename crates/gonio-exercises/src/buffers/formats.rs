@@ -1,0 +1,72 @@
+//! Formats of vertex buffers: tells them apart, and reads raw floats. Text is read by `table`, JSON by `json`.
+
+use super::buffer::{Buffer, BufferError, Data, WIDTHS};
+use super::{json, table};
+
+/// Most bytes of a file.
+pub const MOST_BYTES: usize = 100 << 20;
+
+/// Reads a vertex buffer: CSV (or semicolons, tabs, blanks), JSON or raw little-endian floats, by the file's ending, or
+/// by its content where that says nothing. The ending `.raw8` (`6`, `5`, `3`) states the floats of a vertex.
+pub fn read_buffer(name: &str, bytes: &[u8]) -> Result<Buffer, BufferError> {
+    if bytes.len() > MOST_BYTES {
+        let message = format!("the file has {} MB; at most {} are read", bytes.len() >> 20, MOST_BYTES >> 20);
+        return Err(BufferError::new(message));
+    }
+    if bytes.is_empty() {
+        return Err(BufferError::new("the file is empty: was it closed before the program ended?"));
+    }
+    let ending = name.rsplit_once('.').map_or(String::new(), |(_, ending)| ending.to_ascii_lowercase());
+    let is_text = looks_like_text(bytes);
+    match ending.as_str() {
+        "json" => json::read(bytes),
+        "csv" | "tsv" | "txt" => table::read(bytes),
+        "raw" | "bin" | "f32" | "dat" if !is_text => read_raw(bytes, None),
+        "raw8" | "raw6" | "raw5" | "raw3" if !is_text => {
+            read_raw(bytes, ending.bytes().last().map(|digit| usize::from(digit - b'0')))
+        }
+        _ if !is_text => read_raw(bytes, None),
+        _ => match bytes.trim_ascii_start().first() {
+            Some(b'[' | b'{') => json::read(bytes),
+            _ => table::read(bytes),
+        },
+    }
+}
+
+/// Bytes that are looked at to tell text from numbers.
+const ENOUGH: usize = 4096;
+
+/// Whether a file starts like text: no control characters but line ends and tabs.
+fn looks_like_text(bytes: &[u8]) -> bool {
+    let start = &bytes[..bytes.len().min(ENOUGH)];
+    start.iter().all(|byte| matches!(byte, b'\t' | b'\n' | b'\r' | 0x0C | 0x20..=0x7E | 0x80..))
+        && start.iter().filter(|byte| byte.is_ascii()).count() * 2 >= start.len()
+}
+
+/// Takes bytes for floats, `stride` of them a vertex where the name says so.
+fn read_raw(bytes: &[u8], stride: Option<usize>) -> Result<Buffer, BufferError> {
+    if !bytes.len().is_multiple_of(4) {
+        let message = format!(
+            "raw floats take 4 bytes each, but the file has {} bytes: was it opened as text (\"w\" instead of \"wb\", \
+             without std::ios::binary)?",
+            bytes.len()
+        );
+        return Err(BufferError::new(message));
+    }
+    let floats = bytes.len() / 4;
+    let fits = |width: &usize| floats.is_multiple_of(*width);
+    match stride {
+        Some(stride) if !fits(&stride) => {
+            let message =
+                format!("the file has {floats} floats, which is not a multiple of the {stride} that its name states");
+            return Err(BufferError::new(message));
+        }
+        None if !WIDTHS.iter().any(fits) => {
+            let message =
+                format!("the file has {floats} floats, which is not a multiple of 3, 5, 6 or 8: not whole vertices");
+            return Err(BufferError::new(message));
+        }
+        _ => {}
+    }
+    Ok(Buffer { data: Data::Raw { bytes: bytes.to_vec(), stride }, warnings: Vec::new() })
+}
