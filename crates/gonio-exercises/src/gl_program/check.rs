@@ -4,19 +4,21 @@
 //! is carried out. Where no single one does, they are tried one after the other, the most telling first.
 
 use super::compare::{ENOUGH, Judge};
-use super::files::for_context;
-use super::findings::{GlProgramFindings, GlProgramMistake, GlProgramWarning};
-use super::messages;
+use super::findings::{GlProgramFindings, GlProgramMistake, GlProgramWarning, errors, warnings};
 use super::names::name_of;
 use super::program::GlProgram;
 use super::suspects::Suspect;
-use super::warnings;
 use gonio_check::verdict::Outcome;
 use gonio_gl::trace::Severity;
 use gonio_gl::{Gl, GlError};
-use gonio_render::gl_program::{GlProgramFailure, GlProgramFiles, GlProgramRun, Step};
+use gonio_render::gl_program::{GlProgramFailure, GlProgramFiles, GlProgramImage, GlProgramRun, Step};
+use gonio_render::user_program::is_embedded;
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
+const START_VERTEX: &str = include_str!("../../../../exercises/ex11-texture-unit/start.vert");
+const START_FRAGMENT: &str = include_str!("../../../../exercises/ex11-texture-unit/start.frag");
 const REFERENCE: &str = include_str!("../../../../exercises/ex11-texture-unit/host/reference.txt");
 /// Most mistakes that are looked for in one program.
 const MOST_MISTAKES: usize = 3;
@@ -59,6 +61,46 @@ pub fn reference() -> Result<GlProgram, GlError> {
     })
 }
 
+/// The exercise's shaders, and the images that gonio carries: none on the web, where they are fetched.
+pub fn exercise_files() -> GlProgramFiles {
+    let mut files = GlProgramFiles::default();
+    files.shaders.insert("start.vert".to_owned(), START_VERTEX.to_owned());
+    files.shaders.insert("start.frag".to_owned(), START_FRAGMENT.to_owned());
+    for name in ["checker.png", "planks.png", "tiles.png"] {
+        if let Some(image) = GlProgramImage::built_in(name) {
+            files.images.insert(name.to_owned(), Arc::new(image));
+        }
+    }
+    files
+}
+
+/// What the first line of the exercise's shaders is in OpenGL ES, which WebGL2 speaks.
+const ES_VERSION: &str = "#version 300 es";
+
+/// The same files for the context that draws: in OpenGL ES, `#version 330 core` becomes `#version 300 es`, and the line
+/// after it begins with the precisions that OpenGL ES wants. Lines keep their numbers.
+pub fn for_context<'a>(gl: &Gl, files: &'a GlProgramFiles) -> Cow<'a, GlProgramFiles> {
+    if !is_embedded(gl) {
+        return Cow::Borrowed(files);
+    }
+    let mut files = files.clone();
+    for source in files.shaders.values_mut() {
+        *source = embedded(source);
+    }
+    Cow::Owned(files)
+}
+
+fn embedded(source: &str) -> String {
+    let mut lines = source.lines();
+    match lines.next() {
+        Some(first) if first.starts_with("#version") && !first.contains("es") => {
+            let rest: Vec<&str> = lines.collect();
+            format!("{ES_VERSION}\nprecision highp float; precision highp int; {}\n", rest.join("\n"))
+        }
+        _ => source.to_owned(),
+    }
+}
+
 /// Judges a GL program that was read.
 pub fn check_program(gl: &Gl, program: &GlProgram, files: &GlProgramFiles) -> Result<GlProgramFindings, GlError> {
     let reference = reference()?;
@@ -68,7 +110,7 @@ pub fn check_program(gl: &Gl, program: &GlProgram, files: &GlProgramFiles) -> Re
         Ok(run) => run,
         Err(GlProgramFailure::Driver(error)) => return Err(error),
         Err(failure) => {
-            return Ok(GlProgramFindings::broken(&program.file, messages::errors(&failure, program, files)));
+            return Ok(GlProgramFindings::broken(&program.file, errors(&failure, program, files)));
         }
     };
     let share_right = judge.share_right(&run)?;
@@ -76,7 +118,7 @@ pub fn check_program(gl: &Gl, program: &GlProgram, files: &GlProgramFiles) -> Re
     let found = if right { Vec::new() } else { search(&mut judge, &program.steps, &run, share_right)? };
     let mut mistakes: Vec<GlProgramMistake> = found.iter().filter_map(|suspect| mistake(program, suspect)).collect();
     mistakes.sort_by_key(|mistake| mistake.line);
-    let warnings = warnings::collect(program, &run, right);
+    let warnings = warnings(program, &run, right);
     Ok(GlProgramFindings {
         file: program.file.clone(),
         verdict: if right { Outcome::Correct } else { Outcome::Wrong },

@@ -1,10 +1,12 @@
-//! The findings about a GL program.
+//! The findings about a GL program: mistakes, warnings, and errors that leave no picture.
 
 use super::names::GlProgramMistakeName;
-use super::program::GlProgramError;
+use super::program::{GlProgram, GlProgramError, MOST_ERRORS};
+use super::signature::shown;
+use gonio_check::nearest::nearest;
 use gonio_check::verdict::Outcome;
-use gonio_gl::trace::Finding;
-use gonio_render::gl_program::{CallError, GlProgramRun};
+use gonio_gl::trace::{Finding, Rule, Severity};
+use gonio_render::gl_program::{Call, CallError, GlProgramFailure, GlProgramFiles, GlProgramRun, Selector};
 use serde::Serialize;
 
 /// A mistake: with it fixed, the picture is right.
@@ -97,6 +99,143 @@ impl GlProgramMistake {
             fix: fix.to_owned(),
             line,
             quoted: quoted.to_owned(),
+        }
+    }
+}
+
+/// Errors of a failure.
+pub fn errors(failure: &GlProgramFailure, program: &GlProgram, files: &GlProgramFiles) -> Vec<GlProgramError> {
+    let own = |line: u32, message: String, help: String| GlProgramError {
+        file: program.file.clone(),
+        line,
+        column: 1,
+        message,
+        help,
+    };
+    match failure {
+        GlProgramFailure::MissingFile { line, file } => {
+            let known: Vec<&str> = files.shaders.keys().chain(files.images.keys()).map(String::as_str).collect();
+            let help = match nearest(file, known.iter().copied()) {
+                Some(known) => format!("did you mean `{known}`?"),
+                None => format!("there are {}", known.join(", ")),
+            };
+            vec![own(*line, format!("there is no file `{}`", shown(file)), help)]
+        }
+        GlProgramFailure::Shaders { line, vertex, fragment, broken } => {
+            let mut errors = Vec::new();
+            for (file, log) in [(vertex, &broken.vertex_log), (fragment, &broken.fragment_log)] {
+                errors.extend(log.iter().flat_map(|log| of_log(file, log)));
+            }
+            if let Some(log) = &broken.link_log {
+                let message = format!("`{vertex}` and `{fragment}` do not link: {}", log.trim());
+                errors.push(own(*line, message, "names and types of what one gives the other must agree".to_owned()));
+            }
+            if errors.is_empty() {
+                let why = broken.driver.clone().unwrap_or_else(|| "OpenGL made no program of the shaders".to_owned());
+                errors.push(own(*line, why, String::new()));
+            }
+            errors
+        }
+        GlProgramFailure::Driver(error) => vec![own(1, error.message.clone(), String::new())],
+    }
+}
+
+/// The errors of a compiler's log.
+fn of_log(file: &str, log: &str) -> Vec<GlProgramError> {
+    let mut errors: Vec<GlProgramError> = Vec::new();
+    for text in log.lines().map(str::trim).filter(|line| !line.is_empty()).take(MOST_ERRORS) {
+        let (line, column, message) = place(text);
+        let is_warning = message.to_lowercase().starts_with("warning");
+        if line > 0 && !is_warning {
+            let message = message.trim_start_matches("error: ").to_owned();
+            errors.push(GlProgramError { file: file.to_owned(), line, column, message, help: String::new() });
+        }
+    }
+    if errors.is_empty() {
+        let message = format!("it does not compile: {}", log.trim());
+        errors.push(GlProgramError { file: file.to_owned(), line: 1, column: 1, message, help: String::new() });
+    }
+    errors
+}
+
+/// Line, column and message of `0:12(5): error: ...` (Mesa), `0(12) : error ...` (NVIDIA), `ERROR: 0:12: ...` (others).
+/// The line is 0 where there is none.
+fn place(text: &str) -> (u32, u32, &str) {
+    let rest = text.strip_prefix("ERROR: ").unwrap_or(text);
+    let digits = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
+    let rest = &rest[digits..];
+    let Some(rest) = rest.strip_prefix([':', '(']) else { return (0, 1, text) };
+    let (line, rest) = number(rest);
+    let (column, rest) = match rest.strip_prefix('(') {
+        Some(inner) => number(inner),
+        None => (1, rest),
+    };
+    (line, column.max(1), rest.trim_start_matches([')', ':', ' ']))
+}
+
+fn number(text: &str) -> (u32, &str) {
+    let end = text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len());
+    (text[..end].parse().unwrap_or(0), &text[end..])
+}
+
+/// Warnings about a program; about one whose picture is wrong only what has nothing to do with that.
+pub fn warnings(program: &GlProgram, run: &GlProgramRun, right: bool) -> Vec<GlProgramWarning> {
+    let mut warnings = Vec::new();
+    if right {
+        // Refused calls are told below, at their own lines.
+        for finding in run.findings.iter().filter(|finding| finding.rule != Rule::OpenGlError) {
+            let line = run.draw_lines.get(finding.draw).copied();
+            let text = match finding.severity {
+                Severity::Warning => format!("{} ({})", finding.message, finding.advice),
+                Severity::Error => format!("{}, although the picture is right", finding.message),
+            };
+            warnings.push(GlProgramWarning { line, text });
+        }
+        for error in &run.errors {
+            let text = format!("OpenGL rejects {} with {}: {}", error.call, error.code, error.why);
+            warnings.push(GlProgramWarning { line: Some(error.line), text });
+        }
+    }
+    depth_never_cleared(program, &mut warnings);
+    dark_edges(program, &mut warnings);
+    unknown_uniforms(program, run, &mut warnings);
+    warnings
+}
+
+/// A program draws many frames: in the second one, the depths of the first are still there.
+fn depth_never_cleared(program: &GlProgram, warnings: &mut Vec<GlProgramWarning>) {
+    let on =
+        program.steps.iter().find(|s| matches!(&s.call, Call::Switch { what, on: true } if what.name == "DEPTH_TEST"));
+    let cleared = program
+        .steps
+        .iter()
+        .any(|step| matches!(&step.call, Call::Clear(bits) if bits.iter().any(|bit| bit.name == "DEPTH_BUFFER_BIT")));
+    if let (Some(step), false) = (on, cleared) {
+        let text = "DEPTH_TEST is on and no call clears DEPTH_BUFFER_BIT: a second frame would stay empty".to_owned();
+        warnings.push(GlProgramWarning { line: Some(step.line), text });
+    }
+}
+
+/// OpenGL passes over them without a word.
+fn unknown_uniforms(program: &GlProgram, run: &GlProgramRun, warnings: &mut Vec<GlProgramWarning>) {
+    let Some(drawn) = run.record.draws.last().and_then(|draw| run.record.program_of(draw)) else { return };
+    for step in &program.steps {
+        let Call::Uniform { uniform, .. } = &step.call else { continue };
+        let bare = uniform.strip_suffix("[0]").unwrap_or(uniform);
+        if !drawn.uniforms.iter().any(|known| known.name == bare) {
+            let text = format!("the program needs no uniform `{uniform}`, and OpenGL says nothing");
+            warnings.push(GlProgramWarning { line: Some(step.line), text });
+        }
+    }
+}
+
+/// One does not see it where the coordinates end with the triangle.
+fn dark_edges(program: &GlProgram, warnings: &mut Vec<GlProgramWarning>) {
+    for step in &program.steps {
+        let Call::TexParameter { value: Selector::Constant(value), .. } = &step.call else { continue };
+        if value.name == "CLAMP_TO_BORDER" {
+            let text = "CLAMP_TO_BORDER mixes the border's colour, black, into the texture's edge".to_owned();
+            warnings.push(GlProgramWarning { line: Some(step.line), text });
         }
     }
 }

@@ -4,19 +4,14 @@
 
 mod check;
 mod compare;
-mod files;
 mod findings;
-mod messages;
 mod names;
 mod program;
-mod reader;
 mod signature;
 mod suspects;
-mod warnings;
 
-pub use check::{check, check_bytes, check_program, reference};
+pub use check::{check, check_bytes, check_program, exercise_files, for_context, reference};
 pub use compare::SIDE;
-pub use files::{exercise_files, for_context};
 pub use findings::{GlProgramFindings, GlProgramMistake, GlProgramWarning};
 pub use gonio_render::gl_program::{
     Call, CallError, GlProgramFailure, GlProgramFiles, GlProgramImage, GlProgramOptions, GlProgramRun, Step, run,

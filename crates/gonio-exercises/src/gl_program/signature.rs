@@ -1,11 +1,76 @@
 //! The parameters of each call, word by word.
 
-use super::reader::{Named, Problem, Word, is_name, no_call, shown};
 use gonio_check::nearest::nearest;
 use gonio_render::gl_program::{
     CONSTANTS, Call, Constant, Number, ObjectKind, Pointer, Selector, UniformArgument, constant,
 };
 use std::collections::HashMap;
+
+/// What a name stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Named {
+    /// A list of numbers.
+    Data,
+    /// An image.
+    Image,
+    /// A number: what `gen_...` or `create_program` returned.
+    Number,
+}
+
+impl Named {
+    /// For people.
+    pub fn words(self) -> &'static str {
+        match self {
+            Named::Data => "a list of numbers",
+            Named::Image => "an image",
+            Named::Number => "a number",
+        }
+    }
+}
+
+/// A word and where it stands.
+#[derive(Clone, Copy, Debug)]
+pub struct Word<'a> {
+    /// The word.
+    pub text: &'a str,
+    /// From 1.
+    pub column: u32,
+}
+
+/// Why a line cannot be read.
+#[derive(Debug)]
+pub struct LineError {
+    /// From 1.
+    pub column: u32,
+    /// A sentence without its end.
+    pub message: String,
+    /// The remedy; may be empty.
+    pub help: String,
+}
+
+impl LineError {
+    /// At a word.
+    pub fn at(word: Word<'_>, message: impl Into<String>, help: impl Into<String>) -> Self {
+        LineError { column: word.column, message: message.into(), help: help.into() }
+    }
+}
+
+/// Longest words that messages repeat.
+const LONGEST: usize = 40;
+
+/// A word as messages repeat it.
+pub fn shown(word: &str) -> String {
+    let short: String = word.chars().take(LONGEST).collect();
+    let safe: String = short.chars().map(|c| if c.is_control() { '?' } else { c }).collect();
+    if word.chars().count() > LONGEST { format!("{safe}...") } else { safe }
+}
+
+/// Whether a word can name something.
+pub fn is_name(word: &str) -> bool {
+    let mut letters = word.chars();
+    let first = letters.next().is_some_and(|c| c.is_ascii_alphabetic() || c == '_');
+    first && word.len() <= 64 && letters.all(|c| c.is_ascii_alphanumeric() || c == '_')
+}
 
 /// Calls, and what they want.
 const SIGNATURES: &[(&str, &[&str])] = &[
@@ -62,17 +127,17 @@ type Names = HashMap<String, Named>;
 type Read = (Call, Option<(String, Named)>);
 
 /// Reads a line that begins no list.
-pub fn call(words: &[Word<'_>], names: &Names) -> Result<Read, Problem> {
+pub fn call(words: &[Word<'_>], names: &Names) -> Result<Read, LineError> {
     let (returned, rest) = match words {
         [name, equals, rest @ ..] if equals.text == "=" => (Some(*name), rest),
         [name, ..] if name.text.contains('=') => {
-            return Err(Problem::at(*name, "blanks are missing around `=`", "write `name = call`"));
+            return Err(LineError::at(*name, "blanks are missing around `=`", "write `name = call`"));
         }
         _ => (None, words),
     };
     let Some((&word, given)) = rest.split_first() else {
         let end = words[words.len() - 1];
-        return Err(Problem::at(end, "expected a call after `=`", "write `name = gen_texture` or the like"));
+        return Err(LineError::at(end, "expected a call after `=`", "write `name = gen_texture` or the like"));
     };
     let Some((_, wanted)) = SIGNATURES.iter().find(|(known, _)| *known == word.text) else {
         return Err(no_call(word));
@@ -81,7 +146,7 @@ pub fn call(words: &[Word<'_>], names: &Names) -> Result<Read, Problem> {
     let fits = if word.text == "clear" { !given.is_empty() } else { given.len() == wanted.len() };
     if !fits {
         let plural = if wanted.len() == 1 { "" } else { "s" };
-        return Err(Problem::at(
+        return Err(LineError::at(
             given.get(wanted.len()).copied().unwrap_or(word),
             format!("`{}` wants {} argument{plural}, and here are {}", word.text, wanted.len(), given.len()),
             format!("write `{}`", [&[word.text], *wanted].concat().join(" ")),
@@ -91,19 +156,19 @@ pub fn call(words: &[Word<'_>], names: &Names) -> Result<Read, Problem> {
     let name = match returned {
         None => String::new(),
         Some(name) if !is_name(name.text) || WORDS.contains(&name.text) || name.text == "end" => {
-            return Err(Problem::at(
+            return Err(LineError::at(
                 name,
                 format!("`{}` cannot be a name", shown(name.text)),
                 "take a word of letters",
             ));
         }
         Some(name) if constant(name.text).is_some() => {
-            return Err(Problem::at(name, format!("`{}` is a constant of OpenGL", name.text), "take another name"));
+            return Err(LineError::at(name, format!("`{}` is a constant of OpenGL", name.text), "take another name"));
         }
         Some(name) => match names.get(name.text) {
             Some(known @ (Named::Data | Named::Image)) => {
                 let message = format!("`{}` is {} already", name.text, known.words());
-                return Err(Problem::at(name, message, "take another name"));
+                return Err(LineError::at(name, message, "take another name"));
             }
             _ => name.text.to_owned(),
         },
@@ -118,11 +183,11 @@ pub fn call(words: &[Word<'_>], names: &Names) -> Result<Read, Problem> {
         (Some(named), Some(_)) => Ok((call, Some((name, named)))),
         (Some(_), None) => {
             let help = format!("write `name = {}`", word.text);
-            Err(Problem::at(word, format!("nothing keeps what `{}` returns", word.text), help))
+            Err(LineError::at(word, format!("nothing keeps what `{}` returns", word.text), help))
         }
         (None, Some(name)) => {
             let message = format!("`{}` returns nothing that `{}` could keep", word.text, shown(name.text));
-            Err(Problem::at(name, message, format!("write `{}` alone", word.text)))
+            Err(LineError::at(name, message, format!("write `{}` alone", word.text)))
         }
         (None, None) => Ok((call, None)),
     }
@@ -135,7 +200,7 @@ struct Arguments<'a> {
 }
 
 impl Arguments<'_> {
-    fn call(&self, word: &str, name: String) -> Result<Call, Problem> {
+    fn call(&self, word: &str, name: String) -> Result<Call, LineError> {
         Ok(match word {
             "load_image" => Call::LoadImage { name, file: self.file(0)? },
             "create_program" => Call::CreateProgram { name, vertex: self.file(0)?, fragment: self.file(1)? },
@@ -191,23 +256,25 @@ impl Arguments<'_> {
                 let (mode, count) = (self.constant(0)?, self.whole(1)?);
                 Call::DrawElements { mode, count, kind: self.constant(2)?, offset: self.whole(3)? }
             }
-            _ => return Err(Problem { column: 1, message: format!("there is no call `{word}`"), help: String::new() }),
+            _ => {
+                return Err(LineError { column: 1, message: format!("there is no call `{word}`"), help: String::new() });
+            }
         })
     }
 
-    fn word(&self, at: usize) -> Result<Word<'_>, Problem> {
-        let missing = || Problem { column: 1, message: "an argument is missing".to_owned(), help: String::new() };
+    fn word(&self, at: usize) -> Result<Word<'_>, LineError> {
+        let missing = || LineError { column: 1, message: "an argument is missing".to_owned(), help: String::new() };
         self.given.get(at).copied().ok_or_else(missing)
     }
 
     /// A file's name: no path that leads elsewhere is ever opened, only looked for among the files that were given.
-    fn file(&self, at: usize) -> Result<String, Problem> {
+    fn file(&self, at: usize) -> Result<String, LineError> {
         let word = self.word(at)?;
         Ok(word.text.trim_matches('"').to_owned())
     }
 
     /// An attribute's or a uniform's name.
-    fn variable(&self, at: usize) -> Result<String, Problem> {
+    fn variable(&self, at: usize) -> Result<String, LineError> {
         let word = self.word(at)?;
         let bare = word.text.trim_matches('"');
         // GLSL's names, with members and elements.
@@ -219,10 +286,10 @@ impl Arguments<'_> {
             return Ok(bare.to_owned());
         }
         let help = "write the name that it has in the shader; its location is looked up";
-        Err(Problem::at(word, format!("`{}` names no variable of a shader", shown(word.text)), help))
+        Err(LineError::at(word, format!("`{}` names no variable of a shader", shown(word.text)), help))
     }
 
-    fn whole(&self, at: usize) -> Result<i32, Problem> {
+    fn whole(&self, at: usize) -> Result<i32, LineError> {
         let word = self.word(at)?;
         word.text.parse().map_err(|_| {
             let big = word.text.parse::<i128>().is_ok();
@@ -230,40 +297,40 @@ impl Arguments<'_> {
                 true => format!("`{}` is too large", shown(word.text)),
                 false => format!("`{}` is not a whole number", shown(word.text)),
             };
-            Problem::at(word, message, "write a whole number such as 32")
+            LineError::at(word, message, "write a whole number such as 32")
         })
     }
 
-    fn float(&self, at: usize) -> Result<f32, Problem> {
+    fn float(&self, at: usize) -> Result<f32, LineError> {
         let word = self.word(at)?;
         let number = word.text.trim_end_matches('f').parse().ok().filter(|number: &f32| number.is_finite());
         number.ok_or_else(|| {
-            Problem::at(word, format!("`{}` is not a number", shown(word.text)), "write a number such as 0.5")
+            LineError::at(word, format!("`{}` is not a number", shown(word.text)), "write a number such as 0.5")
         })
     }
 
-    fn truth(&self, at: usize) -> Result<bool, Problem> {
+    fn truth(&self, at: usize) -> Result<bool, LineError> {
         let word = self.word(at)?;
         match word.text {
             "TRUE" => Ok(true),
             "FALSE" => Ok(false),
-            other => Err(Problem::at(word, format!("`{}` is neither TRUE nor FALSE", shown(other)), "write FALSE")),
+            other => Err(LineError::at(word, format!("`{}` is neither TRUE nor FALSE", shown(other)), "write FALSE")),
         }
     }
 
-    fn constant(&self, at: usize) -> Result<Constant, Problem> {
+    fn constant(&self, at: usize) -> Result<Constant, LineError> {
         let word = self.word(at)?;
         constant(word.text).ok_or_else(|| no_constant(word))
     }
 
     /// A number, or a name that stands for one.
-    fn number(&self, at: usize) -> Result<Number, Problem> {
+    fn number(&self, at: usize) -> Result<Number, LineError> {
         let word = self.word(at)?;
         match self.names.get(word.text) {
             Some(Named::Number) => return Ok(Number::Variable(word.text.to_owned())),
             Some(other) => {
                 let message = format!("`{}` is {}, not a number", word.text, other.words());
-                return Err(Problem::at(word, message, "give the name that a call returned its number to"));
+                return Err(LineError::at(word, message, "give the name that a call returned its number to"));
             }
             None => {}
         }
@@ -275,13 +342,13 @@ impl Arguments<'_> {
                 Some(known) => format!("did you mean `{known}`?"),
                 None => format!("a line `{} = ...` must come before", shown(word.text)),
             };
-            return Err(Problem::at(word, format!("there is no `{}` yet", shown(word.text)), help));
+            return Err(LineError::at(word, format!("there is no `{}` yet", shown(word.text)), help));
         }
         Ok(Number::Literal(self.whole(at)?))
     }
 
     /// A constant, or a number in its place.
-    fn selector(&self, at: usize) -> Result<Selector, Problem> {
+    fn selector(&self, at: usize) -> Result<Selector, LineError> {
         let word = self.word(at)?;
         if let Some(constant) = constant(word.text) {
             return Ok(Selector::Constant(constant));
@@ -292,13 +359,13 @@ impl Arguments<'_> {
         Err(no_constant(word))
     }
 
-    fn named(&self, at: usize, wanted: Named, how: &str) -> Result<String, Problem> {
+    fn named(&self, at: usize, wanted: Named, how: &str) -> Result<String, LineError> {
         let word = self.word(at)?;
         match self.names.get(word.text) {
             Some(named) if *named == wanted => Ok(word.text.to_owned()),
             Some(named) => {
                 let message = format!("`{}` is {}, not {}", word.text, named.words(), wanted.words());
-                Err(Problem::at(word, message, format!("make one with `{how}`")))
+                Err(LineError::at(word, message, format!("make one with `{how}`")))
             }
             None => {
                 let mut known: Vec<&str> = self.names.iter().filter(|n| *n.1 == wanted).map(|n| n.0.as_str()).collect();
@@ -307,13 +374,13 @@ impl Arguments<'_> {
                     Some(known) => format!("did you mean `{known}`?"),
                     None => format!("make it before, with `{how}`"),
                 };
-                Err(Problem::at(word, format!("there is no `{}` yet", shown(word.text)), help))
+                Err(LineError::at(word, format!("there is no `{}` yet", shown(word.text)), help))
             }
         }
     }
 
     /// Bits, joined by blanks or `|`.
-    fn bits(&self) -> Result<Vec<Constant>, Problem> {
+    fn bits(&self) -> Result<Vec<Constant>, LineError> {
         let mut bits = Vec::new();
         for word in self.given {
             for part in word.text.split('|').filter(|part| !part.is_empty()) {
@@ -324,7 +391,7 @@ impl Arguments<'_> {
     }
 }
 
-fn no_constant(word: Word<'_>) -> Problem {
+fn no_constant(word: Word<'_>) -> LineError {
     let bare = word.text.trim_start_matches("GL_").trim_end_matches([',', ')', ';']);
     let help = if bare != word.text && constant(bare).is_some() {
         format!("write `{bare}`, without GL_, commas and brackets")
@@ -334,5 +401,36 @@ fn no_constant(word: Word<'_>) -> Problem {
             None => "constants are written in capitals, without GL_".to_owned(),
         }
     };
-    Problem::at(word, format!("there is no constant `{}`", shown(word.text)), help)
+    LineError::at(word, format!("there is no constant `{}`", shown(word.text)), help)
+}
+
+/// What to say of a word that is no call.
+fn no_call(word: Word<'_>) -> LineError {
+    let text = word.text;
+    let bare = text.split('(').next().unwrap_or_default();
+    let help = if bare.starts_with("gl") && bare.chars().nth(2).is_some_and(char::is_uppercase) {
+        let snake = snake(&bare[2..]);
+        match nearest(&snake, WORDS.iter().copied()) {
+            Some(known) => format!("write `{known}`, and its arguments without brackets and commas"),
+            None => "write calls without `gl`, in small letters, words joined by `_`".to_owned(),
+        }
+    } else {
+        match nearest(bare, WORDS.iter().copied()) {
+            Some(known) => format!("did you mean `{known}`?"),
+            None => "text.md has a table of the calls".to_owned(),
+        }
+    };
+    LineError::at(word, format!("there is no call `{}`", shown(text)), help)
+}
+
+/// `BindTexture` as `bind_texture`.
+fn snake(word: &str) -> String {
+    let mut snake = String::new();
+    for c in word.chars().take(LONGEST) {
+        if c.is_ascii_uppercase() && !snake.is_empty() {
+            snake.push('_');
+        }
+        snake.push(c.to_ascii_lowercase());
+    }
+    snake
 }

@@ -1,9 +1,7 @@
 //! What may be wrong with a GL program, and what it would be without that: each suspicion comes with the program as it
 //! would be corrected. Whether it is the mistake is told by carrying that out.
 
-mod arrays;
 mod picture;
-mod samplers;
 mod textures;
 mod vertices;
 
@@ -46,9 +44,7 @@ impl<'a> Case<'a> {
     /// All suspicions: those that fit one case only come first.
     pub fn suspects(&self) -> Vec<Suspect> {
         let mut found = Vec::new();
-        samplers::suspect(self, &mut found);
         textures::suspect(self, &mut found);
-        arrays::suspect(self, &mut found);
         vertices::suspect(self, &mut found);
         picture::suspect(self, &mut found);
         found

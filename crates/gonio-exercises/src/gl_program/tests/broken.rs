@@ -1,6 +1,7 @@
 //! Each mistake in a program of its own, named with its line; and a few together.
 
-use super::support::{changed, context, told};
+use super::{changed, context, host_programs, judged, told};
+use gonio_check::verdict::Outcome;
 
 const IMAGE: &str = "tex_image_2d TEXTURE_2D 0 RGB8 pixels\n";
 const MIPMAP: &str = "generate_mipmap TEXTURE_2D\n";
@@ -351,12 +352,37 @@ fn what_nothing_explains_gets_no_name() {
         ("0.2 0.25 0.3 1.0", "1 0 0 1"),
         ("checker.png", "tiles.png"),
     ]);
-    let verdict = super::support::judged(&context, &text);
-    assert_eq!(
-        (verdict.verdict, verdict.mistakes.len()),
-        (gonio_check::verdict::Outcome::Wrong, 0),
-        "{}",
-        verdict.summary
-    );
+    let verdict = judged(&context, &text);
+    assert_eq!((verdict.verdict, verdict.mistakes.len()), (Outcome::Wrong, 0), "{}", verdict.summary);
     assert!(verdict.summary.contains("no known mistake"), "{}", verdict.summary);
+}
+
+/// Each program, and the line of its mistake.
+const PROGRAMS: [(&str, u32); 8] = [
+    ("attribute-not-enabled", 24),
+    ("mipmaps-missing", 36),
+    ("offset-wrong", 24),
+    ("stride-wrong", 20),
+    ("texture-name-as-unit", 43),
+    ("unbound-unit", 43),
+    ("uniform-before-use-program", 14),
+    ("wrong-target", 31),
+];
+
+#[test]
+fn each_program_of_the_exercise_has_the_mistake_that_its_name_says() {
+    let context = context();
+    let mut texts = host_programs();
+    texts.retain(|(name, _)| name != "reference");
+    texts.sort();
+    assert_eq!(texts.len(), PROGRAMS.len());
+    for ((name, line), (file, text)) in PROGRAMS.into_iter().zip(texts) {
+        assert_eq!(name, file);
+        let verdict = judged(&context, &text);
+        assert_eq!(verdict.verdict, Outcome::Wrong, "{name}");
+        let told: Vec<_> = verdict.mistakes.iter().map(|m| (m.id.as_str(), m.line)).collect();
+        assert_eq!(told, [(name, line)], "{name}: {}", verdict.summary);
+        assert!(!verdict.findings.is_empty(), "{name}: the frame panel shows nothing");
+        assert_eq!(text.lines().nth(line as usize - 1), Some(verdict.mistakes[0].quoted.as_str()));
+    }
 }

@@ -1,6 +1,6 @@
 //! What OpenGL really does with the calls: pictures, errors, records, and what is left behind.
 
-use super::support::{REFERENCE, changed, context, host_programs, judged};
+use super::{REFERENCE, changed, context, host_programs, judged};
 use crate::gl_program::{GlProgram, GlProgramOptions, GlProgramRun, exercise_files, for_context, run};
 use gonio_check::verdict::Outcome;
 use gonio_gl::headless::HeadlessOptions;

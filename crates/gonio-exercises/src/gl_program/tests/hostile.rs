@@ -1,6 +1,6 @@
 //! Texts that want to do harm: each ends in an error or a verdict, soon, and the context draws on as before.
 
-use super::support::{REFERENCE, changed, context, judged};
+use super::{REFERENCE, changed, context, judged};
 use crate::gl_program::{GlProgram, MOST_CALLS, MOST_ERRORS, check_bytes, exercise_files};
 use gonio_check::verdict::Outcome;
 use std::fmt::Write;

@@ -1,10 +1,63 @@
-//! GL programs, right and wrong, really carried out on whatever driver there is.
+//! GL programs, right and wrong, executed on the installed driver.
 
 mod broken;
 mod execution;
-mod exercise;
 mod hostile;
-mod reader;
+mod program;
 mod right;
-mod support;
-mod words;
+
+use crate::gl_program::{GlProgramFindings, check, exercise_files};
+use gonio_gl::HeadlessContext;
+
+/// The reference's text.
+pub const REFERENCE: &str = include_str!("../../../../../exercises/ex11-texture-unit/host/reference.txt");
+
+/// A context, or a panic that says what to install.
+pub fn context() -> HeadlessContext {
+    HeadlessContext::new().unwrap_or_else(|why| panic!("{why}"))
+}
+
+/// What is said of a text.
+pub fn judged(context: &HeadlessContext, text: &str) -> GlProgramFindings {
+    check(context.gl(), text, "mine.txt", &exercise_files()).unwrap_or_else(|why| panic!("{why}"))
+}
+
+/// The reference with pieces of its text replaced; each piece must stand in it once.
+pub fn changed(edits: &[(&str, &str)]) -> String {
+    let mut text = REFERENCE.to_owned();
+    for (old, new) in edits {
+        assert_eq!(text.matches(old).count(), 1, "`{old}` must stand once in\n{text}");
+        text = text.replace(old, new);
+    }
+    text
+}
+
+/// The number of the one line that has this in it.
+pub fn line_of(text: &str, needle: &str) -> u32 {
+    let mut found = (1..).zip(text.lines()).filter(|(_, line)| line.contains(needle));
+    let line = found.next().unwrap_or_else(|| panic!("no line with `{needle}`")).0;
+    assert_eq!(found.next(), None, "`{needle}` stands in several lines");
+    line
+}
+
+/// Exactly these mistakes, each by its word and by what stands in its line.
+pub fn told(context: &HeadlessContext, text: &str, mistakes: &[(&str, &str)]) {
+    let verdict = judged(context, text);
+    assert_eq!(verdict.verdict, gonio_check::verdict::Outcome::Wrong, "{mistakes:?}: {}", verdict.summary);
+    let mut wanted: Vec<_> = mistakes.iter().map(|(id, needle)| (line_of(text, needle), *id)).collect();
+    wanted.sort_unstable();
+    let told: Vec<_> = verdict.mistakes.iter().map(|m| (m.line, m.id.as_str())).collect();
+    assert_eq!(told, wanted, "{text}\n{}\n{:#?}\n{:#?}", verdict.summary, verdict.refused, verdict.findings);
+}
+
+/// The exercise's GL programs: names without ending, and texts.
+pub fn host_programs() -> Vec<(String, String)> {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../exercises/ex11-texture-unit/host");
+    let entries = std::fs::read_dir(folder).unwrap_or_else(|why| panic!("{folder}: {why}"));
+    let read = |entry: std::io::Result<std::fs::DirEntry>| {
+        let path = entry.unwrap_or_else(|why| panic!("{folder}: {why}")).path();
+        let text = std::fs::read_to_string(&path).unwrap_or_else(|why| panic!("{}: {why}", path.display()));
+        (path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default(), text)
+    };
+    entries.map(read).collect()
+}

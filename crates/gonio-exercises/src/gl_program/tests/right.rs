@@ -1,6 +1,6 @@
 //! Programs that do it in another way, and are as right: none may fail.
 
-use super::support::{changed, context, judged};
+use super::{REFERENCE, changed, context, judged};
 use gonio_check::verdict::Outcome;
 use gonio_gl::HeadlessContext;
 
@@ -16,6 +16,19 @@ fn right(context: &HeadlessContext, text: &str, warnings: usize) {
     assert_eq!(verdict.verdict, Outcome::Correct, "{text}\n{}: {:#?}", verdict.summary, verdict.mistakes);
     assert_eq!(verdict.warnings.len(), warnings, "{text}\n{:#?}", verdict.warnings);
     assert!(verdict.mistakes.is_empty());
+}
+
+#[test]
+fn the_reference_is_right_and_has_nothing_to_complain_of() {
+    let verdict = judged(&context(), REFERENCE);
+    assert_eq!(verdict.verdict, Outcome::Correct);
+    assert_eq!((verdict.share_right, verdict.warnings.len(), verdict.findings.len()), (1.0, 0, 0));
+    assert!(verdict.refused.is_empty() && verdict.mistakes.is_empty() && verdict.errors.is_empty());
+    let run = verdict.run.unwrap_or_else(|| panic!("a picture"));
+    let texture = run.record.texture(1).unwrap_or_else(|| panic!("{:?}", run.record.textures));
+    assert_eq!((texture.name.as_str(), texture.width, texture.levels.len()), ("texture", 512, 10));
+    assert!(texture.thumbnail.is_some(), "for the frame panel");
+    assert_eq!(run.record.passes[0].target.name, "window");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! The reader: what it takes, and what it says of what it does not.
 
-use super::support::{REFERENCE, changed};
+use super::{REFERENCE, changed};
 use crate::gl_program::{GlProgram, GlProgramError};
 use gonio_render::gl_program::{Call, Number, ObjectKind, Selector, UniformArgument};
 
