@@ -1,30 +1,27 @@
 //! Reports on verdicts for people and machines: test reports, graders' results, tables, pages, pictures.
 //!
 //! All of it is text or bytes made of data: nothing is written anywhere. What students wrote (names, lines of source,
-//! messages) is taken for hostile: see `text` and `visible`.
+//! messages) is taken for hostile: see `text`.
 
-mod contact_sheet;
 mod graders;
 mod html;
 mod junit;
 mod overview;
 mod page;
 mod picture;
-
 mod similarity;
 mod table;
 mod text;
-mod visible;
 
 #[cfg(test)]
 mod tests;
 
-pub use contact_sheet::contact_sheet;
 pub use graders::{code_runner, gradescope};
 pub use html::page_name;
 pub use junit::junit;
 pub use overview::overview;
 pub use page::page;
+pub use picture::contact_sheet;
 pub use similarity::{Fingerprint, similar_pairs, similarity};
 pub use table::{Row, RowMistake, csv};
-pub use visible::{is_hidden, push_visible, visible};
+pub use text::{is_hidden, push_visible, visible};

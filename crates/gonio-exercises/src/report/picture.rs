@@ -9,7 +9,7 @@ pub const NAN_COLOUR: [u8; 4] = [255, 0, 255, 255];
 
 /// A picture: rows from the top, RGBA.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Picture {
+pub struct ReportPicture {
     /// Pixels in a row.
     pub width: u32,
     /// Rows.
@@ -105,17 +105,17 @@ impl<'a> Pictures<'a> {
     }
 
     /// The one of that number, from 0.
-    pub fn nth(&self, scene: usize, kind: PictureKind) -> Option<Picture> {
+    pub fn nth(&self, scene: usize, kind: PictureKind) -> Option<ReportPicture> {
         self.picture(self.scenes.get(scene)?.1, kind)
     }
 
     /// The one of that word.
-    pub fn find(&self, scene: &str, kind: PictureKind) -> Option<Picture> {
+    pub fn find(&self, scene: &str, kind: PictureKind) -> Option<ReportPicture> {
         let (_, tile) = self.scenes.iter().find(|(word, _)| word == scene)?;
         self.picture(*tile, kind)
     }
 
-    fn picture(&self, tile: usize, kind: PictureKind) -> Option<Picture> {
+    fn picture(&self, tile: usize, kind: PictureKind) -> Option<ReportPicture> {
         let Evidence { seen, reference, predicted, .. } = self.evidence;
         let pixels: Vec<[u8; 4]> = match kind {
             PictureKind::Yours => seen.tile(tile).iter().map(shown).collect(),
@@ -129,7 +129,7 @@ impl<'a> Pictures<'a> {
         let side = TILE as usize;
         // The bottom row comes first in OpenGL, and last in a file.
         let rows = || pixels.chunks_exact(side).rev();
-        (rows().len() == side).then(|| Picture {
+        (rows().len() == side).then(|| ReportPicture {
             width: TILE,
             height: TILE,
             pixels: rows().flatten().copied().collect(),
@@ -171,7 +171,7 @@ fn full(evidence: &Evidence, scenes: &[(String, usize)]) -> f32 {
     full
 }
 
-impl Picture {
+impl ReportPicture {
     /// As a file.
     pub fn png(&self) -> Vec<u8> {
         let bytes: Vec<u8> = self.pixels.iter().flatten().copied().collect();
@@ -206,6 +206,46 @@ fn base64(bytes: &[u8]) -> String {
         }
     }
     text
+}
+
+/// A pixel of a test scene is a square of so many.
+const ENLARGED: usize = 3;
+/// Between two pictures, and around them all.
+const GAP: usize = 6;
+/// Behind everything, and where nothing is drawn.
+const BACKGROUND: [u8; 4] = [46, 48, 54, 255];
+
+/// A PNG with a column a scene and the rows yours, reference, difference and, where a mistake is named, what that draws (of a right answer: what the
+/// reference draws in its own way).
+/// Differences are colours from near black (none) to pale yellow, on the scale that the page of the same verdict states;
+/// what is no number is magenta. Empty where there is nothing to show.
+pub fn contact_sheet(evidence: &Evidence, verdict: &Verdict) -> Vec<u8> {
+    let pictures = Pictures::new(evidence, verdict);
+    let kinds = pictures.kinds();
+    if pictures.count() == 0 {
+        return Vec::new();
+    }
+    let side = TILE as usize * ENLARGED;
+    let length = |count: usize| GAP + count * (side + GAP);
+    let (width, height) = (length(pictures.count()), length(kinds.len()));
+    let (Ok(wide), Ok(high)) = (u32::try_from(width), u32::try_from(height)) else { return Vec::new() };
+    let mut sheet = ReportPicture { width: wide, height: high, pixels: vec![BACKGROUND; width * height] };
+    for column in 0..pictures.count() {
+        for (row, kind) in kinds.iter().enumerate() {
+            let Some(picture) = pictures.nth(column, *kind) else { continue };
+            for y in 0..side {
+                let start = (length(row) + y) * width + length(column);
+                let from = &picture.pixels[(y / ENLARGED) * TILE as usize..];
+                for (x, pixel) in sheet.pixels[start..start + side].iter_mut().enumerate() {
+                    let drawn = from[x / ENLARGED];
+                    if drawn[3] > 0 {
+                        *pixel = drawn;
+                    }
+                }
+            }
+        }
+    }
+    sheet.png()
 }
 
 #[cfg(test)]
@@ -292,6 +332,37 @@ mod tests {
         let mut evidence = evidence(0.2);
         evidence.seen.pixels.truncate(7);
         assert_eq!(Pictures::new(&evidence, &Verdict::new("ex04", Outcome::Wrong, "")).count(), 0);
-        assert!(super::super::contact_sheet(&evidence, &Verdict::new("ex04", Outcome::Wrong, "")).is_empty());
+        assert!(contact_sheet(&evidence, &Verdict::new("ex04", Outcome::Wrong, "")).is_empty());
+    }
+
+    #[test]
+    fn each_picture_has_its_place() {
+        let size = (TILE * TILE) as usize;
+        let flat = |grey: [f32; 2]| Atlas {
+            pixels: grey.iter().flat_map(|grey| vec![[*grey, *grey, *grey, 1.0]; size]).collect(),
+        };
+        let evidence = Evidence {
+            seen: flat([0.0, f32::NAN]),
+            reference: flat([1.0, 1.0]),
+            predicted: Some(flat([0.5, 0.5])),
+            scenes: vec!["one".to_owned(), "two".to_owned()],
+        };
+        let file = contact_sheet(&evidence, &Verdict::new("ex04", Outcome::Correct, ""));
+        let mut reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().unwrap();
+        let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+        let info = reader.next_frame(&mut bytes).unwrap();
+        let side = TILE * ENLARGED as u32 + GAP as u32;
+        assert_eq!((info.width, info.height), (2 * side + GAP as u32, 4 * side + GAP as u32));
+        let at = |column: u32, row: u32| {
+            let (x, y) = (column * side + side / 2, row * side + side / 2);
+            let start = (y * info.width + x) as usize * 4;
+            [bytes[start], bytes[start + 1], bytes[start + 2]]
+        };
+        assert_eq!(at(0, 0), [0, 0, 0]);
+        assert_eq!(at(1, 0), [255, 0, 255]);
+        assert_eq!([at(0, 1), at(1, 1)], [[255; 3]; 2]);
+        assert_eq!(at(0, 2), heat(1.0));
+        assert_eq!(at(1, 3), [188; 3]);
+        assert_eq!(bytes[..4], BACKGROUND);
     }
 }

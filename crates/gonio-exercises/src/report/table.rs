@@ -1,7 +1,6 @@
 //! Many submissions in a table.
 
-use super::text::{line, place, plain, unit, word};
-use super::visible::is_hidden;
+use super::text::{is_hidden, line, place, plain, unit, word};
 use gonio_check::verdict::{Outcome, Verdict};
 use serde::{Deserialize, Serialize};
 

@@ -1,7 +1,5 @@
 //! The exercises: their texts, what one starts from, and the references. All of it is part of the program.
 
-mod files;
-
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -111,7 +109,7 @@ impl Exercise {
 
     /// Returns the start pictures, by name.
     pub fn pictures(&self) -> impl Iterator<Item = (&'static str, &'static [u8])> {
-        let of_this = files::PICTURES.iter().filter(|(folder, ..)| *folder == self.folder);
+        let of_this = PICTURES.iter().filter(|(folder, ..)| *folder == self.folder);
         of_this.map(|(_, name, bytes)| (*name, *bytes))
     }
 
@@ -124,7 +122,7 @@ impl Exercise {
 /// All exercises, in order.
 pub fn all() -> &'static [Exercise] {
     static ALL: LazyLock<Vec<Exercise>> =
-        LazyLock::new(|| files::FOLDERS.iter().filter_map(|(folder, files)| read(folder, files).ok()).collect());
+        LazyLock::new(|| FOLDERS.iter().filter_map(|(folder, files)| read(folder, files).ok()).collect());
     &ALL
 }
 
@@ -156,6 +154,37 @@ fn read(folder: &'static str, files: &'static [(&'static str, &'static str)]) ->
     })
 }
 
+type Folder = (&'static str, &'static [(&'static str, &'static str)]);
+
+macro_rules! folder {
+    ($folder:literal: $($name:literal)*) => {
+        ($folder, &[$(($name, include_str!(concat!("../../../exercises/", $folder, "/", $name)))),*])
+    };
+}
+
+/// Folders and their files, in order.
+const FOLDERS: &[Folder] = &[
+    folder!("ex01-camera": "camera.svg" "exercise.toml" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md"),
+    folder!("ex02-object-reader": "exercise.toml" "models/bracket.obj" "models/cube.obj" "models/fence.obj" "models/gem.obj" "models/house.obj" "models/objects.obj" "models/pyramid.obj" "models/tent.obj" "models/wedge.obj" "reference/obj_reader.cpp" "reference/obj_reader.py" "start/obj_reader.cpp" "start/obj_reader.py" "text.md"),
+    folder!("ex03-gouraud-diffuse": "exercise.toml" "normal.svg" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md"),
+    folder!("ex04-phong-diffuse": "exercise.toml" "gouraud-and-phong.svg" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md"),
+    folder!("ex05-gouraud-specular": "exercise.toml" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md" "vectors.svg"),
+    folder!("ex06-phong-specular": "exercise.toml" "highlight.svg" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md"),
+    folder!("ex07-light-equation": "attenuation.svg" "exercise.toml" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md"),
+    folder!("ex08-skybox": "exercise.toml" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md"),
+    folder!("ex09-reflection": "exercise.toml" "reference.frag" "reference.vert" "reflection.svg" "start.frag" "start.vert" "text.md"),
+    folder!("ex10-refraction": "exercise.toml" "reference.frag" "reference.vert" "refraction.svg" "start.frag" "start.vert" "text.md"),
+    folder!("ex11-texture-unit": "exercise.toml" "host/attribute-not-enabled.txt" "host/mipmaps-missing.txt" "host/offset-wrong.txt" "host/reference.txt" "host/stride-wrong.txt" "host/texture-name-as-unit.txt" "host/unbound-unit.txt" "host/uniform-before-use-program.txt" "host/wrong-target.txt" "start.frag" "start.vert" "text.md" "texture-units.svg"),
+    folder!("s1-panorama-to-cubemap": "exercise.toml" "faces.svg" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md"),
+];
+
+/// Pictures: the folder, the name, the file.
+const PICTURES: &[(&str, &str, &[u8])] = &[(
+    "s1-panorama-to-cubemap",
+    "panorama.png",
+    include_bytes!("../../../exercises/s1-panorama-to-cubemap/panorama.png"),
+)];
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -171,9 +200,9 @@ mod tests {
             .map(|entry| entry.file_name().into_string().unwrap())
             .collect();
         folders.sort();
-        let carried: Vec<&str> = files::FOLDERS.iter().map(|(folder, _)| *folder).collect();
+        let carried: Vec<&str> = FOLDERS.iter().map(|(folder, _)| *folder).collect();
         assert_eq!(folders, carried);
-        for (folder, files) in files::FOLDERS {
+        for (folder, files) in FOLDERS {
             let exercise = read(folder, files).unwrap();
             assert!(exercise.text().len() > 1000, "{folder}");
             for (name, text) in *files {
