@@ -17,7 +17,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// One entry of a folder or an archive, or one argument of a command.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Entry {
+pub struct ClassEntry {
     /// Its name, without folders.
     pub name: String,
     /// Whether it is a folder or an archive rather than a file.
@@ -26,7 +26,7 @@ pub struct Entry {
 
 /// The submissions among entries.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Layout {
+pub enum ClassLayout {
     /// All entries are one submission.
     One,
     /// The one container among them holds everything; its own entries decide.
@@ -56,24 +56,24 @@ pub struct Group {
 /// The layout of these entries. `answers` tells of a file, by its index, whether it could be part of an answer to the
 /// exercise (a shader, a buffer, a GL program), and of a container whether it holds a whole answer; it is asked only
 /// where names do not decide.
-pub fn layout(entries: &[Entry], answers: &dyn Fn(usize) -> bool) -> Layout {
+pub fn layout(entries: &[ClassEntry], answers: &dyn Fn(usize) -> bool) -> ClassLayout {
     if let Some(many) = flat_download(entries, answers) {
-        return Layout::Many(many);
+        return ClassLayout::Many(many);
     }
     let is_container = |at: &usize| entries[*at].is_container && !is_noise(&entries[*at].name);
     let containers: Vec<usize> = (0..entries.len()).filter(is_container).collect();
     let is_loose_answer = |at: usize| !entries[at].is_container && !is_noise(&entries[at].name) && answers(at);
     let loose_answers = !containers.is_empty() && (0..entries.len()).any(is_loose_answer);
     match (containers.as_slice(), loose_answers) {
-        ([], _) | ([_], true) => Layout::One,
-        ([only], false) => Layout::Within(*only),
-        _ if is_one_project(entries, &containers, loose_answers, answers) => Layout::One,
-        _ => Layout::Many(each_its_own(entries, &containers, answers)),
+        ([], _) | ([_], true) => ClassLayout::One,
+        ([only], false) => ClassLayout::Within(*only),
+        _ if is_one_project(entries, &containers, loose_answers, answers) => ClassLayout::One,
+        _ => ClassLayout::Many(each_its_own(entries, &containers, answers)),
     }
 }
 
 /// Each entry as a submission of its own (those of a flat download together), whatever [`layout`] makes of them.
-pub fn each(entries: &[Entry], answers: &dyn Fn(usize) -> bool) -> Many {
+pub fn each(entries: &[ClassEntry], answers: &dyn Fn(usize) -> bool) -> Many {
     flat_download(entries, answers).unwrap_or_else(|| {
         let is_submission = |at: &usize| {
             let entry = &entries[*at];
@@ -90,7 +90,7 @@ const MOST_STAGE_FOLDERS: usize = 3;
 /// Whether several containers are the parts of one student's project. Beside loose answers (`main.cpp` with shaders in
 /// its strings) they are, unless two of them answer the exercise by themselves and are not named like parts.
 fn is_one_project(
-    entries: &[Entry],
+    entries: &[ClassEntry],
     containers: &[usize],
     loose_answers: bool,
     answers: &dyn Fn(usize) -> bool,
@@ -110,7 +110,7 @@ fn is_one_project(
     }
 }
 
-fn each_its_own(entries: &[Entry], chosen: &[usize], answers: &dyn Fn(usize) -> bool) -> Many {
+fn each_its_own(entries: &[ClassEntry], chosen: &[usize], answers: &dyn Fn(usize) -> bool) -> Many {
     let mut many = Many::default();
     for (at, entry) in entries.iter().enumerate() {
         if chosen.contains(&at) {
@@ -124,7 +124,7 @@ fn each_its_own(entries: &[Entry], chosen: &[usize], answers: &dyn Fn(usize) -> 
     many
 }
 
-fn why_skipped(entries: &[Entry], at: usize, answers: &dyn Fn(usize) -> bool) -> &'static str {
+fn why_skipped(entries: &[ClassEntry], at: usize, answers: &dyn Fn(usize) -> bool) -> &'static str {
     if is_noise(&entries[at].name) {
         "a system file, not a student's"
     } else if answers(at) {
@@ -177,7 +177,7 @@ fn distinguish(groups: &mut [Group]) {
 }
 
 /// The submissions of a flat download, if a name says that it is one.
-fn flat_download(entries: &[Entry], answers: &dyn Fn(usize) -> bool) -> Option<Many> {
+fn flat_download(entries: &[ClassEntry], answers: &dyn Fn(usize) -> bool) -> Option<Many> {
     if !entries.iter().any(|entry| flat_name(&entry.name).is_some()) {
         return None;
     }
@@ -331,10 +331,13 @@ mod tests {
     use super::*;
 
     /// Entries by their names: `anna/` a folder with an answer, `docs/-` one without, `a.vert` an answer, `a.txt` none.
-    fn entries(names: &[&str]) -> Vec<Entry> {
+    fn entries(names: &[&str]) -> Vec<ClassEntry> {
         let entry = |name: &&str| {
             let folder = name.strip_suffix('-').unwrap_or(name).strip_suffix('/');
-            Entry { name: folder.unwrap_or(name).to_owned(), is_container: folder.is_some() || name.ends_with(".zip") }
+            ClassEntry {
+                name: folder.unwrap_or(name).to_owned(),
+                is_container: folder.is_some() || name.ends_with(".zip"),
+            }
         };
         names.iter().map(entry).collect()
     }
@@ -343,13 +346,13 @@ mod tests {
         ["/", ".zip", ".vert", ".frag", ".cpp", ".glsl"].iter().any(|end| name.ends_with(end))
     }
 
-    fn layout_of(names: &[&str]) -> Layout {
+    fn layout_of(names: &[&str]) -> ClassLayout {
         layout(&entries(names), &|at| is_answer(names[at]))
     }
 
     fn many(names: &[&str]) -> Many {
         match layout_of(names) {
-            Layout::Many(many) => many,
+            ClassLayout::Many(many) => many,
             other => panic!("{names:?} is {other:?}"),
         }
     }
@@ -379,7 +382,7 @@ mod tests {
             // Neither holds a whole answer.
             &["upper/-", "lower/-"],
         ] {
-            assert_eq!(layout_of(names), Layout::One, "{names:?}");
+            assert_eq!(layout_of(names), ClassLayout::One, "{names:?}");
         }
     }
 
@@ -392,7 +395,7 @@ mod tests {
             (&["__MACOSX/", "shaders/"], 1),
             (&["shaders/-"], 0),
         ] {
-            assert_eq!(layout_of(names), Layout::Within(at), "{names:?}");
+            assert_eq!(layout_of(names), ClassLayout::Within(at), "{names:?}");
         }
     }
 
@@ -467,7 +470,7 @@ mod tests {
     #[test]
     fn files_that_only_look_like_a_download_are_not_torn_apart() {
         for names in [&["phong_1_2_v.vert", "phong_1_2_f.frag"][..], &["light_2024_100_a.vert", "other.frag"]] {
-            assert_eq!(layout_of(names), Layout::One, "{names:?}");
+            assert_eq!(layout_of(names), ClassLayout::One, "{names:?}");
         }
     }
 

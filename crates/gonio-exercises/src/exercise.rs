@@ -23,15 +23,15 @@ pub enum ExerciseKind {
 pub struct Inputs {
     /// By name.
     #[serde(default)]
-    pub attributes: BTreeMap<String, Input>,
+    pub attributes: BTreeMap<String, InputVariable>,
     /// By OpenGL's name.
     #[serde(default)]
-    pub uniforms: BTreeMap<String, Input>,
+    pub uniforms: BTreeMap<String, InputVariable>,
 }
 
 /// An attribute or a uniform that is given.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
-pub struct Input {
+pub struct InputVariable {
     /// The GLSL type.
     #[serde(rename = "type")]
     pub glsl_type: String,

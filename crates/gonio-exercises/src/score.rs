@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 
 /// Counts of mistakes by how they were named.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Count {
+pub struct MistakeCounts {
     /// Handed in, and to be seen in some scene.
     pub visible: usize,
     /// Named right, alone or among names that no picture tells apart.
@@ -27,7 +27,7 @@ pub struct Count {
     pub hidden: usize,
 }
 
-impl Count {
+impl MistakeCounts {
     /// The share named right, of those that can be seen: 1 of none.
     pub fn share(&self) -> f64 {
         if self.visible == 0 { 1.0 } else { self.named as f64 / self.visible as f64 }
@@ -67,9 +67,9 @@ pub struct Score {
     /// The exercise's word.
     pub exercise: String,
     /// Mistakes by themselves.
-    pub single: Count,
+    pub single: MistakeCounts,
     /// Two at once.
-    pub pairs: Count,
+    pub pairs: MistakeCounts,
 }
 
 /// Makes every mistake of the catalogue that an exercise's model can have, every way to make it, and `pairs` pairs of them spread

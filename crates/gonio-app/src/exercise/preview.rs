@@ -3,7 +3,7 @@
 use super::work::{PictureMode, Work};
 use crate::scene_view::drawing::PaneRenderer;
 use gonio_check::testbench::TestScene;
-use gonio_exercises::preview::{self, Body, CompiledPair, Eye, Note, PreviewRenderer, SubmittedPair};
+use gonio_exercises::preview::{self, CompiledPair, Eye, Note, PreviewRenderer, PreviewShape, SubmittedPair};
 use gonio_gl::{Gl, GlError};
 use gonio_render::{DifferenceScale, DisplayTexture, Presentation};
 
@@ -24,7 +24,7 @@ pub enum Picture {
 }
 
 /// Everything that a picture depends on.
-type Drawn = ([u32; 2], Vec<(Body, TestScene)>, u64);
+type Drawn = ([u32; 2], Vec<(PreviewShape, TestScene)>, u64);
 
 /// Everything of an exercise on the GPU. It follows from the work and its sources.
 pub struct Preview {
@@ -135,7 +135,7 @@ impl Preview {
         let stage = &self.stage;
         pane_renderer.renderer().paint_user_program(canvas, size, BACKGROUND, || {
             if let (Some(sky), Some((_, first))) = (sky, bodies.first()) {
-                stage.draw(sky, &[(Body::Cube, first.clone())]);
+                stage.draw(sky, &[(PreviewShape::Cube, first.clone())]);
             }
             stage.draw(pair, bodies);
         })?;
@@ -152,7 +152,7 @@ impl Preview {
 }
 
 /// The inputs of programs for each body of the scene at this moment.
-pub fn situations(work: &Work, size: [u32; 2]) -> Vec<(Body, TestScene)> {
+pub fn situations(work: &Work, size: [u32; 2]) -> Vec<(PreviewShape, TestScene)> {
     let Some(scene) = work.scene() else { return Vec::new() };
     let camera = work.camera.to_camera();
     let target = work.camera.target().map_or(camera.position + camera.front, glam::DVec3::from);

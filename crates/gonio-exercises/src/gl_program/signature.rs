@@ -257,7 +257,11 @@ impl Arguments<'_> {
                 Call::DrawElements { mode, count, kind: self.constant(2)?, offset: self.whole(3)? }
             }
             _ => {
-                return Err(LineError { column: 1, message: format!("there is no call `{word}`"), help: String::new() });
+                return Err(LineError {
+                    column: 1,
+                    message: format!("there is no call `{word}`"),
+                    help: String::new(),
+                });
             }
         })
     }

@@ -9,7 +9,7 @@ mod scene;
 pub use files::{FileUse, SortedFiles, is_answer, is_complete, is_replaced, sort_files};
 pub use pair::{CompiledPair, Note, NoteKind, SubmittedPair};
 pub use renderer::{PreviewRenderer, VariableValue};
-pub use scene::{Body, Eye, Part, PreviewScene, scenes};
+pub use scene::{Eye, PreviewObject, PreviewScene, PreviewShape, scenes};
 
 use crate::exercise::{Exercise, ExerciseKind};
 use gonio_check::submission::SourceFile;

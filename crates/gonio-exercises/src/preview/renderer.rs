@@ -1,6 +1,6 @@
 //! Draws previews: meshes, the sky, a white texture.
 
-use super::{Body, CompiledPair, PreviewScene};
+use super::{CompiledPair, PreviewScene, PreviewShape};
 use gonio_check::roles::{Bound, Role, VariableKind};
 use gonio_check::testbench::{CUBEMAP_UNIT, TestScene, WHITE_UNIT, numbers_of_array, samplers, sky, stream_of, unit};
 use gonio_gl::{Gl, GlError};
@@ -24,7 +24,7 @@ pub struct VariableValue {
 /// Meshes and textures on the GPU.
 pub struct PreviewRenderer {
     gl: Gl,
-    meshes: RefCell<[Option<Rc<StreamMesh>>; Body::ALL.len()]>,
+    meshes: RefCell<[Option<Rc<StreamMesh>>; PreviewShape::ALL.len()]>,
     cubemap: FloatTexture,
     white: FloatTexture,
 }
@@ -42,14 +42,19 @@ impl PreviewRenderer {
 
     /// Makes what a scene needs on the GPU, before anything is drawn of it.
     pub fn prepare(&self, scene: &PreviewScene) -> Result<(), GlError> {
-        scene.parts.iter().map(|part| part.body).chain([Body::Cube]).try_for_each(|body| self.mesh(body).map(drop))
+        scene
+            .objects
+            .iter()
+            .map(|object| object.shape)
+            .chain([PreviewShape::Cube])
+            .try_for_each(|shape| self.mesh(shape).map(drop))
     }
 
-    fn mesh(&self, body: Body) -> Result<Rc<StreamMesh>, GlError> {
-        if let Some(mesh) = &self.meshes.borrow()[body.index()] {
+    fn mesh(&self, shape: PreviewShape) -> Result<Rc<StreamMesh>, GlError> {
+        if let Some(mesh) = &self.meshes.borrow()[shape.index()] {
             return Ok(mesh.clone());
         }
-        let mesh = body.mesh();
+        let mesh = shape.mesh();
         let stream = |name, components, numbers| Stream { name, components, numbers };
         let streams = [
             stream("position", 3, &mesh.positions[..]),
@@ -57,13 +62,13 @@ impl PreviewRenderer {
             stream("tex_coord", 2, &mesh.tex_coords),
             stream("color", 3, &mesh.colors),
         ];
-        let made = Rc::new(StreamMesh::new(&self.gl, &streams, &mesh.indices, &format!("{body:?}"))?);
-        self.meshes.borrow_mut()[body.index()] = Some(made.clone());
+        let made = Rc::new(StreamMesh::new(&self.gl, &streams, &mesh.indices, &format!("{shape:?}"))?);
+        self.meshes.borrow_mut()[shape.index()] = Some(made.clone());
         Ok(made)
     }
 
-    /// Draws a program onto what is bound: each body with what its test scene says. Bodies that were not prepared are left out.
-    pub fn draw(&self, pair: &CompiledPair, bodies: &[(Body, TestScene)]) {
+    /// Draws a program onto what is bound: each shape as its test scene says. Shapes that were not prepared are left out.
+    pub fn draw(&self, pair: &CompiledPair, objects: &[(PreviewShape, TestScene)]) {
         let feed: Vec<(u32, usize)> = of_kind(pair, VariableKind::Attribute)
             .filter_map(|b| Some((pair.program.attribute_location(&b.declared.name)?, stream_of(b.role)?)))
             .collect();
@@ -76,14 +81,14 @@ impl PreviewRenderer {
         for fixed in &pair.bindings.fixed {
             pair.program.set(&fixed.declared.name, &fixed.values);
         }
-        for (body, test_scene) in bodies {
+        for (shape, test_scene) in objects {
             for bound in of_kind(pair, VariableKind::Uniform).filter(|bound| unit(&bound.declared.glsl_type).is_none())
             {
                 if let Some(values) = held(bound, test_scene) {
                     pair.program.set(&bound.declared.name, &values);
                 }
             }
-            if let Some(mesh) = &self.meshes.borrow()[body.index()] {
+            if let Some(mesh) = &self.meshes.borrow()[shape.index()] {
                 mesh.draw(&pair.program, &feed);
             }
         }

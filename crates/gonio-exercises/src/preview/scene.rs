@@ -7,7 +7,7 @@ use gonio_check::testbench::{Light, Shape, TestMesh, TestScene, mesh, scene::LAB
 
 /// The mesh to draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Body {
+pub enum PreviewShape {
     /// A sphere of radius 1 whose triangles are a quarter of its height.
     ExtremelyCoarse,
     /// One whose outline still has corners.
@@ -24,12 +24,19 @@ pub enum Body {
     Landmarks,
 }
 
-impl Body {
-    /// All bodies, in the order of [`Body::index`].
-    pub const ALL: [Body; 7] =
-        [Body::ExtremelyCoarse, Body::Coarse, Body::Smooth, Body::Torus, Body::Cube, Body::Pyramid, Body::Landmarks];
+impl PreviewShape {
+    /// All shapes, in the order of [`PreviewShape::index`].
+    pub const ALL: [PreviewShape; 7] = [
+        PreviewShape::ExtremelyCoarse,
+        PreviewShape::Coarse,
+        PreviewShape::Smooth,
+        PreviewShape::Torus,
+        PreviewShape::Cube,
+        PreviewShape::Pyramid,
+        PreviewShape::Landmarks,
+    ];
 
-    /// Its index in [`Body::ALL`].
+    /// Its index in [`PreviewShape::ALL`].
     pub fn index(self) -> usize {
         self as usize
     }
@@ -37,13 +44,13 @@ impl Body {
     /// Its vertices and triangles.
     pub fn mesh(self) -> TestMesh {
         match self {
-            Body::ExtremelyCoarse => mesh::sphere(8, 5),
-            Body::Coarse => mesh::sphere(20, 12),
-            Body::Smooth => mesh::sphere(72, 48),
-            Body::Torus => mesh::torus(96, 48),
-            Body::Cube => Shape::Cube.mesh(),
-            Body::Pyramid => Shape::Pyramid.mesh(),
-            Body::Landmarks => Shape::Landmarks.mesh(),
+            PreviewShape::ExtremelyCoarse => mesh::sphere(8, 5),
+            PreviewShape::Coarse => mesh::sphere(20, 12),
+            PreviewShape::Smooth => mesh::sphere(72, 48),
+            PreviewShape::Torus => mesh::torus(96, 48),
+            PreviewShape::Cube => Shape::Cube.mesh(),
+            PreviewShape::Pyramid => Shape::Pyramid.mesh(),
+            PreviewShape::Landmarks => Shape::Landmarks.mesh(),
         }
     }
 }
@@ -63,9 +70,9 @@ pub struct Eye {
 
 /// One of a scene's objects.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Part {
+pub struct PreviewObject {
     /// The mesh.
-    pub body: Body,
+    pub shape: PreviewShape,
     /// M.
     pub world_from_model: Mat4,
 }
@@ -78,7 +85,7 @@ pub struct PreviewScene {
     /// What the scene shows, in a sentence.
     pub shows: &'static str,
     /// The objects.
-    pub parts: Vec<Part>,
+    pub objects: Vec<PreviewObject>,
     /// The light at time 0, without what it swings.
     pub light: Light,
     /// The lamp's place is moved by this times sin(now), as the lab's is in exercise 07.
@@ -94,16 +101,16 @@ pub struct PreviewScene {
 impl PreviewScene {
     /// What a program is given for each object, seen from `eye` at `time` (seconds) in a picture of `width` by `height`
     /// pixels. The matrices are those of a square picture, as wide as the longer side.
-    pub fn test_scenes(&self, eye: &Eye, time: f32, size: [u32; 2]) -> Vec<(Body, TestScene)> {
+    pub fn test_scenes(&self, eye: &Eye, time: f32, size: [u32; 2]) -> Vec<(PreviewShape, TestScene)> {
         let [width, height] = size.map(|side| side.max(1) as f32);
         let longer = (width / height).max(height / width);
         let fov_y_rad = 2.0 * ((0.5 * eye.fov_rad).tan() * longer).atan();
         let light = Light { position: self.light.position + self.swing * time.sin(), ..self.light };
-        let test_scene = |part: &Part| TestScene {
+        let test_scene = |object: &PreviewObject| TestScene {
             name: self.name.to_owned(),
             shows: self.shows,
             shape: Shape::Sphere,
-            world_from_model: part.world_from_model,
+            world_from_model: object.world_from_model,
             eye: eye.position,
             target: eye.target,
             up: eye.up,
@@ -115,7 +122,7 @@ impl PreviewScene {
             refraction_index: 1.52,
             time,
         };
-        self.parts.iter().map(|part| (part.body, test_scene(part))).collect()
+        self.objects.iter().map(|object| (object.shape, test_scene(object))).collect()
     }
 }
 
@@ -124,7 +131,7 @@ pub fn scenes(exercise: &Exercise) -> Vec<PreviewScene> {
     match exercise.id.as_str() {
         "ex01" => vec![pyramid(), landmarks()],
         "ex08" => vec![sky()],
-        "ex09" | "ex10" => vec![mirrored(Body::Smooth), mirrored(Body::Torus)],
+        "ex09" | "ex10" => vec![mirrored(PreviewShape::Smooth), mirrored(PreviewShape::Torus)],
         id => {
             let task = Task::find(id);
             let attenuation =
@@ -144,24 +151,24 @@ fn eye(position: [f32; 3], target: [f32; 3], fov_deg: f32) -> Eye {
     Eye { position: position.into(), target: target.into(), up: Vec3::Y, fov_rad: fov_deg.to_radians() }
 }
 
-fn scene(name: &'static str, shows: &'static str, parts: Vec<Part>, light: Light, eye: Eye) -> PreviewScene {
-    PreviewScene { name, shows, parts, light, swing: Vec3::ZERO, eye, has_sky: false, looks_around: false }
+fn scene(name: &'static str, shows: &'static str, objects: Vec<PreviewObject>, light: Light, eye: Eye) -> PreviewScene {
+    PreviewScene { name, shows, objects, light, swing: Vec3::ZERO, eye, has_sky: false, looks_around: false }
 }
 
 /// Exercise 01's: the camera stands before it and looks straight ahead.
 fn pyramid() -> PreviewScene {
-    let parts = vec![Part { body: Body::Pyramid, world_from_model: Mat4::IDENTITY }];
+    let objects = vec![PreviewObject { shape: PreviewShape::Pyramid, world_from_model: Mat4::IDENTITY }];
     let shows = "the lab's own: a pyramid at the origin";
-    scene("the lab's", shows, parts, LAB_LIGHT, eye([0.0, 0.0, 2.0], [0.0; 3], LAB_FOV_DEG))
+    scene("the lab's", shows, objects, LAB_LIGHT, eye([0.0, 0.0, 2.0], [0.0; 3], LAB_FOV_DEG))
 }
 
 /// What a pyramid at the origin and a camera that does not turn hide.
 fn landmarks() -> PreviewScene {
     let turn = Quat::from_euler(glam::EulerRot::YXZ, 25f32.to_radians(), 40f32.to_radians(), 15f32.to_radians());
     let model = Mat4::from_scale_rotation_translation(Vec3::new(0.8, 1.1, 0.6), turn, Vec3::new(0.3, -0.2, -0.4));
-    let parts = vec![Part { body: Body::Landmarks, world_from_model: model }];
+    let objects = vec![PreviewObject { shape: PreviewShape::Landmarks, world_from_model: model }];
     let shows = "the pyramid turned and moved within a globe of many colours, seen by a camera that is turned too";
-    scene("turned", shows, parts, LAB_LIGHT, eye([1.1, 0.7, 1.0], [0.2, -0.1, -0.4], LAB_FOV_DEG))
+    scene("turned", shows, objects, LAB_LIGHT, eye([1.1, 0.7, 1.0], [0.2, -0.1, -0.4], LAB_FOV_DEG))
 }
 
 /// What the lab's 45 radians come to, degrees.
@@ -170,21 +177,25 @@ const LAB_FOV_DEG: f32 = 58.3;
 /// Exercise 07's.
 fn one_sphere(light: Light) -> PreviewScene {
     let model = Mat4::from_translation(Vec3::new(0.0, 0.0, -2.0)) * Mat4::from_scale(Vec3::splat(0.5));
-    let parts = vec![Part { body: Body::Smooth, world_from_model: model }];
+    let objects = vec![PreviewObject { shape: PreviewShape::Smooth, world_from_model: model }];
     let eye = eye([0.0, 0.0, 0.0], [0.0, 0.0, -2.0], 38.0);
     let shows = "the lab's own: a sphere at half its size, and a lamp that swings";
-    PreviewScene { swing: Vec3::new(0.0, 0.0, 2.0), ..scene("the lab's", shows, parts, light, eye) }
+    PreviewScene { swing: Vec3::new(0.0, 0.0, 2.0), ..scene("the lab's", shows, objects, light, eye) }
 }
 
 /// That of exercises 03 to 06.
 fn three_spheres(light: Light) -> PreviewScene {
-    let part = |body, x: f32| {
+    let object = |shape, x: f32| {
         let model = Mat4::from_translation(Vec3::new(x, 0.0, -2.0)) * Mat4::from_scale(Vec3::splat(0.5));
-        Part { body, world_from_model: model }
+        PreviewObject { shape, world_from_model: model }
     };
-    let parts = vec![part(Body::ExtremelyCoarse, -1.15), part(Body::Coarse, 0.0), part(Body::Smooth, 1.15)];
+    let objects = vec![
+        object(PreviewShape::ExtremelyCoarse, -1.15),
+        object(PreviewShape::Coarse, 0.0),
+        object(PreviewShape::Smooth, 1.15),
+    ];
     let shows = "the lab's own: a sphere of few triangles, one of more, one of many";
-    scene("the lab's", shows, parts, light, eye([0.0, 0.35, 2.2], [0.0, 0.0, -2.0], 52.0))
+    scene("the lab's", shows, objects, light, eye([0.0, 0.35, 2.2], [0.0, 0.0, -2.0], 52.0))
 }
 
 /// What a model that is scaled evenly and not turned hides.
@@ -192,33 +203,33 @@ fn stretched(light: Light) -> PreviewScene {
     let turn = Quat::from_euler(glam::EulerRot::YXZ, 50f32.to_radians(), 35f32.to_radians(), 20f32.to_radians());
     let scale = Vec3::new(0.6, 1.2, 0.3);
     let model = Mat4::from_scale_rotation_translation(scale, turn, Vec3::new(0.4, -0.3, -0.6));
-    let parts = vec![Part { body: Body::Torus, world_from_model: model }];
+    let objects = vec![PreviewObject { shape: PreviewShape::Torus, world_from_model: model }];
     let light = Light { position: Vec3::new(1.6, 2.2, 1.2), ..light };
     let shows = "a ring that is stretched, turned and moved: normals by M, and matrices in the wrong order, show here";
-    scene("stretched", shows, parts, light, eye([1.9, 1.1, 2.0], [0.4, -0.3, -0.6], 34.0))
+    scene("stretched", shows, objects, light, eye([1.9, 1.1, 2.0], [0.4, -0.3, -0.6], 34.0))
 }
 
-/// A body that shows the sky around it.
-fn mirrored(body: Body) -> PreviewScene {
+/// A shape that shows the sky around it.
+fn mirrored(shape: PreviewShape) -> PreviewScene {
     let turn = Quat::from_euler(glam::EulerRot::YXZ, 0.5, 0.9, 0.0);
-    let (name, shows) = match body {
-        Body::Torus => ("a ring", "a ring, stretched and turned: its normals are nothing like its positions"),
+    let (name, shows) = match shape {
+        PreviewShape::Torus => ("a ring", "a ring, stretched and turned: its normals are nothing like its positions"),
         _ => ("a sphere", "a smooth sphere under the lab's sky"),
     };
-    let model = match body {
-        Body::Torus => Mat4::from_scale_rotation_translation(Vec3::new(1.0, 1.3, 0.8), turn, Vec3::ZERO),
+    let model = match shape {
+        PreviewShape::Torus => Mat4::from_scale_rotation_translation(Vec3::new(1.0, 1.3, 0.8), turn, Vec3::ZERO),
         _ => Mat4::IDENTITY,
     };
-    let parts = vec![Part { body, world_from_model: model }];
-    PreviewScene { has_sky: true, ..scene(name, shows, parts, LAB_LIGHT, eye([0.0, 0.6, 3.6], [0.0; 3], 46.0)) }
+    let objects = vec![PreviewObject { shape, world_from_model: model }];
+    PreviewScene { has_sky: true, ..scene(name, shows, objects, LAB_LIGHT, eye([0.0, 0.6, 3.6], [0.0; 3], 46.0)) }
 }
 
 /// From within a cube.
 fn sky() -> PreviewScene {
-    let parts = vec![Part { body: Body::Cube, world_from_model: Mat4::IDENTITY }];
+    let objects = vec![PreviewObject { shape: PreviewShape::Cube, world_from_model: Mat4::IDENTITY }];
     let shows = "the sky, from a camera that stands away from the origin: a sky that comes nearer with it is wrong";
     let eye = eye([0.3, 0.2, 0.4], [0.3, 0.3, -1.0], 68.0);
-    PreviewScene { looks_around: true, ..scene("the sky", shows, parts, LAB_LIGHT, eye) }
+    PreviewScene { looks_around: true, ..scene("the sky", shows, objects, LAB_LIGHT, eye) }
 }
 
 #[cfg(test)]

@@ -167,7 +167,7 @@ fn table(rows: &[Row]) -> String {
         "| exercise | single, named right | pairs, named right | right answers | false alarms |\n|---|---|---|---|---|\n",
     );
     for Row { score, right_answers, false_alarms } in rows {
-        let share = |count: &gonio_exercises::score::Count| {
+        let share = |count: &gonio_exercises::score::MistakeCounts| {
             format!("{} of {} ({:.0} %)", count.named, count.visible, 100.0 * count.share())
         };
         text.push_str(&format!(

@@ -9,7 +9,7 @@ use gonio_app::platform::desktop::worker;
 use gonio_check::submission::SourceFile;
 use gonio_check::testbench::TestScene;
 use gonio_exercises::exercise::Exercise;
-use gonio_exercises::preview::{self, Body, CompiledPair, PreviewRenderer, PreviewScene, SubmittedPair};
+use gonio_exercises::preview::{self, CompiledPair, PreviewRenderer, PreviewScene, PreviewShape, SubmittedPair};
 use gonio_gl::{Gl, GlError, HeadlessContext};
 use gonio_render::{DisplayTexture, Renderer};
 use std::time::Instant;
@@ -116,7 +116,7 @@ impl Preview {
         most: f64,
     ) -> Result<f64, GlError> {
         self.stage.prepare(scene)?;
-        let bodies: Vec<(Body, TestScene)> = scene.test_scenes(&scene.eye, time as f32, [SIDE; 2]);
+        let bodies: Vec<(PreviewShape, TestScene)> = scene.test_scenes(&scene.eye, time as f32, [SIDE; 2]);
         let mut shortest = f64::INFINITY;
         for _ in 0..=repeats {
             let start = Instant::now();

@@ -6,7 +6,7 @@ use crate::report::{CliError, Outcome, Reporter};
 use gonio_check::submission::SourceFile;
 use gonio_exercises::exercise::Exercise;
 use gonio_exercises::preview::{
-    self, Body, CompiledPair, Note, NoteKind, PreviewRenderer, PreviewScene, SubmittedPair, VariableValue,
+    self, CompiledPair, Note, NoteKind, PreviewRenderer, PreviewScene, PreviewShape, SubmittedPair, VariableValue,
 };
 use gonio_gl::HeadlessContext;
 use gonio_render::{DisplayTexture, Renderer};
@@ -133,7 +133,7 @@ fn draw(
     }
     renderer.paint_user_program(&mut canvas, [size; 2], BACKGROUND, || {
         if let (Some(sky), Some((_, first))) = (&sky, bodies.first()) {
-            stage.draw(sky, &[(Body::Cube, first.clone())]);
+            stage.draw(sky, &[(PreviewShape::Cube, first.clone())]);
         }
         stage.draw(&pair, &bodies);
     })?;

@@ -13,7 +13,7 @@ pub use gather::{Gathered, gather};
 use crate::report::CliError;
 use clap::ValueEnum;
 use gonio_check::submission::SourceFile;
-use gonio_exercises::class::{self, Entry, Layout, Many};
+use gonio_exercises::class::{self, ClassEntry, ClassLayout, Many};
 use gonio_exercises::exercise::Exercise;
 use gonio_exercises::preview;
 use std::path::{Path, PathBuf};
@@ -155,16 +155,16 @@ fn class_of(trees: &[Tree], exercise: &Exercise, requested: Submissions) -> Resu
                 Err(_) => return Err(label),
             };
         }
-        let entry = |tree: &Tree| Entry { name: tree.name.clone(), is_container: tree.is_container() };
-        let entries: Vec<Entry> = level.iter().map(entry).collect();
+        let entry = |tree: &Tree| ClassEntry { name: tree.name.clone(), is_container: tree.is_container() };
+        let entries: Vec<ClassEntry> = level.iter().map(entry).collect();
         let answers = |at: usize| contains_answer(exercise, &level[at]);
         match class::layout(&entries, &answers) {
-            Layout::Many(many) => return Ok(class_from_groups(many, &level, skipped)),
-            Layout::Within(at) => within = Some(at),
-            Layout::One if requested == Submissions::Many && entries.iter().any(|entry| entry.is_container) => {
+            ClassLayout::Many(many) => return Ok(class_from_groups(many, &level, skipped)),
+            ClassLayout::Within(at) => within = Some(at),
+            ClassLayout::One if requested == Submissions::Many && entries.iter().any(|entry| entry.is_container) => {
                 return Ok(class_from_groups(class::each(&entries, &answers), &level, skipped));
             }
-            Layout::One => return Err(label),
+            ClassLayout::One => return Err(label),
         }
     }
 }
