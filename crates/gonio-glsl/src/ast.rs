@@ -448,57 +448,39 @@ pub enum BinaryOp {
     Or,
 }
 
+/// The binary operators with their marks and precedences, from 1 (GLSL 4.60, section 5.1).
+const BINARY_OPS: [(BinaryOp, &str, u8); 19] = [
+    (BinaryOp::Or, "||", 1),
+    (BinaryOp::Xor, "^^", 2),
+    (BinaryOp::And, "&&", 3),
+    (BinaryOp::BitOr, "|", 4),
+    (BinaryOp::BitXor, "^", 5),
+    (BinaryOp::BitAnd, "&", 6),
+    (BinaryOp::Equal, "==", 7),
+    (BinaryOp::NotEqual, "!=", 7),
+    (BinaryOp::Less, "<", 8),
+    (BinaryOp::Greater, ">", 8),
+    (BinaryOp::LessEqual, "<=", 8),
+    (BinaryOp::GreaterEqual, ">=", 8),
+    (BinaryOp::ShiftLeft, "<<", 9),
+    (BinaryOp::ShiftRight, ">>", 9),
+    (BinaryOp::Add, "+", 10),
+    (BinaryOp::Subtract, "-", 10),
+    (BinaryOp::Multiply, "*", 11),
+    (BinaryOp::Divide, "/", 11),
+    (BinaryOp::Remainder, "%", 11),
+];
+
 impl BinaryOp {
     /// Returns the operator as it is written.
     #[must_use]
     pub fn mark(self) -> &'static str {
-        match self {
-            Self::Add => "+",
-            Self::Subtract => "-",
-            Self::Multiply => "*",
-            Self::Divide => "/",
-            Self::Remainder => "%",
-            Self::ShiftLeft => "<<",
-            Self::ShiftRight => ">>",
-            Self::Less => "<",
-            Self::Greater => ">",
-            Self::LessEqual => "<=",
-            Self::GreaterEqual => ">=",
-            Self::Equal => "==",
-            Self::NotEqual => "!=",
-            Self::BitAnd => "&",
-            Self::BitXor => "^",
-            Self::BitOr => "|",
-            Self::And => "&&",
-            Self::Xor => "^^",
-            Self::Or => "||",
-        }
+        BINARY_OPS.iter().find(|(op, ..)| *op == self).map_or("", |(_, mark, _)| mark)
     }
 
-    /// Returns the operator with this mark and its precedence, from 1.
+    /// Returns the operator with this mark and its precedence.
     pub(crate) fn from_mark(mark: &str) -> Option<(Self, u8)> {
-        Some(match mark {
-            "||" => (Self::Or, 1),
-            "^^" => (Self::Xor, 2),
-            "&&" => (Self::And, 3),
-            "|" => (Self::BitOr, 4),
-            "^" => (Self::BitXor, 5),
-            "&" => (Self::BitAnd, 6),
-            "==" => (Self::Equal, 7),
-            "!=" => (Self::NotEqual, 7),
-            "<" => (Self::Less, 8),
-            ">" => (Self::Greater, 8),
-            "<=" => (Self::LessEqual, 8),
-            ">=" => (Self::GreaterEqual, 8),
-            "<<" => (Self::ShiftLeft, 9),
-            ">>" => (Self::ShiftRight, 9),
-            "+" => (Self::Add, 10),
-            "-" => (Self::Subtract, 10),
-            "*" => (Self::Multiply, 11),
-            "/" => (Self::Divide, 11),
-            "%" => (Self::Remainder, 11),
-            _ => return None,
-        })
+        BINARY_OPS.iter().find(|(_, known, _)| *known == mark).map(|(op, _, precedence)| (*op, *precedence))
     }
 }
 

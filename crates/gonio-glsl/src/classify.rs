@@ -1,7 +1,6 @@
 //! Classifies the tokens of a source for syntax highlighting.
 
 use crate::lex::{self, TokenKind};
-use crate::types::words;
 use crate::{Version, builtins};
 
 /// The class of a range of a source.
@@ -70,8 +69,8 @@ fn class_of(text: &str, kind: TokenKind) -> Class {
         TokenKind::Mark => Class::Mark,
         TokenKind::Stray | TokenKind::End => Class::Stray,
         TokenKind::Name if matches!(text, "true" | "false") => Class::Number,
-        TokenKind::Name if text == "void" || words::is_type(text, NEWEST) => Class::Type,
-        TokenKind::Name if words::is_qualifier(text, NEWEST) || words::is_statement(text, NEWEST) => Class::Keyword,
+        TokenKind::Name if text == "void" || lex::is_type(text, NEWEST) => Class::Type,
+        TokenKind::Name if lex::is_qualifier(text, NEWEST) || lex::is_statement(text, NEWEST) => Class::Keyword,
         TokenKind::Name if text == "precision" => Class::Keyword,
         TokenKind::Name if builtins::is_name(text) => Class::Function,
         // Nothing else may have such a name.

@@ -1,10 +1,10 @@
-//! Splits a source into tokens, each with its position, removing comments and line continuations.
+//! Splits a source into tokens, each with its position, removing comments and line continuations; lists the words that
+//! each version reserves; and checks the tokens against the limits before anything is parsed.
 
+use crate::limits::{MOST_COMPONENTS, MOST_NAME_BYTES, MOST_NESTED, MOST_RAW_TOKENS};
+use crate::{Limit, Problem, Span, Version};
 use std::collections::HashMap;
 use std::rc::Rc;
-
-use crate::limits::MOST_RAW_TOKENS;
-use crate::{Limit, Problem, Span};
 
 /// The kind of a token.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -215,7 +215,7 @@ impl<'a> Lexer<'a> {
             return TokenKind::Number;
         }
         for mark in MARKS {
-            if mark.bytes().enumerate().all(|(ahead, wanted)| self.peek_at(ahead) == wanted) {
+            if mark.bytes().enumerate().all(|(ahead, expected)| self.peek_at(ahead) == expected) {
                 for _ in 0..mark.len() {
                     self.advance();
                 }
@@ -273,4 +273,153 @@ impl<'a> Lexer<'a> {
         }
         self.texts.entry(slice).or_insert_with(|| slice.into()).clone()
     }
+}
+
+/// Keywords of statements in every version.
+const STATEMENTS: &str =
+    " if else for while do return break continue discard struct const in out inout uniform true false ";
+
+/// Qualifiers, with the first versions (desktop, ES) that have them; 0 is never.
+const QUALIFIERS: [(&str, u32, u32); 30] = [
+    ("const", 110, 100),
+    ("in", 110, 100),
+    ("out", 110, 100),
+    ("inout", 110, 100),
+    ("uniform", 110, 100),
+    ("attribute", 110, 100),
+    ("varying", 110, 100),
+    ("invariant", 120, 100),
+    ("centroid", 120, 300),
+    ("flat", 130, 300),
+    ("smooth", 130, 300),
+    ("noperspective", 130, 0),
+    ("highp", 110, 100),
+    ("mediump", 110, 100),
+    ("lowp", 110, 100),
+    ("layout", 110, 100),
+    ("patch", 400, 320),
+    ("sample", 400, 320),
+    ("precise", 400, 320),
+    ("buffer", 430, 310),
+    ("shared", 430, 310),
+    ("coherent", 420, 310),
+    ("volatile", 420, 310),
+    ("restrict", 420, 310),
+    ("readonly", 420, 310),
+    ("writeonly", 420, 310),
+    ("subroutine", 400, 0),
+    ("superp", 0, 0),
+    ("packed", 0, 0),
+    ("row_major", 0, 0),
+];
+
+/// Words that are reserved in every version without having a meaning (GLSL 4.60 and GLSL ES 3.00, sections 3.6 and
+/// 3.7).
+const RESERVED: &str = " asm class union enum typedef template this goto inline noinline volatile public static extern \
+external interface long short half fixed unsigned superp input output hvec2 hvec3 hvec4 fvec2 fvec3 fvec4 \
+sampler3DRect sizeof cast namespace using ";
+
+/// Further reserved words, with the first versions (desktop, ES).
+const RESERVED_FROM: [(&str, u32, u32); 22] = [
+    ("common", 130, 300),
+    ("partition", 130, 300),
+    ("active", 130, 300),
+    ("filter", 130, 300),
+    ("resource", 420, 300),
+    ("double", 110, 100),
+    ("switch", 110, 100),
+    ("case", 130, 300),
+    ("default", 110, 100),
+    ("uint", 130, 300),
+    ("attribute", 110, 100),
+    ("varying", 110, 100),
+    ("coherent", 420, 300),
+    ("restrict", 420, 300),
+    ("readonly", 420, 300),
+    ("writeonly", 420, 300),
+    ("noperspective", 130, 300),
+    ("patch", 400, 300),
+    ("sample", 400, 300),
+    ("subroutine", 400, 300),
+    ("atomic_uint", 420, 300),
+    ("precision", 130, 100),
+];
+
+fn listed(list: &str, word: &str) -> bool {
+    !word.is_empty() && list.split_ascii_whitespace().any(|w| w == word)
+}
+
+/// Whether the word is a qualifier in this version.
+pub(crate) fn is_qualifier(word: &str, version: Version) -> bool {
+    QUALIFIERS.iter().any(|(w, desktop, es)| *w == word && version.is_at_least(*desktop, *es))
+}
+
+/// Whether the word is a keyword of statements, which can never be a name.
+pub(crate) fn is_statement(word: &str, version: Version) -> bool {
+    listed(STATEMENTS, word) || (matches!(word, "switch" | "case" | "default") && version.is_at_least(130, 300))
+}
+
+/// Whether the word is a built-in type in this version.
+pub(crate) fn is_type(word: &str, version: Version) -> bool {
+    match word {
+        "uint" | "uvec2" | "uvec3" | "uvec4" => version.is_at_least(130, 300),
+        "double" => version.is_at_least(400, 0),
+        _ if word.starts_with("dvec") || word.starts_with("dmat") => version.is_at_least(400, 0),
+        _ => crate::Type::named(word).is_some(),
+    }
+}
+
+/// Whether the word cannot be the name of a variable, function or struct in this version.
+pub(crate) fn is_reserved(word: &str, version: Version) -> bool {
+    is_statement(word, version)
+        || is_qualifier(word, version)
+        || is_type(word, version)
+        || listed(RESERVED, word)
+        || RESERVED_FROM.iter().any(|(w, desktop, es)| *w == word && version.is_at_least(*desktop, *es))
+}
+
+/// Checks the tokens against the limits wherever they are: a shader that cannot be parsed goes to the driver too. Where
+/// one is exceeded, only the end token is left.
+pub(crate) fn check_limits(tokens: &mut Vec<Token>, most: usize, problems: &mut Vec<Problem>) {
+    let Some((limit, span)) = exceeded(tokens, most) else { return };
+    refuse(tokens, problems, limit, span);
+}
+
+/// Reports that a limit is exceeded, and leaves only the end token.
+pub(crate) fn refuse(tokens: &mut Vec<Token>, problems: &mut Vec<Problem>, limit: Limit, span: Span) {
+    if !problems.iter().any(|problem| problem.limit.is_some()) {
+        problems.push(Problem::beyond(span, limit));
+    }
+    tokens.drain(..tokens.len().saturating_sub(1));
+}
+
+fn exceeded(tokens: &[Token], most: usize) -> Option<(Limit, Span)> {
+    if let Some(token) = tokens.get(most) {
+        return Some((Limit::Tokens, token.span));
+    }
+    let mut depth = 0_usize;
+    for (index, token) in tokens.iter().enumerate() {
+        match token.kind {
+            TokenKind::Name if token.text.len() > MOST_NAME_BYTES => return Some((Limit::Name, token.span)),
+            TokenKind::Mark => match &*token.text {
+                "(" | "[" | "{" => depth += 1,
+                ")" | "]" | "}" => depth = depth.saturating_sub(1),
+                _ => {}
+            },
+            TokenKind::Number if index > 0 && tokens[index - 1].is("[") => {
+                let digits = token.text.trim_end_matches(['u', 'U']);
+                let is_sizeable = tokens.get(index + 1).is_some_and(|next| next.is("]"));
+                let is_number = digits.bytes().all(|digit| digit.is_ascii_digit());
+                let is_large = digits.parse::<u64>().map_or(is_number, |number| number > MOST_COMPONENTS);
+                if is_sizeable && is_large {
+                    return Some((Limit::Components, token.span));
+                }
+            }
+            _ => {}
+        }
+        if depth > MOST_NESTED {
+            return Some((Limit::Nested, token.span));
+        }
+    }
+    None
 }

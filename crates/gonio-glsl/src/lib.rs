@@ -12,8 +12,6 @@ mod nearest;
 mod parse;
 mod preprocess;
 mod problem;
-mod span;
-mod token_limits;
 mod translate;
 mod types;
 mod version;
@@ -21,15 +19,14 @@ pub mod walk;
 
 pub use ast::{Expr, ExprKind, Item, Statement, StatementKind, Unit};
 pub use check::{
-    Block, Checked, Conversion, Interface, Leaf, Storage, StructInfo, Symbol, SymbolKind, Variable, check, check_pair,
-    leaves,
+    Block, Checked, ImplicitConversion, Interface, Leaf, Storage, StructInfo, Symbol, SymbolKind, Variable, check,
+    check_pair, leaves,
 };
 pub use classify::{Class, Classified, classify};
 pub use constant::{Components, evaluate};
 pub use limits::Limit;
 pub use preprocess::Directive;
-pub use problem::{Problem, Severity};
-pub use span::{Span, TokenPlace, TokenRange};
+pub use problem::{Problem, Severity, Span, TokenPlace, TokenRange};
 pub use translate::{
     DRAWN_ALL_THE_SAME, Lookup, LoopBound, Rename, Translated, UniformDefault, lookups, translate, translate_bounded,
     translate_showing,
@@ -71,11 +68,11 @@ pub fn parse(source: &str) -> Parsed {
     let mut raw = lex::lex(source, &mut problems);
     if is_cut {
         let end = raw.last().map(|token| token.span).unwrap_or_default();
-        token_limits::refuse(&mut raw, &mut problems, Limit::Bytes, end);
+        lex::refuse(&mut raw, &mut problems, Limit::Bytes, end);
     }
-    token_limits::check(&mut raw, limits::MOST_RAW_TOKENS, &mut problems);
+    lex::check_limits(&mut raw, limits::MOST_RAW_TOKENS, &mut problems);
     let mut found = preprocess::preprocess(raw, &mut problems);
-    token_limits::check(&mut found.tokens, limits::MOST_TOKENS, &mut problems);
+    lex::check_limits(&mut found.tokens, limits::MOST_TOKENS, &mut problems);
     if problems.iter().any(|problem| problem.limit.is_some()) {
         found.tokens.drain(..found.tokens.len().saturating_sub(1));
     }

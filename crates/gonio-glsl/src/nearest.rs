@@ -24,7 +24,7 @@ mod tests {
     #[test]
     fn the_misspelt_find_their_name() {
         let names = ["normalize", "position", "light_pos", "v_normal"];
-        for (wanted, found) in [
+        for (expected, found) in [
             ("normalise", Some("normalize")),
             ("postion", Some("position")),
             ("Position", Some("position")),
@@ -32,7 +32,7 @@ mod tests {
             ("v_noraml", Some("v_normal")),
             ("shininess", None),
         ] {
-            assert_eq!(nearest(wanted, names.into_iter()), found, "{wanted}");
+            assert_eq!(nearest(expected, names.into_iter()), found, "{expected}");
         }
     }
 }

@@ -1,11 +1,11 @@
-//! What is too large or too deep is refused with its line; what a real shader needs is not.
+//! Shaders that exceed a limit are rejected with the line; large shaders within all limits are accepted.
 
 mod hostile;
 
 use gonio_glsl::{Limit, LoopBound, OutputVersion, Stage, check, check_pair, leaves, parse, translate_bounded};
 use hostile::{Pair, pairs};
 
-/// Everything there is to do with a pair: the limits that it exceeds, with their lines.
+/// Parses, checks and translates a pair. Returns the limits that it exceeds, with their lines.
 fn read(pair: &Pair) -> Vec<(Limit, u32)> {
     let mut refused = Vec::new();
     let mut both = Vec::new();
@@ -25,22 +25,22 @@ fn read(pair: &Pair) -> Vec<(Limit, u32)> {
     refused
 }
 
-/// On the stack of the web, the smallest there is.
-fn on_a_small_stack<T: Send + 'static>(job: impl FnOnce() -> T + Send + 'static) -> T {
-    let thread = std::thread::Builder::new().stack_size(1 << 20).spawn(job).expect("a thread");
+/// Runs on a stack of 1 MiB, as small as that of the page.
+fn on_small_stack<T: Send + 'static>(job: impl FnOnce() -> T + Send + 'static) -> T {
+    let thread = std::thread::Builder::new().stack_size(1 << 20).spawn(job).expect("the thread starts");
     thread.join().expect("no panic and no overflow")
 }
 
 #[test]
 fn every_limit_is_reported_with_its_line() {
-    let told = on_a_small_stack(|| pairs().iter().map(|pair| (pair.name, pair.limit, read(pair))).collect::<Vec<_>>());
-    assert!(told.len() >= 60, "{}", told.len());
+    let results = on_small_stack(|| pairs().iter().map(|pair| (pair.name, pair.limit, read(pair))).collect::<Vec<_>>());
+    assert!(results.len() >= 60, "{}", results.len());
     let is_right = |(_, limit, refused): &&(&str, Option<Limit>, Vec<(Limit, u32)>)| match refused.as_slice() {
         [] => limit.is_none(),
         [(found, line)] => Some(*found) == *limit && *line > 1,
         _ => false,
     };
-    let wrong: Vec<_> = told.iter().filter(|pair| !is_right(pair)).collect();
+    let wrong: Vec<_> = results.iter().filter(|pair| !is_right(pair)).collect();
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 

@@ -1,18 +1,18 @@
-//! No text, however broken, makes the front end panic or hang.
+//! No source makes the front end panic or hang, however malformed it is.
 
 use gonio_fixtures::FixtureTable;
 use gonio_glsl::{OutputVersion, Stage, check, check_pair, leaves, parse, translate};
 
-/// The texts of the table `pairs.txt`.
+/// Returns the shaders of the table `pairs.txt`.
 fn sources() -> Vec<String> {
     let table = FixtureTable::read(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/pairs.txt"));
     let table = table.unwrap_or_else(|error| panic!("{error}"));
     assert!(table.files().len() >= 50, "only {} shaders", table.files().len());
-    table.files().iter().map(|file| String::from_utf8(file.bytes.clone()).expect("a text")).collect()
+    table.files().iter().map(|file| String::from_utf8(file.bytes.clone()).expect("the file is UTF-8")).collect()
 }
 
-/// Everything there is to do with a text.
-fn all(source: &str) {
+/// Parses, checks and translates a source as both stages.
+fn process(source: &str) {
     let mut both = Vec::new();
     for stage in [Stage::Vertex, Stage::Fragment] {
         let mut parsed = parse(source);
@@ -30,16 +30,16 @@ fn all(source: &str) {
 }
 
 #[test]
-fn cut_off_anywhere() {
+fn truncated_sources() {
     for source in sources() {
         for end in (0..=source.len()).filter(|end| source.is_char_boundary(*end)) {
-            all(&source[..end]);
+            process(&source[..end]);
         }
     }
 }
 
 #[test]
-fn words_taken_away_doubled_and_exchanged() {
+fn words_removed_duplicated_and_swapped() {
     let mut random = 12345_u64;
     let mut next = |below: usize| {
         random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -57,7 +57,7 @@ fn words_taken_away_doubled_and_exchanged() {
                     _ => words.swap(a, b),
                 }
             }
-            all(&words.concat());
+            process(&words.concat());
         }
     }
 }
@@ -71,10 +71,10 @@ fn random_bytes() {
             random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             bytes.push((random >> 40) as u8);
         }
-        all(&String::from_utf8_lossy(&bytes));
+        process(&String::from_utf8_lossy(&bytes));
         let marks = b"(){}[];,.#\\\n\"'+-*/<>=!~&|^?: aA0_x\r\t";
         let text: Vec<u8> = bytes.iter().map(|b| marks[*b as usize % marks.len()]).collect();
-        all(&String::from_utf8_lossy(&text));
+        process(&String::from_utf8_lossy(&text));
     }
 }
 
@@ -103,29 +103,29 @@ fn deep_nesting_on_a_small_stack() {
         sources.push("#if 1\n".repeat(count));
         sources.push(format!("float{} a;", "[1]".repeat(count)));
     }
-    // The web's stack is of this size.
-    let thread = std::thread::Builder::new().stack_size(1 << 20).spawn(move || sources.iter().for_each(|s| all(s)));
-    thread.expect("a thread").join().expect("no panic");
+    // The stack of the page has this size.
+    let thread = std::thread::Builder::new().stack_size(1 << 20).spawn(move || sources.iter().for_each(|s| process(s)));
+    thread.expect("the thread starts").join().expect("no panic");
 }
 
 #[test]
-fn macros_without_end() {
+fn endless_macros() {
     let mut doubling = String::from("#define a0 x\n");
     for i in 1..60 {
         doubling += &format!("#define a{i} a{} a{}\n", i - 1, i - 1);
     }
     let endless = "#define f(x) f(x) g(x)\n#define g(x) f(x f(x))\n#define A A B\n#define B A A\nint A = f(f(f(f(f(1))))); g(g(g(g(1))))\n";
     for source in [format!("{doubling}a59"), endless.to_string()] {
-        all(&source);
+        process(&source);
     }
     let parsed = parse(&format!("{doubling}a59"));
     assert_eq!(parsed.problems[0].code, "macro-endless");
 }
 
-/// The numbers are those of what is found, not of seconds: what is looked at without end would find the rest.
+/// Work that grows faster than the source is abandoned. Without that, more would be found.
 #[test]
-fn what_grows_faster_than_the_text_is_given_up() {
-    // Each struct holds two of the one before, the first nothing that is known.
+fn work_that_grows_faster_than_the_source_is_abandoned() {
+    // Each struct has two members of the previous one; the first has a member of an unknown type.
     let uniforms = |nested: usize| {
         let mut source = String::from("struct S0 { Unknown x; };\n");
         for i in 1..=nested {
@@ -135,10 +135,10 @@ fn what_grows_faster_than_the_text_is_given_up() {
         leaves(&check(&mut parsed, Stage::Fragment).interface).len()
     };
     assert_eq!((uniforms(4), uniforms(20)), (1, 0));
-    // Nothing, very often.
+    // A large array of a struct without known members.
     let mut parsed = parse("struct E { Unknown x; }; uniform E e[2000000]; uniform float last; void main() {}");
     assert_eq!(leaves(&check(&mut parsed, Stage::Fragment).interface).len(), 0);
-    // Each function of a name is asked for each call of it.
+    // Each call is compared with every overload.
     let wrong_calls = |functions: usize| {
         let calls = |i: usize| format!("float f(float a[{i}]) {{ return f(true); }}\n");
         let mut parsed = parse(&(1..=functions).map(calls).collect::<String>());

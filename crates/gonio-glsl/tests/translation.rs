@@ -1,4 +1,4 @@
-//! Whole pairs, as students write them, in both targets.
+//! Translates students' pairs of shaders to both output versions.
 
 use gonio_fixtures::{FixtureTable, selected};
 use gonio_glsl::{
@@ -6,7 +6,7 @@ use gonio_glsl::{
     translate, translate_bounded, translate_showing,
 };
 
-/// The selected pairs of the table `pairs.txt`: name, vertex and fragment shader.
+/// Returns the selected pairs of the table `pairs.txt`: name, vertex and fragment shader.
 fn pairs() -> Vec<(String, String, String)> {
     let table = FixtureTable::read(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/pairs.txt"));
     let cases = table.and_then(|table| table.cases()).unwrap_or_else(|error| panic!("{error}"));
@@ -33,14 +33,14 @@ fn into(source: &str, stage: Stage, target: OutputVersion) -> Translated {
     translate(&parsed, &checked, target)
 }
 
-/// The lines of the student's part.
+/// Returns the lines of the translation that belong to the source.
 fn body(source: &str, stage: Stage, target: OutputVersion) -> String {
     let found = into(source, stage, target);
     found.text.lines().skip(found.first_line as usize - 1).collect::<Vec<_>>().join("\n")
 }
 
 #[test]
-fn no_pair_has_an_error() {
+fn valid_pairs_have_no_errors() {
     for (name, vertex, fragment) in pairs() {
         let (a, b) = (read(&vertex, Stage::Vertex), read(&fragment, Stage::Fragment));
         let both = check_pair(&a.1, &b.1);
@@ -52,7 +52,7 @@ fn no_pair_has_an_error() {
 }
 
 #[test]
-fn a_translation_needs_no_forgiveness() {
+fn translations_have_no_problems_of_their_own() {
     for (name, vertex, fragment) in pairs() {
         for target in [OutputVersion::Core330, OutputVersion::Es300] {
             let mut checked = Vec::new();
@@ -92,9 +92,9 @@ fn uniforms_keep_their_names() {
     }
 }
 
-/// One statement of a fragment shader, in 300 es.
+/// Each case is one statement of a fragment shader, translated to 300 es.
 #[test]
-fn es_wants_its_conversions_written_out() {
+fn implicit_conversions_are_written_out_for_es() {
     let cases = [
         ("float a = 1;", "float a = 1.0;"),
         ("float a = 1 + i;", "float a = float(1 + i);"),
@@ -129,7 +129,7 @@ fn es_wants_its_conversions_written_out() {
 }
 
 #[test]
-fn declarations_change_their_words() {
+fn qualifiers_are_translated() {
     let cases = [
         (Stage::Vertex, OutputVersion::Core330, "attribute vec3 p;", "in vec3 p;"),
         (Stage::Vertex, OutputVersion::Core330, "varying mediump vec3 p;", "out highp vec3 p;"),
@@ -172,12 +172,12 @@ fn declarations_change_their_words() {
 }
 
 #[test]
-fn uniforms_are_taken_apart_like_opengl_does() {
+fn uniforms_are_listed_by_the_names_of_opengl() {
     let source = "#version 330 core\nstruct L { vec3 p; float k[2]; };\nuniform L light, lights[2]; uniform vec3 colours[4]; uniform mat4 M;\nvoid main() {}\n";
     let checked = read(source, Stage::Vertex).1;
     let found: Vec<_> =
         leaves(&checked.interface).into_iter().map(|l| format!("{} {} {}", l.name, l.ty, l.count)).collect();
-    let wanted = [
+    let expected = [
         "light.p vec3 1",
         "light.k float 2",
         "lights[0].p vec3 1",
@@ -187,7 +187,7 @@ fn uniforms_are_taken_apart_like_opengl_does() {
         "colours vec3 4",
         "M mat4 1",
     ];
-    assert_eq!(found, wanted);
+    assert_eq!(found, expected);
 }
 
 #[test]
@@ -205,16 +205,16 @@ fn the_interface_is_listed() {
 }
 
 #[test]
-fn stages_have_to_agree() {
+fn interfaces_of_both_stages_must_match() {
     let vertex = "#version 330 core\nin vec3 p;\nout vec3 v_normal;\nout vec2 uv;\nflat out int id;\nuniform vec3 k;\nvoid main() { v_normal = p * k; id = 1; gl_Position = vec4(p, 1.0); }\n";
     let fragment = "#version 330 core\nin vec3 v_Normal;\nin vec3 uv;\nin int id;\nuniform vec4 k;\nout vec4 o;\nvoid main() { o = vec4(v_Normal + uv, id) * k; }\n";
     let found = check_pair(&read(vertex, Stage::Vertex).1, &read(fragment, Stage::Fragment).1);
-    let told: Vec<_> = found.iter().map(|p| (p.span.line, p.code)).collect();
-    assert_eq!(told, [(2, "not-given"), (3, "other-type"), (4, "other-interpolation"), (5, "other-type")]);
+    let problems: Vec<_> = found.iter().map(|p| (p.span.line, p.code)).collect();
+    assert_eq!(problems, [(2, "not-given"), (3, "other-type"), (4, "other-interpolation"), (5, "other-type")]);
     assert_eq!(found[0].help.as_deref(), Some("the vertex shader has the output `v_normal`"));
 }
 
-/// What stands in a bounded shader, in which no line has moved.
+/// Returns the lines of a bounded shader that belong to the source; none has moved.
 fn bounded(source: &str, stage: Stage) -> String {
     let (parsed, checked) = read(source, stage);
     let found = translate_bounded(&parsed, &checked, OutputVersion::Es300, Some(LoopBound { turns: 50 }));
@@ -225,7 +225,7 @@ fn bounded(source: &str, stage: Stage) -> String {
 }
 
 #[test]
-fn loops_end_where_they_are_reported_to() {
+fn loops_are_bounded() {
     let source = "#version 330 core\nout vec4 c;\nvoid main() {\n  float x = 0.0;\n  \
                   for (int i = 0; i < 3; i++) for (;;) x += 1;\n  while (x > 0.0) {\n    x -= 0.5;\n  }\n  \
                   do x *= 2; while (x < 9.0);\n  if (x > 1.0) return;\n  c = vec4(x);\n} // end";
@@ -240,13 +240,13 @@ fn loops_end_where_they_are_reported_to() {
     assert!(lines[12].contains("gonio_main();") && lines[12].contains("discard"), "{found}");
     let vertex = bounded("void main() { for (;;) { } gl_Position = vec4(1.0); }", Stage::Vertex);
     assert!(vertex.contains(": vec4(2.0, 2.0, 2.0, 1.0)"), "{vertex}");
-    // Without loops nothing is changed.
+    // A shader without loops is unchanged.
     let plain = "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }";
     assert_eq!(bounded(plain, Stage::Fragment), body(plain, Stage::Fragment, OutputVersion::Es300));
 }
 
 #[test]
-fn loops_that_end_by_their_text_are_not_counted() {
+fn loops_over_constants_are_not_counted() {
     // With a bound of 50 turns.
     let is_counted = |globals: &str, body: &str| {
         let source = format!(
@@ -295,7 +295,7 @@ fn loops_that_end_by_their_text_are_not_counted() {
 }
 
 #[test]
-fn loops_out_of_macros_are_counted_too() {
+fn loops_in_macros_are_counted() {
     let count = |source: &str| bounded(source, Stage::Fragment).matches("++gonio_turns > 50").count();
     let main = |define: &str, body: &str| {
         format!("#version 330 core\n#define {define}\nout vec4 c;\nvoid main() {{ {body} c = vec4(1.0); }}")
@@ -309,14 +309,14 @@ fn loops_out_of_macros_are_counted_too() {
 }
 
 #[test]
-fn a_fragment_with_too_many_turns_is_not_thrown_away_by_its_own_discard() {
+fn a_fragment_with_too_many_turns_ignores_discard() {
     let source = "#version 330 core\nout vec4 c;\nin float x;\nvoid main() { while (x < 1.0) { if (x > 0.0) discard; } c = vec4(x); discard; }";
     let found = bounded(source, Stage::Fragment);
     assert_eq!(found.matches("{ if (gonio_turns <= 50) discard; }").count(), 2, "{found}");
 }
 
 #[test]
-fn a_look_up_is_put_out_in_the_place_of_what_is_made_of_it() {
+fn the_result_of_a_lookup_replaces_the_colour() {
     let sources = [
         "#version 330 core\nin vec3 d; out vec3 colour; uniform samplerCube s; uniform sampler2D t;\nvoid main() {\n if (d.x > 2.0) return;\n colour = 0.5 * texture(s, d).rgb + texture(t, d.xy).rgb + textureLod(s, -d, 0.0).rgb;\n}\n",
         "varying vec3 d; uniform samplerCube s;\nvoid main() { gl_FragColor = mix(textureCube(s, d), textureCube(s, -d), 0.5); }\n",
@@ -330,8 +330,9 @@ fn a_look_up_is_put_out_in_the_place_of_what_is_made_of_it() {
             for lookup in &found {
                 let bound = Some(LoopBound { turns: 9 });
                 let text = translate_showing(&parsed, &checked, target, bound, Some(*lookup)).text;
-                let (again, of_it) = read(&text, Stage::Fragment);
-                let problems: Vec<_> = again.problems.iter().chain(&of_it.problems).map(ToString::to_string).collect();
+                let (again, rechecked) = read(&text, Stage::Fragment);
+                let problems: Vec<_> =
+                    again.problems.iter().chain(&rechecked.problems).map(ToString::to_string).collect();
                 assert_eq!(problems, [""; 0], "{target:?}\n{text}");
                 assert_eq!(text.matches("gonio_shows(").count(), 2, "{text}");
                 let ours = text.lines().last().unwrap_or_default();

@@ -1,10 +1,11 @@
-//! Checks calls of the shader's own functions and built-in ones, and resolves overloads.
+//! Checks calls of the shader's own functions, built-in functions and constructors (GLSL 4.60, section 5.4), and
+//! resolves overloads.
 
 use super::Checker;
 use crate::ast::{Call, Expr, ExprKind, UnaryOp};
 use crate::builtins::{self, Signature};
 use crate::limits::MOST_OVERLOADS;
-use crate::{Problem, Scalar, Type};
+use crate::{Problem, Scalar, Span, Type};
 
 impl Checker<'_> {
     #[inline(never)]
@@ -79,9 +80,9 @@ impl Checker<'_> {
                 self.negative_power(call);
             }
         }
-        for ((arg, wanted), is_out) in call.args.iter().zip(&chosen.params).zip(&chosen.outs) {
+        for ((arg, expected), is_out) in call.args.iter().zip(&chosen.params).zip(&chosen.outs) {
             if !is_out {
-                self.convert(arg, wanted.as_ref(), "this argument");
+                self.convert(arg, expected.as_ref(), "this argument");
             }
         }
         chosen.returns
@@ -197,9 +198,9 @@ impl Checker<'_> {
         let mut counts: Vec<usize> = candidates.iter().map(|c| c.params.len()).collect();
         counts.sort_unstable();
         counts.dedup();
-        let wanted = counts.iter().map(usize::to_string).collect::<Vec<_>>().join(" or ");
-        let plural = if wanted == "1" { "argument" } else { "arguments" };
-        let message = format!("`{}` takes {wanted} {plural}, found {found}", call.name);
+        let expected = counts.iter().map(usize::to_string).collect::<Vec<_>>().join(" or ");
+        let plural = if expected == "1" { "argument" } else { "arguments" };
+        let message = format!("`{}` takes {expected} {plural}, found {found}", call.name);
         self.unknown(Problem::error(call.name_span, "argument-count", message));
     }
 
@@ -325,3 +326,98 @@ const COMMON: &str = "radians degrees sin cos tan asin acos atan pow exp log exp
 fract mod min max clamp mix step smoothstep length distance dot cross normalize faceforward reflect refract transpose \
 inverse texture texture2D textureCube textureLod texelFetch dFdx dFdy fwidth lessThan greaterThan equal any all not vec2 \
 vec3 vec4 mat2 mat3 mat4 float int main";
+
+impl Checker<'_> {
+    #[inline(never)]
+    /// Returns the constructed type; the arguments have been checked.
+    pub(super) fn construct(&mut self, call: &mut Call, span: Span) -> Option<Type> {
+        let is_struct = self.structs.contains_key(&call.name);
+        let of = if is_struct { Type::Struct(call.name.clone()) } else { Type::named(&call.name)? };
+        if !call.sizes.is_empty() {
+            return self.construct_array(of, call, span);
+        }
+        match of {
+            Type::Struct(_) => self.construct_struct(call, span),
+            Type::Void | Type::Opaque(_) | Type::Array(..) => {
+                self.error(span, "constructor", format!("cannot construct a value of type `{of}`"));
+                return None;
+            }
+            Type::Scalar(_) | Type::Vector(..) | Type::Matrix { .. } => self.construct_number(&of, call, span),
+        }
+        Some(of)
+    }
+
+    fn construct_array(&mut self, of: Type, call: &mut Call, span: Span) -> Option<Type> {
+        let mut ty = self.sized(of, &mut call.sizes)?;
+        let Type::Array(of, count) = &mut ty else { return None };
+        let found = call.args.len() as u32;
+        let expected = *count.get_or_insert(found);
+        if expected != found {
+            self.error(span, "constructor", format!("this array has {expected} elements, found {found}"));
+        }
+        let of = (**of).clone();
+        for arg in &call.args {
+            self.convert(arg, Some(&of), "this element");
+        }
+        self.check_type(&ty, span);
+        Some(ty)
+    }
+
+    fn construct_struct(&mut self, call: &Call, span: Span) {
+        let Some(info) = self.structs.get(&call.name).cloned() else { return };
+        if info.members.len() != call.args.len() {
+            let (expected, found) = (info.members.len(), call.args.len());
+            self.error(span, "constructor", format!("`{}` has {expected} members, found {found}", call.name));
+            return;
+        }
+        for (arg, (_, ty)) in call.args.iter().zip(&info.members) {
+            self.convert(arg, ty.as_ref(), "this member");
+        }
+    }
+
+    fn construct_number(&mut self, of: &Type, call: &Call, span: Span) {
+        let Some(expected) = of.components() else { return };
+        if call.args.is_empty() {
+            self.error(span, "constructor", format!("`{of}()` needs an argument"));
+            return;
+        }
+        let mut found = 0;
+        for (index, arg) in call.args.iter().enumerate() {
+            let Some(ty) = &arg.ty else { return };
+            let Some(count) = ty.components() else {
+                self.error(arg.span, "constructor", format!("cannot construct `{of}` from `{ty}`"));
+                return;
+            };
+            let is_matrix = matches!(ty, Type::Matrix { .. });
+            if is_matrix && matches!(of, Type::Matrix { .. }) {
+                if call.args.len() > 1 {
+                    self.error(arg.span, "constructor", "a matrix constructed from a matrix takes no other arguments");
+                }
+                return;
+            }
+            if found >= expected {
+                let message = format!(
+                    "too many arguments: `{of}` has {expected} components, which are filled before argument {}",
+                    index + 1
+                );
+                self.error(arg.span, "constructor", message);
+                return;
+            }
+            found += count;
+        }
+        if found == 1 && call.args.len() == 1 {
+            return;
+        }
+        if found < expected {
+            let message = format!("`{of}` needs {expected} components, found {found}");
+            let mut problem = Problem::error(span, "constructor", message);
+            if found == 3 && expected == 4 {
+                problem = problem.with_help("add a fourth component, such as `1.0`");
+            }
+            self.problems.push(problem);
+        } else if found > expected && matches!(of, Type::Matrix { .. }) {
+            let message = format!("`{of}` needs {expected} components, found {found}");
+            self.error(span, "constructor", message);
+        }
+    }
+}

@@ -1,7 +1,7 @@
 //! Determines the types of expressions, and checks assignments.
 
 use super::scope::Use;
-use super::{Checker, Conversion, Storage, SymbolKind};
+use super::{Checker, ImplicitConversion, Storage, SymbolKind};
 use crate::ast::{Expr, ExprKind, Literal};
 use crate::{Problem, Scalar, Span, Type};
 
@@ -322,7 +322,7 @@ impl Checker<'_> {
             let help = if is_number { format!("write `{text}.0`") } else { format!("write `{to}({text})`") };
             self.problems.push(Problem::strict(value.span, "implicit-conversion", message).with_help(help));
         }
-        self.conversions.push(Conversion {
+        self.conversions.push(ImplicitConversion {
             tokens: value.tokens,
             span: value.span,
             from,

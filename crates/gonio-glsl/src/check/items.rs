@@ -1,7 +1,5 @@
 //! Checks declarations: functions, variables, structs, blocks.
 
-use std::collections::HashSet;
-
 use super::interface::StructInfo;
 use super::scope::storage_of;
 use super::{Checker, FunctionInfo, Storage, Symbol, SymbolKind};
@@ -9,8 +7,8 @@ use crate::ast::{
     Declaration, Declarator, Expr, ExprKind, Function, InterfaceBlock, Item, Param, Qualifier, StructDefinition,
     TypeName, Unit, has,
 };
-use crate::types::words;
-use crate::{Problem, Span, Type};
+use crate::{Problem, Span, Type, lex};
+use std::collections::HashSet;
 
 impl Checker<'_> {
     pub(super) fn unit(&mut self, unit: &mut Unit) {
@@ -42,7 +40,7 @@ impl Checker<'_> {
         let of = if self.structs.contains_key(&ty.name) {
             Some(Type::Struct(ty.name.clone()))
         } else if let Some(found) = Type::named(&ty.name) {
-            if !words::is_type(&ty.name, self.version) {
+            if !lex::is_type(&ty.name, self.version) {
                 let message = format!("the type `{}` is not available in version {}", ty.name, self.version.written());
                 self.unknown(Problem::error(ty.span, "unknown-type", message));
             }
@@ -264,12 +262,12 @@ impl Checker<'_> {
             }
             _ => vec![Some(ty.clone())],
         };
-        for (value, wanted) in list.iter_mut().zip(members) {
-            match wanted {
-                Some(mut wanted) if matches!(value.kind, ExprKind::List(_)) => self.list(value, &mut wanted),
-                wanted => {
+        for (value, expected) in list.iter_mut().zip(members) {
+            match expected {
+                Some(mut expected) if matches!(value.kind, ExprKind::List(_)) => self.list(value, &mut expected),
+                expected => {
                     self.expression(value);
-                    self.convert(value, wanted.as_ref(), "this value");
+                    self.convert(value, expected.as_ref(), "this value");
                 }
             }
         }
@@ -345,7 +343,10 @@ impl Checker<'_> {
         if let Some(info) = self.functions.get_mut(&name).and_then(|list| list.get_mut(index)) {
             info.cost = cost;
         }
-        if returns.is_some_and(|t| t != Type::Void) && !super::flow::always_leaves(body) && !self.has_syntax_errors {
+        if returns.is_some_and(|t| t != Type::Void)
+            && !super::statements::always_leaves(body)
+            && !self.has_syntax_errors
+        {
             let message = format!("`{}` can reach its end without a `return`", function.name);
             self.strict(function.name_span, "missing-return", message);
         }

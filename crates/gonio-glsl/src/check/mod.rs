@@ -1,27 +1,21 @@
 //! Checks names, types and rules of a whole shader.
 
 mod calls;
-mod constructors;
 mod expressions;
-mod flow;
 mod interface;
 mod items;
 mod operators;
-mod pair;
 mod scope;
 mod size;
 mod statements;
 mod strict;
 
-use std::collections::{BTreeSet, HashMap};
-
 use crate::constant::Components;
 use crate::{Parsed, Problem, Severity, Span, Stage, TokenRange, Type, Version};
-
 pub(crate) use calls::modern;
-pub use interface::{Block, Interface, Leaf, StructInfo, Variable, leaves};
-pub use pair::check_pair;
+pub use interface::{Block, Interface, Leaf, StructInfo, Variable, check_pair, leaves};
 pub use scope::{Storage, Symbol, SymbolKind};
+use std::collections::{BTreeSet, HashMap};
 
 /// A shader with resolved names and types.
 #[derive(Debug, Clone)]
@@ -35,7 +29,7 @@ pub struct Checked {
     /// All variables and functions it declares, with their uses.
     pub symbols: Vec<Symbol>,
     /// Implicit conversions.
-    pub conversions: Vec<Conversion>,
+    pub conversions: Vec<ImplicitConversion>,
     /// Names of built-in functions that are called.
     pub functions_used: BTreeSet<String>,
     /// Names of built-in variables that are used.
@@ -64,7 +58,7 @@ impl Checked {
 
 /// An implicit conversion, such as that of the 1 in `float x = 1;`.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Conversion {
+pub struct ImplicitConversion {
     /// The tokens of the value.
     pub tokens: TokenRange,
     /// The position of the value.
@@ -143,7 +137,7 @@ struct Checker<'p> {
     functions: HashMap<String, Vec<FunctionInfo>>,
     structs: HashMap<String, StructInfo>,
     struct_order: Vec<String>,
-    conversions: Vec<Conversion>,
+    conversions: Vec<ImplicitConversion>,
     variable_uses: Vec<(String, TokenRange)>,
     function_uses: Vec<(String, TokenRange, Option<Type>)>,
     hiding: BTreeSet<usize>,

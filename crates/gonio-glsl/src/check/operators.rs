@@ -20,7 +20,7 @@ impl Checker<'_> {
         if is_right {
             return Some(ty);
         }
-        let (wanted, mark) = match op {
+        let (expected, mark) = match op {
             UnaryOp::Not => ("a `bool`", "!"),
             UnaryOp::Complement => ("an `int`", "~"),
             UnaryOp::Plus => ("a number", "+"),
@@ -28,7 +28,7 @@ impl Checker<'_> {
             UnaryOp::PreIncrement | UnaryOp::PostIncrement => ("a number", "++"),
             UnaryOp::PreDecrement | UnaryOp::PostDecrement => ("a number", "--"),
         };
-        self.error(span, "wrong-type", format!("`{mark}` needs {wanted}, found `{ty}`"));
+        self.error(span, "wrong-type", format!("`{mark}` needs {expected}, found `{ty}`"));
         None
     }
 

@@ -2,8 +2,7 @@
 
 use super::{Access, Checker};
 use crate::ast::{Qualifier, has};
-use crate::types::words;
-use crate::{Problem, Span, Stage, TokenRange, Type};
+use crate::{Problem, Span, Stage, TokenRange, Type, lex};
 
 /// The kind of a symbol.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -110,7 +109,7 @@ impl Checker<'_> {
             let message = format!("names with two underscores, such as `{}`, are reserved", symbol.name);
             self.strict(symbol.span, "reserved-name", message);
         }
-        if words::is_reserved(&symbol.name, self.version) && !self.has_syntax_errors {
+        if lex::is_reserved(&symbol.name, self.version) && !self.has_syntax_errors {
             let message = format!("`{}` is a reserved word and cannot be a name", symbol.name);
             self.error(symbol.span, "reserved-word", message);
         }

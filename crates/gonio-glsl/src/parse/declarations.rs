@@ -1,17 +1,16 @@
 //! Parses qualifiers, types, structs and variables.
 
 use super::{Parse, Parser};
-use crate::TokenRange;
 use crate::ast::{Declaration, Declarator, LayoutEntry, Precision, Qualifier, StructDefinition, TypeName};
 use crate::lex::TokenKind;
-use crate::types::words;
+use crate::{TokenRange, lex};
 
 impl Parser<'_> {
     #[inline(never)]
     pub(super) fn qualifiers(&mut self) -> Parse<Vec<Qualifier>> {
         let mut list = Vec::new();
         while self.token().kind == TokenKind::Name
-            && words::is_qualifier(&self.token().text, self.version)
+            && lex::is_qualifier(&self.token().text, self.version)
             && !self.is_used_as_name(self.token())
         {
             let first = self.here();
@@ -64,7 +63,7 @@ impl Parser<'_> {
         if token.kind == TokenKind::Stray {
             return self.stray();
         }
-        if token.kind != TokenKind::Name || words::is_statement(&token.text, self.version) {
+        if token.kind != TokenKind::Name || lex::is_statement(&token.text, self.version) {
             let message = format!("expected a type such as `vec3`, found {}", self.found());
             return self.fail(token.span, "missing-type", message);
         }

@@ -4,8 +4,7 @@ use super::{Parse, Parser};
 use crate::ast::{BinaryOp, Call, Expr, ExprKind, Literal, UnaryOp};
 use crate::lex::TokenKind;
 use crate::limits::{MOST_ARRAY_SIZES, MOST_NESTED};
-use crate::types::words;
-use crate::{Limit, Problem, TokenRange, Type};
+use crate::{Limit, Problem, TokenRange, Type, lex};
 
 const ASSIGNMENTS: [&str; 11] = ["=", "+=", "-=", "*=", "/=", "%=", "<<=", ">>=", "&=", "^=", "|="];
 
@@ -222,7 +221,7 @@ impl Parser<'_> {
             self.advance();
             return self.expr(ExprKind::Literal(Literal::Bool(token.is("true"))), first);
         }
-        if words::is_statement(&token.text, self.version) {
+        if lex::is_statement(&token.text, self.version) {
             let message = format!("expected an expression, found `{}`", token.text);
             let span = if self.starts_line() { self.behind() } else { token.span };
             return self.fail(span, "missing-value", message);
@@ -232,7 +231,7 @@ impl Parser<'_> {
         let is_array = is_type && self.is("[") && self.behind_brackets(0).is("(");
         let sizes = if is_array { self.sizes()? } else { Vec::new() };
         if !self.is("(") {
-            if is_type && words::is_type(&token.text, self.version) {
+            if is_type && lex::is_type(&token.text, self.version) {
                 let message =
                     format!("`{}` is a type, not a value: write `{}(..)` to construct one", token.text, token.text);
                 return self.fail(token.span, "type-as-value", message);

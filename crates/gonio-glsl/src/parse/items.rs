@@ -3,8 +3,7 @@
 use super::{Parse, Parser};
 use crate::ast::{Function, InterfaceBlock, Item, Param, Qualifier, Qualify, TypeName, Unit};
 use crate::lex::TokenKind;
-use crate::types::words;
-use crate::{Problem, TokenRange};
+use crate::{Problem, TokenRange, lex};
 
 impl Parser<'_> {
     pub(super) fn unit(&mut self) -> Unit {
@@ -112,7 +111,7 @@ impl Parser<'_> {
         let controls = ["if", "for", "while", "do", "return", "break", "continue", "discard", "else", "switch"];
         controls.contains(&&*token.text)
             || (next.kind == TokenKind::Mark
-                && !words::is_type(&token.text, self.version)
+                && !lex::is_type(&token.text, self.version)
                 && !matches!(&*next.text, "[" | ";" | "{" | "}" | ")"))
     }
 

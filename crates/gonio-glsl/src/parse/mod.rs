@@ -5,13 +5,11 @@ mod expressions;
 mod items;
 mod statements;
 
-use std::collections::HashSet;
-
 use crate::ast::Unit;
 use crate::lex::{Token, TokenKind};
 use crate::limits::MOST_NESTED;
-use crate::types::words;
-use crate::{Limit, Problem, Span, TokenRange, Version};
+use crate::{Limit, Problem, Span, TokenRange, Version, lex};
+use std::collections::HashSet;
 
 /// Most syntax errors before parsing stops.
 const MOST_PROBLEMS: usize = 50;
@@ -199,11 +197,11 @@ impl<'p> Parser<'p> {
             let message = format!("expected the name of {of}, found {}", self.found());
             return self.fail(token.span, "missing-name", message);
         }
-        if words::is_reserved(&token.text, self.version) {
+        if lex::is_reserved(&token.text, self.version) {
             let message = format!("`{}` is a reserved word and cannot be the name of {of}", token.text);
             // The tree is as good as with any other name.
             self.report(Problem::error(token.span, "reserved-word", message));
-            if words::is_statement(&token.text, self.version) {
+            if lex::is_statement(&token.text, self.version) {
                 return Err(Stop);
             }
         }
@@ -239,13 +237,13 @@ impl<'p> Parser<'p> {
 
     fn is_type_name(&self, token: &Token) -> bool {
         token.kind == TokenKind::Name
-            && (words::is_type(&token.text, self.version) || self.structs.contains(&*token.text))
+            && (lex::is_type(&token.text, self.version) || self.structs.contains(&*token.text))
     }
 
     /// Whether a declaration begins here: a qualifier, a type, or two names in a row.
     fn is_declaration(&self) -> bool {
         let token = self.token();
-        if token.kind != TokenKind::Name || (words::is_statement(&token.text, self.version) && !self.is_prefix(token)) {
+        if token.kind != TokenKind::Name || (lex::is_statement(&token.text, self.version) && !self.is_prefix(token)) {
             return false;
         }
         if self.is_prefix(token) {
@@ -259,11 +257,11 @@ impl<'p> Parser<'p> {
         if next.is("[") {
             return self.behind_brackets(1).kind == TokenKind::Name && self.is_type_name(token);
         }
-        words::is_type(&token.text, self.version) && !next.is("(") && !next.is(".")
+        lex::is_type(&token.text, self.version) && !next.is("(") && !next.is(".")
     }
 
     fn is_prefix(&self, token: &Token) -> bool {
-        token.is("struct") || words::is_qualifier(&token.text, self.version) && !self.is_used_as_name(token)
+        token.is("struct") || lex::is_qualifier(&token.text, self.version) && !self.is_used_as_name(token)
     }
 
     /// Whether a word that is a qualifier is used as a name: `sample = 1.0`.

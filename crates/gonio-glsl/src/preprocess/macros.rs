@@ -80,7 +80,7 @@ impl Preprocessor<'_> {
     fn arguments(
         &mut self,
         name: &Token,
-        wanted: usize,
+        expected: usize,
         frames: &mut Vec<OpenMacro>,
         from_file: bool,
     ) -> Option<(Vec<Vec<Token>>, Span)> {
@@ -112,13 +112,13 @@ impl Preprocessor<'_> {
                 argument.push(token);
             }
         };
-        if wanted == 0 && arguments.len() == 1 && arguments[0].is_empty() {
+        if expected == 0 && arguments.len() == 1 && arguments[0].is_empty() {
             arguments.clear();
         }
-        if arguments.len() != wanted {
-            let message = format!("the macro `{}` takes {wanted} arguments, found {}", name.text, arguments.len());
+        if arguments.len() != expected {
+            let message = format!("the macro `{}` takes {expected} arguments, found {}", name.text, arguments.len());
             self.problems.push(Problem::error(name.span, "macro-arguments", message));
-            arguments.resize(wanted, Vec::new());
+            arguments.resize(expected, Vec::new());
         }
         Some((arguments, close))
     }

@@ -1,6 +1,5 @@
 //! The preprocessor: executes directives, expands macros, and removes branches that are not compiled.
 
-mod condition;
 mod directives;
 mod macros;
 

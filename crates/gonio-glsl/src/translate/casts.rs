@@ -3,7 +3,7 @@
 
 use super::Translator;
 use crate::ast::Item;
-use crate::{Conversion, Problem, Scalar};
+use crate::{ImplicitConversion, Problem, Scalar};
 
 impl Translator<'_> {
     pub(super) fn casts(&mut self) {
@@ -21,7 +21,7 @@ impl Translator<'_> {
 
     /// Whether the output version does not convert implicitly. Before 1.30 all functions took floats, so an `int` there
     /// means a `float`, which later versions would not assume.
-    fn needs(&self, conversion: &Conversion) -> bool {
+    fn needs(&self, conversion: &ImplicitConversion) -> bool {
         match conversion.to.scalar() {
             // Doubles become floats.
             Some(Scalar::Float | Scalar::Double) => {
@@ -32,7 +32,7 @@ impl Translator<'_> {
         }
     }
 
-    fn cast(&mut self, conversion: &Conversion) {
+    fn cast(&mut self, conversion: &ImplicitConversion) {
         let ty = match conversion.to.scalar() {
             Some(Scalar::Double) => conversion.to.with_scalar(Scalar::Float),
             _ => conversion.to.clone(),

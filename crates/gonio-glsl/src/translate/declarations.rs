@@ -179,7 +179,7 @@ impl Translator<'_> {
             kept.push((1, "flat".into()));
         }
         kept.sort_by_key(|k| k.0);
-        let wanted: Vec<String> = kept.into_iter().map(|k| k.1).collect();
+        let expected: Vec<String> = kept.into_iter().map(|k| k.1).collect();
         let now: Vec<String> = qualifiers
             .iter()
             .map(|q| {
@@ -187,7 +187,7 @@ impl Translator<'_> {
                 self.edits.apply(&self.parsed.source, start, end)
             })
             .collect();
-        if wanted == now {
+        if expected == now {
             return;
         }
         for (index, qualifier) in qualifiers.iter().enumerate() {
@@ -195,7 +195,7 @@ impl Translator<'_> {
                 self.cannot(qualifier.span, "this declaration comes from a macro");
                 return;
             };
-            let text = if index == 0 { wanted.join(" ") } else { String::new() };
+            let text = if index == 0 { expected.join(" ") } else { String::new() };
             let lines = self.parsed.source.get(start as usize..end as usize).unwrap_or("").matches('\n').count();
             self.edits.replace(start, end, text + &"\n".repeat(lines));
         }

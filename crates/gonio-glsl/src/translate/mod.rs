@@ -3,12 +3,10 @@
 mod casts;
 mod declarations;
 mod edits;
-mod legacy;
 mod loops;
 mod names;
 mod show;
 mod text;
-mod turns;
 
 use std::collections::BTreeSet;
 

@@ -1,14 +1,13 @@
-//! Pairs of shaders that are too large or too deep, or nearly so, as generated texts.
+//! Generates pairs of shaders that are too large or too deep, or nearly so.
 
 use gonio_glsl::Limit;
 
-/// A pair, and what the reader says of it.
+/// A pair of shaders, and the limit that the front end must report.
 pub struct Pair {
-    /// What is large or deep about it.
     pub name: &'static str,
     pub vertex: String,
     pub fragment: String,
-    /// The limit it exceeds; none where it is within all of them.
+    /// The limit that it exceeds, if any.
     pub limit: Option<Limit>,
 }
 
@@ -20,7 +19,7 @@ const FRAGMENT: &str = "#version 330 core\nout vec4 colour;\n//globals\nvoid mai
 struct Pairs(Vec<Pair>);
 
 impl Pairs {
-    /// The text stands in the vertex and in the fragment shader in turn.
+    /// Adds a pair with this text, alternately in the vertex and in the fragment shader.
     fn add(&mut self, name: &'static str, limit: impl Into<Option<Limit>>, globals: &str, body: &str) {
         let is_vertex = self.0.len().is_multiple_of(2);
         let filled = |text: &str| text.replacen("//globals", globals, 1).replacen("//body", body, 1);
@@ -36,7 +35,7 @@ impl Pairs {
     }
 }
 
-/// A text for each number, one after the other.
+/// Concatenates a text for each number.
 fn each(count: usize, text: impl Fn(usize) -> String) -> String {
     (0..count).map(text).collect()
 }
@@ -55,7 +54,7 @@ fn functions(count: usize, first: &str, body: impl Fn(usize) -> String) -> Strin
     format!("float f0(float v) {{ {first} }}\n{}", each(count, more))
 }
 
-/// All of them.
+/// Generates all pairs.
 pub fn pairs() -> Vec<Pair> {
     let mut pairs = Pairs(Vec::new());
     sizes(&mut pairs);
@@ -85,7 +84,7 @@ fn sizes(pairs: &mut Pairs) {
     pairs.body("array of arrays", Components, "float a[200][200]; x = a[int(x)][0];");
     pairs.body("array of nine dimensions", ArraySizes, &format!("float a{};", "[2]".repeat(9)));
     pairs.add("array of uniforms", Components, "uniform vec4 u[1000000];", "x = u[int(x)].x;");
-    pairs.add("array that nobody uses", Components, "float unused[2147483647];", "");
+    pairs.add("unused array", Components, "float unused[2147483647];", "");
     pairs.add("inputs or outputs in an array", InterfaceComponents, "out float v[5000];", "v[int(x)] = x;");
     let list = each(20_000, |i| format!("{}{i}.5", if i == 0 { "" } else { "," }));
     pairs.add("constant array", Components, &format!("const float t[] = float[]({list});"), "x = t[int(x)];");
@@ -105,19 +104,19 @@ fn sizes(pairs: &mut Pairs) {
     pairs.body("a long name", Name, &format!("float {} = x;", "a".repeat(100_000)));
     let cases = each(2000, |i| format!("case {i}: x = {i}.0; break; "));
     pairs.body("a switch of many cases", Cases, &format!("switch (int(x)) {{ {cases} }}"));
-    pairs.body("many errors, and a giant array", Components, &format!("{} int a[2147483647];", "x = ; ".repeat(100)));
+    pairs.body("many errors and a giant array", Components, &format!("{} int a[2147483647];", "x = ; ".repeat(100)));
     pairs.body("many errors", SyntaxErrors, &"x = ;\n".repeat(100));
-    pairs.body("an array in what is no statement", Components, "? ] int a[2147483647]; (");
+    pairs.body("an array outside a statement", Components, "? ] int a[2147483647]; (");
 }
 
 fn depths(pairs: &mut Pairs) {
     use Limit::*;
     let long = 5000;
     pairs.body("a long sum", Nested, &format!("x = x{};", " + 0.0".repeat(long)));
-    pairs.body("brackets", Nested, &format!("x = {};", around("(", "x", ")", long)));
-    pairs.body("brackets that are never closed", Nested, &"(".repeat(100_000));
+    pairs.body("parentheses", Nested, &format!("x = {};", around("(", "x", ")", long)));
+    pairs.body("parentheses that are never closed", Nested, &"(".repeat(100_000));
     pairs.body("calls within calls", Nested, &format!("x = {};", around("sin(", "x", ")", long)));
-    pairs.body("signs", Nested, &format!("x = {}x;", "- ".repeat(long)));
+    pairs.body("unary minus", Nested, &format!("x = {}x;", "- ".repeat(long)));
     pairs.body("negations", Nested, &format!("bool b = {}true;", "!".repeat(long)));
     pairs.body("braces", Nested, &around("{", "x = 1.0;", "}", long));
     pairs.body("ifs", Nested, &format!("{} x = 1.0;", "if (x > 1.0) ".repeat(long)));
@@ -133,14 +132,14 @@ fn depths(pairs: &mut Pairs) {
     let loops = each(60, |i| format!("for (int i{i} = 0; i{i} < int(x); i{i}++) "));
     pairs.body("loops", LoopsNested, &format!("{loops} x += 1.0;"));
     let looping = |i: usize| format!("for (int i = 0; i < int(v); i++) v += f{i}(v); return v;");
-    pairs.add("loops by way of calls", LoopsNested, &functions(20, "return v;", looping), "x = f20(x);");
+    pairs.add("loops through calls", LoopsNested, &functions(20, "return v;", looping), "x = f20(x);");
     let calling = |i: usize| format!("return f{i}(v) + 1.0;");
     pairs.add("functions that call functions", CallsNested, &functions(4000, "return v;", calling), "x = f4000(x);");
     let twice = |i: usize| format!("return f{i}(v) + f{i}(v + 1.0);");
     pairs.add("calls that double", Inlined, &functions(40, "return v * v;", twice), "x = f40(x);");
     pairs.add("#if within #if", None, "", &format!("\n{}{}", "#if 1\n".repeat(50_000), "#endif\n".repeat(50_000)));
     let condition = around("(", "1", ")", 200);
-    pairs.body("brackets in a condition", Nested, &format!("\n#if {condition}\n#endif\n"));
+    pairs.body("parentheses in a condition", Nested, &format!("\n#if {condition}\n#endif\n"));
     let signs = "!".repeat(5000);
     pairs.body("signs in a condition", Nested, &format!("\n#if {signs}1\n#endif\n"));
 }
@@ -153,19 +152,19 @@ fn macros(pairs: &mut Pairs) {
     let nested = around("f(", "x", ")", 200);
     pairs.add("macros in arguments of macros", Macros, "#define f(v) v", &format!("x = {nested};"));
     let nested = around("f(", "x", ")", 2000);
-    pairs.add("macros in arguments that nobody reads", Nested, "#define f(v) 1.0", &format!("x = {nested};"));
+    pairs.add("macros in unused arguments", Nested, "#define f(v) 1.0", &format!("x = {nested};"));
     let endless = "#define f(v) f(v) g(v)\n#define g(v) f(v f(v))\n#define A A B\n#define B A A\n";
-    pairs.add("macros that contain themselves", None, endless, "x = 1.0;");
+    pairs.add("recursive macros", None, endless, "x = 1.0;");
     let pasting = each(40, |i| format!("#define p{}(v) p{i}(v##v)\n", i + 1));
     pairs.add("names that double", Name, &format!("#define p0(v) v\n{pasting}"), "float p40(ab) = x;");
 }
 
-/// What is large and deep, and within all limits.
+/// Large and deep shaders within all limits.
 fn within(pairs: &mut Pairs) {
     pairs.body("a sum of 240 terms", None, &format!("x = x{};", " + 0.5".repeat(240)));
-    pairs.body("240 brackets", None, &format!("x = {};", around("(", "x", ")", 240)));
+    pairs.body("240 parentheses", None, &format!("x = {};", around("(", "x", ")", 240)));
     pairs.body("240 calls within calls", None, &format!("x = {};", around("sin(", "x", ")", 240)));
-    pairs.body("240 signs", None, &format!("x = {}x;", "- ".repeat(240)));
+    pairs.body("240 unary minus", None, &format!("x = {}x;", "- ".repeat(240)));
     pairs.body("240 braces", None, &around("{", "x = 1.0;", "}", 240));
     pairs.body("240 else ifs", None, &format!("{} ;", each(240, |i| format!("if (x == {i}.5) x = 1.0; else "))));
     pairs.body("240 conditions within conditions", None, &format!("x = {} 1.0;", "x > 1.0 ? 2.0 : ".repeat(240)));
@@ -181,6 +180,6 @@ fn within(pairs: &mut Pairs) {
     pairs.add("64 KiB of uniforms", None, "uniform vec4 u[4096];", "x = u[int(x)].x;");
     let calling = |i: usize| format!("return f{i}(v) + 1.0;");
     pairs.add("200 functions that call each other", None, &functions(200, "return v;", calling), "x = f200(x);");
-    pairs.add("a size of GLSL's own", None, "", "vec4 a[gl_MaxDrawBuffers]; a[0] = vec4(x);");
+    pairs.add("a built-in constant as size", None, "", "vec4 a[gl_MaxDrawBuffers]; a[0] = vec4(x);");
     pairs.add("1,024 statements by macros", None, &doubling(10, "x += 0.5;"), "a10");
 }

@@ -1,7 +1,5 @@
 //! The types of GLSL.
 
-pub(crate) mod words;
-
 /// The type of a component.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Scalar {
